@@ -8,8 +8,8 @@
 
 namespace meltpool {
 
-/// The person gave something that cannot be used: a file, an argument, a driver that is too old. `what()` is one sentence
-/// that names the place and says what was expected. The program ends with exit code 2.
+/// The person gave something that cannot be used: a file, an argument, a driver that is too old. `what()` is one
+/// sentence that names the place and says what was expected. The program ends with exit code 2.
 class InputError : public std::runtime_error {
   public:
     explicit InputError(const std::string& sentence) : std::runtime_error(sentence) {}

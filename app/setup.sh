@@ -1,0 +1,77 @@
+# Functions of run.sh and test.sh: install what is missing, build a preset. Sourced, not run.
+
+# Debian and Ubuntu packages, by what needs them.
+meltpoolBuildPackages=(
+    g++ cmake ninja-build pkg-config glslang-tools git
+    libglfw3-dev libglew-dev libglm-dev libopenxr-dev libimgui-dev libgl-dev libegl-dev
+    libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libstb-dev catch2
+    libgl1-mesa-dri libegl1 libglx-mesa0
+)
+meltpoolTestPackages=(
+    xvfb xauth xdotool x11-apps x11-utils imagemagick mmdebstrap
+)
+
+# meltpoolInstall KIND...: installs the missing packages of the kinds build and test; asks for sudo only when something is missing.
+meltpoolInstall() {
+    local wanted=() missing=() kind package
+    for kind in "$@"; do
+        case $kind in
+        build) wanted+=("${meltpoolBuildPackages[@]}") ;;
+        test) wanted+=("${meltpoolTestPackages[@]}") ;;
+        esac
+    done
+    if ! command -v apt-get >/dev/null; then
+        meltpoolListNeeds
+        return
+    fi
+    for package in "${wanted[@]}"; do
+        dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
+    done
+    [ ${#missing[@]} -eq 0 ] && return
+    echo "Installing: ${missing[*]}"
+    local asRoot=()
+    if [ "$(id -u)" -ne 0 ]; then
+        command -v sudo >/dev/null || {
+            echo "run as root: apt-get install ${missing[*]}" >&2
+            exit 2
+        }
+        asRoot=(sudo)
+    fi
+    "${asRoot[@]}" apt-get update -qq
+    "${asRoot[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}"
+}
+
+# Without apt nothing is installed for the user; a missing tool is named before CMake stumbles over it.
+meltpoolListNeeds() {
+    local tool absent=()
+    for tool in c++ cmake ninja pkg-config glslangValidator; do
+        command -v $tool >/dev/null || absent+=("$tool")
+    done
+    [ ${#absent[@]} -eq 0 ] && return
+    echo "Please install ${absent[*]}, and the development files of GLFW, GLEW, GLM, OpenXR, Dear ImGui, toml++," >&2
+    echo "CLI11, nlohmann-json, stb, Catch2 and EGL; then start this again." >&2
+    exit 2
+}
+
+# meltpoolBuild PRESET [CMAKE CACHE OPTIONS] [--target NAME]: configures and builds, quietly unless it fails.
+meltpoolBuild() {
+    local preset=$1 options=() target=() log
+    shift
+    while [ $# -gt 0 ]; do
+        if [ "$1" = --target ]; then
+            target=(--target "$2")
+            shift 2
+        else
+            options+=("$1")
+            shift
+        fi
+    done
+    log=$(mktemp)
+    if ! { cmake --preset "$preset" "${options[@]}" >"$log" 2>&1; }; then
+        cat "$log" >&2
+        rm -f "$log"
+        exit 1
+    fi
+    rm -f "$log"
+    cmake --build "build/$preset" "${target[@]}"
+}

@@ -1,0 +1,33 @@
+// An 8-bit RGB picture in memory and as PNG.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace meltpool {
+
+/// Rows from top to bottom, three bytes (sRGB) a pixel.
+struct Image {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> rgb;
+};
+
+/// Throws InputError when the file cannot be written.
+void writePng(const std::filesystem::path& file, const Image& image);
+
+/// Throws InputError when the file is missing or is no picture.
+Image readPng(const std::filesystem::path& file);
+
+/// How two pictures of the same size differ.
+struct ImageDifference {
+    double mean = 0;      ///< mean absolute difference of all channels, 0..255
+    double farPixels = 0; ///< share of pixels of which a channel is off by more than `threshold`
+    int largest = 0;      ///< largest difference of a channel
+};
+
+/// Throws InputError when the sizes differ.
+ImageDifference compareImages(const Image& a, const Image& b, int threshold);
+
+} // namespace meltpool

@@ -1,0 +1,44 @@
+// One description of every adjustable value: menus, TOML files, `--set` and the printed help are all made from it.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace meltpool {
+
+/// A value of a parameter struct together with what a person must know to change it. The default of a value is what a
+/// default-constructed struct holds.
+struct Parameter {
+    std::string_view key;   ///< name in files and on the command line, snake_case
+    std::string_view label; ///< name in menus
+    std::string_view unit;  ///< "" where there is none
+    std::variant<float*, int*, bool*, glm::vec3*, std::string*> value;
+    double minimum = 0;    ///< smallest allowed value (each component of a vector)
+    double maximum = 1;    ///< largest allowed value
+    std::string_view note; ///< what raising it costs or breaks
+    /// For an `int` that stands for a choice: the names in order; files hold the name. Empty for plain numbers.
+    std::span<const std::string_view> choices = {};
+    bool onlyAtStart = false; ///< true: takes effect at the next start, not while running
+};
+
+using ParameterList = std::vector<Parameter>;
+
+/// The parameter called `key`, or nullptr.
+const Parameter* findParameter(const ParameterList& list, std::string_view key);
+
+/// Sets a value from text ("0.3", "true", "ice", "0,-9.81,0"). Throws InputError, beginning with `where`, when the key
+/// is unknown, the text is not of the parameter's type, or the value is out of range; the value is then unchanged.
+void setParameter(const ParameterList& list, std::string_view key, std::string_view text, std::string_view where);
+
+/// The value as the text that setParameter() reads back to the same bits.
+std::string parameterText(const Parameter& parameter);
+
+/// Sentence fragment for messages and help: "a number from 0 to 1 (m)", "one of metal, ice".
+std::string expectation(const Parameter& parameter);
+
+} // namespace meltpool

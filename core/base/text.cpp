@@ -1,0 +1,88 @@
+#include "core/base/text.hpp"
+
+#include "core/base/error.hpp"
+
+#include <array>
+#include <charconv>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+namespace meltpool {
+
+namespace {
+
+template <class Number>
+std::optional<Number> parseWhole(std::string_view text) {
+    if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+    Number value{};
+    const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (result.ec != std::errc{} || result.ptr != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+template <class Number>
+std::string formatShortest(Number value) {
+    std::array<char, 64> buffer{};
+    const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    return {buffer.data(), result.ptr};
+}
+
+} // namespace
+
+std::optional<double> parseDouble(std::string_view text) {
+    return parseWhole<double>(text);
+}
+std::optional<long long> parseInteger(std::string_view text) {
+    return parseWhole<long long>(text);
+}
+std::string formatNumber(float value) {
+    return formatShortest(value);
+}
+std::string formatNumber(double value) {
+    return formatShortest(value);
+}
+
+std::vector<std::string_view> splitText(std::string_view text, char separator) {
+    std::vector<std::string_view> parts;
+    size_t start = 0;
+    for (size_t end; (end = text.find(separator, start)) != std::string_view::npos; start = end + 1)
+        parts.push_back(text.substr(start, end - start));
+    parts.push_back(text.substr(start));
+    return parts;
+}
+
+std::string_view trimText(std::string_view text) {
+    constexpr std::string_view kBlank = " \t\r\n";
+    const size_t first = text.find_first_not_of(kBlank);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
+}
+
+std::string readTextFile(const std::filesystem::path& file) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(file, ignored))
+        throw InputError(file, 0, "this is a folder; expected a readable file");
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) throw InputError(file, 0, "cannot be opened; expected a readable file");
+    std::ostringstream text;
+    text << stream.rdbuf();
+    if (stream.bad()) throw InputError(file, 0, "cannot be read to its end");
+    return std::move(text).str();
+}
+
+void writeTextFileAtomically(const std::filesystem::path& file, std::string_view text) {
+    std::filesystem::path draft = file;
+    draft += ".tmp";
+    std::ofstream stream(draft, std::ios::binary | std::ios::trunc);
+    stream.write(text.data(), static_cast<std::streamsize>(text.size()));
+    stream.close();
+    std::error_code failure;
+    if (stream) std::filesystem::rename(draft, file, failure);
+    if (!stream || failure) {
+        std::filesystem::remove(draft, failure);
+        throw InputError(file, 0, "cannot be written; expected a folder with write permission and free space");
+    }
+}
+
+} // namespace meltpool

@@ -1,0 +1,31 @@
+// Numbers and files as text, independent of the user's locale.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace meltpool {
+
+/// The number that the whole text spells, or nothing. Accepts what C++ from_chars accepts and a leading '+'.
+std::optional<double> parseDouble(std::string_view text);
+std::optional<long long> parseInteger(std::string_view text);
+
+/// Shortest text that reads back to the same value.
+std::string formatNumber(float value);
+std::string formatNumber(double value);
+
+/// Pieces between separators; an empty text gives one empty piece. The views point into `text`.
+std::vector<std::string_view> splitText(std::string_view text, char separator);
+std::string_view trimText(std::string_view text);
+
+/// The whole file. Throws InputError when it cannot be read.
+std::string readTextFile(const std::filesystem::path& file);
+
+/// Writes beside the file and renames over it, so that a crash leaves the old or the new file, never half of one.
+/// Throws InputError when the folder or file cannot be written.
+void writeTextFileAtomically(const std::filesystem::path& file, std::string_view text);
+
+} // namespace meltpool

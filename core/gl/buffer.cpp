@@ -1,0 +1,49 @@
+#include "core/gl/buffer.hpp"
+
+#include "core/base/error.hpp"
+
+#include <algorithm>
+
+namespace meltpool::gl {
+
+Buffer::Buffer(std::string_view label, size_t bytes) : bytes_(std::max<size_t>(bytes, 4)) {
+    GLuint name = 0;
+    glCreateBuffers(1, &name);
+    handle_ = Handle<destroy>(name);
+    labelObject(GL_BUFFER, name, label);
+    while (glGetError() != GL_NO_ERROR) {
+    }
+    glNamedBufferStorage(name, static_cast<GLsizeiptr>(bytes_), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    if (glGetError() == GL_OUT_OF_MEMORY)
+        throw RuntimeFault("the graphics driver has no room for " + std::to_string(bytes_ >> 20) + " MiB ('" +
+                           std::string(label) + "'); use fewer particles or a coarser grid");
+    clear();
+}
+
+void Buffer::clear() const {
+    fill(0);
+}
+
+void Buffer::fill(GLuint word) const {
+    glClearNamedBufferData(name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &word);
+}
+
+void Buffer::copyTo(const Buffer& target, size_t bytes, size_t from, size_t to) const {
+    glCopyNamedBufferSubData(name(), target.name(), static_cast<GLintptr>(from), static_cast<GLintptr>(to),
+                             static_cast<GLsizeiptr>(bytes));
+}
+
+void Buffer::writeBytes(const void* data, size_t bytes, size_t offset) {
+    if (bytes == 0) return;
+    if (offset + bytes > bytes_) throw RuntimeFault("a write past the end of a GPU buffer was refused");
+    glNamedBufferSubData(name(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
+}
+
+void Buffer::readBytes(void* data, size_t bytes, size_t offset) const {
+    if (bytes == 0) return;
+    if (offset + bytes > bytes_) throw RuntimeFault("a read past the end of a GPU buffer was refused");
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    glGetNamedBufferSubData(name(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
+}
+
+} // namespace meltpool::gl

@@ -1,0 +1,55 @@
+#include "core/gl/context.hpp"
+
+#include "core/base/error.hpp"
+
+#include <cstdio>
+#include <cstring>
+
+namespace meltpool::gl {
+
+namespace {
+
+std::string textOf(GLenum what) {
+    const GLubyte* text = glGetString(what);
+    return text == nullptr ? std::string() : reinterpret_cast<const char*>(text);
+}
+
+void GLAPIENTRY reportDebugMessage(GLenum, GLenum type, GLuint, GLenum severity, GLsizei, const GLchar* message,
+                                   const void*) {
+    if (severity == GL_DEBUG_SEVERITY_NOTIFICATION || type == GL_DEBUG_TYPE_PERFORMANCE) return;
+    std::fprintf(stderr, "OpenGL: %s\n", message);
+}
+
+bool drawsOnCpu(const std::string& renderer) {
+    for (const char* name : {"llvmpipe", "softpipe", "swrast", "SwiftShader"})
+        if (renderer.find(name) != std::string::npos) return true;
+    return false;
+}
+
+} // namespace
+
+ContextInfo useCurrentContext(bool debug) {
+    glewExperimental = GL_TRUE;
+    const GLenum status = glewInit();
+    // With an EGL context GLEW misses its GLX display after having loaded every function: no error here.
+    if (status != GLEW_OK && status != GLEW_ERROR_NO_GLX_DISPLAY)
+        throw InputError(std::string("the OpenGL functions cannot be loaded: ") +
+                         reinterpret_cast<const char*>(glewGetErrorString(status)));
+    while (glGetError() != GL_NO_ERROR) {
+    }
+    ContextInfo info{textOf(GL_RENDERER), textOf(GL_VENDOR), textOf(GL_VERSION)};
+    glGetIntegerv(GL_MAJOR_VERSION, &info.major);
+    glGetIntegerv(GL_MINOR_VERSION, &info.minor);
+    info.software = drawsOnCpu(info.renderer);
+    if (info.major * 10 + info.minor < 45)
+        throw InputError("the graphics driver '" + info.renderer + "' offers OpenGL " + std::to_string(info.major) +
+                         "." + std::to_string(info.minor) + "; expected 4.5 core or newer");
+    if (debug) {
+        glEnable(GL_DEBUG_OUTPUT);
+        glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+        glDebugMessageCallback(reportDebugMessage, nullptr);
+    }
+    return info;
+}
+
+} // namespace meltpool::gl

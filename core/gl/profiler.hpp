@@ -1,0 +1,78 @@
+// GPU time of named passes, read frames later so that nothing waits.
+#pragma once
+
+#include "core/gl/gl.hpp"
+
+#include <array>
+#include <vector>
+
+namespace meltpool::gl {
+
+/// Time of one pass.
+struct PassTime {
+    std::string name;
+    int depth = 0;      ///< nesting: 0 = top
+    double lastMs = 0;  ///< the newest frame that was read
+    double leastMs = 0; ///< over all frames since reset()
+    double totalMs = 0; ///< sum over all frames since reset(); a pass entered several times in a frame counts whole
+    int frames = 0;
+};
+
+class Profiler {
+  public:
+    Profiler() = default;
+    ~Profiler();
+    Profiler(const Profiler&) = delete;
+    Profiler& operator=(const Profiler&) = delete;
+
+    void beginFrame();
+    void endFrame();
+    /// Reads every frame still under way, waiting for it.
+    void finish();
+    void reset();
+
+    const std::vector<PassTime>& passes() const { return passes_; }
+    const PassTime* find(std::string_view name) const;
+
+  private:
+    friend class Scope;
+    struct Mark {
+        size_t pass = 0;
+        GLuint begin = 0;
+        GLuint end = 0;
+    };
+    struct Frame {
+        std::vector<Mark> marks;
+        bool pending = false;
+    };
+
+    size_t open(std::string_view name);
+    void close(size_t mark);
+    void collect(Frame& frame, bool wait);
+    void add(size_t pass, double ms);
+    void closeFrame();
+    GLuint takeQuery();
+
+    bool inFrame_ = false;
+    int depth_ = 0;
+    size_t current_ = 0;
+    std::array<Frame, 4> frames_;
+    std::vector<GLuint> spare_;
+    std::vector<PassTime> passes_;
+    std::vector<double> frameMs_;
+};
+
+/// A debug group and the timing of what happens while it lives. A null profiler only groups.
+class Scope {
+  public:
+    Scope(Profiler* profiler, std::string_view name);
+    ~Scope();
+    Scope(const Scope&) = delete;
+    Scope& operator=(const Scope&) = delete;
+
+  private:
+    Profiler* profiler_;
+    size_t mark_ = 0;
+};
+
+} // namespace meltpool::gl

@@ -1,0 +1,133 @@
+#include "core/gl/program.hpp"
+
+#include "core/base/error.hpp"
+
+#include <algorithm>
+
+namespace meltpool::gl {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void deleteShader(GLuint name) {
+    glDeleteShader(name);
+}
+using Shader = Handle<deleteShader>;
+
+GLenum stageOf(const std::string& file) {
+    const std::string ending = fs::path(file).extension().string();
+    if (ending == ".comp") return GL_COMPUTE_SHADER;
+    if (ending == ".vert") return GL_VERTEX_SHADER;
+    if (ending == ".frag") return GL_FRAGMENT_SHADER;
+    if (ending == ".geom") return GL_GEOMETRY_SHADER;
+    throw InputError(file, 0, "is no shader; expected the ending .comp, .vert, .frag or .geom");
+}
+
+std::string compileLog(GLuint shader) {
+    GLint length = 0;
+    glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
+    std::string log(static_cast<size_t>(std::max(length, 1)), '\0');
+    glGetShaderInfoLog(shader, length, nullptr, log.data());
+    return log.c_str();
+}
+
+std::string linkLog(GLuint program) {
+    GLint length = 0;
+    glGetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
+    std::string log(static_cast<size_t>(std::max(length, 1)), '\0');
+    glGetProgramInfoLog(program, length, nullptr, log.data());
+    return log.c_str();
+}
+
+Shader compile(const std::string& file, const ShaderSource& source) {
+    Shader shader(glCreateShader(stageOf(file)));
+    const char* text = source.text.c_str();
+    glShaderSource(shader.name(), 1, &text, nullptr);
+    glCompileShader(shader.name());
+    GLint compiled = GL_FALSE;
+    glGetShaderiv(shader.name(), GL_COMPILE_STATUS, &compiled);
+    if (compiled == GL_FALSE)
+        throw InputError(source.files.front(), 0,
+                         "the shader does not compile: " + readableShaderLog(source, compileLog(shader.name())));
+    return shader;
+}
+
+fs::file_time_type newestTime(const std::vector<fs::path>& files) {
+    fs::file_time_type newest = fs::file_time_type::min();
+    std::error_code missing; // a file being saved may be away for a moment
+    for (const fs::path& file : files) {
+        const auto time = fs::last_write_time(file, missing);
+        if (!missing) newest = std::max(newest, time);
+    }
+    return newest;
+}
+
+} // namespace
+
+void Program::dispatchGroups(unsigned x, unsigned y, unsigned z) const {
+    use();
+    glDispatchCompute(x, y, z);
+}
+
+void Program::dispatch(size_t count, unsigned groupSize) const {
+    if (count == 0) return;
+    constexpr size_t kMostGroupsPerAxis = 65535; // the least that OpenGL guarantees
+    const size_t groups = (count + groupSize - 1) / groupSize;
+    const size_t rows = (groups + kMostGroupsPerAxis - 1) / kMostGroupsPerAxis;
+    const size_t perRow = (groups + rows - 1) / rows;
+    dispatchGroups(static_cast<unsigned>(perRow), static_cast<unsigned>(rows));
+}
+
+const Program& ShaderLibrary::load(std::vector<std::string> files, Defines defines) {
+    for (const auto& entry : entries_)
+        if (entry->files == files && entry->defines == defines) return entry->program;
+    auto entry = std::make_unique<Entry>();
+    entry->files = std::move(files);
+    entry->defines = std::move(defines);
+    build(*entry);
+    entries_.push_back(std::move(entry));
+    return entries_.back()->program;
+}
+
+std::vector<std::string> ShaderLibrary::reloadChanged() {
+    std::vector<std::string> failures;
+    for (const auto& entry : entries_) {
+        const auto newest = newestTime(entry->sources);
+        if (newest <= entry->newest) continue;
+        entry->newest = newest;
+        try {
+            build(*entry);
+        } catch (const InputError& error) {
+            failures.emplace_back(error.what());
+        }
+    }
+    return failures;
+}
+
+void ShaderLibrary::build(Entry& entry) const {
+    std::vector<Shader> stages;
+    std::vector<fs::path> sources;
+    for (const std::string& file : entry.files) {
+        const ShaderSource source = loadShaderSource(root_, file, entry.defines);
+        sources.insert(sources.end(), source.files.begin(), source.files.end());
+        stages.push_back(compile(file, source));
+    }
+    Program program;
+    program.handle_ = Handle<Program::destroy>(glCreateProgram());
+    for (const Shader& stage : stages)
+        glAttachShader(program.name(), stage.name());
+    glLinkProgram(program.name());
+    for (const Shader& stage : stages)
+        glDetachShader(program.name(), stage.name());
+    GLint linked = GL_FALSE;
+    glGetProgramiv(program.name(), GL_LINK_STATUS, &linked);
+    if (linked == GL_FALSE)
+        throw InputError(root_ / entry.files.front(), 0, "the program does not link: " + linkLog(program.name()));
+    labelObject(GL_PROGRAM, program.name(), entry.files.back());
+    entry.program = std::move(program);
+    entry.sources = std::move(sources);
+    entry.newest = newestTime(entry.sources);
+}
+
+} // namespace meltpool::gl

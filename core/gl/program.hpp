@@ -1,0 +1,82 @@
+// Linked GLSL programs and the library that loads them by file name and reloads them while running.
+#pragma once
+
+#include "core/gl/handle.hpp"
+#include "core/gl/shader_source.hpp"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace meltpool::gl {
+
+class Program {
+  public:
+    GLuint name() const { return handle_.name(); }
+    void use() const { glUseProgram(name()); }
+
+    /// Runs a compute program with enough groups of `groupSize` for `count` invocations; nothing for 0.
+    /// Counts beyond one dispatch dimension are folded into y: shaders take their index from `linearInvocation()` in
+    /// shaders/shared/dispatch.h.
+    void dispatch(size_t count, unsigned groupSize) const;
+    void dispatchGroups(unsigned x, unsigned y = 1, unsigned z = 1) const;
+
+    /// Sets a plain uniform by name; a name the compiler dropped is ignored.
+    void set(const char* uniform, int value) const { glProgramUniform1i(name(), find(uniform), value); }
+    void set(const char* uniform, unsigned value) const { glProgramUniform1ui(name(), find(uniform), value); }
+    void set(const char* uniform, float value) const { glProgramUniform1f(name(), find(uniform), value); }
+    void set(const char* uniform, glm::vec2 v) const { glProgramUniform2f(name(), find(uniform), v.x, v.y); }
+    void set(const char* uniform, glm::vec3 v) const { glProgramUniform3f(name(), find(uniform), v.x, v.y, v.z); }
+    void set(const char* uniform, glm::vec4 v) const { glProgramUniform4f(name(), find(uniform), v.x, v.y, v.z, v.w); }
+    void set(const char* uniform, const glm::mat4& m) const {
+        glProgramUniformMatrix4fv(name(), find(uniform), 1, GL_FALSE, &m[0][0]);
+    }
+
+  private:
+    friend class ShaderLibrary;
+    GLint find(const char* uniform) const { return glGetUniformLocation(name(), uniform); }
+    static void destroy(GLuint name) { glDeleteProgram(name); }
+    Handle<destroy> handle_;
+};
+
+/// Loads programs from a shader folder. The programs belong to the library and live as long as it; a reload swaps what
+/// is inside them.
+class ShaderLibrary {
+  public:
+    explicit ShaderLibrary(std::filesystem::path root) : root_(std::move(root)) {}
+
+    /// Files relative to the root; the stage follows from the ending (.comp, .vert, .frag, .geom).
+    /// Throws InputError with the driver's words when one does not compile or link.
+    const Program& load(std::vector<std::string> files, Defines defines = {});
+    const Program& compute(std::string file, Defines defines = {}) {
+        return load({std::move(file)}, std::move(defines));
+    }
+
+    /// Rebuilds the programs of which a file changed. One that fails keeps its old program; the driver's words come
+    /// back to be shown. Nothing changed: an empty list.
+    std::vector<std::string> reloadChanged();
+
+    const std::filesystem::path& root() const { return root_; }
+
+  private:
+    struct Entry {
+        std::vector<std::string> files;
+        Defines defines;
+        Program program;
+        std::vector<std::filesystem::path> sources;
+        std::filesystem::file_time_type newest;
+    };
+
+    void build(Entry& entry) const;
+
+    std::filesystem::path root_;
+    std::vector<std::unique_ptr<Entry>> entries_;
+};
+
+} // namespace meltpool::gl

@@ -1,0 +1,108 @@
+// The GL floor: memory survives the round trip, dispatches cover every index, shader errors name file and line.
+#include "core/base/error.hpp"
+#include "core/base/text.hpp"
+#include "core/gl/buffer.hpp"
+#include "core/gl/profiler.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+#include <numeric>
+
+namespace meltpool::gl {
+
+namespace {
+
+const char* kCountShader = R"(#version 450 core
+#extension GL_GOOGLE_include_directive : require
+#include "shared/dispatch.h"
+layout(local_size_x = GROUP_SIZE) in;
+layout(std430, binding = 0) buffer Values { uint values[]; };
+uniform uint count;
+void main() {
+    uint i = linearInvocation();
+    if (i < count) values[i] += i + OFFSET;
+}
+)";
+
+/// A shader folder of its own that holds the shared headers and one shader.
+std::filesystem::path shaderFolder(const std::string& shader) {
+    const auto folder = test::scratchFolder("shaders");
+    std::filesystem::copy(test::testFolder() / ".." / "shaders" / "shared", folder / "shared");
+    writeTextFileAtomically(folder / "count.comp", shader);
+    return folder;
+}
+
+} // namespace
+
+TEST_CASE("a buffer starts at zero and keeps what is written") {
+    test::context();
+    Buffer buffer("test", 40);
+    CHECK(buffer.read<unsigned>(10) == std::vector<unsigned>(10, 0u));
+    std::vector<unsigned> values(10);
+    std::iota(values.begin(), values.end(), 5u);
+    buffer.write(std::span<const unsigned>(values));
+    CHECK(buffer.read<unsigned>(10) == values);
+    CHECK_THROWS_AS(buffer.read<unsigned>(11), RuntimeFault);
+    CHECK_THROWS_AS(buffer.write(std::span<const unsigned>(values), 4), RuntimeFault);
+}
+
+TEST_CASE("a dispatch covers every index once, also beyond one axis") {
+    test::context();
+    ShaderLibrary library(shaderFolder(kCountShader));
+    const Program& program = library.compute("count.comp", {{"OFFSET", "7u"}});
+    for (const size_t count : {size_t(1), size_t(63), size_t(65), size_t(20032), size_t(5'000'011)}) {
+        const Buffer buffer("values", count * 4);
+        buffer.bindStorage(0);
+        program.set("count", static_cast<unsigned>(count));
+        program.dispatch(count, 64);
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+        const auto values = buffer.read<unsigned>(count);
+        size_t wrong = 0;
+        for (size_t i = 0; i < count; ++i)
+            wrong += values[i] != i + 7 ? 1u : 0u;
+        CHECK(wrong == 0);
+    }
+}
+
+TEST_CASE("a shader error names the file and the line, and a failed reload keeps the old program") {
+    test::context();
+    const auto folder = shaderFolder(kCountShader);
+    ShaderLibrary library(folder);
+    const Program& program = library.compute("count.comp", {{"OFFSET", "7u"}});
+    const GLuint before = program.name();
+    std::string broken = kCountShader;
+    broken.replace(broken.find("i + OFFSET"), 10, "j + OFFSET");
+    writeTextFileAtomically(folder / "count.comp", broken);
+    std::filesystem::last_write_time(folder / "count.comp",
+                                     std::filesystem::file_time_type::clock::now() + std::chrono::seconds(5));
+    const auto failures = library.reloadChanged();
+    REQUIRE(failures.size() == 1);
+    CHECK_THAT(failures[0], test::containsText("count.comp:9"));
+    CHECK(program.name() == before);
+    CHECK(library.reloadChanged().empty());
+    CHECK_THROWS_AS(library.compute("missing.comp"), InputError);
+}
+
+TEST_CASE("the profiler reports nested passes without being asked to wait") {
+    test::context();
+    Profiler profiler;
+    const Buffer buffer("work", 1 << 20);
+    for (int frame = 0; frame < 10; ++frame) {
+        profiler.beginFrame();
+        {
+            const Scope whole(&profiler, "whole");
+            for (int part = 0; part < 2; ++part) {
+                const Scope inner(&profiler, "part");
+                buffer.clear();
+            }
+        }
+        profiler.endFrame();
+    }
+    profiler.finish();
+    REQUIRE(profiler.passes().size() == 2);
+    CHECK(profiler.find("whole")->frames == 10);
+    CHECK(profiler.find("part")->depth == 1);
+    CHECK(profiler.find("part")->totalMs <= profiler.find("whole")->totalMs + 1e-3);
+}
+
+} // namespace meltpool::gl
