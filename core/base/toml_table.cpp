@@ -1,0 +1,155 @@
+#include "core/base/toml_table.hpp"
+
+#include "core/base/error.hpp"
+#include "core/base/text.hpp"
+
+#include <cmath>
+
+namespace meltpool {
+
+namespace {
+
+int lineAt(const toml::node& node) {
+    return static_cast<int>(node.source().begin.line);
+}
+
+std::string rangeText(NumberRange range) {
+    const bool low = std::isfinite(range.minimum);
+    const bool high = std::isfinite(range.maximum);
+    if (low && high) return "a number from " + formatNumber(range.minimum) + " to " + formatNumber(range.maximum);
+    if (low) return "a number of at least " + formatNumber(range.minimum);
+    if (high) return "a number of at most " + formatNumber(range.maximum);
+    return "a number";
+}
+
+} // namespace
+
+toml::table parseTomlFile(const std::filesystem::path& file) {
+    const std::string content = readTextFile(file);
+    try {
+        return toml::parse(content, file.string());
+    } catch (const toml::parse_error& error) {
+        throw InputError(file, static_cast<int>(error.source().begin.line), error.description());
+    }
+}
+
+TomlTable::TomlTable(const toml::table& table, std::filesystem::path file, std::string where)
+    : table_(table), file_(std::move(file)), where_(std::move(where)) {}
+
+int TomlTable::line() const {
+    return lineAt(table_);
+}
+
+int TomlTable::lineOf(std::string_view key) const {
+    const toml::node* node = table_.get(key);
+    return node ? lineAt(*node) : line();
+}
+
+void TomlTable::failAt(int line, std::string_view key, std::string_view sentence) const {
+    std::string text = where_;
+    if (!text.empty()) text += " ";
+    throw InputError(file_, line, text + std::string(key) + ": " + std::string(sentence));
+}
+
+void TomlTable::fail(std::string_view key, std::string_view sentence) const {
+    failAt(lineOf(key), key, sentence);
+}
+
+const toml::node& TomlTable::need(std::string_view key, std::string_view expected) {
+    asked_.emplace(key);
+    const toml::node* node = table_.get(key);
+    if (!node) failAt(line(), key, "is missing; expected " + std::string(expected));
+    return *node;
+}
+
+double TomlTable::checked(std::string_view key, const toml::node& node, NumberRange range) const {
+    const auto value = node.is_number() ? node.value<double>() : std::nullopt;
+    const bool inside = value && std::isfinite(*value) && *value >= range.minimum && *value <= range.maximum;
+    if (!inside) failAt(lineAt(node), key, "expected " + rangeText(range));
+    return *value;
+}
+
+double TomlTable::number(std::string_view key, NumberRange range) {
+    return checked(key, need(key, rangeText(range)), range);
+}
+
+double TomlTable::number(std::string_view key, NumberRange range, double fallback) {
+    asked_.emplace(key);
+    return has(key) ? number(key, range) : fallback;
+}
+
+bool TomlTable::flag(std::string_view key, bool fallback) {
+    asked_.emplace(key);
+    const toml::node* node = table_.get(key);
+    if (!node) return fallback;
+    const auto value = node->value_exact<bool>();
+    if (!value) failAt(lineAt(*node), key, "expected true or false");
+    return *value;
+}
+
+std::string TomlTable::text(std::string_view key) {
+    const toml::node& node = need(key, "a text in quotes");
+    const auto value = node.value_exact<std::string>();
+    if (!value || value->empty()) failAt(lineAt(node), key, "expected a text in quotes");
+    return *value;
+}
+
+std::string TomlTable::text(std::string_view key, std::string_view fallback) {
+    asked_.emplace(key);
+    return has(key) ? text(key) : std::string(fallback);
+}
+
+std::vector<double> TomlTable::numbers(std::string_view key, NumberRange range, std::size_t least) {
+    const std::string expected = "a list of " + std::to_string(least) + " or more numbers";
+    const toml::node& node = need(key, expected);
+    const toml::array* array = node.as_array();
+    if (!array || array->size() < least) failAt(lineAt(node), key, "expected " + expected);
+    std::vector<double> values;
+    for (const toml::node& element : *array)
+        values.push_back(checked(key, element, range));
+    return values;
+}
+
+std::vector<std::vector<double>> TomlTable::rows(std::string_view key, std::size_t width, std::size_t least) {
+    const std::string expected = "a list of " + std::to_string(least) + " or more rows of " + std::to_string(width) +
+                                 " numbers, such as [[..], [..]]";
+    const toml::node& node = need(key, expected);
+    const toml::array* array = node.as_array();
+    if (!array || array->size() < least) failAt(lineAt(node), key, "expected " + expected);
+    std::vector<std::vector<double>> result;
+    for (const toml::node& element : *array) {
+        const toml::array* row = element.as_array();
+        if (!row || row->size() != width) failAt(lineAt(element), key, "expected " + expected);
+        auto& values = result.emplace_back();
+        for (const toml::node& number : *row)
+            values.push_back(checked(key, number, {}));
+    }
+    return result;
+}
+
+TomlTable TomlTable::table(std::string_view key) {
+    const std::string name = where_.empty() ? "[" + std::string(key) + "]" : where_ + "." + std::string(key);
+    const toml::node& node = need(key, "a table");
+    const toml::table* inner = node.as_table();
+    if (!inner) failAt(lineAt(node), key, "expected a table");
+    return {*inner, file_, name};
+}
+
+std::vector<std::string> TomlTable::keys() const {
+    std::vector<std::string> names;
+    for (const auto& [key, node] : table_)
+        names.emplace_back(key.str());
+    return names;
+}
+
+void TomlTable::finish() const {
+    for (const auto& [key, node] : table_) {
+        if (asked_.contains(key.str())) continue;
+        std::string known;
+        for (const std::string& name : asked_)
+            known += (known.empty() ? "" : ", ") + name;
+        failAt(static_cast<int>(key.source().begin.line), key.str(), "unknown key; known here: " + known);
+    }
+}
+
+} // namespace meltpool

@@ -1,0 +1,77 @@
+// A strict view of a TOML table: every fault is an InputError with file and line, and a key that nobody asked for is
+// one too.
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <array>
+#include <filesystem>
+#include <limits>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace meltpool {
+
+/// Allowed values of a number, both ends included.
+struct NumberRange {
+    double minimum = -std::numeric_limits<double>::infinity();
+    double maximum = std::numeric_limits<double>::infinity();
+};
+
+/// Reads a TOML file whole. Throws InputError with the line of the first syntax fault, or when it cannot be read.
+toml::table parseTomlFile(const std::filesystem::path& file);
+
+/// One table of a file. Ask for every key that may stand there, then call finish().
+class TomlTable {
+  public:
+    /// `table` must outlive this view. `where` names the table in messages, such as "[case]"; empty for the whole file.
+    TomlTable(const toml::table& table, std::filesystem::path file, std::string where = {});
+
+    bool has(std::string_view key) const { return table_.contains(key); }
+    bool isFlag(std::string_view key) const { return has(key) && table_.get(key)->is_boolean(); }
+    bool isList(std::string_view key) const { return has(key) && table_.get(key)->is_array(); }
+
+    /// A number inside the range. Without a fallback the key must be there.
+    double number(std::string_view key, NumberRange range = {});
+    double number(std::string_view key, NumberRange range, double fallback);
+    bool flag(std::string_view key, bool fallback);
+    std::string text(std::string_view key);
+    std::string text(std::string_view key, std::string_view fallback);
+
+    /// A list of at least `least` numbers, each inside the range.
+    std::vector<double> numbers(std::string_view key, NumberRange range = {}, std::size_t least = 1);
+
+    /// A list of at least `least` rows of exactly `width` numbers.
+    std::vector<std::vector<double>> rows(std::string_view key, std::size_t width, std::size_t least = 1);
+
+    /// The table under `key`; it must be there. Call finish() on the result too.
+    TomlTable table(std::string_view key);
+
+    /// Every key of this table, in the file's order of names.
+    std::vector<std::string> keys() const;
+
+    /// Line of a key's value, or of the table itself when the key is not there.
+    int lineOf(std::string_view key) const;
+    int line() const;
+    const std::filesystem::path& file() const { return file_; }
+
+    /// Throws InputError at the key's line with "[where] key: sentence".
+    [[noreturn]] void fail(std::string_view key, std::string_view sentence) const;
+
+    /// Throws InputError for the first key that was never asked for; the message lists the keys that may stand here.
+    void finish() const;
+
+  private:
+    const toml::node& need(std::string_view key, std::string_view expected);
+    double checked(std::string_view key, const toml::node& node, NumberRange range) const;
+    [[noreturn]] void failAt(int line, std::string_view key, std::string_view sentence) const;
+
+    const toml::table& table_;
+    std::filesystem::path file_;
+    std::string where_;
+    std::set<std::string, std::less<>> asked_;
+};
+
+} // namespace meltpool

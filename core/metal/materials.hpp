@@ -1,0 +1,85 @@
+// What a metal (or wax, or ice) is: its thermal, fluid and optical properties in SI, each with the source of its
+// numbers.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace meltpool {
+
+/// A property over temperature, linear between its points and constant beyond them; one point is a constant.
+struct Property {
+    struct Point {
+        double temperature; ///< K
+        double value;
+    };
+    std::vector<Point> points; ///< at least one, temperatures rising
+    std::string source;        ///< where the numbers are from; begins with "none" where nobody knows
+
+    double at(double temperature) const;
+
+    /// Integral over temperature from `from` to `to` (K); exact for the linear pieces.
+    double integral(double from, double to) const;
+
+    static Property constant(double value, std::string source = "given");
+};
+
+/// How the stuff looks; the renderer decides what to make of it. Colours are linear sRGB reflectances at normal
+/// incidence.
+struct MaterialLooks {
+    glm::vec3 solidColour{0.55F, 0.56F, 0.57F};
+    glm::vec3 liquidColour{0.65F, 0.65F, 0.65F};
+    float solidRoughness = 0.5F;   ///< 0 mirror .. 1 dull
+    float liquidRoughness = 0.05F; ///< same, molten
+    float metalness = 1.0F;        ///< 0 dielectric, 1 metal
+    float heatTint = 0.0F; ///< strength of the oxide's interference colours on metal that was hot, 0 none .. 1 as steel
+    float visibleEmissivity = 0.3F; ///< share of black-body light that the hot surface gives in the visible
+    float translucency = 0.0F;      ///< 0 opaque .. 1 clear
+    float refractiveIndex = 1.0F;   ///< of translucent stuff
+    std::string source;
+};
+
+/// One material. All values SI, temperatures in K.
+struct Material {
+    std::string key;  ///< file name without ".toml"
+    std::string name; ///< for people
+
+    double solidus = 0;    ///< melting begins
+    double liquidus = 0;   ///< melting has ended; equal to solidus for pure stuff
+    double latentHeat = 0; ///< J/kg over solidus to liquidus, on top of the specific heats
+    std::string meltingSource;
+
+    Property solidDensity, liquidDensity;           ///< kg/m³
+    Property solidConductivity, liquidConductivity; ///< W/(m K)
+    Property solidSpecificHeat, liquidSpecificHeat; ///< J/(kg K)
+    Property viscosity;                             ///< Pa s, liquid
+    Property surfaceTension;                        ///< N/m; its slope over temperature drives the Marangoni flow
+    Property emissivity;                            ///< total hemispherical, for radiation losses
+
+    double boilingPoint = 0;     ///< K at 1 bar; 0 where not given: no evaporation
+    double vaporisationHeat = 0; ///< J/kg
+    double molarMass = 0;        ///< kg/mol of the vapour
+    std::string boilingSource;
+
+    MaterialLooks looks;
+
+    /// Surface tension's slope at the liquidus, N/(m K).
+    double tensionSlope() const;
+};
+
+/// Reads and checks a material file; throws InputError naming file and line.
+Material readMaterial(const std::filesystem::path& file);
+
+/// Files of all materials in a folder, by name.
+std::vector<std::filesystem::path> materialFiles(const std::filesystem::path& folder);
+
+/// The folder with the materials that ship. Throws InputError when the program's data is not there.
+std::filesystem::path materialFolder();
+
+/// The shipped material called `key`; throws InputError that lists the known ones.
+Material shippedMaterial(const std::string& key);
+
+} // namespace meltpool

@@ -1,0 +1,249 @@
+#include "core/metal/validation_case.hpp"
+
+#include "core/base/error.hpp"
+#include "core/base/toml_table.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace meltpool {
+
+namespace {
+
+constexpr double kHot = 20000; ///< highest temperature a case may name, K
+constexpr auto kNeeded = std::nullopt;
+using enum CaseValue;
+
+constexpr std::array kStep{
+    CaseKey{"wall_temperature_k", number, 1, kHot, kNeeded, "held surface"},
+    CaseKey{"initial_temperature_k", number, 1, kHot, kNeeded, "metal at the start"},
+    CaseKey{"at_mm", list, 0, 1000, kNeeded, "depths to compare"},
+};
+constexpr std::array kFlux{
+    CaseKey{"flux_w_m2", number, -1e9, 1e9, kNeeded, "into the surface"},
+    CaseKey{"initial_temperature_k", number, 1, kHot, kNeeded, "metal at the start"},
+    CaseKey{"at_mm", list, 0, 1000, kNeeded, "depths to compare"},
+};
+constexpr std::array kStefan{
+    CaseKey{"wall_temperature_k", number, 1, kHot, kNeeded, "held surface"},
+    CaseKey{"initial_temperature_k", number, 1, kHot, kNeeded, "metal at the start"},
+};
+constexpr std::array kRosenthal{
+    CaseKey{"power_w", number, 0.001, 1e6, kNeeded, "absorbed power"},
+    CaseKey{"speed_mm_s", number, 0.01, 1000, kNeeded, "of the source along x"},
+    CaseKey{"initial_temperature_k", number, 1, kHot, kNeeded, "plate"},
+    CaseKey{"thickness_mm", number, 0.01, 1000, 0.0, "of the thin plate; not used by the thick one"},
+    CaseKey{"at_mm", rows, -1000, 1000, kNeeded, "[xi, y, z] relative to the source, xi ahead, z down"},
+};
+constexpr std::array kEnergy{
+    CaseKey{"power_w", number, 0, 1e6, kNeeded, "of the arc"},
+    CaseKey{"on_s", number, 0, 1e5, kNeeded, "how long it burns"},
+    CaseKey{"loss", lossRate, 0, 1e6, 0.0, "heat lost from the surface: true, false or W/(m² K)"},
+};
+constexpr std::array kHydrostatic{CaseKey{"height_mm", number, 0.1, 1000, kNeeded, "of the column"}};
+constexpr std::array kDamBreak{CaseKey{"width_mm", number, 0.1, 1000, kNeeded, "of the column, twice as high"}};
+constexpr std::array kDroplet{CaseKey{"radius_mm", number, 0.01, 100, kNeeded, "of the drop"}};
+constexpr std::array kSessile{
+    CaseKey{"volume_mm3", number, 0.001, 1e6, kNeeded, "of the drop"},
+    CaseKey{"contact_angle_deg", number, 5, 180, kNeeded, "against the wall"},
+};
+constexpr std::array kPoiseuille{
+    CaseKey{"gap_mm", number, 0.01, 1000, kNeeded, "between the plates"},
+    CaseKey{"body_force_n_m3", number, -1e9, 1e9, kNeeded, "along the plates"},
+};
+constexpr std::array kCavity{
+    CaseKey{"width_mm", number, 0.1, 1000, kNeeded, "between hot and cold wall"},
+    CaseKey{"height_mm", number, 0.1, 1000, kNeeded, "of the cavity"},
+    CaseKey{"hot_k", number, 1, kHot, kNeeded, "hot wall"},
+    CaseKey{"cold_k", number, 1, kHot, kNeeded, "cold wall"},
+    CaseKey{"initial_k", number, 1, kHot, kNeeded, "metal at the start"},
+    CaseKey{"times_s", list, 0.001, 1e6, kNeeded, "when to compare, rising"},
+};
+constexpr std::array kBead{
+    CaseKey{"power_w", number, 0, 1e6, kNeeded, "voltage times current"},
+    CaseKey{"efficiency", number, 0.01, 1, kNeeded, "share of it that the workpiece takes"},
+    CaseKey{"arc_sigma_mm", number, 0.1, 50, kNeeded, "standard deviation of the Gaussian"},
+    CaseKey{"speed_mm_s", number, 0.01, 1000, kNeeded, "of travel"},
+    CaseKey{"wire_diameter_mm", number, 0, 10, kNeeded, "0: no wire"},
+    CaseKey{"wire_feed_m_min", number, 0, 100, kNeeded, "0: no wire"},
+    CaseKey{"plate_mm", triple, 0.1, 1000, kNeeded, "along the seam, thickness, across: see plate_mm in the handbook"},
+    CaseKey{"ambient_k", number, 1, kHot, kNeeded, "plate and air"},
+    CaseKey{"liquid_conductivity_factor", number, 0.1, 20, 1.0, "stand-in for stirring in the pool"},
+};
+
+constexpr std::string_view kDepthResults = "temperature_at_Xmm_k for each depth X";
+constexpr std::string_view kRosenthalResults = "temperature_at_XI_Y_Zmm_k for each point; field_rms_percent and "
+                                               "field_max_percent beside and behind, beyond three cells";
+
+constexpr std::array kKinds{
+    CaseKind{"conduction_step", kStep, true, kDepthResults},
+    CaseKind{"conduction_flux", kFlux, true, kDepthResults},
+    CaseKind{"stefan_one_phase", kStefan, true, "front_mm"},
+    CaseKind{"stefan_two_phase", kStefan, true, "front_mm"},
+    CaseKind{"rosenthal_thick", kRosenthal, true, kRosenthalResults},
+    CaseKind{"rosenthal_thin", kRosenthal, true, kRosenthalResults},
+    CaseKind{"energy", kEnergy, true, "balance_percent; melted_peak (share of the particles), molten_end"},
+    CaseKind{"hydrostatic", kHydrostatic, true, "bottom_pressure_pa, density_error_percent"},
+    CaseKind{"dam_break", kDamBreak, true, "front_Z for each measured time"},
+    CaseKind{"droplet_pressure", kDroplet, true, "pressure_jump_pa"},
+    CaseKind{"droplet_oscillation", kDroplet, true, "frequency_hz"},
+    CaseKind{"sessile_drop", kSessile, true, "height_mm"},
+    CaseKind{"poiseuille", kPoiseuille, true, "velocity_mm_s"},
+    CaseKind{"cavity_melting", kCavity, false, "melted_fraction, one for each time"},
+    CaseKind{"bead_on_plate", kBead, false, "width_mm, height_mm, penetration_mm, section_mm2"},
+};
+
+const CaseKind& findKind(TomlTable& file) {
+    const std::string name = file.text("kind");
+    std::string known;
+    for (const CaseKind& kind : kKinds) {
+        if (kind.name == name) return kind;
+        known += (known.empty() ? "" : ", ") + std::string(kind.name);
+    }
+    file.fail("kind", "unknown kind '" + name + "'; expected one of " + known);
+}
+
+/// Never melts: where a case gives no solidus.
+constexpr double kNeverMelts = 20000;
+
+Property readConstant(TomlTable& table, const std::string& key, const std::string& phase, NumberRange range,
+                      const Property& base) {
+    if (table.has(key + phase)) return Property::constant(table.number(key + phase, range));
+    if (table.has(key)) return Property::constant(table.number(key, range));
+    if (!base.points.empty()) return base;
+    return Property::constant(table.number(key, range)); // says what is missing
+}
+
+Material readCaseMaterial(TomlTable& file) {
+    TomlTable table = file.table("material");
+    Material m;
+    m.key = m.name = "given by the case";
+    m.solidus = m.liquidus = kNeverMelts;
+    if (table.has("use")) m = shippedMaterial(table.text("use"));
+    for (const char* phase : {"_solid", "_liquid"}) {
+        const bool solid = std::string_view(phase) == "_solid";
+        Property& density = solid ? m.solidDensity : m.liquidDensity;
+        Property& conductivity = solid ? m.solidConductivity : m.liquidConductivity;
+        Property& specificHeat = solid ? m.solidSpecificHeat : m.liquidSpecificHeat;
+        density = readConstant(table, "density", phase, {1, 30000}, density);
+        conductivity = readConstant(table, "conductivity", phase, {1e-4, 2000}, conductivity);
+        specificHeat = readConstant(table, "specific_heat", phase, {1, 20000}, specificHeat);
+    }
+    m.latentHeat = table.number("latent_heat", {0, 1e7}, m.latentHeat);
+    m.solidus = table.number("solidus_k", {1, kNeverMelts}, m.solidus);
+    // Only a solidus given: the stuff melts sharply there.
+    const bool sharp = table.has("solidus_k") && !table.has("use");
+    m.liquidus = table.number("liquidus_k", {1, kNeverMelts}, sharp ? m.solidus : m.liquidus);
+    if (m.liquidus < m.solidus) table.fail("liquidus_k", "must not lie below the solidus");
+    // A fluid case needs these two; a heat case never looks at them.
+    if (table.has("surface_tension") || m.surfaceTension.points.empty())
+        m.surfaceTension = Property::constant(table.number("surface_tension", {0, 10}, 0));
+    if (table.has("viscosity") || m.viscosity.points.empty())
+        m.viscosity = Property::constant(table.number("viscosity", {0, 1e4}, 0));
+    if (table.has("emissivity") || m.emissivity.points.empty())
+        m.emissivity = Property::constant(table.number("emissivity", {0, 1}, 0));
+    table.finish();
+    return m;
+}
+
+void readCaseKey(TomlTable& table, const CaseKey& key, ValidationCase& result) {
+    const std::string name(key.key);
+    const NumberRange range{key.minimum, key.maximum};
+    switch (key.value) {
+    case number:
+        result.numbers[name] = key.fallback ? table.number(name, range, *key.fallback) : table.number(name, range);
+        break;
+    case list:
+        result.lists[name] = table.numbers(name, range);
+        break;
+    case triple:
+        result.lists[name] = table.numbers(name, range, 3);
+        if (result.lists[name].size() != 3) table.fail(name, "expected exactly three numbers");
+        break;
+    case rows:
+        for (const auto& row : table.rows(name, 3))
+            for (const double value : row) {
+                if (value < key.minimum || value > key.maximum) table.fail(name, "expected numbers from -1000 to 1000");
+                result.lists[name].push_back(value);
+            }
+        break;
+    case lossRate:
+        result.numbers[name] = table.isFlag(name) ? (table.flag(name, false) ? kDefaultLossCoefficient : 0)
+                                                  : table.number(name, range, *key.fallback);
+        break;
+    }
+}
+
+void readMeasured(TomlTable& file, ValidationCase& result) {
+    constexpr std::string_view kSuffix = "_tolerance_percent";
+    TomlTable table = file.table("measured");
+    for (const std::string& key : table.keys()) {
+        if (key.ends_with(kSuffix)) continue;
+        Measured& measured = result.measured[key];
+        measured.values = table.isList(key) ? table.numbers(key) : std::vector{table.number(key)};
+        measured.tolerancePercent = table.number(key + std::string(kSuffix), {0, 1000}, result.tolerancePercent);
+        if (result.kind->results.find(key) == std::string_view::npos)
+            table.fail(key, "this kind has no such result; it has " + std::string(result.kind->results));
+    }
+    table.finish();
+}
+
+/// What single keys cannot say about themselves.
+void checkTogether(TomlTable& table, const ValidationCase& result) {
+    const std::string_view kind = result.kind->name;
+    if (kind == "rosenthal_thin" && !(result.number("thickness_mm") > 0))
+        table.fail("thickness_mm", "is missing; expected the thickness of the plate in mm");
+    if (kind.starts_with("stefan")) {
+        if (result.material.latentHeat <= 0) table.fail("", "a Stefan case needs latent_heat in [material]");
+        if (result.number("wall_temperature_k") <= result.material.liquidus)
+            table.fail("wall_temperature_k", "expected a wall above the liquidus");
+        if (result.number("initial_temperature_k") > result.material.solidus)
+            table.fail("initial_temperature_k", "expected metal at or below the solidus");
+    }
+    if (kind == "cavity_melting") {
+        const auto& times = result.list("times_s");
+        if (!std::is_sorted(times.begin(), times.end())) table.fail("times_s", "times must rise");
+        if (result.number("hot_k") <= result.number("cold_k"))
+            table.fail("hot_k", "expected a hot wall above the cold one");
+    }
+}
+
+} // namespace
+
+std::span<const CaseKind> caseKinds() {
+    return kKinds;
+}
+
+ValidationCase readValidationCase(const std::filesystem::path& file) {
+    const toml::table parsed = parseTomlFile(file);
+    TomlTable table(parsed, file);
+    ValidationCase result;
+    result.file = file;
+    result.name = table.text("name");
+    result.kind = &findKind(table);
+    result.spacing = table.number("spacing_mm", {0.001, 100}) * 1e-3;
+    const NumberRange time{1e-6, 1e6};
+    result.time = result.kind->needsTime ? table.number("time_s", time) : table.number("time_s", time, 0);
+    result.tolerancePercent = table.number("tolerance_percent", {0, 1000}, 5);
+    result.material = readCaseMaterial(table);
+    TomlTable keys = table.table("case");
+    for (const CaseKey& key : result.kind->keys)
+        readCaseKey(keys, key, result);
+    keys.finish();
+    checkTogether(keys, result);
+    if (table.has("measured")) readMeasured(table, result);
+    table.finish();
+    return result;
+}
+
+std::vector<std::filesystem::path> validationCaseFiles(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    std::error_code fault;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, fault))
+        if (entry.path().extension() == ".toml") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    if (files.empty()) throw InputError(folder, 0, "holds no validation case; expected files that end in .toml");
+    return files;
+}
+
+} // namespace meltpool

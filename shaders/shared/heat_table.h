@@ -1,0 +1,9 @@
+// Temperature and Kirchhoff variable over enthalpy as the shaders read them: three pieces (solid, mushy, liquid), each sampled evenly in enthalpy.
+#ifndef MELTPOOL_HEAT_TABLE_H
+#define MELTPOOL_HEAT_TABLE_H
+
+#define HEAT_TABLE_STEPS 128
+#define HEAT_TABLE_ROW (HEAT_TABLE_STEPS + 1)
+#define HEAT_TABLE_ENTRIES (3 * HEAT_TABLE_ROW)
+
+#endif

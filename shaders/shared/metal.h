@@ -1,0 +1,61 @@
+// The physical metal's state on the GPU, shared by heat and flow: particle buffers, phase bits, lattice, bindings.
+//
+// A particle keeps its slot for life: lists of slots are sorted and compacted, particles are not. The buffers, one entry a slot:
+//   position  vec4   xyz metres, w temperature in K           (xyz: flow; w: heat)
+//   velocity  vec4   xyz m/s, w free for the flow             (flow)
+//   heat      vec4   x specific enthalpy J/kg, y its residual (what float cannot hold of x, to be added to it),
+//                    z highest temperature so far in K, w seconds spent between 800 and 500 degrees C while cooling   (heat)
+//   phase     uint   bits below                               (LIQUID, LATTICE: heat; rest: who makes the particle)
+//
+// Solid metal that never moved sits on a lattice of cubes with the particle spacing as edge; `lattice` holds slot + 1 for
+// each cell, 0 where no particle sits. Cells are stored tile by tile, 4 x 4 x 4 cells a tile.
+#ifndef MELTPOOL_SHARED_METAL_H
+#define MELTPOOL_SHARED_METAL_H
+
+#include "glsl_types.h"
+
+#define PHASE_ALIVE 1u    // the slot is in use
+#define PHASE_LIQUID 2u   // moves with the flow; set above and cleared below the two fractions in MetalBlock.melting
+#define PHASE_LATTICE 4u  // sits at the centre of its lattice cell: conducts with its six neighbours there
+#define PHASE_HELD 8u     // its temperature is held: a wall
+#define PHASE_CLAMPED 16u // held by a fixture: never falls
+#define PHASE_PIECE_SHIFT 8 // from this bit on: number of the loose solid piece it belongs to, 0 for what clamps hold
+
+#define TILE_EDGE 4
+#define TILE_CELLS 64
+
+// Storage buffers that every pass of the metal finds in the same place; 6 to 15 belong to the pass.
+#define METAL_POSITION 0
+#define METAL_VELOCITY 1
+#define METAL_HEAT 2
+#define METAL_PHASE 3
+#define METAL_LATTICE 4
+#define METAL_COUNTERS 5
+
+#define METAL_BLOCK 0 // uniform buffer
+
+#ifdef __cplusplus
+namespace meltpool {
+#endif
+
+struct MetalBlock {
+    vec4 origin;  // xyz low corner of lattice cell (0, 0, 0) in m, w spacing in m
+    ivec4 tiles;  // xyz lattice size in tiles, w capacity in particles
+    vec4 gravity; // xyz m/s², w mass of a particle in kg
+    vec4 melting; // x solidus enthalpy, y liquidus enthalpy (J/kg), z fraction above which it melts, w below which it freezes
+};
+
+struct MetalCounters {
+    uint particles; // slots handed out so far
+    uint melted;    // slots that turned liquid in the last heat step
+    uint frozen;    // slots that turned solid in it
+    uint reserved;
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(MetalBlock) == 64);
+static_assert(sizeof(MetalCounters) == 16);
+} // namespace meltpool
+#endif
+
+#endif
