@@ -128,7 +128,8 @@ std::vector<std::vector<double>> TomlTable::rows(std::string_view key, std::size
 }
 
 TomlTable TomlTable::table(std::string_view key) {
-    const std::string name = where_.empty() ? "[" + std::string(key) + "]" : where_ + "." + std::string(key);
+    const std::string name = where_.empty() ? "[" + std::string(key) + "]"
+                                            : where_.substr(0, where_.size() - 1) + "." + std::string(key) + "]";
     const toml::node& node = need(key, "a table");
     const toml::table* inner = node.as_table();
     if (!inner) failAt(lineAt(node), key, "expected a table");
