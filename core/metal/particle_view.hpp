@@ -1,0 +1,14 @@
+// Where the particles' places and temperatures lie on the GPU, for those who only look at them.
+#pragma once
+
+#include "core/gl/buffer.hpp"
+
+namespace meltpool {
+
+struct ParticleView {
+    /// One vec4 a particle: xyz in model units, w = temperature (classic 0..1; physical K).
+    const gl::Buffer* positions = nullptr;
+    size_t count = 0;
+};
+
+} // namespace meltpool

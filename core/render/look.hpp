@@ -1,0 +1,33 @@
+// Everything about the picture that a person can choose.
+#pragma once
+
+#include "core/base/parameter.hpp"
+
+#include <glm/vec3.hpp>
+
+namespace meltpool {
+
+enum RenderMode : int { kSurfaceMode, kWireframeMode, kPointsMode };
+enum ColourMode : int { kMaterialColours, kTemperatureColours, kEvenColours, kGreyColours };
+enum MaterialLook : int { kSolder, kCopper, kGold, kWax, kIce };
+
+struct LookParameters {
+    int mode = kSurfaceMode;        ///< RenderMode
+    int colours = kMaterialColours; ///< ColourMode
+    int material = kSolder;         ///< MaterialLook
+    float ambient = 0.4f;
+    float diffuse = 0.6f;
+    float specular = 0.6f;
+    float shininess = 60.0f;
+    glm::vec3 lightPosition{1.2f, 2.6f, 2.4f}; ///< model units, from the model's origin
+    bool showBox = true;
+    bool showSky = true;
+    bool showSource = true;
+    float pointSize = 0.02f; ///< radius of a drawn particle, model units
+    float exposure = 1.0f;   ///< factor on all light
+};
+
+/// The description that menus, files and the command line use. The list points into `look`.
+ParameterList describe(LookParameters& look);
+
+} // namespace meltpool

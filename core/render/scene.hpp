@@ -1,0 +1,40 @@
+// What the renderer needs to know about the world in one frame.
+#pragma once
+
+#include "core/metal/particle_view.hpp"
+#include "core/surface/surface_mesh.hpp"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+namespace meltpool {
+
+/// The heat or cold source of the classic lesson, drawn as a small cube.
+struct SourceView {
+    bool shown = false;
+    glm::vec3 position{0.0f}; ///< model units
+    float size = 0.06f;       ///< edge of the cube, model units
+    bool on = false;
+    bool cold = false;
+};
+
+/// What a vertex's and particle's temperature number means to the eye.
+struct TemperatureMeaning {
+    float coldest = 0.0f;  ///< lower end of the temperature colours
+    float hottest = 1.0f;  ///< upper end of the temperature colours
+    bool kelvin = false;   ///< false: the classic model's 0..1, whose look follows the temperature itself
+    float solidus = 0.0f;  ///< K: dull below
+    float liquidus = 0.0f; ///< K: fully liquid and glossy above
+};
+
+struct SceneView {
+    SurfaceMesh mesh;             ///< null buffers: no surface is drawn
+    ParticleView particles;       ///< for the points mode; null: none
+    glm::mat4 modelToWorld{1.0f}; ///< rotation, one scale, translation
+    glm::vec3 boxMin{-1.0f};      ///< model units
+    glm::vec3 boxMax{1.0f};
+    SourceView source;
+    TemperatureMeaning temperature;
+};
+
+} // namespace meltpool

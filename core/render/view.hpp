@@ -1,0 +1,46 @@
+// From where a picture is seen and into what it is drawn: the renderer knows nothing else of windows, files or eyes.
+#pragma once
+
+#include "core/gl/gl.hpp"
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+namespace meltpool {
+
+/// One eye or camera. Eye space is right-handed and looks along -Z; clip depth is OpenGL's -1..1.
+struct View {
+    glm::mat4 worldToEye{1.0f};
+    glm::mat4 eyeToClip{1.0f};
+    glm::vec3 eye{0.0f}; ///< place of the eye in world units
+};
+
+/// Pixels, from the lower left corner of the frame buffer.
+struct Viewport {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+};
+
+/// Where to draw. Several views are laid side by side in equal columns of the viewport, the first one left.
+struct RenderTarget {
+    GLuint framebuffer = 0; ///< 0: the window's
+    Viewport viewport;
+    /// True: the colour attachment is an sRGB format, which encodes what is written. False (a window): the shaders
+    /// encode.
+    bool encodesSrgb = false;
+};
+
+/// How a camera images: a symmetric perspective.
+struct Lens {
+    float fieldOfView = 0.7854f; ///< of the picture's height, rad
+    float nearest = 0.02f;       ///< closest distance drawn, world units
+    float farthest = 100.0f;     ///< farthest distance drawn, world units
+};
+
+/// The view of an eye at `position` looking along `orientation` * -Z. `aspect` is width over height.
+View makeView(const glm::vec3& position, const glm::quat& orientation, const Lens& lens, float aspect);
+
+} // namespace meltpool
