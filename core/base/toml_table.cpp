@@ -4,6 +4,7 @@
 #include "core/base/text.hpp"
 
 #include <cmath>
+#include <cstdint>
 
 namespace meltpool {
 
@@ -134,6 +135,35 @@ TomlTable TomlTable::table(std::string_view key) {
     const toml::table* inner = node.as_table();
     if (!inner) failAt(lineAt(node), key, "expected a table");
     return {*inner, file_, name};
+}
+
+std::vector<TomlTable> TomlTable::tables(std::string_view key) {
+    asked_.emplace(key);
+    if (!has(key)) return {};
+    const toml::array* array = table_.get(key)->as_array();
+    const std::string name = "[[" + (where_.empty() ? "" : where_ + ".") + std::string(key) + "]]";
+    if (!array) fail(key, "expected tables that begin with " + name);
+    std::vector<TomlTable> result;
+    for (const toml::node& element : *array) {
+        const toml::table* inner = element.as_table();
+        if (!inner) failAt(lineAt(element), key, "expected tables that begin with " + name);
+        result.emplace_back(*inner, file_, name);
+    }
+    return result;
+}
+
+std::string TomlTable::valueText(std::string_view key) {
+    const std::string expected = "a text, a number, true or false, or a list of numbers";
+    const toml::node& node = need(key, expected);
+    if (const auto flag = node.value_exact<bool>()) return *flag ? "true" : "false";
+    if (const auto whole = node.value_exact<std::int64_t>()) return std::to_string(*whole);
+    if (const auto number = node.value_exact<double>()) return formatNumber(*number);
+    if (const auto words = node.value_exact<std::string>()) return *words;
+    if (!node.is_array()) failAt(lineAt(node), key, "expected " + expected);
+    std::string list;
+    for (const double value : numbers(key))
+        list += (list.empty() ? "" : ",") + formatNumber(value);
+    return list;
 }
 
 std::vector<std::string> TomlTable::keys() const {

@@ -49,6 +49,12 @@ class TomlTable {
     /// The table under `key`; it must be there. Call finish() on the result too.
     TomlTable table(std::string_view key);
 
+    /// The tables of the list written as [[key]]; none when the key is not there. Call finish() on each.
+    std::vector<TomlTable> tables(std::string_view key);
+
+    /// A text, number, flag or list of numbers as the text that setParameter() reads.
+    std::string valueText(std::string_view key);
+
     /// Every key of this table, in the file's order of names.
     std::vector<std::string> keys() const;
 

@@ -1,0 +1,19 @@
+// What every front end says about the torch at one moment, whether hand, mouse, script or recording moved it.
+#pragma once
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+
+namespace meltpool {
+
+struct TorchSample {
+    double time = 0;                               ///< s, since the lesson began
+    glm::vec3 tip{0.0f};                           ///< m, workpiece frame: x along the seam, y out, z to the welder
+    glm::quat orientation{1.0f, 0.0f, 0.0f, 0.0f}; ///< of the torch in the workpiece frame; unit length
+    float trigger = 0;                             ///< 0 released .. 1 pulled through
+
+    /// Unit vector from the handle to the tip: the way the torch points.
+    glm::vec3 axis() const { return orientation * glm::vec3(0.0f, 0.0f, -1.0f); }
+};
+
+} // namespace meltpool
