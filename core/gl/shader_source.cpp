@@ -33,6 +33,8 @@ class Assembler {
                 appendLineMark(lineNumber + 1, number);
             } else if (code.starts_with("#extension GL_GOOGLE_include_directive")) {
                 source_.text += "\n"; // only the offline compiler needs to be told
+            } else if (code.starts_with("#include <")) {
+                source_.text += "\n"; // for the C++ half of a shared header
             } else if (code.starts_with("#include")) {
                 include(file, code, lineNumber);
                 appendLineMark(lineNumber + 1, number);
