@@ -1,0 +1,147 @@
+// Scripted controllers through a real runtime: poses, trigger, buttons, switching off, vibration.
+#include "core/weld/torch_path.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/xr/bench.hpp"
+
+using namespace meltpool;
+using namespace meltpool::test;
+using xr::Hand;
+
+namespace {
+
+/// A focused headset whose pictures do not matter.
+struct Hands {
+    RemoteDriver driver{benchPort()};
+    RemoteState state;
+    std::unique_ptr<xr::Headset> headset;
+
+    Hands() {
+        benchWindow();
+        state.hands[0].pose.position = {-0.2f, 1.1f, -0.3f};
+        state.hands[1].pose.position = {0.2f, 1.2f, -0.4f};
+        driver.send(state);
+        headset = std::make_unique<xr::Headset>(std::make_unique<xr::Instance>(),
+                                                xr::HeadsetSettings{.resolutionScale = 0.3f, .samples = 1});
+        REQUIRE(reach(*headset, xr::SessionMode::focused));
+        step(5);
+    }
+
+    /// Sends the state and lets it arrive.
+    void step(int frames = 4) {
+        driver.send(state);
+        for (int i = 0; i < frames; ++i)
+            stepFrame(*headset, {});
+    }
+    const xr::HandInput& hand(Hand which) { return headset->input().hand(which); }
+};
+
+} // namespace
+
+TEST_CASE("a controller's grip pose, trigger and buttons arrive", "[runtime]") {
+    Hands hands;
+    CHECK(hands.headset->input().profile(Hand::right) == "/interaction_profiles/valve/index_controller");
+    CHECK(hands.headset->input().profile(Hand::left) == "/interaction_profiles/valve/index_controller");
+    CHECK(hands.headset->input().refused().empty());
+    CHECK(hands.hand(Hand::right).present);
+    CHECK(hands.hand(Hand::right).tracked);
+    CHECK(hands.hand(Hand::right).trigger == 0.0f);
+
+    hands.state.hands[1].trigger = 0.37f;
+    hands.state.hands[0].squeeze = 0.8f;
+    hands.state.hands[1].pose.orientation = glm::angleAxis(0.5f, glm::normalize(glm::vec3(1, 1, 0)));
+    hands.step();
+    CHECK(hands.hand(Hand::right).trigger == Approx(0.37f).margin(0.001));
+    CHECK(hands.hand(Hand::left).squeeze == Approx(0.8f).margin(0.001));
+
+    // The runtime may set the grip apart from the device's own origin, but rigidly: moving the device moves the grip
+    // alike.
+    const xr::Pose before = hands.hand(Hand::right).grip;
+    const glm::vec3 way(0.05f, -0.02f, 0.08f);
+    hands.state.hands[1].pose.position += way;
+    hands.step();
+    const xr::Pose after = hands.hand(Hand::right).grip;
+    CHECK(glm::distance(after.position - before.position, way) < 1e-4f);
+    CHECK(std::abs(glm::dot(after.orientation, before.orientation)) > 0.99999f);
+    CHECK(glm::distance(after.position, hands.state.hands[1].pose.position) < 0.2f);
+
+    hands.state.hands[1].b = true;
+    bool menu = false;
+    hands.driver.send(hands.state);
+    int edges = 0;
+    for (int i = 0; i < 6; ++i) {
+        stepFrame(*hands.headset, {});
+        menu = hands.hand(Hand::right).menu;
+        edges += menu ? 1 : 0;
+    }
+    CHECK(edges == 1); // once, when it went down, however long it is held
+    CHECK(misuses() == "");
+}
+
+TEST_CASE("a controller that is switched off is told at once and comes back", "[runtime]") {
+    Hands hands;
+    hands.state.hands[1].trigger = 1.0f;
+    hands.step();
+    REQUIRE(hands.hand(Hand::right).tracked);
+    const glm::vec3 last = hands.hand(Hand::right).grip.position;
+
+    hands.state.hands[1].active = false;
+    hands.driver.send(hands.state);
+    int frames = 0;
+    while (hands.hand(Hand::right).tracked && frames < 10) {
+        stepFrame(*hands.headset, {});
+        ++frames;
+    }
+    CHECK(frames <= 3);
+    CHECK(glm::distance(hands.hand(Hand::right).grip.position, last) < 0.01f); // the last known place
+    CHECK(hands.hand(Hand::left).tracked);
+
+    hands.state.hands[1].active = true;
+    hands.step();
+    CHECK(hands.hand(Hand::right).tracked);
+    CHECK(misuses() == "");
+}
+
+TEST_CASE("the controller vibrates once a frame and is stopped once", "[runtime]") {
+    Hands hands;
+    xr::Input& input = hands.headset->input();
+    for (int i = 0; i < 5; ++i)
+        stepFrame(*hands.headset, {}, [&] { input.play(Hand::right, {0.5f, 170.0f, 0.05f}); });
+    CHECK(input.hapticCalls().applied == 5);
+    CHECK(input.hapticCalls().stopped == 0);
+    for (int i = 0; i < 5; ++i)
+        stepFrame(*hands.headset, {}, [&] { input.play(Hand::right, {}); });
+    CHECK(input.hapticCalls().applied == 5);
+    CHECK(input.hapticCalls().stopped == 1);
+    CHECK(misuses() == "");
+}
+
+TEST_CASE("a torch path held by the controller is read back along its whole way", "[runtime]") {
+    Hands hands;
+    std::vector<TorchSample> samples;
+    for (int i = 0; i <= 40; ++i) {
+        TorchSample sample;
+        sample.time = 0.05 * i;
+        sample.tip = glm::vec3(0.004f * float(i) - 0.08f, 0.95f + 0.001f * float(i), -0.4f);
+        sample.orientation = glm::angleAxis(0.02f * float(i), glm::vec3(0, 1, 0));
+        sample.trigger = i >= 10 && i < 30 ? 1.0f : 0.0f;
+        samples.push_back(sample);
+    }
+    const std::filesystem::path file = benchFolder() / "path.csv";
+    writeTorchCsv(file, {samples, {}, {}});
+    const TorchPath path = TorchPath::read(file);
+
+    hands.state.hands[1].pose = {};
+    hands.step();
+    const xr::Pose gripInDevice = hands.hand(Hand::right).grip; // the runtime's own rigid offset
+    for (double time = 0; time < path.duration(); time += 0.2) {
+        const TorchSample wanted = path.sample(time);
+        hands.state.hands[1].pose = xr::Pose{wanted.orientation, wanted.tip} * gripInDevice.inverse();
+        hands.state.hands[1].trigger = wanted.trigger;
+        hands.step(3);
+        INFO("time " << time);
+        CHECK(glm::distance(hands.hand(Hand::right).grip.position, wanted.tip) < 1e-4f);
+        CHECK(std::abs(glm::dot(hands.hand(Hand::right).grip.orientation, wanted.orientation)) > 0.99999f);
+        CHECK(hands.hand(Hand::right).trigger == wanted.trigger);
+    }
+    CHECK(misuses() == "");
+}

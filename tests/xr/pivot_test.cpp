@@ -1,0 +1,93 @@
+// Pivot calibration on synthetic poses, and its file.
+#include "core/base/error.hpp"
+#include "core/base/text.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+#include "xr/pivot.hpp"
+
+#include <random>
+
+using namespace meltpool;
+
+namespace {
+
+struct Swing {
+    float tilt = 0.8f;  ///< rad, to all sides
+    float twist = 0.8f; ///< rad, about the torch's axis
+    float noise = 0.0f; ///< m, of each coordinate's standard deviation
+    int count = 600;    ///< ten seconds at 60 Hz
+};
+
+constexpr glm::vec3 kOffset(0.013f, -0.041f, -0.187f);
+constexpr glm::vec3 kPoint(0.22f, 0.91f, -0.35f);
+
+/// Grip poses of a torch whose tip stays on kPoint.
+std::vector<xr::Pose> swing(const Swing& how, unsigned seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<float> normal(0.0f, 1.0f);
+    std::uniform_real_distribution<float> uniform(-1.0f, 1.0f);
+    std::vector<xr::Pose> poses;
+    for (int i = 0; i < how.count; ++i) {
+        const glm::quat q = glm::normalize(glm::angleAxis(how.tilt * uniform(random), glm::vec3(1, 0, 0)) *
+                                           glm::angleAxis(how.tilt * uniform(random), glm::vec3(0, 1, 0)) *
+                                           glm::angleAxis(how.twist * uniform(random), glm::vec3(0, 0, 1)));
+        const glm::vec3 wobble = how.noise * glm::vec3(normal(random), normal(random), normal(random));
+        poses.push_back({q, kPoint - q * kOffset + wobble});
+    }
+    return poses;
+}
+
+} // namespace
+
+TEST_CASE("exact poses give the offset and the point exactly") {
+    const xr::PivotResult result = xr::solvePivot(swing({}, 1));
+    REQUIRE(result.accepted);
+    CHECK(glm::distance(result.offset, kOffset) < 1e-5f);
+    CHECK(glm::distance(result.point, kPoint) < 1e-5f);
+    CHECK(result.residualMm < 0.01f);
+}
+
+TEST_CASE("poses with 1 mm of noise find the offset within 0.3 mm") {
+    for (unsigned seed = 1; seed <= 50; ++seed) {
+        const xr::PivotResult result = xr::solvePivot(swing({.noise = 0.001f}, seed));
+        REQUIRE(result.accepted);
+        CHECK(glm::distance(result.offset, kOffset) < 0.0003f);
+        // Three noisy coordinates: the square root of 3 times 1 mm.
+        CHECK(result.residualMm == Approx(1.732f).epsilon(0.1));
+    }
+}
+
+TEST_CASE("poses that do not turn enough are refused") {
+    const bool still = GENERATE(true, false);
+    // Not at all, or about one axis only: the offset along that axis stays free.
+    const Swing how =
+        still ? Swing{.tilt = 0.0f, .twist = 0.0f, .noise = 0.001f} : Swing{.tilt = 0.0f, .noise = 0.001f};
+    const xr::PivotResult result = xr::solvePivot(swing(how, 7));
+    CHECK_FALSE(result.accepted);
+    CHECK_THAT(result.reason, test::containsText("turn"));
+}
+
+TEST_CASE("too few poses and a sliding tip are refused") {
+    CHECK_THAT(xr::solvePivot(swing({.count = 5}, 3)).reason, test::containsText("5 poses"));
+    const xr::PivotResult slid = xr::solvePivot(swing({.noise = 0.01f}, 3));
+    CHECK_FALSE(slid.accepted);
+    CHECK_THAT(slid.reason, test::containsText("slid"));
+}
+
+TEST_CASE("a calibration survives its file, and a broken file is told by line") {
+    const std::filesystem::path file = test::scratchFolder("pivot") / "torch.txt";
+    xr::TipCalibration written;
+    written.offset = kOffset;
+    written.orientation = glm::angleAxis(0.7f, glm::normalize(glm::vec3(1, 2, 3)));
+    written.residualMm = 0.4f;
+    xr::writeCalibration(file, written);
+    const xr::TipCalibration read = xr::readCalibration(file);
+    CHECK(glm::distance(read.offset, kOffset) < 1e-6f);
+    CHECK(std::abs(glm::dot(read.orientation, written.orientation)) > 0.999999f);
+    CHECK(read.residualMm == Approx(0.4f));
+
+    writeTextFileAtomically(file, "x_mm = 1\ny_mm = two\n");
+    CHECK_THROWS_WITH(xr::readCalibration(file), test::containsText(":2: "));
+    writeTextFileAtomically(file, "x_mm = 1\n");
+    CHECK_THROWS_WITH(xr::readCalibration(file), test::containsText("y_mm"));
+}

@@ -1,0 +1,110 @@
+// The table of controllers, the panel's ray, the formats and the context guard: all without a runtime.
+#include "core/gl/context.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/xr/remote_driver.hpp"
+#include "xr/graphics_binding.hpp"
+#include "xr/panel.hpp"
+#include "xr/profiles.hpp"
+#include "xr/swapchain.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <set>
+
+using namespace meltpool;
+
+TEST_CASE("every controller can hold, heat and be felt in either hand, once each") {
+    for (const xr::InteractionProfile& profile : xr::interactionProfiles()) {
+        INFO(profile.path);
+        const std::vector<xr::HandBinding> bindings = xr::handBindings(profile);
+        for (const xr::Act act : {xr::Act::grip, xr::Act::trigger, xr::Act::haptic, xr::Act::aim, xr::Act::menu})
+            for (const int hand : {0, 1})
+                CHECK(std::count_if(bindings.begin(), bindings.end(), [&](const xr::HandBinding& binding) {
+                          return binding.act == act && binding.hand == hand;
+                      }) == 1);
+        std::set<std::string> paths;
+        for (const xr::HandBinding& binding : bindings)
+            CHECK(paths.insert(binding.path).second);
+    }
+}
+
+TEST_CASE("a ray meets the panel where it points and nowhere from behind") {
+    const xr::PanelShape shape{600, 300, 0.6f};
+    const xr::Pose panel{glm::angleAxis(0.5f, glm::vec3(0, 1, 0)), {0.2f, 1.4f, -1.0f}};
+    const xr::Pose front = panel * xr::Pose{{1, 0, 0, 0}, {0.1f, 0.05f, 0.8f}};
+    const std::optional<glm::vec2> hit = xr::pointOnPanel(front, panel, shape);
+    REQUIRE(hit);
+    CHECK(hit->x == Approx(400).margin(0.1));
+    CHECK(hit->y == Approx(100).margin(0.1));
+    const xr::Pose behind = panel * xr::Pose{glm::angleAxis(3.14159f, glm::vec3(0, 1, 0)), {0, 0, -0.8f}};
+    CHECK_FALSE(xr::pointOnPanel(behind, panel, shape));
+    const xr::Pose beside = panel * xr::Pose{{1, 0, 0, 0}, {0.31f, 0, 0.8f}};
+    CHECK_FALSE(xr::pointOnPanel(beside, panel, shape));
+}
+
+TEST_CASE("formats: sRGB before plain, any depth, and none is told") {
+    const std::vector<std::int64_t> monado{
+        GL_RGBA16, GL_RGBA16F, GL_SRGB8_ALPHA8, GL_RGBA8, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT16};
+    CHECK(xr::chooseColourFormat(monado) == GLenum(GL_SRGB8_ALPHA8));
+    CHECK(xr::chooseDepthFormat(monado) == GLenum(GL_DEPTH_COMPONENT32F));
+    const std::vector<std::int64_t> plain{GL_RGBA8};
+    CHECK(xr::chooseColourFormat(plain) == GLenum(GL_RGBA8));
+    CHECK_FALSE(xr::chooseDepthFormat(plain));
+    CHECK_FALSE(xr::chooseColourFormat(std::vector<std::int64_t>{GL_RGBA32F}));
+}
+
+TEST_CASE("a context that the runtime changed is put back and its errors are drained") {
+    const gl::HeadlessContext other(false);
+    const gl::HeadlessContext ours(false);
+    const xr::ContextGuard::Repairs before = xr::ContextGuard::repairs();
+    GLuint texture = 0;
+    glGenTextures(1, &texture);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    {
+        const xr::ContextGuard guard;
+        glEnable(0x1234); // an error left behind
+        other.makeCurrent();
+        CHECK(glIsTexture(texture) == GL_FALSE);
+    }
+    CHECK(glIsTexture(texture) == GL_TRUE);
+    CHECK(glGetError() == GLenum(GL_NO_ERROR));
+    CHECK(xr::ContextGuard::repairs().contexts == before.contexts + 1);
+    CHECK(xr::ContextGuard::repairs().errors > before.errors);
+    CHECK(std::string(xr::GraphicsBinding::ofCurrentContext().kind()) == "EGL");
+    glDeleteTextures(1, &texture);
+}
+
+TEST_CASE("a projection from the runtime's field of view maps its edges to the picture's edges") {
+    const xr::FieldOfView fov{-0.9f, 0.6f, 0.7f, -0.8f};
+    const glm::mat4 m = xr::projection(fov, 0.1f, 10.0f);
+    const auto project = [&](float x, float y, float z) {
+        const glm::vec4 clip = m * glm::vec4(x, y, z, 1);
+        return glm::vec3(clip) / clip.w;
+    };
+    const glm::vec3 corner = project(2 * std::tan(fov.left), 2 * std::tan(fov.up), -2.0f);
+    CHECK(corner.x == Approx(-1).margin(1e-5));
+    CHECK(corner.y == Approx(1).margin(1e-5));
+    CHECK(project(0, 0, -0.1f).z == Approx(-1).margin(1e-5));
+    CHECK(project(0, 0, -10.0f).z == Approx(1).margin(1e-4));
+}
+
+TEST_CASE("the remote driver's packet has its bytes where they belong") {
+    test::RemoteState state;
+    state.head.position = {1, 2, 3};
+    state.hands[0].trigger = 0.25f;
+    state.hands[1].pose.position = {4, 5, 6};
+    state.hands[1].active = false;
+    const std::vector<std::uint8_t> bytes = test::encode(state);
+    REQUIRE(bytes.size() == test::kRemotePacket);
+    const auto number = [&](size_t at) {
+        float value = 0;
+        std::memcpy(&value, &bytes[at], sizeof value);
+        return value;
+    };
+    CHECK(std::memcmp(bytes.data(), "mndrmt3", 8) == 0);
+    CHECK(number(8 + 96 + 16) == 1.0f);        // head x
+    CHECK(number(8 + 128 + 72) == 0.25f);      // left trigger
+    CHECK(number(8 + 128 + 120 + 16) == 4.0f); // right x
+    CHECK(bytes[8 + 128 + 105] == 1);          // left active
+    CHECK(bytes[8 + 128 + 120 + 105] == 0);    // right active
+}

@@ -1,0 +1,32 @@
+// Every OpenXR call goes through MELTPOOL_XR: a failure names the call, its place and what it means for the person.
+#pragma once
+
+#include "core/base/error.hpp"
+
+#include <openxr/openxr.h>
+
+#include <string>
+
+namespace meltpool::xr {
+
+/// An OpenXR call that failed.
+class XrFault : public RuntimeFault {
+  public:
+    XrFault(const std::string& sentence, XrResult result) : RuntimeFault(sentence), result_(result) {}
+    XrResult result() const { return result_; }
+    /// The runtime or the session is gone and has to be opened anew; nothing in the program is at fault.
+    bool isLoss() const;
+
+  private:
+    XrResult result_;
+};
+
+/// "XR_ERROR_INSTANCE_LOST", or the number where the name is not known.
+std::string resultName(XrResult result);
+
+/// Passes success codes through; throws XrFault for the rest.
+XrResult check(XrResult result, const char* expression, const char* file, int line);
+
+} // namespace meltpool::xr
+
+#define MELTPOOL_XR(expression) ::meltpool::xr::check((expression), #expression, __FILE__, __LINE__)

@@ -1,0 +1,49 @@
+// What both eyes are drawn into: one wide multisampled picture of our own, left eye left, resolved and handed on to the
+// runtime's.
+#pragma once
+
+#include "core/gl/texture.hpp"
+
+namespace meltpool::xr {
+
+/// Both eyes stand side by side, so that one submission can fill them through two viewports.
+class EyeTargets {
+  public:
+    /// `width` x `height` pixels an eye. `samples` is lowered to what the driver can. `colour` is a sized 8-bit format,
+    /// `depth` a sized depth format. Throws RuntimeFault when the driver cannot draw into them.
+    EyeTargets(GLenum colour, GLenum depth, int width, int height, int samples);
+
+    int width() const { return width_; } ///< of one eye
+    int height() const { return height_; }
+    int samples() const { return samples_; }
+    /// What is written is encoded by the driver while GL_FRAMEBUFFER_SRGB is on.
+    bool encodesSrgb() const { return colour_.shape().format != GL_RGBA8; }
+
+    /// Both eyes, 2 * width() wide, colour and depth.
+    GLuint framebuffer() const { return drawn_.name(); }
+
+    /// Averages the samples into the finished picture, and takes the depth of one sample a pixel.
+    void resolve() const;
+    /// The finished picture of both eyes, for the desk's mirror and tests.
+    GLuint resolved() const { return finished_.name(); }
+
+    /// Copies a finished eye (0 left, 1 right) into a texture of one eye's size and the same format.
+    void copyColour(int eye, GLuint texture) const;
+    void copyDepth(int eye, GLuint texture) const;
+
+  private:
+    void copy(int eye, GLuint texture, GLenum attachment, GLbitfield what) const;
+
+    int width_;
+    int height_;
+    int samples_;
+    gl::Texture colour_;
+    gl::Texture depth_;
+    gl::Texture finishedColour_;
+    gl::Texture finishedDepth_;
+    gl::Framebuffer drawn_;
+    gl::Framebuffer finished_;
+    gl::Framebuffer handover_;
+};
+
+} // namespace meltpool::xr

@@ -1,0 +1,174 @@
+// The only place that knows which window system made the OpenGL context.
+#include "core/gl/gl.hpp"
+
+#ifdef _WIN32
+#define NOMINMAX
+#include <windows.h>
+#define XR_USE_PLATFORM_WIN32
+#else
+#include <EGL/egl.h>
+#include <GL/glx.h>
+#define XR_USE_PLATFORM_XLIB
+#define XR_USE_PLATFORM_EGL
+#endif
+#define XR_USE_GRAPHICS_API_OPENGL
+#include <openxr/openxr.h>
+#include <openxr/openxr_platform.h>
+
+// X11 defines these as macros.
+#undef None
+#undef Bool
+#undef Success
+
+#include "core/base/error.hpp"
+#include "xr/graphics_binding.hpp"
+
+#include <array>
+#include <cstdint>
+
+namespace meltpool::xr {
+
+namespace {
+
+ContextGuard::Repairs counted;
+
+template <class Struct>
+std::shared_ptr<void> keep(const Struct& value) {
+    return std::make_shared<Struct>(value);
+}
+
+#ifndef _WIN32
+
+EGLConfig configOf(EGLDisplay display, EGLContext context) {
+    EGLint id = 0;
+    eglQueryContext(display, context, EGL_CONFIG_ID, &id);
+    const std::array<EGLint, 3> wanted{EGL_CONFIG_ID, id, EGL_NONE};
+    EGLConfig config = nullptr;
+    EGLint found = 0;
+    eglChooseConfig(display, wanted.data(), &config, 1, &found);
+    return config;
+}
+
+XrGraphicsBindingEGLMNDX eglBinding(EGLContext context) {
+    XrGraphicsBindingEGLMNDX binding{XR_TYPE_GRAPHICS_BINDING_EGL_MNDX};
+    binding.getProcAddress = eglGetProcAddress;
+    binding.display = eglGetCurrentDisplay();
+    binding.config = configOf(binding.display, context);
+    binding.context = context;
+    return binding;
+}
+
+XrGraphicsBindingOpenGLXlibKHR glxBinding(GLXContext context) {
+    XrGraphicsBindingOpenGLXlibKHR binding{XR_TYPE_GRAPHICS_BINDING_OPENGL_XLIB_KHR};
+    binding.xDisplay = glXGetCurrentDisplay();
+    binding.glxContext = context;
+    binding.glxDrawable = glXGetCurrentDrawable();
+    int id = 0, screen = 0, visual = 0, found = 0;
+    glXQueryContext(binding.xDisplay, context, GLX_FBCONFIG_ID, &id);
+    glXQueryContext(binding.xDisplay, context, GLX_SCREEN, &screen);
+    const std::array<int, 3> wanted{GLX_FBCONFIG_ID, id, 0};
+    GLXFBConfig* configs = glXChooseFBConfig(binding.xDisplay, screen, wanted.data(), &found);
+    if (configs != nullptr && found > 0) {
+        binding.glxFBConfig = configs[0];
+        glXGetFBConfigAttrib(binding.xDisplay, configs[0], GLX_VISUAL_ID, &visual);
+    }
+    if (configs != nullptr) XFree(configs);
+    binding.visualid = static_cast<uint32_t>(visual);
+    return binding;
+}
+
+#endif
+
+} // namespace
+
+GraphicsBinding GraphicsBinding::ofCurrentContext() {
+    GraphicsBinding made;
+#ifdef _WIN32
+    XrGraphicsBindingOpenGLWin32KHR binding{XR_TYPE_GRAPHICS_BINDING_OPENGL_WIN32_KHR};
+    binding.hDC = wglGetCurrentDC();
+    binding.hGLRC = wglGetCurrentContext();
+    if (binding.hGLRC != nullptr) {
+        made.chain_ = keep(binding);
+        made.kind_ = "WGL";
+        return made;
+    }
+#else
+    if (const GLXContext context = glXGetCurrentContext(); context != nullptr) {
+        made.chain_ = keep(glxBinding(context));
+        made.kind_ = "GLX";
+        return made;
+    }
+    if (const EGLContext context = eglGetCurrentContext(); context != EGL_NO_CONTEXT) {
+        made.chain_ = keep(eglBinding(context));
+        made.extension_ = XR_MNDX_EGL_ENABLE_EXTENSION_NAME;
+        made.kind_ = "EGL";
+        return made;
+    }
+#endif
+    throw InputError("the headset needs an OpenGL context, and none is current");
+}
+
+#ifdef _WIN32
+
+ContextGuard::ContextGuard() : display_(wglGetCurrentDC()), context_(wglGetCurrentContext()) {}
+
+ContextGuard::~ContextGuard() {
+    if (wglGetCurrentContext() != context_ || wglGetCurrentDC() != display_) {
+        wglMakeCurrent(static_cast<HDC>(display_), static_cast<HGLRC>(context_));
+        ++counted.contexts;
+    }
+    for (int limit = 16; limit > 0 && glGetError() != GL_NO_ERROR; --limit)
+        ++counted.errors;
+}
+
+#else
+
+namespace {
+
+void* asPointer(GLXDrawable drawable) {
+    return reinterpret_cast<void*>(static_cast<uintptr_t>(drawable));
+}
+GLXDrawable asDrawable(void* pointer) {
+    return static_cast<GLXDrawable>(reinterpret_cast<uintptr_t>(pointer));
+}
+
+} // namespace
+
+ContextGuard::ContextGuard() {
+    if (const GLXContext context = glXGetCurrentContext(); context != nullptr) {
+        display_ = glXGetCurrentDisplay();
+        context_ = context;
+        draw_ = asPointer(glXGetCurrentDrawable());
+        read_ = asPointer(glXGetCurrentReadDrawable());
+        return;
+    }
+    egl_ = true;
+    context_ = eglGetCurrentContext();
+    display_ = eglGetCurrentDisplay();
+    draw_ = eglGetCurrentSurface(EGL_DRAW);
+    read_ = eglGetCurrentSurface(EGL_READ);
+}
+
+ContextGuard::~ContextGuard() {
+    if (context_ == nullptr) return;
+    const bool same = egl_ ? eglGetCurrentContext() == context_ && eglGetCurrentSurface(EGL_DRAW) == draw_
+                           : glXGetCurrentContext() == context_ && glXGetCurrentDrawable() == asDrawable(draw_);
+    if (!same) {
+        ++counted.contexts;
+        if (egl_)
+            eglMakeCurrent(display_, draw_, read_, context_);
+        else
+            glXMakeContextCurrent(static_cast<Display*>(display_), asDrawable(draw_), asDrawable(read_),
+                                  static_cast<GLXContext>(context_));
+    }
+    for (int limit = 16; limit > 0 && glGetError() != GL_NO_ERROR; --limit)
+        ++counted.errors;
+}
+
+#endif
+
+const ContextGuard::Repairs& ContextGuard::repairs() {
+    return counted;
+}
+
+} // namespace meltpool::xr

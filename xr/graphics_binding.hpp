@@ -1,0 +1,54 @@
+// What OpenXR has to know of the OpenGL context, and the guard that puts that context back after the runtime has run.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace meltpool::xr {
+
+/// The OpenGL context that is current now, in the form that xrCreateSession wants: GLX or EGL on Linux, WGL on Windows.
+/// It comes from the context itself, so it does not matter who made it (a window, or core/gl's headless context).
+class GraphicsBinding {
+  public:
+    /// Throws InputError when no context is current.
+    static GraphicsBinding ofCurrentContext();
+
+    /// For XrSessionCreateInfo::next.
+    const void* next() const { return chain_.get(); }
+    /// The extension that this binding needs, or nullptr where XR_KHR_opengl_enable is enough.
+    const char* extension() const { return extension_; }
+    /// "GLX", "EGL" or "WGL".
+    const char* kind() const { return kind_; }
+
+  private:
+    std::shared_ptr<void> chain_;
+    const char* extension_ = nullptr;
+    const char* kind_ = "";
+};
+
+/// Remembers the current context and drawables; its end makes them current again where the runtime changed them and
+/// drains the GL errors that the runtime left behind.
+class ContextGuard {
+  public:
+    ContextGuard();
+    ~ContextGuard();
+    ContextGuard(const ContextGuard&) = delete;
+    ContextGuard& operator=(const ContextGuard&) = delete;
+
+    /// How often a guard of this process had to put a context back, and how many GL errors it drained.
+    struct Repairs {
+        unsigned contexts = 0;
+        unsigned errors = 0;
+    };
+    static const Repairs& repairs();
+
+  private:
+    void* display_ = nullptr;
+    void* context_ = nullptr;
+    void* draw_ = nullptr;
+    void* read_ = nullptr;
+    bool egl_ = false;
+};
+
+} // namespace meltpool::xr

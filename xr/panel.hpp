@@ -1,0 +1,46 @@
+// A flat picture hung in space (a quad layer): the runtime draws it, sharper than anything drawn into the eyes.
+#pragma once
+
+#include "core/gl/texture.hpp"
+#include "xr/swapchain.hpp"
+
+#include <glm/vec2.hpp>
+
+#include <memory>
+#include <optional>
+
+namespace meltpool::xr {
+
+struct PanelShape {
+    int widthPixels = 900;
+    int heightPixels = 1100;
+    float width = 0.6f; ///< m; the height follows from the pixels
+};
+
+/// Where a ray along the pose's -Z meets a panel of this size (m) that faces along its own +Z: pixels from the top left
+/// corner, or nothing where it misses or comes from behind.
+std::optional<glm::vec2> pointOnPanel(const Pose& ray, const Pose& panel, const PanelShape& shape);
+
+class Panel {
+  public:
+    Panel(const Session& session, GLenum format, const PanelShape& shape);
+
+    const PanelShape& shape() const { return shape_; }
+    /// What to draw the picture into, top row at the top; shown from the next handOver() on.
+    GLuint framebuffer() const { return framebuffer_.name(); }
+    GLuint texture() const { return colour_.name(); }
+    /// Gives the picture to the runtime.
+    void handOver();
+    /// The layer that shows it at `pose` in the session's space; valid until the next call.
+    const XrCompositionLayerBaseHeader* layer(XrSpace space, const Pose& pose);
+
+  private:
+    PanelShape shape_;
+    Swapchain swapchain_;
+    gl::Texture colour_;
+    gl::Framebuffer framebuffer_;
+    gl::Framebuffer handover_;
+    XrCompositionLayerQuad quad_{};
+};
+
+} // namespace meltpool::xr

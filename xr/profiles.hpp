@@ -1,0 +1,52 @@
+// Which button of which controller does what: the bindings suggested to the runtime, as one table.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace meltpool::xr {
+
+/// What the person can do. The first three poses and values belong to the action set "weld", the others to "menu".
+enum class Act {
+    grip,     ///< pose of the hand around the torch
+    trigger,  ///< 0..1: heat
+    haptic,   ///< output
+    aim,      ///< pose of the pointer ray
+    squeeze,  ///< 0..1
+    menu,     ///< opens and closes the panel
+    recentre, ///< brings the workshop in front of the person
+    scroll,   ///< thumbstick or trackpad, -1..1 each
+};
+
+enum class Sides { both, left, right };
+
+struct SuggestedBinding {
+    Act act;
+    Sides sides;
+    const char* component; ///< below /user/hand/left or right
+};
+
+struct InteractionProfile {
+    const char* path;
+    const char* extension; ///< nullptr: core OpenXR
+    std::span<const SuggestedBinding> bindings;
+};
+
+/// Every controller that is known. The tracker has no hands and is bound apart (trackerRoles).
+std::span<const InteractionProfile> interactionProfiles();
+
+/// A profile's bindings with both hands written out: {act, hand 0 = left, full path}.
+struct HandBinding {
+    Act act;
+    int hand;
+    std::string path;
+};
+std::vector<HandBinding> handBindings(const InteractionProfile& profile);
+
+constexpr const char* kTrackerProfile = "/interaction_profiles/htc/vive_tracker_htcx";
+
+/// The roles a tracker on a real torch or filler rod may have been given in the runtime's settings, likeliest first.
+std::span<const char* const> trackerRoles();
+
+} // namespace meltpool::xr
