@@ -1,0 +1,164 @@
+#include "core/metal/flow.hpp"
+
+#include "core/base/error.hpp"
+#include "shaders/shared/dispatch.h"
+
+#include <glm/common.hpp>
+
+namespace meltpool {
+
+namespace {
+
+constexpr unsigned kTidyGroups = 16; // passes over what changed stride over it: few groups, no arguments to prepare
+
+FlowBlock makeBlock(const FlowConstants& constants, const FlowFluid& fluid, const FlowSpace& space, size_t capacity,
+                    size_t room) {
+    FlowBlock block{};
+    const auto support = static_cast<float>(constants.support);
+    const glm::vec3 size = space.high - space.low;
+    glm::ivec3 cells(0);
+    glm::vec3 inverseCell(0), period(0), inversePeriod(0);
+    for (int axis = 0; axis < 3; ++axis) {
+        cells[axis] = std::max(1, static_cast<int>(size[axis] / support * (1 + 1e-5F)));
+        inverseCell[axis] = static_cast<float>(cells[axis]) / size[axis];
+        if (!space.repeats[axis]) continue;
+        if (cells[axis] < 3) throw RuntimeFault("a repeating space must be at least three kernel supports long");
+        period[axis] = size[axis];
+        inversePeriod[axis] = 1 / size[axis];
+    }
+    block.origin = vec4(space.low, support);
+    block.inverseCell = vec4(inverseCell, 1 / support);
+    block.period = vec4(period, 0);
+    block.inversePeriod = vec4(inversePeriod, 0);
+    block.high = vec4(space.high, static_cast<float>(0.5 * fluid.spacing));
+    block.cells = ivec4(cells, static_cast<int>(capacity));
+    block.body = vec4(space.acceleration, static_cast<float>(fluid.wetting));
+    block.kernel = vec4(constants.kernelSelf, constants.soundSpeed * constants.soundSpeed,
+                        10 * constants.kinematicViscosity, constants.mushyDrag);
+    block.tension = vec4(constants.cohesion, constants.area, 0, 0);
+    block.room = uvec4(static_cast<uint>(room), 0, 0, 0);
+    return block;
+}
+
+size_t cellCount(const FlowBlock& block) {
+    return static_cast<size_t>(block.cells.x) * static_cast<size_t>(block.cells.y) * static_cast<size_t>(block.cells.z);
+}
+
+size_t neighbourEntries(size_t room) {
+    return (2 * room + GROUP_SIZE - 1) / GROUP_SIZE * GROUP_SIZE * FLOW_NEIGHBOUR_ROOM;
+}
+
+} // namespace
+
+Flow::Flow(gl::ShaderLibrary& shaders, MetalState& state, const FlowFluid& fluid, const FlowSpace& space,
+           size_t movingRoom)
+    : state_(state),
+      constants_(FlowConstants::of(fluid)),
+      block_(makeBlock(constants_, fluid, space, state.capacity(),
+                       movingRoom == 0 ? state.capacity() : std::min(movingRoom, state.capacity()))),
+      belong_(shaders.compute("metal/flow_belong.comp")),
+      tidy_(shaders.compute("metal/flow_tidy.comp")),
+      enter_(shaders.compute("metal/flow_enter.comp")),
+      sort_(shaders.compute("metal/flow_sort.comp")),
+      density_(shaders.compute("metal/flow_density.comp")),
+      move_(shaders.compute("metal/flow_move.comp")),
+      blockBuffer_("flow block", sizeof(FlowBlock)),
+      bodies_("flow bodies", state.capacity() * sizeof(FlowBody)),
+      cells_("flow cells", cellCount(block_) * sizeof(FlowCell)),
+      still_("flow still metal", cellCount(block_) * FLOW_CELL_ROOM * sizeof(uint)),
+      entered_("flow entered", cellCount(block_) * FLOW_CELL_ROOM * sizeof(uint)),
+      sorted_("flow sorted", cellCount(block_) * FLOW_CELL_ROOM * sizeof(uvec4)),
+      lists_("flow lists", size_t(3) * block_.room.x * sizeof(uint)),
+      neighbours_("flow neighbours", neighbourEntries(block_.room.x) * sizeof(uint)),
+      counters_("flow counters", sizeof(FlowCounters)),
+      dirty_("flow changed cells", cellCount(block_) * sizeof(uint)) {}
+
+void Flow::bind() const {
+    state_.bind();
+    blockBuffer_.bindUniform(FLOW_BLOCK);
+    bodies_.bindStorage(FLOW_BODIES);
+    cells_.bindStorage(FLOW_CELLS);
+    still_.bindStorage(FLOW_STILL);
+    entered_.bindStorage(FLOW_ENTERED);
+    sorted_.bindStorage(FLOW_SORTED);
+    lists_.bindStorage(FLOW_LISTS);
+    neighbours_.bindStorage(FLOW_NEIGHBOURS);
+    counters_.bindStorage(FLOW_COUNTERS);
+    dirty_.bindStorage(FLOW_DIRTY);
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, counters_.name());
+}
+
+void Flow::setAcceleration(glm::vec3 acceleration) {
+    block_.body = vec4(acceleration, block_.body.w);
+    blockChanged_ = true;
+}
+
+void Flow::step(double seconds, gl::Profiler* profiler) {
+    step(seconds, constants_.substeps(seconds), profiler);
+}
+
+void Flow::step(double seconds, unsigned substeps, gl::Profiler* profiler) {
+    const gl::Scope scope(profiler, "flow");
+    const double dt = seconds / substeps;
+    const auto stepLength = static_cast<float>(dt);
+    if (blockChanged_ || block_.period.w != stepLength) {
+        block_.period.w = stepLength;
+        // Nothing may cross more than a third of a support in a substep: faster metal would pass through walls.
+        block_.inversePeriod.w = static_cast<float>(constants_.support / (3 * dt));
+        blockBuffer_.writeValue(block_);
+        blockChanged_ = false;
+    }
+    bind();
+    takeUpChanges(profiler);
+    for (unsigned i = 0; i < substeps; ++i)
+        substep(profiler);
+}
+
+void Flow::takeUpChanges(gl::Profiler* profiler) {
+    const gl::Scope scope(profiler, "flow changes");
+    belong_.set("slots", static_cast<unsigned>(state_.particles()));
+    belong_.dispatch(state_.particles(), GROUP_SIZE);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    tidy_.dispatchGroups(kTidyGroups);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    enter_.set("substep", substep_ + 1);
+    enter_.dispatchGroups(kTidyGroups);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+}
+
+void Flow::substep(gl::Profiler* profiler) {
+    substep_ = (substep_ + 1) % 0x7fffffffU;
+    const auto pass = [&](const gl::Program& program, const char* name, size_t groups) {
+        const gl::Scope scope(profiler, name);
+        program.set("substep", substep_);
+        program.use();
+        glDispatchComputeIndirect(static_cast<GLintptr>(groups));
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+    };
+    pass(sort_, "flow sort", offsetof(FlowCounters, sortGroups));
+    pass(density_, "flow density", offsetof(FlowCounters, densityGroups));
+    pass(move_, "flow move", offsetof(FlowCounters, sortGroups));
+}
+
+FlowFaults Flow::readFaults() const {
+    const auto faults = counters_.read<FlowCounters>(1)[0].faults;
+    return {faults.x, faults.y, faults.z, faults.w};
+}
+
+unsigned Flow::readMoving() const {
+    return counters_.read<FlowCounters>(1)[0].sortGroups.w;
+}
+
+std::vector<FlowBody> Flow::readBodies() const {
+    return bodies_.read<FlowBody>(state_.particles());
+}
+
+size_t Flow::bytes() const {
+    size_t sum = 0;
+    for (const gl::Buffer* buffer :
+         {&blockBuffer_, &bodies_, &cells_, &still_, &entered_, &sorted_, &lists_, &neighbours_, &counters_, &dirty_})
+        sum += buffer->bytes();
+    return sum;
+}
+
+} // namespace meltpool

@@ -1,0 +1,65 @@
+#include "core/metal/flow_constants.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace meltpool {
+
+namespace {
+
+constexpr double kSupport = 2.4;       // spacings
+constexpr double kLatticeSum = 1.0064; // of V W over a cubic lattice of rest density
+constexpr double kStiffness = 12.15;   // rho c² spacing / gamma
+constexpr double kCompression = 0.2;   // by cohesion at that stiffness; true density comes out at 1.0 .. 1.03
+constexpr double kCohesion = 2049;
+constexpr double kArea = 0.2442;
+constexpr double kCourant = 0.512; // longest stable c dt / H
+
+} // namespace
+
+FlowConstants FlowConstants::of(const FlowFluid& fluid) {
+    FlowConstants constants{};
+    const double dx = fluid.spacing;
+    const double volume = dx * dx * dx;
+    const double support = kSupport * dx;
+    const double tensionSpeed = std::sqrt(kStiffness * fluid.tension / (fluid.density * dx));
+    constants.support = support;
+    constants.mass = fluid.density * volume;
+    constants.soundSpeed = std::max({tensionSpeed, 10 * fluid.fastest, 1e-3});
+    const double share = tensionSpeed / constants.soundSpeed;
+    constants.scale = (1 + kCompression * share * share) / kLatticeSum;
+    constants.kernelSelf = constants.scale * volume * 3465 / (512 * std::numbers::pi * support * support * support);
+    constants.kinematicViscosity =
+        std::max(fluid.viscosity / fluid.density, fluid.leastViscosity * constants.soundSpeed * support);
+    constants.cohesion = kCohesion * fluid.tension * volume * volume / std::pow(support, 5) / constants.mass;
+    constants.area = kArea * fluid.tension * volume / support / constants.mass;
+    constants.mushyDrag = fluid.mushyDrag / fluid.density;
+    constants.longestStep =
+        std::min(kCourant * support / constants.soundSpeed, 0.05 * support * support / constants.kinematicViscosity);
+    return constants;
+}
+
+unsigned FlowConstants::substeps(double seconds) const {
+    return static_cast<unsigned>(std::max(1.0, std::ceil(seconds / longestStep - 1e-6)));
+}
+
+double FlowConstants::pressure(double density, double delta) const {
+    return density * soundSpeed * soundSpeed * std::max(delta - 1, 0.0);
+}
+
+double wettingForAngle(double angle) {
+    // Contact angles (degrees) measured for weights 1, 0.75, 0.5, 0.25, 0.
+    static constexpr std::array<std::array<double, 2>, 5> kMeasured{
+        {{0, 1}, {74, 0.75}, {101, 0.5}, {132, 0.25}, {180, 0}}};
+    const double degrees = std::clamp(angle * 180 / std::numbers::pi, 0.0, 180.0);
+    for (size_t i = 1; i < kMeasured.size(); ++i)
+        if (degrees <= kMeasured[i][0]) {
+            const double share = (degrees - kMeasured[i - 1][0]) / (kMeasured[i][0] - kMeasured[i - 1][0]);
+            return kMeasured[i - 1][1] + share * (kMeasured[i][1] - kMeasured[i - 1][1]);
+        }
+    return 0;
+}
+
+} // namespace meltpool

@@ -1,0 +1,53 @@
+// From physical quantities of a liquid to the numbers of its particles: sound speed, time step, force prefactors.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+namespace meltpool {
+
+/// A liquid as particles of one size see it. SI units.
+struct FlowFluid {
+    double spacing = 1e-3;   ///< m, edge of the cube that a particle stands for
+    double density = 7000;   ///< kg/m³ at rest
+    double tension = 1.8;    ///< surface tension, N/m
+    double viscosity = 6e-3; ///< Pa s
+    /// How strongly still metal and walls attract the liquid against its own kind: 0 repels (contact angle 180
+    /// degrees), 1 wets fully. See wettingForAngle().
+    double wetting = 1;
+    /// Fastest flow to be expected, m/s: the sound speed is at least ten times it. 0 where surface tension sets the
+    /// pace.
+    double fastest = 0;
+    /// Kinematic viscosity is at least this share of sound speed times support; below it surface tension stirs the
+    /// liquid. 0 takes the physical value whatever it is.
+    double leastViscosity = 1.66e-3;
+    double mushyDrag = 1e6; ///< kg/(m³ s), Carman-Kozeny constant of half-molten metal
+};
+
+/// The prefactors of the flow's two sweeps. With H the support, V = spacing³ and the kernel
+/// W = (1-q²)⁴ 3465/(512 pi H³), q = r/H.
+struct FlowConstants {
+    double support;            ///< H = 2.4 spacings, m
+    double mass;               ///< of a particle, kg
+    double soundSpeed;         ///< c, m/s: rho c² spacing / gamma = 12.15 where surface tension sets it
+    double scale;              ///< s of the density sum: 1/lattice sum, enlarged by what cohesion compresses
+    double kernelSelf;         ///< s V W(0)
+    double kinematicViscosity; ///< m²/s, with its lower bound
+    double cohesion;           ///< 2049 gamma V²/H⁵ over the mass, m/s²
+    double area;               ///< 0.2442 gamma V/H over the mass, m²/s²
+    double mushyDrag;          ///< over density, 1/s
+    double longestStep;        ///< longest stable time step, s
+
+    /// The calibration (2049, 0.2442, 12.15, 1.2) belongs together and to this support.
+    static FlowConstants of(const FlowFluid& fluid);
+
+    /// Substeps that a time of `seconds` needs.
+    unsigned substeps(double seconds) const;
+
+    /// Pressure (Pa) of a density ratio: rho c² (delta - 1), none below 1.
+    double pressure(double density, double delta) const;
+};
+
+/// The wetting weight whose contact angle (radians, 0 .. pi) was measured to be `angle`; linear between measurements.
+double wettingForAngle(double angle);
+
+} // namespace meltpool

@@ -1,0 +1,64 @@
+// Buffers, cells and distances that every pass of the flow shares.
+#include "shared/dispatch.h"
+#include "shared/flow.h"
+#include "shared/metal.h"
+
+layout(std140, binding = METAL_BLOCK) uniform MetalUniform { MetalBlock metal; };
+layout(std140, binding = FLOW_BLOCK) uniform FlowUniform { FlowBlock fluid; };
+layout(std430, binding = METAL_POSITION) buffer Positions { vec4 positions[]; };
+layout(std430, binding = METAL_VELOCITY) buffer Velocities { vec4 velocities[]; };
+layout(std430, binding = METAL_HEAT) buffer Heats { vec4 heats[]; };
+layout(std430, binding = METAL_PHASE) buffer Phases { uint phases[]; };
+layout(std430, binding = FLOW_BODIES) buffer Bodies { FlowBody bodies[]; };
+layout(std430, binding = FLOW_CELLS) buffer Cells { FlowCell cells[]; };
+layout(std430, binding = FLOW_STILL) buffer Still { uint still[]; };
+layout(std430, binding = FLOW_ENTERED) buffer Entered { uint entered[]; };
+layout(std430, binding = FLOW_SORTED) buffer Sorted { uvec4 sorted[]; };
+layout(std430, binding = FLOW_LISTS) buffer Lists { uint lists[]; };
+layout(std430, binding = FLOW_NEIGHBOURS) buffer Neighbours { uint neighbours[]; };
+layout(std430, binding = FLOW_COUNTERS) buffer Counters { FlowCounters counters; };
+layout(std430, binding = FLOW_DIRTY) buffer Dirty { uint dirty[]; };
+
+ivec3 cellAt(vec3 place) {
+    const ivec3 cell = ivec3(floor((place - fluid.origin.xyz) * fluid.inverseCell.xyz));
+    return clamp(cell, ivec3(0), fluid.cells.xyz - 1);
+}
+
+uint cellIndex(ivec3 cell) {
+    return uint((cell.z * fluid.cells.y + cell.y) * fluid.cells.x + cell.x);
+}
+
+/// The cell `steps` away from `cell`, across the seam of repeating axes; false where space ends.
+bool neighbourCell(ivec3 cell, ivec3 steps, out uint index) {
+    ivec3 other = cell + steps;
+    const bvec3 repeats = greaterThan(fluid.period.xyz, vec3(0));
+    other = mix(other, (other + fluid.cells.xyz) % fluid.cells.xyz, repeats);
+    index = cellIndex(other);
+    return all(greaterThanEqual(other, ivec3(0))) && all(lessThan(other, fluid.cells.xyz));
+}
+
+/// a - b, by the shorter way round where space repeats.
+vec3 apart(vec3 a, vec3 b) {
+    const vec3 straight = a - b;
+    return straight - fluid.period.xyz * round(straight * fluid.inversePeriod.xyz);
+}
+
+/// Puts a moving slot into the cell that the next substep, of this parity (0 even, 1 odd), finds it in.
+void enterCell(uint slot, vec3 place, uint parity) {
+    const uint cell = cellIndex(cellAt(place));
+    const uint entry = parity == 0 ? atomicAdd(cells[cell].even, 1u) : atomicAdd(cells[cell].odd, 1u);
+    if (entry < FLOW_CELL_ROOM)
+        entered[cell * FLOW_CELL_ROOM + entry] = slot;
+    else
+        atomicAdd(counters.faults.x, 1u);
+    bodies[slot].where[parity] = cell;
+}
+
+uint cellMoving(uint cell, uint parity) {
+    return min(parity == 0 ? cells[cell].even : cells[cell].odd, FLOW_CELL_ROOM);
+}
+
+/// Place of the first neighbour of entry `index` of the lists; the next ones follow GROUP_SIZE apart.
+uint neighbourBase(uint index) {
+    return index / GROUP_SIZE * (GROUP_SIZE * FLOW_NEIGHBOUR_ROOM) + index % GROUP_SIZE;
+}

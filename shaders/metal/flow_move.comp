@@ -1,0 +1,87 @@
+#version 450 core
+#extension GL_GOOGLE_include_directive : require
+// Sweep 2: pressure, viscosity and surface tension on the liquid; then it moves on and enters the next substep's cells.
+#include "metal/flow_common.glsl"
+layout(local_size_x = GROUP_SIZE) in;
+
+uniform uint substep;
+
+/// Pressure over density squared, m²/s² in units of the rest density.
+float stiffness(float density) {
+    return fluid.kernel.y * max(density - 1, 0) / (density * density);
+}
+
+/// Akinci's cohesion spline over q, with h^6/64 inside the prefactor.
+float cohesion(float q) {
+    const float a = (1 - q) * (1 - q) * (1 - q) * q * q * q;
+    return q > 0.5 ? a : 2 * a - 1.0 / 64;
+}
+
+vec3 acceleration(uint index, uint slot) {
+    const FlowBody own = bodies[slot];
+    const uint found = uint(own.motion.w);
+    const uint base = neighbourBase(index);
+    const float inverse = fluid.inverseCell.w * fluid.inverseCell.w;
+    const float soft = 1e-4 * fluid.origin.w * fluid.origin.w;
+    const float pressure = stiffness(own.place.w);
+    vec3 sum = vec3(0);
+    for (uint k = 0; k < found; ++k) {
+        const uint entry = neighbours[base + GROUP_SIZE * k];
+        const uint other = entry & ~FLOW_SOLID;
+        const vec4 place = bodies[other].place;
+        const vec3 d = apart(own.place.xyz, place.xyz);
+        const float r2 = dot(d, d);
+        const float q2 = min(r2 * inverse, 1);
+        const float q = sqrt(q2);
+        const float u = 1 - q2;
+        const float slope = -8 * fluid.kernel.x * inverse * u * u * u;
+        const float friction = fluid.kernel.z * dot(own.motion.xyz - bodies[other].motion.xyz, d) / (r2 + soft);
+        const float weight = ((entry & FLOW_SOLID) != 0 ? fluid.body.w : 1.0) * 2 / (own.place.w + place.w);
+        const float pull = weight * fluid.tension.x * cohesion(q) / max(q * fluid.origin.w, 0.02 * fluid.origin.w);
+        sum += (slope * (friction - pressure - stiffness(place.w)) - pull) * d;
+        sum -= weight * fluid.tension.y * 4 * q2 * u * (own.normal.xyz - bodies[other].normal.xyz);
+    }
+    return sum;
+}
+
+/// Share of the velocity that mushy metal keeps over a substep: implicit Carman-Kozeny drag.
+float mushyShare(float enthalpy) {
+    const float f = clamp((enthalpy - metal.melting.x) / (metal.melting.y - metal.melting.x), 0, 1);
+    return 1 / (1 + fluid.period.w * fluid.kernel.w * (1 - f) * (1 - f) / (f * f * f + 1e-3));
+}
+
+/// Keeps a place inside the space: around the seam where it repeats, else half a spacing off its end, where it stops.
+vec3 confine(vec3 place, inout vec3 velocity) {
+    const bvec3 repeats = greaterThan(fluid.period.xyz, vec3(0));
+    const vec3 around = place - fluid.period.xyz * floor((place - fluid.origin.xyz) * fluid.inversePeriod.xyz);
+    const vec3 inside = clamp(place, fluid.origin.xyz + fluid.high.w, fluid.high.xyz - fluid.high.w);
+    const vec3 confined = mix(inside, around, repeats);
+    velocity = mix(velocity, vec3(0), notEqual(mix(inside, place, repeats), place));
+    return confined;
+}
+
+void main() {
+    const uint index = gl_GlobalInvocationID.x;
+    if (index == 0) counters.densityGroups = uvec4(counters.sortGroups.x, 1, 1, 0);
+    if (index >= counters.sortGroups.w) return;
+    const uint slot = lists[index];
+    if ((phases[slot] & PHASE_LIQUID) == 0) {
+        enterCell(slot, positions[slot].xyz, 1u - (substep & 1u));
+        return;
+    }
+    const vec4 before = positions[slot];
+    const float dt = fluid.period.w;
+    vec3 velocity = velocities[slot].xyz + dt * (acceleration(index, slot) + metal.gravity.xyz + fluid.body.xyz);
+    velocity *= mushyShare(heats[slot].x);
+    const float speed = length(velocity);
+    if (!(speed < 1e6)) { // also catches what is not a number
+        atomicAdd(counters.faults.z, 1u);
+        velocity = vec3(0);
+    } else if (speed > fluid.inversePeriod.w) {
+        velocity *= fluid.inversePeriod.w / speed;
+    }
+    const vec3 after = confine(before.xyz + dt * velocity, velocity);
+    positions[slot] = vec4(after, before.w);
+    velocities[slot] = vec4(velocity, 0);
+    enterCell(slot, after, 1u - (substep & 1u));
+}

@@ -1,0 +1,40 @@
+#version 450 core
+#extension GL_GOOGLE_include_directive : require
+// Puts changed still cells in order and takes what no longer moves out of the moving list; empties the cells of moving metal.
+#include "metal/flow_common.glsl"
+layout(local_size_x = GROUP_SIZE) in;
+
+/// Keeps the entries that still belong to the cell, by slot; few cells change, so the plain insertion is good enough.
+void tidyCell(uint cell) {
+    const uint base = cell * FLOW_CELL_ROOM;
+    const uint count = min(cells[cell].still, FLOW_CELL_ROOM);
+    uint kept = 0;
+    for (uint entry = 0; entry < count; ++entry) {
+        const uint slot = still[base + entry];
+        if (bodies[slot].where.z != FLOW_BELONGS_STILL || bodies[slot].where.w != cell) continue;
+        uint place = kept;
+        while (place > 0 && still[base + place - 1] > slot) {
+            still[base + place] = still[base + place - 1];
+            --place;
+        }
+        still[base + place] = slot;
+        ++kept;
+    }
+    cells[cell].still = kept;
+    cells[cell].wakened = 0;
+}
+
+void main() {
+    const uint stride = gl_NumWorkGroups.x * GROUP_SIZE;
+    const uint dirtyCells = counters.dirtyGroups.w;
+    for (uint entry = gl_GlobalInvocationID.x; entry < dirtyCells; entry += stride)
+        tidyCell(dirty[entry]);
+    const uint moving = min(counters.sortGroups.w, fluid.room.x);
+    for (uint entry = gl_GlobalInvocationID.x; entry < moving; entry += stride) {
+        const uint slot = lists[entry];
+        const uvec2 where = bodies[slot].where.xy;
+        cells[where.x].even = 0;
+        cells[where.y].odd = 0;
+        if (bodies[slot].where.z == FLOW_BELONGS_MOVING) lists[fluid.room.x + atomicAdd(counters.spare.x, 1u)] = slot;
+    }
+}

@@ -1,0 +1,80 @@
+// The flow's own buffers and constants, shared by C++ and GLSL; what they mean physically stands in core/metal/flow_constants.hpp.
+//
+// Space is cut into cells at least one kernel support wide, so that a particle's neighbours lie in its own cell and the 26
+// around it. A cell lists its still metal (rebuilt only where the phase changes) and its moving particles (put in anew every
+// substep by the pass that moves them). Both lists are in the order of slots, so that every sum has one order.
+#ifndef MELTPOOL_SHARED_FLOW_H
+#define MELTPOOL_SHARED_FLOW_H
+
+#include "glsl_types.h"
+
+#define FLOW_CELL_ROOM 32  // of a cell, for still and for moving particles each; 14 are there at rest density, 27 at most on a lattice
+#define FLOW_NEIGHBOUR_ROOM 96 // neighbours kept a particle; 58 are there at rest density
+
+#define FLOW_BODIES 6      // FlowBody a slot
+#define FLOW_CELLS 7       // FlowCell a cell
+#define FLOW_STILL 8       // slots of a cell's still metal, FLOW_CELL_ROOM a cell
+#define FLOW_ENTERED 9     // slots that entered a cell, in no order
+#define FLOW_SORTED 10     // uvec4 the same in order: position bits, slot
+#define FLOW_LISTS 11      // moving slots, spare for compacting them, still slots beside moving ones; capacity each
+#define FLOW_NEIGHBOURS 12 // slots beside an entry of the lists, entry by entry within a rank
+#define FLOW_COUNTERS 13
+#define FLOW_DIRTY 14      // cells whose still metal changed
+
+#define FLOW_BLOCK 1 // uniform buffer
+
+#define FLOW_BELONGS_NOWHERE 0u
+#define FLOW_BELONGS_STILL 1u
+#define FLOW_BELONGS_MOVING 2u
+
+#define FLOW_SOLID 0x80000000u // bit of a slot in a list of neighbours: solid metal
+#define FLOW_CELL_DIRTY 0xffffffffu // in FlowCell.wakened between the passes that find and tidy changed cells
+
+#ifdef __cplusplus
+namespace meltpool {
+#endif
+
+struct FlowBlock {
+    vec4 origin;        // xyz low corner of cell (0, 0, 0) in m, w kernel support H in m
+    vec4 inverseCell;   // xyz 1/edge of a cell, w 1/H
+    vec4 period;        // xyz length after which space repeats, 0 where it does not; w time step in s
+    vec4 inversePeriod; // xyz 1/period or 0, w fastest speed allowed in m/s
+    vec4 high;          // xyz high corner of the space in m, w half a spacing
+    ivec4 cells;        // xyz cells, w capacity in particles
+    vec4 body;          // xyz acceleration besides gravity in m/s², w weight of still metal against liquid: 0 repels .. 1 wets
+    vec4 kernel;        // x s V W(0), y c² in m²/s², z 10 nu in m²/s, w mushy drag over density in 1/s
+    vec4 tension;       // x cohesion and y area acceleration (see constants), z Marangoni, w unused
+    uvec4 room;         // x capacity of the lists in particles, yzw unused
+};
+
+struct FlowBody {
+    vec4 place;  // xyz position at the start of the substep in m, w density over rest density, scaled
+    vec4 normal; // xyz g, the weighted kernel gradient sum in 1/m, w temperature in K
+    vec4 motion; // xyz velocity at the start of the substep in m/s, w unused
+    uvec4 where; // xy cell entered for the even and the odd substep, z where the slot belongs, w cell it is still in
+};
+
+struct FlowCell {
+    uint still;   // entries of still metal
+    uint even;    // entries of moving particles for even substeps
+    uint odd;     // same, odd
+    uint wakened; // number of the last substep in which moving metal came within a cell
+};
+
+struct FlowCounters {
+    uvec4 sortGroups;    // indirect dispatch over the moving list; w its length
+    uvec4 densityGroups; // over the moving list and the still metal beside it; w number of the latter
+    uvec4 dirtyGroups;   // over cells whose still metal changed; w their number
+    uvec4 faults;        // x cells overfull, y neighbours overfull, z particles no longer finite, w moving list overfull
+    uvec4 spare;         // x length of the list being compacted
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(FlowBlock) == 160);
+static_assert(sizeof(FlowBody) == 64);
+static_assert(sizeof(FlowCell) == 16);
+static_assert(sizeof(FlowCounters) == 80);
+} // namespace meltpool
+#endif
+
+#endif

@@ -1,0 +1,106 @@
+// The flow's passes against their twin in double precision, and what must hold however the metal moves.
+#include "tests/metal/flow_twin.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+#include <random>
+
+namespace meltpool {
+
+namespace {
+
+HeatTable steelTable() {
+    Material steel;
+    steel.solidus = 1768;
+    steel.liquidus = 1813;
+    steel.latentHeat = 2.7e5;
+    steel.solidConductivity = steel.liquidConductivity = Property::constant(30);
+    steel.solidSpecificHeat = steel.liquidSpecificHeat = Property::constant(700);
+    return HeatTable(steel);
+}
+
+struct Scene {
+    MetalState state;
+    Flow flow;
+    Scene(const std::vector<MetalSeed>& seeds, const FlowFluid& fluid, const FlowSpace& space, glm::vec3 gravity)
+        : state(MetalLattice::covering(space.low, space.high, static_cast<float>(fluid.spacing)), steelTable(),
+                fluid.density, seeds.size()),
+          flow(test::shaders(), state, fluid, space) {
+        state.setGravity(gravity);
+        state.add(seeds);
+    }
+};
+
+constexpr float kHot = 2000;
+
+/// A slightly shaken block of liquid on two layers of solid, 9 x 9 x 7 particles.
+std::vector<MetalSeed> puddle(float dx) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> shake(-0.1F, 0.1F);
+    std::vector<MetalSeed> seeds;
+    for (int z = 0; z < 9; ++z)
+        for (int y = 0; y < 7; ++y)
+            for (int x = 0; x < 9; ++x) {
+                MetalSeed seed;
+                seed.position = (glm::vec3(x, y, z) + 0.5F) * dx;
+                seed.temperature = y < 2 ? 300 : kHot;
+                if (y >= 2) {
+                    seed.phase |= PHASE_LIQUID;
+                    seed.position += dx * glm::vec3(shake(random), shake(random), shake(random));
+                    seed.velocity = 0.5F * glm::vec3(shake(random), shake(random), shake(random));
+                }
+                seeds.push_back(seed);
+            }
+    return seeds;
+}
+
+std::vector<test::TwinParticle> twinOf(const std::vector<MetalSeed>& seeds) {
+    std::vector<test::TwinParticle> particles;
+    for (const MetalSeed& seed : seeds)
+        particles.push_back({glm::dvec3(seed.position), glm::dvec3(seed.velocity), (seed.phase & PHASE_LIQUID) != 0});
+    return particles;
+}
+
+FlowSpace roomAround(float dx) {
+    return {glm::vec3(-10 * dx), glm::vec3(20 * dx)};
+}
+
+} // namespace
+
+TEST_CASE("the flow's sweeps do what their twin does") {
+    test::context();
+    const float dx = 1e-3F;
+    const auto seeds = puddle(dx);
+    FlowFluid fluid;
+    fluid.spacing = 1e-3;
+    fluid.wetting = 0.7;
+    const glm::vec3 gravity(1, -9.81F, 2);
+    Scene scene(seeds, fluid, roomAround(dx), gravity);
+    auto particles = twinOf(seeds);
+    test::FlowTwin twin{fluid, FlowConstants::of(fluid), glm::dvec3(gravity)};
+    const double dt = 1.0 / 1440;
+    for (int steps = 0; steps < 3; ++steps) {
+        twin.step(particles, dt);
+        scene.flow.step(dt, 1, nullptr);
+        const auto bodies = scene.flow.readBodies();
+        const auto velocities = scene.state.velocity.read<vec4>(seeds.size());
+        const auto positions = scene.state.position.read<vec4>(seeds.size());
+        double delta = 0, gradient = 0, velocity = 0, position = 0;
+        for (size_t i = 0; i < seeds.size(); ++i) {
+            if (!particles[i].liquid) continue;
+            delta = std::max(delta, std::abs(double(bodies[i].place.w) - particles[i].delta));
+            gradient = std::max(gradient, glm::length(glm::dvec3(bodies[i].normal) - particles[i].gradient));
+            velocity = std::max(velocity, glm::length(glm::dvec3(velocities[i]) - particles[i].velocity));
+            position = std::max(position, glm::length(glm::dvec3(positions[i]) - particles[i].position));
+        }
+        INFO("step " << steps);
+        CHECK(delta < 2e-5);
+        CHECK(gradient * 1e-3 < 1e-4);
+        CHECK(velocity < 1e-4);
+        CHECK(position < 1e-7);
+    }
+    CHECK_FALSE(scene.flow.readFaults().any());
+    CHECK(scene.flow.readMoving() == 9 * 9 * 5);
+}
+
+} // namespace meltpool
