@@ -103,4 +103,87 @@ TEST_CASE("the flow's sweeps do what their twin does") {
     CHECK(scene.flow.readMoving() == 9 * 9 * 5);
 }
 
+TEST_CASE("the same scene moves to the same bits") {
+    test::context();
+    const float dx = 1e-3F;
+    const auto seeds = puddle(dx);
+    FlowFluid fluid;
+    fluid.wetting = 0.7;
+    Scene first(seeds, fluid, roomAround(dx), glm::vec3(0, -9.81F, 0));
+    Scene second(seeds, fluid, roomAround(dx), glm::vec3(0, -9.81F, 0));
+    for (int frame = 0; frame < 3; ++frame) {
+        first.flow.step(1.0 / 90, nullptr);
+        second.flow.step(1.0 / 90, nullptr);
+    }
+    CHECK(first.state.position.read<vec4>(seeds.size()) == second.state.position.read<vec4>(seeds.size()));
+    CHECK(first.state.velocity.read<vec4>(seeds.size()) == second.state.velocity.read<vec4>(seeds.size()));
+}
+
+TEST_CASE("space that repeats has no seam") {
+    test::context();
+    const float dx = 1e-3F;
+    FlowFluid fluid;
+    const FlowSpace space{glm::vec3(0), glm::vec3(10 * dx), glm::bvec3(true), glm::vec3(0)};
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> shake(-0.2F, 0.2F);
+    std::vector<MetalSeed> seeds;
+    for (int i = 0; i < 1000; ++i) {
+        MetalSeed seed;
+        seed.position =
+            (glm::vec3(i % 10, i / 10 % 10, i / 100) + 0.5F + glm::vec3(shake(random), shake(random), shake(random))) *
+            dx;
+        seed.phase |= PHASE_LIQUID;
+        seed.temperature = kHot;
+        seeds.push_back(seed);
+    }
+    Scene scene(seeds, fluid, space, glm::vec3(0));
+    auto particles = twinOf(seeds);
+    const test::FlowTwin twin{fluid, FlowConstants::of(fluid), glm::dvec3(0), glm::dvec3(space.high)};
+    twin.step(particles, 1.0 / 1440);
+    scene.flow.step(1.0 / 1440, 1, nullptr);
+    const auto velocities = scene.state.velocity.read<vec4>(seeds.size());
+    double velocity = 0;
+    glm::dvec3 momentum(0);
+    for (size_t i = 0; i < seeds.size(); ++i) {
+        velocity = std::max(velocity, glm::length(glm::dvec3(velocities[i]) - particles[i].velocity));
+        momentum += glm::dvec3(velocities[i]);
+    }
+    CHECK(velocity < 1e-4);
+    CHECK(glm::length(momentum) < 1e-4);
+}
+
+TEST_CASE("what melts begins to move, what freezes stands still, none is lost") {
+    test::context();
+    const float dx = 1e-3F;
+    auto seeds = puddle(dx);
+    FlowFluid fluid;
+    Scene scene(seeds, fluid, roomAround(dx), glm::vec3(0, -9.81F, 0));
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> chance(0, 1);
+    auto phases = scene.state.phase.read<uint>(seeds.size());
+    for (int frame = 0; frame < 30; ++frame) {
+        for (size_t i = 0; i < seeds.size(); ++i)
+            if (seeds[i].position.y > 2 * dx && chance(random) < 0.1) phases[i] ^= PHASE_LIQUID;
+        scene.state.phase.write(std::span<const uint>(phases));
+        const auto before = scene.state.position.read<vec4>(seeds.size());
+        scene.flow.step(1.0 / 90, nullptr);
+        const auto after = scene.state.position.read<vec4>(seeds.size());
+        const auto velocities = scene.state.velocity.read<vec4>(seeds.size());
+        unsigned moving = 0;
+        size_t wrong = 0;
+        for (size_t i = 0; i < seeds.size(); ++i) {
+            const bool liquid = (phases[i] & PHASE_LIQUID) != 0;
+            moving += liquid ? 1U : 0U;
+            const bool rests = before[i] == after[i] && glm::length(glm::vec3(velocities[i])) == 0;
+            wrong += liquid == rests ? 1U : 0U;
+        }
+        CHECK(wrong == 0);
+        CHECK(scene.flow.readMoving() == moving);
+    }
+    CHECK_FALSE(scene.flow.readFaults().any());
+    const auto end = scene.state.position.read<vec4>(seeds.size());
+    for (const vec4& place : end) // it may wet the plate's rim, but clings to it
+        CHECK(glm::length(glm::vec3(place) - 4.5F * dx) < 10 * dx);
+}
+
 } // namespace meltpool
