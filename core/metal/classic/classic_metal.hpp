@@ -1,0 +1,61 @@
+// The classic model: melting particles of one substance, stepped on the GPU.
+#pragma once
+
+#include "core/gl/buffer.hpp"
+#include "core/gl/profiler.hpp"
+#include "core/gl/program.hpp"
+#include "core/metal/classic/classic_parameters.hpp"
+#include "core/metal/particle_view.hpp"
+#include "core/metal/statistics.hpp"
+
+#include <cstdint>
+#include <optional>
+
+namespace meltpool {
+
+/// What heats, or with `cold` freezes, the metal.
+struct ClassicSource {
+    glm::vec3 position{0.9F}; ///< box units
+    float strength = 0;       ///< 0 off .. 1 fully on
+    bool cold = false;        ///< takes the temperature away instead of giving it
+};
+
+class ClassicMetal {
+  public:
+    /// Throws InputError for a setup without particles, RuntimeFault when the GPU has no room.
+    ClassicMetal(gl::ShaderLibrary& library, const ClassicSetup& setup);
+
+    /// May be changed between any two steps.
+    ClassicParameters parameters;
+
+    /// Puts every particle back where it started, solid and at rest. The parameters stay.
+    void reset();
+
+    /// One time step. `profiler` may be null.
+    void step(const ClassicSource& source, gl::Profiler* profiler);
+
+    /// The places and temperatures after the last step, valid as long as this object.
+    ParticleView particles() const;
+
+    /// Counts and temperatures of this moment; waits for the GPU.
+    MetalStatistics statistics() const;
+    /// Asks for them without waiting; a request made while all slots are on their way is dropped.
+    void requestStatistics();
+    /// The newest that have arrived since the last call, else nothing; never waits.
+    std::optional<MetalStatistics> pollStatistics();
+
+    /// Of position, velocity and temperature of every particle by number, bit by bit; waits for the GPU.
+    std::uint64_t stateHash() const;
+
+    /// GPU memory in all.
+    size_t bytes() const;
+
+    /// The thesis's loop over all pairs instead of the grid: slow, kept to check the grid against.
+    void useAllPairs(bool allPairs);
+
+  private:
+    ClassicSetup setup_;
+    gl::Buffer positions_;
+};
+
+} // namespace meltpool

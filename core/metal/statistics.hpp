@@ -1,0 +1,19 @@
+// What a look over all particles finds: counts and temperatures.
+#pragma once
+
+#include <cstddef>
+
+namespace meltpool {
+
+/// Temperatures in the model's own scale: classic 0 (solid) .. 1 (liquid), physical K.
+struct MetalStatistics {
+    size_t particles = 0;
+    size_t molten = 0;    ///< classic: temperature above 0, so free to move
+    size_t lost = 0;      ///< outside the box, or not where the sort put them
+    size_t nonFinite = 0; ///< times since the reset that a particle's new state was no number and was refused
+    double minTemperature = 0;
+    double meanTemperature = 0;
+    double maxTemperature = 0;
+};
+
+} // namespace meltpool
