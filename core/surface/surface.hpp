@@ -4,14 +4,16 @@
 #include "core/gl/profiler.hpp"
 #include "core/gl/program.hpp"
 #include "core/metal/particle_view.hpp"
+#include "core/surface/surface_grid.hpp"
 #include "core/surface/surface_mesh.hpp"
 #include "core/surface/surface_parameters.hpp"
 
 #include <memory>
+#include <optional>
 
 namespace meltpool {
 
-/// Small results of an update, read back without waiting.
+/// Small results of an update.
 struct SurfaceStatistics {
     unsigned vertices = 0;
     unsigned triangles = 0;
@@ -19,10 +21,17 @@ struct SurfaceStatistics {
     bool overflow = false; ///< the mesh did not fit its buffers; what is drawn is a part of it
 };
 
+/// The density volume holds at every corner of the grid the sum of the weights 1 - d / d_max of the particles around, d
+/// in cells, d_max = sqrt(3) / 2 + sqrt(3) (influence - 1), as integers of 1/10000. The temperature volume holds the
+/// sum of weight x temperature; the surface's temperature is the quotient of the two, the weighted mean, so that it
+/// does not depend on how densely the particles lie. Both are sums of integers: the same particles give the same bits
+/// in any order.
+///
+/// Triangles and vertices are ordered by block of 8³ cells, then row, then cell.
 class Surface {
   public:
     /// Lays a grid over the box: `parameters.cells` along its longest side, cells as near to cubes as whole numbers
-    /// allow along the others. Throws InputError when the box is empty or the parameters are out of range.
+    /// allow along the others. Throws InputError when the box is empty or the cells are out of range.
     Surface(gl::ShaderLibrary& shaders, const SurfaceParameters& parameters, glm::vec3 boxMin, glm::vec3 boxMax);
     ~Surface();
     Surface(const Surface&) = delete;
@@ -38,12 +47,18 @@ class Surface {
     void update(const ParticleView& particles, gl::Profiler* profiler);
 
     SurfaceMesh mesh() const;
+    const SurfaceGrid& grid() const;
+
+    /// The volumes' sums by SurfaceGrid::address(), as 32-bit unsigned integers.
+    const gl::Buffer& densityVolume() const;
+    const gl::Buffer& temperatureVolume() const;
 
     /// GPU memory that this surface holds.
     size_t bytes() const;
 
-    /// Counts of the last update. statistics() waits for the GPU; poll never does: request, then ask in later frames.
+    /// Counts of the last update; waits for the GPU.
     SurfaceStatistics statistics() const;
+    /// The same without waiting: request them after an update, then ask in later frames until they are there.
     void requestStatistics();
     std::optional<SurfaceStatistics> pollStatistics();
 

@@ -1,0 +1,43 @@
+#include "core/gl/readback.hpp"
+
+#include "core/base/error.hpp"
+
+#include <cstring>
+
+namespace meltpool::gl {
+
+Readback::Readback(std::string_view label, size_t bytes) : bytes_(bytes) {
+    GLuint name = 0;
+    glCreateBuffers(1, &name);
+    handle_ = Handle<destroy>(name);
+    labelObject(GL_BUFFER, name, label);
+    constexpr GLbitfield kFlags = GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
+    glNamedBufferStorage(name, static_cast<GLsizeiptr>(bytes), nullptr, kFlags | GL_CLIENT_STORAGE_BIT);
+    mapped_ = glMapNamedBufferRange(name, 0, static_cast<GLsizeiptr>(bytes), kFlags);
+    if (mapped_ == nullptr) throw RuntimeFault("the graphics driver cannot map '" + std::string(label) + "'");
+}
+
+Readback::~Readback() {
+    if (fence_ != nullptr) glDeleteSync(fence_);
+}
+
+void Readback::request(const Buffer& source, size_t offset) {
+    if (fence_ != nullptr) return;
+    if (offset + bytes_ > source.bytes()) throw RuntimeFault("a read past the end of a GPU buffer was refused");
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
+    glCopyNamedBufferSubData(source.name(), handle_.name(), static_cast<GLintptr>(offset), 0,
+                             static_cast<GLsizeiptr>(bytes_));
+    fence_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+}
+
+bool Readback::take(void* target, size_t bytes) {
+    if (fence_ == nullptr) return false;
+    const GLenum state = glClientWaitSync(fence_, GL_SYNC_FLUSH_COMMANDS_BIT, 0);
+    if (state != GL_ALREADY_SIGNALED && state != GL_CONDITION_SATISFIED) return false;
+    glDeleteSync(fence_);
+    fence_ = nullptr;
+    std::memcpy(target, mapped_, bytes);
+    return true;
+}
+
+} // namespace meltpool::gl

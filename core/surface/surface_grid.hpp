@@ -1,0 +1,39 @@
+// The grid that the surface is found on: its cells over the box and how its corners are stored.
+#pragma once
+
+#include "shaders/shared/surface.h"
+
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+
+namespace meltpool {
+
+/// Corners of an axis are numbered from 0 to cells + 2; the first and the last lie in the empty layer around the grid
+/// (shaders/shared/surface.h). z runs against the model's: corner 1 lies at boxMax.z, as in the founding thesis.
+struct SurfaceGrid {
+    glm::ivec3 cells{1};
+    glm::vec3 boxMin{-1.0f};
+    glm::vec3 boxMax{1.0f};
+
+    /// `cells` along the longest side of the box, along the others what makes the cells most nearly cubes, at least 2.
+    /// Throws InputError when the box has no volume, or when a side takes more cells than can be numbered.
+    SurfaceGrid(int cells, glm::vec3 boxMin, glm::vec3 boxMax);
+
+    /// Blocks of 8³ corners that hold the corners of an axis and of all.
+    glm::ivec3 blocks() const { return (cells + 2 + (SURFACE_BLOCK - 1)) / SURFACE_BLOCK; }
+    size_t blockCount() const;
+
+    /// Where a corner is stored; the same as cornerAddress() in the shaders.
+    size_t address(glm::ivec3 corner) const;
+
+    /// The mesh that buffers are made for: twelve layers of surface across the whole grid, or all that a small grid can
+    /// hold. A welded plate or a melting cube has one or two.
+    size_t mostVertices() const;
+    size_t mostTriangles() const { return 2 * mostVertices(); }
+
+    /// The part of the passes' uniform block that the grid decides.
+    SurfaceSetup setup() const;
+};
+
+} // namespace meltpool

@@ -1,0 +1,47 @@
+#version 450 core
+#extension GL_GOOGLE_include_directive : require
+// Lists the crossing edges and the triangles of every row at their places, so that the emitting passes run full.
+#include "surface/grid.glsl"
+layout(local_size_x = SURFACE_GROUP) in;
+#include "surface/row.glsl"
+
+layout(std430, binding = SURFACE_BIND_ROWS) buffer Rows { uvec2 rows[]; };
+layout(std430, binding = SURFACE_BIND_ROW_SUMS) readonly buffer RowSums { uint rowSums[]; };
+layout(std430, binding = SURFACE_BIND_BLOCK_SUMS) readonly buffer BlockSums { uvec2 blockSums[]; };
+layout(std430, binding = SURFACE_BIND_CASES) readonly buffer Cases { uint cases[]; };
+layout(std430, binding = SURFACE_BIND_EDGE_LIST) writeonly buffer EdgeList { uint edgeList[]; };
+layout(std430, binding = SURFACE_BIND_TRIANGLE_LIST) writeonly buffer TriangleList { uvec2 triangleList[]; };
+layout(std430, binding = SURFACE_BIND_COMMANDS) readonly buffer Commands { SurfaceCommands commands; };
+
+void listEdges(CellRow row, uint edges, uint slot) {
+    uint corner = packCorner(row.first);
+    while (edges != 0u && slot < setup.limits.z) {
+        uint edge = uint(findLSB(edges));
+        edges &= edges - 1u;
+        edgeList[slot++] = corner + (edge & 7u) | edge >> 3 << 3 * SURFACE_COORDINATE_BITS;
+    }
+}
+
+void listTriangles(CellRow row, uint slot) {
+    uint crossed = crossedCells(row), corner = packCorner(row.first);
+    while (crossed != 0u) {
+        int cell = findLSB(crossed);
+        crossed &= crossed - 1u;
+        uint entry = cases[cellCase(row, cell)];
+        uint end = min(slot + (entry & 7u), setup.limits.w);
+        for (uint triangle = entry >> 3; slot < end; ++triangle, ++slot)
+            triangleList[slot] = uvec2(corner + uint(cell), triangle);
+    }
+}
+
+void main() {
+    uint index = linearInvocation();
+    if (index >= commands.blockCount * SURFACE_BLOCK_ROWS) return;
+    CellRow row = readRow(index);
+    uint sums = rowSums[index];
+    uvec2 place = blockSums[index / SURFACE_BLOCK_ROWS] + uvec2(sums & 65535u, sums >> 16);
+    uint edges = crossingEdges(row);
+    rows[cornerAddress(row.first) >> 3] = uvec2(place.x, edges);
+    listEdges(row, edges, place.x);
+    listTriangles(row, place.y);
+}

@@ -1,0 +1,34 @@
+#version 450 core
+#extension GL_GOOGLE_include_directive : require
+// Writes the vertex numbers of every listed triangle.
+#include "surface/grid.glsl"
+layout(local_size_x = SURFACE_GROUP) in;
+
+layout(std430, binding = SURFACE_BIND_ROWS) readonly buffer Rows { uvec2 rows[]; };
+layout(std430, binding = SURFACE_BIND_CASES) readonly buffer Cases { uint cases[]; };
+layout(std430, binding = SURFACE_BIND_TRIANGLE_LIST) readonly buffer TriangleList { uvec2 triangleList[]; };
+layout(std430, binding = SURFACE_BIND_INDICES) writeonly buffer Indices { uint indices[]; };
+layout(std430, binding = SURFACE_BIND_COMMANDS) readonly buffer Commands { SurfaceCommands commands; };
+
+/// Number of the vertex on an edge of the cell: bits 0-2 of `edge` are the edge's corner in the cell, bits 3-4 its axis.
+uint vertexOn(ivec3 cell, uint edge) {
+    ivec3 corner = cell + ivec3(uvec3(edge, edge >> 1, edge >> 2) & 1u);
+    uvec2 row = rows[cornerAddress(corner) >> 3];
+    uint bit = (edge >> 3 & 3u) * 8u + uint(corner.x & 7);
+    return row.x + uint(bitCount(row.y & ((1u << bit) - 1u)));
+}
+
+void main() {
+    uint index = linearInvocation();
+    if (index >= min(commands.triangleCount, setup.limits.w)) return;
+    uvec2 entry = triangleList[index];
+    ivec3 cell = unpackCorner(entry.x);
+    uint edges = cases[entry.y];
+    // The table turns counter-clockwise in the grid; its mirrored z makes that clockwise in the model.
+    uvec3 corners = uvec3(vertexOn(cell, edges), vertexOn(cell, edges >> 10), vertexOn(cell, edges >> 5));
+    // A vertex that did not fit takes its triangle with it.
+    if (any(greaterThanEqual(corners, uvec3(setup.limits.z)))) corners = uvec3(0u);
+    indices[index * 3u] = corners.x;
+    indices[index * 3u + 1u] = corners.y;
+    indices[index * 3u + 2u] = corners.z;
+}
