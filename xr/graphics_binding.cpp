@@ -1,24 +1,5 @@
 // The only place that knows which window system made the OpenGL context.
-#include "core/gl/gl.hpp"
-
-#ifdef _WIN32
-#define NOMINMAX
-#include <windows.h>
-#define XR_USE_PLATFORM_WIN32
-#else
-#include <EGL/egl.h>
-#include <GL/glx.h>
-#define XR_USE_PLATFORM_XLIB
-#define XR_USE_PLATFORM_EGL
-#endif
-#define XR_USE_GRAPHICS_API_OPENGL
-#include <openxr/openxr.h>
-#include <openxr/openxr_platform.h>
-
-// X11 defines these as macros.
-#undef None
-#undef Bool
-#undef Success
+#include "xr/platform.hpp"
 
 #include "core/base/error.hpp"
 #include "xr/graphics_binding.hpp"

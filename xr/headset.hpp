@@ -44,6 +44,7 @@ class Headset {
 
     const Instance& instance() const { return *instance_; }
     Session& session() { return *session_; }
+    const Session& session() const { return *session_; }
     Input& input() { return *input_; }
     Panel& panel() { return *panel_; }
     const EyeTargets& eyes() const { return *targets_; }

@@ -1,20 +1,5 @@
 // The session's life from creation to the end, whichever way it ends.
-#define XR_USE_GRAPHICS_API_OPENGL
-#include "core/gl/gl.hpp"
-
-#ifdef _WIN32
-#define NOMINMAX
-#include <windows.h>
-#define XR_USE_PLATFORM_WIN32
-#else
-#include <GL/glx.h>
-#define XR_USE_PLATFORM_XLIB
-#undef None
-#undef Bool
-#undef Success
-#endif
-#include <openxr/openxr.h>
-#include <openxr/openxr_platform.h>
+#include "xr/platform.hpp"
 
 #include "xr/session.hpp"
 

@@ -49,10 +49,13 @@ const bool layerAsked = [] {
 std::string misuses() {
     const std::filesystem::path file = benchFolder() / "validation.txt";
     if (!layerAsked || !std::filesystem::exists(file)) throw RuntimeFault("the OpenXR validation layer did not run");
+    static size_t told = 0; // bytes of the file that an earlier call has answered
+    const std::string text = readTextFile(file);
     std::string found;
-    for (const std::string_view line : splitText(readTextFile(file), '\n'))
+    for (const std::string_view line : splitText(std::string_view(text).substr(told), '\n'))
         if (line.find("VALID_ERROR") != line.npos || line.find("VALID_WARNING") != line.npos)
             found += std::string(line) + "\n";
+    told = text.size();
     return found;
 }
 

@@ -31,7 +31,7 @@ Image shownEye(const Image& screen, int eye);
 /// Writes the picture into the folder $MELTPOOL_XR_PICTURES where that is set, to be looked at.
 void keepPicture(const Image& image, const std::string& name);
 
-/// The validation layer's complaints so far, one a line; the layer watches every instance of a test program that links
+/// The validation layer's complaints since the last call, one a line; the layer watches every instance of a test program that links
 /// this. Throws RuntimeFault when the layer did not run.
 std::string misuses();
 

@@ -160,7 +160,7 @@ wait "$program_pid"
 status=$?
 program_pid=
 if [ "$status" -ne 0 ]; then
-    grep -v 'XR_ERROR_FUNCTION_UNSUPPORTED' "$run/stderr.log" | tail -n 60 >&2
+    grep -v 'XR_ERROR_FUNCTION_UNSUPPORTED' "$run/stderr.log" | tail -n 20 >&2
     say "the runtime's last words:"
     tail -n 10 "$run/service.log" >&2
 fi

@@ -1,0 +1,56 @@
+// What `meltpool doctor` says of a real runtime, on a context that has no window.
+#include "core/gl/context.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/xr/bench.hpp"
+#include "xr/diagnosis.hpp"
+
+#include <GLFW/glfw3.h>
+
+#include <cstdlib>
+
+using namespace meltpool;
+using namespace meltpool::test;
+
+namespace {
+
+std::string valueOf(const xr::Diagnosis& told, const std::string& name) {
+    for (const xr::Fact& fact : told.facts)
+        if (fact.name == name) return fact.value;
+    return "(not told)";
+}
+
+} // namespace
+
+TEST_CASE("the doctor sees runtime, headset, formats, rate and controllers", "[runtime]") {
+    RemoteDriver driver(benchPort());
+    RemoteState state;
+    state.hands[0].active = false;
+    driver.send(state);
+    glfwMakeContextCurrent(nullptr);
+    const gl::HeadlessContext headless;
+    // The validation layer does not know the EGL binding's struct and refuses the session.
+    const std::string layers = std::getenv("XR_ENABLE_API_LAYERS");
+    unsetenv("XR_ENABLE_API_LAYERS");
+    const xr::Diagnosis told = xr::diagnose(true);
+    setenv("XR_ENABLE_API_LAYERS", layers.c_str(), 1);
+    for (const xr::Fact& fact : told.facts)
+        UNSCOPED_INFO(fact.name << ": " << fact.value);
+    CHECK(told.usable);
+    CHECK(told.advice == "");
+    CHECK(valueOf(told, "OpenGL handed over by") == "EGL");
+    CHECK_THAT(valueOf(told, "OpenXR runtime"), containsText("Monado"));
+    CHECK_THAT(valueOf(told, "picture formats"), containsText("SRGB8_ALPHA8"));
+    CHECK(valueOf(told, "refresh rate") == "60.0 Hz");
+    CHECK(valueOf(told, "floor") == "known (STAGE)");
+    CHECK_THAT(valueOf(told, "right controller"), containsText("tracked"));
+    CHECK_THAT(valueOf(told, "left controller"), containsText("off") || containsText("none"));
+}
+
+TEST_CASE("the doctor says what is missing where no runtime is set", "[runtime]") {
+    const std::string manifest = std::getenv("XR_RUNTIME_JSON");
+    setenv("XR_RUNTIME_JSON", "/nowhere/runtime.json", 1);
+    const xr::Diagnosis told = xr::diagnose(false);
+    setenv("XR_RUNTIME_JSON", manifest.c_str(), 1);
+    CHECK_FALSE(told.usable);
+    CHECK_THAT(told.advice, containsText("SteamVR"));
+}

@@ -1,0 +1,187 @@
+// The headset's part of `meltpool doctor`.
+#include "xr/diagnosis.hpp"
+
+#include "xr/headset.hpp"
+#include "xr/link.hpp"
+#include "xr/platform.hpp"
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <thread>
+
+namespace meltpool::xr {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+std::string formatName(std::int64_t format) {
+    switch (format) {
+    case GL_SRGB8_ALPHA8:
+        return "SRGB8_ALPHA8";
+    case GL_SRGB8:
+        return "SRGB8";
+    case GL_RGBA8:
+        return "RGBA8";
+    case GL_RGBA16:
+        return "RGBA16";
+    case GL_RGBA16F:
+        return "RGBA16F";
+    case GL_RGB10_A2:
+        return "RGB10_A2";
+    case GL_DEPTH_COMPONENT16:
+        return "DEPTH16";
+    case GL_DEPTH_COMPONENT24:
+        return "DEPTH24";
+    case GL_DEPTH_COMPONENT32F:
+        return "DEPTH32F";
+    case GL_DEPTH24_STENCIL8:
+        return "DEPTH24_STENCIL8";
+    case GL_DEPTH32F_STENCIL8:
+        return "DEPTH32F_STENCIL8";
+    default: {
+        std::array<char, 24> text{};
+        std::snprintf(text.data(), text.size(), "0x%llx", static_cast<unsigned long long>(format));
+        return text.data();
+    }
+    }
+}
+
+std::string decimal(double value, const char* unit) {
+    std::array<char, 48> text{};
+    std::snprintf(text.data(), text.size(), "%.1f %s", value, unit);
+    return text.data();
+}
+
+void tellSystem(const Instance& instance, Diagnosis& told) {
+    told.facts.push_back({"OpenXR runtime", instance.info().runtime});
+    told.facts.push_back({"headset", instance.info().system});
+    std::string extensions;
+    for (const std::string& name : instance.extensions())
+        extensions += (extensions.empty() ? "" : ", ") + name;
+    told.facts.push_back({"extensions in use", extensions});
+}
+
+/// Empty frames until the controllers are bound or three seconds are over; the display's period in seconds, 0: never
+/// asked for a frame.
+double watch(Headset& headset) {
+    double period = 0;
+    for (const auto end = Clock::now() + std::chrono::seconds(3); Clock::now() < end;) {
+        headset.poll();
+        if (!headset.running()) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+            continue;
+        }
+        const FrameTiming timing = headset.waitFrame();
+        period = timing.period;
+        headset.input().read(timing.displayTime);
+        headset.beginFrame();
+        headset.endFrame();
+        const bool bound = headset.input().hand(Hand::left).present || headset.input().hand(Hand::right).present;
+        if (bound && headset.session().mode() == SessionMode::focused) break;
+    }
+    return period;
+}
+
+/// Hz: what the runtime says, else what its frames' period makes. 0: unknown.
+double refreshRate(const Headset& headset, double period) {
+    float rate = 0;
+    const auto ask = headset.instance().function<PFN_xrGetDisplayRefreshRateFB>("xrGetDisplayRefreshRateFB");
+    if (headset.instance().has("XR_FB_display_refresh_rate") && ask != nullptr &&
+        XR_SUCCEEDED(ask(headset.session().handle(), &rate)) && rate > 0)
+        return static_cast<double>(rate);
+    return period > 0 ? 1.0 / period : 0;
+}
+
+void tellHands(Headset& headset, Diagnosis& told) {
+    const Input& input = headset.input();
+    for (const Hand hand : {Hand::left, Hand::right}) {
+        const std::string profile = input.profile(hand);
+        const HandInput& now = input.hand(hand);
+        const char* state = now.tracked ? ", tracked" : now.present ? ", not tracked" : ", off";
+        told.facts.push_back({hand == Hand::left ? "left controller" : "right controller",
+                              profile.empty() ? "none" : profile + state, now.present});
+    }
+    for (const TrackerInput& tracker : input.trackers())
+        if (tracker.tracked) told.facts.push_back({"tracker", tracker.role});
+    for (const std::string& refused : input.refused())
+        told.facts.push_back({"unknown to the runtime", refused});
+}
+
+void tellSession(std::unique_ptr<Instance> instance, Diagnosis& told) {
+    Headset headset(std::move(instance), {.resolutionScale = 1.0f, .samples = 1});
+    told.facts.push_back({"OpenGL handed over by", headset.bindingKind()});
+    told.facts.push_back(
+        {"pixels an eye", std::to_string(headset.eyes().width()) + " x " + std::to_string(headset.eyes().height())});
+    std::string formats;
+    for (const std::int64_t format : offeredFormats(headset.session()))
+        formats += (formats.empty() ? "" : ", ") + formatName(format);
+    told.facts.push_back({"picture formats", formats});
+    told.facts.push_back({"depth layer", headset.hasDepthLayer() ? "yes" : "no"});
+    told.facts.push_back({"floor", headset.session().originOnFloor() ? "known (STAGE)" : "not known (LOCAL)"});
+    const double period = watch(headset);
+    if (period > 0)
+        told.facts.push_back({"refresh rate", decimal(refreshRate(headset, period), "Hz")});
+    else
+        told.facts.push_back({"refresh rate", "unknown: the headset sleeps", false});
+    tellHands(headset, told);
+    const bool hands = headset.input().hand(Hand::left).present || headset.input().hand(Hand::right).present;
+    if (period <= 0)
+        told.advice = "Put the headset on: it sleeps as long as nobody wears it.";
+    else if (!hands)
+        told.advice = "Switch a controller on; the torch is in the hand that holds it.";
+}
+
+} // namespace
+
+std::string activeRuntimeManifest() {
+    if (const char* file = std::getenv("XR_RUNTIME_JSON"); file != nullptr && *file != 0) return file;
+#ifdef _WIN32
+    std::array<char, 1024> value{};
+    DWORD size = DWORD(value.size());
+    if (RegGetValueA(HKEY_LOCAL_MACHINE, "SOFTWARE\\Khronos\\OpenXR\\1", "ActiveRuntime", RRF_RT_REG_SZ, nullptr,
+                     value.data(), &size) == ERROR_SUCCESS)
+        return value.data();
+    return {};
+#else
+    std::vector<fs::path> folders;
+    if (const char* config = std::getenv("XDG_CONFIG_HOME"); config != nullptr && *config != 0)
+        folders.emplace_back(config);
+    else if (const char* home = std::getenv("HOME"))
+        folders.emplace_back(fs::path(home) / ".config");
+    for (const char* folder : {"/etc/xdg", "/usr/local/etc", "/etc"})
+        folders.emplace_back(folder);
+    for (const fs::path& folder : folders) {
+        const fs::path file = folder / "openxr" / "1" / "active_runtime.json";
+        std::error_code ignored;
+        if (fs::exists(file, ignored)) return file.string();
+    }
+    return {};
+#endif
+}
+
+Diagnosis diagnose(bool session) {
+    Diagnosis told;
+    const std::string manifest = activeRuntimeManifest();
+    told.facts.push_back({"active runtime", manifest.empty() ? "none is set" : manifest, !manifest.empty()});
+    try {
+        auto instance = std::make_unique<Instance>();
+        tellSystem(*instance, told);
+        if (session) tellSession(std::move(instance), told);
+        told.usable = true;
+    } catch (const XrFault& fault) {
+        told.facts.push_back({"headset", resultName(fault.result()), false});
+        told.advice = explain(fault);
+    } catch (const std::exception& other) {
+        told.facts.push_back({"headset", "cannot be used", false});
+        told.advice = other.what();
+    }
+    return told;
+}
+
+} // namespace meltpool::xr

@@ -1,0 +1,28 @@
+// What a person is told about the headset: what is there, what is missing and how to get it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace meltpool::xr {
+
+struct Fact {
+    std::string name;  ///< "OpenXR runtime"
+    std::string value; ///< "Monado 25.0.0"
+    bool good = true;  ///< false: this stands in the way
+};
+
+struct Diagnosis {
+    bool usable = false; ///< a headset could be used now
+    std::vector<Fact> facts;
+    std::string advice; ///< what to do, in a teacher's words; empty where nothing is missing
+};
+
+/// Looks at loader, runtime, headset, extensions, formats, refresh rate and controllers. With `session` an OpenGL
+/// context must be current: a session is opened for up to 3 seconds to see formats and controllers. Throws nothing.
+Diagnosis diagnose(bool session);
+
+/// The manifest file of the active runtime, or empty where none is set.
+std::string activeRuntimeManifest();
+
+} // namespace meltpool::xr
