@@ -1,0 +1,68 @@
+#include "core/render/environment.hpp"
+
+#include "shaders/shared/render.h"
+
+namespace meltpool {
+
+namespace {
+
+constexpr int kFaces = 6;
+constexpr int kRoughSize = 64; // pixels of a face of the least rough level
+
+gl::Texture makeCube(std::string_view label, GLenum format, int size, int levels) {
+    return {label,
+            {.target = GL_TEXTURE_CUBE_MAP, .format = format, .width = size, .height = size, .levels = levels}};
+}
+
+int levelsOf(int size) {
+    int levels = 1;
+    for (; size > 1; size /= 2)
+        ++levels;
+    return levels;
+}
+
+/// Draws one triangle over each face of a level; `program` takes the face's number at uniform location 0.
+void paintFaces(const gl::Program& program, const gl::Texture& cube, int level) {
+    const gl::Framebuffer framebuffer("environment face");
+    const gl::VertexArray none("environment face");
+    const int size = cube.shape().width >> level;
+    none.bind();
+    program.use();
+    glViewport(0, 0, size, size);
+    for (int face = 0; face < kFaces; ++face) {
+        framebuffer.attachLayer(GL_COLOR_ATTACHMENT0, cube, face, level);
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
+        glProgramUniform1i(program.name(), 0, face);
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+gl::Texture paintWorkshop(gl::ShaderLibrary& shaders, int size) {
+    gl::Texture light = makeCube("workshop light", GL_RGBA16F, size, levelsOf(size));
+    const gl::Program& paint = shaders.load({"render/screen.vert", "render/workshop.frag"});
+    paint.set("texel", 2.0f / static_cast<float>(size));
+    paintFaces(paint, light, 0);
+    glGenerateTextureMipmap(light.name());
+    return light;
+}
+
+} // namespace
+
+Environment::Environment(gl::ShaderLibrary& shaders, int faceSize)
+    : sharp_(makeCube("environment", GL_RGBA8, faceSize, 1)),
+      rough_(makeCube("rough environment", GL_RGBA8, kRoughSize, ROUGH_LEVELS)) {
+    const gl::Texture light = paintWorkshop(shaders, faceSize);
+    const gl::Program& roughen = shaders.load({"render/screen.vert", "render/roughen.frag"});
+    light.bind(SHARP_UNIT);
+    roughen.set("sourceSize", static_cast<float>(faceSize));
+    roughen.set("roughness", 0.0f);
+    paintFaces(roughen, sharp_, 0);
+    for (int level = 0; level < ROUGH_LEVELS; ++level) {
+        roughen.set("roughness", static_cast<float>(level + 1) / static_cast<float>(ROUGH_LEVELS));
+        paintFaces(roughen, rough_, level);
+    }
+    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+}
+
+} // namespace meltpool

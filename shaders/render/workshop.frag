@@ -1,0 +1,21 @@
+// Paints one face of the environment's cube map, several rays a texel.
+#version 450 core
+#extension GL_GOOGLE_include_directive : require
+#include "render/environment.glsl"
+#include "render/workshop.glsl"
+
+layout(location = 0) in vec2 place;
+layout(location = 0) out vec4 colour;
+
+layout(location = 0) uniform int face;
+layout(location = 1) uniform float texel; // width of a texel in `place`
+
+void main() {
+    vec3 sum = vec3(0.0);
+    for (int ray = 0; ray < 4; ++ray) {
+        vec2 off = vec2((ray & 1) - 0.5, (ray >> 1) - 0.5) * 0.5 * texel;
+        vec3 light = workshop(normalize(faceDirection(face, place + off)));
+        sum += min(light, vec3(ENVIRONMENT_RANGE)); // a lamp's edge must not outshine its texel
+    }
+    colour = vec4(sum * 0.25, 1.0);
+}
