@@ -10,8 +10,7 @@ constexpr int kFaces = 6;
 constexpr int kRoughSize = 64; // pixels of a face of the least rough level
 
 gl::Texture makeCube(std::string_view label, GLenum format, int size, int levels) {
-    return {label,
-            {.target = GL_TEXTURE_CUBE_MAP, .format = format, .width = size, .height = size, .levels = levels}};
+    return {label, {.target = GL_TEXTURE_CUBE_MAP, .format = format, .width = size, .height = size, .levels = levels}};
 }
 
 int levelsOf(int size) {

@@ -22,6 +22,7 @@ ParameterList describe(LookParameters& l) {
         {"diffuse", "Diffuse light", "", &l.diffuse, 0, 2, "with ambient above 1 together bright parts wash out"},
         {"specular", "Specular light", "", &l.specular, 0, 4, "strength of the highlight"},
         {"shininess", "Shininess", "", &l.shininess, 1, 500, "higher makes the highlight smaller"},
+        {"dullness", "Dullness of solid metal", "", &l.dullness, 0, 1, "0 is the plain thesis: solid mirrors sharply"},
         {"light_position", "Light position", "model units", &l.lightPosition, -100, 100, "from the model's origin"},
         {"show_box", "Box", "", &l.showBox, 0, 1, "white edges of the space the particles live in"},
         {"show_sky", "Workshop", "", &l.showSky, 0, 1, "reflections stay when it is off"},

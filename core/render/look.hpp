@@ -19,6 +19,7 @@ struct LookParameters {
     float diffuse = 0.6f;
     float specular = 0.6f;
     float shininess = 60.0f;
+    float dullness = 0.8f; ///< 0: solid metal mirrors as sharply as liquid, 1: as brushed metal does
     glm::vec3 lightPosition{1.2f, 2.6f, 2.4f}; ///< model units, from the model's origin
     bool showBox = true;
     bool showSky = true;

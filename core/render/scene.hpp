@@ -1,15 +1,20 @@
 // What the renderer needs to know about the world in one frame.
 #pragma once
 
+#include "core/metal/materials.hpp"
 #include "core/metal/particle_view.hpp"
+#include "core/render/solids.hpp"
 #include "core/surface/surface_mesh.hpp"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include <span>
+
 namespace meltpool {
 
-/// The heat or cold source of the classic lesson, drawn as a small cube.
+/// The heat or cold source of the classic lesson, drawn as a small cube: blue, red while it heats, white while it
+/// cools.
 struct SourceView {
     bool shown = false;
     glm::vec3 position{0.0f}; ///< model units
@@ -29,12 +34,16 @@ struct TemperatureMeaning {
 
 struct SceneView {
     SurfaceMesh mesh;             ///< null buffers: no surface is drawn
+    bool meshIsOpen = false;      ///< caps are off: the inside is seen too
     ParticleView particles;       ///< for the points mode; null: none
     glm::mat4 modelToWorld{1.0f}; ///< rotation, one scale, translation
     glm::vec3 boxMin{-1.0f};      ///< model units
     glm::vec3 boxMax{1.0f};
+    float cubeWidth = 1.0f; ///< model units that frost, clouds and depth of colour of ice and wax are made for
     SourceView source;
     TemperatureMeaning temperature;
+    const MaterialLooks* looks = nullptr; ///< physical material; null: LookParameters::material
+    std::span<const Solid> solids;        ///< torch, table, clamps
 };
 
 } // namespace meltpool

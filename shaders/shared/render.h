@@ -13,6 +13,7 @@
 #define ROUGH_UNIT 1  // the environment as rough surfaces mirror it, one roughness a level
 #define SCALE_UNIT 2  // temperature colours, one scale a row
 #define BACK_UNIT 3   // back faces: normal and distance from the eye
+#define NOISE_UNIT 4  // smooth random values in space, repeating
 
 // Storage bindings of passes that pull their vertices.
 #define PULL_VERTICES_BINDING 0
@@ -38,9 +39,10 @@ namespace meltpool {
 
 struct ViewData {
     mat4 worldToClip;
+    mat4 worldToEye;
     mat4 clipToWay; // clip xy at the far plane (z = w = 1) to a world direction
-    vec4 eye;       // world; w = height of the view in pixels times eyeToClip[1][1] / 2: pixels of 1 unit at depth 1
-    vec4 size;      // pixels: width, height, 1 / width, 1 / height
+    vec4 eye;       // world; w: pixels that one world unit covers at a depth of 1
+    vec4 size;      // pixels: width, height, left and lower border in the frame buffer
 };
 
 struct FrameData {
@@ -53,20 +55,20 @@ struct FrameData {
     vec4 colours;     // x: ColourMode, y: row of the temperature scale
     vec4 boxMin;
     vec4 boxMax;
+    vec4 detail; // x: dullness of solid metal, y: radius of a drawn particle in world units, z: width of a classic cube over a model unit: scales frost and clouds
 };
 
 struct MaterialData {
-    vec4 solid;  // rgb: linear reflectance, w: share of the mirror image
+    vec4 solid;  // rgb: colour as displayed (sRGB), w: share of the mirror image
     vec4 liquid; // the same, molten
-    vec4 tint;   // rgb: colour of the mirror image, w: refractive index of translucent stuff
-    vec4 rough;  // x: solid, y: liquid roughness, z: MaterialLook, w: unused
-    vec4 absorb; // rgb: absorption per model unit, w: scattering per model unit
+    vec4 mirror; // rgb: linear colour of the mirror image, w: refractive index of translucent stuff
+    vec4 absorb; // rgb: absorption over the width of a classic cube, w: scattering over it
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(ViewData) == 160);
-static_assert(sizeof(FrameData) == 4 * 160 + 64 + 7 * 16);
-static_assert(sizeof(MaterialData) == 5 * 16);
+static_assert(sizeof(ViewData) == 224);
+static_assert(sizeof(FrameData) == 4 * 224 + 64 + 8 * 16);
+static_assert(sizeof(MaterialData) == 4 * 16);
 } // namespace meltpool
 #endif
 

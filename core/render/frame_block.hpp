@@ -1,0 +1,17 @@
+// The uniform block of a frame from what a person chose and what there is to see.
+#pragma once
+
+#include "core/render/look.hpp"
+#include "core/render/scene.hpp"
+#include "core/render/view.hpp"
+#include "shaders/shared/render.h"
+
+namespace meltpool {
+
+/// Everything but the views. `encodesSrgb`: the target encodes, so the shaders must not.
+FrameData makeFrame(const SceneView& scene, const LookParameters& look, bool encodesSrgb);
+
+/// `viewport`: the pixels of this view alone.
+ViewData makeViewData(const View& view, const Viewport& viewport);
+
+} // namespace meltpool

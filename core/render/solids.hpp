@@ -1,0 +1,50 @@
+// Simple painted solids: the heat source, torches, tables, clamps.
+#pragma once
+
+#include "core/gl/buffer.hpp"
+#include "core/gl/program.hpp"
+#include "core/gl/texture.hpp"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <span>
+
+namespace meltpool {
+
+/// All fit into the cube -0.5..0.5; cylinder and cone stand along z, the cone's tip at -z.
+enum class SolidShape { box, cylinder, cone, sphere };
+
+struct Solid {
+    SolidShape shape = SolidShape::box;
+    glm::mat4 toWorld{1.0f};
+    glm::vec3 colour{0.5f}; ///< linear sRGB reflectance
+    float gloss = 0.2f;     ///< 0 dull .. 1 polished
+    glm::vec3 glow{0.0f};   ///< light that it gives by itself
+};
+
+/// The transform of a solid that reaches from `from` to `to` with the given width; its -z end lies at `to`.
+glm::mat4 alongLine(const glm::vec3& from, const glm::vec3& to, float width);
+
+/// The shapes' meshes and the program that draws them.
+class SolidPainter {
+  public:
+    explicit SolidPainter(gl::ShaderLibrary& shaders);
+
+    /// Draws with the frame's uniforms and state as they are. `firstView`: index of the view.
+    void draw(std::span<const Solid> solids, int firstView) const;
+
+  private:
+    struct Range {
+        int first = 0;
+        int count = 0;
+    };
+
+    const gl::Program& program_;
+    gl::Buffer vertices_;
+    gl::VertexArray layout_;
+    std::array<Range, 4> shapes_;
+};
+
+} // namespace meltpool

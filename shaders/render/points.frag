@@ -1,0 +1,25 @@
+// A particle as a small ball: in its material, or flat in exactly the colour of its temperature.
+#version 450 core
+#extension GL_GOOGLE_include_directive : require
+#include "render/metal_look.glsl"
+#include "render/scale.glsl"
+
+layout(location = 0) flat in float temperature;
+layout(location = 1) flat in vec3 lampInEye;
+layout(location = 2) flat in vec3 wayInEye;
+layout(location = 0) out vec4 colour;
+
+void main() {
+    vec2 off = vec2(gl_PointCoord.x * 2.0 - 1.0, 1.0 - gl_PointCoord.y * 2.0);
+    float inside = 1.0 - dot(off, off);
+    if (inside < 0.0) discard;
+    if (frame.colours.x > 0.5) {
+        colour = finishExact(scaleColour(temperature), 1.0);
+        return;
+    }
+    vec3 n = vec3(off, sqrt(inside));
+    vec2 share = meltShares(temperature);
+    float light = frame.phong.x + frame.phong.y * max(dot(n, lampInEye), 0.0);
+    float highlight = pow(max(dot(reflect(wayInEye, n), lampInEye), 0.0), 20.0) * frame.phong.z * (0.2 + 0.8 * share.y);
+    colour = finish(light * materialColour(share.x) * (0.55 + 0.45 * n.z) + highlight, 1.0);
+}

@@ -1,0 +1,21 @@
+// A particle as a round point.
+#version 450 core
+#extension GL_GOOGLE_include_directive : require
+#include "render/view.glsl"
+
+layout(location = 0) in vec4 position; // model units; w: temperature
+
+layout(location = 0) flat out float temperature;
+layout(location = 1) flat out vec3 lampInEye; // unit
+layout(location = 2) flat out vec3 wayInEye;  // unit, from the eye to the particle
+
+void main() {
+    ViewData view = frame.views[viewIndex()];
+    vec3 world = toWorld(position.xyz);
+    gl_Position = toClip(world);
+    // At least a pixel, so that far particles do not flicker.
+    gl_PointSize = max(2.0 * frame.detail.y * view.eye.w / max(gl_Position.w, 1e-6), 1.5);
+    temperature = position.w;
+    lampInEye = normalize(mat3(view.worldToEye) * (frame.light.xyz - world));
+    wayInEye = normalize(mat3(view.worldToEye) * (world - view.eye.xyz));
+}

@@ -1,0 +1,25 @@
+// A vertex of the metal's surface.
+#version 450 core
+#extension GL_GOOGLE_include_directive : require
+#include "render/view.glsl"
+
+layout(location = 0) in vec4 position; // model units; w: temperature
+layout(location = 1) in vec4 outward;
+
+layout(location = 0) out vec3 normal; // world, not unit
+layout(location = 1) out vec3 way;    // world, from the eye to here
+layout(location = 2) out vec3 place;  // model units
+layout(location = 3) out float temperature;
+layout(location = 4) out vec3 toLamp;
+layout(location = 5) flat out int view;
+
+void main() {
+    vec3 world = toWorld(position.xyz);
+    normal = mat3(frame.modelToWorld) * outward.xyz;
+    view = viewIndex();
+    way = world - frame.views[view].eye.xyz;
+    place = position.xyz;
+    temperature = position.w;
+    toLamp = frame.light.xyz - world;
+    gl_Position = toClip(world);
+}

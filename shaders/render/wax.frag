@@ -1,0 +1,36 @@
+// Wax: light goes in, wanders and comes out warm; thin parts glow through. Molten wax is clear, amber and glossy.
+#version 450 core
+#extension GL_GOOGLE_include_directive : require
+#include "render/translucent.glsl"
+
+void main() {
+    vec3 n = normalize(normal);
+    vec3 along = normalize(way);
+    vec3 lamp = normalize(toLamp);
+    vec2 share = meltShares(temperature);
+    Passage p = passThrough(along, n, material.mirror.w);
+
+    // Scattered light softens the shadow's edge and colours it: red travels farthest.
+    float facing = dot(n, lamp);
+    vec3 wrap = vec3(0.55, 0.36, 0.20);
+    vec3 soft = max((facing + wrap) / (1.0 + wrap), 0.0);
+    vec3 wax = materialColour(share.x);
+    vec3 skin = wax * (frame.phong.x * mix(vec3(1.0), skyLight(n), 0.5) + frame.phong.y * soft);
+
+    // What comes through from behind: the room and the lamp, dimmed over the thickness.
+    vec3 through = exp(-material.absorb.rgb * p.distance);
+    float against = pow(max(dot(along, lamp), 0.0), 3.0) + 0.25 * max(-facing, 0.0);
+    vec3 glowing = through * (skyLight(along) + 1.5 * frame.phong.y * against) * toLinear(vec3(1.0, 0.80, 0.55));
+    vec3 solid = skin + 0.45 * glowing;
+
+    vec3 clear = environmentAt(p.exitWay, 0.08) * exp(-material.absorb.rgb * 0.55 * p.distance);
+    vec3 body = mix(solid, mix(skin * 0.6, clear, 0.55), share.y);
+
+    float cosine = max(-dot(along, n), 0.0);
+    vec3 mirrored = reflect(along, n);
+    vec3 image = environmentAt(mirrored, 0.5 * (1.0 - share.y));
+    float shininess = mix(0.35, 1.5, share.y) * frame.phong.w;
+    float highlight = frame.phong.z * mix(0.22, 0.9, share.y) * pow(max(dot(mirrored, lamp), 0.0), shininess);
+    float mirror = mirrorShare(cosine, material.mirror.w) * mix(0.6, 1.0, share.y);
+    colour = finish(mix(body, image, mirror) + highlight, 1.0);
+}

@@ -1,0 +1,26 @@
+// A corner of a triangle of the metal's surface, pulled from its buffers so that each corner knows which one it is.
+#version 450 core
+#extension GL_GOOGLE_include_directive : require
+#include "render/view.glsl"
+#include "shared/surface.h"
+
+layout(std430, binding = PULL_VERTICES_BINDING) readonly buffer Vertices {
+    SurfaceVertex vertices[];
+};
+layout(std430, binding = PULL_INDICES_BINDING) readonly buffer Indices {
+    uint indices[];
+};
+
+layout(location = 0) out vec3 corner; // barycentric
+layout(location = 1) out float temperature;
+layout(location = 2) out float facing; // cosine between the normal and the way to the eye
+
+void main() {
+    SurfaceVertex v = vertices[indices[gl_VertexID]];
+    vec3 world = toWorld(v.position.xyz);
+    corner = vec3(equal(ivec3(gl_VertexID % 3), ivec3(0, 1, 2)));
+    temperature = v.position.w;
+    facing = dot(normalize(mat3(frame.modelToWorld) * v.normal.xyz),
+                 normalize(frame.views[viewIndex()].eye.xyz - world));
+    gl_Position = toClip(world);
+}
