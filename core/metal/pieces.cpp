@@ -1,0 +1,134 @@
+#include "core/metal/pieces.hpp"
+
+namespace meltpool {
+
+namespace {
+
+void storageBarrier() {
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+} // namespace
+
+SolidPieces::SolidPieces(gl::ShaderLibrary& shaders, MetalState& state, const PieceSetup& setup)
+    : state_(state),
+      blockBuffer_("pieces block", sizeof(PiecesBlock)),
+      heads_("pieces coarse cells", state.lattice().cellCount() / 8 * sizeof(uint)),
+      next_("pieces chains", state.capacity() * sizeof(uint)),
+      labels_("pieces labels", state.capacity() * sizeof(uint)),
+      relabels_("pieces next labels", state.capacity() * sizeof(uint)),
+      tally_("pieces tally", state.capacity() * sizeof(uint)),
+      numbers_("pieces numbers", state.capacity() * sizeof(uint)),
+      control_("pieces control", sizeof(PiecesControl)),
+      motion_("pieces motion", (PIECES_MOST + 1) * sizeof(PieceMotion)),
+      loose_("pieces loose list", state.capacity() * sizeof(uint)),
+      contacts_("pieces contacts", state.capacity() * sizeof(PieceContact)),
+      clear_(shaders.compute("metal/pieces_clear.comp")),
+      beginLink_(shaders.compute("metal/pieces_link.comp", {{"BEGIN", "1"}})),
+      link_(shaders.compute("metal/pieces_link.comp")),
+      label_(shaders.compute("metal/pieces_label.comp")),
+      tallyUp_(shaders.compute("metal/pieces_tally.comp")),
+      number_(shaders.compute("metal/pieces_number.comp")),
+      assign_(shaders.compute("metal/pieces_assign.comp")),
+      list_(shaders.compute("metal/pieces_list.comp")),
+      contact_(shaders.compute("metal/pieces_contact.comp")),
+      gather_(shaders.compute("metal/pieces_gather.comp")),
+      advance_(shaders.compute("metal/pieces_move.comp")) {
+    block_.coarse = ivec4(state.lattice().cells() / 2, 0);
+    block_.step = vec4(0, setup.floorHeight, setup.friction, 0);
+    blockBuffer_.writeValue(block_);
+}
+
+void SolidPieces::bind() const {
+    state_.bind();
+    blockBuffer_.bindUniform(PIECES_BLOCK);
+    heads_.bindStorage(PIECES_HEADS);
+    next_.bindStorage(PIECES_NEXT);
+    labels_.bindStorage(PIECES_LABEL);
+    relabels_.bindStorage(PIECES_RELABEL);
+    tally_.bindStorage(PIECES_TALLY);
+    numbers_.bindStorage(PIECES_NUMBER);
+    control_.bindStorage(PIECES_CONTROL);
+    motion_.bindStorage(PIECES_MOTION);
+    loose_.bindStorage(PIECES_LOOSE);
+    contacts_.bindStorage(PIECES_CONTACT);
+}
+
+void SolidPieces::relabel(gl::Profiler* profiler) {
+    const gl::Scope scope(profiler, "pieces");
+    bind();
+    if (stage_ == 0)
+        begin();
+    else if (stage_ <= PIECES_ROUNDS)
+        round(static_cast<unsigned>(stage_));
+    else
+        finish();
+    stage_ = (stage_ + 1) % kCycle;
+}
+
+void SolidPieces::relabelNow(gl::Profiler* profiler) {
+    stage_ = 0;
+    do
+        relabel(profiler);
+    while (stage_ != 0);
+}
+
+void SolidPieces::begin() {
+    heads_.clear();
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    beginLink_.dispatch(state_.particles(), PIECES_GROUP);
+    storageBarrier();
+}
+
+void SolidPieces::round(unsigned number) {
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    labels_.copyTo(relabels_, state_.particles() * sizeof(uint));
+    label_.set("round_", number);
+    label_.dispatch(state_.particles(), PIECES_GROUP);
+    storageBarrier();
+    std::swap(labels_, relabels_);
+}
+
+void SolidPieces::finish() {
+    tallyUp_.dispatch(state_.particles(), PIECES_GROUP);
+    storageBarrier();
+    number_.dispatchGroups(1);
+    storageBarrier();
+    assign_.dispatch(state_.particles(), PIECES_GROUP);
+    storageBarrier();
+    list_.dispatchGroups(1);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+}
+
+void SolidPieces::indirect(const gl::Program& program, size_t offset) const {
+    program.use();
+    glDispatchComputeIndirect(static_cast<GLintptr>(offset));
+    storageBarrier();
+}
+
+void SolidPieces::move(float dt, gl::Profiler* profiler) {
+    const gl::Scope scope(profiler, "loose pieces");
+    if (block_.step.x != dt) {
+        block_.step.x = dt;
+        blockBuffer_.writeValue(block_);
+    }
+    bind();
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, control_.name());
+    indirect(clear_, offsetof(PiecesControl, cellGroups));
+    indirect(link_, offsetof(PiecesControl, slotGroups));
+    indirect(contact_, offsetof(PiecesControl, looseGroups));
+    indirect(gather_, offsetof(PiecesControl, pieceGroups));
+    indirect(advance_, offsetof(PiecesControl, looseGroups));
+}
+
+PieceReport SolidPieces::report() const {
+    const PiecesControl control = control_.read<PiecesControl>(1).front();
+    return {control.loose == 0 ? 0 : control.pieces, control.loose, control.rejected};
+}
+
+size_t SolidPieces::bytes() const {
+    return heads_.bytes() + next_.bytes() + labels_.bytes() + relabels_.bytes() + tally_.bytes() + numbers_.bytes() +
+           control_.bytes() + motion_.bytes() + loose_.bytes() + contacts_.bytes();
+}
+
+} // namespace meltpool

@@ -1,0 +1,31 @@
+// Lists the particles of loose pieces in ascending order and sets the sizes of the passes that move them. One group.
+#version 450 core
+#extension GL_GOOGLE_include_directive : require
+#include "pieces.glsl"
+
+layout(local_size_x = PIECES_GROUP) in;
+layout(std430, binding = PIECES_LOOSE) writeonly buffer Loose { uint loose[]; };
+
+#include "pieces_scan.glsl"
+
+uvec4 groups(uint count) { return uvec4((count + PIECES_GROUP - 1) / PIECES_GROUP, 1, 1, 0); }
+
+void main() {
+    uint found = 0;
+    for (uint first = 0; first < counters.particles; first += PIECES_GROUP) {
+        uint slot = first + gl_LocalInvocationID.x;
+        uint bits = slot < counters.particles ? phase[slot] : 0;
+        bool wanted = solid(bits) && pieceOf(bits) != 0;
+        uint total;
+        uint place = found + countBefore(wanted, total);
+        if (wanted) loose[place] = slot;
+        found += total;
+    }
+    if (gl_LocalInvocationID.x != 0) return;
+    control.loose = found;
+    control.looseGroups = groups(found);
+    control.pieceGroups = uvec4(found == 0 ? 0 : control.pieces, 1, 1, 0);
+    control.slotGroups = found == 0 ? uvec4(0, 1, 1, 0) : groups(counters.particles);
+    control.cellGroups =
+        found == 0 ? uvec4(0, 1, 1, 0) : groups(uint(pieces.coarse.x * pieces.coarse.y * pieces.coarse.z));
+}
