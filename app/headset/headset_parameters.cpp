@@ -1,0 +1,37 @@
+#include "app/headset/headset_parameters.hpp"
+
+#include <array>
+
+namespace meltpool {
+
+namespace {
+
+constexpr std::array<std::string_view, 2> kHands{"right", "left"};
+constexpr std::array<std::string_view, 2> kPostures{"standing", "seated"};
+
+} // namespace
+
+ParameterList describe(HeadsetParameters& p) {
+    return {
+        {"hand", "Torch in the hand", "", &p.hand, 0, 1, "the other hand holds the filler rod and the pointer", kHands},
+        {"posture", "Posture", "", &p.posture, 0, 1, "seated: the table comes to the person, whatever the floor says",
+         kPostures},
+        {"table_height", "Table height", "m", &p.tableHeight, 0.4, 1.4, "seated: ignored"},
+        {"zoom", "Zoom", "", &p.zoom, 1, 10, "the workpiece's size; the torch stays as large as it is"},
+        {"resolution_scale", "Resolution", "", &p.resolutionScale, 0.3, 2, "the work grows with its square", {}, true},
+        {"samples",
+         "Samples a pixel",
+         "",
+         &p.samples,
+         1,
+         8,
+         "more smooth the edges and cost memory and time",
+         {},
+         true},
+        {"visor", "Visor", "", &p.visor, 0, 1, "darkens the view while the heat is on"},
+        {"visor_shade", "Visor's shade", "", &p.visorShade, 0.02, 1, "light that the dark visor lets through"},
+        {"haptic_strength", "Vibration", "", &p.hapticStrength, 0, 1, "0: none"},
+    };
+}
+
+} // namespace meltpool

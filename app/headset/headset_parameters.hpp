@@ -1,0 +1,26 @@
+// What a person can choose about working in the headset.
+#pragma once
+
+#include "core/base/parameter.hpp"
+
+namespace meltpool {
+
+struct HeadsetParameters {
+    enum TorchHand { kRight, kLeft };
+    enum Posture { kStanding, kSeated };
+
+    int hand = kRight;            ///< TorchHand
+    int posture = kStanding;      ///< Posture
+    float tableHeight = 0.90f;    ///< m above the floor (standing)
+    float zoom = 4.0f;            ///< the workpiece is shown this many times its size
+    float resolutionScale = 1.0f; ///< times the runtime's recommended size a side
+    int samples = 4;              ///< for each pixel
+    bool visor = true;            ///< darkens while the heat is on
+    float visorShade = 0.25f;     ///< share of the light that the dark visor lets through
+    float hapticStrength = 1.0f;  ///< factor on every vibration
+};
+
+/// The list points into `parameters`.
+ParameterList describe(HeadsetParameters& parameters);
+
+} // namespace meltpool

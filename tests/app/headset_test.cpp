@@ -1,0 +1,120 @@
+// The headset's workshop, held torch and visor: geometry and time without a runtime.
+#include "app/headset/held_torch.hpp"
+#include "app/headset/visor.hpp"
+#include "app/headset/workshop.hpp"
+#include "tests/support/catch.hpp"
+
+using namespace meltpool;
+
+namespace {
+
+xr::Pose headAt(const glm::vec3& place, float yaw, float pitch) {
+    return {glm::angleAxis(yaw, glm::vec3(0, 1, 0)) * glm::angleAxis(pitch, glm::vec3(1, 0, 0)), place};
+}
+
+xr::HandInput handAt(const glm::vec3& place, bool tracked = true) {
+    xr::HandInput hand;
+    hand.present = true;
+    hand.tracked = tracked;
+    hand.grip.position = place;
+    hand.trigger = 1.0f;
+    return hand;
+}
+
+} // namespace
+
+TEST_CASE("recentre brings the workpiece in front of the eyes and keeps the world upright") {
+    const float yaw = GENERATE(0.0f, 0.7f, 3.0f, -2.0f), pitch = GENERATE(0.0f, -0.9f);
+    const xr::Pose head = headAt({1.3f, 1.7f, -2.1f}, yaw, pitch);
+    Workshop workshop;
+    HeadsetParameters parameters;
+    workshop.recentre(head, parameters, true);
+    const xr::Pose seen = workshop.toWorkshop(head);
+    CHECK(glm::distance(seen.position, glm::vec3(0, 1.7f, Workshop::kReach)) < 1e-4f);
+    const glm::vec3 forward = seen.forward();
+    CHECK(std::abs(forward.x) < 1e-4f); // the head looks along -z, only up or down as it did
+    CHECK(forward.z < 0);
+    CHECK(forward.y == Approx(std::sin(pitch)).margin(1e-4));
+    const glm::vec3 up = workshop.toWorkshop(xr::Pose{}).orientation * glm::vec3(0, 1, 0);
+    CHECK(glm::distance(up, glm::vec3(0, 1, 0)) < 1e-5f);
+    const xr::Pose back = workshop.toSession(seen);
+    CHECK(glm::distance(back.position, head.position) < 1e-4f);
+}
+
+TEST_CASE("seated, or without a known floor, the table comes to the person") {
+    Workshop workshop;
+    HeadsetParameters parameters;
+    const xr::Pose head = headAt({0, 0.1f, 0}, 0, 0);
+    parameters.posture = HeadsetParameters::kSeated;
+    workshop.recentre(head, parameters, true);
+    CHECK(workshop.toWorkshop(head).position.y == Approx(parameters.tableHeight + Workshop::kSeatedDrop));
+    parameters.posture = HeadsetParameters::kStanding;
+    workshop.recentre(head, parameters, false);
+    CHECK(workshop.toWorkshop(head).position.y == Approx(parameters.tableHeight + Workshop::kSeatedDrop));
+}
+
+TEST_CASE("the workpiece rests on the table at every zoom") {
+    HeadsetParameters parameters;
+    parameters.zoom = GENERATE(1.0f, 4.0f, 10.0f);
+    const WorkpiecePlace place(parameters, -0.02f);
+    CHECK(place.toWorkshop({0, -0.02f, 0}).y == Approx(parameters.tableHeight));
+    const glm::vec3 point(0.01f, 0.02f, -0.03f);
+    CHECK(glm::distance(place.toWorkpiece(place.toWorkshop(point)), point) < 1e-6f);
+    const glm::vec4 drawn = place.modelToWorkshop(0.04f) * glm::vec4(point / 0.04f, 1.0f);
+    CHECK(glm::distance(glm::vec3(drawn), place.toWorkshop(point)) < 1e-6f);
+}
+
+TEST_CASE("the tip follows the calibration, and steps divide the frame's way evenly") {
+    HeadsetParameters parameters;
+    const WorkpiecePlace place(parameters, 0.0f);
+    xr::TipCalibration calibration;
+    calibration.offset = {0, 0, -0.15f};
+    HeldTorch torch;
+    const Workshop workshop;
+    torch.update(handAt({0, 1, 0}), calibration, workshop, 0.0);
+    torch.update(handAt({0.04f, 1, 0}), calibration, workshop, 0.02);
+    CHECK(torch.velocity().x == Approx(2.0f));
+    CHECK(glm::distance(torch.tip().position, glm::vec3(0.04f, 1, -0.15f)) < 1e-6f);
+    const TorchSample first = torch.sample(place, 0, 2), second = torch.sample(place, 1, 2);
+    CHECK(place.toWorkshop(first.tip).x == Approx(0.02f));
+    CHECK(place.toWorkshop(second.tip).x == Approx(0.04f));
+    CHECK(first.trigger == 1.0f);
+}
+
+TEST_CASE("losing the hand puts the arc out at once, and its return draws no line") {
+    HeadsetParameters parameters;
+    const WorkpiecePlace place(parameters, 0.0f);
+    HeldTorch torch;
+    const Workshop workshop;
+    CHECK_FALSE(torch.known());
+    torch.update(handAt({0, 1, 0}), {}, workshop, 0.02);
+    CHECK(torch.trigger() == 1.0f);
+    const glm::vec3 last = torch.tip().position;
+    torch.update(handAt({0.5f, 1, 0}, false), {}, workshop, 0.02);
+    CHECK(torch.trigger() == 0.0f);
+    CHECK(torch.sample(place, 0, 1).trigger == 0.0f);
+    CHECK(torch.tip().position == last);
+    torch.update(handAt({0.5f, 1, 0}), {}, workshop, 0.02);
+    CHECK(torch.trigger() == 1.0f);
+    CHECK(place.toWorkshop(torch.sample(place, 0, 2).tip).x == Approx(0.5f).margin(1e-5));
+    CHECK(torch.velocity() == glm::vec3(0.0f));
+}
+
+TEST_CASE("the visor is dark in the first frame of heat and clears after it") {
+    HeadsetParameters parameters;
+    Visor visor;
+    CHECK(visor.transmission(parameters) == 1.0f);
+    visor.update(true, 0.011);
+    CHECK(visor.transmission(parameters) == parameters.visorShade);
+    visor.update(false, 0.1);
+    CHECK(visor.transmission(parameters) == parameters.visorShade);
+    visor.update(false, 0.2);
+    const float half = visor.transmission(parameters);
+    CHECK(half > parameters.visorShade);
+    CHECK(half < 1.0f);
+    visor.update(false, 1.0);
+    CHECK(visor.transmission(parameters) == 1.0f);
+    parameters.visor = false;
+    visor.update(true, 0.011);
+    CHECK(visor.transmission(parameters) == 1.0f);
+}
