@@ -43,7 +43,7 @@ bool shareFace(CellEdge a, CellEdge b) {
 constexpr CellEdge kNoEdge = ~0U;
 
 /// For every crossing edge the next one of its loop. Walking a face counter-clockwise, a run of inside corners is
-/// entered over one edge and left over another; the segment runs back from the latter to the former.
+/// entered over one edge and left over another; the segment runs from the former to the latter.
 std::array<CellEdge, 32> nextEdges(unsigned inside) {
     std::array<CellEdge, 32> next{};
     next.fill(kNoEdge);
@@ -54,7 +54,7 @@ std::array<CellEdge, 32> nextEdges(unsigned inside) {
             unsigned last = i + 1;
             while (isInside(face[(last + 1) % 4]))
                 ++last;
-            next[edgeBetween(face[last % 4], face[(last + 1) % 4])] = edgeBetween(face[i], face[(i + 1) % 4]);
+            next[edgeBetween(face[i], face[(i + 1) % 4])] = edgeBetween(face[last % 4], face[(last + 1) % 4]);
         }
     return next;
 }

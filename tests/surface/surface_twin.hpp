@@ -1,0 +1,41 @@
+// The surface computed on the CPU in the plainest way, and measures of triangle meshes.
+#pragma once
+
+#include "core/surface/surface.hpp"
+
+#include <glm/vec4.hpp>
+
+#include <vector>
+
+namespace meltpool::test {
+
+struct Volumes {
+    std::vector<std::uint32_t> density;     ///< by SurfaceGrid::address()
+    std::vector<std::uint32_t> temperature; ///< likewise
+};
+
+/// The volumes that Surface::update() makes, in the same order of operations of each weight.
+Volumes twinVolumes(const SurfaceGrid& grid, int influence, float coldest, float hottest,
+                    const std::vector<glm::vec4>& particles);
+
+struct Mesh {
+    std::vector<SurfaceVertex> vertices;
+    std::vector<unsigned> indices;
+};
+
+/// Marching cubes over every cell of the grid (and of the layer around it with caps), vertices shared by edge; in the
+/// order that Surface promises.
+Mesh twinMesh(const SurfaceGrid& grid, const Volumes& volumes, const SurfaceParameters& parameters, float coldest,
+              float hottest);
+
+/// What the GPU drew last.
+Mesh readMesh(const Surface& surface);
+
+/// The sides that are not shared by exactly two triangles in opposite directions, as pairs of vertex numbers.
+std::vector<std::pair<unsigned, unsigned>> unmatchedSides(const Mesh& mesh);
+
+/// Area, and volume enclosed by outward-turned triangles.
+double meshArea(const Mesh& mesh);
+double meshVolume(const Mesh& mesh);
+
+} // namespace meltpool::test
