@@ -1,10 +1,12 @@
 // The classic model: melting particles of one substance, stepped on the GPU.
 #pragma once
 
-#include "core/gl/buffer.hpp"
+#include "core/gl/buffer_view.hpp"
 #include "core/gl/profiler.hpp"
 #include "core/gl/program.hpp"
+#include "core/metal/classic/cell_order.hpp"
 #include "core/metal/classic/classic_parameters.hpp"
+#include "core/metal/classic/statistics_reader.hpp"
 #include "core/metal/particle_view.hpp"
 #include "core/metal/statistics.hpp"
 
@@ -34,15 +36,16 @@ class ClassicMetal {
     /// One time step. `profiler` may be null.
     void step(const ClassicSource& source, gl::Profiler* profiler);
 
-    /// The places and temperatures after the last step, valid as long as this object.
-    ParticleView particles() const;
+    /// The places and temperatures after the last step, valid as long as this object. The order of the particles
+    /// changes from step to step.
+    ParticleView particles() const { return {&movedPositions_, count_}; }
 
     /// Counts and temperatures of this moment; waits for the GPU.
-    MetalStatistics statistics() const;
+    MetalStatistics statistics();
     /// Asks for them without waiting; a request made while all slots are on their way is dropped.
     void requestStatistics();
     /// The newest that have arrived since the last call, else nothing; never waits.
-    std::optional<MetalStatistics> pollStatistics();
+    std::optional<MetalStatistics> pollStatistics() { return reader_.poll(); }
 
     /// Of position, velocity and temperature of every particle by number, bit by bit; waits for the GPU.
     std::uint64_t stateHash() const;
@@ -51,11 +54,40 @@ class ClassicMetal {
     size_t bytes() const;
 
     /// The thesis's loop over all pairs instead of the grid: slow, kept to check the grid against.
-    void useAllPairs(bool allPairs);
+    void useAllPairs(bool allPairs) { allPairs_ = allPairs; }
+
+    /// Everything about every particle by number, for tests and records; waits for the GPU.
+    struct Snapshot {
+        std::vector<glm::vec4> positions;  ///< w = temperature
+        std::vector<glm::vec4> velocities; ///< w = density in the last step
+    };
+    Snapshot snapshot() const;
+    /// Takes over such a state; both lists have a row for each particle.
+    void restore(const Snapshot& state);
 
   private:
+    void writeStep(const ClassicSource& source);
+    void bindState() const;
+    void sortByCell(gl::Profiler* profiler);
+    void keepOrder();
+    void computeDensity(gl::Profiler* profiler);
+    void moveParticles(gl::Profiler* profiler);
+
     ClassicSetup setup_;
-    gl::Buffer positions_;
+    size_t count_;
+    bool allPairs_ = false;
+    gl::Buffer stepBlock_;
+    gl::Buffer movedPositions_, movedVelocities_, movedNumbers_;
+    gl::Buffer sortedPositions_, sortedVelocities_, sortedNumbers_;
+    gl::Buffer refused_;                             // one uint: new states since the reset that were no numbers
+    gl::BufferView positionTexels_, velocityTexels_; // of the sorted state
+    CellOrder order_;
+    StatisticsReader reader_;
+    struct Passes {
+        const gl::Program& density;
+        const gl::Program& move;
+    };
+    Passes grid_, pairs_;
 };
 
 } // namespace meltpool

@@ -1,0 +1,75 @@
+#include "core/metal/classic/cell_order.hpp"
+
+#include "shaders/shared/classic.h"
+#include "shaders/shared/dispatch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace meltpool {
+
+CellGrid CellGrid::forRadius(float supportRadius, size_t particles) {
+    // A little more than h, so that rounding in the cell's number never puts two neighbours two cells apart.
+    const double edge = static_cast<double>(supportRadius) * 1.0001;
+    const double most = std::floor(std::cbrt(8.0 * static_cast<double>(particles)) + 1e-9);
+    const double perAxis = std::clamp(std::ceil(2.0 / edge), 1.0, std::max(most, 1.0));
+    return {static_cast<unsigned>(perAxis), static_cast<float>(1.0 / std::max(edge, 2.0 / perAxis))};
+}
+
+CellOrder::CellOrder(gl::ShaderLibrary& library, size_t particles)
+    : particles_(particles),
+      slots_("classic cell slots", particles * sizeof(uvec2)),
+      cellNumbers_("classic cell numbers", particles * sizeof(uint)),
+      count_(library.compute("metal/classic_count.comp")),
+      sumChunks_(library.compute("metal/classic_chunk_sums.comp")),
+      scan_(library.compute("metal/classic_scan.comp")),
+      scatter_(library.compute("metal/classic_scatter.comp")),
+      gather_(library.compute("metal/classic_gather.comp")) {
+    setGrid(grid_);
+}
+
+void CellOrder::setGrid(const CellGrid& grid) {
+    grid_ = grid;
+    counted_ = false;
+    const unsigned chunks = grid.cells() / CLASSIC_SCAN_CELLS + 1; // room for the start behind the last cell
+    if (chunks == chunks_) return;
+    chunks_ = chunks;
+    const size_t padded = static_cast<size_t>(chunks) * CLASSIC_SCAN_CELLS;
+    cellCounts_ = gl::Buffer("classic cell counts", padded * sizeof(uint));
+    cellStarts_ = gl::Buffer("classic cell starts", padded * sizeof(uint));
+    chunkSums_ = gl::Buffer("classic chunk sums", chunks * sizeof(uint));
+}
+
+void CellOrder::bind() const {
+    slots_.bindStorage(CLASSIC_CELL_SLOTS);
+    cellNumbers_.bindStorage(CLASSIC_CELL_NUMBERS);
+    cellCounts_.bindStorage(CLASSIC_CELL_COUNTS);
+    cellStarts_.bindStorage(CLASSIC_CELL_STARTS);
+    chunkSums_.bindStorage(CLASSIC_CHUNK_SUMS);
+}
+
+void CellOrder::sort(gl::Profiler* profiler) {
+    const gl::Scope scope(profiler, "classic sort");
+    if (!counted_) {
+        cellCounts_.clear();
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+        count_.dispatch(particles_, GROUP_SIZE);
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    }
+    sumChunks_.dispatchGroups(chunks_);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    scan_.dispatchGroups(chunks_);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    cellCounts_.clear();
+    counted_ = true;
+    scatter_.dispatch(particles_, GROUP_SIZE);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    gather_.dispatch(particles_, GROUP_SIZE);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+}
+
+size_t CellOrder::bytes() const {
+    return slots_.bytes() + cellNumbers_.bytes() + cellCounts_.bytes() + cellStarts_.bytes() + chunkSums_.bytes();
+}
+
+} // namespace meltpool

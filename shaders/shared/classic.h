@@ -1,0 +1,74 @@
+// What C++ and GLSL share of the classic model: one step's numbers, bindings, group sizes, what statistics come back.
+#ifndef MELTPOOL_SHARED_CLASSIC_H
+#define MELTPOOL_SHARED_CLASSIC_H
+
+#include "glsl_types.h"
+
+/// Cells whose counts one group sums, and the invocations that share them.
+#define CLASSIC_SCAN_GROUP 64
+#define CLASSIC_SCAN_CELLS 1024
+/// Particles that one group of the statistics looks at.
+#define CLASSIC_STATISTICS_CHUNK 2048
+
+// Uniform block.
+#define CLASSIC_STEP 0
+// Storage blocks. "Moved" is the state after a step, "sorted" the same in the order of the next step's cells.
+#define CLASSIC_MOVED_POSITIONS 0
+#define CLASSIC_MOVED_VELOCITIES 1
+#define CLASSIC_MOVED_NUMBERS 2
+#define CLASSIC_SORTED_POSITIONS 3
+#define CLASSIC_SORTED_VELOCITIES 4
+#define CLASSIC_SORTED_NUMBERS 5
+#define CLASSIC_CELL_SLOTS 6
+#define CLASSIC_CELL_COUNTS 7
+#define CLASSIC_CELL_STARTS 8
+#define CLASSIC_CHUNK_SUMS 9
+#define CLASSIC_CELL_NUMBERS 10
+#define CLASSIC_REFUSED 11
+#define CLASSIC_STATISTICS 12
+// Texture units of the sorted state, read as buffer textures.
+#define CLASSIC_POSITION_TEXELS 0
+#define CLASSIC_VELOCITY_TEXELS 1
+
+#ifdef __cplusplus
+namespace meltpool {
+#endif
+
+/// Numbers of one step; box units, seconds, temperature 0 .. 1.
+struct ClassicStep {
+    vec4 gravity;            // xyz
+    vec4 source;             // xyz; w = heat radius, a squared length
+    float heat;              // temperature a step at the source's centre; negative for a cold source, 0 when off
+    float solidifyRate;      // temperature lost a step
+    float restDensity;
+    float gasStiffness;
+    float supportRadius;     // h
+    float poly6;             // mass 315 / (64 pi h^9)
+    float spiky;             // mass 45 / (pi h^6)
+    float viscosity;         // mu mass 45 / (pi h^6)
+    float timeStep;
+    float wallRestitution;
+    float accelerationLimit;
+    float cellsPerUnit;      // 1 / edge of a cell
+    uint particles;
+    uint cellsPerAxis;
+    uint cells;
+    uint wallSlip;
+};
+
+/// What one chunk of particles adds to the statistics.
+struct ClassicChunk {
+    float temperatureSum;
+    float minTemperature;
+    float maxTemperature;
+    uint molten;
+    uint outside;
+};
+
+#ifdef __cplusplus
+} // namespace meltpool
+static_assert(sizeof(meltpool::ClassicStep) == 96, "std140 layout");
+static_assert(sizeof(meltpool::ClassicChunk) == 20, "std430 layout");
+#endif
+
+#endif
