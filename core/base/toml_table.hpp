@@ -33,6 +33,9 @@ class TomlTable {
     bool isFlag(std::string_view key) const { return has(key) && table_.get(key)->is_boolean(); }
     bool isList(std::string_view key) const { return has(key) && table_.get(key)->is_array(); }
 
+    /// Says that a key may stand here without reading it now.
+    void allow(std::string_view key) { asked_.emplace(key); }
+
     /// A number inside the range. Without a fallback the key must be there.
     double number(std::string_view key, NumberRange range = {});
     double number(std::string_view key, NumberRange range, double fallback);

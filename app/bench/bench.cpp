@@ -1,0 +1,144 @@
+#include "app/bench/bench.hpp"
+
+#include "app/program_info.hpp"
+#include "core/base/error.hpp"
+#include "core/base/resources.hpp"
+#include "core/base/text.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+#include <limits>
+#include <thread>
+
+namespace meltpool {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kWarmUps = 2;
+
+double millisecondsSince(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+std::string today() {
+    const std::time_t now = std::time(nullptr);
+    char text[32];
+    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", std::gmtime(&now));
+    return text;
+}
+
+/// The processor's name where the system tells it.
+std::string processorName() {
+    std::ifstream stream("/proc/cpuinfo");
+    for (std::string line; std::getline(stream, line);)
+        if (line.starts_with("model name")) return std::string(trimText(line.substr(line.find(':') + 1)));
+    return "unknown";
+}
+
+void printRow(const BenchRow& row) {
+    std::printf("%-10s %-26s %9zu %11.3f %9.1f %10.2f", row.suite.c_str(), row.what.c_str(), row.particles, row.stepMs,
+                row.bytesPerParticle, static_cast<double>(row.bytes) / 1048576);
+    for (const auto& [name, value] : row.further)
+        std::printf("  %s=%.4g", name.c_str(), value);
+    std::printf("\n");
+    for (const auto& [name, ms] : row.passes)
+        std::printf("%-10s   %-24s %9s %11.3f\n", "", name.c_str(), "", ms);
+    std::fflush(stdout);
+}
+
+} // namespace
+
+BenchRow Bench::measure(std::string what, const std::function<void(gl::Profiler&)>& work, double seconds,
+                        int leastRepeats, int mostRepeats) {
+    gl::Profiler profiler;
+    const auto once = [&] {
+        const auto start = Clock::now();
+        profiler.beginFrame();
+        work(profiler);
+        profiler.endFrame();
+        glFinish();
+        return millisecondsSince(start);
+    };
+    for (int i = 0; i < kWarmUps; ++i)
+        once();
+    profiler.reset();
+    double least = std::numeric_limits<double>::infinity();
+    const auto begin = Clock::now();
+    for (int i = 0; i < mostRepeats && (i < leastRepeats || millisecondsSince(begin) < seconds * 1e3); ++i)
+        least = std::min(least, once());
+    profiler.finish();
+    BenchRow row;
+    row.suite = suite_;
+    row.what = std::move(what);
+    row.stepMs = least;
+    for (const gl::PassTime& pass : profiler.passes())
+        row.passes.emplace_back(pass.name, pass.leastMs);
+    return row;
+}
+
+void Bench::add(BenchRow row) {
+    printRow(row);
+    rows_.push_back(std::move(row));
+}
+
+std::string benchJson(const gl::ContextInfo& driver, const std::vector<BenchRow>& rows) {
+    nlohmann::ordered_json json;
+    json["renderer"] = driver.renderer;
+    json["driver"] = driver.version;
+    json["processor"] = processorName();
+    json["threads"] = std::thread::hardware_concurrency();
+    json["version"] = programVersion();
+    json["commit"] = programCommit();
+    json["date"] = today();
+    auto& list = json["rows"] = nlohmann::ordered_json::array();
+    for (const BenchRow& row : rows) {
+        nlohmann::ordered_json object;
+        object["suite"] = row.suite;
+        object["what"] = row.what;
+        object["particles"] = row.particles;
+        object["step_ms"] = row.stepMs;
+        object["passes"] = nlohmann::ordered_json::object();
+        for (const auto& [name, ms] : row.passes)
+            object["passes"][name] = ms;
+        object["bytes_per_particle"] = row.bytesPerParticle;
+        object["bytes"] = row.bytes;
+        for (const auto& [name, value] : row.further)
+            object[name] = value;
+        list.push_back(std::move(object));
+    }
+    return json.dump(2) + "\n";
+}
+
+void runBench(const std::string& suite, const std::filesystem::path& jsonFile) {
+    std::vector<BenchPart> chosen;
+    std::string known;
+    for (const BenchPart& part : benchParts()) {
+        if (suite.empty() || part.suite == suite) chosen.push_back(part);
+        if (known.find(part.suite) == std::string::npos) known += (known.empty() ? "" : ", ") + std::string(part.suite);
+    }
+    if (chosen.empty()) throw InputError("bench suite '" + suite + "' is unknown; expected one of " + known);
+    // A report that cannot be kept is found out before the minutes that it takes.
+    if (!jsonFile.empty()) writeTextFileAtomically(jsonFile, "");
+    const gl::HeadlessContext context(false);
+    gl::ShaderLibrary shaders(resourceFolder() / "shaders");
+    std::printf("%s, %s; %s, %u threads; meltpool %s (%s)\n", context.info().renderer.c_str(),
+                context.info().version.c_str(), processorName().c_str(), std::thread::hardware_concurrency(),
+                std::string(programVersion()).c_str(), std::string(programCommit()).c_str());
+    std::printf("%-10s %-26s %9s %11s %9s %10s\n", "suite", "what / pass", "particles", "ms (least)", "B/part.", "MiB");
+    std::vector<BenchRow> rows;
+    for (const BenchPart& part : chosen) {
+        Bench bench(shaders, std::string(part.suite));
+        part.run(bench);
+        rows.insert(rows.end(), bench.rows().begin(), bench.rows().end());
+    }
+    if (!jsonFile.empty()) writeTextFileAtomically(jsonFile, benchJson(context.info(), rows));
+}
+
+} // namespace meltpool

@@ -1,0 +1,17 @@
+#include "app/bench/parts.hpp"
+
+#include "app/bench/bench.hpp"
+
+#include <array>
+
+namespace meltpool {
+
+std::span<const BenchPart> benchParts() {
+    static constexpr std::array kParts{
+        BenchPart{"classic", "whole frame: step, surface and picture at 8192 particles, grid 64, 1280x720",
+                  benchClassicFrame},
+    };
+    return kParts;
+}
+
+} // namespace meltpool

@@ -1,0 +1,10 @@
+// The parts of which the benchmark's suites are made; each stands in a file of its own.
+#pragma once
+
+namespace meltpool {
+
+class Bench;
+
+void benchClassicFrame(Bench& bench);
+
+} // namespace meltpool

@@ -1,0 +1,110 @@
+#include "app/command_line.hpp"
+
+#include "app/bench/bench.hpp"
+#include "app/commands.hpp"
+#include "app/program_info.hpp"
+#include "core/base/error.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace meltpool {
+
+namespace {
+
+constexpr int kDone = 0;
+constexpr int kFailed = 1;
+constexpr int kBadInput = 2;
+
+/// What the words of the command line ask for.
+struct Words {
+    RunRequest run;
+    std::string suite;
+    std::filesystem::path benchJson;
+    bool showParameters = false;
+};
+
+void addRun(CLI::App& app, Words& words) {
+    CLI::App* run = app.add_subcommand("run", "Run a lesson's demonstration without a screen");
+    RunRequest& r = words.run;
+    run->add_option("LESSON", r.lesson, "Name of a lesson (meltpool lessons) or a TOML file")->required();
+    run->add_option("--out", r.folder, "Folder for result.json, telemetry.csv and pictures")
+        ->required()
+        ->type_name("DIR");
+    run->add_option("--torch", r.torch, "Torch path, .csv or .toml, instead of the lesson's")->type_name("FILE");
+    run->add_option("--seconds", r.seconds, "Simulated time, s")->type_name("S");
+    run->add_option("--pictures", r.picturesEvery, "Time between pictures, s; 0: one at the end")->type_name("EVERY_S");
+    run->add_option("--size", r.size, "Size of the pictures, pixels")->type_name("WxH");
+    run->add_option("--set", r.sets, "Set a value (meltpool lessons --parameters); may be given again")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+}
+
+void addOthers(CLI::App& app, Words& words) {
+    CLI::App* bench = app.add_subcommand("bench", "Measure the speed of this machine");
+    std::string suites = "Suite; all where none is named";
+    for (const BenchPart& part : benchParts())
+        suites += "\n" + std::string(part.suite) + ": " + std::string(part.note);
+    bench->add_option("SUITE", words.suite, suites);
+    bench->add_option("--json", words.benchJson, "Keep the rows in this file")->type_name("FILE");
+    app.add_subcommand("doctor", "Tell what this machine has and what is missing");
+    CLI::App* lessons = app.add_subcommand("lessons", "List the lessons");
+    lessons->add_flag("--parameters", words.showParameters, "List what --set can set");
+}
+
+int dispatch(const CLI::App& app, const Words& words) {
+    if (app.got_subcommand("run"))
+        runLesson(words.run);
+    else if (app.got_subcommand("bench"))
+        runBench(words.suite, words.benchJson);
+    else if (app.got_subcommand("doctor"))
+        return runDoctor() ? kDone : kFailed;
+    else if (app.got_subcommand("lessons"))
+        words.showParameters ? listParameters() : listLessons();
+    else
+        runTrainer();
+    return kDone;
+}
+
+/// One line on standard error.
+void complain(std::string sentence) {
+    std::replace(sentence.begin(), sentence.end(), '\n', ' ');
+    std::fprintf(stderr, "meltpool: %s\n", sentence.c_str());
+}
+
+int parseAndRun(int argc, char** argv) {
+    CLI::App app("Meltpool, a virtual welding trainer. Without a command it opens the trainer's window.", "meltpool");
+    app.set_version_flag("--version",
+                         "meltpool " + std::string(programVersion()) + " (" + std::string(programCommit()) + ")");
+    app.require_subcommand(0, 1);
+    Words words;
+    addRun(app, words);
+    addOthers(app, words);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& help) {
+        return app.exit(help);
+    } catch (const CLI::ParseError& error) {
+        complain(std::string(error.what()) + "; expected what 'meltpool --help' shows");
+        return kBadInput;
+    }
+    return dispatch(app, words);
+}
+
+} // namespace
+
+int runProgram(int argc, char** argv) {
+    try {
+        return parseAndRun(argc, argv);
+    } catch (const InputError& error) {
+        complain(error.what());
+        return kBadInput;
+    } catch (const std::exception& error) {
+        complain(error.what());
+        return kFailed;
+    }
+}
+
+} // namespace meltpool

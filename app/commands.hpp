@@ -1,0 +1,36 @@
+// The program's commands, without the words by which a person chooses them.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace meltpool {
+
+/// `meltpool run`; what is left empty keeps the lesson's own value.
+struct RunRequest {
+    std::string lesson;
+    std::filesystem::path folder;
+    std::filesystem::path torch;
+    std::string seconds;
+    std::string picturesEvery;
+    std::string size;              ///< "WIDTHxHEIGHT"
+    std::vector<std::string> sets; ///< "key=value"
+};
+
+/// Runs a lesson without a screen and says where its results are. Throws what runHeadless() throws.
+void runLesson(const RunRequest& request);
+
+/// The desktop trainer; without a display the default lesson's demonstration, headless.
+void runTrainer();
+
+/// Prints the catalogue.
+void listLessons();
+
+/// Prints every value that --set takes, with default, unit, range and meaning.
+void listParameters();
+
+/// Prints what the machine has and what is missing. Returns false when something that every run needs is missing.
+bool runDoctor();
+
+} // namespace meltpool

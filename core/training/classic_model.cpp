@@ -1,0 +1,40 @@
+#include "core/training/classic_model.hpp"
+
+#include "core/training/lesson.hpp"
+
+#include <glm/common.hpp>
+
+namespace meltpool {
+
+std::unique_ptr<MetalModel> makeMetalModel(gl::ShaderLibrary& shaders, const Lesson& lesson) {
+    return std::make_unique<ClassicModel>(shaders, lesson);
+}
+
+glm::vec3 classicSourcePosition(const glm::vec3& tip) {
+    return glm::clamp(tip / kClassicUnit, glm::vec3(-1.0f), glm::vec3(1.0f));
+}
+
+ClassicModel::ClassicModel(gl::ShaderLibrary& shaders, const Lesson& lesson) : metal_(shaders, lesson.setup) {
+    apply(lesson);
+}
+
+void ClassicModel::apply(const Lesson& lesson) {
+    metal_.parameters = lesson.metal;
+    cold_ = lesson.source.kind == 1;
+}
+
+void ClassicModel::step(const TorchSample& torch, gl::Profiler* profiler) {
+    metal_.step({classicSourcePosition(torch.tip), torch.trigger, cold_}, profiler);
+}
+
+SceneView ClassicModel::scene(const TorchSample& torch) const {
+    SceneView scene;
+    scene.particles = metal_.particles();
+    scene.source.shown = true;
+    scene.source.position = classicSourcePosition(torch.tip);
+    scene.source.on = torch.trigger > 0;
+    scene.source.cold = cold_;
+    return scene;
+}
+
+} // namespace meltpool

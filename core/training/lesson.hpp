@@ -1,0 +1,86 @@
+// What is practised: which metal under which torch, for how long, seen how. A lesson is data; the Trainer runs it.
+#pragma once
+
+#include "core/base/parameter.hpp"
+#include "core/metal/classic/classic_parameters.hpp"
+#include "core/render/look.hpp"
+#include "core/surface/surface_parameters.hpp"
+#include "core/weld/torch_path.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace meltpool {
+
+/// Length of a run and what is kept of it.
+struct RunParameters {
+    float seconds = 10;      ///< simulated time, s
+    float picturesEvery = 1; ///< s between pictures; 0: only one at the end
+    int width = 1280;        ///< pixels
+    int height = 720;        ///< pixels
+};
+
+/// What the source does to the metal.
+struct SourceParameters {
+    int kind = 0; ///< 0 hot, 1 cold
+};
+
+/// A camera on a sphere around the workpiece.
+struct CameraParameters {
+    float azimuth = 45;     ///< degrees around the vertical, 0 stands before the workpiece
+    float elevation = 30;   ///< degrees above the horizon
+    float distance = 3;     ///< model units
+    float fieldOfView = 35; ///< degrees, of the picture's height
+};
+
+ParameterList describe(RunParameters& parameters);
+ParameterList describe(SourceParameters& parameters);
+ParameterList describe(CameraParameters& parameters);
+
+/// One of the pictures that are taken at each picture time.
+struct PictureLook {
+    std::string name; ///< part of the file's name
+    LookParameters look;
+};
+
+struct Lesson {
+    std::string key;   ///< name in the catalogue; of a lesson from elsewhere the file's name without ".toml"
+    std::string title; ///< one line for lists
+    std::string text;  ///< what the trainee is asked to do
+    std::filesystem::path torchFile;
+    TorchPath torch; ///< the demonstration; empty: the torch rests with its trigger released
+
+    RunParameters run;
+    ClassicSetup setup;
+    ClassicParameters metal;
+    SourceParameters source;
+    SurfaceParameters surface;
+    CameraParameters camera;
+    LookParameters look;
+    std::vector<PictureLook> pictures; ///< at least one; each begins with `look`
+
+    /// Every adjustable value. The list points into this lesson, which must outlive it unmoved.
+    ParameterList parameters();
+
+    /// Sets one value from text, in the pictures' looks too where it is one of the look. Throws InputError, beginning
+    /// with `where`, for an unknown key or a value that does not fit; the lesson is then unchanged.
+    void set(std::string_view name, std::string_view value, std::string_view where);
+};
+
+/// Reads and checks a lesson's file. Throws InputError naming file and line for anything unknown, missing or out of
+/// range, in the torch path's file too.
+Lesson readLesson(const std::filesystem::path& file);
+
+/// The names of the lessons in a folder, in alphabetical order.
+std::vector<std::string> lessonNames(const std::filesystem::path& folder);
+
+/// The lesson that a person named: a file where the name ends in ".toml", else one of the folder's. Throws InputError,
+/// listing what there is, for an unknown name.
+Lesson findLesson(const std::string& name, const std::filesystem::path& folder);
+
+/// The lesson that is shown where none was named.
+inline constexpr std::string_view kDefaultLesson = "classic";
+
+} // namespace meltpool

@@ -1,0 +1,103 @@
+#include "core/training/lesson.hpp"
+
+#include "core/base/error.hpp"
+#include "core/base/toml_table.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace meltpool {
+
+namespace {
+
+/// Sets every described value that the table holds.
+void readParameters(TomlTable& table, const ParameterList& list) {
+    for (const Parameter& parameter : list) {
+        if (!table.has(parameter.key)) continue;
+        const std::string where = table.file().string() + ":" + std::to_string(table.lineOf(parameter.key));
+        setParameter(list, parameter.key, table.valueText(parameter.key), where);
+    }
+}
+
+/// Reads [name] where the file has it; every key in it must be described.
+void readGroup(TomlTable& root, std::string_view name, const ParameterList& list) {
+    if (!root.has(name)) return;
+    TomlTable group = root.table(name);
+    readParameters(group, list);
+    // A key without a value in the file is still one that may stand there.
+    for (const Parameter& parameter : list)
+        group.allow(parameter.key);
+    group.finish();
+}
+
+bool isFileNamePart(const std::string& name) {
+    return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
+    });
+}
+
+void readPictures(TomlTable& root, Lesson& lesson) {
+    std::set<std::string> names;
+    for (TomlTable& table : root.tables("picture")) {
+        PictureLook picture{table.text("name"), lesson.look};
+        if (!isFileNamePart(picture.name)) table.fail("name", "expected letters, digits, '-' and '_' only");
+        if (!names.insert(picture.name).second) table.fail("name", "stands twice; expected each picture's own name");
+        const ParameterList list = describe(picture.look);
+        readParameters(table, list);
+        for (const Parameter& parameter : list)
+            table.allow(parameter.key);
+        table.finish();
+        lesson.pictures.push_back(std::move(picture));
+    }
+    if (lesson.pictures.empty()) lesson.pictures.push_back({"picture", lesson.look});
+}
+
+} // namespace
+
+Lesson readLesson(const std::filesystem::path& file) {
+    const toml::table parsed = parseTomlFile(file);
+    TomlTable root(parsed, file);
+    Lesson lesson;
+    lesson.key = file.stem().string();
+    lesson.title = root.text("title", lesson.key);
+    lesson.text = root.text("text", "");
+    const std::string model = root.text("model", "classic");
+    if (model != "classic") root.fail("model", "is '" + model + "'; expected classic");
+    readGroup(root, "run", describe(lesson.run));
+    readGroup(root, "start", describe(lesson.setup));
+    readGroup(root, "metal", describe(lesson.metal));
+    readGroup(root, "source", describe(lesson.source));
+    readGroup(root, "surface", describe(lesson.surface));
+    readGroup(root, "camera", describe(lesson.camera));
+    readGroup(root, "look", describe(lesson.look));
+    readPictures(root, lesson);
+    if (root.has("torch")) {
+        lesson.torchFile = file.parent_path() / root.text("torch");
+        lesson.torch = TorchPath::read(lesson.torchFile);
+    }
+    root.finish();
+    return lesson;
+}
+
+std::vector<std::string> lessonNames(const std::filesystem::path& folder) {
+    std::vector<std::string> names;
+    std::error_code failure;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, failure))
+        if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+    if (failure) throw InputError(folder, 0, "cannot be read; expected the folder of lessons");
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+Lesson findLesson(const std::string& name, const std::filesystem::path& folder) {
+    if (std::filesystem::path(name).extension() == ".toml") return readLesson(name);
+    const auto names = lessonNames(folder);
+    if (std::find(names.begin(), names.end(), name) != names.end()) return readLesson(folder / (name + ".toml"));
+    std::string known;
+    for (const std::string& each : names)
+        known += (known.empty() ? "" : ", ") + each;
+    throw InputError("lesson '" + name + "' is not in the catalogue; expected one of " + known +
+                     ", or a file that ends in .toml");
+}
+
+} // namespace meltpool

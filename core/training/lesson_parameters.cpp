@@ -1,0 +1,59 @@
+#include "core/training/lesson.hpp"
+
+#include "core/base/error.hpp"
+
+#include <array>
+
+namespace meltpool {
+
+namespace {
+
+constexpr std::array<std::string_view, 2> kSources{"hot", "cold"};
+
+void append(ParameterList& list, ParameterList more) {
+    list.insert(list.end(), more.begin(), more.end());
+}
+
+} // namespace
+
+ParameterList describe(RunParameters& r) {
+    return {
+        {"seconds", "Length", "s", &r.seconds, 0, 3600, "simulated time of a run without a screen"},
+        {"pictures_every", "Pictures every", "s", &r.picturesEvery, 0, 3600, "0 takes one picture at the end"},
+        {"width", "Picture width", "pixels", &r.width, 16, 8192, "costs time per picture"},
+        {"height", "Picture height", "pixels", &r.height, 16, 8192, "costs time per picture"},
+    };
+}
+
+ParameterList describe(SourceParameters& s) {
+    return {{"source", "Source", "", &s.kind, 0, 1, "cold freezes what it touches", kSources}};
+}
+
+ParameterList describe(CameraParameters& c) {
+    return {
+        {"azimuth", "Around", "deg", &c.azimuth, -360, 360, "0 stands before the workpiece, 90 on its right"},
+        {"elevation", "Over", "deg", &c.elevation, -89, 89, "0 looks along the table"},
+        {"distance", "Distance", "model units", &c.distance, 0.3, 20, "from the middle of the workpiece"},
+        {"field_of_view", "Field of view", "deg", &c.fieldOfView, 5, 120, "of the picture's height"},
+    };
+}
+
+ParameterList Lesson::parameters() {
+    ParameterList list = describe(run);
+    append(list, describe(setup));
+    append(list, describe(metal));
+    append(list, describe(source));
+    append(list, describe(surface));
+    append(list, describe(camera));
+    append(list, describe(look));
+    return list;
+}
+
+void Lesson::set(std::string_view name, std::string_view value, std::string_view where) {
+    setParameter(parameters(), name, value, where);
+    for (PictureLook& picture : pictures)
+        if (const ParameterList list = describe(picture.look); findParameter(list, name) != nullptr)
+            setParameter(list, name, value, where);
+}
+
+} // namespace meltpool

@@ -1,0 +1,50 @@
+// What a Trainer needs from any metal: stepping under a torch, and being looked at.
+#pragma once
+
+#include "core/gl/profiler.hpp"
+#include "core/metal/particle_view.hpp"
+#include "core/metal/statistics.hpp"
+#include "core/render/scene.hpp"
+#include "core/weld/torch_sample.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+namespace meltpool {
+
+struct Lesson;
+
+class MetalModel {
+  public:
+    virtual ~MetalModel() = default;
+
+    /// Puts the metal back to how it began.
+    virtual void reset() = 0;
+    /// Takes over the values of the lesson that may change while running.
+    virtual void apply(const Lesson& lesson) = 0;
+    /// One fixed step under the torch. `profiler` may be null.
+    virtual void step(const TorchSample& torch, gl::Profiler* profiler) = 0;
+    /// Length of a step, s.
+    virtual double timeStep() const = 0;
+
+    virtual ParticleView particles() const = 0;
+    /// Box of the particles, their temperatures' meaning and the source under this torch; without a mesh.
+    virtual SceneView scene(const TorchSample& torch) const = 0;
+
+    /// Waits for the GPU.
+    virtual MetalStatistics statistics() const = 0;
+    /// Never waits: ask, then look in later frames.
+    virtual void requestStatistics() = 0;
+    virtual std::optional<MetalStatistics> pollStatistics() = 0;
+
+    /// Number that the whole state gives; equal states give equal numbers. Waits for the GPU.
+    virtual std::uint64_t stateHash() const = 0;
+    /// GPU memory, bytes.
+    virtual size_t bytes() const = 0;
+};
+
+/// The metal that the lesson asks for. Throws InputError when it cannot be made with the lesson's values.
+std::unique_ptr<MetalModel> makeMetalModel(gl::ShaderLibrary& shaders, const Lesson& lesson);
+
+} // namespace meltpool

@@ -1,0 +1,24 @@
+// result.json: the figures of a run in a form that programs and people read.
+#pragma once
+
+#include "core/training/trainer.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace meltpool {
+
+/// What a result says beside the metal's figures.
+struct ResultContext {
+    std::string version;
+    std::string commit;
+    std::string renderer;
+    double wallSeconds = 0;
+    std::string error; ///< why the run ended early; empty when it did not
+};
+
+/// Writes the figures of a run together with every parameter it had. Throws InputError when the file cannot be written.
+void writeResult(const std::filesystem::path& file, Lesson& lesson, const LessonResult& result,
+                 const ResultContext& context);
+
+} // namespace meltpool

@@ -1,0 +1,38 @@
+#include "core/training/telemetry.hpp"
+
+#include "core/base/error.hpp"
+#include "core/base/text.hpp"
+#include "core/weld/torch_csv.hpp"
+
+namespace meltpool {
+
+namespace {
+
+/// Rows between flushes: a second of welding at most is lost when the power goes.
+constexpr size_t kRowsPerFlush = 60;
+
+} // namespace
+
+Telemetry::Telemetry(const std::filesystem::path& file) : file_(file), stream_(file, std::ios::trunc) {
+    if (!stream_) throw InputError(file, 0, "cannot be written; expected a folder with write permission");
+    std::string header;
+    for (const std::string_view name : torchColumns())
+        header += (header.empty() ? "" : ",") + std::string(name);
+    stream_ << header << ",molten,min_temperature,mean_temperature,max_temperature,lost,non_finite\n";
+    flush();
+}
+
+void Telemetry::add(const TorchSample& torch, const MetalStatistics& metal) {
+    stream_ << torchRow(torch) << ',' << metal.molten << ',' << formatNumber(metal.minTemperature) << ','
+            << formatNumber(metal.meanTemperature) << ',' << formatNumber(metal.maxTemperature) << ',' << metal.lost
+            << ',' << metal.nonFinite << '\n';
+    ++rows_;
+    if (rows_ % kRowsPerFlush == 0) flush();
+}
+
+void Telemetry::flush() {
+    stream_.flush();
+    if (!stream_) throw RuntimeFault(file_.string() + ": the record cannot be written on; expected free space");
+}
+
+} // namespace meltpool

@@ -1,0 +1,93 @@
+// A lesson in progress: steps the metal under the torch, keeps its surface, record and figures. Windows, headsets,
+// scripts and replays all drive this and only this.
+#pragma once
+
+#include "core/gl/profiler.hpp"
+#include "core/gl/program.hpp"
+#include "core/render/scene.hpp"
+#include "core/surface/surface.hpp"
+#include "core/training/lesson.hpp"
+#include "core/training/metal_model.hpp"
+#include "core/training/telemetry.hpp"
+
+#include <memory>
+#include <optional>
+
+namespace meltpool {
+
+/// The figures of a run at one moment.
+struct LessonResult {
+    double seconds = 0; ///< simulated
+    size_t steps = 0;
+    MetalStatistics metal;
+    std::uint64_t stateHash = 0;
+    size_t metalBytes = 0;   ///< GPU memory of the metal
+    size_t surfaceBytes = 0; ///< GPU memory of the surface
+};
+
+class Trainer {
+  public:
+    /// Makes metal and surface. Throws InputError when the lesson's values are impossible here.
+    Trainer(gl::ShaderLibrary& shaders, Lesson lesson);
+    ~Trainer();
+    Trainer(const Trainer&) = delete;
+    Trainer& operator=(const Trainer&) = delete;
+
+    /// Values may be changed at any time; those marked onlyAtStart wait for the next Trainer.
+    Lesson& lesson() { return lesson_; }
+    const Lesson& lesson() const { return lesson_; }
+
+    /// Metal and clock back to the start. A record in progress ends.
+    void reset();
+
+    /// One fixed step under this torch, whose time is taken to be that of the step's end. Throws RuntimeFault when the
+    /// record cannot be written on. Whether the metal is still finite stands in figures().
+    void advance(const TorchSample& torch, gl::Profiler* profiler);
+
+    /// Simulated time, s, and steps since the start.
+    double time() const { return time_; }
+    size_t steps() const { return steps_; }
+    double timeStep() const;
+
+    /// The demonstration's torch for the next step.
+    TorchSample demonstration() const { return lesson_.torch.sample(time_ + timeStep()); }
+
+    /// Makes the surface of the metal as it is now, for the pictures to come; nothing is read back.
+    void updateSurface(gl::Profiler* profiler);
+
+    /// The world under the last torch, with the surface of the last updateSurface().
+    SceneView scene() const;
+    const TorchSample& torch() const { return torch_; }
+    Surface& surface() { return *surface_; }
+
+    /// Writes every following step to `file`, a torch path with the metal's figures behind. Throws InputError when it
+    /// cannot be written.
+    void record(const std::filesystem::path& file);
+    /// Ends the record. Throws RuntimeFault when the disk takes no more.
+    void stopRecord();
+    bool recording() const { return telemetry_ != nullptr; }
+
+    /// True: every step waits for its own figures, as a run without a screen may. False (the default): the figures are
+    /// the newest that came back without waiting.
+    void waitForFigures(bool wait) { wait_ = wait; }
+    const MetalStatistics& figures() const { return figures_; }
+
+    /// Waits for the GPU.
+    LessonResult result() const;
+
+  private:
+    void updateFigures();
+
+    Lesson lesson_;
+    std::unique_ptr<MetalModel> metal_;
+    std::unique_ptr<Surface> surface_;
+    std::unique_ptr<Telemetry> telemetry_;
+    TorchSample torch_;
+    MetalStatistics figures_;
+    double time_ = 0;
+    size_t steps_ = 0;
+    bool wait_ = false;
+    bool asked_ = false;
+};
+
+} // namespace meltpool

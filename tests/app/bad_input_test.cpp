@@ -1,0 +1,98 @@
+// Whatever a person may get wrong ends the real program with exit code 2 and one sentence that says where and what.
+#include "core/base/text.hpp"
+#include "tests/app/program.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+using namespace meltpool;
+using meltpool::test::containsText;
+using meltpool::test::runMeltpool;
+
+namespace {
+
+const std::string kHeader = "time_s,x_mm,y_mm,z_mm,qx,qy,qz,qw,trigger\n";
+
+struct Case {
+    std::string arguments, place, expectation;
+};
+
+void checkRefusal(const Case& bad) {
+    INFO(bad.arguments);
+    const test::Outcome outcome = runMeltpool(bad.arguments);
+    INFO(outcome.errors);
+    CHECK(outcome.code == 2);
+    CHECK_THAT(outcome.errors, containsText(bad.place));
+    CHECK_THAT(outcome.errors, containsText(bad.expectation));
+    CHECK_THAT(outcome.errors, containsText("expected"));
+    // One sentence on one line.
+    CHECK(std::count(outcome.errors.begin(), outcome.errors.end(), '\n') == 1);
+}
+
+} // namespace
+
+TEST_CASE("bad command lines are refused", "[app]") {
+    const std::string out = " --out '" + (test::scratchFolder("words") / "out").string() + "' ";
+    for (const Case& bad : std::vector<Case>{
+             {"fly", "fly", "--help"},
+             {"run", "", "required"},
+             {"run classic", "--out", "required"},
+             {"run classic --speed 3" + out, "--speed", "--help"},
+             {"run clasic" + out, "'clasic'", "expected one of classic"},
+             {"run missing.toml" + out, "missing.toml", "expected a readable file"},
+             {"run classic --torch missing.csv" + out, "missing.csv", "expected a readable file"},
+             {"run classic --torch missing.toml" + out, "missing.toml", "expected a readable file"},
+             {"run classic --torch README" + out, "README", "expected a file that ends in .csv"},
+             {"run classic --set particels=5" + out, "'particels'", "expected one of"},
+             {"run classic --set particles" + out, "'particles'", "expected KEY=VALUE"},
+             {"run classic --set particles=0" + out, "'particles' is '0'", "expected a whole number from 1"},
+             {"run classic --set viscosity=inf" + out, "'viscosity' is 'inf'", "expected a number from"},
+             {"run classic --set material=cheese" + out, "'material' is 'cheese'", "expected one of solder"},
+             {"run classic --seconds -1" + out, "'seconds' is '-1'", "expected a number from 0"},
+             {"run classic --seconds soon" + out, "'seconds' is 'soon'", "expected a number from 0"},
+             {"run classic --pictures x" + out, "'pictures_every' is 'x'", "expected a number from 0"},
+             {"run classic --size 640" + out, "'640'", "expected WIDTHxHEIGHT"},
+             {"run classic --size 0x480" + out, "0x480", "expected a whole number from 16"},
+             {"bench nonsense", "'nonsense'", "expected one of classic"},
+         })
+        checkRefusal(bad);
+}
+
+TEST_CASE("bad files are refused with their line", "[app]") {
+    const auto folder = test::scratchFolder("files");
+    const std::string out = " --out '" + (folder / "out").string() + "'";
+    const auto torch = [&](const std::string& name, const std::string& text) {
+        writeTextFileAtomically(folder / name, text);
+        return "run classic --torch '" + (folder / name).string() + "'" + out;
+    };
+    const auto lesson = [&](const std::string& name, const std::string& text) {
+        writeTextFileAtomically(folder / name, text);
+        return "run '" + (folder / name).string() + "'" + out;
+    };
+    for (const Case& bad : std::vector<Case>{
+             {torch("row.csv", kHeader + "0,1,2,3,0,0,0,1,1\n1,1,2\n"), "row.csv:3: ", "expected 9"},
+             {torch("word.csv", kHeader + "0,1,two,3,0,0,0,1,1\n"), "word.csv:2: ", "expected a position"},
+             {torch("back.csv", kHeader + "2,1,2,3,0,0,0,1,1\n1,1,2,3,0,0,0,1,1\n"), "back.csv:3: ", "at least 2"},
+             {torch("quat.csv", kHeader + "0,1,2,3,0,0,0,0,1\n"), "quat.csv:2: ", "expected 1"},
+             {torch("head.csv", "time_s,x_mm\n"), "head.csv:1: ", "y_mm"},
+             {torch("key.toml", "start_mm = [0,0,0]\nspeed = 3\n"), "key.toml:2: ", "unknown key"},
+             {lesson("key2.toml", "title = 'x'\n[metal]\nthickness = 3\n"), "key2.toml:3: ", "unknown key"},
+             {lesson("range.toml", "title = 'x'\n[metal]\nviscosity = -3\n"), "range.toml:3: ", "from 0 to"},
+             {lesson("syntax.toml", "title = 'x'\n[metal\n"), "syntax.toml:2: ", ""},
+         }) {
+        INFO(bad.arguments);
+        const test::Outcome outcome = runMeltpool(bad.arguments);
+        INFO(outcome.errors);
+        CHECK(outcome.code == 2);
+        CHECK_THAT(outcome.errors, containsText(bad.place));
+        CHECK_THAT(outcome.errors, containsText(bad.expectation));
+        CHECK(std::count(outcome.errors.begin(), outcome.errors.end(), '\n') == 1);
+    }
+}
+
+TEST_CASE("a folder that cannot be written is refused before anything is computed", "[app]") {
+    const auto folder = test::scratchFolder("unwritable");
+    writeTextFileAtomically(folder / "file", "not a folder");
+    checkRefusal({"run classic --out '" + (folder / "file" / "out").string() + "'", "file/out", "expected a place"});
+    checkRefusal({"run classic --out '" + (folder / "file").string() + "'", "file", "expected a place"});
+    checkRefusal({"run classic --seconds 0.1 --set particles=64 --out /proc", "/proc", "expected"});
+}

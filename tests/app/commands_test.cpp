@@ -1,0 +1,49 @@
+// The commands that only tell: help, lessons, doctor, and the program without a display.
+#include "app/headless_runner.hpp"
+#include "app/progress_bar.hpp"
+#include "tests/app/program.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+using namespace meltpool;
+using meltpool::test::containsText;
+using meltpool::test::runMeltpool;
+
+TEST_CASE("every command explains itself", "[app]") {
+    for (const char* command : {"", "run ", "bench ", "doctor ", "lessons "}) {
+        INFO(command);
+        const test::Outcome outcome = runMeltpool(std::string(command) + "--help");
+        CHECK(outcome.code == 0);
+        CHECK_THAT(outcome.output, containsText("--help"));
+    }
+    CHECK_THAT(runMeltpool("--version").output, containsText("meltpool "));
+}
+
+TEST_CASE("lessons and their values are listed", "[app]") {
+    CHECK_THAT(runMeltpool("lessons").output, containsText("classic"));
+    const test::Outcome values = runMeltpool("lessons --parameters");
+    CHECK(values.code == 0);
+    for (const char* key : {"particles", "viscosity", "solidify_rate", "cells", "material", "azimuth", "source"})
+        CHECK_THAT(values.output, containsText(std::string("\n") + key + " "));
+}
+
+TEST_CASE("the doctor finds driver and files, and says when the files are gone", "[app]") {
+    const test::Outcome well = runMeltpool("doctor", "env -u DISPLAY -u WAYLAND_DISPLAY");
+    INFO(well.output);
+    CHECK(well.code == 0);
+    for (const char* word : {"EGL", "OpenGL", "display", "lessons", "storage buffer"})
+        CHECK_THAT(well.output, containsText(word));
+    const test::Outcome ill = runMeltpool("doctor", "env MELTPOOL_DATA=/nowhere");
+    CHECK(ill.code == 1);
+    CHECK_THAT(ill.output, containsText("MISSING"));
+    CHECK_THAT(ill.output, containsText("/nowhere"));
+}
+
+TEST_CASE("numbers of steps and names of pictures follow the time", "[app]") {
+    CHECK(stepsFor(1, static_cast<double>(1.0f / 60)) == 60);
+    CHECK(stepsFor(10, static_cast<double>(1.0f / 60)) == 600);
+    CHECK(stepsFor(0.5, 0.2) == 3);
+    CHECK(stepsFor(0, 0.2) == 0);
+    CHECK(runPictureName(1.5, "metal") == "001.500s-metal.png");
+    CHECK(progressLine("classic", 0.5, 4) == "classic  [###############...............]  50 %, 4 s left");
+}

@@ -1,0 +1,20 @@
+// Runs the real program and keeps what it said.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace meltpool::test {
+
+struct Outcome {
+    int code = -1;
+    std::string output; ///< standard output
+    std::string errors; ///< standard error
+};
+
+/// Runs `meltpool ARGUMENTS` of the build through the shell (`program`: another binary) and waits for it. `before` is
+/// put in front of the command: variables, a changed folder.
+Outcome runMeltpool(const std::string& arguments, const std::string& before = "",
+                    const std::filesystem::path& program = {});
+
+} // namespace meltpool::test

@@ -1,0 +1,137 @@
+// Lessons as files: what ships is sound, every value can be set, and bad files are refused by line.
+#include "core/base/error.hpp"
+#include "core/base/text.hpp"
+#include "core/training/lesson.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+#include <set>
+
+using namespace meltpool;
+using meltpool::test::containsText;
+
+namespace {
+
+std::filesystem::path shippedLessons() {
+    return test::testFolder().parent_path() / "app" / "data" / "lessons";
+}
+
+Lesson lessonFrom(const std::string& text) {
+    const auto file = test::scratchFolder("lesson") / "bad.toml";
+    writeTextFileAtomically(file, text);
+    return readLesson(file);
+}
+
+std::string refusal(const std::string& text) {
+    try {
+        lessonFrom(text);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+} // namespace
+
+TEST_CASE("every lesson of the catalogue can be read and has a title and a demonstration", "[training]") {
+    const auto names = lessonNames(shippedLessons());
+    REQUIRE(std::find(names.begin(), names.end(), kDefaultLesson) != names.end());
+    for (const std::string& name : names) {
+        INFO(name);
+        const Lesson lesson = findLesson(name, shippedLessons());
+        CHECK(lesson.key == name);
+        CHECK(lesson.title != name);
+        CHECK_FALSE(lesson.text.empty());
+        CHECK(lesson.torch.duration() > 0);
+        CHECK(lesson.torch.duration() <= static_cast<double>(lesson.run.seconds));
+        CHECK_FALSE(lesson.pictures.empty());
+    }
+}
+
+TEST_CASE("no two values of a lesson share a key, and every default lies in its range", "[training]") {
+    Lesson lesson;
+    std::set<std::string_view> keys;
+    for (const Parameter& parameter : lesson.parameters()) {
+        INFO(parameter.key);
+        CHECK(keys.insert(parameter.key).second);
+        CHECK_FALSE(parameter.note.empty());
+        const std::string before = parameterText(parameter);
+        CHECK_NOTHROW(lesson.set(parameter.key, before, "test"));
+        CHECK(parameterText(parameter) == before);
+    }
+}
+
+TEST_CASE("a value set on a lesson reaches the looks of its pictures", "[training]") {
+    Lesson lesson = findLesson("classic", shippedLessons());
+    REQUIRE(lesson.pictures.size() == 2);
+    CHECK(lesson.pictures[0].look.colours == kMaterialColours);
+    CHECK(lesson.pictures[1].look.colours == kTemperatureColours);
+    lesson.set("material", "copper", "--set");
+    CHECK(lesson.look.material == kCopper);
+    CHECK(lesson.pictures[0].look.material == kCopper);
+    CHECK(lesson.pictures[1].look.material == kCopper);
+    CHECK(lesson.pictures[1].look.colours == kTemperatureColours);
+    CHECK_THROWS_WITH(lesson.set("material", "cheese", "--set material=cheese"),
+                      containsText("expected one of solder"));
+    CHECK(lesson.pictures[0].look.material == kCopper);
+}
+
+TEST_CASE("groups of a lesson's file fill what they name", "[training]") {
+    const Lesson lesson = lessonFrom("title = 'T'\ntext = 'do it'\n"
+                                     "[run]\nseconds = 3\nwidth = 320\nheight = 200\n"
+                                     "[start]\nparticles = 77\narrangement = 'random'\n"
+                                     "[metal]\ngravity = [0, -1, 0.5]\nsolidify_rate = 0.25\n"
+                                     "[source]\nsource = 'cold'\n"
+                                     "[surface]\ncells = 32\ncaps = false\n"
+                                     "[camera]\nazimuth = -20\n"
+                                     "[look]\nmaterial = 'ice'\n"
+                                     "[[picture]]\nname = 'points'\nmode = 'points'\n");
+    CHECK(lesson.title == "T");
+    CHECK(lesson.run.width == 320);
+    CHECK(lesson.setup.particles == 77);
+    CHECK(lesson.setup.arrangement == ClassicSetup::kRandom);
+    CHECK(lesson.metal.gravity == glm::vec3(0, -1, 0.5f));
+    CHECK(lesson.metal.solidifyRate == 0.25f);
+    CHECK(lesson.source.kind == 1);
+    CHECK(lesson.surface.cells == 32);
+    CHECK_FALSE(lesson.surface.caps);
+    CHECK(lesson.camera.azimuth == -20);
+    REQUIRE(lesson.pictures.size() == 1);
+    CHECK(lesson.pictures[0].look.material == kIce);
+    CHECK(lesson.pictures[0].look.mode == kPointsMode);
+    CHECK(lesson.torch.empty());
+}
+
+TEST_CASE("a bad lesson is refused in one sentence with file, line and expectation", "[training]") {
+    struct Case {
+        std::string text, place, expectation;
+    };
+    const std::vector<Case> cases{
+        {"titel = 'x'\n", "bad.toml:1: ", "unknown key"},
+        {"title = \n", "bad.toml:1: ", ""},
+        {"title = 'x'\n[metal]\nviscosity = -1\n", "bad.toml:3: ", "expected a number from"},
+        {"title = 'x'\n[metal]\nviscosity = 'much'\n", "bad.toml:3: ", "expected a number from"},
+        {"title = 'x'\n[metal]\nviscosity = nan\n", "bad.toml:3: ", "expected"},
+        {"title = 'x'\n[start]\n\nparticles = 0\n", "bad.toml:4: ", "expected a whole number from 1"},
+        {"title = 'x'\n[start]\nparticles = 10.5\n", "bad.toml:3: ", "expected a whole number"},
+        {"title = 'x'\n[look]\nmaterial = 'cheese'\n", "bad.toml:3: ", "expected one of solder"},
+        {"title = 'x'\n[look]\nglitter = 1\n", "bad.toml:3: ", "unknown key"},
+        {"title = 'x'\nlook = 3\n", "bad.toml:2: ", "expected a table"},
+        {"title = 'x'\nmodel = 'clay'\n", "bad.toml:2: ", "expected classic"},
+        {"title = 'x'\ntorch = 'nowhere.csv'\n", "nowhere.csv: ", "expected a readable file"},
+        {"title = 'x'\n[[picture]]\nname = '../evil'\n", "bad.toml:3: ", "expected letters"},
+        {"title = 'x'\n[[picture]]\nname = 'a'\n[[picture]]\nname = 'a'\n", "bad.toml:5: ", "stands twice"},
+    };
+    for (const Case& bad : cases) {
+        INFO(bad.text);
+        const std::string sentence = refusal(bad.text);
+        CHECK_THAT(sentence, containsText(bad.place));
+        CHECK_THAT(sentence, containsText(bad.expectation));
+        CHECK(sentence.find('\n') == std::string::npos);
+    }
+}
+
+TEST_CASE("an unknown lesson is refused with the names that there are", "[training]") {
+    CHECK_THROWS_WITH(findLesson("clasic", shippedLessons()), containsText("expected one of classic"));
+    CHECK_THROWS_WITH(findLesson("nowhere/mine.toml", shippedLessons()), containsText("nowhere/mine.toml"));
+}
