@@ -22,7 +22,7 @@ class ClassicModel : public MetalModel {
     double timeStep() const override { return static_cast<double>(metal_.parameters.timeStep); }
     ParticleView particles() const override { return metal_.particles(); }
     SceneView scene(const TorchSample& torch) const override;
-    MetalStatistics statistics() const override { return metal_.statistics(); }
+    MetalStatistics statistics() override { return metal_.statistics(); }
     void requestStatistics() override { metal_.requestStatistics(); }
     std::optional<MetalStatistics> pollStatistics() override { return metal_.pollStatistics(); }
     std::uint64_t stateHash() const override { return metal_.stateHash(); }

@@ -33,7 +33,7 @@ class MetalModel {
     virtual SceneView scene(const TorchSample& torch) const = 0;
 
     /// Waits for the GPU.
-    virtual MetalStatistics statistics() const = 0;
+    virtual MetalStatistics statistics() = 0;
     /// Never waits: ask, then look in later frames.
     virtual void requestStatistics() = 0;
     virtual std::optional<MetalStatistics> pollStatistics() = 0;
