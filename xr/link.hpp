@@ -31,6 +31,7 @@ class HeadsetLink {
     LinkState update();
     /// The headset while it is open; nullptr while searching.
     Headset* headset() { return headset_.get(); }
+    const Headset* headset() const { return headset_.get(); }
     /// A call on the headset failed: drops it and looks for it anew where the runtime was lost; other faults go on as
     /// they are.
     void onFault(const XrFault& fault);

@@ -1,0 +1,165 @@
+#include "app/headset/headset_desk.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace meltpool {
+
+namespace {
+
+xr::HeadsetSettings settingsOf(const HeadsetParameters& parameters) {
+    xr::HeadsetSettings settings;
+    settings.resolutionScale = parameters.resolutionScale;
+    settings.samples = parameters.samples;
+    return settings;
+}
+
+View viewOf(const Workshop& workshop, const xr::EyeView& eye, const xr::BothEyes& eyes) {
+    const xr::Pose pose = workshop.toWorkshop(eye.pose);
+    return {pose.inverse().matrix(), xr::projection(eye.fov, eyes.nearZ, eyes.farZ), pose.position};
+}
+
+} // namespace
+
+HeadsetDesk::HeadsetDesk(const HeadsetParameters& parameters, std::filesystem::path calibration)
+    : parameters_(parameters), link_(settingsOf(parameters)), place_(parameters, 0.0f) {
+    if (std::filesystem::exists(calibration)) calibration_ = xr::readCalibration(calibration);
+}
+
+/// A call on the headset that fails because the headset is gone ends the frame and nothing else.
+void HeadsetDesk::guarded(const std::function<void()>& work) {
+    try {
+        work();
+    } catch (const xr::XrFault& fault) {
+        inFrame_ = false;
+        torch_.lose();
+        link_.onFault(fault);
+    }
+}
+
+bool HeadsetDesk::begin(float bottom, double elapsed) {
+    inFrame_ = false;
+    drawn_ = drawn_ && link_.headset() != nullptr;
+    place_ = WorkpiecePlace(parameters_, bottom);
+    time_ += elapsed;
+    if (link_.update() != xr::LinkState::running) {
+        torch_.lose();
+        drawn_ = drawn_ && link_.headset() != nullptr;
+        return false;
+    }
+    guarded([&] {
+        timing_ = link_.headset()->waitFrame();
+        const Clock::time_point start = Clock::now();
+        inFrame_ = true;
+        readHands(elapsed);
+        busy_ = std::chrono::duration<double>(Clock::now() - start).count();
+    });
+    return inFrame_;
+}
+
+void HeadsetDesk::readHands(double elapsed) {
+    xr::Headset& headset = *link_.headset();
+    headset.input().read(timing_.displayTime);
+    torchHand_ = parameters_.hand == HeadsetParameters::kLeft ? xr::Hand::left : xr::Hand::right;
+    for (const xr::Hand hand : {xr::Hand::left, xr::Hand::right})
+        recentreAsked_ = recentreAsked_ || headset.input().hand(hand).recentre;
+    placeWorkshop();
+    torch_.update(headset.input().hand(torchHand_), calibration_, workshop_, elapsed);
+    visor_.update(torch_.trigger() > 0, elapsed);
+}
+
+void HeadsetDesk::placeWorkshop() {
+    if (workshop_.placed() && !recentreAsked_) return;
+    xr::Headset& headset = *link_.headset();
+    std::array<xr::EyeView, 2> eyes;
+    if (!headset.session().locateEyes(timing_.displayTime, eyes)) return;
+    const xr::Pose head = xr::interpolate(eyes[0].pose, eyes[1].pose, 0.5f);
+    workshop_.recentre(head, parameters_, headset.session().originOnFloor());
+    recentreAsked_ = false;
+}
+
+void HeadsetDesk::draw(Renderer& renderer, const LessonInSight& lesson, gl::Profiler* profiler) {
+    if (!inFrame_) return;
+    const Clock::time_point start = Clock::now();
+    guarded([&] {
+        link_.headset()->beginFrame();
+        if (timing_.shouldRender)
+            drawn_ = link_.headset()->drawEyes(
+                [&](const xr::BothEyes& eyes) { drawEyes(renderer, lesson, eyes, profiler); });
+        vibrate();
+    });
+    busy_ += std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void HeadsetDesk::drawEyes(Renderer& renderer, const LessonInSight& lesson, const xr::BothEyes& eyes,
+                           gl::Profiler* profiler) {
+    HandsInSight hands;
+    hands.torch = torch_.known();
+    hands.tip = torch_.tip();
+    hands.grip = torch_.grip();
+    hands.heat = torch_.trigger();
+    SceneView scene = *lesson.scene;
+    scene.modelToWorld = place_.modelToWorkshop(lesson.unit) * scene.modelToWorld;
+    scene.solids = scene_.build(parameters_, hands);
+    scene.source.shown = false; // the torch stands for it
+    LookParameters look = *lesson.look;
+    look.showBox = false;
+    look.exposure *= visor_.transmission(parameters_);
+    const std::array<View, 2> views{viewOf(workshop_, eyes.views[0], eyes), viewOf(workshop_, eyes.views[1], eyes)};
+    renderer.draw(scene, look, views, {eyes.framebuffer, {0, 0, 2 * eyes.width, eyes.height}, eyes.encodesSrgb},
+                  profiler);
+}
+
+void HeadsetDesk::vibrate() {
+    xr::TipState tip;
+    tip.time = time_;
+    tip.arc = torch_.trigger() > 0;
+    tip.power = torch_.trigger();
+    xr::HapticPulse pulse = xr::feel(tip);
+    pulse.amplitude *= parameters_.hapticStrength;
+    link_.headset()->input().play(torchHand_, pulse);
+}
+
+void HeadsetDesk::end() {
+    if (!inFrame_) return;
+    guarded([&] { link_.headset()->endFrame(); });
+    inFrame_ = false;
+}
+
+bool HeadsetDesk::mirror(GLuint framebuffer, const Viewport& viewport) const {
+    const xr::Headset* headset = link_.headset();
+    if (!drawn_ || headset == nullptr) return false;
+    const xr::EyeTargets& eyes = headset->eyes();
+    // The middle of the left eye's picture in the window's shape.
+    const double aspect = double(viewport.width) / double(viewport.height);
+    const int width = std::min(eyes.width(), int(eyes.height() * aspect));
+    const int height = std::min(eyes.height(), int(width / aspect));
+    const int x = (eyes.width() - width) / 2, y = (eyes.height() - height) / 2;
+    glBlitNamedFramebuffer(eyes.resolved(), framebuffer, x, y, x + width, y + height, viewport.x, viewport.y,
+                           viewport.x + viewport.width, viewport.y + viewport.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    return true;
+}
+
+std::string HeadsetDesk::status() const {
+    switch (link_.state()) {
+    case xr::LinkState::searching:
+        return link_.reason();
+    case xr::LinkState::asleep:
+        return "the headset sleeps; put it on";
+    case xr::LinkState::running:
+        return "the headset is in use";
+    case xr::LinkState::ended:
+        return link_.reason();
+    }
+    return {};
+}
+
+std::string HeadsetDesk::warning() const {
+    if (link_.state() == xr::LinkState::searching && link_.openings() > 0) return link_.reason();
+    if (link_.state() == xr::LinkState::running && torch_.known() && !torch_.tracked())
+        return "The torch is out of sight: the arc is out. Hold it where the headset sees it.";
+    return {};
+}
+
+} // namespace meltpool

@@ -1,0 +1,89 @@
+// The headset beside the desk: one object that the window's frame drives, whether a headset is there, asleep, lost or
+// in use.
+#pragma once
+
+#include "app/headset/held_torch.hpp"
+#include "app/headset/visor.hpp"
+#include "app/headset/workshop_scene.hpp"
+#include "core/render/renderer.hpp"
+#include "xr/link.hpp"
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+namespace meltpool {
+
+/// What the lesson shows and how large its model is.
+struct LessonInSight {
+    const SceneView* scene = nullptr;
+    const LookParameters* look = nullptr;
+    float unit = 1.0f; ///< metres of a model unit
+};
+
+/// A frame is begin(), the simulation with torch(), draw(), end(); each does nothing while there is no frame for a
+/// headset.
+class HeadsetDesk {
+  public:
+    /// Looks for a headset from the first begin() on. The calibration is read where the file exists.
+    HeadsetDesk(const HeadsetParameters& parameters, std::filesystem::path calibration);
+
+    /// Waits for the headset's next frame and reads the hands. False: there is none now, the desk goes on alone.
+    /// `bottom`: lowest place of the workpiece in its frame, m. `elapsed`: real seconds since the last call.
+    bool begin(float bottom, double elapsed);
+
+    /// The hand leads the torch: it is tracked, or was until now (then the arc is out).
+    bool leadsTorch() const { return inFrame_ && torch_.known() && !pointing_; }
+    /// The torch for step `step` of the `steps` of this frame, in the workpiece's frame.
+    TorchSample torch(int step, int steps) const { return torch_.sample(place_, step, steps); }
+
+    /// Both eyes, the visor's shade and the hands' vibration.
+    void draw(Renderer& renderer, const LessonInSight& lesson, gl::Profiler* profiler);
+    /// Hands the frame to the runtime.
+    void end();
+
+    /// Fills the viewport of the current draw frame buffer with the left eye's picture, cut to the viewport's shape.
+    /// False while there is none.
+    bool mirror(GLuint framebuffer, const Viewport& viewport) const;
+
+    xr::LinkState state() const { return link_.state(); }
+    /// For the desk: what the headset does, or why there is none.
+    std::string status() const;
+    /// A warning for the trainee and the teacher; empty while all is well.
+    std::string warning() const;
+    int openings() const { return link_.openings(); }
+    void recentre() { recentreAsked_ = true; }
+    void close() { link_.close(); }
+
+    /// CPU time of this object in the last frame, s, without waiting for the runtime.
+    double busySeconds() const { return busy_; }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    void readHands(double elapsed);
+    void placeWorkshop();
+    void drawEyes(Renderer& renderer, const LessonInSight& lesson, const xr::BothEyes& eyes, gl::Profiler* profiler);
+    void vibrate();
+    void guarded(const std::function<void()>& work);
+
+    const HeadsetParameters& parameters_;
+    xr::TipCalibration calibration_;
+    xr::HeadsetLink link_;
+    Workshop workshop_;
+    WorkpiecePlace place_;
+    HeldTorch torch_;
+    Visor visor_;
+    WorkshopScene scene_;
+    xr::FrameTiming timing_;
+    xr::Hand torchHand_ = xr::Hand::right;
+    bool inFrame_ = false;
+    bool drawn_ = false;
+    bool pointing_ = false;
+    bool recentreAsked_ = false;
+    double busy_ = 0;
+    double time_ = 0;
+};
+
+} // namespace meltpool

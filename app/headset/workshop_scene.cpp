@@ -1,0 +1,88 @@
+#include "app/headset/workshop_scene.hpp"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace meltpool {
+
+namespace {
+
+constexpr size_t kMostSolids = 40;
+constexpr glm::vec3 kSteel(0.30f, 0.31f, 0.33f);
+constexpr glm::vec3 kDarkSteel(0.10f, 0.105f, 0.11f);
+constexpr glm::vec3 kMat(0.035f, 0.035f, 0.04f);
+constexpr glm::vec3 kTableSteel(0.12f, 0.12f, 0.125f);
+constexpr glm::vec3 kSlotBlack(0.012f);
+constexpr glm::vec3 kRubber(0.025f, 0.025f, 0.03f);
+constexpr glm::vec3 kCopper(0.62f, 0.29f, 0.17f);
+constexpr glm::vec3 kBrass(0.58f, 0.44f, 0.17f);
+constexpr glm::vec3 kSafetyRed(0.55f, 0.03f, 0.02f);
+constexpr glm::vec3 kArcGlow(2.4f, 1.7f, 0.9f);
+
+glm::mat4 boxAt(const glm::vec3& middle, const glm::vec3& size) {
+    return glm::scale(glm::translate(glm::mat4(1.0f), middle), size);
+}
+
+} // namespace
+
+WorkshopScene::WorkshopScene() {
+    solids_.reserve(kMostSolids);
+}
+
+void WorkshopScene::add(SolidShape shape, const glm::mat4& toWorld, const glm::vec3& colour, float gloss,
+                        const glm::vec3& glow) {
+    solids_.push_back({shape, toWorld, colour, gloss, glow});
+}
+
+void WorkshopScene::addRoom(float tableHeight) {
+    constexpr float kWidth = 1.2f, kDepth = 0.75f, kThickness = 0.03f, kLeg = 0.05f;
+    add(SolidShape::box, boxAt({0, -0.01f, 0.2f}, {2.6f, 0.02f, 2.2f}), kMat, 0.1f);
+    add(SolidShape::box, boxAt({0, tableHeight - kThickness / 2, 0}, {kWidth, kThickness, kDepth}), kTableSteel, 0.3f);
+    // Slots as clamping tables have them: they let the eyes judge distances on the plate.
+    constexpr float kSlot = 0.006f, kSpacing = 0.15f, kRaise = 0.0004f;
+    for (int i = -3; i <= 3; ++i)
+        add(SolidShape::box, boxAt({float(i) * kSpacing, tableHeight, 0}, {kSlot, kRaise, kDepth - 0.06f}), kSlotBlack,
+            0);
+    for (int i = -2; i <= 2; ++i)
+        add(SolidShape::box, boxAt({0, tableHeight, float(i) * kSpacing}, {kWidth - 0.06f, kRaise, kSlot}), kSlotBlack,
+            0);
+    const float legHeight = tableHeight - kThickness;
+    for (const float x : {-1.0f, 1.0f})
+        for (const float z : {-1.0f, 1.0f})
+            add(SolidShape::box,
+                boxAt({x * (kWidth / 2 - kLeg), legHeight / 2, z * (kDepth / 2 - kLeg)}, {kLeg, legHeight, kLeg}),
+                kDarkSteel, 0.2f);
+}
+
+void WorkshopScene::addTorch(const HandsInSight& hands) {
+    const xr::Pose& tip = hands.tip; // its +z runs back from the tip
+    const auto along = [&](float z, float y) { return tip * glm::vec3(0, y, z); };
+    add(SolidShape::cone, alongLine(along(0.012f, 0), along(0.0f, 0), 0.006f), kCopper, 0.7f);
+    add(SolidShape::cylinder, alongLine(along(0.05f, 0), along(0.012f, 0), 0.016f), kBrass, 0.6f);
+    add(SolidShape::cylinder, alongLine(along(0.085f, 0.012f), along(0.045f, 0), 0.013f), kDarkSteel, 0.4f);
+    const glm::vec3 neck = along(0.083f, 0.012f);
+    add(SolidShape::sphere, boxAt(neck, glm::vec3(0.016f)), kDarkSteel, 0.4f);
+    // The handle runs from the neck through the hand, wherever the calibration puts it.
+    const glm::vec3 hand = hands.grip.position;
+    const glm::vec3 way =
+        glm::length(hand - neck) > 0.01f ? glm::normalize(hand - neck) : tip.orientation * glm::vec3(0, 0, 1);
+    add(SolidShape::cylinder, alongLine(hand + way * 0.07f, neck, 0.026f), kRubber, 0.25f);
+    add(SolidShape::cylinder, alongLine(neck + way * 0.035f, neck + way * 0.02f, 0.029f), kSafetyRed, 0.4f);
+    if (hands.heat > 0)
+        add(SolidShape::sphere, boxAt(tip.position, glm::vec3(0.004f)), {1, 1, 1}, 0, kArcGlow * hands.heat);
+}
+
+std::span<const Solid> WorkshopScene::build(const HeadsetParameters& parameters, const HandsInSight& hands) {
+    solids_.clear();
+    addRoom(parameters.tableHeight);
+    if (hands.torch) addTorch(hands);
+    if (hands.rod) {
+        const glm::vec3 from = *hands.rod * glm::vec3(0, 0, 0.08f), to = *hands.rod * glm::vec3(0, 0, -0.30f);
+        add(SolidShape::cylinder, alongLine(from, to, 0.0024f), kSteel, 0.8f);
+    }
+    if (hands.rayStart)
+        add(SolidShape::cylinder, alongLine(*hands.rayStart, hands.rayEnd, 0.002f), {0.1f, 0.3f, 0.5f}, 0,
+            {0.05f, 0.35f, 0.6f});
+    return solids_;
+}
+
+} // namespace meltpool

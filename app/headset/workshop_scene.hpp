@@ -1,0 +1,40 @@
+// What is to be seen in the headset besides the metal: floor, table, torch, filler rod and pointer, as simple solids.
+#pragma once
+
+#include "app/headset/held_torch.hpp"
+#include "core/render/solids.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace meltpool {
+
+/// What the hands hold in this frame, in the workshop.
+struct HandsInSight {
+    bool torch = false;
+    xr::Pose tip;
+    xr::Pose grip;
+    float heat = 0;                    ///< 0..1: how bright the tip glows
+    std::optional<xr::Pose> rod;       ///< grip of the hand with the filler rod
+    std::optional<glm::vec3> rayStart; ///< of the pointer
+    glm::vec3 rayEnd{0.0f};
+};
+
+class WorkshopScene {
+  public:
+    WorkshopScene();
+    /// The solids of this frame, in the workshop's metres; valid until the next call. Makes no allocation after the
+    /// first.
+    std::span<const Solid> build(const HeadsetParameters& parameters, const HandsInSight& hands);
+
+  private:
+    void addRoom(float tableHeight);
+    void addTorch(const HandsInSight& hands);
+    void add(SolidShape shape, const glm::mat4& toWorld, const glm::vec3& colour, float gloss,
+             const glm::vec3& glow = glm::vec3(0.0f));
+
+    std::vector<Solid> solids_;
+};
+
+} // namespace meltpool
