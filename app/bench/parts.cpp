@@ -10,6 +10,7 @@ std::span<const BenchPart> benchParts() {
     static constexpr std::array kParts{
         BenchPart{"classic", "whole frame: step, surface and picture at 8192 particles, grid 64, 1280x720",
                   benchClassicFrame},
+        BenchPart{"classic", "surface alone: grid 32, 64 and 128", benchClassicSurface},
     };
     return kParts;
 }

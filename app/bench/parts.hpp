@@ -6,5 +6,6 @@ namespace meltpool {
 class Bench;
 
 void benchClassicFrame(Bench& bench);
+void benchClassicSurface(Bench& bench);
 
 } // namespace meltpool
