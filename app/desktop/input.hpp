@@ -1,0 +1,52 @@
+// What a person did with keyboard and mouse since the last frame, without naming the window library.
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include <bitset>
+#include <vector>
+
+namespace meltpool {
+
+/// The keys that mean something to the trainer.
+enum class Key {
+    a,
+    c,
+    d,
+    e,
+    f,
+    q,
+    s,
+    v,
+    w,
+    left,
+    right,
+    up,
+    down,
+    pageUp,
+    pageDown,
+    escape,
+    tab,
+    f1,
+    f2,
+    f3,
+    f4,
+    f5,
+    f11,
+    f12,
+    count
+};
+
+struct InputFrame {
+    std::bitset<static_cast<size_t>(Key::count)> held;
+    std::vector<Key> pressed; ///< in order; a key that is held comes again at the keyboard's repeat rate
+    std::vector<Key> struck;  ///< the same without the repeats
+    glm::vec2 mouseMove{0};   ///< to the right and downwards, in screen points
+    float scroll = 0;         ///< wheel notches, away from the person positive
+    bool leftHeld = false;
+    bool rightHeld = false;
+
+    bool isHeld(Key key) const { return held[static_cast<size_t>(key)]; }
+};
+
+} // namespace meltpool

@@ -1,0 +1,42 @@
+#include "app/desktop/messages.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace meltpool {
+
+namespace {
+
+constexpr size_t kMostMessages = 5;
+constexpr double kNoteSeconds = 5;
+constexpr double kWarningSeconds = 20;
+
+} // namespace
+
+void Messages::note(std::string text, double now, std::string topic) {
+    add({Message::Kind::note, std::move(text), now + kNoteSeconds, std::move(topic)});
+}
+
+void Messages::warn(std::string text, double now, std::string topic) {
+    add({Message::Kind::warning, std::move(text), now + kWarningSeconds, std::move(topic)});
+}
+
+void Messages::hold(std::string text, std::string topic) {
+    add({Message::Kind::warning, std::move(text), std::numeric_limits<double>::infinity(), std::move(topic)});
+}
+
+void Messages::clear(const std::string& topic) {
+    std::erase_if(shown_, [&](const Message& m) { return m.topic == topic; });
+}
+
+void Messages::expire(double now) {
+    std::erase_if(shown_, [now](const Message& m) { return m.until <= now; });
+}
+
+void Messages::add(Message message) {
+    if (!message.topic.empty()) clear(message.topic);
+    shown_.push_back(std::move(message));
+    if (shown_.size() > kMostMessages) shown_.pop_front();
+}
+
+} // namespace meltpool

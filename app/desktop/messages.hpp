@@ -1,0 +1,35 @@
+// Short messages that stand on the screen for a while: settings set aside, a shader that failed, a picture saved.
+#pragma once
+
+#include <deque>
+#include <string>
+
+namespace meltpool {
+
+struct Message {
+    enum class Kind { note, warning };
+    Kind kind = Kind::note;
+    std::string text;
+    double until = 0; ///< seconds on the program's clock; infinite for one that stays until it is taken back
+    std::string topic; ///< a newer message of the same topic replaces the older; "" never replaces
+};
+
+class Messages {
+  public:
+    /// `now` in seconds on the program's clock.
+    void note(std::string text, double now, std::string topic = {});
+    void warn(std::string text, double now, std::string topic = {});
+    /// A warning that stands until clear(topic): the fault is still there.
+    void hold(std::string text, std::string topic);
+    void clear(const std::string& topic);
+
+    /// Drops what has been shown long enough.
+    void expire(double now);
+    const std::deque<Message>& shown() const { return shown_; }
+
+  private:
+    void add(Message message);
+    std::deque<Message> shown_;
+};
+
+} // namespace meltpool

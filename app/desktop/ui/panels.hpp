@@ -1,0 +1,66 @@
+// The screens and panels of the desktop trainer. Each draws itself and says what the person asked for.
+#pragma once
+
+#include "app/desktop/controls.hpp"
+#include "app/desktop/messages.hpp"
+#include "app/desktop/ui/widgets.hpp"
+#include "core/gl/profiler.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace meltpool::ui {
+
+/// Parameters that belong together, with the values they had before anyone touched them.
+struct Section {
+    std::string name; ///< starts the names of its controls, and is its table in the settings file
+    ParameterList parameters;
+    DefaultTexts defaults;
+};
+
+/// Which panels are open.
+struct PanelState {
+    bool view = false;
+    bool simulation = true;
+    bool timings = false;
+    bool help = false;
+    bool hidden = false; ///< everything out of the way of the picture
+};
+ParameterList describe(PanelState& panels);
+
+enum class Request { none, start, startWithDefaults, reset, restart, picture, quit };
+
+/// What the bars tell about the metal.
+struct Figures {
+    double time = 0;      ///< simulated seconds
+    double speed = 1;     ///< simulated over real time
+    double framesPerSecond = 0;
+    size_t particles = 0;
+    size_t molten = 0;
+    double hottest = 0;   ///< 0..1
+    bool known = false;   ///< the metal's counters have come back at least once
+    bool stopped = false; ///< the state is no longer finite and the simulation stands still
+};
+
+/// Height of the bars at the top and bottom, points.
+float barHeight(const Context& context);
+
+Request startMenu(Context& context, const Section& start, const std::string& driver);
+Request topBar(Context& context, PanelState& panels, const Controls& controls, const std::string& lesson);
+void statusBar(Context& context, const Figures& figures, const Controls& controls);
+void viewMenu(Context& context, const std::vector<const Section*>& sections);
+void simulationMenu(Context& context, const std::vector<const Section*>& sections, Controls& controls);
+void timingsPanel(Context& context, const gl::Profiler& profiler, const Figures& figures, double frameMs,
+                  const std::string& driver);
+void helpOverlay(Context& context, bool& open);
+void messageStack(Context& context, const Messages& messages);
+/// The colour scale of the temperature displays; `colours` is LookParameters::colours.
+void temperatureScale(Context& context, int colours, bool leftPanelOpen);
+
+/// The metal cube with its molten corner, the program's sign. `size` in points.
+void drawSign(ImDrawList& draw, ImVec2 centre, float size);
+/// The dark workshop glow behind the start menu.
+void drawBackdrop(float width, float height);
+
+} // namespace meltpool::ui

@@ -1,0 +1,152 @@
+// The first screen: how much metal, how it is arranged, how fine its surface is.
+#include "app/desktop/ui/panels.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace meltpool::ui {
+
+namespace {
+
+ImU32 mix(ImU32 a, ImU32 b, float share) {
+    const ImVec4 x = ImGui::ColorConvertU32ToFloat4(a);
+    const ImVec4 y = ImGui::ColorConvertU32ToFloat4(b);
+    const auto channel = [share](float p, float q) { return p + (q - p) * share; };
+    return ImGui::ColorConvertFloat4ToU32({channel(x.x, y.x), channel(x.y, y.y), channel(x.z, y.z), channel(x.w, y.w)});
+}
+
+/// The glow of the metal at a heat of 0..1: grey, red, orange, nearly white.
+ImU32 glow(float heat, float shade) {
+    constexpr std::array<ImU32, 5> kSteps{IM_COL32(150, 158, 170, 255), IM_COL32(160, 120, 110, 255),
+                                          IM_COL32(226, 74, 22, 255), IM_COL32(255, 154, 48, 255),
+                                          IM_COL32(255, 244, 205, 255)};
+    const float at = std::clamp(heat, 0.0f, 1.0f) * 4;
+    const auto low = std::min<size_t>(static_cast<size_t>(at), 3);
+    const ImU32 bright = mix(kSteps[low], kSteps[low + 1], at - static_cast<float>(low));
+    return mix(bright, IM_COL32(12, 14, 18, 255), (1 - shade) * (1 - heat));
+}
+
+struct Face {
+    ImVec2 u; ///< edge vectors from the corner nearest to the eye
+    ImVec2 v;
+    float shade;
+};
+
+/// One face as a fine lattice whose colour follows the distance from the hot corner.
+void drawFace(ImDrawList& draw, ImVec2 corner, const Face& face, float hotU, float hotV) {
+    constexpr int kCells = 10;
+    const auto place = [&](int i, int j) {
+        const float s = static_cast<float>(i) / kCells;
+        const float t = static_cast<float>(j) / kCells;
+        return ImVec2{corner.x + face.u.x * s + face.v.x * t, corner.y + face.u.y * s + face.v.y * t};
+    };
+    const auto tint = [&](int i, int j) {
+        const float s = static_cast<float>(i) / kCells - hotU;
+        const float t = static_cast<float>(j) / kCells - hotV;
+        return glow(1.15f - 1.45f * std::sqrt(s * s + t * t), face.shade);
+    };
+    const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
+    for (int i = 0; i < kCells; ++i) {
+        for (int j = 0; j < kCells; ++j) {
+            draw.PrimReserve(6, 4);
+            const auto first = static_cast<ImDrawIdx>(draw._VtxCurrentIdx);
+            for (const int k : {0, 1, 2, 0, 2, 3})
+                draw.PrimWriteIdx(static_cast<ImDrawIdx>(first + k));
+            draw.PrimWriteVtx(place(i, j), white, tint(i, j));
+            draw.PrimWriteVtx(place(i + 1, j), white, tint(i + 1, j));
+            draw.PrimWriteVtx(place(i + 1, j + 1), white, tint(i + 1, j + 1));
+            draw.PrimWriteVtx(place(i, j + 1), white, tint(i, j + 1));
+        }
+    }
+}
+
+/// A soft round glow.
+void drawGlow(ImDrawList& draw, ImVec2 centre, float radius, ImU32 inner) {
+    constexpr int kParts = 48;
+    const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
+    const ImU32 outer = inner & ~IM_COL32_A_MASK;
+    draw.PrimReserve(kParts * 3, kParts + 1);
+    const auto first = static_cast<ImDrawIdx>(draw._VtxCurrentIdx);
+    for (int i = 0; i < kParts; ++i) {
+        draw.PrimWriteIdx(first);
+        draw.PrimWriteIdx(static_cast<ImDrawIdx>(first + 1 + i));
+        draw.PrimWriteIdx(static_cast<ImDrawIdx>(first + 1 + (i + 1) % kParts));
+    }
+    draw.PrimWriteVtx(centre, white, inner);
+    for (int i = 0; i < kParts; ++i) {
+        const float angle = 6.2831853f * static_cast<float>(i) / kParts;
+        draw.PrimWriteVtx({centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)}, white, outer);
+    }
+}
+
+void introduction(Context& context) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float size = context.points(92);
+    drawSign(*ImGui::GetWindowDrawList(), {at.x + size / 2, at.y + size / 2}, size);
+    ImGui::Dummy({size, size});
+    ImGui::SameLine(0, context.points(22));
+    ImGui::BeginGroup();
+    ImGui::PushFont(context.fonts.title);
+    ImGui::TextUnformatted("Meltpool");
+    ImGui::PopFont();
+    ImGui::PushStyleColor(ImGuiCol_Text, colour::kQuiet);
+    ImGui::TextUnformatted("Melt a cube of metal where the flame touches it.");
+    ImGui::PopStyleColor();
+    ImGui::EndGroup();
+}
+
+} // namespace
+
+void drawSign(ImDrawList& draw, ImVec2 centre, float size) {
+    const float half = size * 0.5f;
+    const float wide = half * 0.866f;
+    const ImVec2 near{centre.x, centre.y};
+    drawFace(draw, near, {{-wide, -half * 0.5f}, {wide, -half * 0.5f}, 1.0f}, 0, 0);
+    drawFace(draw, near, {{-wide, -half * 0.5f}, {0, half}, 0.62f}, 0, 0);
+    drawFace(draw, near, {{wide, -half * 0.5f}, {0, half}, 0.42f}, 0, 0);
+}
+
+void drawBackdrop(float width, float height) {
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    constexpr ImU32 kTop = IM_COL32(17, 20, 27, 255);
+    constexpr ImU32 kBottom = IM_COL32(34, 30, 32, 255);
+    draw.AddRectFilledMultiColor({0, 0}, {width, height}, kTop, kTop, kBottom, kBottom);
+    drawGlow(draw, {width * 0.5f, height * 1.05f}, height * 0.9f, IM_COL32(255, 120, 40, 70));
+    drawGlow(draw, {width * 0.5f, height * 1.05f}, height * 0.45f, IM_COL32(255, 190, 110, 60));
+}
+
+Request startMenu(Context& context, const Section& start, const std::string& driver) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    drawBackdrop(screen.x, screen.y);
+    const float width = std::min(context.points(600), screen.x - context.points(24));
+    ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, screen.y - context.points(16)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.points(36), context.points(30)});
+    ImGui::Begin("start menu", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::PopStyleVar();
+    introduction(context);
+    ImGui::Dummy({0, context.points(10)});
+    for (const Parameter& parameter : start.parameters) {
+        parameterControl(context, start.name, parameter, start.defaults);
+        ImGui::Dummy({0, context.points(1)});
+    }
+    ImGui::Dummy({0, context.points(8)});
+    Request request = Request::none;
+    const float half = (ImGui::GetContentRegionAvail().x / context.scale - 12) / 2;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {context.points(12), context.points(11)});
+    if (button(context, "start.start", "Start", ButtonKind::main, half)) request = Request::start;
+    ImGui::SameLine(0, context.points(12));
+    if (button(context, "start.defaults", "Start with defaults", ButtonKind::plain, half,
+               "Forget the values above and use the ones the program came with"))
+        request = Request::startWithDefaults;
+    ImGui::PopStyleVar();
+    ImGui::Dummy({0, context.points(2)});
+    quietText(context, driver);
+    ImGui::End();
+    return request;
+}
+
+} // namespace meltpool::ui

@@ -1,0 +1,149 @@
+#include "app/desktop/ui/widgets.hpp"
+
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+
+namespace meltpool::ui {
+
+void markItem(Context& context, const std::string& name) {
+    if (!ImGui::IsItemVisible()) return;
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    context.places[name] = {low.x, low.y, high.x - low.x, high.y - low.y};
+}
+
+void tooltip(Context& context, const std::string& text) {
+    if (text.empty() || !ImGui::IsItemHovered()) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(context.points(320));
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+void quietText(Context& context, const std::string& text) {
+    ImGui::PushFont(context.fonts.small);
+    ImGui::PushStyleColor(ImGuiCol_Text, colour::kQuiet);
+    ImGui::TextWrapped("%s", text.c_str());
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+}
+
+void strongText(Context& context, const std::string& text) {
+    ImGui::PushFont(context.fonts.strong);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopFont();
+}
+
+std::string niceNumber(double value) {
+    const double size = std::abs(value);
+    int decimals = 0;
+    if (size > 0 && size < 1000) decimals = std::clamp(3 - static_cast<int>(std::floor(std::log10(size))), 0, 6);
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*f", decimals, value);
+    std::string number = text;
+    if (number.find('.') != std::string::npos) {
+        number.erase(number.find_last_not_of('0') + 1);
+        if (number.back() == '.') number.pop_back();
+    }
+    return number == "-0" ? "0" : number;
+}
+
+std::string readableName(std::string_view key) {
+    std::string name(key);
+    for (char& c : name)
+        if (c == '_') c = ' ';
+    if (!name.empty()) name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+    return name;
+}
+
+bool button(Context& context, const std::string& name, const char* text, ButtonKind kind, float width,
+            const char* note) {
+    int colours = 0;
+    const auto push = [&colours](ImGuiCol what, ImU32 value) {
+        ImGui::PushStyleColor(what, value);
+        ++colours;
+    };
+    if (kind == ButtonKind::main) {
+        push(ImGuiCol_Button, colour::kAccent);
+        push(ImGuiCol_ButtonHovered, IM_COL32(255, 160, 92, 255));
+        push(ImGuiCol_ButtonActive, colour::kAccentDeep);
+        push(ImGuiCol_Text, colour::kOnAccent);
+        ImGui::PushFont(context.fonts.strong);
+    } else if (kind == ButtonKind::lit) {
+        push(ImGuiCol_Button, IM_COL32(255, 138, 61, 46));
+        push(ImGuiCol_ButtonHovered, IM_COL32(255, 138, 61, 70));
+        push(ImGuiCol_ButtonActive, IM_COL32(255, 138, 61, 90));
+        push(ImGuiCol_Text, IM_COL32(255, 178, 122, 255));
+    }
+    const bool clicked = ImGui::Button((std::string(text) + "##" + name).c_str(), {context.points(width), 0});
+    if (kind == ButtonKind::main) ImGui::PopFont();
+    ImGui::PopStyleColor(colours);
+    markItem(context, name);
+    if (note != nullptr) tooltip(context, note);
+    return clicked;
+}
+
+bool toggle(Context& context, const std::string& name, const char* label, bool& value, const char* note) {
+    const float height = ImGui::GetTextLineHeight() + context.points(8);
+    const float width = ImGui::GetContentRegionAvail().x;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const bool clicked = ImGui::InvisibleButton(name.c_str(), {width, height});
+    if (clicked) value = !value;
+    const bool hovered = ImGui::IsItemHovered();
+    markItem(context, name);
+    if (note != nullptr) tooltip(context, note);
+
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    const float thick = context.points(20);
+    const float wide = context.points(36);
+    const ImVec2 track{corner.x + width - wide, corner.y + (height - thick) / 2};
+    const ImU32 fill = value ? colour::kAccent : (hovered ? colour::kFieldHot : colour::kTrack);
+    draw->AddRectFilled(track, {track.x + wide, track.y + thick}, fill, thick / 2);
+    const float knob = thick / 2 - context.points(3);
+    const float x = value ? track.x + wide - thick / 2 : track.x + thick / 2;
+    draw->AddCircleFilled({x, track.y + thick / 2}, knob, value ? IM_COL32_WHITE : IM_COL32(190, 197, 208, 255), 24);
+    draw->AddText({corner.x, corner.y + context.points(4)}, colour::kText, label);
+    return clicked;
+}
+
+bool choiceRow(Context& context, const std::string& name, std::span<const std::string_view> choices, int& value) {
+    const float gap = context.points(6);
+    const float right = ImGui::GetContentRegionAvail().x;
+    float used = 0;
+    bool changed = false;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {context.points(11), context.points(4)});
+    for (size_t i = 0; i < choices.size(); ++i) {
+        const std::string text = readableName(choices[i]);
+        const float width = ImGui::CalcTextSize(text.c_str()).x + context.points(22);
+        if (i > 0 && used + gap + width <= right) {
+            ImGui::SameLine(0, gap);
+            used += gap;
+        } else {
+            used = 0;
+        }
+        used += width;
+        const bool chosen = value == static_cast<int>(i);
+        const std::string place = name + "." + std::string(choices[i]);
+        if (button(context, place, text.c_str(), chosen ? ButtonKind::lit : ButtonKind::plain) && !chosen) {
+            value = static_cast<int>(i);
+            changed = true;
+        }
+    }
+    ImGui::PopStyleVar();
+    return changed;
+}
+
+bool groupHeading(Context& context, const std::string& prefix, const char* title, bool openAtFirst) {
+    ImGui::Dummy({0, context.points(2)});
+    ImGui::PushFont(context.fonts.strong);
+    ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(255, 178, 122, 255));
+    const bool open = ImGui::CollapsingHeader(title, openAtFirst ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+    markItem(context, prefix + ".group." + title);
+    return open;
+}
+
+} // namespace meltpool::ui

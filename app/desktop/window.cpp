@@ -1,0 +1,257 @@
+#include "app/desktop/window.hpp"
+
+#include "core/base/error.hpp"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace meltpool {
+
+namespace {
+
+constexpr std::array<std::pair<int, Key>, static_cast<size_t>(Key::count)> kKeys{{
+    {GLFW_KEY_A, Key::a},
+    {GLFW_KEY_C, Key::c},
+    {GLFW_KEY_D, Key::d},
+    {GLFW_KEY_E, Key::e},
+    {GLFW_KEY_F, Key::f},
+    {GLFW_KEY_Q, Key::q},
+    {GLFW_KEY_S, Key::s},
+    {GLFW_KEY_V, Key::v},
+    {GLFW_KEY_W, Key::w},
+    {GLFW_KEY_LEFT, Key::left},
+    {GLFW_KEY_RIGHT, Key::right},
+    {GLFW_KEY_UP, Key::up},
+    {GLFW_KEY_DOWN, Key::down},
+    {GLFW_KEY_PAGE_UP, Key::pageUp},
+    {GLFW_KEY_PAGE_DOWN, Key::pageDown},
+    {GLFW_KEY_ESCAPE, Key::escape},
+    {GLFW_KEY_TAB, Key::tab},
+    {GLFW_KEY_F1, Key::f1},
+    {GLFW_KEY_F2, Key::f2},
+    {GLFW_KEY_F3, Key::f3},
+    {GLFW_KEY_F4, Key::f4},
+    {GLFW_KEY_F5, Key::f5},
+    {GLFW_KEY_F11, Key::f11},
+    {GLFW_KEY_F12, Key::f12},
+}};
+
+std::string lastProblem() {
+    const char* text = nullptr;
+    glfwGetError(&text);
+    return text == nullptr ? "no reason given" : text;
+}
+
+/// What the driver offers when nothing in particular is asked for.
+std::string offeredVersion() {
+    glfwDefaultWindowHints();
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    GLFWwindow* probe = glfwCreateWindow(64, 64, "Meltpool", nullptr, nullptr);
+    if (probe == nullptr) return "no OpenGL at all (" + lastProblem() + ")";
+    glfwMakeContextCurrent(probe);
+    using GetString = const unsigned char* (*)(unsigned);
+    const auto getString = reinterpret_cast<GetString>(glfwGetProcAddress("glGetString"));
+    const auto text = [&](unsigned name) {
+        const unsigned char* value = getString == nullptr ? nullptr : getString(name);
+        return value == nullptr ? std::string("unknown") : std::string(reinterpret_cast<const char*>(value));
+    };
+    std::string found = "OpenGL " + text(GL_VERSION) + " on " + text(GL_RENDERER);
+    glfwDestroyWindow(probe);
+    return found;
+}
+
+void start() {
+    if (glfwInit() != GLFW_TRUE) throw InputError("no window can be opened here: " + lastProblem());
+}
+
+Window& self(GLFWwindow* window) {
+    return *static_cast<Window*>(glfwGetWindowUserPointer(window));
+}
+
+} // namespace
+
+std::string missingDisplay() {
+    if (glfwInit() != GLFW_TRUE) return lastProblem();
+    glfwTerminate();
+    return {};
+}
+
+Window::Window(const Options& options) : normalSize_(options.width, options.height) {
+    start();
+    try {
+        open(options);
+        driver_ = gl::useCurrentContext(gl::debugBuild());
+        if (driver_.software && options.samples > 0) {
+            // Drawn on the CPU, four samples a pixel cost more than they are worth.
+            glfwDestroyWindow(std::exchange(window_, nullptr));
+            Options plain = options;
+            plain.samples = 0;
+            open(plain);
+            driver_ = gl::useCurrentContext(gl::debugBuild());
+        }
+    } catch (...) {
+        if (window_ != nullptr) glfwDestroyWindow(window_);
+        glfwTerminate();
+        throw;
+    }
+}
+
+void Window::open(const Options& options) {
+    glfwDefaultWindowHints();
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, gl::debugBuild() ? GLFW_TRUE : GLFW_FALSE);
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    glfwWindowHint(GLFW_SAMPLES, options.samples);
+    glfwWindowHint(GLFW_DEPTH_BITS, 24);
+    glfwWindowHint(GLFW_MAXIMIZED, options.maximised ? GLFW_TRUE : GLFW_FALSE);
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "meltpool");
+    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "meltpool");
+    window_ = glfwCreateWindow(options.width, options.height, "Meltpool", nullptr, nullptr);
+    if (window_ == nullptr)
+        throw InputError("the window needs OpenGL 4.5 core, but this machine offers " + offeredVersion());
+    glfwSetWindowSizeLimits(window_, 640, 480, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    glfwMakeContextCurrent(window_);
+    glfwSwapInterval(1);
+
+    glfwSetWindowUserPointer(window_, this);
+    glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int) { self(w).onKey(key, action); });
+    glfwSetMouseButtonCallback(
+        window_, [](GLFWwindow* w, int button, int action, int) { self(w).onButton(button, action == GLFW_PRESS); });
+    glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) { self(w).onMove({x, y}); });
+    glfwSetScrollCallback(
+        window_, [](GLFWwindow* w, double, double y) { self(w).gathering_.scroll += static_cast<float>(y); });
+    glfwSetWindowSizeCallback(window_, [](GLFWwindow* w, int x, int y) { self(w).onSize({x, y}); });
+}
+
+Window::~Window() {
+    glfwDestroyWindow(window_);
+    glfwTerminate();
+}
+
+void Window::show() {
+    glfwShowWindow(window_);
+    glfwFocusWindow(window_);
+}
+
+void Window::swap() {
+    glfwSwapBuffers(window_);
+}
+
+InputFrame Window::poll(double patience) {
+    if (patience > 0)
+        glfwWaitEventsTimeout(patience);
+    else
+        glfwPollEvents();
+    // A key or button that went down and up again between two frames still counts for one.
+    gathering_.held |= down_;
+    gathering_.leftHeld |= leftDown_;
+    gathering_.rightHeld |= rightDown_;
+    return std::exchange(gathering_, InputFrame{});
+}
+
+void Window::onKey(int key, int action) {
+    const auto* known = std::find_if(kKeys.begin(), kKeys.end(), [key](const auto& k) { return k.first == key; });
+    if (known == kKeys.end()) return;
+    const auto bit = static_cast<size_t>(known->second);
+    down_[bit] = action != GLFW_RELEASE;
+    if (action == GLFW_RELEASE) return;
+    gathering_.held[bit] = true;
+    gathering_.pressed.push_back(known->second);
+    if (action == GLFW_PRESS) gathering_.struck.push_back(known->second);
+}
+
+void Window::onButton(int button, bool down) {
+    if (button == GLFW_MOUSE_BUTTON_LEFT) {
+        leftDown_ = down;
+        gathering_.leftHeld |= down;
+    } else if (button == GLFW_MOUSE_BUTTON_RIGHT) {
+        rightDown_ = down;
+        gathering_.rightHeld |= down;
+    }
+}
+
+void Window::onMove(glm::dvec2 position) {
+    if (mouseKnown_) gathering_.mouseMove += glm::vec2(position - mouse_);
+    mouse_ = position;
+    mouseKnown_ = true;
+}
+
+void Window::onSize(glm::ivec2 size) {
+    if (!fullScreen_ && !maximised() && size.x > 0 && size.y > 0) normalSize_ = size;
+}
+
+bool Window::closing() const {
+    return glfwWindowShouldClose(window_) == GLFW_TRUE;
+}
+
+void Window::close() {
+    glfwSetWindowShouldClose(window_, GLFW_TRUE);
+}
+
+void Window::captureMouse(bool captured) {
+    if (captured == captured_) return;
+    captured_ = captured;
+    glfwSetInputMode(window_, GLFW_CURSOR, captured ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+    mouseKnown_ = false; // the cursor jumps at the change; that is no movement of the hand
+}
+
+void Window::toggleFullScreen() {
+    fullScreen_ = !fullScreen_;
+    if (!fullScreen_) {
+        glfwSetWindowMonitor(window_, nullptr, normalPlace_.x, normalPlace_.y, normalSize_.x, normalSize_.y, 0);
+        return;
+    }
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
+    if (mode == nullptr) {
+        fullScreen_ = false;
+        return;
+    }
+    glfwGetWindowPos(window_, &normalPlace_.x, &normalPlace_.y);
+    glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+    glfwSwapInterval(1);
+}
+
+void Window::setTitle(const std::string& title) {
+    glfwSetWindowTitle(window_, title.c_str());
+}
+
+glm::ivec2 Window::size() const {
+    glm::ivec2 size{0};
+    glfwGetWindowSize(window_, &size.x, &size.y);
+    return size;
+}
+
+glm::ivec2 Window::pixels() const {
+    glm::ivec2 size{0};
+    glfwGetFramebufferSize(window_, &size.x, &size.y);
+    return size;
+}
+
+bool Window::minimised() const {
+    return glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE || pixels().x == 0 || pixels().y == 0;
+}
+
+bool Window::maximised() const {
+    return glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) == GLFW_TRUE;
+}
+
+float Window::pixelScale() const {
+    const int width = size().x;
+    return width > 0 ? static_cast<float>(pixels().x) / static_cast<float>(width) : 1.0f;
+}
+
+float Window::interfaceScale() const {
+    glm::vec2 content{1};
+    glfwGetWindowContentScale(window_, &content.x, &content.y);
+    // Where points are larger than pixels already (macOS, Wayland), the system has done the enlarging.
+    return std::clamp(content.x / std::max(pixelScale(), 1e-3f), 0.5f, 4.0f);
+}
+
+} // namespace meltpool

@@ -1,0 +1,81 @@
+// The operating system's window with an OpenGL 4.5 context, and what keyboard and mouse did in it.
+#pragma once
+
+#include "app/desktop/input.hpp"
+#include "core/gl/context.hpp"
+
+#include <glm/vec2.hpp>
+
+#include <string>
+
+struct GLFWwindow;
+
+namespace meltpool {
+
+/// Why no window can be opened on this machine (no display), as a sentence; empty when one can.
+std::string missingDisplay();
+
+class Window {
+  public:
+    struct Options {
+        int width = 1280; ///< screen points
+        int height = 720;
+        bool maximised = false;
+        int samples = 4; ///< per pixel; 0 on software drivers
+    };
+
+    /// Opens the window, hidden until show(). Throws InputError in one sentence when there is no display or the driver
+    /// has less than OpenGL 4.5 core.
+    explicit Window(const Options& options);
+    ~Window();
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    void show();
+    void swap();
+    /// Reads what happened since the last call; waits up to `patience` seconds for something to happen.
+    InputFrame poll(double patience);
+
+    bool closing() const;
+    void close();
+    void captureMouse(bool captured);
+    void toggleFullScreen();
+    void setTitle(const std::string& title);
+
+    glm::ivec2 size() const;      ///< screen points
+    glm::ivec2 pixels() const;    ///< of the frame buffer
+    bool minimised() const;
+    bool maximised() const;
+    bool fullScreen() const { return fullScreen_; }
+    /// Size of the window to keep for the next start: the last one that was neither maximised nor full screen.
+    glm::ivec2 normalSize() const { return normalSize_; }
+    /// Factor on the interface's sizes in screen points that the desktop asks for (HiDPI where points are pixels).
+    float interfaceScale() const;
+    /// Pixels a screen point.
+    float pixelScale() const;
+
+    const gl::ContextInfo& driver() const { return driver_; }
+    GLFWwindow* handle() const { return window_; }
+
+  private:
+    void open(const Options& options);
+    void onKey(int key, int action);
+    void onButton(int button, bool down);
+    void onMove(glm::dvec2 position);
+    void onSize(glm::ivec2 size);
+
+    GLFWwindow* window_ = nullptr;
+    gl::ContextInfo driver_;
+    InputFrame gathering_;
+    std::bitset<static_cast<size_t>(Key::count)> down_;
+    bool leftDown_ = false;
+    bool rightDown_ = false;
+    glm::dvec2 mouse_{0};
+    bool mouseKnown_ = false;
+    bool captured_ = false;
+    bool fullScreen_ = false;
+    glm::ivec2 normalSize_{1280, 720};
+    glm::ivec2 normalPlace_{0};
+};
+
+} // namespace meltpool
