@@ -68,13 +68,15 @@ void Controls::setMode(Mode mode) {
 }
 
 void Controls::restart() {
-    const ControlParameters kept = parameters;
-    *this = Controls();
-    parameters = kept;
+    mode_ = Mode::interact;
+    captured_ = false;
+    free_ = FreeCamera();
+    orbit_ = OrbitCamera();
+    source_ = HeatSource();
 }
 
 View Controls::view(float aspect) const {
-    return mode_ == Mode::interact ? orbit_.view(Lens{}, aspect) : free_.view(Lens{}, aspect);
+    return mode_ == Mode::interact ? orbit_.view(lens, aspect) : free_.view(lens, aspect);
 }
 
 glm::vec3 Controls::eye() const {

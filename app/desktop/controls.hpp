@@ -14,6 +14,7 @@ enum class Mode {
 class Controls {
   public:
     ControlParameters parameters;
+    Lens lens;
 
     /// Applies `seconds` of input. V changes the mode, C captures or frees the mouse, Escape frees it. A captured mouse
     /// moves the source (or looks); a free one does so while a button is held on the picture.
@@ -23,6 +24,8 @@ class Controls {
     void reset() { source_.reset(); }
     /// Interact mode, mouse free, source home, cameras as at first.
     void restart();
+    /// Where the orbiting camera begins.
+    void placeCamera(const OrbitCamera& camera) { orbit_ = camera; }
     void releaseMouse() { captured_ = false; }
     void captureMouse() { captured_ = true; }
     void setMode(Mode mode);

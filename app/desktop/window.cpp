@@ -1,5 +1,7 @@
 #include "app/desktop/window.hpp"
 
+#include "app/desktop/desktop.hpp"
+
 #include "core/base/error.hpp"
 
 #define GLFW_INCLUDE_NONE
@@ -109,7 +111,6 @@ void Window::open(const Options& options) {
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     glfwWindowHint(GLFW_SAMPLES, options.samples);
     glfwWindowHint(GLFW_DEPTH_BITS, 24);
-    glfwWindowHint(GLFW_MAXIMIZED, options.maximised ? GLFW_TRUE : GLFW_FALSE);
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "meltpool");
     glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "meltpool");
     window_ = glfwCreateWindow(options.width, options.height, "Meltpool", nullptr, nullptr);
@@ -132,6 +133,12 @@ void Window::open(const Options& options) {
 Window::~Window() {
     glfwDestroyWindow(window_);
     glfwTerminate();
+}
+
+void Window::resize(glm::ivec2 size, bool maximised) {
+    normalSize_ = size;
+    glfwSetWindowSize(window_, size.x, size.y);
+    if (maximised) glfwMaximizeWindow(window_);
 }
 
 void Window::show() {

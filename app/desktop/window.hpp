@@ -12,15 +12,12 @@ struct GLFWwindow;
 
 namespace meltpool {
 
-/// Why no window can be opened on this machine (no display), as a sentence; empty when one can.
-std::string missingDisplay();
 
 class Window {
   public:
     struct Options {
         int width = 1280; ///< screen points
         int height = 720;
-        bool maximised = false;
         int samples = 4; ///< per pixel; 0 on software drivers
     };
 
@@ -31,6 +28,7 @@ class Window {
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
+    void resize(glm::ivec2 size, bool maximised);
     void show();
     void swap();
     /// Reads what happened since the last call; waits up to `patience` seconds for something to happen.

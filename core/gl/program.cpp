@@ -96,13 +96,22 @@ std::vector<std::string> ShaderLibrary::reloadChanged() {
         const auto newest = newestTime(entry->sources);
         if (newest <= entry->newest) continue;
         entry->newest = newest;
+        entry->fault.clear();
         try {
             build(*entry);
         } catch (const InputError& error) {
-            failures.emplace_back(error.what());
+            entry->fault = error.what();
+            failures.push_back(entry->fault);
         }
     }
     return failures;
+}
+
+std::vector<std::string> ShaderLibrary::standingFaults() const {
+    std::vector<std::string> faults;
+    for (const auto& entry : entries_)
+        if (!entry->fault.empty()) faults.push_back(entry->fault);
+    return faults;
 }
 
 void ShaderLibrary::build(Entry& entry) const {

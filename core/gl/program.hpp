@@ -62,6 +62,9 @@ class ShaderLibrary {
     /// back to be shown. Nothing changed: an empty list.
     std::vector<std::string> reloadChanged();
 
+    /// The driver's words about every program that runs on with an old version because its files do not build.
+    std::vector<std::string> standingFaults() const;
+
     const std::filesystem::path& root() const { return root_; }
 
   private:
@@ -71,6 +74,7 @@ class ShaderLibrary {
         Program program;
         std::vector<std::filesystem::path> sources;
         std::filesystem::file_time_type newest;
+        std::string fault; ///< of the last reload; empty: it worked
     };
 
     void build(Entry& entry) const;

@@ -80,6 +80,12 @@ TEST_CASE("a shader error names the file and the line, and a failed reload keeps
     CHECK_THAT(failures[0], test::containsText("count.comp:9"));
     CHECK(program.name() == before);
     CHECK(library.reloadChanged().empty());
+    CHECK(library.standingFaults() == failures);
+    writeTextFileAtomically(folder / "count.comp", kCountShader);
+    std::filesystem::last_write_time(folder / "count.comp",
+                                     std::filesystem::file_time_type::clock::now() + std::chrono::seconds(10));
+    CHECK(library.reloadChanged().empty());
+    CHECK(library.standingFaults().empty());
     CHECK_THROWS_AS(library.compute("missing.comp"), InputError);
 }
 

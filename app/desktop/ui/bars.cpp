@@ -42,14 +42,10 @@ void modeSign(Context& context, const Controls& controls) {
 }
 
 std::string figuresText(const Figures& f) {
+    const double share = f.particles > 0 ? 100.0 * static_cast<double>(f.molten) / static_cast<double>(f.particles) : 0;
     char text[160];
-    if (!f.known) {
-        std::snprintf(text, sizeof text, "%zu particles", f.particles);
-    } else {
-        const double share = f.particles > 0 ? 100.0 * static_cast<double>(f.molten) / static_cast<double>(f.particles) : 0;
-        std::snprintf(text, sizeof text, "%.1f s   \xC2\xB7   %zu particles   \xC2\xB7   %.1f %% molten   \xC2\xB7   hottest %.2f",
-                      f.time, f.particles, share, f.hottest);
-    }
+    std::snprintf(text, sizeof text, "%.1f s   \xC2\xB7   %zu particles   \xC2\xB7   %.1f %% molten   \xC2\xB7   hottest %.2f",
+                  f.time, f.particles, share, f.hottest);
     std::string all = text;
     if (f.stopped) return all + "   \xC2\xB7   stopped";
     if (f.speed < 0.97) {

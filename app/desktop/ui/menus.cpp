@@ -12,17 +12,17 @@ namespace {
 
 constexpr float kPanelWidth = 336;
 
-enum class Side { left, right };
+enum class Side { left, leftBeside, right };
 
 /// A panel along one side of the picture, as tall as its content, at most down to the status bar.
-bool beginPanel(Context& context, const char* name, Side side, float top, float share) {
+bool beginPanel(Context& context, const char* name, Side side) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float gap = context.points(10);
     const float width = std::min(context.points(kPanelWidth), screen.x / 2 - gap);
     const float room = screen.y - 2 * barHeight(context) - 2 * gap;
-    const float x = side == Side::left ? gap : screen.x - width - gap;
-    ImGui::SetNextWindowPos({x, barHeight(context) + gap + top * room});
-    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, room * share});
+    const float x = side == Side::right ? screen.x - width - gap : gap + (side == Side::leftBeside ? width + gap : 0);
+    ImGui::SetNextWindowPos({x, barHeight(context) + gap});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, room});
     return ImGui::Begin(name, nullptr,
                         ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                             ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
@@ -123,7 +123,7 @@ ParameterList describe(PanelState& p) {
 }
 
 void viewMenu(Context& context, const std::vector<const Section*>& sections) {
-    beginPanel(context, "view menu", Side::left, 0, 1);
+    beginPanel(context, "view menu", Side::left);
     panelTitle(context, "View", "How the metal is shown. Nothing here changes what it does.");
     drawGroups(context, sections,
                {{"view", "Show the metal as", {"mode", "colours", "material", "point_size"}, true},
@@ -135,22 +135,22 @@ void viewMenu(Context& context, const std::vector<const Section*>& sections) {
     ImGui::End();
 }
 
-void simulationMenu(Context& context, const std::vector<const Section*>& sections, Controls& controls) {
-    beginPanel(context, "simulation menu", Side::right, 0, 1);
+void simulationMenu(Context& context, const Section& section, Controls& controls) {
+    beginPanel(context, "simulation menu", Side::right);
     panelTitle(context, "Simulation", "How the metal behaves. Everything takes effect at once.");
     bool cold = controls.source().cold();
     if (toggle(context, "simulation.cold", "Cold source", cold, "Freezes what it touches instead of melting it (F)"))
         controls.source().setCold(cold);
-    drawGroups(context, sections,
+    drawGroups(context, {&section},
                {{"simulation", "Heat", {"heat_radius", "heat_temperature", "solidify_rate"}, true},
-                {"simulation", "Liquid metal", {"viscosity", "gas_stiffness", "stiffness", "rest_density", "particle_mass", "mass", "support_radius"}, true},
-                {"simulation", "Space and time", {"gravity", "wall_restitution", "acceleration_limit", "time_step"}, true}});
+                {"simulation", "Liquid metal", {"viscosity", "gas_stiffness", "rest_density", "particle_mass", "support_radius"}, true},
+                {"simulation", "Space and time", {"gravity", "wall_restitution", "wall_slip", "acceleration_limit", "time_step"}, true}});
     ImGui::End();
 }
 
 void timingsPanel(Context& context, const gl::Profiler& profiler, const Figures& figures, double frameMs,
-                  const std::string& driver) {
-    beginPanel(context, "timings", Side::left, 0, 1);
+                  const std::string& driver, bool besideView) {
+    beginPanel(context, "timings", besideView ? Side::leftBeside : Side::left);
     panelTitle(context, "Timings", driver.c_str());
     char text[64];
     std::snprintf(text, sizeof text, "%.0f frames a second", figures.framesPerSecond);

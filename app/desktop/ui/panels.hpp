@@ -29,7 +29,7 @@ struct PanelState {
 };
 ParameterList describe(PanelState& panels);
 
-enum class Request { none, start, startWithDefaults, reset, restart, picture, quit };
+enum class Request { none, start, startWithDefaults, reset, restart };
 
 /// What the bars tell about the metal.
 struct Figures {
@@ -39,20 +39,20 @@ struct Figures {
     size_t particles = 0;
     size_t molten = 0;
     double hottest = 0;   ///< 0..1
-    bool known = false;   ///< the metal's counters have come back at least once
+    size_t lost = 0;      ///< particles that left the box or became no number
     bool stopped = false; ///< the state is no longer finite and the simulation stands still
 };
 
 /// Height of the bars at the top and bottom, points.
 float barHeight(const Context& context);
 
-Request startMenu(Context& context, const Section& start, const std::string& driver);
+Request startMenu(Context& context, const Section& start, const std::string& task, const std::string& driver);
 Request topBar(Context& context, PanelState& panels, const Controls& controls, const std::string& lesson);
 void statusBar(Context& context, const Figures& figures, const Controls& controls);
 void viewMenu(Context& context, const std::vector<const Section*>& sections);
-void simulationMenu(Context& context, const std::vector<const Section*>& sections, Controls& controls);
+void simulationMenu(Context& context, const Section& section, Controls& controls);
 void timingsPanel(Context& context, const gl::Profiler& profiler, const Figures& figures, double frameMs,
-                  const std::string& driver);
+                  const std::string& driver, bool besideView);
 void helpOverlay(Context& context, bool& open);
 void messageStack(Context& context, const Messages& messages);
 /// The colour scale of the temperature displays; `colours` is LookParameters::colours.

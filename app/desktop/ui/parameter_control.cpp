@@ -11,29 +11,34 @@ namespace meltpool::ui {
 
 namespace {
 
-/// Values that span more than a thousandfold are told apart by their ratio.
-bool isLogarithmic(double low, double high) {
-    return low > 0 && high / low > 200;
-}
+/// Where values stand along a slider. Where the range reaches far beyond the usual value, the value's neighbourhood gets
+/// most of the way: even at first, by ratio above.
+struct Scale {
+    double low;
+    double high;
+    double even = 0; ///< extent of the even part; 0: even throughout
 
-double toShare(double value, double low, double high) {
-    if (high <= low) return 0;
-    const double share = isLogarithmic(low, high) ? std::log(value / low) / std::log(high / low)
-                                                  : (value - low) / (high - low);
-    return std::clamp(share, 0.0, 1.0);
-}
-
-double fromShare(double share, double low, double high) {
-    return isLogarithmic(low, high) ? low * std::pow(high / low, share) : low + share * (high - low);
-}
-
-/// Rounded to what a hand on the slider can mean: about three digits of the value, or a whole number.
-double rounded(double value, double low, double high, bool whole) {
-    if (whole) return std::round(value);
-    const double size = isLogarithmic(low, high) ? std::abs(value) : (high - low);
-    const double step = std::pow(10.0, std::floor(std::log10(std::max(size, 1e-12))) - 2);
-    return std::clamp(std::round(value / step) * step, low, high);
-}
+    Scale(const Parameter& p, const std::string& usual) : low(p.minimum), high(p.maximum) {
+        const auto value = parseDouble(usual);
+        if (value && *value > low && high - low > 20 * (*value - low)) even = (*value - low) / 30;
+    }
+    double toShare(double value) const {
+        if (high <= low) return 0;
+        const double way = value - low;
+        const double share = even > 0 ? std::log1p(way / even) / std::log1p((high - low) / even) : way / (high - low);
+        return std::clamp(share, 0.0, 1.0);
+    }
+    double fromShare(double share) const {
+        return low + (even > 0 ? even * std::expm1(share * std::log1p((high - low) / even)) : share * (high - low));
+    }
+    /// Rounded to what a hand on the slider can mean: three digits of the value, or of the range where it is even.
+    double rounded(double value, bool whole) const {
+        const double size = even > 0 ? std::max(std::abs(value), even) : high - low;
+        const double step = std::pow(10.0, std::floor(std::log10(std::max(size, 1e-12))) - 2);
+        const double grain = whole ? std::max(step, 1.0) : step;
+        return std::clamp(std::round(value / grain) * grain, low, high);
+    }
+};
 
 std::string description(const Parameter& p, const std::string& original) {
     std::string text(p.note);
@@ -79,8 +84,8 @@ bool typeNumber(double low, double high, double& value) {
 }
 
 /// A thin track with a round handle. Double click or Ctrl and click to type.
-bool slider(Context& context, const std::string& name, double low, double high, bool whole, double& value) {
-    if (typed.name == name) return typeNumber(low, high, value);
+bool slider(Context& context, const std::string& name, const Scale& scale, bool whole, double& value) {
+    if (typed.name == name) return typeNumber(scale.low, scale.high, value);
     const float width = ImGui::GetContentRegionAvail().x;
     const float height = context.points(20);
     const float radius = context.points(8);
@@ -95,7 +100,7 @@ bool slider(Context& context, const std::string& name, double low, double high, 
         startTyping(name, value);
     } else if (held) {
         const double share = std::clamp((ImGui::GetIO().MousePos.x - corner.x - radius) / length, 0.0f, 1.0f);
-        const double wanted = rounded(fromShare(share, low, high), low, high, whole);
+        const double wanted = scale.rounded(scale.fromShare(share), whole);
         changed = wanted != value;
         value = wanted;
     }
@@ -103,7 +108,7 @@ bool slider(Context& context, const std::string& name, double low, double high, 
     ImDrawList* draw = ImGui::GetWindowDrawList();
     const float middle = corner.y + height / 2;
     const float thick = context.points(2);
-    const float at = corner.x + radius + length * static_cast<float>(toShare(value, low, high));
+    const float at = corner.x + radius + length * static_cast<float>(scale.toShare(value));
     draw->AddRectFilled({corner.x, middle - thick}, {corner.x + width, middle + thick}, colour::kTrack, thick);
     draw->AddRectFilled({corner.x, middle - thick}, {at, middle + thick}, colour::kAccent, thick);
     draw->AddCircleFilled({at, middle}, radius, held ? colour::kAccent : IM_COL32(245, 247, 250, 255), 24);
@@ -164,7 +169,7 @@ struct Draw {
             setParameter({p}, p.key, original, p.key);
             return false; // written already, at full precision
         }
-        return slider(context, name, p.minimum, p.maximum, whole, value);
+        return slider(context, name, Scale(p, original), whole, value);
     }
     bool operator()(float* target) const {
         const float before = *target;

@@ -80,7 +80,7 @@ void drawGlow(ImDrawList& draw, ImVec2 centre, float radius, ImU32 inner) {
     }
 }
 
-void introduction(Context& context) {
+void introduction(Context& context, const std::string& task) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float size = context.points(92);
     drawSign(*ImGui::GetWindowDrawList(), {at.x + size / 2, at.y + size / 2}, size);
@@ -91,7 +91,9 @@ void introduction(Context& context) {
     ImGui::TextUnformatted("Meltpool");
     ImGui::PopFont();
     ImGui::PushStyleColor(ImGuiCol_Text, colour::kQuiet);
-    ImGui::TextUnformatted("Melt a cube of metal where the flame touches it.");
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(task.empty() ? "Melt metal where the flame touches it." : task.c_str());
+    ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
     ImGui::EndGroup();
 }
@@ -116,7 +118,7 @@ void drawBackdrop(float width, float height) {
     drawGlow(draw, {width * 0.5f, height * 1.05f}, height * 0.45f, IM_COL32(255, 190, 110, 60));
 }
 
-Request startMenu(Context& context, const Section& start, const std::string& driver) {
+Request startMenu(Context& context, const Section& start, const std::string& task, const std::string& driver) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     drawBackdrop(screen.x, screen.y);
     const float width = std::min(context.points(600), screen.x - context.points(24));
@@ -127,7 +129,7 @@ Request startMenu(Context& context, const Section& start, const std::string& dri
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
     ImGui::PopStyleVar();
-    introduction(context);
+    introduction(context, task);
     ImGui::Dummy({0, context.points(10)});
     for (const Parameter& parameter : start.parameters) {
         parameterControl(context, start.name, parameter, start.defaults);

@@ -1,5 +1,6 @@
 #include "app/desktop/ui/widgets.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdio>

@@ -1,0 +1,46 @@
+#include "app/desktop/desktop.hpp"
+
+#include "app/desktop/desktop_app.hpp"
+
+#include <csignal>
+
+namespace meltpool {
+
+namespace {
+
+volatile std::sig_atomic_t stopAsked = 0;
+
+extern "C" void askToStop(int) {
+    stopAsked = 1;
+}
+
+/// Ctrl+C and a polite kill close the window as its cross does; the old handlers come back afterwards.
+class StopSignals {
+  public:
+    StopSignals() : interrupt_(std::signal(SIGINT, askToStop)), terminate_(std::signal(SIGTERM, askToStop)) {
+        stopAsked = 0;
+    }
+    ~StopSignals() {
+        std::signal(SIGINT, interrupt_);
+        std::signal(SIGTERM, terminate_);
+    }
+    StopSignals(const StopSignals&) = delete;
+    StopSignals& operator=(const StopSignals&) = delete;
+
+  private:
+    void (*interrupt_)(int);
+    void (*terminate_)(int);
+};
+
+} // namespace
+
+int runDesktop(const DesktopOptions& options) {
+    const StopSignals signals;
+    DesktopApp app(options);
+    while (!app.closing() && stopAsked == 0)
+        app.frame();
+    app.finish();
+    return 0;
+}
+
+} // namespace meltpool

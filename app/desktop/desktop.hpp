@@ -1,0 +1,23 @@
+// The desktop trainer: a window with menus in which the mouse holds the torch.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace meltpool {
+
+struct DesktopOptions {
+    std::string lesson = "classic";  ///< catalogue name or TOML file
+    std::filesystem::path telemetry; ///< where the window writes what it does, one JSON object a line; empty: nowhere
+    std::filesystem::path settings;  ///< empty: settings.toml in the user's settings folder
+    bool watchShaders = false;       ///< reload changed shaders in release builds too
+};
+
+/// Why no window can be opened here, as a sentence; empty when one can.
+std::string missingDisplay();
+
+/// Opens the window and returns when it is closed or SIGINT or SIGTERM came; 0. Throws InputError when there is no
+/// display or too little OpenGL, or the lesson or telemetry file cannot be used.
+int runDesktop(const DesktopOptions& options);
+
+} // namespace meltpool

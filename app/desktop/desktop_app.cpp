@@ -1,0 +1,268 @@
+#include "app/desktop/desktop_app.hpp"
+
+#include "app/desktop/screenshot.hpp"
+#include "core/base/error.hpp"
+#include "core/base/resources.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <thread>
+
+namespace meltpool {
+
+namespace {
+
+/// No display shows more, and a driver that does not wait for the display must not eat the processor.
+constexpr double kShortestFrame = 1.0 / 125;
+constexpr double kShaderLookEvery = 0.5;
+constexpr double kPatienceMinimised = 0.1;
+
+ui::Section ownSection(const char* name, ParameterList list) {
+    ui::Section section{name, std::move(list), {}};
+    section.defaults = ui::defaultTexts(section.parameters);
+    return section;
+}
+
+std::string driverText(const gl::ContextInfo& info) {
+    return info.renderer + (info.software ? " \xE2\x80\x93 drawn on the processor, without a graphics card" : "");
+}
+
+} // namespace
+
+ParameterList describe(WindowParameters& w) {
+    return {
+        {"width", "Width", "points", &w.width, 640, 16384, "of the window at the next start"},
+        {"height", "Height", "points", &w.height, 480, 16384, "of the window at the next start"},
+        {"maximised", "Maximised", "", &w.maximised, 0, 1, "at the next start"},
+        {"interface_size", "Size of text and menus", "", &w.interfaceSize, 0.7, 2,
+         "On top of what the desktop asks for; large menus cover more of the picture."},
+    };
+}
+
+DesktopApp::DesktopApp(const DesktopOptions& options)
+    : options_(options),
+      telemetry_(options.telemetry),
+      window_(Window::Options{}),
+      interface_(window_),
+      shaders_(resourceFolder() / "shaders"),
+      session_(shaders_, loadLesson(options.lesson)),
+      windowSection_(ownSection("window", describe(windowParameters_))),
+      controlSection_(ownSection("controls", describe(controls_.parameters))),
+      panelSection_(ownSection("panels", describe(panels_))),
+      settingsFile_(options.settings.empty() ? settingsFolder() / "settings.toml" : options.settings),
+      driver_(driverText(window_.driver())) {
+    if (options_.lesson != kDefaultLesson) {
+        keptLesson_.emplace(loadLesson(std::string(kDefaultLesson)));
+        keptSections_.emplace(*keptLesson_);
+    }
+    readSettings();
+    window_.resize({windowParameters_.width, windowParameters_.height}, windowParameters_.maximised);
+    window_.show();
+    lastFrame_ = now();
+}
+
+std::vector<SettingsSection> DesktopApp::settingsSections() {
+    std::vector<SettingsSection> sections;
+    LessonSections& lesson = keptSections_ ? *keptSections_ : session_.sections();
+    for (const ui::Section* each : lesson.all())
+        sections.push_back({each->name, each->parameters});
+    for (const ui::Section* each : {&windowSection_, &controlSection_, &panelSection_})
+        sections.push_back({each->name, each->parameters});
+    return sections;
+}
+
+void DesktopApp::readSettings() {
+    for (std::string& fault : loadSettings(settingsFile_, settingsSections()))
+        messages_.warn(std::move(fault), now());
+}
+
+void DesktopApp::finish() {
+    const glm::ivec2 size = window_.normalSize();
+    windowParameters_.width = std::clamp(size.x, 640, 16384);
+    windowParameters_.height = std::clamp(size.y, 480, 16384);
+    windowParameters_.maximised = window_.maximised();
+    try {
+        saveSettings(settingsFile_, settingsSections());
+    } catch (const std::exception& fault) {
+        std::fprintf(stderr, "the settings were not kept: %s\n", fault.what());
+    }
+}
+
+void DesktopApp::frame() {
+    const Clock::time_point begin = Clock::now();
+    InputFrame input = window_.poll(window_.minimised() ? kPatienceMinimised : 0);
+    const double time = now();
+    const double seconds = time - lastFrame_;
+    lastFrame_ = time;
+    if (window_.minimised()) return;
+
+    messages_.expire(time);
+    watchShaders();
+    const bool captured = session_.running() && controls_.captured();
+    interface_.begin(windowParameters_.interfaceSize, captured, !session_.running());
+    interface_.takeInput(input, captured);
+    handleKeys(input);
+    profiler_.beginFrame();
+    simulate(input, seconds);
+    drawPicture();
+    ui::Request request = ui::Request::none;
+    {
+        const gl::Scope scope(&profiler_, "interface");
+        request = drawInterface();
+        interface_.end();
+    }
+    profiler_.endFrame();
+    if (pictureAsked_) takePicture();
+    countFrame(seconds);
+    tellTelemetry();
+    window_.swap();
+    act(request);
+    window_.captureMouse(session_.running() && controls_.captured());
+    pace(begin);
+}
+
+void DesktopApp::handleKeys(const InputFrame& input) {
+    for (const Key key : input.struck) {
+        switch (key) {
+        case Key::escape: panels_.help = false; break;
+        case Key::tab: panels_.hidden = session_.running() && !panels_.hidden; break;
+        case Key::f1: panels_.help = !panels_.help; break;
+        case Key::f2: panels_.view = !panels_.view; break;
+        case Key::f3: panels_.simulation = !panels_.simulation; break;
+        case Key::f4: panels_.timings = !panels_.timings; break;
+        case Key::f5: session_.reset(controls_); break;
+        case Key::f11: window_.toggleFullScreen(); break;
+        case Key::f12: pictureAsked_ = true; break;
+        default: break;
+        }
+    }
+}
+
+void DesktopApp::act(ui::Request request) {
+    switch (request) {
+    case ui::Request::startWithDefaults:
+        session_.sections().restoreDefaults();
+        startLesson();
+        break;
+    case ui::Request::start: startLesson(); break;
+    case ui::Request::reset: session_.reset(controls_); break;
+    case ui::Request::restart:
+        session_.end();
+        controls_.restart();
+        panels_.help = false;
+        profiler_.reset();
+        messages_.clear("metal");
+        break;
+    case ui::Request::none: break;
+    }
+}
+
+void DesktopApp::startLesson() {
+    try {
+        session_.begin(controls_);
+        panels_.hidden = false;
+        profiler_.reset();
+    } catch (const std::exception& fault) {
+        session_.end();
+        messages_.warn(fault.what(), now(), "start");
+    }
+}
+
+void DesktopApp::simulate(const InputFrame& input, double seconds) {
+    if (!session_.running()) return;
+    controls_.update(input, seconds);
+    session_.advance(controls_, seconds, &profiler_);
+    if (session_.fault().empty())
+        messages_.clear("metal");
+    else
+        messages_.hold("The simulation stands still: " + session_.fault() + ". Reset begins again.", "metal");
+    session_.fillFigures(figures_);
+}
+
+void DesktopApp::drawPicture() {
+    const glm::ivec2 pixels = window_.pixels();
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    if (session_.running()) {
+        session_.draw(controls_, pixels, &profiler_);
+        return;
+    }
+    glViewport(0, 0, pixels.x, pixels.y);
+    glClearColor(0.07f, 0.08f, 0.1f, 1);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+ui::Request DesktopApp::drawInterface() {
+    ui::Context& context = interface_.context();
+    ui::Request request = ui::Request::none;
+    if (!session_.running())
+        request = ui::startMenu(context, session_.sections().start, session_.lesson().text, driver_);
+    else if (!panels_.hidden)
+        request = drawPanels();
+    if (panels_.help) ui::helpOverlay(context, panels_.help);
+    ui::messageStack(context, messages_);
+    return request;
+}
+
+ui::Request DesktopApp::drawPanels() {
+    ui::Context& context = interface_.context();
+    const LessonSections& lesson = session_.sections();
+    const ui::Request request = ui::topBar(context, panels_, controls_, session_.lesson().title);
+    ui::statusBar(context, figures_, controls_);
+    ui::temperatureScale(context, session_.lesson().look.colours, panels_.view || panels_.timings);
+    if (panels_.view) ui::viewMenu(context, {&lesson.view, &lesson.surface, &controlSection_, &windowSection_});
+    if (panels_.simulation) ui::simulationMenu(context, lesson.simulation, controls_);
+    if (panels_.timings) ui::timingsPanel(context, profiler_, figures_, frameSeconds_ * 1000, driver_, panels_.view);
+    return request;
+}
+
+void DesktopApp::watchShaders() {
+    if ((!gl::debugBuild() && !options_.watchShaders) || now() < nextShaderLook_) return;
+    nextShaderLook_ = now() + kShaderLookEvery;
+    shaders_.reloadChanged();
+    std::string faults;
+    for (const std::string& fault : shaders_.standingFaults())
+        faults += "\n" + fault;
+    if (faults.empty())
+        messages_.clear("shader");
+    else
+        messages_.hold("The old shader runs on; the changed one was refused:" + faults, "shader");
+}
+
+void DesktopApp::countFrame(double seconds) {
+    ++frames_;
+    // Averaged over about half a second, so that the figure can be read.
+    const double share = std::clamp(seconds * 2, 0.02, 1.0);
+    frameSeconds_ += (seconds - frameSeconds_) * share;
+    figures_.framesPerSecond = frameSeconds_ > 0 ? 1 / frameSeconds_ : 0;
+}
+
+void DesktopApp::pace(Clock::time_point begin) const {
+    const auto shortest = std::chrono::duration<double>(kShortestFrame);
+    const auto rest = shortest - (Clock::now() - begin);
+    if (rest > rest.zero()) std::this_thread::sleep_for(rest);
+}
+
+void DesktopApp::takePicture() {
+    pictureAsked_ = false;
+    try {
+        screenshot_ = saveScreenshot(window_.pixels()).string();
+        messages_.note("Picture saved as " + screenshot_, now(), "picture");
+    } catch (const std::exception& fault) {
+        messages_.warn(fault.what(), now(), "picture");
+    }
+}
+
+void DesktopApp::tellTelemetry() {
+    if (!telemetry_.due(now())) return;
+    const LessonSections& lesson = session_.sections();
+    const std::vector<const ui::Section*> sections{&lesson.start, &lesson.view, &lesson.surface, &lesson.simulation,
+                                                   &windowSection_, &controlSection_, &panelSection_};
+    std::vector<std::string> passes;
+    for (const gl::PassTime& pass : profiler_.passes())
+        passes.push_back(pass.name);
+    telemetry_.write({session_.running() ? "running" : "start", now(), frames_, session_.steps(), controls_, panels_,
+                      figures_, sections, passes, messages_, interface_.context(), window_.size(), window_.pixels(),
+                      screenshot_});
+}
+
+} // namespace meltpool

@@ -1,0 +1,86 @@
+// The window's frame: input, simulation, picture, interface, and what is told and kept.
+#pragma once
+
+#include "app/desktop/desktop.hpp"
+#include "app/desktop/messages.hpp"
+#include "app/desktop/session.hpp"
+#include "app/desktop/settings.hpp"
+#include "app/desktop/telemetry.hpp"
+#include "app/desktop/ui/interface.hpp"
+#include "app/desktop/window.hpp"
+
+#include <chrono>
+#include <optional>
+
+namespace meltpool {
+
+/// What the window itself remembers.
+struct WindowParameters {
+    int width = 1280; ///< screen points
+    int height = 720; ///< screen points
+    bool maximised = false;
+    float interfaceSize = 1; ///< factor on what the desktop asks for
+};
+ParameterList describe(WindowParameters& parameters);
+
+class DesktopApp {
+  public:
+    /// Opens the window on the start menu.
+    explicit DesktopApp(const DesktopOptions& options);
+
+    bool closing() const { return window_.closing(); }
+    void frame();
+    /// Keeps the settings; what fails is said on standard error.
+    void finish();
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    void readSettings();
+    std::vector<SettingsSection> settingsSections();
+    void handleKeys(const InputFrame& input);
+    void act(ui::Request request);
+    void startLesson();
+    void simulate(const InputFrame& input, double seconds);
+    void drawPicture();
+    ui::Request drawInterface();
+    ui::Request drawPanels();
+    void watchShaders();
+    void countFrame(double seconds);
+    void pace(Clock::time_point begin) const;
+    void takePicture();
+    void tellTelemetry();
+    double now() const { return std::chrono::duration<double>(Clock::now() - begun_).count(); }
+
+    DesktopOptions options_;
+    Clock::time_point begun_ = Clock::now();
+    Telemetry telemetry_;
+    Messages messages_;
+    WindowParameters windowParameters_;
+    ui::PanelState panels_;
+    Controls controls_;
+    ui::Figures figures_;
+
+    Window window_;
+    ui::Interface interface_;
+    gl::ShaderLibrary shaders_;
+    Session session_;
+    gl::Profiler profiler_;
+    /// Where the kept values of the ordinary lesson live while another one runs.
+    std::optional<Lesson> keptLesson_;
+    std::optional<LessonSections> keptSections_;
+    ui::Section windowSection_;
+    ui::Section controlSection_;
+    ui::Section panelSection_;
+
+    std::filesystem::path settingsFile_;
+    std::string screenshot_;
+    std::string driver_;
+    bool pictureAsked_ = false;
+    double lastFrame_ = 0;
+    double frameSeconds_ = 0;
+    double nextShaderLook_ = 0;
+    long long frames_ = 0;
+};
+
+} // namespace meltpool

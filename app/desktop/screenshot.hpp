@@ -1,0 +1,20 @@
+// Pictures of the window as PNG files named by the time.
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include <filesystem>
+
+namespace meltpool {
+
+/// The user's folder for pictures ($XDG_PICTURES_DIR, ~/Pictures), or the current folder where there is none.
+std::filesystem::path picturesFolder();
+
+/// A name in `folder` made of the local time that no file has yet, such as meltpool-2031-05-04-13.45.10.png.
+std::filesystem::path pictureName(const std::filesystem::path& folder);
+
+/// Saves what has been drawn into the window (not yet swapped), `pixels` large. Waits for the GPU. Throws InputError
+/// when the file cannot be written.
+std::filesystem::path saveScreenshot(glm::ivec2 pixels);
+
+} // namespace meltpool

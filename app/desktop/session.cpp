@@ -1,0 +1,146 @@
+#include "app/desktop/session.hpp"
+
+#include "core/base/error.hpp"
+#include "core/base/resources.hpp"
+#include "core/training/classic_model.hpp"
+
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace meltpool {
+
+namespace {
+
+ui::Section section(const char* name, ParameterList list) {
+    ui::Section made{name, std::move(list), {}};
+    made.defaults = ui::defaultTexts(made.parameters);
+    return made;
+}
+
+ParameterList startParameters(Lesson& lesson) {
+    ParameterList list;
+    for (const Parameter& p : describe(lesson.setup))
+        if (p.key != "seed") list.push_back(p);
+    for (const Parameter& p : describe(lesson.surface))
+        if (p.key == "cells") list.push_back(p);
+    return list;
+}
+
+ParameterList liveParameters(ParameterList list) {
+    std::erase_if(list, [](const Parameter& p) { return p.onlyAtStart; });
+    return list;
+}
+
+bool same(const SurfaceParameters& a, const SurfaceParameters& b) {
+    return a.influence == b.influence && a.isoLevel == b.isoLevel && a.caps == b.caps;
+}
+
+TorchSample torchOf(const HeatSource& source) {
+    TorchSample sample;
+    sample.tip = source.position() * kClassicUnit;
+    sample.trigger = source.on() ? 1.0f : 0.0f;
+    return sample;
+}
+
+} // namespace
+
+Lesson loadLesson(const std::string& name) {
+    return findLesson(name, resourceFolder() / "data" / "lessons");
+}
+
+LessonSections::LessonSections(Lesson& lesson)
+    : start(section("start", startParameters(lesson))),
+      view(section("view", describe(lesson.look))),
+      surface(section("surface", liveParameters(describe(lesson.surface)))),
+      simulation(section("simulation", describe(lesson.metal))) {}
+
+void LessonSections::restoreDefaults() {
+    for (const ui::Section* each : all())
+        for (const auto& [key, text] : each->defaults)
+            setParameter(each->parameters, key, text, each->name);
+}
+
+Session::Session(gl::ShaderLibrary& shaders, Lesson lesson)
+    : shaders_(shaders), lesson_(std::move(lesson)), sections_(lesson_), renderer_(shaders) {}
+
+void Session::begin(Controls& controls) {
+    controls.restart();
+    controls.source().setCold(lesson_.source.kind == 1);
+    const CameraParameters& camera = lesson_.camera;
+    controls.placeCamera(OrbitCamera(glm::radians(camera.azimuth), glm::radians(camera.elevation), camera.distance));
+    controls.lens.fieldOfView = glm::radians(camera.fieldOfView);
+    trainer_ = std::make_unique<Trainer>(shaders_, lesson_);
+    clock_.restart();
+    fault_.clear();
+    surfaceIsOld_ = true;
+}
+
+void Session::reset(Controls& controls) {
+    if (!running()) return;
+    controls.reset();
+    trainer_->reset();
+    clock_.restart();
+    fault_.clear();
+    surfaceIsOld_ = true;
+}
+
+bool Session::takeOverChanges(const Controls& controls) {
+    lesson_.source.kind = controls.source().cold() ? 1 : 0;
+    Lesson& running = trainer_->lesson();
+    running.metal = lesson_.metal;
+    running.source = lesson_.source;
+    const bool changed = !same(shownSurface_, lesson_.surface);
+    running.surface = lesson_.surface;
+    shownSurface_ = lesson_.surface;
+    return changed;
+}
+
+void Session::advance(const Controls& controls, double seconds, gl::Profiler* profiler) {
+    if (!running()) return;
+    surfaceIsOld_ |= takeOverChanges(controls);
+    if (controls.mode() == Mode::view || !fault_.empty()) {
+        clock_.restart();
+        return;
+    }
+    const TorchSample torch = torchOf(controls.source());
+    try {
+        for (int due = clock_.due(seconds, trainer_->timeStep()); due > 0; --due) {
+            trainer_->advance(torch, profiler);
+            surfaceIsOld_ = true;
+        }
+    } catch (const RuntimeFault& fault) {
+        fault_ = fault.what();
+    }
+}
+
+void Session::draw(const Controls& controls, glm::ivec2 pixels, gl::Profiler* profiler) {
+    if (surfaceIsOld_ && lesson_.look.mode != kPointsMode) {
+        trainer_->updateSurface(profiler);
+        surfaceIsOld_ = false;
+    }
+    SceneView scene = trainer_->scene();
+    const HeatSource& source = controls.source();
+    scene.source.position = source.position();
+    scene.source.on = source.on();
+    scene.source.cold = source.cold();
+    const float aspect = static_cast<float>(pixels.x) / static_cast<float>(std::max(pixels.y, 1));
+    const std::array<View, 1> views{controls.view(aspect)};
+    renderer_.draw(scene, lesson_.look, views, {0, {0, 0, pixels.x, pixels.y}}, profiler);
+}
+
+void Session::fillFigures(ui::Figures& figures) const {
+    if (!running()) return;
+    const MetalStatistics& metal = trainer_->figures();
+    figures.time = trainer_->time();
+    figures.speed = clock_.speed();
+    figures.particles = metal.particles;
+    figures.molten = metal.molten;
+    figures.hottest = metal.maxTemperature;
+    figures.lost = metal.lost;
+    figures.stopped = !fault_.empty();
+}
+
+} // namespace meltpool

@@ -1,0 +1,48 @@
+// What the window tells a test or an observer: one JSON object a line, the newest last.
+#pragma once
+
+#include "app/desktop/controls.hpp"
+#include "app/desktop/messages.hpp"
+#include "app/desktop/ui/panels.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace meltpool {
+
+/// Everything a row is made of; borrowed for the call.
+struct TelemetryRow {
+    std::string page; ///< "start" or "running"
+    double seconds = 0;
+    long long frame = 0;
+    size_t steps = 0; ///< simulation steps since the start or the last reset
+    const Controls& controls;
+    const ui::PanelState& panels;
+    const ui::Figures& figures;
+    const std::vector<const ui::Section*>& sections;
+    const std::vector<std::string>& passes; ///< names of the timed GPU passes
+    const Messages& messages;
+    const ui::Context& context;
+    glm::ivec2 size{0};   ///< window, points
+    glm::ivec2 pixels{0}; ///< frame buffer
+    std::string screenshot; ///< the last picture saved
+};
+
+class Telemetry {
+  public:
+    /// Throws InputError when the file cannot be written. An empty name writes nothing.
+    explicit Telemetry(const std::filesystem::path& file);
+
+    bool enabled() const { return file_.is_open(); }
+    /// True when it is time for another row: at most 20 a second.
+    bool due(double now);
+    void write(const TelemetryRow& row);
+
+  private:
+    std::ofstream file_;
+    double next_ = 0;
+};
+
+} // namespace meltpool
