@@ -1,5 +1,6 @@
 // The bars at the top and bottom of the running trainer, the messages above them and the colour scale.
 #include "app/desktop/ui/panels.hpp"
+#include "core/render/temperature_scale.hpp"
 
 #include <algorithm>
 #include <array>
@@ -169,28 +170,26 @@ void messageStack(Context& context, const Messages& messages) {
 }
 
 void temperatureScale(Context& context, int colours, bool leftPanelOpen) {
-    if (colours < 1 || colours > 3) return;
-    // The ends and steps of the scales that shaders draw with; see shaders/render.
-    constexpr std::array<ImU32, 5> kClassic{IM_COL32(0, 0, 255, 255), IM_COL32(255, 0, 255, 255),
-                                            IM_COL32(255, 0, 0, 255), IM_COL32(255, 255, 0, 255), IM_COL32_WHITE};
-    constexpr std::array<ImU32, 5> kEven{IM_COL32(13, 8, 135, 255), IM_COL32(126, 3, 168, 255),
-                                         IM_COL32(204, 71, 120, 255), IM_COL32(248, 149, 64, 255),
-                                         IM_COL32(240, 249, 33, 255)};
-    constexpr std::array<ImU32, 5> kGrey{IM_COL32(0, 0, 0, 255), IM_COL32(64, 64, 64, 255), IM_COL32(128, 128, 128, 255),
-                                         IM_COL32(191, 191, 191, 255), IM_COL32_WHITE};
-    const auto& steps = colours == 1 ? kClassic : (colours == 2 ? kEven : kGrey);
+    if (colours == kMaterialColours) return;
     ImDrawList* draw = ImGui::GetBackgroundDrawList();
     const float width = context.points(14);
     const float height = context.points(180);
     const float x = context.points(24) + (leftPanelOpen ? context.points(336) : 0);
     const float y = ImGui::GetIO().DisplaySize.y - barHeight(context) - height - context.points(28);
-    const float part = height / 4;
+    constexpr int kParts = 32;
+    const float part = height / kParts;
+    const auto tint = [colours](int step) {
+        const glm::vec3 c = temperatureColour(static_cast<ColourMode>(colours), static_cast<float>(step) / kParts);
+        return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 1});
+    };
     draw->AddRectFilled({x - context.points(10), y - context.points(34)},
                         {x + width + context.points(64), y + height + context.points(14)}, IM_COL32(22, 25, 31, 190),
                         context.points(8));
-    for (size_t i = 0; i < 4; ++i) {
-        const float top = y + part * static_cast<float>(3 - i);
-        draw->AddRectFilledMultiColor({x, top}, {x + width, top + part}, steps[i + 1], steps[i + 1], steps[i], steps[i]);
+    for (int i = 0; i < kParts; ++i) {
+        const float top = y + part * static_cast<float>(kParts - 1 - i);
+        const ImU32 lower = tint(i);
+        const ImU32 upper = tint(i + 1);
+        draw->AddRectFilledMultiColor({x, top}, {x + width, top + part}, upper, upper, lower, lower);
     }
     draw->AddText(context.fonts.small, context.fonts.small->FontSize * ImGui::GetIO().FontGlobalScale,
                   {x - context.points(2), y - context.points(29)}, colour::kQuiet, "Temperature");
