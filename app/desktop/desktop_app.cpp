@@ -62,12 +62,21 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
 }
 
 std::vector<SettingsSection> DesktopApp::settingsSections() {
-    std::vector<SettingsSection> sections;
     LessonSections& lesson = keptSections_ ? *keptSections_ : session_.sections();
-    for (const ui::Section* each : lesson.all())
-        sections.push_back({each->name, each->parameters});
-    for (const ui::Section* each : {&windowSection_, &controlSection_, &panelSection_})
-        sections.push_back({each->name, each->parameters});
+    std::vector<ui::Section*> all = lesson.all();
+    all.insert(all.end(), {&windowSection_, &controlSection_, &panelSection_});
+    std::vector<SettingsSection> sections;
+    ParameterList kept;
+    for (const ui::Section* each : all) {
+        sections.push_back({each->name, {}});
+        for (const Parameter& p : each->parameters) {
+            // A value that stands in two menus is kept once, where it was named first.
+            const bool known = std::any_of(kept.begin(), kept.end(), [&p](const Parameter& k) { return k.value == p.value; });
+            if (known) continue;
+            kept.push_back(p);
+            sections.back().parameters.push_back(p);
+        }
+    }
     return sections;
 }
 
@@ -104,7 +113,7 @@ void DesktopApp::frame() {
     handleKeys(input);
     profiler_.beginFrame();
     simulate(input, seconds);
-    drawPicture();
+    drawPicture(seconds);
     ui::Request request = ui::Request::none;
     {
         const gl::Scope scope(&profiler_, "interface");
@@ -179,11 +188,24 @@ void DesktopApp::simulate(const InputFrame& input, double seconds) {
     session_.fillFigures(figures_);
 }
 
-void DesktopApp::drawPicture() {
+float DesktopApp::coveredLeft() {
+    const int panels = static_cast<int>(panels_.view) + static_cast<int>(panels_.timings);
+    return panels_.hidden ? 0 : static_cast<float>(panels) * ui::panelReach(interface_.context());
+}
+
+float DesktopApp::coveredRight() {
+    return panels_.simulation && !panels_.hidden ? ui::panelReach(interface_.context()) : 0;
+}
+
+void DesktopApp::drawPicture(double seconds) {
     const glm::ivec2 pixels = window_.pixels();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     if (session_.running()) {
-        session_.draw(controls_, pixels, &profiler_);
+        // The metal stays in the middle of what the panels leave free, and glides there.
+        const float width = static_cast<float>(std::max(window_.size().x, 1));
+        const float wanted = (coveredLeft() - coveredRight()) / width;
+        shift_ += (wanted - shift_) * std::min(1.0f, static_cast<float>(seconds) * 10);
+        session_.draw(controls_, pixels, shift_, &profiler_);
         return;
     }
     glViewport(0, 0, pixels.x, pixels.y);
@@ -208,7 +230,7 @@ ui::Request DesktopApp::drawPanels() {
     const LessonSections& lesson = session_.sections();
     const ui::Request request = ui::topBar(context, panels_, controls_, session_.lesson().title);
     ui::statusBar(context, figures_, controls_);
-    ui::temperatureScale(context, session_.lesson().look.colours, panels_.view || panels_.timings);
+    ui::temperatureScale(context, session_.lesson().look.colours, coveredLeft());
     if (panels_.view) ui::viewMenu(context, {&lesson.view, &lesson.surface, &controlSection_, &windowSection_});
     if (panels_.simulation) ui::simulationMenu(context, lesson.simulation, controls_);
     if (panels_.timings) ui::timingsPanel(context, profiler_, figures_, frameSeconds_ * 1000, driver_, panels_.view);

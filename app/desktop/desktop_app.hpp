@@ -5,7 +5,7 @@
 #include "app/desktop/messages.hpp"
 #include "app/desktop/session.hpp"
 #include "app/desktop/settings.hpp"
-#include "app/desktop/telemetry.hpp"
+#include "app/desktop/window_telemetry.hpp"
 #include "app/desktop/ui/interface.hpp"
 #include "app/desktop/window.hpp"
 
@@ -42,7 +42,9 @@ class DesktopApp {
     void act(ui::Request request);
     void startLesson();
     void simulate(const InputFrame& input, double seconds);
-    void drawPicture();
+    void drawPicture(double seconds);
+    float coveredLeft();
+    float coveredRight();
     ui::Request drawInterface();
     ui::Request drawPanels();
     void watchShaders();
@@ -54,7 +56,7 @@ class DesktopApp {
 
     DesktopOptions options_;
     Clock::time_point begun_ = Clock::now();
-    Telemetry telemetry_;
+    WindowTelemetry telemetry_;
     Messages messages_;
     WindowParameters windowParameters_;
     ui::PanelState panels_;
@@ -80,6 +82,7 @@ class DesktopApp {
     double lastFrame_ = 0;
     double frameSeconds_ = 0;
     double nextShaderLook_ = 0;
+    float shift_ = 0; ///< of the picture's middle, where panels cover a part of the window
     long long frames_ = 0;
 };
 

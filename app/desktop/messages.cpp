@@ -1,6 +1,7 @@
 #include "app/desktop/messages.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace meltpool {
@@ -22,10 +23,22 @@ void Messages::warn(std::string text, double now, std::string topic) {
 }
 
 void Messages::hold(std::string text, std::string topic) {
+    const auto dismissed = dismissed_.find(topic);
+    if (dismissed != dismissed_.end() && dismissed->second == text) return;
     add({Message::Kind::warning, std::move(text), std::numeric_limits<double>::infinity(), std::move(topic)});
 }
 
+void Messages::dismiss(const Message& message) {
+    if (std::isinf(message.until)) dismissed_[message.topic] = message.text;
+    std::erase_if(shown_, [&](const Message& m) { return &m == &message; });
+}
+
 void Messages::clear(const std::string& topic) {
+    dismissed_.erase(topic);
+    take(topic);
+}
+
+void Messages::take(const std::string& topic) {
     std::erase_if(shown_, [&](const Message& m) { return m.topic == topic; });
 }
 
@@ -34,7 +47,7 @@ void Messages::expire(double now) {
 }
 
 void Messages::add(Message message) {
-    if (!message.topic.empty()) clear(message.topic);
+    if (!message.topic.empty()) take(message.topic);
     shown_.push_back(std::move(message));
     if (shown_.size() > kMostMessages) shown_.pop_front();
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <string>
 
 namespace meltpool {
@@ -22,6 +23,8 @@ class Messages {
     /// A warning that stands until clear(topic): the fault is still there.
     void hold(std::string text, std::string topic);
     void clear(const std::string& topic);
+    /// Takes away one of shown(); a held one stays away until its text changes or it was cleared.
+    void dismiss(const Message& message);
 
     /// Drops what has been shown long enough.
     void expire(double now);
@@ -29,7 +32,9 @@ class Messages {
 
   private:
     void add(Message message);
+    void take(const std::string& topic);
     std::deque<Message> shown_;
+    std::map<std::string, std::string> dismissed_; ///< topic and text of held messages that the person put away
 };
 
 } // namespace meltpool

@@ -25,7 +25,7 @@ ParameterList startParameters(Lesson& lesson) {
     for (const Parameter& p : describe(lesson.setup))
         if (p.key != "seed") list.push_back(p);
     for (const Parameter& p : describe(lesson.surface))
-        if (p.key == "cells") list.push_back(p);
+        if (p.onlyAtStart || p.key == "influence") list.push_back(p);
     return list;
 }
 
@@ -116,7 +116,7 @@ void Session::advance(const Controls& controls, double seconds, gl::Profiler* pr
     }
 }
 
-void Session::draw(const Controls& controls, glm::ivec2 pixels, gl::Profiler* profiler) {
+void Session::draw(const Controls& controls, glm::ivec2 pixels, float shift, gl::Profiler* profiler) {
     if (surfaceIsOld_ && lesson_.look.mode != kPointsMode) {
         trainer_->updateSurface(profiler);
         surfaceIsOld_ = false;
@@ -127,7 +127,8 @@ void Session::draw(const Controls& controls, glm::ivec2 pixels, gl::Profiler* pr
     scene.source.on = source.on();
     scene.source.cold = source.cold();
     const float aspect = static_cast<float>(pixels.x) / static_cast<float>(std::max(pixels.y, 1));
-    const std::array<View, 1> views{controls.view(aspect)};
+    std::array<View, 1> views{controls.view(aspect)};
+    views[0].eyeToClip[2][0] -= shift; // clip x over w, and w is -z in the eye
     renderer_.draw(scene, lesson_.look, views, {0, {0, 0, pixels.x, pixels.y}}, profiler);
 }
 

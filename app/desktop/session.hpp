@@ -47,7 +47,8 @@ class Session {
 
     /// Runs the steps that `seconds` of real time ask for, none while the person looks around.
     void advance(const Controls& controls, double seconds, gl::Profiler* profiler);
-    void draw(const Controls& controls, glm::ivec2 pixels, gl::Profiler* profiler);
+    /// `shift`: how far right of the window's middle the picture's middle is, as a share of half its width.
+    void draw(const Controls& controls, glm::ivec2 pixels, float shift, gl::Profiler* profiler);
 
     /// The fault that stopped the metal; empty while all is well.
     const std::string& fault() const { return fault_; }

@@ -102,7 +102,8 @@ Request topBar(Context& context, PanelState& panels, const Controls& controls, c
     modeSign(context, controls);
 
     const float width = context.points(86);
-    ImGui::SameLine(ImGui::GetIO().DisplaySize.x - 3 * width - context.points(14 + 12));
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(ImGui::GetIO().DisplaySize.x - 3 * width - context.points(14 + 12));
     if (button(context, "bar.reset", "Reset", ButtonKind::plain, 86, "Metal and torch back to where they began (F5)"))
         request = Request::reset;
     ImGui::SameLine(0, context.points(6));
@@ -142,39 +143,45 @@ void statusBar(Context& context, const Figures& figures, const Controls& control
     ImGui::End();
 }
 
-void messageStack(Context& context, const Messages& messages) {
+void messageStack(Context& context, Messages& messages) {
     if (messages.shown().empty()) return;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float width = std::min(context.points(620), screen.x - context.points(40));
-    ImGui::SetNextWindowPos({screen.x / 2, screen.y - barHeight(context) - context.points(14)}, ImGuiCond_Always, {0.5f, 1});
+    ImGui::SetNextWindowPos({screen.x / 2, barHeight(context) + context.points(10)}, ImGuiCond_Always, {0.5f, 0});
     ImGui::SetNextWindowSize({width, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::Begin("messages", nullptr,
                  (kFixed & ~ImGuiWindowFlags_NoBringToFrontOnFocus) | ImGuiWindowFlags_NoBackground |
-                     ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize);
+                     ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::PopStyleVar();
     ImDrawList* draw = ImGui::GetWindowDrawList();
+    const float pad = context.points(11);
+    const Message* dismissed = nullptr;
     for (const Message& message : messages.shown()) {
         const bool warning = message.kind == Message::Kind::warning;
-        const float inner = width - context.points(72);
+        const float inner = width - 3 * pad;
         const ImVec2 size = ImGui::CalcTextSize(message.text.c_str(), nullptr, false, inner);
         const ImVec2 at = ImGui::GetCursorScreenPos();
-        const float pad = context.points(10);
-        const float right = at.x + width - context.points(36);
-        draw->AddRectFilled(at, {right, at.y + size.y + 2 * pad}, IM_COL32(30, 34, 42, 250), context.points(8));
-        draw->AddRectFilled(at, {at.x + context.points(4), at.y + size.y + 2 * pad},
-                            warning ? colour::kWarning : colour::kAccent, context.points(2));
-        draw->AddText(nullptr, 0, {at.x + pad + context.points(8), at.y + pad}, colour::kText, message.text.c_str(),
-                      nullptr, inner);
-        ImGui::Dummy({width - context.points(40), size.y + 2 * pad});
+        ImGui::PushID(&message);
+        if (ImGui::InvisibleButton("message", {width, size.y + 2 * pad})) dismissed = &message;
+        ImGui::PopID();
+        const ImVec2 end{at.x + width, at.y + size.y + 2 * pad};
+        draw->AddRectFilled(at, end, IM_COL32(38, 43, 53, 252), context.points(8));
+        draw->AddRect(at, end, IM_COL32(255, 255, 255, 30), context.points(8));
+        draw->AddRectFilled(at, {at.x + context.points(5), end.y}, warning ? colour::kWarning : colour::kAccent,
+                            context.points(8), ImDrawFlags_RoundCornersLeft);
+        draw->AddText(nullptr, 0, {at.x + 2 * pad, at.y + pad}, colour::kText, message.text.c_str(), nullptr, inner);
     }
     ImGui::End();
+    if (dismissed != nullptr) messages.dismiss(*dismissed);
 }
 
-void temperatureScale(Context& context, int colours, bool leftPanelOpen) {
+void temperatureScale(Context& context, int colours, float left) {
     if (colours == kMaterialColours) return;
     ImDrawList* draw = ImGui::GetBackgroundDrawList();
     const float width = context.points(14);
     const float height = context.points(180);
-    const float x = context.points(24) + (leftPanelOpen ? context.points(336) : 0);
+    const float x = context.points(24) + left;
     const float y = ImGui::GetIO().DisplaySize.y - barHeight(context) - height - context.points(28);
     constexpr int kParts = 32;
     const float part = height / kParts;

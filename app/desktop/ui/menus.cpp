@@ -11,13 +11,14 @@ namespace meltpool::ui {
 namespace {
 
 constexpr float kPanelWidth = 336;
+constexpr float kPanelGap = 10;
 
 enum class Side { left, leftBeside, right };
 
 /// A panel along one side of the picture, as tall as its content, at most down to the status bar.
 bool beginPanel(Context& context, const char* name, Side side) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const float gap = context.points(10);
+    const float gap = context.points(kPanelGap);
     const float width = std::min(context.points(kPanelWidth), screen.x / 2 - gap);
     const float room = screen.y - 2 * barHeight(context) - 2 * gap;
     const float x = side == Side::right ? screen.x - width - gap : gap + (side == Side::leftBeside ? width + gap : 0);
@@ -89,7 +90,8 @@ void passRow(Context& context, const std::string& name, double ms, double whole,
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + context.points(6 + 12 * static_cast<float>(depth)));
     ImGui::PushStyleColor(ImGuiCol_Text, depth == 0 ? colour::kText : colour::kQuiet);
     ImGui::TextUnformatted(readableName(name).c_str());
-    ImGui::SameLine(right - ImGui::CalcTextSize(text).x - context.points(4));
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(right - ImGui::CalcTextSize(text).x - context.points(4));
     ImGui::TextUnformatted(text);
     ImGui::PopStyleColor();
 }
@@ -106,7 +108,8 @@ void shortcutColumn(Context& context, const char* title, std::span<const Shortcu
         ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(255, 178, 122, 255));
         ImGui::TextUnformatted(row.keys);
         ImGui::PopStyleColor();
-        ImGui::SameLine(left + context.points(140));
+        ImGui::SameLine();
+        ImGui::SetCursorPosX(left + context.points(140));
         ImGui::TextUnformatted(row.what);
     }
     ImGui::Dummy({0, context.points(6)});
@@ -120,6 +123,10 @@ ParameterList describe(PanelState& p) {
         {"simulation", "Simulation menu", "", &p.simulation, 0, 1, "open at the start"},
         {"timings", "Timings", "", &p.timings, 0, 1, "open at the start"},
     };
+}
+
+float panelReach(const Context& context) {
+    return context.points(kPanelWidth + kPanelGap);
 }
 
 void viewMenu(Context& context, const std::vector<const Section*>& sections) {

@@ -43,6 +43,8 @@ struct Figures {
     bool stopped = false; ///< the state is no longer finite and the simulation stands still
 };
 
+/// Width of the panels at the sides, with their gap to the picture; points.
+float panelReach(const Context& context);
 /// Height of the bars at the top and bottom, points.
 float barHeight(const Context& context);
 
@@ -54,9 +56,11 @@ void simulationMenu(Context& context, const Section& section, Controls& controls
 void timingsPanel(Context& context, const gl::Profiler& profiler, const Figures& figures, double frameMs,
                   const std::string& driver, bool besideView);
 void helpOverlay(Context& context, bool& open);
-void messageStack(Context& context, const Messages& messages);
+/// Messages at the top; a click takes one away.
+void messageStack(Context& context, Messages& messages);
 /// The colour scale of the temperature displays; `colours` is LookParameters::colours.
-void temperatureScale(Context& context, int colours, bool leftPanelOpen);
+/// `left`: what panels cover at the left, points.
+void temperatureScale(Context& context, int colours, float left);
 
 /// The metal cube with its molten corner, the program's sign. `size` in points.
 void drawSign(ImDrawList& draw, ImVec2 centre, float size);

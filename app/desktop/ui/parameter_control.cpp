@@ -41,15 +41,9 @@ struct Scale {
 };
 
 std::string description(const Parameter& p, const std::string& original) {
-    std::string text(p.note);
-    if (!text.empty()) {
-        text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-        if (text.back() != '.') text += '.';
-        text += "\n\n";
-    }
-    std::string range = expectation(p);
-    range[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(range[0])));
-    text += range + ".";
+    std::string text = sentence(p.note);
+    if (!text.empty()) text += "\n\n";
+    text += sentence(expectation(p));
     if (!original.empty()) text += " At first " + original + ".";
     return text;
 }
@@ -126,7 +120,8 @@ bool labelLine(Context& context, const std::string& name, const Parameter& p, co
     const float width = ImGui::CalcTextSize(value.c_str()).x;
     if (!original.empty() && original != parameterText(p)) {
         const float size = context.points(18);
-        ImGui::SameLine(right - width - size - context.points(6));
+        ImGui::SameLine();
+        ImGui::SetCursorPosX(right - width - size - context.points(6));
         const ImVec2 corner = ImGui::GetCursorScreenPos();
         back = ImGui::InvisibleButton("##back", {size, ImGui::GetTextLineHeight()});
         markItem(context, name + ".back");
@@ -142,7 +137,8 @@ bool labelLine(Context& context, const std::string& name, const Parameter& p, co
                                 {end.x - r * 0.25f, end.y - r * 1.0f}, tint);
     }
     if (!value.empty()) {
-        ImGui::SameLine(right - width);
+        ImGui::SameLine();
+        ImGui::SetCursorPosX(right - width);
         ImGui::PushStyleColor(ImGuiCol_Text, colour::kQuiet);
         ImGui::TextUnformatted(value.c_str());
         ImGui::PopStyleColor();

@@ -107,6 +107,14 @@ void drawSign(ImDrawList& draw, ImVec2 centre, float size) {
     drawFace(draw, near, {{-wide, -half * 0.5f}, {wide, -half * 0.5f}, 1.0f}, 0, 0);
     drawFace(draw, near, {{-wide, -half * 0.5f}, {0, half}, 0.62f}, 0, 0);
     drawFace(draw, near, {{wide, -half * 0.5f}, {0, half}, 0.42f}, 0, 0);
+    // The lattices have hard edges; a soft outline smooths the silhouette.
+    const std::array<ImVec2, 6> outline{{{near.x, near.y - half},
+                                         {near.x + wide, near.y - half * 0.5f},
+                                         {near.x + wide, near.y + half * 0.5f},
+                                         {near.x, near.y + half},
+                                         {near.x - wide, near.y + half * 0.5f},
+                                         {near.x - wide, near.y - half * 0.5f}}};
+    draw.AddPolyline(outline.data(), 6, IM_COL32(58, 63, 72, 255), ImDrawFlags_Closed, std::max(1.2f, size * 0.018f));
 }
 
 void drawBackdrop(float width, float height) {
@@ -133,7 +141,8 @@ Request startMenu(Context& context, const Section& start, const std::string& tas
     ImGui::Dummy({0, context.points(10)});
     for (const Parameter& parameter : start.parameters) {
         parameterControl(context, start.name, parameter, start.defaults);
-        ImGui::Dummy({0, context.points(1)});
+        quietText(context, sentence(parameter.note));
+        ImGui::Dummy({0, context.points(3)});
     }
     ImGui::Dummy({0, context.points(8)});
     Request request = Request::none;

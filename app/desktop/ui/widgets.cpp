@@ -1,6 +1,7 @@
 #include "app/desktop/ui/widgets.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdio>
@@ -49,6 +50,14 @@ std::string niceNumber(double value) {
         if (number.back() == '.') number.pop_back();
     }
     return number == "-0" ? "0" : number;
+}
+
+std::string sentence(std::string_view text) {
+    std::string whole(text);
+    if (whole.empty()) return whole;
+    whole[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(whole[0])));
+    if (whole.back() != '.') whole += '.';
+    return whole;
 }
 
 std::string readableName(std::string_view key) {
@@ -137,13 +146,33 @@ bool choiceRow(Context& context, const std::string& name, std::span<const std::s
 }
 
 bool groupHeading(Context& context, const std::string& prefix, const char* title, bool openAtFirst) {
-    ImGui::Dummy({0, context.points(2)});
+    ImGui::Dummy({0, context.points(4)});
+    ImGuiStorage* storage = ImGui::GetStateStorage();
+    const ImGuiID id = ImGui::GetID(title);
+    bool open = storage->GetBool(id, openAtFirst);
     ImGui::PushFont(context.fonts.strong);
-    ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(255, 178, 122, 255));
-    const bool open = ImGui::CollapsingHeader(title, openAtFirst ? ImGuiTreeNodeFlags_DefaultOpen : 0);
-    ImGui::PopStyleColor();
-    ImGui::PopFont();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float height = ImGui::GetTextLineHeight() + context.points(6);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    if (ImGui::InvisibleButton(title, {width, height})) {
+        open = !open;
+        storage->SetBool(id, open);
+    }
     markItem(context, prefix + ".group." + title);
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    const ImU32 tint = ImGui::IsItemHovered() ? IM_COL32(255, 205, 168, 255) : IM_COL32(255, 178, 122, 255);
+    draw->AddText({corner.x, corner.y + context.points(3)}, tint, title);
+    ImGui::PopFont();
+    // A chevron at the right: down while open, to the side while folded.
+    const ImVec2 centre{corner.x + width - context.points(8), corner.y + height / 2};
+    const float r = context.points(4);
+    const ImVec2 middle = open ? ImVec2{centre.x, centre.y + r / 2} : ImVec2{centre.x + r / 2, centre.y};
+    const ImVec2 first = open ? ImVec2{centre.x - r, centre.y - r / 2} : ImVec2{centre.x - r / 2, centre.y - r};
+    const ImVec2 last = open ? ImVec2{centre.x + r, centre.y - r / 2} : ImVec2{centre.x - r / 2, centre.y + r};
+    const std::array<ImVec2, 3> line{first, middle, last};
+    draw->AddPolyline(line.data(), 3, tint, 0, context.points(1.8f));
+    const float low = corner.y + height + context.points(1);
+    draw->AddLine({corner.x, low}, {corner.x + width, low}, colour::kPanelEdge);
     return open;
 }
 

@@ -62,6 +62,8 @@ void tooltip(Context& context, const std::string& text);
 
 /// A number for people: at most four digits, no needless zeros.
 std::string niceNumber(double value);
+/// "what it costs" -> "What it costs."
+std::string sentence(std::string_view text);
 /// "rest_density" -> "Rest density".
 std::string readableName(std::string_view key);
 

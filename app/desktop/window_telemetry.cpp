@@ -1,4 +1,4 @@
-#include "app/desktop/telemetry.hpp"
+#include "app/desktop/window_telemetry.hpp"
 
 #include "core/base/error.hpp"
 
@@ -55,19 +55,19 @@ json messageTexts(const Messages& messages) {
 
 } // namespace
 
-Telemetry::Telemetry(const std::filesystem::path& file) {
+WindowTelemetry::WindowTelemetry(const std::filesystem::path& file) {
     if (file.empty()) return;
     file_.open(file, std::ios::trunc);
     if (!file_) throw InputError(file, 0, "the telemetry cannot be written here; expected a file in a writable folder");
 }
 
-bool Telemetry::due(double now) {
+bool WindowTelemetry::due(double now) {
     if (!enabled() || now < next_) return false;
     next_ = now + kRowSeconds;
     return true;
 }
 
-void Telemetry::write(const TelemetryRow& row) {
+void WindowTelemetry::write(const TelemetryRow& row) {
     const Controls& c = row.controls;
     const json object{
         {"page", row.page},

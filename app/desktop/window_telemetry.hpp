@@ -30,10 +30,10 @@ struct TelemetryRow {
     std::string screenshot; ///< the last picture saved
 };
 
-class Telemetry {
+class WindowTelemetry {
   public:
     /// Throws InputError when the file cannot be written. An empty name writes nothing.
-    explicit Telemetry(const std::filesystem::path& file);
+    explicit WindowTelemetry(const std::filesystem::path& file);
 
     bool enabled() const { return file_.is_open(); }
     /// True when it is time for another row: at most 20 a second.
