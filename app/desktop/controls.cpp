@@ -42,18 +42,17 @@ void Controls::work(const InputFrame& input, float seconds) {
     orbit_.approach(std::exp(away - input.scroll * kNotch));
 
     InputFrame hand = input;
-    if (!captured_ && !input.leftHeld && !input.rightHeld) hand.mouseMove = {0, 0};
+    if (!captured_) hand.mouseMove = input.dragMove;
     source_.move(hand, orbit_.forward(), parameters);
     source_.setOn(input.leftHeld);
 }
 
 void Controls::look(const InputFrame& input, float seconds) {
     source_.setOn(false);
-    if (captured_ || input.leftHeld || input.rightHeld) {
-        const float turn = kLookSpeed * parameters.lookSpeed;
-        const float upwards = parameters.invertLook ? 1.0f : -1.0f;
-        free_.look({input.mouseMove.x * turn, input.mouseMove.y * turn * upwards});
-    }
+    const float turn = kLookSpeed * parameters.lookSpeed;
+    const float upwards = parameters.invertLook ? 1.0f : -1.0f;
+    const glm::vec2 hand = captured_ ? input.mouseMove : input.dragMove;
+    free_.look({hand.x * turn, hand.y * turn * upwards});
     const float way = kFlySpeed * parameters.cameraSpeed * seconds;
     free_.move(way * glm::vec3(axis(input, Key::d, Key::a), axis(input, Key::e, Key::q), axis(input, Key::w, Key::s)));
     free_.move({0, 0, input.scroll * kNotch});

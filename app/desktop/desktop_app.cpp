@@ -231,10 +231,19 @@ ui::Request DesktopApp::drawPanels() {
     const ui::Request request = ui::topBar(context, panels_, controls_, session_.lesson().title);
     ui::statusBar(context, figures_, controls_);
     ui::temperatureScale(context, session_.lesson().look.colours, coveredLeft());
+    makeRoom();
     if (panels_.view) ui::viewMenu(context, {&lesson.view, &lesson.surface, &controlSection_, &windowSection_});
     if (panels_.simulation) ui::simulationMenu(context, lesson.simulation, controls_);
     if (panels_.timings) ui::timingsPanel(context, profiler_, figures_, frameSeconds_ * 1000, driver_, panels_.view);
     return request;
+}
+
+void DesktopApp::makeRoom() {
+    // In a small window the newer of the two panels at the left replaces the older.
+    const bool both = panels_.view && panels_.timings;
+    if (both && static_cast<float>(window_.size().x) < 4.5f * ui::panelReach(interface_.context()))
+        (timingsAreNewer_ ? panels_.view : panels_.timings) = false;
+    timingsAreNewer_ = panels_.view;
 }
 
 void DesktopApp::watchShaders() {

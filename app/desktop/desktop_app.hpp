@@ -47,6 +47,7 @@ class DesktopApp {
     float coveredRight();
     ui::Request drawInterface();
     ui::Request drawPanels();
+    void makeRoom();
     void watchShaders();
     void countFrame(double seconds);
     void pace(Clock::time_point begin) const;
@@ -79,6 +80,7 @@ class DesktopApp {
     std::string screenshot_;
     std::string driver_;
     bool pictureAsked_ = false;
+    bool timingsAreNewer_ = false; ///< if both panels at the left are open in the next frame
     double lastFrame_ = 0;
     double frameSeconds_ = 0;
     double nextShaderLook_ = 0;

@@ -42,6 +42,7 @@ struct InputFrame {
     std::vector<Key> pressed; ///< in order; a key that is held comes again at the keyboard's repeat rate
     std::vector<Key> struck;  ///< the same without the repeats
     glm::vec2 mouseMove{0};   ///< to the right and downwards, in screen points
+    glm::vec2 dragMove{0};    ///< the part of it that was made with a button down
     float scroll = 0;         ///< wheel notches, away from the person positive
     bool leftHeld = false;
     bool rightHeld = false;

@@ -184,7 +184,9 @@ void Window::onButton(int button, bool down) {
 }
 
 void Window::onMove(glm::dvec2 position) {
-    if (mouseKnown_) gathering_.mouseMove += glm::vec2(position - mouse_);
+    const glm::vec2 way = mouseKnown_ ? glm::vec2(position - mouse_) : glm::vec2(0);
+    gathering_.mouseMove += way;
+    if (leftDown_ || rightDown_) gathering_.dragMove += way;
     mouse_ = position;
     mouseKnown_ = true;
 }

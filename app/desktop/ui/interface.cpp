@@ -58,6 +58,7 @@ void Interface::takeInput(InputFrame& input, bool captured) const {
     }
     if (!captured && io.WantCaptureMouse) {
         input.mouseMove = {0, 0};
+        input.dragMove = {0, 0};
         input.scroll = 0;
         input.leftHeld = false;
         input.rightHeld = false;

@@ -172,14 +172,25 @@ void timingsPanel(Context& context, const gl::Profiler& profiler, const Figures&
 
 void helpOverlay(Context& context, bool& open) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    ImGui::GetBackgroundDrawList()->AddRectFilled({0, 0}, screen, IM_COL32(8, 10, 14, 120));
+    constexpr ImGuiWindowFlags kStill = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                        ImGuiWindowFlags_NoSavedSettings;
+    // A shade over everything; a click on it closes the page.
+    ImGui::SetNextWindowPos({0, 0});
+    ImGui::SetNextWindowSize(screen);
+    ImGui::SetNextWindowFocus();
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(8, 10, 14, 170));
+    ImGui::Begin("help shade", nullptr, kStill);
+    if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) open = false;
+    ImGui::End();
+    ImGui::PopStyleColor();
+
     ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSize({std::min(context.points(860), screen.x - context.points(20)), 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.points(32), context.points(26)});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(26, 30, 37, 255));
     ImGui::SetNextWindowFocus();
-    ImGui::Begin("help", nullptr,
-                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::Begin("help", nullptr, kStill | ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::PopStyleColor();
     ImGui::PopStyleVar();
     constexpr std::array<Shortcut, 5> kTorch{{{"Left button", "heat while held"},
                                               {"Mouse", "torch sideways and up"},
