@@ -21,10 +21,18 @@ constexpr int kBadInput = 2;
 /// What the words of the command line ask for.
 struct Words {
     RunRequest run;
+    DesktopOptions desktop;
     std::string suite;
     std::filesystem::path benchJson;
     bool showParameters = false;
 };
+
+void addDesktop(CLI::App& app, Words& words) {
+    app.add_option("--lesson", words.desktop.lesson, "The window's lesson: a name of the catalogue or a TOML file");
+    app.add_option("--telemetry", words.desktop.telemetry, "The window writes what it does here, JSON a line")
+        ->type_name("FILE");
+    app.add_flag("--watch-shaders", words.desktop.watchShaders, "Reload changed shaders while the window is open");
+}
 
 void addRun(CLI::App& app, Words& words) {
     CLI::App* run = app.add_subcommand("run", "Run a lesson's demonstration without a screen");
@@ -64,7 +72,7 @@ int dispatch(const CLI::App& app, const Words& words) {
     else if (app.got_subcommand("lessons"))
         words.showParameters ? listParameters() : listLessons();
     else
-        runTrainer();
+        runTrainer(words.desktop);
     return kDone;
 }
 
@@ -80,6 +88,7 @@ int parseAndRun(int argc, char** argv) {
                          "meltpool " + std::string(programVersion()) + " (" + std::string(programCommit()) + ")");
     app.require_subcommand(0, 1);
     Words words;
+    addDesktop(app, words);
     addRun(app, words);
     addOthers(app, words);
     try {

@@ -1,6 +1,8 @@
 // The program's commands, without the words by which a person chooses them.
 #pragma once
 
+#include "app/desktop/desktop.hpp"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -22,7 +24,7 @@ struct RunRequest {
 void runLesson(const RunRequest& request);
 
 /// The desktop trainer; without a display the default lesson's demonstration, headless.
-void runTrainer();
+void runTrainer(const DesktopOptions& options);
 
 /// Prints the catalogue.
 void listLessons();

@@ -6,12 +6,17 @@
 
 namespace meltpool {
 
-void runTrainer() {
+void runTrainer(const DesktopOptions& options) {
+    const std::string missing = missingDisplay();
+    if (missing.empty()) {
+        runDesktop(options);
+        return;
+    }
     RunRequest demonstration;
     demonstration.lesson = kDefaultLesson;
     demonstration.folder = std::filesystem::path("out") / kDefaultLesson;
-    std::printf("There is no display; the demonstration of lesson '%s' runs without one instead.\n",
-                demonstration.lesson.c_str());
+    std::printf("There is no display (%s); the demonstration of lesson '%s' runs without one instead.\n",
+                missing.c_str(), demonstration.lesson.c_str());
     std::fflush(stdout);
     runLesson(demonstration);
 }

@@ -71,7 +71,8 @@ std::vector<SettingsSection> DesktopApp::settingsSections() {
         sections.push_back({each->name, {}});
         for (const Parameter& p : each->parameters) {
             // A value that stands in two menus is kept once, where it was named first.
-            const bool known = std::any_of(kept.begin(), kept.end(), [&p](const Parameter& k) { return k.value == p.value; });
+            const bool known =
+                std::any_of(kept.begin(), kept.end(), [&p](const Parameter& k) { return k.value == p.value; });
             if (known) continue;
             kept.push_back(p);
             sections.back().parameters.push_back(p);
@@ -133,16 +134,35 @@ void DesktopApp::frame() {
 void DesktopApp::handleKeys(const InputFrame& input) {
     for (const Key key : input.struck) {
         switch (key) {
-        case Key::escape: panels_.help = false; break;
-        case Key::tab: panels_.hidden = session_.running() && !panels_.hidden; break;
-        case Key::f1: panels_.help = !panels_.help; break;
-        case Key::f2: panels_.view = !panels_.view; break;
-        case Key::f3: panels_.simulation = !panels_.simulation; break;
-        case Key::f4: panels_.timings = !panels_.timings; break;
-        case Key::f5: session_.reset(controls_); break;
-        case Key::f11: window_.toggleFullScreen(); break;
-        case Key::f12: pictureAsked_ = true; break;
-        default: break;
+        case Key::escape:
+            panels_.help = false;
+            break;
+        case Key::tab:
+            panels_.hidden = session_.running() && !panels_.hidden;
+            break;
+        case Key::f1:
+            panels_.help = !panels_.help;
+            break;
+        case Key::f2:
+            panels_.view = !panels_.view;
+            break;
+        case Key::f3:
+            panels_.simulation = !panels_.simulation;
+            break;
+        case Key::f4:
+            panels_.timings = !panels_.timings;
+            break;
+        case Key::f5:
+            session_.reset(controls_);
+            break;
+        case Key::f11:
+            window_.toggleFullScreen();
+            break;
+        case Key::f12:
+            pictureAsked_ = true;
+            break;
+        default:
+            break;
         }
     }
 }
@@ -153,8 +173,12 @@ void DesktopApp::act(ui::Request request) {
         session_.sections().restoreDefaults();
         startLesson();
         break;
-    case ui::Request::start: startLesson(); break;
-    case ui::Request::reset: session_.reset(controls_); break;
+    case ui::Request::start:
+        startLesson();
+        break;
+    case ui::Request::reset:
+        session_.reset(controls_);
+        break;
     case ui::Request::restart:
         session_.end();
         controls_.restart();
@@ -162,7 +186,8 @@ void DesktopApp::act(ui::Request request) {
         profiler_.reset();
         messages_.clear("metal");
         break;
-    case ui::Request::none: break;
+    case ui::Request::none:
+        break;
     }
 }
 
@@ -286,8 +311,9 @@ void DesktopApp::takePicture() {
 void DesktopApp::tellTelemetry() {
     if (!telemetry_.due(now())) return;
     const LessonSections& lesson = session_.sections();
-    const std::vector<const ui::Section*> sections{&lesson.start, &lesson.view, &lesson.surface, &lesson.simulation,
-                                                   &windowSection_, &controlSection_, &panelSection_};
+    const std::vector<const ui::Section*> sections{&lesson.start,      &lesson.view,    &lesson.surface,
+                                                   &lesson.simulation, &windowSection_, &controlSection_,
+                                                   &panelSection_};
     std::vector<std::string> passes;
     for (const gl::PassTime& pass : profiler_.passes())
         passes.push_back(pass.name);

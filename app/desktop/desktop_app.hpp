@@ -5,9 +5,9 @@
 #include "app/desktop/messages.hpp"
 #include "app/desktop/session.hpp"
 #include "app/desktop/settings.hpp"
-#include "app/desktop/window_telemetry.hpp"
 #include "app/desktop/ui/interface.hpp"
 #include "app/desktop/window.hpp"
+#include "app/desktop/window_telemetry.hpp"
 
 #include <chrono>
 #include <optional>

@@ -38,13 +38,26 @@ void HeatSource::move(const InputFrame& input, glm::vec3 view, const ControlPara
     glm::vec3 shift{0};
     for (const Key key : input.pressed) {
         switch (key) {
-        case Key::up: shift += away * parameters.sourceStep; break;
-        case Key::down: shift -= away * parameters.sourceStep; break;
-        case Key::right: shift += side * parameters.sourceStep; break;
-        case Key::left: shift -= side * parameters.sourceStep; break;
-        case Key::pageUp: shift += kUp * parameters.sourceStep; break;
-        case Key::pageDown: shift -= kUp * parameters.sourceStep; break;
-        default: break;
+        case Key::up:
+            shift += away * parameters.sourceStep;
+            break;
+        case Key::down:
+            shift -= away * parameters.sourceStep;
+            break;
+        case Key::right:
+            shift += side * parameters.sourceStep;
+            break;
+        case Key::left:
+            shift -= side * parameters.sourceStep;
+            break;
+        case Key::pageUp:
+            shift += kUp * parameters.sourceStep;
+            break;
+        case Key::pageDown:
+            shift -= kUp * parameters.sourceStep;
+            break;
+        default:
+            break;
         }
     }
     const glm::vec2 hand = input.mouseMove * (parameters.sourceMouseSpeed / kPointsPerUnit);

@@ -10,11 +10,11 @@ namespace meltpool {
 
 /// How far keys and mouse move things. Lengths in box units (one is 40 mm).
 struct ControlParameters {
-    float sourceStep = 0.05f;       ///< of an arrow or page key
-    float sourceMouseSpeed = 1.0f;  ///< box units for 500 points of mouse travel
-    float lookSpeed = 1.0f;         ///< factor on the mouse in view mode
-    float cameraSpeed = 1.0f;       ///< factor on the camera keys
-    bool invertLook = false;        ///< pulling the mouse looks up
+    float sourceStep = 0.05f;      ///< of an arrow or page key
+    float sourceMouseSpeed = 1.0f; ///< box units for 500 points of mouse travel
+    float lookSpeed = 1.0f;        ///< factor on the mouse in view mode
+    float cameraSpeed = 1.0f;      ///< factor on the camera keys
+    bool invertLook = false;       ///< pulling the mouse looks up
 };
 ParameterList describe(ControlParameters& parameters);
 

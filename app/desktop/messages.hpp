@@ -11,7 +11,7 @@ struct Message {
     enum class Kind { note, warning };
     Kind kind = Kind::note;
     std::string text;
-    double until = 0; ///< seconds on the program's clock; infinite for one that stays until it is taken back
+    double until = 0;  ///< seconds on the program's clock; infinite for one that stays until it is taken back
     std::string topic; ///< a newer message of the same topic replaces the older; "" never replaces
 };
 

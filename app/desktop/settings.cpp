@@ -133,8 +133,8 @@ std::string settingsText(const std::vector<SettingsSection>& sections) {
     for (const SettingsSection& section : sections) {
         text += "\n[" + section.name + "]\n";
         for (const Parameter& p : section.parameters)
-            text += std::string(p.key) + " = " + tomlValue(p) + " # " + std::string(p.label) + ": " + expectation(p) +
-                    "\n";
+            text +=
+                std::string(p.key) + " = " + tomlValue(p) + " # " + std::string(p.label) + ": " + expectation(p) + "\n";
     }
     return text;
 }

@@ -125,8 +125,8 @@ void Window::open(const Options& options) {
     glfwSetMouseButtonCallback(
         window_, [](GLFWwindow* w, int button, int action, int) { self(w).onButton(button, action == GLFW_PRESS); });
     glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) { self(w).onMove({x, y}); });
-    glfwSetScrollCallback(
-        window_, [](GLFWwindow* w, double, double y) { self(w).gathering_.scroll += static_cast<float>(y); });
+    glfwSetScrollCallback(window_,
+                          [](GLFWwindow* w, double, double y) { self(w).gathering_.scroll += static_cast<float>(y); });
     glfwSetWindowSizeCallback(window_, [](GLFWwindow* w, int x, int y) { self(w).onSize({x, y}); });
 }
 

@@ -12,7 +12,6 @@ struct GLFWwindow;
 
 namespace meltpool {
 
-
 class Window {
   public:
     struct Options {
@@ -40,8 +39,8 @@ class Window {
     void toggleFullScreen();
     void setTitle(const std::string& title);
 
-    glm::ivec2 size() const;      ///< screen points
-    glm::ivec2 pixels() const;    ///< of the frame buffer
+    glm::ivec2 size() const;   ///< screen points
+    glm::ivec2 pixels() const; ///< of the frame buffer
     bool minimised() const;
     bool maximised() const;
     bool fullScreen() const { return fullScreen_; }

@@ -19,16 +19,16 @@ json numbers(const glm::vec3& v) {
 json camera(const Controls& controls) {
     const OrbitCamera& orbit = controls.orbitCamera();
     const FreeCamera& free = controls.freeCamera();
-    return {{"eye", numbers(controls.eye())},     {"forward", numbers(controls.forward())},
-            {"azimuth", orbit.azimuth()},         {"elevation", orbit.elevation()},
-            {"distance", orbit.distance()},       {"yaw", free.yaw()},
-            {"pitch", free.pitch()},              {"free_position", numbers(free.position())}};
+    return {{"eye", numbers(controls.eye())}, {"forward", numbers(controls.forward())},
+            {"azimuth", orbit.azimuth()},     {"elevation", orbit.elevation()},
+            {"distance", orbit.distance()},   {"yaw", free.yaw()},
+            {"pitch", free.pitch()},          {"free_position", numbers(free.position())}};
 }
 
 json metal(const TelemetryRow& row) {
     const ui::Figures& f = row.figures;
-    return {{"time", f.time},     {"steps", row.steps},     {"particles", f.particles}, {"molten", f.molten},
-            {"hottest", f.hottest}, {"stopped", f.stopped}, {"lost", f.lost},         {"speed", f.speed}};
+    return {{"time", f.time},       {"steps", row.steps},   {"particles", f.particles}, {"molten", f.molten},
+            {"hottest", f.hottest}, {"stopped", f.stopped}, {"lost", f.lost},           {"speed", f.speed}};
 }
 
 json parameters(const TelemetryRow& row) {
@@ -76,7 +76,8 @@ void WindowTelemetry::write(const TelemetryRow& row) {
         {"mode", c.mode() == Mode::interact ? "interact" : "view"},
         {"captured", c.captured()},
         {"camera", camera(c)},
-        {"source", {{"position", numbers(c.source().position())}, {"on", c.source().on()}, {"cold", c.source().cold()}}},
+        {"source",
+         {{"position", numbers(c.source().position())}, {"on", c.source().on()}, {"cold", c.source().cold()}}},
         {"panels",
          {{"view", row.panels.view},
           {"simulation", row.panels.simulation},
@@ -86,7 +87,8 @@ void WindowTelemetry::write(const TelemetryRow& row) {
         {"metal", metal(row)},
         {"passes", row.passes},
         {"parameters", parameters(row)},
-        {"window", {{"size", {row.size.x, row.size.y}}, {"pixels", {row.pixels.x, row.pixels.y}}, {"scale", row.context.scale}}},
+        {"window",
+         {{"size", {row.size.x, row.size.y}}, {"pixels", {row.pixels.x, row.pixels.y}}, {"scale", row.context.scale}}},
         {"frames_per_second", row.figures.framesPerSecond},
         {"messages", messageTexts(row.messages)},
         {"places", places(row.context)},

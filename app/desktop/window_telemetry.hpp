@@ -25,8 +25,8 @@ struct TelemetryRow {
     const std::vector<std::string>& passes; ///< names of the timed GPU passes
     const Messages& messages;
     const ui::Context& context;
-    glm::ivec2 size{0};   ///< window, points
-    glm::ivec2 pixels{0}; ///< frame buffer
+    glm::ivec2 size{0};     ///< window, points
+    glm::ivec2 pixels{0};   ///< frame buffer
     std::string screenshot; ///< the last picture saved
 };
 

@@ -45,8 +45,9 @@ void modeSign(Context& context, const Controls& controls) {
 std::string figuresText(const Figures& f) {
     const double share = f.particles > 0 ? 100.0 * static_cast<double>(f.molten) / static_cast<double>(f.particles) : 0;
     char text[160];
-    std::snprintf(text, sizeof text, "%.1f s   \xC2\xB7   %zu particles   \xC2\xB7   %.1f %% molten   \xC2\xB7   hottest %.2f",
-                  f.time, f.particles, share, f.hottest);
+    std::snprintf(text, sizeof text,
+                  "%.1f s   \xC2\xB7   %zu particles   \xC2\xB7   %.1f %% molten   \xC2\xB7   hottest %.2f", f.time,
+                  f.particles, share, f.hottest);
     std::string all = text;
     if (f.stopped) return all + "   \xC2\xB7   stopped";
     if (f.speed < 0.97) {
@@ -125,9 +126,12 @@ void statusBar(Context& context, const Figures& figures, const Controls& control
     const std::string text = figuresText(figures);
     const float right = ImGui::GetIO().DisplaySize.x - ImGui::CalcTextSize(text.c_str()).x - context.points(16);
 
-    constexpr std::array<Hint, 4> kWork{{{"Left button", "heat"}, {"V", "look around"}, {"C", "catch the mouse"}, {"F1", "help"}}};
-    constexpr std::array<Hint, 4> kLook{{{"W A S D", "fly"}, {"V", "back to work"}, {"C", "catch the mouse"}, {"F1", "help"}}};
-    constexpr std::array<Hint, 3> kCaught{{{"Left button", "heat"}, {"Right button", "near and far"}, {"C", "free the mouse"}}};
+    constexpr std::array<Hint, 4> kWork{
+        {{"Left button", "heat"}, {"V", "look around"}, {"C", "catch the mouse"}, {"F1", "help"}}};
+    constexpr std::array<Hint, 4> kLook{
+        {{"W A S D", "fly"}, {"V", "back to work"}, {"C", "catch the mouse"}, {"F1", "help"}}};
+    constexpr std::array<Hint, 3> kCaught{
+        {{"Left button", "heat"}, {"Right button", "near and far"}, {"C", "free the mouse"}}};
     constexpr std::array<Hint, 3> kCaughtLook{{{"Mouse", "look"}, {"W A S D", "fly"}, {"C", "free the mouse"}}};
     const bool working = controls.mode() == Mode::interact;
     std::span<const Hint> hints = working ? std::span<const Hint>(kWork) : std::span<const Hint>(kLook);

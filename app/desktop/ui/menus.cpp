@@ -48,7 +48,8 @@ const Section* findSection(const std::vector<const Section*>& sections, std::str
     return nullptr;
 }
 
-void drawGroup(Context& context, const Section& section, const char* title, const ParameterList& list, bool openAtFirst) {
+void drawGroup(Context& context, const Section& section, const char* title, const ParameterList& list,
+               bool openAtFirst) {
     if (list.empty() || !groupHeading(context, section.name, title, openAtFirst)) return;
     for (const Parameter& parameter : list)
         parameterControl(context, section.name, parameter, section.defaults);
@@ -137,7 +138,10 @@ void viewMenu(Context& context, const std::vector<const Section*>& sections) {
                 {"view", "In the picture", {"show_box", "show_sky", "show_source"}, true},
                 {"view", "Light", {"ambient", "diffuse", "specular", "shininess", "exposure", "light_position"}, false},
                 {"surface", "Surface", {"influence", "iso_level", "caps"}, false},
-                {"controls", "Mouse and keys", {"source_step", "source_mouse_speed", "look_speed", "camera_speed", "invert_look"}, false},
+                {"controls",
+                 "Mouse and keys",
+                 {"source_step", "source_mouse_speed", "look_speed", "camera_speed", "invert_look"},
+                 false},
                 {"window", "Window", {"interface_size"}, false}});
     ImGui::End();
 }
@@ -150,8 +154,14 @@ void simulationMenu(Context& context, const Section& section, Controls& controls
         controls.source().setCold(cold);
     drawGroups(context, {&section},
                {{"simulation", "Heat", {"heat_radius", "heat_temperature", "solidify_rate"}, true},
-                {"simulation", "Liquid metal", {"viscosity", "gas_stiffness", "rest_density", "particle_mass", "support_radius"}, true},
-                {"simulation", "Space and time", {"gravity", "wall_restitution", "wall_slip", "acceleration_limit", "time_step"}, true}});
+                {"simulation",
+                 "Liquid metal",
+                 {"viscosity", "gas_stiffness", "rest_density", "particle_mass", "support_radius"},
+                 true},
+                {"simulation",
+                 "Space and time",
+                 {"gravity", "wall_restitution", "wall_slip", "acceleration_limit", "time_step"},
+                 true}});
     ImGui::End();
 }
 
@@ -172,8 +182,8 @@ void timingsPanel(Context& context, const gl::Profiler& profiler, const Figures&
 
 void helpOverlay(Context& context, bool& open) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    constexpr ImGuiWindowFlags kStill = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                        ImGuiWindowFlags_NoSavedSettings;
+    constexpr ImGuiWindowFlags kStill = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
     // A shade over everything; a click on it closes the page.
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize(screen);
@@ -202,10 +212,8 @@ void helpOverlay(Context& context, bool& open) {
                                               {"W  S", "over and under it"},
                                               {"Q  E", "nearer and farther"},
                                               {"Wheel", "nearer and farther"}}};
-    constexpr std::array<Shortcut, 4> kFly{{{"Mouse", "look"},
-                                            {"W  S", "forwards and back"},
-                                            {"A  D", "to the sides"},
-                                            {"Q  E", "down and up"}}};
+    constexpr std::array<Shortcut, 4> kFly{
+        {{"Mouse", "look"}, {"W  S", "forwards and back"}, {"A  D", "to the sides"}, {"Q  E", "down and up"}}};
     constexpr std::array<Shortcut, 8> kProgram{{{"V", "work, or pause and look around"},
                                                 {"C", "catch or free the mouse"},
                                                 {"Escape", "free the mouse"},
@@ -222,8 +230,9 @@ void helpOverlay(Context& context, bool& open) {
     shortcutColumn(context, "The camera, while looking around", kFly);
     shortcutColumn(context, "The program", kProgram);
     ImGui::Columns(1);
-    quietText(context, "A mouse that is not caught moves the torch too, while a button is held on the picture. Double click a "
-                       "slider to type a number; point at a name to read what it does.");
+    quietText(context,
+              "A mouse that is not caught moves the torch too, while a button is held on the picture. Double click a "
+              "slider to type a number; point at a name to read what it does.");
     ImGui::Dummy({0, context.points(4)});
     if (button(context, "help.close", "Close", ButtonKind::main, 140)) open = false;
     ImGui::End();

@@ -33,8 +33,8 @@ enum class Request { none, start, startWithDefaults, reset, restart };
 
 /// What the bars tell about the metal.
 struct Figures {
-    double time = 0;      ///< simulated seconds
-    double speed = 1;     ///< simulated over real time
+    double time = 0;  ///< simulated seconds
+    double speed = 1; ///< simulated over real time
     double framesPerSecond = 0;
     size_t particles = 0;
     size_t molten = 0;

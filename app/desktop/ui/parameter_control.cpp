@@ -11,8 +11,8 @@ namespace meltpool::ui {
 
 namespace {
 
-/// Where values stand along a slider. Where the range reaches far beyond the usual value, the value's neighbourhood gets
-/// most of the way: even at first, by ratio above.
+/// Where values stand along a slider. Where the range reaches far beyond the usual value, the value's neighbourhood
+/// gets most of the way: even at first, by ratio above.
 struct Scale {
     double low;
     double high;
@@ -49,7 +49,7 @@ std::string description(const Parameter& p, const std::string& original) {
 }
 
 struct TypedEntry {
-    std::string name;      ///< of the control that is being typed into; empty: none
+    std::string name; ///< of the control that is being typed into; empty: none
     char text[64] = {};
     bool fresh = false;
 };

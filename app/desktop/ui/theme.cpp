@@ -19,7 +19,8 @@ struct FontFiles {
 };
 
 constexpr std::array<FontFiles, 6> kFontFiles{{
-    {"/usr/share/fonts/truetype/open-sans/OpenSans-Regular.ttf", "/usr/share/fonts/truetype/open-sans/OpenSans-Semibold.ttf"},
+    {"/usr/share/fonts/truetype/open-sans/OpenSans-Regular.ttf",
+     "/usr/share/fonts/truetype/open-sans/OpenSans-Semibold.ttf"},
     {"/usr/share/fonts/open-sans/OpenSans-Regular.ttf", "/usr/share/fonts/open-sans/OpenSans-Semibold.ttf"},
     {"/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf", "/usr/share/fonts/truetype/noto/NotoSans-Bold.ttf"},
     {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf"},
