@@ -1,0 +1,122 @@
+#include "core/metal/validation.hpp"
+
+#include "core/base/error.hpp"
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+namespace meltpool {
+
+namespace {
+
+struct Runner {
+    std::string_view kind;
+    CaseRunner run;
+};
+
+constexpr std::array kRunners{
+    Runner{"conduction_step", runConductionStep},
+    Runner{"conduction_flux", runConductionFlux},
+    Runner{"stefan_one_phase", runStefan},
+    Runner{"stefan_two_phase", runStefan},
+    Runner{"rosenthal_thick", runRosenthal},
+    Runner{"rosenthal_thin", runRosenthal},
+    Runner{"energy", runEnergy},
+    Runner{"cavity_melting", runCavityMelting},
+};
+
+} // namespace
+
+bool ValidationResult::passed() const {
+    for (const ValidationNumber& number : numbers)
+        if (!number.passed) return false;
+    return true;
+}
+
+void ValidationResult::compareExact(const ValidationCase& from, std::string numberName, double reference, double ours,
+                                    double scale) {
+    const double by = scale > 0 ? scale : std::abs(reference);
+    const double error = 100 * std::abs(ours - reference) / by;
+    // Written so that a number that is not finite fails.
+    const bool good = error <= from.tolerancePercent;
+    numbers.push_back({std::move(numberName), "exact", reference, ours, error, from.tolerancePercent, good});
+}
+
+void ValidationResult::compareLimit(std::string numberName, double limit, double ours) {
+    const bool good = std::abs(ours) <= limit;
+    numbers.push_back({std::move(numberName), "limit", limit, ours, 0, 0, good});
+}
+
+void ValidationResult::tell(std::string numberName, double ours) {
+    numbers.push_back({std::move(numberName), "ours", 0, ours, 0, 0, std::isfinite(ours)});
+}
+
+void ValidationResult::compareMeasured(const ValidationCase& from, const std::string& numberName, double ours,
+                                       size_t index) {
+    const auto found = from.measured.find(numberName);
+    if (found == from.measured.end() || index >= found->second.values.size()) {
+        tell(numberName, ours);
+        return;
+    }
+    const double reference = found->second.values[index];
+    const double tolerance = found->second.tolerancePercent;
+    const double error = 100 * std::abs(ours - reference) / std::abs(reference);
+    numbers.push_back({numberName, "measured", reference, ours, error, tolerance, error <= tolerance});
+}
+
+ValidationResult runValidationCase(const ValidationCase& from, gl::ShaderLibrary& shaders) {
+    ValidationResult result;
+    result.name = from.name;
+    result.kind = from.kind->name;
+    result.file = from.file;
+    result.spacing = from.spacing;
+    const auto start = std::chrono::steady_clock::now();
+    for (const Runner& runner : kRunners)
+        if (runner.kind == from.kind->name) {
+            runner.run(from, shaders, result);
+            result.wallSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+            return result;
+        }
+    throw InputError(from.file, 0, "cases of kind '" + std::string(from.kind->name) + "' cannot be computed yet");
+}
+
+namespace {
+
+/// `text` with blanks in front up to `width`; a negative width puts them behind.
+std::string padded(std::string text, int width) {
+    const auto size = static_cast<size_t>(std::abs(width));
+    if (text.size() >= size) return text;
+    const std::string blanks(size - text.size(), ' ');
+    return width < 0 ? text + blanks : blanks + text;
+}
+
+std::string figure(double value, int digits) {
+    std::array<char, 40> text{};
+    std::snprintf(text.data(), text.size(), "%.*g", digits, value);
+    return text.data();
+}
+
+std::string numberText(const ValidationNumber& n) {
+    const bool told = n.origin == "ours";
+    std::string line = "      " + padded(n.name, -34) + padded(told ? "" : n.origin, -10);
+    line += padded(told ? "" : figure(n.reference, 6), 12) + padded(figure(n.ours, 6), 13);
+    if (told) return line + "\n";
+    if (n.origin != "limit")
+        line += padded(figure(n.errorPercent, 3), 11) + " % of at most " + figure(n.tolerancePercent, 3) + " %";
+    return line + (n.passed ? "  ok\n" : "  FAIL\n");
+}
+
+} // namespace
+
+std::string validationText(const ValidationResult& result) {
+    std::string text = (result.passed() ? "pass  " : "FAIL  ") + result.name + " (" + result.kind + ", spacing " +
+                       figure(result.spacing * 1e3, 4) + " mm, " + std::to_string(result.particles) + " particles, " +
+                       std::to_string(result.steps) + " steps, " + figure(result.wallSeconds, 3) + " s)\n";
+    for (const ValidationNumber& number : result.numbers)
+        text += numberText(number);
+    return text;
+}
+
+} // namespace meltpool

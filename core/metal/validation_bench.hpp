@@ -1,0 +1,40 @@
+// What the heat cases share: a metal block with its solver, run in even steps, and reading fields between particles.
+#pragma once
+
+#include "core/metal/heat.hpp"
+#include "core/metal/validation.hpp"
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace meltpool {
+
+/// A metal state with its heat solver.
+struct HeatBench {
+    HeatBench(gl::ShaderLibrary& shaders, const MetalLattice& lattice, const Material& material,
+              std::span<const MetalSeed> seeds, const HeatSettings& settings, double liquidConductivityFactor = 1);
+
+    /// Makes equal steps up to `seconds`, none longer than the solver's longest for `hottest` (K). `sources` gives what
+    /// burns at a time. Returns the number of steps.
+    size_t run(double from, double to, double hottest, const std::function<std::vector<HeatSource>(double)>& sources);
+
+    std::vector<double> readTemperatures() const;    ///< K, one a particle
+    std::vector<double> readLiquidFractions() const; ///< one a particle
+
+    MetalState state;
+    HeatSolver solver;
+};
+
+/// No source at all.
+std::vector<HeatSource> nothingBurns(double time);
+
+/// Value at `x` of the polynomial through the points (Lagrange).
+double interpolate(std::span<const double> places, std::span<const double> values, double x);
+
+/// A length in mm as it stands in a result's name: no trailing zeros.
+std::string millimetres(double value);
+
+} // namespace meltpool

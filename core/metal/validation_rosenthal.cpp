@@ -1,0 +1,167 @@
+// A source that moves along a plate, held against Rosenthal's point and line sources once it has settled.
+#include "core/metal/validation_bench.hpp"
+#include "core/metal/validation_exact.hpp"
+
+#include "core/base/error.hpp"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace meltpool {
+
+namespace {
+
+/// The plate and the path: x along the travel from 0, y up with the surface at 0, z across with the path at 0.
+struct MovingPlate {
+    exact::MovingSource source;
+    double thickness = 0; ///< of a thin plate, m; 0: thick
+    double travel = 0;    ///< length of the path, m
+    double behind = 0, side = 0, depth = 0;
+};
+
+MovingPlate plan(const ValidationCase& from) {
+    MovingPlate p;
+    const double initial = from.number("initial_temperature_k");
+    const Material& m = from.material;
+    const double k = m.solidConductivity.at(initial);
+    const double alpha = k / (m.solidDensity.at(initial) * m.solidSpecificHeat.at(initial));
+    p.source = {from.number("power_w"), from.number("speed_mm_s") * 1e-3, k, alpha, initial};
+    if (from.kind->name == "rosenthal_thin") {
+        p.thickness = from.number("thickness_mm") * 1e-3;
+        const double cells = p.thickness / from.spacing;
+        if (std::abs(cells - std::round(cells)) > 0.01 * cells)
+            throw InputError(from.file, 0, "thickness_mm must be a whole number of spacings");
+    }
+    p.travel = p.source.speed * from.time;
+    const auto& at = from.list("at_mm");
+    double across = 0;
+    for (size_t i = 0; i + 2 < at.size(); i += 3) {
+        p.behind = std::max(p.behind, -at[i] * 1e-3);
+        across = std::max({across, std::abs(at[i + 1]) * 1e-3, std::abs(at[i + 2]) * 1e-3});
+    }
+    p.behind = std::max({p.behind, across, 5 * from.spacing});
+    // Heat that is `behind` old has spread so far; three and a half deviations keep the edges out of it.
+    const double spread = std::sqrt(2 * alpha * 1.5 * p.behind / p.source.speed);
+    p.side = std::max(3.5 * spread, 1.4 * across) + 4 * from.spacing;
+    p.depth = p.thickness > 0 ? p.thickness : p.side;
+    return p;
+}
+
+/// A lattice field that can be read anywhere, mirrored at the surface.
+class Field {
+  public:
+    Field(const MetalLattice& lattice, const MetalState& state, int top)
+        : lattice_(lattice), top_(top), values_(lattice.cellCount(), NAN) {
+        for (const vec4& p : state.position.read<vec4>(state.particles()))
+            values_[lattice.index(lattice.cellAt(glm::vec3(p)))] = static_cast<double>(p.w);
+    }
+
+    double cell(glm::ivec3 c) const {
+        if (c.y > top_) c.y = 2 * top_ + 1 - c.y; // no heat crosses the surface, so the field goes on as in a mirror
+        c = glm::clamp(c, glm::ivec3(0), lattice_.cells() - 1);
+        return values_[lattice_.index(c)];
+    }
+
+    /// Cubic between cells along each axis.
+    double at(glm::dvec3 place) const {
+        const glm::dvec3 q = (place - glm::dvec3(lattice_.low)) / static_cast<double>(lattice_.spacing) - 0.5;
+        const glm::ivec3 base(glm::floor(q));
+        const std::array<double, 4> nodes{-1, 0, 1, 2};
+        std::array<double, 4> alongX{};
+        for (int i = 0; i < 4; ++i) {
+            std::array<double, 4> alongY{};
+            for (int j = 0; j < 4; ++j) {
+                std::array<double, 4> alongZ{};
+                for (int k = 0; k < 4; ++k)
+                    alongZ[static_cast<size_t>(k)] = cell(base + glm::ivec3(i - 1, j - 1, k - 1));
+                alongY[static_cast<size_t>(j)] = interpolate(nodes, alongZ, q.z - base.z);
+            }
+            alongX[static_cast<size_t>(i)] = interpolate(nodes, alongY, q.y - base.y);
+        }
+        return interpolate(nodes, alongX, q.x - base.x);
+    }
+
+  private:
+    MetalLattice lattice_;
+    int top_;
+    std::vector<double> values_;
+};
+
+double exactAt(const MovingPlate& p, double xi, double across, double down) {
+    return p.thickness > 0 ? exact::rosenthalThin(p.source, p.thickness, xi, across)
+                           : exact::rosenthalThick(p.source, xi, across, down);
+}
+
+/// Root mean square and largest error, in per cent of the local rise, beside and behind the source, beyond three cells,
+/// where the rise is at least a hundredth of the hottest compared.
+void compareField(const ValidationCase& from, const MovingPlate& p, const MetalState& state, ValidationResult& result) {
+    const double far = 3 * from.spacing;
+    double squares = 0;
+    double largest = 0;
+    size_t count = 0;
+    const double hottest = exactAt(p, -far, 0, 0) - p.source.ambient;
+    for (const vec4& particle : state.position.read<vec4>(state.particles())) {
+        const double xi = static_cast<double>(particle.x) - p.travel;
+        const double down = -static_cast<double>(particle.y);
+        const double across = static_cast<double>(particle.z);
+        const double distance = p.thickness > 0 ? std::hypot(xi, across) : std::hypot(xi, across, down);
+        if (xi > 0 || xi < -p.behind || distance < far) continue;
+        const double rise = exactAt(p, xi, across, down) - p.source.ambient;
+        if (rise < 0.01 * hottest) continue;
+        const double error = (static_cast<double>(particle.w) - p.source.ambient - rise) / rise;
+        squares += error * error;
+        largest = std::max(largest, std::abs(error));
+        ++count;
+    }
+    const double rms = 100 * std::sqrt(squares / static_cast<double>(count));
+    constexpr double kRmsLimit = 1;
+    result.compareLimit("field_rms_percent", kRmsLimit, rms);
+    result.compareLimit("field_max_percent", from.spacing > 0.75e-3 ? 8 : 5, 100 * largest);
+}
+
+} // namespace
+
+void runRosenthal(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result) {
+    const MovingPlate p = plan(from);
+    const auto h = static_cast<float>(from.spacing);
+    const auto metres = [](double v) { return static_cast<float>(v); };
+    // A row of cells lies with its middle on the path, so that the source has no width that the exact one has not.
+    const float side = (std::ceil(metres(p.side) / h) + 0.5F) * h;
+    const float depth = std::round(metres(p.depth) / h) * h;
+    const float before = side * 0.5F;
+    const glm::vec3 low(-before, -depth, -side);
+    const glm::vec3 high(metres(p.travel) + before, 0, side);
+    const MetalLattice lattice = MetalLattice::covering(low, high, h);
+    const auto seeds = latticeSeeds(lattice, low, high, metres(p.source.ambient));
+    HeatSettings settings;
+    settings.ambient = p.source.ambient;
+    HeatBench bench(shaders, lattice, from.material, seeds, settings);
+    const auto source = [&](double time) {
+        // The narrowest source on cells is as wide as a point source's heat after a time of dx²/(8 alpha), so it stands
+        // where the point source was that long ago. The half-axes give a second moment of dx²/4 along each direction.
+        const double lag = from.spacing * from.spacing / (8 * p.source.alpha);
+        const glm::vec3 place(metres(p.source.speed * (time - lag)), 0, 0);
+        const float deep = p.thickness > 0 ? 1e3F : 0.5F * h; // the whole thickness, or the top layer alone
+        return std::vector{HeatSource::ellipsoid(place, {0, -1, 0}, {1, 0, 0}, 1.294F * h, deep, 1.22F * h, 1.22F * h,
+                                                 1, metres(p.source.power))};
+    };
+    result.particles = bench.state.particles();
+    result.steps = bench.run(0, from.time, p.source.ambient + 1, source);
+
+    const int top = static_cast<int>(std::lround(depth / h)) - 1;
+    const Field field(lattice, bench.state, top);
+    const auto& at = from.list("at_mm");
+    for (size_t i = 0; i + 2 < at.size(); i += 3) {
+        const double xi = at[i] * 1e-3, across = at[i + 1] * 1e-3, down = at[i + 2] * 1e-3;
+        const double reference = exactAt(p, xi, across, down);
+        const std::string name = "temperature_at_" + millimetres(at[i]) + "_" + millimetres(at[i + 1]) + "_" +
+                                 millimetres(at[i + 2]) + "mm_k";
+        result.compareExact(from, name, reference, field.at({p.travel + xi, -down, across}),
+                            reference - p.source.ambient);
+    }
+    compareField(from, p, bench.state, result);
+}
+
+} // namespace meltpool

@@ -1,0 +1,20 @@
+// Books every joule in and out of a particle, where LEDGER is defined. Included after heat_common.glsl.
+#ifdef LEDGER
+layout(std430, binding = HEAT_LEDGER) restrict buffer Ledger { vec4 ledger[]; };
+
+/// a + b with the rest that float cannot hold: (sum, rest), rest of before included.
+vec2 carried(vec2 sum, float added) {
+    precise float change = added + sum.y;
+    precise float total = sum.x + change;
+    precise float taken = total - sum.x;
+    precise float rest = change - taken;
+    return vec2(total, rest);
+}
+
+void book(uint slot, float gained, float lost) {
+    vec4 entry = ledger[slot];
+    ledger[slot] = vec4(carried(entry.xy, gained), carried(entry.zw, lost));
+}
+#else
+void book(uint slot, float gained, float lost) {}
+#endif

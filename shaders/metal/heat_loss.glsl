@@ -1,0 +1,31 @@
+// What a free surface loses: convection, radiation and, where the material says how, evaporation. After heat_common.glsl.
+
+/// Watts that `area` (m²) at `temperature` (K) loses to the air and by radiation.
+float surfaceLoss(float temperature, float area) {
+    float ambient = heatBlock.time.z;
+    float t2 = temperature * temperature;
+    float a2 = ambient * ambient;
+    return area * (heatBlock.time.y * (temperature - ambient) + heatBlock.time.w * (t2 * t2 - a2 * a2));
+}
+
+/// Watts a square metre loses by evaporation at `temperature`, after Hertz, Knudsen and Langmuir with the vapour pressure of
+/// Clausius and Clapeyron.
+float evaporationFlux(float temperature) {
+    float exponent = heatBlock.evaporation.y * (1.0 / heatBlock.evaporation.x - 1.0 / temperature);
+    return heatBlock.evaporation.z * inversesqrt(temperature) * exp(exponent);
+}
+
+/// Temperature after a step in which a surface that would have reached `hot` also evaporates. The flux rises so steeply that
+/// it is taken at the end of the step: Newton's method for T + area dt q(T)/(m c) = hot, which comes down from above.
+float afterEvaporation(float hot, float area) {
+    float cooling = area * heatBlock.time.x / (metal.gravity.w * heatBlock.evaporation.w);
+    float t = hot;
+    bool boils = area > 0.0 && hot > 0.5 * heatBlock.evaporation.x;
+    for (int i = 0; i < 20 && boils; ++i) {
+        float flux = evaporationFlux(t);
+        float change = (t + cooling * flux - hot) / (1.0 + cooling * flux * heatBlock.evaporation.y / (t * t));
+        t -= change;
+        boils = abs(change) > 0.01;
+    }
+    return t;
+}

@@ -1,0 +1,48 @@
+// How much of a heat source a place on the metal sees. Included after heat_common.glsl.
+
+/// Share of source `s` that goes to metal at `place` with the given volume (m³), free surface (outward unit normal, area in
+/// m²) and temperature (K), before normalisation. The tip's weight is in W.
+float sourceWeight(HeatSourceData s, vec3 place, float volume, vec4 surface, float temperature) {
+    vec3 d = place - s.place.xyz;
+    float size = s.ahead.w;
+    int kind = int(s.place.w);
+    if (kind == SOURCE_SPHERE) return volume * max(0.0, 1.0 - dot(d, d) / (size * size));
+    float depth = dot(d, s.axis.xyz);
+    if (kind == SOURCE_GAUSSIAN) {
+        float r2 = max(0.0, dot(d, d) - depth * depth);
+        return surface.w * max(0.0, -dot(surface.xyz, s.axis.xyz)) * exp(-r2 / (2.0 * size * size));
+    }
+    if (kind == SOURCE_TIP) {
+        float reach = dot(d, d) <= size * size ? surface.w : 0.0;
+        return reach * s.shape.y * max(0.0, s.shape.x - temperature);
+    }
+    float ahead = dot(d, s.ahead.xyz);
+    float across = dot(d, cross(s.ahead.xyz, s.axis.xyz));
+    bool front = ahead >= 0.0;
+    float length2 = front ? size : s.shape.z;
+    // Half-axes differ in front and rear, and so does the peak: fraction over length.
+    float peak = (front ? s.shape.w : 2.0 - s.shape.w) / length2;
+    vec3 q = vec3(ahead / length2, across / s.shape.x, depth / s.shape.y);
+    return volume * peak * exp(-3.0 * dot(q, q));
+}
+
+/// Watts a unit of weight is worth, from the sum of all weights.
+float sourceScale(HeatSourceData s, float total) {
+    if (total <= 0.0) return 0.0;
+    float scale = s.axis.w / total;
+    return int(s.place.w) == SOURCE_TIP ? min(1.0, scale) : scale;
+}
+
+/// Tile number `group` of the box that the source reaches.
+ivec3 sourceTile(HeatSourceData s, int group) {
+    return s.lowTile.xyz +
+           ivec3(group % s.tileCount.x, group / s.tileCount.x % s.tileCount.y, group / (s.tileCount.x * s.tileCount.y));
+}
+
+/// Weight of the particle `slot` in cell `inside` of a tile.
+float cellWeight(HeatSourceData s, int tile, ivec3 tilePlace, int inside, uint slot) {
+    vec4 surface = freeSurface(readNeighbours(tile, tilePlace, inside, 0));
+    float volume = metal.origin.w * metal.origin.w * metal.origin.w;
+    vec3 place = cellCentre(tilePlace * TILE_EDGE + insideCoordinate(inside));
+    return sourceWeight(s, place, volume, surface, position[slot].w);
+}

@@ -1,0 +1,35 @@
+// How heat changes one particle. Included after heat_common.glsl.
+
+const float kCoolingFrom = 1073.15; // 800 degrees C
+const float kCoolingTo = 773.15;    // 500 degrees C
+
+/// Part of `duration` spent between 800 and 500 degrees C while cooling, from the temperatures at both ends.
+float coolingTime(float before, float after, float duration) {
+    if (after >= before) return 0.0;
+    float high = min(before, kCoolingFrom);
+    float low = max(after, kCoolingTo);
+    return high > low ? duration * (high - low) / (before - after) : 0.0;
+}
+
+/// Adds what a particle took up in `duration` s, keeping in the residual what float cannot hold. Returns the new Kirchhoff variable.
+float addHeat(uint slot, float joules, float duration) {
+    vec4 h = heat[slot];
+    float before = position[slot].w;
+    precise float change = joules / metal.gravity.w + h.y;
+    precise float sum = h.x + change;
+    precise float taken = sum - h.x;
+    precise float rest = change - taken;
+    vec2 state = thermalState(sum);
+    float cooling = state.x > kCoolingFrom ? 0.0 : h.w + coolingTime(before, state.x, duration);
+    heat[slot] = vec4(sum, rest, max(h.z, state.x), cooling);
+    position[slot].w = state.x;
+    return state.y;
+}
+
+/// Phase bits after a step: liquid above one fraction, solid below another, so that a particle at the brink does not flutter.
+uint nextPhase(uint bits, float enthalpy) {
+    float f = liquidFraction(enthalpy);
+    if (f > metal.melting.z) return bits | PHASE_LIQUID;
+    if (f < metal.melting.w) return bits & ~PHASE_LIQUID;
+    return bits;
+}

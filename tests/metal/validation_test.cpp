@@ -1,0 +1,81 @@
+// The shipped validation cases, and that fronts and fields converge as the spacing shrinks.
+#include "core/base/error.hpp"
+#include "core/base/text.hpp"
+#include "core/metal/validation.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace meltpool;
+
+namespace {
+
+ValidationResult runShipped(const std::string& name) {
+    const auto file = test::testFolder() / "validation" / (name + ".toml");
+    return runValidationCase(readValidationCase(file), test::shaders());
+}
+
+ValidationCase shipped(const std::string& name, double spacing) {
+    ValidationCase result = readValidationCase(test::testFolder() / "validation" / (name + ".toml"));
+    result.spacing = spacing;
+    return result;
+}
+
+} // namespace
+
+TEST_CASE("Shipped heat cases pass", "[validation]") {
+    const std::string name = GENERATE("conduction_step", "conduction_flux", "stefan_one_phase", "stefan_two_phase",
+                                      "energy", "energy_insulated");
+    const ValidationResult result = runShipped(name);
+    INFO(validationText(result));
+    CHECK(result.passed());
+    CHECK(result.steps > 0);
+    CHECK_FALSE(result.numbers.empty());
+}
+
+TEST_CASE("Moving sources pass", "[validation][long]") {
+    const std::string name = GENERATE("rosenthal_thick", "rosenthal_thin");
+    const ValidationResult result = runShipped(name);
+    INFO(validationText(result));
+    CHECK(result.passed());
+}
+
+TEST_CASE("A moving source's field is right beyond three coarse cells too", "[validation]") {
+    const ValidationResult result = runValidationCase(shipped("rosenthal_thick", 2e-3), test::shaders());
+    INFO(validationText(result));
+    CHECK(result.numbers[0].errorPercent < 3); // 10 mm behind
+    CHECK(result.numbers[1].errorPercent < 1.5); // 20 mm behind
+}
+
+TEST_CASE("Errors shrink with the spacing", "[validation]") {
+    const std::string name = GENERATE("conduction_step", "stefan_one_phase", "stefan_two_phase");
+    const auto error = [&](double spacing) {
+        const ValidationResult result = runValidationCase(shipped(name, spacing), test::shaders());
+        double worst = 0;
+        for (const ValidationNumber& n : result.numbers)
+            worst = std::max(worst, n.errorPercent);
+        return worst;
+    };
+    const double coarse = error(2e-3);
+    const double fine = error(0.5e-3);
+    INFO(name << ": " << coarse << " % at 2 mm, " << fine << " % at 0.5 mm");
+    CHECK(fine < 0.5 * coarse);
+}
+
+TEST_CASE("A wrong reference is found out", "[validation]") {
+    ValidationCase wrong = shipped("conduction_step", 1e-3);
+    wrong.numbers["initial_temperature_k"] = 350; // the twin of the closed form follows, a held number does not
+    ValidationResult result = runValidationCase(wrong, test::shaders());
+    CHECK(result.passed());
+    result.compareExact(wrong, "temperature", 1225.8, result.numbers[0].ours);
+    CHECK_FALSE(result.passed());
+    result = {};
+    result.compareExact(wrong, "nothing", 1, NAN);
+    CHECK_FALSE(result.passed());
+}
+
+TEST_CASE("A wall that does not fit the spacing is refused", "[validation]") {
+    CHECK_THROWS_AS(runValidationCase(shipped("rosenthal_thin", 0.7e-3), test::shaders()), InputError);
+}
