@@ -2,6 +2,7 @@
 #include "app/doctor.hpp"
 
 #include "app/commands.hpp"
+#include "app/headset/headset_doctor.hpp"
 #include "app/program_info.hpp"
 #include "core/base/error.hpp"
 #include "core/base/resources.hpp"
@@ -123,6 +124,7 @@ bool runDoctor() {
     inspectDriver(findings);
     inspectDisplay(findings);
     inspectFiles(findings);
+    inspectHeadset(findings);
     const bool complete = printFindings(findings);
     std::printf(complete ? "Everything that a lesson needs is here.\n"
                          : "Something that every lesson needs is missing.\n");

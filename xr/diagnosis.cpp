@@ -166,6 +166,7 @@ std::string activeRuntimeManifest() {
 }
 
 Diagnosis diagnose(bool session) {
+    quietLoader();
     Diagnosis told;
     const std::string manifest = activeRuntimeManifest();
     told.facts.push_back({"active runtime", manifest.empty() ? "none is set" : manifest, !manifest.empty()});
@@ -175,10 +176,10 @@ Diagnosis diagnose(bool session) {
         if (session) tellSession(std::move(instance), told);
         told.usable = true;
     } catch (const XrFault& fault) {
-        told.facts.push_back({"headset", resultName(fault.result()), false});
+        told.facts.push_back({"headset", "none to be used (" + resultName(fault.result()) + ")", false});
         told.advice = explain(fault);
     } catch (const std::exception& other) {
-        told.facts.push_back({"headset", "cannot be used", false});
+        told.facts.push_back({"headset", "none to be used", false});
         told.advice = other.what();
     }
     return told;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <cstring>
 
 namespace meltpool::xr {
@@ -32,6 +33,14 @@ std::vector<std::string> wantedExtensions(const std::vector<std::string>& offere
 }
 
 } // namespace
+
+void quietLoader() {
+#ifdef _WIN32
+    if (std::getenv("XR_LOADER_DEBUG") == nullptr) _putenv_s("XR_LOADER_DEBUG", "none");
+#else
+    setenv("XR_LOADER_DEBUG", "none", 0);
+#endif
+}
 
 std::vector<std::string> offeredExtensions() {
     uint32_t count = 0;

@@ -9,6 +9,10 @@
 
 namespace meltpool::xr {
 
+/// Keeps the loader's own words off the terminal unless the person asked for them (XR_LOADER_DEBUG); what fails is told
+/// in ours. To be called before other threads run.
+void quietLoader();
+
 /// Names of the extensions that the active runtime (and enabled layers) offer; empty where no runtime answers.
 std::vector<std::string> offeredExtensions();
 

@@ -37,8 +37,9 @@ std::string explain(const XrFault& fault) {
     }
 }
 
-HeadsetLink::HeadsetLink(HeadsetSettings settings)
-    : settings_(settings), nextLook_(Clock::now()), pause_(kFirstPause) {}
+HeadsetLink::HeadsetLink(HeadsetSettings settings) : settings_(settings), nextLook_(Clock::now()), pause_(kFirstPause) {
+    quietLoader();
+}
 
 HeadsetLink::~HeadsetLink() {
     if (looking_) looking_->wait();
