@@ -1,0 +1,131 @@
+// `meltpool run` from end to end: what it writes, that it repeats, odd particle numbers, and failures midway.
+#include "core/base/image.hpp"
+#include "core/base/text.hpp"
+#include "core/weld/torch_csv.hpp"
+#include "tests/app/program.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+#include <nlohmann/json.hpp>
+
+using namespace meltpool;
+using meltpool::test::containsText;
+using meltpool::test::runMeltpool;
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+/// A run that software drivers finish in about a second.
+const std::string kQuick = "run classic --size 160x120 --set cells=24 ";
+
+Json resultIn(const fs::path& folder) {
+    return Json::parse(readTextFile(folder / "result.json"));
+}
+
+Json runInto(const fs::path& folder, const std::string& arguments) {
+    const test::Outcome outcome = runMeltpool(arguments + " --out '" + folder.string() + "'");
+    INFO(outcome.errors);
+    REQUIRE(outcome.code == 0);
+    REQUIRE(outcome.errors.empty());
+    return resultIn(folder);
+}
+
+size_t picturesIn(const fs::path& folder) {
+    size_t count = 0;
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (entry.path().extension() == ".png") {
+            const Image image = readPng(entry.path());
+            CHECK(image.width == 160);
+            CHECK(image.height == 120);
+            ++count;
+        }
+    return count;
+}
+
+} // namespace
+
+TEST_CASE("a run leaves result, telemetry and pictures, and the same run gives the same state", "[app]") {
+    const auto folder = test::scratchFolder("run");
+    const std::string arguments = kQuick + "--seconds 1 --pictures 0.5 --set particles=8191 --set support_radius=0.07";
+    const Json first = runInto(folder / "first", arguments);
+    for (const char* field :
+         {"lesson", "renderer", "seconds", "steps", "particles", "min_temperature", "mean_temperature",
+          "max_temperature", "molten", "lost", "non_finite", "state_hash", "wall_seconds", "parameters"})
+        CHECK(first.contains(field));
+    CHECK(first["lesson"] == "classic");
+    CHECK(first["steps"] == 60);
+    CHECK(first["seconds"].get<double>() == Approx(1).margin(1e-4));
+    CHECK(first["particles"] == 8191);
+    CHECK(first["lost"] == 0);
+    CHECK(first["non_finite"] == 0);
+    CHECK(first["molten"] > 0);
+    CHECK(first["molten"] < 8191);
+    CHECK(first["min_temperature"] == 0);
+    CHECK_FALSE(first.contains("error"));
+    CHECK(picturesIn(folder / "first") == 6); // 0, 0.5 and 1 s in two looks
+    CHECK(readTorchCsv(folder / "first" / "telemetry.csv").samples.size() == 60);
+
+    const Json second = runInto(folder / "second", arguments);
+    CHECK(second["state_hash"] == first["state_hash"]);
+    CHECK(second["molten"] == first["molten"]);
+
+    // The record is a torch path: run again it gives the same metal.
+    const Json again =
+        runInto(folder / "again", arguments + " --torch '" + (folder / "first" / "telemetry.csv").string() + "'");
+    CHECK(again["state_hash"] == first["state_hash"]);
+    CHECK(readTextFile(folder / "again" / "telemetry.csv") == readTextFile(folder / "first" / "telemetry.csv"));
+}
+
+TEST_CASE("odd numbers of particles lose none", "[app]") {
+    const auto folder = test::scratchFolder("odd");
+    for (const int particles : {1, 63, 65, 1021}) {
+        INFO(particles);
+        const Json result = runInto(folder / std::to_string(particles),
+                                    kQuick + "--pictures 0 --seconds 0.9 --set support_radius=0.15 --set particles=" +
+                                        std::to_string(particles) + " --set heat_radius=8 --set solidify_rate=0");
+        CHECK(result["particles"] == particles);
+        CHECK(result["lost"] == 0);
+        CHECK(result["non_finite"] == 0);
+        CHECK(result["molten"] == particles);
+    }
+}
+
+TEST_CASE("a run of no length takes its pictures and ends", "[app]") {
+    const auto folder = test::scratchFolder("none");
+    const Json result = runInto(folder, kQuick + "--pictures 0 --seconds 0 --set particles=64");
+    CHECK(result["steps"] == 0);
+    CHECK(picturesIn(folder) == 2);
+}
+
+TEST_CASE("when the disk is full midway the rest is kept and the result says why", "[app]") {
+    if (!fs::exists("/dev/full")) return;
+    const auto folder = test::scratchFolder("full");
+    fs::create_symlink("/dev/full", folder / "telemetry.csv");
+    const test::Outcome outcome =
+        runMeltpool(kQuick + "--pictures 0 --seconds 0.5 --set particles=64 --out '" + folder.string() + "'");
+    CHECK(outcome.code == 1);
+    CHECK_THAT(outcome.errors, containsText("telemetry.csv"));
+    CHECK_THAT(resultIn(folder).at("error").get<std::string>(), containsText("telemetry.csv"));
+}
+
+TEST_CASE("a picture that cannot be written keeps the record up to there", "[app]") {
+    const auto folder = test::scratchFolder("picture");
+    fs::create_directories(folder / "000.500s-metal.png");
+    const test::Outcome outcome =
+        runMeltpool(kQuick + "--seconds 1 --pictures 0.5 --set particles=64 --out '" + folder.string() + "'");
+    CHECK(outcome.code == 1);
+    CHECK_THAT(resultIn(folder).at("error").get<std::string>(), containsText("000.500s-metal.png"));
+    CHECK(readTorchCsv(folder / "telemetry.csv").samples.size() == 30);
+}
+
+TEST_CASE("a run that is stopped by a signal keeps what it had", "[app]") {
+    const auto folder = test::scratchFolder("signal");
+    const test::Outcome outcome = runMeltpool(
+        kQuick + "--pictures 0 --seconds 3600 --set particles=512 --out '" + folder.string() + "'", "timeout -s INT 4");
+    CHECK(outcome.code != 0);
+    const Json result = resultIn(folder);
+    CHECK_THAT(result.at("error").get<std::string>(), containsText("stopped"));
+    CHECK(readTorchCsv(folder / "telemetry.csv").samples.size() == result.at("steps").get<size_t>());
+}

@@ -1,0 +1,132 @@
+// The Trainer on the classic lesson: a corner melts and freezes again, nothing else does, and runs repeat bit by bit.
+#include "core/training/classic_model.hpp"
+#include "core/training/trainer.hpp"
+#include "core/weld/torch_csv.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+#include <glm/vec4.hpp>
+
+using namespace meltpool;
+
+namespace {
+
+constexpr int kParticles = 2744; // 14 an axis: small enough for a software driver
+
+Lesson smallLesson() {
+    Lesson lesson = findLesson("classic", test::testFolder().parent_path() / "app" / "data" / "lessons");
+    lesson.setup.particles = kParticles;
+    lesson.metal.supportRadius = 0.1f;
+    lesson.surface.cells = 16;
+    return lesson;
+}
+
+TorchSample flameAt(float mm, float trigger) {
+    const float metres = mm * 1e-3f;
+    return {0, {metres, metres, metres}, {1, 0, 0, 0}, trigger};
+}
+
+void repeat(Trainer& trainer, const TorchSample& torch, int steps) {
+    for (int i = 0; i < steps; ++i)
+        trainer.advance(torch, nullptr);
+}
+
+/// The hottest particle in the octant of the box that `side` points into, by the start's places.
+float hottestNear(const Trainer& trainer, float side) {
+    const SceneView scene = trainer.scene();
+    float hottest = 0;
+    for (const glm::vec4& p : scene.particles.positions->read<glm::vec4>(scene.particles.count))
+        if (p.x * side > 0.2f && p.y * side > 0.2f && p.z * side > 0.2f) hottest = std::max(hottest, p.w);
+    return hottest;
+}
+
+} // namespace
+
+TEST_CASE("the flame melts the corner under it, the opposite corner stays cold, and it freezes again", "[training]") {
+    Lesson lesson = smallLesson();
+    lesson.metal.solidifyRate = 0.01f;
+    Trainer trainer(test::shaders(), lesson);
+    trainer.waitForFigures(true);
+    CHECK(trainer.figures().molten == 0);
+    repeat(trainer, flameAt(21, 1), 60);
+    CHECK(trainer.figures().molten > 10);
+    CHECK(trainer.figures().molten < kParticles / 2);
+    CHECK(hottestNear(trainer, 1) > 0.5f);
+    CHECK(hottestNear(trainer, -1) == 0);
+    repeat(trainer, flameAt(36, 0), 105);
+    CHECK(trainer.figures().molten == 0);
+    CHECK(trainer.figures().maxTemperature == 0);
+    CHECK(trainer.figures().lost == 0);
+    CHECK(trainer.figures().nonFinite == 0);
+    CHECK(trainer.steps() == 165);
+    CHECK(trainer.time() == Approx(165.0 / 60));
+}
+
+TEST_CASE("the trigger's pull is the source's strength", "[training]") {
+    Lesson lesson = smallLesson();
+    lesson.metal.solidifyRate = 0;
+    const auto heatAfterOneStep = [&](float trigger) {
+        Trainer trainer(test::shaders(), lesson);
+        trainer.waitForFigures(true);
+        trainer.advance(flameAt(20, trigger), nullptr);
+        return trainer.figures().maxTemperature;
+    };
+    CHECK(heatAfterOneStep(0) == 0);
+    CHECK(heatAfterOneStep(0.5f) == Approx(0.5 * heatAfterOneStep(1)));
+}
+
+TEST_CASE("a cold source takes back what a hot one gave", "[training]") {
+    Lesson lesson = smallLesson();
+    lesson.metal.solidifyRate = 0;
+    Trainer trainer(test::shaders(), lesson);
+    trainer.waitForFigures(true);
+    repeat(trainer, flameAt(21, 1), 20);
+    const double before = trainer.figures().meanTemperature;
+    trainer.lesson().source.kind = 1;
+    repeat(trainer, flameAt(21, 1), 10);
+    CHECK(trainer.figures().meanTemperature < before);
+}
+
+TEST_CASE("reset, a second trainer and a replay of the record all give the same bits", "[training]") {
+    const auto folder = test::scratchFolder("trainer");
+    Trainer trainer(test::shaders(), smallLesson());
+    const auto run = [](Trainer& t) {
+        for (int i = 0; i < 50; ++i)
+            t.advance(t.demonstration(), nullptr);
+        return t.result().stateHash;
+    };
+    trainer.record(folder / "first.csv");
+    const auto first = run(trainer);
+    trainer.reset();
+    CHECK(trainer.time() == 0);
+    CHECK(trainer.steps() == 0);
+    CHECK_FALSE(trainer.recording());
+    CHECK(run(trainer) == first);
+
+    Trainer second(test::shaders(), smallLesson());
+    CHECK(run(second) == first);
+
+    Lesson replayed = smallLesson();
+    replayed.torch = TorchPath::read(folder / "first.csv");
+    Trainer replay(test::shaders(), replayed);
+    CHECK(run(replay) == first);
+    replay.advance(flameAt(21, 1), nullptr);
+    CHECK(replay.result().stateHash != first);
+}
+
+TEST_CASE("the classic source stays inside its box", "[training]") {
+    CHECK(classicSourcePosition({0.02f, -0.01f, 0}) == glm::vec3(0.5f, -0.25f, 0));
+    CHECK(classicSourcePosition({1, -1, 0.05f}) == glm::vec3(1, -1, 1));
+}
+
+TEST_CASE("the scene carries the surface, the particles and the source", "[training]") {
+    Trainer trainer(test::shaders(), smallLesson());
+    trainer.advance(flameAt(22, 1), nullptr);
+    trainer.updateSurface(nullptr);
+    const SceneView scene = trainer.scene();
+    CHECK(scene.particles.count == kParticles);
+    CHECK(scene.mesh.vertices != nullptr);
+    CHECK(scene.source.shown);
+    CHECK(scene.source.on);
+    CHECK(scene.source.position.x == Approx(0.55f));
+}
