@@ -122,9 +122,20 @@ TEST_CASE("a picture that cannot be written keeps the record up to there", "[app
 
 TEST_CASE("a run that is stopped by a signal keeps what it had", "[app]") {
     const auto folder = test::scratchFolder("signal");
-    const test::Outcome outcome = runMeltpool(
-        kQuick + "--pictures 0 --seconds 3600 --set particles=512 --out '" + folder.string() + "'", "timeout -s INT 4");
-    CHECK(outcome.code != 0);
+    // Waits until the record has rows, then asks the run to stop.
+    writeTextFileAtomically(folder / "stop.sh", "\"$@\" & pid=$!\n"
+                                                "tries=0\n"
+                                                "while [ $tries -lt 1200 ]; do\n"
+                                                "  rows=$(cat \"$RECORD\" 2>/dev/null | wc -l)\n"
+                                                "  [ \"$rows\" -gt 50 ] && break\n"
+                                                "  sleep 0.1; tries=$((tries + 1))\n"
+                                                "done\n"
+                                                "kill -TERM $pid; wait $pid\n");
+    const std::string before =
+        "RECORD='" + (folder / "telemetry.csv").string() + "' sh '" + (folder / "stop.sh").string() + "'";
+    const test::Outcome outcome =
+        runMeltpool(kQuick + "--pictures 0 --seconds 3600 --set particles=512 --out '" + folder.string() + "'", before);
+    CHECK(outcome.code == 1);
     const Json result = resultIn(folder);
     CHECK_THAT(result.at("error").get<std::string>(), containsText("stopped"));
     CHECK(readTorchCsv(folder / "telemetry.csv").samples.size() == result.at("steps").get<size_t>());
