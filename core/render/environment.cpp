@@ -2,12 +2,13 @@
 
 #include "shaders/shared/render.h"
 
+#include <cmath>
+
 namespace meltpool {
 
 namespace {
 
 constexpr int kFaces = 6;
-constexpr int kRoughSize = 64; // pixels of a face of the least rough level
 
 gl::Texture makeCube(std::string_view label, GLenum format, int size, int levels) {
     return {label, {.target = GL_TEXTURE_CUBE_MAP, .format = format, .width = size, .height = size, .levels = levels}};
@@ -49,19 +50,27 @@ gl::Texture paintWorkshop(gl::ShaderLibrary& shaders, int size) {
 } // namespace
 
 Environment::Environment(gl::ShaderLibrary& shaders, int faceSize)
-    : sharp_(makeCube("environment", GL_RGBA8, faceSize, 1)),
-      rough_(makeCube("rough environment", GL_RGBA8, kRoughSize, ROUGH_LEVELS)) {
+    : room_(makeCube("environment", GL_RGBA8, faceSize, ENVIRONMENT_LEVELS)) {
     const gl::Texture light = paintWorkshop(shaders, faceSize);
     const gl::Program& roughen = shaders.load({"render/screen.vert", "render/roughen.frag"});
     light.bind(SHARP_UNIT);
     roughen.set("sourceSize", static_cast<float>(faceSize));
-    roughen.set("roughness", 0.0f);
-    paintFaces(roughen, sharp_, 0);
-    for (int level = 0; level < ROUGH_LEVELS; ++level) {
-        roughen.set("roughness", static_cast<float>(level + 1) / static_cast<float>(ROUGH_LEVELS));
-        paintFaces(roughen, rough_, level);
+    for (int level = 0; level < ENVIRONMENT_LEVELS; ++level) {
+        roughen.set("roughness", std::pow(static_cast<float>(level) / (ENVIRONMENT_LEVELS - 1), 1.5f));
+        paintFaces(roughen, room_, level);
     }
+    GLuint sampler = 0;
+    glCreateSamplers(1, &sampler);
+    levelZero_ = gl::Handle<destroySampler>(sampler);
+    gl::labelObject(GL_SAMPLER, sampler, "environment without levels");
+    glSamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+}
+
+void Environment::bind() const {
+    room_.bind(SHARP_UNIT);
+    room_.bind(ROUGH_UNIT);
+    glBindSampler(SHARP_UNIT, levelZero_.name());
 }
 
 } // namespace meltpool

@@ -11,14 +11,16 @@ class Environment {
     /// Paints the room and what rough surfaces mirror of it. `faceSize`: pixels of a cube face, a power of two.
     explicit Environment(gl::ShaderLibrary& shaders, int faceSize = 512);
 
-    /// The room as it is; one level, stored as decodeEnvironment() in shaders/render/environment.glsl reads it.
-    const gl::Texture& sharp() const { return sharp_; }
-    /// The room as rough surfaces mirror it; level i holds roughness (i + 1) / ROUGH_LEVELS.
-    const gl::Texture& rough() const { return rough_; }
+    /// Binds the room to SHARP_UNIT and ROUGH_UNIT, stored as shaders/render/environment.glsl reads it.
+    void bind() const;
+
+    const gl::Texture& texture() const { return room_; }
 
   private:
-    gl::Texture sharp_;
-    gl::Texture rough_;
+    static void destroySampler(GLuint name) { glDeleteSamplers(1, &name); }
+
+    gl::Texture room_;
+    gl::Handle<destroySampler> levelZero_;
 };
 
 } // namespace meltpool

@@ -15,6 +15,8 @@ FrameData makeFrame(const SceneView& scene, const LookParameters& look, bool enc
     FrameData frame{};
     frame.modelToWorld = scene.modelToWorld;
     frame.light = scene.modelToWorld * glm::vec4(look.lightPosition, 1.0f);
+    const glm::vec3 origin = scene.modelToWorld[3];
+    frame.lampWay = glm::vec4(glm::normalize(glm::vec3(frame.light) - origin), 0.0f);
     frame.phong = {look.ambient, look.diffuse, look.specular, look.shininess};
     frame.tone = {look.exposure, encodesSrgb ? 0.0f : 1.0f, unit, 0.0f};
     frame.temperature = {meaning.coldest, 1.0f / range, meaning.solidus, meaning.kelvin ? 1.0f / mushy : 0.0f};

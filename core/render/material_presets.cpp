@@ -16,27 +16,33 @@ constexpr float kWaxIndex = 1.44f;
 
 } // namespace
 
-MaterialData presetMaterial(MaterialLook look) {
+namespace {
+
+MaterialData presetBase(MaterialLook look) {
     switch (look) {
     case kCopper:
         return {.solid = {0.78f, 0.48f, 0.36f, 0.34f},
                 .liquid = {0.42f, 0.20f, 0.13f, 0.66f},
                 .mirror = {1.0f, 0.62f, 0.48f, 1.0f},
+                .glint = {},
                 .absorb = {}};
     case kGold:
         return {.solid = {0.86f, 0.66f, 0.27f, 0.40f},
                 .liquid = {0.50f, 0.33f, 0.09f, 0.70f},
                 .mirror = {1.0f, 0.78f, 0.34f, 1.0f},
+                .glint = {},
                 .absorb = {}};
     case kWax:
         return {.solid = {0.93f, 0.81f, 0.58f, 0.04f},
                 .liquid = {0.80f, 0.50f, 0.16f, 0.04f},
                 .mirror = {1.0f, 1.0f, 1.0f, kWaxIndex},
+                .glint = {},
                 .absorb = {2.2f, 4.6f, 9.0f, 0.0f}};
     case kIce:
         return {.solid = {0.90f, 0.95f, 0.97f, 0.02f},
                 .liquid = {0.85f, 0.92f, 0.95f, 0.02f},
                 .mirror = {1.0f, 1.0f, 1.0f, kIceIndex},
+                .glint = {},
                 .absorb = {0.60f, 0.16f, 0.10f, 6.0f}};
     case kSolder:
         break;
@@ -44,7 +50,20 @@ MaterialData presetMaterial(MaterialLook look) {
     return {.solid = {0.7f, 0.7f, 0.7f, 0.3f},
             .liquid = {0.2f, 0.2f, 0.2f, 0.6f},
             .mirror = {1.0f, 1.0f, 1.0f, 1.0f},
+            .glint = {},
             .absorb = {}};
+}
+
+/// A metal's highlight has most of its colour, everything else mirrors the lamp white.
+MaterialData withGlint(MaterialData data) {
+    data.glint = glm::mix(glm::vec4(1.0f), data.mirror, 0.7f);
+    return data;
+}
+
+} // namespace
+
+MaterialData presetMaterial(MaterialLook look) {
+    return withGlint(presetBase(look));
 }
 
 MaterialData physicalMaterial(const MaterialLooks& looks) {
@@ -55,10 +74,11 @@ MaterialData physicalMaterial(const MaterialLooks& looks) {
     }
     // The duller the surface, the more of its reflectance is spread so far that it reads as paint and not as image.
     const auto mirrorShare = [&](float roughness) { return glm::mix(0.75f, 0.2f, glm::clamp(roughness, 0.0f, 1.0f)); };
-    return {.solid = glm::vec4(shown(looks.solidColour), mirrorShare(looks.solidRoughness)),
-            .liquid = glm::vec4(shown(looks.liquidColour * 0.35f), mirrorShare(looks.liquidRoughness)),
-            .mirror = glm::vec4(glm::mix(looks.solidColour, glm::vec3(1.0f), 0.15f), looks.refractiveIndex),
-            .absorb = {}};
+    return withGlint({.solid = glm::vec4(shown(looks.solidColour), mirrorShare(looks.solidRoughness)),
+                      .liquid = glm::vec4(shown(looks.liquidColour * 0.35f), mirrorShare(looks.liquidRoughness)),
+                      .mirror = glm::vec4(glm::mix(looks.solidColour, glm::vec3(1.0f), 0.15f), looks.refractiveIndex),
+                      .glint = {},
+                      .absorb = {}});
 }
 
 SurfaceKind presetKind(MaterialLook look) {

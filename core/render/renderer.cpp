@@ -102,8 +102,7 @@ void Renderer::Parts::prepare(const SceneView& scene, const LookParameters& look
     materials[current].writeValue(scene.looks != nullptr ? physicalMaterial(*scene.looks)
                                                          : presetMaterial(static_cast<MaterialLook>(look.material)));
     materials[current].bindUniform(MATERIAL_BINDING);
-    environment.sharp().bind(SHARP_UNIT);
-    environment.rough().bind(ROUGH_UNIT);
+    environment.bind();
     scales.bind(SCALE_UNIT);
     noise.bind(NOISE_UNIT);
 }

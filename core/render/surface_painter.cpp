@@ -7,10 +7,10 @@
 namespace meltpool {
 
 SurfacePainter::SurfacePainter(gl::ShaderLibrary& shaders)
-    : metal_(shaders.load({"render/surface.vert", "render/metal.frag"})),
+    : metal_(shaders.load({"render/metal.vert", "render/metal.frag"})),
       wax_(shaders.load({"render/surface.vert", "render/wax.frag"})),
       ice_(shaders.load({"render/surface.vert", "render/ice.frag"})),
-      temperature_(shaders.load({"render/surface.vert", "render/temperature.frag"})),
+      temperature_(shaders.load({"render/temperature.vert", "render/temperature.frag"})),
       back_(shaders.load({"render/surface.vert", "render/back.frag"})),
       wire_(shaders.load({"render/wire.vert", "render/wire.frag"})),
       layout_("surface vertices"),

@@ -37,8 +37,8 @@ void main() {
     n = normalize(n + (bump * 0.22 + grain * 0.10) * (1.0 - 0.85 * wet));
 
     Passage p = passThrough(along, n, material.mirror.w);
-    float roughness = 0.18 * (1.0 - wet);
-    vec3 behind = environmentAt(p.exitWay, roughness) * exp(-material.absorb.rgb * p.distance);
+    float level = 2.0 * (1.0 - wet);
+    vec3 behind = environmentAt(p.exitWay, level) * exp(-material.absorb.rgb * p.distance);
 
     mat3 toModel = transpose(mat3(frame.modelToWorld)); // times the scale, which normalising removes
     vec2 milk = clouds(at, normalize(toModel * p.inside), p.distance) * material.absorb.w;
@@ -55,7 +55,7 @@ void main() {
     body = mix(body, white * 1.1, frost);
 
     vec3 mirrored = reflect(along, n);
-    vec3 image = environmentAt(mirrored, 0.3 * (1.0 - wet));
+    vec3 image = environmentAt(mirrored, 3.0 * (1.0 - wet));
     float shininess = frame.phong.w * (0.5 + 2.0 * wet);
     float highlight = frame.phong.z * pow(max(dot(mirrored, lamp), 0.0), shininess);
     colour = finish(mix(body, image, mirrorShare(cosine, material.mirror.w)) + highlight, 1.0);

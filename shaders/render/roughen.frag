@@ -13,7 +13,7 @@ layout(location = 0) uniform int face;
 layout(location = 1) uniform float roughness;
 layout(location = 2) uniform float sourceSize; // texels of an edge of level 0
 
-const int kSamples = 96;
+const int kMostSamples = 96;
 
 float radicalInverse(uint bits) {
     return float(bitfieldReverse(bits)) * 2.3283064365386963e-10;
@@ -29,20 +29,21 @@ void main() {
     vec3 across = normalize(cross(up, normal));
     vec3 along = cross(normal, across);
     float a = roughness * roughness;
+    int samples = int(mix(24.0, float(kMostSamples), min(2.0 * roughness, 1.0))); // a narrow lobe needs few
     vec3 sum = vec3(0.0);
     float weights = 0.0;
-    for (int i = 0; i < kSamples; ++i) {
-        vec2 u = vec2((float(i) + 0.5) / float(kSamples), radicalInverse(uint(i)));
+    for (int i = 0; i < samples; ++i) {
+        vec2 u = vec2((float(i) + 0.5) / float(samples), radicalInverse(uint(i)));
         float cosine = sqrt((1.0 - u.y) / (1.0 + (a * a - 1.0) * u.y));
         float sine = sqrt(max(0.0, 1.0 - cosine * cosine));
         vec3 middle = across * (sine * cos(6.2831853 * u.x)) + along * (sine * sin(6.2831853 * u.x)) + normal * cosine;
         vec3 way = 2.0 * cosine * middle - normal;
         float weight = dot(normal, way);
         if (weight <= 0.0) continue;
-        // a sample stands for the solid angle 1 / (kSamples * pdf); read the level whose texels are that wide
+        // a sample stands for the solid angle 1 / (samples * pdf); read the level whose texels are that wide
         float d = (cosine * cosine) * (a * a - 1.0) + 1.0;
         float pdf = a * a / (3.14159265 * d * d) * 0.25;
-        float level = 0.5 * log2(6.0 * sourceSize * sourceSize / (4.0 * 3.14159265 * float(kSamples) * pdf)) + 1.0;
+        float level = 0.5 * log2(6.0 * sourceSize * sourceSize / (4.0 * 3.14159265 * float(samples) * pdf)) + 1.0;
         sum += textureLod(source, way, max(level, 0.0)).rgb * weight;
         weights += weight;
     }

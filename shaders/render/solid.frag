@@ -18,7 +18,7 @@ void main() {
     vec3 n = normalize(normal);
     vec3 lamp = normalize(toLamp);
     vec3 mirrored = reflect(normalize(way), n);
-    vec3 image = decodeEnvironment(textureLod(roughEnvironment, mirrored, mix(3.0, 0.0, paint.w)).rgb);
+    vec3 image = decodeEnvironment(textureLod(roughEnvironment, mirrored, mix(5.0, 0.0, paint.w)).rgb);
     float glance = pow(clamp(1.0 - dot(mirrored, n), 0.0, 1.0), 5.0);
     float light = frame.phong.x + frame.phong.y * max(dot(n, lamp), 0.0);
     float highlight = frame.phong.z * paint.w * pow(max(dot(mirrored, lamp), 0.0), mix(8.0, 80.0, paint.w));

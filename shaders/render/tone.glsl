@@ -25,15 +25,24 @@ vec3 toShown(vec3 light) {
     return clamp(0.662002687 * a + 0.684122060 * b - 0.323583601 * c - 0.0225411470 * light, 0.0, 1.0);
 }
 
+// What is written: a target that encodes takes light, a plain one takes shown values.
+vec4 encoded(vec3 light, float cover) {
+#ifdef ENCODE_SRGB
+    return vec4(toShown(light), cover);
+#else
+    return vec4(light, cover);
+#endif
+}
+
 // The colour to write for light that reaches the eye.
 vec4 finish(vec3 light, float cover) {
     vec3 toned = toneCurve(max(light, 0.0) * frame.tone.x);
-    return vec4(frame.tone.y > 0.5 ? toShown(toned) : toned, cover);
+    return encoded(toned, cover);
 }
 
 // For colours that stand for a number and must arrive as they are.
 vec4 finishExact(vec3 light, float cover) {
-    return vec4(frame.tone.y > 0.5 ? toShown(light) : light, cover);
+    return encoded(light, cover);
 }
 
 #endif

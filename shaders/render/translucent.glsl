@@ -13,7 +13,6 @@ layout(location = 4) in vec3 toLamp;
 layout(location = 5) flat in int view;
 layout(location = 0) out vec4 colour;
 
-layout(binding = SHARP_UNIT) uniform samplerCube sharpEnvironment;
 layout(binding = ROUGH_UNIT) uniform samplerCube roughEnvironment;
 layout(binding = BACK_UNIT) uniform sampler2D backSide;
 layout(binding = NOISE_UNIT) uniform sampler3D noise;
@@ -49,15 +48,13 @@ Passage passThrough(vec3 along, vec3 n, float index) {
     return p;
 }
 
-vec3 environmentAt(vec3 direction, float roughness) {
-    vec3 sharp = decodeEnvironment(texture(sharpEnvironment, direction).rgb);
-    vec3 rough = decodeEnvironment(textureLod(roughEnvironment, direction, roughness * float(ROUGH_LEVELS) - 1.0).rgb);
-    return mix(sharp, rough, clamp(roughness * float(ROUGH_LEVELS), 0.0, 1.0));
+vec3 environmentAt(vec3 direction, float level) {
+    return decodeEnvironment(textureLod(roughEnvironment, direction, level).rgb);
 }
 
 // Light from all around on a surface that faces `n`.
 vec3 skyLight(vec3 n) {
-    return decodeEnvironment(textureLod(roughEnvironment, n, float(ROUGH_LEVELS - 1)).rgb);
+    return environmentAt(n, float(ENVIRONMENT_LEVELS - 1));
 }
 
 #endif

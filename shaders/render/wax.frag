@@ -23,12 +23,12 @@ void main() {
     vec3 glowing = through * (skyLight(along) + 1.5 * frame.phong.y * against) * toLinear(vec3(1.0, 0.80, 0.55));
     vec3 solid = skin + 0.45 * glowing;
 
-    vec3 clear = environmentAt(p.exitWay, 0.08) * exp(-material.absorb.rgb * 0.55 * p.distance);
+    vec3 clear = environmentAt(p.exitWay, 1.0) * exp(-material.absorb.rgb * 0.55 * p.distance);
     vec3 body = mix(solid, mix(skin * 0.6, clear, 0.55), share.y);
 
     float cosine = max(-dot(along, n), 0.0);
     vec3 mirrored = reflect(along, n);
-    vec3 image = environmentAt(mirrored, 0.5 * (1.0 - share.y));
+    vec3 image = environmentAt(mirrored, 4.0 * (1.0 - share.y));
     float shininess = mix(0.35, 1.5, share.y) * frame.phong.w;
     float highlight = frame.phong.z * mix(0.22, 0.9, share.y) * pow(max(dot(mirrored, lamp), 0.0), shininess);
     float mirror = mirrorShare(cosine, material.mirror.w) * mix(0.6, 1.0, share.y);

@@ -9,8 +9,8 @@
 #define MATERIAL_BINDING 1
 
 // Texture units.
-#define SHARP_UNIT 0  // the environment as it is
-#define ROUGH_UNIT 1  // the environment as rough surfaces mirror it, one roughness a level
+#define SHARP_UNIT 0  // the environment, level 0 alone: without the cost of choosing a level
+#define ROUGH_UNIT 1  // the environment with its levels: the higher, the rougher the surface that mirrors it
 #define SCALE_UNIT 2  // temperature colours, one scale a row
 #define BACK_UNIT 3   // back faces: normal and distance from the eye
 #define NOISE_UNIT 4  // smooth random values in space, repeating
@@ -26,8 +26,8 @@
 // than white, and filtering as cheap as that of a plain picture.
 #define ENVIRONMENT_RANGE 8.0
 
-// Mipmap levels of the rough environment; level i holds roughness (i + 1) / ROUGH_LEVELS.
-#define ROUGH_LEVELS 5
+// Levels of the environment. Level i holds what a surface of GGX roughness (i / (ENVIRONMENT_LEVELS - 1))^1.5 mirrors.
+#define ENVIRONMENT_LEVELS 7
 
 // Columns and rows of the temperature colour texture.
 #define SCALE_COLUMNS 257
@@ -49,6 +49,7 @@ struct FrameData {
     ViewData views[MOST_VIEWS];
     mat4 modelToWorld;
     vec4 light;       // place of the lamp, world units
+    vec4 lampWay;     // unit world direction from the model's origin to the lamp: highlights take the lamp as far away
     vec4 phong;       // ambient, diffuse, specular, shininess
     vec4 tone;        // x: exposure, y: 1 = this pass encodes sRGB, z: size of a model unit in world units
     vec4 temperature; // x: coldest, y: 1 / (hottest - coldest), z: solidus, w: 1 / (liquidus - solidus), 0 = classic
@@ -62,13 +63,14 @@ struct MaterialData {
     vec4 solid;  // rgb: colour as displayed (sRGB), w: share of the mirror image
     vec4 liquid; // the same, molten
     vec4 mirror; // rgb: linear colour of the mirror image, w: refractive index of translucent stuff
+    vec4 glint;  // rgb: linear colour of the lamp's highlight
     vec4 absorb; // rgb: absorption over the width of a classic cube, w: scattering over it
 };
 
 #ifdef __cplusplus
 static_assert(sizeof(ViewData) == 224);
-static_assert(sizeof(FrameData) == 4 * 224 + 64 + 8 * 16);
-static_assert(sizeof(MaterialData) == 4 * 16);
+static_assert(sizeof(FrameData) == 4 * 224 + 64 + 9 * 16);
+static_assert(sizeof(MaterialData) == 5 * 16);
 } // namespace meltpool
 #endif
 
