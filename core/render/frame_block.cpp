@@ -7,7 +7,7 @@
 
 namespace meltpool {
 
-FrameData makeFrame(const SceneView& scene, const LookParameters& look, bool encodesSrgb) {
+FrameData makeFrame(const SceneView& scene, const LookParameters& look) {
     const float unit = glm::length(glm::vec3(scene.modelToWorld[0]));
     const TemperatureMeaning& meaning = scene.temperature;
     const float range = std::max(meaning.hottest - meaning.coldest, 1e-6f);
@@ -18,7 +18,7 @@ FrameData makeFrame(const SceneView& scene, const LookParameters& look, bool enc
     const glm::vec3 origin = scene.modelToWorld[3];
     frame.lampWay = glm::vec4(glm::normalize(glm::vec3(frame.light) - origin), 0.0f);
     frame.phong = {look.ambient, look.diffuse, look.specular, look.shininess};
-    frame.tone = {look.exposure, encodesSrgb ? 0.0f : 1.0f, unit, 0.0f};
+    frame.tone = {look.exposure, 0.0f, unit, 0.0f};
     frame.temperature = {meaning.coldest, 1.0f / range, meaning.solidus, meaning.kelvin ? 1.0f / mushy : 0.0f};
     frame.colours = {look.colours, std::max(look.colours - kTemperatureColours, 0), 0, 0};
     frame.boxMin = glm::vec4(scene.boxMin, 1.0f);

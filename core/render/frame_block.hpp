@@ -8,8 +8,8 @@
 
 namespace meltpool {
 
-/// Everything but the views. `encodesSrgb`: the target encodes, so the shaders must not.
-FrameData makeFrame(const SceneView& scene, const LookParameters& look, bool encodesSrgb);
+/// Everything but the views.
+FrameData makeFrame(const SceneView& scene, const LookParameters& look);
 
 /// `viewport`: the pixels of this view alone.
 ViewData makeViewData(const View& view, const Viewport& viewport);

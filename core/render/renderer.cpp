@@ -8,6 +8,7 @@
 #include "core/render/solids.hpp"
 #include "core/render/surface_painter.hpp"
 #include "core/render/temperature_scale.hpp"
+#include "core/render/toned_program.hpp"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -55,19 +56,19 @@ struct Renderer::Parts {
                  const RenderTarget& target);
     void drawView(const SceneView& scene, const LookParameters& look, int view, const RenderTarget& target,
                   const Viewport& viewport, gl::Profiler* profiler);
-    void drawSolids(const SceneView& scene, const LookParameters& look, int view) const;
-    void drawPoints(const ParticleView& particles, int view) const;
-    void drawSky(int view) const;
-    void drawBox(int view) const;
+    void drawSolids(const SceneView& scene, const LookParameters& look, int view, const RenderTarget& target) const;
+    void drawPoints(const ParticleView& particles, int view, const RenderTarget& target) const;
+    void drawSky(int view, const RenderTarget& target) const;
+    void drawBox(int view, const RenderTarget& target) const;
 
     Environment environment;
     gl::Texture scales = makeScaleTexture();
     gl::Texture noise = makeNoiseTexture();
     SurfacePainter surface;
     SolidPainter solids;
-    const gl::Program& points;
-    const gl::Program& sky;
-    const gl::Program& box;
+    TonedProgram points;
+    TonedProgram sky;
+    TonedProgram box;
     gl::VertexArray pointLayout{"points"};
     gl::VertexArray empty{"no vertices"};
     std::array<gl::Buffer, kFramesUnderWay> frames;
@@ -79,9 +80,9 @@ Renderer::Parts::Parts(gl::ShaderLibrary& shaders)
     : environment(shaders),
       surface(shaders),
       solids(shaders),
-      points(shaders.load({"render/points.vert", "render/points.frag"})),
-      sky(shaders.load({"render/sky.vert", "render/sky.frag"})),
-      box(shaders.load({"render/box.vert", "render/box.frag"})) {
+      points(shaders, "render/points.vert", "render/points.frag"),
+      sky(shaders, "render/sky.vert", "render/sky.frag"),
+      box(shaders, "render/box.vert", "render/box.frag") {
     for (gl::Buffer& buffer : frames)
         buffer = gl::Buffer("frame block", sizeof(FrameData));
     for (gl::Buffer& buffer : materials)
@@ -94,7 +95,7 @@ Renderer::Parts::Parts(gl::ShaderLibrary& shaders)
 void Renderer::Parts::prepare(const SceneView& scene, const LookParameters& look, std::span<const View> views,
                               const RenderTarget& target) {
     current = (current + 1) % kFramesUnderWay;
-    FrameData frame = makeFrame(scene, look, target.encodesSrgb);
+    FrameData frame = makeFrame(scene, look);
     for (size_t i = 0; i < views.size(); ++i)
         frame.views[i] = makeViewData(views[i], columnOf(target.viewport, i, views.size()));
     frames[current].writeValue(frame);
@@ -117,63 +118,64 @@ void Renderer::Parts::drawView(const SceneView& scene, const LookParameters& loo
     }
     if (look.mode == kPointsMode && scene.particles.positions != nullptr) {
         const gl::Scope scope(profiler, "draw points");
-        drawPoints(scene.particles, view);
+        drawPoints(scene.particles, view, target);
     }
-    drawSolids(scene, look, view);
+    drawSolids(scene, look, view, target);
     if (look.showSky) {
         const gl::Scope scope(profiler, "draw sky");
-        drawSky(view);
+        drawSky(view, target);
     }
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_FALSE);
     if (look.mode == kWireframeMode && meshThere) {
         const gl::Scope scope(profiler, "draw wireframe");
-        surface.drawWireframe(scene.mesh, view);
+        surface.drawWireframe(scene.mesh, view, target);
     }
     if (look.showBox) {
         const gl::Scope scope(profiler, "draw box");
-        drawBox(view);
+        drawBox(view, target);
     }
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
 }
 
-void Renderer::Parts::drawSolids(const SceneView& scene, const LookParameters& look, int view) const {
+void Renderer::Parts::drawSolids(const SceneView& scene, const LookParameters& look, int view,
+                                 const RenderTarget& target) const {
     glEnable(GL_CULL_FACE);
     if (look.showSource && scene.source.shown) {
         const Solid source = sourceSolid(scene.source, scene.modelToWorld);
-        solids.draw({&source, 1}, view);
+        solids.draw({&source, 1}, view, target);
     }
-    if (!scene.solids.empty()) solids.draw(scene.solids, view);
+    if (!scene.solids.empty()) solids.draw(scene.solids, view, target);
     glDisable(GL_CULL_FACE);
 }
 
-void Renderer::Parts::drawPoints(const ParticleView& particles, int view) const {
+void Renderer::Parts::drawPoints(const ParticleView& particles, int view, const RenderTarget& target) const {
     glEnable(GL_PROGRAM_POINT_SIZE);
-    points.use();
-    points.set("firstView", view);
+    const gl::Program& program = points.use(target);
+    program.set("firstView", view);
     glVertexArrayVertexBuffer(pointLayout.name(), 0, particles.positions->name(), 0, sizeof(glm::vec4));
     pointLayout.bind();
     glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(particles.count));
     glDisable(GL_PROGRAM_POINT_SIZE);
 }
 
-void Renderer::Parts::drawSky(int view) const {
+void Renderer::Parts::drawSky(int view, const RenderTarget& target) const {
     glDepthFunc(GL_LEQUAL);
     glDepthMask(GL_FALSE);
-    sky.use();
-    sky.set("firstView", view);
+    const gl::Program& program = sky.use(target);
+    program.set("firstView", view);
     empty.bind();
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_LESS);
 }
 
-void Renderer::Parts::drawBox(int view) const {
+void Renderer::Parts::drawBox(int view, const RenderTarget& target) const {
     constexpr int kEdges = 12;
-    box.use();
-    box.set("firstView", view);
+    const gl::Program& program = box.use(target);
+    program.set("firstView", view);
     empty.bind();
     glDrawArrays(GL_TRIANGLES, 0, kEdges * 6);
 }

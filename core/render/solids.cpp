@@ -96,7 +96,7 @@ glm::mat4 alongLine(const glm::vec3& from, const glm::vec3& to, float width) {
 }
 
 SolidPainter::SolidPainter(gl::ShaderLibrary& shaders)
-    : program_(shaders.load({"render/solid.vert", "render/solid.frag"})), layout_("solid vertices") {
+    : program_(shaders, "render/solid.vert", "render/solid.frag"), layout_("solid vertices") {
     std::vector<Vertex> all;
     int shape = 0;
     for (const auto add : {addBox, addCylinder, addCone, addSphere}) {
@@ -114,15 +114,15 @@ SolidPainter::SolidPainter(gl::ShaderLibrary& shaders)
     }
 }
 
-void SolidPainter::draw(std::span<const Solid> solids, int firstView) const {
-    program_.use();
+void SolidPainter::draw(std::span<const Solid> solids, int firstView, const RenderTarget& target) const {
+    const gl::Program& program = program_.use(target);
     layout_.bind();
-    program_.set("firstView", firstView);
+    program.set("firstView", firstView);
     for (const Solid& solid : solids) {
         const Range range = shapes_[static_cast<size_t>(solid.shape)];
-        program_.set("solidToWorld", solid.toWorld);
-        program_.set("paint", glm::vec4(solid.colour, solid.gloss));
-        program_.set("glow", solid.glow);
+        program.set("solidToWorld", solid.toWorld);
+        program.set("paint", glm::vec4(solid.colour, solid.gloss));
+        program.set("glow", solid.glow);
         glDrawArrays(GL_TRIANGLES, range.first, range.count);
     }
 }

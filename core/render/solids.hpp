@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/gl/buffer.hpp"
-#include "core/gl/program.hpp"
 #include "core/gl/texture.hpp"
+#include "core/render/toned_program.hpp"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
@@ -33,7 +33,7 @@ class SolidPainter {
     explicit SolidPainter(gl::ShaderLibrary& shaders);
 
     /// Draws with the frame's uniforms and state as they are. `firstView`: index of the view.
-    void draw(std::span<const Solid> solids, int firstView) const;
+    void draw(std::span<const Solid> solids, int firstView, const RenderTarget& target) const;
 
   private:
     struct Range {
@@ -41,7 +41,7 @@ class SolidPainter {
         int count = 0;
     };
 
-    const gl::Program& program_;
+    TonedProgram program_;
     gl::Buffer vertices_;
     gl::VertexArray layout_;
     std::array<Range, 4> shapes_;

@@ -7,12 +7,12 @@
 namespace meltpool {
 
 SurfacePainter::SurfacePainter(gl::ShaderLibrary& shaders)
-    : metal_(shaders.load({"render/metal.vert", "render/metal.frag"})),
-      wax_(shaders.load({"render/surface.vert", "render/wax.frag"})),
-      ice_(shaders.load({"render/surface.vert", "render/ice.frag"})),
-      temperature_(shaders.load({"render/temperature.vert", "render/temperature.frag"})),
+    : metal_(shaders, "render/metal.vert", "render/metal.frag"),
+      wax_(shaders, "render/surface.vert", "render/wax.frag"),
+      ice_(shaders, "render/surface.vert", "render/ice.frag"),
+      temperature_(shaders, "render/temperature.vert", "render/temperature.frag"),
+      wire_(shaders, "render/wire.vert", "render/wire.frag"),
       back_(shaders.load({"render/surface.vert", "render/back.frag"})),
-      wire_(shaders.load({"render/wire.vert", "render/wire.frag"})),
       layout_("surface vertices"),
       empty_("pulled vertices") {
     for (GLuint attribute = 0; attribute < 2; ++attribute) {
@@ -30,18 +30,17 @@ void SurfacePainter::draw(const SceneView& scene, const LookParameters& look, in
     const bool translucent = look.colours == kMaterialColours && kind != SurfaceKind::metal;
     if (translucent) drawFarSide(scene.mesh, firstView, target, viewport);
     if (!scene.meshIsOpen) glEnable(GL_CULL_FACE);
-    drawMesh(scene.mesh,
-             look.colours != kMaterialColours ? temperature_
-             : kind == SurfaceKind::ice       ? ice_
-             : kind == SurfaceKind::wax       ? wax_
-                                              : metal_,
-             firstView);
+    const TonedProgram& program = look.colours != kMaterialColours ? temperature_
+                                  : kind == SurfaceKind::ice       ? ice_
+                                  : kind == SurfaceKind::wax       ? wax_
+                                                                   : metal_;
+    drawMesh(scene.mesh, program.use(target), firstView);
     glDisable(GL_CULL_FACE);
 }
 
-void SurfacePainter::drawWireframe(const SurfaceMesh& mesh, int firstView) const {
-    wire_.use();
-    wire_.set("firstView", firstView);
+void SurfacePainter::drawWireframe(const SurfaceMesh& mesh, int firstView, const RenderTarget& target) const {
+    const gl::Program& program = wire_.use(target);
+    program.set("firstView", firstView);
     empty_.bind();
     mesh.vertices->bindStorage(PULL_VERTICES_BINDING);
     mesh.indices->bindStorage(PULL_INDICES_BINDING);

@@ -6,6 +6,7 @@
 #include "core/render/look.hpp"
 #include "core/render/material_presets.hpp"
 #include "core/render/scene.hpp"
+#include "core/render/toned_program.hpp"
 #include "core/render/view.hpp"
 
 #include <optional>
@@ -20,7 +21,7 @@ class SurfacePainter {
     /// the viewport's size.
     void draw(const SceneView& scene, const LookParameters& look, int firstView, const RenderTarget& target,
               const Viewport& viewport);
-    void drawWireframe(const SurfaceMesh& mesh, int firstView) const;
+    void drawWireframe(const SurfaceMesh& mesh, int firstView, const RenderTarget& target) const;
 
   private:
     struct FarSide {
@@ -32,12 +33,12 @@ class SurfacePainter {
     void drawFarSide(const SurfaceMesh& mesh, int firstView, const RenderTarget& target, const Viewport& viewport);
     void drawMesh(const SurfaceMesh& mesh, const gl::Program& program, int firstView) const;
 
-    const gl::Program& metal_;
-    const gl::Program& wax_;
-    const gl::Program& ice_;
-    const gl::Program& temperature_;
+    TonedProgram metal_;
+    TonedProgram wax_;
+    TonedProgram ice_;
+    TonedProgram temperature_;
+    TonedProgram wire_;
     const gl::Program& back_;
-    const gl::Program& wire_;
     gl::VertexArray layout_;
     gl::VertexArray empty_;
     std::optional<FarSide> farSide_;

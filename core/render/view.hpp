@@ -24,7 +24,8 @@ struct Viewport {
     int height = 0;
 };
 
-/// Where to draw. Several views are laid side by side in equal columns of the viewport, the first one left.
+/// Where to draw: a frame buffer with colour and depth. Several views are laid side by side in equal columns of the
+/// viewport, the first one left.
 struct RenderTarget {
     GLuint framebuffer = 0; ///< 0: the window's
     Viewport viewport;

@@ -51,7 +51,7 @@ struct FrameData {
     vec4 light;       // place of the lamp, world units
     vec4 lampWay;     // unit world direction from the model's origin to the lamp: highlights take the lamp as far away
     vec4 phong;       // ambient, diffuse, specular, shininess
-    vec4 tone;        // x: exposure, y: 1 = this pass encodes sRGB, z: size of a model unit in world units
+    vec4 tone;        // x: exposure, y: unused, z: size of a model unit in world units
     vec4 temperature; // x: coldest, y: 1 / (hottest - coldest), z: solidus, w: 1 / (liquidus - solidus), 0 = classic
     vec4 colours;     // x: ColourMode, y: row of the temperature scale
     vec4 boxMin;
