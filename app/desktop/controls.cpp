@@ -71,7 +71,7 @@ void Controls::restart() {
     captured_ = false;
     free_ = FreeCamera();
     orbit_ = OrbitCamera();
-    source_ = HeatSource();
+    source_ = SteeredSource();
 }
 
 View Controls::view(float aspect) const {

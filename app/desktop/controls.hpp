@@ -32,8 +32,8 @@ class Controls {
 
     Mode mode() const { return mode_; }
     bool captured() const { return captured_; }
-    HeatSource& source() { return source_; }
-    const HeatSource& source() const { return source_; }
+    SteeredSource& source() { return source_; }
+    const SteeredSource& source() const { return source_; }
 
     View view(float aspect) const;
     glm::vec3 eye() const;
@@ -49,7 +49,7 @@ class Controls {
     bool captured_ = false;
     FreeCamera free_;
     OrbitCamera orbit_;
-    HeatSource source_;
+    SteeredSource source_;
 };
 
 } // namespace meltpool

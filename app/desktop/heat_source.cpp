@@ -32,7 +32,7 @@ ParameterList describe(ControlParameters& p) {
     };
 }
 
-void HeatSource::move(const InputFrame& input, glm::vec3 view, const ControlParameters& parameters) {
+void SteeredSource::move(const InputFrame& input, glm::vec3 view, const ControlParameters& parameters) {
     const glm::vec3 away = awayFrom(view);
     const glm::vec3 side = glm::cross(away, kUp);
     glm::vec3 shift{0};
@@ -65,11 +65,11 @@ void HeatSource::move(const InputFrame& input, glm::vec3 view, const ControlPara
     setPosition(position_ + shift);
 }
 
-void HeatSource::setPosition(glm::vec3 position) {
+void SteeredSource::setPosition(glm::vec3 position) {
     position_ = glm::clamp(position, glm::vec3(-1), glm::vec3(1));
 }
 
-void HeatSource::reset() {
+void SteeredSource::reset() {
     position_ = kHome;
     on_ = false;
 }

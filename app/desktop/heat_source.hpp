@@ -19,7 +19,7 @@ struct ControlParameters {
 ParameterList describe(ControlParameters& parameters);
 
 /// Position in box units, always inside [-1, 1]³.
-class HeatSource {
+class SteeredSource {
   public:
     static constexpr glm::vec3 kHome{0.9f, 0.9f, 0.9f};
 

@@ -38,7 +38,7 @@ bool same(const SurfaceParameters& a, const SurfaceParameters& b) {
     return a.influence == b.influence && a.isoLevel == b.isoLevel && a.caps == b.caps;
 }
 
-TorchSample torchOf(const HeatSource& source) {
+TorchSample torchOf(const SteeredSource& source) {
     TorchSample sample;
     sample.tip = source.position() * kClassicUnit;
     sample.trigger = source.on() ? 1.0f : 0.0f;
@@ -122,7 +122,7 @@ void Session::draw(const Controls& controls, glm::ivec2 pixels, float shift, gl:
         surfaceIsOld_ = false;
     }
     SceneView scene = trainer_->scene();
-    const HeatSource& source = controls.source();
+    const SteeredSource& source = controls.source();
     scene.source.position = source.position();
     scene.source.on = source.on();
     scene.source.cold = source.cold();

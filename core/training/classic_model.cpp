@@ -6,10 +6,6 @@
 
 namespace meltpool {
 
-std::unique_ptr<MetalModel> makeMetalModel(gl::ShaderLibrary& shaders, const Lesson& lesson) {
-    return std::make_unique<ClassicModel>(shaders, lesson);
-}
-
 glm::vec3 classicSourcePosition(const glm::vec3& tip) {
     return glm::clamp(tip / kClassicUnit, glm::vec3(-1.0f), glm::vec3(1.0f));
 }

@@ -5,7 +5,9 @@
 #include "core/metal/classic/classic_parameters.hpp"
 #include "core/render/look.hpp"
 #include "core/surface/surface_parameters.hpp"
+#include "core/weld/process.hpp"
 #include "core/weld/torch_path.hpp"
+#include "core/weld/workpiece.hpp"
 
 #include <filesystem>
 #include <string>
@@ -13,6 +15,9 @@
 #include <vector>
 
 namespace meltpool {
+
+/// Which metal the lesson is made of: the thesis's, or the one that obeys physics.
+enum class LessonModel { Classic, Weld };
 
 /// Length of a run and what is kept of it.
 struct RunParameters {
@@ -53,15 +58,18 @@ struct Lesson {
     TorchPath torch; ///< the demonstration; empty: the torch rests with its trigger released
 
     RunParameters run;
-    ClassicSetup setup;
-    ClassicParameters metal;
-    SourceParameters source;
+    LessonModel model = LessonModel::Classic;
+    ClassicSetup setup;            ///< classic
+    ClassicParameters metal;       ///< classic
+    SourceParameters source;       ///< classic
+    WorkpieceParameters workpiece; ///< weld
+    ProcessParameters process;     ///< weld
     SurfaceParameters surface;
     CameraParameters camera;
     LookParameters look;
     std::vector<PictureLook> pictures; ///< at least one; each begins with `look`
 
-    /// Every adjustable value. The list points into this lesson, which must outlive it unmoved.
+    /// Every adjustable value of this lesson's model. The list points into this lesson, which must outlive it unmoved.
     ParameterList parameters();
 
     /// Sets one value from text, in the pictures' looks too where it is one of the look. Throws InputError, beginning

@@ -62,11 +62,17 @@ Lesson readLesson(const std::filesystem::path& file) {
     lesson.title = root.text("title", lesson.key);
     lesson.text = root.text("text", "");
     const std::string model = root.text("model", "classic");
-    if (model != "classic") root.fail("model", "is '" + model + "'; expected classic");
+    if (model != "classic" && model != "weld") root.fail("model", "is '" + model + "'; expected classic or weld");
+    lesson.model = model == "weld" ? LessonModel::Weld : LessonModel::Classic;
     readGroup(root, "run", describe(lesson.run));
-    readGroup(root, "start", describe(lesson.setup));
-    readGroup(root, "metal", describe(lesson.metal));
-    readGroup(root, "source", describe(lesson.source));
+    if (lesson.model == LessonModel::Classic) {
+        readGroup(root, "start", describe(lesson.setup));
+        readGroup(root, "metal", describe(lesson.metal));
+        readGroup(root, "source", describe(lesson.source));
+    } else {
+        readGroup(root, "workpiece", describe(lesson.workpiece));
+        readGroup(root, "process", describe(lesson.process));
+    }
     readGroup(root, "surface", describe(lesson.surface));
     readGroup(root, "camera", describe(lesson.camera));
     readGroup(root, "look", describe(lesson.look));

@@ -40,9 +40,14 @@ ParameterList describe(CameraParameters& c) {
 
 ParameterList Lesson::parameters() {
     ParameterList list = describe(run);
-    append(list, describe(setup));
-    append(list, describe(metal));
-    append(list, describe(source));
+    if (model == LessonModel::Classic) {
+        append(list, describe(setup));
+        append(list, describe(metal));
+        append(list, describe(source));
+    } else {
+        append(list, describe(workpiece));
+        append(list, describe(process));
+    }
     append(list, describe(surface));
     append(list, describe(camera));
     append(list, describe(look));

@@ -5,6 +5,7 @@
 #include "core/metal/particle_view.hpp"
 #include "core/metal/statistics.hpp"
 #include "core/render/scene.hpp"
+#include "core/surface/surface.hpp"
 #include "core/weld/torch_sample.hpp"
 
 #include <cstdint>
@@ -31,6 +32,10 @@ class MetalModel {
     virtual ParticleView particles() const = 0;
     /// Box of the particles, their temperatures' meaning and the source under this torch; without a mesh.
     virtual SceneView scene(const TorchSample& torch) const = 0;
+
+    /// Sets what the surface must know of this metal; called before each of its updates, when it holds the lesson's
+    /// values.
+    virtual void prepare(Surface&) const {}
 
     /// Waits for the GPU.
     virtual MetalStatistics statistics() = 0;

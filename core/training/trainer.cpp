@@ -60,6 +60,7 @@ void Trainer::updateSurface(gl::Profiler* profiler) {
     const int cells = surface_->parameters.cells;
     surface_->parameters = lesson_.surface;
     surface_->parameters.cells = cells;
+    metal_->prepare(*surface_);
     surface_->update(metal_->particles(), profiler);
 }
 

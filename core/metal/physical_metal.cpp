@@ -1,0 +1,137 @@
+#include "core/metal/physical_metal.hpp"
+
+#include "core/base/hash.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace meltpool {
+
+namespace {
+
+constexpr int kPieceSteps = 8;    ///< of loose pieces a frame: keeps what rests within 0.1 mm of the floor
+constexpr double kHottest = 3500; ///< K, above which no metal here stays liquid: what the heat step is made for
+constexpr double kRoomTemperature = 293.15;
+
+/// The density that masses are made from: of the solid at room temperature, for which workpieces are measured.
+double massDensity(const Material& material) {
+    return material.solidDensity.at(kRoomTemperature);
+}
+
+FlowFluid fluidOf(const Material& material, float spacing) {
+    FlowFluid fluid;
+    fluid.spacing = static_cast<double>(spacing);
+    fluid.density = massDensity(material);
+    fluid.tension = material.surfaceTension.at(material.liquidus);
+    fluid.viscosity = material.viscosity.at(material.liquidus);
+    return fluid;
+}
+
+} // namespace
+
+PhysicalMetal::PhysicalMetal(gl::ShaderLibrary& shaders, const PhysicalSetup& setup)
+    : shaders_(shaders),
+      setup_(setup),
+      table_(setup.material),
+      count_(shaders.compute("metal/metal_statistics.comp")),
+      parts_("metal statistics", sizeof(Parts)),
+      readback_("metal statistics", sizeof(Parts)) {
+    setup_.heat.meltedLeaves = true;
+    reset();
+}
+
+void PhysicalMetal::reset() {
+    pieces_.reset();
+    flow_.reset();
+    heat_.reset();
+    state_ = std::make_unique<MetalState>(setup_.lattice, table_, massDensity(setup_.material),
+                                          setup_.seeds.size() + setup_.fillerRoom);
+    state_->setGravity(setup_.gravity);
+    state_->add(setup_.seeds);
+    heat_ = std::make_unique<HeatSolver>(shaders_, *state_, setup_.material, setup_.heat);
+    flow_ = std::make_unique<Flow>(shaders_, *state_, fluidOf(setup_.material, setup_.lattice.spacing), setup_.space);
+    pieces_ = std::make_unique<SolidPieces>(shaders_, *state_, setup_.pieces);
+    pieces_->relabelNow(nullptr);
+    refused_ = 0;
+}
+
+void PhysicalMetal::step(std::span<const HeatSource> sources, std::span<const MetalSeed> filler,
+                         gl::Profiler* profiler) {
+    const size_t room = std::min(filler.size(), state_->capacity() - state_->particles());
+    state_->add(filler.first(room));
+    refused_ += filler.size() - room;
+
+    const auto frame = static_cast<double>(setup_.timeStep);
+    const double heatSteps = std::max(1.0, std::ceil(frame / heat_->longestStep(kHottest)));
+    for (int i = 0; i < static_cast<int>(heatSteps); ++i)
+        heat_->step(frame / heatSteps, sources, profiler);
+
+    flow_->step(frame, profiler);
+
+    pieces_->relabel(profiler);
+    for (int i = 0; i < kPieceSteps; ++i)
+        pieces_->move(setup_.timeStep / kPieceSteps, profiler);
+}
+
+void PhysicalMetal::gatherStatistics() {
+    state_->bind();
+    parts_.bindStorage(METAL_STATISTICS);
+    count_.set("low", setup_.space.low);
+    count_.set("high", setup_.space.high);
+    count_.dispatchGroups(METAL_STATISTICS_PARTS);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+}
+
+MetalStatistics PhysicalMetal::joined(const Parts& parts) const {
+    MetalStatistics sum;
+    double temperatures = 0, least = 1e30, most = 0;
+    for (const MetalPart& part : parts) {
+        if (part.alive == 0) continue;
+        sum.particles += part.alive;
+        sum.molten += part.molten;
+        sum.lost += part.outside;
+        sum.nonFinite += part.broken;
+        temperatures += static_cast<double>(part.sum);
+        least = std::min(least, static_cast<double>(part.least));
+        most = std::max(most, static_cast<double>(part.most));
+    }
+    if (sum.particles == 0) return sum;
+    sum.minTemperature = least;
+    sum.meanTemperature = temperatures / static_cast<double>(sum.particles);
+    sum.maxTemperature = most;
+    return sum;
+}
+
+MetalStatistics PhysicalMetal::statistics() {
+    gatherStatistics();
+    Parts parts{};
+    const auto values = parts_.read<MetalPart>(parts.size());
+    std::copy(values.begin(), values.end(), parts.begin());
+    return joined(parts);
+}
+
+void PhysicalMetal::requestStatistics() {
+    gatherStatistics();
+    readback_.request(parts_);
+}
+
+std::optional<MetalStatistics> PhysicalMetal::pollStatistics() {
+    const auto parts = readback_.poll<Parts>();
+    return parts ? std::optional(joined(*parts)) : std::nullopt;
+}
+
+std::uint64_t PhysicalMetal::stateHash() const {
+    StateHash hash;
+    const size_t count = state_->particles();
+    hash.add(std::span<const vec4>(state_->position.read<vec4>(count)));
+    hash.add(std::span<const vec4>(state_->velocity.read<vec4>(count)));
+    hash.add(std::span<const vec4>(state_->heat.read<vec4>(count)));
+    hash.add(std::span<const uint>(state_->phase.read<uint>(count)));
+    return hash.value();
+}
+
+size_t PhysicalMetal::bytes() const {
+    return state_->bytes() + heat_->bytes() + flow_->bytes() + pieces_->bytes() + parts_.bytes();
+}
+
+} // namespace meltpool

@@ -1,0 +1,74 @@
+// The metal that obeys physics: heat, flow, solid pieces and filler over one state. step() is the algorithm.
+#pragma once
+
+#include "core/gl/readback.hpp"
+#include "core/metal/flow.hpp"
+#include "core/metal/heat.hpp"
+#include "core/metal/particle_view.hpp"
+#include "core/metal/pieces.hpp"
+#include "core/metal/statistics.hpp"
+#include "shaders/shared/metal_statistics.h"
+
+#include <optional>
+
+namespace meltpool {
+
+struct PhysicalSetup {
+    Material material;
+    MetalLattice lattice;
+    std::vector<MetalSeed> seeds;
+    size_t fillerRoom = 20000; ///< particles that may be fed
+    FlowSpace space;
+    PieceSetup pieces;
+    HeatSettings heat;
+    glm::vec3 gravity{0, -9.81F, 0}; ///< m/s², in the workpiece frame
+    float timeStep = 1.0F / 90;      ///< s, of one step(): a frame
+};
+
+class PhysicalMetal {
+  public:
+    /// Throws InputError where the material lacks what flow or heat need, RuntimeFault without GPU memory.
+    PhysicalMetal(gl::ShaderLibrary& shaders, const PhysicalSetup& setup);
+
+    void reset();
+
+    /// One frame: filler enters, heat spreads in as many steps as conduction allows, liquid flows in as many as surface
+    /// tension needs, loose pieces move. Nothing is read back. Filler beyond the room is refused and counted.
+    void step(std::span<const HeatSource> sources, std::span<const MetalSeed> filler, gl::Profiler* profiler);
+
+    float timeStep() const { return setup_.timeStep; }
+    ParticleView particles() const { return {&state_->position, state_->particles()}; }
+    const MetalState& state() const { return *state_; }
+    const HeatTable& table() const { return table_; }
+    const HeatSolver& heat() const { return *heat_; }
+    const Flow& flow() const { return *flow_; }
+    const SolidPieces& pieces() const { return *pieces_; }
+    size_t refusedFiller() const { return refused_; }
+
+    MetalStatistics statistics(); ///< waits for the GPU
+    void requestStatistics();     ///< never waits
+    std::optional<MetalStatistics> pollStatistics();
+
+    std::uint64_t stateHash() const; ///< waits for the GPU
+    size_t bytes() const;
+
+  private:
+    using Parts = std::array<MetalPart, METAL_STATISTICS_PARTS>;
+
+    void gatherStatistics();
+    MetalStatistics joined(const Parts& parts) const;
+
+    gl::ShaderLibrary& shaders_;
+    PhysicalSetup setup_;
+    HeatTable table_;
+    const gl::Program& count_;
+    gl::Buffer parts_;
+    gl::Readback readback_;
+    std::unique_ptr<MetalState> state_;
+    std::unique_ptr<HeatSolver> heat_;
+    std::unique_ptr<Flow> flow_;
+    std::unique_ptr<SolidPieces> pieces_;
+    size_t refused_ = 0;
+};
+
+} // namespace meltpool

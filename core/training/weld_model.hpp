@@ -1,0 +1,42 @@
+// The physical metal as a Trainer sees it: a workpiece of some material under a welding process.
+#pragma once
+
+#include "core/metal/physical_metal.hpp"
+#include "core/training/metal_model.hpp"
+#include "core/weld/process.hpp"
+#include "core/weld/workpiece.hpp"
+
+namespace meltpool {
+
+class WeldModel : public MetalModel {
+  public:
+    WeldModel(gl::ShaderLibrary& shaders, const Lesson& lesson);
+
+    void reset() override;
+    void apply(const Lesson& lesson) override;
+    void step(const TorchSample& torch, gl::Profiler* profiler) override;
+    double timeStep() const override { return static_cast<double>(metal_.timeStep()); }
+    ParticleView particles() const override { return metal_.particles(); }
+    SceneView scene(const TorchSample& torch) const override;
+    void prepare(Surface& surface) const override;
+    MetalStatistics statistics() override { return metal_.statistics(); }
+    void requestStatistics() override { metal_.requestStatistics(); }
+    std::optional<MetalStatistics> pollStatistics() override { return metal_.pollStatistics(); }
+    std::uint64_t stateHash() const override { return metal_.stateHash(); }
+    size_t bytes() const override { return metal_.bytes(); }
+
+    const PhysicalMetal& metal() const { return metal_; }
+
+  private:
+    Material material_;
+    Workpiece workpiece_;
+    PhysicalMetal metal_;
+    WeldProcess process_;
+};
+
+/// The level of the density volume that lies half a spacing outside the outermost particles of a flat face: half of
+/// what the volume holds deep inside metal of this spacing (m), for cells of edge `cell` (m). Influence as in
+/// SurfaceParameters.
+float flatFaceLevel(float spacing, float cell, int influence);
+
+} // namespace meltpool

@@ -1,0 +1,30 @@
+// Partial results of a look over the physical metal's particles, shared with C++.
+#ifndef MELTPOOL_SHARED_METAL_STATISTICS_H
+#define MELTPOOL_SHARED_METAL_STATISTICS_H
+
+#include "metal.h"
+
+#define METAL_STATISTICS_PARTS 64 // groups, each over a contiguous share of the slots
+#define METAL_STATISTICS 6        // storage buffer of MetalPart
+
+#ifdef __cplusplus
+namespace meltpool {
+#endif
+
+struct MetalPart {
+    float sum;   // of the temperatures, K
+    float least; // K
+    float most;  // K
+    uint alive;
+    uint molten;
+    uint outside;
+    uint broken; // position or temperature is no number
+    uint reserved;
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(MetalPart) == 32);
+} // namespace meltpool
+#endif
+
+#endif
