@@ -24,6 +24,7 @@ struct Words {
     DesktopOptions desktop;
     std::string suite;
     std::filesystem::path benchJson;
+    ValidationRequest validation;
     bool showParameters = false;
 };
 
@@ -57,6 +58,9 @@ void addOthers(CLI::App& app, Words& words) {
         suites += "\n" + std::string(part.suite) + ": " + std::string(part.note);
     bench->add_option("SUITE", words.suite, suites);
     bench->add_option("--json", words.benchJson, "Keep the rows in this file")->type_name("FILE");
+    CLI::App* validate = app.add_subcommand("validate", "Hold the metal against exact solutions and experiments");
+    validate->add_option("CASE", words.validation.cases, "Case files, .toml; all that ship where none is named");
+    validate->add_option("--json", words.validation.json, "Keep the numbers in this file")->type_name("FILE");
     app.add_subcommand("doctor", "Tell what this machine has and what is missing");
     CLI::App* lessons = app.add_subcommand("lessons", "List the lessons");
     lessons->add_flag("--parameters", words.showParameters, "List what --set can set");
@@ -67,6 +71,8 @@ int dispatch(const CLI::App& app, const Words& words) {
         runLesson(words.run);
     else if (app.got_subcommand("bench"))
         runBench(words.suite, words.benchJson);
+    else if (app.got_subcommand("validate"))
+        return runValidation(words.validation) ? kDone : kFailed;
     else if (app.got_subcommand("doctor"))
         return runDoctor() ? kDone : kFailed;
     else if (app.got_subcommand("lessons"))

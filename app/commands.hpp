@@ -26,6 +26,16 @@ void runLesson(const RunRequest& request);
 /// The desktop trainer; without a display the default lesson's demonstration, headless.
 void runTrainer(const DesktopOptions& options);
 
+/// `meltpool validate`.
+struct ValidationRequest {
+    std::vector<std::filesystem::path> cases; ///< empty: all that ship
+    std::filesystem::path json;               ///< empty: none
+};
+
+/// Runs validation cases and prints every number beside what it should be. Returns false when a case failed; throws
+/// InputError for a case file with a fault.
+bool runValidation(const ValidationRequest& request);
+
 /// Prints the catalogue.
 void listLessons();
 
