@@ -1,4 +1,4 @@
-// Density of each particle: rho_i = sum over neighbours of m W_poly6(r_ij, h), Müller, Charypar, Gross 2003.
+// One over the density of each particle: rho_i = sum over neighbours of m W_poly6(r_ij, h), Müller, Charypar, Gross 2003.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "metal/classic_neighbours.glsl"
@@ -21,5 +21,5 @@ void main() {
             sum += inside * inside * inside;
         }
     }
-    velocities[i].w = now.poly6 * sum;
+    velocities[i].w = 1.0 / (now.poly6 * sum);
 }

@@ -4,7 +4,7 @@
 #include "metal/classic_neighbours.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-layout(binding = CLASSIC_VELOCITY_TEXELS) uniform samplerBuffer velocityTexels; // w = density
+layout(binding = CLASSIC_VELOCITY_TEXELS) uniform samplerBuffer velocityTexels; // w = 1 / density
 layout(std430, binding = CLASSIC_MOVED_POSITIONS) writeonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = CLASSIC_MOVED_VELOCITIES) writeonly buffer Velocities { vec4 velocities[]; };
 layout(std430, binding = CLASSIC_REFUSED) buffer Refused { uint refused; };
@@ -20,31 +20,27 @@ float heated(vec3 place, float temperature) {
     return clamp(temperature + now.heat * (1.0 - squared / now.source.w), 0.0, 1.0);
 }
 
-float pressure(float density) {
-    return now.gasStiffness * (density - now.restDensity);
-}
-
-/// Pressure and viscosity force on the particle in slot `i`, over its density; Müller, Charypar, Gross 2003, with the
-/// viscosity force along v_j - v_i.
+/// Pressure and viscosity force on a particle over its density; Müller, Charypar, Gross 2003, with the viscosity force
+/// along v_j - v_i. With a = 1/rho_j the pressure's factor (p_i + p_j)/(2 rho_j), p = k (rho - rho0), is
+/// ((p_i - k rho0) a + k)/2: no division for a neighbour. A particle itself, and one in the same place, has no direction.
 vec3 accelerationByNeighbours(vec3 place, vec4 velocity) {
     const float h = now.supportRadius;
     const ivec3 cell = cellOf(place);
-    const float ownPressure = pressure(velocity.w);
+    const float own = now.gasStiffness * (1.0 / velocity.w - 2.0 * now.restDensity);
     vec3 push = vec3(0), drag = vec3(0);
     for (int row = 0; row < kRows; ++row) {
         const uvec2 range = rangeOfRow(cell, row);
         for (uint j = range.x; j < range.y; ++j) {
             const vec3 apart = place - texelFetch(positionTexels, int(j)).xyz;
-            const float squared = dot(apart, apart);
-            if (squared >= h * h || squared == 0.0) continue; // itself, or in the same place: no direction
-            const float r = sqrt(squared);
             const vec4 other = texelFetch(velocityTexels, int(j));
-            const float weight = (h - r) / other.w;
-            push += (0.5 * (ownPressure + pressure(other.w)) * weight * (h - r) / r) * apart;
-            drag += (other.xyz - velocity.xyz) * weight;
+            const float squared = dot(apart, apart);
+            const float inverse = squared > 0.0 ? inversesqrt(squared) : 0.0;
+            const float inside = max(h - squared * inverse, 0.0);
+            push += ((own * other.w + now.gasStiffness) * inside * inside * inverse) * apart;
+            drag += (other.xyz - velocity.xyz) * (inside * other.w);
         }
     }
-    return (now.spiky * push + now.viscosity * drag) / velocity.w;
+    return (0.5 * now.spiky * push + now.viscosity * drag) * velocity.w;
 }
 
 vec3 limited(vec3 acceleration) {
@@ -86,7 +82,7 @@ void main() {
         newVelocity = vec3(0);
     }
     positions[i] = newPosition;
-    velocities[i] = vec4(newVelocity, velocity.w);
+    velocities[i] = vec4(newVelocity, 1.0 / velocity.w);
 #ifndef ALL_PAIRS
     const uint cell = cellIndex(cellOf(newPosition.xyz));
     slots[i] = uvec2(cell, atomicAdd(counts[cell], 1u));

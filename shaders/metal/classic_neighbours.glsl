@@ -4,7 +4,7 @@
 // Texels rather than storage: some drivers fetch a whole texel at once but storage number by number.
 layout(binding = CLASSIC_POSITION_TEXELS) uniform samplerBuffer positionTexels;
 #ifndef ALL_PAIRS
-layout(std430, binding = CLASSIC_CELL_STARTS) readonly buffer Starts { uint starts[]; };
+layout(binding = CLASSIC_START_TEXELS) uniform usamplerBuffer startTexels;
 #endif
 
 /// Particles of the three cells in row `row` (0 .. 8) around `cell`, as [x, y) in cell order. Empty outside the box.
@@ -15,8 +15,9 @@ uvec2 rangeOfRow(ivec3 cell, int row) {
     const int last = int(now.cellsPerAxis) - 1;
     const ivec2 yz = cell.yz + ivec2(row % 3, row / 3) - 1;
     if (any(lessThan(yz, ivec2(0))) || any(greaterThan(yz, ivec2(last)))) return uvec2(0u);
-    return uvec2(starts[cellIndex(ivec3(max(cell.x - 1, 0), yz))],
-                 starts[cellIndex(ivec3(min(cell.x + 1, last), yz)) + 1u]);
+    const int first = (yz.y * (last + 1) + yz.x) * (last + 1);
+    return uvec2(texelFetch(startTexels, first + max(cell.x - 1, 0)).x,
+                 texelFetch(startTexels, first + min(cell.x + 1, last) + 1).x);
 #endif
 }
 

@@ -1,38 +1,42 @@
 // Second half of the prefix sum over the cells: where each cell's particles begin in cell order.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-#include "metal/classic_step.glsl"
+#include "metal/classic_scan.glsl"
 
-layout(local_size_x = CLASSIC_SCAN_GROUP) in;
-layout(std430, binding = CLASSIC_CELL_COUNTS) readonly buffer Counts { uvec4 counts[]; };
 layout(std430, binding = CLASSIC_CHUNK_SUMS) readonly buffer Sums { uint chunkSums[]; };
 layout(std430, binding = CLASSIC_CELL_STARTS) writeonly buffer Starts { uvec4 starts[]; };
 
-shared uint before[CLASSIC_SCAN_GROUP]; // particles in the chunks before, a share for each invocation
-shared uint own[CLASSIC_SCAN_GROUP];    // particles in each invocation's cells
+shared uint chunkStart;
+shared uint scanned[2][CLASSIC_SCAN_GROUP];
+
+/// Sum over this and all earlier invocations of the group; Hillis and Steele 1986.
+uint sumUpTo(uint self, uint value) {
+    uint side = 0;
+    for (uint stride = 1; stride < CLASSIC_SCAN_GROUP; stride *= 2) {
+        scanned[side][self] = value;
+        barrier();
+        if (self >= stride) value += scanned[side][self - stride];
+        side = 1 - side;
+    }
+    return value;
+}
 
 void main() {
     const uint self = gl_LocalInvocationIndex;
-    const uint quads = CLASSIC_SCAN_CELLS / 4 / CLASSIC_SCAN_GROUP;
-    const uint first = gl_WorkGroupID.x * (CLASSIC_SCAN_CELLS / 4) + self * quads;
-
-    uint share = 0;
+    if (self == 0) chunkStart = 0;
+    const uint own = sumOfOwnCells();
+    const uint upToHere = sumUpTo(self, own);
+    uint before = 0; // a share of the particles in the chunks before
     for (uint chunk = self; chunk < gl_WorkGroupID.x; chunk += CLASSIC_SCAN_GROUP)
-        share += chunkSums[chunk];
-    before[self] = share;
-    uvec4 sum = uvec4(0);
-    for (uint q = 0; q < quads; ++q)
-        sum += counts[first + q];
-    own[self] = sum.x + sum.y + sum.z + sum.w;
+        before += chunkSums[chunk];
+    if (before > 0) atomicAdd(chunkStart, before);
     barrier();
 
-    uint start = 0;
-    for (uint i = 0; i < CLASSIC_SCAN_GROUP; ++i)
-        start += before[i] + (i < self ? own[i] : 0u);
-    for (uint q = 0; q < quads; ++q) {
-        const uvec4 count = counts[first + q];
+    uint start = chunkStart + upToHere - own;
+    for (uint q = 0; q < kQuads; ++q) {
+        const uvec4 count = texelFetch(countTexels, int(firstQuad() + q));
         const uint second = start + count.x, third = second + count.y, fourth = third + count.z;
-        starts[first + q] = uvec4(start, second, third, fourth);
+        starts[firstQuad() + q] = uvec4(start, second, third, fourth);
         start = fourth + count.w;
     }
 }

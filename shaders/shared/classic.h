@@ -6,7 +6,7 @@
 
 /// Cells whose counts one group sums, and the invocations that share them.
 #define CLASSIC_SCAN_GROUP 64
-#define CLASSIC_SCAN_CELLS 1024
+#define CLASSIC_SCAN_CELLS 4096
 /// Particles that one group of the statistics looks at.
 #define CLASSIC_STATISTICS_CHUNK 2048
 
@@ -26,9 +26,11 @@
 #define CLASSIC_CELL_NUMBERS 10
 #define CLASSIC_REFUSED 11
 #define CLASSIC_STATISTICS 12
-// Texture units of the sorted state, read as buffer textures.
+// Texture units of what is read as buffer textures: the sorted state, the cells' starts and counts.
 #define CLASSIC_POSITION_TEXELS 0
 #define CLASSIC_VELOCITY_TEXELS 1
+#define CLASSIC_START_TEXELS 2
+#define CLASSIC_COUNT_TEXELS 3
 
 #ifdef __cplusplus
 namespace meltpool {

@@ -84,10 +84,10 @@ TEST_CASE("several steps, with walls, a cold source and a radius that changes, s
     p.gravity = {3, -9.81F, 2};
     metal.restore(test::livelyState(size_t(count), 1.9, 12));
     auto twin = test::twinOf(metal.snapshot());
-    for (int step = 0; step < 24; ++step) {
-        p.supportRadius = step < 12 ? 0.2F : 0.15F;
+    for (int step = 0; step < 16; ++step) {
+        p.supportRadius = step < 8 ? 0.2F : 0.15F;
         p.wallSlip = step % 2 == 1;
-        const ClassicSource source{glm::vec3(0.2F), 1.0F, step >= 12};
+        const ClassicSource source{glm::vec3(0.2F), 1.0F, step >= 8};
         metal.step(source, nullptr);
         test::twinStep(twin, p, source);
     }

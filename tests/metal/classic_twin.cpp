@@ -41,9 +41,8 @@ glm::dvec3 accelerationOf(size_t i, const std::vector<TwinParticle>& particles, 
         const TwinParticle& other = particles[j];
         const glm::dvec3 apart = own.position - other.position;
         const double r = glm::length(apart);
-        if (r == 0) continue;
         const double mean = (pressure(own.density) + pressure(other.density)) / (2 * other.density);
-        force -= mass * mean * kernels.spikySlope(r) * apart / r;
+        if (r > 0) force -= mass * mean * kernels.spikySlope(r) * apart / r; // else there is no direction
         force += double(p.viscosity) * mass * (other.velocity - own.velocity) / other.density *
                  kernels.viscosityLaplacian(r);
     }

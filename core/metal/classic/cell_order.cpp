@@ -37,6 +37,8 @@ void CellOrder::setGrid(const CellGrid& grid) {
     const size_t padded = static_cast<size_t>(chunks) * CLASSIC_SCAN_CELLS;
     cellCounts_ = gl::Buffer("classic cell counts", padded * sizeof(uint));
     cellStarts_ = gl::Buffer("classic cell starts", padded * sizeof(uint));
+    countTexels_ = gl::BufferView("classic cell count texels", cellCounts_, GL_RGBA32UI, sizeof(uvec4));
+    startTexels_ = gl::BufferView("classic cell start texels", cellStarts_, GL_R32UI, sizeof(uint));
     chunkSums_ = gl::Buffer("classic chunk sums", chunks * sizeof(uint));
 }
 
@@ -46,26 +48,41 @@ void CellOrder::bind() const {
     cellCounts_.bindStorage(CLASSIC_CELL_COUNTS);
     cellStarts_.bindStorage(CLASSIC_CELL_STARTS);
     chunkSums_.bindStorage(CLASSIC_CHUNK_SUMS);
+    countTexels_.bind(CLASSIC_COUNT_TEXELS);
+    startTexels_.bind(CLASSIC_START_TEXELS);
 }
 
 void CellOrder::sort(gl::Profiler* profiler) {
-    const gl::Scope scope(profiler, "classic sort");
-    if (!counted_) {
-        cellCounts_.clear();
-        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-        count_.dispatch(particles_, GROUP_SIZE);
+    if (!counted_) count(profiler);
+    scan(profiler);
+    {
+        const gl::Scope scope(profiler, "classic scatter");
+        scatter_.dispatch(particles_, GROUP_SIZE);
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
+    const gl::Scope scope(profiler, "classic gather");
+    gather_.dispatch(particles_, GROUP_SIZE);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+}
+
+/// Reads moved positions, writes slots and counts.
+void CellOrder::count(gl::Profiler* profiler) {
+    const gl::Scope scope(profiler, "classic count");
+    cellCounts_.clear();
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    count_.dispatch(particles_, GROUP_SIZE);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+/// Reads counts, writes starts; zeroes the counts.
+void CellOrder::scan(gl::Profiler* profiler) {
+    const gl::Scope scope(profiler, "classic scan");
     sumChunks_.dispatchGroups(chunks_);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     scan_.dispatchGroups(chunks_);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     cellCounts_.clear();
     counted_ = true;
-    scatter_.dispatch(particles_, GROUP_SIZE);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-    gather_.dispatch(particles_, GROUP_SIZE);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
 size_t CellOrder::bytes() const {

@@ -2,7 +2,7 @@
 // runs.
 #pragma once
 
-#include "core/gl/buffer.hpp"
+#include "core/gl/buffer_view.hpp"
 #include "core/gl/profiler.hpp"
 #include "core/gl/program.hpp"
 
@@ -42,15 +42,19 @@ class CellOrder {
     size_t bytes() const;
 
   private:
+    void count(gl::Profiler* profiler);
+    void scan(gl::Profiler* profiler);
+
     size_t particles_;
     CellGrid grid_;
     unsigned chunks_ = 0;
     bool counted_ = false;
-    gl::Buffer slots_;       // a uvec2 a particle: cell, arrival in it
-    gl::Buffer cellNumbers_; // a uint a particle: particle numbers by cell
-    gl::Buffer cellCounts_;  // a uint a cell
-    gl::Buffer cellStarts_;  // a uint a cell, and one behind the last
-    gl::Buffer chunkSums_;   // a uint a chunk of cells
+    gl::Buffer slots_;                         // a uvec2 a particle: cell, arrival in it
+    gl::Buffer cellNumbers_;                   // a uint a particle: particle numbers by cell
+    gl::Buffer cellCounts_;                    // a uint a cell
+    gl::Buffer cellStarts_;                    // a uint a cell, and one behind the last
+    gl::BufferView countTexels_, startTexels_; // of the two above
+    gl::Buffer chunkSums_;                     // a uint a chunk of cells
     const gl::Program& count_;
     const gl::Program& sumChunks_;
     const gl::Program& scan_;
