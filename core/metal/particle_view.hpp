@@ -9,6 +9,8 @@ struct ParticleView {
     /// One vec4 a particle: xyz in model units, w = temperature (classic 0..1; physical K).
     const gl::Buffer* positions = nullptr;
     size_t count = 0;
+    /// Where not every slot holds a particle: one uint a slot, alive with PHASE_ALIVE (shaders/shared/metal.h).
+    const gl::Buffer* phases = nullptr;
 };
 
 } // namespace meltpool

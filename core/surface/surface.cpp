@@ -5,6 +5,8 @@
 #include "core/surface/cell_cases.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -16,7 +18,8 @@ namespace {
 constexpr GLbitfield kStorage = GL_SHADER_STORAGE_BARRIER_BIT;
 
 SurfaceStatistics statisticsOf(const SurfaceCommands& commands) {
-    return {commands.vertexCount, commands.triangleCount, commands.blockCount, commands.overflow != 0};
+    return {commands.vertexCount,   commands.triangleCount, commands.blockCount,
+            commands.splattedCount, commands.whole != 0,    commands.overflow != 0};
 }
 
 } // namespace
@@ -25,14 +28,24 @@ SurfaceStatistics statisticsOf(const SurfaceCommands& commands) {
 struct Surface::Work {
     Work(gl::ShaderLibrary& shaders, const SurfaceGrid& theGrid);
 
-    void clear() const;
-    void bind(const gl::Buffer& particles) const;
+    void makeRoom(size_t particles);
+    void forget();
+    void bindParticles(const ParticleView& particles) const;
+    void enterAll(const ParticleView& particles);
+    void enterChanged(const ParticleView& particles);
+    void chooseBlocks();
+    void countMesh();
+    void makeMesh(gl::Profiler* profiler);
     void dispatchIndirect(const gl::Program& program, size_t command) const;
 
     SurfaceGrid grid;
     SurfaceSetup setup;
+    SurfaceParameters made; ///< what the volumes were made with
+    size_t entered = 0;     ///< particles that they may hold; 0 before the first update
+    bool withPhases = false;
 
-    const gl::Program& splat;
+    const gl::Program& compare;
+    std::array<const gl::Program*, 2> splatAll, splatChanged; // by SurfaceKernel
     const gl::Program& listBlocks;
     const gl::Program& inside;
     const gl::Program& count;
@@ -43,8 +56,10 @@ struct Surface::Work {
     const gl::Program& trianglePass;
 
     gl::Buffer setupBlock;
+    gl::Buffer splatted, changedList; // a vec4 and a uint a particle
     gl::Buffer density, temperature;
-    gl::Buffer blockFlags, blockList, blockSums;
+    gl::Buffer blockFlags, blockStates, settled;
+    gl::Buffer blockList, retired, blockSums;
     gl::Buffer insideBits, rows, rowSums;
     gl::Buffer cases;
     gl::Buffer edgeList, triangleList;
@@ -55,7 +70,11 @@ struct Surface::Work {
 Surface::Work::Work(gl::ShaderLibrary& shaders, const SurfaceGrid& theGrid)
     : grid(theGrid),
       setup(grid.setup()),
-      splat(shaders.compute("surface/splat.comp")),
+      compare(shaders.compute("surface/compare.comp")),
+      splatAll{&shaders.compute("surface/splat.comp", {{"SURFACE_ANEW", "1"}}),
+               &shaders.compute("surface/splat.comp", {{"SURFACE_ANEW", "1"}, {"SURFACE_SMOOTH", "1"}})},
+      splatChanged{&shaders.compute("surface/splat.comp"),
+                   &shaders.compute("surface/splat.comp", {{"SURFACE_SMOOTH", "1"}})},
       listBlocks(shaders.compute("surface/list_blocks.comp")),
       inside(shaders.compute("surface/inside.comp")),
       count(shaders.compute("surface/count.comp")),
@@ -68,7 +87,10 @@ Surface::Work::Work(gl::ShaderLibrary& shaders, const SurfaceGrid& theGrid)
       density("surface density", grid.blockCount() * SURFACE_BLOCK_CORNERS * 4),
       temperature("surface temperature", grid.blockCount() * SURFACE_BLOCK_CORNERS * 4),
       blockFlags("surface block flags", grid.blockCount() * 4),
+      blockStates("surface block states", grid.blockCount() * 4),
+      settled("surface settled", grid.blockCount() * 8),
       blockList("surface block list", grid.blockCount() * 4),
+      retired("surface retired", grid.blockCount() * 8),
       blockSums("surface block sums", grid.blockCount() * 8),
       insideBits("surface inside bits", grid.blockCount() * SURFACE_BLOCK_WORDS * 4),
       rows("surface rows", grid.blockCount() * SURFACE_BLOCK_ROWS * 8),
@@ -79,37 +101,106 @@ Surface::Work::Work(gl::ShaderLibrary& shaders, const SurfaceGrid& theGrid)
       vertices("surface vertices", grid.mostVertices() * sizeof(SurfaceVertex)),
       indices("surface indices", grid.mostTriangles() * 12),
       commands("surface commands", sizeof(SurfaceCommands)),
-      readback("surface counts", sizeof(SurfaceCommands)) {}
-
-void Surface::Work::clear() const {
-    for (const gl::Buffer* buffer : {&density, &temperature, &blockFlags, &insideBits})
-        buffer->clear();
-    glMemoryBarrier(kStorage);
+      readback("surface counts", sizeof(SurfaceCommands)) {
+    SurfaceCommands start{};
+    start.changed = {0, 1, 1};
+    commands.writeValue(start);
 }
 
-void Surface::Work::bind(const gl::Buffer& particles) const {
-    setupBlock.bindUniform(SURFACE_BIND_SETUP);
-    particles.bindStorage(SURFACE_BIND_PARTICLES);
-    density.bindStorage(SURFACE_BIND_DENSITY);
-    temperature.bindStorage(SURFACE_BIND_TEMPERATURE);
-    blockFlags.bindStorage(SURFACE_BIND_BLOCK_FLAGS);
-    blockList.bindStorage(SURFACE_BIND_BLOCK_LIST);
-    blockSums.bindStorage(SURFACE_BIND_BLOCK_SUMS);
-    insideBits.bindStorage(SURFACE_BIND_INSIDE);
-    rows.bindStorage(SURFACE_BIND_ROWS);
-    rowSums.bindStorage(SURFACE_BIND_ROW_SUMS);
-    cases.bindStorage(SURFACE_BIND_CASES);
-    edgeList.bindStorage(SURFACE_BIND_EDGE_LIST);
-    triangleList.bindStorage(SURFACE_BIND_TRIANGLE_LIST);
-    vertices.bindStorage(SURFACE_BIND_VERTICES);
-    indices.bindStorage(SURFACE_BIND_INDICES);
-    commands.bindStorage(SURFACE_BIND_COMMANDS);
+/// Grows what has an entry a particle.
+void Surface::Work::makeRoom(size_t particles) {
+    if (splatted && splatted.bytes() >= particles * sizeof(glm::vec4)) return;
+    splatted = gl::Buffer("surface splatted particles", particles * sizeof(glm::vec4));
+    changedList = gl::Buffer("surface changed particles", particles * 4);
+    entered = 0;
+}
+
+/// Empties the volumes: no particle is entered any more.
+void Surface::Work::forget() {
+    for (const gl::Buffer* buffer : {&density, &temperature, &blockStates, &insideBits})
+        buffer->clear();
+    if (splatted) splatted.fill(std::bit_cast<GLuint>(SURFACE_NOWHERE));
+    glMemoryBarrier(kStorage);
 }
 
 void Surface::Work::dispatchIndirect(const gl::Program& program, size_t command) const {
     program.use();
     glDispatchComputeIndirect(static_cast<GLintptr>(command));
     glMemoryBarrier(kStorage);
+}
+
+void Surface::Work::bindParticles(const ParticleView& particles) const {
+    particles.positions->bindStorage(SURFACE_BIND_PARTICLES);
+    // Passes without phases or memory of the particles never look there; drivers still want something bound.
+    (particles.phases != nullptr ? *particles.phases : commands).bindStorage(SURFACE_BIND_PHASES);
+    (splatted ? splatted : commands).bindStorage(SURFACE_BIND_SPLATTED);
+    (changedList ? changedList : commands).bindStorage(SURFACE_BIND_CHANGED_LIST);
+    density.bindStorage(SURFACE_BIND_DENSITY);
+    temperature.bindStorage(SURFACE_BIND_TEMPERATURE);
+    blockFlags.bindStorage(SURFACE_BIND_BLOCK_FLAGS);
+    commands.bindStorage(SURFACE_BIND_COMMANDS);
+}
+
+void Surface::Work::enterAll(const ParticleView& particles) {
+    bindParticles(particles);
+    splatAll[size_t(made.kernel)]->dispatch(particles.count, SURFACE_GROUP);
+    glMemoryBarrier(kStorage);
+}
+
+void Surface::Work::enterChanged(const ParticleView& particles) {
+    bindParticles(particles);
+    compare.dispatch(particles.count, SURFACE_GROUP);
+    glMemoryBarrier(kStorage | GL_COMMAND_BARRIER_BIT);
+    dispatchIndirect(*splatChanged[size_t(made.kernel)], offsetof(SurfaceCommands, changed));
+}
+
+void Surface::Work::chooseBlocks() {
+    blockFlags.bindStorage(SURFACE_BIND_BLOCK_FLAGS);
+    blockStates.bindStorage(SURFACE_BIND_BLOCK_STATES);
+    blockList.bindStorage(SURFACE_BIND_BLOCK_LIST);
+    settled.bindStorage(SURFACE_BIND_SETTLED);
+    retired.bindStorage(SURFACE_BIND_RETIRED);
+    commands.bindStorage(SURFACE_BIND_COMMANDS);
+    listBlocks.dispatchGroups(1);
+    glMemoryBarrier(kStorage | GL_COMMAND_BARRIER_BIT);
+}
+
+/// Finds the inside corners of the listed blocks, and how many vertices and triangles each gets and where.
+void Surface::Work::countMesh() {
+    density.bindStorage(SURFACE_BIND_DENSITY);
+    insideBits.bindStorage(SURFACE_BIND_INSIDE);
+    dispatchIndirect(inside, offsetof(SurfaceCommands, words));
+    rowSums.bindStorage(SURFACE_BIND_ROW_SUMS);
+    cases.bindStorage(SURFACE_BIND_CASES);
+    indices.bindStorage(SURFACE_BIND_INDICES);
+    dispatchIndirect(count, offsetof(SurfaceCommands, rows));
+    blockSums.bindStorage(SURFACE_BIND_BLOCK_SUMS);
+    dispatchIndirect(sumBlocks, offsetof(SurfaceCommands, blocks));
+    blockStates.bindStorage(SURFACE_BIND_BLOCK_STATES);
+    placeBlocks.dispatchGroups(1);
+    glMemoryBarrier(kStorage | GL_COMMAND_BARRIER_BIT);
+}
+
+void Surface::Work::makeMesh(gl::Profiler* profiler) {
+    {
+        const gl::Scope scope(profiler, "surface list");
+        rows.bindStorage(SURFACE_BIND_ROWS);
+        edgeList.bindStorage(SURFACE_BIND_EDGE_LIST);
+        triangleList.bindStorage(SURFACE_BIND_TRIANGLE_LIST);
+        dispatchIndirect(listMesh, offsetof(SurfaceCommands, rows));
+    }
+    {
+        const gl::Scope scope(profiler, "surface vertices");
+        density.bindStorage(SURFACE_BIND_DENSITY);
+        temperature.bindStorage(SURFACE_BIND_TEMPERATURE);
+        vertices.bindStorage(SURFACE_BIND_VERTICES);
+        dispatchIndirect(vertexPass, offsetof(SurfaceCommands, vertices));
+    }
+    {
+        const gl::Scope scope(profiler, "surface triangles");
+        dispatchIndirect(trianglePass, offsetof(SurfaceCommands, triangles));
+        glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+    }
 }
 
 Surface::Surface(gl::ShaderLibrary& shaders, const SurfaceParameters& wanted, glm::vec3 boxMin, glm::vec3 boxMax)
@@ -119,55 +210,51 @@ Surface::~Surface() = default;
 
 void Surface::setTemperatureRange(float coldest, float hottest) {
     if (!(hottest > coldest)) throw InputError("the surface's temperature range is empty; expected coldest < hottest");
+    if (work_->setup.origin.w == coldest && work_->setup.extent.w == hottest - coldest) return;
     work_->setup.origin.w = coldest;
     work_->setup.extent.w = hottest - coldest;
+    work_->entered = 0;
+}
+
+bool Surface::mustStartAnew(const ParticleView& particles) const {
+    const SurfaceParameters& made = work_->made;
+    return !keeping.on || work_->entered == 0 || particles.count < work_->entered ||
+           work_->withPhases != (particles.phases != nullptr) || made.influence != parameters.influence ||
+           made.kernel != std::clamp(parameters.kernel, 0, 1) || made.isoLevel != parameters.isoLevel ||
+           made.caps != parameters.caps;
 }
 
 void Surface::update(const ParticleView& particles, gl::Profiler* profiler) {
     const gl::Scope all(profiler, "surface");
     Work& w = *work_;
+    if (keeping.on) w.makeRoom(particles.count);
+    const bool anew = mustStartAnew(particles);
+    w.made = parameters;
+    w.made.kernel = std::clamp(parameters.kernel, 0, 1);
+    w.entered = keeping.on ? particles.count : 0;
+    w.withPhases = particles.phases != nullptr;
     w.setup.cells.w = std::clamp(parameters.influence, 1, 8);
     w.setup.limits.x = static_cast<unsigned>(particles.count);
     w.setup.limits.y = static_cast<unsigned>(std::max(std::lround(double(parameters.isoLevel) * SURFACE_UNIT), 1L));
-    w.setup.options.x = parameters.caps ? 1 : 0;
+    w.setup.options = {parameters.caps ? 1 : 0, anew ? 1 : 0, w.withPhases ? 1 : 0, keeping.on ? 1 : 0};
+    w.setup.still = {keeping.stillCells, keeping.stillTemperature, 0, 0};
     w.setupBlock.writeValue(w.setup);
-    w.bind(*particles.positions);
-    {
+    w.setupBlock.bindUniform(SURFACE_BIND_SETUP);
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, w.commands.name());
+    if (anew) {
         const gl::Scope scope(profiler, "surface clear");
-        w.clear();
+        w.forget();
     }
     {
         const gl::Scope scope(profiler, "surface splat");
-        w.splat.dispatch(particles.count, SURFACE_GROUP);
-        glMemoryBarrier(kStorage);
-    }
-    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, w.commands.name());
-    {
-        const gl::Scope scope(profiler, "surface inside");
-        w.listBlocks.dispatchGroups(1);
-        glMemoryBarrier(kStorage | GL_COMMAND_BARRIER_BIT);
-        w.dispatchIndirect(w.inside, offsetof(SurfaceCommands, words));
+        anew ? w.enterAll(particles) : w.enterChanged(particles);
     }
     {
         const gl::Scope scope(profiler, "surface count");
-        w.dispatchIndirect(w.count, offsetof(SurfaceCommands, rows));
-        w.dispatchIndirect(w.sumBlocks, offsetof(SurfaceCommands, blocks));
-        w.placeBlocks.dispatchGroups(1);
-        glMemoryBarrier(kStorage | GL_COMMAND_BARRIER_BIT);
+        w.chooseBlocks();
+        w.countMesh();
     }
-    {
-        const gl::Scope scope(profiler, "surface list");
-        w.dispatchIndirect(w.listMesh, offsetof(SurfaceCommands, rows));
-    }
-    {
-        const gl::Scope scope(profiler, "surface vertices");
-        w.dispatchIndirect(w.vertexPass, offsetof(SurfaceCommands, vertices));
-    }
-    {
-        const gl::Scope scope(profiler, "surface triangles");
-        w.dispatchIndirect(w.trianglePass, offsetof(SurfaceCommands, triangles));
-        glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
-    }
+    w.makeMesh(profiler);
 }
 
 SurfaceMesh Surface::mesh() const {
@@ -190,8 +277,9 @@ size_t Surface::bytes() const {
     const Work& w = *work_;
     size_t sum = 0;
     for (const gl::Buffer* buffer :
-         {&w.setupBlock, &w.density, &w.temperature, &w.blockFlags, &w.blockList, &w.blockSums, &w.insideBits, &w.rows,
-          &w.rowSums, &w.cases, &w.edgeList, &w.triangleList, &w.vertices, &w.indices, &w.commands})
+         {&w.setupBlock, &w.splatted,  &w.changedList,  &w.density,   &w.temperature, &w.blockFlags, &w.blockStates,
+          &w.settled,    &w.blockList, &w.retired,      &w.blockSums, &w.insideBits,  &w.rows,       &w.rowSums,
+          &w.cases,      &w.edgeList,  &w.triangleList, &w.vertices,  &w.indices,     &w.commands})
         sum += buffer->bytes();
     return sum;
 }

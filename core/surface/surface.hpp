@@ -16,9 +16,20 @@ namespace meltpool {
 /// Small results of an update.
 struct SurfaceStatistics {
     unsigned vertices = 0;
-    unsigned triangles = 0;
-    unsigned blocks = 0;   ///< blocks of 8³ cells that the metal reaches
-    bool overflow = false; ///< the mesh did not fit its buffers; what is drawn is a part of it
+    unsigned triangles = 0; ///< with those that were made empty since the last whole mesh
+    unsigned blocks = 0;    ///< blocks of 8³ cells that were made anew
+    unsigned particles = 0; ///< particles that were entered anew
+    bool whole = true;      ///< every block was made anew
+    bool overflow = false;  ///< the mesh did not fit its buffers; what is drawn is a part of it
+};
+
+/// How an update uses what earlier ones made. Off, every update starts from nothing.
+struct SurfaceKeeping {
+    /// Only particles that changed are entered anew and only blocks around them are made anew: the cost follows what
+    /// moves or warms, not the metal. For particles that keep their slots.
+    bool on = false;
+    float stillCells = 0;       ///< a particle stays as it was entered until it is farther than this from there
+    float stillTemperature = 0; ///< ... and its temperature by this share of the temperature range
 };
 
 /// The density volume holds at every corner of the grid the sum of the weights 1 - d / d_max of the particles around, d
@@ -27,7 +38,12 @@ struct SurfaceStatistics {
 /// does not depend on how densely the particles lie. Both are sums of integers: the same particles give the same bits
 /// in any order.
 ///
-/// Triangles and vertices are ordered by block of 8³ cells, then row, then cell.
+/// The smooth kernel has other weights (SurfaceKernel).
+///
+/// Triangles and vertices are ordered by block of 8³ cells, then row, then cell. With SurfaceKeeping the blocks that
+/// changed since the whole mesh was last made follow behind the others, and the triangles they had before are empty
+/// (three times vertex 0); the mesh is whole again when a third of it has changed. That happens on the GPU and depends
+/// on nothing but the particles: the same updates give the same bits.
 class Surface {
   public:
     /// Lays a grid over the box: `parameters.cells` along its longest side, cells as near to cubes as whole numbers
@@ -39,6 +55,7 @@ class Surface {
 
     /// Live values; `cells` is only read at construction.
     SurfaceParameters parameters;
+    SurfaceKeeping keeping;
 
     /// The particles' temperatures that the volume resolves; beyond it they are clamped. Classic: 0..1 (the default).
     void setTemperatureRange(float coldest, float hottest);
@@ -63,6 +80,8 @@ class Surface {
     std::optional<SurfaceStatistics> pollStatistics();
 
   private:
+    bool mustStartAnew(const ParticleView& particles) const;
+
     struct Work;
     std::unique_ptr<Work> work_;
 };

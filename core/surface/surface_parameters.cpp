@@ -1,6 +1,14 @@
 #include "core/surface/surface_parameters.hpp"
 
+#include <array>
+
 namespace meltpool {
+
+namespace {
+
+constexpr std::array<std::string_view, 2> kKernels{"cone", "smooth"};
+
+} // namespace
 
 ParameterList describe(SurfaceParameters& p) {
     return {
@@ -15,6 +23,8 @@ ParameterList describe(SurfaceParameters& p) {
          true},
         {"influence", "Particle influence", "cells", &p.influence, 1, 8,
          "a particle adds to (2 i - 1)³ corners: higher is smoother, fatter and slower"},
+        {"kernel", "Particle shape", "", &p.kernel, 0, 1,
+         "smooth: an even surface, but thinner for the same influence and iso level", kKernels},
         {"iso_level", "Iso level", "", &p.isoLevel, 0.01, 1000,
          "lower wraps the metal more loosely, higher opens holes"},
         {"caps", "Caps on the box", "", &p.caps, 0, 1, "off: the metal is open where it touches the box"},

@@ -44,6 +44,23 @@
 #define SURFACE_BIND_VERTICES 12
 #define SURFACE_BIND_INDICES 13
 #define SURFACE_BIND_COMMANDS 14
+// The passes over particles need fewer of the buffers above and more of their own.
+#define SURFACE_BIND_SPLATTED 5
+#define SURFACE_BIND_CHANGED_LIST 6
+#define SURFACE_BIND_PHASES 7
+// The pass that lists the blocks, likewise.
+#define SURFACE_BIND_BLOCK_STATES 1
+#define SURFACE_BIND_SETTLED 2
+#define SURFACE_BIND_RETIRED 10
+
+/// Coordinates of a particle that is nowhere: not yet entered into the volumes, or no metal any more.
+#define SURFACE_NOWHERE 3.0e38f
+
+/// What is known of a block between updates.
+#define SURFACE_BLOCK_HELD 1u     // may hold a piece of the surface
+#define SURFACE_BLOCK_ALTERED 2u  // its corners changed since the whole mesh was made: has new vertices
+#define SURFACE_BLOCK_REMADE 4u   // it or a block that it takes vertices from was altered: has new triangles
+#define SURFACE_LISTED_ALTERED 0x80000000u // in the block list: vertices as well as triangles are made
 
 #ifdef __cplusplus
 namespace meltpool {
@@ -74,15 +91,23 @@ struct SurfaceDispatch {
 /// Everything the GPU decides about the sizes of later passes; small enough to be read back whole.
 struct SurfaceCommands {
     SurfaceDraw draw;
+    SurfaceDispatch changed;   ///< over the particles that changed; only x is counted
     SurfaceDispatch words;     ///< over the words of the listed blocks
     SurfaceDispatch rows;      ///< over the rows of the listed blocks
     SurfaceDispatch blocks;    ///< over the listed blocks
     SurfaceDispatch vertices;  ///< over the vertices that fit
     SurfaceDispatch triangles; ///< over the triangles that fit
-    uint blockCount;
-    uint vertexCount;   ///< vertices of the whole surface
-    uint triangleCount; ///< triangles of the whole surface
-    uint overflow;      ///< 1 when either does not fit its buffer
+    uint changedCount;     ///< particles that changed
+    uint splattedCount;    ///< the same, kept for the statistics when the next update counts anew
+    uint blockCount;       ///< listed blocks: those made anew
+    uint whole;            ///< 1: every block that holds surface is listed
+    uint firstVertex;      ///< of the part that is made anew
+    uint firstTriangle;    ///< likewise
+    uint vertexCount;      ///< vertices of the whole surface
+    uint triangleCount;    ///< triangles of the whole surface
+    uint settledVertices;  ///< vertices at the last whole mesh
+    uint settledTriangles; ///< likewise
+    uint overflow;         ///< 1 when the mesh does not fit its buffers
 };
 
 /// The grid and the parameters of an update.
@@ -92,14 +117,15 @@ struct SurfaceSetup {
     vec4 origin;   ///< xyz model position of the grid's first corner, w temperature that counts as 0
     vec4 extent;   ///< xyz from the first corner to the last, signed; w temperature that counts as 1, less origin.w
     uvec4 limits;  ///< x particles, y iso level in units of 1 / SURFACE_UNIT, z most vertices, w most triangles
-    ivec4 options; ///< x 1: with caps
+    ivec4 options; ///< x 1: with caps; y 1: make the whole mesh anew; z 1: particles have phases; w 1: remember them
+    vec4 still;   ///< a change not larger than this is none: x cells, y share of the temperature range
 };
 
 #ifdef __cplusplus
 static_assert(sizeof(SurfaceVertex) == 32);
 static_assert(sizeof(SurfaceDraw) == 20);
-static_assert(sizeof(SurfaceCommands) == 96);
-static_assert(sizeof(SurfaceSetup) == 96);
+static_assert(sizeof(SurfaceCommands) == 136);
+static_assert(sizeof(SurfaceSetup) == 112);
 } // namespace meltpool
 #endif
 

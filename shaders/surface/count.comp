@@ -1,14 +1,22 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-// Counts the vertices and triangles of every row of the listed blocks.
+// Counts the vertices and triangles of every row of the listed blocks, and removes the blocks' settled triangles.
 #include "surface/grid.glsl"
 layout(local_size_x = SURFACE_GROUP) in;
 #include "surface/row.glsl"
 
-layout(std430, binding = SURFACE_BIND_ROWS) writeonly buffer Rows { uvec2 rows[]; };
 layout(std430, binding = SURFACE_BIND_ROW_SUMS) writeonly buffer RowSums { uint rowSums[]; };
 layout(std430, binding = SURFACE_BIND_CASES) readonly buffer Cases { uint cases[]; };
+layout(std430, binding = SURFACE_BIND_RETIRED) readonly buffer Retired { uvec2 retired[]; };
+layout(std430, binding = SURFACE_BIND_INDICES) writeonly buffer Indices { uint indices[]; };
 layout(std430, binding = SURFACE_BIND_COMMANDS) readonly buffer Commands { SurfaceCommands commands; };
+
+/// The rows of a block share the work of making its settled triangles empty.
+void removeSettled(uint index) {
+    uvec2 range = retired[index / SURFACE_BLOCK_ROWS] * 3u;
+    for (uint i = index % SURFACE_BLOCK_ROWS; i < range.y; i += SURFACE_BLOCK_ROWS)
+        indices[range.x + i] = 0u;
+}
 
 void main() {
     uint index = linearInvocation();
@@ -20,6 +28,6 @@ void main() {
         crossed &= crossed - 1u;
         triangles += cases[cellCase(row, cell)] & 7u;
     }
-    rows[cornerAddress(row.first) >> 3] = uvec2(0u, edges);
-    rowSums[index] = uint(bitCount(edges)) | triangles << 16;
+    rowSums[index] = (row.altered ? uint(bitCount(edges)) : 0u) | triangles << 16;
+    removeSettled(index);
 }

@@ -14,6 +14,10 @@ int cornerAddress(ivec3 corner) {
            inner.y * 8 + inner.x;
 }
 
+SurfaceDispatch dispatchOver(uint count) {
+    return SurfaceDispatch((count + SURFACE_GROUP - 1u) / SURFACE_GROUP, 1u, 1u);
+}
+
 ivec3 blockPlace(int block) {
     int row = block / setup.blocks.x;
     return ivec3(block - row * setup.blocks.x, row % setup.blocks.y, row / setup.blocks.y);

@@ -12,7 +12,7 @@ layout(std430, binding = SURFACE_BIND_COMMANDS) readonly buffer Commands { Surfa
 void main() {
     uint index = linearInvocation();
     if (index >= commands.blockCount * SURFACE_BLOCK_WORDS) return;
-    uint word = blockList[index / SURFACE_BLOCK_WORDS] * SURFACE_BLOCK_WORDS + index % SURFACE_BLOCK_WORDS;
+    uint word = (blockList[index / SURFACE_BLOCK_WORDS] & ~SURFACE_LISTED_ALTERED) * SURFACE_BLOCK_WORDS + index % SURFACE_BLOCK_WORDS;
     uint bits = 0u;
     for (uint i = 0u; i < 32u; ++i)
         bits |= uint(density[word * 32u + i] >= setup.limits.y) << i;

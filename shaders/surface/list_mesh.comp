@@ -5,7 +5,7 @@
 layout(local_size_x = SURFACE_GROUP) in;
 #include "surface/row.glsl"
 
-layout(std430, binding = SURFACE_BIND_ROWS) buffer Rows { uvec2 rows[]; };
+layout(std430, binding = SURFACE_BIND_ROWS) writeonly buffer Rows { uvec2 rows[]; };
 layout(std430, binding = SURFACE_BIND_ROW_SUMS) readonly buffer RowSums { uint rowSums[]; };
 layout(std430, binding = SURFACE_BIND_BLOCK_SUMS) readonly buffer BlockSums { uvec2 blockSums[]; };
 layout(std430, binding = SURFACE_BIND_CASES) readonly buffer Cases { uint cases[]; };
@@ -18,7 +18,7 @@ void listEdges(CellRow row, uint edges, uint slot) {
     while (edges != 0u && slot < setup.limits.z) {
         uint edge = uint(findLSB(edges));
         edges &= edges - 1u;
-        edgeList[slot++] = corner + (edge & 7u) | edge >> 3 << 3 * SURFACE_COORDINATE_BITS;
+        edgeList[slot++ - commands.firstVertex] = corner + (edge & 7u) | edge >> 3 << 3 * SURFACE_COORDINATE_BITS;
     }
 }
 
@@ -30,7 +30,7 @@ void listTriangles(CellRow row, uint slot) {
         uint entry = cases[cellCase(row, cell)];
         uint end = min(slot + (entry & 7u), setup.limits.w);
         for (uint triangle = entry >> 3; slot < end; ++triangle, ++slot)
-            triangleList[slot] = uvec2(corner + uint(cell), triangle);
+            triangleList[slot - commands.firstTriangle] = uvec2(corner + uint(cell), triangle);
     }
 }
 
@@ -40,8 +40,10 @@ void main() {
     CellRow row = readRow(index);
     uint sums = rowSums[index];
     uvec2 place = blockSums[index / SURFACE_BLOCK_ROWS] + uvec2(sums & 65535u, sums >> 16);
-    uint edges = crossingEdges(row);
-    rows[cornerAddress(row.first) >> 3] = uvec2(place.x, edges);
-    listEdges(row, edges, place.x);
+    if (row.altered) {
+        uint edges = crossingEdges(row);
+        rows[cornerAddress(row.first) >> 3] = uvec2(place.x, edges);
+        listEdges(row, edges, place.x);
+    }
     listTriangles(row, place.y);
 }

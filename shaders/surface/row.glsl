@@ -7,7 +7,8 @@ layout(std430, binding = SURFACE_BIND_BLOCK_LIST) readonly buffer BlockList { ui
 
 /// The inside bits of 9 corners in a row from each of the four corner rows around a row of cells.
 struct CellRow {
-    ivec3 first; ///< the row's first corner
+    ivec3 first;  ///< the row's first corner
+    bool altered; ///< its vertices are made as well as its triangles
     uint near, up, back, upBack; ///< at (y, z), (y + 1, z), (y, z + 1), (y + 1, z + 1)
 };
 
@@ -24,8 +25,10 @@ uint nineBits(ivec3 corner) {
 
 /// Row number `index` among those of the listed blocks.
 CellRow readRow(uint index) {
-    ivec3 block = blockPlace(int(blockList[index / SURFACE_BLOCK_ROWS]));
+    uint listed = blockList[index / SURFACE_BLOCK_ROWS];
+    ivec3 block = blockPlace(int(listed & ~SURFACE_LISTED_ALTERED));
     CellRow row;
+    row.altered = (listed & SURFACE_LISTED_ALTERED) != 0u;
     row.first = block * 8 + ivec3(0, index & 7u, index >> 3 & 7u);
     row.near = nineBits(row.first);
     row.up = nineBits(row.first + ivec3(0, 1, 0));

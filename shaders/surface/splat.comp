@@ -1,28 +1,62 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-// Adds every particle to the corners around it and marks the blocks whose cells it can change.
+// Takes every changed particle out of the corners it was added to, adds it to the corners around it now, and marks the
+// blocks that this can change. The weights are integers, so that what is taken out is exactly what was added.
+//
+// SURFACE_SMOOTH: the weight falls to zero, with its slope, at the ball inside the reached corners, (1 - d²/r²)³ with
+// r = influence - 1/2, instead of the founding thesis' cone that ends in a step.
+// SURFACE_ANEW: the volumes are empty; every particle is added.
 #include "surface/grid.glsl"
 layout(local_size_x = SURFACE_GROUP) in;
+#include "surface/particles.glsl"
 
-layout(std430, binding = SURFACE_BIND_PARTICLES) readonly buffer Particles { vec4 particles[]; };
 layout(std430, binding = SURFACE_BIND_DENSITY) buffer Density { uint density[]; };
 layout(std430, binding = SURFACE_BIND_TEMPERATURE) buffer Temperature { uint temperature[]; };
 layout(std430, binding = SURFACE_BIND_BLOCK_FLAGS) writeonly buffer BlockFlags { uint flags[]; };
+layout(std430, binding = SURFACE_BIND_SPLATTED) buffer Splatted { vec4 splatted[]; };
+layout(std430, binding = SURFACE_BIND_CHANGED_LIST) readonly buffer ChangedList { uint changedList[]; };
+layout(std430, binding = SURFACE_BIND_COMMANDS) readonly buffer Commands { SurfaceCommands commands; };
 
+/// Marks the blocks with an edge whose vertex depends on these corners: its ends, and the corners beside them for the
+/// normal. Where nothing was before, a vertex needs an end among them.
 void markBlocks(ivec3 first, ivec3 last) {
-    ivec3 low = first >> 3, high = last >> 3;
+#ifdef SURFACE_ANEW
+    ivec3 low = (first - 1) >> 3, high = last >> 3;
+#else
+    ivec3 low = max(first - 2, ivec3(0)) >> 3, high = min((last + 1) >> 3, setup.blocks.xyz - 1);
+#endif
     for (int z = low.z; z <= high.z; ++z)
         for (int y = low.y; y <= high.y; ++y)
             for (int x = low.x; x <= high.x; ++x)
                 flags[(z * setup.blocks.y + y) * setup.blocks.x + x] = 1u;
 }
 
-void main() {
-    uint index = linearInvocation();
-    if (index >= setup.limits.x) return;
-    vec4 particle = particles[index];
+#ifdef SURFACE_SMOOTH
+float weightAt(float square, float perSquare) {
+    precise float inner = max(1.0 - square * perSquare, 0.0);
+    precise float weight = inner * inner * inner;
+    return weight;
+}
+float weightScale(float reach) {
+    precise float r = reach + 0.5;
+    precise float scale = 1.0 / (r * r);
+    return scale;
+}
+#else
+float weightAt(float square, float perCell) {
+    precise float weight = 1.0 - sqrt(square) * perCell;
+    return weight;
+}
+float weightScale(float reach) {
+    precise float farthest = 0.8660254 + 1.7320508 * reach;
+    precise float scale = 1.0 / farthest;
+    return scale;
+}
+#endif
+
+/// Adds the particle to the volumes `times` times: 1, or -1 to take it out.
+void addParticle(vec4 particle, int times) {
     precise vec3 place = (particle.xyz - setup.origin.xyz) * (vec3(setup.cells.xyz) / setup.extent.xyz) + 1.0;
-    // Also refuses what is not a number.
     if (!all(lessThan(abs(place), vec3(1e6)))) return;
     precise float share = (particle.w - setup.origin.w) / setup.extent.w;
     share = share > 0.0 ? min(share, 1.0) : 0.0;
@@ -31,10 +65,9 @@ void main() {
     ivec3 nearest = ivec3(floor(place + 0.5));
     ivec3 first = max(nearest - reach, ivec3(1)), last = min(nearest + reach, setup.cells.xyz + 1);
     if (any(greaterThan(first, last))) return;
-    markBlocks(first - 1, last);
+    markBlocks(first, last);
 
-    precise float farthest = 0.8660254 + 1.7320508 * float(reach);
-    precise float perCell = 1.0 / farthest;
+    float scale = weightScale(float(reach));
     for (int z = first.z; z <= last.z; ++z) {
         precise float dz = place.z - float(z);
         precise float zz = dz * dz;
@@ -44,17 +77,41 @@ void main() {
             int row = cornerAddress(ivec3(0, y, z));
             for (int x = first.x; x <= last.x; ++x) {
                 precise float dx = place.x - float(x);
-                precise float near = 1.0 - sqrt(dx * dx + yz) * perCell;
-                precise float scaled = near * float(SURFACE_UNIT) + 0.5;
+                precise float square = dx * dx + yz;
+                float near = weightAt(square, scale);
                 if (near <= 0.0) continue;
-                uint weight = uint(scaled);
+                precise float scaled = near * float(SURFACE_UNIT) + 0.5;
+                int weight = int(scaled);
                 int address = row + (x >> 3) * SURFACE_BLOCK_CORNERS + (x & 7);
-                atomicAdd(density[address], weight);
+                atomicAdd(density[address], uint(weight * times));
                 if (share > 0.0) {
                     precise float heat = float(weight) * share + 0.5;
-                    atomicAdd(temperature[address], uint(heat));
+                    atomicAdd(temperature[address], uint(int(heat) * times));
                 }
             }
         }
     }
 }
+
+#ifdef SURFACE_ANEW
+void main() {
+    uint index = linearInvocation();
+    if (index >= setup.limits.x) return;
+    vec4 now = particleNow(index);
+    if (setup.options.w != 0) splatted[index] = now;
+    addParticle(now, 1);
+}
+#else
+void main() {
+    uint slot = linearInvocation();
+    if (slot >= commands.changedCount) return;
+    uint index = changedList[slot];
+    vec4 now = particleNow(index);
+    vec4 entered = splatted[index];
+    splatted[index] = now;
+    for (int times = -1; times <= 1; times += 2) {
+        addParticle(entered, times);
+        entered = now;
+    }
+}
+#endif

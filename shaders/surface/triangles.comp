@@ -20,7 +20,8 @@ uint vertexOn(ivec3 cell, uint edge) {
 
 void main() {
     uint index = linearInvocation();
-    if (index >= min(commands.triangleCount, setup.limits.w)) return;
+    uint triangle = commands.firstTriangle + index;
+    if (triangle >= min(commands.triangleCount, setup.limits.w)) return;
     uvec2 entry = triangleList[index];
     ivec3 cell = unpackCorner(entry.x);
     uint edges = cases[entry.y];
@@ -28,7 +29,7 @@ void main() {
     uvec3 corners = uvec3(vertexOn(cell, edges), vertexOn(cell, edges >> 10), vertexOn(cell, edges >> 5));
     // A vertex that did not fit takes its triangle with it.
     if (any(greaterThanEqual(corners, uvec3(setup.limits.z)))) corners = uvec3(0u);
-    indices[index * 3u] = corners.x;
-    indices[index * 3u + 1u] = corners.y;
-    indices[index * 3u + 2u] = corners.z;
+    indices[triangle * 3u] = corners.x;
+    indices[triangle * 3u + 1u] = corners.y;
+    indices[triangle * 3u + 2u] = corners.z;
 }

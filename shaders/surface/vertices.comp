@@ -45,7 +45,7 @@ float temperatureOf(float heat, float weight) {
 
 void main() {
     uint index = linearInvocation();
-    if (index >= min(commands.vertexCount, setup.limits.z)) return;
+    if (commands.firstVertex + index >= min(commands.vertexCount, setup.limits.z)) return;
     uint edge = edgeList[index];
     ivec3 a = unpackCorner(edge), axis = ivec3(equal(uvec3(edge >> 30), uvec3(0u, 1u, 2u))), b = a + axis;
     bool ownA = ownCorner(a), ownB = ownCorner(b), cap = !(ownA && ownB);
@@ -62,5 +62,5 @@ void main() {
     SurfaceVertex vertex;
     vertex.position = vec4(placeOf(mix(vec3(a), vec3(b), part)), temperatureOf(heat, mix(weightA, weightB, part)));
     vertex.normal = vec4(cap ? along : direction(falling, along), 0.0);
-    vertices[index] = vertex;
+    vertices[commands.firstVertex + index] = vertex;
 }

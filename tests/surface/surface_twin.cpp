@@ -68,14 +68,24 @@ SurfaceVertex vertexBetween(const Field& field, float iso, ivec3 a, ivec3 b, flo
 
 } // namespace
 
-Volumes twinVolumes(const SurfaceGrid& grid, int influence, float coldest, float hottest,
+namespace {
+
+float weightOf(SurfaceKernel kernel, int influence, float square) {
+    const float reach = float(influence - 1);
+    if (kernel == SurfaceKernel::cone) return 1.0f - std::sqrt(square) * (1.0f / (0.8660254f + 1.7320508f * reach));
+    const float inner = std::max(1.0f - square * (1.0f / ((reach + 0.5f) * (reach + 0.5f))), 0.0f);
+    return inner * inner * inner;
+}
+
+} // namespace
+
+Volumes twinVolumes(const SurfaceGrid& grid, const SurfaceParameters& parameters, float coldest, float hottest,
                     const std::vector<glm::vec4>& particles) {
     const SurfaceSetup s = grid.setup();
     Volumes volumes;
     volumes.density.resize(grid.blockCount() * SURFACE_BLOCK_CORNERS);
     volumes.temperature.resize(volumes.density.size());
-    const int reach = influence - 1;
-    const float perCell = 1.0f / (0.8660254f + 1.7320508f * float(reach));
+    const int reach = parameters.influence - 1;
     for (const glm::vec4& particle : particles) {
         const vec3 place = placeInGrid(s, particle);
         if (!(std::abs(place.x) < 1e6f && std::abs(place.y) < 1e6f && std::abs(place.z) < 1e6f)) continue;
@@ -86,7 +96,8 @@ Volumes twinVolumes(const SurfaceGrid& grid, int influence, float coldest, float
             for (int y = nearest.y - reach; y <= nearest.y + reach; ++y)
                 for (int x = nearest.x - reach; x <= nearest.x + reach; ++x) {
                     const vec3 d = place - vec3(ivec3(x, y, z));
-                    const float value = 1.0f - std::sqrt(d.x * d.x + (d.y * d.y + d.z * d.z)) * perCell;
+                    const float value = weightOf(static_cast<SurfaceKernel>(parameters.kernel), parameters.influence,
+                                                 d.x * d.x + (d.y * d.y + d.z * d.z));
                     if (!isOwn(grid, {x, y, z}) || value <= 0.0f) continue;
                     const auto weight = static_cast<std::uint32_t>(value * float(SURFACE_UNIT) + 0.5f);
                     volumes.density[grid.address({x, y, z})] += weight;
@@ -155,7 +166,9 @@ Mesh readMesh(const Surface& surface) {
     Mesh mesh;
     mesh.vertices = surface.mesh().vertices->read<SurfaceVertex>(
         std::min<size_t>(surface.statistics().vertices, surface.grid().mostVertices()));
-    mesh.indices = surface.mesh().indices->read<unsigned>(draw.count);
+    const auto indices = surface.mesh().indices->read<unsigned>(draw.count);
+    for (size_t i = 0; i < indices.size(); i += 3)
+        if (indices[i] != indices[i + 1]) mesh.indices.insert(mesh.indices.end(), &indices[i], &indices[i] + 3);
     return mesh;
 }
 

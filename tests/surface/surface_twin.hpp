@@ -15,7 +15,7 @@ struct Volumes {
 };
 
 /// The volumes that Surface::update() makes, in the same order of operations of each weight.
-Volumes twinVolumes(const SurfaceGrid& grid, int influence, float coldest, float hottest,
+Volumes twinVolumes(const SurfaceGrid& grid, const SurfaceParameters& parameters, float coldest, float hottest,
                     const std::vector<glm::vec4>& particles);
 
 struct Mesh {
@@ -28,7 +28,7 @@ struct Mesh {
 Mesh twinMesh(const SurfaceGrid& grid, const Volumes& volumes, const SurfaceParameters& parameters, float coldest,
               float hottest);
 
-/// What the GPU drew last.
+/// What the GPU drew last, without the triangles that were made empty.
 Mesh readMesh(const Surface& surface);
 
 /// The sides that are not shared by exactly two triangles in opposite directions, as pairs of vertex numbers.

@@ -1,0 +1,197 @@
+// Updates that keep what did not change: to the last bit what a fresh surface makes of the same particles.
+#include "shaders/shared/metal.h"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+#include "tests/surface/surface_twin.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <random>
+
+namespace meltpool {
+
+using glm::vec3;
+using glm::vec4;
+
+namespace {
+
+/// A plate with a few particles that move, warm, appear and vanish.
+class Plate {
+  public:
+    static constexpr vec3 kLow{-1.0f, -0.25f, -0.5f}, kHigh{1.0f, 0.4f, 0.5f};
+
+    Plate() {
+        for (float z = -0.475f; z < 0.5f; z += 0.05f)
+            for (float y = -0.225f; y < 0.0f; y += 0.05f)
+                for (float x = -0.975f; x < 1.0f; x += 0.05f)
+                    places.emplace_back(x, y, z, 0.1f);
+        phases.assign(places.size(), PHASE_ALIVE);
+    }
+
+    /// Stirs a spot of the plate.
+    void stir(vec3 spot, float radius) {
+        for (size_t i = 0; i < places.size(); ++i) {
+            if (glm::distance(vec3(places[i]), spot) > radius) continue;
+            places[i] += vec4(next() - 0.5f, next() - 0.4f, next() - 0.5f, next()) * 0.05f;
+            if (next() < 0.05f) phases[i] ^= PHASE_ALIVE;
+        }
+    }
+
+    void add(vec3 place) {
+        places.emplace_back(place, 0.9f);
+        phases.push_back(PHASE_ALIVE);
+    }
+
+    void update(Surface& surface) const {
+        const gl::Buffer positions("plate", std::span<const vec4>(places));
+        const gl::Buffer phaseBits("plate phases", std::span<const unsigned>(phases));
+        surface.update({&positions, places.size(), &phaseBits}, nullptr);
+        glFinish();
+    }
+
+    std::vector<vec4> alive() const {
+        std::vector<vec4> those;
+        for (size_t i = 0; i < places.size(); ++i)
+            if ((phases[i] & PHASE_ALIVE) != 0) those.push_back(places[i]);
+        return those;
+    }
+
+    std::vector<vec4> places;
+    std::vector<unsigned> phases;
+
+  private:
+    float next() { return float(random_() >> 8) * 0x1p-24f; }
+    std::mt19937 random_{11};
+};
+
+/// Every triangle with all that its corners hold, in an order that does not depend on the mesh's.
+std::vector<std::array<float, 21>> sortedTriangles(const test::Mesh& mesh) {
+    std::vector<std::array<float, 21>> rows;
+    for (size_t i = 0; i < mesh.indices.size(); i += 3) {
+        std::array<std::array<float, 7>, 3> corners{};
+        for (size_t j = 0; j < 3; ++j)
+            std::memcpy(corners[j].data(), &mesh.vertices[mesh.indices[i + j]], sizeof(corners[j]));
+        std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+        std::memcpy(rows.emplace_back().data(), corners.data(), sizeof(corners));
+    }
+    std::sort(rows.begin(), rows.end());
+    return rows;
+}
+
+} // namespace
+
+TEST_CASE("kept updates give the surface that a fresh one gives") {
+    for (const int kernel : {int(SurfaceKernel::cone), int(SurfaceKernel::smooth)})
+        for (const bool caps : {true, false}) {
+            const SurfaceParameters parameters{100, 3, 0.6f, caps, kernel};
+            Surface kept(test::shaders(), parameters, Plate::kLow, Plate::kHigh);
+            Surface fresh(test::shaders(), parameters, Plate::kLow, Plate::kHigh);
+            kept.keeping.on = true;
+            Plate plate;
+            int partial = 0;
+            for (int step = 0; step < 9; ++step) {
+                const vec3 spot(-0.6f + 0.05f * float(step), 0.0f, 0.05f);
+                if (step > 0) plate.stir(spot, 0.12f);
+                if (step > 4) plate.add(spot + vec3(0.0f, 0.1f, 0.0f));
+                plate.update(kept);
+                plate.update(fresh);
+                INFO("step " << step << ", kernel " << kernel << ", caps " << caps);
+                const test::Volumes twin = test::twinVolumes(kept.grid(), parameters, 0, 1, plate.alive());
+                REQUIRE(kept.densityVolume().read<std::uint32_t>(twin.density.size()) == twin.density);
+                REQUIRE(kept.temperatureVolume().read<std::uint32_t>(twin.density.size()) == twin.temperature);
+                const test::Mesh ours = test::readMesh(kept), theirs = test::readMesh(fresh);
+                REQUIRE(sortedTriangles(ours) == sortedTriangles(theirs));
+                if (caps) REQUIRE(test::unmatchedSides(ours).empty());
+                const SurfaceStatistics statistics = kept.statistics();
+                REQUIRE_FALSE(statistics.overflow);
+                partial += !statistics.whole;
+                if (!statistics.whole) {
+                    CHECK(statistics.particles < plate.places.size() / 10);
+                    CHECK(statistics.blocks < fresh.statistics().blocks);
+                }
+            }
+            CHECK(partial >= 1);
+        }
+}
+
+TEST_CASE("nothing changed, nothing is made") {
+    Surface surface(test::shaders(), {64, 2}, Plate::kLow, Plate::kHigh);
+    surface.keeping.on = true;
+    Plate plate;
+    plate.update(surface);
+    CHECK(surface.statistics().whole);
+    CHECK(surface.statistics().particles == plate.places.size());
+    const auto before = sortedTriangles(test::readMesh(surface));
+    plate.update(surface);
+    CHECK_FALSE(surface.statistics().whole);
+    CHECK(surface.statistics().particles == 0);
+    CHECK(surface.statistics().blocks == 0);
+    CHECK(sortedTriangles(test::readMesh(surface)) == before);
+}
+
+TEST_CASE("a small change makes a small part anew, however often it comes") {
+    Surface surface(test::shaders(), {128, 3, 0.6f}, Plate::kLow, Plate::kHigh);
+    surface.keeping.on = true;
+    Plate plate;
+    plate.update(surface);
+    const unsigned all = surface.statistics().blocks;
+    for (int step = 0; step < 20; ++step) {
+        plate.places[2000].y += 0.01f;
+        plate.places[2000].w += 0.01f;
+        plate.update(surface);
+        REQUIRE_FALSE(surface.statistics().whole);
+        REQUIRE(surface.statistics().particles == 1);
+        REQUIRE(surface.statistics().blocks * 3 <= all);
+        REQUIRE(surface.statistics().blocks <= 64);
+    }
+    CHECK(test::unmatchedSides(test::readMesh(surface)).empty());
+}
+
+TEST_CASE("a change within the tolerance waits until it has grown") {
+    Surface surface(test::shaders(), {64, 2}, Plate::kLow, Plate::kHigh);
+    surface.keeping = {true, 0.1f, 0.01f};
+    Plate plate;
+    plate.update(surface);
+    const float cell = 2.0f / 64;
+    unsigned entered = 0;
+    for (int step = 0; step < 10; ++step) {
+        plate.places[100].x += 0.03f * cell;
+        plate.places[2000].w += 0.003f;
+        plate.update(surface);
+        entered += surface.statistics().particles;
+    }
+    CHECK(entered == 4); // each after every fourth step: 0.12 cells, 0.012 of the range
+}
+
+TEST_CASE("another level, reach or range takes effect at once with kept updates") {
+    Surface kept(test::shaders(), {48, 2, 1.0f}, Plate::kLow, Plate::kHigh);
+    kept.keeping.on = true;
+    Plate plate;
+    plate.update(kept);
+    const auto check = [&] {
+        Surface fresh(test::shaders(), kept.parameters, Plate::kLow, Plate::kHigh);
+        fresh.setTemperatureRange(-2, 2);
+        plate.update(kept);
+        plate.update(fresh);
+        REQUIRE(sortedTriangles(test::readMesh(kept)) == sortedTriangles(test::readMesh(fresh)));
+    };
+    kept.setTemperatureRange(-2, 2);
+    check();
+    kept.parameters.isoLevel = 2.0f;
+    check();
+    kept.parameters.influence = 3;
+    check();
+    kept.parameters.caps = false;
+    check();
+    plate.places.resize(1000);
+    plate.phases.resize(1000);
+    check();
+    plate.places.clear();
+    plate.phases.clear();
+    check();
+}
+
+} // namespace meltpool
