@@ -50,7 +50,7 @@ gl::Texture paintWorkshop(gl::ShaderLibrary& shaders, int size) {
 } // namespace
 
 Environment::Environment(gl::ShaderLibrary& shaders, int faceSize)
-    : room_(makeCube("environment", GL_RGBA8, faceSize, ENVIRONMENT_LEVELS)) {
+    : room_(makeCube("environment", GL_RGB10_A2, faceSize, ENVIRONMENT_LEVELS)) {
     const gl::Texture light = paintWorkshop(shaders, faceSize);
     const gl::Program& roughen = shaders.load({"render/screen.vert", "render/roughen.frag"});
     light.bind(SHARP_UNIT);

@@ -43,7 +43,7 @@ MaterialData presetBase(MaterialLook look) {
                 .liquid = {0.85f, 0.92f, 0.95f, 0.02f},
                 .mirror = {1.0f, 1.0f, 1.0f, kIceIndex},
                 .glint = {},
-                .absorb = {0.60f, 0.16f, 0.10f, 6.0f}};
+                .absorb = {1.10f, 0.30f, 0.16f, 6.0f}};
     case kSolder:
         break;
     }

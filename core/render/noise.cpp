@@ -19,13 +19,13 @@ std::uint8_t randomByte(std::uint32_t index) {
 } // namespace
 
 gl::Texture makeNoiseTexture() {
-    std::vector<std::uint8_t> values(kSize * kSize * kSize);
+    std::vector<std::uint8_t> values(4 * kSize * kSize * kSize);
     for (size_t i = 0; i < values.size(); ++i)
         values[i] = randomByte(static_cast<std::uint32_t>(i));
     gl::Texture texture("noise",
-                        {.target = GL_TEXTURE_3D, .format = GL_R8, .width = kSize, .height = kSize, .depth = kSize});
+                        {.target = GL_TEXTURE_3D, .format = GL_RGBA8, .width = kSize, .height = kSize, .depth = kSize});
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTextureSubImage3D(texture.name(), 0, 0, 0, 0, kSize, kSize, kSize, GL_RED, GL_UNSIGNED_BYTE, values.data());
+    glTextureSubImage3D(texture.name(), 0, 0, 0, 0, kSize, kSize, kSize, GL_RGBA, GL_UNSIGNED_BYTE, values.data());
     for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
         glTextureParameteri(texture.name(), axis, GL_REPEAT);
     return texture;

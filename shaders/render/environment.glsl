@@ -23,7 +23,7 @@ vec3 decodeEnvironment(vec3 stored) {
 // With half a step of ordered noise, so that slow gradients show no bands.
 vec3 encodeEnvironment(vec3 light, vec2 pixel) {
     float noise = fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
-    return sqrt(clamp(light / ENVIRONMENT_RANGE, 0.0, 1.0)) + (noise - 0.5) / 255.0;
+    return sqrt(clamp(light / ENVIRONMENT_RANGE, 0.0, 1.0)) + (noise - 0.5) / 1023.0;
 }
 
 #endif

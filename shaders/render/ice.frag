@@ -4,7 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "render/translucent.glsl"
 
-const int kSteps = 5;
+const int kSteps = 4;
 
 // What a ray through the body meets: x: milky cloud, y: bubbles and cracks, both as optical depth.
 vec2 clouds(vec3 from, vec3 along, float thickness) {
@@ -14,13 +14,14 @@ vec2 clouds(vec3 from, vec3 along, float thickness) {
         float s = (float(i) + 0.5) * step1;
         vec3 at = from + along * s;
         float deep = min(s, thickness - s);
-        // Ice freezes from outside in and drives the air to its heart, in threads that point inwards.
-        float thread = texture(noise, at * vec3(1.1, 0.45, 1.1)).r * 0.6 + texture(noise, at * vec3(3.7, 1.3, 3.7) + 0.3).r * 0.4;
-        sum.x += smoothstep(0.06, 0.32, deep) * smoothstep(0.42, 0.75, thread) * step1;
-        float crack = abs(texture(noise, at * 0.55 + 0.17).r - 0.5);
-        sum.y += smoothstep(0.02, 0.0, crack) * smoothstep(0.0, 0.08, deep) * step1;
-        float bubble = texture(noise, at * 7.0).r;
-        sum.y += smoothstep(0.80, 0.88, bubble) * smoothstep(0.02, 0.1, deep) * step1;
+        // Ice freezes from outside in and drives the air to its heart, in threads that stand upright.
+        vec4 coarse = texture(noise, at * vec3(0.32, 0.12, 0.32));
+        vec4 fine = texture(noise, at * vec3(1.15, 0.5, 1.15) + 0.3);
+        sum.x += smoothstep(0.05, 0.30, deep) * smoothstep(0.40, 0.72, coarse.r * 0.6 + fine.r * 0.4) * step1;
+        // A crack is a thin sheet; it lies only in some places.
+        float crack = smoothstep(0.014, 0.0, abs(coarse.g - 0.5)) * smoothstep(0.45, 0.75, coarse.b);
+        float bubble = smoothstep(0.82, 0.90, fine.a);
+        sum.y += (0.5 * crack + bubble) * smoothstep(0.0, 0.08, deep) * step1;
     }
     return sum;
 }
@@ -32,8 +33,8 @@ void main() {
     vec3 lamp = normalize(toLamp);
     float wet = meltShares(temperature).y;
     // Solid ice is never flat: a grain that the light catches.
-    vec3 bump = vec3(texture(noise, at * 2.3).r, texture(noise, at * 2.3 + 0.37).r, texture(noise, at * 2.3 + 0.71).r) - 0.5;
-    vec3 grain = vec3(texture(noise, at * 9.1).r, texture(noise, at * 9.1 + 0.37).r, texture(noise, at * 9.1 + 0.71).r) - 0.5;
+    vec3 bump = texture(noise, at * 0.3).rgb - 0.5;
+    vec3 grain = texture(noise, at * 2.6).rgb - 0.5;
     n = normalize(n + (bump * 0.22 + grain * 0.10) * (1.0 - 0.85 * wet));
 
     Passage p = passThrough(along, n, material.mirror.w);
@@ -44,13 +45,13 @@ void main() {
     vec2 milk = clouds(at, normalize(toModel * p.inside), p.distance) * material.absorb.w;
     vec3 sky = skyLight(n);
     float lit = frame.phong.x + frame.phong.y * (0.35 + 0.65 * max(dot(n, lamp), 0.0));
-    vec3 white = (0.55 * lit + 0.5 * sky) * vec3(0.86, 0.94, 1.0);
+    vec3 white = (0.55 * lit + 0.5 * sky) * vec3(0.82, 0.93, 1.0);
     vec3 body = mix(behind, white, 1.0 - exp(-milk.x * 1.6));
     body = mix(body, white * 1.35, 1.0 - exp(-milk.y * 4.0));
 
     // Frost: a thin white film, patchy, thicker at a glance.
     float cosine = max(-dot(along, n), 0.0);
-    float patchy = texture(noise, at * 1.7 + 0.5).r * 0.6 + texture(noise, at * 6.0).r * 0.4;
+    float patchy = 0.6 * bump.r + 0.4 * grain.g + 0.5;
     float frost = (1.0 - wet) * clamp(0.10 + 0.5 * (patchy - 0.42) + 0.35 * pow(1.0 - cosine, 2.0), 0.04, 0.6);
     body = mix(body, white * 1.1, frost);
 

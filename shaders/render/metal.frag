@@ -11,11 +11,13 @@ layout(location = 0) out vec4 colour;
 
 layout(binding = ROUGH_UNIT) uniform samplerCube roughEnvironment;
 
+// Levels of the environment. Even the liquid's is not 0: what sharpens the mirror image further shows the mesh.
+const float kLiquidLevel = 1.0;
 const float kSolidLevel = 3.0;
 
 void main() {
     float dull = surface.y;
-    vec3 seen = decodeEnvironment(textureLod(roughEnvironment, mirrored, kSolidLevel * dull).rgb);
+    vec3 seen = decodeEnvironment(textureLod(roughEnvironment, mirrored, kLiquidLevel + (kSolidLevel - kLiquidLevel) * dull).rgb);
     float towardsLamp = max(dot(normalize(mirrored), frame.lampWay.xyz), 0.0);
     float glint = frame.phong.z * (1.0 - 0.65 * dull) * pow(towardsLamp, frame.phong.w * (1.0 - 0.8 * dull));
     colour = finish(body + surface.x * material.mirror.rgb * seen + glint * material.glint.rgb, 1.0);

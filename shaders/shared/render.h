@@ -22,8 +22,8 @@
 // Most views of one draw call list.
 #define MOST_VIEWS 4
 
-// The environment is stored as sqrt(light / ENVIRONMENT_RANGE) in eight bits: fine steps in the dark, lamps brighter
-// than white, and filtering as cheap as that of a plain picture.
+// The environment is stored as sqrt(light / ENVIRONMENT_RANGE) in ten bits: fine steps in the dark, lamps brighter than
+// white, and filtering as cheap as that of a plain picture.
 #define ENVIRONMENT_RANGE 8.0
 
 // Levels of the environment. Level i holds what a surface of GGX roughness (i / (ENVIRONMENT_LEVELS - 1))^1.5 mirrors.
