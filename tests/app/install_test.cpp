@@ -1,0 +1,56 @@
+// The installed program and the Debian package run from anywhere, without the source tree.
+#include "tests/app/program.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+#include <cstdlib>
+
+using namespace meltpool;
+using meltpool::test::containsText;
+using meltpool::test::runMeltpool;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// True when the shell command succeeds; its output stays out of the test's.
+bool succeeds(const std::string& command) {
+    return std::system((command + " >/dev/null 2>&1").c_str()) == 0;
+}
+
+void checkRuns(const fs::path& program) {
+    REQUIRE(fs::exists(program));
+    const std::string elsewhere = "cd / && env -u MELTPOOL_DATA";
+    const test::Outcome lessons = runMeltpool("lessons", elsewhere, program);
+    INFO(lessons.errors);
+    CHECK(lessons.code == 0);
+    CHECK_THAT(lessons.output, containsText("classic"));
+    const test::Outcome doctor = runMeltpool("doctor", elsewhere, program);
+    INFO(doctor.output);
+    CHECK(doctor.code == 0);
+    const fs::path folder = test::scratchFolder("installed-run");
+    const test::Outcome run = runMeltpool(
+        "run classic --seconds 0.1 --pictures 0 --size 64x64 --set particles=64 --out '" + folder.string() + "'",
+        elsewhere, program);
+    INFO(run.errors);
+    CHECK(run.code == 0);
+    CHECK(fs::exists(folder / "result.json"));
+}
+
+} // namespace
+
+TEST_CASE("the installed program runs from anywhere", "[app]") {
+    const fs::path prefix = test::scratchFolder("installed");
+    REQUIRE(
+        succeeds("cmake --install '" + std::string(MELTPOOL_BINARY_FOLDER) + "' --prefix '" + prefix.string() + "'"));
+    checkRuns(prefix / "bin" / "meltpool");
+}
+
+TEST_CASE("the Debian package holds a program that runs", "[app]") {
+    if (!succeeds("command -v dpkg-deb")) return; // not a Debian
+    const fs::path folder = test::scratchFolder("package");
+    REQUIRE(succeeds("cpack -G DEB --config '" + std::string(MELTPOOL_BINARY_FOLDER) + "/CPackConfig.cmake' -B '" +
+                     folder.string() + "'"));
+    REQUIRE(succeeds("dpkg-deb -x '" + folder.string() + "'/meltpool_*.deb '" + (folder / "root").string() + "'"));
+    checkRuns(folder / "root" / "usr" / "bin" / "meltpool");
+}
