@@ -8,6 +8,10 @@ namespace meltpool {
 
 std::span<const BenchPart> benchParts() {
     static constexpr std::array kParts{
+        BenchPart{"classic",
+                  "step: 8192 to 1048576 liquid particles with 30 neighbours each, all pairs for the two small",
+                  benchClassicMetal},
+        BenchPart{"classic", "step with the thesis's values, a corner of the cube liquid", benchClassicThesis},
         BenchPart{"classic", "whole frame: step, surface and picture at 8192 particles, grid 64, 1280x720",
                   benchClassicFrame},
         BenchPart{"classic", "surface alone: grid 32, 64 and 128", benchClassicSurface},

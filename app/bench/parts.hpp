@@ -5,6 +5,8 @@ namespace meltpool {
 
 class Bench;
 
+void benchClassicMetal(Bench& bench);
+void benchClassicThesis(Bench& bench);
 void benchClassicFrame(Bench& bench);
 void benchClassicSurface(Bench& bench);
 
