@@ -42,6 +42,7 @@ class Flow {
     const FlowConstants& constants() const { return constants_; }
     FlowFaults readFaults() const; ///< waits for the GPU
     unsigned readMoving() const;   ///< moving particles; waits for the GPU
+    unsigned readSearches() const; ///< times that neighbour lists were made; waits for the GPU
     /// Density ratio delta of each slot as of the last substep's start; 0 where never computed. Waits for the GPU.
     std::vector<FlowBody> readBodies() const;
     size_t bytes() const;
@@ -60,9 +61,12 @@ class Flow {
     const gl::Program& tidy_;
     const gl::Program& enter_;
     const gl::Program& sort_;
+    const gl::Program& search_;
+    const gl::Program& boundary_;
     const gl::Program& density_;
     const gl::Program& move_;
-    gl::Buffer blockBuffer_, bodies_, cells_, still_, entered_, sorted_, lists_, neighbours_, counters_, dirty_;
+    gl::Buffer blockBuffer_, bodies_, cells_, still_, entered_, sorted_, lists_, neighbours_, counters_, dirty_,
+        resting_;
 };
 
 } // namespace meltpool

@@ -20,6 +20,9 @@ struct FlowFluid {
     /// Kinematic viscosity is at least this share of sound speed times support; below it surface tension stirs the
     /// liquid. 0 takes the physical value whatever it is.
     double leastViscosity = 1.66e-3;
+    /// Friction against still metal: 1 holds the liquid fast at walls, 0 lets it slip where the layer that walls hold
+    /// back is thinner than the particles.
+    double wallFriction = 1;
     double mushyDrag = 1e6; ///< kg/(m³ s), Carman-Kozeny constant of half-molten metal
 };
 
@@ -33,11 +36,12 @@ struct FlowConstants {
     double kernelSelf;         ///< s V W(0)
     double kinematicViscosity; ///< m²/s, with its lower bound
     double cohesion;           ///< 2049 gamma V²/H⁵ over the mass, m/s²
-    double area;               ///< 0.2442 gamma V/H over the mass, m²/s²
+    double area;               ///< 0.1489 gamma V/H over the mass, m²/s²
+    double wallFriction;       ///< of still metal against liquid, times that of liquid against liquid
     double mushyDrag;          ///< over density, 1/s
     double longestStep;        ///< longest stable time step, s
 
-    /// The calibration (2049, 0.2442, 12.15, 1.2) belongs together and to this support.
+    /// The calibration (2049, 0.1489, 12.15, 1.2) belongs together and to this support.
     static FlowConstants of(const FlowFluid& fluid);
 
     /// Substeps that a time of `seconds` needs.

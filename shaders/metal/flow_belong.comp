@@ -7,8 +7,14 @@ layout(local_size_x = GROUP_SIZE) in;
 uniform uint slots; // handed out so far
 
 void markDirty(uint cell) {
-    if (atomicExchange(cells[cell].wakened, FLOW_CELL_DIRTY) != FLOW_CELL_DIRTY)
-        dirty[atomicAdd(counters.dirtyGroups.w, 1u)] = cell;
+    if (atomicExchange(cells[cell].dirty, 1u) == 0) dirty[atomicAdd(counters.spare.y, 1u)] = cell;
+}
+
+/// The cells that a slot entered last count none of it any more; all moving metal enters anew afterwards.
+void leaveCells(uint slot) {
+    const uvec2 entered = bodies[slot].where.xy;
+    cells[entered.x].even = 0;
+    cells[entered.y].odd = 0;
 }
 
 void becomeStill(uint slot) {
@@ -18,13 +24,13 @@ void becomeStill(uint slot) {
         still[cell * FLOW_CELL_ROOM + entry] = slot;
     else
         atomicAdd(counters.faults.x, 1u);
-    bodies[slot].where.w = cell;
+    bodies[slot].where = uvec4(0, 0, FLOW_BELONGS_STILL, cell);
     velocities[slot] = vec4(0);
     markDirty(cell);
 }
 
 void becomeMoving(uint slot) {
-    const uint entry = atomicAdd(counters.sortGroups.w, 1u);
+    const uint entry = atomicAdd(counters.moving.w, 1u);
     if (entry < fluid.room.x)
         lists[entry] = slot;
     else
@@ -44,8 +50,9 @@ void main() {
                                                 : FLOW_BELONGS_STILL;
     const uint before = bodies[slot].where.z;
     if (now == before) return;
-    bodies[slot].where.z = now;
     if (before == FLOW_BELONGS_STILL) markDirty(bodies[slot].where.w);
+    if (before == FLOW_BELONGS_MOVING) leaveCells(slot);
+    bodies[slot].where.z = now;
     if (now == FLOW_BELONGS_STILL) becomeStill(slot);
     if (now == FLOW_BELONGS_MOVING) becomeMoving(slot);
 }

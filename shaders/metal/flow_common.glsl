@@ -18,6 +18,7 @@ layout(std430, binding = FLOW_LISTS) buffer Lists { uint lists[]; };
 layout(std430, binding = FLOW_NEIGHBOURS) buffer Neighbours { uint neighbours[]; };
 layout(std430, binding = FLOW_COUNTERS) buffer Counters { FlowCounters counters; };
 layout(std430, binding = FLOW_DIRTY) buffer Dirty { uint dirty[]; };
+layout(std430, binding = FLOW_RESTING) buffer Resting { vec4 resting[]; };
 
 ivec3 cellAt(vec3 place) {
     const ivec3 cell = ivec3(floor((place - fluid.origin.xyz) * fluid.inverseCell.xyz));
@@ -32,9 +33,24 @@ uint cellIndex(ivec3 cell) {
 bool neighbourCell(ivec3 cell, ivec3 steps, out uint index) {
     ivec3 other = cell + steps;
     const bvec3 repeats = greaterThan(fluid.period.xyz, vec3(0));
-    other = mix(other, (other + fluid.cells.xyz) % fluid.cells.xyz, repeats);
+    const ivec3 wrapped = other + mix(ivec3(0), fluid.cells.xyz, lessThan(other, ivec3(0))) -
+                          mix(ivec3(0), fluid.cells.xyz, greaterThanEqual(other, fluid.cells.xyz));
+    other = mix(other, wrapped, repeats); // no remainders: integer division is slow, on a CPU above all
     index = cellIndex(other);
     return all(greaterThanEqual(other, ivec3(0))) && all(lessThan(other, fluid.cells.xyz));
+}
+
+/// Goes on to the next of the 27 steps from (-1, -1, -1) to (1, 1, 1).
+void nextStep(inout ivec3 step) {
+    ++step.x;
+    if (step.x > 1) {
+        step.x = -1;
+        ++step.y;
+    }
+    if (step.y > 1) {
+        step.y = -1;
+        ++step.z;
+    }
 }
 
 /// a - b, by the shorter way round where space repeats.

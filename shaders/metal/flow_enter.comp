@@ -11,9 +11,11 @@ void main() {
     const uint moving = counters.spare.x;
     if (gl_GlobalInvocationID.x == 0) {
         const uint groups = (moving + GROUP_SIZE - 1) / GROUP_SIZE;
-        counters.sortGroups = uvec4(groups, 1, 1, moving);
-        counters.densityGroups = uvec4(groups, 1, 1, 0);
-        counters.dirtyGroups.w = 0;
+        counters.moving = uvec4(groups, 1, 1, moving);
+        counters.search = uvec4(groups, 1, 1, 0);
+        counters.boundary.xyz = uvec3(0, 1, 1);
+        counters.density = uvec4(groups, 1, 1, 0);
+        counters.spare.yz = uvec2(0);
     }
     for (uint entry = gl_GlobalInvocationID.x; entry < moving; entry += stride) {
         const uint slot = lists[fluid.room.x + entry];

@@ -19,7 +19,7 @@ float cohesion(float q) {
 
 vec3 acceleration(uint index, uint slot) {
     const FlowBody own = bodies[slot];
-    const uint found = uint(own.motion.w);
+    const uint found = own.where.w;
     const uint base = neighbourBase(index);
     const float inverse = fluid.inverseCell.w * fluid.inverseCell.w;
     const float soft = 1e-4 * fluid.origin.w * fluid.origin.w;
@@ -35,8 +35,9 @@ vec3 acceleration(uint index, uint slot) {
         const float q = sqrt(q2);
         const float u = 1 - q2;
         const float slope = -8 * fluid.kernel.x * inverse * u * u * u;
-        const float friction = fluid.kernel.z * dot(own.motion.xyz - bodies[other].motion.xyz, d) / (r2 + soft);
-        const float weight = ((entry & FLOW_SOLID) != 0 ? fluid.body.w : 1.0) * 2 / (own.place.w + place.w);
+        const bool solid = (entry & FLOW_SOLID) != 0;
+        const float friction = (solid ? fluid.tension.w : 1.0) * fluid.kernel.z * dot(own.motion.xyz - bodies[other].motion.xyz, d) / (r2 + soft);
+        const float weight = (solid ? fluid.body.w : 1.0) * 2 / (own.place.w + place.w);
         const float pull = weight * fluid.tension.x * cohesion(q) / max(q * fluid.origin.w, 0.02 * fluid.origin.w);
         sum += (slope * (friction - pressure - stiffness(place.w)) - pull) * d;
         sum -= weight * fluid.tension.y * 4 * q2 * u * (own.normal.xyz - bodies[other].normal.xyz);
@@ -60,28 +61,49 @@ vec3 confine(vec3 place, inout vec3 velocity) {
     return confined;
 }
 
-void main() {
-    const uint index = gl_GlobalInvocationID.x;
-    if (index == 0) counters.densityGroups = uvec4(counters.sortGroups.x, 1, 1, 0);
-    if (index >= counters.sortGroups.w) return;
+shared uint longestWay; // float bits, of this group
+
+/// Moves one slot on; gives its way since the neighbour lists were made.
+float moveOn(uint index) {
     const uint slot = lists[index];
-    if ((phases[slot] & PHASE_LIQUID) == 0) {
-        enterCell(slot, positions[slot].xyz, 1u - (substep & 1u));
-        return;
-    }
+    const uint next = 1u - (substep & 1u);
     const vec4 before = positions[slot];
+    if ((phases[slot] & PHASE_LIQUID) == 0) {
+        enterCell(slot, before.xyz, next);
+        return 0;
+    }
     const float dt = fluid.period.w;
     vec3 velocity = velocities[slot].xyz + dt * (acceleration(index, slot) + metal.gravity.xyz + fluid.body.xyz);
     velocity *= mushyShare(heats[slot].x);
-    const float speed = length(velocity);
+    float speed = length(velocity);
     if (!(speed < 1e6)) { // also catches what is not a number
         atomicAdd(counters.faults.z, 1u);
         velocity = vec3(0);
+        speed = 0;
     } else if (speed > fluid.inversePeriod.w) {
         velocity *= fluid.inversePeriod.w / speed;
+        speed = fluid.inversePeriod.w;
     }
     const vec3 after = confine(before.xyz + dt * velocity, velocity);
+    const float way = velocities[slot].w + dt * speed;
     positions[slot] = vec4(after, before.w);
-    velocities[slot] = vec4(velocity, 0);
-    enterCell(slot, after, 1u - (substep & 1u));
+    velocities[slot] = vec4(velocity, way);
+    enterCell(slot, after, next);
+    return way;
+}
+
+void main() {
+    if (gl_LocalInvocationIndex == 0) longestWay = 0;
+    barrier();
+    const uint index = gl_GlobalInvocationID.x;
+    if (index < counters.moving.w) atomicMax(longestWay, floatBitsToUint(moveOn(index)));
+    barrier();
+    if (gl_LocalInvocationIndex != 0) return;
+    atomicMax(counters.spare.z, longestWay);
+    memoryBarrierBuffer();
+    // The last group to come here knows the longest way of all and decides whether the lists are made anew.
+    if (atomicAdd(counters.search.w, 1u) + 1 < counters.moving.x) return;
+    const float way = uintBitsToFloat(atomicMax(counters.spare.z, 0u));
+    counters.search.x = way > fluid.search.y ? counters.moving.x : 0;
+    counters.search.w = 0;
 }

@@ -21,20 +21,24 @@ void tidyCell(uint cell) {
         ++kept;
     }
     cells[cell].still = kept;
-    cells[cell].wakened = 0;
+    cells[cell].dirty = 0;
 }
+
+uniform uint substep; // number of the frame's first substep
 
 void main() {
     const uint stride = gl_NumWorkGroups.x * GROUP_SIZE;
-    const uint dirtyCells = counters.dirtyGroups.w;
+    const uint dirtyCells = counters.spare.y;
+    if (gl_GlobalInvocationID.x == 0 && dirtyCells > 0) counters.boundary.w = substep;
     for (uint entry = gl_GlobalInvocationID.x; entry < dirtyCells; entry += stride)
         tidyCell(dirty[entry]);
-    const uint moving = min(counters.sortGroups.w, fluid.room.x);
+    const uint moving = min(counters.moving.w, fluid.room.x);
     for (uint entry = gl_GlobalInvocationID.x; entry < moving; entry += stride) {
         const uint slot = lists[entry];
-        const uvec2 where = bodies[slot].where.xy;
+        const uvec4 where = bodies[slot].where;
+        if (where.z != FLOW_BELONGS_MOVING) continue;
         cells[where.x].even = 0;
         cells[where.y].odd = 0;
-        if (bodies[slot].where.z == FLOW_BELONGS_MOVING) lists[fluid.room.x + atomicAdd(counters.spare.x, 1u)] = slot;
+        lists[fluid.room.x + atomicAdd(counters.spare.x, 1u)] = slot;
     }
 }

@@ -9,7 +9,7 @@
 #include "glsl_types.h"
 
 #define FLOW_CELL_ROOM 32  // of a cell, for still and for moving particles each; 14 are there at rest density, 27 at most on a lattice
-#define FLOW_NEIGHBOUR_ROOM 96 // neighbours kept a particle; 58 are there at rest density
+#define FLOW_NEIGHBOUR_ROOM 128 // neighbours kept a particle; 74 are there at rest density
 
 #define FLOW_BODIES 6      // FlowBody a slot
 #define FLOW_CELLS 7       // FlowCell a cell
@@ -20,6 +20,7 @@
 #define FLOW_NEIGHBOURS 12 // slots beside an entry of the lists, entry by entry within a rank
 #define FLOW_COUNTERS 13
 #define FLOW_DIRTY 14      // cells whose still metal changed
+#define FLOW_RESTING 15    // vec4 a slot of still metal: what other still metal adds to its gradient (xyz) and density (w)
 
 #define FLOW_BLOCK 1 // uniform buffer
 
@@ -28,7 +29,6 @@
 #define FLOW_BELONGS_MOVING 2u
 
 #define FLOW_SOLID 0x80000000u // bit of a slot in a list of neighbours: solid metal
-#define FLOW_CELL_DIRTY 0xffffffffu // in FlowCell.wakened between the passes that find and tidy changed cells
 
 #ifdef __cplusplus
 namespace meltpool {
@@ -43,7 +43,8 @@ struct FlowBlock {
     ivec4 cells;        // xyz cells, w capacity in particles
     vec4 body;          // xyz acceleration besides gravity in m/s², w weight of still metal against liquid: 0 repels .. 1 wets
     vec4 kernel;        // x s V W(0), y c² in m²/s², z 10 nu in m²/s, w mushy drag over density in 1/s
-    vec4 tension;       // x cohesion and y area acceleration (see constants), z Marangoni, w unused
+    vec4 tension;       // x cohesion and y area acceleration (see constants), z Marangoni, w friction against still metal over that in the liquid
+    vec4 search;        // x reach of neighbour lists in m, y way after which they are made anew in m, zw unused
     uvec4 room;         // x capacity of the lists in particles, yzw unused
 };
 
@@ -51,29 +52,31 @@ struct FlowBody {
     vec4 place;  // xyz position at the start of the substep in m, w density over rest density, scaled
     vec4 normal; // xyz g, the weighted kernel gradient sum in 1/m, w temperature in K
     vec4 motion; // xyz velocity at the start of the substep in m/s, w unused
-    uvec4 where; // xy cell entered for the even and the odd substep, z where the slot belongs, w cell it is still in
+    uvec4 where; // of moving metal: xy cell entered for the even and the odd substep, z where it belongs, w neighbours;
+                 // of still metal: x substep it was last listed, y state of the still metal its rest sums are for, z same, w its cell
 };
 
 struct FlowCell {
-    uint still;   // entries of still metal
-    uint even;    // entries of moving particles for even substeps
-    uint odd;     // same, odd
-    uint wakened; // number of the last substep in which moving metal came within a cell
+    uint still; // entries of still metal
+    uint even;  // entries of moving particles for even substeps
+    uint odd;   // same, odd
+    uint dirty; // 1 between the passes that find and tidy changed cells
 };
 
 struct FlowCounters {
-    uvec4 sortGroups;    // indirect dispatch over the moving list; w its length
-    uvec4 densityGroups; // over the moving list and the still metal beside it; w number of the latter
-    uvec4 dirtyGroups;   // over cells whose still metal changed; w their number
-    uvec4 faults;        // x cells overfull, y neighbours overfull, z particles no longer finite, w moving list overfull
-    uvec4 spare;         // x length of the list being compacted
+    uvec4 moving;   // indirect dispatch over the moving list; w its length
+    uvec4 search;   // the same, without groups where the neighbour lists still hold; w groups of the move pass that are done
+    uvec4 boundary; // over still metal beside the liquid, without groups where the lists still hold; w number of still metal's last change
+    uvec4 density;  // over the moving list and the still metal beside it; w number of the latter
+    uvec4 faults;   // x cells overfull, y neighbours overfull, z particles no longer finite, w moving list overfull
+    uvec4 spare;    // x length of the list being compacted, y changed cells, z longest way (float bits) since the lists were made, w searches made
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(FlowBlock) == 160);
+static_assert(sizeof(FlowBlock) == 176);
 static_assert(sizeof(FlowBody) == 64);
 static_assert(sizeof(FlowCell) == 16);
-static_assert(sizeof(FlowCounters) == 80);
+static_assert(sizeof(FlowCounters) == 96);
 } // namespace meltpool
 #endif
 

@@ -1,0 +1,71 @@
+// Small versions of the flow's experiments: drops, pools and plates do what theory says.
+#include "core/metal/flow_experiments.hpp"
+#include "core/metal/validation_exact.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace meltpool {
+
+TEST_CASE("the damped fit finds frequency and decay") {
+    std::vector<double> samples;
+    for (int i = 0; i < 100; ++i)
+        samples.push_back(3 + std::exp(-4 * i * 2e-3) * std::sin(2 * std::numbers::pi * 21 * i * 2e-3 + 0.4));
+    const DampedFit fit = fitDamped(samples, 2e-3, 10, 40);
+    CHECK(fit.frequency == Approx(21).epsilon(1e-3));
+    CHECK(fit.decay == Approx(4).epsilon(0.02));
+}
+
+TEST_CASE("constants follow from the liquid") {
+    FlowFluid steel;
+    const FlowConstants constants = FlowConstants::of(steel);
+    CHECK(constants.soundSpeed == Approx(1.77).epsilon(0.01));
+    CHECK(constants.substeps(1.0 / 90) == 16);
+    FlowFluid fine = steel;
+    fine.spacing = 0.5e-3;
+    CHECK(FlowConstants::of(fine).substeps(1.0 / 90) < 48);
+    CHECK(wettingForAngle(0) == 1);
+    CHECK(wettingForAngle(std::numbers::pi) == 0);
+    for (double angle = 0; angle < 3.1; angle += 0.1)
+        CHECK(wettingForAngle(angle) >= wettingForAngle(angle + 0.04));
+}
+
+TEST_CASE("a drop swings at Rayleigh's frequency") {
+    const FlowFluid steel;
+    const DropletOscillation drop = dropletOscillation(test::shaders(), steel, 4e-3, 0.1);
+    const double exact = exact::dropletFrequency(steel.tension, steel.density, 4e-3);
+    CHECK(drop.frequency == Approx(exact).epsilon(0.08));
+    CHECK_FALSE(drop.faults.any());
+}
+
+TEST_CASE("a pool's pressure grows with depth, and it comes to rest") {
+    FlowFluid steel;
+    const double height = 10e-3;
+    const HydrostaticColumn column = hydrostaticColumn(test::shaders(), steel, height, 9.81, 0.9);
+    CHECK(column.bottomPressure == Approx(steel.density * 9.81 * height).epsilon(0.03));
+    CHECK(column.densityError < 0.03);
+    CHECK(column.restSpeed < 3e-3);
+    CHECK_FALSE(column.faults.any());
+}
+
+TEST_CASE("flow between plates starts up as the series says") {
+    FlowFluid oil;
+    oil.tension = 0;
+    oil.viscosity = 0.5;
+    oil.leastViscosity = 0;
+    oil.fastest = 0.01;
+    const double gap = 10e-3, force = 100, time = 0.1;
+    const PlateFlow flow = plateFlow(test::shaders(), oil, gap, force, time);
+    const double centre = exact::poiseuille(force, oil.viscosity, oil.density, gap, gap / 2, time);
+    double worst = 0;
+    for (size_t i = 0; i < flow.places.size(); ++i) {
+        const double exact = exact::poiseuille(force, oil.viscosity, oil.density, gap, flow.places[i], time);
+        worst = std::max(worst, std::abs(flow.velocities[i] - exact) / centre);
+    }
+    CHECK(worst < 0.05); // ten particles over the gap
+    CHECK_FALSE(flow.faults.any());
+}
+
+} // namespace meltpool
