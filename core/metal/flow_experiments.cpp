@@ -56,6 +56,8 @@ DropletPressure dropletPressure(gl::ShaderLibrary& shaders, const FlowFluid& flu
     const auto seeds = sphere(fluid, radius);
     FlowBench bench(shaders, fluid, spaceAround(radius), glm::vec3(0), seeds);
     DropletPressure result;
+    // Beyond the surface's own layer, where tension pulls; at least half the radius.
+    const double inner = std::max(radius / 2, radius - bench.flow.constants().support);
     double samples = 0;
     bench.run(seconds, kFrame, [&](double time) {
         if (time < seconds * 2 / 3) return;
@@ -65,7 +67,7 @@ DropletPressure dropletPressure(gl::ShaderLibrary& shaders, const FlowFluid& flu
             centre += particle.position / static_cast<double>(particles.size());
         double pressure = 0, density = 0, inside = 0;
         for (const auto& particle : particles) {
-            if (glm::length(particle.position - centre) > radius / 2) continue;
+            if (glm::length(particle.position - centre) > inner) continue;
             pressure += particle.pressure;
             density += particle.delta;
             inside += 1;

@@ -13,7 +13,7 @@ struct FlowRun {
 };
 
 struct DropletPressure : FlowRun {
-    double jump = 0;      ///< Pa, mean inside half the radius and over the last third of the time
+    double jump = 0;      ///< Pa, mean beyond a support under the surface and over the last third of the time
     double density = 0;   ///< over rest density, there
     double restSpeed = 0; ///< rms at the end, m/s
 };

@@ -25,6 +25,12 @@ constexpr std::array kRunners{
     Runner{"rosenthal_thin", runRosenthal},
     Runner{"energy", runEnergy},
     Runner{"cavity_melting", runCavityMelting},
+    Runner{"droplet_pressure", runDropletPressure},
+    Runner{"droplet_oscillation", runDropletOscillation},
+    Runner{"sessile_drop", runSessileDrop},
+    Runner{"hydrostatic", runHydrostatic},
+    Runner{"dam_break", runDamBreak},
+    Runner{"poiseuille", runPoiseuille},
 };
 
 } // namespace

@@ -57,6 +57,12 @@ void runStefan(const ValidationCase& from, gl::ShaderLibrary& shaders, Validatio
 void runRosenthal(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
 void runEnergy(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
 void runCavityMelting(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
+void runDropletPressure(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
+void runDropletOscillation(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
+void runSessileDrop(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
+void runHydrostatic(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
+void runDamBreak(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
+void runPoiseuille(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
 
 /// The table that `meltpool validate` prints for one case: a line a number.
 std::string validationText(const ValidationResult& result);

@@ -8,7 +8,7 @@
 
 #include "glsl_types.h"
 
-#define FLOW_CELL_ROOM 32  // of a cell, for still and for moving particles each; 14 are there at rest density, 27 at most on a lattice
+#define FLOW_CELL_ROOM 48  // of a cell, for still and for moving particles each; 14 are there at rest density, 27 at most on a lattice
 #define FLOW_NEIGHBOUR_ROOM 128 // neighbours kept a particle; 74 are there at rest density
 
 #define FLOW_BODIES 6      // FlowBody a slot
