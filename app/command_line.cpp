@@ -25,7 +25,7 @@ struct Words {
     std::string suite;
     std::filesystem::path benchJson;
     ValidationRequest validation;
-    bool showParameters = false;
+    std::string listed; ///< lesson whose values are listed; empty: the catalogue
 };
 
 void addDesktop(CLI::App& app, Words& words) {
@@ -46,7 +46,7 @@ void addRun(CLI::App& app, Words& words) {
     run->add_option("--seconds", r.seconds, "Simulated time, s")->type_name("S");
     run->add_option("--pictures", r.picturesEvery, "Time between pictures, s; 0: one at the end")->type_name("EVERY_S");
     run->add_option("--size", r.size, "Size of the pictures, pixels")->type_name("WxH");
-    run->add_option("--set", r.sets, "Set a value (meltpool lessons --parameters); may be given again")
+    run->add_option("--set", r.sets, "Set a value (meltpool lessons LESSON); may be given again")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
 }
@@ -62,8 +62,8 @@ void addOthers(CLI::App& app, Words& words) {
     validate->add_option("CASE", words.validation.cases, "Case files, .toml; all that ship where none is named");
     validate->add_option("--json", words.validation.json, "Keep the numbers in this file")->type_name("FILE");
     app.add_subcommand("doctor", "Tell what this machine has and what is missing");
-    CLI::App* lessons = app.add_subcommand("lessons", "List the lessons");
-    lessons->add_flag("--parameters", words.showParameters, "List what --set can set");
+    CLI::App* lessons = app.add_subcommand("lessons", "List the lessons, or the values of one");
+    lessons->add_option("LESSON", words.listed, "List what --set can set in this lesson");
 }
 
 int dispatch(const CLI::App& app, const Words& words) {
@@ -76,7 +76,7 @@ int dispatch(const CLI::App& app, const Words& words) {
     else if (app.got_subcommand("doctor"))
         return runDoctor() ? kDone : kFailed;
     else if (app.got_subcommand("lessons"))
-        words.showParameters ? listParameters() : listLessons();
+        words.listed.empty() ? listLessons() : listParameters(words.listed);
     else
         runTrainer(words.desktop);
     return kDone;

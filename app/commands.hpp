@@ -39,8 +39,8 @@ bool runValidation(const ValidationRequest& request);
 /// Prints the catalogue.
 void listLessons();
 
-/// Prints every value that --set takes, with default, unit, range and meaning.
-void listParameters();
+/// Prints every value of a lesson that --set takes, with what it is there, unit, range and meaning.
+void listParameters(const std::string& lesson);
 
 /// Prints what the machine has and what is missing. Returns false when something that every run needs is missing.
 bool runDoctor();

@@ -18,6 +18,15 @@ void askToStop(int) {
     stopAsked = true;
 }
 
+/// Notes are written as fragments or sentences; in a list they read as sentences.
+std::string asSentence(std::string_view note) {
+    std::string text(note);
+    if (text.empty()) return text;
+    if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    if (text.back() != '.') text += '.';
+    return text;
+}
+
 std::filesystem::path lessonFolder() {
     return resourceFolder() / "data" / "lessons";
 }
@@ -72,11 +81,11 @@ void listLessons() {
     }
 }
 
-void listParameters() {
-    Lesson lesson;
+void listParameters(const std::string& name) {
+    Lesson lesson = findLesson(name, lessonFolder());
     for (const Parameter& p : lesson.parameters())
         std::printf("%-20s %-12s %s%s. %s\n", std::string(p.key).c_str(), parameterText(p).c_str(),
-                    expectation(p).c_str(), p.onlyAtStart ? ", at the start only" : "", std::string(p.note).c_str());
+                    expectation(p).c_str(), p.onlyAtStart ? ", at the start only" : "", asSentence(p.note).c_str());
 }
 
 } // namespace meltpool

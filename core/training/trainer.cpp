@@ -67,6 +67,7 @@ void Trainer::updateSurface(gl::Profiler* profiler) {
 SceneView Trainer::scene() const {
     SceneView scene = metal_->scene(torch_);
     scene.mesh = surface_->mesh();
+    scene.meshIsOpen = !lesson_.surface.caps;
     return scene;
 }
 

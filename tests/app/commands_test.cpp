@@ -21,7 +21,7 @@ TEST_CASE("every command explains itself", "[app]") {
 
 TEST_CASE("lessons and their values are listed", "[app]") {
     CHECK_THAT(runMeltpool("lessons").output, containsText("classic"));
-    const test::Outcome values = runMeltpool("lessons --parameters");
+    const test::Outcome values = runMeltpool("lessons classic");
     CHECK(values.code == 0);
     for (const char* key : {"particles", "viscosity", "solidify_rate", "cells", "material", "azimuth", "source"})
         CHECK_THAT(values.output, containsText(std::string("\n") + key + " "));
