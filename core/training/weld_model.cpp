@@ -1,10 +1,9 @@
 #include "core/training/weld_model.hpp"
 
+#include "core/surface/surface_level.hpp"
 #include "core/training/lesson.hpp"
 
 #include <glm/ext/matrix_transform.hpp>
-
-#include <cmath>
 
 namespace meltpool {
 
@@ -31,23 +30,6 @@ PhysicalSetup setupOf(const Material& material, const Workpiece& workpiece) {
 }
 
 } // namespace
-
-float flatFaceLevel(float spacing, float cell, int influence) {
-    const float reach = std::sqrt(3.0F) / 2 + std::sqrt(3.0F) * static_cast<float>(influence - 1);
-    constexpr int kSamples = 8; // places of a particle within its nearest corner's cell, per axis
-    double sum = 0;
-    for (int s = 0; s < kSamples * kSamples * kSamples; ++s) {
-        const glm::vec3 place = (glm::vec3(s % kSamples, s / kSamples % kSamples, s / (kSamples * kSamples)) + 0.5F) /
-                                    static_cast<float>(kSamples) -
-                                0.5F;
-        for (int z = 1 - influence; z < influence; ++z)
-            for (int y = 1 - influence; y < influence; ++y)
-                for (int x = 1 - influence; x < influence; ++x)
-                    sum += static_cast<double>(std::max(0.0F, 1 - glm::length(glm::vec3(x, y, z) - place) / reach));
-    }
-    const double perParticle = sum / (kSamples * kSamples * kSamples);
-    return static_cast<float>(0.5 * perParticle * std::pow(static_cast<double>(cell / spacing), 3));
-}
 
 WeldModel::WeldModel(gl::ShaderLibrary& shaders, const Lesson& lesson)
     : material_(workpieceMaterial(lesson.workpiece)),
@@ -90,9 +72,9 @@ SceneView WeldModel::scene(const TorchSample& torch) const {
 
 void WeldModel::prepare(Surface& surface) const {
     surface.setTemperatureRange(kRoomTemperature, 3500);
-    const SurfaceGrid& grid = surface.grid();
-    const float cell = (grid.boxMax.x - grid.boxMin.x) / static_cast<float>(grid.cells.x);
-    surface.parameters.isoLevel *= flatFaceLevel(workpiece_.lattice.spacing, cell, surface.parameters.influence);
+    surface.parameters.isoLevel *= flatFaceLevel(surface.parameters, surface.grid(), workpiece_.lattice.spacing);
+    // Particles keep their slots; less than a fiftieth of a cell or 3 K is seen by nobody.
+    surface.keeping = {true, 0.02F, 0.001F};
 }
 
 } // namespace meltpool

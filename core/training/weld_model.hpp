@@ -34,9 +34,4 @@ class WeldModel : public MetalModel {
     WeldProcess process_;
 };
 
-/// The level of the density volume that lies half a spacing outside the outermost particles of a flat face: half of
-/// what the volume holds deep inside metal of this spacing (m), for cells of edge `cell` (m). Influence as in
-/// SurfaceParameters.
-float flatFaceLevel(float spacing, float cell, int influence);
-
 } // namespace meltpool
