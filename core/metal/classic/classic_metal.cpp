@@ -59,6 +59,7 @@ void ClassicMetal::reset() {
     restore({arrangeParticles(setup_), std::vector<glm::vec4>(count_, glm::vec4(0))});
     refused_.clear();
     reader_.forget();
+    writeStep({}); // statistics may be asked for before the first step
 }
 
 void ClassicMetal::restore(const Snapshot& state) {
@@ -165,14 +166,12 @@ void ClassicMetal::moveParticles(gl::Profiler* profiler) {
                     GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
-MetalStatistics ClassicMetal::statistics() {
-    writeStep({});
+MetalStatistics ClassicMetal::statistics() const {
     bindState();
     return reader_.now(refused_);
 }
 
 void ClassicMetal::requestStatistics() {
-    writeStep({});
     bindState();
     reader_.request(refused_);
 }

@@ -41,7 +41,7 @@ class ClassicMetal {
     ParticleView particles() const { return {&movedPositions_, count_}; }
 
     /// Counts and temperatures of this moment; waits for the GPU.
-    MetalStatistics statistics();
+    MetalStatistics statistics() const;
     /// Asks for them without waiting; a request made while all slots are on their way is dropped.
     void requestStatistics();
     /// The newest that have arrived since the last call, else nothing; never waits.

@@ -83,7 +83,7 @@ std::optional<MetalStatistics> StatisticsReader::poll() {
     return newest;
 }
 
-MetalStatistics StatisticsReader::now(const gl::Buffer& refused) {
+MetalStatistics StatisticsReader::now(const gl::Buffer& refused) const {
     reduce(refused, slots_[kRing].buffer);
     return read(slots_[kRing].buffer);
 }

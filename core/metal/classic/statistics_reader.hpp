@@ -23,7 +23,7 @@ class StatisticsReader {
     /// The newest that arrived since the last call; never waits.
     std::optional<MetalStatistics> poll();
     /// A reduction now, waited for.
-    MetalStatistics now(const gl::Buffer& refused);
+    MetalStatistics now(const gl::Buffer& refused) const;
     /// Drops what is on its way.
     void forget();
 
