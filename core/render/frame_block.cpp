@@ -1,5 +1,7 @@
 #include "core/render/frame_block.hpp"
 
+#include "core/render/heat_colours.hpp"
+
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -18,7 +20,10 @@ FrameData makeFrame(const SceneView& scene, const LookParameters& look) {
     const glm::vec3 origin = scene.modelToWorld[3];
     frame.lampWay = glm::vec4(glm::normalize(glm::vec3(frame.light) - origin), 0.0f);
     frame.phong = {look.ambient, look.diffuse, look.specular, look.shininess};
-    frame.tone = {look.exposure, 0.0f, unit, 0.0f};
+    // Welding filters are green: what little they pass lies where the eye sees best.
+    const glm::vec3 filter =
+        look.visorShade > 0 ? filterShare(look.visorShade) * glm::vec3(0.75f, 1.1f, 0.5f) : glm::vec3(1.0f);
+    frame.tone = glm::vec4(look.exposure * filter, unit);
     frame.temperature = {meaning.coldest, 1.0f / range, meaning.solidus, meaning.kelvin ? 1.0f / mushy : 0.0f};
     frame.colours = {look.colours, std::max(look.colours - kTemperatureColours, 0), 0, 0};
     frame.boxMin = glm::vec4(scene.boxMin, 1.0f);

@@ -26,6 +26,7 @@ struct LookParameters {
     bool showSource = true;
     float pointSize = 0.02f; ///< radius of a drawn particle, model units
     float exposure = 1.0f;   ///< factor on all light
+    float visorShade = 0.0f; ///< shade number of the welding filter before the eye; 0: none
 };
 
 /// The description that menus, files and the command line use. The list points into `look`.

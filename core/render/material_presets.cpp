@@ -25,24 +25,28 @@ MaterialData presetBase(MaterialLook look) {
                 .liquid = {0.42f, 0.20f, 0.13f, 0.66f},
                 .mirror = {1.0f, 0.62f, 0.48f, 1.0f},
                 .glint = {},
+                .heat = {},
                 .absorb = {}};
     case kGold:
         return {.solid = {0.86f, 0.66f, 0.27f, 0.40f},
                 .liquid = {0.50f, 0.33f, 0.09f, 0.70f},
                 .mirror = {1.0f, 0.78f, 0.34f, 1.0f},
                 .glint = {},
+                .heat = {},
                 .absorb = {}};
     case kWax:
         return {.solid = {0.93f, 0.81f, 0.58f, 0.04f},
                 .liquid = {0.80f, 0.50f, 0.16f, 0.04f},
                 .mirror = {1.0f, 1.0f, 1.0f, kWaxIndex},
                 .glint = {},
+                .heat = {},
                 .absorb = {2.2f, 4.6f, 9.0f, 0.0f}};
     case kIce:
         return {.solid = {0.90f, 0.95f, 0.97f, 0.02f},
                 .liquid = {0.85f, 0.92f, 0.95f, 0.02f},
                 .mirror = {1.0f, 1.0f, 1.0f, kIceIndex},
                 .glint = {},
+                .heat = {},
                 .absorb = {1.10f, 0.30f, 0.16f, 6.0f}};
     case kSolder:
         break;
@@ -51,6 +55,7 @@ MaterialData presetBase(MaterialLook look) {
             .liquid = {0.2f, 0.2f, 0.2f, 0.6f},
             .mirror = {1.0f, 1.0f, 1.0f, 1.0f},
             .glint = {},
+            .heat = {},
             .absorb = {}};
 }
 
@@ -78,6 +83,7 @@ MaterialData physicalMaterial(const MaterialLooks& looks) {
                       .liquid = glm::vec4(shown(looks.liquidColour * 0.35f), mirrorShare(looks.liquidRoughness)),
                       .mirror = glm::vec4(glm::mix(looks.solidColour, glm::vec3(1.0f), 0.15f), looks.refractiveIndex),
                       .glint = {},
+                      .heat = {looks.visibleEmissivity, looks.heatTint, 0, 0},
                       .absorb = {}});
 }
 

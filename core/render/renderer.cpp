@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/render/environment.hpp"
 #include "core/render/frame_block.hpp"
+#include "core/render/heat_colours.hpp"
 #include "core/render/material_presets.hpp"
 #include "core/render/noise.hpp"
 #include "core/render/solids.hpp"
@@ -64,6 +65,7 @@ struct Renderer::Parts {
     Environment environment;
     gl::Texture scales = makeScaleTexture();
     gl::Texture noise = makeNoiseTexture();
+    gl::Texture heat = makeHeatTexture();
     SurfacePainter surface;
     SolidPainter solids;
     TonedProgram points;
@@ -106,6 +108,7 @@ void Renderer::Parts::prepare(const SceneView& scene, const LookParameters& look
     environment.bind();
     scales.bind(SCALE_UNIT);
     noise.bind(NOISE_UNIT);
+    heat.bind(HEAT_UNIT);
 }
 
 void Renderer::Parts::drawView(const SceneView& scene, const LookParameters& look, int view, const RenderTarget& target,

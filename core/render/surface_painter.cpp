@@ -6,8 +6,15 @@
 
 namespace meltpool {
 
+namespace {
+
+constexpr GLuint kPeak = 2; // vertex attribute
+
+} // namespace
+
 SurfacePainter::SurfacePainter(gl::ShaderLibrary& shaders)
     : metal_(shaders, "render/metal.vert", "render/metal.frag"),
+      hotMetal_(shaders, "render/hot_metal.vert", "render/hot_metal.frag"),
       wax_(shaders, "render/surface.vert", "render/wax.frag"),
       ice_(shaders, "render/surface.vert", "render/ice.frag"),
       temperature_(shaders, "render/temperature.vert", "render/temperature.frag"),
@@ -21,6 +28,8 @@ SurfacePainter::SurfacePainter(gl::ShaderLibrary& shaders)
                                   static_cast<GLuint>(attribute * sizeof(glm::vec4)));
         glVertexArrayAttribBinding(layout_.name(), attribute, 0);
     }
+    glVertexArrayAttribFormat(layout_.name(), kPeak, 1, GL_FLOAT, GL_FALSE, 0);
+    glVertexArrayAttribBinding(layout_.name(), kPeak, kPeak);
 }
 
 void SurfacePainter::draw(const SceneView& scene, const LookParameters& look, int firstView, const RenderTarget& target,
@@ -33,6 +42,7 @@ void SurfacePainter::draw(const SceneView& scene, const LookParameters& look, in
     const TonedProgram& program = look.colours != kMaterialColours ? temperature_
                                   : kind == SurfaceKind::ice       ? ice_
                                   : kind == SurfaceKind::wax       ? wax_
+                                  : scene.temperature.kelvin       ? hotMetal_
                                                                    : metal_;
     drawMesh(scene.mesh, program.use(target), firstView);
     glDisable(GL_CULL_FACE);
@@ -85,6 +95,13 @@ void SurfacePainter::drawMesh(const SurfaceMesh& mesh, const gl::Program& progra
     program.set("firstView", firstView);
     glVertexArrayVertexBuffer(layout_.name(), 0, mesh.vertices->name(), 0, sizeof(SurfaceVertex));
     glVertexArrayElementBuffer(layout_.name(), mesh.indices->name());
+    if (mesh.peaks != nullptr) {
+        glVertexArrayVertexBuffer(layout_.name(), kPeak, mesh.peaks->name(), 0, sizeof(float));
+        glEnableVertexArrayAttrib(layout_.name(), kPeak);
+    } else {
+        glDisableVertexArrayAttrib(layout_.name(), kPeak);
+        glVertexAttrib1f(kPeak, 0.0f); // nothing was ever hot
+    }
     layout_.bind();
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, mesh.drawCommand->name());
     glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr);

@@ -34,6 +34,7 @@ class SurfacePainter {
     void drawMesh(const SurfaceMesh& mesh, const gl::Program& program, int firstView) const;
 
     TonedProgram metal_;
+    TonedProgram hotMetal_;
     TonedProgram wax_;
     TonedProgram ice_;
     TonedProgram temperature_;

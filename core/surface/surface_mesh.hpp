@@ -10,6 +10,8 @@ struct SurfaceMesh {
     const gl::Buffer* vertices = nullptr;    ///< SurfaceVertex: vec4 position and temperature, vec4 normal
     const gl::Buffer* indices = nullptr;     ///< GLuint, three a triangle, counter-clockwise from outside
     const gl::Buffer* drawCommand = nullptr; ///< one DrawElementsIndirectCommand
+    /// One float a vertex: the highest temperature so far, K. Null where nobody keeps it.
+    const gl::Buffer* peaks = nullptr;
 };
 
 } // namespace meltpool

@@ -42,7 +42,7 @@ Passage passThrough(vec3 along, vec3 n, float index) {
     vec4 end = eye.worldToClip * vec4(eye.eye.xyz + way + p.inside * straight, 1.0);
     vec4 far4 = texture(backSide, clamp(end.xy / end.w * 0.5 + 0.5, 0.0, 1.0));
     vec3 farNormal = far4.w > 0.0 ? normalize(far4.xyz) : -n;
-    p.distance = straight / frame.tone.z * frame.detail.z;
+    p.distance = straight / frame.tone.w * frame.detail.z;
     p.exitWay = refract(p.inside, -farNormal, index);
     if (dot(p.exitWay, p.exitWay) < 0.5) p.exitWay = reflect(p.inside, -farNormal); // total reflection
     return p;

@@ -13,6 +13,7 @@
 #define ROUGH_UNIT 1  // the environment with its levels: the higher, the rougher the surface that mirrors it
 #define SCALE_UNIT 2  // temperature colours, one scale a row
 #define BACK_UNIT 3   // back faces: normal and distance from the eye
+#define HEAT_UNIT 5   // glow and tint over temperature
 #define NOISE_UNIT 4  // smooth random values in space, repeating
 
 // Storage bindings of passes that pull their vertices.
@@ -33,6 +34,11 @@
 #define SCALE_COLUMNS 257
 #define SCALE_ROWS 3
 
+// Columns of the heat colour texture and the temperatures (K) of its ends.
+#define HEAT_COLUMNS 512
+#define HEAT_COLDEST 300.0
+#define HEAT_HOTTEST 4300.0
+
 #ifdef __cplusplus
 namespace meltpool {
 #endif
@@ -51,7 +57,7 @@ struct FrameData {
     vec4 light;       // place of the lamp, world units
     vec4 lampWay;     // unit world direction from the model's origin to the lamp: highlights take the lamp as far away
     vec4 phong;       // ambient, diffuse, specular, shininess
-    vec4 tone;        // x: exposure, y: unused, z: size of a model unit in world units
+    vec4 tone;        // rgb: exposure times what the visor lets through, w: size of a model unit in world units
     vec4 temperature; // x: coldest, y: 1 / (hottest - coldest), z: solidus, w: 1 / (liquidus - solidus), 0 = classic
     vec4 colours;     // x: ColourMode, y: row of the temperature scale
     vec4 boxMin;
@@ -64,13 +70,14 @@ struct MaterialData {
     vec4 liquid; // the same, molten
     vec4 mirror; // rgb: linear colour of the mirror image, w: refractive index of translucent stuff
     vec4 glint;  // rgb: linear colour of the lamp's highlight
+    vec4 heat;   // x: share of a black body's light, y: strength of the oxide's tint
     vec4 absorb; // rgb: absorption over the width of a classic cube, w: scattering over it
 };
 
 #ifdef __cplusplus
 static_assert(sizeof(ViewData) == 224);
 static_assert(sizeof(FrameData) == 4 * 224 + 64 + 9 * 16);
-static_assert(sizeof(MaterialData) == 5 * 16);
+static_assert(sizeof(MaterialData) == 6 * 16);
 } // namespace meltpool
 #endif
 

@@ -1,0 +1,28 @@
+// Metal with a temperature in kelvin: mirrors and glows.
+#version 450 core
+#extension GL_GOOGLE_include_directive : require
+#include "render/environment.glsl"
+#include "render/hot.glsl"
+#include "render/tone.glsl"
+
+layout(location = 0) in vec3 mirrored;
+layout(location = 1) in vec3 body;
+layout(location = 2) in vec2 surface;
+layout(location = 3) in vec3 mirrorTint;
+layout(location = 4) in float temperature;
+layout(location = 0) out vec4 colour;
+
+layout(binding = ROUGH_UNIT) uniform samplerCube roughEnvironment;
+
+const float kLiquidLevel = 1.0;
+const float kSolidLevel = 3.0;
+
+void main() {
+    float dull = surface.y;
+    vec3 seen = decodeEnvironment(
+        textureLod(roughEnvironment, mirrored, kLiquidLevel + (kSolidLevel - kLiquidLevel) * dull).rgb);
+    float towardsLamp = max(dot(normalize(mirrored), frame.lampWay.xyz), 0.0);
+    float glint = frame.phong.z * (1.0 - 0.65 * dull) * pow(towardsLamp, frame.phong.w * (1.0 - 0.8 * dull));
+    vec3 glow = material.heat.x * glowOf(temperature);
+    colour = finish(body + surface.x * mirrorTint * seen + glint * material.glint.rgb + glow, 1.0);
+}

@@ -1,0 +1,34 @@
+// A vertex of metal with a temperature in kelvin: as metal.vert, with the oxide's tint and the heat's glow.
+#version 450 core
+#extension GL_GOOGLE_include_directive : require
+#include "render/hot.glsl"
+#include "render/metal_look.glsl"
+#include "render/view.glsl"
+
+layout(location = 0) in vec4 position; // model units; w: temperature, K
+layout(location = 1) in vec4 outward;
+layout(location = 2) in float peak; // highest temperature so far, K
+
+layout(location = 0) out vec3 mirrored;    // world direction that the eye sees in the metal, not unit
+layout(location = 1) out vec3 body;        // light of the material itself
+layout(location = 2) out vec2 surface;     // x: brightness of the mirror image, y: dullness
+layout(location = 3) out vec3 mirrorTint;  // colour of the mirror image
+layout(location = 4) out float temperature;
+
+void main() {
+    vec3 world = toWorld(position.xyz);
+    vec3 n = normalize(mat3(frame.modelToWorld) * outward.xyz);
+    mirrored = reflect(world - frame.views[viewIndex()].eye.xyz, n);
+
+    float liquid = meltShares(position.w).y;
+    float light = frame.phong.x + frame.phong.y * max(dot(n, normalize(frame.light.xyz - world)), 0.0);
+    float mirror = mix(material.solid.w, material.liquid.w, liquid);
+    // Oxide lies on solid metal only: a pool is clean.
+    vec3 tint = mix(vec3(1.0), tintOf(max(peak, position.w)), material.heat.y * (1.0 - liquid));
+    float scale = 1.0 - dot(tint, vec3(1.0 / 3.0));
+    body = light * (1.0 - mirror) * materialColour(liquid) * tint;
+    mirrorTint = mix(vec3(1.0), material.mirror.rgb, 0.8) * tint;
+    surface = vec2(light * mirror * (1.0 - 0.5 * scale * (1.0 - liquid)), frame.detail.x * (1.0 - liquid));
+    temperature = position.w;
+    gl_Position = toClip(world);
+}

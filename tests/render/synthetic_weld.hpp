@@ -1,0 +1,27 @@
+// A fixed picture of a weld: a plate with a bead behind a pool, temperatures after Rosenthal's moving point source.
+#pragma once
+
+#include "core/gl/buffer.hpp"
+#include "core/render/scene.hpp"
+
+namespace meltpool::test {
+
+/// Temperature (K) around a point source of 1500 W that moves along +x at 5 mm/s over thick steel, at `at` (m) from it,
+/// y down into the plate. Never above 2700 K, as near a real pool.
+double weldTemperature(const glm::dvec3& at);
+/// The highest temperature that metal `aside` (m) of the seam and `deep` below it has had once the source is `behind`
+/// (m, along -x) away.
+double weldPeak(double behind, double aside, double deep);
+
+class SyntheticWeld {
+  public:
+    SyntheticWeld();
+    SceneView view() const;
+
+  private:
+    gl::Buffer vertices_, indices_, command_, peaks_, particles_, heat_;
+    size_t particleCount_ = 0;
+    MaterialLooks looks_;
+};
+
+} // namespace meltpool::test
