@@ -38,6 +38,10 @@ void storageBarrier() {
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
+void indirectBarrier() {
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+}
+
 } // namespace
 
 HeatSource HeatSource::sphere(glm::vec3 centre, float radius, float power) {
@@ -92,30 +96,53 @@ float HeatSource::reach() const {
 
 HeatSolver::HeatSolver(gl::ShaderLibrary& shaders, MetalState& state, const Material& material,
                        const HeatSettings& settings)
-    : state_(state),
-      material_(material),
-      settings_(settings),
-      refresh_(&shaders.compute("metal/heat_refresh.comp")),
-      tiles_(&shaders.compute("metal/heat_tiles.comp")),
-      weigh_(&shaders.compute("metal/heat_weigh.comp")),
-      total_(&shaders.compute("metal/heat_total.comp")),
-      conduct_(&shaders.compute("metal/heat_conduct.comp", definesOf(settings, material))),
-      apply_(&shaders.compute("metal/heat_apply.comp", definesOf(settings, material))),
-      advance_(&shaders.compute("metal/heat_advance.comp", definesOf(settings, material))),
-      blockBuffer_("heat block", sizeof(HeatBlock)),
-      table_("heat table", sizeof(HeatTableData)),
-      cellTheta_("heat cell theta", state.lattice().cellCount() * sizeof(float)),
-      cellPower_("heat cell power", state.lattice().cellCount() * sizeof(float)),
-      cellArea_("heat cell area", settings.evaporation ? state.lattice().cellCount() * sizeof(float) : 4),
-      tileState_("heat tiles", state.lattice().tileCount() * sizeof(HeatTile)),
-      tileStamps_("heat tile stamps", state.lattice().tileCount() * sizeof(int)),
-      tileList_("heat tile list", state.lattice().tileCount() * sizeof(uint)),
-      indirect_("heat indirect", sizeof(uvec4)),
-      partial_("heat partial sums", (HEAT_SOURCES * (state.lattice().tileCount() + 1)) * sizeof(float)),
-      ledger_("heat ledger", settings.ledger ? state.capacity() * sizeof(vec4) : 4) {
+    : state_(state), material_(material), settings_(settings) {
+    const gl::Defines defines = definesOf(settings, material);
+    gl::Defines mixed = defines;
+    mixed["MIXED"] = "1";
+    refresh_ = &shaders.compute("metal/heat_refresh.comp");
+    collect_ = &shaders.compute("metal/heat_collect.comp");
+    deposit_ = &shaders.compute("metal/heat_deposit.comp");
+    tiles_ = &shaders.compute("metal/heat_tiles.comp");
+    mean_ = &shaders.compute("metal/heat_mean.comp");
+    weigh_ = &shaders.compute("metal/heat_weigh.comp");
+    total_ = &shaders.compute("metal/heat_total.comp");
+    conduct_ = {&shaders.compute("metal/heat_conduct.comp", defines),
+                &shaders.compute("metal/heat_conduct.comp", mixed)};
+    apply_ = &shaders.compute("metal/heat_apply.comp", defines);
+    advanceLoose_ = &shaders.compute("metal/heat_advance_loose.comp", defines);
+    advance_ = {&shaders.compute("metal/heat_advance.comp", defines),
+                &shaders.compute("metal/heat_advance.comp", mixed)};
+    makeBuffers();
+    writeTable();
+    prepareBlock();
+    refresh();
+}
+
+void HeatSolver::makeBuffers() {
+    const size_t cells = state_.lattice().cellCount();
+    const size_t tiles = state_.lattice().tileCount();
+    const size_t slots = state_.capacity();
+    blockBuffer_ = gl::Buffer("heat block", sizeof(HeatBlock));
+    table_ = gl::Buffer("heat table", sizeof(HeatTableData));
+    cellTheta_ = gl::Buffer("heat cell theta", cells * sizeof(float));
+    cellWeight_ = gl::Buffer("heat cell weight", cells * sizeof(float));
+    cellPower_ = gl::Buffer("heat cell power", cells * sizeof(float));
+    cellArea_ = gl::Buffer("heat cell area", cells * sizeof(float));
+    cellSums_ = gl::Buffer("heat cell sums", cells * sizeof(HeatSum));
+    tileState_ = gl::Buffer("heat tiles", tiles * sizeof(HeatTile));
+    tileStamps_ = gl::Buffer("heat tile stamps", tiles * sizeof(int));
+    lists_ = gl::Buffer("heat lists", (3 * tiles + slots) * sizeof(uint));
+    control_ = gl::Buffer("heat control", sizeof(HeatControl));
+    homes_ = gl::Buffer("heat homes", slots * sizeof(uint));
+    partial_ = gl::Buffer("heat partial sums", HEAT_SOURCES * (tiles + 1) * sizeof(float));
+    ledger_ = gl::Buffer("heat ledger", settings_.ledger ? (cells + slots) * sizeof(vec4) : 4);
+}
+
+void HeatSolver::writeTable() {
     auto data = std::make_unique<HeatTableData>();
     for (int piece = 0; piece < 3; ++piece) {
-        const HeatTable::Piece& from = state.table().pieces()[static_cast<size_t>(piece)];
+        const HeatTable::Piece& from = state_.table().pieces()[static_cast<size_t>(piece)];
         data->start[piece] = from.start;
         data->inverseStep[piece] = from.inverseStep;
         for (int i = 0; i < HEAT_TABLE_ROW; ++i) {
@@ -124,17 +151,23 @@ HeatSolver::HeatSolver(gl::ShaderLibrary& shaders, MetalState& state, const Mate
         }
     }
     table_.writeValue(*data);
+}
 
-    const double emissivity = settings.radiation ? material.emissivity.at(material.liquidus) : 0;
-    block_.time = vec4(0, settings.convection, settings.ambient, emissivity * kStefanBoltzmann);
-    if (settings.evaporation && material.boilingPoint > 0) block_.evaporation = evaporationTerms(material);
+void HeatSolver::prepareBlock() {
+    const double emissivity = settings_.radiation ? material_.emissivity.at(material_.liquidus) : 0;
+    block_.time = vec4(0, settings_.convection, settings_.ambient, emissivity * kStefanBoltzmann);
+    if (settings_.evaporation && material_.boilingPoint > 0) block_.evaporation = evaporationTerms(material_);
     // A tile that cools by itself rests between its turns while they change it by little.
     constexpr double kRestChange = 0.05; // K a step
-    const double capacity = state.particleMass() * material.solidSpecificHeat.at(settings.ambient);
+    const double capacity = state_.particleMass() * material_.solidSpecificHeat.at(settings_.ambient);
     block_.waking =
-        vec4(settings.wakingKelvin * material.solidConductivity.at(settings.ambient), 1, kRestChange * capacity, 0);
-    block_.step = ivec4(0, 0, settings.meltedLeaves ? 1 : 0, static_cast<int>(state.lattice().tileCount()));
-    refresh();
+        vec4(settings_.wakingKelvin * material_.solidConductivity.at(settings_.ambient), 1, kRestChange * capacity, 0);
+    block_.step = ivec4(0, 0, settings_.meltedLeaves ? 1 : 0, static_cast<int>(state_.lattice().tileCount()));
+    // Eight particles' worth of the hottest metal fit into one sum of 32 bits.
+    constexpr double kHottest = 8000;
+    constexpr double kWholeSum = 4294967295.0;
+    const double most = state_.table().kirchhoffAt(state_.table().enthalpyAt(kHottest));
+    block_.loose = vec4(8 * most / kWholeSum, 0, 0, 0);
 }
 
 double HeatSolver::longestStep(double hottest) const {
@@ -148,19 +181,23 @@ void HeatSolver::bind() const {
     blockBuffer_.bindUniform(HEAT_BLOCK);
     table_.bindStorage(HEAT_TABLE);
     cellTheta_.bindStorage(HEAT_CELL_THETA);
+    cellWeight_.bindStorage(HEAT_CELL_WEIGHT);
     cellPower_.bindStorage(HEAT_CELL_POWER);
     cellArea_.bindStorage(HEAT_CELL_AREA);
+    cellSums_.bindStorage(HEAT_CELL_SUMS);
     tileState_.bindStorage(HEAT_TILES);
     tileStamps_.bindStorage(HEAT_TILE_STAMPS);
-    tileList_.bindStorage(HEAT_TILE_LIST);
-    indirect_.bindStorage(HEAT_INDIRECT);
-    partial_.bindStorage(HEAT_PARTIAL);
+    lists_.bindStorage(HEAT_LISTS);
+    control_.bindStorage(HEAT_CONTROL);
+    homes_.bindStorage(HEAT_HOMES);
     ledger_.bindStorage(HEAT_LEDGER);
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, control_.name());
 }
 
 void HeatSolver::refresh() {
     blockBuffer_.writeValue(block_);
     bind();
+    homes_.clear();
     refresh_->dispatch(state_.lattice().cellCount(), GROUP_SIZE);
     storageBarrier();
 }
@@ -172,6 +209,7 @@ void HeatSolver::writeBlock(double seconds, std::span<const HeatSource> sources)
     block_.time.x = static_cast<float>(seconds);
     block_.step.x += 1;
     block_.step.y = static_cast<int>(sources.size());
+    block_.loose.y = static_cast<float>(state_.particles());
     sourceGroups_ = 0;
     int offset = HEAT_SOURCES; // the totals stand in front
     for (size_t i = 0; i < sources.size(); ++i) {
@@ -201,52 +239,83 @@ void HeatSolver::writeBlock(double seconds, std::span<const HeatSource> sources)
     blockBuffer_.writeValue(block_);
 }
 
-void HeatSolver::listTiles() {
-    indirect_.writeValue(uvec4(0, 1, 1, 0));
-    tiles_->dispatch(state_.lattice().tileCount(), GROUP_SIZE);
+void HeatSolver::indirect(const gl::Program& program, size_t groups) const {
+    program.use();
+    glDispatchComputeIndirect(static_cast<GLintptr>(groups));
+}
+
+void HeatSolver::gatherLoose() {
+    constexpr uvec4 kNone(0, 1, 1, 0);
+    control_.writeValue(HeatControl{kNone, kNone, kNone, kNone});
+    collect_->dispatch(state_.particles(), GROUP_SIZE); // phases -> list of loose slots
+    indirectBarrier();
+    indirect(*deposit_, offsetof(HeatControl, loose)); // enthalpies, positions -> cell sums, tiles with loose metal
+    storageBarrier();
+    tiles_->dispatch(state_.lattice().tileCount(), GROUP_SIZE); // tile states -> lists of tiles
+    indirectBarrier();
+    indirect(*mean_, offsetof(HeatControl, sums)); // cell sums -> cell theta, weight
+    storageBarrier();
 }
 
 void HeatSolver::weighSources() {
     const auto sources = static_cast<unsigned>(block_.step.y);
     if (sources == 0) return;
-    weigh_->dispatchGroups(static_cast<unsigned>(sourceGroups_), sources);
+    partial_.bindStorage(HEAT_PARTIAL);
+    weigh_->dispatchGroups(static_cast<unsigned>(sourceGroups_), sources); // cell theta, weight -> partial sums
     storageBarrier();
-    total_->dispatchGroups(sources);
+    total_->dispatchGroups(sources); // partial sums -> totals
+    storageBarrier();
+}
+
+void HeatSolver::conduct() {
+    const std::array groups{offsetof(HeatControl, plain), offsetof(HeatControl, mixed)};
+    for (size_t list = 0; list < 2; ++list) {
+        conduct_[list]->set("list", static_cast<int>(list));
+        indirect(*conduct_[list], groups[list]); // cell theta, weight -> cell power, area
+    }
+    storageBarrier();
 }
 
 void HeatSolver::applySources() {
     for (int i = 0; i < block_.step.y; ++i) {
         apply_->set("source", i);
-        apply_->dispatchGroups(static_cast<unsigned>(block_.sources[i].tileCount.w));
+        apply_->dispatchGroups(static_cast<unsigned>(block_.sources[i].tileCount.w)); // totals -> cell power
         storageBarrier(); // two sources may reach the same cell
     }
+}
+
+void HeatSolver::advance() {
+    homes_.bindStorage(HEAT_HOMES);
+    indirect(*advanceLoose_, offsetof(HeatControl, loose)); // cell power, theta -> enthalpy of loose metal
+    storageBarrier();
+    const std::array groups{offsetof(HeatControl, plain), offsetof(HeatControl, mixed)};
+    for (size_t list = 0; list < 2; ++list) {
+        advance_[list]->set("list", static_cast<int>(list));
+        indirect(*advance_[list], groups[list]); // cell power -> enthalpy of the lattice, cell theta; sums cleared
+    }
+    storageBarrier();
 }
 
 void HeatSolver::step(double seconds, std::span<const HeatSource> sources, gl::Profiler* profiler) {
     const gl::Scope scope(profiler, "heat");
     writeBlock(seconds, sources);
     bind();
-    listTiles();    // tile states -> list of tiles, indirect groups
-    weighSources(); // cell theta, temperatures -> totals of the sources' weights
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
-    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, indirect_.name());
-    conduct_->use(); // cell theta, temperatures -> cell power
-    glDispatchComputeIndirect(0);
-    storageBarrier();
-    applySources();  // totals of the weights -> cell power
-    advance_->use(); // cell power -> enthalpy, temperature, cell theta, phase
-    glDispatchComputeIndirect(0);
-    storageBarrier();
+    gatherLoose();
+    weighSources();
+    conduct();
+    applySources();
+    advance();
 }
 
 unsigned HeatSolver::readActiveTiles() const {
-    return indirect_.read<uvec4>(1)[0].x;
+    const auto control = control_.read<HeatControl>(1)[0];
+    return control.plain.x + control.mixed.x;
 }
 
 HeatBalance HeatSolver::readBalance() const {
     HeatBalance balance;
     if (!settings_.ledger) return balance;
-    for (const vec4& entry : ledger_.read<vec4>(state_.particles())) {
+    for (const vec4& entry : ledger_.read<vec4>(ledger_.bytes() / sizeof(vec4))) {
         balance.gained += static_cast<double>(entry.x) + static_cast<double>(entry.y);
         balance.lost += static_cast<double>(entry.z) + static_cast<double>(entry.w);
     }
@@ -254,9 +323,12 @@ HeatBalance HeatSolver::readBalance() const {
 }
 
 size_t HeatSolver::bytes() const {
-    return blockBuffer_.bytes() + table_.bytes() + cellTheta_.bytes() + cellPower_.bytes() + cellArea_.bytes() +
-           tileState_.bytes() + tileStamps_.bytes() + tileList_.bytes() + indirect_.bytes() + partial_.bytes() +
-           ledger_.bytes();
+    size_t sum = 0;
+    for (const gl::Buffer* buffer :
+         {&blockBuffer_, &table_, &cellTheta_, &cellWeight_, &cellPower_, &cellArea_, &cellSums_, &tileState_,
+          &tileStamps_, &lists_, &control_, &homes_, &partial_, &ledger_})
+        sum += buffer->bytes();
+    return sum;
 }
 
 } // namespace meltpool

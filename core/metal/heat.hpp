@@ -10,6 +10,8 @@
 
 #include <glm/vec3.hpp>
 
+#include <array>
+
 namespace meltpool {
 
 /// Something that heats metal. The factories state what each needs; power in W goes in exactly, whatever metal is
@@ -79,20 +81,27 @@ class HeatSolver {
     size_t bytes() const; ///< GPU memory of the solver itself
 
   private:
+    void makeBuffers();
+    void writeTable();
+    void prepareBlock();
     void writeBlock(double seconds, std::span<const HeatSource> sources);
     void bind() const;
-    void listTiles();
+    void indirect(const gl::Program& program, size_t groups) const;
+    void gatherLoose();
     void weighSources();
+    void conduct();
     void applySources();
+    void advance();
 
     MetalState& state_;
     const Material material_;
     HeatSettings settings_;
     HeatBlock block_{};
     int sourceGroups_ = 0; ///< most tiles any source reaches in this step
-    const gl::Program *refresh_, *tiles_, *weigh_, *total_, *conduct_, *apply_, *advance_;
-    gl::Buffer blockBuffer_, table_, cellTheta_, cellPower_, cellArea_, tileState_, tileStamps_, tileList_, indirect_,
-        partial_, ledger_;
+    const gl::Program *refresh_, *collect_, *deposit_, *tiles_, *mean_, *weigh_, *total_, *apply_, *advanceLoose_;
+    std::array<const gl::Program*, 2> conduct_{}, advance_{}; ///< for tiles without and with loose metal
+    gl::Buffer blockBuffer_, table_, cellTheta_, cellWeight_, cellPower_, cellArea_, cellSums_, tileState_, tileStamps_,
+        lists_, control_, homes_, partial_, ledger_;
 };
 
 } // namespace meltpool

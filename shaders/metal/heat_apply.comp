@@ -3,6 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shared/metal.h"
 layout(local_size_x = TILE_CELLS) in;
+#define MIXED
 #include "metal/heat_common.glsl"
 #include "metal/heat_source.glsl"
 #include "metal/heat_ledger.glsl"
@@ -17,10 +18,9 @@ void main() {
     int inside = int(gl_LocalInvocationIndex);
     int cell = tile * TILE_CELLS + inside;
     if (cellTheta[cell] < 0.0) return;
-    uint slot = lattice[cell] - 1u;
-    float given = cellWeight(s, tile, tilePlace, inside, slot) * sourceScale(s, partial[source]);
+    float given = cellWeightIn(s, tile, tilePlace, inside) * sourceScale(s, partial[source]);
     if (given == 0.0) return;
     tiles[tile].lastNeed = heatBlock.step.x;
     cellPower[cell] += given;
-    book(slot, given * heatBlock.time.x, 0.0);
+    book(cell, given * heatBlock.time.x, 0.0);
 }

@@ -82,6 +82,42 @@ Neighbours readNeighbours(int tile, ivec3 tilePlace, int inside, int stepNumber)
     return n;
 }
 
+#ifdef MIXED
+layout(std430, binding = HEAT_CELL_WEIGHT) restrict buffer CellWeights { float cellWeight[]; };
+
+/// How full a cell with that weight is, 0 .. 1. Steep, so that the unevenness inside liquid metal makes no surface.
+float fullness(float weight) { return clamp((weight - 0.15) / 0.5, 0.0, 1.0); }
+
+/// Weights of the neighbours beside their Kirchhoff variables.
+void readWeights(int tile, ivec3 tilePlace, int inside, out vec3 low, out vec3 high) {
+    ivec3 at = insideCoordinate(inside);
+    int cell = tile * TILE_CELLS + inside;
+    ivec3 tileStride = ivec3(1, metal.tiles.x, metal.tiles.x * metal.tiles.y);
+    ivec3 inner = ivec3(1, 4, 16);
+    ivec3 outer = tileStride * TILE_CELLS - (TILE_EDGE - 1) * inner;
+    bvec3 edgeLow = equal(at, ivec3(0));
+    bvec3 edgeHigh = equal(at, ivec3(TILE_EDGE - 1));
+    bvec3 endLow = bvec3(ivec3(edgeLow) * ivec3(equal(tilePlace, ivec3(0))));
+    bvec3 endHigh = bvec3(ivec3(edgeHigh) * ivec3(equal(tilePlace, metal.tiles.xyz - 1)));
+    ivec3 lowCell = ivec3(cell) - mix(mix(inner, outer, edgeLow), ivec3(0), endLow);
+    ivec3 highCell = ivec3(cell) + mix(mix(inner, outer, edgeHigh), ivec3(0), endHigh);
+    low = mix(vec3(cellWeight[lowCell.x], cellWeight[lowCell.y], cellWeight[lowCell.z]), vec3(0), endLow);
+    high = mix(vec3(cellWeight[highCell.x], cellWeight[highCell.y], cellWeight[highCell.z]), vec3(0), endHigh);
+}
+
+/// Free surface of a cell that loose metal may share: over each face the step down in fullness counts, so that the steps
+/// through a surface anywhere between cells add up to its area.
+vec4 freeSurface(float weight, vec3 weightLow, vec3 weightHigh) {
+    float own = fullness(weight);
+    vec3 low = max(vec3(0), own - vec3(fullness(weightLow.x), fullness(weightLow.y), fullness(weightLow.z)));
+    vec3 high = max(vec3(0), own - vec3(fullness(weightHigh.x), fullness(weightHigh.y), fullness(weightHigh.z)));
+    vec3 normal = high - low;
+    float size = length(normal);
+    float area = length(high + low) * metal.origin.w * metal.origin.w;
+    return vec4(size > 0.0 ? normal / size : vec3(0), area);
+}
+#endif
+
 vec3 emptyMask(vec3 theta) { return vec3(equal(theta, vec3(kEmpty))); }
 
 /// Free surface of a cell: xyz its outward normal (unit length, or zero where both sides are open alike), w its area in m².

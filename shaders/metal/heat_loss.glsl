@@ -29,3 +29,13 @@ float afterEvaporation(float hot, float area) {
     }
     return t;
 }
+
+/// Joules that a particle with `area` of free surface loses in this step in which it takes up `joules` otherwise.
+float particleLoss(uint slot, float joules, float area) {
+    float lost = surfaceLoss(position[slot].w, area) * heatBlock.time.x;
+#ifdef EVAPORATION
+    float hot = thermalState(heat[slot].x + (joules - lost) / metal.gravity.w).x;
+    lost += (hot - afterEvaporation(hot, area)) * heatBlock.evaporation.w * metal.gravity.w;
+#endif
+    return lost;
+}

@@ -1,22 +1,27 @@
 #version 450 core
-// Writes the Kirchhoff variable of every lattice cell from the particle that sits there, and wakes every tile.
+// Writes the Kirchhoff variable and the weight of every lattice cell from the particle that sits there, and wakes every tile.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/dispatch.h"
 layout(local_size_x = GROUP_SIZE) in;
 #include "metal/heat_common.glsl"
+layout(std430, binding = HEAT_CELL_WEIGHT) restrict writeonly buffer CellWeights { float cellWeight[]; };
+layout(std430, binding = HEAT_HOMES) restrict writeonly buffer Homes { uint homes[]; };
 
 void main() {
     uint cell = linearInvocation();
     if (cell >= uint(heatBlock.step.w) * TILE_CELLS) return;
-    uint slot = lattice[cell];
+    uint entry = lattice[cell];
     float theta = kEmpty;
-    if (slot != 0u) {
-        vec2 state = thermalState(heat[slot - 1u].x);
-        theta = (phase[slot - 1u] & PHASE_HELD) != 0u ? markHeld(state.y) : state.y;
-        position[slot - 1u].w = state.x;
+    if (entry != 0u) {
+        uint slot = entry - 1u;
+        vec2 state = thermalState(heat[slot].x);
+        theta = (phase[slot] & PHASE_HELD) != 0u ? markHeld(state.y) : state.y;
+        position[slot].w = state.x;
+        homes[slot] = cell + 1u;
     }
     cellTheta[cell] = theta;
+    cellWeight[cell] = entry != 0u ? 1.0 : 0.0;
     if (cell % TILE_CELLS != 0u) return;
-    tiles[cell / TILE_CELLS] = HeatTile(heatBlock.step.x, -2, 0.0, 0);
+    tiles[cell / TILE_CELLS] = HeatTile(heatBlock.step.x, -2, 0.0, -2);
     tileStamp[cell / TILE_CELLS] = -1;
 }

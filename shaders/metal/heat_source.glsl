@@ -39,10 +39,31 @@ ivec3 sourceTile(HeatSourceData s, int group) {
            ivec3(group % s.tileCount.x, group / s.tileCount.x % s.tileCount.y, group / (s.tileCount.x * s.tileCount.y));
 }
 
-/// Weight of the particle `slot` in cell `inside` of a tile.
-float cellWeight(HeatSourceData s, int tile, ivec3 tilePlace, int inside, uint slot) {
-    vec4 surface = freeSurface(readNeighbours(tile, tilePlace, inside, 0));
-    float volume = metal.origin.w * metal.origin.w * metal.origin.w;
+/// Temperature that belongs to a Kirchhoff variable, by halving the table.
+float temperatureOf(float theta) {
+    int low = 0;
+    int high = HEAT_TABLE_ENTRIES - 1;
+    while (high - low > 1) {
+        int middle = (low + high) / 2;
+        if (table.samples[middle].y <= theta)
+            low = middle;
+        else
+            high = middle;
+    }
+    vec2 a = table.samples[low];
+    vec2 b = table.samples[high];
+    return b.y > a.y ? mix(a.x, b.x, (theta - a.y) / (b.y - a.y)) : a.x;
+}
+
+/// Weight of cell `inside` of a tile.
+float cellWeightIn(HeatSourceData s, int tile, ivec3 tilePlace, int inside) {
+    int cell = tile * TILE_CELLS + inside;
+    float weight = cellWeight[cell];
+    vec3 weightLow, weightHigh;
+    readWeights(tile, tilePlace, inside, weightLow, weightHigh);
+    vec4 surface = freeSurface(weight, weightLow, weightHigh);
+    float volume = weight * metal.origin.w * metal.origin.w * metal.origin.w;
     vec3 place = cellCentre(tilePlace * TILE_EDGE + insideCoordinate(inside));
-    return sourceWeight(s, place, volume, surface, position[slot].w);
+    float temperature = int(s.place.w) == SOURCE_TIP ? temperatureOf(cellTheta[cell]) : 0.0;
+    return sourceWeight(s, place, volume, surface, temperature);
 }

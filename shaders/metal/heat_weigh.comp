@@ -3,6 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shared/metal.h"
 layout(local_size_x = TILE_CELLS) in;
+#define MIXED
 #include "metal/heat_common.glsl"
 #include "metal/heat_source.glsl"
 layout(std430, binding = HEAT_PARTIAL) restrict writeonly buffer Partial { float partial[]; };
@@ -19,7 +20,7 @@ void main() {
     int inside = int(gl_LocalInvocationIndex);
     int cell = tile * TILE_CELLS + inside;
     float weight = 0.0;
-    if (cellTheta[cell] >= 0.0) weight = cellWeight(s, tile, place, inside, lattice[cell] - 1u);
+    if (cellTheta[cell] >= 0.0) weight = cellWeightIn(s, tile, place, inside);
     weights[inside] = weight;
     for (int half_ = TILE_CELLS / 2; half_ > 0; half_ /= 2) {
         barrier();

@@ -7,19 +7,21 @@
 
 #define HEAT_BLOCK 1 // uniform buffer
 
-// Storage buffers of the heat passes beside the particle buffers.
+// Storage buffers of the heat passes beside the particle buffers. A pass binds only what it reads: the same place may mean
+// something else in another pass.
 #define HEAT_TABLE 6
-#define HEAT_CELL_THETA 7  // float a cell: Kirchhoff variable of the particle there, negative where none is
-#define HEAT_CELL_POWER 8  // float a cell: net power into it, W
-#define HEAT_TILES 9       // HeatTile a tile
-#define HEAT_TILE_LIST 10  // uint: tiles that take part in this step
-#define HEAT_INDIRECT 11   // uvec4: groups of the indirect dispatch, w free
-#define HEAT_PARTIAL 12    // float a source tile: sum of weights
-#define HEAT_LEDGER 13     // vec4 a particle: joules from sources, their residual, joules lost, their residual
-
+#define HEAT_CELL_THETA 7   // float a cell: Kirchhoff variable of what is there, negative where nothing is
+#define HEAT_CELL_POWER 8   // float a cell: net power into it, W
+#define HEAT_TILES 9        // HeatTile a tile
+#define HEAT_LISTS 10       // uint: three lists of tiles, one after the other, then the list of loose slots
+#define HEAT_CONTROL 11     // HeatControl
+#define HEAT_PARTIAL 12     // float a source tile: sum of weights
+#define HEAT_LEDGER 13      // vec4 a cell, then a particle: joules gained, their residual, joules lost, their residual
 #define HEAT_TILE_STAMPS 14 // int a tile: number of the last step it took part in
-
-#define HEAT_CELL_AREA 15  // float a cell: free surface in m², where evaporation is computed
+#define HEAT_CELL_AREA 15   // float a cell: free surface in m², where loose metal or evaporation need it
+#define HEAT_CELL_WEIGHT 5  // float a cell: how many particles share it (replaces the counters, which no heat pass needs)
+#define HEAT_CELL_SUMS 1    // HeatSum a cell (replaces the velocities)
+#define HEAT_HOMES 12       // uint a slot: cell + 1 that heat knows it to sit in, 0 when loose (not beside the partial sums)
 
 #define HEAT_SOURCES 4
 
@@ -32,6 +34,9 @@
 #define TILE_PATIENCE 8u
 // A tile that does nothing but lose heat through its surface takes part every so many steps, for all the time since.
 #define TILE_REST 16u
+
+// Loose metal spreads over the eight cells around it; the sums are integers, so that their order does not matter.
+#define LOOSE_UNIT 65536.0
 
 #ifdef __cplusplus
 namespace meltpool {
@@ -52,6 +57,7 @@ struct HeatBlock {
     vec4 waking;      // x difference of theta between neighbours (W/m), z loss in J a step, that keep a tile awake;
                       // y K off ambient from which a surface has its turns
     ivec4 step;       // x number of the step, y number of sources, z 1: melted particles leave the lattice, w tiles
+    vec4 loose;       // x W/m of theta that one unit of its integer sum stands for, y slots in use, zw free
     HeatSourceData sources[HEAT_SOURCES];
 };
 
@@ -61,16 +67,30 @@ struct HeatTableData {
     vec2 samples[HEAT_TABLE_ENTRIES]; // temperature, theta
 };
 
+struct HeatSum {
+    uint weight; // of loose particles, in 1/LOOSE_UNIT
+    uint theta;  // weight times theta, in units of HeatBlock.loose.x
+};
+
+/// Groups of the indirect dispatches; the fourth number of each is free.
+struct HeatControl {
+    uvec4 plain; // tiles with metal on the lattice alone, around them too
+    uvec4 mixed; // tiles with loose metal in or beside them
+    uvec4 sums;  // tiles with loose metal in them
+    uvec4 loose; // x groups of loose particles, w their number
+};
+
 struct HeatTile {
     int lastNeed;   // number of the last step in which something happened
     int lastWarm;   // number of the last step in which its surface was off ambient
     float since;    // simulated time since it last took part, this step included, s
-    int reserved;
+    int lastLoose;  // number of the last step in which loose metal was in it
 };
 
 #ifdef __cplusplus
 static_assert(sizeof(HeatSourceData) == 96);
-static_assert(sizeof(HeatBlock) == 64 + HEAT_SOURCES * 96);
+static_assert(sizeof(HeatBlock) == 80 + HEAT_SOURCES * 96);
+static_assert(sizeof(HeatControl) == 64);
 static_assert(sizeof(HeatTableData) == 32 + 8 * HEAT_TABLE_ENTRIES);
 static_assert(sizeof(HeatTile) == 16);
 } // namespace meltpool

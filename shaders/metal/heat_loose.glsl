@@ -1,0 +1,33 @@
+// Loose metal (off the lattice) and the cells: where a particle's eight shares go. Included after heat_common.glsl.
+//
+// A loose particle belongs to the eight cells around it with trilinear weights; a particle of the lattice to its own cell
+// with weight 1. A cell has the weighted mean of the Kirchhoff variable, cells exchange heat as they do on the lattice, and
+// what a cell gets goes back to its particles by the same weights. Every exchange is between two cells or between a cell and
+// its own particles, so nothing is gained or lost.
+
+/// What particles that share a cell exchange with it, in conductances of two neighbouring cells: evens out what the cells
+/// themselves cannot see. With 2, metal shaken by 0.3 spacings conducts within 1 % of what it should.
+const float kWithin = 2.0;
+
+struct Shares {
+    ivec3 base;    // lowest of the eight cells
+    vec3 fraction; // of the way to the highest
+};
+
+Shares sharesOf(vec3 place) {
+    vec3 q = (place - metal.origin.xyz) / metal.origin.w - 0.5;
+    vec3 low = floor(q);
+    return Shares(ivec3(low), q - low);
+}
+
+/// Cell `corner` (0 .. 7) of the shares and its weight, a whole number of 1/LOOSE_UNIT; -1 where it lies off the lattice.
+int shareCell(Shares s, int corner, out float weight) {
+    ivec3 bit = ivec3(corner & 1, (corner >> 1) & 1, corner >> 2);
+    ivec3 cell = s.base + bit;
+    vec3 w = mix(1.0 - s.fraction, s.fraction, vec3(bit));
+    weight = floor(w.x * w.y * w.z * LOOSE_UNIT) / LOOSE_UNIT;
+    if (any(lessThan(cell, ivec3(0))) || any(greaterThanEqual(cell, metal.tiles.xyz * TILE_EDGE))) return -1;
+    ivec3 tile = cell / TILE_EDGE;
+    ivec3 inside = cell - tile * TILE_EDGE;
+    return tileIndex(tile) * TILE_CELLS + (inside.z * TILE_EDGE + inside.y) * TILE_EDGE + inside.x;
+}
