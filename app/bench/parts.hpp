@@ -9,5 +9,6 @@ void benchClassicMetal(Bench& bench);
 void benchClassicThesis(Bench& bench);
 void benchClassicFrame(Bench& bench);
 void benchClassicSurface(Bench& bench);
+void benchWeldSurface(Bench& bench);
 
 } // namespace meltpool

@@ -72,6 +72,9 @@ Lesson readLesson(const std::filesystem::path& file) {
     } else {
         readGroup(root, "workpiece", describe(lesson.workpiece));
         readGroup(root, "process", describe(lesson.process));
+        // Metal on a lattice, one particle a cell or more: its flat faces are to look flat.
+        lesson.surface.kernel = static_cast<int>(SurfaceKernel::smooth);
+        lesson.surface.influence = 3;
     }
     readGroup(root, "surface", describe(lesson.surface));
     readGroup(root, "camera", describe(lesson.camera));
