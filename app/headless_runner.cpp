@@ -19,6 +19,12 @@ namespace meltpool {
 namespace {
 
 constexpr int kSamples = 4; ///< of a pixel, for smooth edges
+constexpr int kManyPixels = 4096 * 2304;
+
+/// Above kManyPixels the samples would cost gigabytes, and pixels that small need none.
+int samplesFor(const RunParameters& run) {
+    return run.width * run.height > kManyPixels ? 1 : kSamples;
+}
 
 View viewOf(const CameraParameters& camera, float aspect) {
     Lens lens;
@@ -32,7 +38,7 @@ class Photographer {
   public:
     Photographer(gl::ShaderLibrary& shaders, const RunParameters& run, std::filesystem::path folder)
         : renderer_(shaders),
-          target_(run.width, run.height, kSamples),
+          target_(run.width, run.height, samplesFor(run)),
           folder_(std::move(folder)),
           every_(static_cast<double>(run.picturesEvery)) {}
 

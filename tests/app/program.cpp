@@ -23,4 +23,18 @@ Outcome runMeltpool(const std::string& arguments, const std::string& before, con
     return outcome;
 }
 
+Outcome runUntilRecorded(const std::string& arguments, const std::filesystem::path& telemetry,
+                         const std::string& before) {
+    const std::filesystem::path script = scratchFolder("until") / "stop.sh";
+    writeTextFileAtomically(script, "\"$@\" & pid=$!\n"
+                                    "tries=0\n"
+                                    "while [ $tries -lt 1200 ]; do\n"
+                                    "  rows=$(cat \"$RECORD\" 2>/dev/null | wc -l)\n"
+                                    "  [ \"$rows\" -gt 50 ] && break\n"
+                                    "  sleep 0.1; tries=$((tries + 1))\n"
+                                    "done\n"
+                                    "kill -TERM $pid; wait $pid\n");
+    return runMeltpool(arguments, before + " RECORD='" + telemetry.string() + "' sh '" + script.string() + "'");
+}
+
 } // namespace meltpool::test

@@ -17,4 +17,8 @@ struct Outcome {
 Outcome runMeltpool(const std::string& arguments, const std::string& before = "",
                     const std::filesystem::path& program = {});
 
+/// Runs it until the record `telemetry` has more than 50 rows, then asks it to stop with SIGTERM.
+Outcome runUntilRecorded(const std::string& arguments, const std::filesystem::path& telemetry,
+                         const std::string& before = "");
+
 } // namespace meltpool::test

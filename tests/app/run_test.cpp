@@ -122,21 +122,22 @@ TEST_CASE("a picture that cannot be written keeps the record up to there", "[app
 
 TEST_CASE("a run that is stopped by a signal keeps what it had", "[app]") {
     const auto folder = test::scratchFolder("signal");
-    // Waits until the record has rows, then asks the run to stop.
-    writeTextFileAtomically(folder / "stop.sh", "\"$@\" & pid=$!\n"
-                                                "tries=0\n"
-                                                "while [ $tries -lt 1200 ]; do\n"
-                                                "  rows=$(cat \"$RECORD\" 2>/dev/null | wc -l)\n"
-                                                "  [ \"$rows\" -gt 50 ] && break\n"
-                                                "  sleep 0.1; tries=$((tries + 1))\n"
-                                                "done\n"
-                                                "kill -TERM $pid; wait $pid\n");
-    const std::string before =
-        "RECORD='" + (folder / "telemetry.csv").string() + "' sh '" + (folder / "stop.sh").string() + "'";
-    const test::Outcome outcome =
-        runMeltpool(kQuick + "--pictures 0 --seconds 3600 --set particles=512 --out '" + folder.string() + "'", before);
+    const test::Outcome outcome = test::runUntilRecorded(
+        kQuick + "--pictures 0 --seconds 3600 --set particles=512 --out '" + folder.string() + "'",
+        folder / "telemetry.csv");
     CHECK(outcome.code == 1);
     const Json result = resultIn(folder);
     CHECK_THAT(result.at("error").get<std::string>(), containsText("stopped"));
     CHECK(readTorchCsv(folder / "telemetry.csv").samples.size() == result.at("steps").get<size_t>());
+}
+
+TEST_CASE("without a display the program says so and runs the demonstration", "[app]") {
+    const auto folder = test::scratchFolder("demonstration");
+    const test::Outcome outcome =
+        test::runUntilRecorded("", folder / "out" / "classic" / "telemetry.csv",
+                               "cd '" + folder.string() + "' && env -u DISPLAY -u WAYLAND_DISPLAY");
+    CHECK(outcome.code == 1); // stopped before its end
+    CHECK_THAT(outcome.output, containsText("There is no display"));
+    CHECK(resultIn(folder / "out" / "classic").at("lesson") == "classic");
+    CHECK(fs::exists(folder / "out" / "classic" / "000.000s-metal.png"));
 }

@@ -5,6 +5,7 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
+#include <random>
 #include <set>
 
 using namespace meltpool;
@@ -134,4 +135,29 @@ TEST_CASE("a bad lesson is refused in one sentence with file, line and expectati
 TEST_CASE("an unknown lesson is refused with the names that there are", "[training]") {
     CHECK_THROWS_WITH(findLesson("clasic", shippedLessons()), containsText("expected one of classic"));
     CHECK_THROWS_WITH(findLesson("nowhere/mine.toml", shippedLessons()), containsText("nowhere/mine.toml"));
+}
+
+TEST_CASE("damaged lessons are refused with their file or give values in range", "[training]") {
+    std::string whole = readTextFile(shippedLessons() / "classic.toml");
+    const size_t torch = whole.find("torch = ");
+    whole.erase(torch, whole.find('\n', torch) - torch); // its path is not beside the damaged copy
+    std::mt19937 random(5);
+    const std::string letters = "0123456789.-e#\n \"[]=ax\xff";
+    int taken = 0;
+    for (int i = 0; i < 1000; ++i) {
+        std::string text = whole;
+        for (size_t wounds = 1 + random() % 3; wounds > 0; --wounds)
+            text[random() % text.size()] = letters[random() % letters.size()];
+        INFO(text);
+        try {
+            Lesson lesson = lessonFrom(text);
+            for (const Parameter& parameter : lesson.parameters())
+                REQUIRE_NOTHROW(lesson.set(parameter.key, parameterText(parameter), "again"));
+            ++taken;
+        } catch (const InputError& error) {
+            REQUIRE_THAT(error.what(), containsText("bad.toml"));
+        }
+    }
+    CHECK(taken > 10);
+    CHECK(taken < 990);
 }
