@@ -68,6 +68,7 @@ struct Renderer::Parts {
     gl::Texture heat = makeHeatTexture();
     SurfacePainter surface;
     SolidPainter solids;
+    SectionPainter section;
     TonedProgram points;
     TonedProgram sky;
     TonedProgram box;
@@ -82,6 +83,7 @@ Renderer::Parts::Parts(gl::ShaderLibrary& shaders)
     : environment(shaders),
       surface(shaders),
       solids(shaders),
+      section(shaders),
       points(shaders, "render/points.vert", "render/points.frag"),
       sky(shaders, "render/sky.vert", "render/sky.frag"),
       box(shaders, "render/box.vert", "render/box.frag") {
@@ -115,6 +117,7 @@ void Renderer::Parts::drawView(const SceneView& scene, const LookParameters& loo
                                const Viewport& viewport, gl::Profiler* profiler) {
     const bool meshThere = scene.mesh.vertices != nullptr;
     const bool surfaceShown = look.mode == kSurfaceMode && meshThere;
+    setSwitch(GL_CLIP_DISTANCE0, scene.section.shown);
     if (surfaceShown) {
         const gl::Scope scope(profiler, "draw surface");
         surface.draw(scene, look, view, target, viewport);
@@ -122,6 +125,11 @@ void Renderer::Parts::drawView(const SceneView& scene, const LookParameters& loo
     if (look.mode == kPointsMode && scene.particles.positions != nullptr) {
         const gl::Scope scope(profiler, "draw points");
         drawPoints(scene.particles, view, target);
+    }
+    glDisable(GL_CLIP_DISTANCE0);
+    if (scene.section.shown) {
+        const gl::Scope scope(profiler, "draw section");
+        section.draw(scene.section, view, target);
     }
     drawSolids(scene, look, view, target);
     if (look.showSky) {
@@ -133,7 +141,9 @@ void Renderer::Parts::drawView(const SceneView& scene, const LookParameters& loo
     glDepthMask(GL_FALSE);
     if (look.mode == kWireframeMode && meshThere) {
         const gl::Scope scope(profiler, "draw wireframe");
+        setSwitch(GL_CLIP_DISTANCE0, scene.section.shown);
         surface.drawWireframe(scene.mesh, view, target);
+        glDisable(GL_CLIP_DISTANCE0);
     }
     if (look.showBox) {
         const gl::Scope scope(profiler, "draw box");
@@ -187,6 +197,10 @@ Renderer::Renderer(gl::ShaderLibrary& shaders) : parts_(std::make_unique<Parts>(
 
 Renderer::~Renderer() = default;
 
+SectionZone Renderer::measureSection(double peak, double level) const {
+    return parts_->section.measure(peak, level);
+}
+
 void Renderer::draw(const SceneView& scene, const LookParameters& look, std::span<const View> views,
                     const RenderTarget& target, gl::Profiler* profiler) {
     if (views.empty() || views.size() > kMostViews)
@@ -194,6 +208,10 @@ void Renderer::draw(const SceneView& scene, const LookParameters& look, std::spa
                            std::to_string(views.size()));
     const gl::Scope scope(profiler, "draw");
     parts_->prepare(scene, look, views, target);
+    if (scene.section.shown) {
+        const gl::Scope gathering(profiler, "gather section");
+        parts_->section.gather(scene.section, scene.particles, scene.boxMin, scene.boxMax);
+    }
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
     setSwitch(GL_FRAMEBUFFER_SRGB, target.encodesSrgb);
     glViewport(target.viewport.x, target.viewport.y, target.viewport.width, target.viewport.height);

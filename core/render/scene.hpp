@@ -3,6 +3,7 @@
 
 #include "core/metal/materials.hpp"
 #include "core/metal/particle_view.hpp"
+#include "core/render/section.hpp"
 #include "core/render/solids.hpp"
 #include "core/surface/surface_mesh.hpp"
 
@@ -43,7 +44,8 @@ struct SceneView {
     SourceView source;
     TemperatureMeaning temperature;
     const MaterialLooks* looks = nullptr; ///< physical material; null: LookParameters::material
-    std::span<const Solid> solids;        ///< torch, table, clamps
+    SectionView section;
+    std::span<const Solid> solids; ///< torch, table, clamps
 };
 
 } // namespace meltpool

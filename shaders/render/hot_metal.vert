@@ -30,5 +30,5 @@ void main() {
     mirrorTint = mix(vec3(1.0), material.mirror.rgb, 0.8) * tint;
     surface = vec2(light * mirror * (1.0 - 0.5 * scale * (1.0 - liquid)), frame.detail.x * (1.0 - liquid));
     temperature = position.w;
-    gl_Position = toClip(world);
+    gl_Position = toClipCut(world);
 }

@@ -23,5 +23,5 @@ void main() {
     float mirror = mix(material.solid.w, material.liquid.w, share.y);
     body = light * (1.0 - mirror) * materialColour(share.x);
     surface = vec2(light * mirror, frame.detail.x * (1.0 - share.y));
-    gl_Position = toClip(world);
+    gl_Position = toClipCut(world);
 }

@@ -12,7 +12,7 @@ layout(location = 2) flat out vec3 wayInEye;  // unit, from the eye to the parti
 void main() {
     ViewData view = frame.views[viewIndex()];
     vec3 world = toWorld(position.xyz);
-    gl_Position = toClip(world);
+    gl_Position = toClipCut(world);
     // At least a pixel, so that far particles do not flicker.
     gl_PointSize = max(2.0 * frame.detail.y * view.eye.w / max(gl_Position.w, 1e-6), 1.5);
     temperature = position.w;

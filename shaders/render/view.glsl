@@ -18,4 +18,10 @@ vec3 toWorld(vec3 model) {
     return (frame.modelToWorld * vec4(model, 1.0)).xyz;
 }
 
+// As toClip() for the metal's surface, of which the section takes a part away.
+vec4 toClipCut(vec3 world) {
+    gl_ClipDistance[0] = frame.cut.w - dot(frame.cut.xyz, world);
+    return toClip(world);
+}
+
 #endif

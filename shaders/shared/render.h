@@ -14,6 +14,7 @@
 #define SCALE_UNIT 2  // temperature colours, one scale a row
 #define BACK_UNIT 3   // back faces: normal and distance from the eye
 #define HEAT_UNIT 5   // glow and tint over temperature
+#define SECTION_UNIT 6 // what lies on the section's plane
 #define NOISE_UNIT 4  // smooth random values in space, repeating
 
 // Storage bindings of passes that pull their vertices.
@@ -39,6 +40,11 @@
 #define HEAT_COLDEST 300.0
 #define HEAT_HOTTEST 4300.0
 
+// The section: reach of a particle in spacings, and the sum of weights (1 - r²)² at half of the full density, which is
+// 0.957 reach³ (4 pi times the integral of (1 - r²)² r² over 0..1, times the density).
+#define SECTION_REACH 1.5f
+#define SECTION_INSIDE (0.5f * 0.957f * SECTION_REACH * SECTION_REACH * SECTION_REACH)
+
 #ifdef __cplusplus
 namespace meltpool {
 #endif
@@ -62,6 +68,7 @@ struct FrameData {
     vec4 colours;     // x: ColourMode, y: row of the temperature scale
     vec4 boxMin;
     vec4 boxMax;
+    vec4 cut;    // plane, world: what has dot(xyz, place) > w is taken away
     vec4 detail; // x: dullness of solid metal, y: radius of a drawn particle in world units, z: width of a classic cube over a model unit: scales frost and clouds
 };
 
@@ -76,7 +83,7 @@ struct MaterialData {
 
 #ifdef __cplusplus
 static_assert(sizeof(ViewData) == 224);
-static_assert(sizeof(FrameData) == 4 * 224 + 64 + 9 * 16);
+static_assert(sizeof(FrameData) == 4 * 224 + 64 + 10 * 16);
 static_assert(sizeof(MaterialData) == 6 * 16);
 } // namespace meltpool
 #endif

@@ -57,7 +57,8 @@ TEST_CASE("a weld glows, is tinted where it was hot, and shows its pool through 
     const test::SyntheticWeld weld;
     Renderer renderer(test::shaders());
     const PictureTarget target(320, 240, 4);
-    const View view = FreeCamera({0.034f, 0.026f, 0.034f}, {0.006f, 0.0f, 0.0f}).view({.nearest = 0.005f}, 320.0f / 240);
+    const View view =
+        FreeCamera({0.034f, 0.026f, 0.034f}, {0.006f, 0.0f, 0.0f}).view({.nearest = 0.005f}, 320.0f / 240);
     LookParameters look;
     look.showBox = false;
     const auto shoot = [&] {

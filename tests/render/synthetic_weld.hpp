@@ -17,6 +17,7 @@ class SyntheticWeld {
   public:
     SyntheticWeld();
     SceneView view() const;
+    const gl::Buffer& heat() const { return heat_; }
 
   private:
     gl::Buffer vertices_, indices_, command_, peaks_, particles_, heat_;
