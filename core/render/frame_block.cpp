@@ -28,9 +28,13 @@ FrameData makeFrame(const SceneView& scene, const LookParameters& look) {
     frame.colours = {look.colours, std::max(look.colours - kTemperatureColours, 0), 0, 0};
     frame.boxMin = glm::vec4(scene.boxMin, 1.0f);
     frame.boxMax = glm::vec4(scene.boxMax, 1.0f);
-    const glm::vec3 cutNormal = glm::normalize(glm::mat3(scene.modelToWorld) * scene.section.normal);
-    const glm::vec3 cutPoint = scene.modelToWorld * glm::vec4(scene.section.point, 1.0f);
-    frame.cut = glm::vec4(cutNormal, glm::dot(cutNormal, cutPoint));
+    // Some drivers cut whether or not they are told to: without a section, a plane that takes nothing away.
+    frame.cut = {0, 0, 0, 1};
+    if (scene.section.shown) {
+        const glm::vec3 normal = glm::normalize(glm::mat3(scene.modelToWorld) * scene.section.normal);
+        const glm::vec3 point = scene.modelToWorld * glm::vec4(scene.section.point, 1.0f);
+        frame.cut = glm::vec4(normal, glm::dot(normal, point));
+    }
     frame.detail = {look.dullness, look.pointSize * unit, 1.0f / scene.cubeWidth, 0.0f};
     return frame;
 }
