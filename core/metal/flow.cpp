@@ -9,10 +9,11 @@ namespace meltpool {
 
 namespace {
 
-// Neighbour lists reach a little beyond the support and serve until a particle has gone some way. Two that run head-on
-// may then miss the outermost tenth of the kernel, which holds less than a hundredth of its slope.
+// Neighbour lists reach a little beyond the support and serve until two neighbours may have gone some way against each
+// other. A pair that comes from outside the lists then misses at most the outermost tenth of the kernel, which holds
+// less than a hundredth of its slope.
 constexpr double kSkin = 0.2;        // spacings beyond the support
-constexpr double kFreeWay = 0.25;    // spacings
+constexpr double kFreeWay = 0.45;    // spacings
 constexpr unsigned kTidyGroups = 16; // passes over what changed stride over it: few groups, no arguments to prepare
 
 FlowBlock makeBlock(const FlowConstants& constants, const FlowFluid& fluid, const FlowSpace& space, size_t capacity,

@@ -17,7 +17,8 @@ float cohesion(float q) {
     return q > 0.5 ? a : 2 * a - 1.0 / 64;
 }
 
-vec3 acceleration(uint index, uint slot) {
+/// Acceleration by all neighbours, and the fastest that one of them goes against this particle (m/s).
+vec3 acceleration(uint index, uint slot, out float fastest) {
     const FlowBody own = bodies[slot];
     const uint found = own.where.w;
     const uint base = neighbourBase(index);
@@ -25,6 +26,7 @@ vec3 acceleration(uint index, uint slot) {
     const float soft = 1e-4 * fluid.origin.w * fluid.origin.w;
     const float pressure = stiffness(own.place.w);
     vec3 sum = vec3(0);
+    float fastest2 = 0;
     for (uint k = 0; k < found; ++k) {
         const uint entry = neighbours[base + GROUP_SIZE * k];
         const uint other = entry & ~FLOW_SOLID;
@@ -36,12 +38,16 @@ vec3 acceleration(uint index, uint slot) {
         const float u = 1 - q2;
         const float slope = -8 * fluid.kernel.x * inverse * u * u * u;
         const bool solid = (entry & FLOW_SOLID) != 0;
-        const float friction = (solid ? fluid.tension.w : 1.0) * fluid.kernel.z * dot(own.motion.xyz - bodies[other].motion.xyz, d) / (r2 + soft);
+        const vec3 against = own.motion.xyz - bodies[other].motion.xyz;
+        fastest2 = max(fastest2, dot(against, against));
+        const float friction = (solid ? fluid.tension.w : 1.0) * fluid.kernel.z * dot(against, d) / (r2 + soft);
         const float weight = (solid ? fluid.body.w : 1.0) * 2 / (own.place.w + place.w);
         const float pull = weight * fluid.tension.x * cohesion(q) / max(q * fluid.origin.w, 0.02 * fluid.origin.w);
         sum += (slope * (friction - pressure - stiffness(place.w)) - pull) * d;
         sum -= weight * fluid.tension.y * 4 * q2 * u * (own.normal.xyz - bodies[other].normal.xyz);
     }
+    // A drop of a few particles in flight meets others that are no neighbours yet.
+    fastest = found < 20 ? max(sqrt(fastest2), 0.4 * length(own.motion.xyz)) : sqrt(fastest2);
     return sum;
 }
 
@@ -63,7 +69,7 @@ vec3 confine(vec3 place, inout vec3 velocity) {
 
 shared uint longestWay; // float bits, of this group
 
-/// Moves one slot on; gives its way since the neighbour lists were made.
+/// Moves one slot on; gives how far neighbours may have come or gone since the neighbour lists were made.
 float moveOn(uint index) {
     const uint slot = lists[index];
     const uint next = 1u - (substep & 1u);
@@ -73,7 +79,9 @@ float moveOn(uint index) {
         return 0;
     }
     const float dt = fluid.period.w;
-    vec3 velocity = velocities[slot].xyz + dt * (acceleration(index, slot) + metal.gravity.xyz + fluid.body.xyz);
+    float fastest;
+    const vec3 pairs = acceleration(index, slot, fastest);
+    vec3 velocity = velocities[slot].xyz + dt * (pairs + metal.gravity.xyz + fluid.body.xyz);
     velocity *= mushyShare(heats[slot].x);
     float speed = length(velocity);
     if (!(speed < 1e6)) { // also catches what is not a number
@@ -85,7 +93,7 @@ float moveOn(uint index) {
         speed = fluid.inversePeriod.w;
     }
     const vec3 after = confine(before.xyz + dt * velocity, velocity);
-    const float way = velocities[slot].w + dt * speed;
+    const float way = velocities[slot].w + dt * fastest;
     positions[slot] = vec4(after, before.w);
     velocities[slot] = vec4(velocity, way);
     enterCell(slot, after, next);
