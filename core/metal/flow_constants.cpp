@@ -18,7 +18,7 @@ constexpr double kArea = 0.1489;
 // The liquid comes to rest at the wall's surface, half a spacing before its first particles: their friction is that
 // much larger. Calibrated on the flow between plates.
 constexpr double kWallFriction = 2.6;
-constexpr double kCourant = 0.512; // longest stable c dt / H
+constexpr double kCourant = 0.585; // longest stable c dt / H
 
 } // namespace
 

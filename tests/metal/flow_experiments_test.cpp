@@ -22,10 +22,10 @@ TEST_CASE("constants follow from the liquid") {
     FlowFluid steel;
     const FlowConstants constants = FlowConstants::of(steel);
     CHECK(constants.soundSpeed == Approx(1.77).epsilon(0.01));
-    CHECK(constants.substeps(1.0 / 90) == 16);
+    CHECK(constants.substeps(1.0 / 90) == 14);
     FlowFluid fine = steel;
     fine.spacing = 0.5e-3;
-    CHECK(FlowConstants::of(fine).substeps(1.0 / 90) < 48);
+    CHECK(FlowConstants::of(fine).substeps(1.0 / 90) < 42);
     CHECK(wettingForAngle(0) == 1);
     CHECK(wettingForAngle(std::numbers::pi) == 0);
     for (double angle = 0; angle < 3.1; angle += 0.1)

@@ -1,0 +1,92 @@
+// Heat, flow and filler together: nothing is lost when metal melts, moves, is fed and freezes.
+#include "core/metal/filler.hpp"
+#include "core/metal/physical_metal.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+namespace meltpool {
+
+namespace {
+
+constexpr float kMm = 1e-3F;
+
+/// A steel plate of 24 x 20 mm, 6 mm thick, its top at y = 0, insulated, its rim clamped.
+PhysicalSetup plate() {
+    PhysicalSetup setup;
+    setup.material = shippedMaterial("s235");
+    setup.lattice = MetalLattice::covering(glm::vec3(-12, -8, -12) * kMm, glm::vec3(12, 8, 12) * kMm, kMm);
+    setup.seeds = latticeSeeds(setup.lattice, glm::vec3(-12, -6, -10) * kMm, glm::vec3(12, 0, 10) * kMm, 293.15F);
+    for (MetalSeed& seed : setup.seeds)
+        if (std::abs(seed.position.x) > 11 * kMm || std::abs(seed.position.z) > 9 * kMm) seed.phase |= PHASE_CLAMPED;
+    setup.fillerRoom = 200;
+    setup.space = {glm::vec3(-12, -8, -12) * kMm, glm::vec3(12, 8, 12) * kMm};
+    setup.pieces.floorHeight = -8 * kMm;
+    setup.heat.ledger = true;
+    return setup;
+}
+
+HeatSource arc() {
+    return HeatSource::gaussian(glm::vec3(0), glm::vec3(0, -1, 0), 2 * kMm, 2500);
+}
+
+double enthalpyOf(const PhysicalMetal& metal, float temperature) {
+    return metal.table().enthalpyAt(static_cast<double>(temperature)) * metal.state().particleMass();
+}
+
+bool allFinite(const PhysicalMetal& metal) {
+    for (const vec4& place : metal.state().position.read<vec4>(metal.state().particles()))
+        if (!std::isfinite(place.x + place.y + place.z + place.w)) return false;
+    return true;
+}
+
+} // namespace
+
+TEST_CASE("an arc's pool takes exactly the arc's energy, flows, is fed and freezes again", "[physical]") {
+    test::context();
+    PhysicalMetal metal(test::shaders(), plate());
+    const double before = metal.state().readEnergy();
+    Filler filler(kMm);
+    const std::vector<HeatSource> burning{arc()};
+    double fed = 0;
+    unsigned mostMoving = 0;
+    for (int frame = 0; frame < 100; ++frame) {
+        const auto drops = filler.feed(0.405e-9, glm::vec3(0, 4, 0) * kMm, glm::vec3(0, -0.3F, 0), 2200);
+        fed += static_cast<double>(drops.size()) * enthalpyOf(metal, 2200);
+        metal.step(burning, drops, nullptr);
+        if (frame % 20 == 19) mostMoving = std::max(mostMoving, metal.flow().readMoving());
+    }
+    const double arcEnergy = 2500 * 100 / 90.0;
+    const double gained = metal.state().readEnergy() - before - fed;
+    CHECK(mostMoving > 60);
+    CHECK(gained == Approx(arcEnergy).epsilon(1e-4));
+    CHECK(filler.fed() == 40);
+    CHECK_FALSE(metal.flow().readFaults().any());
+    for (int frame = 0; frame < 150; ++frame)
+        metal.step({}, {}, nullptr);
+    const double after = metal.state().readEnergy() - before - fed;
+    CHECK(after == Approx(gained).epsilon(1e-4));
+    CHECK(allFinite(metal));
+    CHECK(metal.statistics().particles == plate().seeds.size() + 40);
+    CHECK(metal.flow().readMoving() < mostMoving / 2);
+}
+
+TEST_CASE("two welds alike give the same bits", "[physical]") {
+    test::context();
+    PhysicalMetal metal(test::shaders(), plate());
+    std::uint64_t hashes[2];
+    for (std::uint64_t& hash : hashes) {
+        Filler filler(kMm);
+        for (int frame = 0; frame < 40; ++frame)
+            metal.step(std::vector<HeatSource>{arc()},
+                       filler.feed(0.405e-9, glm::vec3(0, 4, 0) * kMm, glm::vec3(0, -0.3F, 0), 2200), nullptr);
+        hash = metal.stateHash();
+        metal.reset();
+    }
+    CHECK(hashes[0] == hashes[1]);
+}
+
+} // namespace meltpool
