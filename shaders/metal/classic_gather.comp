@@ -9,7 +9,7 @@ layout(std430, binding = CLASSIC_MOVED_POSITIONS) readonly buffer Positions { ve
 layout(std430, binding = CLASSIC_MOVED_VELOCITIES) readonly buffer Velocities { vec4 velocities[]; };
 layout(std430, binding = CLASSIC_MOVED_NUMBERS) readonly buffer Numbers { uint numbers[]; };
 layout(std430, binding = CLASSIC_CELL_SLOTS) readonly buffer Slots { uvec2 slots[]; };
-layout(std430, binding = CLASSIC_CELL_STARTS) readonly buffer Starts { uint starts[]; };
+layout(binding = CLASSIC_START_TEXELS) uniform usamplerBuffer startTexels;
 layout(std430, binding = CLASSIC_CELL_NUMBERS) readonly buffer CellNumbers { uint cellNumbers[]; };
 layout(std430, binding = CLASSIC_SORTED_POSITIONS) writeonly buffer SortedPositions { vec4 sortedPositions[]; };
 layout(std430, binding = CLASSIC_SORTED_VELOCITIES) writeonly buffer SortedVelocities { vec4 sortedVelocities[]; };
@@ -20,7 +20,7 @@ void main() {
     if (i >= now.particles) return;
     const uint cell = slots[i].x;
     const uint number = numbers[i];
-    const uint begin = starts[cell], end = starts[cell + 1];
+    const uint begin = texelFetch(startTexels, int(cell)).x, end = texelFetch(startTexels, int(cell) + 1).x;
     uint target = begin;
     for (uint k = begin; k < end; ++k)
         target += cellNumbers[k] < number ? 1u : 0u;

@@ -50,11 +50,11 @@ vec3 limited(vec3 acceleration) {
 
 /// Puts a particle that left the box back on the wall and throws it back.
 void bounce(inout vec3 place, inout vec3 velocity) {
-    const bvec3 out_ = greaterThan(abs(place), vec3(1));
-    if (!any(out_)) return;
+    const bvec3 beyond = greaterThan(abs(place), vec3(1));
+    if (!any(beyond)) return;
     place = clamp(place, vec3(-1), vec3(1));
     const vec3 back = -now.wallRestitution * velocity;
-    velocity = now.wallSlip != 0u ? mix(velocity, back, out_) : back;
+    velocity = now.wallSlip != 0u ? mix(velocity, back, beyond) : back;
 }
 
 bool isFinite(vec4 v) {

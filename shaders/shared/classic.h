@@ -54,8 +54,8 @@ struct ClassicStep {
     float cellsPerUnit;      // 1 / edge of a cell
     uint particles;
     uint cellsPerAxis;
-    uint cells;
-    uint wallSlip;
+    uint wallSlip;           // 1: a wall reverses only the velocity across it
+    uint reserved;
 };
 
 /// What one chunk of particles adds to the statistics.
