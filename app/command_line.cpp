@@ -22,6 +22,8 @@ constexpr int kBadInput = 2;
 struct Words {
     RunRequest run;
     DesktopOptions desktop;
+    bool headset = false;
+    bool desktopOnly = false;
     std::string suite;
     std::filesystem::path benchJson;
     ValidationRequest validation;
@@ -32,6 +34,11 @@ void addDesktop(CLI::App& app, Words& words) {
     app.add_option("--lesson", words.desktop.lesson, "The window's lesson: a name of the catalogue or a TOML file");
     app.add_option("--telemetry", words.desktop.telemetry, "The window writes what it does here, JSON a line")
         ->type_name("FILE");
+    app.add_option("--record", words.desktop.record, "Write every step of the lesson here, as a torch path")
+        ->type_name("FILE");
+    CLI::Option* wanted =
+        app.add_flag("--headset", words.headset, "Use the headset; end with the reason where there is none");
+    app.add_flag("--desktop", words.desktopOnly, "Look for no headset")->excludes(wanted);
     app.add_flag("--watch-shaders", words.desktop.watchShaders, "Reload changed shaders while the window is open");
 }
 
@@ -66,6 +73,13 @@ void addOthers(CLI::App& app, Words& words) {
     lessons->add_option("LESSON", words.listed, "List what --set can set in this lesson");
 }
 
+DesktopOptions trainerOptions(const Words& words) {
+    DesktopOptions options = words.desktop;
+    if (words.headset) options.headset = HeadsetUse::wanted;
+    if (words.desktopOnly) options.headset = HeadsetUse::off;
+    return options;
+}
+
 int dispatch(const CLI::App& app, const Words& words) {
     if (app.got_subcommand("run"))
         runLesson(words.run);
@@ -78,7 +92,7 @@ int dispatch(const CLI::App& app, const Words& words) {
     else if (app.got_subcommand("lessons"))
         words.listed.empty() ? listLessons() : listParameters(words.listed);
     else
-        runTrainer(words.desktop);
+        runTrainer(trainerOptions(words));
     return kDone;
 }
 

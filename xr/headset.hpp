@@ -47,6 +47,7 @@ class Headset {
     const Session& session() const { return *session_; }
     Input& input() { return *input_; }
     Panel& panel() { return *panel_; }
+    const Panel& panel() const { return *panel_; }
     const EyeTargets& eyes() const { return *targets_; }
     const HeadsetSettings& settings() const { return settings_; }
     bool hasDepthLayer() const { return depth_[0] != nullptr; }

@@ -6,11 +6,20 @@
 
 namespace meltpool {
 
+/// Whether the trainer looks for a headset.
+enum class HeadsetUse {
+    automatic, ///< one is used as soon as there is one
+    wanted,    ///< without one the program ends with the reason
+    off
+};
+
 struct DesktopOptions {
     std::string lesson = "classic";  ///< catalogue name or TOML file
     std::filesystem::path telemetry; ///< where the window writes what it does, one JSON object a line; empty: nowhere
     std::filesystem::path settings;  ///< empty: settings.toml in the user's settings folder
-    bool watchShaders = false;       ///< reload changed shaders in release builds too
+    std::filesystem::path record;    ///< where every step of the lesson goes as a torch path; empty: nowhere
+    HeadsetUse headset = HeadsetUse::automatic;
+    bool watchShaders = false; ///< reload changed shaders in release builds too
 };
 
 /// Why no window can be opened here, as a sentence; empty when one can.

@@ -16,6 +16,8 @@ namespace {
 constexpr double kShortestFrame = 1.0 / 125;
 constexpr double kShaderLookEvery = 0.5;
 constexpr double kPatienceMinimised = 0.1;
+/// How long a headset that was asked for may take to appear, s.
+constexpr double kHeadsetPatience = 15;
 
 ui::Section ownSection(const char* name, ParameterList list) {
     ui::Section section{name, std::move(list), {}};
@@ -55,6 +57,8 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
         keptLesson_.emplace(loadLesson(std::string(kDefaultLesson)));
         keptSections_.emplace(*keptLesson_);
     }
+    if (options_.headset != HeadsetUse::off) headset_.emplace(settingsFolder() / "torch-tip.txt");
+    session_.record(options_.record);
     readSettings();
     window_.resize({windowParameters_.width, windowParameters_.height}, windowParameters_.maximised);
     window_.show();
@@ -65,6 +69,7 @@ std::vector<SettingsSection> DesktopApp::settingsSections() {
     LessonSections& lesson = keptSections_ ? *keptSections_ : session_.sections();
     std::vector<ui::Section*> all = lesson.all();
     all.insert(all.end(), {&windowSection_, &controlSection_, &panelSection_});
+    if (headset_) all.push_back(&headset_->section());
     std::vector<SettingsSection> sections;
     ParameterList kept;
     for (const ui::Section* each : all) {
@@ -100,11 +105,12 @@ void DesktopApp::finish() {
 
 void DesktopApp::frame() {
     const Clock::time_point begin = Clock::now();
-    InputFrame input = window_.poll(window_.minimised() ? kPatienceMinimised : 0);
+    InputFrame input = window_.poll(window_.minimised() && !headsetFrame_ ? kPatienceMinimised : 0);
     const double time = now();
     const double seconds = time - lastFrame_;
     lastFrame_ = time;
-    if (window_.minimised()) return;
+    beginHeadset(seconds);
+    if (window_.minimised() && !headsetFrame_) return;
 
     messages_.expire(time);
     watchShaders();
@@ -114,6 +120,7 @@ void DesktopApp::frame() {
     handleKeys(input);
     profiler_.beginFrame();
     simulate(input, seconds);
+    drawHeadset(seconds);
     drawPicture(seconds);
     ui::Request request = ui::Request::none;
     {
@@ -128,7 +135,31 @@ void DesktopApp::frame() {
     window_.swap();
     act(request);
     window_.captureMouse(session_.running() && controls_.captured());
-    pace(begin);
+    if (!headsetFrame_) pace(begin);
+}
+
+void DesktopApp::beginHeadset(double seconds) {
+    headsetFrame_ = headset_ && headset_->begin(session_, seconds);
+    if (!headset_) return;
+    const HeadsetDesk& desk = headset_->desk();
+    if (options_.headset == HeadsetUse::wanted && desk.openings() == 0 && now() > kHeadsetPatience)
+        throw InputError("there is no headset to use: " + desk.status());
+    window_.waitForDisplay(!headsetFrame_);
+    if (desk.warning().empty())
+        messages_.clear("headset");
+    else
+        messages_.hold(desk.warning(), "headset");
+    // Whoever puts the headset on finds the metal on the table.
+    if (headsetFrame_ && !headsetStarted_ && !session_.running()) startLesson();
+    headsetStarted_ = headsetStarted_ || headsetFrame_;
+}
+
+void DesktopApp::drawHeadset(double seconds) {
+    if (!headsetFrame_) return;
+    const gl::Scope scope(&profiler_, "headset");
+    const ui::Request request = headset_->draw(session_, figures_, seconds, &profiler_);
+    headset_->end();
+    act(request);
 }
 
 void DesktopApp::handleKeys(const InputFrame& input) {
@@ -205,7 +236,9 @@ void DesktopApp::startLesson() {
 void DesktopApp::simulate(const InputFrame& input, double seconds) {
     if (!session_.running()) return;
     controls_.update(input, seconds);
-    session_.advance(controls_, seconds, &profiler_);
+    // The desk takes the torch over by catching the mouse.
+    const HeldTorchAt held = headsetFrame_ && !controls_.captured() ? headset_->torch() : HeldTorchAt{};
+    session_.advance(controls_, seconds, &profiler_, held);
     if (session_.fault().empty())
         messages_.clear("metal");
     else
@@ -229,6 +262,7 @@ void DesktopApp::drawPicture(double seconds) {
         // The metal stays in the middle of what the panels leave free, and glides there.
         const float width = static_cast<float>(std::max(window_.size().x, 1));
         const float wanted = (coveredLeft() - coveredRight()) / width;
+        if (headsetFrame_ && headset_->mirror(pixels)) return;
         shift_ += (wanted - shift_) * std::min(1.0f, static_cast<float>(seconds) * 10);
         session_.draw(controls_, pixels, shift_, &profiler_);
         return;
@@ -257,7 +291,11 @@ ui::Request DesktopApp::drawPanels() {
     ui::statusBar(context, figures_, controls_);
     ui::temperatureScale(context, session_.lesson().look.colours, coveredLeft());
     makeRoom();
-    if (panels_.view) ui::viewMenu(context, {&lesson.view, &lesson.surface, &controlSection_, &windowSection_});
+    if (panels_.view) {
+        std::vector<const ui::Section*> sections{&lesson.view, &lesson.surface, &controlSection_, &windowSection_};
+        if (headset_) sections.push_back(&headset_->section());
+        ui::viewMenu(context, sections);
+    }
     if (panels_.simulation) ui::simulationMenu(context, lesson.simulation, controls_);
     if (panels_.timings) ui::timingsPanel(context, profiler_, figures_, frameSeconds_ * 1000, driver_, panels_.view);
     return request;
@@ -319,7 +357,7 @@ void DesktopApp::tellTelemetry() {
         passes.push_back(pass.name);
     telemetry_.write({session_.running() ? "running" : "start", now(), frames_, session_.steps(), controls_, panels_,
                       figures_, sections, passes, messages_, interface_.context(), window_.size(), window_.pixels(),
-                      screenshot_});
+                      screenshot_, headset_ ? headset_->told() : HeadsetTold{}});
 }
 
 } // namespace meltpool

@@ -8,6 +8,7 @@
 #include "app/desktop/ui/interface.hpp"
 #include "app/desktop/window.hpp"
 #include "app/desktop/window_telemetry.hpp"
+#include "app/headset/headset_station.hpp"
 
 #include <chrono>
 #include <optional>
@@ -41,6 +42,8 @@ class DesktopApp {
     void handleKeys(const InputFrame& input);
     void act(ui::Request request);
     void startLesson();
+    void beginHeadset(double seconds);
+    void drawHeadset(double seconds);
     void simulate(const InputFrame& input, double seconds);
     void drawPicture(double seconds);
     float coveredLeft();
@@ -68,6 +71,7 @@ class DesktopApp {
     ui::Interface interface_;
     gl::ShaderLibrary shaders_;
     Session session_;
+    std::optional<HeadsetStation> headset_;
     gl::Profiler profiler_;
     /// Where the kept values of the ordinary lesson live while another one runs.
     std::optional<Lesson> keptLesson_;
@@ -81,6 +85,8 @@ class DesktopApp {
     std::string driver_;
     bool pictureAsked_ = false;
     bool timingsAreNewer_ = false; ///< if both panels at the left are open in the next frame
+    bool headsetFrame_ = false;    ///< the headset paces this frame
+    bool headsetStarted_ = false;  ///< the lesson was begun for it
     double lastFrame_ = 0;
     double frameSeconds_ = 0;
     double nextShaderLook_ = 0;

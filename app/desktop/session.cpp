@@ -73,9 +73,15 @@ void Session::begin(Controls& controls) {
     controls.placeCamera(OrbitCamera(glm::radians(camera.azimuth), glm::radians(camera.elevation), camera.distance));
     controls.lens.fieldOfView = glm::radians(camera.fieldOfView);
     trainer_ = std::make_unique<Trainer>(shaders_, lesson_);
+    if (!record_.empty()) trainer_->record(record_);
     clock_.restart();
     fault_.clear();
     surfaceIsOld_ = true;
+}
+
+void Session::record(const std::filesystem::path& file) {
+    record_ = file;
+    if (running()) trainer_->record(record_);
 }
 
 void Session::reset(Controls& controls) {
@@ -98,17 +104,18 @@ bool Session::takeOverChanges(const Controls& controls) {
     return changed;
 }
 
-void Session::advance(const Controls& controls, double seconds, gl::Profiler* profiler) {
+void Session::advance(const Controls& controls, double seconds, gl::Profiler* profiler, const HeldTorchAt& held) {
     if (!running()) return;
     surfaceIsOld_ |= takeOverChanges(controls);
-    if (controls.mode() == Mode::view || !fault_.empty()) {
+    held_ = static_cast<bool>(held);
+    if ((controls.mode() == Mode::view && !held_) || !fault_.empty()) {
         clock_.restart();
         return;
     }
-    const TorchSample torch = torchOf(controls.source());
     try {
-        for (int due = clock_.due(seconds, trainer_->timeStep()); due > 0; --due) {
-            trainer_->advance(torch, profiler);
+        const int due = clock_.due(seconds, trainer_->timeStep());
+        for (int step = 0; step < due; ++step) {
+            trainer_->advance(held_ ? held(step, due) : torchOf(controls.source()), profiler);
             surfaceIsOld_ = true;
         }
     } catch (const RuntimeFault& fault) {
@@ -116,16 +123,31 @@ void Session::advance(const Controls& controls, double seconds, gl::Profiler* pr
     }
 }
 
-void Session::draw(const Controls& controls, glm::ivec2 pixels, float shift, gl::Profiler* profiler) {
+SceneView Session::scene(gl::Profiler* profiler) {
+    if (!running()) return {};
     if (surfaceIsOld_ && lesson_.look.mode != kPointsMode) {
         trainer_->updateSurface(profiler);
         surfaceIsOld_ = false;
     }
-    SceneView scene = trainer_->scene();
-    const SteeredSource& source = controls.source();
-    scene.source.position = source.position();
-    scene.source.on = source.on();
-    scene.source.cold = source.cold();
+    return trainer_->scene();
+}
+
+float Session::unit() const {
+    return kClassicUnit;
+}
+
+float Session::bottom() const {
+    return running() ? trainer_->scene().boxMin.y * unit() : 0.0f;
+}
+
+void Session::draw(const Controls& controls, glm::ivec2 pixels, float shift, gl::Profiler* profiler) {
+    SceneView scene = this->scene(profiler);
+    if (!held_) {
+        const SteeredSource& source = controls.source();
+        scene.source.position = source.position();
+        scene.source.on = source.on();
+        scene.source.cold = source.cold();
+    }
     const float aspect = static_cast<float>(pixels.x) / static_cast<float>(std::max(pixels.y, 1));
     std::array<View, 1> views{controls.view(aspect)};
     views[0].eyeToClip[2][0] -= shift; // clip x over w, and w is -z in the eye

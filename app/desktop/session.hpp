@@ -7,6 +7,8 @@
 #include "core/render/renderer.hpp"
 #include "core/training/trainer.hpp"
 
+#include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -30,6 +32,9 @@ struct LessonSections {
 /// The lesson of a catalogue name or TOML file. Throws InputError when it cannot be used.
 Lesson loadLesson(const std::string& name);
 
+/// The torch that something else than the mouse leads: the sample for step `step` (from 0) of the `steps` of a frame.
+using HeldTorchAt = std::function<TorchSample(int step, int steps)>;
+
 class Session {
   public:
     /// Throws InputError when the shaders cannot be used.
@@ -45,10 +50,20 @@ class Session {
     void end() { trainer_.reset(); }
     bool running() const { return trainer_ != nullptr; }
 
-    /// Runs the steps that `seconds` of real time ask for, none while the person looks around.
-    void advance(const Controls& controls, double seconds, gl::Profiler* profiler);
+    /// Runs the steps that `seconds` of real time ask for. With `held` that leads the torch; else the controls do, and
+    /// nothing runs while the person looks around.
+    void advance(const Controls& controls, double seconds, gl::Profiler* profiler, const HeldTorchAt& held = {});
     /// `shift`: how far right of the window's middle the picture's middle is, as a share of half its width.
     void draw(const Controls& controls, glm::ivec2 pixels, float shift, gl::Profiler* profiler);
+
+    /// The world as it is now, the surface brought up to date; without a running lesson an empty one.
+    SceneView scene(gl::Profiler* profiler);
+    Renderer& renderer() { return renderer_; }
+    /// Metres of a unit of the scene's model, and the lowest place of the workpiece in its own frame, m.
+    float unit() const;
+    float bottom() const;
+    /// From the next start on, and from now on where a lesson runs, every step is written to `file`.
+    void record(const std::filesystem::path& file);
 
     /// The fault that stopped the metal; empty while all is well.
     const std::string& fault() const { return fault_; }
@@ -69,6 +84,8 @@ class Session {
     StepClock clock_;
     std::string fault_;
     bool surfaceIsOld_ = true;
+    bool held_ = false; ///< the last step's torch was not the mouse's
+    std::filesystem::path record_;
 };
 
 } // namespace meltpool

@@ -146,6 +146,12 @@ void Window::show() {
     glfwFocusWindow(window_);
 }
 
+void Window::waitForDisplay(bool wait) {
+    if (wait == waits_) return;
+    waits_ = wait;
+    glfwSwapInterval(wait ? 1 : 0);
+}
+
 void Window::swap() {
     glfwSwapBuffers(window_);
 }

@@ -28,6 +28,8 @@ class Window {
     Window& operator=(const Window&) = delete;
 
     void resize(glm::ivec2 size, bool maximised);
+    /// swap() waits for the display (as at first), or not: while something else paces the frames.
+    void waitForDisplay(bool wait);
     void show();
     void swap();
     /// Reads what happened since the last call; waits up to `patience` seconds for something to happen.
@@ -70,6 +72,7 @@ class Window {
     glm::dvec2 mouse_{0};
     bool mouseKnown_ = false;
     bool captured_ = false;
+    bool waits_ = true;
     bool fullScreen_ = false;
     glm::ivec2 normalSize_{1280, 720};
     glm::ivec2 normalPlace_{0};

@@ -46,6 +46,14 @@ json places(const ui::Context& context) {
     return all;
 }
 
+json headset(const HeadsetTold& told) {
+    json places = json::object();
+    for (const auto& [name, place] : told.places)
+        places[name] = {place.x, place.y, place.width, place.height};
+    return {{"state", told.state}, {"warning", told.warning}, {"openings", told.openings}, {"tracked", told.tracked},
+            {"panel", told.panel}, {"busy_ms", told.busyMs},  {"places", places}};
+}
+
 json messageTexts(const Messages& messages) {
     json all = json::array();
     for (const Message& message : messages.shown())
@@ -93,6 +101,7 @@ void WindowTelemetry::write(const TelemetryRow& row) {
         {"messages", messageTexts(row.messages)},
         {"places", places(row.context)},
         {"screenshot", row.screenshot},
+        {"headset", headset(row.headset)},
     };
     // Bytes of a message need not be UTF-8 (a path, a driver's log); they are replaced, not refused.
     file_ << object.dump(-1, ' ', false, json::error_handler_t::replace) << std::endl;

@@ -7,10 +7,22 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <string>
 #include <vector>
 
 namespace meltpool {
+
+/// What the headset does; as at first where none is looked for.
+struct HeadsetTold {
+    std::string state = "off"; ///< "searching", "asleep", "running", "ended"
+    std::string warning;
+    int openings = 0;
+    bool tracked = false; ///< the torch's hand
+    bool panel = false;
+    double busyMs = 0;                       ///< CPU time of the last headset frame without the runtime's waiting
+    std::map<std::string, ui::Place> places; ///< controls on the panel, its pixels
+};
 
 /// Everything a row is made of; borrowed for the call.
 struct TelemetryRow {
@@ -28,6 +40,7 @@ struct TelemetryRow {
     glm::ivec2 size{0};     ///< window, points
     glm::ivec2 pixels{0};   ///< frame buffer
     std::string screenshot; ///< the last picture saved
+    HeadsetTold headset;
 };
 
 class WindowTelemetry {

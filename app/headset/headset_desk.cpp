@@ -65,8 +65,70 @@ void HeadsetDesk::readHands(double elapsed) {
     for (const xr::Hand hand : {xr::Hand::left, xr::Hand::right})
         recentreAsked_ = recentreAsked_ || headset.input().hand(hand).recentre;
     placeWorkshop();
+    placePanel();
+    point();
     torch_.update(headset.input().hand(torchHand_), calibration_, workshop_, elapsed);
+    const xr::HandInput& other = headset.input().hand(torchHand_ == xr::Hand::right ? xr::Hand::left : xr::Hand::right);
+    rod_ = other.tracked ? std::optional(workshop_.toWorkshop(other.grip)) : std::nullopt;
+    // A hand that works on the panel does not weld.
+    if (pointing_) torch_.release();
     visor_.update(torch_.trigger() > 0, elapsed);
+}
+
+void HeadsetDesk::placePanel() {
+    const xr::Input& input = link_.headset()->input();
+    for (const xr::Hand hand : {xr::Hand::left, xr::Hand::right}) {
+        if (!input.hand(hand).menu) continue;
+        panelOpen_ = !panelOpen_;
+        pointingHand_ = hand;
+    }
+}
+
+xr::Pose HeadsetDesk::panelPose() const {
+    // Beside and behind the workpiece, away from the torch's hand, turned to where the person stands.
+    const float side = torchHand_ == xr::Hand::right ? -1.0f : 1.0f;
+    return {glm::angleAxis(-side * 0.48f, glm::vec3(0, 1, 0)) * glm::angleAxis(-0.2f, glm::vec3(1, 0, 0)),
+            {side * 0.42f, parameters_.tableHeight + 0.45f, -0.35f}};
+}
+
+void HeadsetDesk::point() {
+    pointer_ = {};
+    pointing_ = false;
+    if (!panelOpen_) return;
+    const xr::Hand other = pointingHand_ == xr::Hand::left ? xr::Hand::right : xr::Hand::left;
+    // The other hand takes over by pulling its trigger at the panel.
+    if (pointWith(other) && pointer_.pressed)
+        pointingHand_ = other;
+    else
+        pointWith(pointingHand_);
+    pointing_ = pointer_.place.has_value() && pointingHand_ == torchHand_;
+}
+
+bool HeadsetDesk::pointWith(xr::Hand which) {
+    pointer_ = {};
+    const xr::PanelShape shape = panelShape();
+    const xr::HandInput& hand = link_.headset()->input().hand(which);
+    if (!hand.tracked) return false;
+    const xr::Pose panel = panelPose();
+    pointingRay_ = workshop_.toWorkshop(hand.aim);
+    const std::optional<glm::vec2> place = xr::pointOnPanel(pointingRay_, panel, shape);
+    if (!place) return false;
+    pointer_ = {place, hand.trigger > 0.5f, hand.scrollY * 0.3f};
+    const float metres = shape.width / static_cast<float>(shape.widthPixels);
+    const glm::vec2 middle(float(shape.widthPixels) / 2, float(shape.heightPixels) / 2);
+    const glm::vec2 local = (*place - middle) * metres;
+    pointedAt_ = panel * glm::vec3(local.x, -local.y, 0.002f);
+    return true;
+}
+
+void HeadsetDesk::showPanel(const std::function<void(GLuint, const PanelPointer&)>& fill) {
+    if (!panelShown()) return;
+    guarded([&] {
+        xr::Panel& panel = link_.headset()->panel();
+        fill(panel.framebuffer(), pointer_);
+        panel.handOver();
+        link_.headset()->showPanel(workshop_.toSession(panelPose()));
+    });
 }
 
 void HeadsetDesk::placeWorkshop() {
@@ -99,6 +161,11 @@ void HeadsetDesk::drawEyes(Renderer& renderer, const LessonInSight& lesson, cons
     hands.tip = torch_.tip();
     hands.grip = torch_.grip();
     hands.heat = torch_.trigger();
+    if (!panelOpen_) hands.rod = rod_;
+    if (pointer_.place) {
+        hands.rayStart = pointingRay_.position;
+        hands.rayEnd = pointedAt_;
+    }
     SceneView scene = *lesson.scene;
     scene.modelToWorld = place_.modelToWorkshop(lesson.unit) * scene.modelToWorld;
     scene.solids = scene_.build(parameters_, hands);

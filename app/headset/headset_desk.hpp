@@ -2,6 +2,7 @@
 // in use.
 #pragma once
 
+#include "app/headset/headset_panel.hpp"
 #include "app/headset/held_torch.hpp"
 #include "app/headset/visor.hpp"
 #include "app/headset/workshop_scene.hpp"
@@ -33,13 +34,24 @@ class HeadsetDesk {
     /// `bottom`: lowest place of the workpiece in its frame, m. `elapsed`: real seconds since the last call.
     bool begin(float bottom, double elapsed);
 
-    /// The hand leads the torch: it is tracked, or was until now (then the arc is out).
-    bool leadsTorch() const { return inFrame_ && torch_.known() && !pointing_; }
+    /// The hand leads the torch: it is tracked, or was until it got lost (then the arc is out).
+    bool leadsTorch() const { return inFrame_ && torch_.known(); }
+    const HeldTorch& heldTorch() const { return torch_; }
+    /// The other hand, which holds the filler rod: its grip in the workshop; nothing while it is not tracked.
+    const std::optional<xr::Pose>& rod() const { return rod_; }
     /// The torch for step `step` of the `steps` of this frame, in the workpiece's frame.
     TorchSample torch(int step, int steps) const { return torch_.sample(place_, step, steps); }
 
+    bool inFrame() const { return inFrame_; }
+
     /// Both eyes, the visor's shade and the hands' vibration.
     void draw(Renderer& renderer, const LessonInSight& lesson, gl::Profiler* profiler);
+    /// The panel is open. Its menu button opens it beside the workpiece and closes it.
+    bool panelOpen() const { return panelOpen_; }
+    bool panelShown() const { return inFrame_ && panelOpen_; }
+    xr::PanelShape panelShape() const { return link_.headset()->panel().shape(); }
+    /// Between draw() and end(): lets `fill` draw the panel's picture and shows it.
+    void showPanel(const std::function<void(GLuint framebuffer, const PanelPointer& pointer)>& fill);
     /// Hands the frame to the runtime.
     void end();
 
@@ -64,6 +76,10 @@ class HeadsetDesk {
 
     void readHands(double elapsed);
     void placeWorkshop();
+    void placePanel();
+    void point();
+    bool pointWith(xr::Hand which);
+    xr::Pose panelPose() const; ///< in the workshop
     void drawEyes(Renderer& renderer, const LessonInSight& lesson, const xr::BothEyes& eyes, gl::Profiler* profiler);
     void vibrate();
     void guarded(const std::function<void()>& work);
@@ -74,6 +90,7 @@ class HeadsetDesk {
     Workshop workshop_;
     WorkpiecePlace place_;
     HeldTorch torch_;
+    std::optional<xr::Pose> rod_;
     Visor visor_;
     WorkshopScene scene_;
     xr::FrameTiming timing_;
@@ -82,6 +99,11 @@ class HeadsetDesk {
     bool drawn_ = false;
     bool pointing_ = false;
     bool recentreAsked_ = false;
+    bool panelOpen_ = false;
+    xr::Hand pointingHand_ = xr::Hand::right; ///< opened the panel, or pulled its trigger at it last
+    PanelPointer pointer_;
+    xr::Pose pointingRay_; ///< of the hand that points at the panel, in the workshop
+    glm::vec3 pointedAt_{0.0f};
     double busy_ = 0;
     double time_ = 0;
 };

@@ -7,6 +7,7 @@ namespace meltpool {
 namespace {
 
 constexpr std::array<std::string_view, 2> kHands{"right", "left"};
+constexpr std::array<std::string_view, 2> kDeskViews{"trainee", "camera"};
 constexpr std::array<std::string_view, 2> kPostures{"standing", "seated"};
 
 } // namespace
@@ -30,6 +31,8 @@ ParameterList describe(HeadsetParameters& p) {
          true},
         {"visor", "Visor", "", &p.visor, 0, 1, "darkens the view while the heat is on"},
         {"visor_shade", "Visor's shade", "", &p.visorShade, 0.02, 1, "light that the dark visor lets through"},
+        {"desk_view", "The window shows", "", &p.deskView, 0, 1,
+         "the trainee's left eye, or a camera of the desk's own", kDeskViews},
         {"haptic_strength", "Vibration", "", &p.hapticStrength, 0, 1, "0: none"},
     };
 }

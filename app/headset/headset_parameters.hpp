@@ -8,6 +8,7 @@ namespace meltpool {
 struct HeadsetParameters {
     enum TorchHand { kRight, kLeft };
     enum Posture { kStanding, kSeated };
+    enum DeskView { kTrainee, kCamera };
 
     int hand = kRight;            ///< TorchHand
     int posture = kStanding;      ///< Posture
@@ -17,6 +18,7 @@ struct HeadsetParameters {
     int samples = 4;              ///< for each pixel
     bool visor = true;            ///< darkens while the heat is on
     float visorShade = 0.25f;     ///< share of the light that the dark visor lets through
+    int deskView = kTrainee;      ///< DeskView: what the window shows while the headset is in use
     float hapticStrength = 1.0f;  ///< factor on every vibration
 };
 

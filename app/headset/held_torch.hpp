@@ -19,6 +19,8 @@ class HeldTorch {
                 double elapsed);
     /// The headset is gone: as a lost hand.
     void lose() { tracked_ = false; }
+    /// The trigger is for something else in this frame.
+    void release() { trigger_ = 0; }
 
     bool tracked() const { return tracked_; }
     /// It was held at least once.

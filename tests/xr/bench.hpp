@@ -31,8 +31,8 @@ Image shownEye(const Image& screen, int eye);
 /// Writes the picture into the folder $MELTPOOL_XR_PICTURES where that is set, to be looked at.
 void keepPicture(const Image& image, const std::string& name);
 
-/// The validation layer's complaints since the last call, one a line; the layer watches every instance of a test program that links
-/// this. Throws RuntimeFault when the layer did not run.
+/// The validation layer's complaints since the last call, one a line; the layer watches every instance of a test
+/// program that links this. Throws RuntimeFault when the layer did not run.
 std::string misuses();
 
 /// Steps frames of a headset: poll, wait, input, draw. `draw` may be empty: an empty frame. Answers the frame's timing.

@@ -11,6 +11,7 @@
 # PROGRAM sees: DISPLAY (an X server of its own, where the compositor shows both eyes), XR_RUNTIME_JSON and
 #   MELTPOOL_XR_PORT   loopback TCP port of Monado's remote driver (tests/xr/remote_driver.hpp writes to it)
 #   MELTPOOL_XR_BENCH  folder of this run: service.pid, service.log
+#   MELTPOOL_XR_LAUNCH what stands before a program that PROGRAM starts itself
 # When the service dies (a test may kill it) it is started again after MELTPOOL_XR_RESTART_DELAY seconds (2).
 # MELTPOOL_XR_KEEP names a folder that gets the logs. Exit status 77: no runtime to be had; with CI set that is a failure (1) instead.
 set -u
@@ -98,7 +99,7 @@ startService() {
     : >"$run/service.log"
     # A killed service leaves its socket behind, and the next one refuses to start over it.
     rm -f "$XDG_RUNTIME_DIR"/monado_comp_ipc "$XDG_RUNTIME_DIR"/monado.pid
-    XRT_LOG=info setpriv --pdeathsig KILL "${launch[@]}" "$service" </dev/null >>"$run/service.log" 2>&1 &
+    XRT_LOG=info setpriv --pdeathsig KILL ${launch[@]+"${launch[@]}"} "$service" </dev/null >>"$run/service.log" 2>&1 &
     service_pid=$!
     disown # the shell need not tell when a test kills it
     echo "$service_pid" >"$run/service.pid"
@@ -138,6 +139,9 @@ mkdir -m 700 "$XDG_RUNTIME_DIR"
 mkdir -p "$XDG_CONFIG_HOME/monado"
 MELTPOOL_XR_PORT=$(freePort)
 export MELTPOOL_XR_PORT MELTPOOL_XR_BENCH=$run
+# For programs that PROGRAM starts itself, one word a line.
+MELTPOOL_XR_LAUNCH=$(printf '%s\n' ${launch[@]+"${launch[@]}"})
+export MELTPOOL_XR_LAUNCH
 echo "{\"active\": \"remote\", \"remote\": {\"version\": 0, \"port\": $MELTPOOL_XR_PORT, \"view_count\": 2}}" >"$XDG_CONFIG_HOME/monado/config_v0.json"
 export XRT_NO_STDIN=1 P_OVERRIDE_ACTIVE_CONFIG=remote XRT_COMPOSITOR_FORCE_XCB=1
 export XRT_COMPOSITOR_SCALE_PERCENTAGE=${XRT_COMPOSITOR_SCALE_PERCENTAGE:-70}
@@ -147,7 +151,7 @@ startService
 data=$(dirname "$(readlink -f "$1")")/../share/meltpool
 [ -d "$data" ] && export MELTPOOL_DATA=${MELTPOOL_DATA:-$data}
 # The runtime's library talks a lot on standard error; it is shown where the program failed.
-setpriv --pdeathsig TERM "${launch[@]}" "$@" </dev/null 2>"$run/stderr.log" &
+setpriv --pdeathsig TERM ${launch[@]+"${launch[@]}"} "$@" </dev/null 2>"$run/stderr.log" &
 program_pid=$!
 while kill -0 "$program_pid" 2>/dev/null; do
     if ! kill -0 "$service_pid" 2>/dev/null; then

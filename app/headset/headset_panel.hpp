@@ -1,0 +1,43 @@
+// The desk's menus in the headset: a Dear ImGui of its own, drawn into the panel in space and used by a pointer's ray.
+#pragma once
+
+#include "app/desktop/ui/panels.hpp"
+
+#include <glm/vec2.hpp>
+
+#include <functional>
+#include <optional>
+
+struct ImGuiContext;
+
+namespace meltpool {
+
+/// What the pointer does on the panel.
+struct PanelPointer {
+    std::optional<glm::vec2> place; ///< pixels from the top left corner; nothing: it points elsewhere
+    bool pressed = false;
+    float scroll = 0; ///< lines, up is positive
+};
+
+class HeadsetPanel {
+  public:
+    HeadsetPanel(int width, int height);
+    ~HeadsetPanel();
+    HeadsetPanel(const HeadsetPanel&) = delete;
+    HeadsetPanel& operator=(const HeadsetPanel&) = delete;
+
+    /// Draws what `content` puts into one window that fills the panel, into `framebuffer`. Dear ImGui's current context
+    /// is the window's again afterwards.
+    void draw(GLuint framebuffer, const PanelPointer& pointer, double elapsed,
+              const std::function<void(ui::Context&)>& content);
+    /// Where the controls are, in the panel's pixels.
+    const ui::Context& context() const { return context_; }
+
+  private:
+    int width_;
+    int height_;
+    ImGuiContext* imgui_ = nullptr;
+    ui::Context context_;
+};
+
+} // namespace meltpool

@@ -1,0 +1,104 @@
+#include "app/headset/headset_station.hpp"
+
+#include <array>
+#include <cstdio>
+
+namespace meltpool {
+
+namespace {
+
+ui::Section sectionOf(HeadsetParameters& parameters) {
+    ui::Section made{"headset", describe(parameters), {}};
+    made.defaults = ui::defaultTexts(made.parameters);
+    return made;
+}
+
+std::string figuresText(const ui::Figures& figures) {
+    std::array<char, 128> text{};
+    const double share = figures.particles > 0 ? 100.0 * double(figures.molten) / double(figures.particles) : 0;
+    std::snprintf(text.data(), text.size(), "%.1f s   \xC2\xB7   %.1f %% molten   \xC2\xB7   hottest %.2f",
+                  figures.time, share, figures.hottest);
+    return text.data();
+}
+
+void drawParameters(ui::Context& context, const ui::Section& section) {
+    for (const Parameter& parameter : section.parameters)
+        if (!parameter.onlyAtStart) ui::parameterControl(context, section.name, parameter, section.defaults);
+}
+
+} // namespace
+
+HeadsetStation::HeadsetStation(std::filesystem::path calibration)
+    : section_(sectionOf(parameters_)), desk_(parameters_, std::move(calibration)) {}
+
+HeldTorchAt HeadsetStation::torch() const {
+    if (!desk_.leadsTorch()) return {};
+    return [this](int step, int steps) { return desk_.torch(step, steps); };
+}
+
+ui::Request HeadsetStation::draw(Session& session, const ui::Figures& figures, double elapsed, gl::Profiler* profiler) {
+    if (!desk_.inFrame()) return ui::Request::none;
+    const SceneView scene = session.scene(profiler);
+    desk_.draw(session.renderer(), {&scene, &session.lesson().look, session.unit()}, profiler);
+    return desk_.panelShown() ? drawPanel(session, figures, elapsed) : ui::Request::none;
+}
+
+ui::Request HeadsetStation::drawPanel(Session& session, const ui::Figures& figures, double elapsed) {
+    const xr::PanelShape shape = desk_.panelShape();
+    if (panel_ == nullptr) panel_ = std::make_unique<HeadsetPanel>(shape.widthPixels, shape.heightPixels);
+    ui::Request request = ui::Request::none;
+    desk_.showPanel([&](GLuint framebuffer, const PanelPointer& pointer) {
+        panel_->draw(framebuffer, pointer, elapsed,
+                     [&](ui::Context& context) { request = panelContent(context, session, figures); });
+    });
+    return request;
+}
+
+ui::Request HeadsetStation::panelContent(ui::Context& context, Session& session, const ui::Figures& figures) {
+    ui::Request request = ui::Request::none;
+    ui::strongText(context, session.lesson().title);
+    ui::quietText(context, session.running() ? figuresText(figures) : session.lesson().text);
+    if (!desk_.warning().empty()) ui::quietText(context, desk_.warning());
+    ImGui::Dummy({0, context.points(4)});
+    if (!session.running()) {
+        if (ui::button(context, "headset.start", "Start the lesson", ui::ButtonKind::main))
+            request = ui::Request::start;
+    } else {
+        if (ui::button(context, "headset.reset", "Reset", ui::ButtonKind::plain, 90)) request = ui::Request::reset;
+        ImGui::SameLine();
+        if (ui::button(context, "headset.restart", "Start menu", ui::ButtonKind::plain, 110))
+            request = ui::Request::restart;
+        ImGui::SameLine();
+    }
+    if (ui::button(context, "headset.recentre", "Workshop here", ui::ButtonKind::plain, 140)) desk_.recentre();
+    ImGui::Dummy({0, context.points(4)});
+    static constexpr std::array<std::string_view, 3> kPages{"headset", "simulation", "view"};
+    ui::choiceRow(context, "headset.page", kPages, page_);
+    if (page_ == 0) drawParameters(context, section_);
+    if (page_ == 1) drawParameters(context, session.sections().simulation);
+    if (page_ == 2) {
+        drawParameters(context, session.sections().view);
+        drawParameters(context, session.sections().surface);
+    }
+    return request;
+}
+
+bool HeadsetStation::mirror(glm::ivec2 pixels) const {
+    if (parameters_.deskView != HeadsetParameters::kTrainee) return false;
+    return desk_.mirror(0, {0, 0, pixels.x, pixels.y});
+}
+
+HeadsetTold HeadsetStation::told() const {
+    static constexpr std::array<const char*, 4> kStates{"searching", "asleep", "running", "ended"};
+    HeadsetTold told;
+    told.state = kStates[static_cast<size_t>(desk_.state())];
+    told.warning = desk_.warning();
+    told.openings = desk_.openings();
+    told.tracked = desk_.heldTorch().tracked();
+    told.panel = desk_.panelOpen();
+    told.busyMs = desk_.busySeconds() * 1000;
+    if (panel_ != nullptr) told.places = panel_->context().places;
+    return told;
+}
+
+} // namespace meltpool

@@ -1,0 +1,46 @@
+// The real program in a process of its own on the test bench, watched through the telemetry that its window writes.
+#pragma once
+
+#include "tests/xr/bench.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace meltpool::test {
+
+class TrainerProcess {
+  public:
+    /// Starts `meltpool ARGUMENTS --telemetry ...` with settings of its own (small pictures, so that a software driver
+    /// keeps up).
+    TrainerProcess(std::filesystem::path folder, std::vector<std::string> arguments);
+    ~TrainerProcess();
+    TrainerProcess(const TrainerProcess&) = delete;
+    TrainerProcess& operator=(const TrainerProcess&) = delete;
+
+    /// The newest row of the telemetry; empty until there is one.
+    nlohmann::json now();
+    /// Every row so far.
+    std::vector<nlohmann::json> rows();
+    /// Looks 20 times a second until `done(row)`, for at most `seconds`; `meanwhile` runs before each look.
+    bool waitFor(const std::function<bool(const nlohmann::json&)>& done, double seconds,
+                 const std::function<void()>& meanwhile = {});
+    /// Asks the program to end as Ctrl+C does; its exit status.
+    int stop();
+    bool alive();
+    /// What the validation layer wrote about the program.
+    std::string misuses() const;
+
+  private:
+    std::filesystem::path folder_;
+    int pid_ = -1;
+    int status_ = -1;
+};
+
+/// Runs `meltpool ARGUMENTS` to its end; the exit status.
+int runTrainer(const std::vector<std::string>& arguments);
+
+} // namespace meltpool::test
