@@ -114,6 +114,12 @@ std::vector<std::string> lastRow(const fs::path& csv) {
     return cells;
 }
 
+/// Waits until the window has gone on by so many frames, however slow this machine draws them.
+void passFrames(TrainerProcess& trainer, long long count) {
+    const long long from = trainer.now()["frame"];
+    CHECK(trainer.waitFor([&](const json& row) { return row["frame"] >= from + count; }, 20));
+}
+
 /// The count of steps fell somewhere along the rows.
 bool wasReset(const std::vector<json>& rows) {
     for (size_t i = 1; i < rows.size(); ++i)
@@ -267,17 +273,18 @@ TEST_CASE("the panel opens, a button is pressed with the pointer's ray, and the 
     const glm::vec3 target = panel * glm::vec3((x - 450) / 1500, (550 - y) / 1500, 0) + toRoom;
     const glm::vec3 from = panel * glm::vec3(0.1f, -0.1f, 0.5f) + toRoom;
     trainee.point(from, target, 0.0f);
-    sleepFor(0.4);
+    passFrames(trainer, 4);
     keepPicture(screenshot(), "panel.png");
     trainee.point(from, target, 1.0f);
-    sleepFor(0.6);
+    passFrames(trainer, 4);
     trainee.point(from, target, 0.0f);
+    passFrames(trainer, 4);
     CHECK(trainer.waitFor([&](const json&) { return wasReset(trainer.rows()); }, 8));
 
     trainee.state.hands[0].thumbstickClick = true;
     trainee.state.head.position = {0.5f, 1.5f, 0.3f};
     trainee.driver.send(trainee.state);
-    sleepFor(0.3);
+    passFrames(trainer, 4);
     keepPicture(screenshot(), "recentred.png");
     CHECK(trainer.alive());
     CHECK(trainer.stop() == 0);
