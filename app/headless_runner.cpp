@@ -56,7 +56,9 @@ class Photographer {
     void take(Trainer& trainer, const PictureLook& picture) {
         const float aspect = static_cast<float>(target_.width()) / static_cast<float>(target_.height());
         const View view = viewOf(trainer.lesson().camera, aspect);
-        renderer_.draw(trainer.scene(), picture.look, {&view, 1}, target_.target(), nullptr);
+        SceneView scene = trainer.scene();
+        if (!picture.look.showSource) scene.solids = {}; // the torch is the source of a weld
+        renderer_.draw(scene, picture.look, {&view, 1}, target_.target(), nullptr);
         try {
             writePng(folder_ / runPictureName(trainer.time(), picture.name), target_.read());
         } catch (const InputError& error) {

@@ -2,6 +2,7 @@
 
 #include "core/surface/surface_level.hpp"
 #include "core/training/lesson.hpp"
+#include "core/weld/torch_solids.hpp"
 
 #include <glm/ext/matrix_transform.hpp>
 
@@ -60,10 +61,8 @@ SceneView WeldModel::scene(const TorchSample& torch) const {
     scene.boxMin = workpiece_.low;
     scene.boxMax = workpiece_.high;
     scene.cubeWidth = kWorldUnit;
-    scene.source.shown = true;
-    scene.source.position = torch.tip;
-    scene.source.size = 0.002F;
-    scene.source.on = torch.trigger > 0;
+    buildTorchSolids(torchSolids_, torch, static_cast<ProcessKind>(process_.parameters.kind), scene.modelToWorld);
+    scene.solids = torchSolids_;
     scene.temperature = {kRoomTemperature, kColourTop, true, static_cast<float>(material_.solidus),
                          static_cast<float>(material_.liquidus)};
     scene.looks = &material_.looks;

@@ -17,6 +17,7 @@ class WeldModel : public MetalModel {
     void step(const TorchSample& torch, gl::Profiler* profiler) override;
     double timeStep() const override { return static_cast<double>(metal_.timeStep()); }
     ParticleView particles() const override { return metal_.particles(); }
+    /// The torch's solids in it are lent until the next call.
     SceneView scene(const TorchSample& torch) const override;
     void prepare(Surface& surface) const override;
     MetalStatistics statistics() override { return metal_.statistics(); }
@@ -32,6 +33,7 @@ class WeldModel : public MetalModel {
     Workpiece workpiece_;
     PhysicalMetal metal_;
     WeldProcess process_;
+    mutable std::vector<Solid> torchSolids_; ///< those that the last scene() lends
 };
 
 } // namespace meltpool
