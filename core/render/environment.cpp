@@ -42,6 +42,7 @@ gl::Texture paintWorkshop(gl::ShaderLibrary& shaders, int size) {
     gl::Texture light = makeCube("workshop light", GL_RGBA16F, size, levelsOf(size));
     const gl::Program& paint = shaders.load({"render/screen.vert", "render/workshop.frag"});
     paint.set("texel", 2.0f / static_cast<float>(size));
+    paint.set("rays", 2); // the shader places them for two
     paintFaces(paint, light, 0);
     glGenerateTextureMipmap(light.name());
     return light;

@@ -35,8 +35,8 @@ MaterialData presetBase(MaterialLook look) {
                 .heat = {},
                 .absorb = {}};
     case kWax:
-        return {.solid = {0.93f, 0.81f, 0.58f, 0.04f},
-                .liquid = {0.80f, 0.50f, 0.16f, 0.04f},
+        return {.solid = {0.90f, 0.79f, 0.57f, 0.04f},
+                .liquid = {0.92f, 0.63f, 0.24f, 0.04f},
                 .mirror = {1.0f, 1.0f, 1.0f, kWaxIndex},
                 .glint = {},
                 .heat = {},

@@ -56,7 +56,7 @@ void main() {
     body = mix(body, white * 1.1, frost);
 
     vec3 mirrored = reflect(along, n);
-    vec3 image = environmentAt(mirrored, 3.0 * (1.0 - wet));
+    vec3 image = environmentAt(mirrored, 1.0 + 2.0 * (1.0 - wet));
     float shininess = frame.phong.w * (0.5 + 2.0 * wet);
     float highlight = frame.phong.z * pow(max(dot(mirrored, lamp), 0.0), shininess);
     colour = finish(mix(body, image, mirrorShare(cosine, material.mirror.w)) + highlight, 1.0);

@@ -13,7 +13,7 @@ layout(location = 0) uniform int face;
 layout(location = 1) uniform float roughness;
 layout(location = 2) uniform float sourceSize; // texels of an edge of level 0
 
-const int kMostSamples = 96;
+const int kMostSamples = 64;
 
 float radicalInverse(uint bits) {
     return float(bitfieldReverse(bits)) * 2.3283064365386963e-10;
@@ -29,7 +29,7 @@ void main() {
     vec3 across = normalize(cross(up, normal));
     vec3 along = cross(normal, across);
     float a = roughness * roughness;
-    int samples = int(mix(24.0, float(kMostSamples), min(2.0 * roughness, 1.0))); // a narrow lobe needs few
+    int samples = int(mix(12.0, float(kMostSamples), min(2.0 * roughness, 1.0))); // a narrow lobe needs few
     vec3 sum = vec3(0.0);
     float weights = 0.0;
     for (int i = 0; i < samples; ++i) {

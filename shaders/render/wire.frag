@@ -12,11 +12,13 @@ layout(location = 0) out vec4 colour;
 const float kHalfWidth = 0.55; // pixels
 
 void main() {
-    vec3 pixels = corner / max(fwidth(corner), 1e-6); // distance from each edge
+    vec3 rate = max(fwidth(corner), 1e-6);
+    vec3 pixels = corner / rate; // distance from each edge
     float nearest = min(min(pixels.x, pixels.y), pixels.z);
     float cover = clamp(kHalfWidth + 0.5 - nearest, 0.0, 1.0);
-    // Where triangles are smaller than their lines, the lines would close to a plain area.
-    cover *= gl_FrontFacing ? 0.9 : 0.22;
+    // Triangles of a few pixels are all line: let those fade, or the net closes to a plain area.
+    float height = 1.0 / max(max(rate.x, rate.y), rate.z);
+    cover *= (gl_FrontFacing ? 0.9 : 0.22) * clamp(height / 7.0, 0.25, 1.0);
     if (cover < 0.01) discard;
     vec3 light = frame.colours.x > 0.5 ? scaleColour(temperature) : materialColour(meltShares(temperature).x) * 1.6;
     colour = finish(light * (0.6 + 0.4 * abs(facing)), cover);

@@ -282,21 +282,21 @@ vec3 shadeRoom(vec3 at, vec3 normal, int thing) {
     return colour * lampLight(at, normal) * nearness(at, normal);
 }
 
-vec3 lookOnce(vec3 from, vec3 way, out Hit hit) {
-    hit = trace(from, way);
+// What paint and floor mirror: the lamps as they are, of everything else no more than its height lets guess.
+vec3 mirroredRoom(vec3 from, vec3 way) {
+    Hit hit = trace(from, way);
     vec3 light;
-    if (seesLamp(from, way, hit.distance, light)) {
-        hit.thing = -1;
-        return light;
-    }
-    return shadeRoom(from + way * hit.distance, hit.normal, hit.thing);
+    if (seesLamp(from, way, hit.distance, light)) return light;
+    float high = from.y + way.y * hit.distance;
+    return hit.thing > 0 ? vec3(0.05) : mix(vec3(0.02, 0.03, 0.04), vec3(0.15, 0.15, 0.145), step(0.0, high));
 }
 
 // Light that comes from direction `way` to the origin; white paper under the lamps is about 1.
 vec3 workshop(vec3 way) {
-    Hit hit;
-    vec3 light = lookOnce(vec3(0.0), way, hit);
-    if (hit.thing < 0) return light;
+    Hit hit = trace(vec3(0.0), way);
+    vec3 light;
+    if (seesLamp(vec3(0.0), way, hit.distance, light)) return light;
+    light = shadeRoom(way * hit.distance, hit.normal, hit.thing);
     float shine = hit.thing > kThingCount ? 0.3
                   : hit.thing > 0         ? kThings[hit.thing - 1].shine
                   : hit.normal.y > 0.5    ? 0.22
@@ -307,8 +307,7 @@ vec3 workshop(vec3 way) {
         vec3 bent = hit.normal;
         if (hit.normal.y > 0.5) bent = normalize(bent + 0.02 * vec3(grain(at.xz * 3.0) - 0.5, 0.0, grain(at.zx * 3.0) - 0.5));
         float glance = pow(1.0 - max(0.0, -dot(way, bent)), 4.0);
-        Hit other;
-        vec3 mirrored = lookOnce(at + hit.normal * 0.01, reflect(way, bent), other);
+        vec3 mirrored = mirroredRoom(at + hit.normal * 0.01, reflect(way, bent));
         light += mirrored * shine * (0.25 + 1.6 * glance);
     }
     return light;
