@@ -1,6 +1,7 @@
 #include "core/surface/surface.hpp"
 
 #include "core/base/error.hpp"
+#include "core/gl/buffer_view.hpp"
 #include "core/gl/readback.hpp"
 #include "core/surface/cell_cases.hpp"
 
@@ -15,7 +16,7 @@ namespace meltpool {
 
 namespace {
 
-constexpr GLbitfield kStorage = GL_SHADER_STORAGE_BARRIER_BIT;
+constexpr GLbitfield kStorage = GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT;
 
 SurfaceStatistics statisticsOf(const SurfaceCommands& commands) {
     return {commands.vertexCount,   commands.triangleCount, commands.blockCount,
@@ -30,7 +31,7 @@ struct Surface::Work {
 
     void makeRoom(size_t particles);
     void forget();
-    void bindParticles(const ParticleView& particles) const;
+    void bindParticles(const ParticleView& particles);
     void enterAll(const ParticleView& particles);
     void enterChanged(const ParticleView& particles);
     void chooseBlocks();
@@ -58,6 +59,7 @@ struct Surface::Work {
     gl::Buffer setupBlock;
     gl::Buffer splatted, changedList; // a vec4 and a uint a particle
     gl::Buffer density, temperature;
+    gl::BufferView particleTexels, splattedTexels, densityTexels, temperatureTexels;
     gl::Buffer blockFlags, blockStates, settled;
     gl::Buffer blockList, retired, blockSums;
     gl::Buffer insideBits, rows, rowSums;
@@ -86,6 +88,8 @@ Surface::Work::Work(gl::ShaderLibrary& shaders, const SurfaceGrid& theGrid)
       setupBlock("surface setup", sizeof(SurfaceSetup)),
       density("surface density", grid.blockCount() * SURFACE_BLOCK_CORNERS * 4),
       temperature("surface temperature", grid.blockCount() * SURFACE_BLOCK_CORNERS * 4),
+      densityTexels("surface density", density, GL_R32UI, 4),
+      temperatureTexels("surface temperature", temperature, GL_R32UI, 4),
       blockFlags("surface block flags", grid.blockCount() * 4),
       blockStates("surface block states", grid.blockCount() * 4),
       settled("surface settled", grid.blockCount() * 8),
@@ -112,6 +116,7 @@ void Surface::Work::makeRoom(size_t particles) {
     if (splatted && splatted.bytes() >= particles * sizeof(glm::vec4)) return;
     splatted = gl::Buffer("surface splatted particles", particles * sizeof(glm::vec4));
     changedList = gl::Buffer("surface changed particles", particles * 4);
+    splattedTexels = gl::BufferView("surface splatted particles", splatted, GL_RGBA32F, sizeof(glm::vec4));
     entered = 0;
 }
 
@@ -129,8 +134,10 @@ void Surface::Work::dispatchIndirect(const gl::Program& program, size_t command)
     glMemoryBarrier(kStorage);
 }
 
-void Surface::Work::bindParticles(const ParticleView& particles) const {
-    particles.positions->bindStorage(SURFACE_BIND_PARTICLES);
+void Surface::Work::bindParticles(const ParticleView& particles) {
+    // Made each time: the particles' buffer may be another one under the same name.
+    particleTexels = gl::BufferView("surface particles", *particles.positions, GL_RGBA32F, sizeof(glm::vec4));
+    particleTexels.bind(SURFACE_TEXELS_PARTICLES);
     // Passes without phases or memory of the particles never look there; drivers still want something bound.
     (particles.phases != nullptr ? *particles.phases : commands).bindStorage(SURFACE_BIND_PHASES);
     (splatted ? splatted : commands).bindStorage(SURFACE_BIND_SPLATTED);
@@ -149,6 +156,7 @@ void Surface::Work::enterAll(const ParticleView& particles) {
 
 void Surface::Work::enterChanged(const ParticleView& particles) {
     bindParticles(particles);
+    splattedTexels.bind(SURFACE_TEXELS_SPLATTED);
     compare.dispatch(particles.count, SURFACE_GROUP);
     glMemoryBarrier(kStorage | GL_COMMAND_BARRIER_BIT);
     dispatchIndirect(*splatChanged[size_t(made.kernel)], offsetof(SurfaceCommands, changed));
@@ -167,7 +175,7 @@ void Surface::Work::chooseBlocks() {
 
 /// Finds the inside corners of the listed blocks, and how many vertices and triangles each gets and where.
 void Surface::Work::countMesh() {
-    density.bindStorage(SURFACE_BIND_DENSITY);
+    densityTexels.bind(SURFACE_TEXELS_DENSITY);
     insideBits.bindStorage(SURFACE_BIND_INSIDE);
     dispatchIndirect(inside, offsetof(SurfaceCommands, words));
     rowSums.bindStorage(SURFACE_BIND_ROW_SUMS);
@@ -191,8 +199,8 @@ void Surface::Work::makeMesh(gl::Profiler* profiler) {
     }
     {
         const gl::Scope scope(profiler, "surface vertices");
-        density.bindStorage(SURFACE_BIND_DENSITY);
-        temperature.bindStorage(SURFACE_BIND_TEMPERATURE);
+        densityTexels.bind(SURFACE_TEXELS_DENSITY);
+        temperatureTexels.bind(SURFACE_TEXELS_TEMPERATURE);
         vertices.bindStorage(SURFACE_BIND_VERTICES);
         dispatchIndirect(vertexPass, offsetof(SurfaceCommands, vertices));
     }

@@ -29,7 +29,6 @@
 #define SURFACE_SCAN_GROUP 256
 
 #define SURFACE_BIND_SETUP 0 // uniform block
-#define SURFACE_BIND_PARTICLES 0
 #define SURFACE_BIND_DENSITY 1
 #define SURFACE_BIND_TEMPERATURE 2
 #define SURFACE_BIND_BLOCK_FLAGS 3
@@ -52,6 +51,12 @@
 #define SURFACE_BIND_BLOCK_STATES 1
 #define SURFACE_BIND_SETTLED 2
 #define SURFACE_BIND_RETIRED 10
+
+// The same buffers as texels, for the passes that read much: drivers fetch them faster.
+#define SURFACE_TEXELS_PARTICLES 0
+#define SURFACE_TEXELS_SPLATTED 1
+#define SURFACE_TEXELS_DENSITY 2
+#define SURFACE_TEXELS_TEMPERATURE 3
 
 /// Coordinates of a particle that is nowhere: not yet entered into the volumes, or no metal any more.
 #define SURFACE_NOWHERE 3.0e38f

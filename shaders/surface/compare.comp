@@ -6,14 +6,14 @@
 layout(local_size_x = SURFACE_GROUP) in;
 #include "surface/particles.glsl"
 
-layout(std430, binding = SURFACE_BIND_SPLATTED) readonly buffer Splatted { vec4 splatted[]; };
+layout(binding = SURFACE_TEXELS_SPLATTED) uniform samplerBuffer splatted;
 layout(std430, binding = SURFACE_BIND_CHANGED_LIST) writeonly buffer ChangedList { uint changedList[]; };
 layout(std430, binding = SURFACE_BIND_COMMANDS) buffer Commands { SurfaceCommands commands; };
 
 void main() {
     uint index = linearInvocation();
     if (index >= setup.limits.x) return;
-    vec4 now = particleNow(index), before = splatted[index];
+    vec4 now = particleNow(index), before = texelFetch(splatted, int(index));
     vec3 cells = abs((now.xyz - before.xyz) * (vec3(setup.cells.xyz) / setup.extent.xyz));
     // Written so that a temperature that is no number counts as a change.
     bool still = all(lessThanEqual(cells, vec3(setup.still.x))) && abs(now.w - before.w) <= setup.still.y * setup.extent.w;

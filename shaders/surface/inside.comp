@@ -4,7 +4,7 @@
 #include "surface/grid.glsl"
 layout(local_size_x = SURFACE_GROUP) in;
 
-layout(std430, binding = SURFACE_BIND_DENSITY) readonly buffer Density { uint density[]; };
+layout(binding = SURFACE_TEXELS_DENSITY) uniform usamplerBuffer density;
 layout(std430, binding = SURFACE_BIND_BLOCK_LIST) readonly buffer BlockList { uint blockList[]; };
 layout(std430, binding = SURFACE_BIND_INSIDE) writeonly buffer Inside { uint inside[]; };
 layout(std430, binding = SURFACE_BIND_COMMANDS) readonly buffer Commands { SurfaceCommands commands; };
@@ -15,6 +15,6 @@ void main() {
     uint word = (blockList[index / SURFACE_BLOCK_WORDS] & ~SURFACE_LISTED_ALTERED) * SURFACE_BLOCK_WORDS + index % SURFACE_BLOCK_WORDS;
     uint bits = 0u;
     for (uint i = 0u; i < 32u; ++i)
-        bits |= uint(density[word * 32u + i] >= setup.limits.y) << i;
+        bits |= uint(texelFetch(density, int(word * 32u + i)).x >= setup.limits.y) << i;
     inside[word] = bits;
 }

@@ -4,12 +4,12 @@
 
 #include "shared/metal.h"
 
-layout(std430, binding = SURFACE_BIND_PARTICLES) readonly buffer Particles { vec4 particles[]; };
+layout(binding = SURFACE_TEXELS_PARTICLES) uniform samplerBuffer particles;
 layout(std430, binding = SURFACE_BIND_PHASES) readonly buffer Phases { uint phases[]; };
 
 /// A particle's place and temperature; SURFACE_NOWHERE when it is no metal or its place is no number.
 vec4 particleNow(uint index) {
-    vec4 particle = particles[index];
+    vec4 particle = texelFetch(particles, int(index));
     bool alive = setup.options.z == 0 || (phases[index] & PHASE_ALIVE) != 0u;
     bool somewhere = all(lessThan(abs(particle.xyz), vec3(1e30)));
     return alive && somewhere ? particle : vec4(SURFACE_NOWHERE);

@@ -4,8 +4,8 @@
 #include "surface/grid.glsl"
 layout(local_size_x = SURFACE_GROUP) in;
 
-layout(std430, binding = SURFACE_BIND_DENSITY) readonly buffer Density { uint density[]; };
-layout(std430, binding = SURFACE_BIND_TEMPERATURE) readonly buffer Temperature { uint temperature[]; };
+layout(binding = SURFACE_TEXELS_DENSITY) uniform usamplerBuffer density;
+layout(binding = SURFACE_TEXELS_TEMPERATURE) uniform usamplerBuffer temperature;
 layout(std430, binding = SURFACE_BIND_EDGE_LIST) readonly buffer EdgeList { uint edgeList[]; };
 layout(std430, binding = SURFACE_BIND_VERTICES) writeonly buffer Vertices { SurfaceVertex vertices[]; };
 layout(std430, binding = SURFACE_BIND_COMMANDS) readonly buffer Commands { SurfaceCommands commands; };
@@ -15,7 +15,11 @@ bool ownCorner(ivec3 corner) {
 }
 
 float densityAt(ivec3 corner) {
-    return float(density[cornerAddress(corner)]);
+    return float(texelFetch(density, cornerAddress(corner)).x);
+}
+
+float heatAt(ivec3 corner) {
+    return float(texelFetch(temperature, cornerAddress(corner)).x);
 }
 
 /// Change of the density along an axis per cell: central, one-sided at the box.
@@ -53,7 +57,7 @@ void main() {
     if (!ownB) b = a;
     float weightA = densityAt(a), weightB = densityAt(b);
     float part = cap ? 0.0 : clamp((float(setup.limits.y) - weightA) / (weightB - weightA), 0.0, 1.0);
-    float heat = mix(float(temperature[cornerAddress(a)]), float(temperature[cornerAddress(b)]), part);
+    float heat = mix(heatAt(a), heatAt(b), part);
 
     // Outward along the edge: from the inside corner to the outside one, in the model's mirrored axes.
     vec3 along = vec3(axis) * sign(setup.extent.xyz) * ((cap ? ownA : weightA > weightB) ? 1.0 : -1.0);
