@@ -64,6 +64,7 @@ struct Surface::Work {
     gl::Buffer blockList, retired, blockSums;
     gl::Buffer insideBits, rows, rowSums;
     gl::Buffer cases;
+    gl::BufferView insideTexels, rowTexels, caseTexels;
     gl::Buffer edgeList, triangleList;
     gl::Buffer vertices, indices, commands;
     gl::Readback readback;
@@ -100,6 +101,9 @@ Surface::Work::Work(gl::ShaderLibrary& shaders, const SurfaceGrid& theGrid)
       rows("surface rows", grid.blockCount() * SURFACE_BLOCK_ROWS * 8),
       rowSums("surface row sums", grid.blockCount() * SURFACE_BLOCK_ROWS * 4),
       cases("surface cases", std::span<const std::uint32_t>(cellCaseTable())),
+      insideTexels("surface inside bits", insideBits, GL_R32UI, 4),
+      rowTexels("surface rows", rows, GL_RG32UI, 8),
+      caseTexels("surface cases", cases, GL_R32UI, 4),
       edgeList("surface edge list", grid.mostVertices() * 4),
       triangleList("surface triangle list", grid.mostTriangles() * 8),
       vertices("surface vertices", grid.mostVertices() * sizeof(SurfaceVertex)),
@@ -179,7 +183,8 @@ void Surface::Work::countMesh() {
     insideBits.bindStorage(SURFACE_BIND_INSIDE);
     dispatchIndirect(inside, offsetof(SurfaceCommands, words));
     rowSums.bindStorage(SURFACE_BIND_ROW_SUMS);
-    cases.bindStorage(SURFACE_BIND_CASES);
+    caseTexels.bind(SURFACE_TEXELS_CASES);
+    insideTexels.bind(SURFACE_TEXELS_INSIDE);
     indices.bindStorage(SURFACE_BIND_INDICES);
     dispatchIndirect(count, offsetof(SurfaceCommands, rows));
     blockSums.bindStorage(SURFACE_BIND_BLOCK_SUMS);
@@ -206,6 +211,7 @@ void Surface::Work::makeMesh(gl::Profiler* profiler) {
     }
     {
         const gl::Scope scope(profiler, "surface triangles");
+        rowTexels.bind(SURFACE_TEXELS_ROWS);
         dispatchIndirect(trianglePass, offsetof(SurfaceCommands, triangles));
         glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
     }

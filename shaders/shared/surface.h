@@ -37,7 +37,6 @@
 #define SURFACE_BIND_INSIDE 6
 #define SURFACE_BIND_ROWS 7
 #define SURFACE_BIND_ROW_SUMS 8
-#define SURFACE_BIND_CASES 9
 #define SURFACE_BIND_EDGE_LIST 10
 #define SURFACE_BIND_TRIANGLE_LIST 11
 #define SURFACE_BIND_VERTICES 12
@@ -57,6 +56,9 @@
 #define SURFACE_TEXELS_SPLATTED 1
 #define SURFACE_TEXELS_DENSITY 2
 #define SURFACE_TEXELS_TEMPERATURE 3
+#define SURFACE_TEXELS_INSIDE 4
+#define SURFACE_TEXELS_ROWS 5
+#define SURFACE_TEXELS_CASES 6
 
 /// Coordinates of a particle that is nowhere: not yet entered into the volumes, or no metal any more.
 #define SURFACE_NOWHERE 3.0e38f

@@ -6,7 +6,7 @@ layout(local_size_x = SURFACE_GROUP) in;
 #include "surface/row.glsl"
 
 layout(std430, binding = SURFACE_BIND_ROW_SUMS) writeonly buffer RowSums { uint rowSums[]; };
-layout(std430, binding = SURFACE_BIND_CASES) readonly buffer Cases { uint cases[]; };
+layout(binding = SURFACE_TEXELS_CASES) uniform usamplerBuffer cases;
 layout(std430, binding = SURFACE_BIND_RETIRED) readonly buffer Retired { uvec2 retired[]; };
 layout(std430, binding = SURFACE_BIND_INDICES) writeonly buffer Indices { uint indices[]; };
 layout(std430, binding = SURFACE_BIND_COMMANDS) readonly buffer Commands { SurfaceCommands commands; };
@@ -26,7 +26,7 @@ void main() {
     while (crossed != 0u) {
         int cell = findLSB(crossed);
         crossed &= crossed - 1u;
-        triangles += cases[cellCase(row, cell)] & 7u;
+        triangles += texelFetch(cases, int(cellCase(row, cell))).x & 7u;
     }
     rowSums[index] = (row.altered ? uint(bitCount(edges)) : 0u) | triangles << 16;
     removeSettled(index);

@@ -8,7 +8,7 @@ layout(local_size_x = SURFACE_GROUP) in;
 layout(std430, binding = SURFACE_BIND_ROWS) writeonly buffer Rows { uvec2 rows[]; };
 layout(std430, binding = SURFACE_BIND_ROW_SUMS) readonly buffer RowSums { uint rowSums[]; };
 layout(std430, binding = SURFACE_BIND_BLOCK_SUMS) readonly buffer BlockSums { uvec2 blockSums[]; };
-layout(std430, binding = SURFACE_BIND_CASES) readonly buffer Cases { uint cases[]; };
+layout(binding = SURFACE_TEXELS_CASES) uniform usamplerBuffer cases;
 layout(std430, binding = SURFACE_BIND_EDGE_LIST) writeonly buffer EdgeList { uint edgeList[]; };
 layout(std430, binding = SURFACE_BIND_TRIANGLE_LIST) writeonly buffer TriangleList { uvec2 triangleList[]; };
 layout(std430, binding = SURFACE_BIND_COMMANDS) readonly buffer Commands { SurfaceCommands commands; };
@@ -27,7 +27,7 @@ void listTriangles(CellRow row, uint slot) {
     while (crossed != 0u) {
         int cell = findLSB(crossed);
         crossed &= crossed - 1u;
-        uint entry = cases[cellCase(row, cell)];
+        uint entry = texelFetch(cases, int(cellCase(row, cell))).x;
         uint end = min(slot + (entry & 7u), setup.limits.w);
         for (uint triangle = entry >> 3; slot < end; ++triangle, ++slot)
             triangleList[slot - commands.firstTriangle] = uvec2(corner + uint(cell), triangle);

@@ -2,7 +2,7 @@
 #ifndef MELTPOOL_SURFACE_ROW_GLSL
 #define MELTPOOL_SURFACE_ROW_GLSL
 
-layout(std430, binding = SURFACE_BIND_INSIDE) readonly buffer Inside { uint inside[]; };
+layout(binding = SURFACE_TEXELS_INSIDE) uniform usamplerBuffer inside;
 layout(std430, binding = SURFACE_BIND_BLOCK_LIST) readonly buffer BlockList { uint blockList[]; };
 
 /// The inside bits of 9 corners in a row from each of the four corner rows around a row of cells.
@@ -16,7 +16,7 @@ struct CellRow {
 uint rowBits(ivec3 corner) {
     if (any(greaterThanEqual(corner >> 3, setup.blocks.xyz))) return 0u;
     int address = cornerAddress(corner);
-    return inside[address >> 5] >> (address & 24) & 255u;
+    return texelFetch(inside, address >> 5).x >> (address & 24) & 255u;
 }
 
 uint nineBits(ivec3 corner) {

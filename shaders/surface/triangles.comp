@@ -4,8 +4,8 @@
 #include "surface/grid.glsl"
 layout(local_size_x = SURFACE_GROUP) in;
 
-layout(std430, binding = SURFACE_BIND_ROWS) readonly buffer Rows { uvec2 rows[]; };
-layout(std430, binding = SURFACE_BIND_CASES) readonly buffer Cases { uint cases[]; };
+layout(binding = SURFACE_TEXELS_ROWS) uniform usamplerBuffer rows;
+layout(binding = SURFACE_TEXELS_CASES) uniform usamplerBuffer cases;
 layout(std430, binding = SURFACE_BIND_TRIANGLE_LIST) readonly buffer TriangleList { uvec2 triangleList[]; };
 layout(std430, binding = SURFACE_BIND_INDICES) writeonly buffer Indices { uint indices[]; };
 layout(std430, binding = SURFACE_BIND_COMMANDS) readonly buffer Commands { SurfaceCommands commands; };
@@ -13,7 +13,7 @@ layout(std430, binding = SURFACE_BIND_COMMANDS) readonly buffer Commands { Surfa
 /// Number of the vertex on an edge of the cell: bits 0-2 of `edge` are the edge's corner in the cell, bits 3-4 its axis.
 uint vertexOn(ivec3 cell, uint edge) {
     ivec3 corner = cell + ivec3(uvec3(edge, edge >> 1, edge >> 2) & 1u);
-    uvec2 row = rows[cornerAddress(corner) >> 3];
+    uvec2 row = texelFetch(rows, cornerAddress(corner) >> 3).xy;
     uint bit = (edge >> 3 & 3u) * 8u + uint(corner.x & 7);
     return row.x + uint(bitCount(row.y & ((1u << bit) - 1u)));
 }
@@ -24,7 +24,7 @@ void main() {
     if (triangle >= min(commands.triangleCount, setup.limits.w)) return;
     uvec2 entry = triangleList[index];
     ivec3 cell = unpackCorner(entry.x);
-    uint edges = cases[entry.y];
+    uint edges = texelFetch(cases, int(entry.y)).x;
     // The table turns counter-clockwise in the grid; its mirrored z makes that clockwise in the model.
     uvec3 corners = uvec3(vertexOn(cell, edges), vertexOn(cell, edges >> 10), vertexOn(cell, edges >> 5));
     // A vertex that did not fit takes its triangle with it.
