@@ -9,6 +9,7 @@ void benchClassicMetal(Bench& bench);
 void benchClassicThesis(Bench& bench);
 void benchClassicFrame(Bench& bench);
 void benchClassicSurface(Bench& bench);
+void benchWeldMetal(Bench& bench);
 void benchWeldSurface(Bench& bench);
 
 } // namespace meltpool
