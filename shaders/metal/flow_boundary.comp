@@ -11,13 +11,17 @@ vec4 restSums(uint slot, vec3 place) {
     const float reach = fluid.origin.w * fluid.origin.w;
     const float inverse = fluid.inverseCell.w * fluid.inverseCell.w;
     const ivec3 centre = cellAt(place);
+    const vec3 inside = insideCell(place, centre);
+    const float nearly = fluid.search.x * fluid.search.x; // packed places are a little off
     vec4 sum = vec4(0);
     for (ivec3 step = ivec3(-1); step.z <= 1; nextStep(step)) {
         uint cell;
         if (!neighbourCell(centre, step, cell)) continue;
         const uint count = cells[cell].still;
         for (uint entry = 0; entry < count; ++entry) {
-            const uint other = still[cell * FLOW_CELL_ROOM + entry];
+            const vec3 about = apartPacked(inside, step, still[cell * FLOW_CELL_ROOM + entry].x);
+            if (dot(about, about) >= nearly) continue;
+            const uint other = still[cell * FLOW_CELL_ROOM + entry].y;
             const vec3 d = apart(place, positions[other].xyz);
             const float r2 = dot(d, d);
             if (r2 >= reach || other == slot) continue;
@@ -43,16 +47,16 @@ void main() {
     const uint base = neighbourBase(index);
     const uint parity = substep & 1u;
     const ivec3 centre = cellAt(place);
+    const vec3 inside = insideCell(place, centre);
     uint found = 0;
     for (ivec3 step = ivec3(-1); step.z <= 1; nextStep(step)) {
         uint cell;
         if (!neighbourCell(centre, step, cell)) continue;
         const uint moving = cellMoving(cell, parity);
         for (uint k = 0; k < moving; ++k) {
-            const uvec4 other = sorted[cell * FLOW_CELL_ROOM + k];
-            const vec3 d = apart(place, uintBitsToFloat(other.xyz));
+            const vec3 d = apartPacked(inside, step, sorted[cell * FLOW_CELL_ROOM + k].x);
             if (dot(d, d) < reach && found < FLOW_NEIGHBOUR_ROOM)
-                neighbours[base + GROUP_SIZE * found++] = other.w;
+                neighbours[base + GROUP_SIZE * found++] = sorted[cell * FLOW_CELL_ROOM + k].y;
         }
     }
     bodies[slot].motion = vec4(0, 0, 0, found);

@@ -11,9 +11,9 @@ layout(std430, binding = METAL_HEAT) buffer Heats { vec4 heats[]; };
 layout(std430, binding = METAL_PHASE) buffer Phases { uint phases[]; };
 layout(std430, binding = FLOW_BODIES) buffer Bodies { FlowBody bodies[]; };
 layout(std430, binding = FLOW_CELLS) buffer Cells { FlowCell cells[]; };
-layout(std430, binding = FLOW_STILL) buffer Still { uint still[]; };
+layout(std430, binding = FLOW_STILL) buffer Still { uvec2 still[]; };
 layout(std430, binding = FLOW_ENTERED) buffer Entered { uint entered[]; };
-layout(std430, binding = FLOW_SORTED) buffer Sorted { uvec4 sorted[]; };
+layout(std430, binding = FLOW_SORTED) buffer Sorted { uvec2 sorted[]; };
 layout(std430, binding = FLOW_LISTS) buffer Lists { uint lists[]; };
 layout(std430, binding = FLOW_NEIGHBOURS) buffer Neighbours { uint neighbours[]; };
 layout(std430, binding = FLOW_COUNTERS) buffer Counters { FlowCounters counters; };
@@ -23,6 +23,22 @@ layout(std430, binding = FLOW_RESTING) buffer Resting { vec4 resting[]; };
 ivec3 cellAt(vec3 place) {
     const ivec3 cell = ivec3(floor((place - fluid.origin.xyz) * fluid.inverseCell.xyz));
     return clamp(cell, ivec3(0), fluid.cells.xyz - 1);
+}
+
+/// Where a place lies in its cell, in cells.
+vec3 insideCell(vec3 place, ivec3 cell) { return (place - fluid.origin.xyz) * fluid.inverseCell.xyz - vec3(cell); }
+
+/// A place inside its cell as ten bits an axis: one word tells a search whether a particle is near enough to be looked at.
+/// Drivers that run on the CPU pay for each word that is read.
+uint packPlace(vec3 place) {
+    const uvec3 steps = uvec3(clamp(insideCell(place, cellAt(place)) * 1024, vec3(0), vec3(1023)));
+    return steps.x | steps.y << 10 | steps.z << 20;
+}
+
+/// From a packed place in the cell `step` away to a place that lies at `inside` (cells) of its own cell; in m.
+vec3 apartPacked(vec3 inside, ivec3 step, uint word) {
+    const uvec3 steps = uvec3(word, word >> 10, word >> 20) & 1023u;
+    return (inside - vec3(step) - (vec3(steps) + 0.5) / 1024) / fluid.inverseCell.xyz;
 }
 
 uint cellIndex(ivec3 cell) {

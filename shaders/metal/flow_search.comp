@@ -30,22 +30,24 @@ void main() {
     const uint base = neighbourBase(index);
     const uint parity = substep & 1u;
     const ivec3 centre = cellAt(place);
+    const vec3 inside = insideCell(place, centre);
     uint found = 0;
     for (ivec3 step = ivec3(-1); step.z <= 1; nextStep(step)) {
         uint cell;
         if (!neighbourCell(centre, step, cell)) continue;
-        const FlowCell own = cells[cell];
-        const uint moving = min(parity == 0 ? own.even : own.odd, FLOW_CELL_ROOM);
+        const uint first = cell * FLOW_CELL_ROOM;
+        const uint moving = cellMoving(cell, parity);
         for (uint entry = 0; entry < moving; ++entry) {
-            const uvec4 other = sorted[cell * FLOW_CELL_ROOM + entry];
-            const vec3 d = apart(place, uintBitsToFloat(other.xyz));
-            if (dot(d, d) < reach && (other.w & ~FLOW_SOLID) != slot && found < FLOW_NEIGHBOUR_ROOM)
-                neighbours[base + GROUP_SIZE * found++] = other.w;
-        }
-        for (uint entry = 0; entry < own.still; ++entry) {
-            const uint other = still[cell * FLOW_CELL_ROOM + entry];
-            const vec3 d = apart(place, positions[other].xyz);
+            const vec3 d = apartPacked(inside, step, sorted[first + entry].x);
             if (dot(d, d) >= reach || found >= FLOW_NEIGHBOUR_ROOM) continue;
+            const uint other = sorted[first + entry].y;
+            if ((other & ~FLOW_SOLID) != slot) neighbours[base + GROUP_SIZE * found++] = other;
+        }
+        const uint resting = cells[cell].still;
+        for (uint entry = 0; entry < resting; ++entry) {
+            const vec3 d = apartPacked(inside, step, still[first + entry].x);
+            if (dot(d, d) >= reach || found >= FLOW_NEIGHBOUR_ROOM) continue;
+            const uint other = still[first + entry].y;
             neighbours[base + GROUP_SIZE * found++] = other | FLOW_SOLID;
             listBoundary(other);
         }

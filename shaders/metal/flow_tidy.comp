@@ -10,14 +10,15 @@ void tidyCell(uint cell) {
     const uint count = min(cells[cell].still, FLOW_CELL_ROOM);
     uint kept = 0;
     for (uint entry = 0; entry < count; ++entry) {
-        const uint slot = still[base + entry];
+        const uvec2 own = still[base + entry];
+        const uint slot = own.y;
         if (bodies[slot].where.z != FLOW_BELONGS_STILL || bodies[slot].where.w != cell) continue;
         uint place = kept;
-        while (place > 0 && still[base + place - 1] > slot) {
+        while (place > 0 && still[base + place - 1].y > slot) {
             still[base + place] = still[base + place - 1];
             --place;
         }
-        still[base + place] = slot;
+        still[base + place] = own;
         ++kept;
     }
     cells[cell].still = kept;

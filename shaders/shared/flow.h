@@ -13,9 +13,9 @@
 
 #define FLOW_BODIES 6      // FlowBody a slot
 #define FLOW_CELLS 7       // FlowCell a cell
-#define FLOW_STILL 8       // slots of a cell's still metal, FLOW_CELL_ROOM a cell
+#define FLOW_STILL 8       // uvec2 packed place and slot of a cell's still metal, FLOW_CELL_ROOM a cell
 #define FLOW_ENTERED 9     // slots that entered a cell, in no order
-#define FLOW_SORTED 10     // uvec4 the same in order: position bits, slot
+#define FLOW_SORTED 10     // uvec2 the same in order: packed place, slot
 #define FLOW_LISTS 11      // moving slots, spare for compacting them, still slots beside moving ones; capacity each
 #define FLOW_NEIGHBOURS 12 // slots beside an entry of the lists, entry by entry within a rank
 #define FLOW_COUNTERS 13
