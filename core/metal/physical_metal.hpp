@@ -23,6 +23,7 @@ struct PhysicalSetup {
     HeatSettings heat;
     glm::vec3 gravity{0, -9.81F, 0}; ///< m/s², in the workpiece frame
     float timeStep = 1.0F / 90;      ///< s, of one step(): a frame
+    double wetting = 1;              ///< of still metal by liquid metal, see FlowFluid
 };
 
 class PhysicalMetal {

@@ -25,6 +25,7 @@ constexpr std::array kRunners{
     Runner{"rosenthal_thin", runRosenthal},
     Runner{"energy", runEnergy},
     Runner{"cavity_melting", runCavityMelting},
+    Runner{"bead_on_plate", runBeadOnPlate},
     Runner{"droplet_pressure", runDropletPressure},
     Runner{"droplet_oscillation", runDropletOscillation},
     Runner{"sessile_drop", runSessileDrop},

@@ -57,6 +57,7 @@ void runStefan(const ValidationCase& from, gl::ShaderLibrary& shaders, Validatio
 void runRosenthal(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
 void runEnergy(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
 void runCavityMelting(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
+void runBeadOnPlate(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
 void runDropletPressure(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
 void runDropletOscillation(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
 void runSessileDrop(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);

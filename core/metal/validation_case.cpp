@@ -66,7 +66,8 @@ constexpr std::array kBead{
     CaseKey{"speed_mm_s", number, 0.01, 1000, kNeeded, "of travel"},
     CaseKey{"wire_diameter_mm", number, 0, 10, kNeeded, "0: no wire"},
     CaseKey{"wire_feed_m_min", number, 0, 100, kNeeded, "0: no wire"},
-    CaseKey{"plate_mm", triple, 0.1, 1000, kNeeded, "along the seam, thickness, across: see plate_mm in the handbook"},
+    CaseKey{"plate_mm", triple, 0.1, 1000, kNeeded,
+            "along the seam first; of the other two the smaller is the thickness"},
     CaseKey{"ambient_k", number, 1, kHot, kNeeded, "plate and air"},
     CaseKey{"liquid_conductivity_factor", number, 0.1, 20, 1.0, "stand-in for stirring in the pool"},
 };
@@ -91,7 +92,8 @@ constexpr std::array kKinds{
     CaseKind{"sessile_drop", kSessile, true, "height_mm"},
     CaseKind{"poiseuille", kPoiseuille, true, "velocity_mm_s"},
     CaseKind{"cavity_melting", kCavity, false, "melted_fraction, one for each time"},
-    CaseKind{"bead_on_plate", kBead, false, "width_mm, height_mm, penetration_mm, section_mm2"},
+    CaseKind{"bead_on_plate", kBead, false,
+             "width_mm, penetration_mm; with wire also height_mm, section_mm2, deposited_mm2"},
 };
 
 const CaseKind& findKind(TomlTable& file) {

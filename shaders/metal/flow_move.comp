@@ -53,7 +53,8 @@ vec3 acceleration(uint index, uint slot, out float fastest) {
 
 /// Share of the velocity that mushy metal keeps over a substep: implicit Carman-Kozeny drag.
 float mushyShare(float enthalpy) {
-    const float f = clamp((enthalpy - metal.melting.x) / (metal.melting.y - metal.melting.x), 0, 1);
+    // Pure metal melts at one enthalpy step, whose ends are apart by the latent heat alone.
+    const float f = clamp((enthalpy - metal.melting.x) / max(metal.melting.y - metal.melting.x, 1), 0, 1);
     return 1 / (1 + fluid.period.w * fluid.kernel.w * (1 - f) * (1 - f) / (f * f * f + 1e-3));
 }
 
@@ -65,6 +66,39 @@ vec3 confine(vec3 place, inout vec3 velocity) {
     const vec3 confined = mix(inside, around, repeats);
     velocity = mix(velocity, vec3(0), notEqual(mix(inside, place, repeats), place));
     return confined;
+}
+
+layout(std430, binding = METAL_LATTICE) readonly buffer LatticeSlots { uint latticeSlots[]; };
+
+/// True where solid metal sits on the lattice.
+bool latticeFilled(vec3 place) {
+    const ivec3 cell = ivec3(floor((place - metal.origin.xyz) / metal.origin.w));
+    if (any(lessThan(cell, ivec3(0))) || any(greaterThanEqual(cell, metal.tiles.xyz * TILE_EDGE))) return false;
+    const ivec3 tile = cell / TILE_EDGE;
+    const ivec3 inside = cell - tile * TILE_EDGE;
+    const int index = ((tile.z * metal.tiles.y + tile.y) * metal.tiles.x + tile.x) * TILE_CELLS;
+    return latticeSlots[index + (inside.z * TILE_EDGE + inside.y) * TILE_EDGE + inside.x] != 0;
+}
+
+/// Nearest that a particle may come to the face of a solid cell, in spacings; at rest it keeps about 0.4.
+const float kWallGap = 0.35;
+
+/// Stops a particle at the faces of solid cells. The soft pressure alone does not hold a single drop: for it the inside of
+/// still metal is as good a place as the inside of the pool.
+vec3 stopAtLattice(vec3 before, vec3 after, inout vec3 velocity) {
+    if (latticeFilled(before)) return after; // metal froze around it: let it out
+    vec3 place = before;
+    for (int axis = 1; axis < 4; ++axis) {   // y first: most walls are floors
+        vec3 step = place;
+        step[axis % 3] = after[axis % 3];
+        vec3 probe = step;
+        probe[axis % 3] += kWallGap * metal.origin.w * sign(after[axis % 3] - before[axis % 3]);
+        if (latticeFilled(probe))
+            velocity[axis % 3] = 0;
+        else
+            place = step;
+    }
+    return place;
 }
 
 shared uint longestWay; // float bits, of this group
@@ -92,7 +126,8 @@ float moveOn(uint index) {
         velocity *= fluid.inversePeriod.w / speed;
         speed = fluid.inversePeriod.w;
     }
-    const vec3 after = confine(before.xyz + dt * velocity, velocity);
+    const vec3 free = stopAtLattice(before.xyz, before.xyz + dt * velocity, velocity);
+    const vec3 after = confine(free, velocity);
     const float way = velocities[slot].w + dt * fastest;
     positions[slot] = vec4(after, before.w);
     velocities[slot] = vec4(velocity, way);
