@@ -10,6 +10,7 @@
 #include "core/weld/workpiece.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,6 +49,11 @@ ParameterList describe(CameraParameters& parameters);
 struct PictureLook {
     std::string name; ///< part of the file's name
     LookParameters look;
+    CameraParameters camera = {};
+    std::optional<float> sectionAt = {}; ///< m along the seam: cut there and show the inside; weld lessons only
+
+    /// Every value of this picture; the list points into it.
+    ParameterList parameters();
 };
 
 struct Lesson {
@@ -67,7 +73,7 @@ struct Lesson {
     SurfaceParameters surface;
     CameraParameters camera;
     LookParameters look;
-    std::vector<PictureLook> pictures; ///< at least one; each begins with `look`
+    std::vector<PictureLook> pictures; ///< at least one; each begins with `look` and `camera`
 
     /// Every adjustable value of this lesson's model. The list points into this lesson, which must outlive it unmoved.
     ParameterList parameters();

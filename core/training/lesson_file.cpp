@@ -36,20 +36,29 @@ bool isFileNamePart(const std::string& name) {
     });
 }
 
+void readSection(TomlTable& table, const Lesson& lesson, PictureLook& picture) {
+    constexpr std::string_view kKey = "section_at_mm";
+    table.allow(kKey);
+    if (!table.has(kKey)) return;
+    if (lesson.model != LessonModel::Weld) table.fail(kKey, "expected a lesson whose model is weld");
+    picture.sectionAt = static_cast<float>(table.number(kKey, {-1000, 1000}) * 1e-3);
+}
+
 void readPictures(TomlTable& root, Lesson& lesson) {
     std::set<std::string> names;
     for (TomlTable& table : root.tables("picture")) {
-        PictureLook picture{table.text("name"), lesson.look};
+        PictureLook picture{table.text("name"), lesson.look, lesson.camera};
         if (!isFileNamePart(picture.name)) table.fail("name", "expected letters, digits, '-' and '_' only");
         if (!names.insert(picture.name).second) table.fail("name", "stands twice; expected each picture's own name");
-        const ParameterList list = describe(picture.look);
+        const ParameterList list = picture.parameters();
         readParameters(table, list);
         for (const Parameter& parameter : list)
             table.allow(parameter.key);
+        readSection(table, lesson, picture);
         table.finish();
         lesson.pictures.push_back(std::move(picture));
     }
-    if (lesson.pictures.empty()) lesson.pictures.push_back({"picture", lesson.look});
+    if (lesson.pictures.empty()) lesson.pictures.push_back({"picture", lesson.look, lesson.camera});
 }
 
 } // namespace

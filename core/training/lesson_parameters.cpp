@@ -38,6 +38,12 @@ ParameterList describe(CameraParameters& c) {
     };
 }
 
+ParameterList PictureLook::parameters() {
+    ParameterList list = describe(look);
+    append(list, describe(camera));
+    return list;
+}
+
 ParameterList Lesson::parameters() {
     ParameterList list = describe(run);
     if (model == LessonModel::Classic) {
@@ -57,7 +63,7 @@ ParameterList Lesson::parameters() {
 void Lesson::set(std::string_view name, std::string_view value, std::string_view where) {
     setParameter(parameters(), name, value, where);
     for (PictureLook& picture : pictures)
-        if (const ParameterList list = describe(picture.look); findParameter(list, name) != nullptr)
+        if (const ParameterList list = picture.parameters(); findParameter(list, name) != nullptr)
             setParameter(list, name, value, where);
 }
 

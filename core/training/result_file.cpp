@@ -40,6 +40,22 @@ Json valueOf(const Parameter& p) {
     return parameterText(p);
 }
 
+/// Heights and depths are from the workpiece's origin.
+Json zoneOf(const SectionZone& zone) {
+    return {{"width_mm", number(zone.width * 1e3)},
+            {"height_mm", number(zone.height * 1e3)},
+            {"depth_mm", number(zone.depth * 1e3)},
+            {"area_mm2", number(zone.area * 1e6)}};
+}
+
+Json sectionOf(const SectionFigures& section) {
+    Json json;
+    json["at_mm"] = number(section.at * 1e3);
+    json["fusion"] = zoneOf(section.fusion);
+    if (section.heatAffected) json["heat_affected"] = zoneOf(*section.heatAffected);
+    return json;
+}
+
 } // namespace
 
 void writeResult(const std::filesystem::path& file, Lesson& lesson, const LessonResult& result,
@@ -57,6 +73,7 @@ void writeResult(const std::filesystem::path& file, Lesson& lesson, const Lesson
     json["molten"] = result.metal.molten;
     json["lost"] = result.metal.lost;
     json["non_finite"] = result.metal.nonFinite;
+    if (context.section) json["section"] = sectionOf(*context.section);
     json["state_hash"] = hexadecimal(result.stateHash);
     json["wall_seconds"] = number(context.wallSeconds);
     json["metal_bytes"] = result.metalBytes;

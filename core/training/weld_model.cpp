@@ -63,6 +63,8 @@ SceneView WeldModel::scene(const TorchSample& torch) const {
     scene.cubeWidth = kWorldUnit;
     buildTorchSolids(torchSolids_, torch, static_cast<ProcessKind>(process_.parameters.kind), scene.modelToWorld);
     scene.solids = torchSolids_;
+    scene.section.heat = &metal_.state().heat;
+    scene.section.spacing = workpiece_.lattice.spacing;
     scene.temperature = {kRoomTemperature, kColourTop, true, static_cast<float>(material_.solidus),
                          static_cast<float>(material_.liquidus)};
     scene.looks = &material_.looks;

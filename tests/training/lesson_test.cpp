@@ -77,6 +77,19 @@ TEST_CASE("a value set on a lesson reaches the looks of its pictures", "[trainin
     CHECK(lesson.pictures[0].look.material == kCopper);
 }
 
+TEST_CASE("a picture has its own camera and cut, which begin with the lesson's", "[training]") {
+    Lesson lesson = lessonFrom("title = 'T'\nmodel = 'weld'\n[camera]\nazimuth = 10\ndistance = 2\n"
+                               "[[picture]]\nname = 'whole'\n"
+                               "[[picture]]\nname = 'cut'\nsection_at_mm = -5\nazimuth = 70\n");
+    CHECK(lesson.pictures[0].camera.azimuth == 10);
+    CHECK_FALSE(lesson.pictures[0].sectionAt.has_value());
+    CHECK(lesson.pictures[1].camera.azimuth == 70);
+    CHECK(lesson.pictures[1].camera.distance == 2);
+    CHECK(lesson.pictures[1].sectionAt.value() == Approx(-0.005f));
+    lesson.set("distance", "4", "--set");
+    CHECK(lesson.pictures[1].camera.distance == 4);
+}
+
 TEST_CASE("groups of a lesson's file fill what they name", "[training]") {
     const Lesson lesson = lessonFrom("title = 'T'\ntext = 'do it'\n"
                                      "[run]\nseconds = 3\nwidth = 320\nheight = 200\n"
@@ -120,6 +133,7 @@ TEST_CASE("a bad lesson is refused in one sentence with file, line and expectati
         {"title = 'x'\nlook = 3\n", "bad.toml:2: ", "expected a table"},
         {"title = 'x'\nmodel = 'clay'\n", "bad.toml:2: ", "expected classic"},
         {"title = 'x'\ntorch = 'nowhere.csv'\n", "nowhere.csv: ", "expected a readable file"},
+        {"title = 'x'\n[[picture]]\nname = 'a'\nsection_at_mm = 1\n", "bad.toml:4: ", "expected a lesson whose model"},
         {"title = 'x'\n[[picture]]\nname = '../evil'\n", "bad.toml:3: ", "expected letters"},
         {"title = 'x'\n[[picture]]\nname = 'a'\n[[picture]]\nname = 'a'\n", "bad.toml:5: ", "stands twice"},
     };
