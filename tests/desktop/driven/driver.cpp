@@ -1,0 +1,251 @@
+#include "tests/desktop/driven/driver.hpp"
+
+#include "core/base/text.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+#include <X11/Xlib.h>
+
+#include <array>
+#include <chrono>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <thread>
+#include <unistd.h>
+
+namespace meltpool::test {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using Clock = std::chrono::steady_clock;
+
+namespace {
+
+/// Far beyond what anything here takes: only a hang gets there.
+constexpr double kPatience = 120;
+
+void nap(double seconds) {
+    std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+}
+
+std::string readAll(const fs::path& file) {
+    std::ifstream in(file);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+/// Reads the line that the other end writes; empty when it closes first.
+std::string readLine(int descriptor) {
+    std::string line;
+    char c = 0;
+    while (read(descriptor, &c, 1) == 1 && c != '\n')
+        line += c;
+    return line;
+}
+
+} // namespace
+
+const char* const kSmallSettings = "[start]\nparticles = 1000\ncells = 16\n"
+                                   "[window]\nwidth = 960\nheight = 640\n";
+
+VirtualDisplay::VirtualDisplay(int dotsPerInch) {
+    std::array<int, 2> ends{};
+    REQUIRE(pipe(ends.data()) == 0);
+    server_ = std::make_unique<Process>(Process::Options{{"Xvfb", "-displayfd", "3", "-screen", "0", "1600x1000x24",
+                                                          "-dpi", std::to_string(dotsPerInch), "-nolisten", "tcp"},
+                                                         {},
+                                                         {},
+                                                         ends[1]});
+    close(ends[1]);
+    const std::string number = readLine(ends[0]);
+    close(ends[0]);
+    INFO("the desktop tests need Xvfb; install the package xvfb");
+    REQUIRE_FALSE(number.empty());
+    name_ = ":" + number;
+}
+
+VirtualDisplay& sharedDisplay() {
+    static VirtualDisplay only(96);
+    return only;
+}
+
+TrainerWindow::TrainerWindow(const std::string& name, const Options& options)
+    : folder_(scratchFolder(name)),
+      telemetry_(folder_ / "telemetry.jsonl"),
+      display_((options.display == nullptr ? sharedDisplay() : *options.display).name()) {
+    fs::create_directories(folder_ / "home" / "Pictures");
+    fs::create_directories(settingsFile().parent_path());
+    if (!options.settings.empty()) writeTextFileAtomically(settingsFile(), options.settings);
+    Process::Options process;
+    process.command = {MELTPOOL_PROGRAM, "--telemetry", telemetry_.string()};
+    process.command.insert(process.command.end(), options.arguments.begin(), options.arguments.end());
+    const fs::path data = options.data.empty() ? fs::path(MELTPOOL_BINARY_FOLDER) / "share" / "meltpool" : options.data;
+    process.environment = {{"DISPLAY", display_},
+                           {"HOME", (folder_ / "home").string()},
+                           {"XDG_CONFIG_HOME", (folder_ / "config").string()},
+                           {"XDG_PICTURES_DIR", ""},
+                           {"WAYLAND_DISPLAY", ""},
+                           {"MELTPOOL_DATA", data.string()}};
+    for (const auto& [variable, value] : options.environment)
+        process.environment[variable] = value;
+    process.output = folder_ / "output.txt";
+    process_ = std::make_unique<Process>(process);
+    moveMouse(5, 635);
+    waitFor("the window's first frames", [](const json& s) { return s.at("frame") > 2; });
+}
+
+json TrainerWindow::state() const {
+    std::ifstream in(telemetry_, std::ios::ate);
+    if (!in) return nullptr;
+    const auto size = static_cast<std::streamoff>(in.tellg());
+    constexpr std::streamoff kTail = 64 * 1024;
+    in.seekg(std::max<std::streamoff>(0, size - kTail));
+    std::ostringstream text;
+    text << in.rdbuf();
+    std::string tail = text.str();
+    const size_t end = tail.rfind('\n');
+    if (end == std::string::npos) return nullptr;
+    const size_t begin = end == 0 ? std::string::npos : tail.rfind('\n', end - 1);
+    if (begin == std::string::npos && size > kTail) return nullptr;
+    return json::parse(tail.substr(begin == std::string::npos ? 0 : begin + 1, end - begin - 1), nullptr, false);
+}
+
+json TrainerWindow::waitFor(const std::string& what, const std::function<bool(const json&)>& condition) {
+    const auto end = Clock::now() + std::chrono::duration<double>(kPatience);
+    json last;
+    while (Clock::now() < end) {
+        last = state();
+        if (last.is_object() && condition(last)) return last;
+        if (!process_->running()) break;
+        nap(0.01);
+    }
+    if (last.is_object()) last.erase("places");
+    FAIL("waited in vain for " << what << (process_->running() ? "" : "; the program has ended")
+                               << "\nits words: " << output() << "\nlast telemetry: " << last.dump());
+    return last;
+}
+
+json TrainerWindow::settle() {
+    const json before = state();
+    const long long frame = before.is_object() ? before.at("frame").get<long long>() : 0;
+    return waitFor("a few frames", [frame](const json& s) { return s.at("frame").get<long long>() >= frame + 3; });
+}
+
+void TrainerWindow::xdotool(std::vector<std::string> words) const {
+    words.insert(words.begin(), "xdotool");
+    const int code = runCommand(words, {{"DISPLAY", display_}});
+    INFO("the desktop tests need xdotool; install the package xdotool");
+    REQUIRE(code == 0);
+}
+
+void TrainerWindow::holdKey(const std::string& name, const std::string& what,
+                            const std::function<bool(const json&)>& condition) {
+    xdotool({"keydown", name});
+    waitFor(what, condition);
+    xdotool({"keyup", name});
+    settle();
+}
+
+void TrainerWindow::moveMouse(double x, double y) const {
+    xdotool({"mousemove", std::to_string(static_cast<int>(x)), std::to_string(static_cast<int>(y))});
+}
+
+std::array<double, 4> TrainerWindow::place(const std::string& name) {
+    const auto find = [&](const json& s) -> std::optional<std::array<double, 4>> {
+        const json& places = s.at("places");
+        if (!places.contains(name)) return std::nullopt;
+        return places.at(name).get<std::array<double, 4>>();
+    };
+    json now = settle();
+    const bool left = name.rfind("simulation.", 0) != 0;
+    const double width = now.at("window").at("size").at(0);
+    for (int notch = 0; notch < 80; ++notch) {
+        // A control at the panel's edge is in sight but not in reach: it must be whole, above the status bar.
+        const double low = now.at("window").at("size").at(1).get<double>() - (now.at("page") == "start" ? 0 : 65);
+        if (const auto found = find(now); found && (*found)[1] + (*found)[3] < low) return *found;
+        if (notch == 0) moveMouse(left ? 200 : width - 200, 300);
+        xdotool({"click", notch < 40 ? "5" : "4"});
+        now = settle();
+    }
+    FAIL("no control '" << name << "' can be brought in sight; in sight: " << now.at("places").dump());
+    return {};
+}
+
+void TrainerWindow::click(const std::string& name) {
+    const auto [x, y, width, height] = place(name);
+    moveMouse(x + width / 2, y + height / 2);
+    settle();
+    xdotool({"mousedown", "1"});
+    settle();
+    xdotool({"mouseup", "1"});
+    settle();
+}
+
+void TrainerWindow::pull(const std::string& name, double share) {
+    const auto [x, y, width, height] = place(name);
+    moveMouse(x + width / 2, y + height / 2);
+    settle();
+    xdotool({"mousedown", "1"});
+    settle();
+    moveMouse(x + width * share, y + height / 2);
+    settle();
+    xdotool({"mouseup", "1"});
+    settle();
+}
+
+void TrainerWindow::start() {
+    click("start.start");
+    waitFor("the metal to run", [](const json& s) {
+        return s.at("page") == "running" && s.at("metal").at("steps") > 0 && s.at("metal").at("particles") > 0;
+    });
+}
+
+fs::path TrainerWindow::takePicture(const std::string& name) {
+    const std::string before = state().at("screenshot");
+    key("F12");
+    const json now = waitFor("a picture", [&](const json& s) { return s.at("screenshot") != before; });
+    const fs::path kept = fs::path(MELTPOOL_BINARY_FOLDER) / "desktop-pictures" / (name + ".png");
+    fs::create_directories(kept.parent_path());
+    fs::copy_file(now.at("screenshot").get<std::string>(), kept, fs::copy_options::overwrite_existing);
+    return kept;
+}
+
+void TrainerWindow::closeWindow() {
+    Display* display = XOpenDisplay(display_.c_str());
+    REQUIRE(display != nullptr);
+    Window root = 0;
+    Window parent = 0;
+    Window* children = nullptr;
+    unsigned count = 0;
+    XQueryTree(display, DefaultRootWindow(display), &root, &parent, &children, &count);
+    const Atom protocols = XInternAtom(display, "WM_PROTOCOLS", False);
+    const Atom farewell = XInternAtom(display, "WM_DELETE_WINDOW", False);
+    for (unsigned i = 0; i < count; ++i) {
+        XEvent event;
+        std::memset(&event, 0, sizeof event);
+        event.xclient.type = ClientMessage;
+        event.xclient.window = children[i];
+        event.xclient.message_type = protocols;
+        event.xclient.format = 32;
+        event.xclient.data.l[0] = static_cast<long>(farewell);
+        XSendEvent(display, children[i], False, NoEventMask, &event);
+    }
+    XFree(children);
+    XCloseDisplay(display);
+}
+
+int TrainerWindow::finish() {
+    return process_->wait(kPatience);
+}
+
+std::string TrainerWindow::output() const {
+    return readAll(folder_ / "output.txt");
+}
+
+std::string parameterIn(const json& state, const std::string& section, const std::string& key) {
+    return state.at("parameters").at(section).at(key);
+}
+
+} // namespace meltpool::test

@@ -1,0 +1,90 @@
+// Drives the running trainer as a person would: a display of its own, xdotool for hands, the telemetry for eyes.
+#pragma once
+
+#include "tests/desktop/driven/process.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace meltpool::test {
+
+/// Xvfb on a display number that was free. A missing Xvfb fails the test.
+class VirtualDisplay {
+  public:
+    explicit VirtualDisplay(int dotsPerInch);
+    const std::string& name() const { return name_; }
+
+  private:
+    std::string name_;
+    std::unique_ptr<Process> server_;
+};
+
+/// The display that the tests share, of ordinary density.
+VirtualDisplay& sharedDisplay();
+
+/// Few particles on a coarse grid in a small window, so that frames are quick on any machine.
+extern const char* const kSmallSettings;
+
+class TrainerWindow {
+  public:
+    struct Options {
+        std::string settings = kSmallSettings; ///< what the settings file holds at the start; empty: there is none
+        std::vector<std::string> arguments = {};
+        std::filesystem::path data = {}; ///< shaders and data; empty: those of the build
+        VirtualDisplay* display = nullptr;
+        std::map<std::string, std::string> environment = {};
+    };
+
+    /// Starts the program in the scratch folder `name` and waits for its first telemetry.
+    TrainerWindow(const std::string& name, const Options& options);
+
+    /// The newest telemetry.
+    nlohmann::json state() const;
+    /// Waits until the newest telemetry fulfils `condition`; fails the test, saying `what`, when it never does.
+    nlohmann::json waitFor(const std::string& what, const std::function<bool(const nlohmann::json&)>& condition);
+    /// Waits for a few whole frames after what was done until now.
+    nlohmann::json settle();
+
+    /// xdotool with these words. A missing xdotool fails the test.
+    void xdotool(std::vector<std::string> words) const;
+    void key(const std::string& name) { xdotool({"key", name}); }
+    /// Holds a key until `condition` is fulfilled.
+    void holdKey(const std::string& name, const std::string& what,
+                 const std::function<bool(const nlohmann::json&)>& condition);
+    void moveMouse(double x, double y) const;
+    /// Clicks the control of that name, scrolling its panel until it is in sight.
+    void click(const std::string& place);
+    /// Pulls a slider's handle to a share of its length.
+    void pull(const std::string& place, double share);
+    /// Where a control is; fails the test when it cannot be brought in sight.
+    std::array<double, 4> place(const std::string& name);
+
+    /// Start with the values as they stand, and wait until the metal runs.
+    void start();
+    /// F12; the picture goes to the build folder's desktop-pictures/NAME.png. Returns where.
+    std::filesystem::path takePicture(const std::string& name);
+
+    /// As the cross of the window does.
+    void closeWindow();
+    /// Waits for the end; the exit code.
+    int finish();
+    Process& process() { return *process_; }
+
+    const std::filesystem::path& folder() const { return folder_; }
+    std::filesystem::path settingsFile() const { return folder_ / "config" / "meltpool" / "settings.toml"; }
+    std::string output() const;
+
+  private:
+    std::filesystem::path folder_;
+    std::filesystem::path telemetry_;
+    std::string display_;
+    std::unique_ptr<Process> process_;
+};
+
+/// A parameter's text in the telemetry.
+std::string parameterIn(const nlohmann::json& state, const std::string& section, const std::string& key);
+
+} // namespace meltpool::test

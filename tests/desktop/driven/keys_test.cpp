@@ -1,0 +1,250 @@
+// Every key and mouse action of the trainer has its effect, read from the telemetry.
+#include "tests/desktop/driven/driver.hpp"
+#include "tests/support/catch.hpp"
+
+#include <cmath>
+
+namespace meltpool::test {
+
+using nlohmann::json;
+
+namespace {
+
+double cameraValue(const json& state, const char* name) {
+    return state.at("camera").at(name);
+}
+
+std::array<double, 3> sourceOf(const json& state) {
+    return state.at("source").at("position").get<std::array<double, 3>>();
+}
+
+std::array<double, 3> difference(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+bool atHome(const json& state) {
+    const auto p = difference(sourceOf(state), {0.9, 0.9, 0.9});
+    return std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]) < 1e-5;
+}
+
+/// Horizontal part of the camera's direction, unit length.
+std::array<double, 2> away(const json& state) {
+    const auto f = state.at("camera").at("forward").get<std::array<double, 3>>();
+    const double length = std::hypot(f[0], f[2]);
+    return {f[0] / length, f[2] / length};
+}
+
+/// Waits until the source has moved, then how far away from the person, to the right and up.
+std::array<double, 3> movedAfter(TrainerWindow& window, const json& before) {
+    const json after =
+        window.waitFor("the source to move", [&](const json& s) { return sourceOf(s) != sourceOf(before); });
+    const auto way = difference(sourceOf(window.settle()), sourceOf(before));
+    const auto a = away(after);
+    return {way[0] * a[0] + way[2] * a[1], -way[0] * a[1] + way[2] * a[0], way[1]};
+}
+
+void mouseBy(const TrainerWindow& window, int x, int y) {
+    window.xdotool({"mousemove_relative", "--", std::to_string(x), std::to_string(y)});
+}
+
+} // namespace
+
+TEST_CASE("camera keys, modes, mouse capture and the shortcuts of panels") {
+    TrainerWindow window("camera-keys", {});
+    window.start();
+    json s = window.state();
+    CHECK(s.at("mode") == "interact");
+    CHECK(s.at("captured") == false);
+
+    const double azimuth = cameraValue(s, "azimuth");
+    window.holdKey("d", "D to go around", [&](const json& t) { return cameraValue(t, "azimuth") > azimuth + 0.05; });
+    window.holdKey("a", "A to go back around",
+                   [&](const json& t) { return cameraValue(t, "azimuth") < azimuth - 0.05; });
+    const double elevation = cameraValue(s, "elevation");
+    window.holdKey("w", "W to go over", [&](const json& t) { return cameraValue(t, "elevation") > elevation + 0.05; });
+    window.holdKey("s", "S to go under", [&](const json& t) { return cameraValue(t, "elevation") < elevation - 0.05; });
+    window.holdKey("s", "the pole to hold", [&](const json& t) { return cameraValue(t, "elevation") < -1.55; });
+    CHECK(cameraValue(window.settle(), "elevation") > -1.5708);
+    window.holdKey("w", "the way back up", [&](const json& t) { return cameraValue(t, "elevation") > 0.3; });
+    const double distance = cameraValue(s, "distance");
+    window.holdKey("e", "E to go farther", [&](const json& t) { return cameraValue(t, "distance") > distance + 0.1; });
+    window.holdKey("q", "Q to come nearer", [&](const json& t) { return cameraValue(t, "distance") < distance - 0.1; });
+    window.moveMouse(300, 300);
+    s = window.settle();
+    window.xdotool({"click", "5"});
+    window.waitFor("the wheel to go farther",
+                   [&](const json& t) { return cameraValue(t, "distance") > cameraValue(s, "distance") * 1.05; });
+
+    window.key("v");
+    s = window.waitFor("view mode", [](const json& t) { return t.at("mode") == "view"; });
+    const auto steps = window.settle().at("metal").at("steps");
+    const auto eye = s.at("camera").at("eye").get<std::array<double, 3>>();
+    const auto forward = s.at("camera").at("forward").get<std::array<double, 3>>();
+    const auto along = [&](const json& t) {
+        const auto way = difference(t.at("camera").at("eye").get<std::array<double, 3>>(), eye);
+        return way[0] * forward[0] + way[1] * forward[1] + way[2] * forward[2];
+    };
+    window.holdKey("w", "W to fly forwards", [&](const json& t) { return along(t) > 0.1; });
+    window.holdKey("s", "S to fly back", [&](const json& t) { return along(t) < -0.1; });
+    const auto aside = [&](const json& t) {
+        const auto way = difference(t.at("camera").at("eye").get<std::array<double, 3>>(), eye);
+        return -way[0] * forward[2] + way[2] * forward[0];
+    };
+    window.holdKey("d", "D to fly to the right", [&](const json& t) { return aside(t) > 0.1; });
+    window.holdKey("a", "A to fly to the left", [&](const json& t) { return aside(t) < -0.1; });
+    const auto height = [](const json& t) { return t.at("camera").at("eye").at(1).get<double>(); };
+    window.holdKey("e", "E to rise", [&](const json& t) { return height(t) > eye[1] + 0.1; });
+    window.holdKey("q", "Q to sink", [&](const json& t) { return height(t) < eye[1] - 0.1; });
+
+    window.key("c");
+    s = window.waitFor("the mouse to be captured", [](const json& t) { return t.at("captured") == true; });
+    window.settle();
+    mouseBy(window, 60, 0);
+    window.waitFor("the mouse to look right",
+                   [&](const json& t) { return cameraValue(t, "yaw") < cameraValue(s, "yaw") - 0.05; });
+    mouseBy(window, 0, 60);
+    window.waitFor("the mouse to look down",
+                   [&](const json& t) { return cameraValue(t, "pitch") < cameraValue(s, "pitch") - 0.05; });
+    window.xdotool({"mousedown", "1"});
+    CHECK(window.settle().at("source").at("on") == false);
+    window.xdotool({"mouseup", "1"});
+    CHECK(atHome(window.settle()));
+    CHECK(window.state().at("metal").at("steps") == steps); // the simulation stood still all the while
+    window.key("c");
+    window.waitFor("the mouse to be free", [](const json& t) { return t.at("captured") == false; });
+    window.key("c");
+    window.waitFor("the mouse to be captured", [](const json& t) { return t.at("captured") == true; });
+    window.key("Escape");
+    window.waitFor("Escape to free the mouse", [](const json& t) { return t.at("captured") == false; });
+    window.key("v");
+    window.waitFor("the metal to go on",
+                   [&](const json& t) { return t.at("mode") == "interact" && t.at("metal").at("steps") > steps; });
+
+    const std::array<std::pair<const char*, const char*>, 5> panels{
+        {{"F1", "help"}, {"F2", "view"}, {"F3", "simulation"}, {"F4", "timings"}, {"Tab", "hidden"}}};
+    for (const auto& [name, panel] : panels) {
+        const bool open = window.settle().at("panels").at(panel);
+        window.key(name);
+        window.waitFor(std::string(name) + " to switch " + panel,
+                       [&, p = panel](const json& t) { return t.at("panels").at(p) != open; });
+        window.key(name);
+        window.waitFor(std::string(name) + " to switch " + panel + " back",
+                       [&, p = panel](const json& t) { return t.at("panels").at(p) == open; });
+    }
+}
+
+TEST_CASE("keys and mouse move the source, the button heats, the cold source freezes, reset puts all back") {
+    TrainerWindow window("source", {});
+    window.start();
+    json s = window.state();
+    CHECK(atHome(s));
+    // From the corner everything can only go inwards: first to the middle of the box.
+    const double step = std::stod(parameterIn(s, "controls", "source_step"));
+    for (int i = 0; i < 12; ++i)
+        window.key("Next");
+    for (int i = 0; i < 12; ++i)
+        window.key("Up");
+    s = window.settle();
+    const std::array<std::pair<const char*, std::array<double, 3>>, 6> keys{{{"Up", {step, 0, 0}},
+                                                                             {"Down", {-step, 0, 0}},
+                                                                             {"Right", {0, step, 0}},
+                                                                             {"Left", {0, -step, 0}},
+                                                                             {"Prior", {0, 0, step}},
+                                                                             {"Next", {0, 0, -step}}}};
+    for (const auto& [name, expected] : keys) {
+        s = window.settle();
+        window.key(name);
+        const auto way = movedAfter(window, s);
+        INFO(name);
+        for (size_t i = 0; i < 3; ++i)
+            CHECK(way[i] == Approx(expected[i]).margin(1e-4));
+    }
+
+    window.moveMouse(300, 320);
+    window.key("c");
+    window.waitFor("the mouse to be captured", [](const json& t) { return t.at("captured") == true; });
+    s = window.settle();
+    mouseBy(window, 50, 0);
+    auto way = movedAfter(window, s);
+    CHECK(way[1] == Approx(0.1).margin(0.01));
+    CHECK(std::abs(way[2]) < 1e-4);
+    s = window.settle();
+    mouseBy(window, 0, -50);
+    way = movedAfter(window, s);
+    CHECK(way[2] == Approx(0.1).margin(0.01));
+    window.xdotool({"mousedown", "3"});
+    s = window.settle();
+    mouseBy(window, 0, -50);
+    way = movedAfter(window, s);
+    CHECK(way[0] == Approx(0.1).margin(0.01));
+    CHECK(std::abs(way[2]) < 1e-4);
+    window.xdotool({"mouseup", "3"});
+    for (const auto& [x, y] : {std::pair{4000, 0}, {0, -4000}, {-9000, 9000}})
+        mouseBy(window, x, y);
+    for (const double c : sourceOf(window.settle()))
+        CHECK(std::abs(c) <= 1);
+
+    // Back home by the reset key, then to the metal's corner, which melts.
+    window.key("F5");
+    window.waitFor("reset", [](const json& t) { return atHome(t) && t.at("metal").at("time") < 2; });
+    for (int i = 0; i < 8; ++i)
+        window.key("Next");
+    for (int i = 0; i < 10; ++i)
+        window.key("Up");
+    CHECK(window.settle().at("source").at("on") == false);
+    CHECK(window.state().at("metal").at("molten") == 0);
+    window.xdotool({"mousedown", "1"});
+    window.waitFor("the source to burn and the metal to melt", [](const json& t) {
+        return t.at("source").at("on") == true && t.at("metal").at("molten") > 5 && t.at("metal").at("hottest") > 0.5;
+    });
+    window.xdotool({"mouseup", "1"});
+    window.waitFor("the source to go out", [](const json& t) { return t.at("source").at("on") == false; });
+
+    window.key("f");
+    window.waitFor("the cold source", [](const json& t) { return t.at("source").at("cold") == true; });
+    window.xdotool({"mousedown", "1"});
+    window.waitFor("everything to freeze", [](const json& t) { return t.at("metal").at("molten") == 0; });
+    window.xdotool({"mouseup", "1"});
+    window.key("f");
+    window.waitFor("the hot source", [](const json& t) { return t.at("source").at("cold") == false; });
+    window.key("Escape");
+    window.waitFor("a free mouse", [](const json& t) { return t.at("captured") == false; });
+
+    // A free mouse: only a drag on the picture moves and heats, a click on a panel does not.
+    s = window.settle();
+    window.moveMouse(320, 340);
+    CHECK(sourceOf(window.settle()) == sourceOf(s));
+    window.xdotool({"mousedown", "1"});
+    window.waitFor("the source to burn", [](const json& t) { return t.at("source").at("on") == true; });
+    mouseBy(window, -50, 0);
+    way = movedAfter(window, s);
+    CHECK(way[1] < -0.05);
+    window.xdotool({"mouseup", "1"});
+    s = window.settle();
+    window.click("simulation.cold");
+    CHECK(window.settle().at("source").at("on") == false);
+    CHECK(sourceOf(window.state()) == sourceOf(s));
+    CHECK(window.state().at("source").at("cold") == true);
+    window.click("bar.reset");
+    window.waitFor("reset", [](const json& t) {
+        return atHome(t) && t.at("metal").at("molten") == 0 && t.at("metal").at("time") < 2;
+    });
+}
+
+TEST_CASE("simulated time never outruns real time and no frame makes more than two steps") {
+    TrainerWindow window("pace", {});
+    window.start();
+    const json begin = window.settle();
+    const json end = window.waitFor("a second", [&](const json& s) {
+        return s.at("seconds").get<double>() > begin.at("seconds").get<double>() + 1;
+    });
+    const double real = end.at("seconds").get<double>() - begin.at("seconds").get<double>();
+    const double simulated = end.at("metal").at("time").get<double>() - begin.at("metal").at("time").get<double>();
+    const int steps = end.at("metal").at("steps").get<int>() - begin.at("metal").at("steps").get<int>();
+    const int frames = end.at("frame").get<int>() - begin.at("frame").get<int>();
+    CHECK(steps > 0);
+    CHECK(steps <= 2 * frames);
+    CHECK(simulated <= real + 3.0 / 60);
+}
+
+} // namespace meltpool::test

@@ -1,0 +1,222 @@
+// The running menus, the window's sizes, shader reload, and pictures of every screen, mode and material.
+#include "core/base/image.hpp"
+#include "core/base/text.hpp"
+#include "tests/desktop/driven/driver.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+#include <set>
+
+namespace meltpool::test {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+/// Numbers whose slider is pulled, and switches that are clicked, by menu.
+const std::vector<std::string> kViewNumbers{"view.point_size",      "view.ambient",
+                                            "view.diffuse",         "view.specular",
+                                            "view.shininess",       "view.exposure",
+                                            "surface.influence",    "surface.iso_level",
+                                            "controls.source_step", "controls.source_mouse_speed",
+                                            "controls.look_speed",  "controls.camera_speed"};
+const std::vector<std::string> kViewSwitches{"view.show_box", "view.show_sky", "view.show_source", "surface.caps",
+                                             "controls.invert_look"};
+const std::vector<std::string> kSimulationNumbers{
+    "simulation.heat_radius",        "simulation.heat_temperature", "simulation.solidify_rate",
+    "simulation.viscosity",          "simulation.gas_stiffness",    "simulation.rest_density",
+    "simulation.particle_mass",      "simulation.support_radius",   "simulation.wall_restitution",
+    "simulation.acceleration_limit", "simulation.time_step"};
+
+std::string valueOf(const json& state, const std::string& name) {
+    const size_t dot = name.find('.');
+    return parameterIn(state, name.substr(0, dot), name.substr(dot + 1));
+}
+
+void changes(TrainerWindow& window, const std::string& name, const std::function<void()>& act) {
+    const std::string before = valueOf(window.settle(), name);
+    act();
+    window.waitFor(name + " to change", [&](const json& s) { return valueOf(s, name) != before; });
+}
+
+/// Every text under a heading of this menu is reachable: the folded groups are opened.
+void openGroups(TrainerWindow& window, const std::vector<std::string>& groups) {
+    for (const std::string& group : groups)
+        window.click(group);
+}
+
+size_t colourCount(const Image& image) {
+    std::set<unsigned> colours;
+    for (size_t i = 0; i + 2 < image.rgb.size(); i += 3)
+        colours.insert(image.rgb[i] * 65536u + image.rgb[i + 1] * 256u + image.rgb[i + 2]);
+    return colours.size();
+}
+
+} // namespace
+
+TEST_CASE("everything in the view menu is live") {
+    TrainerWindow window("view-menu", {});
+    window.start();
+    window.key("F3");
+    window.click("bar.view");
+    openGroups(window, {"controls.group.Mouse and keys", "surface.group.Surface", "view.group.Light"});
+    for (const std::string& name : kViewNumbers) {
+        INFO(name);
+        changes(window, name, [&] { window.pull(name, 0.75); });
+    }
+    for (const std::string& name : kViewSwitches) {
+        INFO(name);
+        changes(window, name, [&] { window.click(name); });
+    }
+    for (const char* mode : {"wireframe", "points", "surface"})
+        changes(window, "view.mode", [&] { window.click(std::string("view.mode.") + mode); });
+    CHECK(window.settle().at("metal").at("stopped") == false);
+    window.click("view.ambient.back");
+    CHECK(valueOf(window.settle(), "view.ambient") == "0.4");
+}
+
+TEST_CASE("everything in the simulation menu is live") {
+    TrainerWindow window("simulation-menu", {});
+    window.start();
+    for (const std::string& name : kSimulationNumbers) {
+        INFO(name);
+        changes(window, name, [&] { window.pull(name, 0.62); });
+        window.click(name + ".back");
+    }
+    changes(window, "simulation.wall_slip", [&] { window.click("simulation.wall_slip"); });
+    const auto [x, y, width, height] = window.place("simulation.gravity");
+    changes(window, "simulation.gravity", [&] {
+        window.moveMouse(x + width / 2, y + height / 2);
+        window.settle();
+        window.xdotool({"mousedown", "1"});
+        window.settle();
+        window.moveMouse(x + width / 2 + 60, y + height / 2);
+        window.settle();
+        window.xdotool({"mouseup", "1"});
+    });
+}
+
+TEST_CASE("the timings panel names the passes, the help page opens and closes by mouse") {
+    TrainerWindow window("timings", {});
+    window.start();
+    window.click("bar.timings");
+    const json s = window.waitFor("GPU passes", [](const json& t) { return t.at("passes").size() > 4; });
+    CHECK(s.at("frames_per_second") > 0);
+    window.click("bar.help");
+    window.waitFor("help", [](const json& t) { return t.at("panels").at("help") == true; });
+    window.takePicture("help");
+    window.click("help.close");
+    window.waitFor("no help", [](const json& t) { return t.at("panels").at("help") == false; });
+}
+
+TEST_CASE("the window can be resized and goes full screen and back") {
+    TrainerWindow window("resize", {});
+    window.start();
+    for (const auto& [width, height] : {std::pair{1400, 900}, {700, 500}, {1001, 777}}) {
+        window.xdotool({"search", "--name", "^Meltpool$", "windowsize", std::to_string(width), std::to_string(height)});
+        window.waitFor("the new size", [w = width, h = height](const json& s) {
+            return s.at("window").at("pixels") == json({w, h}) && s.at("places").contains("bar.help");
+        });
+        const Image picture = readPng(window.takePicture("resized"));
+        CHECK(picture.width == width);
+        CHECK(picture.height == height);
+        // The bar's last button stands at the new right edge.
+        const auto place = window.state().at("places").at("bar.help").get<std::array<double, 4>>();
+        CHECK(place[0] + place[2] == Approx(width - 14).margin(8));
+    }
+    window.key("F11");
+    window.waitFor("full screen", [](const json& s) { return s.at("window").at("size") == json({1600, 1000}); });
+    window.key("F11");
+    window.waitFor("the window again", [](const json& s) { return s.at("window").at("size") == json({1001, 777}); });
+}
+
+TEST_CASE("on a screen of double density everything is twice as large") {
+    VirtualDisplay dense(192);
+    TrainerWindow window("density",
+                         {.settings = "[start]\nparticles = 1000\ncells = 16\n[window]\nwidth = 1500\nheight = 960\n",
+                          .display = &dense});
+    CHECK(window.state().at("window").at("scale") == 2.0);
+    window.takePicture("double-density-start");
+    window.start();
+    CHECK(window.place("bar.reset")[2] == Approx(172));
+    window.takePicture("double-density");
+}
+
+TEST_CASE("a changed shader is taken over; a broken one is told and the old one runs on until it is mended") {
+    const fs::path share = scratchFolder("shader-copy");
+    const fs::path source = fs::path(MELTPOOL_BINARY_FOLDER) / "share" / "meltpool";
+    fs::copy(fs::canonical(source / "shaders"), share / "shaders", fs::copy_options::recursive);
+    fs::create_directory_symlink(fs::canonical(source / "data"), share / "data");
+    TrainerWindow window("shaders", {.arguments = {"--watch-shaders"}, .data = share});
+    window.start();
+    const fs::path shader = share / "shaders" / "render" / "box.frag";
+    const std::string good = readTextFile(shader);
+    const auto write = [&](const std::string& text, int seconds) {
+        writeTextFileAtomically(shader, text);
+        fs::last_write_time(shader, fs::file_time_type::clock::now() + std::chrono::seconds(seconds));
+    };
+    write(good + "\nthis is no shader\n", 5);
+    window.waitFor("the fault on the screen", [](const json& s) {
+        return !s.at("messages").empty() &&
+               s.at("messages").at(0).get<std::string>().find("box.frag") != std::string::npos;
+    });
+    const auto steps = window.settle().at("metal").at("steps").get<int>();
+    window.takePicture("shader-fault");
+    window.waitFor("the metal to run on",
+                   [&](const json& s) { return s.at("metal").at("steps").get<int>() > steps + 3; });
+    write(good, 10);
+    window.waitFor("the fault to go", [](const json& s) {
+        for (const std::string text : s.at("messages"))
+            if (text.find("box.frag") != std::string::npos) return false;
+        return true;
+    });
+}
+
+TEST_CASE("pictures of every screen, render mode, colour and material from the running window") {
+    TrainerWindow window("pictures", {.settings = "[start]\nparticles = 8192\n[window]\nwidth = 1280\nheight = 720\n"});
+    const Image first = readPng(window.takePicture("start-menu"));
+    CHECK(colourCount(first) > 300);
+    window.start();
+    for (int i = 0; i < 8; ++i)
+        window.key("Next");
+    for (int i = 0; i < 7; ++i)
+        window.key("Up");
+    window.moveMouse(300, 400);
+    window.xdotool({"mousedown", "1"});
+    window.waitFor("a molten corner", [](const json& s) { return s.at("metal").at("molten") > 700; });
+    window.xdotool({"mouseup", "1"});
+    window.takePicture("simulation-menu");
+    window.key("v");
+    window.waitFor("view mode", [](const json& s) { return s.at("mode") == "view"; });
+    window.key("F3");
+    window.key("F2");
+    window.waitFor("the view menu", [](const json& s) { return s.at("panels").at("view") == true; });
+    window.moveMouse(900, 400);
+    window.settle();
+
+    std::vector<std::pair<std::string, Image>> taken;
+    const auto take = [&](const std::string& group, const std::string& choice) {
+        window.click("view." + group + "." + choice);
+        window.waitFor(choice, [&](const json& s) { return parameterIn(s, "view", group) == choice; });
+        window.moveMouse(900, 400);
+        // The glide of the picture beside a panel has ended, so that only the choice makes the difference.
+        for (int i = 0; i < 4; ++i)
+            window.settle();
+        taken.emplace_back(choice, readPng(window.takePicture(group + "-" + choice)));
+    };
+    for (const char* material : {"copper", "gold", "wax", "ice", "solder"})
+        take("material", material);
+    for (const char* colours : {"temperature", "even", "grey"})
+        take("colours", colours);
+    window.click("view.colours.material");
+    for (const char* mode : {"wireframe", "points"})
+        take("mode", mode);
+    for (size_t i = 0; i < taken.size(); ++i)
+        for (size_t j = i + 1; j < taken.size(); ++j) {
+            INFO(taken[i].first << " and " << taken[j].first);
+            CHECK(compareImages(taken[i].second, taken[j].second, 24).farPixels > 0.01);
+        }
+}
+
+} // namespace meltpool::test
