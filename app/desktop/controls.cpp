@@ -21,7 +21,9 @@ float axis(const InputFrame& input, Key positive, Key negative) {
 
 } // namespace
 
-void Controls::update(const InputFrame& input, double seconds) {
+void Controls::update(const InputFrame& frame, double seconds) {
+    InputFrame input = frame;
+    if (!captured_) input.mouseMove = frame.dragMove;
     for (const Key key : input.struck) {
         if (key == Key::v) setMode(mode_ == Mode::interact ? Mode::view : Mode::interact);
         if (key == Key::c) captured_ = !captured_;
@@ -41,9 +43,7 @@ void Controls::work(const InputFrame& input, float seconds) {
     const float away = axis(input, Key::e, Key::q) * kApproachSpeed * parameters.cameraSpeed * seconds;
     orbit_.approach(std::exp(away - input.scroll * kNotch));
 
-    InputFrame hand = input;
-    if (!captured_) hand.mouseMove = input.dragMove;
-    source_.move(hand, orbit_.forward(), parameters);
+    source_.move(input, orbit_.forward(), parameters);
     source_.setOn(input.leftHeld);
 }
 
@@ -51,8 +51,7 @@ void Controls::look(const InputFrame& input, float seconds) {
     source_.setOn(false);
     const float turn = kLookSpeed * parameters.lookSpeed;
     const float upwards = parameters.invertLook ? 1.0f : -1.0f;
-    const glm::vec2 hand = captured_ ? input.mouseMove : input.dragMove;
-    free_.look({hand.x * turn, hand.y * turn * upwards});
+    free_.look({input.mouseMove.x * turn, input.mouseMove.y * turn * upwards});
     const float way = kFlySpeed * parameters.cameraSpeed * seconds;
     free_.move(way * glm::vec3(axis(input, Key::d, Key::a), axis(input, Key::e, Key::q), axis(input, Key::w, Key::s)));
     free_.move({0, 0, input.scroll * kNotch});

@@ -213,7 +213,7 @@ void Window::captureMouse(bool captured) {
     if (captured == captured_) return;
     captured_ = captured;
     glfwSetInputMode(window_, GLFW_CURSOR, captured ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
-    mouseKnown_ = false; // the cursor jumps at the change; that is no movement of the hand
+    glfwGetCursorPos(window_, &mouse_.x, &mouse_.y); // it jumps at the change; that is no movement of the hand
 }
 
 void Window::toggleFullScreen() {

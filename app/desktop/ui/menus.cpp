@@ -187,9 +187,9 @@ void helpOverlay(Context& context, bool& open) {
     // A shade over everything; a click on it closes the page.
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize(screen);
-    ImGui::SetNextWindowFocus();
     ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(8, 10, 14, 170));
     ImGui::Begin("help shade", nullptr, kStill);
+    if (ImGui::IsWindowAppearing()) ImGui::SetWindowFocus();
     if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) open = false;
     ImGui::End();
     ImGui::PopStyleColor();
@@ -198,8 +198,8 @@ void helpOverlay(Context& context, bool& open) {
     ImGui::SetNextWindowSize({std::min(context.points(860), screen.x - context.points(20)), 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.points(32), context.points(26)});
     ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(26, 30, 37, 255));
-    ImGui::SetNextWindowFocus();
     ImGui::Begin("help", nullptr, kStill | ImGuiWindowFlags_AlwaysAutoResize);
+    if (ImGui::IsWindowAppearing()) ImGui::SetWindowFocus();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar();
     constexpr std::array<Shortcut, 5> kTorch{{{"Left button", "heat while held"},

@@ -4,6 +4,7 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
+#include <X11/Xatom.h>
 #include <X11/Xlib.h>
 
 #include <array>
@@ -48,22 +49,27 @@ std::string readLine(int descriptor) {
 } // namespace
 
 const char* const kSmallSettings = "[start]\nparticles = 1000\ncells = 16\n"
-                                   "[window]\nwidth = 960\nheight = 640\n";
+                                   "[view]\nmode = \"points\"\nshow_sky = false\n[window]\nwidth = 960\nheight = 640\n";
 
 VirtualDisplay::VirtualDisplay(int dotsPerInch) {
     std::array<int, 2> ends{};
     REQUIRE(pipe(ends.data()) == 0);
-    server_ = std::make_unique<Process>(Process::Options{{"Xvfb", "-displayfd", "3", "-screen", "0", "1600x1000x24",
-                                                          "-dpi", std::to_string(dotsPerInch), "-nolisten", "tcp"},
-                                                         {},
-                                                         {},
-                                                         ends[1]});
+    server_ = std::make_unique<Process>(Process::Options{
+        .command = {"Xvfb", "-displayfd", "3", "-screen", "0", "1600x1000x24", "-noreset", "-nolisten", "tcp"},
+        .passedPipe = ends[1]});
     close(ends[1]);
     const std::string number = readLine(ends[0]);
     close(ends[0]);
     INFO("the desktop tests need Xvfb; install the package xvfb");
     REQUIRE_FALSE(number.empty());
     name_ = ":" + number;
+    // What a desktop says about the density of its screen.
+    Display* display = XOpenDisplay(name_.c_str());
+    REQUIRE(display != nullptr);
+    const std::string resources = "Xft.dpi:\t" + std::to_string(dotsPerInch) + "\n";
+    XChangeProperty(display, DefaultRootWindow(display), XA_RESOURCE_MANAGER, XA_STRING, 8, PropModeReplace,
+                    reinterpret_cast<const unsigned char*>(resources.data()), static_cast<int>(resources.size()));
+    XCloseDisplay(display);
 }
 
 VirtualDisplay& sharedDisplay() {
@@ -90,6 +96,7 @@ TrainerWindow::TrainerWindow(const std::string& name, const Options& options)
                            {"MELTPOOL_DATA", data.string()}};
     for (const auto& [variable, value] : options.environment)
         process.environment[variable] = value;
+    process.folder = folder_;
     process.output = folder_ / "output.txt";
     process_ = std::make_unique<Process>(process);
     moveMouse(5, 635);
@@ -130,7 +137,7 @@ json TrainerWindow::waitFor(const std::string& what, const std::function<bool(co
 json TrainerWindow::settle() {
     const json before = state();
     const long long frame = before.is_object() ? before.at("frame").get<long long>() : 0;
-    return waitFor("a few frames", [frame](const json& s) { return s.at("frame").get<long long>() >= frame + 3; });
+    return waitFor("a few frames", [frame](const json& s) { return s.at("frame").get<long long>() >= frame + 2; });
 }
 
 void TrainerWindow::xdotool(std::vector<std::string> words) const {

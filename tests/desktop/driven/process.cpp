@@ -26,6 +26,7 @@ namespace {
         else
             setenv(name.c_str(), value.c_str(), 1);
     }
+    if (!options.folder.empty() && chdir(options.folder.c_str()) != 0) _exit(126);
     const char* output = options.output.empty() ? "/dev/null" : options.output.c_str();
     const int file = open(output, O_WRONLY | O_CREAT | O_TRUNC, 0644);
     dup2(file, STDOUT_FILENO);
@@ -78,7 +79,7 @@ int Process::wait(double seconds) {
 }
 
 int runCommand(const std::vector<std::string>& command, const std::map<std::string, std::string>& environment) {
-    Process process({command, environment, {}, -1});
+    Process process({.command = command, .environment = environment});
     return process.wait(60);
 }
 

@@ -11,10 +11,11 @@ namespace meltpool::test {
 class Process {
   public:
     struct Options {
-        std::vector<std::string> command;
-        std::map<std::string, std::string> environment; ///< on top of this process's own; an empty value removes
-        std::filesystem::path output;                   ///< standard output and error go here; empty: nowhere
-        int passedPipe = -1;                            ///< a file descriptor the child keeps, as number 3
+        std::vector<std::string> command = {};
+        std::map<std::string, std::string> environment = {}; ///< on top of this process's own; an empty value removes
+        std::filesystem::path output = {};                   ///< standard output and error go here; empty: nowhere
+        std::filesystem::path folder = {};                   ///< it runs there; empty: here
+        int passedPipe = -1;                                 ///< a file descriptor the child keeps, as number 3
     };
 
     explicit Process(const Options& options);

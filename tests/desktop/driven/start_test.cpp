@@ -62,9 +62,12 @@ TEST_CASE("a slider takes a typed number and gives its first value back") {
     window.xdotool({"click", "1"});
     window.settle();
     window.xdotool({"keyup", "ctrl"});
+    window.settle();
     window.xdotool({"type", "1235"});
-    window.key("Return");
+    window.settle();
+    window.xdotool({"keydown", "Return"});
     window.waitFor("1235 particles", [](const json& s) { return parameterIn(s, "start", "particles") == "1235"; });
+    window.xdotool({"keyup", "Return"});
     window.click("start.particles.back");
     window.waitFor("the first value", [](const json& s) { return parameterIn(s, "start", "particles") == "20032"; });
 }
@@ -128,7 +131,8 @@ TEST_CASE("too little OpenGL is refused in one sentence, a telemetry file that c
         environment["DISPLAY"] = sharedDisplay().name();
         environment["WAYLAND_DISPLAY"] = "";
         environment["XDG_CONFIG_HOME"] = folder.string();
-        Process process({arguments, environment, folder / "output.txt", -1});
+        Process process(
+            {.command = arguments, .environment = environment, .output = folder / "output.txt", .folder = folder});
         CHECK(process.wait(120) == 2);
         return readTextFile(folder / "output.txt");
     };

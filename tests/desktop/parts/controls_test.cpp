@@ -38,7 +38,7 @@ TEST_CASE("keys step the source along the view's horizontal part, to its side, u
     const ControlParameters parameters;
     const float step = parameters.sourceStep;
     const auto moved = [&](Key key) {
-        HeatSource source;
+        SteeredSource source;
         source.setPosition(glm::vec3(0));
         source.move(struck(key), view, parameters);
         return source.position();
@@ -53,7 +53,7 @@ TEST_CASE("keys step the source along the view's horizontal part, to its side, u
 }
 
 TEST_CASE("a key that repeats steps again each time") {
-    HeatSource source;
+    SteeredSource source;
     source.setPosition(glm::vec3(0));
     InputFrame input = struck(Key::pageUp);
     input.pressed.push_back(Key::pageUp);
@@ -63,7 +63,7 @@ TEST_CASE("a key that repeats steps again each time") {
 }
 
 TEST_CASE("looking straight down leaves a way that is away") {
-    HeatSource source;
+    SteeredSource source;
     source.setPosition(glm::vec3(0));
     source.move(struck(Key::up), {0, -1, 0}, {});
     CHECK(near(source.position(), {0, 0, -0.05f}));
@@ -74,7 +74,7 @@ TEST_CASE("the mouse moves the source sideways and up, with the right button for
     parameters.sourceMouseSpeed = 2;
     InputFrame input;
     input.mouseMove = {50, 100}; // to the right and towards the person
-    HeatSource source;
+    SteeredSource source;
     source.setPosition(glm::vec3(0));
     source.move(input, {0, 0, -1}, parameters);
     CHECK(near(source.position(), {0.2f, -0.4f, 0}));
@@ -121,11 +121,11 @@ TEST_CASE("a free mouse moves the source only with a button down, a captured one
     InputFrame input;
     input.mouseMove = {-100, 0};
     controls.update(input, 0.02);
-    CHECK(near(controls.source().position(), HeatSource::kHome));
+    CHECK(near(controls.source().position(), SteeredSource::kHome));
     input.dragMove = {-40, 0};
     input.leftHeld = true;
     controls.update(input, 0.02);
-    const float dragged = glm::length(controls.source().position() - HeatSource::kHome);
+    const float dragged = glm::length(controls.source().position() - SteeredSource::kHome);
     CHECK(dragged == Approx(0.08f).epsilon(1e-3));
     controls.source().setPosition(glm::vec3(0));
     controls.update(struck(Key::c), 0.02);
@@ -204,7 +204,7 @@ TEST_CASE("F turns the source cold and hot; reset keeps that and takes the sourc
     CHECK(controls.source().position().y == Approx(0.85f));
     controls.reset();
     CHECK(controls.source().cold());
-    CHECK(near(controls.source().position(), HeatSource::kHome));
+    CHECK(near(controls.source().position(), SteeredSource::kHome));
     controls.update(struck(Key::f), 0.02);
     CHECK_FALSE(controls.source().cold());
 }
