@@ -5,7 +5,7 @@ meltpoolBuildPackages=(
     g++ cmake ninja-build pkg-config glslang-tools git
     libglfw3-dev libglew-dev libglm-dev libopenxr-dev libimgui-dev libgl-dev libegl-dev
     libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libstb-dev catch2
-    libgl1-mesa-dri libegl1 libglx-mesa0
+    libgl1-mesa-dri libegl1 libglx-mesa0 fonts-open-sans
 )
 meltpoolTestPackages=(
     dpkg-dev file xvfb xauth xdotool x11-apps x11-utils imagemagick mmdebstrap

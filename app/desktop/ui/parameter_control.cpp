@@ -20,7 +20,7 @@ struct Scale {
 
     Scale(const Parameter& p, const std::string& usual) : low(p.minimum), high(p.maximum) {
         const auto value = parseDouble(usual);
-        if (value && *value > low && high - low > 20 * (*value - low)) even = (*value - low) / 30;
+        if (value && *value > low && high - low >= 10 * (*value - low)) even = (*value - low) / 30;
     }
     double toShare(double value) const {
         if (high <= low) return 0;

@@ -168,12 +168,12 @@ std::array<double, 4> TrainerWindow::place(const std::string& name) {
     json now = settle();
     const bool left = name.rfind("simulation.", 0) != 0;
     const double width = now.at("window").at("size").at(0);
-    for (int notch = 0; notch < 80; ++notch) {
+    for (int notch = 0; notch < 24; ++notch) {
         // A control at the panel's edge is in sight but not in reach: it must be whole, above the status bar.
         const double low = now.at("window").at("size").at(1).get<double>() - (now.at("page") == "start" ? 0 : 65);
         if (const auto found = find(now); found && (*found)[1] + (*found)[3] < low) return *found;
         if (notch == 0) moveMouse(left ? 200 : width - 200, 300);
-        xdotool({"click", notch < 40 ? "5" : "4"});
+        xdotool({"click", "--repeat", "3", "--delay", "5", notch < 10 ? "5" : "4"});
         now = settle();
     }
     FAIL("no control '" << name << "' can be brought in sight; in sight: " << now.at("places").dump());
