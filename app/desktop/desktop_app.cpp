@@ -239,11 +239,16 @@ void DesktopApp::simulate(const InputFrame& input, double seconds) {
     // The desk takes the torch over by catching the mouse.
     const HeldTorchAt held = headsetFrame_ && !controls_.captured() ? headset_->torch() : HeldTorchAt{};
     session_.advance(controls_, seconds, &profiler_, held);
-    if (session_.fault().empty())
-        messages_.clear("metal");
-    else
-        messages_.hold("The simulation stands still: " + session_.fault() + ". Reset begins again.", "metal");
     session_.fillFigures(figures_);
+    if (!session_.fault().empty())
+        messages_.hold("The simulation stands still: " + session_.fault() + ". Reset begins again.", "metal");
+    else if (figures_.refused > 0)
+        messages_.hold(
+            "The metal became unstable: some particles got a state that is no number and kept their old one. "
+            "A smaller time step, heat or stiffness helps; Reset begins again.",
+            "metal");
+    else
+        messages_.clear("metal");
 }
 
 float DesktopApp::coveredLeft() {

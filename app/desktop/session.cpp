@@ -4,6 +4,7 @@
 #include "core/base/resources.hpp"
 #include "core/training/classic_model.hpp"
 
+#include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
@@ -22,7 +23,7 @@ ui::Section section(const char* name, ParameterList list) {
 
 ParameterList startParameters(Lesson& lesson) {
     ParameterList list;
-    for (const Parameter& p : describe(lesson.setup))
+    for (const Parameter& p : lesson.model == LessonModel::Weld ? describe(lesson.workpiece) : describe(lesson.setup))
         if (p.key != "seed") list.push_back(p);
     for (const Parameter& p : describe(lesson.surface))
         if (p.onlyAtStart || p.key == "influence") list.push_back(p);
@@ -41,6 +42,7 @@ bool same(const SurfaceParameters& a, const SurfaceParameters& b) {
 TorchSample torchOf(const SteeredSource& source) {
     TorchSample sample;
     sample.tip = source.position() * kClassicUnit;
+    sample.orientation = glm::angleAxis(-glm::half_pi<float>(), glm::vec3(1, 0, 0)); // straight down
     sample.trigger = source.on() ? 1.0f : 0.0f;
     return sample;
 }
@@ -55,7 +57,8 @@ LessonSections::LessonSections(Lesson& lesson)
     : start(section("start", startParameters(lesson))),
       view(section("view", describe(lesson.look))),
       surface(section("surface", liveParameters(describe(lesson.surface)))),
-      simulation(section("simulation", describe(lesson.metal))) {}
+      simulation(section("simulation", liveParameters(lesson.model == LessonModel::Weld ? describe(lesson.process)
+                                                                                        : describe(lesson.metal)))) {}
 
 void LessonSections::restoreDefaults() {
     for (const ui::Section* each : all())
@@ -97,6 +100,7 @@ bool Session::takeOverChanges(const Controls& controls) {
     lesson_.source.kind = controls.source().cold() ? 1 : 0;
     Lesson& running = trainer_->lesson();
     running.metal = lesson_.metal;
+    running.process = lesson_.process;
     running.source = lesson_.source;
     const bool changed = !same(shownSurface_, lesson_.surface);
     running.surface = lesson_.surface;
@@ -144,7 +148,7 @@ void Session::draw(const Controls& controls, glm::ivec2 pixels, float shift, gl:
     SceneView scene = this->scene(profiler);
     if (!held_) {
         const SteeredSource& source = controls.source();
-        scene.source.position = source.position();
+        scene.source.position = glm::inverse(scene.modelToWorld) * glm::vec4(source.position(), 1);
         scene.source.on = source.on();
         scene.source.cold = source.cold();
     }
@@ -163,6 +167,7 @@ void Session::fillFigures(ui::Figures& figures) const {
     figures.molten = metal.molten;
     figures.hottest = metal.maxTemperature;
     figures.lost = metal.lost;
+    figures.refused = metal.nonFinite;
     figures.stopped = !fault_.empty();
 }
 

@@ -27,8 +27,9 @@ json camera(const Controls& controls) {
 
 json metal(const TelemetryRow& row) {
     const ui::Figures& f = row.figures;
-    return {{"time", f.time},       {"steps", row.steps},   {"particles", f.particles}, {"molten", f.molten},
-            {"hottest", f.hottest}, {"stopped", f.stopped}, {"lost", f.lost},           {"speed", f.speed}};
+    return {{"time", f.time},     {"steps", row.steps},   {"particles", f.particles},
+            {"molten", f.molten}, {"hottest", f.hottest}, {"stopped", f.stopped},
+            {"lost", f.lost},     {"refused", f.refused}, {"speed", f.speed}};
 }
 
 json parameters(const TelemetryRow& row) {

@@ -40,6 +40,7 @@ struct Figures {
     size_t molten = 0;
     double hottest = 0;   ///< 0..1
     size_t lost = 0;      ///< particles that left the box or became no number
+    size_t refused = 0;   ///< new particle states that were no number and were refused, since the reset
     bool stopped = false; ///< the state is no longer finite and the simulation stands still
 };
 

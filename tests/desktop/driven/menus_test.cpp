@@ -186,11 +186,11 @@ TEST_CASE("pictures of every screen, render mode, colour and material from the r
     window.start();
     for (int i = 0; i < 8; ++i)
         window.key("Next");
-    for (int i = 0; i < 7; ++i)
+    for (int i = 0; i < 10; ++i)
         window.key("Up");
     window.moveMouse(300, 400);
     window.xdotool({"mousedown", "1"});
-    window.waitFor("a molten corner", [](const json& s) { return s.at("metal").at("molten") > 250; });
+    window.waitFor("a molten corner", [](const json& s) { return s.at("metal").at("molten") > 150; });
     window.xdotool({"mouseup", "1"});
     window.takePicture("simulation-menu");
     window.key("v");

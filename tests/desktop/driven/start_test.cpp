@@ -29,7 +29,7 @@ TEST_CASE("the start menu sets particles, arrangement, influence and grid; start
     json s = window.state();
     CHECK(s.at("page") == "start");
     CHECK(parameterIn(s, "start", "particles") == "1000");
-    window.pull("start.particles", 0.2);
+    window.pull("start.particles", 0.3);
     window.click("start.arrangement.random");
     window.pull("start.cells", 0.2);
     window.pull("start.influence", 0.3);
