@@ -26,7 +26,7 @@ void beginBar(Context& context, const char* name, float y) {
 }
 
 /// A rounded label in the middle of the bar: the mode and what the mouse does.
-void modeSign(Context& context, const Controls& controls) {
+void modeSign(Context& context, const Controls& controls, float left, float right) {
     const bool working = controls.mode() == Mode::interact;
     const char* text = working ? "Working" : "Looking around \xE2\x80\x93 paused";
     const ImU32 tint = working ? colour::kAccent : colour::kCold;
@@ -34,11 +34,13 @@ void modeSign(Context& context, const Controls& controls) {
     ImGui::PushFont(context.fonts.strong);
     const ImVec2 size = ImGui::CalcTextSize(text);
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const float x = (screen.x - size.x) / 2;
     const float y = (barHeight(context) - size.y) / 2;
     const float dot = context.points(4.5f);
+    // In the window's middle, or pushed aside by the buttons; in a very small window only the dot is left.
+    const float x = std::clamp((screen.x - size.x) / 2, left + 4 * dot, std::max(left + 4 * dot, right - size.x - dot));
+    const bool fits = x + size.x < right;
     draw->AddCircleFilled({x - dot * 3, y + size.y / 2}, dot, tint, 16);
-    draw->AddText({x, y}, tint, text);
+    if (fits) draw->AddText({x, y}, tint, text);
     ImGui::PopFont();
 }
 
@@ -100,11 +102,11 @@ Request topBar(Context& context, PanelState& panels, const Controls& controls, c
     tab("bar.view", "View", panels.view, "How the metal is shown (F2)");
     tab("bar.simulation", "Simulation", panels.simulation, "How the metal behaves (F3)");
     tab("bar.timings", "Timings", panels.timings, "Where the time of a frame goes (F4)");
-    modeSign(context, controls);
-
     const float width = context.points(86);
+    const float buttons = ImGui::GetIO().DisplaySize.x - 3 * width - context.points(14 + 12);
+    modeSign(context, controls, ImGui::GetItemRectMax().x, buttons);
     ImGui::SameLine();
-    ImGui::SetCursorPosX(ImGui::GetIO().DisplaySize.x - 3 * width - context.points(14 + 12));
+    ImGui::SetCursorPosX(buttons);
     if (button(context, "bar.reset", "Reset", ButtonKind::plain, 86, "Metal and torch back to where they began (F5)"))
         request = Request::reset;
     ImGui::SameLine(0, context.points(6));

@@ -190,7 +190,9 @@ TEST_CASE("pictures of every screen, render mode, colour and material from the r
         window.key("Up");
     window.moveMouse(300, 400);
     window.xdotool({"mousedown", "1"});
-    window.waitFor("a molten corner", [](const json& s) { return s.at("metal").at("molten") > 150; });
+    window.waitFor("a molten corner", [](const json& s) {
+        return s.at("metal").at("molten") > 150 && s.at("metal").at("hottest") > 0.95;
+    });
     window.xdotool({"mouseup", "1"});
     window.takePicture("simulation-menu");
     window.key("v");
