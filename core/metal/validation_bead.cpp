@@ -87,12 +87,12 @@ HeatSource arcAt(const Bead& b, float x) {
     return HeatSource::gaussian({x, 0, 0}, {0, -1, 0}, b.sigma, static_cast<float>(b.power - b.wirePower));
 }
 
-/// The measured stretch: where the pool has settled, from the path's middle to a pool's length before its end.
+/// The measured stretch: where the pool has settled, and well before its end. Fed metal lies in waves, so it is long.
 SectionCut cutOf(const Bead& b, const Material& material) {
     SectionCut cut;
     const double path = static_cast<double>(b.end - b.start);
-    cut.from = static_cast<double>(b.start) + 0.5 * path;
-    cut.to = static_cast<double>(b.start) + 0.75 * path;
+    cut.from = static_cast<double>(b.start) + 0.35 * path;
+    cut.to = static_cast<double>(b.start) + 0.8 * path;
     cut.thickness = static_cast<double>(b.thickness);
     cut.fusion = 0.5 * (material.solidus + material.liquidus);
     return cut;
