@@ -41,10 +41,17 @@ FlowBlock makeBlock(const FlowConstants& constants, const FlowFluid& fluid, cons
     block.body = vec4(space.acceleration, static_cast<float>(fluid.wetting));
     block.kernel = vec4(constants.kernelSelf, constants.soundSpeed * constants.soundSpeed,
                         10 * constants.kinematicViscosity, constants.mushyDrag);
-    block.tension = vec4(constants.cohesion, constants.area, 0, constants.wallFriction);
-    block.search = vec4(reach, kFreeWay * fluid.spacing, 0, 0);
+    block.tension =
+        vec4(constants.cohesion, constants.area, fluid.tensionSlope / fluid.density, constants.wallFriction);
+    block.search = vec4(reach, kFreeWay * fluid.spacing, constants.scale, 0);
     block.room = uvec4(static_cast<uint>(room), 0, 0, 0);
     return block;
+}
+
+gl::Defines definesOf(const FlowFluid& fluid) {
+    gl::Defines defines;
+    if (fluid.tensionSlope != 0) defines["MARANGONI"] = "1";
+    return defines;
 }
 
 size_t cellCount(const FlowBlock& block) {
@@ -61,6 +68,7 @@ Flow::Flow(gl::ShaderLibrary& shaders, MetalState& state, const FlowFluid& fluid
            size_t movingRoom)
     : state_(state),
       constants_(FlowConstants::of(fluid)),
+      restDensity_(fluid.density),
       block_(makeBlock(constants_, fluid, space, state.capacity(),
                        movingRoom == 0 ? state.capacity() : std::min(movingRoom, state.capacity()))),
       belong_(shaders.compute("metal/flow_belong.comp")),
@@ -70,7 +78,7 @@ Flow::Flow(gl::ShaderLibrary& shaders, MetalState& state, const FlowFluid& fluid
       search_(shaders.compute("metal/flow_search.comp")),
       boundary_(shaders.compute("metal/flow_boundary.comp")),
       density_(shaders.compute("metal/flow_density.comp")),
-      move_(shaders.compute("metal/flow_move.comp")),
+      move_(shaders.compute("metal/flow_move.comp", definesOf(fluid))),
       blockBuffer_("flow block", sizeof(FlowBlock)),
       bodies_("flow bodies", state.capacity() * sizeof(FlowBody)),
       cells_("flow cells", cellCount(block_) * sizeof(FlowCell)),
@@ -101,6 +109,12 @@ void Flow::bind() const {
 
 void Flow::setAcceleration(glm::vec3 acceleration) {
     block_.body = vec4(acceleration, block_.body.w);
+    blockChanged_ = true;
+}
+
+void Flow::setArc(const ArcPressure& arc) {
+    block_.arc = vec4(arc.place, 1 / (2 * arc.sigma * arc.sigma));
+    block_.arcAxis = vec4(arc.axis, static_cast<double>(arc.peak) / restDensity_);
     blockChanged_ = true;
 }
 

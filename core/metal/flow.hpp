@@ -17,6 +17,14 @@ struct FlowSpace {
     glm::vec3 acceleration{0}; ///< body force over density besides gravity, m/s²
 };
 
+/// Pressure of an arc on the surface that faces it: peak exp(-r²/(2 sigma²)) around its axis.
+struct ArcPressure {
+    glm::vec3 place{0};       ///< m, on the axis
+    glm::vec3 axis{0, -1, 0}; ///< unit vector into the metal
+    float sigma = 2e-3F;      ///< m
+    float peak = 0;           ///< Pa
+};
+
 /// How many went wrong so far; all zero in a healthy run.
 struct FlowFaults {
     unsigned cellsOverfull = 0, neighboursOverfull = 0, notFinite = 0, listOverfull = 0;
@@ -39,6 +47,8 @@ class Flow {
 
     void setAcceleration(glm::vec3 acceleration); ///< body force over density besides gravity, m/s²
 
+    void setArc(const ArcPressure& arc);
+
     const FlowConstants& constants() const { return constants_; }
     FlowFaults readFaults() const; ///< waits for the GPU
     unsigned readMoving() const;   ///< moving particles; waits for the GPU
@@ -54,6 +64,7 @@ class Flow {
 
     MetalState& state_;
     FlowConstants constants_;
+    double restDensity_;
     FlowBlock block_{};
     bool blockChanged_ = true;
     uint substep_ = 0;

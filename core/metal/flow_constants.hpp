@@ -10,6 +10,7 @@ struct FlowFluid {
     double spacing = 1e-3;   ///< m, edge of the cube that a particle stands for
     double density = 7000;   ///< kg/m³ at rest
     double tension = 1.8;    ///< surface tension, N/m
+    double tensionSlope = 0; ///< over temperature, N/(m K): drives the surface towards the colder where negative
     double viscosity = 6e-3; ///< Pa s
     /// How strongly still metal and walls attract the liquid against its own kind: 0 repels (contact angle 180
     /// degrees), 1 wets fully. See wettingForAngle().

@@ -24,6 +24,7 @@ FlowFluid fluidOf(const Material& material, float spacing, double wetting) {
     fluid.density = massDensity(material);
     fluid.wetting = wetting;
     fluid.tension = material.surfaceTension.at(material.liquidus);
+    fluid.tensionSlope = material.tensionSlope();
     fluid.viscosity = material.viscosity.at(material.liquidus);
     return fluid;
 }

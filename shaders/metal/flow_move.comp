@@ -17,7 +17,10 @@ float cohesion(float q) {
     return q > 0.5 ? a : 2 * a - 1.0 / 64;
 }
 
-/// Acceleration by all neighbours, and the fastest that one of them goes against this particle (m/s).
+/// Least share of surface, times half a spacing, of what counts as surface: inside the liquid the sum is never quite 0.
+const float kSurfaceShare = 0.1;
+
+/// Acceleration by all neighbours and by the arc's pressure, and the fastest that one of them goes against this particle (m/s).
 vec3 acceleration(uint index, uint slot, out float fastest) {
     const FlowBody own = bodies[slot];
     const uint found = own.where.w;
@@ -27,6 +30,10 @@ vec3 acceleration(uint index, uint slot, out float fastest) {
     const float pressure = stiffness(own.place.w);
     vec3 sum = vec3(0);
     float fastest2 = 0;
+#ifdef MARANGONI
+    vec3 warming = vec3(0); // sum for the temperature's gradient
+    float reached = 0;      // the same sum for a gradient of 1 along each axis
+#endif
     for (uint k = 0; k < found; ++k) {
         const uint entry = neighbours[base + GROUP_SIZE * k];
         const uint other = entry & ~FLOW_SOLID;
@@ -44,8 +51,27 @@ vec3 acceleration(uint index, uint slot, out float fastest) {
         const float weight = (solid ? fluid.body.w : 1.0) * 2 / (own.place.w + place.w);
         const float pull = weight * fluid.tension.x * cohesion(q) / max(q * fluid.origin.w, 0.02 * fluid.origin.w);
         sum += (slope * (friction - pressure - stiffness(place.w)) - pull) * d;
-        sum -= weight * fluid.tension.y * 4 * q2 * u * (own.normal.xyz - bodies[other].normal.xyz);
+        const vec4 normal = bodies[other].normal;
+        sum -= weight * fluid.tension.y * 4 * q2 * u * (own.normal.xyz - normal.xyz);
+#ifdef MARANGONI
+        warming += slope * (normal.w - own.normal.w) * d;
+        reached -= slope * r2;
+#endif
     }
+    // Its length is the particle's share of surface, 1/m; half of the gradient lies outside, where no particle feels it.
+    const vec3 inward = 2 * own.normal.xyz / fluid.search.z;
+#ifdef MARANGONI
+    // Tangential force of (dgamma/dT) grad T on each area of surface.
+    const vec3 gradient = warming * 3 / max(reached, 1e-3);
+    const float share = length(inward);
+    const vec3 across = inward / max(share, 1e-6);
+    if (share * fluid.high.w > kSurfaceShare)
+        sum += fluid.tension.z * share * (gradient - across * dot(gradient, across));
+#endif
+    const vec3 off = own.place.xyz - fluid.arc.xyz;
+    const float beside = max(dot(off, off) - dot(off, fluid.arcAxis.xyz) * dot(off, fluid.arcAxis.xyz), 0);
+    const float facing = dot(inward, fluid.arcAxis.xyz);
+    if (facing > 0) sum += fluid.arcAxis.w * exp(-beside * fluid.arc.w) * facing * fluid.arcAxis.xyz;
     // A drop of a few particles in flight meets others that are no neighbours yet.
     fastest = found < 20 ? max(sqrt(fastest2), 0.4 * length(own.motion.xyz)) : sqrt(fastest2);
     return sum;

@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <functional>
 #include <random>
 
 namespace meltpool {
@@ -188,6 +189,69 @@ TEST_CASE("what melts begins to move, what freezes stands still, none is lost") 
     const auto end = scene.state.position.read<vec4>(seeds.size());
     for (const vec4& place : end) // it may wet the plate's rim, but clings to it
         CHECK(glm::length(glm::vec3(place) - 4.5F * dx) < 10 * dx);
+}
+
+namespace {
+
+/// A level pool without solid, 16 x 8 x 16 particles; warmer by `slope` K a metre towards +x.
+std::vector<MetalSeed> levelPool(float dx, float slope) {
+    std::vector<MetalSeed> seeds;
+    for (int z = 0; z < 16; ++z)
+        for (int y = 0; y < 8; ++y)
+            for (int x = 0; x < 16; ++x) {
+                MetalSeed seed;
+                seed.position = (glm::vec3(x, y, z) + 0.5F) * dx;
+                seed.temperature = kHot + slope * seed.position.x;
+                seed.phase |= PHASE_LIQUID;
+                seeds.push_back(seed);
+            }
+    return seeds;
+}
+
+/// Force (N) on the particles that `chosen` names, of one short substep, over that without what `change` sets.
+glm::dvec3 forceOf(const FlowFluid& fluid, const std::vector<MetalSeed>& seeds, const FlowSpace& space,
+                   const ArcPressure& arc, const std::function<bool(glm::vec3)>& chosen) {
+    Scene scene(seeds, fluid, space, glm::vec3(0));
+    scene.flow.setArc(arc);
+    const double dt = 1e-4;
+    scene.flow.step(dt, 1, nullptr);
+    const auto velocities = scene.state.velocity.read<vec4>(seeds.size());
+    glm::dvec3 force(0);
+    for (size_t i = 0; i < seeds.size(); ++i)
+        if (chosen(seeds[i].position)) force += glm::dvec3(velocities[i]) * scene.flow.constants().mass / dt;
+    return force;
+}
+
+} // namespace
+
+TEST_CASE("an arc presses with its pressure's integral") {
+    test::context();
+    const float dx = 1e-3F;
+    const auto seeds = levelPool(dx, 0);
+    const FlowSpace space{glm::vec3(-0.01F), glm::vec3(0.03F)};
+    const auto all = [](glm::vec3) { return true; };
+    const ArcPressure arc{glm::vec3(8, 8, 8) * dx, glm::vec3(0, -1, 0), 2e-3F, 500};
+    const glm::dvec3 force = forceOf({}, seeds, space, arc, all) - forceOf({}, seeds, space, {}, all);
+    const double expected = 2 * 3.14159265 * 4e-6 * 500;
+    CHECK(-force.y == Approx(expected).epsilon(0.05));
+    CHECK(std::abs(force.x) < 0.02 * expected);
+}
+
+TEST_CASE("warmth pulls the surface towards the cold") {
+    test::context();
+    const float dx = 1e-3F;
+    const float slope = 1e5F; // K/m
+    const auto seeds = levelPool(dx, slope);
+    FlowFluid fluid;
+    FlowSpace space{glm::vec3(0, -0.01F, 0), glm::vec3(16 * dx, 0.03F, 16 * dx)};
+    space.repeats = glm::bvec3(false, false, true);
+    const auto inTheMiddle = [&](glm::vec3 place) { return std::abs(place.x - 8 * dx) < 3 * dx; };
+    const glm::dvec3 without = forceOf(fluid, seeds, space, {}, inTheMiddle);
+    fluid.tensionSlope = -4e-4;
+    const glm::dvec3 force = forceOf(fluid, seeds, space, {}, inTheMiddle) - without;
+    const double area = 2 * 6e-3 * 16e-3; // above and below
+    CHECK(force.x == Approx(fluid.tensionSlope * static_cast<double>(slope) * area).epsilon(0.1));
+    CHECK(std::abs(force.y) < 0.02 * std::abs(force.x));
 }
 
 } // namespace meltpool
