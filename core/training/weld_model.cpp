@@ -13,7 +13,6 @@ namespace {
 /// World units of the pictures in metres, as for the classic cube, so that cameras of all lessons are alike.
 constexpr float kWorldUnit = 0.04F;
 constexpr float kRoomTemperature = 293.15F;
-constexpr float kColourTop = 2500; ///< K, upper end of the temperature colours
 
 PhysicalSetup setupOf(const Material& material, const Workpiece& workpiece) {
     PhysicalSetup setup;
@@ -28,6 +27,12 @@ PhysicalSetup setupOf(const Material& material, const Workpiece& workpiece) {
     setup.heat.radiation = true;
     setup.heat.evaporation = material.boilingPoint > 0;
     return setup;
+}
+
+/// Upper end of the temperature colours, K: the melt's share of the scale is a third for solder and steel alike.
+float colourTop(const Material& material) {
+    const auto liquidus = static_cast<float>(material.liquidus);
+    return liquidus + std::max(0.5F * (liquidus - kRoomTemperature), 50.0F);
 }
 
 } // namespace
@@ -65,7 +70,7 @@ SceneView WeldModel::scene(const TorchSample& torch) const {
     scene.solids = torchSolids_;
     scene.section.heat = &metal_.state().heat;
     scene.section.spacing = workpiece_.lattice.spacing;
-    scene.temperature = {kRoomTemperature, kColourTop, true, static_cast<float>(material_.solidus),
+    scene.temperature = {kRoomTemperature, colourTop(material_), true, static_cast<float>(material_.solidus),
                          static_cast<float>(material_.liquidus)};
     scene.looks = &material_.looks;
     const MetalState& state = metal_.state();
