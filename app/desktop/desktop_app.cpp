@@ -191,6 +191,7 @@ void DesktopApp::handleKeys(const InputFrame& input) {
             break;
         case Key::f12:
             pictureAsked_ = true;
+            messages_.clear("picture"); // the last picture's message is not for this one
             break;
         default:
             break;
@@ -285,7 +286,8 @@ ui::Request DesktopApp::drawInterface() {
     else if (!panels_.hidden)
         request = drawPanels();
     if (panels_.help) ui::helpOverlay(context, panels_.help);
-    ui::messageStack(context, messages_);
+    const bool running = session_.running();
+    ui::messageStack(context, messages_, running ? coveredLeft() : 0, running ? coveredRight() : 0);
     return request;
 }
 
@@ -294,7 +296,7 @@ ui::Request DesktopApp::drawPanels() {
     const LessonSections& lesson = session_.sections();
     const ui::Request request = ui::topBar(context, panels_, controls_, session_.lesson().title);
     ui::statusBar(context, figures_, controls_);
-    ui::temperatureScale(context, session_.lesson().look.colours, coveredLeft());
+    ui::temperatureScale(context, session_.lesson().look.colours, session_.temperature(), coveredLeft());
     makeRoom();
     if (panels_.view) {
         std::vector<const ui::Section*> sections{&lesson.view, &lesson.surface, &controlSection_, &windowSection_};

@@ -166,6 +166,7 @@ void Session::fillFigures(ui::Figures& figures) const {
     figures.particles = metal.particles;
     figures.molten = metal.molten;
     figures.hottest = metal.maxTemperature;
+    figures.kelvin = lesson_.model == LessonModel::Weld;
     figures.lost = metal.lost;
     figures.refused = metal.nonFinite;
     figures.stopped = !fault_.empty();

@@ -68,6 +68,8 @@ class Session {
     /// The fault that stopped the metal; empty while all is well.
     const std::string& fault() const { return fault_; }
     void fillFigures(ui::Figures& figures) const;
+    /// What the metal's temperature numbers mean. Only while running().
+    TemperatureMeaning temperature() const { return trainer_->scene().temperature; }
     size_t steps() const { return trainer_ == nullptr ? 0 : trainer_->steps(); }
     const Lesson& lesson() const { return lesson_; }
     LessonSections& sections() { return sections_; }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 namespace meltpool::ui {
@@ -46,10 +47,12 @@ void modeSign(Context& context, const Controls& controls, float left, float righ
 
 std::string figuresText(const Figures& f) {
     const double share = f.particles > 0 ? 100.0 * static_cast<double>(f.molten) / static_cast<double>(f.particles) : 0;
+    const std::string hottest = f.kelvin ? niceNumber(std::round(f.hottest - 273.15)) + " \xC2\xB0" + "C"
+                                         : niceNumber(std::round(f.hottest * 100) / 100);
     char text[160];
     std::snprintf(text, sizeof text,
-                  "%.1f s   \xC2\xB7   %zu particles   \xC2\xB7   %.1f %% molten   \xC2\xB7   hottest %.2f", f.time,
-                  f.particles, share, f.hottest);
+                  "%.1f s   \xC2\xB7   %zu particles   \xC2\xB7   %.1f %% molten   \xC2\xB7   hottest %s", f.time,
+                  f.particles, share, hottest.c_str());
     std::string all = text;
     if (f.stopped) return all + "   \xC2\xB7   stopped";
     if (f.speed < 0.97) {
@@ -149,11 +152,14 @@ void statusBar(Context& context, const Figures& figures, const Controls& control
     ImGui::End();
 }
 
-void messageStack(Context& context, Messages& messages) {
+void messageStack(Context& context, Messages& messages, float left, float right) {
     if (messages.shown().empty()) return;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const float width = std::min(context.points(620), screen.x - context.points(40));
-    ImGui::SetNextWindowPos({screen.x / 2, barHeight(context) + context.points(10)}, ImGuiCond_Always, {0.5f, 0});
+    // Where panels leave no room, over them.
+    if (screen.x - left - right < context.points(260)) left = right = 0;
+    const float width = std::min(context.points(620), screen.x - left - right - context.points(40));
+    ImGui::SetNextWindowPos({(left + screen.x - right) / 2, barHeight(context) + context.points(10)}, ImGuiCond_Always,
+                            {0.5f, 0});
     ImGui::SetNextWindowSize({width, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::Begin("messages", nullptr,
@@ -182,7 +188,7 @@ void messageStack(Context& context, Messages& messages) {
     if (dismissed != nullptr) messages.dismiss(*dismissed);
 }
 
-void temperatureScale(Context& context, int colours, float left) {
+void temperatureScale(Context& context, int colours, const TemperatureMeaning& meaning, float left) {
     if (colours == kMaterialColours) return;
     ImDrawList* draw = ImGui::GetBackgroundDrawList();
     const float width = context.points(14);
@@ -206,11 +212,17 @@ void temperatureScale(Context& context, int colours, float left) {
     }
     draw->AddText(context.fonts.small, context.fonts.small->FontSize * ImGui::GetIO().FontGlobalScale,
                   {x - context.points(2), y - context.points(29)}, colour::kQuiet, "Temperature");
-    constexpr std::array<const char*, 3> kLabels{"1  liquid", "0.5", "0  solid"};
+    const auto degrees = [&meaning](float share) {
+        const float kelvin = meaning.coldest + share * (meaning.hottest - meaning.coldest);
+        return niceNumber(std::round(static_cast<double>(kelvin) - 273.15)) + " \xC2\xB0" + "C";
+    };
+    const std::array<std::string, 3> labels = meaning.kelvin
+                                                  ? std::array<std::string, 3>{degrees(1), degrees(0.5f), degrees(0)}
+                                                  : std::array<std::string, 3>{"1  liquid", "0.5", "0  solid"};
     for (size_t i = 0; i < 3; ++i)
         draw->AddText(context.fonts.small, context.fonts.small->FontSize * ImGui::GetIO().FontGlobalScale,
                       {x + width + context.points(8), y + height / 2 * static_cast<float>(i) - context.points(9)},
-                      colour::kText, kLabels[i]);
+                      colour::kText, labels[i].c_str());
 }
 
 } // namespace meltpool::ui

@@ -5,6 +5,7 @@
 #include "app/desktop/messages.hpp"
 #include "app/desktop/ui/widgets.hpp"
 #include "core/gl/profiler.hpp"
+#include "core/render/scene.hpp"
 
 #include <optional>
 #include <string>
@@ -38,7 +39,8 @@ struct Figures {
     double framesPerSecond = 0;
     size_t particles = 0;
     size_t molten = 0;
-    double hottest = 0;   ///< 0..1
+    double hottest = 0;   ///< 0..1, or K
+    bool kelvin = false;  ///< which of the two
     size_t lost = 0;      ///< particles that left the box or became no number
     size_t refused = 0;   ///< new particle states that were no number and were refused, since the reset
     bool stopped = false; ///< the state is no longer finite and the simulation stands still
@@ -57,11 +59,11 @@ void simulationMenu(Context& context, const Section& section, Controls& controls
 void timingsPanel(Context& context, const gl::Profiler& profiler, const Figures& figures, double frameMs,
                   const std::string& driver, bool besideView);
 void helpOverlay(Context& context, bool& open);
-/// Messages at the top; a click takes one away.
-void messageStack(Context& context, Messages& messages);
+/// Messages at the top, between what panels cover at the left and right (points); a click takes one away.
+void messageStack(Context& context, Messages& messages, float left, float right);
 /// The colour scale of the temperature displays; `colours` is LookParameters::colours.
 /// `left`: what panels cover at the left, points.
-void temperatureScale(Context& context, int colours, float left);
+void temperatureScale(Context& context, int colours, const TemperatureMeaning& meaning, float left);
 
 /// The metal cube with its molten corner, the program's sign. `size` in points.
 void drawSign(ImDrawList& draw, ImVec2 centre, float size);

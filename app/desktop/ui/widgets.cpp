@@ -119,14 +119,14 @@ bool toggle(Context& context, const std::string& name, const char* label, bool& 
 }
 
 bool choiceRow(Context& context, const std::string& name, std::span<const std::string_view> choices, int& value) {
-    const float gap = context.points(6);
+    const float gap = context.points(5);
     const float right = ImGui::GetContentRegionAvail().x;
     float used = 0;
     bool changed = false;
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {context.points(11), context.points(4)});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {context.points(8), context.points(4)});
     for (size_t i = 0; i < choices.size(); ++i) {
         const std::string text = readableName(choices[i]);
-        const float width = ImGui::CalcTextSize(text.c_str()).x + context.points(22);
+        const float width = ImGui::CalcTextSize(text.c_str()).x + context.points(16);
         if (i > 0 && used + gap + width <= right) {
             ImGui::SameLine(0, gap);
             used += gap;
