@@ -11,6 +11,8 @@ struct ParticleView {
     size_t count = 0;
     /// Where not every slot holds a particle: one uint a slot, alive with PHASE_ALIVE (shaders/shared/metal.h).
     const gl::Buffer* phases = nullptr;
+    /// Where the metal remembers how hot it was: one vec4 a slot, z = highest temperature so far.
+    const gl::Buffer* heats = nullptr;
 };
 
 } // namespace meltpool

@@ -38,7 +38,7 @@ class PhysicalMetal {
     void step(std::span<const HeatSource> sources, std::span<const MetalSeed> filler, gl::Profiler* profiler);
 
     float timeStep() const { return setup_.timeStep; }
-    ParticleView particles() const { return {&state_->position, state_->particles()}; }
+    ParticleView particles() const { return {&state_->position, state_->particles(), nullptr, &state_->heat}; }
     const MetalState& state() const { return *state_; }
     const HeatTable& table() const { return table_; }
     const HeatSolver& heat() const { return *heat_; }

@@ -18,10 +18,25 @@ namespace {
 
 constexpr GLbitfield kStorage = GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT;
 
+int extrasOf(const ParticleView& particles) {
+    return (particles.phases != nullptr ? SURFACE_WITH_PHASES : 0) |
+           (particles.heats != nullptr ? SURFACE_WITH_PEAKS : 0);
+}
+
 SurfaceStatistics statisticsOf(const SurfaceCommands& commands) {
     return {commands.vertexCount,   commands.triangleCount, commands.blockCount,
             commands.splattedCount, commands.whole != 0,    commands.overflow != 0};
 }
+
+} // namespace
+
+namespace {
+
+/// How hot the metal has been: a third volume beside density and temperature, for particles that remember it.
+struct Peaks {
+    gl::Buffer volume, splatted, vertices; // a word a corner, a particle, a vertex
+    gl::BufferView volumeTexels, heatTexels;
+};
 
 } // namespace
 
@@ -31,7 +46,9 @@ struct Surface::Work {
 
     void makeRoom(size_t particles);
     void forget();
+    void makePeaks();
     void bindParticles(const ParticleView& particles);
+    void bindPeaks(const ParticleView& particles);
     void enterAll(const ParticleView& particles);
     void enterChanged(const ParticleView& particles);
     void chooseBlocks();
@@ -43,7 +60,8 @@ struct Surface::Work {
     SurfaceSetup setup;
     SurfaceParameters made; ///< what the volumes were made with
     size_t entered = 0;     ///< particles that they may hold; 0 before the first update
-    bool withPhases = false;
+    int extras = 0;         ///< SURFACE_WITH_* of the particles
+    std::optional<Peaks> peaks;
 
     const gl::Program& compare;
     std::array<const gl::Program*, 2> splatAll, splatChanged; // by SurfaceKernel
@@ -124,10 +142,22 @@ void Surface::Work::makeRoom(size_t particles) {
     entered = 0;
 }
 
+void Surface::Work::makePeaks() {
+    if (!peaks) {
+        peaks.emplace();
+        peaks->volume = gl::Buffer("surface peaks", density.bytes());
+        peaks->vertices = gl::Buffer("surface vertex peaks", grid.mostVertices() * 4);
+        peaks->volumeTexels = gl::BufferView("surface peaks", peaks->volume, GL_R32UI, 4);
+    }
+    const size_t bytes = splatted ? splatted.bytes() / 4 : 4; // a float where the other has a vec4
+    if (peaks->splatted.bytes() < bytes) peaks->splatted = gl::Buffer("surface splatted peaks", bytes);
+}
+
 /// Empties the volumes: no particle is entered any more.
 void Surface::Work::forget() {
     for (const gl::Buffer* buffer : {&density, &temperature, &blockStates, &insideBits})
         buffer->clear();
+    if (peaks) peaks->volume.clear();
     if (splatted) splatted.fill(std::bit_cast<GLuint>(SURFACE_NOWHERE));
     glMemoryBarrier(kStorage);
 }
@@ -150,6 +180,15 @@ void Surface::Work::bindParticles(const ParticleView& particles) {
     temperature.bindStorage(SURFACE_BIND_TEMPERATURE);
     blockFlags.bindStorage(SURFACE_BIND_BLOCK_FLAGS);
     commands.bindStorage(SURFACE_BIND_COMMANDS);
+    bindPeaks(particles);
+}
+
+void Surface::Work::bindPeaks(const ParticleView& particles) {
+    (peaks ? peaks->volume : commands).bindStorage(SURFACE_BIND_PEAK);
+    (peaks ? peaks->splatted : commands).bindStorage(SURFACE_BIND_SPLATTED_PEAKS);
+    if (particles.heats == nullptr) return;
+    peaks->heatTexels = gl::BufferView("surface heats", *particles.heats, GL_RGBA32F, sizeof(glm::vec4));
+    peaks->heatTexels.bind(SURFACE_TEXELS_HEATS);
 }
 
 void Surface::Work::enterAll(const ParticleView& particles) {
@@ -207,6 +246,8 @@ void Surface::Work::makeMesh(gl::Profiler* profiler) {
         densityTexels.bind(SURFACE_TEXELS_DENSITY);
         temperatureTexels.bind(SURFACE_TEXELS_TEMPERATURE);
         vertices.bindStorage(SURFACE_BIND_VERTICES);
+        (peaks ? peaks->vertices : commands).bindStorage(SURFACE_BIND_VERTEX_PEAKS);
+        if (peaks) peaks->volumeTexels.bind(SURFACE_TEXELS_PEAK);
         dispatchIndirect(vertexPass, offsetof(SurfaceCommands, vertices));
     }
     {
@@ -233,7 +274,7 @@ void Surface::setTemperatureRange(float coldest, float hottest) {
 bool Surface::mustStartAnew(const ParticleView& particles) const {
     const SurfaceParameters& made = work_->made;
     return !keeping.on || work_->entered == 0 || particles.count < work_->entered ||
-           work_->withPhases != (particles.phases != nullptr) || made.influence != parameters.influence ||
+           work_->extras != extrasOf(particles) || made.influence != parameters.influence ||
            made.kernel != std::clamp(parameters.kernel, 0, 1) || made.isoLevel != parameters.isoLevel ||
            made.caps != parameters.caps;
 }
@@ -246,11 +287,12 @@ void Surface::update(const ParticleView& particles, gl::Profiler* profiler) {
     w.made = parameters;
     w.made.kernel = std::clamp(parameters.kernel, 0, 1);
     w.entered = keeping.on ? particles.count : 0;
-    w.withPhases = particles.phases != nullptr;
+    w.extras = extrasOf(particles);
+    if (particles.heats != nullptr) w.makePeaks();
     w.setup.cells.w = std::clamp(parameters.influence, 1, 8);
     w.setup.limits.x = static_cast<unsigned>(particles.count);
     w.setup.limits.y = static_cast<unsigned>(std::max(std::lround(double(parameters.isoLevel) * SURFACE_UNIT), 1L));
-    w.setup.options = {parameters.caps ? 1 : 0, anew ? 1 : 0, w.withPhases ? 1 : 0, keeping.on ? 1 : 0};
+    w.setup.options = {parameters.caps ? 1 : 0, anew ? 1 : 0, w.extras, keeping.on ? 1 : 0};
     w.setup.still = {keeping.stillCells, keeping.stillTemperature, 0, 0};
     w.setupBlock.writeValue(w.setup);
     w.setupBlock.bindUniform(SURFACE_BIND_SETUP);
@@ -272,7 +314,8 @@ void Surface::update(const ParticleView& particles, gl::Profiler* profiler) {
 }
 
 SurfaceMesh Surface::mesh() const {
-    return {&work_->vertices, &work_->indices, &work_->commands};
+    const bool withPeaks = (work_->extras & SURFACE_WITH_PEAKS) != 0;
+    return {&work_->vertices, &work_->indices, &work_->commands, withPeaks ? &work_->peaks->vertices : nullptr};
 }
 
 const SurfaceGrid& Surface::grid() const {
@@ -295,6 +338,7 @@ size_t Surface::bytes() const {
           &w.settled,    &w.blockList, &w.retired,      &w.blockSums, &w.insideBits,  &w.rows,       &w.rowSums,
           &w.cases,      &w.edgeList,  &w.triangleList, &w.vertices,  &w.indices,     &w.commands})
         sum += buffer->bytes();
+    if (w.peaks) sum += w.peaks->volume.bytes() + w.peaks->splatted.bytes() + w.peaks->vertices.bytes();
     return sum;
 }
 

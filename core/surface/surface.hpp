@@ -38,6 +38,8 @@ struct SurfaceKeeping {
 /// does not depend on how densely the particles lie. Both are sums of integers: the same particles give the same bits
 /// in any order.
 ///
+/// Particles that remember their highest temperature give a third volume, and the mesh its peaks, in the same way.
+///
 /// The smooth kernel has other weights (SurfaceKernel).
 ///
 /// Triangles and vertices are ordered by block of 8³ cells, then row, then cell. With SurfaceKeeping the blocks that

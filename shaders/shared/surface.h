@@ -46,6 +46,10 @@
 #define SURFACE_BIND_SPLATTED 5
 #define SURFACE_BIND_CHANGED_LIST 6
 #define SURFACE_BIND_PHASES 7
+#define SURFACE_BIND_PEAK 8
+#define SURFACE_BIND_SPLATTED_PEAKS 9
+// The pass that makes the vertices, likewise.
+#define SURFACE_BIND_VERTEX_PEAKS 8
 // The pass that lists the blocks, likewise.
 #define SURFACE_BIND_BLOCK_STATES 1
 #define SURFACE_BIND_SETTLED 2
@@ -59,6 +63,12 @@
 #define SURFACE_TEXELS_INSIDE 4
 #define SURFACE_TEXELS_ROWS 5
 #define SURFACE_TEXELS_CASES 6
+#define SURFACE_TEXELS_HEATS 7
+#define SURFACE_TEXELS_PEAK 8
+
+/// What the particles come with besides place and temperature.
+#define SURFACE_WITH_PHASES 1
+#define SURFACE_WITH_PEAKS 2
 
 /// Coordinates of a particle that is nowhere: not yet entered into the volumes, or no metal any more.
 #define SURFACE_NOWHERE 3.0e38f
@@ -124,7 +134,7 @@ struct SurfaceSetup {
     vec4 origin;   ///< xyz model position of the grid's first corner, w temperature that counts as 0
     vec4 extent;   ///< xyz from the first corner to the last, signed; w temperature that counts as 1, less origin.w
     uvec4 limits;  ///< x particles, y iso level in units of 1 / SURFACE_UNIT, z most vertices, w most triangles
-    ivec4 options; ///< x 1: with caps; y 1: make the whole mesh anew; z 1: particles have phases; w 1: remember them
+    ivec4 options; ///< x 1: with caps; y 1: make the whole mesh anew; z bits SURFACE_WITH_*; w 1: remember the particles
     vec4 still;   ///< a change not larger than this is none: x cells, y share of the temperature range
 };
 

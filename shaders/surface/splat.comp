@@ -14,6 +14,9 @@ layout(std430, binding = SURFACE_BIND_DENSITY) buffer Density { uint density[]; 
 layout(std430, binding = SURFACE_BIND_TEMPERATURE) buffer Temperature { uint temperature[]; };
 layout(std430, binding = SURFACE_BIND_BLOCK_FLAGS) writeonly buffer BlockFlags { uint flags[]; };
 layout(std430, binding = SURFACE_BIND_SPLATTED) buffer Splatted { vec4 splatted[]; };
+layout(std430, binding = SURFACE_BIND_PEAK) buffer Peak { uint peak[]; };
+layout(std430, binding = SURFACE_BIND_SPLATTED_PEAKS) buffer SplattedPeaks { float splattedPeaks[]; };
+layout(binding = SURFACE_TEXELS_HEATS) uniform samplerBuffer heats;
 layout(std430, binding = SURFACE_BIND_CHANGED_LIST) readonly buffer ChangedList { uint changedList[]; };
 layout(std430, binding = SURFACE_BIND_COMMANDS) readonly buffer Commands { SurfaceCommands commands; };
 
@@ -54,12 +57,26 @@ float weightScale(float reach) {
 }
 #endif
 
+bool withPeaks() {
+    return (setup.options.z & SURFACE_WITH_PEAKS) != 0;
+}
+
+/// The highest temperature of a particle so far; the coldest of all where that is not known.
+float peakNow(uint index) {
+    return withPeaks() ? texelFetch(heats, int(index)).z : setup.origin.w;
+}
+
+/// A temperature as a share of the range.
+float shareOf(float temperature_) {
+    precise float share = (temperature_ - setup.origin.w) / setup.extent.w;
+    return share > 0.0 ? min(share, 1.0) : 0.0;
+}
+
 /// Adds the particle to the volumes `times` times: 1, or -1 to take it out.
-void addParticle(vec4 particle, int times) {
+void addParticle(vec4 particle, float hottest, int times) {
     precise vec3 place = (particle.xyz - setup.origin.xyz) * (vec3(setup.cells.xyz) / setup.extent.xyz) + 1.0;
     if (!all(lessThan(abs(place), vec3(1e6)))) return;
-    precise float share = (particle.w - setup.origin.w) / setup.extent.w;
-    share = share > 0.0 ? min(share, 1.0) : 0.0;
+    float share = shareOf(particle.w), peakShare = shareOf(hottest);
 
     int reach = setup.cells.w - 1;
     ivec3 nearest = ivec3(floor(place + 0.5));
@@ -88,6 +105,10 @@ void addParticle(vec4 particle, int times) {
                     precise float heat = float(weight) * share + 0.5;
                     atomicAdd(temperature[address], uint(int(heat) * times));
                 }
+                if (peakShare > 0.0) {
+                    precise float heat = float(weight) * peakShare + 0.5;
+                    atomicAdd(peak[address], uint(int(heat) * times));
+                }
             }
         }
     }
@@ -98,8 +119,12 @@ void main() {
     uint index = linearInvocation();
     if (index >= setup.limits.x) return;
     vec4 now = particleNow(index);
-    if (setup.options.w != 0) splatted[index] = now;
-    addParticle(now, 1);
+    float hottest = peakNow(index);
+    if (setup.options.w != 0) {
+        splatted[index] = now;
+        if (withPeaks()) splattedPeaks[index] = hottest;
+    }
+    addParticle(now, hottest, 1);
 }
 #else
 void main() {
@@ -108,10 +133,13 @@ void main() {
     uint index = changedList[slot];
     vec4 now = particleNow(index);
     vec4 entered = splatted[index];
+    float hottest = peakNow(index), enteredHottest = withPeaks() ? splattedPeaks[index] : hottest;
     splatted[index] = now;
+    if (withPeaks()) splattedPeaks[index] = hottest;
     for (int times = -1; times <= 1; times += 2) {
-        addParticle(entered, times);
+        addParticle(entered, enteredHottest, times);
         entered = now;
+        enteredHottest = hottest;
     }
 }
 #endif

@@ -8,6 +8,8 @@ layout(binding = SURFACE_TEXELS_DENSITY) uniform usamplerBuffer density;
 layout(binding = SURFACE_TEXELS_TEMPERATURE) uniform usamplerBuffer temperature;
 layout(std430, binding = SURFACE_BIND_EDGE_LIST) readonly buffer EdgeList { uint edgeList[]; };
 layout(std430, binding = SURFACE_BIND_VERTICES) writeonly buffer Vertices { SurfaceVertex vertices[]; };
+layout(binding = SURFACE_TEXELS_PEAK) uniform usamplerBuffer peak;
+layout(std430, binding = SURFACE_BIND_VERTEX_PEAKS) writeonly buffer VertexPeaks { float vertexPeaks[]; };
 layout(std430, binding = SURFACE_BIND_COMMANDS) readonly buffer Commands { SurfaceCommands commands; };
 
 bool ownCorner(ivec3 corner) {
@@ -67,4 +69,7 @@ void main() {
     vertex.position = vec4(placeOf(mix(vec3(a), vec3(b), part)), temperatureOf(heat, mix(weightA, weightB, part)));
     vertex.normal = vec4(cap ? along : direction(falling, along), 0.0);
     vertices[commands.firstVertex + index] = vertex;
+    if ((setup.options.z & SURFACE_WITH_PEAKS) == 0) return;
+    float hottest = mix(float(texelFetch(peak, cornerAddress(a)).x), float(texelFetch(peak, cornerAddress(b)).x), part);
+    vertexPeaks[commands.firstVertex + index] = temperatureOf(hottest, mix(weightA, weightB, part));
 }

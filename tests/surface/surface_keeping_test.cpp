@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <random>
 
@@ -130,6 +131,55 @@ TEST_CASE("nothing changed, nothing is made") {
     CHECK(surface.statistics().particles == 0);
     CHECK(surface.statistics().blocks == 0);
     CHECK(sortedTriangles(test::readMesh(surface)) == before);
+}
+
+TEST_CASE("the mesh knows how hot the metal has been") {
+    const SurfaceParameters parameters{64, 3, 0.6f, true, int(SurfaceKernel::smooth)};
+    Surface kept(test::shaders(), parameters, Plate::kLow, Plate::kHigh);
+    Surface fresh(test::shaders(), parameters, Plate::kLow, Plate::kHigh);
+    kept.keeping.on = true;
+    for (Surface* surface : {&kept, &fresh})
+        surface->setTemperatureRange(300, 2300);
+    Plate plate;
+    std::vector<vec4> heats(plate.places.size(), vec4(0, 0, 300, 0));
+    for (vec4& p : plate.places)
+        p.w = 300;
+    for (int step = 0; step < 5; ++step) { // a hot spot wanders and what it leaves cools
+        for (size_t i = 0; i < plate.places.size(); ++i) {
+            const bool hot = glm::distance(vec3(plate.places[i]), vec3(-0.4f + 0.1f * float(step), 0, 0)) < 0.12f;
+            plate.places[i].w = hot ? 1500.0f : 300.0f;
+            heats[i].z = std::max(heats[i].z, plate.places[i].w);
+        }
+        const gl::Buffer positions("plate", std::span<const vec4>(plate.places));
+        const gl::Buffer heatBuffer("plate heats", std::span<const vec4>(heats));
+        for (Surface* surface : {&kept, &fresh})
+            surface->update({&positions, plate.places.size(), nullptr, &heatBuffer}, nullptr);
+    }
+    const auto sortedPeaks = [](const Surface& surface) {
+        const test::Mesh mesh = test::readMesh(surface);
+        const auto peaks = surface.mesh().peaks->read<float>(mesh.vertices.size());
+        std::vector<std::array<float, 4>> rows;
+        for (const unsigned i : mesh.indices)
+            rows.push_back(
+                {mesh.vertices[i].position.x, mesh.vertices[i].position.y, mesh.vertices[i].position.z, peaks[i]});
+        std::sort(rows.begin(), rows.end());
+        return rows;
+    };
+    const auto rows = sortedPeaks(kept);
+    CHECK(rows == sortedPeaks(fresh));
+    size_t tinted = 0;
+    for (const auto& [x, y, z, peak] : rows) {
+        if (y < -0.05f) continue;
+        if (std::abs(x + 0.4f) < 0.02f && std::abs(z) < 0.02f) {
+            CHECK(std::abs(peak - 1500) < 2); // cold again, but it has been hot
+            ++tinted;
+        }
+        if (x > 0.4f) REQUIRE(std::abs(peak - 300) < 1);
+    }
+    CHECK(tinted > 0);
+
+    plate.update(fresh); // particles that remember nothing
+    CHECK(fresh.mesh().peaks == nullptr);
 }
 
 TEST_CASE("a small change makes a small part anew, however often it comes") {
