@@ -141,3 +141,27 @@ TEST_CASE("without a display the program says so and runs the demonstration", "[
     CHECK(resultIn(folder / "out" / "classic").at("lesson") == "classic");
     CHECK(fs::exists(folder / "out" / "classic" / "000.000s-metal.png"));
 }
+
+TEST_CASE("a weld lesson melts steel, tells its section, and repeats bit by bit", "[app]") {
+    const auto folder = test::scratchFolder("weld");
+    const auto torch = folder / "short.toml";
+    writeTextFileAtomically(torch, "start_mm = [-2, 3, 0]\n"
+                                   "[[move]]\nkind = 'arc_on'\n"
+                                   "[[move]]\nkind = 'line'\nto_mm = [2, 3, 0]\nspeed_mm_s = 6\n");
+    const std::string arguments = "run gmaw-bead --size 160x120 --pictures 0 --seconds 0.6 --set length_mm=24 "
+                                  "--set width_mm=20 --set thickness_mm=4 --set cells=32 --torch '" +
+                                  torch.string() + "'";
+    const Json first = runInto(folder / "first", arguments);
+    CHECK(first.at("molten") > 0);
+    CHECK(first.at("lost") == 0);
+    CHECK(first.at("non_finite") == 0);
+    CHECK(first.at("max_temperature") > 1700); // K
+    const Json& section = first.at("section");
+    CHECK(section.at("at_mm") == 0);
+    for (const char* size : {"width_mm", "height_mm", "depth_mm", "area_mm2"})
+        CHECK(section.at("heat_affected").at(size) >= section.at("fusion").at(size));
+    CHECK(section.at("heat_affected").at("area_mm2") > 1);
+    const Json second = runInto(folder / "second", arguments);
+    CHECK(second.at("state_hash") == first.at("state_hash"));
+    CHECK(second.at("section") == section);
+}
