@@ -48,9 +48,9 @@ struct HeatSettings {
     bool evaporation = false; ///< where the material says how
     double stepShare = 0.15;  ///< longest step as a share of dx²/alpha: 1/6 is the limit of stability, and near it the
                               ///< errors of space and time cancel
-    double wakingKelvin = 0.005; ///< difference between neighbours below which a tile goes to rest
-    bool ledger = false;         ///< books every joule in and out, for the balance
-    bool meltedLeaves = false;   ///< melted particles leave the lattice (with flow) or stay on it (heat alone)
+    double wakingKelvin = 0.03; ///< difference between neighbours below which a tile goes to rest
+    bool ledger = false;        ///< books every joule in and out, for the balance
+    bool meltedLeaves = false;  ///< melted particles leave the lattice (with flow) or stay on it (heat alone)
 };
 
 /// Joules since the start, from the ledger.

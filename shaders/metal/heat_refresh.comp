@@ -23,5 +23,7 @@ void main() {
     cellWeight[cell] = entry != 0u ? 1.0 : 0.0;
     if (cell % TILE_CELLS != 0u) return;
     tiles[cell / TILE_CELLS] = HeatTile(heatBlock.step.x, -2, 0.0, -2);
-    tileStamp[cell / TILE_CELLS] = -1;
+    bool filled = false;
+    for (uint inside = 0u; inside < TILE_CELLS; ++inside) filled = filled || lattice[cell + inside] != 0u;
+    tileStamp[cell / TILE_CELLS] = filled ? -1 : TILE_NO_METAL;
 }

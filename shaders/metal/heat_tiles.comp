@@ -23,6 +23,8 @@ bool underSource(ivec3 place) {
 void main() {
     int tile = int(linearInvocation());
     if (tile >= heatBlock.step.w) return;
+    bool loose = holdsLoose(tile);
+    if (tileStamp[tile] == TILE_NO_METAL && !loose) return;
     ivec3 place = tileCoordinate(tile);
     ivec3 stride = ivec3(1, metal.tiles.x, metal.tiles.x * metal.tiles.y);
     bool besideBusy = false;
@@ -34,7 +36,6 @@ void main() {
             besideBusy = besideBusy || busy(tile + side * stride[axis]);
             besideLoose = besideLoose || holdsLoose(tile + side * stride[axis]);
         }
-    bool loose = holdsLoose(tile);
     bool turn = tiles[tile].lastWarm == tileStamp[tile] && (heatBlock.step.x + tile) % int(TILE_REST) == 0;
     // Time since the end of the step it last took part in, this step included.
     float waited = tileStamp[tile] == heatBlock.step.x - 1 ? 0.0 : tiles[tile].since;

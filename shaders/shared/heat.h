@@ -35,6 +35,8 @@
 // A tile that does nothing but lose heat through its surface takes part every so many steps, for all the time since.
 #define TILE_REST 16u
 
+#define TILE_NO_METAL (-1000000) // stamp of a tile that never held any: it takes part only when loose metal comes
+
 // Loose metal spreads over the eight cells around it; the sums are integers, so that their order does not matter.
 #define LOOSE_UNIT 65536.0
 
