@@ -33,16 +33,6 @@ struct TemperatureMeaning {
     float liquidus = 0.0f; ///< K: fully liquid and glossy above
 };
 
-/// Where peak temperatures are looked up for a mesh that does not carry them: the solid metal's lattice, laid out as
-/// shaders/shared/metal.h says. Where no particle sits on it, the metal has been molten.
-struct PeakField {
-    const gl::Buffer* slots = nullptr; ///< slot + 1 a cell; null: there is no lattice
-    const gl::Buffer* heat = nullptr;  ///< one vec4 a slot, z = highest temperature so far (K)
-    glm::vec3 low{0.0f};               ///< low corner of the first cell, model units
-    float spacing = 0;                 ///< edge of a cell, model units
-    glm::ivec3 tiles{0};               ///< size in tiles
-};
-
 struct SceneView {
     SurfaceMesh mesh;             ///< null buffers: no surface is drawn
     bool meshIsOpen = false;      ///< caps are off: the inside is seen too
@@ -54,7 +44,6 @@ struct SceneView {
     SourceView source;
     TemperatureMeaning temperature;
     const MaterialLooks* looks = nullptr; ///< physical material; null: LookParameters::material
-    PeakField peaks;
     SectionView section;
     std::span<const Solid> solids; ///< torch, table, clamps
 };

@@ -8,8 +8,7 @@ namespace meltpool {
 
 namespace {
 
-constexpr GLuint kPeak = 2;         // vertex attribute
-constexpr GLint kTilesLocation = 2; // uniform of hot_metal.vert
+constexpr GLuint kPeak = 2; // vertex attribute
 
 } // namespace
 
@@ -40,30 +39,13 @@ void SurfacePainter::draw(const SceneView& scene, const LookParameters& look, in
     const bool translucent = look.colours == kMaterialColours && kind != SurfaceKind::metal;
     if (translucent) drawFarSide(scene.mesh, firstView, target, viewport);
     if (!scene.meshIsOpen) glEnable(GL_CULL_FACE);
-    if (look.colours != kMaterialColours)
-        drawMesh(scene.mesh, temperature_.use(target), firstView);
-    else if (kind == SurfaceKind::ice)
-        drawMesh(scene.mesh, ice_.use(target), firstView);
-    else if (kind == SurfaceKind::wax)
-        drawMesh(scene.mesh, wax_.use(target), firstView);
-    else if (scene.temperature.kelvin)
-        drawHot(scene, firstView, target);
-    else
-        drawMesh(scene.mesh, metal_.use(target), firstView);
+    const TonedProgram& program = look.colours != kMaterialColours ? temperature_
+                                  : kind == SurfaceKind::ice       ? ice_
+                                  : kind == SurfaceKind::wax       ? wax_
+                                  : scene.temperature.kelvin       ? hotMetal_
+                                                                   : metal_;
+    drawMesh(scene.mesh, program.use(target), firstView);
     glDisable(GL_CULL_FACE);
-}
-
-void SurfacePainter::drawHot(const SceneView& scene, int firstView, const RenderTarget& target) const {
-    const gl::Program& program = hotMetal_.use(target);
-    const PeakField& peaks = scene.peaks;
-    const bool known = peaks.slots != nullptr && peaks.heat != nullptr && peaks.spacing > 0;
-    program.set("lattice", glm::vec4(peaks.low, known ? 1.0f / peaks.spacing : 0.0f));
-    glProgramUniform3i(program.name(), kTilesLocation, peaks.tiles.x, peaks.tiles.y, peaks.tiles.z);
-    if (known) {
-        peaks.slots->bindStorage(PEAK_SLOTS_BINDING);
-        peaks.heat->bindStorage(PEAK_HEAT_BINDING);
-    }
-    drawMesh(scene.mesh, program, firstView);
 }
 
 void SurfacePainter::drawWireframe(const SurfaceMesh& mesh, int firstView, const RenderTarget& target) const {

@@ -32,7 +32,6 @@ class SurfacePainter {
 
     void drawFarSide(const SurfaceMesh& mesh, int firstView, const RenderTarget& target, const Viewport& viewport);
     void drawMesh(const SurfaceMesh& mesh, const gl::Program& program, int firstView) const;
-    void drawHot(const SceneView& scene, int firstView, const RenderTarget& target) const;
 
     TonedProgram metal_;
     TonedProgram hotMetal_;

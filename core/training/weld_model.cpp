@@ -73,11 +73,6 @@ SceneView WeldModel::scene(const TorchSample& torch) const {
     scene.temperature = {kRoomTemperature, colourTop(material_), true, static_cast<float>(material_.solidus),
                          static_cast<float>(material_.liquidus)};
     scene.looks = &material_.looks;
-    const MetalState& state = metal_.state();
-    const MetalLattice& lattice = state.lattice();
-    scene.peaks = {&state.latticeSlots, &state.heat, lattice.low, lattice.spacing, lattice.tiles};
-    scene.section.heat = &state.heat;
-    scene.section.spacing = lattice.spacing;
     return scene;
 }
 

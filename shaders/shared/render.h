@@ -21,10 +21,6 @@
 #define PULL_VERTICES_BINDING 0
 #define PULL_INDICES_BINDING 1
 
-// Storage bindings of the peak temperatures' lattice.
-#define PEAK_SLOTS_BINDING 2
-#define PEAK_HEAT_BINDING 3
-
 // Most views of one draw call list.
 #define MOST_VIEWS 4
 

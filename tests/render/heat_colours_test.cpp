@@ -73,29 +73,4 @@ TEST_CASE("a weld glows, is tinted where it was hot, and shows its pool through 
     CHECK(test::matchesGolden("render/weld-temperature", shoot()));
 }
 
-TEST_CASE("peaks looked up in the lattice tint like peaks that the mesh carries") {
-    test::context();
-    const test::SyntheticWeld weld;
-    const test::PeakLattice lattice;
-    Renderer renderer(test::shaders());
-    const PictureTarget target(320, 240, 4);
-    const View view =
-        FreeCamera({0.034f, 0.026f, 0.034f}, {0.006f, 0.0f, 0.0f}).view({.nearest = 0.005f}, 320.0f / 240);
-    LookParameters look;
-    look.showBox = false;
-    SceneView scene = weld.view();
-    const auto shoot = [&] {
-        renderer.draw(scene, look, {&view, 1}, target.target(), nullptr);
-        return target.read();
-    };
-    const Image carried = shoot();
-    scene.mesh.peaks = nullptr;
-    const Image none = shoot();
-    scene.peaks = lattice.field();
-    const Image lookedUp = shoot();
-    // The particles lie half a spacing below the surface and on their own grid, so hues shift a little.
-    CHECK(compareImages(carried, lookedUp, 40).farPixels < 0.02);
-    CHECK(compareImages(none, lookedUp, 40).farPixels > 0.04);
-}
-
 } // namespace meltpool

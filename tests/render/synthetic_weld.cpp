@@ -1,6 +1,5 @@
 #include "tests/render/synthetic_weld.hpp"
 
-#include "core/metal/metal_state.hpp"
 #include "shaders/shared/surface.h"
 
 #include <glm/geometric.hpp>
@@ -48,39 +47,6 @@ double weldPeak(double behind, double aside, double deep) {
     for (double x = -behind; x < 0.02; x += 0.0005)
         peak = std::max(peak, weldTemperature({x, deep, aside}));
     return peak;
-}
-
-namespace {
-
-const MetalLattice& plateLattice() {
-    static const MetalLattice lattice = MetalLattice::covering(
-        {-kLength / 2, -0.004, -kWidth / 2}, {kLength / 2, 0.0, kWidth / 2}, static_cast<float>(kSpacing));
-    return lattice;
-}
-
-} // namespace
-
-PeakLattice::PeakLattice() {
-    const MetalLattice& lattice = plateLattice();
-    std::vector<int> slots(lattice.cellCount(), 0);
-    std::vector<glm::vec4> heat;
-    const glm::ivec3 cells = lattice.cells();
-    for (int x = 0; x < cells.x; ++x)
-        for (int z = 0; z < cells.z; ++z) {
-            const int top = lattice.cellAt({0, -0.5 * kSpacing, 0}).y;
-            const glm::vec3 place = lattice.centre({x, top, z});
-            const double peak = weldPeak(kSourceX - double(place.x), double(place.z), 0);
-            if (peak > kLiquidus) continue;
-            heat.emplace_back(0.0f, 0.0f, peak, 0.0f);
-            slots[lattice.index({x, top, z})] = static_cast<int>(heat.size());
-        }
-    slots_ = gl::Buffer("lattice slots", std::span<const int>(slots));
-    heat_ = gl::Buffer("lattice heat", std::span<const glm::vec4>(heat));
-}
-
-PeakField PeakLattice::field() const {
-    const MetalLattice& lattice = plateLattice();
-    return {&slots_, &heat_, lattice.low, lattice.spacing, lattice.tiles};
 }
 
 SyntheticWeld::SyntheticWeld() {

@@ -13,16 +13,6 @@ double weldTemperature(const glm::dvec3& at);
 /// (m, along -x) away.
 double weldPeak(double behind, double aside, double deep);
 
-/// The plate of the weld as a lattice of solid particles with their peak temperatures, without the ones that melted.
-class PeakLattice {
-  public:
-    PeakLattice();
-    PeakField field() const;
-
-  private:
-    gl::Buffer slots_, heat_;
-};
-
 class SyntheticWeld {
   public:
     SyntheticWeld();
