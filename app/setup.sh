@@ -8,7 +8,7 @@ meltpoolBuildPackages=(
     libgl1-mesa-dri libegl1 libglx-mesa0 fonts-open-sans
 )
 meltpoolTestPackages=(
-    dpkg-dev file xvfb xauth xdotool x11-apps x11-utils imagemagick mmdebstrap
+    dpkg-dev file xvfb xauth xdotool libx11-dev x11-apps x11-utils imagemagick mmdebstrap
 )
 
 # meltpoolInstall KIND...: installs the missing packages of the kinds build and test; asks for sudo only when something is missing.

@@ -73,7 +73,9 @@ void drawGroups(Context& context, const std::vector<const Section*>& sections, c
         ParameterList rest;
         for (const Parameter& p : section->parameters)
             if (!p.onlyAtStart && !done.contains(p.key)) rest.push_back(p);
-        drawGroup(context, *section, ("More: " + section->name).c_str(), rest, false);
+        // A lesson of which no group knows any value shows them all.
+        const std::string title = done.empty() ? "Process" : "More: " + section->name;
+        drawGroup(context, *section, title.c_str(), rest, done.empty());
     }
 }
 

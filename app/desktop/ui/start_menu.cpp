@@ -98,6 +98,21 @@ void introduction(Context& context, const std::string& task) {
     ImGui::EndGroup();
 }
 
+/// The values, in a part of their own that scrolls where there are more than the window has room for: the buttons below
+/// stay in sight.
+void values(Context& context, const Section& start, float screenHeight) {
+    const float room = std::max(context.points(120), screenHeight - context.points(350));
+    const float height = std::min(context.startValuesHeight, room);
+    ImGui::BeginChild("values", {0, height > 0 ? height : room});
+    for (const Parameter& parameter : start.parameters) {
+        parameterControl(context, start.name, parameter, start.defaults);
+        quietText(context, sentence(parameter.note));
+        ImGui::Dummy({0, context.points(3)});
+    }
+    context.startValuesHeight = ImGui::GetCursorPosY();
+    ImGui::EndChild();
+}
+
 } // namespace
 
 void drawSign(ImDrawList& draw, ImVec2 centre, float size) {
@@ -139,11 +154,7 @@ Request startMenu(Context& context, const Section& start, const std::string& tas
     ImGui::PopStyleVar();
     introduction(context, task);
     ImGui::Dummy({0, context.points(10)});
-    for (const Parameter& parameter : start.parameters) {
-        parameterControl(context, start.name, parameter, start.defaults);
-        quietText(context, sentence(parameter.note));
-        ImGui::Dummy({0, context.points(3)});
-    }
+    values(context, start, screen.y);
     ImGui::Dummy({0, context.points(8)});
     Request request = Request::none;
     const float half = (ImGui::GetContentRegionAvail().x / context.scale - 12) / 2;

@@ -23,6 +23,7 @@ struct Place {
 struct Context {
     Fonts fonts;
     float scale = 1;
+    float startValuesHeight = 0; ///< what the start menu's values took in the last frame; 0: not drawn yet
     /// Where each control was drawn this frame, by name such as "simulation.viscosity"; only those in sight.
     std::map<std::string, Place> places;
 

@@ -172,7 +172,7 @@ std::array<double, 4> TrainerWindow::place(const std::string& name) {
         // A control at the panel's edge is in sight but not in reach: it must be whole, above the status bar.
         const double low = now.at("window").at("size").at(1).get<double>() - (now.at("page") == "start" ? 0 : 65);
         if (const auto found = find(now); found && (*found)[1] + (*found)[3] < low) return *found;
-        if (notch == 0) moveMouse(left ? 200 : width - 200, 300);
+        if (notch == 0) moveMouse(now.at("page") == "start" ? width / 2 : (left ? 200 : width - 200), 300);
         xdotool({"click", "--repeat", "3", "--delay", "5", notch < 10 ? "5" : "4"});
         now = settle();
     }
