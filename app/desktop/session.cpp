@@ -141,7 +141,9 @@ float Session::unit() const {
 }
 
 float Session::bottom() const {
-    return running() ? trainer_->scene().boxMin.y * unit() : 0.0f;
+    if (!running()) return 0.0f;
+    const SceneView scene = trainer_->scene();
+    return (scene.modelToWorld * glm::vec4(0, scene.boxMin.y, 0, 1)).y * unit();
 }
 
 void Session::draw(const Controls& controls, glm::ivec2 pixels, float shift, gl::Profiler* profiler) {

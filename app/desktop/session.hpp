@@ -59,7 +59,7 @@ class Session {
     /// The world as it is now, the surface brought up to date; without a running lesson an empty one.
     SceneView scene(gl::Profiler* profiler);
     Renderer& renderer() { return renderer_; }
-    /// Metres of a unit of the scene's model, and the lowest place of the workpiece in its own frame, m.
+    /// Metres of a unit of the scene's world, and the lowest place of the workpiece in its own frame, m.
     float unit() const;
     float bottom() const;
     /// From the next start on, and from now on where a lesson runs, every step is written to `file`.

@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdio>
 #include <utility>
 
 namespace meltpool {
 
 namespace {
+
+constexpr double kMeasuringSeconds = 12;
 
 xr::HeadsetSettings settingsOf(const HeadsetParameters& parameters) {
     xr::HeadsetSettings settings;
@@ -23,8 +27,11 @@ View viewOf(const Workshop& workshop, const xr::EyeView& eye, const xr::BothEyes
 } // namespace
 
 HeadsetDesk::HeadsetDesk(const HeadsetParameters& parameters, std::filesystem::path calibration)
-    : parameters_(parameters), link_(settingsOf(parameters)), place_(parameters, 0.0f) {
-    if (std::filesystem::exists(calibration)) calibration_ = xr::readCalibration(calibration);
+    : parameters_(parameters),
+      calibrationFile_(std::move(calibration)),
+      link_(settingsOf(parameters)),
+      place_(parameters, 0.0f) {
+    if (std::filesystem::exists(calibrationFile_)) calibration_ = xr::readCalibration(calibrationFile_);
 }
 
 /// A call on the headset that fails because the headset is gone ends the frame and nothing else.
@@ -70,8 +77,9 @@ void HeadsetDesk::readHands(double elapsed) {
     torch_.update(headset.input().hand(torchHand_), calibration_, workshop_, elapsed);
     const xr::HandInput& other = headset.input().hand(torchHand_ == xr::Hand::right ? xr::Hand::left : xr::Hand::right);
     rod_ = other.tracked ? std::optional(workshop_.toWorkshop(other.grip)) : std::nullopt;
-    // A hand that works on the panel does not weld.
-    if (pointing_) torch_.release();
+    gatherTip(elapsed);
+    // A hand that works on the panel, or whose tip is being measured, does not weld.
+    if (pointing_ || measuring_ > 0) torch_.release();
     visor_.update(torch_.trigger() > 0, elapsed);
 }
 
@@ -129,6 +137,42 @@ void HeadsetDesk::showPanel(const std::function<void(GLuint, const PanelPointer&
         panel.handOver();
         link_.headset()->showPanel(workshop_.toSession(panelPose()));
     });
+}
+
+void HeadsetDesk::measureTip() {
+    tipPoses_.clear();
+    measuring_ = kMeasuringSeconds;
+}
+
+void HeadsetDesk::gatherTip(double elapsed) {
+    if (measuring_ <= 0) return;
+    const xr::HandInput& hand = link_.headset()->input().hand(torchHand_);
+    if (hand.tracked) tipPoses_.push_back(hand.grip);
+    measuring_ -= elapsed;
+    if (measuring_ > 0) return;
+    const xr::PivotResult found = xr::solvePivot(tipPoses_);
+    if (!found.accepted) {
+        tipReport_ = "The tip was not found: " + found.reason + ".";
+        return;
+    }
+    calibration_.offset = found.offset;
+    calibration_.residualMm = found.residualMm;
+    std::array<char, 96> text{};
+    std::snprintf(text.data(), text.size(), "The tip was found, %.0f mm from the grip, to %.1f mm.",
+                  1000.0 * double(glm::length(found.offset)), double(found.residualMm));
+    tipReport_ = text.data();
+    try {
+        std::filesystem::create_directories(calibrationFile_.parent_path());
+        xr::writeCalibration(calibrationFile_, calibration_);
+    } catch (const std::exception& fault) {
+        tipReport_ += std::string(" It could not be kept: ") + fault.what();
+    }
+}
+
+std::string HeadsetDesk::tipReport() const {
+    if (measuring_ <= 0) return tipReport_;
+    return "Rest the tip in a small dent and swing the torch about it to all sides: " +
+           std::to_string(static_cast<int>(std::ceil(measuring_))) + " s";
 }
 
 void HeadsetDesk::placeWorkshop() {

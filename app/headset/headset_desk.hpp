@@ -20,7 +20,7 @@ namespace meltpool {
 struct LessonInSight {
     const SceneView* scene = nullptr;
     const LookParameters* look = nullptr;
-    float unit = 1.0f; ///< metres of a model unit
+    float unit = 1.0f; ///< metres of a unit of the scene's world
 };
 
 /// A frame is begin(), the simulation with torch(), draw(), end(); each does nothing while there is no frame for a
@@ -66,6 +66,11 @@ class HeadsetDesk {
     std::string warning() const;
     int openings() const { return link_.openings(); }
     void recentre() { recentreAsked_ = true; }
+
+    /// Begins the pivot calibration: for the next seconds the tip rests on one point while the torch is swung about it.
+    void measureTip();
+    /// What the calibration wants or has found; empty where none was asked for.
+    std::string tipReport() const;
     void close() { link_.close(); }
 
     /// CPU time of this object in the last frame, s, without waiting for the runtime.
@@ -75,6 +80,7 @@ class HeadsetDesk {
     using Clock = std::chrono::steady_clock;
 
     void readHands(double elapsed);
+    void gatherTip(double elapsed);
     void placeWorkshop();
     void placePanel();
     void point();
@@ -85,7 +91,11 @@ class HeadsetDesk {
     void guarded(const std::function<void()>& work);
 
     const HeadsetParameters& parameters_;
+    std::filesystem::path calibrationFile_;
     xr::TipCalibration calibration_;
+    std::vector<xr::Pose> tipPoses_; ///< grips, while the tip is being measured
+    double measuring_ = 0;           ///< seconds left
+    std::string tipReport_;
     xr::HeadsetLink link_;
     Workshop workshop_;
     WorkpiecePlace place_;

@@ -74,7 +74,11 @@ ui::Request HeadsetStation::panelContent(ui::Context& context, Session& session,
     ImGui::Dummy({0, context.points(4)});
     static constexpr std::array<std::string_view, 3> kPages{"headset", "simulation", "view"};
     ui::choiceRow(context, "headset.page", kPages, page_);
-    if (page_ == 0) drawParameters(context, section_);
+    if (page_ == 0) {
+        drawParameters(context, section_);
+        if (ui::button(context, "headset.tip", "Measure the torch's tip")) desk_.measureTip();
+        if (!desk_.tipReport().empty()) ui::quietText(context, desk_.tipReport());
+    }
     if (page_ == 1) drawParameters(context, session.sections().simulation);
     if (page_ == 2) {
         drawParameters(context, session.sections().view);
