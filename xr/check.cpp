@@ -22,20 +22,6 @@ std::string_view functionOf(std::string_view expression) {
 
 } // namespace
 
-bool XrFault::isLoss() const {
-    switch (result_) {
-    case XR_ERROR_INSTANCE_LOST:
-    case XR_ERROR_SESSION_LOST:
-    case XR_ERROR_RUNTIME_FAILURE:
-    case XR_ERROR_SESSION_NOT_RUNNING:
-    case XR_ERROR_FORM_FACTOR_UNAVAILABLE:
-    case XR_ERROR_RUNTIME_UNAVAILABLE:
-        return true;
-    default:
-        return false;
-    }
-}
-
 std::string resultName(XrResult result) {
     switch (result) {
 #define MELTPOOL_NAME(name, value)                                                                                     \

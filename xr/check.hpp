@@ -14,8 +14,6 @@ class XrFault : public RuntimeFault {
   public:
     XrFault(const std::string& sentence, XrResult result) : RuntimeFault(sentence), result_(result) {}
     XrResult result() const { return result_; }
-    /// The runtime or the session is gone and has to be opened anew; nothing in the program is at fault.
-    bool isLoss() const;
 
   private:
     XrResult result_;

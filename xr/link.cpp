@@ -100,13 +100,12 @@ void HeadsetLink::open(std::unique_ptr<Instance> instance) {
         ++openings_;
     } catch (const XrFault& fault) {
         reason_ = explain(fault);
-    } catch (const InputError& wrong) {
+    } catch (const std::exception& wrong) {
         reason_ = wrong.what();
     }
 }
 
 void HeadsetLink::onFault(const XrFault& fault) {
-    if (!fault.isLoss()) throw fault;
     drop(explain(fault));
 }
 

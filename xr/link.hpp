@@ -32,8 +32,7 @@ class HeadsetLink {
     /// The headset while it is open; nullptr while searching.
     Headset* headset() { return headset_.get(); }
     const Headset* headset() const { return headset_.get(); }
-    /// A call on the headset failed: drops it and looks for it anew where the runtime was lost; other faults go on as
-    /// they are.
+    /// A call on the headset failed: drops it, says why, and looks for it anew. The desk goes on whatever it was.
     void onFault(const XrFault& fault);
     /// Leaves the headset for good.
     void close();

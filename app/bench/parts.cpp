@@ -19,6 +19,7 @@ std::span<const BenchPart> benchParts() {
                   benchWeldMetal},
         BenchPart{"weld", "surface around a moving pool in a plate of 100x50x6 mm and in one of four times the area",
                   benchWeldSurface},
+        BenchPart{"stereo", "both eyes of a headset over one: 672x756 pixels an eye, 4 samples", benchStereo},
     };
     return kParts;
 }

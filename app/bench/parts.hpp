@@ -11,5 +11,6 @@ void benchClassicFrame(Bench& bench);
 void benchClassicSurface(Bench& bench);
 void benchWeldMetal(Bench& bench);
 void benchWeldSurface(Bench& bench);
+void benchStereo(Bench& bench);
 
 } // namespace meltpool

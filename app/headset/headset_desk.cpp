@@ -11,6 +11,8 @@ namespace meltpool {
 namespace {
 
 constexpr double kMeasuringSeconds = 12;
+/// The figures of the metal come a few steps late and not with every frame, s.
+constexpr double kHeatGap = 0.25;
 
 xr::HeadsetSettings settingsOf(const HeadsetParameters& parameters) {
     xr::HeadsetSettings settings;
@@ -193,7 +195,7 @@ void HeadsetDesk::draw(Renderer& renderer, const LessonInSight& lesson, gl::Prof
         if (timing_.shouldRender)
             drawn_ = link_.headset()->drawEyes(
                 [&](const xr::BothEyes& eyes) { drawEyes(renderer, lesson, eyes, profiler); });
-        vibrate();
+        vibrate(lesson.hottest);
     });
     busy_ += std::chrono::duration<double>(Clock::now() - start).count();
 }
@@ -222,11 +224,18 @@ void HeadsetDesk::drawEyes(Renderer& renderer, const LessonInSight& lesson, cons
                   profiler);
 }
 
-void HeadsetDesk::vibrate() {
+void HeadsetDesk::vibrate(double hottest) {
+    // The metal takes heat while its hottest place does not cool. Pulling the trigger in the air feels like an arc
+    // about to break.
+    if (hottest > 0 && hottest >= hottestBefore_) heatArrived_ = time_;
+    hottestBefore_ = hottest;
+    const bool taken = time_ - heatArrived_ < kHeatGap;
     xr::TipState tip;
     tip.time = time_;
     tip.arc = torch_.trigger() > 0;
     tip.power = torch_.trigger();
+    tip.steadyDistance = 1.0f;
+    tip.distance = taken ? tip.steadyDistance : xr::kBreakingDistance * tip.steadyDistance;
     xr::HapticPulse pulse = xr::feel(tip);
     pulse.amplitude *= parameters_.hapticStrength;
     link_.headset()->input().play(torchHand_, pulse);

@@ -20,7 +20,8 @@ namespace meltpool {
 struct LessonInSight {
     const SceneView* scene = nullptr;
     const LookParameters* look = nullptr;
-    float unit = 1.0f; ///< metres of a unit of the scene's world
+    float unit = 1.0f;  ///< metres of a unit of the scene's world
+    double hottest = 0; ///< newest known temperature of the hottest metal, in whatever the lesson counts
 };
 
 /// A frame is begin(), the simulation with torch(), draw(), end(); each does nothing while there is no frame for a
@@ -87,7 +88,7 @@ class HeadsetDesk {
     bool pointWith(xr::Hand which);
     xr::Pose panelPose() const; ///< in the workshop
     void drawEyes(Renderer& renderer, const LessonInSight& lesson, const xr::BothEyes& eyes, gl::Profiler* profiler);
-    void vibrate();
+    void vibrate(double hottest);
     void guarded(const std::function<void()>& work);
 
     const HeadsetParameters& parameters_;
@@ -116,6 +117,8 @@ class HeadsetDesk {
     glm::vec3 pointedAt_{0.0f};
     double busy_ = 0;
     double time_ = 0;
+    double hottestBefore_ = 0;
+    double heatArrived_ = -1; ///< when the metal last took heat, on the clock of `time_`
 };
 
 } // namespace meltpool

@@ -39,7 +39,7 @@ HeldTorchAt HeadsetStation::torch() const {
 ui::Request HeadsetStation::draw(Session& session, const ui::Figures& figures, double elapsed, gl::Profiler* profiler) {
     if (!desk_.inFrame()) return ui::Request::none;
     const SceneView scene = session.scene(profiler);
-    desk_.draw(session.renderer(), {&scene, &session.lesson().look, session.unit()}, profiler);
+    desk_.draw(session.renderer(), {&scene, &session.lesson().look, session.unit(), figures.hottest}, profiler);
     return desk_.panelShown() ? drawPanel(session, figures, elapsed) : ui::Request::none;
 }
 

@@ -8,6 +8,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <thread>
 
@@ -289,6 +290,45 @@ TEST_CASE("the panel opens, a button is pressed with the pointer's ray, and the 
     CHECK(trainer.alive());
     CHECK(trainer.stop() == 0);
     CHECK(trainer.misuses() == "");
+}
+
+TEST_CASE("a minute of welding with panel, recentre, loss and return holds no misuse of the API", "[runtime][long]") {
+    handGeometry();
+    const fs::path folder = benchFolder() / "minute";
+    auto trainee = std::make_unique<Trainee>();
+    TrainerProcess trainer(folder, {"--headset", "--lesson", smallLesson(folder).string()});
+    REQUIRE(trainer.waitFor(running, 30));
+    double worst = 0;
+    const auto weld = [&](double seconds) {
+        const auto begin = std::chrono::steady_clock::now();
+        for (double t = 0; t < seconds;) {
+            t = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+            const auto angle = static_cast<float>(t);
+            trainee->aim({0.018f * std::cos(angle), 0.018f, 0.018f * std::sin(angle)},
+                         std::fmod(t, 5.0) < 4.0 ? 1.0f : 0.0f);
+            sleepFor(0.02);
+        }
+        for (const json& row : trainer.rows())
+            worst = std::max(worst, row["headset"]["busy_ms"].get<double>());
+    };
+    weld(60);
+    trainee->state.hands[1].b = true;
+    trainee->driver.send(trainee->state);
+    CHECK(trainer.waitFor([](const json& row) { return row["headset"]["panel"] == true; }, 10));
+    trainee->state.hands[1].b = false;
+    trainee->state.hands[0].thumbstickClick = true;
+    trainee->driver.send(trainee->state);
+    passFrames(trainer, 5);
+    const json before = trainer.now();
+    REQUIRE(kill(servicePid(), SIGKILL) == 0);
+    REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["openings"] == 2; }, 30));
+    trainee = std::make_unique<Trainee>();
+    weld(3);
+    const json after = trainer.now();
+    CHECK(trainer.stop() == 0);
+    CHECK(trainer.misuses() == "");
+    WARN("frames " << after["frame"] << ", " << before["frames_per_second"] << " a second; steps "
+                   << before["metal"]["steps"] << "; longest headset work of a frame " << worst << " ms");
 }
 
 TEST_CASE("without a headset the program says so when one was asked for", "[runtime]") {
