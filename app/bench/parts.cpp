@@ -15,7 +15,7 @@ std::span<const BenchPart> benchParts() {
         BenchPart{"classic", "whole frame: step, surface and picture at 8192 particles, grid 64, 1280x720",
                   benchClassicFrame},
         BenchPart{"classic", "surface alone: grid 32, 64 and 128", benchClassicSurface},
-        BenchPart{"weld", "physics of a GMAW bead in a plate of 100x50x6 mm at 1 mm and in one of four times the area",
+        BenchPart{"weld", "frame of a GMAW bead on a plate of 100x50x6 mm and on one of four times the area: the metal",
                   benchWeldMetal},
         BenchPart{"weld", "surface around a moving pool in a plate of 100x50x6 mm and in one of four times the area",
                   benchWeldSurface},

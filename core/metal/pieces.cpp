@@ -1,8 +1,12 @@
 #include "core/metal/pieces.hpp"
 
+#include <algorithm>
+
 namespace meltpool {
 
 namespace {
+
+constexpr size_t kPart = 32768; ///< slots that a call looks at in a round: a frame costs no more with more metal
 
 void storageBarrier() {
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -34,6 +38,9 @@ SolidPieces::SolidPieces(gl::ShaderLibrary& shaders, MetalState& state, const Pi
       contact_(shaders.compute("metal/pieces_contact.comp")),
       gather_(shaders.compute("metal/pieces_gather.comp")),
       advance_(shaders.compute("metal/pieces_move.comp")) {
+    // Metal that comes in the middle of a cycle waits for the next one.
+    labels_.fill(PIECE_NONE);
+    relabels_.fill(PIECE_NONE);
     block_.coarse = ivec4(state.lattice().cells() / 2, 0);
     block_.step = vec4(0, setup.floorHeight, setup.friction, 0);
     blockBuffer_.writeValue(block_);
@@ -60,36 +67,48 @@ void SolidPieces::relabel(gl::Profiler* profiler) {
     if (stage_ == 0)
         begin();
     else if (stage_ <= PIECES_ROUNDS)
-        round(static_cast<unsigned>(stage_));
+        partOfRound(static_cast<unsigned>(stage_));
     else
         finish();
-    stage_ = (stage_ + 1) % kCycle;
+    if (done_ < slots_) return; // the rest of the round is for the next calls
+    stage_ = (stage_ + 1) % (PIECES_ROUNDS + 2);
+    done_ = 0;
 }
 
 void SolidPieces::relabelNow(gl::Profiler* profiler) {
     stage_ = 0;
+    done_ = 0;
     do
         relabel(profiler);
-    while (stage_ != 0);
+    while (stage_ != 0 || done_ != 0);
 }
 
 void SolidPieces::begin() {
+    slots_ = state_.particles();
     heads_.clear();
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    beginLink_.dispatch(state_.particles(), PIECES_GROUP);
+    beginLink_.dispatch(slots_, PIECES_GROUP);
     storageBarrier();
+    done_ = slots_;
 }
 
-void SolidPieces::round(unsigned number) {
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    labels_.copyTo(relabels_, state_.particles() * sizeof(uint));
-    label_.set("round_", number);
-    label_.dispatch(state_.particles(), PIECES_GROUP);
+void SolidPieces::partOfRound(unsigned round) {
+    if (done_ == 0) {
+        glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+        labels_.copyTo(relabels_, slots_ * sizeof(uint));
+    }
+    const size_t last = std::min(slots_, done_ + kPart);
+    label_.set("round_", round);
+    label_.set("first", static_cast<unsigned>(done_));
+    label_.set("last", static_cast<unsigned>(last));
+    label_.dispatch(last - done_, PIECES_GROUP);
     storageBarrier();
-    std::swap(labels_, relabels_);
+    done_ = last;
+    if (done_ == slots_) std::swap(labels_, relabels_);
 }
 
 void SolidPieces::finish() {
+    done_ = slots_;
     tallyUp_.dispatch(state_.particles(), PIECES_GROUP);
     storageBarrier();
     number_.dispatchGroups(1);

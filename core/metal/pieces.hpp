@@ -26,9 +26,9 @@ class SolidPieces {
     /// `state` must outlive this object.
     SolidPieces(gl::ShaderLibrary& shaders, MetalState& state, const PieceSetup& setup);
 
-    /// One small part of telling the pieces apart; a whole cycle takes kCycle calls. Call it once a frame. Reads
-    /// positions and phases; at the end of a cycle writes the piece bits, takes loose metal off the lattice and clears
-    /// PHASE_FRESH.
+    /// One small part of telling the pieces apart, about the same for any amount of metal; a whole cycle takes
+    /// PIECES_ROUNDS + 2 calls, more where there is much metal. Call it once a frame. Reads positions and phases; at
+    /// the end of a cycle writes the piece bits, takes loose metal off the lattice and clears PHASE_FRESH.
     void relabel(gl::Profiler* profiler);
 
     /// A whole cycle at once, from its beginning.
@@ -44,18 +44,18 @@ class SolidPieces {
 
     size_t bytes() const;
 
-    static constexpr int kCycle = PIECES_ROUNDS + 2; ///< begin, rounds, end
-
   private:
     void bind() const;
     void begin();
-    void round(unsigned number);
+    void partOfRound(unsigned round);
     void finish();
     void indirect(const gl::Program& program, size_t offset) const;
 
     MetalState& state_;
     PiecesBlock block_{};
-    int stage_ = 0;
+    int stage_ = 0;    ///< begin, rounds, end
+    size_t slots_ = 0; ///< that were there when the cycle began
+    size_t done_ = 0;  ///< of them in this stage
     gl::Buffer blockBuffer_, heads_, next_, labels_, relabels_, tally_, numbers_, control_, motion_, loose_, contacts_;
     const gl::Program &clear_, &beginLink_, &link_, &label_, &tallyUp_, &number_, &assign_, &list_, &contact_, &gather_,
         &advance_;

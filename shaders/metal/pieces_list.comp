@@ -10,18 +10,20 @@ layout(std430, binding = PIECES_LOOSE) writeonly buffer Loose { uint loose[]; };
 
 uvec4 groups(uint count) { return uvec4((count + PIECES_GROUP - 1) / PIECES_GROUP, 1, 1, 0); }
 
+bool wanted(uint bits) { return solid(bits) && pieceOf(bits) != 0; }
+
 void main() {
-    uint found = 0;
-    for (uint first = 0; first < counters.particles; first += PIECES_GROUP) {
-        uint slot = first + gl_LocalInvocationID.x;
-        uint bits = slot < counters.particles ? phase[slot] : 0;
-        bool wanted = solid(bits) && pieceOf(bits) != 0;
-        uint total;
-        uint place = found + countBefore(wanted, total);
-        if (wanted) loose[place] = slot;
-        found += total;
-    }
-    if (gl_LocalInvocationID.x != 0) return;
+    uint lane = gl_LocalInvocationID.x;
+    uint first = runStart(lane);
+    uint end = runStart(lane + 1);
+    uint mine = 0;
+    for (uint slot = first; slot < end; ++slot) mine += wanted(phase[slot]) ? 1 : 0;
+    uint found;
+    uint place = sumBefore(mine, found);
+    if (mine != 0)
+        for (uint slot = first; slot < end; ++slot)
+            if (wanted(phase[slot])) loose[place++] = slot;
+    if (lane != 0) return;
     control.loose = found;
     control.looseGroups = groups(found);
     control.pieceGroups = uvec4(found == 0 ? 0 : control.pieces, 1, 1, 0);

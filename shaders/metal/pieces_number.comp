@@ -10,18 +10,21 @@ layout(std430, binding = PIECES_NUMBER) writeonly buffer Numbers { uint number[]
 
 #include "pieces_scan.glsl"
 
+bool loose(uint slot) { return tally[slot] != 0 && (tally[slot] & 0x80000000u) == 0; }
+
 void main() {
     if (control.changed == PIECES_ROUNDS) return; // the labels are not final
     uint lane = gl_LocalInvocationID.x;
-    uint found = 0;
-    for (uint first = 0; first < counters.particles; first += PIECES_GROUP) {
-        uint slot = first + lane;
-        uint members = slot < counters.particles ? tally[slot] : 0;
-        bool loose = members != 0 && (members & 0x80000000u) == 0;
-        uint total;
-        uint own = found + countBefore(loose, total) + 1;
-        if (slot < counters.particles) number[slot] = !loose ? 0 : own <= PIECES_MOST ? own : 0;
-        found += total;
+    uint first = runStart(lane);
+    uint end = runStart(lane + 1);
+    uint mine = 0;
+    for (uint slot = first; slot < end; ++slot) mine += loose(slot) ? 1 : 0;
+    uint found;
+    uint own = sumBefore(mine, found);
+    for (uint slot = first; slot < end; ++slot) {
+        bool counts = loose(slot);
+        own += counts ? 1 : 0;
+        number[slot] = counts && own <= PIECES_MOST ? own : 0;
     }
     if (lane != 0) return;
     control.pieces = min(found, PIECES_MOST);

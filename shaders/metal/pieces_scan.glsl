@@ -1,10 +1,17 @@
-// Prefix sum of one flag a thread within a group of PIECES_GROUP threads, for passes that run as a single group.
+// Prefix sum of one number a thread within a group of PIECES_GROUP threads, for passes that run as a single group: each
+// thread looks at a run of slots, so that however many there are the group waits for itself only a few times.
 shared uint scanned[PIECES_GROUP];
 
-/// Number of threads before this one whose flag is set; `total` becomes that of the whole group.
-uint countBefore(bool flag, out uint total) {
+/// First slot of this thread's run; the run ends where the next thread's begins.
+uint runStart(uint lane) {
+    uint length = (counters.particles + PIECES_GROUP - 1) / PIECES_GROUP;
+    return min(lane * length, counters.particles);
+}
+
+/// Sum of the numbers of the threads before this one; `total` becomes that of the whole group.
+uint sumBefore(uint number, out uint total) {
     uint lane = gl_LocalInvocationID.x;
-    scanned[lane] = flag ? 1 : 0;
+    scanned[lane] = number;
     barrier();
     for (uint reach = 1; reach < PIECES_GROUP; reach *= 2) {
         uint sum = scanned[lane] + (lane >= reach ? scanned[lane - reach] : 0);
@@ -13,7 +20,5 @@ uint countBefore(bool flag, out uint total) {
         barrier();
     }
     total = scanned[PIECES_GROUP - 1];
-    uint before = scanned[lane] - (flag ? 1 : 0);
-    barrier();
-    return before;
+    return scanned[lane] - number;
 }
