@@ -18,13 +18,13 @@ double massDensity(const Material& material) {
     return material.solidDensity.at(kRoomTemperature);
 }
 
-FlowFluid fluidOf(const Material& material, float spacing, double wetting) {
+FlowFluid fluidOf(const Material& material, float spacing, double wetting, bool marangoni) {
     FlowFluid fluid;
     fluid.spacing = static_cast<double>(spacing);
     fluid.density = massDensity(material);
     fluid.wetting = wetting;
     fluid.tension = material.surfaceTension.at(material.liquidus);
-    fluid.tensionSlope = material.tensionSlope();
+    fluid.tensionSlope = marangoni ? material.tensionSlope() : 0;
     fluid.viscosity = material.viscosity.at(material.liquidus);
     return fluid;
 }
@@ -51,7 +51,9 @@ void PhysicalMetal::reset() {
     state_->setGravity(setup_.gravity);
     state_->add(setup_.seeds);
     heat_ = std::make_unique<HeatSolver>(shaders_, *state_, setup_.material, setup_.heat);
-    flow_ = std::make_unique<Flow>(shaders_, *state_, fluidOf(setup_.material, setup_.lattice.spacing, setup_.wetting), setup_.space);
+    flow_ = std::make_unique<Flow>(shaders_, *state_,
+                                   fluidOf(setup_.material, setup_.lattice.spacing, setup_.wetting, setup_.marangoni),
+                                   setup_.space);
     pieces_ = std::make_unique<SolidPieces>(shaders_, *state_, setup_.pieces);
     pieces_->relabelNow(nullptr);
     refused_ = 0;

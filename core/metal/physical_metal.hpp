@@ -21,6 +21,9 @@ struct PhysicalSetup {
     FlowSpace space;
     PieceSetup pieces;
     HeatSettings heat;
+    /// Pull of the surface towards cold metal. Off: with pools of a few spacings, as at 1 mm, the full slope of a real
+    /// metal's tension tears them apart, as no layer is fine enough to brake it.
+    bool marangoni = false;
     glm::vec3 gravity{0, -9.81F, 0}; ///< m/s², in the workpiece frame
     float timeStep = 1.0F / 90;      ///< s, of one step(): a frame
     double wetting = 1;              ///< of still metal by liquid metal, see FlowFluid
