@@ -72,12 +72,12 @@ class Weld {
         model_.step(lesson_.torch.sample(frame_ * model_.timeStep()), profiler);
     }
 
-    /// With the figures and the surface that the trainer makes after each step.
-    void finishFrame(gl::Profiler* profiler) {
+    void updateFigures() {
         if (!asked_ || model_.pollStatistics()) model_.requestStatistics();
         asked_ = true;
-        surface_->update(model_.particles(), profiler);
     }
+
+    void updateSurface(gl::Profiler* profiler) { surface_->update(model_.particles(), profiler); }
 
     double timeStep() const { return model_.timeStep(); }
     const WeldModel& model() const { return model_; }
@@ -114,7 +114,8 @@ BenchRow passes(Bench& bench, std::string what, Weld& weld) {
         std::move(what),
         [&](gl::Profiler& profiler) {
             weld.step(&profiler);
-            weld.finishFrame(&profiler);
+            weld.updateFigures();
+            weld.updateSurface(&profiler);
         },
         60.0, kProfiledFrames, kProfiledFrames);
 }
@@ -138,16 +139,24 @@ BenchRow physicsRow(BenchRow row, const Weld& weld, const FrameTimes& physics) {
     return row;
 }
 
-/// What follows each step in the trainer: the metal's figures and its surface.
-BenchRow surfaceRow(std::string what, const Weld& weld, const FrameTimes& times) {
-    BenchRow row = weld.row({});
-    row.suite = "weld";
-    row.what = std::move(what);
-    row.stepMs = least(times.wall);
-    row.bytes = weld.surfaceBytes();
-    row.bytesPerParticle = 0;
-    row.further = {{"median_ms", median(times.wall)}, {"cpu_ms", mean(times.processor)}};
-    return row;
+/// What follows each step in the trainer, for both plates.
+void addPair(Bench& bench, const std::string& what, const Weld& plate, const FrameTimes& times, const Weld& large,
+             const FrameTimes& timesLarge) {
+    for (const bool isLarge : {false, true}) {
+        const FrameTimes& own = isLarge ? timesLarge : times;
+        BenchRow row;
+        row.suite = "weld";
+        row.what = what + (isLarge ? ", area x4" : "");
+        row.particles = (isLarge ? large : plate).model().particles().count;
+        row.bytes = (isLarge ? large : plate).surfaceBytes();
+        row.stepMs = least(own.wall);
+        row.further = {{"median_ms", median(own.wall)}, {"cpu_ms", mean(own.processor)}};
+        if (isLarge) {
+            row.further.emplace_back("over_plate", least(timesLarge.wall) / least(times.wall));
+            row.further.emplace_back("over_plate_cpu", mean(timesLarge.processor) / mean(times.processor));
+        }
+        bench.add(std::move(row));
+    }
 }
 
 } // namespace
@@ -157,15 +166,18 @@ void benchWeldMetal(Bench& bench) {
     for (int i = 0; i < static_cast<int>(kWarmUpSeconds / plate.timeStep()); ++i)
         for (Weld* weld : {&plate, &large}) {
             weld->step(nullptr);
-            weld->finishFrame(nullptr);
+            weld->updateFigures();
+            weld->updateSurface(nullptr);
         }
     // In turns, so that whatever else the machine does disturbs both alike.
-    FrameTimes physics, physicsLarge, surface, surfaceLarge;
+    FrameTimes physics, physicsLarge, figures, figuresLarge, surface, surfaceLarge;
     for (int i = 0; i < kMeasuredFrames; ++i) {
         physics.measure([&] { plate.step(nullptr); });
         physicsLarge.measure([&] { large.step(nullptr); });
-        surface.measure([&] { plate.finishFrame(nullptr); });
-        surfaceLarge.measure([&] { large.finishFrame(nullptr); });
+        figures.measure([&] { plate.updateFigures(); });
+        figuresLarge.measure([&] { large.updateFigures(); });
+        surface.measure([&] { plate.updateSurface(nullptr); });
+        surfaceLarge.measure([&] { large.updateSurface(nullptr); });
     }
     bench.add(physicsRow(passes(bench, "GMAW bead, frame", plate), plate, physics));
     BenchRow row = physicsRow(passes(bench, "GMAW bead, area x4", large), large, physicsLarge);
@@ -173,11 +185,8 @@ void benchWeldMetal(Bench& bench) {
     row.further.emplace_back("over_plate_median", medianRatio(physicsLarge.wall, physics.wall));
     row.further.emplace_back("over_plate_cpu", mean(physicsLarge.processor) / mean(physics.processor));
     bench.add(std::move(row));
-    bench.add(surfaceRow("figures and surface", plate, surface));
-    row = surfaceRow("figures, surface, area x4", large, surfaceLarge);
-    row.further.emplace_back("over_plate", least(surfaceLarge.wall) / least(surface.wall));
-    row.further.emplace_back("over_plate_cpu", mean(surfaceLarge.processor) / mean(surface.processor));
-    bench.add(std::move(row));
+    addPair(bench, "figures", plate, figures, large, figuresLarge);
+    addPair(bench, "surface under the bead", plate, surface, large, surfaceLarge);
 }
 
 } // namespace meltpool

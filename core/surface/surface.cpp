@@ -136,6 +136,8 @@ Surface::Work::Work(gl::ShaderLibrary& shaders, const SurfaceGrid& theGrid)
 /// Grows what has an entry a particle.
 void Surface::Work::makeRoom(size_t particles) {
     if (splatted && splatted.bytes() >= particles * sizeof(glm::vec4)) return;
+    // Where filler comes, it comes a particle a frame: room for many, or every frame would begin anew.
+    if (splatted) particles += particles / 8 + 1024;
     splatted = gl::Buffer("surface splatted particles", particles * sizeof(glm::vec4));
     changedList = gl::Buffer("surface changed particles", particles * 4);
     splattedTexels = gl::BufferView("surface splatted particles", splatted, GL_RGBA32F, sizeof(glm::vec4));

@@ -27,7 +27,7 @@ PhysicalSetup plate() {
     setup.seeds = latticeSeeds(setup.lattice, glm::vec3(-16, -6, -12) * kMm, glm::vec3(16, 0, 12) * kMm, 293.15F);
     for (MetalSeed& seed : setup.seeds)
         if (std::abs(seed.position.x) > 14 * kMm) seed.phase |= PHASE_CLAMPED;
-    setup.fillerRoom = 400;
+    setup.fillerRoom = 600;
     setup.space = {low, high};
     setup.pieces.floorHeight = -16 * kMm;
     setup.heat.convection = 1200;
