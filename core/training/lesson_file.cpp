@@ -21,6 +21,7 @@ void readParameters(TomlTable& table, const ParameterList& list) {
 
 /// Reads [name] where the file has it; every key in it must be described.
 void readGroup(TomlTable& root, std::string_view name, const ParameterList& list) {
+    root.allow(name); // named among the known keys also where this file does without
     if (!root.has(name)) return;
     TomlTable group = root.table(name);
     readParameters(group, list);
@@ -89,6 +90,7 @@ Lesson readLesson(const std::filesystem::path& file) {
     readGroup(root, "camera", describe(lesson.camera));
     readGroup(root, "look", describe(lesson.look));
     readPictures(root, lesson);
+    root.allow("torch");
     if (root.has("torch")) {
         lesson.torchFile = file.parent_path() / root.text("torch");
         lesson.torch = TorchPath::read(lesson.torchFile);
