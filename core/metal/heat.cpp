@@ -300,11 +300,15 @@ void HeatSolver::step(double seconds, std::span<const HeatSource> sources, gl::P
     const gl::Scope scope(profiler, "heat");
     writeBlock(seconds, sources);
     bind();
-    gatherLoose();
-    weighSources();
-    conduct();
-    applySources();
-    advance();
+    const auto pass = [&](const char* name, void (HeatSolver::*work)()) {
+        const gl::Scope part(profiler, name);
+        (this->*work)();
+    };
+    pass("heat loose metal, tiles", &HeatSolver::gatherLoose);
+    pass("heat sources weighed", &HeatSolver::weighSources);
+    pass("heat conduction", &HeatSolver::conduct);
+    pass("heat sources", &HeatSolver::applySources);
+    pass("heat advance", &HeatSolver::advance);
 }
 
 unsigned HeatSolver::readActiveTiles() const {
