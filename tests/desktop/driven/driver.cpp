@@ -134,10 +134,17 @@ json TrainerWindow::waitFor(const std::string& what, const std::function<bool(co
     return last;
 }
 
+bool TrainerWindow::comesTrue(double seconds, const std::function<bool(const json&)>& condition) {
+    const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+    for (; Clock::now() < end; nap(0.01))
+        if (const json now = state(); now.is_object() && condition(now)) return true;
+    return false;
+}
+
 json TrainerWindow::settle() {
     const json before = state();
     const long long frame = before.is_object() ? before.at("frame").get<long long>() : 0;
-    return waitFor("a few frames", [frame](const json& s) { return s.at("frame").get<long long>() >= frame + 2; });
+    return waitFor("a few frames", [frame](const json& s) { return s.at("frame").get<long long>() >= frame + 3; });
 }
 
 void TrainerWindow::xdotool(std::vector<std::string> words) const {
@@ -168,11 +175,18 @@ std::array<double, 4> TrainerWindow::place(const std::string& name) {
     json now = settle();
     const bool left = name.rfind("simulation.", 0) != 0;
     const double width = now.at("window").at("size").at(0);
+    bool overPanel = false;
     for (int notch = 0; notch < 24; ++notch) {
         // A control at the panel's edge is in sight but not in reach: it must be whole, above the status bar.
         const double low = now.at("window").at("size").at(1).get<double>() - (now.at("page") == "start" ? 0 : 65);
-        if (const auto found = find(now); found && (*found)[1] + (*found)[3] < low) return *found;
-        if (notch == 0) moveMouse(now.at("page") == "start" ? width / 2 : (left ? 200 : width - 200), 300);
+        if (const auto found = find(now); found && (*found)[1] + (*found)[3] < low) {
+            // A notch of the wheel that is still under way would move the control from under the mouse.
+            now = settle();
+            if (find(now) == found) return *found;
+            continue;
+        }
+        if (!overPanel) moveMouse(now.at("page") == "start" ? width / 2 : (left ? 200 : width - 200), 300);
+        overPanel = true;
         xdotool({"click", "--repeat", "3", "--delay", "5", notch < 10 ? "5" : "4"});
         now = settle();
     }

@@ -47,10 +47,16 @@ std::string valueOf(const json& state, const std::string& name) {
     return parameterIn(state, name.substr(0, dot), name.substr(dot + 1));
 }
 
+/// Acts until the value changes: on a crowded machine a press can fall between two frames, and a person would press
+/// again.
 void changes(TrainerWindow& window, const std::string& name, const std::function<void()>& act) {
     const std::string before = valueOf(window.settle(), name);
-    act();
-    window.waitFor(name + " to change", [&](const json& s) { return valueOf(s, name) != before; });
+    const auto changed = [&](const json& s) { return valueOf(s, name) != before; };
+    for (int attempt = 0; attempt < 3; ++attempt) {
+        act();
+        if (window.comesTrue(3, changed)) return;
+    }
+    window.waitFor(name + " to change", changed);
 }
 
 size_t colourCount(const Image& image) {
