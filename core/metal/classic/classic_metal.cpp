@@ -1,12 +1,12 @@
 #include "core/metal/classic/classic_metal.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/hash.hpp"
 #include "core/metal/classic/arrangement.hpp"
 #include "core/metal/classic/classic_kernels.hpp"
 #include "shaders/shared/classic.h"
 #include "shaders/shared/dispatch.h"
 
-#include <cstring>
 #include <numeric>
 
 namespace meltpool {
@@ -20,16 +20,6 @@ size_t checkedCount(const ClassicSetup& setup) {
 
 gl::Buffer vectors(const char* label, size_t count) {
     return {label, count * sizeof(vec4)};
-}
-
-/// FNV-1a (Fowler, Noll, Vo) over the bits of `count` floats.
-void hashFloats(std::uint64_t& hash, const float* values, size_t count) {
-    for (size_t i = 0; i < count; ++i) {
-        std::uint32_t bits = 0;
-        std::memcpy(&bits, &values[i], sizeof bits);
-        for (int byte = 0; byte < 4; ++byte, bits >>= 8U)
-            hash = (hash ^ (bits & 0xFFU)) * 0x100000001B3U;
-    }
 }
 
 } // namespace
@@ -178,12 +168,12 @@ void ClassicMetal::requestStatistics() {
 
 std::uint64_t ClassicMetal::stateHash() const {
     const Snapshot state = snapshot();
-    std::uint64_t hash = 0xCBF29CE484222325U;
+    StateHash hash;
     for (size_t i = 0; i < count_; ++i) {
-        hashFloats(hash, &state.positions[i].x, 4);
-        hashFloats(hash, &state.velocities[i].x, 3);
+        hash.add(std::span<const float>(&state.positions[i].x, 4));
+        hash.add(std::span<const float>(&state.velocities[i].x, 3));
     }
-    return hash;
+    return hash.value();
 }
 
 size_t ClassicMetal::bytes() const {
