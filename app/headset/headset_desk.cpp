@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <utility>
 
 namespace meltpool {
@@ -213,12 +214,14 @@ void HeadsetDesk::drawEyes(Renderer& renderer, const LessonInSight& lesson, cons
         hands.rayEnd = pointedAt_;
     }
     SceneView scene = *lesson.scene;
+    if (scene.arc.intensity.g > 0)
+        hands.arcGlow = scene.arc.intensity / (std::numbers::pi_v<float> * scene.arc.radius * scene.arc.radius);
     scene.modelToWorld = place_.modelToWorkshop(lesson.unit) * scene.modelToWorld;
     scene.solids = scene_.build(parameters_, hands);
     scene.source.shown = false; // the torch stands for it
     LookParameters look = *lesson.look;
     look.showBox = false;
-    look.exposure *= visor_.transmission(parameters_);
+    visor_.wear(parameters_, scene.temperature.kelvin, look);
     const std::array<View, 2> views{viewOf(workshop_, eyes.views[0], eyes), viewOf(workshop_, eyes.views[1], eyes)};
     renderer.draw(scene, look, views, {eyes.framebuffer, {0, 0, 2 * eyes.width, eyes.height}, eyes.encodesSrgb},
                   profiler);

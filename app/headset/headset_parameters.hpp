@@ -17,7 +17,8 @@ struct HeadsetParameters {
     float resolutionScale = 1.0f; ///< times the runtime's recommended size a side
     int samples = 4;              ///< for each pixel
     bool visor = true;            ///< darkens while the heat is on
-    float visorShade = 0.25f;     ///< share of the light that the dark visor lets through
+    float visorShade = 10;        ///< EN 169 number of the dark visor over an arc
+    float visorShare = 0.25f;     ///< share of the light that it lets through where the heat does not shine
     int deskView = kTrainee;      ///< DeskView: what the window shows while the headset is in use
     float hapticStrength = 1.0f;  ///< factor on every vibration
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/headset/headset_parameters.hpp"
+#include "core/render/look.hpp"
 
 namespace meltpool {
 
@@ -14,8 +15,12 @@ class Visor {
     /// Goes on by `elapsed` seconds; real visors darken within 0.1 ms, so the first frame with heat is dark.
     void update(bool heat, double elapsed) { sinceHeat_ = heat ? 0.0 : sinceHeat_ + elapsed; }
 
-    /// Share of the light that comes through now.
-    float transmission(const HeadsetParameters& parameters) const;
+    /// Puts the visor before the eye. Metal in kelvin shines as it does, so the visor is the real filter; the classic
+    /// lesson's source gives no light, and the view is only dimmed.
+    void wear(const HeadsetParameters& parameters, bool kelvin, LookParameters& look) const;
+
+    /// 1 dark .. 0 clear.
+    float darkness(const HeadsetParameters& parameters) const;
 
   private:
     double sinceHeat_ = kHold + kClearing;

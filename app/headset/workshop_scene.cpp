@@ -16,7 +16,7 @@ constexpr glm::vec3 kRubber(0.025f, 0.025f, 0.03f);
 constexpr glm::vec3 kCopper(0.62f, 0.29f, 0.17f);
 constexpr glm::vec3 kBrass(0.58f, 0.44f, 0.17f);
 constexpr glm::vec3 kSafetyRed(0.55f, 0.03f, 0.02f);
-constexpr glm::vec3 kArcGlow(2.4f, 1.7f, 0.9f);
+constexpr glm::vec3 kHeatGlow(2.4f, 1.7f, 0.9f);
 
 glm::mat4 boxAt(const glm::vec3& middle, const glm::vec3& size) {
     return glm::scale(glm::translate(glm::mat4(1.0f), middle), size);
@@ -68,7 +68,8 @@ void WorkshopScene::addTorch(const HandsInSight& hands) {
     add(SolidShape::cylinder, alongLine(hand + way * 0.07f, neck, 0.026f), kRubber, 0.25f);
     add(SolidShape::cylinder, alongLine(neck + way * 0.035f, neck + way * 0.02f, 0.029f), kSafetyRed, 0.4f);
     if (hands.heat > 0)
-        add(SolidShape::sphere, boxAt(tip.position, glm::vec3(0.004f)), {1, 1, 1}, 0, kArcGlow * hands.heat);
+        add(SolidShape::sphere, boxAt(tip.position, glm::vec3(0.004f)), {1, 1, 1}, 0,
+            hands.arcGlow.value_or(kHeatGlow * hands.heat));
 }
 
 std::span<const Solid> WorkshopScene::build(const HeadsetParameters& parameters, const HandsInSight& hands) {

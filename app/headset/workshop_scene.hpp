@@ -15,9 +15,10 @@ struct HandsInSight {
     bool torch = false;
     xr::Pose tip;
     xr::Pose grip;
-    float heat = 0;                    ///< 0..1: how bright the tip glows
-    std::optional<xr::Pose> rod;       ///< grip of the hand with the filler rod
-    std::optional<glm::vec3> rayStart; ///< of the pointer
+    float heat = 0;                        ///< 0..1: how bright the tip glows
+    std::optional<glm::vec3> arcGlow = {}; ///< light of its arc; none: a small glow that follows the heat
+    std::optional<xr::Pose> rod;           ///< grip of the hand with the filler rod
+    std::optional<glm::vec3> rayStart;     ///< of the pointer
     glm::vec3 rayEnd{0.0f};
 };
 

@@ -35,6 +35,10 @@ FrameData makeFrame(const SceneView& scene, const LookParameters& look) {
         const glm::vec3 point = scene.modelToWorld * glm::vec4(scene.section.point, 1.0f);
         frame.cut = glm::vec4(normal, glm::dot(normal, point));
     }
+    const glm::vec3 arcLight = scene.arc.intensity * (look.visorShade > 0 ? 1.0f : look.arcLight);
+    frame.arc = glm::vec4(glm::vec3(scene.modelToWorld * glm::vec4(scene.arc.position, 1.0f)),
+                          scene.arc.radius * scene.arc.radius);
+    frame.arcLight = glm::vec4(arcLight, 0.0f);
     frame.detail = {look.dullness, look.pointSize * unit, 1.0f / scene.cubeWidth, 0.0f};
     return frame;
 }

@@ -29,6 +29,8 @@ ParameterList describe(LookParameters& l) {
         {"show_source", "Heat source", "", &l.showSource, 0, 1, "the small cube"},
         {"point_size", "Point size", "model units", &l.pointSize, 0.001, 0.2, "radius; large points cost fill rate"},
         {"exposure", "Exposure", "", &l.exposure, 0.01, 100, "factor on all light; 1 keeps the material's grey"},
+        {"arc_light", "Arc's light", "", &l.arcLight, 0, 1,
+         "share that falls on things without a visor: 1 blinds, as it does; through a visor it is always whole"},
         {"visor_shade", "Visor shade", "", &l.visorShade, 0, 15,
          "0: no visor; 10 lets 1/7000 through, for an arc of 200 A"},
     };

@@ -26,6 +26,7 @@ struct LookParameters {
     bool showSource = true;
     float pointSize = 0.02f; ///< radius of a drawn particle, model units
     float exposure = 1.0f;   ///< factor on all light
+    float arcLight = 5e-5f;  ///< share of an arc's light that is let onto things while there is no visor
     float visorShade = 0.0f; ///< shade number of the welding filter before the eye; 0: none
 };
 

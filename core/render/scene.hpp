@@ -33,6 +33,13 @@ struct TemperatureMeaning {
     float liquidus = 0.0f; ///< K: fully liquid and glossy above
 };
 
+/// A welding arc: a lamp so small and bright that it outshines the workshop within arm's length.
+struct ArcLight {
+    glm::vec3 position{0.0f};  ///< model units
+    glm::vec3 intensity{0.0f}; ///< luminous intensity in kPaperLuminance times square model units; 0: no arc
+    float radius = 1e-3f;      ///< model units; nearer than that nothing is lit more brightly
+};
+
 struct SceneView {
     SurfaceMesh mesh;             ///< null buffers: no surface is drawn
     bool meshIsOpen = false;      ///< caps are off: the inside is seen too
@@ -45,6 +52,7 @@ struct SceneView {
     TemperatureMeaning temperature;
     const MaterialLooks* looks = nullptr; ///< physical material; null: LookParameters::material
     SectionView section;
+    ArcLight arc;
     std::span<const Solid> solids; ///< torch, table, clamps
 };
 

@@ -66,7 +66,8 @@ SceneView WeldModel::scene(const TorchSample& torch) const {
     scene.boxMin = workpiece_.low;
     scene.boxMax = workpiece_.high;
     scene.cubeWidth = kWorldUnit;
-    buildTorchSolids(torchSolids_, torch, static_cast<ProcessKind>(process_.parameters.kind), scene.modelToWorld);
+    buildTorchSolids(torchSolids_, torch, process_.parameters, scene.modelToWorld);
+    scene.arc = torchArc(torch, process_.parameters);
     scene.solids = torchSolids_;
     scene.section.heat = &metal_.state().heat;
     scene.section.spacing = workpiece_.lattice.spacing;

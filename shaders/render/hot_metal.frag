@@ -1,6 +1,7 @@
 // Metal with a temperature in kelvin: mirrors and glows.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
+#include "render/arc.glsl"
 #include "render/environment.glsl"
 #include "render/hot.glsl"
 #include "render/tone.glsl"
@@ -10,12 +11,16 @@ layout(location = 1) in vec3 body;
 layout(location = 2) in vec2 surface;
 layout(location = 3) in vec3 mirrorTint;
 layout(location = 4) in float temperature;
+layout(location = 5) in vec3 toArc;
 layout(location = 0) out vec4 colour;
 
 layout(binding = ROUGH_UNIT) uniform samplerCube roughEnvironment;
 
 const float kLiquidLevel = 1.0;
 const float kSolidLevel = 3.0;
+// Sharpness of the arc's image in a liquid and in a rolled or scaled surface.
+const float kLiquidLobe = 600.0;
+const float kSolidLobe = 8.0;
 
 void main() {
     float dull = surface.y;
@@ -24,5 +29,8 @@ void main() {
     float towardsLamp = max(dot(normalize(mirrored), frame.lampWay.xyz), 0.0);
     float glint = frame.phong.z * (1.0 - 0.65 * dull) * pow(towardsLamp, frame.phong.w * (1.0 - 0.8 * dull));
     vec3 glow = material.heat.x * glowOf(temperature);
-    colour = finish(body + surface.x * mirrorTint * seen + glint * material.glint.rgb + glow, 1.0);
+    vec3 light = body + surface.x * mirrorTint * seen + glint * material.glint.rgb + glow;
+    if (frame.arcLight.g > 0.0)
+        light += surface.x * mirrorTint * arcMirrored(toArc, mirrored, kLiquidLobe * pow(kSolidLobe / kLiquidLobe, dull));
+    colour = finish(light, 1.0);
 }

@@ -1,6 +1,7 @@
 // A vertex of metal with a temperature in kelvin: as metal.vert, with the oxide's tint and the heat's glow.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
+#include "render/arc.glsl"
 #include "render/hot.glsl"
 #include "render/metal_look.glsl"
 #include "render/view.glsl"
@@ -14,6 +15,7 @@ layout(location = 1) out vec3 body;        // light of the material itself
 layout(location = 2) out vec2 surface;     // x: brightness of the mirror image, y: dullness
 layout(location = 3) out vec3 mirrorTint;  // colour of the mirror image
 layout(location = 4) out float temperature;
+layout(location = 5) out vec3 toArc;
 
 void main() {
     vec3 world = toWorld(position.xyz);
@@ -26,7 +28,9 @@ void main() {
     // Oxide lies on solid metal only: a pool is clean.
     vec3 tint = mix(vec3(1.0), tintOf(max(peak, position.w)), material.heat.y * (1.0 - liquid));
     float scale = 1.0 - dot(tint, vec3(1.0 / 3.0));
-    body = light * (1.0 - mirror) * materialColour(liquid) * tint;
+    toArc = frame.arc.xyz - world;
+    vec3 lit = vec3(light) + arcDiffuse(toArc, n);
+    body = lit * (1.0 - mirror) * materialColour(liquid) * tint;
     mirrorTint = mix(vec3(1.0), material.mirror.rgb, 0.8) * tint;
     surface = vec2(light * mirror * (1.0 - 0.5 * scale * (1.0 - liquid)), frame.detail.x * (1.0 - liquid));
     temperature = position.w;

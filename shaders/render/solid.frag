@@ -1,12 +1,14 @@
 // A painted solid that mirrors a little and may glow by itself.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
+#include "render/arc.glsl"
 #include "render/environment.glsl"
 #include "render/tone.glsl"
 
 layout(location = 0) in vec3 normal;
 layout(location = 1) in vec3 way;
 layout(location = 2) in vec3 toLamp;
+layout(location = 3) in vec3 toArc;
 layout(location = 0) out vec4 colour;
 
 layout(location = 5) uniform vec4 paint; // rgb: linear colour, w: gloss 0..1
@@ -22,5 +24,10 @@ void main() {
     float glance = pow(clamp(1.0 - dot(mirrored, n), 0.0, 1.0), 5.0);
     float light = frame.phong.x + frame.phong.y * max(dot(n, lamp), 0.0);
     float highlight = frame.phong.z * paint.w * pow(max(dot(mirrored, lamp), 0.0), mix(8.0, 80.0, paint.w));
-    colour = finish(light * paint.rgb + image * paint.w * mix(0.12, 0.9, glance) + highlight + glow, 1.0);
+    vec3 seen = light * paint.rgb + image * paint.w * mix(0.12, 0.9, glance) + highlight + glow;
+    if (frame.arcLight.g > 0.0) {
+        seen += arcDiffuse(toArc, n) * paint.rgb;
+        seen += arcMirrored(toArc, mirrored, mix(8.0, 80.0, paint.w)) * paint.w * mix(0.12, 0.9, glance);
+    }
+    colour = finish(seen, 1.0);
 }

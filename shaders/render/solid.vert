@@ -11,11 +11,13 @@ layout(location = 1) uniform mat4 solidToWorld;
 layout(location = 0) out vec3 normal;
 layout(location = 1) out vec3 way;
 layout(location = 2) out vec3 toLamp;
+layout(location = 3) out vec3 toArc;
 
 void main() {
     vec3 world = (solidToWorld * vec4(position, 1.0)).xyz;
     normal = transpose(inverse(mat3(solidToWorld))) * outward;
     way = world - frame.views[viewIndex()].eye.xyz;
     toLamp = frame.light.xyz - world;
+    toArc = frame.arc.xyz - world;
     gl_Position = toClip(world);
 }

@@ -69,6 +69,8 @@ struct FrameData {
     vec4 boxMin;
     vec4 boxMax;
     vec4 cut;    // plane, world: what has dot(xyz, place) > w is taken away
+    vec4 arc;      // place of the arc, world units; w: square of the least distance, model units
+    vec4 arcLight; // rgb: its intensity, 1 = white paper's luminance times square model unit; 0: no arc
     vec4 detail; // x: dullness of solid metal, y: radius of a drawn particle in world units, z: width of a classic cube over a model unit: scales frost and clouds
 };
 
@@ -83,7 +85,7 @@ struct MaterialData {
 
 #ifdef __cplusplus
 static_assert(sizeof(ViewData) == 224);
-static_assert(sizeof(FrameData) == 4 * 224 + 64 + 10 * 16);
+static_assert(sizeof(FrameData) == 4 * 224 + 64 + 12 * 16);
 static_assert(sizeof(MaterialData) == 6 * 16);
 } // namespace meltpool
 #endif

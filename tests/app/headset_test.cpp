@@ -103,18 +103,37 @@ TEST_CASE("losing the hand puts the arc out at once, and its return draws no lin
 TEST_CASE("the visor is dark in the first frame of heat and clears after it") {
     HeadsetParameters parameters;
     Visor visor;
-    CHECK(visor.transmission(parameters) == 1.0f);
+    CHECK(visor.darkness(parameters) == 0.0f);
     visor.update(true, 0.011);
-    CHECK(visor.transmission(parameters) == parameters.visorShade);
+    CHECK(visor.darkness(parameters) == 1.0f);
     visor.update(false, 0.1);
-    CHECK(visor.transmission(parameters) == parameters.visorShade);
+    CHECK(visor.darkness(parameters) == 1.0f);
     visor.update(false, 0.2);
-    const float half = visor.transmission(parameters);
-    CHECK(half > parameters.visorShade);
+    const float half = visor.darkness(parameters);
+    CHECK(half > 0.0f);
     CHECK(half < 1.0f);
     visor.update(false, 1.0);
-    CHECK(visor.transmission(parameters) == 1.0f);
+    CHECK(visor.darkness(parameters) == 0.0f);
     parameters.visor = false;
     visor.update(true, 0.011);
-    CHECK(visor.transmission(parameters) == 1.0f);
+    CHECK(visor.darkness(parameters) == 0.0f);
+}
+
+TEST_CASE("the visor is a filter of its shade where metal shines, and dims where it does not") {
+    HeadsetParameters parameters;
+    parameters.visorShade = 11;
+    parameters.visorShare = 0.25f;
+    Visor visor;
+    LookParameters clear;
+    visor.wear(parameters, true, clear);
+    CHECK(clear.visorShade == 0.0f);
+    CHECK(clear.exposure == 1.0f);
+    visor.update(true, 0.011);
+    LookParameters weld, classic;
+    visor.wear(parameters, true, weld);
+    CHECK(weld.visorShade == 11.0f);
+    CHECK(weld.exposure == 1.0f);
+    visor.wear(parameters, false, classic);
+    CHECK(classic.visorShade == 0.0f);
+    CHECK(classic.exposure == 0.25f);
 }

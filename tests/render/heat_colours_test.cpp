@@ -7,7 +7,10 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
+#include <glm/ext/matrix_transform.hpp>
+
 #include <cmath>
+#include <numbers>
 
 namespace meltpool {
 
@@ -71,6 +74,42 @@ TEST_CASE("a weld glows, is tinted where it was hot, and shows its pool through 
     look.visorShade = 0;
     look.colours = kEvenColours;
     CHECK(test::matchesGolden("render/weld-temperature", shoot()));
+}
+
+/// Linear brightness of the middle of a white plate that an arc of intensity 1 lights from 2 cm above, model unit 1 m.
+double plateUnderArc(Renderer& renderer, float intensity, float visorShade, float modelScale) {
+    constexpr int kSize = 256;
+    const PictureTarget target(kSize, kSize, 1);
+    Solid plate;
+    plate.toWorld = glm::scale(glm::mat4(1), glm::vec3(0.2f, 0.2f, 0.001f) * modelScale);
+    plate.colour = glm::vec3(1);
+    plate.gloss = 0;
+    SceneView scene;
+    scene.modelToWorld = glm::scale(glm::mat4(1), glm::vec3(modelScale));
+    scene.solids = {&plate, 1};
+    scene.arc = {{0, 0, 0.0205f}, glm::vec3(intensity), 0.001f};
+    LookParameters look;
+    look.showBox = look.showSky = false;
+    look.ambient = look.diffuse = look.specular = 0;
+    look.arcLight = 1;
+    look.visorShade = visorShade;
+    const View view = FreeCamera({0, 0, 0.5f * modelScale}, {0, 0, 0}).view({.nearest = 0.005f}, 1);
+    renderer.draw(scene, look, {&view, 1}, target.target(), nullptr);
+    const Image picture = target.read();
+    const double shown = picture.rgb[3 * (kSize * kSize / 2 + kSize / 2) + 1] / 255.0;
+    return std::pow((shown + 0.055) / 1.055, 2.4);
+}
+
+TEST_CASE("an arc lights a plate by the inverse square of its distance, in every scale, and less through a filter") {
+    test::context();
+    Renderer renderer(test::shaders());
+    // 0.4 pi * 0.02² gives 0.4 of paper white.
+    const auto intensity = static_cast<float>(0.4 * std::numbers::pi * 0.02 * 0.02);
+    CHECK(plateUnderArc(renderer, 0, 0, 1) < 1e-3);
+    CHECK(plateUnderArc(renderer, intensity, 0, 1) == Approx(0.4).epsilon(0.03));
+    CHECK(plateUnderArc(renderer, intensity, 0, 25) == Approx(0.4).epsilon(0.03));
+    CHECK(plateUnderArc(renderer, intensity / 2, 0, 1) == Approx(0.2).epsilon(0.03));
+    CHECK(plateUnderArc(renderer, intensity * 1e3f, 8, 1) == Approx(0.4 * 1.1).epsilon(0.03)); // green of the filter
 }
 
 } // namespace meltpool

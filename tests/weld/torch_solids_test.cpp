@@ -15,6 +15,12 @@ bool anyGlow(const std::vector<Solid>& solids) {
     return false;
 }
 
+ProcessParameters with(ProcessKind kind) {
+    ProcessParameters parameters;
+    parameters.kind = static_cast<int>(kind);
+    return parameters;
+}
+
 } // namespace
 
 TEST_CASE("every process draws a torch that reaches from its tip to the handle", "[weld]") {
@@ -25,7 +31,7 @@ TEST_CASE("every process draws a torch that reaches from its tip to the handle",
     for (const ProcessKind process : {ProcessKind::Flame, ProcessKind::Tig, ProcessKind::Gmaw, ProcessKind::Iron}) {
         std::vector<Solid> solids;
         torch.trigger = 0;
-        buildTorchSolids(solids, torch, process, world);
+        buildTorchSolids(solids, torch, with(process), world);
         REQUIRE(solids.size() >= 2);
         CHECK_FALSE(anyGlow(solids));
         float nearest = 1e9f, farthest = -1e9f;
@@ -41,7 +47,27 @@ TEST_CASE("every process draws a torch that reaches from its tip to the handle",
         CHECK(nearest < 0.02f);
         CHECK(farthest > 0.05f);
         torch.trigger = 1;
-        buildTorchSolids(solids, torch, process, world);
+        buildTorchSolids(solids, torch, with(process), world);
         CHECK(anyGlow(solids) == (process != ProcessKind::Iron));
     }
+}
+
+TEST_CASE("an arc lights what is around it as much as its power says; flames and irons do not", "[weld]") {
+    TorchSample torch;
+    torch.tip = {0.01f, 0.003f, 0};
+    torch.trigger = 1;
+    ProcessParameters gmaw = with(ProcessKind::Gmaw);
+    gmaw.voltage = 20;
+    gmaw.current = 200;
+    const ArcLight light = torchArc(torch, gmaw);
+    CHECK(glm::length(light.position - torch.tip) < 0.002f);
+    // 4 kW of arc give about 1600 cd: 6.4 klx at half a metre.
+    CHECK(light.intensity.g * 160 == Approx(1592.0).epsilon(0.01));
+    torch.trigger = 0.5f;
+    CHECK(torchArc(torch, gmaw).intensity.g == Approx(light.intensity.g / 2));
+    torch.trigger = 0;
+    CHECK(torchArc(torch, gmaw).intensity.g == 0);
+    torch.trigger = 1;
+    CHECK(torchArc(torch, with(ProcessKind::Flame)).intensity.g == 0);
+    CHECK(torchArc(torch, with(ProcessKind::Iron)).intensity.g == 0);
 }
