@@ -124,7 +124,6 @@ void HeatSolver::makeBuffers() {
     const size_t tiles = state_.lattice().tileCount();
     const size_t slots = state_.capacity();
     blockBuffer_ = gl::Buffer("heat block", sizeof(HeatBlock));
-    table_ = gl::Buffer("heat table", sizeof(HeatTableData));
     cellTheta_ = gl::Buffer("heat cell theta", cells * sizeof(float));
     cellWeight_ = gl::Buffer("heat cell weight", cells * sizeof(float));
     cellPower_ = gl::Buffer("heat cell power", cells * sizeof(float));
@@ -140,17 +139,19 @@ void HeatSolver::makeBuffers() {
 }
 
 void HeatSolver::writeTable() {
-    auto data = std::make_unique<HeatTableData>();
+    std::vector<vec4> samples;
     for (int piece = 0; piece < 3; ++piece) {
         const HeatTable::Piece& from = state_.table().pieces()[static_cast<size_t>(piece)];
-        data->start[piece] = from.start;
-        data->inverseStep[piece] = from.inverseStep;
-        for (int i = 0; i < HEAT_TABLE_ROW; ++i) {
-            const auto& sample = from.samples[static_cast<size_t>(i)];
-            data->samples[piece * HEAT_TABLE_ROW + i] = {sample[0], sample[1]};
+        block_.tableStart[piece] = from.start;
+        block_.tableScale[piece] = from.inverseStep;
+        for (size_t i = 0; i < HEAT_TABLE_ROW; ++i) {
+            const auto& own = from.samples[i];
+            const auto& next = from.samples[std::min<size_t>(i + 1, HEAT_TABLE_STEPS)];
+            samples.emplace_back(own[0], own[1], next[0], next[1]);
         }
     }
-    table_.writeValue(*data);
+    table_ = gl::Buffer("heat table", std::span<const vec4>(samples));
+    tableTexels_ = gl::BufferView("heat table", table_, GL_RGBA32F, sizeof(vec4));
 }
 
 void HeatSolver::prepareBlock() {
@@ -179,7 +180,8 @@ double HeatSolver::longestStep(double hottest) const {
 void HeatSolver::bind() const {
     state_.bind();
     blockBuffer_.bindUniform(HEAT_BLOCK);
-    table_.bindStorage(HEAT_TABLE);
+    tableTexels_.bind(HEAT_TEXELS_TABLE);
+    state_.changes.bindStorage(HEAT_CHANGES);
     cellTheta_.bindStorage(HEAT_CELL_THETA);
     cellWeight_.bindStorage(HEAT_CELL_WEIGHT);
     cellPower_.bindStorage(HEAT_CELL_POWER);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/gl/buffer.hpp"
+#include "core/gl/buffer_view.hpp"
 #include "core/gl/profiler.hpp"
 #include "core/gl/program.hpp"
 #include "core/metal/metal_state.hpp"
@@ -102,6 +103,7 @@ class HeatSolver {
     std::array<const gl::Program*, 2> conduct_{}, advance_{}; ///< for tiles without and with loose metal
     gl::Buffer blockBuffer_, table_, cellTheta_, cellWeight_, cellPower_, cellArea_, cellSums_, tileState_, tileStamps_,
         lists_, control_, homes_, partial_, ledger_;
+    gl::BufferView tableTexels_;
 };
 
 } // namespace meltpool

@@ -67,6 +67,7 @@ MetalState::MetalState(const MetalLattice& lattice, const HeatTable& table, doub
       phase("metal phase", capacity * sizeof(uint)),
       latticeSlots("metal lattice", lattice.cellCount() * sizeof(uint)),
       counters("metal counters", sizeof(MetalCounters)),
+      changes("metal changes", (1 + capacity) * sizeof(uint)),
       lattice_(lattice),
       table_(table),
       capacity_(capacity),
@@ -137,7 +138,8 @@ void MetalState::bind() const {
 }
 
 size_t MetalState::bytes() const {
-    return position.bytes() + velocity.bytes() + heat.bytes() + phase.bytes() + latticeSlots.bytes() + counters.bytes();
+    return position.bytes() + velocity.bytes() + heat.bytes() + phase.bytes() + latticeSlots.bytes() +
+           counters.bytes() + changes.bytes();
 }
 
 double MetalState::readEnergy() const {

@@ -70,7 +70,13 @@ class MetalState {
     /// Sum of m H over the living particles with their residuals, J. Waits for the GPU.
     double readEnergy() const;
 
+    /// Goes up whenever phase bits may have changed that `changes` does not list: pieces were told apart, or the CPU
+    /// wrote phases, who must say so by noteRegrouping().
+    unsigned regroupings() const { return regroupings_; }
+    void noteRegrouping() { ++regroupings_; }
+
     gl::Buffer position, velocity, heat, phase, latticeSlots, counters;
+    gl::Buffer changes; ///< see shaders/shared/metal.h; bound by those who use it
 
   private:
     void writeBlock();
@@ -79,6 +85,7 @@ class MetalState {
     HeatTable table_;
     size_t capacity_;
     size_t particles_ = 0;
+    unsigned regroupings_ = 0;
     double density_;
     double mass_;
     MetalBlock block_{};

@@ -115,6 +115,7 @@ void SolidPieces::finish() {
     storageBarrier();
     assign_.dispatch(state_.particles(), PIECES_GROUP);
     storageBarrier();
+    state_.noteRegrouping();
     list_.dispatchGroups(1);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }

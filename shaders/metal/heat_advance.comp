@@ -10,6 +10,7 @@ layout(local_size_x = TILE_CELLS) in;
 #include "metal/heat_update.glsl"
 #include "metal/heat_loss.glsl"
 #include "metal/heat_ledger.glsl"
+#include "metal/heat_changes.glsl"
 layout(std430, binding = HEAT_CELL_AREA) restrict readonly buffer CellArea { float cellArea[]; };
 layout(std430, binding = HEAT_CELL_POWER) restrict readonly buffer CellPower { float cellPower[]; };
 layout(std430, binding = HEAT_LISTS) restrict readonly buffer Lists { uint lists[]; };
@@ -75,4 +76,5 @@ void main() {
         tiles[tile].lastNeed = heatBlock.step.x;
     }
     phase[slot] = after;
+    noteChange(slot);
 }

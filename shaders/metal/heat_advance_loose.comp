@@ -9,6 +9,7 @@ layout(local_size_x = GROUP_SIZE) in;
 #include "metal/heat_update.glsl"
 #include "metal/heat_loss.glsl"
 #include "metal/heat_ledger.glsl"
+#include "metal/heat_changes.glsl"
 layout(std430, binding = HEAT_CELL_POWER) restrict readonly buffer CellPower { float cellPower[]; };
 layout(std430, binding = HEAT_CELL_AREA) restrict readonly buffer CellArea { float cellArea[]; };
 layout(std430, binding = HEAT_LISTS) restrict readonly buffer Lists { uint lists[]; };
@@ -42,5 +43,7 @@ void main() {
     addHeat(slot, power * heatBlock.time.x - lost, heatBlock.time.x);
     uint before = phase[slot];
     uint after = nextPhase(before, heat[slot].x);
-    if (after != before) phase[slot] = after;
+    if (after == before) return;
+    phase[slot] = after;
+    noteChange(slot);
 }

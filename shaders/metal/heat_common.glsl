@@ -9,7 +9,7 @@ layout(std430, binding = METAL_POSITION) restrict buffer Positions { vec4 positi
 layout(std430, binding = METAL_HEAT) restrict buffer Heats { vec4 heat[]; };
 layout(std430, binding = METAL_PHASE) restrict buffer Phases { uint phase[]; };
 layout(std430, binding = METAL_LATTICE) restrict buffer Lattice { uint lattice[]; };
-layout(std430, binding = HEAT_TABLE) restrict readonly buffer Table { HeatTableData table; };
+layout(binding = HEAT_TEXELS_TABLE) uniform samplerBuffer table;
 layout(std430, binding = HEAT_CELL_THETA) restrict buffer CellTheta { float cellTheta[]; };
 layout(std430, binding = HEAT_TILES) restrict buffer Tiles { HeatTile tiles[]; };
 layout(std430, binding = HEAT_TILE_STAMPS) restrict buffer TileStamps { int tileStamp[]; }; // last step each took part in
@@ -22,12 +22,15 @@ float markHeld(float theta) { return -2.0 - theta; } // also the way back
 
 /// Temperature (x, K) and Kirchhoff variable (y, W/m) at an enthalpy.
 vec2 thermalState(float enthalpy) {
-    int piece = enthalpy < table.start.y ? 0 : enthalpy < table.start.z ? 1 : 2;
-    float place = (enthalpy - table.start[piece]) * table.inverseStep[piece];
+    vec4 start = heatBlock.tableStart;
+    vec4 scale = heatBlock.tableScale;
+    bool solid = enthalpy < start.y;
+    bool mushy = enthalpy < start.z;
+    int row = solid ? 0 : mushy ? HEAT_TABLE_ROW : 2 * HEAT_TABLE_ROW;
+    float place = (enthalpy - (solid ? start.x : mushy ? start.y : start.z)) * (solid ? scale.x : mushy ? scale.y : scale.z);
     int i = int(clamp(place, 0.0, float(HEAT_TABLE_STEPS - 1)));
-    vec2 a = table.samples[piece * HEAT_TABLE_ROW + i];
-    vec2 b = table.samples[piece * HEAT_TABLE_ROW + i + 1];
-    return a + (place - float(i)) * (b - a);
+    vec4 samples = texelFetch(table, row + i);
+    return samples.xy + (place - float(i)) * (samples.zw - samples.xy);
 }
 
 float liquidFraction(float enthalpy) {

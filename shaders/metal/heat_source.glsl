@@ -45,13 +45,13 @@ float temperatureOf(float theta) {
     int high = HEAT_TABLE_ENTRIES - 1;
     while (high - low > 1) {
         int middle = (low + high) / 2;
-        if (table.samples[middle].y <= theta)
+        if (texelFetch(table, middle).y <= theta)
             low = middle;
         else
             high = middle;
     }
-    vec2 a = table.samples[low];
-    vec2 b = table.samples[high];
+    vec2 a = texelFetch(table, low).xy;
+    vec2 b = texelFetch(table, high).xy;
     return b.y > a.y ? mix(a.x, b.x, (theta - a.y) / (b.y - a.y)) : a.x;
 }
 

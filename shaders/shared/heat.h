@@ -9,7 +9,7 @@
 
 // Storage buffers of the heat passes beside the particle buffers. A pass binds only what it reads: the same place may mean
 // something else in another pass.
-#define HEAT_TABLE 6
+#define HEAT_CHANGES 6      // the metal's list of slots whose phase changed
 #define HEAT_CELL_THETA 7   // float a cell: Kirchhoff variable of what is there, negative where nothing is
 #define HEAT_CELL_POWER 8   // float a cell: net power into it, W
 #define HEAT_TILES 9        // HeatTile a tile
@@ -22,6 +22,9 @@
 #define HEAT_CELL_WEIGHT 5  // float a cell: how many particles share it (replaces the counters, which no heat pass needs)
 #define HEAT_CELL_SUMS 1    // HeatSum a cell (replaces the velocities)
 #define HEAT_HOMES 12       // uint a slot: cell + 1 that heat knows it to sit in, 0 when loose (not beside the partial sums)
+
+// Buffers that are read as textures: drivers that run on the CPU fetch texels several times faster than storage.
+#define HEAT_TEXELS_TABLE 0 // samples of temperature and theta, and the next ones beside them
 
 #define HEAT_SOURCES 4
 
@@ -59,14 +62,10 @@ struct HeatBlock {
     vec4 waking;      // x difference of theta between neighbours (W/m), z loss in J a step, that keep a tile awake;
                       // y K off ambient from which a surface has its turns
     ivec4 step;       // x number of the step, y number of sources, z 1: melted particles leave the lattice, w tiles
+    vec4 tableStart;  // xyz first enthalpy of the solid, mushy and liquid piece of the table, J/kg
+    vec4 tableScale;  // xyz samples per J/kg
     vec4 loose;       // x W/m of theta that one unit of its integer sum stands for, y slots in use, zw free
     HeatSourceData sources[HEAT_SOURCES];
-};
-
-struct HeatTableData {
-    vec4 start;       // xyz first enthalpy of the solid, mushy and liquid piece
-    vec4 inverseStep; // xyz samples per J/kg
-    vec2 samples[HEAT_TABLE_ENTRIES]; // temperature, theta
 };
 
 struct HeatSum {
@@ -91,9 +90,8 @@ struct HeatTile {
 
 #ifdef __cplusplus
 static_assert(sizeof(HeatSourceData) == 96);
-static_assert(sizeof(HeatBlock) == 80 + HEAT_SOURCES * 96);
+static_assert(sizeof(HeatBlock) == 112 + HEAT_SOURCES * 96);
 static_assert(sizeof(HeatControl) == 64);
-static_assert(sizeof(HeatTableData) == 32 + 8 * HEAT_TABLE_ENTRIES);
 static_assert(sizeof(HeatTile) == 16);
 } // namespace meltpool
 #endif

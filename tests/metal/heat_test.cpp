@@ -262,8 +262,10 @@ TEST_CASE("Melting and freezing wait for their fractions", "[heat]") {
     };
     const double whole = (table.liquidusEnthalpy() - table.solidusEnthalpy()) * bench.state.particleMass();
     CHECK((heatBy(0.1 * whole) & PHASE_LIQUID) == 0); // at 0.55: still stands
-    const uint melted = heatBy(0.1 * whole);          // at 0.65: flows
+    CHECK(bench.state.changes.read<uint>(1)[0] == 0);
+    const uint melted = heatBy(0.1 * whole); // at 0.65: flows
     CHECK((melted & PHASE_LIQUID) != 0);
+    CHECK(bench.state.changes.read<uint>(2) == std::vector<uint>{1, 0}); // one change, of slot 0
     CHECK(((melted & PHASE_LATTICE) == 0) == leaves);
     if (leaves) {
         CHECK(bench.state.latticeSlots.read<uint>(1)[0] == 0);
