@@ -12,8 +12,9 @@ namespace {
 // Neighbour lists reach a little beyond the support and serve until two neighbours may have gone some way against each
 // other. A pair that comes from outside the lists then misses at most the outermost tenth of the kernel, which holds
 // less than a hundredth of its slope.
-constexpr double kSkin = 0.2;        // spacings beyond the support
-constexpr double kFreeWay = 0.45;    // spacings
+constexpr double kSkin = 0.2;     // spacings beyond the support
+constexpr double kFreeWay = 0.45; // spacings
+constexpr GLbitfield kBarrier = GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_COMMAND_BARRIER_BIT;
 constexpr unsigned kTidyGroups = 16; // passes over what changed stride over it: few groups, no arguments to prepare
 
 FlowBlock makeBlock(const FlowConstants& constants, const FlowFluid& fluid, const FlowSpace& space, size_t capacity,
@@ -82,28 +83,36 @@ Flow::Flow(gl::ShaderLibrary& shaders, MetalState& state, const FlowFluid& fluid
       blockBuffer_("flow block", sizeof(FlowBlock)),
       bodies_("flow bodies", state.capacity() * sizeof(FlowBody)),
       cells_("flow cells", cellCount(block_) * sizeof(FlowCell)),
-      still_("flow still metal", cellCount(block_) * FLOW_CELL_ROOM * sizeof(uvec2)),
+      residents_("flow residents", cellCount(block_) * 2 * FLOW_CELL_ROOM * sizeof(uvec2)),
       entered_("flow entered", cellCount(block_) * FLOW_CELL_ROOM * sizeof(uint)),
-      sorted_("flow sorted", cellCount(block_) * FLOW_CELL_ROOM * sizeof(uvec2)),
       lists_("flow lists", size_t(3) * block_.room.x * sizeof(uint)),
       neighbours_("flow neighbours", neighbourEntries(block_.room.x) * sizeof(uint)),
       counters_("flow counters", sizeof(FlowCounters)),
       dirty_("flow changed cells", cellCount(block_) * sizeof(uint)),
-      resting_("flow still sums", state.capacity() * sizeof(vec4)) {}
+      resting_("flow still sums", state.capacity() * sizeof(vec4)),
+      positionTexels_("flow position texels", state.position, GL_RGBA32F, sizeof(vec4)),
+      bodyTexels_("flow body texels", bodies_, GL_RGBA32F, sizeof(vec4)),
+      neighbourTexels_("flow neighbour texels", neighbours_, GL_R32UI, sizeof(uint)),
+      cellTexels_("flow cell texels", cells_, GL_RGBA32UI, sizeof(FlowCell)),
+      residentTexels_("flow resident texels", residents_, GL_RG32UI, sizeof(uvec2)) {}
 
 void Flow::bind() const {
     state_.bind();
     blockBuffer_.bindUniform(FLOW_BLOCK);
     bodies_.bindStorage(FLOW_BODIES);
     cells_.bindStorage(FLOW_CELLS);
-    still_.bindStorage(FLOW_STILL);
+    residents_.bindStorage(FLOW_RESIDENTS);
     entered_.bindStorage(FLOW_ENTERED);
-    sorted_.bindStorage(FLOW_SORTED);
     lists_.bindStorage(FLOW_LISTS);
     neighbours_.bindStorage(FLOW_NEIGHBOURS);
     counters_.bindStorage(FLOW_COUNTERS);
     dirty_.bindStorage(FLOW_DIRTY);
     resting_.bindStorage(FLOW_RESTING);
+    positionTexels_.bind(FLOW_TEXELS_POSITIONS);
+    bodyTexels_.bind(FLOW_TEXELS_BODIES);
+    neighbourTexels_.bind(FLOW_TEXELS_NEIGHBOURS);
+    cellTexels_.bind(FLOW_TEXELS_CELLS);
+    residentTexels_.bind(FLOW_TEXELS_RESIDENTS);
     glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, counters_.name());
 }
 
@@ -149,7 +158,7 @@ void Flow::takeUpChanges(gl::Profiler* profiler) {
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     enter_.set("substep", substep_ + 1);
     enter_.dispatchGroups(kTidyGroups);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+    glMemoryBarrier(kBarrier);
 }
 
 void Flow::substep(gl::Profiler* profiler) {
@@ -159,7 +168,7 @@ void Flow::substep(gl::Profiler* profiler) {
         program.set("substep", substep_);
         program.use();
         glDispatchComputeIndirect(static_cast<GLintptr>(groups));
-        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+        glMemoryBarrier(kBarrier);
     };
     pass(sort_, "flow sort", offsetof(FlowCounters, search));
     pass(search_, "flow search", offsetof(FlowCounters, search));
@@ -187,8 +196,8 @@ std::vector<FlowBody> Flow::readBodies() const {
 
 size_t Flow::bytes() const {
     size_t sum = 0;
-    for (const gl::Buffer* buffer : {&blockBuffer_, &bodies_, &cells_, &still_, &entered_, &sorted_, &lists_,
-                                     &neighbours_, &counters_, &dirty_, &resting_})
+    for (const gl::Buffer* buffer : {&blockBuffer_, &bodies_, &cells_, &residents_, &entered_, &lists_, &neighbours_,
+                                     &counters_, &dirty_, &resting_})
         sum += buffer->bytes();
     return sum;
 }

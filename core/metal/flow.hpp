@@ -1,6 +1,7 @@
 // The flow of molten metal: soft weakly compressible SPH with surface tension on the GPU, moving liquid only.
 #pragma once
 
+#include "core/gl/buffer_view.hpp"
 #include "core/gl/profiler.hpp"
 #include "core/gl/program.hpp"
 #include "core/metal/flow_constants.hpp"
@@ -76,8 +77,8 @@ class Flow {
     const gl::Program& boundary_;
     const gl::Program& density_;
     const gl::Program& move_;
-    gl::Buffer blockBuffer_, bodies_, cells_, still_, entered_, sorted_, lists_, neighbours_, counters_, dirty_,
-        resting_;
+    gl::Buffer blockBuffer_, bodies_, cells_, residents_, entered_, lists_, neighbours_, counters_, dirty_, resting_;
+    gl::BufferView positionTexels_, bodyTexels_, neighbourTexels_, cellTexels_, residentTexels_;
 };
 
 } // namespace meltpool

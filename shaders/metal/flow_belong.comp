@@ -21,7 +21,7 @@ void becomeStill(uint slot) {
     const uint cell = cellIndex(cellAt(positions[slot].xyz));
     const uint entry = atomicAdd(cells[cell].still, 1u);
     if (entry < FLOW_CELL_ROOM)
-        still[cell * FLOW_CELL_ROOM + entry] = uvec2(packPlace(positions[slot].xyz), slot);
+        residents[stillBase(cell) + entry] = uvec2(packPlace(positions[slot].xyz), slot);
     else
         atomicAdd(counters.faults.x, 1u);
     bodies[slot].where = uvec4(0, 0, FLOW_BELONGS_STILL, cell);

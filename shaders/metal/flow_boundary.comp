@@ -13,18 +13,20 @@ vec4 restSums(uint slot, vec3 place) {
     const ivec3 centre = cellAt(place);
     const vec3 inside = insideCell(place, centre);
     const float nearly = fluid.search.x * fluid.search.x; // packed places are a little off
+    const vec3 scale = packedScale();
     vec4 sum = vec4(0);
     for (ivec3 step = ivec3(-1); step.z <= 1; nextStep(step)) {
         uint cell;
         if (!neighbourCell(centre, step, cell)) continue;
-        const uint count = cells[cell].still;
+        const uint count = countTexel(cell, 0).x;
+        const vec3 origin = packedOrigin(inside, step);
         for (uint entry = 0; entry < count; ++entry) {
-            const vec3 about = apartPacked(inside, step, still[cell * FLOW_CELL_ROOM + entry].x);
+            const uvec2 other = residentTexel(stillBase(cell) + entry);
+            const vec3 about = apartPacked(origin, other.x, scale);
             if (dot(about, about) >= nearly) continue;
-            const uint other = still[cell * FLOW_CELL_ROOM + entry].y;
-            const vec3 d = apart(place, positions[other].xyz);
+            const vec3 d = apart(place, placeTexel(other.y));
             const float r2 = dot(d, d);
-            if (r2 >= reach || other == slot) continue;
+            if (r2 >= reach || other.y == slot) continue;
             const float u = 1 - r2 * inverse;
             sum += u * u * u * vec4(fluid.body.w * d, u);
         }
@@ -48,15 +50,17 @@ void main() {
     const uint parity = substep & 1u;
     const ivec3 centre = cellAt(place);
     const vec3 inside = insideCell(place, centre);
+    const vec3 scale = packedScale();
     uint found = 0;
     for (ivec3 step = ivec3(-1); step.z <= 1; nextStep(step)) {
         uint cell;
         if (!neighbourCell(centre, step, cell)) continue;
-        const uint moving = cellMoving(cell, parity);
+        const uint moving = countTexel(cell, parity).y;
+        const vec3 origin = packedOrigin(inside, step);
         for (uint k = 0; k < moving; ++k) {
-            const vec3 d = apartPacked(inside, step, sorted[cell * FLOW_CELL_ROOM + k].x);
-            if (dot(d, d) < reach && found < FLOW_NEIGHBOUR_ROOM)
-                neighbours[base + GROUP_SIZE * found++] = sorted[cell * FLOW_CELL_ROOM + k].y;
+            const uvec2 other = residentTexel(movingBase(cell) + k);
+            const vec3 d = apartPacked(origin, other.x, scale);
+            if (dot(d, d) < reach && found < FLOW_NEIGHBOUR_ROOM) neighbours[base + GROUP_SIZE * found++] = other.y;
         }
     }
     bodies[slot].motion = vec4(0, 0, 0, found);

@@ -11,14 +11,38 @@ layout(std430, binding = METAL_HEAT) buffer Heats { vec4 heats[]; };
 layout(std430, binding = METAL_PHASE) buffer Phases { uint phases[]; };
 layout(std430, binding = FLOW_BODIES) buffer Bodies { FlowBody bodies[]; };
 layout(std430, binding = FLOW_CELLS) buffer Cells { FlowCell cells[]; };
-layout(std430, binding = FLOW_STILL) buffer Still { uvec2 still[]; };
+layout(std430, binding = FLOW_RESIDENTS) buffer Residents { uvec2 residents[]; };
 layout(std430, binding = FLOW_ENTERED) buffer Entered { uint entered[]; };
-layout(std430, binding = FLOW_SORTED) buffer Sorted { uvec2 sorted[]; };
 layout(std430, binding = FLOW_LISTS) buffer Lists { uint lists[]; };
 layout(std430, binding = FLOW_NEIGHBOURS) buffer Neighbours { uint neighbours[]; };
 layout(std430, binding = FLOW_COUNTERS) buffer Counters { FlowCounters counters; };
 layout(std430, binding = FLOW_DIRTY) buffer Dirty { uint dirty[]; };
 layout(std430, binding = FLOW_RESTING) buffer Resting { vec4 resting[]; };
+
+// What is gathered from many places is read as texels: some drivers fetch a whole texel at once but storage number by
+// number. A pass reads no texels of what it writes.
+layout(binding = FLOW_TEXELS_POSITIONS) uniform samplerBuffer positionTexels;
+layout(binding = FLOW_TEXELS_BODIES) uniform samplerBuffer bodyTexels;
+layout(binding = FLOW_TEXELS_NEIGHBOURS) uniform usamplerBuffer neighbourTexels;
+layout(binding = FLOW_TEXELS_CELLS) uniform usamplerBuffer cellTexels;
+layout(binding = FLOW_TEXELS_RESIDENTS) uniform usamplerBuffer residentTexels;
+
+vec3 placeTexel(uint slot) { return texelFetch(positionTexels, int(slot)).xyz; }
+
+/// Entry `k` of the neighbour list that begins at `base`.
+uint neighbourTexel(uint base, uint k) { return texelFetch(neighbourTexels, int(base + GROUP_SIZE * k)).x; }
+
+/// Counts of a cell: x still metal, y moving metal of this parity.
+uvec2 countTexel(uint cell, uint parity) {
+    const uvec4 counts = texelFetch(cellTexels, int(cell));
+    return uvec2(counts.x, min(parity == 0 ? counts.y : counts.z, FLOW_CELL_ROOM));
+}
+
+/// First of the residents of a cell: its moving metal; its still metal.
+uint movingBase(uint cell) { return 2 * FLOW_CELL_ROOM * cell; }
+uint stillBase(uint cell) { return movingBase(cell) + FLOW_CELL_ROOM; }
+
+uvec2 residentTexel(uint entry) { return texelFetch(residentTexels, int(entry)).xy; }
 
 ivec3 cellAt(vec3 place) {
     const ivec3 cell = ivec3(floor((place - fluid.origin.xyz) * fluid.inverseCell.xyz));
@@ -35,11 +59,15 @@ uint packPlace(vec3 place) {
     return steps.x | steps.y << 10 | steps.z << 20;
 }
 
-/// From a packed place in the cell `step` away to a place that lies at `inside` (cells) of its own cell; in m.
-vec3 apartPacked(vec3 inside, ivec3 step, uint word) {
-    const uvec3 steps = uvec3(word, word >> 10, word >> 20) & 1023u;
-    return (inside - vec3(step) - (vec3(steps) + 0.5) / 1024) / fluid.inverseCell.xyz;
+/// What apartPacked() sees packed places of the cell `step` away from: a place that lies at `inside` (cells) of its own cell.
+vec3 packedOrigin(vec3 inside, ivec3 step) { return (inside - vec3(step)) * 1024 - 0.5; }
+
+/// From a packed place to the one that `origin` was made of, in m; `scale` is the packed step in m.
+vec3 apartPacked(vec3 origin, uint word, vec3 scale) {
+    return (origin - vec3(word & 1023u, (word >> 10) & 1023u, word >> 20)) * scale;
 }
+
+vec3 packedScale() { return 1 / (1024 * fluid.inverseCell.xyz); }
 
 uint cellIndex(ivec3 cell) {
     return uint((cell.z * fluid.cells.y + cell.y) * fluid.cells.x + cell.x);

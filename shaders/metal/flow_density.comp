@@ -32,8 +32,8 @@ void main() {
     const float inverse = fluid.inverseCell.w * fluid.inverseCell.w;
     const uint base = neighbourBase(index);
     for (uint k = 0; k < found; ++k) {
-        const uint entry = neighbours[base + GROUP_SIZE * k];
-        const vec3 d = apart(place.xyz, positions[entry & ~FLOW_SOLID].xyz);
+        const uint entry = neighbourTexel(base, k);
+        const vec3 d = apart(place.xyz, placeTexel(entry & FLOW_SLOT));
         const float u = max(1 - dot(d, d) * inverse, 0);
         sum += u * u * u * vec4(((entry & FLOW_SOLID) != 0 ? fluid.body.w : 1.0) * d, u);
     }

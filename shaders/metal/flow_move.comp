@@ -35,9 +35,9 @@ vec3 acceleration(uint index, uint slot, out float fastest) {
     float reached = 0;      // the same sum for a gradient of 1 along each axis
 #endif
     for (uint k = 0; k < found; ++k) {
-        const uint entry = neighbours[base + GROUP_SIZE * k];
-        const uint other = entry & ~FLOW_SOLID;
-        const vec4 place = bodies[other].place;
+        const uint entry = neighbourTexel(base, k);
+        const int other = int(entry & FLOW_SLOT) * FLOW_BODY_TEXELS;
+        const vec4 place = texelFetch(bodyTexels, other);
         const vec3 d = apart(own.place.xyz, place.xyz);
         const float r2 = dot(d, d);
         const float q2 = min(r2 * inverse, 1);
@@ -45,13 +45,13 @@ vec3 acceleration(uint index, uint slot, out float fastest) {
         const float u = 1 - q2;
         const float slope = -8 * fluid.kernel.x * inverse * u * u * u;
         const bool solid = (entry & FLOW_SOLID) != 0;
-        const vec3 against = own.motion.xyz - bodies[other].motion.xyz;
+        const vec3 against = own.motion.xyz - texelFetch(bodyTexels, other + 2).xyz;
         fastest2 = max(fastest2, dot(against, against));
         const float friction = (solid ? fluid.tension.w : 1.0) * fluid.kernel.z * dot(against, d) / (r2 + soft);
         const float weight = (solid ? fluid.body.w : 1.0) * 2 / (own.place.w + place.w);
         const float pull = weight * fluid.tension.x * cohesion(q) / max(q * fluid.origin.w, 0.02 * fluid.origin.w);
         sum += (slope * (friction - pressure - stiffness(place.w)) - pull) * d;
-        const vec4 normal = bodies[other].normal;
+        const vec4 normal = texelFetch(bodyTexels, other + 1);
         sum -= weight * fluid.tension.y * 4 * q2 * u * (own.normal.xyz - normal.xyz);
 #ifdef MARANGONI
         warming += slope * (normal.w - own.normal.w) * d;

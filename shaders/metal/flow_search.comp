@@ -21,36 +21,42 @@ void listBoundary(uint slot) {
     atomicMax(counters.density.x, (counters.moving.w + entry) / GROUP_SIZE + 1);
 }
 
-void main() {
-    const uint index = gl_GlobalInvocationID.x;
-    if (index >= counters.moving.w) return;
-    const uint slot = lists[index];
-    const vec3 place = positions[slot].xyz;
+/// Lists what is near; gives the number found.
+uint listNeighbours(uint slot, vec3 place, uint base) {
     const float reach = fluid.search.x * fluid.search.x;
-    const uint base = neighbourBase(index);
     const uint parity = substep & 1u;
     const ivec3 centre = cellAt(place);
     const vec3 inside = insideCell(place, centre);
+    const vec3 scale = packedScale();
     uint found = 0;
     for (ivec3 step = ivec3(-1); step.z <= 1; nextStep(step)) {
         uint cell;
         if (!neighbourCell(centre, step, cell)) continue;
-        const uint first = cell * FLOW_CELL_ROOM;
-        const uint moving = cellMoving(cell, parity);
-        for (uint entry = 0; entry < moving; ++entry) {
-            const vec3 d = apartPacked(inside, step, sorted[first + entry].x);
-            if (dot(d, d) >= reach || found >= FLOW_NEIGHBOUR_ROOM) continue;
-            const uint other = sorted[first + entry].y;
-            if ((other & ~FLOW_SOLID) != slot) neighbours[base + GROUP_SIZE * found++] = other;
+        const uint first = movingBase(cell);
+        const uvec2 counts = countTexel(cell, parity);
+        const vec3 origin = packedOrigin(inside, step);
+        // One loop over moving, then still metal: drivers that run on the CPU go round as often as the fullest of several
+        // cells needs.
+        for (uint entry = 0; entry < counts.x + counts.y; ++entry) {
+            const bool rests = entry >= counts.y;
+            const uvec2 other = residentTexel(first + entry + (rests ? FLOW_CELL_ROOM - counts.y : 0));
+            const vec3 d = apartPacked(origin, other.x, scale);
+            if (dot(d, d) < reach && (other.y & FLOW_SLOT) != slot && found < FLOW_NEIGHBOUR_ROOM)
+                neighbours[base + GROUP_SIZE * found++] = other.y | (rests ? FLOW_SOLID | FLOW_RESTS : 0u);
         }
-        const uint resting = cells[cell].still;
-        for (uint entry = 0; entry < resting; ++entry) {
-            const vec3 d = apartPacked(inside, step, still[first + entry].x);
-            if (dot(d, d) >= reach || found >= FLOW_NEIGHBOUR_ROOM) continue;
-            const uint other = still[first + entry].y;
-            neighbours[base + GROUP_SIZE * found++] = other | FLOW_SOLID;
-            listBoundary(other);
-        }
+    }
+    return found;
+}
+
+void main() {
+    const uint index = gl_GlobalInvocationID.x;
+    if (index >= counters.moving.w) return;
+    const uint slot = lists[index];
+    const uint base = neighbourBase(index);
+    const uint found = listNeighbours(slot, positions[slot].xyz, base);
+    for (uint k = 0; k < found; ++k) {
+        const uint entry = neighbours[base + GROUP_SIZE * k];
+        if ((entry & FLOW_RESTS) != 0) listBoundary(entry & FLOW_SLOT);
     }
     if (found == FLOW_NEIGHBOUR_ROOM) atomicAdd(counters.faults.y, 1u);
     bodies[slot].where.w = found;

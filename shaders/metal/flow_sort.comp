@@ -23,5 +23,5 @@ void main() {
         rank += entered[cell * FLOW_CELL_ROOM + entry] < slot ? 1u : 0u;
     const uint solid = (phases[slot] & PHASE_LIQUID) != 0 ? 0u : FLOW_SOLID;
     if (rank < FLOW_CELL_ROOM)
-        sorted[cell * FLOW_CELL_ROOM + rank] = uvec2(packPlace(positions[slot].xyz), slot | solid);
+        residents[movingBase(cell) + rank] = uvec2(packPlace(positions[slot].xyz), slot | solid);
 }

@@ -6,19 +6,19 @@ layout(local_size_x = GROUP_SIZE) in;
 
 /// Keeps the entries that still belong to the cell, by slot; few cells change, so the plain insertion is good enough.
 void tidyCell(uint cell) {
-    const uint base = cell * FLOW_CELL_ROOM;
+    const uint base = stillBase(cell);
     const uint count = min(cells[cell].still, FLOW_CELL_ROOM);
     uint kept = 0;
     for (uint entry = 0; entry < count; ++entry) {
-        const uvec2 own = still[base + entry];
+        const uvec2 own = residents[base + entry];
         const uint slot = own.y;
         if (bodies[slot].where.z != FLOW_BELONGS_STILL || bodies[slot].where.w != cell) continue;
         uint place = kept;
-        while (place > 0 && still[base + place - 1].y > slot) {
-            still[base + place] = still[base + place - 1];
+        while (place > 0 && residents[base + place - 1].y > slot) {
+            residents[base + place] = residents[base + place - 1];
             --place;
         }
-        still[base + place] = own;
+        residents[base + place] = own;
         ++kept;
     }
     cells[cell].still = kept;

@@ -1,34 +1,49 @@
-// The flow's own buffers and constants, shared by C++ and GLSL; what they mean physically stands in core/metal/flow_constants.hpp.
+// The flow's own buffers and constants, shared by C++ and GLSL; what they mean physically stands in
+// core/metal/flow_constants.hpp.
 //
-// Space is cut into cells at least one kernel support wide, so that a particle's neighbours lie in its own cell and the 26
-// around it. A cell lists its still metal (rebuilt only where the phase changes) and its moving particles (put in anew every
-// substep by the pass that moves them). Both lists are in the order of slots, so that every sum has one order.
+// Space is cut into cells at least one kernel support wide, so that a particle's neighbours lie in its own cell and the
+// 26 around it. A cell lists its still metal (rebuilt only where the phase changes) and its moving particles (put in
+// anew every substep by the pass that moves them). Both lists are in the order of slots, so that every sum has one
+// order.
 #ifndef MELTPOOL_SHARED_FLOW_H
 #define MELTPOOL_SHARED_FLOW_H
 
 #include "glsl_types.h"
 
-#define FLOW_CELL_ROOM 48  // of a cell, for still and for moving particles each; 14 are there at rest density, 27 at most on a lattice
+#define FLOW_CELL_ROOM                                                                                                 \
+    48 // of a cell, for still and for moving particles each; 14 are there at rest density, 27 at most on a lattice
 #define FLOW_NEIGHBOUR_ROOM 128 // neighbours kept a particle; 74 are there at rest density
 
-#define FLOW_BODIES 6      // FlowBody a slot
-#define FLOW_CELLS 7       // FlowCell a cell
-#define FLOW_STILL 8       // uvec2 packed place and slot of a cell's still metal, FLOW_CELL_ROOM a cell
+#define FLOW_BODIES 6 // FlowBody a slot
+#define FLOW_CELLS 7  // FlowCell a cell
+#define FLOW_RESIDENTS                                                                                                 \
+    8 // uvec2 packed place and slot: FLOW_CELL_ROOM moving ones in order, then as many of still metal, a cell
 #define FLOW_ENTERED 9     // slots that entered a cell, in no order
-#define FLOW_SORTED 10     // uvec2 the same in order: packed place, slot
-#define FLOW_LISTS 11      // moving slots, spare for compacting them, still slots beside moving ones; capacity each
-#define FLOW_NEIGHBOURS 12 // slots beside an entry of the lists, entry by entry within a rank
-#define FLOW_COUNTERS 13
-#define FLOW_DIRTY 14      // cells whose still metal changed
-#define FLOW_RESTING 15    // vec4 a slot of still metal: what other still metal adds to its gradient (xyz) and density (w)
+#define FLOW_LISTS 10      // moving slots, spare for compacting them, still slots beside moving ones; capacity each
+#define FLOW_NEIGHBOURS 11 // slots beside an entry of the lists, entry by entry within a rank
+#define FLOW_COUNTERS 12
+#define FLOW_DIRTY 13   // cells whose still metal changed
+#define FLOW_RESTING 14 // vec4 a slot of still metal: what other still metal adds to its gradient (xyz) and density (w)
 
 #define FLOW_BLOCK 1 // uniform buffer
+
+// Buffer textures of the above
+#define FLOW_TEXELS_POSITIONS 0
+#define FLOW_TEXELS_BODIES 1 // FLOW_BODY_TEXELS a slot
+#define FLOW_TEXELS_NEIGHBOURS 2
+#define FLOW_TEXELS_CELLS 3
+#define FLOW_TEXELS_RESIDENTS 4
+
+#define FLOW_BODY_TEXELS 4 // of a FlowBody
 
 #define FLOW_BELONGS_NOWHERE 0u
 #define FLOW_BELONGS_STILL 1u
 #define FLOW_BELONGS_MOVING 2u
 
-#define FLOW_SOLID 0x80000000u // bit of a slot in a list of neighbours: solid metal
+// Bits of a slot in a list of neighbours
+#define FLOW_SOLID 0x80000000u // solid metal
+#define FLOW_RESTS 0x40000000u // still metal
+#define FLOW_SLOT 0x3fffffffu
 
 #ifdef __cplusplus
 namespace meltpool {
@@ -41,13 +56,15 @@ struct FlowBlock {
     vec4 inversePeriod; // xyz 1/period or 0, w fastest speed allowed in m/s
     vec4 high;          // xyz high corner of the space in m, w half a spacing
     ivec4 cells;        // xyz cells, w capacity in particles
-    vec4 body;          // xyz acceleration besides gravity in m/s², w weight of still metal against liquid: 0 repels .. 1 wets
-    vec4 kernel;        // x s V W(0), y c² in m²/s², z 10 nu in m²/s, w mushy drag over density in 1/s
-    vec4 tension;       // x cohesion and y area acceleration (see constants), z slope of surface tension over temperature over density in m³/(s² K), w friction against still metal over that in the liquid
-    vec4 search;        // x reach of neighbour lists in m, y way after which they are made anew in m, z scale s of the density sum, w unused
-    vec4 arc;           // xyz where the arc's axis meets the metal in m, w 1/(2 sigma²) of its pressure in 1/m²
-    vec4 arcAxis;       // xyz unit vector of the arc into the metal, w highest pressure over density in m²/s²
-    uvec4 room;         // x capacity of the lists in particles, yzw unused
+    vec4 body; // xyz acceleration besides gravity in m/s², w weight of still metal against liquid: 0 repels .. 1 wets
+    vec4 kernel;  // x s V W(0), y c² in m²/s², z 10 nu in m²/s, w mushy drag over density in 1/s
+    vec4 tension; // x cohesion and y area acceleration (see constants), z slope of surface tension over temperature
+                  // over density in m³/(s² K), w friction against still metal over that in the liquid
+    vec4 search; // x reach of neighbour lists in m, y way after which they are made anew in m, z scale s of the density
+                 // sum, w unused
+    vec4 arc;    // xyz where the arc's axis meets the metal in m, w 1/(2 sigma²) of its pressure in 1/m²
+    vec4 arcAxis; // xyz unit vector of the arc into the metal, w highest pressure over density in m²/s²
+    uvec4 room;   // x capacity of the lists in particles, yzw unused
 };
 
 struct FlowBody {
@@ -55,7 +72,8 @@ struct FlowBody {
     vec4 normal; // xyz g, the weighted kernel gradient sum in 1/m, w temperature in K
     vec4 motion; // xyz velocity at the start of the substep in m/s, w unused
     uvec4 where; // of moving metal: xy cell entered for the even and the odd substep, z where it belongs, w neighbours;
-                 // of still metal: x substep it was last listed, y state of the still metal its rest sums are for, z same, w its cell
+                 // of still metal: x substep it was last listed, y state of the still metal its rest sums are for, z
+                 // same, w its cell
 };
 
 struct FlowCell {
@@ -67,11 +85,14 @@ struct FlowCell {
 
 struct FlowCounters {
     uvec4 moving;   // indirect dispatch over the moving list; w its length
-    uvec4 search;   // the same, without groups where the neighbour lists still hold; w groups of the move pass that are done
-    uvec4 boundary; // over still metal beside the liquid, without groups where the lists still hold; w number of still metal's last change
+    uvec4 search;   // the same, without groups where the neighbour lists still hold; w groups of the move pass that are
+                    // done
+    uvec4 boundary; // over still metal beside the liquid, without groups where the lists still hold; w number of still
+                    // metal's last change
     uvec4 density;  // over the moving list and the still metal beside it; w number of the latter
     uvec4 faults;   // x cells overfull, y neighbours overfull, z particles no longer finite, w moving list overfull
-    uvec4 spare;    // x length of the list being compacted, y changed cells, z longest way (float bits) since the lists were made, w searches made
+    uvec4 spare;    // x length of the list being compacted, y changed cells, z longest way (float bits) since the lists
+                    // were made, w searches made
 };
 
 #ifdef __cplusplus
