@@ -1,20 +1,19 @@
 // What the hand feels: vibration as a pure function of what happens at the torch's tip, never of the button.
 #pragma once
 
-#include <cstdint>
+#include "core/weld/tip_state.hpp"
+
+#include <limits>
 #include <span>
 
 namespace meltpool::xr {
 
 /// What happens at the tip in this frame.
-struct TipState {
-    double time = 0;          ///< seconds since the lesson began; carries the rhythm
-    bool arc = false;         ///< heat flows
-    float power = 0;          ///< 0..1 of the process's largest
-    float distance = 0;       ///< m from the tip to the metal; 0 or less: touching
-    float steadyDistance = 0; ///< m, the distance that the process wants; 0: any distance is right
-    float approachSpeed = 0;  ///< m/s towards the metal at the moment of touching, 0 away from it
-    bool touchBegan = false;  ///< the tip met the metal in this frame
+struct TipFeel {
+    double time = 0; ///< seconds; carries the rhythm
+    TipState state;
+    double sinceTouch = std::numeric_limits<double>::infinity(); ///< seconds since the tip met the metal
+    float touchSpeed = 0;                                        ///< m/s, at that moment
 };
 
 /// One vibration, to be renewed every frame while it lasts.
@@ -26,15 +25,19 @@ struct HapticPulse {
     bool operator==(const HapticPulse&) const = default;
 };
 
-/// Hum with the arc (amplitude grows with power and as the distance nears the right one, frequency falls as the arc
-/// gets long), stutter (amplitude cut 9 times a second) where the tip is so far off that the arc would break, a knock
-/// when the tip meets the metal. A touch outweighs the hum. Nothing happens at the tip: silence.
-HapticPulse feel(const TipState& tip);
+/// Hum with arc or flame (amplitude grows with the power that arrives and sinks with a long arc, frequency falls with a
+/// long arc and over liquid metal); stutter of kBreakRate a second where the arc is about to break and kShortRate where
+/// drops bridge it; a rough buzz where the wire stubs; a knock when the tip meets the metal, dull on liquid, which
+/// outweighs the rest while it lasts. Nothing happens at the tip: silence.
+HapticPulse feel(const TipFeel& tip);
+
+constexpr double kBreakRate = 9;  ///< 1/s
+constexpr double kShortRate = 20; ///< 1/s; real ones, 50 to 200, would be lost between the frames
+
+/// How long a touch is felt, s.
+constexpr double kKnockDuration = 0.03;
 
 /// Samples in [-1, 1] of the pulse as a sine that starts at `phase` (radians), for devices that play PCM.
 void synthesize(const HapticPulse& pulse, float sampleRate, double phase, std::span<float> samples);
-
-/// Where the arc of this process would break, as a multiple of the steady distance.
-constexpr float kBreakingDistance = 2.5f;
 
 } // namespace meltpool::xr

@@ -46,6 +46,7 @@ class Headset {
     Session& session() { return *session_; }
     const Session& session() const { return *session_; }
     Input& input() { return *input_; }
+    const Input& input() const { return *input_; }
     Panel& panel() { return *panel_; }
     const Panel& panel() const { return *panel_; }
     const EyeTargets& eyes() const { return *targets_; }

@@ -77,6 +77,7 @@ void Session::begin(Controls& controls) {
     controls.lens.fieldOfView = glm::radians(camera.fieldOfView);
     trainer_ = std::make_unique<Trainer>(shaders_, lesson_);
     if (!record_.empty()) trainer_->record(record_);
+    sounding_ = {};
     clock_.restart();
     fault_.clear();
     surfaceIsOld_ = true;
@@ -127,9 +128,16 @@ void Session::advance(const Controls& controls, double seconds, gl::Profiler* pr
     }
 }
 
+void Session::sound(const TorchSample& torch) {
+    if (!running()) return;
+    if (const auto fresh = trainer_->pollSounding()) sounding_ = *fresh;
+    trainer_->requestSounding(torch);
+}
+
 SceneView Session::scene(gl::Profiler* profiler) {
     if (!running()) return {};
-    if (surfaceIsOld_ && lesson_.look.mode != kPointsMode) {
+    // A hand feels the surface whether it is shown or not.
+    if (surfaceIsOld_ && (held_ || lesson_.look.mode != kPointsMode)) {
         trainer_->updateSurface(profiler);
         surfaceIsOld_ = false;
     }

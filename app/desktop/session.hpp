@@ -47,7 +47,10 @@ class Session {
     /// Puts metal and source back.
     void reset(Controls& controls);
     /// Gives the metal back.
-    void end() { trainer_.reset(); }
+    void end() {
+        trainer_.reset();
+        sounding_ = {};
+    }
     bool running() const { return trainer_ != nullptr; }
 
     /// Runs the steps that `seconds` of real time ask for. With `held` that leads the torch; else the controls do, and
@@ -55,6 +58,12 @@ class Session {
     void advance(const Controls& controls, double seconds, gl::Profiler* profiler, const HeldTorchAt& held = {});
     /// `shift`: how far right of the window's middle the picture's middle is, as a share of half its width.
     void draw(const Controls& controls, glm::ivec2 pixels, float shift, gl::Profiler* profiler);
+
+    /// Asks where the metal lies under the torch in the hand; the answer comes frames later. Nothing waits.
+    void sound(const TorchSample& torch);
+    /// The newest answer; no metal anywhere before the first.
+    const TipSounding& sounding() const { return sounding_; }
+    TipGap gap() const { return running() ? trainer_->gap() : TipGap{}; }
 
     /// The world as it is now, the surface brought up to date; without a running lesson an empty one.
     SceneView scene(gl::Profiler* profiler);
@@ -64,6 +73,9 @@ class Session {
     float bottom() const;
     /// From the next start on, and from now on where a lesson runs, every step is written to `file`.
     void record(const std::filesystem::path& file);
+
+    /// The last steps' torch was not the mouse's.
+    bool held() const { return held_; }
 
     /// The fault that stopped the metal; empty while all is well.
     const std::string& fault() const { return fault_; }
@@ -86,6 +98,7 @@ class Session {
     StepClock clock_;
     std::string fault_;
     bool surfaceIsOld_ = true;
+    TipSounding sounding_;
     bool held_ = false; ///< the last step's torch was not the mouse's
     std::filesystem::path record_;
 };

@@ -47,12 +47,18 @@ json places(const ui::Context& context) {
     return all;
 }
 
+json tip(const TipTold& told) {
+    return {{"action", told.action},       {"ahead_mm", told.aheadMm},  {"nearest_mm", told.nearestMm},
+            {"liquid", told.liquid},       {"touching", told.touching}, {"amplitude", told.amplitude},
+            {"frequency", told.frequency}, {"touches", told.touches},   {"pulses", told.pulses}};
+}
+
 json headset(const HeadsetTold& told) {
     json places = json::object();
     for (const auto& [name, place] : told.places)
         places[name] = {place.x, place.y, place.width, place.height};
     return {{"state", told.state}, {"warning", told.warning}, {"openings", told.openings}, {"tracked", told.tracked},
-            {"panel", told.panel}, {"busy_ms", told.busyMs},  {"places", places}};
+            {"panel", told.panel}, {"tip", tip(told.tip)},    {"busy_ms", told.busyMs},    {"places", places}};
 }
 
 json messageTexts(const Messages& messages) {

@@ -13,6 +13,19 @@
 
 namespace meltpool {
 
+/// What happens at the tip of the torch in the hand, and what the hand feels.
+struct TipTold {
+    std::string action = "idle"; ///< "burning", "shorting", "stubbed", "breaking"
+    double aheadMm = 0;          ///< to the metal along the torch's axis; infinite (null): none
+    double nearestMm = 0;
+    double liquid = 0;
+    bool touching = false;
+    double amplitude = 0;
+    double frequency = 0;
+    unsigned touches = 0; ///< since the start
+    unsigned pulses = 0;  ///< sent to the controller since the headset was opened
+};
+
 /// What the headset does; as at first where none is looked for.
 struct HeadsetTold {
     std::string state = "off"; ///< "searching", "asleep", "running", "ended"
@@ -20,6 +33,7 @@ struct HeadsetTold {
     int openings = 0;
     bool tracked = false; ///< the torch's hand
     bool panel = false;
+    TipTold tip;
     double busyMs = 0;                       ///< CPU time of the last headset frame without the runtime's waiting
     std::map<std::string, ui::Place> places; ///< controls on the panel, its pixels
 };

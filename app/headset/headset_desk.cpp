@@ -12,8 +12,6 @@ namespace meltpool {
 namespace {
 
 constexpr double kMeasuringSeconds = 12;
-/// The figures of the metal come a few steps late and not with every frame, s.
-constexpr double kHeatGap = 0.25;
 
 xr::HeadsetSettings settingsOf(const HeadsetParameters& parameters) {
     xr::HeadsetSettings settings;
@@ -53,6 +51,7 @@ bool HeadsetDesk::begin(float bottom, double elapsed) {
     drawn_ = drawn_ && link_.headset() != nullptr;
     place_ = WorkpiecePlace(parameters_, bottom);
     time_ += elapsed;
+    elapsed_ = elapsed;
     if (link_.update() != xr::LinkState::running) {
         torch_.lose();
         drawn_ = drawn_ && link_.headset() != nullptr;
@@ -196,7 +195,7 @@ void HeadsetDesk::draw(Renderer& renderer, const LessonInSight& lesson, gl::Prof
         if (timing_.shouldRender)
             drawn_ = link_.headset()->drawEyes(
                 [&](const xr::BothEyes& eyes) { drawEyes(renderer, lesson, eyes, profiler); });
-        vibrate(lesson.hottest);
+        vibrate(lesson);
     });
     busy_ += std::chrono::duration<double>(Clock::now() - start).count();
 }
@@ -227,21 +226,22 @@ void HeadsetDesk::drawEyes(Renderer& renderer, const LessonInSight& lesson, cons
                   profiler);
 }
 
-void HeadsetDesk::vibrate(double hottest) {
-    // The metal takes heat while its hottest place does not cool. Pulling the trigger in the air feels like an arc
-    // about to break.
-    if (hottest > 0 && hottest >= hottestBefore_) heatArrived_ = time_;
-    hottestBefore_ = hottest;
-    const bool taken = time_ - heatArrived_ < kHeatGap;
-    xr::TipState tip;
-    tip.time = time_;
-    tip.arc = torch_.trigger() > 0;
-    tip.power = torch_.trigger();
-    tip.steadyDistance = 1.0f;
-    tip.distance = taken ? tip.steadyDistance : xr::kBreakingDistance * tip.steadyDistance;
-    xr::HapticPulse pulse = xr::feel(tip);
-    pulse.amplitude *= parameters_.hapticStrength;
-    link_.headset()->input().play(torchHand_, pulse);
+unsigned HeadsetDesk::pulsesSent() const {
+    return link_.headset() == nullptr ? 0 : link_.headset()->input().hapticCalls().applied;
+}
+
+void HeadsetDesk::vibrate(const LessonInSight& lesson) {
+    sounding_ = lesson.sounding;
+    if (torch_.tracked())
+        touch_.update(lesson.gap, lesson.sounding, torch_.velocity(), elapsed_);
+    else
+        touch_.forget();
+    feel_ = {time_, tipState(lesson.gap, lesson.handLeads ? torch_.trigger() : 0.0f, lesson.sounding), touch_.since(),
+             touch_.speed()};
+    feel_.state.liquid = lesson.sounding.liquid;
+    pulse_ = xr::feel(feel_);
+    pulse_.amplitude *= parameters_.hapticStrength;
+    link_.headset()->input().play(torchHand_, pulse_);
 }
 
 void HeadsetDesk::end() {

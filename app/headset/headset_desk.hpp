@@ -20,8 +20,10 @@ namespace meltpool {
 struct LessonInSight {
     const SceneView* scene = nullptr;
     const LookParameters* look = nullptr;
-    float unit = 1.0f;  ///< metres of a unit of the scene's world
-    double hottest = 0; ///< newest known temperature of the hottest metal, in whatever the lesson counts
+    float unit = 1.0f;      ///< metres of a unit of the scene's world
+    bool handLeads = false; ///< the lesson's torch is the one in the hand
+    TipGap gap;             ///< of the lesson's process
+    TipSounding sounding;   ///< newest known place of the metal under the torch in the hand
 };
 
 /// A frame is begin(), the simulation with torch(), draw(), end(); each does nothing while there is no frame for a
@@ -74,6 +76,13 @@ class HeadsetDesk {
     std::string tipReport() const;
     void close() { link_.close(); }
 
+    /// What happens at the tip, and what the hand is made to feel of it.
+    const TipSounding& sounding() const { return sounding_; }
+    const TipTouch& touch() const { return touch_; }
+    unsigned pulsesSent() const;
+    const xr::TipFeel& tipFeel() const { return feel_; }
+    const xr::HapticPulse& pulse() const { return pulse_; }
+
     /// CPU time of this object in the last frame, s, without waiting for the runtime.
     double busySeconds() const { return busy_; }
 
@@ -88,7 +97,7 @@ class HeadsetDesk {
     bool pointWith(xr::Hand which);
     xr::Pose panelPose() const; ///< in the workshop
     void drawEyes(Renderer& renderer, const LessonInSight& lesson, const xr::BothEyes& eyes, gl::Profiler* profiler);
-    void vibrate(double hottest);
+    void vibrate(const LessonInSight& lesson);
     void guarded(const std::function<void()>& work);
 
     const HeadsetParameters& parameters_;
@@ -117,8 +126,11 @@ class HeadsetDesk {
     glm::vec3 pointedAt_{0.0f};
     double busy_ = 0;
     double time_ = 0;
-    double hottestBefore_ = 0;
-    double heatArrived_ = -1; ///< when the metal last took heat, on the clock of `time_`
+    double elapsed_ = 0; ///< real seconds since the frame before
+    TipSounding sounding_;
+    TipTouch touch_;
+    xr::TipFeel feel_;
+    xr::HapticPulse pulse_;
 };
 
 } // namespace meltpool

@@ -39,7 +39,10 @@ HeldTorchAt HeadsetStation::torch() const {
 ui::Request HeadsetStation::draw(Session& session, const ui::Figures& figures, double elapsed, gl::Profiler* profiler) {
     if (!desk_.inFrame()) return ui::Request::none;
     const SceneView scene = session.scene(profiler);
-    desk_.draw(session.renderer(), {&scene, &session.lesson().look, session.unit(), figures.hottest}, profiler);
+    if (desk_.leadsTorch()) session.sound(desk_.torch(0, 1));
+    desk_.draw(session.renderer(),
+               {&scene, &session.lesson().look, session.unit(), session.held(), session.gap(), session.sounding()},
+               profiler);
     return desk_.panelShown() ? drawPanel(session, figures, elapsed) : ui::Request::none;
 }
 
@@ -92,6 +95,21 @@ bool HeadsetStation::mirror(glm::ivec2 pixels) const {
     return desk_.mirror(0, {0, 0, pixels.x, pixels.y});
 }
 
+TipTold HeadsetStation::toldOfTip() const {
+    static constexpr std::array<const char*, 5> kActions{"idle", "burning", "shorting", "stubbed", "breaking"};
+    TipTold told;
+    told.action = kActions[static_cast<size_t>(desk_.tipFeel().state.action)];
+    told.aheadMm = 1000.0 * static_cast<double>(desk_.sounding().ahead);
+    told.nearestMm = 1000.0 * static_cast<double>(desk_.sounding().nearest);
+    told.liquid = static_cast<double>(desk_.sounding().liquid);
+    told.touching = desk_.touch().touching();
+    told.touches = desk_.touch().count();
+    told.amplitude = static_cast<double>(desk_.pulse().amplitude);
+    told.frequency = static_cast<double>(desk_.pulse().frequency);
+    told.pulses = desk_.pulsesSent();
+    return told;
+}
+
 HeadsetTold HeadsetStation::told() const {
     static constexpr std::array<const char*, 4> kStates{"searching", "asleep", "running", "ended"};
     HeadsetTold told;
@@ -100,6 +118,7 @@ HeadsetTold HeadsetStation::told() const {
     told.openings = desk_.openings();
     told.tracked = desk_.heldTorch().tracked();
     told.panel = desk_.panelOpen();
+    told.tip = toldOfTip();
     told.busyMs = desk_.busySeconds() * 1000;
     if (panel_ != nullptr) told.places = panel_->context().places;
     return told;

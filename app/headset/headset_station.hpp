@@ -39,6 +39,7 @@ class HeadsetStation {
     const HeadsetDesk& desk() const { return desk_; }
 
   private:
+    TipTold toldOfTip() const;
     ui::Request drawPanel(Session& session, const ui::Figures& figures, double elapsed);
     ui::Request panelContent(ui::Context& context, Session& session, const ui::Figures& figures);
 

@@ -131,6 +131,7 @@ Surface::Work::Work(gl::ShaderLibrary& shaders, const SurfaceGrid& theGrid)
     SurfaceCommands start{};
     start.changed = {0, 1, 1};
     commands.writeValue(start);
+    setupBlock.writeValue(setup); // for a look at the empty volumes
 }
 
 /// Grows what has an entry a particle.
@@ -330,6 +331,12 @@ const gl::Buffer& Surface::densityVolume() const {
 
 const gl::Buffer& Surface::temperatureVolume() const {
     return work_->temperature;
+}
+
+void Surface::bindVolumes() const {
+    work_->setupBlock.bindUniform(SURFACE_BIND_SETUP);
+    work_->density.bindStorage(SURFACE_BIND_DENSITY);
+    work_->temperature.bindStorage(SURFACE_BIND_TEMPERATURE);
 }
 
 size_t Surface::bytes() const {

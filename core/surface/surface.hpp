@@ -71,6 +71,8 @@ class Surface {
     /// The volumes' sums by SurfaceGrid::address(), as 32-bit unsigned integers.
     const gl::Buffer& densityVolume() const;
     const gl::Buffer& temperatureVolume() const;
+    /// Binds setup and both volumes to their places (shaders/shared/surface.h), for passes that look at them.
+    void bindVolumes() const;
 
     /// GPU memory that this surface holds.
     size_t bytes() const;

@@ -4,6 +4,9 @@
 
 #include <glm/common.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 namespace meltpool {
 
 glm::vec3 classicSourcePosition(const glm::vec3& tip) {
@@ -21,6 +24,14 @@ void ClassicModel::apply(const Lesson& lesson) {
 
 void ClassicModel::step(const TorchSample& torch, gl::Profiler* profiler) {
     metal_.step({classicSourcePosition(torch.tip), torch.trigger, cold_}, profiler);
+}
+
+float ClassicModel::liquidShare(float temperature) const {
+    return std::clamp(temperature, 0.0f, 1.0f);
+}
+
+TipGap ClassicModel::gap() const {
+    return {0, 0, 0, std::sqrt(metal_.parameters.heatRadius) * kClassicUnit};
 }
 
 SceneView ClassicModel::scene(const TorchSample& torch) const {

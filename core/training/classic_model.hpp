@@ -21,6 +21,9 @@ class ClassicModel : public MetalModel {
     void step(const TorchSample& torch, gl::Profiler* profiler) override;
     double timeStep() const override { return static_cast<double>(metal_.parameters.timeStep); }
     ParticleView particles() const override { return metal_.particles(); }
+    float unit() const override { return kClassicUnit; }
+    float liquidShare(float temperature) const override;
+    TipGap gap() const override;
     SceneView scene(const TorchSample& torch) const override;
     MetalStatistics statistics() override { return metal_.statistics(); }
     void requestStatistics() override { metal_.requestStatistics(); }

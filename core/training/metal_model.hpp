@@ -6,6 +6,7 @@
 #include "core/metal/statistics.hpp"
 #include "core/render/scene.hpp"
 #include "core/surface/surface.hpp"
+#include "core/weld/tip_state.hpp"
 #include "core/weld/torch_sample.hpp"
 
 #include <cstdint>
@@ -30,6 +31,12 @@ class MetalModel {
     virtual double timeStep() const = 0;
 
     virtual ParticleView particles() const = 0;
+    /// Metres of a unit of particles() and of the surface.
+    virtual float unit() const = 0;
+    /// 0 solid .. 1 liquid, of a temperature of this metal.
+    virtual float liquidShare(float temperature) const = 0;
+    /// How near the process wants its tip.
+    virtual TipGap gap() const = 0;
     /// Box of the particles, their temperatures' meaning and the source under this torch; without a mesh.
     virtual SceneView scene(const TorchSample& torch) const = 0;
 

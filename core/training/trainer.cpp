@@ -5,7 +5,7 @@
 namespace meltpool {
 
 Trainer::Trainer(gl::ShaderLibrary& shaders, Lesson lesson)
-    : lesson_(std::move(lesson)), metal_(makeMetalModel(shaders, lesson_)) {
+    : lesson_(std::move(lesson)), metal_(makeMetalModel(shaders, lesson_)), probe_(shaders) {
     const SceneView scene = metal_->scene({});
     surface_ = std::make_unique<Surface>(shaders, lesson_.surface, scene.boxMin, scene.boxMax);
     torch_ = lesson_.torch.sample(0);

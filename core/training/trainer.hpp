@@ -9,6 +9,7 @@
 #include "core/training/lesson.hpp"
 #include "core/training/metal_model.hpp"
 #include "core/training/telemetry.hpp"
+#include "core/training/tip_probe.hpp"
 
 #include <memory>
 #include <optional>
@@ -55,6 +56,15 @@ class Trainer {
     /// Makes the surface of the metal as it is now, for the pictures to come; nothing is read back.
     void updateSurface(gl::Profiler* profiler);
 
+    /// Asks where the metal lies under this torch, on the surface of the last updateSurface(); never waits.
+    void requestSounding(const TorchSample& torch) { probe_.request(*surface_, *metal_, torch); }
+    /// The answer, once, frames later.
+    std::optional<TipSounding> pollSounding() { return probe_.poll(*metal_); }
+    /// Waits for the GPU.
+    TipSounding soundingNow(const TorchSample& torch) { return probe_.now(*surface_, *metal_, torch); }
+    /// How near the process wants its tip.
+    TipGap gap() const { return metal_->gap(); }
+
     /// The world under the last torch, with the surface of the last updateSurface().
     SceneView scene() const;
     const TorchSample& torch() const { return torch_; }
@@ -81,6 +91,7 @@ class Trainer {
     Lesson lesson_;
     std::unique_ptr<MetalModel> metal_;
     std::unique_ptr<Surface> surface_;
+    TipProbe probe_;
     std::unique_ptr<Telemetry> telemetry_;
     TorchSample torch_;
     MetalStatistics figures_;

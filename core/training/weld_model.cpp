@@ -6,6 +6,8 @@
 
 #include <glm/ext/matrix_transform.hpp>
 
+#include <algorithm>
+
 namespace meltpool {
 
 namespace {
@@ -75,6 +77,13 @@ SceneView WeldModel::scene(const TorchSample& torch) const {
                          static_cast<float>(material_.liquidus)};
     scene.looks = &material_.looks;
     return scene;
+}
+
+float WeldModel::liquidShare(float temperature) const {
+    const auto solidus = static_cast<float>(material_.solidus);
+    const auto range = static_cast<float>(material_.liquidus) - solidus;
+    if (range <= 0) return temperature > solidus ? 1.0F : 0.0F;
+    return std::clamp((temperature - solidus) / range, 0.0F, 1.0F);
 }
 
 void WeldModel::prepare(Surface& surface) const {

@@ -17,6 +17,9 @@ class WeldModel : public MetalModel {
     void step(const TorchSample& torch, gl::Profiler* profiler) override;
     double timeStep() const override { return static_cast<double>(metal_.timeStep()); }
     ParticleView particles() const override { return metal_.particles(); }
+    float unit() const override { return 1; }
+    float liquidShare(float temperature) const override;
+    TipGap gap() const override { return tipGap(process_.parameters); }
     /// The torch's solids in it are lent until the next call.
     SceneView scene(const TorchSample& torch) const override;
     void prepare(Surface& surface) const override;

@@ -36,6 +36,8 @@ ParameterList describe(ProcessParameters& p) {
         {"drop_speed", "Drop speed", "m/s", &p.dropSpeed, 0.05, 2, "fast drops splash"},
         {"tip_temperature_c", "Iron", "°C", &p.tipTemperatureC, 20, 1500, "soldering iron"},
         {"tip_radius_mm", "Iron's tip", "mm", &p.tipRadiusMm, 0.2, 20, "soldering iron"},
+        {"arc_length_mm", "Arc length", "mm", &p.arcLengthMm, 0.5, 20,
+         "arcs: the right one, TIG 1.5-3; the hand feels a shorter or longer one"},
     };
 }
 

@@ -26,6 +26,7 @@ struct ProcessParameters {
     float dropSpeed = 0.3F;        ///< m/s
     float tipTemperatureC = 380;   ///< soldering iron
     float tipRadiusMm = 2;         ///< soldering iron
+    float arcLengthMm = 3;         ///< that the machine's settings want, arcs
 };
 
 ParameterList describe(ProcessParameters& parameters);

@@ -130,3 +130,50 @@ TEST_CASE("the scene carries the surface, the particles and the source", "[train
     CHECK(scene.source.on);
     CHECK(scene.source.position.x == Approx(0.55f));
 }
+
+TEST_CASE("the tip is told how far the metal is and whether it is liquid, in metres", "[training]") {
+    Lesson lesson = smallLesson();
+    lesson.surface.cells = 64;
+    Trainer trainer(test::shaders(), lesson);
+    trainer.updateSurface(nullptr);
+    TorchSample over;
+    over.tip = {0, 0.03f, 0};
+    over.orientation = glm::angleAxis(-1.5707963f, glm::vec3(1, 0, 0)); // straight down
+    // The cube reaches to 20 mm, and what is shown of it at this iso level a grid cell of 1.25 mm farther.
+    TipSounding sounding = trainer.soundingNow(over);
+    CHECK(sounding.ahead == Approx(0.009).margin(0.0015));
+    CHECK(sounding.nearest == Approx(sounding.ahead).epsilon(0.1));
+    CHECK(sounding.liquid == 0);
+    CHECK(sounding.normal.y > 0.9f);
+    over.tip = {0, 0.2f, 0};
+    CHECK(trainer.soundingNow(over).ahead == std::numeric_limits<float>::infinity());
+    repeat(trainer, flameAt(21, 1), 60);
+    trainer.updateSurface(nullptr);
+    over.tip = {0.017f, 0.03f, 0.017f};
+    sounding = trainer.soundingNow(over);
+    CHECK(sounding.liquid > 0.2f);
+    CHECK(tipState(trainer.gap(), 1, sounding).action == TipAction::burning);
+}
+
+TEST_CASE("over a steel plate the wire's arc is as long as it is held", "[training]") {
+    Lesson lesson = findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
+    lesson.workpiece.lengthMm = 24;
+    lesson.workpiece.widthMm = 20;
+    lesson.surface.cells = 32;
+    Trainer trainer(test::shaders(), lesson);
+    trainer.updateSurface(nullptr);
+    const auto actionAt = [&](float mm) {
+        TorchSample torch;
+        torch.tip = {0.001f, mm * 1e-3f, 0.002f};
+        torch.orientation = glm::angleAxis(-1.5707963f, glm::vec3(1, 0, 0));
+        const TipSounding sounding = trainer.soundingNow(torch);
+        INFO("held at " << mm << " mm, " << sounding.ahead * 1000 << " mm found");
+        CHECK(sounding.ahead * 1000 == Approx(mm).margin(0.3));
+        CHECK(sounding.liquid == 0);
+        return tipState(trainer.gap(), 1, sounding).action;
+    };
+    CHECK(actionAt(3) == TipAction::burning);
+    CHECK(actionAt(-1) == TipAction::stubbed);
+    CHECK(actionAt(9) == TipAction::breaking);
+    CHECK(actionAt(12) == TipAction::breaking);
+}

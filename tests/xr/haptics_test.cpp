@@ -5,45 +5,27 @@
 #include <array>
 #include <cmath>
 
+using namespace meltpool;
 using namespace meltpool::xr;
 
 namespace {
 
-TipState burning(float power, float distance, float steady) {
-    TipState tip;
-    tip.arc = true;
-    tip.power = power;
-    tip.distance = distance;
-    tip.steadyDistance = steady;
+TipFeel burning(float power, float stretch = 0, float liquid = 0) {
+    TipFeel tip;
+    tip.state = {TipAction::burning, power, stretch, liquid};
     return tip;
 }
 
-} // namespace
-
-TEST_CASE("nothing happens at the tip: silence") {
-    CHECK(feel({}).silent());
-    TipState pressedButCold;
-    pressedButCold.power = 1; // a button alone moves nothing
-    CHECK(feel(pressedButCold).silent());
-    CHECK(feel(burning(0, 0.003f, 0.003f)).silent());
+TipFeel touched(float speed, float liquid = 0) {
+    TipFeel tip;
+    tip.sinceTouch = 0;
+    tip.touchSpeed = speed;
+    tip.state.liquid = liquid;
+    return tip;
 }
 
-TEST_CASE("the hum grows with power and sinks with a long arc") {
-    float last = 0;
-    for (const float power : {0.1f, 0.4f, 0.7f, 1.0f}) {
-        const HapticPulse pulse = feel(burning(power, 0.003f, 0.003f));
-        CHECK(pulse.amplitude > last);
-        CHECK(pulse.amplitude <= 1.0f);
-        last = pulse.amplitude;
-    }
-    const HapticPulse right = feel(burning(1, 0.003f, 0.003f)), far = feel(burning(1, 0.006f, 0.003f));
-    CHECK(far.amplitude < right.amplitude);
-    CHECK(far.frequency < right.frequency);
-    CHECK(right.duration > 1.0f / 72.0f); // no gap before the next frame's pulse
-}
-
-TEST_CASE("an arc about to break stutters nine times a second") {
-    TipState tip = burning(1, 0.003f * kBreakingDistance, 0.003f);
+/// How often the pulse goes on or off within a second.
+int changesInSecond(TipFeel tip) {
     int changes = 0;
     bool on = true;
     for (int i = 0; i < 1000; ++i) {
@@ -52,27 +34,69 @@ TEST_CASE("an arc about to break stutters nine times a second") {
         changes += now != on ? 1 : 0;
         on = now;
     }
-    CHECK(changes == 17); // nine halves on, nine off, starting with on and ending with off
-    tip.distance = 0.003f;
-    for (int i = 0; i < 1000; ++i) {
-        tip.time = i * 0.001;
-        CHECK_FALSE(feel(tip).silent());
-    }
+    return changes;
 }
 
-TEST_CASE("a touch knocks, harder when it was faster, over any hum") {
-    TipState soft, hard = burning(1, 0, 0.003f);
-    soft.touchBegan = hard.touchBegan = true;
-    soft.approachSpeed = 0.01f;
-    hard.approachSpeed = 1.0f;
-    CHECK_FALSE(feel(soft).silent());
-    CHECK(feel(hard).amplitude == 1.0f);
-    CHECK(feel(hard).amplitude > feel(soft).amplitude);
-    CHECK(feel(hard).frequency == feel(soft).frequency);
+} // namespace
+
+TEST_CASE("nothing happens at the tip: silence") {
+    CHECK(feel({}).silent());
+    TipFeel longAgo;
+    longAgo.sinceTouch = kKnockDuration;
+    CHECK(feel(longAgo).silent());
+}
+
+TEST_CASE("the hum grows with power and sinks with a long arc and over a pool") {
+    float last = 0;
+    for (const float power : {0.1f, 0.4f, 0.7f, 1.0f}) {
+        const HapticPulse pulse = feel(burning(power));
+        CHECK(pulse.amplitude > last);
+        CHECK(pulse.amplitude <= 1.0f);
+        last = pulse.amplitude;
+    }
+    const HapticPulse right = feel(burning(1)), far = feel(burning(1, 0.5f)), pool = feel(burning(1, 0, 1));
+    CHECK(far.amplitude < right.amplitude);
+    CHECK(far.frequency < right.frequency);
+    CHECK(pool.frequency < right.frequency);
+    CHECK(pool.frequency > far.frequency);
+    CHECK(right.duration > 1.0f / 72.0f); // no gap before the next frame's pulse
+    CHECK(changesInSecond(burning(1)) == 0);
+}
+
+TEST_CASE("an arc about to break stutters nine times a second, one bridged by drops twenty times") {
+    TipFeel tip = burning(1, 1);
+    tip.state.action = TipAction::breaking;
+    CHECK(changesInSecond(tip) == 17); // nine halves on, nine off, starting with on and ending with off
+    tip.state.action = TipAction::shorting;
+    CHECK(changesInSecond(tip) == 39);
+}
+
+TEST_CASE("a stubbed wire buzzes, lower and stronger than any hum") {
+    TipFeel tip = burning(1);
+    tip.state.action = TipAction::stubbed;
+    CHECK(feel(tip).amplitude > feel(burning(1)).amplitude);
+    CHECK(feel(tip).frequency < feel(burning(1, 1, 1)).frequency);
+}
+
+TEST_CASE("a touch knocks, harder when it was faster, duller on a pool, over any hum, and only while it lasts") {
+    const HapticPulse soft = feel(touched(0.01f)), hard = feel(touched(1.0f)), pool = feel(touched(1.0f, 1));
+    CHECK_FALSE(soft.silent());
+    CHECK(hard.amplitude == 1.0f);
+    CHECK(hard.amplitude > soft.amplitude);
+    CHECK(hard.frequency == soft.frequency);
+    CHECK(pool.amplitude < hard.amplitude);
+    CHECK(pool.frequency < hard.frequency);
+    TipFeel inArc = burning(1);
+    inArc.sinceTouch = 0.01;
+    inArc.touchSpeed = 1;
+    CHECK(feel(inArc).amplitude == hard.amplitude);
+    CHECK(feel(inArc).duration == Approx(kKnockDuration - 0.01));
+    inArc.sinceTouch = kKnockDuration;
+    CHECK(feel(inArc) == feel(burning(1)));
 }
 
 TEST_CASE("the same state feels the same") {
-    const TipState tip = burning(0.6f, 0.004f, 0.003f);
+    const TipFeel tip = burning(0.6f, 0.4f, 0.2f);
     CHECK(feel(tip) == feel(tip));
 }
 

@@ -3,7 +3,7 @@
 #include "core/base/text.hpp"
 #include "core/weld/torch_path.hpp"
 #include "tests/support/catch.hpp"
-#include "tests/xr/trainer_process.hpp"
+#include "tests/xr/trainee.hpp"
 
 #include <glm/gtc/constants.hpp>
 
@@ -20,92 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where the runtime puts the grip and the pointer on the scripted device: rigid, so measured once.
-struct HandGeometry {
-    xr::Pose grip;
-    xr::Pose aim;
-};
-
-HandGeometry measureHand() {
-    benchWindow();
-    RemoteDriver driver(benchPort());
-    RemoteState state;
-    driver.send(state);
-    xr::Headset headset(std::make_unique<xr::Instance>(), {.resolutionScale = 0.3f, .samples = 1});
-    reach(headset, xr::SessionMode::focused);
-    for (int i = 0; i < 5; ++i)
-        stepFrame(headset, {});
-    const xr::HandInput& hand = headset.input().hand(xr::Hand::right);
-    REQUIRE(hand.tracked);
-    return {hand.grip, hand.aim};
-}
-
-const HandGeometry& handGeometry() {
-    static const HandGeometry measured = measureHand();
-    return measured;
-}
-
-/// A lesson that a software driver keeps up with.
-fs::path smallLesson(const fs::path& folder) {
-    fs::create_directories(folder);
-    const fs::path file = folder / "small.toml";
-    const fs::path paths = fs::path(MELTPOOL_SOURCE_FOLDER) / "app" / "data" / "paths" / "classic-corner.toml";
-    writeTextFileAtomically(
-        file, "title = \"Small\"\ntext = \"Small.\"\nmodel = \"classic\"\ntorch = \"" + paths.string() +
-                  "\"\n[start]\nparticles = 4096\n"
-                  // What is melted stays so: the window's figures lag a step or two, and must not be of another metal.
-                  "[metal]\nsolidify_rate = 0\n[surface]\ncells = 32\n[[picture]]\nname = \"metal\"\n");
-    return file;
-}
-
-/// A trainee: stands before the table, holds the torch in the right hand.
-struct Trainee {
-    RemoteDriver driver{benchPort()};
-    RemoteState state;
-
-    /// From the workpiece's frame (m) to the session's space: the person stood at (0, 1.6, 0) looking along -z when the
-    /// workshop was placed, the table is 0.9 m high, the zoom 4, and the box reaches 40 mm below the workpiece's
-    /// origin.
-    static glm::vec3 inRoom(const glm::vec3& place) {
-        return glm::vec3(0, 0.9f + 0.04f * 4, 0) + place * 4.0f - glm::vec3(0, 0, 0.45f);
-    }
-
-    Trainee() {
-        state.hands[0].pose.position = {-0.3f, 1.0f, -0.2f};
-        aim({0.06f, 0.06f, 0.06f}, 0);
-    }
-
-    /// Looks down at the workpiece; the workshop is placed by the first look, straight ahead.
-    void lookDown() {
-        state.head.position = {0, 1.55f, -0.02f};
-        state.head.orientation = glm::angleAxis(-0.75f, glm::vec3(1, 0, 0));
-        driver.send(state);
-    }
-
-    /// Holds the tip at a place of the workpiece's frame.
-    void aim(const glm::vec3& place, float trigger) {
-        const glm::quat held = glm::angleAxis(-0.8f, glm::vec3(1, 0, 0));
-        const xr::Pose tip{held, inRoom(place)};
-        const xr::Pose grip = tip * xr::Pose{{1, 0, 0, 0}, {0, 0, 0.12f}}; // the tip lies 120 mm before the grip
-        state.hands[1].pose = grip * handGeometry().grip.inverse();
-        state.hands[1].trigger = trigger;
-        driver.send(state);
-    }
-
-    /// Points the right hand's ray from in front of `target` (session space) at it.
-    void point(const glm::vec3& from, const glm::vec3& target, float trigger) {
-        const glm::vec3 z = glm::normalize(from - target), x = glm::normalize(glm::cross(glm::vec3(0, 1, 0), z));
-        const xr::Pose ray{glm::quat_cast(glm::mat3(x, glm::cross(z, x), z)), from};
-        state.hands[1].pose = ray * handGeometry().aim.inverse();
-        state.hands[1].trigger = trigger;
-        driver.send(state);
-    }
-};
-
-bool running(const json& row) {
-    return row["headset"]["state"] == "running" && row["page"] == "running";
-}
-
 std::vector<std::string> lastRow(const fs::path& csv) {
     const std::string text = readTextFile(csv);
     std::vector<std::string> cells;
@@ -115,21 +29,11 @@ std::vector<std::string> lastRow(const fs::path& csv) {
     return cells;
 }
 
-/// Waits until the window has gone on by so many frames, however slow this machine draws them.
-void passFrames(TrainerProcess& trainer, long long count) {
-    const long long from = trainer.now()["frame"];
-    CHECK(trainer.waitFor([&](const json& row) { return row["frame"] >= from + count; }, 20));
-}
-
 /// The count of steps fell somewhere along the rows.
 bool wasReset(const std::vector<json>& rows) {
     for (size_t i = 1; i < rows.size(); ++i)
         if (rows[i]["metal"]["steps"] < rows[i - 1]["metal"]["steps"]) return true;
     return false;
-}
-
-void sleepFor(double seconds) {
-    std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
 }
 
 } // namespace
@@ -262,29 +166,12 @@ TEST_CASE("the panel opens, a button is pressed with the pointer's ray, and the 
     REQUIRE(trainer.waitFor([](const json& row) { return row["metal"]["steps"] > 20; }, 10));
     trainee.aim(glm::vec3(0.05f), 0.0f);
 
-    trainee.state.hands[1].b = true;
-    trainee.driver.send(trainee.state);
-    REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["panel"] == true; }, 3));
-    trainee.state.hands[1].b = false;
-    trainee.driver.send(trainee.state);
+    trainee.showPanel(trainer, true);
     REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["places"].contains("headset.reset"); }, 3));
-
-    // The panel's pose as the program places it, and the reset button's middle on it (900 x 1100 pixels, 0.6 m wide).
-    const json place = trainer.now()["headset"]["places"]["headset.reset"];
-    const xr::Pose panel{glm::angleAxis(0.48f, glm::vec3(0, 1, 0)) * glm::angleAxis(-0.2f, glm::vec3(1, 0, 0)),
-                         {-0.42f, 0.9f + 0.45f, -0.35f}};
-    const float x = place[0].get<float>() + place[2].get<float>() / 2,
-                y = place[1].get<float>() + place[3].get<float>() / 2;
-    const glm::vec3 toRoom(0, 0, -0.45f);
-    const glm::vec3 target = panel * glm::vec3((x - 450) / 1500, (550 - y) / 1500, 0) + toRoom;
-    const glm::vec3 from = panel * glm::vec3(0.1f, -0.1f, 0.5f) + toRoom;
-    trainee.point(from, target, 0.0f);
+    trainee.pointAtControl(trainer, "headset.reset", 0.0f);
     passFrames(trainer, 4);
     keepPicture(screenshot(), "panel.png");
-    trainee.point(from, target, 1.0f);
-    passFrames(trainer, 4);
-    trainee.point(from, target, 0.0f);
-    passFrames(trainer, 4);
+    trainee.press(trainer, "headset.reset");
     CHECK(trainer.waitFor([&](const json&) { return wasReset(trainer.rows()); }, 8));
 
     trainee.state.hands[0].thumbstickClick = true;

@@ -1,0 +1,28 @@
+// Where the metal lies from the torch's tip, in metres of the workpiece's frame, found on the surface that is shown.
+#pragma once
+
+#include "core/surface/surface_probe.hpp"
+#include "core/training/metal_model.hpp"
+#include "core/weld/tip_state.hpp"
+
+namespace meltpool {
+
+class TipProbe {
+  public:
+    /// How far from the tip metal is looked for, m.
+    static constexpr float kReach = 0.06F;
+
+    explicit TipProbe(gl::ShaderLibrary& shaders) : probe_(shaders) {}
+
+    /// Asks where `surface` of `metal` lies under this torch; dropped while an answer is under way.
+    void request(const Surface& surface, const MetalModel& metal, const TorchSample& torch);
+    /// The answer, once, frames later; never waits.
+    std::optional<TipSounding> poll(const MetalModel& metal);
+    /// Waits for the GPU.
+    TipSounding now(const Surface& surface, const MetalModel& metal, const TorchSample& torch);
+
+  private:
+    SurfaceProbe probe_;
+};
+
+} // namespace meltpool

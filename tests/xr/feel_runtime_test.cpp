@@ -1,0 +1,69 @@
+// What the hand feels in the whole program: from the metal at the tip and never from the button.
+#include "tests/support/catch.hpp"
+#include "tests/xr/trainee.hpp"
+
+using namespace meltpool;
+using namespace meltpool::test;
+using nlohmann::json;
+
+namespace {
+
+json tipOf(TrainerProcess& trainer) {
+    return trainer.now()["headset"]["tip"];
+}
+
+/// Waits until the probe's answer about the tip's new place has come.
+bool reaches(TrainerProcess& trainer, const char* action) {
+    return trainer.waitFor([&](const json& row) { return row["headset"]["tip"]["action"] == action; }, 10);
+}
+
+} // namespace
+
+TEST_CASE("a touch knocks without heat, the flame hums where metal takes its heat, and silence is kept", "[runtime]") {
+    handGeometry();
+    const std::filesystem::path folder = benchFolder() / "feel";
+    Trainee trainee;
+    TrainerProcess trainer(folder, {"--headset", "--lesson", smallLesson(folder).string()});
+    REQUIRE(trainer.waitFor(running, 30));
+
+    // The trigger far from the metal: nothing.
+    trainee.aim({0.0f, 0.06f, 0.02f}, 1.0f);
+    passFrames(trainer, 8);
+    CHECK(tipOf(trainer)["action"] == "idle");
+    CHECK(tipOf(trainer)["pulses"] == 0);
+    CHECK(tipOf(trainer)["nearest_mm"].get<double>() == Approx(40).margin(8));
+
+    // Down onto the cube's upper face (20 mm over its middle, shown up to a coarse cell of 2.5 mm farther), no heat.
+    for (const float mm : {35.0f, 30.0f, 26.0f}) {
+        trainee.aim({0.0f, mm * 1e-3f, 0.0f}, 0.0f);
+        passFrames(trainer, 2);
+    }
+    CHECK(tipOf(trainer)["touches"] == 0);
+    CHECK(tipOf(trainer)["pulses"] == 0);
+    trainee.aim({0.0f, 0.016f, 0.0f}, 0.0f);
+    CHECK(trainer.waitFor([](const json& row) { return row["headset"]["tip"]["touches"] == 1; }, 10));
+    passFrames(trainer, 6);
+    const json still = tipOf(trainer);
+    CHECK(still["touching"] == true);
+    CHECK(still["touches"] == 1);
+    CHECK(still["amplitude"] == 0); // a knock ends, though the tip stays
+    CHECK(still["pulses"] >= 1);
+    double knock = 0;
+    for (const json& row : trainer.rows())
+        knock = std::max(knock, row["headset"]["tip"]["amplitude"].get<double>());
+    WARN("knock of amplitude " << knock << " in " << still["pulses"] << " pulses");
+
+    // Heat hums, and ends with the trigger.
+    trainee.aim({0.0f, 0.021f, 0.0f}, 1.0f);
+    REQUIRE(reaches(trainer, "burning"));
+    CHECK(trainer.waitFor([](const json& row) { return row["headset"]["tip"]["amplitude"] > 0.3; }, 5));
+    CHECK(tipOf(trainer)["frequency"] > 100);
+    trainee.aim({0.0f, 0.021f, 0.0f}, 0.0f);
+    REQUIRE(reaches(trainer, "idle"));
+    const json quiet = tipOf(trainer);
+    passFrames(trainer, 5);
+    CHECK(tipOf(trainer)["pulses"] == quiet["pulses"]);
+    CHECK(tipOf(trainer)["amplitude"] == 0);
+    CHECK(trainer.stop() == 0);
+    CHECK(trainer.misuses() == "");
+}

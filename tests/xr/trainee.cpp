@@ -1,0 +1,129 @@
+#include "tests/xr/trainee.hpp"
+
+#include "core/base/text.hpp"
+#include "tests/support/catch.hpp"
+
+#include <chrono>
+#include <thread>
+
+namespace meltpool::test {
+
+using nlohmann::json;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+HandGeometry measureHand() {
+    benchWindow();
+    RemoteDriver driver(benchPort());
+    RemoteState state;
+    driver.send(state);
+    xr::Headset headset(std::make_unique<xr::Instance>(), {.resolutionScale = 0.3f, .samples = 1});
+    reach(headset, xr::SessionMode::focused);
+    for (int i = 0; i < 5; ++i)
+        stepFrame(headset, {});
+    const xr::HandInput& hand = headset.input().hand(xr::Hand::right);
+    REQUIRE(hand.tracked);
+    return {hand.grip, hand.aim};
+}
+
+/// The panel's pose as the program places it beside the workpiece, in the workshop.
+xr::Pose panelPose(bool rightHanded, float tableHeight) {
+    const float side = rightHanded ? -1.0f : 1.0f;
+    return {glm::angleAxis(-side * 0.48f, glm::vec3(0, 1, 0)) * glm::angleAxis(-0.2f, glm::vec3(1, 0, 0)),
+            {side * 0.42f, tableHeight + 0.45f, -0.35f}};
+}
+
+} // namespace
+
+const HandGeometry& handGeometry() {
+    static const HandGeometry measured = measureHand();
+    return measured;
+}
+
+fs::path smallLesson(const fs::path& folder) {
+    fs::create_directories(folder);
+    const fs::path file = folder / "small.toml";
+    const fs::path paths = fs::path(MELTPOOL_SOURCE_FOLDER) / "app" / "data" / "paths" / "classic-corner.toml";
+    writeTextFileAtomically(
+        file, "title = \"Small\"\ntext = \"Small.\"\nmodel = \"classic\"\ntorch = \"" + paths.string() +
+                  "\"\n[start]\nparticles = 4096\n"
+                  // What is melted stays so: the window's figures lag a step or two, and must not be of another metal.
+                  "[metal]\nsolidify_rate = 0\n[surface]\ncells = 32\n[[picture]]\nname = \"metal\"\n");
+    return file;
+}
+
+Trainee::Trainee() {
+    state.hands[0].pose.position = {-0.3f, 1.0f, -0.2f};
+    aim({0.06f, 0.06f, 0.06f}, 0);
+}
+
+glm::vec3 Trainee::inRoom(const glm::vec3& place) const {
+    return glm::vec3(0, tableHeight - bottom * zoom, 0) + place * zoom - glm::vec3(0, 0, 0.45f);
+}
+
+void Trainee::lookDown() {
+    state.head.position = {0, 1.55f, -0.02f};
+    state.head.orientation = glm::angleAxis(-0.75f, glm::vec3(1, 0, 0));
+    send();
+}
+
+void Trainee::aim(const glm::vec3& place, float trigger) {
+    const xr::Pose tip{held, inRoom(place)};
+    const xr::Pose grip = tip * xr::Pose{{1, 0, 0, 0}, {0, 0, 0.12f}}; // the tip lies 120 mm before the grip
+    state.hands[hand].pose = grip * handGeometry().grip.inverse();
+    state.hands[hand].trigger = trigger;
+    send();
+}
+
+void Trainee::point(const glm::vec3& from, const glm::vec3& target, float trigger) {
+    const glm::vec3 z = glm::normalize(from - target), x = glm::normalize(glm::cross(glm::vec3(0, 1, 0), z));
+    const xr::Pose ray{glm::quat_cast(glm::mat3(x, glm::cross(z, x), z)), from};
+    state.hands[hand].pose = ray * handGeometry().aim.inverse();
+    state.hands[hand].trigger = trigger;
+    send();
+}
+
+void Trainee::pointAtControl(TrainerProcess& trainer, const std::string& name, float trigger) {
+    // The control's middle on the panel of 900 x 1100 pixels, 0.6 m wide.
+    const json place = trainer.now()["headset"]["places"][name];
+    const float x = place[0].get<float>() + place[2].get<float>() / 2;
+    const float y = place[1].get<float>() + place[3].get<float>() / 2;
+    const xr::Pose panel = panelPose(hand == 1, tableHeight);
+    const glm::vec3 toRoom(0, 0, -0.45f);
+    point(panel * glm::vec3(0.1f, -0.1f, 0.5f) + toRoom,
+          panel * glm::vec3((x - 450) / 1500, (550 - y) / 1500, 0) + toRoom, trigger);
+}
+
+void Trainee::press(TrainerProcess& trainer, const std::string& name) {
+    REQUIRE(trainer.waitFor([&](const json& row) { return row["headset"]["places"].contains(name); }, 5));
+    for (const float trigger : {0.0f, 1.0f, 0.0f}) {
+        pointAtControl(trainer, name, trigger);
+        passFrames(trainer, 4);
+    }
+}
+
+void Trainee::showPanel(TrainerProcess& trainer, bool open) {
+    state.hands[hand].b = true;
+    send();
+    REQUIRE(trainer.waitFor([&](const json& row) { return row["headset"]["panel"] == open; }, 5));
+    state.hands[hand].b = false;
+    send();
+    passFrames(trainer, 2);
+}
+
+bool running(const json& row) {
+    return row["headset"]["state"] == "running" && row["page"] == "running";
+}
+
+void passFrames(TrainerProcess& trainer, long long count) {
+    const long long from = trainer.now()["frame"];
+    CHECK(trainer.waitFor([&](const json& row) { return row["frame"] >= from + count; }, 20));
+}
+
+void sleepFor(double seconds) {
+    std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+}
+
+} // namespace meltpool::test

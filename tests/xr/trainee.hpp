@@ -1,0 +1,56 @@
+// The person in the tests of the whole program: stands before the table, holds a torch in one of the scripted hands.
+#pragma once
+
+#include "tests/xr/trainer_process.hpp"
+
+namespace meltpool::test {
+
+/// Where the runtime puts the grip and the pointer on the scripted device: rigid, so measured once.
+struct HandGeometry {
+    xr::Pose grip;
+    xr::Pose aim;
+};
+const HandGeometry& handGeometry();
+
+/// A lesson that a software driver keeps up with; what is melted stays so. Writes it into `folder`.
+std::filesystem::path smallLesson(const std::filesystem::path& folder);
+
+/// Stands at (0, 1.6, 0) looking along -z when the workshop is placed.
+struct Trainee {
+    RemoteDriver driver{benchPort()};
+    RemoteState state;
+    size_t hand = 1;          ///< that holds the torch: 0 left, 1 right
+    float zoom = 4;           ///< as the lesson is shown
+    float tableHeight = 0.9f; ///< m
+    float bottom = -0.04f;    ///< lowest place of the lesson's box in the workpiece's frame, m
+    glm::quat held = glm::angleAxis(-0.8f, glm::vec3(1, 0, 0)); ///< the torch's orientation
+
+    /// Both hands beside the table, the torch's away from the metal.
+    Trainee();
+
+    /// From the workpiece's frame (m) to the session's space.
+    glm::vec3 inRoom(const glm::vec3& place) const;
+    /// Looks down at the workpiece; the workshop is placed by the first look, straight ahead.
+    void lookDown();
+    /// Holds the torch's tip at a place of the workpiece's frame.
+    void aim(const glm::vec3& place, float trigger);
+    /// Points the torch's hand's ray from a place of the session's space at another.
+    void point(const glm::vec3& from, const glm::vec3& target, float trigger);
+    /// Holds the ray at a control of the open panel, by its name in the program's telemetry.
+    void pointAtControl(TrainerProcess& trainer, const std::string& name, float trigger);
+    /// Points at the control, pulls the trigger there and lets go.
+    void press(TrainerProcess& trainer, const std::string& name);
+    /// Presses the torch's hand's menu button and waits until the panel is open (or closed).
+    void showPanel(TrainerProcess& trainer, bool open);
+    void send() { driver.send(state); }
+};
+
+/// The headset is in use and the lesson runs.
+bool running(const nlohmann::json& row);
+
+/// Waits until the window has gone on by so many frames, however slow this machine draws them.
+void passFrames(TrainerProcess& trainer, long long count);
+
+void sleepFor(double seconds);
+
+} // namespace meltpool::test
