@@ -7,6 +7,7 @@
 #include "core/base/error.hpp"
 #include "core/base/resources.hpp"
 #include "core/gl/context.hpp"
+#include "core/render/view_submission.hpp"
 #include "core/training/lesson.hpp"
 
 #include <EGL/egl.h>
@@ -62,6 +63,10 @@ void inspectDriver(std::vector<Finding>& findings) {
                                 std::to_string(value) + (enough ? "" : ", needed " + std::to_string(limit.needed)),
                                 enough ? "" : "a newer graphics driver"});
         }
+        const SubmissionChoice eyes = chooseSubmission(std::nullopt, submissionOffer(), 2);
+        const bool best = eyes.submission == ViewSubmission::viewports;
+        findings.push_back({"both eyes of a headset", best ? State::good : State::note, eyes.sentence,
+                            best ? "" : "a newer graphics driver"});
     } catch (const std::exception& error) {
         findings.push_back({"OpenGL", State::missing, error.what(),
                             "on Debian and Ubuntu: apt-get install libegl1 libgl1-mesa-dri, or the card's own driver"});

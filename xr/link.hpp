@@ -26,6 +26,9 @@ class HeadsetLink {
     HeadsetLink(const HeadsetLink&) = delete;
     HeadsetLink& operator=(const HeadsetLink&) = delete;
 
+    /// For the next opening.
+    void use(const HeadsetSettings& settings) { settings_ = settings; }
+
     /// Once a frame: opens what was found, passes on the runtime's events, notices a loss. The context that is current
     /// draws.
     LinkState update();

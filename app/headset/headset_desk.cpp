@@ -20,6 +20,11 @@ xr::HeadsetSettings settingsOf(const HeadsetParameters& parameters) {
     return settings;
 }
 
+std::optional<ViewSubmission> wantedSubmission(const HeadsetParameters& parameters) {
+    if (parameters.bothEyes == HeadsetParameters::kAutomatic) return std::nullopt;
+    return kViewSubmissions[static_cast<size_t>(parameters.bothEyes - HeadsetParameters::kViewports)];
+}
+
 View viewOf(const Workshop& workshop, const xr::EyeView& eye, const xr::BothEyes& eyes) {
     const xr::Pose pose = workshop.toWorkshop(eye.pose);
     return {pose.inverse().matrix(), xr::projection(eye.fov, eyes.nearZ, eyes.farZ), pose.position};
@@ -52,6 +57,7 @@ bool HeadsetDesk::begin(float bottom, double elapsed) {
     place_ = WorkpiecePlace(parameters_, bottom);
     time_ += elapsed;
     elapsed_ = elapsed;
+    link_.use(settingsOf(parameters_)); // the settings file may have been read since
     if (link_.update() != xr::LinkState::running) {
         torch_.lose();
         drawn_ = drawn_ && link_.headset() != nullptr;
@@ -221,6 +227,7 @@ void HeadsetDesk::drawEyes(Renderer& renderer, const LessonInSight& lesson, cons
     LookParameters look = *lesson.look;
     look.showBox = false;
     visor_.wear(parameters_, scene.temperature.kelvin, look);
+    renderer.submitBy(wantedSubmission(parameters_));
     const std::array<View, 2> views{viewOf(workshop_, eyes.views[0], eyes), viewOf(workshop_, eyes.views[1], eyes)};
     renderer.draw(scene, look, views, {eyes.framebuffer, {0, 0, 2 * eyes.width, eyes.height}, eyes.encodesSrgb},
                   profiler);

@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kHands{"right", "left"};
 constexpr std::array<std::string_view, 2> kDeskViews{"trainee", "camera"};
+constexpr std::array<std::string_view, 4> kBothEyes{"automatic", "viewports", "clip distances", "passes"};
 constexpr std::array<std::string_view, 2> kPostures{"standing", "seated"};
 
 } // namespace
@@ -29,6 +30,8 @@ ParameterList describe(HeadsetParameters& p) {
          "more smooth the edges and cost memory and time",
          {},
          true},
+        {"both_eyes", "Both eyes", "", &p.bothEyes, 0, 3,
+         "all ways give the same picture; passes cost most, the others need a driver that can", kBothEyes},
         {"visor", "Visor", "", &p.visor, 0, 1, "darkens the view while the heat is on"},
         {"visor_shade", "Visor's shade", "", &p.visorShade, 3, 14, "9 to 11 for arcs of 100 to 250 A; in weld lessons"},
         {"visor_share", "Visor lets through", "", &p.visorShare, 0.02, 1, "share of the light, in the classic lesson"},

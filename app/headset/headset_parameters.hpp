@@ -9,6 +9,7 @@ struct HeadsetParameters {
     enum TorchHand { kRight, kLeft };
     enum Posture { kStanding, kSeated };
     enum DeskView { kTrainee, kCamera };
+    enum BothEyes { kAutomatic, kViewports, kClipDistances, kPasses };
 
     int hand = kRight;            ///< TorchHand
     int posture = kStanding;      ///< Posture
@@ -16,6 +17,7 @@ struct HeadsetParameters {
     float zoom = 4.0f;            ///< the workpiece is shown this many times its size
     float resolutionScale = 1.0f; ///< times the runtime's recommended size a side
     int samples = 4;              ///< for each pixel
+    int bothEyes = kAutomatic;    ///< BothEyes: how one frame gets to two eyes
     bool visor = true;            ///< darkens while the heat is on
     float visorShade = 10;        ///< EN 169 number of the dark visor over an arc
     float visorShare = 0.25f;     ///< share of the light that it lets through where the heat does not shine

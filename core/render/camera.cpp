@@ -25,6 +25,11 @@ glm::quat withoutRoll(float yaw, float pitch) {
 
 } // namespace
 
+Viewport columnOf(const Viewport& whole, int column, int columns) {
+    const int width = whole.width / columns;
+    return {whole.x + width * column, whole.y, width, whole.height};
+}
+
 View makeView(const glm::vec3& position, const glm::quat& orientation, const Lens& lens, float aspect) {
     View view;
     const glm::mat4 eyeToWorld = glm::translate(glm::mat4(1.0f), position) * glm::mat4_cast(orientation);

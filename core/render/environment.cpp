@@ -52,6 +52,8 @@ gl::Texture paintWorkshop(gl::ShaderLibrary& shaders, int size) {
 
 Environment::Environment(gl::ShaderLibrary& shaders, int faceSize)
     : room_(makeCube("environment", GL_RGB10_A2, faceSize, ENVIRONMENT_LEVELS)) {
+    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+    glBindSampler(SHARP_UNIT, 0); // another environment's may stand there, which would hide the levels
     const gl::Texture light = paintWorkshop(shaders, faceSize);
     const gl::Program& roughen = shaders.load({"render/screen.vert", "render/roughen.frag"});
     light.bind(SHARP_UNIT);
@@ -65,7 +67,6 @@ Environment::Environment(gl::ShaderLibrary& shaders, int faceSize)
     levelZero_ = gl::Handle<destroySampler>(sampler);
     gl::labelObject(GL_SAMPLER, sampler, "environment without levels");
     glSamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
 }
 
 void Environment::bind() const {

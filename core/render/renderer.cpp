@@ -27,11 +27,6 @@ void setSwitch(GLenum capability, bool on) {
     (on ? glEnable : glDisable)(capability);
 }
 
-Viewport columnOf(const Viewport& whole, size_t column, size_t columns) {
-    const int width = whole.width / static_cast<int>(columns);
-    return {whole.x + width * static_cast<int>(column), whole.y, width, whole.height};
-}
-
 Solid sourceSolid(const SourceView& source, const glm::mat4& modelToWorld) {
     Solid solid;
     const glm::mat4 place = glm::translate(glm::mat4(1.0f), source.position);
@@ -53,14 +48,18 @@ Solid sourceSolid(const SourceView& source, const glm::mat4& modelToWorld) {
 struct Renderer::Parts {
     explicit Parts(gl::ShaderLibrary& shaders);
 
+    void load(ViewSubmission submission);
+    const SubmissionChoice& choose(std::optional<ViewSubmission> best);
+    ViewSubmission submissionFor(size_t views);
     void prepare(const SceneView& scene, const LookParameters& look, std::span<const View> views,
                  const RenderTarget& target);
-    void drawView(const SceneView& scene, const LookParameters& look, int view, const RenderTarget& target,
-                  const Viewport& viewport, gl::Profiler* profiler);
-    void drawSolids(const SceneView& scene, const LookParameters& look, int view, const RenderTarget& target) const;
-    void drawPoints(const ParticleView& particles, int view, const RenderTarget& target) const;
-    void drawSky(int view, const RenderTarget& target) const;
-    void drawBox(int view, const RenderTarget& target) const;
+    void drawBatch(const SceneView& scene, const LookParameters& look, const ViewBatch& views, int count,
+                   const RenderTarget& target, gl::Profiler* profiler);
+    void drawSolids(const SceneView& scene, const LookParameters& look, const ViewBatch& views,
+                    const RenderTarget& target) const;
+    void drawPoints(const ParticleView& particles, const ViewBatch& views, const RenderTarget& target) const;
+    void drawSky(const ViewBatch& views, const RenderTarget& target) const;
+    void drawBox(const ViewBatch& views, const RenderTarget& target) const;
 
     Environment environment;
     gl::Texture scales = makeScaleTexture();
@@ -77,6 +76,8 @@ struct Renderer::Parts {
     std::array<gl::Buffer, kFramesUnderWay> frames;
     std::array<gl::Buffer, kFramesUnderWay> materials;
     size_t current = 0;
+    std::optional<SubmissionChoice> choice; ///< for several views; its programs are loaded
+    std::optional<ViewSubmission> wanted;   ///< what `choice` answers
 };
 
 Renderer::Parts::Parts(gl::ShaderLibrary& shaders)
@@ -96,12 +97,46 @@ Renderer::Parts::Parts(gl::ShaderLibrary& shaders)
     glVertexArrayAttribBinding(pointLayout.name(), 0, 0);
 }
 
+void Renderer::Parts::load(ViewSubmission submission) {
+    surface.load(submission);
+    solids.load(submission);
+    section.load(submission);
+    for (TonedProgram* program : {&points, &sky, &box})
+        program->load(submission);
+}
+
+const SubmissionChoice& Renderer::Parts::choose(std::optional<ViewSubmission> best) {
+    if (choice && wanted == best) return *choice;
+    wanted = best;
+    std::string refusals;
+    for (;;) {
+        choice = chooseSubmission(best, submissionOffer(), kMostViews);
+        choice->sentence += refusals;
+        try {
+            load(choice->submission);
+            return *choice;
+        } catch (const InputError& fault) {
+            if (choice->submission == ViewSubmission::passes) throw;
+            refusals += std::string("; the graphics driver refuses the shaders for ") +
+                        std::string(submissionName(choice->submission)) + " (" + fault.what() + ")";
+            best = static_cast<ViewSubmission>(static_cast<int>(choice->submission) + 1);
+        }
+    }
+}
+
+ViewSubmission Renderer::Parts::submissionFor(size_t views) {
+    if (views < 2) return ViewSubmission::passes;
+    return choice ? choice->submission : choose(std::nullopt).submission;
+}
+
 void Renderer::Parts::prepare(const SceneView& scene, const LookParameters& look, std::span<const View> views,
                               const RenderTarget& target) {
     current = (current + 1) % kFramesUnderWay;
     FrameData frame = makeFrame(scene, look);
-    for (size_t i = 0; i < views.size(); ++i)
-        frame.views[i] = makeViewData(views[i], columnOf(target.viewport, i, views.size()));
+    const auto count = static_cast<int>(views.size());
+    frame.colours.z = static_cast<float>(count);
+    for (int i = 0; i < count; ++i)
+        frame.views[i] = makeViewData(views[static_cast<size_t>(i)], columnOf(target.viewport, i, count));
     frames[current].writeValue(frame);
     frames[current].bindUniform(FRAME_BINDING);
     materials[current].writeValue(scene.looks != nullptr ? physicalMaterial(*scene.looks)
@@ -113,89 +148,98 @@ void Renderer::Parts::prepare(const SceneView& scene, const LookParameters& look
     heat.bind(HEAT_UNIT);
 }
 
-void Renderer::Parts::drawView(const SceneView& scene, const LookParameters& look, int view, const RenderTarget& target,
-                               const Viewport& viewport, gl::Profiler* profiler) {
+void Renderer::Parts::drawBatch(const SceneView& scene, const LookParameters& look, const ViewBatch& views, int count,
+                                const RenderTarget& target, gl::Profiler* profiler) {
+    aim(views, target.viewport, count);
+    const bool squeezed = views.submission == ViewSubmission::clipping;
+    setSwitch(GL_CLIP_DISTANCE0, squeezed);
+    setSwitch(GL_CLIP_DISTANCE1, squeezed);
+    const GLenum cut = cutPlane(views.submission);
     const bool meshThere = scene.mesh.vertices != nullptr;
     const bool surfaceShown = look.mode == kSurfaceMode && meshThere;
-    setSwitch(GL_CLIP_DISTANCE0, scene.section.shown);
+    setSwitch(cut, scene.section.shown);
     if (surfaceShown) {
         const gl::Scope scope(profiler, "draw surface");
-        surface.draw(scene, look, view, target, viewport);
+        surface.draw(scene, look, views, count, target);
     }
     if (look.mode == kPointsMode && scene.particles.positions != nullptr) {
         const gl::Scope scope(profiler, "draw points");
-        drawPoints(scene.particles, view, target);
+        drawPoints(scene.particles, views, target);
     }
-    glDisable(GL_CLIP_DISTANCE0);
+    glDisable(cut);
     if (scene.section.shown) {
         const gl::Scope scope(profiler, "draw section");
-        section.draw(scene.section, view, target);
+        section.draw(scene.section, views, target);
     }
-    drawSolids(scene, look, view, target);
+    drawSolids(scene, look, views, target);
     if (look.showSky) {
         const gl::Scope scope(profiler, "draw sky");
-        drawSky(view, target);
+        drawSky(views, target);
     }
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_FALSE);
     if (look.mode == kWireframeMode && meshThere) {
         const gl::Scope scope(profiler, "draw wireframe");
-        setSwitch(GL_CLIP_DISTANCE0, scene.section.shown);
-        surface.drawWireframe(scene.mesh, view, target);
-        glDisable(GL_CLIP_DISTANCE0);
+        setSwitch(cut, scene.section.shown);
+        surface.drawWireframe(scene.mesh, views, target);
+        glDisable(cut);
     }
     if (look.showBox) {
         const gl::Scope scope(profiler, "draw box");
-        drawBox(view, target);
+        drawBox(views, target);
     }
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
+    glDisable(GL_CLIP_DISTANCE0);
+    glDisable(GL_CLIP_DISTANCE1);
 }
 
-void Renderer::Parts::drawSolids(const SceneView& scene, const LookParameters& look, int view,
+void Renderer::Parts::drawSolids(const SceneView& scene, const LookParameters& look, const ViewBatch& views,
                                  const RenderTarget& target) const {
     glEnable(GL_CULL_FACE);
     if (look.showSource && scene.source.shown) {
         const Solid source = sourceSolid(scene.source, scene.modelToWorld);
-        solids.draw({&source, 1}, view, target);
+        solids.draw({&source, 1}, views, target);
     }
-    if (!scene.solids.empty()) solids.draw(scene.solids, view, target);
+    if (!scene.solids.empty()) solids.draw(scene.solids, views, target);
     glDisable(GL_CULL_FACE);
 }
 
-void Renderer::Parts::drawPoints(const ParticleView& particles, int view, const RenderTarget& target) const {
+void Renderer::Parts::drawPoints(const ParticleView& particles, const ViewBatch& views,
+                                 const RenderTarget& target) const {
     glEnable(GL_PROGRAM_POINT_SIZE);
-    const gl::Program& program = points.use(target);
-    program.set("firstView", view);
+    points.use(target, views);
     glVertexArrayVertexBuffer(pointLayout.name(), 0, particles.positions->name(), 0, sizeof(glm::vec4));
     pointLayout.bind();
-    glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(particles.count));
+    glDrawArraysInstanced(GL_POINTS, 0, static_cast<GLsizei>(particles.count), views.count);
     glDisable(GL_PROGRAM_POINT_SIZE);
 }
 
-void Renderer::Parts::drawSky(int view, const RenderTarget& target) const {
+void Renderer::Parts::drawSky(const ViewBatch& views, const RenderTarget& target) const {
     glDepthFunc(GL_LEQUAL);
     glDepthMask(GL_FALSE);
-    const gl::Program& program = sky.use(target);
-    program.set("firstView", view);
+    sky.use(target, views);
     empty.bind();
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDrawArraysInstanced(GL_TRIANGLES, 0, 3, views.count);
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_LESS);
 }
 
-void Renderer::Parts::drawBox(int view, const RenderTarget& target) const {
+void Renderer::Parts::drawBox(const ViewBatch& views, const RenderTarget& target) const {
     constexpr int kEdges = 12;
-    const gl::Program& program = box.use(target);
-    program.set("firstView", view);
+    box.use(target, views);
     empty.bind();
-    glDrawArrays(GL_TRIANGLES, 0, kEdges * 6);
+    glDrawArraysInstanced(GL_TRIANGLES, 0, kEdges * 6, views.count);
 }
 
 Renderer::Renderer(gl::ShaderLibrary& shaders) : parts_(std::make_unique<Parts>(shaders)) {}
 
 Renderer::~Renderer() = default;
+
+const SubmissionChoice& Renderer::submitBy(std::optional<ViewSubmission> wanted) {
+    return parts_->choose(wanted);
+}
 
 SectionZone Renderer::measureSection(double peak, double level) const {
     return parts_->section.measure(peak, level);
@@ -207,6 +251,7 @@ void Renderer::draw(const SceneView& scene, const LookParameters& look, std::spa
         throw RuntimeFault("the renderer draws 1 to " + std::to_string(kMostViews) + " views at once, not " +
                            std::to_string(views.size()));
     const gl::Scope scope(profiler, "draw");
+    const ViewSubmission submission = parts_->submissionFor(views.size());
     parts_->prepare(scene, look, views, target);
     if (scene.section.shown) {
         const gl::Scope gathering(profiler, "gather section");
@@ -219,14 +264,14 @@ void Renderer::draw(const SceneView& scene, const LookParameters& look, std::spa
     glScissor(target.viewport.x, target.viewport.y, target.viewport.width, target.viewport.height);
     glClearColor(0.02f, 0.02f, 0.022f, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    glDisable(GL_SCISSOR_TEST);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
-    for (size_t i = 0; i < views.size(); ++i) {
-        const Viewport viewport = columnOf(target.viewport, i, views.size());
-        glViewport(viewport.x, viewport.y, viewport.width, viewport.height);
-        parts_->drawView(scene, look, static_cast<int>(i), target, viewport, profiler);
-    }
+    const auto count = static_cast<int>(views.size());
+    const int together = submission == ViewSubmission::passes ? 1 : count;
+    parts_->surface.prepare(scene.mesh, together);
+    for (int first = 0; first < count; first += together)
+        parts_->drawBatch(scene, look, {first, together, submission}, count, target, profiler);
+    glDisable(GL_SCISSOR_TEST);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_FRAMEBUFFER_SRGB);
 }

@@ -6,8 +6,10 @@
 #include "core/render/look.hpp"
 #include "core/render/scene.hpp"
 #include "core/render/view.hpp"
+#include "core/render/view_submission.hpp"
 
 #include <memory>
+#include <optional>
 #include <span>
 
 namespace meltpool {
@@ -20,8 +22,14 @@ class Renderer {
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    /// Clears the target's viewport and draws the scene once for each view, side by side in equal columns. Leaves depth
-    /// test, blending and culling off and the target's frame buffer bound. `profiler` may be null. At most kMostViews.
+    /// Chooses how several views are submitted from now on, `wanted` or the best, and loads the programs for it. Where
+    /// the driver cannot, the next plainer way is taken. Cheap where nothing changes. Without a call draw() takes the
+    /// best when it has to.
+    const SubmissionChoice& submitBy(std::optional<ViewSubmission> wanted);
+
+    /// Clears the target's viewport and draws the scene for each view, side by side in equal columns. Leaves depth
+    /// test, scissor test, blending and culling off and the target's frame buffer bound. `profiler` may be null. At
+    /// most kMostViews.
     void draw(const SceneView& scene, const LookParameters& look, std::span<const View> views,
               const RenderTarget& target, gl::Profiler* profiler);
 

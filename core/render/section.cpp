@@ -95,11 +95,10 @@ void SectionPainter::gather(const SectionView& section, const ParticleView& part
     glDisable(GL_BLEND);
 }
 
-void SectionPainter::draw(const SectionView& section, int firstView, const RenderTarget& target) const {
+void SectionPainter::draw(const SectionView& section, const ViewBatch& views, const RenderTarget& target) const {
     if (!picture_) return;
     const glm::vec3 normal = glm::normalize(section.normal);
-    const gl::Program& program = draw_.use(target);
-    program.set("firstView", firstView);
+    const gl::Program& program = draw_.use(target, views);
     program.set("origin", normal * glm::dot(section.point, normal));
     program.set("across", frame_.across);
     program.set("up", frame_.up);
@@ -107,7 +106,7 @@ void SectionPainter::draw(const SectionView& section, int firstView, const Rende
     program.set("spacing", section.spacing);
     picture_->sums.bind(SECTION_UNIT);
     empty_.bind();
-    glDrawArrays(GL_TRIANGLES, 0, 6);
+    glDrawArraysInstanced(GL_TRIANGLES, 0, 6, views.count);
 }
 
 SectionZone SectionPainter::measure(double peak, double level) const {

@@ -48,8 +48,11 @@ class SectionPainter {
     void gather(const SectionView& section, const ParticleView& particles, const glm::vec3& boxMin,
                 const glm::vec3& boxMax);
 
+    /// Loads the program's form for one way of submission. Throws InputError when the driver does not compile it.
+    void load(ViewSubmission submission) { draw_.load(submission); }
+
     /// Draws the cut with the frame's uniforms and state as they are.
-    void draw(const SectionView& section, int firstView, const RenderTarget& target) const;
+    void draw(const SectionView& section, const ViewBatch& views, const RenderTarget& target) const;
 
     /// Sizes of the zone whose peak temperature reached `peak` (K), from the last gather(); `level` is the height of
     /// the plate's surface along the plane's up axis. Waits for the GPU.

@@ -114,16 +114,15 @@ SolidPainter::SolidPainter(gl::ShaderLibrary& shaders)
     }
 }
 
-void SolidPainter::draw(std::span<const Solid> solids, int firstView, const RenderTarget& target) const {
-    const gl::Program& program = program_.use(target);
+void SolidPainter::draw(std::span<const Solid> solids, const ViewBatch& views, const RenderTarget& target) const {
+    const gl::Program& program = program_.use(target, views);
     layout_.bind();
-    program.set("firstView", firstView);
     for (const Solid& solid : solids) {
         const Range range = shapes_[static_cast<size_t>(solid.shape)];
         program.set("solidToWorld", solid.toWorld);
         program.set("paint", glm::vec4(solid.colour, solid.gloss));
         program.set("glow", solid.glow);
-        glDrawArrays(GL_TRIANGLES, range.first, range.count);
+        glDrawArraysInstanced(GL_TRIANGLES, range.first, range.count, views.count);
     }
 }
 

@@ -32,8 +32,11 @@ class SolidPainter {
   public:
     explicit SolidPainter(gl::ShaderLibrary& shaders);
 
-    /// Draws with the frame's uniforms and state as they are. `firstView`: index of the view.
-    void draw(std::span<const Solid> solids, int firstView, const RenderTarget& target) const;
+    /// Loads the program's form for one way of submission. Throws InputError when the driver does not compile it.
+    void load(ViewSubmission submission) { program_.load(submission); }
+
+    /// Draws with the frame's uniforms and state as they are.
+    void draw(std::span<const Solid> solids, const ViewBatch& views, const RenderTarget& target) const;
 
   private:
     struct Range {

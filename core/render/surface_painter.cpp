@@ -1,5 +1,6 @@
 #include "core/render/surface_painter.hpp"
 
+#include "shaders/shared/render.h"
 #include "shaders/shared/surface.h"
 
 #include <array>
@@ -9,6 +10,7 @@ namespace meltpool {
 namespace {
 
 constexpr GLuint kPeak = 2; // vertex attribute
+constexpr std::array<GLuint, MOST_VIEWS + 1> kCounts{0, 1, 2, 3, 4};
 
 } // namespace
 
@@ -19,9 +21,11 @@ SurfacePainter::SurfacePainter(gl::ShaderLibrary& shaders)
       ice_(shaders, "render/surface.vert", "render/ice.frag"),
       temperature_(shaders, "render/temperature.vert", "render/temperature.frag"),
       wire_(shaders, "render/wire.vert", "render/wire.frag"),
-      back_(shaders.load({"render/surface.vert", "render/back.frag"})),
+      back_(shaders, "render/surface.vert", "render/back.frag"),
       layout_("surface vertices"),
-      empty_("pulled vertices") {
+      empty_("pulled vertices"),
+      command_("surface draw command", sizeof(SurfaceDraw)),
+      counts_("instance counts", std::span<const GLuint>(kCounts)) {
     for (GLuint attribute = 0; attribute < 2; ++attribute) {
         glEnableVertexArrayAttrib(layout_.name(), attribute);
         glVertexArrayAttribFormat(layout_.name(), attribute, 4, GL_FLOAT, GL_FALSE,
@@ -32,67 +36,91 @@ SurfacePainter::SurfacePainter(gl::ShaderLibrary& shaders)
     glVertexArrayAttribBinding(layout_.name(), kPeak, kPeak);
 }
 
-void SurfacePainter::draw(const SceneView& scene, const LookParameters& look, int firstView, const RenderTarget& target,
-                          const Viewport& viewport) {
+void SurfacePainter::load(ViewSubmission submission) {
+    for (TonedProgram* program : {&metal_, &hotMetal_, &wax_, &ice_, &temperature_, &wire_})
+        program->load(submission);
+    back_.load(submission);
+}
+
+void SurfacePainter::prepare(const SurfaceMesh& mesh, int instances) {
+    if (instances < 2 || mesh.drawCommand == nullptr) return;
+    // The mesh knows nothing of views, and how large it is stands on the GPU alone.
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    mesh.drawCommand->copyTo(command_, sizeof(SurfaceDraw));
+    counts_.copyTo(command_, sizeof(GLuint), static_cast<size_t>(instances) * sizeof(GLuint),
+                   offsetof(SurfaceDraw, instances));
+}
+
+const gl::Buffer& SurfacePainter::commandFor(const SurfaceMesh& mesh, const ViewBatch& views) const {
+    return views.count > 1 ? command_ : *mesh.drawCommand;
+}
+
+void SurfacePainter::draw(const SceneView& scene, const LookParameters& look, const ViewBatch& views, int count,
+                          const RenderTarget& target) {
     const SurfaceKind kind =
         scene.looks != nullptr ? physicalKind(*scene.looks) : presetKind(static_cast<MaterialLook>(look.material));
     const bool translucent = look.colours == kMaterialColours && kind != SurfaceKind::metal;
-    if (translucent) drawFarSide(scene.mesh, firstView, target, viewport);
+    if (translucent) drawFarSide(scene.mesh, views, count, target);
     if (!scene.meshIsOpen) glEnable(GL_CULL_FACE);
     const TonedProgram& program = look.colours != kMaterialColours ? temperature_
                                   : kind == SurfaceKind::ice       ? ice_
                                   : kind == SurfaceKind::wax       ? wax_
                                   : scene.temperature.kelvin       ? hotMetal_
                                                                    : metal_;
-    drawMesh(scene.mesh, program.use(target), firstView);
+    program.use(target, views);
+    drawMesh(scene.mesh, views);
     glDisable(GL_CULL_FACE);
 }
 
-void SurfacePainter::drawWireframe(const SurfaceMesh& mesh, int firstView, const RenderTarget& target) const {
-    const gl::Program& program = wire_.use(target);
-    program.set("firstView", firstView);
+void SurfacePainter::drawWireframe(const SurfaceMesh& mesh, const ViewBatch& views, const RenderTarget& target) const {
+    wire_.use(target, views);
     empty_.bind();
     mesh.vertices->bindStorage(PULL_VERTICES_BINDING);
     mesh.indices->bindStorage(PULL_INDICES_BINDING);
-    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, mesh.drawCommand->name());
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commandFor(mesh, views).name());
     // The command for indexed drawing begins like one for plain drawing: count, instances, first; baseVertex, which is
     // 0, stands where the first instance is read.
     glDrawArraysIndirect(GL_TRIANGLES, nullptr);
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
 }
 
-void SurfacePainter::drawFarSide(const SurfaceMesh& mesh, int firstView, const RenderTarget& target,
-                                 const Viewport& viewport) {
-    if (!farSide_ || farSide_->side.shape().width != viewport.width ||
-        farSide_->side.shape().height != viewport.height) {
-        farSide_.emplace();
-        farSide_->side =
-            gl::Texture("far side", {.format = GL_RGBA16F, .width = viewport.width, .height = viewport.height});
-        farSide_->depth = gl::Texture(
-            "far side depth", {.format = GL_DEPTH_COMPONENT32F, .width = viewport.width, .height = viewport.height});
-        farSide_->framebuffer.attach(GL_COLOR_ATTACHMENT0, farSide_->side);
-        farSide_->framebuffer.attach(GL_DEPTH_ATTACHMENT, farSide_->depth);
-        farSide_->framebuffer.requireComplete();
-    }
+void SurfacePainter::fitFarSide(int width, int height) {
+    if (farSide_ && farSide_->side.shape().width == width && farSide_->side.shape().height == height) return;
+    farSide_.emplace();
+    farSide_->side = gl::Texture("far side", {.format = GL_RGBA16F, .width = width, .height = height});
+    farSide_->depth =
+        gl::Texture("far side depth", {.format = GL_DEPTH_COMPONENT32F, .width = width, .height = height});
+    farSide_->framebuffer.attach(GL_COLOR_ATTACHMENT0, farSide_->side);
+    farSide_->framebuffer.attach(GL_DEPTH_ATTACHMENT, farSide_->depth);
+    farSide_->framebuffer.requireComplete();
+}
+
+void SurfacePainter::drawFarSide(const SurfaceMesh& mesh, const ViewBatch& views, int count,
+                                 const RenderTarget& target) {
+    const Viewport column = columnOf(target.viewport, 0, count);
+    const Viewport all{0, 0, column.width * count, column.height};
+    fitFarSide(all.width, all.height);
     const std::array<float, 4> nothing{};
     const float farthest = 1.0f;
     glBindFramebuffer(GL_FRAMEBUFFER, farSide_->framebuffer.name());
-    glClearBufferfv(GL_COLOR, 0, nothing.data());
-    glClearBufferfv(GL_DEPTH, 0, &farthest);
-    glViewport(0, 0, viewport.width, viewport.height);
+    if (views.first == 0) {
+        glDisable(GL_SCISSOR_TEST);
+        glClearBufferfv(GL_COLOR, 0, nothing.data());
+        glClearBufferfv(GL_DEPTH, 0, &farthest);
+    }
+    aim(views, all, count);
     glEnable(GL_CULL_FACE);
     glCullFace(GL_FRONT);
-    drawMesh(mesh, back_, firstView);
+    back_.use(views);
+    drawMesh(mesh, views);
     glCullFace(GL_BACK);
     glDisable(GL_CULL_FACE);
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
-    glViewport(viewport.x, viewport.y, viewport.width, viewport.height);
+    aim(views, target.viewport, count);
     farSide_->side.bind(BACK_UNIT);
 }
 
-void SurfacePainter::drawMesh(const SurfaceMesh& mesh, const gl::Program& program, int firstView) const {
-    program.use();
-    program.set("firstView", firstView);
+void SurfacePainter::drawMesh(const SurfaceMesh& mesh, const ViewBatch& views) const {
     glVertexArrayVertexBuffer(layout_.name(), 0, mesh.vertices->name(), 0, sizeof(SurfaceVertex));
     glVertexArrayElementBuffer(layout_.name(), mesh.indices->name());
     if (mesh.peaks != nullptr) {
@@ -103,7 +131,7 @@ void SurfacePainter::drawMesh(const SurfaceMesh& mesh, const gl::Program& progra
         glVertexAttrib1f(kPeak, 0.0f); // nothing was ever hot
     }
     layout_.bind();
-    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, mesh.drawCommand->name());
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commandFor(mesh, views).name());
     glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr);
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
 }

@@ -17,11 +17,17 @@ class SurfacePainter {
   public:
     explicit SurfacePainter(gl::ShaderLibrary& shaders);
 
-    /// Draws with the frame's uniforms as they are. Translucent materials first draw their far side into a picture of
-    /// the viewport's size.
-    void draw(const SceneView& scene, const LookParameters& look, int firstView, const RenderTarget& target,
-              const Viewport& viewport);
-    void drawWireframe(const SurfaceMesh& mesh, int firstView, const RenderTarget& target) const;
+    /// Loads the programs' forms for one way of submission. Throws InputError when the driver does not compile one.
+    void load(ViewSubmission submission);
+
+    /// Before the first draw of a frame whose batches hold `instances` views.
+    void prepare(const SurfaceMesh& mesh, int instances);
+
+    /// Draws with the frame's uniforms as they are; `views` of the target are `count` in all. Translucent materials
+    /// first draw their far side into a picture of the target's size.
+    void draw(const SceneView& scene, const LookParameters& look, const ViewBatch& views, int count,
+              const RenderTarget& target);
+    void drawWireframe(const SurfaceMesh& mesh, const ViewBatch& views, const RenderTarget& target) const;
 
   private:
     struct FarSide {
@@ -30,8 +36,10 @@ class SurfacePainter {
         gl::Framebuffer framebuffer{"far side"};
     };
 
-    void drawFarSide(const SurfaceMesh& mesh, int firstView, const RenderTarget& target, const Viewport& viewport);
-    void drawMesh(const SurfaceMesh& mesh, const gl::Program& program, int firstView) const;
+    void drawFarSide(const SurfaceMesh& mesh, const ViewBatch& views, int count, const RenderTarget& target);
+    void fitFarSide(int width, int height);
+    void drawMesh(const SurfaceMesh& mesh, const ViewBatch& views) const;
+    const gl::Buffer& commandFor(const SurfaceMesh& mesh, const ViewBatch& views) const;
 
     TonedProgram metal_;
     TonedProgram hotMetal_;
@@ -39,10 +47,13 @@ class SurfacePainter {
     TonedProgram ice_;
     TonedProgram temperature_;
     TonedProgram wire_;
-    const gl::Program& back_;
+    ViewProgram back_;
     gl::VertexArray layout_;
     gl::VertexArray empty_;
     std::optional<FarSide> farSide_;
+    /// The mesh's draw command with an instance a view, and the counts that are put into it without the CPU.
+    gl::Buffer command_;
+    gl::Buffer counts_;
 };
 
 } // namespace meltpool

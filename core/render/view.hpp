@@ -24,6 +24,9 @@ struct Viewport {
     int height = 0;
 };
 
+/// A column of a viewport that is laid out in `columns` equal ones, the first one left.
+Viewport columnOf(const Viewport& whole, int column, int columns);
+
 /// Where to draw: a frame buffer with colour and depth. Several views are laid side by side in equal columns of the
 /// viewport, the first one left.
 struct RenderTarget {

@@ -22,7 +22,7 @@ void main() {
     float nearFrom = from.z + from.w;
     float nearTo = to.z + to.w;
     if (nearFrom < 0.0 && nearTo < 0.0) {
-        gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+        showAt(vec4(2.0, 2.0, 2.0, 1.0));
         across = 0.0;
         return;
     }
@@ -35,5 +35,5 @@ void main() {
     float sign1 = corner == 0 || corner == 1 || corner == 4 ? -1.0 : 1.0;
     vec4 place = end ? to : from;
     across = sign1 * kHalfWidth;
-    gl_Position = place + vec4(side * across * place.w, 0.0, 0.0);
+    showAt(place + vec4(side * across * place.w, 0.0, 0.0));
 }

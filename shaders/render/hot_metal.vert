@@ -1,10 +1,10 @@
 // A vertex of metal with a temperature in kelvin: as metal.vert, with the oxide's tint and the heat's glow.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
+#include "render/view.glsl"
 #include "render/arc.glsl"
 #include "render/hot.glsl"
 #include "render/metal_look.glsl"
-#include "render/view.glsl"
 
 layout(location = 0) in vec4 position; // model units; w: temperature, K
 layout(location = 1) in vec4 outward;
@@ -34,5 +34,5 @@ void main() {
     mirrorTint = mix(vec3(1.0), material.mirror.rgb, 0.8) * tint;
     surface = vec2(light * mirror * (1.0 - 0.5 * scale * (1.0 - liquid)), frame.detail.x * (1.0 - liquid));
     temperature = position.w;
-    gl_Position = toClipCut(world);
+    showCut(world);
 }

@@ -2,8 +2,8 @@
 // software drivers pay dearly for each pixel.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-#include "render/metal_look.glsl"
 #include "render/view.glsl"
+#include "render/metal_look.glsl"
 
 layout(location = 0) in vec4 position; // model units; w: temperature
 layout(location = 1) in vec4 outward;
@@ -23,5 +23,5 @@ void main() {
     float mirror = mix(material.solid.w, material.liquid.w, share.y);
     body = light * (1.0 - mirror) * materialColour(share.x);
     surface = vec2(light * mirror, frame.detail.x * (1.0 - share.y));
-    gl_Position = toClipCut(world);
+    showCut(world);
 }

@@ -8,11 +8,18 @@ layout(location = 0) in vec4 position; // model units; w: temperature
 layout(location = 0) flat out float temperature;
 layout(location = 1) flat out vec3 lampInEye; // unit
 layout(location = 2) flat out vec3 wayInEye;  // unit, from the eye to the particle
+#ifdef VIEWS_BY_CLIPPING
+layout(location = 3) flat out vec2 column; // pixels, left and right side of the view
+#endif
 
 void main() {
     ViewData view = frame.views[viewIndex()];
     vec3 world = toWorld(position.xyz);
-    gl_Position = toClipCut(world);
+    showCut(world);
+#ifdef VIEWS_BY_CLIPPING
+    // Like every clipping of points, clip distances ask for the middle alone: the pixels are looked at one by one.
+    column = view.size.z + vec2(0.0, view.size.x);
+#endif
     // At least a pixel, so that far particles do not flicker.
     gl_PointSize = max(2.0 * frame.detail.y * view.eye.w / max(gl_Position.w, 1e-6), 1.5);
     temperature = position.w;

@@ -16,5 +16,5 @@ void main() {
     inPicture = vec2(corner4 & 1, corner4 >> 1);
     vec2 place = corner.xy + inPicture * corner.zw;
     world = toWorld(origin + across * place.x + up * place.y);
-    gl_Position = toClip(world);
+    showAt(toClip(world));
 }

@@ -19,5 +19,5 @@ void main() {
     way = world - frame.views[viewIndex()].eye.xyz;
     toLamp = frame.light.xyz - world;
     toArc = frame.arc.xyz - world;
-    gl_Position = toClip(world);
+    showAt(toClip(world));
 }

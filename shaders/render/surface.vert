@@ -21,5 +21,5 @@ void main() {
     place = position.xyz;
     temperature = position.w;
     toLamp = frame.light.xyz - world;
-    gl_Position = toClipCut(world);
+    showCut(world);
 }

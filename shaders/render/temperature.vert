@@ -18,5 +18,5 @@ void main() {
     temperature = position.w;
     light = frame.phong.x + frame.phong.y * max(dot(n, lamp), 0.0);
     glint = 0.25 * frame.phong.z * pow(max(dot(mirrored, lamp), 0.0), frame.phong.w);
-    gl_Position = toClipCut(world);
+    showCut(world);
 }

@@ -22,5 +22,5 @@ void main() {
     temperature = v.position.w;
     facing = dot(normalize(mat3(frame.modelToWorld) * v.normal.xyz),
                  normalize(frame.views[viewIndex()].eye.xyz - world));
-    gl_Position = toClipCut(world);
+    showCut(world);
 }

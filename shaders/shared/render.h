@@ -12,7 +12,7 @@
 #define SHARP_UNIT 0  // the environment, level 0 alone: without the cost of choosing a level
 #define ROUGH_UNIT 1  // the environment with its levels: the higher, the rougher the surface that mirrors it
 #define SCALE_UNIT 2  // temperature colours, one scale a row
-#define BACK_UNIT 3   // back faces: normal and distance from the eye
+#define BACK_UNIT 3   // back faces of all views side by side: normal and distance from the eye
 #define HEAT_UNIT 5   // glow and tint over temperature
 #define SECTION_UNIT 6 // what lies on the section's plane
 #define NOISE_UNIT 4  // smooth random values in space, repeating
@@ -65,7 +65,7 @@ struct FrameData {
     vec4 phong;       // ambient, diffuse, specular, shininess
     vec4 tone;        // rgb: exposure times what the visor lets through, w: size of a model unit in world units
     vec4 temperature; // x: coldest, y: 1 / (hottest - coldest), z: solidus, w: 1 / (liquidus - solidus), 0 = classic
-    vec4 colours;     // x: ColourMode, y: row of the temperature scale
+    vec4 colours;     // x: ColourMode, y: row of the temperature scale, z: number of views
     vec4 boxMin;
     vec4 boxMax;
     vec4 cut;    // plane, world: what has dot(xyz, place) > w is taken away

@@ -39,6 +39,16 @@ TEST_CASE("the doctor finds driver and files, and says when the files are gone",
     CHECK_THAT(ill.output, containsText("/nowhere"));
 }
 
+TEST_CASE("the doctor says how both eyes are drawn, and what the driver lacks for the best way", "[app]") {
+    // Only Mesa listens to this.
+    const test::Outcome poor = runMeltpool("doctor", "env MESA_EXTENSION_OVERRIDE=-GL_ARB_shader_viewport_layer_array");
+    INFO(poor.output);
+    CHECK(poor.code == 0);
+    CHECK_THAT(poor.output, containsText("both eyes"));
+    if (poor.output.find("Mesa") != std::string::npos)
+        CHECK_THAT(poor.output, containsText("between clip distances; the graphics driver has no GL_ARB"));
+}
+
 TEST_CASE("numbers of steps and names of pictures follow the time", "[app]") {
     CHECK(stepsFor(1, static_cast<double>(1.0f / 60)) == 60);
     CHECK(stepsFor(10, static_cast<double>(1.0f / 60)) == 600);
