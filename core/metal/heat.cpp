@@ -168,7 +168,7 @@ void HeatSolver::prepareBlock() {
     constexpr double kHottest = 8000;
     constexpr double kWholeSum = 4294967295.0;
     const double most = state_.table().kirchhoffAt(state_.table().enthalpyAt(kHottest));
-    block_.loose = vec4(8 * most / kWholeSum, 0, 0, 0);
+    block_.loose = vec4(8 * most / kWholeSum, 0, settings_.tableHeight, settings_.tableConductance);
 }
 
 double HeatSolver::longestStep(double hottest) const {

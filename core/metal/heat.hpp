@@ -43,12 +43,14 @@ struct HeatSource {
 
 /// The surroundings and the method.
 struct HeatSettings {
-    double ambient = 293.15;  ///< K
-    double convection = 0;    ///< W/(m² K); 0 together with `radiation` false: insulated
-    bool radiation = false;   ///< with the material's emissivity at the liquidus
-    bool evaporation = false; ///< where the material says how
-    double stepShare = 0.15;  ///< longest step as a share of dx²/alpha: 1/6 is the limit of stability, and near it the
-                              ///< errors of space and time cancel
+    double ambient = 293.15;     ///< K
+    double tableHeight = 0;      ///< m, y of the table that fallen metal lies on
+    double tableConductance = 0; ///< W/(m² K) from metal that lies on the table, at ambient temperature; 0: none
+    double convection = 0;       ///< W/(m² K); 0 together with `radiation` false: insulated
+    bool radiation = false;      ///< with the material's emissivity at the liquidus
+    bool evaporation = false;    ///< where the material says how
+    double stepShare = 0.15; ///< longest step as a share of dx²/alpha: 1/6 is the limit of stability, and near it the
+                             ///< errors of space and time cancel
     double wakingKelvin = 0.03; ///< difference between neighbours below which a tile goes to rest
     bool ledger = false;        ///< books every joule in and out, for the balance
     bool meltedLeaves = false;  ///< melted particles leave the lattice (with flow) or stay on it (heat alone)

@@ -25,7 +25,9 @@ PhysicalSetup setupOf(const Material& material, const Workpiece& workpiece) {
     setup.space.high = workpiece.high;
     setup.pieces.floorHeight = workpiece.floorHeight;
     setup.heat.ambient = static_cast<double>(kRoomTemperature);
-    setup.heat.convection = 15; // still air over hot plate, W/(m² K)
+    setup.heat.tableHeight = static_cast<double>(workpiece.floorHeight);
+    setup.heat.tableConductance = 2000; // liquid metal on a cold plate: 1000 to 10000 in the casting trade
+    setup.heat.convection = 15;         // still air over hot plate, W/(m² K)
     setup.heat.radiation = true;
     setup.heat.evaporation = material.boilingPoint > 0;
     return setup;

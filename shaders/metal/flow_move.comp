@@ -84,13 +84,13 @@ float mushyShare(float enthalpy) {
     return 1 / (1 + fluid.period.w * fluid.kernel.w * (1 - f) * (1 - f) / (f * f * f + 1e-3));
 }
 
-/// Keeps a place inside the space: around the seam where it repeats, else half a spacing off its end, where it stops.
+/// Keeps a place inside the space: around the seam where it repeats, else half a spacing off its end, where it sticks.
 vec3 confine(vec3 place, inout vec3 velocity) {
     const bvec3 repeats = greaterThan(fluid.period.xyz, vec3(0));
     const vec3 around = place - fluid.period.xyz * floor((place - fluid.origin.xyz) * fluid.inversePeriod.xyz);
     const vec3 inside = clamp(place, fluid.origin.xyz + fluid.high.w, fluid.high.xyz - fluid.high.w);
     const vec3 confined = mix(inside, around, repeats);
-    velocity = mix(velocity, vec3(0), notEqual(mix(inside, place, repeats), place));
+    if (any(notEqual(mix(inside, place, repeats), place))) velocity = vec3(0);
     return confined;
 }
 

@@ -15,6 +15,13 @@ layout(std430, binding = HEAT_CELL_AREA) restrict readonly buffer CellArea { flo
 layout(std430, binding = HEAT_LISTS) restrict readonly buffer Lists { uint lists[]; };
 layout(std430, binding = HEAT_CONTROL) restrict readonly buffer Control { HeatControl control; };
 
+/// Watts that a particle that lies on the table gives to it. What is clamped or still on the lattice stands on its fixture.
+float tableLoss(uint slot) {
+    float spacing = metal.origin.w;
+    if (position[slot].y - heatBlock.loose.z > spacing) return 0.0;
+    return heatBlock.loose.w * spacing * spacing * (position[slot].w - heatBlock.time.z);
+}
+
 void main() {
     uint entry = linearInvocation();
     if (entry >= control.loose.w) return;
@@ -38,7 +45,7 @@ void main() {
     }
     // Metal that left the lattice is all surface; 1e-3 leaves out what the whole-numbered weights lack.
     if (missing > 1e-3) area += 3.0 * missing * metal.origin.w * metal.origin.w;
-    float lost = particleLoss(slot, power * heatBlock.time.x, area);
+    float lost = particleLoss(slot, power * heatBlock.time.x, area) + tableLoss(slot) * heatBlock.time.x;
     book(heatBlock.step.w * TILE_CELLS + int(slot), 0.0, lost);
     addHeat(slot, power * heatBlock.time.x - lost, heatBlock.time.x);
     uint before = phase[slot];

@@ -64,7 +64,8 @@ struct HeatBlock {
     ivec4 step;       // x number of the step, y number of sources, z 1: melted particles leave the lattice, w tiles
     vec4 tableStart;  // xyz first enthalpy of the solid, mushy and liquid piece of the table, J/kg
     vec4 tableScale;  // xyz samples per J/kg
-    vec4 loose;       // x W/m of theta that one unit of its integer sum stands for, y slots in use, zw free
+    vec4 loose;       // x W/m of theta that one unit of its integer sum stands for, y slots in use,
+                      // z height of the table in m, w its conductance to metal that lies on it, W/(m² K)
     HeatSourceData sources[HEAT_SOURCES];
 };
 

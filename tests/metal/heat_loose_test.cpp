@@ -174,3 +174,24 @@ TEST_CASE("Loose metal gives the same bits twice", "[heat][loose]") {
     };
     CHECK(run() == run());
 }
+
+TEST_CASE("Metal that lies on the table cools as one lump does, metal above it does not", "[heat][loose]") {
+    const Material m = simpleMetal();
+    const glm::vec3 low(2 * kSpacing), high(0.006F, 0.003F, 0.006F); // one layer
+    const MetalLattice lattice = MetalLattice::covering(glm::vec3(0), high + 6 * kSpacing, kSpacing);
+    auto seeds = latticeSeeds(lattice, low, high, 900);
+    loosen(seeds, 0, 0);
+    HeatSettings settings;
+    settings.ambient = 300;
+    settings.tableConductance = 2000;
+    const bool lies = GENERATE(true, false);
+    settings.tableHeight = lies ? 0.002 : 0.0005;
+    HeatBench bench(test::shaders(), lattice, m, seeds, settings);
+    constexpr double kSeconds = 1;
+    for (int i = 0; i < 200; ++i)
+        bench.solver.step(kSeconds / 200, {});
+    const double heatCapacity = 7000 * m.solidSpecificHeat.at(900) * static_cast<double>(kSpacing);
+    const double expected = lies ? 300 + 600 * std::exp(-2000 * kSeconds / heatCapacity) : 900;
+    for (const vec4& p : bench.state.position.read<vec4>(seeds.size()))
+        CHECK(static_cast<double>(p.w) == Approx(expected).epsilon(0.01));
+}
