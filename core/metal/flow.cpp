@@ -46,6 +46,7 @@ FlowBlock makeBlock(const FlowConstants& constants, const FlowFluid& fluid, cons
         vec4(constants.cohesion, constants.area, fluid.tensionSlope / fluid.density, constants.wallFriction);
     block.search = vec4(reach, kFreeWay * fluid.spacing, constants.scale, 0);
     block.room = uvec4(static_cast<uint>(room), 0, 0, 0);
+    block.buoyancy = vec4(fluid.expansion, fluid.evenTemperature, 0, 0);
     return block;
 }
 

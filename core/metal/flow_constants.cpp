@@ -32,7 +32,7 @@ FlowConstants FlowConstants::of(const FlowFluid& fluid) {
     constants.mass = fluid.density * volume;
     constants.soundSpeed = std::max({tensionSpeed, 10 * fluid.fastest, 1e-3});
     const double share = tensionSpeed / constants.soundSpeed;
-    constants.scale = (1 + kCompression * share * share) / kLatticeSum;
+    constants.scale = (1 + kCompression * share * share) * (1 + fluid.confinement) / kLatticeSum;
     constants.kernelSelf = constants.scale * volume * 3465 / (512 * std::numbers::pi * support * support * support);
     constants.kinematicViscosity =
         std::max(fluid.viscosity / fluid.density, fluid.leastViscosity * constants.soundSpeed * support);

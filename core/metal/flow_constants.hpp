@@ -25,6 +25,11 @@ struct FlowFluid {
     /// back is thinner than the particles.
     double wallFriction = 1;
     double mushyDrag = 1e6; ///< kg/(m³ s), Carman-Kozeny constant of half-molten metal
+    double expansion = 0;   ///< 1/K, of the volume over temperature: weight follows 1 - expansion (T - evenTemperature)
+    double evenTemperature = 0; ///< K, at which metal weighs as `density` says
+    /// Density over rest density, less 1, of liquid that fills a closed space: its pressure keeps the liquid together
+    /// where the flow would pull it apart, which soft particles cannot resist. 0 for liquid with a surface of its own.
+    double confinement = 0;
 };
 
 /// The prefactors of the flow's two sweeps. With H the support, V = spacing³ and the kernel

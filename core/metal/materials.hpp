@@ -56,6 +56,7 @@ struct Material {
     Property solidConductivity, liquidConductivity; ///< W/(m K)
     Property solidSpecificHeat, liquidSpecificHeat; ///< J/(kg K)
     Property viscosity;                             ///< Pa s, liquid
+    Property expansion;                             ///< 1/K, of the liquid's volume: what makes hot metal rise
     Property surfaceTension;                        ///< N/m; its slope over temperature drives the Marangoni flow
     Property emissivity;                            ///< total hemispherical, for radiation losses
 

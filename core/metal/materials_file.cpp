@@ -71,6 +71,9 @@ void readPhases(TomlTable& file, Material& material) {
     material.liquidConductivity = readProperty(liquid, "conductivity", kConductivity);
     material.liquidSpecificHeat = readProperty(liquid, "specific_heat", kSpecificHeat);
     material.viscosity = readProperty(liquid, "viscosity", {1e-6, 1e4});
+    // Not needed for anything but convection; negative for water below 4 °C.
+    material.expansion =
+        liquid.has("expansion") ? readProperty(liquid, "expansion", {-1e-2, 1e-2}) : Property::constant(0, "none");
     liquid.finish();
     TomlTable surface = file.table("surface");
     material.surfaceTension = readProperty(surface, "tension", {1e-4, 10});

@@ -26,6 +26,8 @@ FlowFluid fluidOf(const Material& material, float spacing, double wetting, bool 
     fluid.tension = material.surfaceTension.at(material.liquidus);
     fluid.tensionSlope = marangoni ? material.tensionSlope() : 0;
     fluid.viscosity = material.viscosity.at(material.liquidus);
+    fluid.expansion = material.expansion.at(material.liquidus);
+    fluid.evenTemperature = material.liquidus;
     return fluid;
 }
 

@@ -39,6 +39,9 @@ constexpr std::array kEnergy{
     CaseKey{"power_w", number, 0, 1e6, kNeeded, "of the arc"},
     CaseKey{"on_s", number, 0, 1e5, kNeeded, "how long it burns"},
     CaseKey{"loss", lossRate, 0, 1e6, 0.0, "heat lost from the surface: true, false or W/(m² K)"},
+    CaseKey{"speed_mm_s", number, 0, 1000, 0.0, "of travel"},
+    CaseKey{"wire_diameter_mm", number, 0, 10, 0.0, "0: no wire"},
+    CaseKey{"wire_feed_m_min", number, 0, 100, 0.0, "0: no wire"},
 };
 constexpr std::array kHydrostatic{CaseKey{"height_mm", number, 0.1, 1000, kNeeded, "of the column"}};
 constexpr std::array kDamBreak{CaseKey{"width_mm", number, 0.1, 1000, kNeeded, "of the column, twice as high"}};
@@ -84,7 +87,7 @@ constexpr std::array kKinds{
     CaseKind{"rosenthal_thick", kRosenthal, true, kRosenthalResults},
     CaseKind{"rosenthal_thin", kRosenthal, true, kRosenthalResults},
     CaseKind{"energy", kEnergy, true,
-             "energy_change_j, source_j, lost_j, balance_percent, molten_peak_share, molten_end_share"},
+             "energy_change_j, source_j, wire_j, lost_j, balance_percent, molten_peak_share, molten_end_share"},
     CaseKind{"hydrostatic", kHydrostatic, true, "bottom_pressure_pa, density_error_percent"},
     CaseKind{"dam_break", kDamBreak, true, "front_Z for each measured time"},
     CaseKind{"droplet_pressure", kDroplet, true, "pressure_jump_pa"},
@@ -143,6 +146,8 @@ Material readCaseMaterial(TomlTable& file) {
         m.surfaceTension = Property::constant(table.number("surface_tension", {0, 10}, 0));
     if (table.has("viscosity") || m.viscosity.points.empty())
         m.viscosity = Property::constant(table.number("viscosity", {0, 1e4}, 0));
+    if (table.has("expansion") || m.expansion.points.empty())
+        m.expansion = Property::constant(table.number("expansion", {-1e-2, 1e-2}, 0));
     if (table.has("emissivity") || m.emissivity.points.empty())
         m.emissivity = Property::constant(table.number("emissivity", {0, 1}, 0));
     table.finish();

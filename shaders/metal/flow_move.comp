@@ -72,8 +72,11 @@ vec3 acceleration(uint index, uint slot, out float fastest) {
     const float beside = max(dot(off, off) - dot(off, fluid.arcAxis.xyz) * dot(off, fluid.arcAxis.xyz), 0);
     const float facing = dot(inward, fluid.arcAxis.xyz);
     if (facing > 0) sum += fluid.arcAxis.w * exp(-beside * fluid.arc.w) * facing * fluid.arcAxis.xyz;
-    // A drop of a few particles in flight meets others that are no neighbours yet.
-    fastest = found < 20 ? max(sqrt(fastest2), 0.4 * length(own.motion.xyz)) : sqrt(fastest2);
+    // A drop of a few particles in flight meets others that are no neighbours yet, and nothing carries it: it has its whole
+    // weight. Elsewhere hot metal is lighter (Boussinesq).
+    const bool flying = found < 20;
+    fastest = flying ? max(sqrt(fastest2), 0.4 * length(own.motion.xyz)) : sqrt(fastest2);
+    if (!flying) sum -= fluid.buoyancy.x * (own.normal.w - fluid.buoyancy.y) * metal.gravity.xyz;
     return sum;
 }
 
@@ -141,7 +144,7 @@ float moveOn(uint index) {
     const float dt = fluid.period.w;
     float fastest;
     const vec3 pairs = acceleration(index, slot, fastest);
-    vec3 velocity = velocities[slot].xyz + dt * (pairs + metal.gravity.xyz + fluid.body.xyz);
+    vec3 velocity = velocities[slot].xyz + dt * (pairs + (metal.gravity.xyz + fluid.body.xyz));
     velocity *= mushyShare(heats[slot].x);
     float speed = length(velocity);
     if (!(speed < 1e6)) { // also catches what is not a number

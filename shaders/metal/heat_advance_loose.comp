@@ -26,7 +26,6 @@ void main() {
     uint entry = linearInvocation();
     if (entry >= control.loose.w) return;
     uint slot = lists[3 * heatBlock.step.w + entry];
-    if ((phase[slot] & PHASE_HELD) != 0u) return;
     float theta = thermalState(heat[slot].x).y;
     Shares shares = sharesOf(position[slot].xyz);
     float power = 0.0;

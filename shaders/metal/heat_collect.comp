@@ -21,7 +21,8 @@ void main() {
         cellWeight[home - 1u] = 0.0;
         tiles[(home - 1u) / TILE_CELLS].lastNeed = heatBlock.step.x;
     }
-    if ((bits & PHASE_ALIVE) == 0u) return;
+    // What is held off the lattice is a wall that no heat crosses.
+    if ((bits & (PHASE_ALIVE | PHASE_HELD)) != PHASE_ALIVE) return;
     uint place = atomicAdd(control.loose.w, 1u);
     if (place % GROUP_SIZE == 0u) atomicAdd(control.loose.x, 1u);
     lists[3 * heatBlock.step.w + place] = slot;

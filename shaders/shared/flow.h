@@ -63,8 +63,9 @@ struct FlowBlock {
     vec4 search; // x reach of neighbour lists in m, y way after which they are made anew in m, z scale s of the density
                  // sum, w unused
     vec4 arc;    // xyz where the arc's axis meets the metal in m, w 1/(2 sigma²) of its pressure in 1/m²
-    vec4 arcAxis; // xyz unit vector of the arc into the metal, w highest pressure over density in m²/s²
-    uvec4 room;   // x capacity of the lists in particles, yzw unused
+    vec4 arcAxis;  // xyz unit vector of the arc into the metal, w highest pressure over density in m²/s²
+    uvec4 room;    // x capacity of the lists in particles, yzw unused
+    vec4 buoyancy; // x expansion of the volume in 1/K, y temperature in K at which metal has its whole weight
 };
 
 struct FlowBody {
@@ -96,7 +97,7 @@ struct FlowCounters {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(FlowBlock) == 208);
+static_assert(sizeof(FlowBlock) == 224);
 static_assert(sizeof(FlowBody) == 64);
 static_assert(sizeof(FlowCell) == 16);
 static_assert(sizeof(FlowCounters) == 96);

@@ -22,7 +22,7 @@
 #define PHASE_ALIVE 1u    // the slot is in use
 #define PHASE_LIQUID 2u   // moves with the flow; set above and cleared below the two fractions in MetalBlock.melting
 #define PHASE_LATTICE 4u  // sits at the centre of its lattice cell: conducts with its six neighbours there
-#define PHASE_HELD 8u     // its temperature is held: a wall
+#define PHASE_HELD 8u     // its temperature is held: a wall; off the lattice, one that no heat crosses
 #define PHASE_CLAMPED 16u // held by a fixture: never falls
 #define PHASE_FRESH 32u   // froze since the solid pieces were last told apart: bonds with whatever it touches
 #define PHASE_PIECE_SHIFT 8 // from this bit on: number of the loose solid piece it belongs to, 0 for what clamps hold

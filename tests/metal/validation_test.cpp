@@ -27,7 +27,7 @@ ValidationCase shipped(const std::string& name, double spacing) {
 
 TEST_CASE("Shipped heat cases pass", "[validation]") {
     const std::string name = GENERATE("conduction_step", "conduction_flux", "stefan_one_phase", "stefan_two_phase",
-                                      "energy", "energy_insulated");
+                                      "energy", "energy_insulated", "energy_weld");
     const ValidationResult result = runShipped(name);
     INFO(validationText(result));
     CHECK(result.passed());
@@ -45,7 +45,7 @@ TEST_CASE("Moving sources pass", "[validation][long]") {
 TEST_CASE("A moving source's field is right beyond three coarse cells too", "[validation]") {
     const ValidationResult result = runValidationCase(shipped("rosenthal_thick", 2e-3), test::shaders());
     INFO(validationText(result));
-    CHECK(result.numbers[0].errorPercent < 3); // 10 mm behind
+    CHECK(result.numbers[0].errorPercent < 3);   // 10 mm behind
     CHECK(result.numbers[1].errorPercent < 1.5); // 20 mm behind
 }
 
