@@ -5,6 +5,8 @@
 
 #include <glm/common.hpp>
 
+#include <algorithm>
+
 namespace meltpool {
 
 namespace {
@@ -15,7 +17,12 @@ namespace {
 constexpr double kSkin = 0.2;     // spacings beyond the support
 constexpr double kFreeWay = 0.45; // spacings
 constexpr GLbitfield kBarrier = GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_COMMAND_BARRIER_BIT;
-constexpr unsigned kTidyGroups = 16; // passes over what changed stride over it: few groups, no arguments to prepare
+constexpr unsigned kTidyGroups = 8; // passes over what changed stride over it: few groups, no arguments to prepare
+constexpr unsigned kMostGroups = 1024;
+
+size_t cellCount(const FlowBlock& block) {
+    return static_cast<size_t>(block.cells.x) * static_cast<size_t>(block.cells.y) * static_cast<size_t>(block.cells.z);
+}
 
 FlowBlock makeBlock(const FlowConstants& constants, const FlowFluid& fluid, const FlowSpace& space, size_t capacity,
                     size_t room) {
@@ -45,7 +52,7 @@ FlowBlock makeBlock(const FlowConstants& constants, const FlowFluid& fluid, cons
     block.tension =
         vec4(constants.cohesion, constants.area, fluid.tensionSlope / fluid.density, constants.wallFriction);
     block.search = vec4(reach, kFreeWay * fluid.spacing, constants.scale, 0);
-    block.room = uvec4(static_cast<uint>(room), 0, 0, 0);
+    block.room = uvec4(static_cast<uint>(room), static_cast<uint>(cellCount(block)), 0, 0);
     block.buoyancy = vec4(fluid.expansion, fluid.evenTemperature, 0, 0);
     return block;
 }
@@ -56,12 +63,12 @@ gl::Defines definesOf(const FlowFluid& fluid) {
     return defines;
 }
 
-size_t cellCount(const FlowBlock& block) {
-    return static_cast<size_t>(block.cells.x) * static_cast<size_t>(block.cells.y) * static_cast<size_t>(block.cells.z);
-}
-
 size_t neighbourEntries(size_t room) {
     return (2 * room + GROUP_SIZE - 1) / GROUP_SIZE * GROUP_SIZE * FLOW_NEIGHBOUR_ROOM;
+}
+
+unsigned groupsOf(size_t invocations) {
+    return static_cast<unsigned>((invocations + GROUP_SIZE - 1) / GROUP_SIZE);
 }
 
 } // namespace
@@ -86,11 +93,11 @@ Flow::Flow(gl::ShaderLibrary& shaders, MetalState& state, const FlowFluid& fluid
       cells_("flow cells", cellCount(block_) * sizeof(FlowCell)),
       residents_("flow residents", cellCount(block_) * 2 * FLOW_CELL_ROOM * sizeof(uvec2)),
       entered_("flow entered", cellCount(block_) * FLOW_CELL_ROOM * sizeof(uint)),
-      lists_("flow lists", size_t(3) * block_.room.x * sizeof(uint)),
+      lists_("flow lists", (size_t(3) * block_.room.x + FLOW_RESTLESS_ROOM) * sizeof(uint)),
       neighbours_("flow neighbours", neighbourEntries(block_.room.x) * sizeof(uint)),
       counters_("flow counters", sizeof(FlowCounters)),
-      dirty_("flow changed cells", cellCount(block_) * sizeof(uint)),
-      resting_("flow still sums", state.capacity() * sizeof(vec4)),
+      dirty_("flow changed cells, slots", (cellCount(block_) + FLOW_STILL_CHANGES) * sizeof(uint)),
+      resting_("flow still sums", state.capacity() * sizeof(ivec4)),
       positionTexels_("flow position texels", state.position, GL_RGBA32F, sizeof(vec4)),
       bodyTexels_("flow body texels", bodies_, GL_RGBA32F, sizeof(vec4)),
       neighbourTexels_("flow neighbour texels", neighbours_, GL_R32UI, sizeof(uint)),
@@ -109,6 +116,7 @@ void Flow::bind() const {
     counters_.bindStorage(FLOW_COUNTERS);
     dirty_.bindStorage(FLOW_DIRTY);
     resting_.bindStorage(FLOW_RESTING);
+    state_.changes.bindStorage(FLOW_CHANGES);
     positionTexels_.bind(FLOW_TEXELS_POSITIONS);
     bodyTexels_.bind(FLOW_TEXELS_BODIES);
     neighbourTexels_.bind(FLOW_TEXELS_NEIGHBOURS);
@@ -151,12 +159,21 @@ void Flow::step(double seconds, unsigned substeps, gl::Profiler* profiler) {
 
 void Flow::takeUpChanges(gl::Profiler* profiler) {
     const gl::Scope scope(profiler, "flow changes");
-    belong_.set("slots", static_cast<unsigned>(state_.particles()));
-    belong_.dispatch(state_.particles(), GROUP_SIZE);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    const bool regrouped = regroupings_ != state_.regroupings();
+    regroupings_ = state_.regroupings();
+    const size_t known = regrouped ? 0 : known_;
+    known_ = state_.particles();
+    ++frame_;
+    belong_.set("known", static_cast<unsigned>(known));
+    belong_.set("slots", static_cast<unsigned>(known_));
+    belong_.set("frame", frame_);
+    belong_.dispatchGroups(std::clamp(groupsOf(known_ - known), kTidyGroups, kMostGroups));
+    glMemoryBarrier(kBarrier);
+    tidy_.set("frame", frame_);
     tidy_.set("substep", substep_ + 1);
     tidy_.dispatchGroups(kTidyGroups);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    glMemoryBarrier(kBarrier);
+    enter_.set("frame", frame_);
     enter_.set("substep", substep_ + 1);
     enter_.dispatchGroups(kTidyGroups);
     glMemoryBarrier(kBarrier);

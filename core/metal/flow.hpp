@@ -69,6 +69,9 @@ class Flow {
     FlowBlock block_{};
     bool blockChanged_ = true;
     uint substep_ = 0;
+    uint frame_ = 0;
+    size_t known_ = 0;         ///< slots that the flow has looked at
+    unsigned regroupings_ = 0; ///< of the state when it last looked at all of them
     const gl::Program& belong_;
     const gl::Program& tidy_;
     const gl::Program& enter_;

@@ -17,7 +17,7 @@ layout(std430, binding = FLOW_LISTS) buffer Lists { uint lists[]; };
 layout(std430, binding = FLOW_NEIGHBOURS) buffer Neighbours { uint neighbours[]; };
 layout(std430, binding = FLOW_COUNTERS) buffer Counters { FlowCounters counters; };
 layout(std430, binding = FLOW_DIRTY) buffer Dirty { uint dirty[]; };
-layout(std430, binding = FLOW_RESTING) buffer Resting { vec4 resting[]; };
+layout(std430, binding = FLOW_RESTING) buffer Resting { ivec4 resting[]; };
 
 // What is gathered from many places is read as texels: some drivers fetch a whole texel at once but storage number by
 // number. A pass reads no texels of what it writes.
@@ -41,6 +41,11 @@ uvec2 countTexel(uint cell, uint parity) {
 /// First of the residents of a cell: its moving metal; its still metal.
 uint movingBase(uint cell) { return 2 * FLOW_CELL_ROOM * cell; }
 uint stillBase(uint cell) { return movingBase(cell) + FLOW_CELL_ROOM; }
+
+/// Resident `entry` of a cell with so many moving ones, where moving ones come first and still metal follows.
+uint residentOf(uint cell, uint moving, uint entry) {
+    return movingBase(cell) + entry + (entry < moving ? 0 : FLOW_CELL_ROOM - moving);
+}
 
 uvec2 residentTexel(uint entry) { return texelFetch(residentTexels, int(entry)).xy; }
 
@@ -102,6 +107,36 @@ vec3 apart(vec3 a, vec3 b) {
     const vec3 straight = a - b;
     return straight - fluid.period.xyz * round(straight * fluid.inversePeriod.xyz);
 }
+
+/// True where a neighbour list that is made around `place` must be made anew: a restless particle is within its reach.
+bool nearRestless(vec3 place) {
+    const uint restless = counters.restless.x;
+    if (restless > FLOW_RESTLESS_ROOM) return true;
+    const float reach = fluid.search.x * fluid.search.x;
+    bool near = false;
+    for (uint k = 0; k < restless; ++k) {
+        const vec3 d = apart(place, placeTexel(lists[3 * fluid.room.x + k]));
+        near = near || dot(d, d) < reach;
+    }
+    return near;
+}
+
+#ifdef FLOW_CHOOSES
+shared uint chosen[GROUP_SIZE];
+shared uint chosenCount;
+
+/// Hands the entries that a group is to work on to its first invocations, in no order: those beyond have nothing to do and
+/// cost nothing. Every invocation of the group must call it. False where there is none for this one.
+bool choose(bool wanted, inout uint entry) {
+    if (gl_LocalInvocationIndex == 0) chosenCount = 0;
+    barrier();
+    if (wanted) chosen[atomicAdd(chosenCount, 1u)] = entry;
+    barrier();
+    if (gl_LocalInvocationIndex >= chosenCount) return false;
+    entry = chosen[gl_LocalInvocationIndex];
+    return true;
+}
+#endif
 
 /// Puts a moving slot into the cell that the next substep, of this parity (0 even, 1 odd), finds it in.
 void enterCell(uint slot, vec3 place, uint parity) {

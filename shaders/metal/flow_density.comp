@@ -9,7 +9,10 @@ uniform uint substep;
 void main() {
     const uint index = gl_GlobalInvocationID.x;
     const uint moving = counters.moving.w;
-    if (index == 0) counters.boundary.x = 0; // it has run
+    if (index == 0) {
+        counters.boundary.x = 0; // it has run
+        counters.restless.x = 0;
+    }
     if (index >= moving + min(counters.density.w, fluid.room.x)) return;
     const bool moves = index < moving;
     const uint slot = moves ? lists[index] : lists[2 * fluid.room.x + index - moving];
@@ -25,7 +28,8 @@ void main() {
         sum = vec4(0, 0, 0, 1);
         found = where.w;
     } else {
-        sum = resting[slot] + vec4(0, 0, 0, 1);
+        const float unit = 1 / FLOW_REST_UNIT;
+        sum = vec4(resting[slot]) * vec4(vec3(unit * fluid.body.w * fluid.origin.w), unit) + vec4(0, 0, 0, 1);
         found = uint(bodies[slot].motion.w);
     }
     const vec4 place = positions[slot];

@@ -20,7 +20,8 @@ float cohesion(float q) {
 /// Least share of surface, times half a spacing, of what counts as surface: inside the liquid the sum is never quite 0.
 const float kSurfaceShare = 0.1;
 
-/// Acceleration by all neighbours and by the arc's pressure, and the fastest that one of them goes against this particle (m/s).
+/// Acceleration by all neighbours and by the arc's pressure, and the fastest that one of them goes against this particle (m/s),
+/// of those that are not much faster: a single fast particle is restless, not all those around it.
 vec3 acceleration(uint index, uint slot, out float fastest) {
     const FlowBody own = bodies[slot];
     const uint found = own.where.w;
@@ -30,6 +31,7 @@ vec3 acceleration(uint index, uint slot, out float fastest) {
     const float pressure = stiffness(own.place.w);
     vec3 sum = vec3(0);
     float fastest2 = 0;
+    const float slower = 2 * dot(own.motion.xyz, own.motion.xyz);
 #ifdef MARANGONI
     vec3 warming = vec3(0); // sum for the temperature's gradient
     float reached = 0;      // the same sum for a gradient of 1 along each axis
@@ -45,8 +47,9 @@ vec3 acceleration(uint index, uint slot, out float fastest) {
         const float u = 1 - q2;
         const float slope = -8 * fluid.kernel.x * inverse * u * u * u;
         const bool solid = (entry & FLOW_SOLID) != 0;
-        const vec3 against = own.motion.xyz - texelFetch(bodyTexels, other + 2).xyz;
-        fastest2 = max(fastest2, dot(against, against));
+        const vec3 theirs = texelFetch(bodyTexels, other + 2).xyz;
+        const vec3 against = own.motion.xyz - theirs;
+        if (dot(theirs, theirs) < slower) fastest2 = max(fastest2, dot(against, against));
         const float friction = (solid ? fluid.tension.w : 1.0) * fluid.kernel.z * dot(against, d) / (r2 + soft);
         const float weight = (solid ? fluid.body.w : 1.0) * 2 / (own.place.w + place.w);
         const float pull = weight * fluid.tension.x * cohesion(q) / max(q * fluid.origin.w, 0.02 * fluid.origin.w);
@@ -130,16 +133,14 @@ vec3 stopAtLattice(vec3 before, vec3 after, inout vec3 velocity) {
     return place;
 }
 
-shared uint longestWay; // float bits, of this group
-
-/// Moves one slot on; gives how far neighbours may have come or gone since the neighbour lists were made.
-float moveOn(uint index) {
+/// Moves one slot on.
+void moveOn(uint index) {
     const uint slot = lists[index];
     const uint next = 1u - (substep & 1u);
     const vec4 before = positions[slot];
     if ((phases[slot] & PHASE_LIQUID) == 0) {
         enterCell(slot, before.xyz, next);
-        return 0;
+        return;
     }
     const float dt = fluid.period.w;
     float fastest;
@@ -157,25 +158,23 @@ float moveOn(uint index) {
     }
     const vec3 free = stopAtLattice(before.xyz, before.xyz + dt * velocity, velocity);
     const vec3 after = confine(free, velocity);
-    const float way = velocities[slot].w + dt * fastest;
+    const float way = velocities[slot].w + dt * fastest; // that neighbours may have come or gone since they were listed
     positions[slot] = vec4(after, before.w);
     velocities[slot] = vec4(velocity, way);
     enterCell(slot, after, next);
-    return way;
+    if (way <= fluid.search.y) return;
+    const uint entry = atomicAdd(counters.restless.x, 1u);
+    if (entry < FLOW_RESTLESS_ROOM) lists[3 * fluid.room.x + entry] = slot;
 }
 
 void main() {
-    if (gl_LocalInvocationIndex == 0) longestWay = 0;
-    barrier();
     const uint index = gl_GlobalInvocationID.x;
-    if (index < counters.moving.w) atomicMax(longestWay, floatBitsToUint(moveOn(index)));
+    if (index < counters.moving.w) moveOn(index);
+    memoryBarrierBuffer();
     barrier();
     if (gl_LocalInvocationIndex != 0) return;
-    atomicMax(counters.spare.z, longestWay);
-    memoryBarrierBuffer();
-    // The last group to come here knows the longest way of all and decides whether the lists are made anew.
+    // The last group to come here knows of all restless particles and decides whether there is a search.
     if (atomicAdd(counters.search.w, 1u) + 1 < counters.moving.x) return;
-    const float way = uintBitsToFloat(atomicMax(counters.spare.z, 0u));
-    counters.search.x = way > fluid.search.y ? counters.moving.x : 0;
+    counters.search.x = atomicAdd(counters.restless.x, 0u) > 0 ? counters.moving.x : 0;
     counters.search.w = 0;
 }

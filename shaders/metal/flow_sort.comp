@@ -9,8 +9,13 @@ uniform uint substep;
 void main() {
     const uint index = gl_GlobalInvocationID.x;
     if (index == 0) {
-        counters.density = uvec4(counters.moving.x, 1, 1, 0);
-        counters.spare.z = 0;
+        if (counters.restless.x > FLOW_RESTLESS_ROOM) {
+            counters.density = uvec4(counters.moving.x, 1, 1, 0);
+            counters.restless.z = substep;
+        }
+        const uint listed = min(counters.density.w, fluid.room.x);
+        counters.restless.y = listed;
+        counters.boundary.x = (listed + GROUP_SIZE - 1) / GROUP_SIZE;
         counters.spare.w += 1;
     }
     if (index >= counters.moving.w) return;

@@ -25,12 +25,23 @@ void tidyCell(uint cell) {
     cells[cell].dirty = 0;
 }
 
+layout(std430, binding = FLOW_CHANGES) writeonly buffer Changes { uint changes[]; };
+
 uniform uint substep; // number of the frame's first substep
+uniform uint frame;
 
 void main() {
     const uint stride = gl_NumWorkGroups.x * GROUP_SIZE;
     const uint dirtyCells = counters.spare.y;
-    if (gl_GlobalInvocationID.x == 0 && dirtyCells > 0) counters.boundary.w = substep;
+    if (gl_GlobalInvocationID.x == 0) {
+        changes[0] = 0; // taken up
+        const bool even = (frame & 1u) == 0;
+        if ((even ? counters.changes.x : counters.changes.y) > FLOW_STILL_CHANGES) counters.boundary.w = substep;
+        if (even)
+            counters.changes.y = 0;
+        else
+            counters.changes.x = 0;
+    }
     for (uint entry = gl_GlobalInvocationID.x; entry < dirtyCells; entry += stride)
         tidyCell(dirty[entry]);
     const uint moving = min(counters.moving.w, fluid.room.x);

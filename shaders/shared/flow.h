@@ -10,20 +10,19 @@
 
 #include "glsl_types.h"
 
-#define FLOW_CELL_ROOM                                                                                                 \
-    48 // of a cell, for still and for moving particles each; 14 are there at rest density, 27 at most on a lattice
+#define FLOW_CELL_ROOM 48  // of a cell, for still and for moving particles each; 14 are there at rest density, 27 at most on a lattice
 #define FLOW_NEIGHBOUR_ROOM 128 // neighbours kept a particle; 74 are there at rest density
 
-#define FLOW_BODIES 6 // FlowBody a slot
-#define FLOW_CELLS 7  // FlowCell a cell
-#define FLOW_RESIDENTS                                                                                                 \
-    8 // uvec2 packed place and slot: FLOW_CELL_ROOM moving ones in order, then as many of still metal, a cell
+#define FLOW_BODIES 6      // FlowBody a slot
+#define FLOW_CELLS 7       // FlowCell a cell
+#define FLOW_RESIDENTS 8   // uvec2 packed place and slot: FLOW_CELL_ROOM moving ones in order, then as many of still metal, a cell
 #define FLOW_ENTERED 9     // slots that entered a cell, in no order
-#define FLOW_LISTS 10      // moving slots, spare for compacting them, still slots beside moving ones; capacity each
+#define FLOW_LISTS 10      // moving slots, spare for compacting them, still slots beside moving ones; capacity each; then restless ones
 #define FLOW_NEIGHBOURS 11 // slots beside an entry of the lists, entry by entry within a rank
 #define FLOW_COUNTERS 12
-#define FLOW_DIRTY 13   // cells whose still metal changed
-#define FLOW_RESTING 14 // vec4 a slot of still metal: what other still metal adds to its gradient (xyz) and density (w)
+#define FLOW_DIRTY 13      // cells whose still metal changed, a word a cell; then FLOW_STILL_CHANGES slots that became or ceased to be still
+#define FLOW_RESTING 14    // ivec4 a slot of still metal: what other still metal adds to its gradient (xyz) and density (w), in 1/FLOW_REST_UNIT
+#define FLOW_CHANGES 15    // the metal's list of slots whose phase changed
 
 #define FLOW_BLOCK 1 // uniform buffer
 
@@ -45,6 +44,14 @@
 #define FLOW_RESTS 0x40000000u // still metal
 #define FLOW_SLOT 0x3fffffffu
 
+#define FLOW_RESTLESS_ROOM 32u // of these; more make all search
+#define FLOW_RESTLESS_ALL 0xffffffffu
+
+#define FLOW_STILL_CHANGES 4096u  // slots a frame that may change between still and moving before all still sums are made anew
+#define FLOW_CEASED 0x80000000u   // bit of such a slot: it is still no more
+#define FLOW_REST_UNIT 16777216.0 // still sums are whole numbers: they take additions and removals in any order without loss
+#define FLOW_NO_SUMS 0xffffffffu
+
 #ifdef __cplusplus
 namespace meltpool {
 #endif
@@ -56,16 +63,14 @@ struct FlowBlock {
     vec4 inversePeriod; // xyz 1/period or 0, w fastest speed allowed in m/s
     vec4 high;          // xyz high corner of the space in m, w half a spacing
     ivec4 cells;        // xyz cells, w capacity in particles
-    vec4 body; // xyz acceleration besides gravity in m/s², w weight of still metal against liquid: 0 repels .. 1 wets
-    vec4 kernel;  // x s V W(0), y c² in m²/s², z 10 nu in m²/s, w mushy drag over density in 1/s
-    vec4 tension; // x cohesion and y area acceleration (see constants), z slope of surface tension over temperature
-                  // over density in m³/(s² K), w friction against still metal over that in the liquid
-    vec4 search; // x reach of neighbour lists in m, y way after which they are made anew in m, z scale s of the density
-                 // sum, w unused
-    vec4 arc;    // xyz where the arc's axis meets the metal in m, w 1/(2 sigma²) of its pressure in 1/m²
-    vec4 arcAxis;  // xyz unit vector of the arc into the metal, w highest pressure over density in m²/s²
-    uvec4 room;    // x capacity of the lists in particles, yzw unused
-    vec4 buoyancy; // x expansion of the volume in 1/K, y temperature in K at which metal has its whole weight
+    vec4 body;          // xyz acceleration besides gravity in m/s², w weight of still metal against liquid: 0 repels .. 1 wets
+    vec4 kernel;        // x s V W(0), y c² in m²/s², z 10 nu in m²/s, w mushy drag over density in 1/s
+    vec4 tension;       // x cohesion and y area acceleration (see constants), z slope of surface tension over temperature over density in m³/(s² K), w friction against still metal over that in the liquid
+    vec4 search;        // x reach of neighbour lists in m, y way after which they are made anew in m, z scale s of the density sum, w unused
+    vec4 arc;           // xyz where the arc's axis meets the metal in m, w 1/(2 sigma²) of its pressure in 1/m²
+    vec4 arcAxis;       // xyz unit vector of the arc into the metal, w highest pressure over density in m²/s²
+    uvec4 room;         // x capacity of the lists in particles, y cells, zw unused
+    vec4 buoyancy;      // x expansion of the volume in 1/K, y temperature in K at which metal has its whole weight, zw unused
 };
 
 struct FlowBody {
@@ -73,8 +78,7 @@ struct FlowBody {
     vec4 normal; // xyz g, the weighted kernel gradient sum in 1/m, w temperature in K
     vec4 motion; // xyz velocity at the start of the substep in m/s, w unused
     uvec4 where; // of moving metal: xy cell entered for the even and the odd substep, z where it belongs, w neighbours;
-                 // of still metal: x substep it was last listed, y state of the still metal its rest sums are for, z
-                 // same, w its cell
+                 // of still metal: x search of all that it was last listed since, y edition of its still sums, z same, w its cell
 };
 
 struct FlowCell {
@@ -86,21 +90,20 @@ struct FlowCell {
 
 struct FlowCounters {
     uvec4 moving;   // indirect dispatch over the moving list; w its length
-    uvec4 search;   // the same, without groups where the neighbour lists still hold; w groups of the move pass that are
-                    // done
-    uvec4 boundary; // over still metal beside the liquid, without groups where the lists still hold; w number of still
-                    // metal's last change
+    uvec4 search;   // the same, without groups where the neighbour lists still hold; w groups of the move pass that are done
+    uvec4 boundary; // over still metal beside the liquid, without groups where the lists still hold; w edition of still sums that holds
     uvec4 density;  // over the moving list and the still metal beside it; w number of the latter
     uvec4 faults;   // x cells overfull, y neighbours overfull, z particles no longer finite, w moving list overfull
-    uvec4 spare;    // x length of the list being compacted, y changed cells, z longest way (float bits) since the lists
-                    // were made, w searches made
+    uvec4 changes;  // xy length of the list of slots that became or ceased to be still, of even and odd frames; zw unused
+    uvec4 restless; // x moving particles whose neighbours went too far (beyond FLOW_RESTLESS_ROOM: all), y still metal listed before this search, z substep of the last search of all, w unused
+    uvec4 spare;    // x length of the list being compacted, y changed cells, z unused, w searches made
 };
 
 #ifdef __cplusplus
 static_assert(sizeof(FlowBlock) == 224);
 static_assert(sizeof(FlowBody) == 64);
 static_assert(sizeof(FlowCell) == 16);
-static_assert(sizeof(FlowCounters) == 96);
+static_assert(sizeof(FlowCounters) == 128);
 } // namespace meltpool
 #endif
 

@@ -170,6 +170,7 @@ TEST_CASE("what melts begins to move, what freezes stands still, none is lost") 
         for (size_t i = 0; i < seeds.size(); ++i)
             if (seeds[i].position.y > 2 * dx && chance(random) < 0.1) phases[i] ^= PHASE_LIQUID;
         scene.state.phase.write(std::span<const uint>(phases));
+        scene.state.noteRegrouping();
         const auto before = scene.state.position.read<vec4>(seeds.size());
         scene.flow.step(1.0 / 90, nullptr);
         const auto after = scene.state.position.read<vec4>(seeds.size());
