@@ -34,12 +34,14 @@ gl::Defines definesOf(const HeatSettings& settings, const Material& material) {
     return defines;
 }
 
+constexpr uvec4 kNoGroups(0, 1, 1, 0);
+
 void storageBarrier() {
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 void indirectBarrier() {
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }
 
 } // namespace
@@ -98,23 +100,20 @@ HeatSolver::HeatSolver(gl::ShaderLibrary& shaders, MetalState& state, const Mate
                        const HeatSettings& settings)
     : state_(state), material_(material), settings_(settings) {
     const gl::Defines defines = definesOf(settings, material);
-    gl::Defines mixed = defines;
-    mixed["MIXED"] = "1";
     refresh_ = &shaders.compute("metal/heat_refresh.comp");
     collect_ = &shaders.compute("metal/heat_collect.comp");
     deposit_ = &shaders.compute("metal/heat_deposit.comp");
-    tiles_ = &shaders.compute("metal/heat_tiles.comp");
+    tiles_ = &shaders.compute("metal/heat_tiles.comp", defines);
     mean_ = &shaders.compute("metal/heat_mean.comp");
     weigh_ = &shaders.compute("metal/heat_weigh.comp");
     total_ = &shaders.compute("metal/heat_total.comp");
-    conduct_ = {&shaders.compute("metal/heat_conduct.comp", defines),
-                &shaders.compute("metal/heat_conduct.comp", mixed)};
-    apply_ = &shaders.compute("metal/heat_apply.comp", defines);
+    spread_ = &shaders.compute("metal/heat_spread.comp", defines);
+    conduct_ = &shaders.compute("metal/heat_conduct.comp", defines);
     advanceLoose_ = &shaders.compute("metal/heat_advance_loose.comp", defines);
-    advance_ = {&shaders.compute("metal/heat_advance.comp", defines),
-                &shaders.compute("metal/heat_advance.comp", mixed)};
+    advance_ = &shaders.compute("metal/heat_advance.comp", defines);
     makeBuffers();
     writeTable();
+    makeTexels();
     prepareBlock();
     refresh();
 }
@@ -124,7 +123,7 @@ void HeatSolver::makeBuffers() {
     const size_t tiles = state_.lattice().tileCount();
     const size_t slots = state_.capacity();
     blockBuffer_ = gl::Buffer("heat block", sizeof(HeatBlock));
-    cellTheta_ = gl::Buffer("heat cell theta", cells * sizeof(float));
+    cellTheta_ = gl::Buffer("heat cell theta", 2 * cells * sizeof(float));
     cellWeight_ = gl::Buffer("heat cell weight", cells * sizeof(float));
     cellPower_ = gl::Buffer("heat cell power", cells * sizeof(float));
     cellArea_ = gl::Buffer("heat cell area", cells * sizeof(float));
@@ -151,7 +150,22 @@ void HeatSolver::writeTable() {
         }
     }
     table_ = gl::Buffer("heat table", std::span<const vec4>(samples));
-    tableTexels_ = gl::BufferView("heat table", table_, GL_RGBA32F, sizeof(vec4));
+}
+
+void HeatSolver::makeTexels() {
+    const auto see = [&](const gl::Buffer& buffer, GLenum format, size_t texelBytes, GLuint unit) {
+        texels_.push_back({gl::BufferView("heat texels", buffer, format, texelBytes), unit});
+    };
+    see(table_, GL_RGBA32F, sizeof(vec4), HEAT_TEXELS_TABLE);
+    see(cellTheta_, GL_R32F, sizeof(float), HEAT_TEXELS_THETA);
+    see(cellWeight_, GL_R32F, sizeof(float), HEAT_TEXELS_WEIGHT);
+    see(tileStamps_, GL_R32I, sizeof(int), HEAT_TEXELS_STAMPS);
+    see(tileState_, GL_RGBA32I, sizeof(ivec4), HEAT_TEXELS_TILES);
+    see(lists_, GL_R32UI, sizeof(uint), HEAT_TEXELS_LISTS);
+    see(state_.latticeSlots, GL_R32UI, sizeof(uint), HEAT_TEXELS_LATTICE);
+    see(state_.heat, GL_RGBA32F, sizeof(vec4), HEAT_TEXELS_HEATS);
+    see(state_.position, GL_RGBA32F, sizeof(vec4), HEAT_TEXELS_POSITIONS);
+    see(state_.phase, GL_R32UI, sizeof(uint), HEAT_TEXELS_PHASES);
 }
 
 void HeatSolver::prepareBlock() {
@@ -180,7 +194,8 @@ double HeatSolver::longestStep(double hottest) const {
 void HeatSolver::bind() const {
     state_.bind();
     blockBuffer_.bindUniform(HEAT_BLOCK);
-    tableTexels_.bind(HEAT_TEXELS_TABLE);
+    for (const Texels& texels : texels_)
+        texels.view.bind(texels.unit);
     state_.changes.bindStorage(HEAT_CHANGES);
     cellTheta_.bindStorage(HEAT_CELL_THETA);
     cellWeight_.bindStorage(HEAT_CELL_WEIGHT);
@@ -198,6 +213,8 @@ void HeatSolver::bind() const {
 
 void HeatSolver::refresh() {
     blockBuffer_.writeValue(block_);
+    control_.writeValue(HeatControl{kNoGroups, kNoGroups, kNoGroups, kNoGroups});
+    looked_ = 0;
     bind();
     homes_.clear();
     refresh_->dispatch(state_.lattice().cellCount(), GROUP_SIZE);
@@ -211,7 +228,8 @@ void HeatSolver::writeBlock(double seconds, std::span<const HeatSource> sources)
     block_.time.x = static_cast<float>(seconds);
     block_.step.x += 1;
     block_.step.y = static_cast<int>(sources.size());
-    block_.loose.y = static_cast<float>(state_.particles());
+    time_ += seconds;
+    block_.clock.x = static_cast<uint>(std::llround(time_ * 1e6)); // wraps, which differences do not mind
     sourceGroups_ = 0;
     int offset = HEAT_SOURCES; // the totals stand in front
     for (size_t i = 0; i < sources.size(); ++i) {
@@ -246,14 +264,24 @@ void HeatSolver::indirect(const gl::Program& program, size_t groups) const {
     glDispatchComputeIndirect(static_cast<GLintptr>(groups));
 }
 
-void HeatSolver::gatherLoose() {
-    constexpr uvec4 kNone(0, 1, 1, 0);
-    control_.writeValue(HeatControl{kNone, kNone, kNone, kNone});
-    collect_->dispatch(state_.particles(), GROUP_SIZE); // phases -> list of loose slots
-    indirectBarrier();
+/// Metal that heat itself takes off the lattice is in the list by then.
+void HeatSolver::findLoose() {
+    const size_t first = regroupings_ == state_.regroupings() ? looked_ : 0;
+    regroupings_ = state_.regroupings();
+    looked_ = state_.particles();
+    if (first < looked_) {
+        collect_->set("first", static_cast<unsigned>(first));
+        collect_->set("last", static_cast<unsigned>(looked_));
+        collect_->dispatch(looked_ - first, GROUP_SIZE); // phases -> list of loose slots
+        indirectBarrier();
+    }
     indirect(*deposit_, offsetof(HeatControl, loose)); // enthalpies, positions -> cell sums, tiles with loose metal
     storageBarrier();
-    tiles_->dispatch(state_.lattice().tileCount(), GROUP_SIZE); // tile states -> lists of tiles
+}
+
+void HeatSolver::listTiles() {
+    control_.writeValue(std::array{kNoGroups, kNoGroups, kNoGroups}); // the loose ones are kept
+    tiles_->dispatch(state_.lattice().tileCount(), GROUP_SIZE);       // tile states -> lists of tiles
     indirectBarrier();
     indirect(*mean_, offsetof(HeatControl, sums)); // cell sums -> cell theta, weight
     storageBarrier();
@@ -261,8 +289,8 @@ void HeatSolver::gatherLoose() {
 
 void HeatSolver::weighSources() {
     const auto sources = static_cast<unsigned>(block_.step.y);
-    if (sources == 0) return;
     partial_.bindStorage(HEAT_PARTIAL);
+    if (sources == 0) return;
     weigh_->dispatchGroups(static_cast<unsigned>(sourceGroups_), sources); // cell theta, weight -> partial sums
     storageBarrier();
     total_->dispatchGroups(sources); // partial sums -> totals
@@ -270,47 +298,37 @@ void HeatSolver::weighSources() {
 }
 
 void HeatSolver::conduct() {
-    const std::array groups{offsetof(HeatControl, plain), offsetof(HeatControl, mixed)};
-    for (size_t list = 0; list < 2; ++list) {
-        conduct_[list]->set("list", static_cast<int>(list));
-        indirect(*conduct_[list], groups[list]); // cell theta, weight -> cell power, area
-    }
+    indirect(*conduct_, offsetof(HeatControl, mixed)); // cell theta, weight, totals -> cell power, area
     storageBarrier();
-}
-
-void HeatSolver::applySources() {
-    for (int i = 0; i < block_.step.y; ++i) {
-        apply_->set("source", i);
-        apply_->dispatchGroups(static_cast<unsigned>(block_.sources[i].tileCount.w)); // totals -> cell power
-        storageBarrier(); // two sources may reach the same cell
-    }
-}
-
-void HeatSolver::advance() {
     homes_.bindStorage(HEAT_HOMES);
     indirect(*advanceLoose_, offsetof(HeatControl, loose)); // cell power, theta -> enthalpy of loose metal
     storageBarrier();
-    const std::array groups{offsetof(HeatControl, plain), offsetof(HeatControl, mixed)};
-    for (size_t list = 0; list < 2; ++list) {
-        advance_[list]->set("list", static_cast<int>(list));
-        indirect(*advance_[list], groups[list]); // cell power -> enthalpy of the lattice, cell theta; sums cleared
-    }
+}
+
+/// Metal that melts here is loose from the next step on. The plain tiles come first: they read what the mixed ones
+/// change.
+void HeatSolver::advance() {
+    indirect(*spread_, offsetof(HeatControl, plain)); // cell theta -> enthalpy, theta in the other half
     storageBarrier();
+    indirect(*advance_,
+             offsetof(HeatControl, mixed)); // cell power -> enthalpy of the lattice, cell theta; sums cleared
+    indirectBarrier();
 }
 
 void HeatSolver::step(double seconds, std::span<const HeatSource> sources, gl::Profiler* profiler) {
     const gl::Scope scope(profiler, "heat");
     writeBlock(seconds, sources);
     bind();
+    storageBarrier(); // whatever others wrote is read as texels
     const auto pass = [&](const char* name, void (HeatSolver::*work)()) {
         const gl::Scope part(profiler, name);
         (this->*work)();
     };
-    pass("heat loose metal, tiles", &HeatSolver::gatherLoose);
+    pass("heat loose metal", &HeatSolver::findLoose);
+    pass("heat tiles", &HeatSolver::listTiles);
     pass("heat sources weighed", &HeatSolver::weighSources);
-    pass("heat conduction", &HeatSolver::conduct);
-    pass("heat sources", &HeatSolver::applySources);
-    pass("heat advance", &HeatSolver::advance);
+    pass("heat mixed tiles", &HeatSolver::conduct);
+    pass("heat plain tiles", &HeatSolver::advance);
 }
 
 unsigned HeatSolver::readActiveTiles() const {

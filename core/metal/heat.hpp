@@ -11,7 +11,7 @@
 
 #include <glm/vec3.hpp>
 
-#include <array>
+#include <vector>
 
 namespace meltpool {
 
@@ -84,16 +84,22 @@ class HeatSolver {
     size_t bytes() const; ///< GPU memory of the solver itself
 
   private:
+    struct Texels {
+        gl::BufferView view;
+        GLuint unit;
+    };
+
     void makeBuffers();
+    void makeTexels();
     void writeTable();
     void prepareBlock();
     void writeBlock(double seconds, std::span<const HeatSource> sources);
     void bind() const;
     void indirect(const gl::Program& program, size_t groups) const;
-    void gatherLoose();
+    void findLoose();
+    void listTiles();
     void weighSources();
     void conduct();
-    void applySources();
     void advance();
 
     MetalState& state_;
@@ -101,11 +107,14 @@ class HeatSolver {
     HeatSettings settings_;
     HeatBlock block_{};
     int sourceGroups_ = 0; ///< most tiles any source reaches in this step
-    const gl::Program *refresh_, *collect_, *deposit_, *tiles_, *mean_, *weigh_, *total_, *apply_, *advanceLoose_;
-    std::array<const gl::Program*, 2> conduct_{}, advance_{}; ///< for tiles without and with loose metal
+    size_t looked_ = 0;    ///< slots that were looked at for loose metal
+    unsigned regroupings_ = 0;
+    double time_ = 0; ///< s
+    const gl::Program *refresh_, *collect_, *deposit_, *tiles_, *mean_, *weigh_, *total_, *spread_, *conduct_,
+        *advanceLoose_, *advance_;
     gl::Buffer blockBuffer_, table_, cellTheta_, cellWeight_, cellPower_, cellArea_, cellSums_, tileState_, tileStamps_,
         lists_, control_, homes_, partial_, ledger_;
-    gl::BufferView tableTexels_;
+    std::vector<Texels> texels_;
 };
 
 } // namespace meltpool

@@ -3,31 +3,32 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shared/dispatch.h"
 layout(local_size_x = GROUP_SIZE) in;
-#define MIXED
 #include "metal/heat_common.glsl"
 #include "metal/heat_loose.glsl"
 #include "metal/heat_update.glsl"
 #include "metal/heat_loss.glsl"
 #include "metal/heat_ledger.glsl"
-#include "metal/heat_changes.glsl"
+#include "metal/heat_leave.glsl"
 layout(std430, binding = HEAT_CELL_POWER) restrict readonly buffer CellPower { float cellPower[]; };
 layout(std430, binding = HEAT_CELL_AREA) restrict readonly buffer CellArea { float cellArea[]; };
-layout(std430, binding = HEAT_LISTS) restrict readonly buffer Lists { uint lists[]; };
-layout(std430, binding = HEAT_CONTROL) restrict readonly buffer Control { HeatControl control; };
 
 /// Watts that a particle that lies on the table gives to it. What is clamped or still on the lattice stands on its fixture.
-float tableLoss(uint slot) {
+float tableLoss(float height, float temperature) {
     float spacing = metal.origin.w;
-    if (position[slot].y - heatBlock.loose.z > spacing) return 0.0;
-    return heatBlock.loose.w * spacing * spacing * (position[slot].w - heatBlock.time.z);
+    if (height - heatBlock.loose.z > spacing) return 0.0;
+    return heatBlock.loose.w * spacing * spacing * (temperature - heatBlock.time.z);
 }
 
 void main() {
     uint entry = linearInvocation();
     if (entry >= control.loose.w) return;
-    uint slot = lists[3 * heatBlock.step.w + entry];
-    float theta = thermalState(heat[slot].x).y;
-    Shares shares = sharesOf(position[slot].xyz);
+    uint slot = looseSlot(entry);
+    uint before = texelFetch(phaseTexels, int(slot)).x;
+    if ((before & PHASE_ALIVE) == 0u) return;
+    vec4 h = texelFetch(heatTexels, int(slot));
+    vec2 own = thermalState(h.x);
+    vec3 place = texelFetch(positionTexels, int(slot)).xyz;
+    Shares shares = sharesOf(place);
     float power = 0.0;
     float area = 0.0;
     float missing = 1.0;
@@ -35,20 +36,20 @@ void main() {
         float weight;
         int cell = shareCell(shares, corner, weight);
         if (cell < 0 || weight == 0.0) continue;
-        float share = weight / cellWeight[cell];
-        float mean = cellTheta[cell];
+        float share = weight / texelFetch(weightTexels, cell).x;
+        float mean = texelFetch(thetaTexels, thetaPlace(cell)).x;
         if (isHeld(mean)) continue;
-        power += share * cellPower[cell] + weight * kWithin * metal.origin.w * (mean - theta);
+        power += share * cellPower[cell] + weight * kWithin * metal.origin.w * (mean - own.y);
         area += share * cellArea[cell];
         missing -= weight;
     }
     // Metal that left the lattice is all surface; 1e-3 leaves out what the whole-numbered weights lack.
     if (missing > 1e-3) area += 3.0 * missing * metal.origin.w * metal.origin.w;
-    float lost = particleLoss(slot, power * heatBlock.time.x, area) + tableLoss(slot) * heatBlock.time.x;
+    float joules = power * heatBlock.time.x;
+    float lost = particleLoss(h.x, own.x, joules, area, heatBlock.time.x) + tableLoss(place.y, own.x) * heatBlock.time.x;
     book(heatBlock.step.w * TILE_CELLS + int(slot), 0.0, lost);
-    addHeat(slot, power * heatBlock.time.x - lost, heatBlock.time.x);
-    uint before = phase[slot];
-    uint after = nextPhase(before, heat[slot].x);
+    Heated heated = addHeat(slot, h, own.x, joules - lost, heatBlock.time.x);
+    uint after = nextPhase(before, heated.enthalpy);
     if (after == before) return;
     phase[slot] = after;
     noteChange(slot);

@@ -10,6 +10,9 @@
 /// conducts within 3 % of what it should, at rest or flowing; with 2 it would conduct 14 % too much.
 const float kWithin = 1.1;
 
+/// Slot number `entry` of the list of loose ones.
+uint looseSlot(uint entry) { return texelFetch(listTexels, 3 * heatBlock.step.w + int(entry)).x; }
+
 struct Shares {
     ivec3 base;    // lowest of the eight cells
     vec3 fraction; // of the way to the highest

@@ -15,12 +15,15 @@ float evaporationFlux(float temperature) {
     return heatBlock.evaporation.z * inversesqrt(temperature) * exp(exponent);
 }
 
+/// Whether metal is so hot that its evaporation counts.
+bool evaporates(float temperature) { return temperature > 0.5 * heatBlock.evaporation.x; }
+
 /// Temperature after a step in which a surface that would have reached `hot` also evaporates. The flux rises so steeply that
 /// it is taken at the end of the step: Newton's method for T + area dt q(T)/(m c) = hot, which comes down from above.
 float afterEvaporation(float hot, float area) {
     float cooling = area * heatBlock.time.x / (metal.gravity.w * heatBlock.evaporation.w);
     float t = hot;
-    bool boils = area > 0.0 && hot > 0.5 * heatBlock.evaporation.x;
+    bool boils = area > 0.0 && evaporates(hot);
     for (int i = 0; i < 20 && boils; ++i) {
         float flux = evaporationFlux(t);
         float change = (t + cooling * flux - hot) / (1.0 + cooling * flux * heatBlock.evaporation.y / (t * t));
@@ -30,11 +33,12 @@ float afterEvaporation(float hot, float area) {
     return t;
 }
 
-/// Joules that a particle with `area` of free surface loses in this step in which it takes up `joules` otherwise.
-float particleLoss(uint slot, float joules, float area) {
-    float lost = surfaceLoss(position[slot].w, area) * heatBlock.time.x;
+/// Joules that a particle of the given enthalpy and temperature with `area` of free surface loses in this step, in which it
+/// takes up `joules` otherwise. Loss to the air may be due for a longer time than the step.
+float particleLoss(float enthalpy, float temperature, float joules, float area, float due) {
+    float lost = surfaceLoss(temperature, area) * due;
 #ifdef EVAPORATION
-    float hot = thermalState(heat[slot].x + (joules - lost) / metal.gravity.w).x;
+    float hot = thermalState(enthalpy + (joules - lost) / metal.gravity.w).x;
     lost += (hot - afterEvaporation(hot, area)) * heatBlock.evaporation.w * metal.gravity.w;
 #endif
     return lost;

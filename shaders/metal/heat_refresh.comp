@@ -4,12 +4,12 @@
 #include "shared/dispatch.h"
 layout(local_size_x = GROUP_SIZE) in;
 #include "metal/heat_common.glsl"
-layout(std430, binding = HEAT_CELL_WEIGHT) restrict writeonly buffer CellWeights { float cellWeight[]; };
 layout(std430, binding = HEAT_HOMES) restrict writeonly buffer Homes { uint homes[]; };
 
 void main() {
     uint cell = linearInvocation();
-    if (cell >= uint(heatBlock.step.w) * TILE_CELLS) return;
+    uint cells = uint(heatBlock.step.w) * TILE_CELLS;
+    if (cell >= cells) return;
     uint entry = lattice[cell];
     float theta = kEmpty;
     if (entry != 0u) {
@@ -20,10 +20,13 @@ void main() {
         homes[slot] = cell + 1u;
     }
     cellTheta[cell] = theta;
+    cellTheta[cells + cell] = theta;
     cellWeight[cell] = entry != 0u ? 1.0 : 0.0;
     if (cell % TILE_CELLS != 0u) return;
-    tiles[cell / TILE_CELLS] = HeatTile(heatBlock.step.x, -2, 0.0, -2);
+    int now = heatBlock.step.x;
+    int never = now - 1000;
+    tiles[cell / TILE_CELLS] = HeatTile(now, never, never, now, 0.0, heatBlock.clock.x, uint[2](0u, 0u));
     bool filled = false;
     for (uint inside = 0u; inside < TILE_CELLS; ++inside) filled = filled || lattice[cell + inside] != 0u;
-    tileStamp[cell / TILE_CELLS] = filled ? -1 : TILE_NO_METAL;
+    tileStamp[cell / TILE_CELLS] = filled ? now << TILE_STEP_SHIFT : TILE_NO_METAL;
 }

@@ -55,15 +55,10 @@ float temperatureOf(float theta) {
     return b.y > a.y ? mix(a.x, b.x, (theta - a.y) / (b.y - a.y)) : a.x;
 }
 
-/// Weight of cell `inside` of a tile.
-float cellWeightIn(HeatSourceData s, int tile, ivec3 tilePlace, int inside) {
-    int cell = tile * TILE_CELLS + inside;
-    float weight = cellWeight[cell];
-    vec3 weightLow, weightHigh;
-    readWeights(tile, tilePlace, inside, weightLow, weightHigh);
-    vec4 surface = freeSurface(weight, weightLow, weightHigh);
+/// Weight of cell `inside` of a tile for source `s`, from how full it is, its free surface and its Kirchhoff variable.
+float cellWeightIn(HeatSourceData s, ivec3 tilePlace, int inside, float weight, vec4 surface, float theta) {
     float volume = weight * metal.origin.w * metal.origin.w * metal.origin.w;
     vec3 place = cellCentre(tilePlace * TILE_EDGE + insideCoordinate(inside));
-    float temperature = int(s.place.w) == SOURCE_TIP ? temperatureOf(cellTheta[cell]) : 0.0;
+    float temperature = int(s.place.w) == SOURCE_TIP ? temperatureOf(theta) : 0.0;
     return sourceWeight(s, place, volume, surface, temperature);
 }

@@ -11,19 +11,27 @@ float coolingTime(float before, float after, float duration) {
     return high > low ? duration * (high - low) / (before - after) : 0.0;
 }
 
-/// Adds what a particle took up in `duration` s, keeping in the residual what float cannot hold. Returns the new Kirchhoff variable.
-float addHeat(uint slot, float joules, float duration) {
-    vec4 h = heat[slot];
-    float before = position[slot].w;
+/// A particle after it took up heat.
+struct Heated {
+    float temperature, theta;
+    float enthalpy; // without its residual
+};
+
+/// Adds what a particle took up in `duration` s to its state `h` at temperature `before`, keeping in the residual what float
+/// cannot hold. The memory of the peak is written only where it changed.
+Heated addHeat(uint slot, vec4 h, float before, float joules, float duration) {
     precise float change = joules / metal.gravity.w + h.y;
     precise float sum = h.x + change;
     precise float taken = sum - h.x;
     precise float rest = change - taken;
     vec2 state = thermalState(sum);
     float cooling = state.x > kCoolingFrom ? 0.0 : h.w + coolingTime(before, state.x, duration);
-    heat[slot] = vec4(sum, rest, max(h.z, state.x), cooling);
+    heat[slot].x = sum;
+    heat[slot].y = rest;
+    if (state.x > h.z) heat[slot].z = state.x;
+    if (cooling != h.w) heat[slot].w = cooling;
     position[slot].w = state.x;
-    return state.y;
+    return Heated(state.x, state.y, sum);
 }
 
 /// Phase bits after a step: liquid above one fraction, solid below another, so that a particle at the brink does not flutter.

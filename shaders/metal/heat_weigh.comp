@@ -3,7 +3,6 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shared/metal.h"
 layout(local_size_x = TILE_CELLS) in;
-#define MIXED
 #include "metal/heat_common.glsl"
 #include "metal/heat_source.glsl"
 layout(std430, binding = HEAT_PARTIAL) restrict writeonly buffer Partial { float partial[]; };
@@ -15,13 +14,14 @@ void main() {
     int group = int(gl_WorkGroupID.x);
     HeatSourceData s = heatBlock.sources[source];
     if (group >= s.tileCount.w) return;
-    ivec3 place = sourceTile(s, group);
-    int tile = tileIndex(place);
+    ivec3 tilePlace = sourceTile(s, group);
+    int tile = tileIndex(tilePlace);
     int inside = int(gl_LocalInvocationIndex);
     int cell = tile * TILE_CELLS + inside;
-    float weight = 0.0;
-    if (cellTheta[cell] >= 0.0) weight = cellWeightIn(s, tile, place, inside);
-    weights[inside] = weight;
+    float theta = texelFetch(thetaTexels, thetaPlace(cell)).x;
+    float own = texelFetch(weightTexels, cell).x;
+    vec4 surface = freeSurface(own, readWeights(cell, cellsBeside(tilePlace, inside)));
+    weights[inside] = theta < 0.0 ? 0.0 : cellWeightIn(s, tilePlace, inside, own, surface, theta);
     for (int half_ = TILE_CELLS / 2; half_ > 0; half_ /= 2) {
         barrier();
         if (inside < half_) weights[inside] += weights[inside + half_];

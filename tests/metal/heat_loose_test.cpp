@@ -147,6 +147,7 @@ TEST_CASE("Metal taken off the lattice by others is found, and its old cell is f
     bench.state.position.write(std::span<const vec4>(positions));
     bench.state.phase.write(std::span<const uint>(phases));
     bench.state.latticeSlots.write(std::span<const uint>(cells));
+    bench.state.noteRegrouping();
     const double before = bench.state.readEnergy();
     const auto source = HeatSource::gaussian({side / 2, 2 * kSpacing, side / 2}, {0, -1, 0}, 2 * kSpacing, 50);
     bench.run(0, 2, 2000, [&](double) { return std::vector{source}; });
