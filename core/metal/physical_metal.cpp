@@ -75,8 +75,7 @@ void PhysicalMetal::step(std::span<const HeatSource> sources, std::span<const Me
     flow_->step(frame, profiler);
 
     pieces_->relabel(profiler);
-    for (int i = 0; i < kPieceSteps; ++i)
-        pieces_->move(setup_.timeStep / kPieceSteps, profiler);
+    pieces_->move(setup_.timeStep / kPieceSteps, kPieceSteps, profiler);
 }
 
 void PhysicalMetal::gatherStatistics() {

@@ -6,10 +6,11 @@ namespace meltpool {
 
 namespace {
 
+constexpr unsigned kLabelGroups = 16;
 constexpr size_t kPart = 32768; ///< slots that a call looks at in a round: a frame costs no more with more metal
 
 void storageBarrier() {
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 } // namespace
@@ -27,6 +28,10 @@ SolidPieces::SolidPieces(gl::ShaderLibrary& shaders, MetalState& state, const Pi
       motion_("pieces motion", (PIECES_MOST + 1) * sizeof(PieceMotion)),
       loose_("pieces loose list", state.capacity() * sizeof(uint)),
       contacts_("pieces contacts", state.capacity() * sizeof(PieceContact)),
+      labelTexels_("pieces labels", labels_, GL_R32UI, sizeof(uint)),
+      relabelTexels_("pieces next labels", relabels_, GL_R32UI, sizeof(uint)),
+      latticeTexels_("pieces lattice", state.latticeSlots, GL_R32UI, sizeof(uint)),
+      positionTexels_("pieces positions", state.position, GL_RGBA32F, sizeof(vec4)),
       clear_(shaders.compute("metal/pieces_clear.comp")),
       beginLink_(shaders.compute("metal/pieces_link.comp", {{"BEGIN", "1"}})),
       link_(shaders.compute("metal/pieces_link.comp")),
@@ -59,6 +64,9 @@ void SolidPieces::bind() const {
     motion_.bindStorage(PIECES_MOTION);
     loose_.bindStorage(PIECES_LOOSE);
     contacts_.bindStorage(PIECES_CONTACT);
+    labelTexels_.bind(PIECES_TEXELS_LABEL);
+    latticeTexels_.bind(PIECES_TEXELS_LATTICE);
+    positionTexels_.bind(PIECES_TEXELS_POSITION);
 }
 
 void SolidPieces::relabel(gl::Profiler* profiler) {
@@ -101,10 +109,12 @@ void SolidPieces::partOfRound(unsigned round) {
     label_.set("round_", round);
     label_.set("first", static_cast<unsigned>(done_));
     label_.set("last", static_cast<unsigned>(last));
-    label_.dispatch(last - done_, PIECES_GROUP);
+    label_.dispatchGroups(kLabelGroups);
     storageBarrier();
     done_ = last;
-    if (done_ == slots_) std::swap(labels_, relabels_);
+    if (done_ < slots_) return;
+    std::swap(labels_, relabels_);
+    std::swap(labelTexels_, relabelTexels_);
 }
 
 void SolidPieces::finish() {
@@ -126,7 +136,7 @@ void SolidPieces::indirect(const gl::Program& program, size_t offset) const {
     storageBarrier();
 }
 
-void SolidPieces::move(float dt, gl::Profiler* profiler) {
+void SolidPieces::move(float dt, int steps, gl::Profiler* profiler) {
     const gl::Scope scope(profiler, "loose pieces");
     if (block_.step.x != dt) {
         block_.step.x = dt;
@@ -134,6 +144,11 @@ void SolidPieces::move(float dt, gl::Profiler* profiler) {
     }
     bind();
     glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, control_.name());
+    for (int i = 0; i < steps; ++i)
+        moveOnce();
+}
+
+void SolidPieces::moveOnce() const {
     indirect(clear_, offsetof(PiecesControl, cellGroups));
     indirect(link_, offsetof(PiecesControl, slotGroups));
     indirect(contact_, offsetof(PiecesControl, looseGroups));

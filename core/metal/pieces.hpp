@@ -2,6 +2,7 @@
 // bodies, and joins them again where they freeze together.
 #pragma once
 
+#include "core/gl/buffer_view.hpp"
 #include "core/gl/profiler.hpp"
 #include "core/gl/program.hpp"
 #include "core/metal/metal_state.hpp"
@@ -34,10 +35,10 @@ class SolidPieces {
     /// A whole cycle at once, from its beginning.
     void relabelNow(gl::Profiler* profiler);
 
-    /// Moves every loose piece by `dt` seconds: forces that others added to the velocities of its particles, gravity,
-    /// contact with the floor, with fixed metal and with other pieces. Costs five empty dispatches while nothing is
-    /// loose.
-    void move(float dt, gl::Profiler* profiler);
+    /// Moves every loose piece on by `steps` times `dt` seconds: forces that others added to the velocities of its
+    /// particles, gravity, contact with the floor, with fixed metal and with other pieces. Costs five empty dispatches
+    /// a step while nothing is loose.
+    void move(float dt, int steps, gl::Profiler* profiler);
 
     /// Waits for the GPU.
     PieceReport report() const;
@@ -49,6 +50,7 @@ class SolidPieces {
     void begin();
     void partOfRound(unsigned round);
     void finish();
+    void moveOnce() const;
     void indirect(const gl::Program& program, size_t offset) const;
 
     MetalState& state_;
@@ -57,6 +59,7 @@ class SolidPieces {
     size_t slots_ = 0; ///< that were there when the cycle began
     size_t done_ = 0;  ///< of them in this stage
     gl::Buffer blockBuffer_, heads_, next_, labels_, relabels_, tally_, numbers_, control_, motion_, loose_, contacts_;
+    gl::BufferView labelTexels_, relabelTexels_, latticeTexels_, positionTexels_;
     const gl::Program &clear_, &beginLink_, &link_, &label_, &tallyUp_, &number_, &assign_, &list_, &contact_, &gather_,
         &advance_;
 };

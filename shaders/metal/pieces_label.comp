@@ -5,12 +5,24 @@
 #include "pieces.glsl"
 
 layout(local_size_x = PIECES_GROUP) in;
-layout(std430, binding = PIECES_LABEL) readonly buffer Labels { uint label[]; };
+// What is gathered is read as texels: some drivers fetch a whole texel at once but storage number by number.
+layout(binding = PIECES_TEXELS_LABEL) uniform usamplerBuffer labelTexels;
+layout(binding = PIECES_TEXELS_LATTICE) uniform usamplerBuffer latticeTexels;
+layout(binding = PIECES_TEXELS_POSITION) uniform samplerBuffer positionTexels;
 layout(std430, binding = PIECES_RELABEL) buffer Relabels { uint relabel[]; };
 
 uniform uint round_; // 1 ... PIECES_ROUNDS
 uniform uint first;  // slots of this part of the round,
 uniform uint last;   // excluded
+
+uint labelOf(uint slot) { return texelFetch(labelTexels, int(slot)).x; }
+uint latticeSlotAt(int index) { return texelFetch(latticeTexels, index).x; }
+
+/// Of the particle in a cell of the lattice; where none is, greater than any, as is PIECE_NONE.
+uint labelAt(int index) {
+    uint other = latticeSlotAt(index);
+    return other != 0 ? labelOf(other - 1) : PIECE_NONE;
+}
 
 bool bonded(uint mine, uint other) {
     return ((mine | other) & PHASE_FRESH) != 0 || pieceOf(mine) == pieceOf(other);
@@ -24,38 +36,52 @@ void lower(uint slot, uint to) {
 /// The smallest label among the lattice neighbours of a particle of the lattice. They are bonded whatever they are: no
 /// loose piece is on the lattice.
 uint smallestOnLattice(ivec3 centre, uint smallest) {
-    for (int face = 0; face < 6; ++face) {
-        ivec3 cell = centre;
-        cell[face >> 1] += (face & 1) * 2 - 1;
-        if (!inLattice(cell)) continue;
-        uint other = latticeSlot[latticeIndex(cell)];
-        if (other != 0) smallest = min(smallest, label[other - 1]); // PIECE_NONE is greater than any
+    ivec3 inside = centre & (TILE_EDGE - 1);
+    ivec3 inner = ivec3(1, TILE_EDGE, TILE_EDGE * TILE_EDGE);
+    ivec3 outer = ivec3(1, metal.tiles.x, metal.tiles.x * metal.tiles.y) * TILE_CELLS - (TILE_EDGE - 1) * inner;
+    ivec3 own = ivec3(latticeIndex(centre));
+    // Beyond the lattice's end the particle finds itself.
+    ivec3 low = own - mix(inner, outer, equal(inside, ivec3(0))) * ivec3(greaterThan(centre, ivec3(0)));
+    ivec3 high = own + mix(inner, outer, equal(inside, ivec3(TILE_EDGE - 1))) *
+                           ivec3(lessThan(centre, metal.tiles.xyz * TILE_EDGE - 1));
+    smallest = min(smallest, min(labelAt(low.x), labelAt(high.x)));
+    smallest = min(smallest, min(labelAt(low.y), labelAt(high.y)));
+    return min(smallest, min(labelAt(low.z), labelAt(high.z)));
+}
+
+/// Goes on to the next of the 27 steps from (-1, -1, -1) to (1, 1, 1).
+void nextStep(inout ivec3 step) {
+    ++step.x;
+    if (step.x > 1) {
+        step.x = -1;
+        ++step.y;
     }
-    return smallest;
+    if (step.y > 1) {
+        step.y = -1;
+        ++step.z;
+    }
 }
 
 bool touches(uint other, uint bits, vec3 place) {
-    if (label[other] == PIECE_NONE || !bonded(bits, phase[other])) return false;
-    vec3 apart = position[other].xyz - place;
+    if (labelOf(other) == PIECE_NONE || !bonded(bits, phase[other])) return false;
+    vec3 apart = texelFetch(positionTexels, int(other)).xyz - place;
     float reach = PIECE_BOND * metal.origin.w;
     return dot(apart, apart) <= reach * reach;
 }
 
 /// Of metal off the lattice with that on it. It lowers the labels on both sides: the lattice need not look for it.
 uint smallestAround(ivec3 centre, uint bits, vec3 place, uint own, uint smallest) {
-    for (int z = -1; z <= 1; ++z)
-        for (int y = -1; y <= 1; ++y)
-            for (int x = -1; x <= 1; ++x) {
-                ivec3 cell = centre + ivec3(x, y, z);
-                if (!inLattice(cell)) continue;
-                uint other = latticeSlot[latticeIndex(cell)];
-                if (other == 0 || !touches(other - 1, bits, place)) continue;
-                uint theirs = label[other - 1];
-                smallest = min(smallest, theirs);
-                if (own >= theirs) continue;
-                lower(other - 1, own);
-                lower(theirs, own);
-            }
+    for (ivec3 step = ivec3(-1); step.z <= 1; nextStep(step)) {
+        ivec3 cell = centre + step;
+        if (!inLattice(cell)) continue;
+        uint other = latticeSlotAt(int(latticeIndex(cell)));
+        if (other == 0 || !touches(other - 1, bits, place)) continue;
+        uint theirs = labelOf(other - 1);
+        smallest = min(smallest, theirs);
+        if (own >= theirs) continue;
+        lower(other - 1, own);
+        lower(theirs, own);
+    }
     return smallest;
 }
 
@@ -66,20 +92,18 @@ uint smallestOfOthers(ivec3 centre, uint bits, vec3 place, uint smallest) {
         for (int y = low.y; y <= high.y; ++y)
             for (int x = low.x; x <= high.x; ++x)
                 for (uint other = head[coarseIndex(ivec3(x, y, z))]; other != 0; other = next[other - 1])
-                    if (touches(other - 1, bits, place)) smallest = min(smallest, label[other - 1]);
+                    if (touches(other - 1, bits, place)) smallest = min(smallest, labelOf(other - 1));
     return smallest;
 }
 
-void main() {
-    if (control.changed + 1 < round_) return; // the round before changed nothing
-    uint slot = first + linearInvocation();
-    if (slot >= last) return;
-    uint own = label[slot];
+void labelSlot(uint slot) {
+    uint own = labelOf(slot);
     if (own == PIECE_NONE) return;
     uint bits = phase[slot];
-    vec3 place = position[slot].xyz;
-    uint smallest = min(own, label[own]);
-    if ((bits & PHASE_LATTICE) != 0) {
+    bool onLattice = (bits & PHASE_LATTICE) != 0;
+    vec3 place = texelFetch(positionTexels, int(slot)).xyz;
+    uint smallest = min(own, labelOf(own));
+    if (onLattice) {
         smallest = smallestOnLattice(latticeCell(place), smallest);
     } else {
         smallest = smallestAround(latticeCell(place), bits, place, own, smallest);
@@ -88,4 +112,12 @@ void main() {
     if (smallest == own) return;
     lower(slot, smallest);
     lower(own, smallest);
+}
+
+// Few groups that stride over the slots: a round that has nothing left to do costs next to nothing.
+void main() {
+    bool settled = control.changed + 1 < round_; // the round before changed nothing
+    uint end = settled ? 0 : last;
+    for (uint slot = first + linearInvocation(); slot < end; slot += gl_NumWorkGroups.x * PIECES_GROUP)
+        labelSlot(slot);
 }

@@ -28,6 +28,11 @@
 
 #define PIECES_BLOCK 1 // uniform buffer
 
+// Buffer textures
+#define PIECES_TEXELS_LABEL 0
+#define PIECES_TEXELS_LATTICE 1
+#define PIECES_TEXELS_POSITION 2
+
 #ifdef __cplusplus
 namespace meltpool {
 #endif

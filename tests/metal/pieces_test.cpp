@@ -53,7 +53,7 @@ struct Bench {
         const int steps = static_cast<int>(std::lround(seconds / kStep));
         for (int step = 0; step < steps; ++step) {
             if (step % 16 == 0) pieces.relabel(nullptr);
-            pieces.move(kStep, nullptr);
+            pieces.move(kStep, 1, nullptr);
         }
     }
 
