@@ -29,6 +29,7 @@ Json numberJson(const ValidationNumber& number) {
         json["error_percent"] = finite(number.errorPercent);
         json["tolerance_percent"] = number.tolerancePercent;
     }
+    if (!number.moment.empty()) json["at"] = number.moment;
     json["passed"] = number.passed;
     return json;
 }
@@ -61,18 +62,21 @@ bool runValidation(const ValidationRequest& request) {
     gl::ShaderLibrary shaders(resourceFolder() / "shaders");
     Json json{{"renderer", context.info().renderer}, {"version", programVersion()}, {"commit", programCommit()}};
     json["cases"] = Json::array();
-    size_t failed = 0;
+    std::vector<std::string> failed;
+    std::fputs(validationHeads().c_str(), stdout);
     for (const ValidationCase& one : cases) {
         const ValidationResult result = runValidationCase(one, shaders);
         std::fputs(validationText(result).c_str(), stdout);
         std::fflush(stdout);
         json["cases"].push_back(resultJson(result));
-        if (!result.passed()) ++failed;
+        if (!result.passed()) failed.push_back(result.name);
     }
-    std::printf("%zu of %zu cases passed\n", cases.size() - failed, cases.size());
-    json["passed"] = failed == 0;
+    std::printf("%zu of %zu cases passed\n", cases.size() - failed.size(), cases.size());
+    for (const std::string& name : failed)
+        std::printf("failed: %s\n", name.c_str());
+    json["passed"] = failed.empty();
     if (!request.json.empty()) writeTextFileAtomically(request.json, json.dump(2) + "\n");
-    return failed == 0;
+    return failed.empty();
 }
 
 } // namespace meltpool

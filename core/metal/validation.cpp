@@ -48,29 +48,30 @@ void ValidationResult::compareExact(const ValidationCase& from, std::string numb
     const double error = 100 * std::abs(ours - reference) / by;
     // Written so that a number that is not finite fails.
     const bool good = error <= from.tolerancePercent;
-    numbers.push_back({std::move(numberName), "exact", reference, ours, error, from.tolerancePercent, good});
+    numbers.push_back({std::move(numberName), "exact", reference, ours, error, from.tolerancePercent, good, {}});
 }
 
 void ValidationResult::compareLimit(std::string numberName, double limit, double ours) {
     const bool good = std::abs(ours) <= limit;
-    numbers.push_back({std::move(numberName), "limit", limit, ours, 0, 0, good});
+    numbers.push_back({std::move(numberName), "limit", limit, ours, 0, 0, good, {}});
 }
 
 void ValidationResult::tell(std::string numberName, double ours) {
-    numbers.push_back({std::move(numberName), "ours", 0, ours, 0, 0, std::isfinite(ours)});
+    numbers.push_back({std::move(numberName), "ours", 0, ours, 0, 0, std::isfinite(ours), {}});
 }
 
 void ValidationResult::compareMeasured(const ValidationCase& from, const std::string& numberName, double ours,
-                                       size_t index) {
+                                       size_t index, const std::string& moment) {
     const auto found = from.measured.find(numberName);
     if (found == from.measured.end() || index >= found->second.values.size()) {
         tell(numberName, ours);
+        numbers.back().moment = moment;
         return;
     }
     const double reference = found->second.values[index];
     const double tolerance = found->second.tolerancePercent;
     const double error = 100 * std::abs(ours - reference) / std::abs(reference);
-    numbers.push_back({numberName, "measured", reference, ours, error, tolerance, error <= tolerance});
+    numbers.push_back({numberName, "measured", reference, ours, error, tolerance, error <= tolerance, moment});
 }
 
 ValidationResult runValidationCase(const ValidationCase& from, gl::ShaderLibrary& shaders) {
@@ -105,17 +106,28 @@ std::string figure(double value, int digits) {
     return text.data();
 }
 
+/// One line of the table: name, where the reference comes from, reference, ours, error, tolerance, verdict.
+std::string row(const std::array<std::string, 7>& cells) {
+    std::string line = "      " + padded(cells[0], -36) + padded(cells[1], -10) + padded(cells[2], 12) +
+                       padded(cells[3], 13) + padded(cells[4], 11) + padded(cells[5], 11) + "  " + cells[6];
+    line.erase(line.find_last_not_of(' ') + 1);
+    return line + "\n";
+}
+
 std::string numberText(const ValidationNumber& n) {
-    const bool told = n.origin == "ours";
-    std::string line = "      " + padded(n.name, -34) + padded(told ? "" : n.origin, -10);
-    line += padded(told ? "" : figure(n.reference, 6), 12) + padded(figure(n.ours, 6), 13);
-    if (told) return line + "\n";
-    if (n.origin != "limit")
-        line += padded(figure(n.errorPercent, 3), 11) + " % of at most " + figure(n.tolerancePercent, 3) + " %";
-    return line + (n.passed ? "  ok\n" : "  FAIL\n");
+    const std::string name = n.moment.empty() ? n.name : n.name + " at " + n.moment;
+    if (n.origin == "ours") return row({name, "", "", figure(n.ours, 6), "", "", ""});
+    const bool limit = n.origin == "limit";
+    return row({name, limit ? "at most" : n.origin, figure(n.reference, 6), figure(n.ours, 6),
+                limit ? "" : figure(n.errorPercent, 3) + " %", limit ? "" : figure(n.tolerancePercent, 3) + " %",
+                n.passed ? "ok" : "FAIL"});
 }
 
 } // namespace
+
+std::string validationHeads() {
+    return row({"number", "reference", "value", "ours", "error", "tolerance", "verdict (none: only told)"});
+}
 
 std::string validationText(const ValidationResult& result) {
     std::string text = (result.passed() ? "pass  " : "FAIL  ") + result.name + " (" + result.kind + ", spacing " +

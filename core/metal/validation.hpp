@@ -19,6 +19,7 @@ struct ValidationNumber {
     double errorPercent = 0; ///< of `scale`; for "limit": 0
     double tolerancePercent = 0;
     bool passed = true;
+    std::string moment; ///< of several with the same name: which, such as "132 s"; else empty
 };
 
 struct ValidationResult {
@@ -41,7 +42,8 @@ struct ValidationResult {
     /// Adds a number with nothing to compare it to.
     void tell(std::string numberName, double ours);
     /// Compares with value `index` of [measured] where the case gives that name; else only tells it.
-    void compareMeasured(const ValidationCase& from, const std::string& numberName, double ours, size_t index = 0);
+    void compareMeasured(const ValidationCase& from, const std::string& numberName, double ours, size_t index = 0,
+                         const std::string& moment = {});
 };
 
 /// Runs one case on the current GL context. Throws InputError where the case cannot be built, RuntimeFault where the
@@ -64,6 +66,9 @@ void runSessileDrop(const ValidationCase& from, gl::ShaderLibrary& shaders, Vali
 void runHydrostatic(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
 void runDamBreak(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
 void runPoiseuille(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
+
+/// The heads of the table's columns.
+std::string validationHeads();
 
 /// The table that `meltpool validate` prints for one case: a line a number.
 std::string validationText(const ValidationResult& result);

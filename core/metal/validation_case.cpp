@@ -82,8 +82,8 @@ constexpr std::string_view kRosenthalResults = "temperature_at_XI_Y_Zmm_k for ea
 constexpr std::array kKinds{
     CaseKind{"conduction_step", kStep, true, kDepthResults},
     CaseKind{"conduction_flux", kFlux, true, kDepthResults},
-    CaseKind{"stefan_one_phase", kStefan, true, "front_mm"},
-    CaseKind{"stefan_two_phase", kStefan, true, "front_mm"},
+    CaseKind{"stefan_one_phase", kStefan, true, "front_mm, melted_mm"},
+    CaseKind{"stefan_two_phase", kStefan, true, "front_mm, melted_mm"},
     CaseKind{"rosenthal_thick", kRosenthal, true, kRosenthalResults},
     CaseKind{"rosenthal_thin", kRosenthal, true, kRosenthalResults},
     CaseKind{"energy", kEnergy, true,

@@ -1,4 +1,5 @@
 // Metal in a closed box melts from one of its walls; its own convection takes part.
+#include "core/base/text.hpp"
 #include "core/metal/flow.hpp"
 #include "core/metal/validation_bench.hpp"
 
@@ -150,11 +151,12 @@ void runCavityMelting(const ValidationCase& from, gl::ShaderLibrary& shaders, Va
         }
         result.steps += turns * (convects ? flow.constants().substeps(turn) : static_cast<size_t>(heatSteps));
         now = times[i];
-        result.compareMeasured(from, "melted_fraction", meltedShare(state, metal), i);
-        const glm::dvec2 speed = speeds(state, metal);
-        result.tell("fastest_mm_s", speed.x * 1e3);
-        result.tell("rms_speed_mm_s", speed.y * 1e3);
+        const std::string moment = formatNumber(now) + " s";
+        result.compareMeasured(from, "melted_fraction", meltedShare(state, metal), i, moment);
     }
+    const glm::dvec2 speed = speeds(state, metal);
+    result.tell("fastest_mm_s", speed.x * 1e3);
+    result.tell("rms_speed_mm_s", speed.y * 1e3);
     const HeatBalance balance = heat.readBalance();
     result.tell("balance_percent", 100 * std::abs(state.readEnergy() - start - balance.gained) / balance.gained);
     if (flow.readFaults().any()) result.tell("flow_faults", 1);
