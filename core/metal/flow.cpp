@@ -47,8 +47,8 @@ FlowBlock makeBlock(const FlowConstants& constants, const FlowFluid& fluid, cons
     block.high = vec4(space.high, static_cast<float>(0.5 * fluid.spacing));
     block.cells = ivec4(cells, static_cast<int>(capacity));
     block.body = vec4(space.acceleration, static_cast<float>(fluid.wetting));
-    block.kernel = vec4(constants.kernelSelf, constants.soundSpeed * constants.soundSpeed,
-                        10 * constants.kinematicViscosity, constants.mushyDrag);
+    block.kernel = vec4(constants.kernelSelf, constants.soundSpeed * constants.soundSpeed, constants.friction,
+                        constants.mushyDrag);
     block.tension =
         vec4(constants.cohesion, constants.area, fluid.tensionSlope / fluid.density, constants.wallFriction);
     block.search = vec4(reach, kFreeWay * fluid.spacing, constants.scale, 0);

@@ -41,11 +41,12 @@ struct FlowConstants {
     double scale;              ///< s of the density sum: 1/lattice sum, enlarged by what cohesion compresses
     double kernelSelf;         ///< s V W(0)
     double kinematicViscosity; ///< m²/s, with its lower bound
-    double cohesion;           ///< 2049 gamma V²/H⁵ over the mass, m/s²
-    double area;               ///< 0.1489 gamma V/H over the mass, m²/s²
-    double wallFriction;       ///< of still metal against liquid, times that of liquid against liquid
-    double mushyDrag;          ///< over density, 1/s
-    double longestStep;        ///< longest stable time step, s
+    double friction;     ///< of pairs, m²/s: 10.3 of it, calibrated on plates; 10 in the limit of many neighbours
+    double cohesion;     ///< 2049 gamma V²/H⁵ over the mass, m/s²
+    double area;         ///< 0.1489 gamma V/H over the mass, m²/s²
+    double wallFriction; ///< of still metal against liquid, times that of liquid against liquid
+    double mushyDrag;    ///< over density, 1/s
+    double longestStep;  ///< longest stable time step, s
 
     /// The calibration (2049, 0.1489, 12.15, 1.2) belongs together and to this support.
     static FlowConstants of(const FlowFluid& fluid);

@@ -71,8 +71,8 @@ glm::dvec3 FlowOracle::pairAcceleration(const OracleParticle& own, const OracleP
     const double slope = slopeOverDistance(r) * r;
     const double friction = other.liquid ? 1 : constants_.wallFriction;
     glm::dvec3 a = -(stiffness(own.delta) + stiffness(other.delta)) * slope * e;
-    a += friction * 10 * constants_.kinematicViscosity * slope * glm::dot(own.velocity - other.velocity, e) /
-         (r + 1e-4 * h * h / r) * e;
+    a += friction * constants_.friction * slope * glm::dot(own.velocity - other.velocity, e) / (r + 1e-4 * h * h / r) *
+         e;
     const double k = weight(other) * 2 / (own.delta + other.delta);
     const double lobe = std::pow(1 - q, 3) * std::pow(q, 3);
     a -= k * constants_.cohesion * (q > 0.5 ? lobe : 2 * lobe - 1.0 / 64) * e;

@@ -34,6 +34,8 @@ constexpr std::array kRosenthal{
     CaseKey{"initial_temperature_k", number, 1, kHot, kNeeded, "plate"},
     CaseKey{"thickness_mm", number, 0.01, 1000, 0.0, "of the thin plate; not used by the thick one"},
     CaseKey{"at_mm", rows, -1000, 1000, kNeeded, "[xi, y, z] relative to the source, xi ahead, z down"},
+    CaseKey{"field_rms_percent", number, 0, 1000, 0.0, "most that the field's error may be; 0: only told"},
+    CaseKey{"field_max_percent", number, 0, 1000, 0.0, "same, at its worst place"},
 };
 constexpr std::array kEnergy{
     CaseKey{"power_w", number, 0, 1e6, kNeeded, "of the arc"},

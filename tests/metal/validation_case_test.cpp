@@ -5,6 +5,8 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
+#include <algorithm>
+
 using namespace meltpool;
 
 namespace {
@@ -101,4 +103,64 @@ TEST_CASE("A case's faults are named with their line", "[validation]") {
                containsText("unknown material 'unobtainium'; expected one of 304"));
     CHECK_THAT(faultOf("= 1500", "= nan"), containsText("case.toml:12"));
     CHECK_THAT(faultOf("wall_temperature_k = 1500", "wall_temperature_k = "), containsText("case.toml:12"));
+}
+
+namespace {
+
+struct KindAndKeys {
+    std::string kind, keys;
+};
+
+/// Every kind with the keys that the documentation gives it.
+const std::vector<KindAndKeys> kKinds{
+    {"conduction_step", "wall_temperature_k = 1500\ninitial_temperature_k = 293\nat_mm = [1, 2, 5]"},
+    {"conduction_flux", "flux_w_m2 = 5e6\ninitial_temperature_k = 293\nat_mm = [0, 1]"},
+    {"stefan_one_phase", "wall_temperature_k = 2200\ninitial_temperature_k = 1700"},
+    {"stefan_two_phase", "wall_temperature_k = 2200\ninitial_temperature_k = 293"},
+    {"rosenthal_thick",
+     "power_w = 1500\nspeed_mm_s = 5\ninitial_temperature_k = 293\nthickness_mm = 6\nat_mm = [[-10, 0, 0], [0, 5, 0]]"},
+    {"rosenthal_thin",
+     "power_w = 1500\nspeed_mm_s = 5\ninitial_temperature_k = 293\nthickness_mm = 6\nat_mm = [[-10, 0, 0]]"},
+    {"energy", "power_w = 1500\non_s = 2\nloss = true"},
+    {"energy", "power_w = 1500\non_s = 2\nloss = 40.5"},
+    {"energy", "power_w = 2500\non_s = 2\nspeed_mm_s = 6\nwire_diameter_mm = 1\nwire_feed_m_min = 4"},
+    {"hydrostatic", "height_mm = 20"},
+    {"dam_break", "width_mm = 57.15"},
+    {"droplet_pressure", "radius_mm = 6"},
+    {"droplet_oscillation", "radius_mm = 4"},
+    {"sessile_drop", "volume_mm3 = 500\ncontact_angle_deg = 101"},
+    {"poiseuille", "gap_mm = 10\nbody_force_n_m3 = 100"},
+    {"cavity_melting", "width_mm = 88.9\nheight_mm = 63.5\nhot_k = 2000\ncold_k = 1600\ninitial_k = 1600\n"
+                       "times_s = [132, 198]"},
+    {"bead_on_plate", "power_w = 4000\nefficiency = 0.8\narc_sigma_mm = 1.6\nspeed_mm_s = 10\nwire_diameter_mm = 1.0\n"
+                      "wire_feed_m_min = 7\nplate_mm = [60, 9, 30]\nambient_k = 293"},
+};
+
+std::string caseOf(const std::string& kind, const std::string& keys) {
+    return "name = \"one\"\nkind = \"" + kind + "\"\nspacing_mm = 0.5\ntime_s = 2.0\ntolerance_percent = 3\n" +
+           "[material]\ndensity_solid = 7800\ndensity_liquid = 7000\nconductivity = 30\nspecific_heat = 700\n"
+           "latent_heat = 2.7e5\nsolidus_k = 1750\nliquidus_k = 1800\nsurface_tension = 1.8\nviscosity = 0.006\n"
+           "emissivity = 0.7\n[case]\n" +
+           keys + "\n";
+}
+
+} // namespace
+
+TEST_CASE("Every documented kind takes its documented keys and needs each of them", "[validation]") {
+    std::vector<std::string> seen;
+    for (const KindAndKeys& one : kKinds) {
+        INFO(one.kind);
+        const ValidationCase read = readText(caseOf(one.kind, one.keys));
+        CHECK(read.kind->name == one.kind);
+        seen.push_back(one.kind);
+        for (const CaseKey& key : read.kind->keys) {
+            if (key.fallback) continue;
+            INFO(key.key);
+            std::string fewer = one.keys;
+            fewer.insert(fewer.find(key.key), "x"); // no longer there, but for an unknown one
+            CHECK_THROWS_AS(readText(caseOf(one.kind, fewer)), InputError);
+        }
+    }
+    for (const CaseKind& kind : caseKinds())
+        CHECK(std::count(seen.begin(), seen.end(), kind.name) > 0);
 }
