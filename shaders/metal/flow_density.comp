@@ -12,6 +12,7 @@ void main() {
     if (index == 0) {
         counters.boundary.x = 0; // it has run
         counters.restless.x = 0;
+        counters.restless.w = 0;
     }
     if (index >= moving + min(counters.density.w, fluid.room.x)) return;
     const bool moves = index < moving;

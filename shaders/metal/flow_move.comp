@@ -133,6 +133,9 @@ vec3 stopAtLattice(vec3 before, vec3 after, inout vec3 velocity) {
     return place;
 }
 
+/// Share of its free way from which a particle searches along with others.
+const float kRestlessShare = 0.8;
+
 /// Moves one slot on.
 void moveOn(uint index) {
     const uint slot = lists[index];
@@ -162,7 +165,8 @@ void moveOn(uint index) {
     positions[slot] = vec4(after, before.w);
     velocities[slot] = vec4(velocity, way);
     enterCell(slot, after, next);
-    if (way <= fluid.search.y) return;
+    if (way <= kRestlessShare * fluid.search.y) return;
+    if (way > fluid.search.y) counters.restless.w = 1;
     const uint entry = atomicAdd(counters.restless.x, 1u);
     if (entry < FLOW_RESTLESS_ROOM) lists[3 * fluid.room.x + entry] = slot;
 }
@@ -173,8 +177,8 @@ void main() {
     memoryBarrierBuffer();
     barrier();
     if (gl_LocalInvocationIndex != 0) return;
-    // The last group to come here knows of all restless particles and decides whether there is a search.
+    // The last group to come here knows whether any particle went too far and decides whether there is a search.
     if (atomicAdd(counters.search.w, 1u) + 1 < counters.moving.x) return;
-    counters.search.x = atomicAdd(counters.restless.x, 0u) > 0 ? counters.moving.x : 0;
+    counters.search.x = atomicAdd(counters.restless.w, 0u) > 0 ? counters.moving.x : 0;
     counters.search.w = 0;
 }

@@ -95,7 +95,7 @@ struct FlowCounters {
     uvec4 density;  // over the moving list and the still metal beside it; w number of the latter
     uvec4 faults;   // x cells overfull, y neighbours overfull, z particles no longer finite, w moving list overfull
     uvec4 changes;  // xy length of the list of slots that became or ceased to be still, of even and odd frames; zw unused
-    uvec4 restless; // x moving particles whose neighbours went too far (beyond FLOW_RESTLESS_ROOM: all), y still metal listed before this search, z substep of the last search of all, w unused
+    uvec4 restless; // x moving particles whose neighbours went nearly too far (beyond FLOW_RESTLESS_ROOM: all), y still metal listed before this search, z substep of the last search of all, w 1: there must be a search
     uvec4 spare;    // x length of the list being compacted, y changed cells, z unused, w searches made
 };
 
