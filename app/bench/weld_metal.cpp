@@ -126,7 +126,8 @@ BenchRow physicsRow(BenchRow row, const Weld& weld, const FrameTimes& physics) {
     const PhysicalMetal& metal = weld.model().metal();
     row = weld.row(std::move(row));
     row.stepMs = least(physics.wall);
-    row.further = {{"median_ms", median(physics.wall)},
+    row.further = {{"simulated_ms", frame},
+                   {"median_ms", median(physics.wall)},
                    {"cpu_ms", mean(physics.processor)},
                    {"least_cpu_ms", least(physics.processor)},
                    {"simulated_over_wall", frame / mean(physics.wall)},

@@ -25,7 +25,7 @@ struct PhysicalSetup {
     /// metal's tension tears them apart, as no layer is fine enough to brake it.
     bool marangoni = false;
     glm::vec3 gravity{0, -9.81F, 0}; ///< m/s², in the workpiece frame
-    float timeStep = 1.0F / 90;      ///< s, of one step(): a frame
+    float timeStep = 1.0F / 90;      ///< s, of one step(), at most; see PhysicalMetal::timeStep()
     double wetting = 1;              ///< of still metal by liquid metal, see FlowFluid
 };
 
@@ -36,11 +36,13 @@ class PhysicalMetal {
 
     void reset();
 
-    /// One frame: filler enters, heat spreads in as many steps as conduction allows, liquid flows in as many as surface
-    /// tension needs, loose pieces move. Nothing is read back. Filler beyond the room is refused and counted.
+    /// One time step: filler enters, heat spreads in as many steps as conduction allows, liquid flows in as many as
+    /// surface tension needs, loose pieces move. Nothing is read back. Filler beyond the room is refused and counted.
     void step(std::span<const HeatSource> sources, std::span<const MetalSeed> filler, gl::Profiler* profiler);
 
-    float timeStep() const { return setup_.timeStep; }
+    /// Of one step(), s. Shorter than the setup's where that saves much heat: if one step of heat is only a little too
+    /// short for it, two would be needed.
+    float timeStep() const { return timeStep_; }
     ParticleView particles() const { return {&state_->position, state_->particles(), nullptr, &state_->heat}; }
     const MetalState& state() const { return *state_; }
     const HeatTable& table() const { return table_; }
@@ -64,6 +66,7 @@ class PhysicalMetal {
 
     gl::ShaderLibrary& shaders_;
     PhysicalSetup setup_;
+    float timeStep_;
     HeatTable table_;
     const gl::Program& count_;
     gl::Buffer parts_;

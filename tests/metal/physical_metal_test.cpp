@@ -59,7 +59,7 @@ TEST_CASE("an arc's pool takes exactly the arc's energy, flows, is fed and freez
         metal.step(burning, drops, nullptr);
         if (frame % 20 == 19) mostMoving = std::max(mostMoving, metal.flow().readMoving());
     }
-    const double arcEnergy = 2500 * 100 / 90.0;
+    const double arcEnergy = 2500 * 100 * static_cast<double>(metal.timeStep());
     const double gained = metal.state().readEnergy() - before - fed;
     CHECK(mostMoving > 60);
     CHECK(gained == Approx(arcEnergy).epsilon(1e-4));
@@ -87,6 +87,20 @@ TEST_CASE("two welds alike give the same bits", "[physical]") {
         metal.reset();
     }
     CHECK(hashes[0] == hashes[1]);
+}
+
+TEST_CASE("a time step is made to fit one step of heat where two would hardly be needed", "[physical]") {
+    test::context();
+    const PhysicalMetal steel(test::shaders(), plate());
+    const auto step = static_cast<double>(steel.timeStep());
+    CHECK(step < 1.0 / 90);
+    CHECK(step > 0.8 / 90);
+    CHECK(step <= steel.heat().longestStep(3500));
+    PhysicalSetup stainless = plate();
+    stainless.material = shippedMaterial("304"); // conducts so badly that a whole frame is no matter
+    CHECK(PhysicalMetal(test::shaders(), stainless).timeStep() == 1.0F / 90);
+    stainless.material = shippedMaterial("copper"); // needs many steps of heat in any case
+    CHECK(PhysicalMetal(test::shaders(), stainless).timeStep() == 1.0F / 90);
 }
 
 } // namespace meltpool
