@@ -52,6 +52,7 @@ FlowBlock makeBlock(const FlowConstants& constants, const FlowFluid& fluid, cons
     block.tension =
         vec4(constants.cohesion, constants.area, fluid.tensionSlope / fluid.density, constants.wallFriction);
     block.search = vec4(reach, kFreeWay * fluid.spacing, constants.scale, 0);
+    block.wetting = vec4(fluid.coldWetting, fluid.coldBelow, 1 / std::max(fluid.warmAbove - fluid.coldBelow, 1.0), 0);
     block.room = uvec4(static_cast<uint>(room), static_cast<uint>(cellCount(block)), 0, 0);
     block.buoyancy = vec4(fluid.expansion, fluid.evenTemperature, 0, 0);
     return block;

@@ -95,6 +95,7 @@ std::vector<OracleParticle> FlowBench::measure() const {
         particles[i].position = glm::dvec3(places[i]);
         particles[i].velocity = glm::dvec3(velocities[i]);
         particles[i].liquid = liquid[i];
+        particles[i].temperature = static_cast<double>(places[i].w);
     }
     const glm::dvec3 size(space.high - space.low);
     const FlowOracle gauge(fluid, glm::dvec3(0), glm::dvec3(space.repeats) * size);

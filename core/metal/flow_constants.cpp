@@ -56,6 +56,12 @@ double FlowConstants::pressure(double density, double delta) const {
     return density * soundSpeed * soundSpeed * std::max(delta - 1, 0.0);
 }
 
+double arcPressurePeak(double current, double sigma) {
+    constexpr double kMu0 = 4e-7 * std::numbers::pi; // V s/(A m)
+    const double force = kMu0 * current * current / (4 * std::numbers::pi);
+    return force / (2 * std::numbers::pi * sigma * sigma);
+}
+
 double wettingForAngle(double angle) {
     // Contact angles (degrees) that drops of 500 mm³ show by their height, at 1 mm spacing.
     static constexpr std::array<std::array<double, 2>, 8> kMeasured{
@@ -67,6 +73,11 @@ double wettingForAngle(double angle) {
             return kMeasured[i - 1][1] + share * (kMeasured[i][1] - kMeasured[i - 1][1]);
         }
     return 0;
+}
+
+double wettingAt(const FlowFluid& fluid, double temperature) {
+    const double share = (temperature - fluid.coldBelow) / std::max(fluid.warmAbove - fluid.coldBelow, 1.0);
+    return std::lerp(fluid.coldWetting, fluid.wetting, std::clamp(share, 0.0, 1.0));
 }
 
 } // namespace meltpool

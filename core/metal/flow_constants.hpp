@@ -15,6 +15,11 @@ struct FlowFluid {
     /// How strongly still metal and walls attract the liquid against its own kind: 0 repels (contact angle 180
     /// degrees), 1 wets fully. See wettingForAngle().
     double wetting = 1;
+    /// The same of still metal that is too cold to be wetted: all below `coldBelow` (K); from `warmAbove` (K) on
+    /// `wetting` holds, in between both in part.
+    double coldWetting = 1;
+    double coldBelow = 0;
+    double warmAbove = 0;
     /// Fastest flow to be expected, m/s: the sound speed is at least ten times it. 0 where surface tension sets the
     /// pace.
     double fastest = 0;
@@ -58,7 +63,15 @@ struct FlowConstants {
     double pressure(double density, double delta) const;
 };
 
+/// Highest pressure (Pa) of an arc of `current` (A) on the metal whose pressure is exp(-r²/(2 sigma²)) around its axis,
+/// sigma in m. The plasma jet presses with mu0 I²/(8 pi) (1 + 2 ln(R2/R1)) in all (Maecker 1955: an arc that widens
+/// from R1 to R2), taken for R2/R1 = e^(1/2): mu0 I²/(4 pi), 4 mN at 200 A.
+double arcPressurePeak(double current, double sigma);
+
 /// The wetting weight whose contact angle (radians, 0 .. pi) was measured to be `angle`; linear between measurements.
 double wettingForAngle(double angle);
+
+/// Weight of still metal at `temperature` (K) against liquid, see FlowFluid.
+double wettingAt(const FlowFluid& fluid, double temperature);
 
 } // namespace meltpool

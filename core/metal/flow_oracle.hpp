@@ -12,8 +12,9 @@ namespace meltpool {
 struct OracleParticle {
     glm::dvec3 position{0}, velocity{0};
     bool liquid = true;
-    double delta = 0;       ///< density over rest density, scaled
-    glm::dvec3 gradient{0}; ///< weighted kernel gradient sum, 1/m
+    double temperature = 500; ///< K, of still metal
+    double delta = 0;         ///< density over rest density, scaled
+    glm::dvec3 gradient{0};   ///< weighted kernel gradient sum, 1/m
     glm::dvec3 acceleration{0};
     double pressure = 0; ///< Pa: virial of all pair forces on it, half of each pair its own
 };
@@ -37,7 +38,7 @@ class FlowOracle {
 
     glm::dvec3 apart(const glm::dvec3& a, const glm::dvec3& b) const;
     double slopeOverDistance(double r) const;
-    double weight(const OracleParticle& other) const { return other.liquid ? 1 : fluid_.wetting; }
+    double weight(const OracleParticle& other) const { return other.liquid ? 1 : wettingAt(fluid_, other.temperature); }
     glm::dvec3 pairAcceleration(const OracleParticle& own, const OracleParticle& other) const;
     /// Calls `act` for each ordered pair within the support.
     void forEachPair(const std::vector<OracleParticle>& particles, const PairFunction& act) const;

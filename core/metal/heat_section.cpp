@@ -29,9 +29,11 @@ std::optional<double> crossing(const std::vector<double>& values, double level) 
         if (values[i] >= level) continue;
         const double place = static_cast<double>(i);
         if (std::isfinite(values[i - 1])) return place - (level - values[i]) / (values[i - 1] - values[i]);
-        // The hotter cell is gone: go on with the slope of the two before the front, at most to its middle.
+        // The hotter cell is gone: go on towards its middle with a slope that grows as it did over the three before it.
         const double slope = i + 1 < values.size() ? values[i] - values[i + 1] : 0;
-        return place - (slope > 0 ? std::min(1.0, (level - values[i]) / slope) : 0.5);
+        const double before = i + 2 < values.size() ? values[i + 1] - values[i + 2] : 0;
+        const double steeper = before > 0 ? std::max(slope, slope * slope / before) : slope;
+        return place - (slope > 0 ? std::min(1.0, (level - values[i]) / steeper) : 0.5);
     }
     return static_cast<double>(values.size()) - 0.5;
 }

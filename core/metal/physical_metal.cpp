@@ -13,6 +13,12 @@ constexpr int kPieceSteps = 8;    ///< of loose pieces a frame: keeps what rests
 constexpr double kHottest = 3500; ///< K, above which no metal here stays liquid: what the heat step is made for
 constexpr double kRoomTemperature = 293.15;
 
+// Liquid that reaches cold metal of its own kind freezes at the line of contact, which stops at about a right angle
+// (Schiaffino and Sonin 1997); it runs on where the metal is so hot that it does not freeze there: above the
+// temperature whose mean with that of liquid a quarter over the solidus is the solidus, and wholly from the solidus on.
+constexpr double kColdWetting = 0.6; ///< 86 degrees
+constexpr double kColdShare = 0.75;  ///< of the solidus
+
 /// The density that masses are made from: of the solid at room temperature, for which workpieces are measured.
 double massDensity(const Material& material) {
     return material.solidDensity.at(kRoomTemperature);
@@ -23,6 +29,9 @@ FlowFluid fluidOf(const Material& material, float spacing, double wetting, bool 
     fluid.spacing = static_cast<double>(spacing);
     fluid.density = massDensity(material);
     fluid.wetting = wetting;
+    fluid.coldWetting = std::min(wetting, kColdWetting);
+    fluid.coldBelow = kColdShare * material.solidus;
+    fluid.warmAbove = material.solidus;
     fluid.tension = material.surfaceTension.at(material.liquidus);
     fluid.tensionSlope = marangoni ? material.tensionSlope() : 0;
     fluid.viscosity = material.viscosity.at(material.liquidus);

@@ -40,6 +40,9 @@ class PhysicalMetal {
     /// surface tension needs, loose pieces move. Nothing is read back. Filler beyond the room is refused and counted.
     void step(std::span<const HeatSource> sources, std::span<const MetalSeed> filler, gl::Profiler* profiler);
 
+    /// Pressure of the arc from the next step on; none with a peak of 0.
+    void setArc(const ArcPressure& arc) { flow_->setArc(arc); }
+
     /// Of one step(), s. Shorter than the setup's where that saves much heat: if one step of heat is only a little too
     /// short for it, two would be needed.
     float timeStep() const { return timeStep_; }

@@ -24,6 +24,7 @@ struct Bead {
     double power;     ///< W into the workpiece, wire included
     double wirePower; ///< W of it that arrives with the wire
     double wireRate;  ///< m³/s
+    double current;   ///< A, of the arc that presses the pool down
     float sigma, speed, length, thickness, width;
     float start, end; ///< of the path, m
     double ambient;
@@ -40,6 +41,7 @@ Bead beadOf(const ValidationCase& from, const Material& material) {
     b.power = from.number("power_w") * from.number("efficiency");
     const double diameter = from.number("wire_diameter_mm") * 1e-3;
     b.wireRate = std::numbers::pi / 4 * diameter * diameter * from.number("wire_feed_m_min") / 60;
+    b.current = from.number("current_a");
     const HeatTable table(material);
     b.wirePower = b.wireRate * material.solidDensity.at(b.ambient) *
                   (table.enthalpyAt(kDropTemperature) - table.enthalpyAt(b.ambient));
@@ -85,6 +87,11 @@ HeatSettings surroundings(const Bead& b) {
 
 HeatSource arcAt(const Bead& b, float x) {
     return HeatSource::gaussian({x, 0, 0}, {0, -1, 0}, b.sigma, static_cast<float>(b.power - b.wirePower));
+}
+
+ArcPressure pressureAt(const Bead& b, float x) {
+    const double peak = arcPressurePeak(b.current, static_cast<double>(b.sigma));
+    return {{x, 0, 0}, {0, -1, 0}, b.sigma, static_cast<float>(peak)};
 }
 
 /// The measured stretch: where the pool has settled, and well before its end. Fed metal lies in waves, so it is long.
@@ -137,6 +144,7 @@ Section deposit(const ValidationCase& from, gl::ShaderLibrary& shaders, const Be
         const bool burns = time < duration;
         const float x = b.start + b.speed * static_cast<float>(time + 0.5 * frame);
         const glm::vec3 tip(x, 0.004F, 0);
+        metal.setArc(burns ? pressureAt(b, x) : ArcPressure{});
         metal.step(burns ? std::vector{arcAt(b, x)} : std::vector<HeatSource>{},
                    burns ? filler.feed(b.wireRate * frame, tip, {b.speed, -kDropSpeed, 0},
                                        static_cast<float>(kDropTemperature))

@@ -74,6 +74,7 @@ constexpr std::array kBead{
     CaseKey{"plate_mm", triple, 0.1, 1000, kNeeded,
             "along the seam first; of the other two the smaller is the thickness"},
     CaseKey{"ambient_k", number, 1, kHot, kNeeded, "plate and air"},
+    CaseKey{"current_a", number, 0, 2000, 0.0, "of the arc, for its pressure; with wire only"},
     CaseKey{"liquid_conductivity_factor", number, 0.1, 20, 1.0, "stand-in for stirring in the pool"},
 };
 

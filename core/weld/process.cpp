@@ -78,6 +78,15 @@ std::vector<HeatSource> WeldProcess::sources(const TorchSample& torch) const {
     return {HeatSource::gaussian(torch.tip, torch.axis(), parameters.sigmaMm * kMm, static_cast<float>(power))};
 }
 
+ArcPressure WeldProcess::pressure(const TorchSample& torch) const {
+    const ProcessKind kind = kindOf(parameters);
+    if (torch.trigger <= 0 || (kind != ProcessKind::Tig && kind != ProcessKind::Gmaw)) return {};
+    const float sigma = parameters.sigmaMm * kMm;
+    const double peak =
+        arcPressurePeak(static_cast<double>(parameters.current * torch.trigger), static_cast<double>(sigma));
+    return {torch.tip, torch.axis(), sigma, static_cast<float>(peak)};
+}
+
 std::vector<MetalSeed> WeldProcess::feed(const TorchSample& torch, double seconds) {
     if (torch.trigger <= 0) return {};
     const double volume = wireRate(parameters) * static_cast<double>(torch.trigger) * seconds;

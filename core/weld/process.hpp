@@ -3,6 +3,7 @@
 
 #include "core/base/parameter.hpp"
 #include "core/metal/filler.hpp"
+#include "core/metal/flow.hpp"
 #include "core/metal/heat.hpp"
 #include "core/weld/torch_sample.hpp"
 
@@ -47,6 +48,10 @@ class WeldProcess {
     /// The heat sources under this torch; none with the trigger released. An arc's power less what melts the wire goes
     /// into the surface, so that source and filler together bring efficiency V I.
     std::vector<HeatSource> sources(const TorchSample& torch) const;
+
+    /// How an arc presses on the metal under this torch, by its current (see arcPressurePeak()) and as wide as its
+    /// heat; peak 0 without an arc. The current follows the trigger.
+    ArcPressure pressure(const TorchSample& torch) const;
 
     /// The filler that `seconds` of this torch bring, as particles to add. Exact over time.
     std::vector<MetalSeed> feed(const TorchSample& torch, double seconds);

@@ -29,6 +29,11 @@ layout(binding = FLOW_TEXELS_RESIDENTS) uniform usamplerBuffer residentTexels;
 
 vec3 placeTexel(uint slot) { return texelFetch(positionTexels, int(slot)).xyz; }
 
+/// Weight of solid metal at this temperature (K) against the liquid.
+float wettingAt(float temperature) {
+    return mix(fluid.wetting.x, fluid.body.w, clamp((temperature - fluid.wetting.y) * fluid.wetting.z, 0, 1));
+}
+
 /// Entry `k` of the neighbour list that begins at `base`.
 uint neighbourTexel(uint base, uint k) { return texelFetch(neighbourTexels, int(base + GROUP_SIZE * k)).x; }
 

@@ -17,6 +17,7 @@ void main() {
     if (index >= moving + min(counters.density.w, fluid.room.x)) return;
     const bool moves = index < moving;
     const uint slot = moves ? lists[index] : lists[2 * fluid.room.x + index - moving];
+    const vec4 place = positions[slot];
     vec4 sum; // xyz gradient, w density
     uint found;
     if (moves) {
@@ -30,17 +31,17 @@ void main() {
         found = where.w;
     } else {
         const float unit = 1 / FLOW_REST_UNIT;
-        sum = vec4(resting[slot]) * vec4(vec3(unit * fluid.body.w * fluid.origin.w), unit) + vec4(0, 0, 0, 1);
+        sum = vec4(resting[slot]) * vec4(vec3(unit * wettingAt(place.w) * fluid.origin.w), unit) + vec4(0, 0, 0, 1);
         found = uint(bodies[slot].motion.w);
     }
-    const vec4 place = positions[slot];
     const float inverse = fluid.inverseCell.w * fluid.inverseCell.w;
     const uint base = neighbourBase(index);
     for (uint k = 0; k < found; ++k) {
         const uint entry = neighbourTexel(base, k);
-        const vec3 d = apart(place.xyz, placeTexel(entry & FLOW_SLOT));
+        const vec4 other = texelFetch(positionTexels, int(entry & FLOW_SLOT));
+        const vec3 d = apart(place.xyz, other.xyz);
         const float u = max(1 - dot(d, d) * inverse, 0);
-        sum += u * u * u * vec4(((entry & FLOW_SOLID) != 0 ? fluid.body.w : 1.0) * d, u);
+        sum += u * u * u * vec4(((entry & FLOW_SOLID) != 0 ? wettingAt(other.w) : 1.0) * d, u);
     }
     bodies[slot].place = vec4(place.xyz, fluid.kernel.x * sum.w);
     bodies[slot].normal = vec4(-8 * fluid.kernel.x * inverse * sum.xyz, place.w);

@@ -51,10 +51,10 @@ vec3 acceleration(uint index, uint slot, out float fastest) {
         const vec3 against = own.motion.xyz - theirs;
         if (dot(theirs, theirs) < slower) fastest2 = max(fastest2, dot(against, against));
         const float friction = (solid ? fluid.tension.w : 1.0) * fluid.kernel.z * dot(against, d) / (r2 + soft);
-        const float weight = (solid ? fluid.body.w : 1.0) * 2 / (own.place.w + place.w);
+        const vec4 normal = texelFetch(bodyTexels, other + 1);
+        const float weight = (solid ? wettingAt(normal.w) : 1.0) * 2 / (own.place.w + place.w);
         const float pull = weight * fluid.tension.x * cohesion(q) / max(q * fluid.origin.w, 0.02 * fluid.origin.w);
         sum += (slope * (friction - pressure - stiffness(place.w)) - pull) * d;
-        const vec4 normal = texelFetch(bodyTexels, other + 1);
         sum -= weight * fluid.tension.y * 4 * q2 * u * (own.normal.xyz - normal.xyz);
 #ifdef MARANGONI
         warming += slope * (normal.w - own.normal.w) * d;

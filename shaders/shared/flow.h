@@ -63,12 +63,13 @@ struct FlowBlock {
     vec4 inversePeriod; // xyz 1/period or 0, w fastest speed allowed in m/s
     vec4 high;          // xyz high corner of the space in m, w half a spacing
     ivec4 cells;        // xyz cells, w capacity in particles
-    vec4 body;          // xyz acceleration besides gravity in m/s², w weight of still metal against liquid: 0 repels .. 1 wets
+    vec4 body;          // xyz acceleration besides gravity in m/s², w weight of hot still metal against liquid: 0 repels .. 1 wets
     vec4 kernel;        // x s V W(0), y c² in m²/s², z 10 nu in m²/s, w mushy drag over density in 1/s
     vec4 tension;       // x cohesion and y area acceleration (see constants), z slope of surface tension over temperature over density in m³/(s² K), w friction against still metal over that in the liquid
     vec4 search;        // x reach of neighbour lists in m, y way after which they are made anew in m, z scale s of the density sum, w unused
     vec4 arc;           // xyz where the arc's axis meets the metal in m, w 1/(2 sigma²) of its pressure in 1/m²
     vec4 arcAxis;       // xyz unit vector of the arc into the metal, w highest pressure over density in m²/s²
+    vec4 wetting;       // x weight of cold still metal, y temperature (K) up to which it is cold, z 1/(temperature from which body.w holds - y), w unused
     uvec4 room;         // x capacity of the lists in particles, y cells, zw unused
     vec4 buoyancy;      // x expansion of the volume in 1/K, y temperature in K at which metal has its whole weight, zw unused
 };
@@ -100,7 +101,7 @@ struct FlowCounters {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(FlowBlock) == 224);
+static_assert(sizeof(FlowBlock) == 240);
 static_assert(sizeof(FlowBody) == 64);
 static_assert(sizeof(FlowCell) == 16);
 static_assert(sizeof(FlowCounters) == 128);

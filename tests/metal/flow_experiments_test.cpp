@@ -26,6 +26,7 @@ TEST_CASE("constants follow from the liquid") {
     FlowFluid fine = steel;
     fine.spacing = 0.5e-3;
     CHECK(FlowConstants::of(fine).substeps(1.0 / 90) < 42);
+    CHECK(arcPressurePeak(200, 2e-3) == Approx(4e-3 / (2 * std::numbers::pi * 4e-6)));
     CHECK(wettingForAngle(0) == 1);
     CHECK(wettingForAngle(std::numbers::pi) == 0);
     for (double angle = 0; angle < 3.1; angle += 0.1)

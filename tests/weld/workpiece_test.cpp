@@ -113,3 +113,20 @@ TEST_CASE("arc and wire together bring efficiency V I") {
     torch.trigger = 0.5F;
     CHECK(process.sources(torch)[0].power == Approx(sources[0].power / 2));
 }
+
+TEST_CASE("an arc presses by its current, a flame does not") {
+    const HeatTable table(steel());
+    WeldProcess process(table, 7850, 1e-3F, 293.15F);
+    process.parameters.kind = static_cast<int>(ProcessKind::Tig);
+    process.parameters.current = 200;
+    process.parameters.sigmaMm = 2;
+    TorchSample torch;
+    CHECK(process.pressure(torch).peak == 0);
+    torch.trigger = 1;
+    const ArcPressure pressure = process.pressure(torch);
+    CHECK(double(pressure.peak) * 2 * 3.14159265 * 4e-6 == Approx(4e-3)); // 1e-7 V s/(A m) times 200 A squared
+    torch.trigger = 0.5F;
+    CHECK(process.pressure(torch).peak == Approx(pressure.peak / 4));
+    process.parameters.kind = static_cast<int>(ProcessKind::Flame);
+    CHECK(process.pressure(torch).peak == 0);
+}
