@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.hpp"
+#include "core/base/work_meter.hpp"
 
 #include <openxr/openxr.h>
 
@@ -27,4 +28,7 @@ XrResult check(XrResult result, const char* expression, const char* file, int li
 
 } // namespace meltpool::xr
 
-#define MELTPOOL_XR(expression) ::meltpool::xr::check((expression), #expression, __FILE__, __LINE__)
+// While the call lasts the thread's time is the runtime's.
+#define MELTPOOL_XR(expression)                                                                                        \
+    ::meltpool::xr::check((static_cast<void>(::meltpool::InWork(::meltpool::WorkPlace::runtime)), (expression)),       \
+                          #expression, __FILE__, __LINE__)

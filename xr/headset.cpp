@@ -74,7 +74,7 @@ void Headset::beginFrame() {
     layerCount_ = 0;
 }
 
-bool Headset::drawEyes(const std::function<void(const BothEyes&)>& draw) {
+bool Headset::drawEyes(FunctionRef<void(const BothEyes&)> draw) {
     if (!session_->locateEyes(timing_.displayTime, views_)) return false;
     draw({views_, targets_->framebuffer(), targets_->width(), targets_->height(), targets_->encodesSrgb(),
           settings_.nearZ, settings_.farZ});

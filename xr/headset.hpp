@@ -1,12 +1,12 @@
 // A headset with a person in it: what a frame loop has to do, in the order in which it has to do it.
 #pragma once
 
+#include "core/base/function_ref.hpp"
 #include "xr/eye_targets.hpp"
 #include "xr/input.hpp"
 #include "xr/panel.hpp"
 #include "xr/swapchain.hpp"
 
-#include <functional>
 #include <memory>
 
 namespace meltpool::xr {
@@ -61,7 +61,7 @@ class Headset {
     void beginFrame();
     /// Locates the head, lets `draw` fill both eyes and resolves them. False, and nothing drawn, where the head is not
     /// tracked.
-    bool drawEyes(const std::function<void(const BothEyes&)>& draw);
+    bool drawEyes(FunctionRef<void(const BothEyes&)> draw);
     /// Shows the panel at this pose in this frame.
     void showPanel(const Pose& pose);
     void endFrame();

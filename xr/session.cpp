@@ -120,7 +120,7 @@ void Session::onStateChanged(XrSessionState state) {
     }
 }
 
-void Session::poll(const std::function<void(const XrEventDataBuffer&)>& onOther) {
+void Session::poll(FunctionRef<void(const XrEventDataBuffer&)> onOther) {
     XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
     while (MELTPOOL_XR(xrPollEvent(instance_.handle(), &event)) == XR_SUCCESS) {
         if (event.type == XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED)
@@ -164,6 +164,7 @@ void Session::leave() {
 FrameTiming Session::waitFrame() {
     const ContextGuard guard;
     XrFrameState state{XR_TYPE_FRAME_STATE};
+    const InWork waiting(WorkPlace::waiting);
     MELTPOOL_XR(xrWaitFrame(session_, nullptr, &state));
     displayTime_ = state.predictedDisplayTime;
     return {state.predictedDisplayTime, static_cast<double>(state.predictedDisplayPeriod) * 1e-9,

@@ -1,12 +1,12 @@
 // One OpenXR session: its state machine, reference space and frame calls.
 #pragma once
 
+#include "core/base/function_ref.hpp"
 #include "xr/graphics_binding.hpp"
 #include "xr/instance.hpp"
 #include "xr/pose.hpp"
 
 #include <array>
-#include <functional>
 
 namespace meltpool::xr {
 
@@ -51,7 +51,7 @@ class Session {
     SessionMode mode() const;
     bool running() const { return running_; }
     /// Takes note of everything that the runtime has to say. `onOther` sees the events that are not the session's own.
-    void poll(const std::function<void(const XrEventDataBuffer&)>& onOther = {});
+    void poll(FunctionRef<void(const XrEventDataBuffer&)> onOther = {});
     /// The person wants to leave; the rest happens in poll().
     void requestExit();
 

@@ -19,7 +19,10 @@ std::span<const BenchPart> benchParts() {
                   benchWeldMetal},
         BenchPart{"weld", "surface around a moving pool in a plate of 100x50x6 mm and in one of four times the area",
                   benchWeldSurface},
-        BenchPart{"stereo", "both eyes of a headset over one: 672x756 pixels an eye, 4 samples", benchStereo},
+        BenchPart{"stereo", "both eyes of a headset over one, in three ways: 672x756 pixels an eye, 4 samples",
+                  benchStereo},
+        BenchPart{"stereo", "the processor's own work for a headset's frame, and with a headset where there is one",
+                  benchHeadsetFrame},
     };
     return kParts;
 }

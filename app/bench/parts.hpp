@@ -12,5 +12,6 @@ void benchClassicSurface(Bench& bench);
 void benchWeldMetal(Bench& bench);
 void benchWeldSurface(Bench& bench);
 void benchStereo(Bench& bench);
+void benchHeadsetFrame(Bench& bench);
 
 } // namespace meltpool

@@ -1,6 +1,7 @@
 #include "app/desktop/desktop_app.hpp"
 
 #include "app/desktop/screenshot.hpp"
+#include "app/meter/gl_watch.hpp"
 #include "core/base/error.hpp"
 #include "core/base/resources.hpp"
 
@@ -59,6 +60,7 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
     }
     if (options_.headset != HeadsetUse::off) headset_.emplace(settingsFolder() / "torch-tip.txt");
     session_.record(options_.record);
+    if (telemetry_.enabled()) watchGl();
     readSettings();
     window_.resize({windowParameters_.width, windowParameters_.height}, windowParameters_.maximised);
     window_.show();
@@ -104,6 +106,13 @@ void DesktopApp::finish() {
 }
 
 void DesktopApp::frame() {
+    if (!telemetry_.enabled()) return runFrame();
+    meter_.begin();
+    runFrame();
+    meter_.end();
+}
+
+void DesktopApp::runFrame() {
     const Clock::time_point begin = Clock::now();
     InputFrame input = window_.poll(window_.minimised() && !headsetFrame_ ? kPatienceMinimised : 0);
     const double time = now();
@@ -299,9 +308,9 @@ ui::Request DesktopApp::drawPanels() {
     ui::temperatureScale(context, session_.lesson().look.colours, session_.temperature(), coveredLeft());
     makeRoom();
     if (panels_.view) {
-        std::vector<const ui::Section*> sections{&lesson.view, &lesson.surface, &controlSection_, &windowSection_};
-        if (headset_) sections.push_back(&headset_->section());
-        ui::viewMenu(context, sections);
+        const std::array<const ui::Section*, 5> sections{&lesson.view, &lesson.surface, &controlSection_,
+                                                         &windowSection_, headset_ ? &headset_->section() : nullptr};
+        ui::viewMenu(context, std::span(sections).first(headset_ ? 5 : 4));
     }
     if (panels_.simulation) ui::simulationMenu(context, lesson.simulation, controls_);
     if (panels_.timings) ui::timingsPanel(context, profiler_, figures_, frameSeconds_ * 1000, driver_, panels_.view);
@@ -340,7 +349,9 @@ void DesktopApp::countFrame(double seconds) {
 void DesktopApp::pace(Clock::time_point begin) const {
     const auto shortest = std::chrono::duration<double>(kShortestFrame);
     const auto rest = shortest - (Clock::now() - begin);
-    if (rest > rest.zero()) std::this_thread::sleep_for(rest);
+    if (rest <= rest.zero()) return;
+    const InWork waiting(WorkPlace::waiting);
+    std::this_thread::sleep_for(rest);
 }
 
 void DesktopApp::takePicture() {
@@ -355,6 +366,7 @@ void DesktopApp::takePicture() {
 
 void DesktopApp::tellTelemetry() {
     if (!telemetry_.due(now())) return;
+    meter_.pause();
     const LessonSections& lesson = session_.sections();
     const std::vector<const ui::Section*> sections{&lesson.start,      &lesson.view,    &lesson.surface,
                                                    &lesson.simulation, &windowSection_, &controlSection_,
@@ -364,7 +376,8 @@ void DesktopApp::tellTelemetry() {
         passes.push_back(pass.name);
     telemetry_.write({session_.running() ? "running" : "start", now(), frames_, session_.steps(), controls_, panels_,
                       figures_, sections, passes, messages_, interface_.context(), window_.size(), window_.pixels(),
-                      screenshot_, headset_ ? headset_->told() : HeadsetTold{}});
+                      screenshot_, headset_ ? headset_->told() : HeadsetTold{}, meter_});
+    meter_.resume();
 }
 
 } // namespace meltpool

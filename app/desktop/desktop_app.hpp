@@ -9,6 +9,7 @@
 #include "app/desktop/window.hpp"
 #include "app/desktop/window_telemetry.hpp"
 #include "app/headset/headset_station.hpp"
+#include "app/meter/frame_meter.hpp"
 
 #include <chrono>
 #include <optional>
@@ -31,12 +32,15 @@ class DesktopApp {
 
     bool closing() const { return window_.closing(); }
     void frame();
+    /// What the frames cost; measured where telemetry is asked for.
+    const FrameMeter& meter() const { return meter_; }
     /// Keeps the settings; what fails is said on standard error.
     void finish();
 
   private:
     using Clock = std::chrono::steady_clock;
 
+    void runFrame();
     void readSettings();
     std::vector<SettingsSection> settingsSections();
     void handleKeys(const InputFrame& input);
@@ -73,6 +77,7 @@ class DesktopApp {
     Session session_;
     std::optional<HeadsetStation> headset_;
     gl::Profiler profiler_;
+    FrameMeter meter_;
     /// Where the kept values of the ordinary lesson live while another one runs.
     std::optional<Lesson> keptLesson_;
     std::optional<LessonSections> keptSections_;

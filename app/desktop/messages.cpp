@@ -22,10 +22,12 @@ void Messages::warn(std::string text, double now, std::string topic) {
     add({Message::Kind::warning, std::move(text), now + kWarningSeconds, std::move(topic)});
 }
 
-void Messages::hold(std::string text, std::string topic) {
+void Messages::hold(std::string_view text, std::string_view topic) {
     const auto dismissed = dismissed_.find(topic);
     if (dismissed != dismissed_.end() && dismissed->second == text) return;
-    add({Message::Kind::warning, std::move(text), std::numeric_limits<double>::infinity(), std::move(topic)});
+    const auto stands = [&](const Message& m) { return m.topic == topic && m.text == text && std::isinf(m.until); };
+    if (std::any_of(shown_.begin(), shown_.end(), stands)) return;
+    add({Message::Kind::warning, std::string(text), std::numeric_limits<double>::infinity(), std::string(topic)});
 }
 
 void Messages::dismiss(const Message& message) {
@@ -33,12 +35,12 @@ void Messages::dismiss(const Message& message) {
     std::erase_if(shown_, [&](const Message& m) { return &m == &message; });
 }
 
-void Messages::clear(const std::string& topic) {
-    dismissed_.erase(topic);
+void Messages::clear(std::string_view topic) {
+    if (const auto dismissed = dismissed_.find(topic); dismissed != dismissed_.end()) dismissed_.erase(dismissed);
     take(topic);
 }
 
-void Messages::take(const std::string& topic) {
+void Messages::take(std::string_view topic) {
     std::erase_if(shown_, [&](const Message& m) { return m.topic == topic; });
 }
 

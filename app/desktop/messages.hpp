@@ -4,6 +4,7 @@
 #include <deque>
 #include <map>
 #include <string>
+#include <string_view>
 
 namespace meltpool {
 
@@ -21,8 +22,8 @@ class Messages {
     void note(std::string text, double now, std::string topic = {});
     void warn(std::string text, double now, std::string topic = {});
     /// A warning that stands until clear(topic): the fault is still there.
-    void hold(std::string text, std::string topic);
-    void clear(const std::string& topic);
+    void hold(std::string_view text, std::string_view topic);
+    void clear(std::string_view topic);
     /// Takes away one of shown(); a held one stays away until its text changes or it was cleared.
     void dismiss(const Message& message);
 
@@ -32,9 +33,10 @@ class Messages {
 
   private:
     void add(Message message);
-    void take(const std::string& topic);
+    void take(std::string_view topic);
     std::deque<Message> shown_;
-    std::map<std::string, std::string> dismissed_; ///< topic and text of held messages that the person put away
+    std::map<std::string, std::string, std::less<>>
+        dismissed_; ///< topic and text of held messages that the person put away
 };
 
 } // namespace meltpool

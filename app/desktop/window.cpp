@@ -3,6 +3,7 @@
 #include "app/desktop/desktop.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/work_meter.hpp"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -153,6 +154,7 @@ void Window::waitForDisplay(bool wait) {
 }
 
 void Window::swap() {
+    const InWork driver(WorkPlace::driver);
     glfwSwapBuffers(window_);
 }
 

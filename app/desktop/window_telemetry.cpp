@@ -43,7 +43,7 @@ json parameters(const TelemetryRow& row) {
 json places(const ui::Context& context) {
     json all = json::object();
     for (const auto& [name, place] : context.places)
-        all[name] = {place.x, place.y, place.width, place.height};
+        if (context.inSight(place)) all[name] = {place.x, place.y, place.width, place.height};
     return all;
 }
 
@@ -59,6 +59,21 @@ json headset(const HeadsetTold& told) {
         places[name] = {place.x, place.y, place.width, place.height};
     return {{"state", told.state}, {"warning", told.warning}, {"openings", told.openings}, {"tracked", told.tracked},
             {"panel", told.panel}, {"tip", tip(told.tip)},    {"busy_ms", told.busyMs},    {"places", places}};
+}
+
+json frameCosts(const FrameMeter& meter) {
+    const FrameMeter::Totals& totals = meter.totals();
+    return {{"frames", totals.frames},
+            {"own_ms", meter.lastMs(WorkPlace::own)},
+            {"own_median_ms", meter.medianOwnMs()},
+            {"own_least_ms", meter.leastOwnMs()},
+            {"driver_ms", meter.lastMs(WorkPlace::driver)},
+            {"runtime_ms", meter.lastMs(WorkPlace::runtime)},
+            {"waiting_ms", meter.lastMs(WorkPlace::waiting)},
+            {"allocations", totals.allocations},
+            {"allocating_frames", totals.framesThatAllocated},
+            {"stalls", totals.stalls},
+            {"last_stall", totals.lastStall}};
 }
 
 json messageTexts(const Messages& messages) {
@@ -109,6 +124,7 @@ void WindowTelemetry::write(const TelemetryRow& row) {
         {"places", places(row.context)},
         {"screenshot", row.screenshot},
         {"headset", headset(row.headset)},
+        {"frame_costs", frameCosts(row.meter)},
     };
     // Bytes of a message need not be UTF-8 (a path, a driver's log); they are replaced, not refused.
     file_ << object.dump(-1, ' ', false, json::error_handler_t::replace) << std::endl;

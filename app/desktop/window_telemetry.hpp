@@ -4,6 +4,7 @@
 #include "app/desktop/controls.hpp"
 #include "app/desktop/messages.hpp"
 #include "app/desktop/ui/panels.hpp"
+#include "app/meter/frame_meter.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -55,6 +56,7 @@ struct TelemetryRow {
     glm::ivec2 pixels{0};   ///< frame buffer
     std::string screenshot; ///< the last picture saved
     HeadsetTold headset;
+    const FrameMeter& meter; ///< what the frames before this row cost
 };
 
 class WindowTelemetry {

@@ -41,7 +41,7 @@ HeadsetDesk::HeadsetDesk(const HeadsetParameters& parameters, std::filesystem::p
 }
 
 /// A call on the headset that fails because the headset is gone ends the frame and nothing else.
-void HeadsetDesk::guarded(const std::function<void()>& work) {
+void HeadsetDesk::guarded(FunctionRef<void()> work) {
     try {
         work();
     } catch (const xr::XrFault& fault) {
@@ -137,7 +137,7 @@ bool HeadsetDesk::pointWith(xr::Hand which) {
     return true;
 }
 
-void HeadsetDesk::showPanel(const std::function<void(GLuint, const PanelPointer&)>& fill) {
+void HeadsetDesk::showPanel(FunctionRef<void(GLuint, const PanelPointer&)> fill) {
     if (!panelShown()) return;
     guarded([&] {
         xr::Panel& panel = link_.headset()->panel();
@@ -285,7 +285,7 @@ std::string HeadsetDesk::status() const {
     return {};
 }
 
-std::string HeadsetDesk::warning() const {
+std::string_view HeadsetDesk::warning() const {
     if (link_.state() == xr::LinkState::searching && link_.openings() > 0) return link_.reason();
     if (link_.state() == xr::LinkState::running && torch_.known() && !torch_.tracked())
         return "The torch is out of sight: the arc is out. Hold it where the headset sees it.";

@@ -11,7 +11,6 @@
 
 #include <chrono>
 #include <filesystem>
-#include <functional>
 #include <string>
 
 namespace meltpool {
@@ -54,7 +53,7 @@ class HeadsetDesk {
     bool panelShown() const { return inFrame_ && panelOpen_; }
     xr::PanelShape panelShape() const { return link_.headset()->panel().shape(); }
     /// Between draw() and end(): lets `fill` draw the panel's picture and shows it.
-    void showPanel(const std::function<void(GLuint framebuffer, const PanelPointer& pointer)>& fill);
+    void showPanel(FunctionRef<void(GLuint framebuffer, const PanelPointer& pointer)> fill);
     /// Hands the frame to the runtime.
     void end();
 
@@ -66,7 +65,7 @@ class HeadsetDesk {
     /// For the desk: what the headset does, or why there is none.
     std::string status() const;
     /// A warning for the trainee and the teacher; empty while all is well.
-    std::string warning() const;
+    std::string_view warning() const;
     int openings() const { return link_.openings(); }
     void recentre() { recentreAsked_ = true; }
 
@@ -98,7 +97,7 @@ class HeadsetDesk {
     xr::Pose panelPose() const; ///< in the workshop
     void drawEyes(Renderer& renderer, const LessonInSight& lesson, const xr::BothEyes& eyes, gl::Profiler* profiler);
     void vibrate(const LessonInSight& lesson);
-    void guarded(const std::function<void()>& work);
+    void guarded(FunctionRef<void()> work);
 
     const HeadsetParameters& parameters_;
     std::filesystem::path calibrationFile_;

@@ -1,5 +1,6 @@
 #include "app/headset/headset_panel.hpp"
 
+#include "core/base/work_meter.hpp"
 #include "core/gl/gl.hpp"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ HeadsetPanel::~HeadsetPanel() {
 }
 
 void HeadsetPanel::draw(GLuint framebuffer, const PanelPointer& pointer, double elapsed,
-                        const std::function<void(ui::Context&)>& content) {
+                        FunctionRef<void(ui::Context&)> content) {
     const Current current(imgui_);
     ImGuiIO& io = ImGui::GetIO();
     io.DeltaTime = std::max(static_cast<float>(elapsed), 1e-4f);
@@ -55,7 +56,7 @@ void HeadsetPanel::draw(GLuint framebuffer, const PanelPointer& pointer, double 
     io.MouseWheel = pointer.scroll;
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
-    context_.places.clear();
+    context_.beginFrame();
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize(io.DisplaySize);
     ImGui::Begin("headset panel", nullptr,
@@ -74,6 +75,7 @@ void HeadsetPanel::draw(GLuint framebuffer, const PanelPointer& pointer, double 
     glViewport(0, 0, width_, height_);
     glClearColor(0.086f, 0.098f, 0.122f, 0.96f);
     glClear(GL_COLOR_BUFFER_BIT);
+    const InWork driver(WorkPlace::driver);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 

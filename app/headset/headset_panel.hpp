@@ -2,10 +2,10 @@
 #pragma once
 
 #include "app/desktop/ui/panels.hpp"
+#include "core/base/function_ref.hpp"
 
 #include <glm/vec2.hpp>
 
-#include <functional>
 #include <optional>
 
 struct ImGuiContext;
@@ -28,8 +28,7 @@ class HeadsetPanel {
 
     /// Draws what `content` puts into one window that fills the panel, into `framebuffer`. Dear ImGui's current context
     /// is the window's again afterwards.
-    void draw(GLuint framebuffer, const PanelPointer& pointer, double elapsed,
-              const std::function<void(ui::Context&)>& content);
+    void draw(GLuint framebuffer, const PanelPointer& pointer, double elapsed, FunctionRef<void(ui::Context&)> content);
     /// Where the controls are, in the panel's pixels.
     const ui::Context& context() const { return context_; }
 

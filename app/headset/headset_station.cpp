@@ -13,7 +13,7 @@ ui::Section sectionOf(HeadsetParameters& parameters) {
     return made;
 }
 
-std::string figuresText(const ui::Figures& figures) {
+ui::ShortText figuresText(const ui::Figures& figures) {
     std::array<char, 128> text{};
     const double share = figures.particles > 0 ? 100.0 * double(figures.molten) / double(figures.particles) : 0;
     std::snprintf(text.data(), text.size(), "%.1f s   \xC2\xB7   %.1f %% molten   \xC2\xB7   hottest %.2f",
@@ -60,7 +60,10 @@ ui::Request HeadsetStation::drawPanel(Session& session, const ui::Figures& figur
 ui::Request HeadsetStation::panelContent(ui::Context& context, Session& session, const ui::Figures& figures) {
     ui::Request request = ui::Request::none;
     ui::strongText(context, session.lesson().title);
-    ui::quietText(context, session.running() ? figuresText(figures) : session.lesson().text);
+    if (session.running())
+        ui::quietText(context, figuresText(figures));
+    else
+        ui::quietText(context, session.lesson().text);
     if (!desk_.warning().empty()) ui::quietText(context, desk_.warning());
     ImGui::Dummy({0, context.points(4)});
     if (!session.running()) {
@@ -120,7 +123,9 @@ HeadsetTold HeadsetStation::told() const {
     told.panel = desk_.panelOpen();
     told.tip = toldOfTip();
     told.busyMs = desk_.busySeconds() * 1000;
-    if (panel_ != nullptr) told.places = panel_->context().places;
+    if (panel_ != nullptr)
+        for (const auto& [name, place] : panel_->context().places)
+            if (panel_->context().inSight(place)) told.places.emplace(name, place);
     return told;
 }
 

@@ -18,7 +18,12 @@ Readback::Readback(std::string_view label, size_t bytes) : bytes_(bytes) {
 }
 
 Readback::~Readback() {
+    forget();
+}
+
+void Readback::forget() {
     if (fence_ != nullptr) glDeleteSync(fence_);
+    fence_ = nullptr;
 }
 
 void Readback::request(const Buffer& source, size_t offset) {
@@ -30,13 +35,19 @@ void Readback::request(const Buffer& source, size_t offset) {
     fence_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
 }
 
-bool Readback::take(void* target, size_t bytes) {
-    if (fence_ == nullptr) return false;
+const void* Readback::pollInPlace() {
+    if (fence_ == nullptr) return nullptr;
+    // The flush makes sure that the commands get going even if nothing else is drawn.
     const GLenum state = glClientWaitSync(fence_, GL_SYNC_FLUSH_COMMANDS_BIT, 0);
-    if (state != GL_ALREADY_SIGNALED && state != GL_CONDITION_SATISFIED) return false;
-    glDeleteSync(fence_);
-    fence_ = nullptr;
-    std::memcpy(target, mapped_, bytes);
+    if (state != GL_ALREADY_SIGNALED && state != GL_CONDITION_SATISFIED) return nullptr;
+    forget();
+    return mapped_;
+}
+
+bool Readback::take(void* target, size_t bytes) {
+    const void* answer = pollInPlace();
+    if (answer == nullptr) return false;
+    std::memcpy(target, answer, bytes);
     return true;
 }
 

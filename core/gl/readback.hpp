@@ -26,6 +26,11 @@ class Readback {
         return sizeof(T) <= bytes_ && take(&value, sizeof(T)) ? std::optional<T>(value) : std::nullopt;
     }
 
+    /// The answer where it lies, once; nullptr while there is none. Valid until the next request. Never waits.
+    const void* pollInPlace();
+    /// Drops what is on its way.
+    void forget();
+
   private:
     bool take(void* target, size_t bytes);
 

@@ -45,17 +45,18 @@ void modeSign(Context& context, const Controls& controls, float left, float righ
     ImGui::PopFont();
 }
 
-std::string figuresText(const Figures& f) {
+ShortText figuresText(const Figures& f) {
     const double share = f.particles > 0 ? 100.0 * static_cast<double>(f.molten) / static_cast<double>(f.particles) : 0;
-    const std::string hottest = f.kelvin ? niceNumber(std::round(f.hottest - 273.15)) + " \xC2\xB0" + "C"
-                                         : niceNumber(std::round(f.hottest * 100) / 100);
+    const ShortText hottest = f.kelvin ? ShortText{niceNumber(std::round(f.hottest - 273.15)), " \xC2\xB0", "C"}
+                                       : niceNumber(std::round(f.hottest * 100) / 100);
     char text[160];
     std::snprintf(text, sizeof text,
-                  "%.1f s   \xC2\xB7   %zu particles   \xC2\xB7   %.1f %% molten   \xC2\xB7   hottest %s", f.time,
-                  f.particles, share, hottest.c_str());
-    std::string all = text;
-    if (f.stopped) return all + "   \xC2\xB7   stopped";
-    if (f.speed < 0.97) {
+                  "%.1f s   \xC2\xB7   %zu particles   \xC2\xB7   %.1f %% molten   \xC2\xB7   hottest ", f.time,
+                  f.particles, share);
+    ShortText all{text, hottest};
+    if (f.stopped) {
+        all += "   \xC2\xB7   stopped";
+    } else if (f.speed < 0.97) {
         std::snprintf(text, sizeof text, "   \xC2\xB7   runs at %.0f %% of real time", std::max(1.0, f.speed * 100));
         all += text;
     }
@@ -117,7 +118,7 @@ Request topBar(Context& context, PanelState& panels, const Controls& controls, c
         request = Request::restart;
     ImGui::SameLine(0, context.points(6));
     if (button(context, "bar.help", "Help", panels.help ? ButtonKind::lit : ButtonKind::plain, 86,
-               ("All keys (F1). Lesson: " + lesson).c_str()))
+               ShortText{"All keys (F1). Lesson: ", lesson}.c_str()))
         panels.help = !panels.help;
     ImGui::End();
     return request;
@@ -128,7 +129,7 @@ void statusBar(Context& context, const Figures& figures, const Controls& control
     beginBar(context, "status bar", ImGui::GetIO().DisplaySize.y - height);
     ImGui::PushFont(context.fonts.small);
     ImGui::SetCursorPosY((height - ImGui::GetTextLineHeight()) / 2);
-    const std::string text = figuresText(figures);
+    const ShortText text = figuresText(figures);
     const float right = ImGui::GetIO().DisplaySize.x - ImGui::CalcTextSize(text.c_str()).x - context.points(16);
 
     constexpr std::array<Hint, 4> kWork{
@@ -214,11 +215,11 @@ void temperatureScale(Context& context, int colours, const TemperatureMeaning& m
                   {x - context.points(2), y - context.points(29)}, colour::kQuiet, "Temperature");
     const auto degrees = [&meaning](float share) {
         const float kelvin = meaning.coldest + share * (meaning.hottest - meaning.coldest);
-        return niceNumber(std::round(static_cast<double>(kelvin) - 273.15)) + " \xC2\xB0" + "C";
+        return ShortText{niceNumber(std::round(static_cast<double>(kelvin) - 273.15)), " \xC2\xB0", "C"};
     };
-    const std::array<std::string, 3> labels = meaning.kelvin
-                                                  ? std::array<std::string, 3>{degrees(1), degrees(0.5f), degrees(0)}
-                                                  : std::array<std::string, 3>{"1  liquid", "0.5", "0  solid"};
+    const std::array<ShortText, 3> labels = meaning.kelvin
+                                                ? std::array<ShortText, 3>{degrees(1), degrees(0.5f), degrees(0)}
+                                                : std::array<ShortText, 3>{"1  liquid", "0.5", "0  solid"};
     for (size_t i = 0; i < 3; ++i)
         draw->AddText(context.fonts.small, context.fonts.small->FontSize * ImGui::GetIO().FontGlobalScale,
                       {x + width + context.points(8), y + height / 2 * static_cast<float>(i) - context.points(9)},

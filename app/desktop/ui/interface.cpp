@@ -1,5 +1,7 @@
 #include "app/desktop/ui/interface.hpp"
 
+#include "core/base/work_meter.hpp"
+
 #include <algorithm>
 
 namespace meltpool::ui {
@@ -46,7 +48,7 @@ void Interface::begin(float size, bool captured, bool byKeyboard) {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
-    context_.places.clear();
+    context_.beginFrame();
 }
 
 void Interface::takeInput(InputFrame& input, bool captured) const {
@@ -70,6 +72,7 @@ void Interface::end() {
     const glm::ivec2 pixels = window_.pixels();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, pixels.x, pixels.y);
+    const InWork driver(WorkPlace::driver); // Dear ImGui loads the functions of OpenGL by itself
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <set>
 
 namespace meltpool::ui {
 
@@ -38,48 +37,65 @@ void panelTitle(Context& context, const char* title, const char* what) {
 struct Group {
     const char* section;
     const char* title;
-    std::vector<std::string_view> keys;
+    std::array<std::string_view, 6> keys; ///< empty ones fill up
     bool openAtFirst;
 };
 
-const Section* findSection(const std::vector<const Section*>& sections, std::string_view name) {
+const Section* findSection(std::span<const Section* const> sections, std::string_view name) {
     for (const Section* section : sections)
         if (section->name == name) return section;
     return nullptr;
 }
 
-void drawGroup(Context& context, const Section& section, const char* title, const ParameterList& list,
-               bool openAtFirst) {
-    if (list.empty() || !groupHeading(context, section.name, title, openAtFirst)) return;
-    for (const Parameter& parameter : list)
-        parameterControl(context, section.name, parameter, section.defaults);
+/// Whether a section's parameter stands under this heading. What only takes effect at the start stands nowhere.
+bool stands(const Parameter& parameter, const Group& group) {
+    return !parameter.onlyAtStart && std::find(group.keys.begin(), group.keys.end(), parameter.key) != group.keys.end();
 }
 
-/// The groups in order, then under "More" whatever no group names. What only takes effect at the start is left out.
-void drawGroups(Context& context, const std::vector<const Section*>& sections, const std::vector<Group>& groups) {
-    std::set<std::string_view> done;
+/// Under a heading of its own whatever parameters of a section `belongs` says yes to; nothing where there are none.
+template <class Belongs>
+void drawGroup(Context& context, const Section& section, const char* title, bool openAtFirst, const Belongs& belongs) {
+    if (std::none_of(section.parameters.begin(), section.parameters.end(), belongs)) return;
+    if (!groupHeading(context, section.name, title, openAtFirst)) return;
+    for (const Parameter& parameter : section.parameters)
+        if (belongs(parameter)) parameterControl(context, section.name, parameter, section.defaults);
+}
+
+/// A group's parameters in the group's order.
+void drawGroup(Context& context, const Section& section, const Group& group) {
+    const auto belongs = [&group](const Parameter& p) { return stands(p, group); };
+    if (std::none_of(section.parameters.begin(), section.parameters.end(), belongs)) return;
+    if (!groupHeading(context, section.name, group.title, group.openAtFirst)) return;
+    for (const std::string_view key : group.keys)
+        if (const Parameter* p = findParameter(section.parameters, key); p != nullptr && !p->onlyAtStart)
+            parameterControl(context, section.name, *p, section.defaults);
+}
+
+/// The groups in order, then under "More" whatever no group names.
+void drawGroups(Context& context, std::span<const Section* const> sections, std::span<const Group> groups) {
+    // The sections' keys are distinct where it matters: a value that stands in two menus has one key.
+    const auto named = [&](const Parameter& p) {
+        return std::any_of(groups.begin(), groups.end(), [&](const Group& group) {
+            return stands(p, group) && findSection(sections, group.section) != nullptr;
+        });
+    };
+    bool anyNamed = false;
     for (const Group& group : groups) {
         const Section* section = findSection(sections, group.section);
         if (section == nullptr) continue;
-        ParameterList list;
-        for (const std::string_view key : group.keys)
-            if (const Parameter* p = findParameter(section->parameters, key); p != nullptr && !p->onlyAtStart)
-                list.push_back(*p);
-        for (const Parameter& p : list)
-            done.insert(p.key);
-        drawGroup(context, *section, group.title, list, group.openAtFirst);
+        anyNamed = anyNamed || std::any_of(section->parameters.begin(), section->parameters.end(),
+                                           [&group](const Parameter& p) { return stands(p, group); });
+        drawGroup(context, *section, group);
     }
     for (const Section* section : sections) {
-        ParameterList rest;
-        for (const Parameter& p : section->parameters)
-            if (!p.onlyAtStart && !done.contains(p.key)) rest.push_back(p);
         // A lesson of which no group knows any value shows them all.
-        const std::string title = done.empty() ? "Process" : "More: " + section->name;
-        drawGroup(context, *section, title.c_str(), rest, done.empty());
+        const ShortText title = anyNamed ? ShortText{"More: ", section->name} : ShortText("Process");
+        drawGroup(context, *section, title.c_str(), !anyNamed,
+                  [&](const Parameter& p) { return !p.onlyAtStart && !named(p); });
     }
 }
 
-void passRow(Context& context, const std::string& name, double ms, double whole, int depth) {
+void passRow(Context& context, std::string_view name, double ms, double whole, int depth) {
     char text[48];
     std::snprintf(text, sizeof text, "%.2f ms", ms);
     const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
@@ -132,19 +148,20 @@ float panelReach(const Context& context) {
     return context.points(kPanelWidth + kPanelGap);
 }
 
-void viewMenu(Context& context, const std::vector<const Section*>& sections) {
+void viewMenu(Context& context, std::span<const Section* const> sections) {
     beginPanel(context, "view menu", Side::left);
     panelTitle(context, "View", "How the metal is shown. Nothing here changes what it does.");
-    drawGroups(context, sections,
-               {{"view", "Show the metal as", {"mode", "colours", "material", "point_size"}, true},
-                {"view", "In the picture", {"show_box", "show_sky", "show_source"}, true},
-                {"view", "Light", {"ambient", "diffuse", "specular", "shininess", "exposure", "light_position"}, false},
-                {"surface", "Surface", {"influence", "iso_level", "caps"}, false},
-                {"controls",
-                 "Mouse and keys",
-                 {"source_step", "source_mouse_speed", "look_speed", "camera_speed", "invert_look"},
-                 false},
-                {"window", "Window", {"interface_size"}, false}});
+    static constexpr std::array<Group, 6> kGroups{
+        {{"view", "Show the metal as", {"mode", "colours", "material", "point_size"}, true},
+         {"view", "In the picture", {"show_box", "show_sky", "show_source"}, true},
+         {"view", "Light", {"ambient", "diffuse", "specular", "shininess", "exposure", "light_position"}, false},
+         {"surface", "Surface", {"influence", "iso_level", "caps"}, false},
+         {"controls",
+          "Mouse and keys",
+          {"source_step", "source_mouse_speed", "look_speed", "camera_speed", "invert_look"},
+          false},
+         {"window", "Window", {"interface_size"}, false}}};
+    drawGroups(context, sections, kGroups);
     ImGui::End();
 }
 
@@ -154,16 +171,18 @@ void simulationMenu(Context& context, const Section& section, Controls& controls
     bool cold = controls.source().cold();
     if (toggle(context, "simulation.cold", "Cold source", cold, "Freezes what it touches instead of melting it (F)"))
         controls.source().setCold(cold);
-    drawGroups(context, {&section},
-               {{"simulation", "Heat", {"heat_radius", "heat_temperature", "solidify_rate"}, true},
-                {"simulation",
-                 "Liquid metal",
-                 {"viscosity", "gas_stiffness", "rest_density", "particle_mass", "support_radius"},
-                 true},
-                {"simulation",
-                 "Space and time",
-                 {"gravity", "wall_restitution", "wall_slip", "acceleration_limit", "time_step"},
-                 true}});
+    static constexpr std::array<Group, 3> kGroups{
+        {{"simulation", "Heat", {"heat_radius", "heat_temperature", "solidify_rate"}, true},
+         {"simulation",
+          "Liquid metal",
+          {"viscosity", "gas_stiffness", "rest_density", "particle_mass", "support_radius"},
+          true},
+         {"simulation",
+          "Space and time",
+          {"gravity", "wall_restitution", "wall_slip", "acceleration_limit", "time_step"},
+          true}}};
+    const std::array<const Section*, 1> sections{&section};
+    drawGroups(context, sections, kGroups);
     ImGui::End();
 }
 

@@ -8,8 +8,8 @@
 #include "core/render/scene.hpp"
 
 #include <optional>
+#include <span>
 #include <string>
-#include <vector>
 
 namespace meltpool::ui {
 
@@ -54,7 +54,7 @@ float barHeight(const Context& context);
 Request startMenu(Context& context, const Section& start, const std::string& task, const std::string& driver);
 Request topBar(Context& context, PanelState& panels, const Controls& controls, const std::string& lesson);
 void statusBar(Context& context, const Figures& figures, const Controls& controls);
-void viewMenu(Context& context, const std::vector<const Section*>& sections);
+void viewMenu(Context& context, std::span<const Section* const> sections);
 void simulationMenu(Context& context, const Section& section, Controls& controls);
 void timingsPanel(Context& context, const gl::Profiler& profiler, const Figures& figures, double frameMs,
                   const std::string& driver, bool besideView);

@@ -18,7 +18,7 @@ struct Scale {
     double high;
     double even = 0; ///< extent of the even part; 0: even throughout
 
-    Scale(const Parameter& p, const std::string& usual) : low(p.minimum), high(p.maximum) {
+    Scale(const Parameter& p, std::string_view usual) : low(p.minimum), high(p.maximum) {
         const auto value = parseDouble(usual);
         if (value && *value > low && high - low >= 10 * (*value - low)) even = (*value - low) / 30;
     }
@@ -40,11 +40,11 @@ struct Scale {
     }
 };
 
-std::string description(const Parameter& p, const std::string& original) {
+std::string description(const Parameter& p, std::string_view original) {
     std::string text = sentence(p.note);
     if (!text.empty()) text += "\n\n";
     text += sentence(expectation(p));
-    if (!original.empty()) text += " At first " + original + ".";
+    if (!original.empty()) text += " At first " + std::string(original) + ".";
     return text;
 }
 
@@ -55,7 +55,7 @@ struct TypedEntry {
 };
 TypedEntry typed;
 
-void startTyping(const std::string& name, double value) {
+void startTyping(std::string_view name, double value) {
     typed.name = name;
     std::snprintf(typed.text, sizeof typed.text, "%s", formatNumber(value).c_str());
     typed.fresh = true;
@@ -78,7 +78,7 @@ bool typeNumber(double low, double high, double& value) {
 }
 
 /// A thin track with a round handle. Double click or Ctrl and click to type.
-bool slider(Context& context, const std::string& name, const Scale& scale, bool whole, double& value) {
+bool slider(Context& context, std::string_view name, const Scale& scale, bool whole, double& value) {
     if (typed.name == name) return typeNumber(scale.low, scale.high, value);
     const float width = ImGui::GetContentRegionAvail().x;
     const float height = context.points(20);
@@ -111,22 +111,22 @@ bool slider(Context& context, const std::string& name, const Scale& scale, bool 
 }
 
 /// Label at the left, value and unit at the right, and a way back to the first value in between.
-bool labelLine(Context& context, const std::string& name, const Parameter& p, const std::string& value,
-               const std::string& original) {
+bool labelLine(Context& context, std::string_view name, const Parameter& p, std::string_view value,
+               std::string_view original) {
     const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
-    ImGui::TextUnformatted(std::string(p.label).c_str());
-    tooltip(context, description(p, original));
+    ImGui::TextUnformatted(p.label.data(), p.label.data() + p.label.size());
+    if (ImGui::IsItemHovered()) tooltip(context, description(p, original));
     bool back = false;
-    const float width = ImGui::CalcTextSize(value.c_str()).x;
+    const float width = ImGui::CalcTextSize(value.data(), value.data() + value.size()).x;
     if (!original.empty() && original != parameterText(p)) {
         const float size = context.points(18);
         ImGui::SameLine();
         ImGui::SetCursorPosX(right - width - size - context.points(6));
         const ImVec2 corner = ImGui::GetCursorScreenPos();
         back = ImGui::InvisibleButton("##back", {size, ImGui::GetTextLineHeight()});
-        markItem(context, name + ".back");
+        markItem(context, ShortText{name, ".back"});
         const ImU32 tint = ImGui::IsItemHovered() ? colour::kAccent : colour::kQuiet;
-        tooltip(context, "Back to " + original);
+        tooltip(context, ShortText{"Back to ", original});
         const ImVec2 centre{corner.x + size / 2, corner.y + ImGui::GetTextLineHeight() / 2};
         const float r = context.points(5);
         ImDrawList* draw = ImGui::GetWindowDrawList();
@@ -140,7 +140,7 @@ bool labelLine(Context& context, const std::string& name, const Parameter& p, co
         ImGui::SameLine();
         ImGui::SetCursorPosX(right - width);
         ImGui::PushStyleColor(ImGuiCol_Text, colour::kQuiet);
-        ImGui::TextUnformatted(value.c_str());
+        ImGui::TextUnformatted(value.data(), value.data() + value.size());
         ImGui::PopStyleColor();
     }
     return back;
@@ -150,15 +150,15 @@ bool isBareUnit(std::string_view unit) {
     return unit.empty() || unit == "1" || unit == "-";
 }
 
-std::string valueWithUnit(const Parameter& p, double value) {
-    return niceNumber(value) + (isBareUnit(p.unit) ? "" : " " + std::string(p.unit));
+ShortText valueWithUnit(const Parameter& p, double value) {
+    return isBareUnit(p.unit) ? niceNumber(value) : ShortText{niceNumber(value), " ", p.unit};
 }
 
 struct Draw {
     Context& context;
-    const std::string& name;
+    std::string_view name;
     const Parameter& p;
-    const std::string& original;
+    std::string_view original;
 
     bool number(double& value, bool whole) const {
         if (labelLine(context, name, p, valueWithUnit(p, value), original)) {
@@ -185,11 +185,14 @@ struct Draw {
         return *target != before;
     }
     bool operator()(bool* target) const {
-        return toggle(context, name, std::string(p.label).c_str(), *target, description(p, original).c_str());
+        bool hovered = false;
+        const bool changed = toggle(context, name, p.label, *target, nullptr, &hovered);
+        if (hovered) tooltip(context, description(p, original));
+        return changed;
     }
     bool operator()(glm::vec3* target) const {
         const glm::vec3 before = *target;
-        if (labelLine(context, name, p, isBareUnit(p.unit) ? "" : std::string(p.unit), original))
+        if (labelLine(context, name, p, isBareUnit(p.unit) ? std::string_view() : p.unit, original))
             setParameter({p}, p.key, original, p.key);
         ImGui::SetNextItemWidth(-1);
         const float speed = static_cast<float>(std::min(p.maximum - p.minimum, 40.0) / 400);
@@ -216,11 +219,11 @@ DefaultTexts defaultTexts(const ParameterList& list) {
     return texts;
 }
 
-bool parameterControl(Context& context, const std::string& prefix, const Parameter& parameter,
+bool parameterControl(Context& context, std::string_view prefix, const Parameter& parameter,
                       const DefaultTexts& defaults) {
-    const std::string name = prefix + "." + std::string(parameter.key);
+    const ShortText name{prefix, ".", parameter.key};
     const auto known = defaults.find(parameter.key);
-    const std::string original = known == defaults.end() ? std::string() : known->second;
+    const std::string_view original = known == defaults.end() ? std::string_view() : known->second;
     ImGui::PushID(name.c_str());
     ImGui::BeginGroup();
     const bool changed = std::visit(Draw{context, name, parameter, original}, parameter.value);

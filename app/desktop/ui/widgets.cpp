@@ -8,46 +8,48 @@
 
 namespace meltpool::ui {
 
-void markItem(Context& context, const std::string& name) {
+void markItem(Context& context, std::string_view name) {
     if (!ImGui::IsItemVisible()) return;
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
-    context.places[name] = {low.x, low.y, high.x - low.x, high.y - low.y};
+    auto known = context.places.find(name);
+    if (known == context.places.end()) known = context.places.emplace(name, Place{}).first;
+    known->second = {low.x, low.y, high.x - low.x, high.y - low.y, context.frame};
 }
 
-void tooltip(Context& context, const std::string& text) {
+void tooltip(Context& context, std::string_view text) {
     if (text.empty() || !ImGui::IsItemHovered()) return;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(context.points(320));
-    ImGui::TextUnformatted(text.c_str());
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }
 
-void quietText(Context& context, const std::string& text) {
+void quietText(Context& context, std::string_view text) {
     ImGui::PushFont(context.fonts.small);
     ImGui::PushStyleColor(ImGuiCol_Text, colour::kQuiet);
-    ImGui::TextWrapped("%s", text.c_str());
+    ImGui::TextWrapped("%.*s", static_cast<int>(text.size()), text.data());
     ImGui::PopStyleColor();
     ImGui::PopFont();
 }
 
-void strongText(Context& context, const std::string& text) {
+void strongText(Context& context, std::string_view text) {
     ImGui::PushFont(context.fonts.strong);
-    ImGui::TextUnformatted(text.c_str());
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
     ImGui::PopFont();
 }
 
-std::string niceNumber(double value) {
+ShortText niceNumber(double value) {
     const double size = std::abs(value);
     int decimals = 0;
     if (size > 0 && size < 1000) decimals = std::clamp(3 - static_cast<int>(std::floor(std::log10(size))), 0, 6);
     char text[64];
     std::snprintf(text, sizeof text, "%.*f", decimals, value);
-    std::string number = text;
-    if (number.find('.') != std::string::npos) {
-        number.erase(number.find_last_not_of('0') + 1);
-        if (number.back() == '.') number.pop_back();
+    std::string_view number = text;
+    if (number.find('.') != std::string_view::npos) {
+        number = number.substr(0, number.find_last_not_of('0') + 1);
+        if (number.back() == '.') number.remove_suffix(1);
     }
     return number == "-0" ? "0" : number;
 }
@@ -60,16 +62,14 @@ std::string sentence(std::string_view text) {
     return whole;
 }
 
-std::string readableName(std::string_view key) {
-    std::string name(key);
-    for (char& c : name)
-        if (c == '_') c = ' ';
-    if (!name.empty()) name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+ShortText readableName(std::string_view key) {
+    ShortText name(key);
+    std::replace(name.data(), name.data() + name.size(), '_', ' ');
+    if (!name.empty()) name.data()[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name.data()[0])));
     return name;
 }
 
-bool button(Context& context, const std::string& name, const char* text, ButtonKind kind, float width,
-            const char* note) {
+bool button(Context& context, std::string_view name, const char* text, ButtonKind kind, float width, const char* note) {
     int colours = 0;
     const auto push = [&colours](ImGuiCol what, ImU32 value) {
         ImGui::PushStyleColor(what, value);
@@ -87,7 +87,7 @@ bool button(Context& context, const std::string& name, const char* text, ButtonK
         push(ImGuiCol_ButtonActive, IM_COL32(255, 138, 61, 90));
         push(ImGuiCol_Text, IM_COL32(255, 178, 122, 255));
     }
-    const bool clicked = ImGui::Button((std::string(text) + "##" + name).c_str(), {context.points(width), 0});
+    const bool clicked = ImGui::Button(ShortText{text, "##", name}.c_str(), {context.points(width), 0});
     if (kind == ButtonKind::main) ImGui::PopFont();
     ImGui::PopStyleColor(colours);
     markItem(context, name);
@@ -95,13 +95,15 @@ bool button(Context& context, const std::string& name, const char* text, ButtonK
     return clicked;
 }
 
-bool toggle(Context& context, const std::string& name, const char* label, bool& value, const char* note) {
+bool toggle(Context& context, std::string_view name, std::string_view label, bool& value, const char* note,
+            bool* hoveredNow) {
     const float height = ImGui::GetTextLineHeight() + context.points(8);
     const float width = ImGui::GetContentRegionAvail().x;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const bool clicked = ImGui::InvisibleButton(name.c_str(), {width, height});
+    const bool clicked = ImGui::InvisibleButton(ShortText(name).c_str(), {width, height});
     if (clicked) value = !value;
     const bool hovered = ImGui::IsItemHovered();
+    if (hoveredNow != nullptr) *hoveredNow = hovered;
     markItem(context, name);
     if (note != nullptr) tooltip(context, note);
 
@@ -114,18 +116,18 @@ bool toggle(Context& context, const std::string& name, const char* label, bool& 
     const float knob = thick / 2 - context.points(3);
     const float x = value ? track.x + wide - thick / 2 : track.x + thick / 2;
     draw->AddCircleFilled({x, track.y + thick / 2}, knob, value ? IM_COL32_WHITE : IM_COL32(190, 197, 208, 255), 24);
-    draw->AddText({corner.x, corner.y + context.points(4)}, colour::kText, label);
+    draw->AddText({corner.x, corner.y + context.points(4)}, colour::kText, label.data(), label.data() + label.size());
     return clicked;
 }
 
-bool choiceRow(Context& context, const std::string& name, std::span<const std::string_view> choices, int& value) {
+bool choiceRow(Context& context, std::string_view name, std::span<const std::string_view> choices, int& value) {
     const float gap = context.points(5);
     const float right = ImGui::GetContentRegionAvail().x;
     float used = 0;
     bool changed = false;
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {context.points(8), context.points(4)});
     for (size_t i = 0; i < choices.size(); ++i) {
-        const std::string text = readableName(choices[i]);
+        const ShortText text = readableName(choices[i]);
         const float width = ImGui::CalcTextSize(text.c_str()).x + context.points(16);
         if (i > 0 && used + gap + width <= right) {
             ImGui::SameLine(0, gap);
@@ -135,7 +137,7 @@ bool choiceRow(Context& context, const std::string& name, std::span<const std::s
         }
         used += width;
         const bool chosen = value == static_cast<int>(i);
-        const std::string place = name + "." + std::string(choices[i]);
+        const ShortText place{name, ".", choices[i]};
         if (button(context, place, text.c_str(), chosen ? ButtonKind::lit : ButtonKind::plain) && !chosen) {
             value = static_cast<int>(i);
             changed = true;
@@ -145,7 +147,7 @@ bool choiceRow(Context& context, const std::string& name, std::span<const std::s
     return changed;
 }
 
-bool groupHeading(Context& context, const std::string& prefix, const char* title, bool openAtFirst) {
+bool groupHeading(Context& context, std::string_view prefix, const char* title, bool openAtFirst) {
     ImGui::Dummy({0, context.points(4)});
     ImGuiStorage* storage = ImGui::GetStateStorage();
     const ImGuiID id = ImGui::GetID(title);
@@ -158,7 +160,7 @@ bool groupHeading(Context& context, const std::string& prefix, const char* title
         open = !open;
         storage->SetBool(id, open);
     }
-    markItem(context, prefix + ".group." + title);
+    markItem(context, ShortText{prefix, ".group.", title});
     ImDrawList* draw = ImGui::GetWindowDrawList();
     const ImU32 tint = ImGui::IsItemHovered() ? IM_COL32(255, 205, 168, 255) : IM_COL32(255, 178, 122, 255);
     draw->AddText({corner.x, corner.y + context.points(3)}, tint, title);

@@ -3,31 +3,26 @@
 #include "shaders/shared/classic.h"
 
 #include <algorithm>
+#include <cstring>
+#include <span>
 
 namespace meltpool {
-
-namespace {
-
-constexpr size_t kRing = 3;
-
-} // namespace
 
 StatisticsReader::StatisticsReader(gl::ShaderLibrary& library, size_t particles)
     : particles_(particles),
       chunks_((particles + CLASSIC_STATISTICS_CHUNK - 1) / CLASSIC_STATISTICS_CHUNK),
-      program_(library.compute("metal/classic_statistics.comp")) {
-    for (Slot& slot : slots_)
-        slot.buffer = gl::Buffer("classic statistics", chunks_ * sizeof(ClassicChunk) + sizeof(uint));
-}
-
-StatisticsReader::~StatisticsReader() {
-    forget();
+      program_(library.compute("metal/classic_statistics.comp")),
+      waited_("classic statistics", chunks_ * sizeof(ClassicChunk) + sizeof(uint)) {
+    for (Slot& slot : slots_) {
+        slot.buffer = gl::Buffer("classic statistics", waited_.bytes());
+        slot.answer.emplace("classic statistics", waited_.bytes());
+    }
 }
 
 void StatisticsReader::forget() {
     for (Slot& slot : slots_) {
-        if (slot.fence != nullptr) glDeleteSync(slot.fence);
-        slot.fence = nullptr;
+        slot.answer->forget();
+        slot.asked = false;
     }
     oldest_ = 0;
 }
@@ -39,57 +34,59 @@ void StatisticsReader::reduce(const gl::Buffer& refused, const gl::Buffer& targe
     refused.copyTo(target, sizeof(uint), 0, chunks_ * sizeof(ClassicChunk));
 }
 
-MetalStatistics StatisticsReader::read(const gl::Buffer& buffer) const {
+MetalStatistics StatisticsReader::sum(const void* answer) const {
+    const std::span chunks(static_cast<const ClassicChunk*>(answer), chunks_);
     MetalStatistics total;
     total.particles = particles_;
-    total.nonFinite = buffer.read<uint>(1, chunks_ * sizeof(ClassicChunk)).front();
-    const std::vector<ClassicChunk> chunks = buffer.read<ClassicChunk>(chunks_);
+    uint refused = 0;
+    std::memcpy(&refused, chunks.data() + chunks.size(), sizeof refused);
+    total.nonFinite = refused;
     total.minTemperature = static_cast<double>(chunks.front().minTemperature);
     total.maxTemperature = static_cast<double>(chunks.front().maxTemperature);
-    double sum = 0;
+    double temperatures = 0;
     for (const ClassicChunk& chunk : chunks) {
-        sum += static_cast<double>(chunk.temperatureSum);
+        temperatures += static_cast<double>(chunk.temperatureSum);
         total.minTemperature = std::min(total.minTemperature, static_cast<double>(chunk.minTemperature));
         total.maxTemperature = std::max(total.maxTemperature, static_cast<double>(chunk.maxTemperature));
         total.molten += chunk.molten;
         total.lost += chunk.outside;
     }
-    total.meanTemperature = sum / static_cast<double>(particles_);
+    total.meanTemperature = temperatures / static_cast<double>(particles_);
     return total;
 }
 
 void StatisticsReader::request(const gl::Buffer& refused) {
-    for (size_t age = 0; age < kRing; ++age) {
-        Slot& slot = slots_[(oldest_ + age) % kRing];
-        if (slot.fence != nullptr) continue;
+    for (size_t age = 0; age < slots_.size(); ++age) {
+        Slot& slot = slots_[(oldest_ + age) % slots_.size()];
+        if (slot.asked) continue;
         reduce(refused, slot.buffer);
-        slot.fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+        slot.answer->request(slot.buffer);
+        slot.asked = true;
         return;
     }
 }
 
 std::optional<MetalStatistics> StatisticsReader::poll() {
     std::optional<MetalStatistics> newest;
-    for (size_t age = 0; age < kRing; ++age) {
+    for (size_t age = 0; age < slots_.size(); ++age) {
         Slot& slot = slots_[oldest_];
-        if (slot.fence == nullptr) break;
-        // The flush makes sure that the commands get going even if nothing else is drawn.
-        if (glClientWaitSync(slot.fence, GL_SYNC_FLUSH_COMMANDS_BIT, 0) == GL_TIMEOUT_EXPIRED) break;
-        glDeleteSync(slot.fence);
-        slot.fence = nullptr;
-        newest = read(slot.buffer);
-        oldest_ = (oldest_ + 1) % kRing;
+        if (!slot.asked) break;
+        const void* answer = slot.answer->pollInPlace();
+        if (answer == nullptr) break;
+        slot.asked = false;
+        newest = sum(answer);
+        oldest_ = (oldest_ + 1) % slots_.size();
     }
     return newest;
 }
 
 MetalStatistics StatisticsReader::now(const gl::Buffer& refused) const {
-    reduce(refused, slots_[kRing].buffer);
-    return read(slots_[kRing].buffer);
+    reduce(refused, waited_);
+    return sum(waited_.read<std::byte>(waited_.bytes()).data());
 }
 
 size_t StatisticsReader::bytes() const {
-    return slots_.size() * slots_.front().buffer.bytes();
+    return 2 * slots_.size() * waited_.bytes() + waited_.bytes();
 }
 
 } // namespace meltpool

@@ -3,6 +3,7 @@
 
 #include "core/gl/buffer.hpp"
 #include "core/gl/program.hpp"
+#include "core/gl/readback.hpp"
 #include "core/metal/statistics.hpp"
 
 #include <array>
@@ -14,7 +15,6 @@ namespace meltpool {
 class StatisticsReader {
   public:
     StatisticsReader(gl::ShaderLibrary& library, size_t particles);
-    ~StatisticsReader();
     StatisticsReader(const StatisticsReader&) = delete;
     StatisticsReader& operator=(const StatisticsReader&) = delete;
 
@@ -32,16 +32,19 @@ class StatisticsReader {
   private:
     struct Slot {
         gl::Buffer buffer;
-        GLsync fence = nullptr;
+        std::optional<gl::Readback> answer;
+        bool asked = false;
     };
 
     void reduce(const gl::Buffer& refused, const gl::Buffer& target) const;
-    MetalStatistics read(const gl::Buffer& buffer) const;
+    /// Of the chunks and the count of refused states behind them.
+    MetalStatistics sum(const void* answer) const;
 
     size_t particles_;
     size_t chunks_;
     const gl::Program& program_;
-    std::array<Slot, 4> slots_; // the last one is for now()
+    std::array<Slot, 3> slots_;
+    gl::Buffer waited_; // for now()
     size_t oldest_ = 0;
 };
 

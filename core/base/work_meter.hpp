@@ -1,0 +1,84 @@
+// Where a frame's time goes on its own thread: into our own work, the graphics driver, the headset's runtime, or
+// waiting. Whoever calls into a driver or runtime says so; without a meter that costs one look at a pointer.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+
+namespace meltpool {
+
+enum class WorkPlace { own, driver, runtime, waiting };
+constexpr size_t kWorkPlaces = 4;
+
+/// Requests of this thread to the heap through operator new, where the program counts them (app/meter); else 0.
+inline thread_local std::uint64_t allocationsHere = 0;
+
+/// Begun and ended on one thread; one at a time.
+class WorkMeter {
+  public:
+    ~WorkMeter() { end(); }
+
+    /// From here on this thread's time is counted, from zero.
+    void begin();
+    void end();
+    /// Time since begin(), s. Of the clock, so that what other programs took from us counts too.
+    double seconds(WorkPlace place) const { return spent_[static_cast<size_t>(place)]; }
+    /// The processor's time for our own work since begin(), s, less what measuring it took. Where the system does not
+    /// tell a thread's time, as seconds().
+    double ownCpuSeconds() const;
+    /// Requests to the heap since begin() by work of our own: drivers and runtimes do as they like.
+    std::uint64_t ownAllocations() const { return ownAllocations_; }
+    /// Calls since begin() after which the thread stood still until the GPU had got somewhere, and the last one's name.
+    unsigned stalls() const { return stalls_; }
+    const char* lastStall() const { return lastStall_; }
+
+    WorkPlace place() const { return place_; }
+
+    /// The thread's meter, or nullptr.
+    static WorkMeter* current() { return current_; }
+    void stalled(const char* call) {
+        ++stalls_;
+        lastStall_ = call;
+    }
+
+  private:
+    friend class InWork;
+    using Clock = std::chrono::steady_clock;
+
+    void change(WorkPlace next);
+
+    static inline thread_local WorkMeter* current_ = nullptr;
+    std::array<double, kWorkPlaces> spent_{};
+    WorkPlace place_ = WorkPlace::own;
+    Clock::time_point since_;
+    double cpuSince_ = 0;
+    double ownCpu_ = 0;
+    unsigned ownParts_ = 0; ///< stretches of own work, each longer by a look at the clock
+    std::uint64_t allocationsBefore_ = 0;
+    std::uint64_t ownAllocations_ = 0;
+    unsigned stalls_ = 0;
+    const char* lastStall_ = "";
+};
+
+/// While it lives the thread's time belongs to `place`; what is called while waiting counts as waiting.
+class InWork {
+  public:
+    explicit InWork(WorkPlace place) : meter_(WorkMeter::current_) {
+        if (meter_ == nullptr) return;
+        before_ = meter_->place_;
+        if (before_ != WorkPlace::waiting) meter_->change(place);
+    }
+    ~InWork() {
+        if (meter_ != nullptr) meter_->change(before_);
+    }
+    InWork(const InWork&) = delete;
+    InWork& operator=(const InWork&) = delete;
+
+  private:
+    WorkMeter* meter_;
+    WorkPlace before_ = WorkPlace::own;
+};
+
+} // namespace meltpool

@@ -1,0 +1,50 @@
+// What a frame costs while a headset is in use: nothing of the heap, no standing still for the GPU. How long it takes
+// is told, not judged.
+#include "tests/support/catch.hpp"
+#include "tests/xr/trainee.hpp"
+
+using namespace meltpool;
+using namespace meltpool::test;
+using nlohmann::json;
+
+namespace {
+
+/// Welds on for this many frames and checks what they cost.
+void checkFrames(TrainerProcess& trainer, const std::string& when, int count) {
+    const json before = trainer.now()["frame_costs"];
+    passFrames(trainer, count);
+    const json after = trainer.now()["frame_costs"];
+    const int frames = after["frames"].get<int>() - before["frames"].get<int>();
+    const int allocating = after["allocating_frames"].get<int>() - before["allocating_frames"].get<int>();
+    const int stalls = after["stalls"].get<int>() - before["stalls"].get<int>();
+    WARN(when << ", " << frames << " frames: own work " << after["own_least_ms"] << " ms at least, median "
+              << after["own_median_ms"] << "; the last one: driver " << after["driver_ms"] << ", runtime "
+              << after["runtime_ms"] << ", waiting " << after["waiting_ms"] << " ms; " << allocating
+              << " frames asked the heap, " << stalls << " stalls");
+    INFO(after.dump());
+    CHECK(frames >= count);
+    CHECK(allocating == 0);
+    CHECK(stalls == 0);
+}
+
+} // namespace
+
+TEST_CASE("a frame in the headset asks nothing of the heap and never waits for the GPU", "[runtime]") {
+    handGeometry();
+    const std::filesystem::path folder = benchFolder() / "frames";
+    Trainee trainee;
+    TrainerProcess trainer(folder, {"--headset", "--lesson", smallLesson(folder).string()});
+    REQUIRE(trainer.waitFor(running, 30));
+    REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["tracked"] == true; }, 5));
+    trainee.lookDown();
+    trainee.aim(glm::vec3(0.018f), 1.0f);
+    sleepFor(1.5); // the first second may fill what is kept
+    passFrames(trainer, 10);
+    checkFrames(trainer, "welding", 30);
+    trainee.aim(glm::vec3(0.08f), 0.0f);
+    trainee.showPanel(trainer, true);
+    sleepFor(1.0);
+    passFrames(trainer, 10);
+    checkFrames(trainer, "panel open", 20);
+    CHECK(trainer.stop() == 0);
+}
