@@ -42,6 +42,13 @@ std::string processorName() {
     return "unknown";
 }
 
+/// Programs that wanted a processor at a time over the last minute, this one among them; -1 where nobody counts.
+double loadAverage() {
+    double load = -1;
+    std::ifstream("/proc/loadavg") >> load;
+    return load;
+}
+
 void printRow(const BenchRow& row) {
     std::printf("%-10s %-26s %9zu %11.3f %9.1f %10.2f", row.suite.c_str(), row.what.c_str(), row.particles, row.stepMs,
                 row.bytesPerParticle, static_cast<double>(row.bytes) / 1048576);
@@ -94,6 +101,7 @@ std::string benchJson(const gl::ContextInfo& driver, const std::vector<BenchRow>
     json["driver"] = driver.version;
     json["processor"] = processorName();
     json["threads"] = std::thread::hardware_concurrency();
+    if (const double load = loadAverage(); load >= 0) json["load_average"] = load;
     json["version"] = programVersion();
     json["commit"] = programCommit();
     json["date"] = today();
