@@ -230,8 +230,7 @@ void HeatSolver::writeBlock(double seconds, std::span<const HeatSource> sources)
     block_.step.y = static_cast<int>(sources.size());
     time_ += seconds;
     block_.clock.x = static_cast<uint>(std::llround(time_ * 1e6)); // wraps, which differences do not mind
-    sourceGroups_ = 0;
-    int offset = HEAT_SOURCES; // the totals stand in front
+    int offset = HEAT_SOURCES;                                     // the totals stand in front
     for (size_t i = 0; i < sources.size(); ++i) {
         const HeatSource& s = sources[i];
         HeatSourceData& data = block_.sources[i];
@@ -254,7 +253,6 @@ void HeatSolver::writeBlock(double seconds, std::span<const HeatSource> sources)
         data.lowTile = ivec4(low, offset);
         data.tileCount = ivec4(count, groups);
         offset += groups;
-        sourceGroups_ = std::max(sourceGroups_, groups);
     }
     blockBuffer_.writeValue(block_);
 }
@@ -291,7 +289,7 @@ void HeatSolver::weighSources() {
     const auto sources = static_cast<unsigned>(block_.step.y);
     partial_.bindStorage(HEAT_PARTIAL);
     if (sources == 0) return;
-    weigh_->dispatchGroups(static_cast<unsigned>(sourceGroups_), sources); // cell theta, weight -> partial sums
+    indirect(*weigh_, offsetof(HeatControl, mixed)); // cell theta, weight -> partial sums
     storageBarrier();
     total_->dispatchGroups(sources); // partial sums -> totals
     storageBarrier();

@@ -106,7 +106,6 @@ class HeatSolver {
     const Material material_;
     HeatSettings settings_;
     HeatBlock block_{};
-    int sourceGroups_ = 0; ///< most tiles any source reaches in this step
     size_t looked_ = 0;    ///< slots that were looked at for loose metal
     unsigned regroupings_ = 0;
     double time_ = 0; ///< s

@@ -1,6 +1,7 @@
 #include "core/metal/physical_metal.hpp"
 
 #include "core/base/hash.hpp"
+#include "core/gl/buffer_view.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -106,8 +107,13 @@ void PhysicalMetal::step(std::span<const HeatSource> sources, std::span<const Me
 }
 
 void PhysicalMetal::gatherStatistics() {
-    state_->bind();
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    const gl::BufferView positions("metal positions", state_->position, GL_RGBA32F, sizeof(vec4));
+    const gl::BufferView phases("metal phases", state_->phase, GL_R32UI, sizeof(uint));
+    positions.bind(METAL_STATISTICS_POSITIONS);
+    phases.bind(METAL_STATISTICS_PHASES);
     parts_.bindStorage(METAL_STATISTICS);
+    count_.set("particles", static_cast<unsigned>(state_->particles()));
     count_.set("low", setup_.space.low);
     count_.set("high", setup_.space.high);
     count_.dispatchGroups(METAL_STATISTICS_PARTS);

@@ -4,6 +4,14 @@
 
 namespace meltpool {
 
+namespace {
+
+/// Simulated time between two looks at all of the metal, s: as often as anybody can read figures. A record has the
+/// newest.
+constexpr double kFiguresPeriod = 0.1;
+
+} // namespace
+
 Trainer::Trainer(gl::ShaderLibrary& shaders, Lesson lesson)
     : lesson_(std::move(lesson)), metal_(makeMetalModel(shaders, lesson_)), probe_(shaders) {
     const SceneView scene = metal_->scene({});
@@ -21,6 +29,7 @@ void Trainer::reset() {
     time_ = 0;
     steps_ = 0;
     asked_ = false;
+    nextFigures_ = 0;
     figures_ = metal_->statistics();
 }
 
@@ -50,8 +59,9 @@ void Trainer::updateFigures() {
             asked_ = false;
         }
     }
-    if (!asked_) {
+    if (!asked_ && (telemetry_ || time_ >= nextFigures_)) {
         metal_->requestStatistics();
+        nextFigures_ = time_ + kFiguresPeriod;
         asked_ = true;
     }
 }

@@ -78,7 +78,7 @@ class Trainer {
     bool recording() const { return telemetry_ != nullptr; }
 
     /// True: every step waits for its own figures, as a run without a screen may. False (the default): the figures are
-    /// the newest that came back without waiting.
+    /// the newest that came back without waiting, asked for ten times a second, in every step while it is recorded.
     void waitForFigures(bool wait) { wait_ = wait; }
     const MetalStatistics& figures() const { return figures_; }
 
@@ -99,6 +99,7 @@ class Trainer {
     size_t steps_ = 0;
     bool wait_ = false;
     bool asked_ = false;
+    double nextFigures_ = 0; ///< simulated time from which they are asked for again, s
 };
 
 } // namespace meltpool

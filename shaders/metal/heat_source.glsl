@@ -39,6 +39,12 @@ ivec3 sourceTile(HeatSourceData s, int group) {
            ivec3(group % s.tileCount.x, group / s.tileCount.x % s.tileCount.y, group / (s.tileCount.x * s.tileCount.y));
 }
 
+/// Number of a tile in the box that the source reaches.
+int sourcePlace(HeatSourceData s, ivec3 tilePlace) {
+    ivec3 at = tilePlace - s.lowTile.xyz;
+    return (at.z * s.tileCount.y + at.y) * s.tileCount.x + at.x;
+}
+
 /// Temperature that belongs to a Kirchhoff variable, by halving the table.
 float temperatureOf(float theta) {
     int low = 0;

@@ -1,5 +1,5 @@
 #version 450 core
-// Sums the weights of one source over each tile it can reach, in a fixed order: one group a tile.
+// Sums the weights of each source over every mixed tile that it can reach, in a fixed order: one group a tile.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/metal.h"
 layout(local_size_x = TILE_CELLS) in;
@@ -10,21 +10,23 @@ layout(std430, binding = HEAT_PARTIAL) restrict writeonly buffer Partial { float
 shared float weights[TILE_CELLS];
 
 void main() {
-    int source = int(gl_WorkGroupID.y);
-    int group = int(gl_WorkGroupID.x);
-    HeatSourceData s = heatBlock.sources[source];
-    if (group >= s.tileCount.w) return;
-    ivec3 tilePlace = sourceTile(s, group);
-    int tile = tileIndex(tilePlace);
+    int tile = int(texelFetch(listTexels, heatBlock.step.w + int(gl_WorkGroupID.x)).x);
+    ivec3 tilePlace = tileCoordinate(tile);
     int inside = int(gl_LocalInvocationIndex);
     int cell = tile * TILE_CELLS + inside;
-    float theta = texelFetch(thetaTexels, thetaPlace(cell)).x;
+    float theta = texelFetch(thetaTexels, thetaBase(stampOf(tile), tile) + inside).x;
     float own = texelFetch(weightTexels, cell).x;
     vec4 surface = freeSurface(own, readWeights(cell, cellsBeside(tilePlace, inside)));
-    weights[inside] = theta < 0.0 ? 0.0 : cellWeightIn(s, tilePlace, inside, own, surface, theta);
-    for (int half_ = TILE_CELLS / 2; half_ > 0; half_ /= 2) {
+    for (int i = 0; i < heatBlock.step.y; ++i) {
+        HeatSourceData s = heatBlock.sources[i];
+        if (!reaches(s, tilePlace)) continue; // the same for the whole group
         barrier();
-        if (inside < half_) weights[inside] += weights[inside + half_];
+        weights[inside] = theta < 0.0 ? 0.0 : cellWeightIn(s, tilePlace, inside, own, surface, theta);
+        barrier(); // few of them: each costs more, on a CPU, than one invocation adding all up
+        if (inside == 0) {
+            float sum = 0.0;
+            for (int j = 0; j < TILE_CELLS; ++j) sum += weights[j];
+            partial[s.lowTile.w + sourcePlace(s, tilePlace)] = sum;
+        }
     }
-    if (inside == 0) partial[s.lowTile.w + group] = weights[0];
 }

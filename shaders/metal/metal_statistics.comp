@@ -5,12 +5,12 @@
 #include "shared/metal_statistics.h"
 
 layout(local_size_x = GROUP_SIZE) in;
-layout(std430, binding = METAL_POSITION) readonly buffer Positions { vec4 position[]; };
-layout(std430, binding = METAL_PHASE) readonly buffer Phases { uint phase[]; };
-layout(std430, binding = METAL_COUNTERS) readonly buffer Counters { MetalCounters counters; };
+layout(binding = METAL_STATISTICS_POSITIONS) uniform samplerBuffer positions;
+layout(binding = METAL_STATISTICS_PHASES) uniform usamplerBuffer phases;
 layout(std430, binding = METAL_STATISTICS) writeonly buffer Parts { MetalPart parts[]; };
 
-uniform vec3 low;  // the space that metal may be in
+uniform uint particles;
+uniform vec3 low; // the space that metal may be in
 uniform vec3 high;
 
 shared MetalPart shares[GROUP_SIZE];
@@ -25,24 +25,27 @@ void join(inout MetalPart sum, MetalPart part) {
     sum.broken += part.broken;
 }
 
+/// What a slot adds. Without a branch: drivers that run on the CPU pay for both sides of one.
+MetalPart partOf(uint slot) {
+    uint bits = texelFetch(phases, int(slot)).x;
+    vec4 p = texelFetch(positions, int(slot));
+    bool alive = (bits & PHASE_ALIVE) != 0u;
+    bool broken = any(isnan(p)) || any(isinf(p));
+    bool inside = all(greaterThanEqual(p.xyz, low)) && all(lessThanEqual(p.xyz, high));
+    float temperature = broken || !alive ? 0.0 : p.w;
+    return MetalPart(temperature, alive ? temperature : 3.4e38, temperature, uint(alive),
+                     uint(alive && (bits & PHASE_LIQUID) != 0u), uint(alive && !inside), uint(alive && broken), 0u);
+}
+
 void main() {
     uint lane = gl_LocalInvocationIndex;
-    uint share = (counters.particles + METAL_STATISTICS_PARTS - 1) / METAL_STATISTICS_PARTS;
+    uint share = (particles + METAL_STATISTICS_PARTS - 1u) / METAL_STATISTICS_PARTS;
     uint first = gl_WorkGroupID.x * share;
-    MetalPart sum = MetalPart(0.0, 3.4e38, 0.0, 0, 0, 0, 0, 0);
-    for (uint slot = first + lane; slot < min(first + share, counters.particles); slot += GROUP_SIZE) {
-        uint bits = phase[slot];
-        if ((bits & PHASE_ALIVE) == 0) continue;
-        vec4 p = position[slot];
-        bool broken = any(isnan(p)) || any(isinf(p));
-        bool inside = all(greaterThanEqual(p.xyz, low)) && all(lessThanEqual(p.xyz, high));
-        float temperature = broken ? 0.0 : p.w;
-        join(sum, MetalPart(temperature, temperature, temperature, 1, (bits & PHASE_LIQUID) != 0 ? 1 : 0,
-                            inside ? 0 : 1, broken ? 1 : 0, 0));
-    }
+    MetalPart sum = MetalPart(0.0, 3.4e38, 0.0, 0u, 0u, 0u, 0u, 0u);
+    for (uint slot = first + lane; slot < min(first + share, particles); slot += GROUP_SIZE) join(sum, partOf(slot));
     shares[lane] = sum;
-    barrier();
-    if (lane != 0) return;
-    for (uint i = 1; i < GROUP_SIZE; ++i) join(sum, shares[i]);
+    barrier(); // one alone: each costs more, on a CPU, than one invocation adding all up
+    if (lane != 0u) return;
+    for (uint i = 1u; i < GROUP_SIZE; ++i) join(sum, shares[i]);
     parts[gl_WorkGroupID.x] = sum;
 }

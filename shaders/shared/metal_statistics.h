@@ -4,8 +4,10 @@
 
 #include "metal.h"
 
-#define METAL_STATISTICS_PARTS 64 // groups, each over a contiguous share of the slots
-#define METAL_STATISTICS 6        // storage buffer of MetalPart
+#define METAL_STATISTICS_PARTS 64    // groups, each over a contiguous share of the slots
+#define METAL_STATISTICS 6           // storage buffer of MetalPart
+#define METAL_STATISTICS_POSITIONS 0 // read as texels
+#define METAL_STATISTICS_PHASES 1
 
 #ifdef __cplusplus
 namespace meltpool {
