@@ -166,7 +166,7 @@ void moveOn(uint index) {
     velocities[slot] = vec4(velocity, way);
     enterCell(slot, after, next);
     if (way <= kRestlessShare * fluid.search.y) return;
-    if (way > fluid.search.y) counters.restless.w = 1;
+    if (way > fluid.search.y) atomicOr(counters.restless.w, 1u);
     const uint entry = atomicAdd(counters.restless.x, 1u);
     if (entry < FLOW_RESTLESS_ROOM) lists[3 * fluid.room.x + entry] = slot;
 }
