@@ -20,9 +20,28 @@ float cohesion(float q) {
 /// Least share of surface, times half a spacing, of what counts as surface: inside the liquid the sum is never quite 0.
 const float kSurfaceShare = 0.1;
 
+/// What solid metal is around a particle.
+struct SolidAround {
+    vec4 density; // xyz gradient (1/m) and w value of the density of solid metal alone, over rest density
+    float rising; // how fast that value rises by the particles' present motion, 1/s
+};
+
+/// Density of solid metal beyond which liquid goes no further into it: 0.63 spacings before its outermost particles. At rest
+/// it keeps farther off. The soft pressure alone does not hold a single drop: for it the inside of still metal is as good a
+/// place as the inside of the pool.
+const float kSolidDensity = 0.5;
+
+/// Takes from a velocity, `change` away from that of the substep's start, what would carry the particle beyond that in this substep; what is beyond already goes no deeper.
+vec3 stopAtSolid(SolidAround solids, vec3 change, vec3 velocity) {
+    const vec3 gradient = solids.density.xyz;
+    const float steepness2 = max(dot(gradient, gradient), 1e-4 * fluid.inverseCell.w * fluid.inverseCell.w);
+    const float most = max(kSolidDensity - solids.density.w, 0) / fluid.period.w;
+    return velocity - max(solids.rising + dot(change, gradient) - most, 0) / steepness2 * gradient;
+}
+
 /// Acceleration by all neighbours and by the arc's pressure, and the fastest that one of them goes against this particle (m/s),
 /// of those that are not much faster: a single fast particle is restless, not all those around it.
-vec3 acceleration(uint index, uint slot, out float fastest) {
+vec3 acceleration(uint index, uint slot, out float fastest, out SolidAround solids) {
     const FlowBody own = bodies[slot];
     const uint found = own.where.w;
     const uint base = neighbourBase(index);
@@ -30,6 +49,7 @@ vec3 acceleration(uint index, uint slot, out float fastest) {
     const float soft = 1e-4 * fluid.origin.w * fluid.origin.w;
     const float pressure = stiffness(own.place.w);
     vec3 sum = vec3(0);
+    solids = SolidAround(vec4(0), 0);
     float fastest2 = 0;
     const float slower = 2 * dot(own.motion.xyz, own.motion.xyz);
 #ifdef MARANGONI
@@ -50,8 +70,12 @@ vec3 acceleration(uint index, uint slot, out float fastest) {
         const vec3 theirs = texelFetch(bodyTexels, other + 2).xyz;
         const vec3 against = own.motion.xyz - theirs;
         if (dot(theirs, theirs) < slower) fastest2 = max(fastest2, dot(against, against));
-        const float friction = (solid ? fluid.tension.w : 1.0) * fluid.kernel.z * dot(against, d) / (r2 + soft);
+        const float approach = dot(against, d);
+        const float friction = (solid ? fluid.tension.w : 1.0) * fluid.kernel.z * approach / (r2 + soft);
         const vec4 normal = texelFetch(bodyTexels, other + 1);
+        const float solidSlope = solid ? slope : 0.0;
+        solids.density += solidSlope * vec4(d, u);
+        solids.rising += solidSlope * approach;
         const float weight = (solid ? wettingAt(normal.w) : 1.0) * 2 / (own.place.w + place.w);
         const float pull = weight * fluid.tension.x * cohesion(q) / max(q * fluid.origin.w, 0.02 * fluid.origin.w);
         sum += (slope * (friction - pressure - stiffness(place.w)) - pull) * d;
@@ -61,6 +85,7 @@ vec3 acceleration(uint index, uint slot, out float fastest) {
         reached -= slope * r2;
 #endif
     }
+    solids.density.w /= -8 * inverse;
     // Its length is the particle's share of surface, 1/m; half of the gradient lies outside, where no particle feels it.
     const vec3 inward = 2 * own.normal.xyz / fluid.search.z;
 #ifdef MARANGONI
@@ -147,9 +172,11 @@ void moveOn(uint index) {
     }
     const float dt = fluid.period.w;
     float fastest;
-    const vec3 pairs = acceleration(index, slot, fastest);
+    SolidAround solids;
+    const vec3 pairs = acceleration(index, slot, fastest, solids);
     vec3 velocity = velocities[slot].xyz + dt * (pairs + (metal.gravity.xyz + fluid.body.xyz));
     velocity *= mushyShare(heats[slot].x);
+    velocity = stopAtSolid(solids, velocity - velocities[slot].xyz, velocity);
     float speed = length(velocity);
     if (!(speed < 1e6)) { // also catches what is not a number
         atomicAdd(counters.faults.z, 1u);

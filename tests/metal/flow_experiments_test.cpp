@@ -4,6 +4,8 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
+#include <glm/geometric.hpp>
+
 #include <cmath>
 #include <numbers>
 
@@ -49,6 +51,28 @@ TEST_CASE("a pool's pressure grows with depth, and it comes to rest") {
     CHECK(column.densityError < 0.03);
     CHECK(column.restSpeed < 12e-3); // surface tension keeps the particles trembling
     CHECK_FALSE(column.faults.any());
+}
+
+TEST_CASE("a pool 10 mm deep comes to rest in a box") {
+    const FlowFluid steel;
+    const auto dx = static_cast<float>(steel.spacing);
+    const glm::vec3 low(-3 * dx), high = glm::vec3(13, 16, 13) * dx;
+    std::vector<MetalSeed> block, seeds;
+    addBlock(block, low, {high.x, 11 * dx, high.z}, steel.spacing, false);
+    for (const MetalSeed& seed : block) {
+        const glm::vec3 p = seed.position;
+        const bool inside = p.x > 0 && p.x < 10 * dx && p.z > 0 && p.z < 10 * dx && p.y > 0;
+        if (!inside) seeds.push_back(seed);
+    }
+    addBlock(seeds, glm::vec3(0), glm::vec3(10 * dx), steel.spacing, true);
+    FlowBench bench(test::shaders(), steel, {low, high}, glm::vec3(0, -9.81F, 0), seeds);
+    bench.run(1.6, 1.0 / 90);
+    double sum = 0;
+    const auto velocities = bench.readVelocities();
+    for (const glm::dvec3& velocity : velocities)
+        sum += glm::dot(velocity, velocity);
+    CHECK(std::sqrt(sum / static_cast<double>(velocities.size())) <= 3e-3);
+    CHECK_FALSE(bench.flow.readFaults().any());
 }
 
 TEST_CASE("flow between plates starts up as the series says") {

@@ -279,6 +279,50 @@ TEST_CASE("cold metal is wetted less than hot metal") {
     CHECK(heights[1] < 0.7 * heights[0]); // it spreads
 }
 
+TEST_CASE("frozen metal off the lattice stops drops, and a moving piece takes them along") {
+    test::context();
+    const float dx = 1e-3F;
+    const bool piece = GENERATE(false, true);
+    const glm::vec3 rising = piece ? glm::vec3(0, 0.05F, 0) : glm::vec3(0);
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> shake(-0.15F, 0.15F);
+    std::vector<MetalSeed> seeds;
+    for (int i = 0; i < 15 * 2 * 15; ++i) {
+        MetalSeed seed;
+        const glm::vec3 off(shake(random), shake(random), shake(random));
+        seed.position = (glm::vec3(i % 15, i / 15 % 2, i / 30) + 0.5F + off) * dx;
+        if (piece) seed.phase |= 1U << PHASE_PIECE_SHIFT;
+        seed.velocity = rising;
+        seeds.push_back(seed);
+    }
+    const size_t slab = seeds.size();
+    for (int i = 0; i < 9; ++i) { // apart from each other, each on another place between the slab's particles
+        MetalSeed drop;
+        drop.position =
+            glm::vec3(3.5F + 4.13F * static_cast<float>(i % 3), 5, 3.5F + 4.21F * static_cast<float>(i / 3)) * dx;
+        drop.temperature = kHot;
+        drop.phase |= PHASE_LIQUID;
+        drop.velocity = glm::vec3(0, -1, 0);
+        seeds.push_back(drop);
+    }
+    Scene scene(seeds, {}, roomAround(dx), glm::vec3(0, -9.81F, 0));
+    float height = 2 * dx;
+    for (int frame = 0; frame < 9; ++frame) {
+        scene.flow.step(1.0 / 90, nullptr);
+        if (!piece) continue;
+        auto places = scene.state.position.read<vec4>(seeds.size()); // the solid pieces' own step
+        for (size_t i = 0; i < slab; ++i)
+            places[i].y += rising.y / 90;
+        scene.state.position.write(std::span<const vec4>(places));
+        height += rising.y / 90;
+    }
+    const auto places = scene.state.position.read<vec4>(seeds.size());
+    for (size_t i = slab; i < seeds.size(); ++i) {
+        CHECK(places[i].y > height - 0.6F * dx);
+        CHECK(places[i].y < height + 1.5F * dx);
+    }
+}
+
 TEST_CASE("a drop in space keeps its momentum") {
     test::context();
     const float dx = 1e-3F;

@@ -203,4 +203,35 @@ TEST_CASE("a pool left alone comes to rest", "[soak]") {
     CHECK(rest <= 3e-3);
 }
 
+TEST_CASE("a pool 10 mm deep comes to rest in a steel plate", "[soak]") {
+    test::context();
+    PhysicalSetup setup = plate();
+    setup.heat.convection = 0;
+    setup.heat.radiation = setup.heat.evaporation = false;
+    const glm::vec3 low = glm::vec3(-8, -14, -8) * kMm, high = glm::vec3(8, 8, 8) * kMm;
+    setup.lattice = MetalLattice::covering(low, high, kMm);
+    setup.space = {low, high};
+    setup.pieces.floorHeight = low.y;
+    setup.seeds = latticeSeeds(setup.lattice, low, {high.x, 0, high.z}, 1765, PHASE_CLAMPED);
+    for (MetalSeed& seed : setup.seeds) {
+        const glm::vec3 p = seed.position;
+        if (p.y < -10 * kMm || std::abs(p.x) > 5 * kMm || std::abs(p.z) > 5 * kMm) continue;
+        seed.temperature = 1950;
+        seed.phase = PHASE_ALIVE | PHASE_LIQUID;
+        seed.velocity = glm::vec3(0.05F, 0, 0.02F);
+    }
+    PhysicalMetal metal(test::shaders(), setup);
+    size_t liquid = 0;
+    double square = 0, samples = 0;
+    for (float time = 0; time < 1.6F; time += metal.timeStep()) {
+        metal.step({}, {}, nullptr);
+        if (time < 1) continue;
+        const double speed = rmsSpeed(metal, liquid);
+        square += speed * speed;
+        samples += 1;
+    }
+    CHECK(liquid > 300);
+    CHECK(std::sqrt(square / samples) <= 3e-3);
+}
+
 } // namespace meltpool
