@@ -30,7 +30,7 @@ Input::Input(const Session& session) : session_(session), instance_(session.inst
     weld_ = makeSet(instance_.handle(), "weld", "Welding");
     menu_ = makeSet(instance_.handle(), "menu", "Menus");
     makeActions();
-    if (instance_.has("XR_HTCX_vive_tracker_interaction")) makeTrackerAction();
+    if (instance_.has("XR_HTCX_vive_tracker_interaction")) makeTrackerActions();
     suggest();
     suggestTrackers();
     attach();
@@ -71,22 +71,29 @@ void Input::makeActions() {
     actions_.scroll = makeAction(menu_, XR_ACTION_TYPE_VECTOR2F_INPUT, "scroll", "Scroll");
 }
 
-void Input::makeTrackerAction() {
-    std::vector<XrPath> roles;
-    for (const char* role : trackerRoles())
-        roles.push_back(instance_.path(role));
+XrAction Input::makeTrackerAction(XrActionType type, const char* name, const char* label) {
     XrActionCreateInfo info{XR_TYPE_ACTION_CREATE_INFO};
-    info.actionType = XR_ACTION_TYPE_POSE_INPUT;
-    std::strncpy(info.actionName, "tracker", XR_MAX_ACTION_NAME_SIZE - 1);
-    std::strncpy(info.localizedActionName, "Tracker on a torch", XR_MAX_LOCALIZED_ACTION_NAME_SIZE - 1);
-    info.countSubactionPaths = uint32_t(roles.size());
-    info.subactionPaths = roles.data();
-    if (const XrResult result = xrCreateAction(weld_, &info, &actions_.tracker); XR_FAILED(result)) {
-        refused_.push_back(std::string(kTrackerProfile) + " (" + resultName(result) + ")");
-        actions_.tracker = XR_NULL_HANDLE;
-        return;
+    info.actionType = type;
+    std::strncpy(info.actionName, name, XR_MAX_ACTION_NAME_SIZE - 1);
+    std::strncpy(info.localizedActionName, label, XR_MAX_LOCALIZED_ACTION_NAME_SIZE - 1);
+    info.countSubactionPaths = uint32_t(rolePaths_.size());
+    info.subactionPaths = rolePaths_.data();
+    XrAction action = XR_NULL_HANDLE;
+    MELTPOOL_XR(xrCreateAction(weld_, &info, &action));
+    return action;
+}
+
+void Input::makeTrackerActions() {
+    for (const char* role : trackerRoles())
+        rolePaths_.push_back(instance_.path(role));
+    try {
+        actions_.tracker = makeTrackerAction(XR_ACTION_TYPE_POSE_INPUT, "tracker", "Tracker on a torch");
+        actions_.trackerTrigger = makeTrackerAction(XR_ACTION_TYPE_FLOAT_INPUT, "tracker_trigger", "Its trigger");
+        actions_.trackerHaptic = makeTrackerAction(XR_ACTION_TYPE_VIBRATION_OUTPUT, "tracker_feel", "Its vibration");
+    } catch (const XrFault& fault) {
+        refused_.push_back(std::string(kTrackerProfile) + " (" + resultName(fault.result()) + ")");
+        rolePaths_.clear();
     }
-    rolePaths_ = roles;
 }
 
 XrAction Input::actionOf(Act act) const {
@@ -129,15 +136,24 @@ void Input::suggest() {
 }
 
 void Input::suggestTrackers() {
-    if (actions_.tracker == XR_NULL_HANDLE) return;
-    std::vector<XrActionSuggestedBinding> bindings;
-    for (const char* role : trackerRoles())
-        bindings.push_back({actions_.tracker, instance_.path((std::string(role) + "/input/grip/pose").c_str())});
-    XrInteractionProfileSuggestedBinding suggestion{XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING};
-    suggestion.interactionProfile = instance_.path(kTrackerProfile);
-    suggestion.countSuggestedBindings = uint32_t(bindings.size());
-    suggestion.suggestedBindings = bindings.data();
-    if (const XrResult result = xrSuggestInteractionProfileBindings(instance_.handle(), &suggestion); XR_FAILED(result))
+    if (rolePaths_.empty()) return;
+    const auto suggestWith = [&](bool pins) {
+        std::vector<XrActionSuggestedBinding> bindings;
+        for (const std::string role : trackerRoles()) {
+            bindings.push_back({actions_.tracker, instance_.path((role + "/input/grip/pose").c_str())});
+            if (!pins) continue;
+            bindings.push_back({actions_.trackerTrigger, instance_.path((role + "/input/trigger/value").c_str())});
+            bindings.push_back({actions_.trackerHaptic, instance_.path((role + "/output/haptic").c_str())});
+        }
+        XrInteractionProfileSuggestedBinding suggestion{XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING};
+        suggestion.interactionProfile = instance_.path(kTrackerProfile);
+        suggestion.countSuggestedBindings = uint32_t(bindings.size());
+        suggestion.suggestedBindings = bindings.data();
+        return xrSuggestInteractionProfileBindings(instance_.handle(), &suggestion);
+    };
+    // A runtime that does not know the pins may know the pose all the same.
+    if (XR_SUCCEEDED(suggestWith(true))) return;
+    if (const XrResult result = suggestWith(false); XR_FAILED(result))
         refused_.push_back(std::string(kTrackerProfile) + " (" + resultName(result) + ")");
 }
 
@@ -166,8 +182,9 @@ void Input::makeSpaces() {
     for (size_t i = 0; i < rolePaths_.size(); ++i) {
         roleSpaces_.push_back(make(actions_.tracker, rolePaths_[i]));
         const std::string role = trackerRoles()[i];
-        trackers_.push_back({role.substr(role.rfind('/') + 1), false, {}});
+        trackers_.push_back({role.substr(role.rfind('/') + 1), false, {}, 0});
     }
+    trackerFeelers_.resize(rolePaths_.size());
 }
 
 void Input::forget() {
@@ -177,8 +194,10 @@ void Input::forget() {
         hand.grip = grip;
         hand.aim = aim;
     }
-    for (TrackerInput& tracker : trackers_)
+    for (TrackerInput& tracker : trackers_) {
         tracker.tracked = false;
+        tracker.trigger = 0;
+    }
 }
 
 void Input::read(XrTime time) {
@@ -197,6 +216,7 @@ void Input::read(XrTime time) {
         bool tracked = false;
         session_.locate(roleSpaces_[i], time, trackers_[i].pose, tracked);
         trackers_[i].tracked = tracked;
+        trackers_[i].trigger = readFloat(actions_.trackerTrigger, rolePaths_[i]);
     }
 }
 

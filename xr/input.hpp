@@ -33,6 +33,7 @@ struct TrackerInput {
     std::string role; ///< "handheld_object"
     bool tracked = false;
     Pose pose;
+    float trigger = 0; ///< 0..1, of a switch wired to its pins
 };
 
 /// The action sets "weld" and "menu" with suggestions for every known controller.
@@ -51,6 +52,8 @@ class Input {
 
     /// Plays the pulse, or stops what plays where it is silent. At most once a hand and frame.
     void play(Hand which, const HapticPulse& pulse);
+    /// The same on what is wired to a tracker's pins; nothing where that is not bound.
+    void playTracker(size_t which, const HapticPulse& pulse);
     /// Calls to the runtime's vibration so far: started and stopped.
     struct HapticCalls {
         unsigned applied = 0;
@@ -64,12 +67,6 @@ class Input {
     const std::vector<std::string>& refused() const { return refused_; }
 
   private:
-    struct Actions {
-        XrAction grip = XR_NULL_HANDLE, trigger = XR_NULL_HANDLE, haptic = XR_NULL_HANDLE, aim = XR_NULL_HANDLE,
-                 squeeze = XR_NULL_HANDLE, menu = XR_NULL_HANDLE, recentre = XR_NULL_HANDLE, scroll = XR_NULL_HANDLE,
-                 tracker = XR_NULL_HANDLE;
-    };
-
     /// The sine that a PCM device plays, continued from pulse to pulse.
     struct Wave {
         double phase = 0;
@@ -77,8 +74,21 @@ class Input {
         std::chrono::steady_clock::time_point start;
     };
 
+    struct Actions {
+        XrAction grip = XR_NULL_HANDLE, trigger = XR_NULL_HANDLE, haptic = XR_NULL_HANDLE, aim = XR_NULL_HANDLE,
+                 squeeze = XR_NULL_HANDLE, menu = XR_NULL_HANDLE, recentre = XR_NULL_HANDLE, scroll = XR_NULL_HANDLE,
+                 tracker = XR_NULL_HANDLE, trackerTrigger = XR_NULL_HANDLE, trackerHaptic = XR_NULL_HANDLE;
+    };
+
+    /// Something that vibrates.
+    struct Feeler {
+        bool vibrating = false;
+        Wave wave;
+    };
+
     void makeActions();
-    void makeTrackerAction();
+    void makeTrackerActions();
+    XrAction makeTrackerAction(XrActionType type, const char* name, const char* label);
     void suggest();
     void suggestTrackers();
     void attach();
@@ -89,7 +99,8 @@ class Input {
     void forget();
     float readFloat(XrAction action, XrPath hand) const;
     bool wentDown(XrAction action, XrPath hand) const;
-    bool playPcm(XrPath hand, const HapticPulse& pulse);
+    void playOn(Feeler& feeler, const XrHapticActionInfo& target, const HapticPulse& pulse);
+    bool playPcm(Wave& wave, const XrHapticActionInfo& target, const HapticPulse& pulse);
 
     const Session& session_;
     const Instance& instance_;
@@ -100,8 +111,8 @@ class Input {
     std::array<XrSpace, 2> gripSpaces_{};
     std::array<XrSpace, 2> aimSpaces_{};
     std::array<HandInput, 2> hands_;
-    std::array<bool, 2> vibrating_{};
-    std::array<Wave, 2> waves_{};
+    std::array<Feeler, 2> feelers_{};
+    std::vector<Feeler> trackerFeelers_;
     std::vector<XrPath> rolePaths_;
     std::vector<XrSpace> roleSpaces_;
     std::vector<TrackerInput> trackers_;

@@ -32,20 +32,31 @@ using PFN_xrGetDeviceSampleRateFB = XrResult(XRAPI_PTR*)(XrSession, const XrHapt
 namespace meltpool::xr {
 
 void Input::play(Hand which, const HapticPulse& pulse) {
-    const size_t index = size_t(which);
     XrHapticActionInfo target{XR_TYPE_HAPTIC_ACTION_INFO};
     target.action = actions_.haptic;
-    target.subactionPath = handPaths_[index];
+    target.subactionPath = handPaths_[size_t(which)];
+    playOn(feelers_[size_t(which)], target, pulse);
+}
+
+void Input::playTracker(size_t which, const HapticPulse& pulse) {
+    if (which >= trackerFeelers_.size()) return;
+    XrHapticActionInfo target{XR_TYPE_HAPTIC_ACTION_INFO};
+    target.action = actions_.trackerHaptic;
+    target.subactionPath = rolePaths_[which];
+    playOn(trackerFeelers_[which], target, pulse);
+}
+
+void Input::playOn(Feeler& feeler, const XrHapticActionInfo& target, const HapticPulse& pulse) {
     if (pulse.silent()) {
-        if (!vibrating_[index]) return;
-        vibrating_[index] = false;
+        if (!feeler.vibrating) return;
+        feeler.vibrating = false;
         ++hapticCalls_.stopped;
         MELTPOOL_XR(xrStopHapticFeedback(session_.handle(), &target));
         return;
     }
-    vibrating_[index] = true;
+    feeler.vibrating = true;
     ++hapticCalls_.applied;
-    if (instance_.has("XR_FB_haptic_pcm") && playPcm(handPaths_[index], pulse)) return;
+    if (instance_.has("XR_FB_haptic_pcm") && playPcm(feeler.wave, target, pulse)) return;
     XrHapticVibration vibration{XR_TYPE_HAPTIC_VIBRATION};
     vibration.amplitude = std::clamp(pulse.amplitude, 0.0f, 1.0f);
     vibration.frequency = pulse.frequency > 0 ? pulse.frequency : float(XR_FREQUENCY_UNSPECIFIED);
@@ -54,19 +65,15 @@ void Input::play(Hand which, const HapticPulse& pulse) {
         xrApplyHapticFeedback(session_.handle(), &target, reinterpret_cast<const XrHapticBaseHeader*>(&vibration)));
 }
 
-bool Input::playPcm(XrPath hand, const HapticPulse& pulse) {
+bool Input::playPcm(Wave& wave, const XrHapticActionInfo& target, const HapticPulse& pulse) {
     static constexpr size_t kMostSamples = 4000; // XR_MAX_HAPTIC_PCM_BUFFER_SIZE_FB
     const auto sampleRateOf = instance_.function<PFN_xrGetDeviceSampleRateFB>("xrGetDeviceSampleRateFB");
     if (sampleRateOf == nullptr) return false;
-    XrHapticActionInfo target{XR_TYPE_HAPTIC_ACTION_INFO};
-    target.action = actions_.haptic;
-    target.subactionPath = hand;
     XrDevicePcmSampleRateGetInfoFB rate{XR_TYPE_DEVICE_PCM_SAMPLE_RATE_GET_INFO_FB, nullptr, 0};
     if (XR_FAILED(sampleRateOf(session_.handle(), &target, &rate)) || rate.sampleRate <= 0) return false;
     std::array<float, kMostSamples> samples;
     const size_t count = std::min(kMostSamples, static_cast<size_t>(pulse.duration * rate.sampleRate));
     // The next pulse cuts this one short, so the wave goes on from where time has got to, not from this pulse's end.
-    Wave& wave = waves_[hand == handPaths_[1] ? 1 : 0];
     const auto now = std::chrono::steady_clock::now();
     const double elapsed = std::min(std::chrono::duration<double>(now - wave.start).count(), 1.0);
     wave.phase = std::fmod(wave.phase + 2.0 * std::numbers::pi * wave.frequency * elapsed, 2.0 * std::numbers::pi);

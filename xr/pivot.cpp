@@ -5,6 +5,7 @@
 #include "core/base/text.hpp"
 
 #include <glm/gtc/constants.hpp>
+#include <glm/gtx/quaternion.hpp>
 #include <glm/mat3x3.hpp>
 
 #include <algorithm>
@@ -60,6 +61,12 @@ double smallestEigenvalue(const glm::dmat3& a) {
     return q + 2.0 * p * std::cos(std::acos(r) / 3.0 + 2.0 * glm::pi<double>() / 3.0);
 }
 
+std::string millimetres(float value) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.1f mm", static_cast<double>(value));
+    return text.data();
+}
+
 PivotResult refuse(PivotResult result, std::string reason) {
     result.reason = std::move(reason);
     return result;
@@ -88,14 +95,47 @@ PivotResult solvePivot(std::span<const Pose> poses) {
         squares += static_cast<double>(glm::dot(miss, miss));
     }
     result.residualMm = static_cast<float>(1000.0 * std::sqrt(squares / static_cast<double>(poses.size())));
-    if (result.residualMm > kLargestResidualMm) {
-        std::array<char, 32> mm{};
-        std::snprintf(mm.data(), mm.size(), "%.1f mm", static_cast<double>(result.residualMm));
-        return refuse(result,
-                      std::string("the tip slid: it was ") + mm.data() + " off on average; rest it in a small dent");
-    }
+    // Cov(x) = s² (n N)^-1 with s² the variance of a coordinate: 3 n equations less 6 unknowns.
+    const double n = static_cast<double>(poses.size());
+    const double variance = squares / (3 * n - 6);
+    const glm::dmat3 spread = glm::inverse(sum.matrix) * (variance / n);
+    result.errorMm = static_cast<float>(1000.0 * std::sqrt(spread[0][0] + spread[1][1] + spread[2][2]));
+    if (result.residualMm > kLargestResidualMm)
+        return refuse(result, "the tip slid: it was " + millimetres(result.residualMm) +
+                                  " off on average; rest it in a small dent");
+    if (result.errorMm > kPivotError)
+        return refuse(result, "the tip's place is only known to " + millimetres(result.errorMm) +
+                                  "; swing the torch farther to all sides, nearer to the cameras");
     result.accepted = true;
     return result;
+}
+
+AxisResult solveAxis(std::span<const Pose> poses, const glm::vec3& down) {
+    constexpr float kLargestSpread = 3.0f;
+    AxisResult result;
+    if (poses.size() < kFewestPoses) {
+        result.reason =
+            "only " + std::to_string(poses.size()) + " poses were tracked; hold the torch in sight for longer";
+        return result;
+    }
+    glm::dvec3 sum(0.0);
+    for (const Pose& pose : poses)
+        sum += glm::dvec3(glm::conjugate(pose.orientation) * down);
+    const double length = glm::length(sum);
+    if (length > 0) result.direction = glm::vec3(sum / length);
+    double squares = 0;
+    for (const Pose& pose : poses) {
+        const double cosine = glm::dot(glm::dvec3(pose.orientation * result.direction), glm::dvec3(down));
+        squares += std::pow(std::acos(std::clamp(cosine, -1.0, 1.0)), 2.0);
+    }
+    result.spreadDegrees = static_cast<float>(glm::degrees(std::sqrt(squares / static_cast<double>(poses.size()))));
+    result.accepted = result.spreadDegrees <= kLargestSpread;
+    if (!result.accepted) result.reason = "the torch was not held still; stand it upright, its tip down";
+    return result;
+}
+
+void TipCalibration::pointAlong(const glm::vec3& direction) {
+    orientation = glm::rotation(glm::vec3(0, 0, -1), glm::normalize(direction));
 }
 
 namespace {

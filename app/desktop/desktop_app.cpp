@@ -58,7 +58,7 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
         keptLesson_.emplace(loadLesson(std::string(kDefaultLesson)));
         keptSections_.emplace(*keptLesson_);
     }
-    if (options_.headset != HeadsetUse::off) headset_.emplace(settingsFolder() / "torch-tip.txt");
+    if (options_.headset != HeadsetUse::off) headset_.emplace(settingsFolder());
     session_.record(options_.record);
     if (telemetry_.enabled()) watchGl();
     readSettings();

@@ -11,8 +11,6 @@ namespace meltpool {
 
 namespace {
 
-constexpr double kMeasuringSeconds = 12;
-
 xr::HeadsetSettings settingsOf(const HeadsetParameters& parameters) {
     xr::HeadsetSettings settings;
     settings.resolutionScale = parameters.resolutionScale;
@@ -32,13 +30,11 @@ View viewOf(const Workshop& workshop, const xr::EyeView& eye, const xr::BothEyes
 
 } // namespace
 
-HeadsetDesk::HeadsetDesk(const HeadsetParameters& parameters, std::filesystem::path calibration)
+HeadsetDesk::HeadsetDesk(const HeadsetParameters& parameters, const std::filesystem::path& folder)
     : parameters_(parameters),
-      calibrationFile_(std::move(calibration)),
+      calibrations_{CalibrationFile(folder / "torch-tip.txt"), CalibrationFile(folder / "torch-tip-tracker.txt")},
       link_(settingsOf(parameters)),
-      place_(parameters, 0.0f) {
-    if (std::filesystem::exists(calibrationFile_)) calibration_ = xr::readCalibration(calibrationFile_);
-}
+      place_(parameters, 0.0f) {}
 
 /// A call on the headset that fails because the headset is gone ends the frame and nothing else.
 void HeadsetDesk::guarded(FunctionRef<void()> work) {
@@ -82,13 +78,22 @@ void HeadsetDesk::readHands(double elapsed) {
     placeWorkshop();
     placePanel();
     point();
-    torch_.update(headset.input().hand(torchHand_), calibration_, workshop_, elapsed);
+    holdTorch(elapsed);
     const xr::HandInput& other = headset.input().hand(torchHand_ == xr::Hand::right ? xr::Hand::left : xr::Hand::right);
     rod_ = other.tracked ? std::optional(workshop_.toWorkshop(other.grip)) : std::nullopt;
-    gatherTip(elapsed);
     // A hand that works on the panel, or whose tip is being measured, does not weld.
-    if (pointing_ || measuring_ > 0) torch_.release();
+    if (pointing_ || measuring_.underWay()) torch_.release();
     visor_.update(torch_.trigger() > 0, elapsed);
+}
+
+void HeadsetDesk::holdTorch(double elapsed) {
+    const xr::Input& input = link_.headset()->input();
+    hold_.update(parameters_.torchOn == HeadsetParameters::kTracker, input.hand(torchHand_), input.trackers(), elapsed);
+    if (hold_.changed()) torch_.lose();
+    CalibrationFile& calibration = calibrations_[size_t(hold_.holder())];
+    torch_.update(hold_.torch(), calibration.tip(), workshop_, elapsed);
+    if (const auto measured = measuring_.gather(hold_.torch(), calibration.tip(), elapsed))
+        measuring_.kept(calibration.keep(*measured));
 }
 
 void HeadsetDesk::placePanel() {
@@ -145,42 +150,6 @@ void HeadsetDesk::showPanel(FunctionRef<void(GLuint, const PanelPointer&)> fill)
         panel.handOver();
         link_.headset()->showPanel(workshop_.toSession(panelPose()));
     });
-}
-
-void HeadsetDesk::measureTip() {
-    tipPoses_.clear();
-    measuring_ = kMeasuringSeconds;
-}
-
-void HeadsetDesk::gatherTip(double elapsed) {
-    if (measuring_ <= 0) return;
-    const xr::HandInput& hand = link_.headset()->input().hand(torchHand_);
-    if (hand.tracked) tipPoses_.push_back(hand.grip);
-    measuring_ -= elapsed;
-    if (measuring_ > 0) return;
-    const xr::PivotResult found = xr::solvePivot(tipPoses_);
-    if (!found.accepted) {
-        tipReport_ = "The tip was not found: " + found.reason + ".";
-        return;
-    }
-    calibration_.offset = found.offset;
-    calibration_.residualMm = found.residualMm;
-    std::array<char, 96> text{};
-    std::snprintf(text.data(), text.size(), "The tip was found, %.0f mm from the grip, to %.1f mm.",
-                  1000.0 * double(glm::length(found.offset)), double(found.residualMm));
-    tipReport_ = text.data();
-    try {
-        std::filesystem::create_directories(calibrationFile_.parent_path());
-        xr::writeCalibration(calibrationFile_, calibration_);
-    } catch (const std::exception& fault) {
-        tipReport_ += std::string(" It could not be kept: ") + fault.what();
-    }
-}
-
-std::string HeadsetDesk::tipReport() const {
-    if (measuring_ <= 0) return tipReport_;
-    return "Rest the tip in a small dent and swing the torch about it to all sides: " +
-           std::to_string(static_cast<int>(std::ceil(measuring_))) + " s";
 }
 
 void HeadsetDesk::placeWorkshop() {
@@ -248,7 +217,18 @@ void HeadsetDesk::vibrate(const LessonInSight& lesson) {
     feel_.state.liquid = lesson.sounding.liquid;
     pulse_ = xr::feel(feel_);
     pulse_.amplitude *= parameters_.hapticStrength;
-    link_.headset()->input().play(torchHand_, pulse_);
+    // Whoever held the torch before feels nothing more of it.
+    if (felt_ != hold_.holder() || feltHand_ != torchHand_) play({});
+    felt_ = hold_.holder();
+    feltHand_ = torchHand_;
+    play(pulse_);
+}
+
+void HeadsetDesk::play(const xr::HapticPulse& pulse) {
+    if (felt_ == TorchHolder::tracker)
+        link_.headset()->input().playTracker(hold_.tracker(), pulse);
+    else
+        link_.headset()->input().play(feltHand_, pulse);
 }
 
 void HeadsetDesk::end() {
@@ -287,6 +267,7 @@ std::string HeadsetDesk::status() const {
 
 std::string_view HeadsetDesk::warning() const {
     if (link_.state() == xr::LinkState::searching && link_.openings() > 0) return link_.reason();
+    if (link_.state() == xr::LinkState::running && !hold_.warning().empty()) return hold_.warning();
     if (link_.state() == xr::LinkState::running && torch_.known() && !torch_.tracked())
         return "The torch is out of sight: the arc is out. Hold it where the headset sees it.";
     return {};

@@ -4,11 +4,14 @@
 
 #include "app/headset/headset_panel.hpp"
 #include "app/headset/held_torch.hpp"
+#include "app/headset/tip_measuring.hpp"
+#include "app/headset/torch_hold.hpp"
 #include "app/headset/visor.hpp"
 #include "app/headset/workshop_scene.hpp"
 #include "core/render/renderer.hpp"
 #include "xr/link.hpp"
 
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <string>
@@ -29,8 +32,9 @@ struct LessonInSight {
 /// headset.
 class HeadsetDesk {
   public:
-    /// Looks for a headset from the first begin() on. The calibration is read where the file exists.
-    HeadsetDesk(const HeadsetParameters& parameters, std::filesystem::path calibration);
+    /// Looks for a headset from the first begin() on. The calibrations of controller and tracker are read from
+    /// `torch-tip.txt` and `torch-tip-tracker.txt` in this folder where they are, and kept there.
+    HeadsetDesk(const HeadsetParameters& parameters, const std::filesystem::path& folder);
 
     /// Waits for the headset's next frame and reads the hands. False: there is none now, the desk goes on alone.
     /// `bottom`: lowest place of the workpiece in its frame, m. `elapsed`: real seconds since the last call.
@@ -69,10 +73,11 @@ class HeadsetDesk {
     int openings() const { return link_.openings(); }
     void recentre() { recentreAsked_ = true; }
 
-    /// Begins the pivot calibration: for the next seconds the tip rests on one point while the torch is swung about it.
-    void measureTip();
-    /// What the calibration wants or has found; empty where none was asked for.
-    std::string tipReport() const;
+    /// Measures the tip of the torch, or the way it points, from the poses of the next seconds.
+    void measureTip() { measuring_.begin(TipMeasuring::Task::pivot); }
+    void measureAxis() { measuring_.begin(TipMeasuring::Task::axis); }
+    /// What the measuring wants or has found; empty where none was asked for.
+    std::string tipReport() const { return measuring_.report(); }
     void close() { link_.close(); }
 
     /// What happens at the tip, and what the hand is made to feel of it.
@@ -89,7 +94,7 @@ class HeadsetDesk {
     using Clock = std::chrono::steady_clock;
 
     void readHands(double elapsed);
-    void gatherTip(double elapsed);
+    void holdTorch(double elapsed);
     void placeWorkshop();
     void placePanel();
     void point();
@@ -97,14 +102,13 @@ class HeadsetDesk {
     xr::Pose panelPose() const; ///< in the workshop
     void drawEyes(Renderer& renderer, const LessonInSight& lesson, const xr::BothEyes& eyes, gl::Profiler* profiler);
     void vibrate(const LessonInSight& lesson);
+    void play(const xr::HapticPulse& pulse);
     void guarded(FunctionRef<void()> work);
 
     const HeadsetParameters& parameters_;
-    std::filesystem::path calibrationFile_;
-    xr::TipCalibration calibration_;
-    std::vector<xr::Pose> tipPoses_; ///< grips, while the tip is being measured
-    double measuring_ = 0;           ///< seconds left
-    std::string tipReport_;
+    std::array<CalibrationFile, 2> calibrations_; ///< by TorchHolder
+    TipMeasuring measuring_;
+    TorchHold hold_;
     xr::HeadsetLink link_;
     Workshop workshop_;
     WorkpiecePlace place_;
@@ -130,6 +134,8 @@ class HeadsetDesk {
     TipTouch touch_;
     xr::TipFeel feel_;
     xr::HapticPulse pulse_;
+    TorchHolder felt_ = TorchHolder::hand; ///< what was made to vibrate last, and which hand
+    xr::Hand feltHand_ = xr::Hand::right;
 };
 
 } // namespace meltpool

@@ -7,6 +7,7 @@ namespace meltpool {
 namespace {
 
 constexpr std::array<std::string_view, 2> kHands{"right", "left"};
+constexpr std::array<std::string_view, 2> kTorchOn{"controller", "tracker"};
 constexpr std::array<std::string_view, 2> kDeskViews{"trainee", "camera"};
 constexpr std::array<std::string_view, 4> kBothEyes{"automatic", "viewports", "clip distances", "passes"};
 constexpr std::array<std::string_view, 2> kPostures{"standing", "seated"};
@@ -16,6 +17,8 @@ constexpr std::array<std::string_view, 2> kPostures{"standing", "seated"};
 ParameterList describe(HeadsetParameters& p) {
     return {
         {"hand", "Torch in the hand", "", &p.hand, 0, 1, "the other hand holds the filler rod and the pointer", kHands},
+        {"torch", "Torch on", "", &p.torchOn, 0, 1,
+         "a Vive tracker fixed to a real torch; its trigger or the hand's; out of sight the arc is out", kTorchOn},
         {"posture", "Posture", "", &p.posture, 0, 1, "seated: the table comes to the person, whatever the floor says",
          kPostures},
         {"table_height", "Table height", "m", &p.tableHeight, 0.4, 1.4, "seated: ignored"},

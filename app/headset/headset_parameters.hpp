@@ -7,11 +7,13 @@ namespace meltpool {
 
 struct HeadsetParameters {
     enum TorchHand { kRight, kLeft };
+    enum TorchOn { kController, kTracker };
     enum Posture { kStanding, kSeated };
     enum DeskView { kTrainee, kCamera };
     enum BothEyes { kAutomatic, kViewports, kClipDistances, kPasses };
 
     int hand = kRight;            ///< TorchHand
+    int torchOn = kController;    ///< TorchOn: what carries the torch's pose
     int posture = kStanding;      ///< Posture
     float tableHeight = 0.90f;    ///< m above the floor (standing)
     float zoom = 4.0f;            ///< the workpiece is shown this many times its size

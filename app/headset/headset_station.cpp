@@ -28,8 +28,8 @@ void drawParameters(ui::Context& context, const ui::Section& section) {
 
 } // namespace
 
-HeadsetStation::HeadsetStation(std::filesystem::path calibration)
-    : section_(sectionOf(parameters_)), desk_(parameters_, std::move(calibration)) {}
+HeadsetStation::HeadsetStation(const std::filesystem::path& folder)
+    : section_(sectionOf(parameters_)), desk_(parameters_, folder) {}
 
 HeldTorchAt HeadsetStation::torch() const {
     if (!desk_.leadsTorch()) return {};
@@ -82,7 +82,10 @@ ui::Request HeadsetStation::panelContent(ui::Context& context, Session& session,
     ui::choiceRow(context, "headset.page", kPages, page_);
     if (page_ == 0) {
         drawParameters(context, section_);
-        if (ui::button(context, "headset.tip", "Measure the torch's tip")) desk_.measureTip();
+        if (ui::button(context, "headset.tip", "Measure the torch's tip", ui::ButtonKind::plain, 200))
+            desk_.measureTip();
+        ImGui::SameLine();
+        if (ui::button(context, "headset.axis", "and its direction", ui::ButtonKind::plain, 160)) desk_.measureAxis();
         if (!desk_.tipReport().empty()) ui::quietText(context, desk_.tipReport());
     }
     if (page_ == 1) drawParameters(context, session.sections().simulation);

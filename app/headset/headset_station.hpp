@@ -15,7 +15,8 @@ namespace meltpool {
 /// while there is no headset.
 class HeadsetStation {
   public:
-    explicit HeadsetStation(std::filesystem::path calibration);
+    /// `folder`: where the torch's calibration is kept.
+    explicit HeadsetStation(const std::filesystem::path& folder);
 
     /// The headset's own values, for menus and the settings file.
     const ui::Section& section() const { return section_; }

@@ -1,8 +1,11 @@
 // The headset's workshop, held torch and visor: geometry and time without a runtime.
 #include "app/headset/held_torch.hpp"
+#include "app/headset/tip_measuring.hpp"
+#include "app/headset/torch_hold.hpp"
 #include "app/headset/visor.hpp"
 #include "app/headset/workshop.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
 
 using namespace meltpool;
 
@@ -136,4 +139,135 @@ TEST_CASE("the visor is a filter of its shade where metal shines, and dims where
     visor.wear(parameters, false, classic);
     CHECK(classic.visorShade == 0.0f);
     CHECK(classic.exposure == 0.25f);
+}
+
+namespace {
+
+xr::TrackerInput trackerAt(const glm::vec3& place, bool tracked = true) {
+    xr::TrackerInput tracker;
+    tracker.role = "handheld_object";
+    tracker.tracked = tracked;
+    tracker.pose.position = place;
+    return tracker;
+}
+
+constexpr double kTick = 0.02;
+
+} // namespace
+
+TEST_CASE("a tracker that is wanted holds the torch as soon as it is seen, and no arc strikes by that") {
+    TorchHold hold;
+    xr::HandInput hand = handAt({0, 1, 0});
+    std::vector<xr::TrackerInput> trackers{trackerAt({1, 1, 1}, false), trackerAt({2, 1, 1}, false)};
+    hold.update(false, hand, trackers, kTick);
+    CHECK(hold.holder() == TorchHolder::hand);
+    CHECK(hold.torch().trigger == 1.0f);
+    CHECK(hold.warning().empty());
+    hold.update(true, hand, trackers, kTick);
+    CHECK(hold.holder() == TorchHolder::hand);
+    CHECK_THAT(hold.warning(), test::containsText("No tracker"));
+    trackers[1].tracked = true;
+    hold.update(true, hand, trackers, kTick);
+    CHECK(hold.holder() == TorchHolder::tracker);
+    CHECK(hold.tracker() == 1);
+    CHECK(hold.changed());
+    CHECK(hold.torch().grip.position == glm::vec3(2, 1, 1));
+    CHECK(hold.torch().trigger == 0.0f); // it was pulled before
+    hold.update(true, hand, trackers, kTick);
+    CHECK_FALSE(hold.changed());
+    CHECK(hold.torch().trigger == 0.0f);
+    hand.trigger = 0;
+    hold.update(true, hand, trackers, kTick);
+    trackers[1].trigger = 0.6f; // a switch on its pins
+    trackers[0].tracked = true; // a better role appears: the one in use stays
+    hold.update(true, hand, trackers, kTick);
+    CHECK(hold.torch().trigger == 0.6f);
+    CHECK(hold.tracker() == 1);
+    hand.trigger = 1;
+    hold.update(true, hand, trackers, kTick);
+    CHECK(hold.torch().trigger == 1.0f);
+    hold.update(false, hand, trackers, kTick);
+    CHECK(hold.holder() == TorchHolder::hand);
+    CHECK(hold.torch().trigger == 0.0f);
+}
+
+TEST_CASE("a tracker out of sight puts the arc out at once, and gives the torch to the hand after a while") {
+    TorchHold hold;
+    HeldTorch torch;
+    const Workshop workshop;
+    xr::HandInput hand = handAt({0, 1, 0});
+    hand.trigger = 0;
+    std::vector<xr::TrackerInput> trackers{trackerAt({1, 1, 1})};
+    const auto frame = [&](double elapsed = kTick) {
+        hold.update(true, hand, trackers, elapsed);
+        if (hold.changed()) torch.lose();
+        torch.update(hold.torch(), {}, workshop, elapsed);
+    };
+    frame();
+    hand.trigger = 1;
+    frame();
+    CHECK(torch.trigger() == 1.0f);
+    trackers[0].tracked = false;
+    frame();
+    CHECK(torch.trigger() == 0.0f);
+    CHECK(hold.holder() == TorchHolder::tracker);
+    CHECK_THAT(hold.warning(), test::containsText("arc is out"));
+    frame(TorchHold::kPatience);
+    CHECK(hold.holder() == TorchHolder::hand);
+    CHECK(torch.tip().position.x == Approx(0));
+    CHECK(torch.velocity() == glm::vec3(0.0f)); // no way is drawn from the tracker to the hand
+    CHECK(torch.trigger() == 0.0f);
+    CHECK_THAT(hold.warning(), test::containsText("in the hand"));
+    hand.trigger = 0;
+    frame();
+    hand.trigger = 1;
+    frame();
+    CHECK(torch.trigger() == 1.0f);
+    trackers[0].tracked = true;
+    frame();
+    CHECK(hold.holder() == TorchHolder::tracker);
+    CHECK(torch.trigger() == 0.0f);
+    CHECK(torch.tip().position.x == Approx(1));
+}
+
+TEST_CASE("measuring finds tip and direction of a torch on whatever holds it, and keeps them") {
+    const std::filesystem::path file = test::scratchFolder("measuring") / "new" / "torch-tip-tracker.txt";
+    CalibrationFile calibration(file);
+    TipMeasuring measuring;
+    CHECK(measuring.report().empty());
+    const glm::vec3 offset(0.02f, -0.05f, -0.2f), point(0.1f, 0.9f, -0.3f);
+    xr::HandInput torch = handAt({0, 0, 0});
+    const auto run = [&](TipMeasuring::Task task, const auto& poseAt) {
+        measuring.begin(task);
+        double time = 0;
+        while (measuring.underWay() && time < 60) {
+            torch.grip = poseAt(time);
+            const auto found = measuring.gather(torch, calibration.tip(), 1.0 / 90);
+            if (found) measuring.kept(calibration.keep(*found));
+            time += 1.0 / 90;
+        }
+        return time;
+    };
+    const auto swing = [&](double time) {
+        const auto t = static_cast<float>(time);
+        const glm::quat q = glm::angleAxis(0.6f * std::sin(2 * t), glm::vec3(1, 0, 0)) *
+                            glm::angleAxis(0.6f * std::sin(3 * t), glm::vec3(0, 1, 0)) *
+                            glm::angleAxis(0.6f * std::sin(t), glm::vec3(0, 0, 1));
+        return xr::Pose{q, point - q * offset};
+    };
+    CHECK(run(TipMeasuring::Task::pivot, swing) == Approx(12).margin(0.1));
+    CHECK_THAT(measuring.report(), test::containsText("was found"));
+    CHECK(glm::distance(xr::readCalibration(file).offset, offset) < 1e-4f);
+    // Stood up only after a second; then its -y points down.
+    const auto stand = [&](double time) {
+        return xr::Pose{glm::angleAxis(time < 1 ? 1.0f : 0.0f, glm::vec3(1, 0, 0)), {0, 1, 0}};
+    };
+    CHECK(run(TipMeasuring::Task::axis, stand) == Approx(5).margin(0.1));
+    const xr::TipCalibration kept = xr::readCalibration(file);
+    CHECK(glm::distance(kept.orientation * glm::vec3(0, 0, -1), glm::vec3(0, -1, 0)) < 1e-4f);
+    CHECK(glm::distance(kept.offset, offset) < 1e-4f);
+    torch.tracked = false;
+    CHECK(run(TipMeasuring::Task::pivot, swing) == Approx(30).margin(1.1));
+    CHECK_THAT(measuring.report(), test::containsText("not found"));
+    CHECK(glm::distance(calibration.tip().offset, offset) < 1e-4f);
 }

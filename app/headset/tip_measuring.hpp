@@ -1,0 +1,58 @@
+// Measuring the torch in the hand: where its tip is and which way it points, and the file that remembers it.
+#pragma once
+
+#include "xr/input.hpp"
+#include "xr/pivot.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace meltpool {
+
+/// A calibration and the file it lives in.
+class CalibrationFile {
+  public:
+    /// Read where the file exists. Throws InputError for a broken one.
+    explicit CalibrationFile(std::filesystem::path file);
+
+    const xr::TipCalibration& tip() const { return tip_; }
+    /// Takes it over and writes it. Answers what went wrong with the file; empty: nothing.
+    std::string keep(const xr::TipCalibration& tip);
+
+  private:
+    std::filesystem::path file_;
+    xr::TipCalibration tip_;
+};
+
+class TipMeasuring {
+  public:
+    enum class Task {
+        pivot, ///< the tip rests in a dent while the torch is swung about it: its place
+        axis,  ///< the torch stands upright, its tip down: its direction
+    };
+
+    void begin(Task task);
+    bool underWay() const { return left_ > 0; }
+
+    /// Takes the pose of a frame. When time is over, the calibration as it is now with what was found put in; nothing
+    /// where that was refused. `elapsed`: real seconds since the last frame.
+    std::optional<xr::TipCalibration> gather(const xr::HandInput& torch, const xr::TipCalibration& now, double elapsed);
+    /// What to add to the report about keeping it.
+    void kept(const std::string& fault);
+
+    /// What to do and for how long, then what was found, as a sentence for the person.
+    std::string report() const;
+
+  private:
+    std::optional<xr::TipCalibration> finish(xr::TipCalibration tip);
+
+    Task task_ = Task::pivot;
+    double left_ = 0;  ///< s
+    double spent_ = 0; ///< s
+    std::vector<xr::Pose> poses_;
+    std::string found_;
+};
+
+} // namespace meltpool

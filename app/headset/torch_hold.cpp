@@ -1,0 +1,49 @@
+#include "app/headset/torch_hold.hpp"
+
+#include <algorithm>
+
+namespace meltpool {
+
+namespace {
+
+constexpr float kLetGo = 0.05f; // of the trigger's way
+
+} // namespace
+
+void TorchHold::choose(bool wanted, std::span<const xr::TrackerInput> trackers, double elapsed) {
+    wanted_ = wanted;
+    // The tracker in use stays the one as long as it is seen.
+    if (tracker_ >= trackers.size() || !trackers[tracker_].tracked)
+        for (size_t i = trackers.size(); i-- > 0;)
+            if (trackers[i].tracked) tracker_ = i;
+    inSight_ = wanted && tracker_ < trackers.size() && trackers[tracker_].tracked;
+    lost_ = inSight_ ? 0 : lost_ + elapsed;
+    seen_ = wanted && (seen_ || inSight_);
+    const TorchHolder now = inSight_ || (seen_ && lost_ < kPatience) ? TorchHolder::tracker : TorchHolder::hand;
+    changed_ = now != holder_;
+    holder_ = now;
+}
+
+void TorchHold::update(bool wanted, const xr::HandInput& hand, std::span<const xr::TrackerInput> trackers,
+                       double elapsed) {
+    choose(wanted, trackers, elapsed);
+    torch_ = hand;
+    if (holder_ == TorchHolder::tracker) {
+        const xr::TrackerInput& tracker = trackers[tracker_];
+        torch_.present = true;
+        torch_.tracked = tracker.tracked;
+        torch_.grip = tracker.pose;
+        torch_.trigger = std::max(tracker.trigger, hand.trigger);
+    }
+    blocked_ = (blocked_ || changed_) && torch_.trigger > kLetGo;
+    if (blocked_) torch_.trigger = 0;
+}
+
+std::string TorchHold::warning() const {
+    if (!wanted_ || inSight_) return {};
+    if (!seen_) return "No tracker is to be seen: the torch is in the hand.";
+    if (holder_ == TorchHolder::tracker) return "The torch's tracker is out of sight: the arc is out.";
+    return "The torch's tracker is out of sight: the torch is in the hand until it is back.";
+}
+
+} // namespace meltpool
