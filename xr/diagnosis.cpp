@@ -79,11 +79,10 @@ double watch(Headset& headset) {
         }
         const FrameTiming timing = headset.waitFrame();
         period = timing.period;
-        headset.input().read(timing.displayTime);
         headset.beginFrame();
         headset.endFrame();
         const bool bound = headset.input().hand(Hand::left).present || headset.input().hand(Hand::right).present;
-        if (bound && headset.session().mode() == SessionMode::focused) break;
+        if (bound && headset.mode() == SessionMode::focused) break;
     }
     return period;
 }
@@ -115,6 +114,7 @@ void tellHands(Headset& headset, Diagnosis& told) {
 
 void tellSession(std::unique_ptr<Instance> instance, Diagnosis& told) {
     Headset headset(std::move(instance), {.resolutionScale = 1.0f, .samples = 1});
+    headset.waitUntilOpened();
     told.facts.push_back({"OpenGL handed over by", headset.bindingKind()});
     told.facts.push_back(
         {"pixels an eye", std::to_string(headset.eyes().width()) + " x " + std::to_string(headset.eyes().height())});

@@ -30,8 +30,7 @@ EyeTargets::EyeTargets(GLenum colour, GLenum depth, int width, int height, int s
       finishedColour_(picture("finished eyes colour", colour, 2 * width, height, 1)),
       finishedDepth_(picture("finished eyes depth", depth, 2 * width, height, 1)),
       drawn_("eyes"),
-      finished_("finished eyes"),
-      handover_("eye handover") {
+      finished_("finished eyes") {
     drawn_.attach(GL_COLOR_ATTACHMENT0, colour_);
     drawn_.attach(GL_DEPTH_ATTACHMENT, depth_);
     drawn_.requireComplete();
@@ -47,21 +46,6 @@ void EyeTargets::resolve() const {
         glBlitNamedFramebuffer(framebuffer(), resolved(), 0, 0, 2 * width_, height_, 0, 0, 2 * width_, height_, what,
                                GL_NEAREST);
     glDisable(GL_FRAMEBUFFER_SRGB);
-}
-
-void EyeTargets::copy(int eye, GLuint texture, GLenum attachment, GLbitfield what) const {
-    glNamedFramebufferTexture(handover_.name(), attachment, texture, 0);
-    glBlitNamedFramebuffer(resolved(), handover_.name(), eye * width_, 0, (eye + 1) * width_, height_, 0, 0, width_,
-                           height_, what, GL_NEAREST);
-    glNamedFramebufferTexture(handover_.name(), attachment, 0, 0);
-}
-
-void EyeTargets::copyColour(int eye, GLuint texture) const {
-    copy(eye, texture, GL_COLOR_ATTACHMENT0, GL_COLOR_BUFFER_BIT);
-}
-
-void EyeTargets::copyDepth(int eye, GLuint texture) const {
-    copy(eye, texture, GL_DEPTH_ATTACHMENT, GL_DEPTH_BUFFER_BIT);
 }
 
 } // namespace meltpool::xr

@@ -27,13 +27,11 @@ class EyeTargets {
     /// The finished picture of both eyes, for the desk's mirror and tests.
     GLuint resolved() const { return finished_.name(); }
 
-    /// Copies a finished eye (0 left, 1 right) into a texture of one eye's size and the same format.
-    void copyColour(int eye, GLuint texture) const;
-    void copyDepth(int eye, GLuint texture) const;
+    /// The same as textures, 2 * width() wide.
+    GLuint finishedColour() const { return finishedColour_.name(); }
+    GLuint finishedDepth() const { return finishedDepth_.name(); }
 
   private:
-    void copy(int eye, GLuint texture, GLenum attachment, GLbitfield what) const;
-
     int width_;
     int height_;
     int samples_;
@@ -43,7 +41,6 @@ class EyeTargets {
     gl::Texture finishedDepth_;
     gl::Framebuffer drawn_;
     gl::Framebuffer finished_;
-    gl::Framebuffer handover_;
 };
 
 } // namespace meltpool::xr

@@ -89,6 +89,122 @@ GraphicsBinding GraphicsBinding::ofCurrentContext() {
     throw InputError("the headset needs an OpenGL context, and none is current");
 }
 
+namespace {
+
+[[noreturn]] void noSecondContext() {
+    throw InputError("the graphics driver makes no second OpenGL context that shares with the window's; the headset "
+                     "needs one");
+}
+
+} // namespace
+
+#ifdef _WIN32
+
+SharedContext::SharedContext() : display_(wglGetCurrentDC()) {
+    using Create = HGLRC(WINAPI*)(HDC, HGLRC, const int*);
+    const auto create = reinterpret_cast<Create>(wglGetProcAddress("wglCreateContextAttribsARB"));
+    if (display_ == nullptr || create == nullptr) noSecondContext();
+    // WGL_CONTEXT_MAJOR_VERSION_ARB, MINOR, PROFILE_MASK: core
+    const std::array<int, 7> wanted{0x2091, 4, 0x2092, 5, 0x9126, 1, 0};
+    context_ = create(static_cast<HDC>(display_), wglGetCurrentContext(), wanted.data());
+    if (context_ == nullptr) noSecondContext();
+}
+
+SharedContext::~SharedContext() {
+    wglDeleteContext(static_cast<HGLRC>(context_));
+}
+
+void SharedContext::makeCurrent() {
+    if (wglMakeCurrent(static_cast<HDC>(display_), static_cast<HGLRC>(context_)) == FALSE) noSecondContext();
+}
+
+void SharedContext::release() {
+    wglMakeCurrent(nullptr, nullptr);
+}
+
+#else
+
+namespace {
+
+GLXContext glxBeside(Display* display, GLXFBConfig config, GLXContext first) {
+    const auto create = reinterpret_cast<PFNGLXCREATECONTEXTATTRIBSARBPROC>(
+        glXGetProcAddressARB(reinterpret_cast<const GLubyte*>("glXCreateContextAttribsARB")));
+    if (create == nullptr) noSecondContext();
+    const std::array<int, 7> wanted{
+        GLX_CONTEXT_MAJOR_VERSION_ARB,    4, GLX_CONTEXT_MINOR_VERSION_ARB, 5, GLX_CONTEXT_PROFILE_MASK_ARB,
+        GLX_CONTEXT_CORE_PROFILE_BIT_ARB, 0};
+    const GLXContext made = create(display, config, first, 1, wanted.data());
+    if (made == nullptr) noSecondContext();
+    return made;
+}
+
+EGLContext eglBeside(EGLDisplay display, EGLContext first) {
+    const std::array<EGLint, 7> wanted{
+        EGL_CONTEXT_MAJOR_VERSION,           4,       EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+    const EGLContext made = eglCreateContext(display, configOf(display, first), first, wanted.data());
+    if (made == EGL_NO_CONTEXT) noSecondContext();
+    return made;
+}
+
+} // namespace
+
+SharedContext::SharedContext() {
+    if (const GLXContext first = glXGetCurrentContext(); first != nullptr) {
+        const XrGraphicsBindingOpenGLXlibKHR binding = glxBinding(first);
+        Display* display = binding.xDisplay;
+        XVisualInfo* visual = glXGetVisualFromFBConfig(display, binding.glxFBConfig);
+        if (visual == nullptr) noSecondContext();
+        display_ = display;
+        context_ = glxBeside(display, binding.glxFBConfig, first);
+        const Window root = RootWindow(display, visual->screen);
+        colourmap_ = XCreateColormap(display, root, visual->visual, AllocNone);
+        XSetWindowAttributes attributes{};
+        attributes.colormap = colourmap_;
+        window_ = XCreateWindow(display, root, 0, 0, 1, 1, 0, visual->depth, InputOutput, visual->visual,
+                                CWColormap | CWBorderPixel, &attributes);
+        XFree(visual);
+        XSync(display, 0);
+        return;
+    }
+    egl_ = true;
+    const EGLContext first = eglGetCurrentContext();
+    if (first == EGL_NO_CONTEXT) throw InputError("the headset needs an OpenGL context, and none is current");
+    display_ = eglGetCurrentDisplay();
+    context_ = eglBeside(display_, first);
+}
+
+SharedContext::~SharedContext() {
+    if (egl_) {
+        eglDestroyContext(display_, context_);
+        return;
+    }
+    auto* display = static_cast<Display*>(display_);
+    glXDestroyContext(display, static_cast<GLXContext>(context_));
+    XDestroyWindow(display, window_);
+    XFreeColormap(display, colourmap_);
+}
+
+void SharedContext::makeCurrent() {
+    if (egl_) {
+        eglBindAPI(EGL_OPENGL_API); // a thread begins with another one
+        if (eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE) noSecondContext();
+        return;
+    }
+    if (glXMakeContextCurrent(static_cast<Display*>(display_), window_, window_, static_cast<GLXContext>(context_)) ==
+        0)
+        noSecondContext();
+}
+
+void SharedContext::release() {
+    if (egl_)
+        eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    else
+        glXMakeContextCurrent(static_cast<Display*>(display_), 0, 0, nullptr);
+}
+
+#endif
+
 #ifdef _WIN32
 
 ContextGuard::ContextGuard() : display_(wglGetCurrentDC()), context_(wglGetCurrentContext()) {}

@@ -27,6 +27,29 @@ class GraphicsBinding {
     const char* kind_ = "";
 };
 
+/// A context of its own beside the one that is current when it is made: textures and buffers are the same in both. For
+/// another thread, which makes it current.
+class SharedContext {
+  public:
+    /// Throws InputError when no context is current, or the driver makes none beside it.
+    SharedContext();
+    ~SharedContext();
+    SharedContext(const SharedContext&) = delete;
+    SharedContext& operator=(const SharedContext&) = delete;
+
+    /// On the thread that is to use it, once.
+    void makeCurrent();
+    /// On that same thread, before this is destroyed.
+    void release();
+
+  private:
+    void* display_ = nullptr;
+    void* context_ = nullptr;
+    unsigned long window_ = 0;    ///< GLX: of one pixel, never shown
+    unsigned long colourmap_ = 0; ///< of that
+    bool egl_ = false;
+};
+
 /// Remembers the current context and drawables; its end makes them current again where the runtime changed them and
 /// drains the GL errors that the runtime left behind.
 class ContextGuard {

@@ -2,6 +2,8 @@
 #include "xr/link.hpp"
 
 #include <algorithm>
+#include <thread>
+#include <utility>
 
 namespace meltpool::xr {
 
@@ -41,37 +43,38 @@ HeadsetLink::HeadsetLink(HeadsetSettings settings) : settings_(settings), nextLo
     quietLoader();
 }
 
-HeadsetLink::~HeadsetLink() {
-    if (looking_) looking_->wait();
-}
+HeadsetLink::~HeadsetLink() = default;
 
-HeadsetLink::Found HeadsetLink::look() {
+void HeadsetLink::look(Search& search) {
     try {
-        return {std::make_unique<Instance>(), {}};
+        search.instance = std::make_unique<Instance>();
     } catch (const XrFault& fault) {
-        return {nullptr, explain(fault)};
+        search.reason = explain(fault);
     } catch (const std::exception& other) {
-        return {nullptr, other.what()};
+        search.reason = other.what();
     }
+    search.over = true;
 }
 
 LinkState HeadsetLink::update() {
     if (state_ == LinkState::ended) return state_;
     try {
         if (headset_ == nullptr) search();
-        if (headset_ == nullptr) return state_ = LinkState::searching;
+        if (headset_ == nullptr || !open()) return state_ = LinkState::searching;
         headset_->poll();
     } catch (const XrFault& fault) {
         onFault(fault);
         return state_;
+    } catch (const Stalled&) {
+        onStall();
+        return state_;
     }
-    switch (headset_->session().mode()) {
+    switch (headset_->mode()) {
     case SessionMode::lost:
         drop("the headset has gone away; it is taken again as soon as it is back");
         break;
     case SessionMode::ended:
-        headset_.reset();
-        reason_ = "the headset's own menu has closed the trainer";
+        drop("the headset's own menu has closed the trainer");
         state_ = LinkState::ended;
         break;
     default:
@@ -81,28 +84,50 @@ LinkState HeadsetLink::update() {
 }
 
 void HeadsetLink::search() {
-    if (!looking_) {
+    if (gone_ != nullptr && !*gone_) return;
+    if (looking_ == nullptr) {
         if (Clock::now() < nextLook_) return;
-        looking_ = std::async(std::launch::async, look);
+        looking_ = std::make_shared<Search>();
+        std::thread([search = looking_] { look(*search); }).detach();
     }
-    if (looking_->wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
-    Found found = looking_->get();
-    looking_.reset();
+    if (!looking_->over) return;
+    const std::shared_ptr<Search> found = std::exchange(looking_, nullptr);
     nextLook_ = Clock::now() + pause_;
     pause_ = std::min(2 * pause_, kLongestPause);
-    reason_ = found.reason;
-    if (found.instance != nullptr) open(std::move(found.instance));
-}
-
-void HeadsetLink::open(std::unique_ptr<Instance> instance) {
+    reason_ = found->reason;
+    if (found->instance == nullptr) return;
     try {
-        headset_ = std::make_unique<Headset>(std::move(instance), settings_);
-        ++openings_;
-    } catch (const XrFault& fault) {
-        reason_ = explain(fault);
+        headset_ = std::make_unique<Headset>(std::move(found->instance), settings_);
     } catch (const std::exception& wrong) {
         reason_ = wrong.what();
     }
+}
+
+/// Sees the opening of a session through; false: not yet, or it failed.
+bool HeadsetLink::open() {
+    const bool before = opened_;
+    try {
+        opened_ = headset_->opened();
+    } catch (const std::exception& wrong) {
+        const auto* fault = dynamic_cast<const XrFault*>(&wrong);
+        reason_ = fault != nullptr ? explain(*fault) : wrong.what();
+        letGo();
+        return false;
+    }
+    if (opened_ && !before) ++openings_;
+    return opened_;
+}
+
+void HeadsetLink::letGo() {
+    if (headset_ == nullptr) return;
+    gone_ = headset_->leave();
+    headset_.reset();
+    opened_ = false;
+}
+
+void HeadsetLink::onStall() {
+    reason_ = "the OpenXR runtime does not answer: the arc is out; it is taken again as soon as it does";
+    state_ = LinkState::stalled;
 }
 
 void HeadsetLink::onFault(const XrFault& fault) {
@@ -110,7 +135,7 @@ void HeadsetLink::onFault(const XrFault& fault) {
 }
 
 void HeadsetLink::drop(std::string reason) {
-    headset_.reset();
+    letGo();
     reason_ = std::move(reason);
     pause_ = kFirstPause;
     nextLook_ = Clock::now() + pause_;
@@ -118,7 +143,8 @@ void HeadsetLink::drop(std::string reason) {
 }
 
 void HeadsetLink::close() {
-    headset_.reset();
+    headset_.reset(); // waits for the session's orderly end
+    opened_ = false;
     state_ = LinkState::ended;
     reason_ = "the headset is not used";
 }

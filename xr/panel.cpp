@@ -15,36 +15,12 @@ std::optional<glm::vec2> pointOnPanel(const Pose& ray, const Pose& panel, const 
     return pixel;
 }
 
-Panel::Panel(const Session& session, GLenum format, const PanelShape& shape)
+Panel::Panel(GLenum format, const PanelShape& shape)
     : shape_(shape),
-      swapchain_(session, format, shape.widthPixels, shape.heightPixels, false),
       colour_("panel", {GL_TEXTURE_2D, format, shape.widthPixels, shape.heightPixels, 1, 1, 1}),
-      framebuffer_("panel"),
-      handover_("panel handover") {
+      framebuffer_("panel") {
     framebuffer_.attach(GL_COLOR_ATTACHMENT0, colour_);
     framebuffer_.requireComplete();
-}
-
-void Panel::handOver() {
-    const GLuint texture = swapchain_.acquire();
-    glDisable(GL_FRAMEBUFFER_SRGB);
-    glNamedFramebufferTexture(handover_.name(), GL_COLOR_ATTACHMENT0, texture, 0);
-    const int w = shape_.widthPixels, h = shape_.heightPixels;
-    glBlitNamedFramebuffer(framebuffer(), handover_.name(), 0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    glNamedFramebufferTexture(handover_.name(), GL_COLOR_ATTACHMENT0, 0, 0);
-    swapchain_.release();
-}
-
-const XrCompositionLayerBaseHeader* Panel::layer(XrSpace space, const Pose& pose) {
-    quad_.type = XR_TYPE_COMPOSITION_LAYER_QUAD;
-    quad_.layerFlags = XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT;
-    quad_.space = space;
-    quad_.eyeVisibility = XR_EYE_VISIBILITY_BOTH;
-    quad_.subImage = swapchain_.subImage();
-    quad_.pose = toXr(pose);
-    quad_.size = {shape_.width,
-                  shape_.width * static_cast<float>(shape_.heightPixels) / static_cast<float>(shape_.widthPixels)};
-    return reinterpret_cast<const XrCompositionLayerBaseHeader*>(&quad_);
 }
 
 } // namespace meltpool::xr

@@ -2,11 +2,10 @@
 #pragma once
 
 #include "core/gl/texture.hpp"
-#include "xr/swapchain.hpp"
+#include "xr/pose.hpp"
 
 #include <glm/vec2.hpp>
 
-#include <memory>
 #include <optional>
 
 namespace meltpool::xr {
@@ -23,24 +22,17 @@ std::optional<glm::vec2> pointOnPanel(const Pose& ray, const Pose& panel, const 
 
 class Panel {
   public:
-    Panel(const Session& session, GLenum format, const PanelShape& shape);
+    Panel(GLenum format, const PanelShape& shape);
 
     const PanelShape& shape() const { return shape_; }
-    /// What to draw the picture into, top row at the top; shown from the next handOver() on.
+    /// What to draw the picture into, top row at the top.
     GLuint framebuffer() const { return framebuffer_.name(); }
     GLuint texture() const { return colour_.name(); }
-    /// Gives the picture to the runtime.
-    void handOver();
-    /// The layer that shows it at `pose` in the session's space; valid until the next call.
-    const XrCompositionLayerBaseHeader* layer(XrSpace space, const Pose& pose);
 
   private:
     PanelShape shape_;
-    Swapchain swapchain_;
     gl::Texture colour_;
     gl::Framebuffer framebuffer_;
-    gl::Framebuffer handover_;
-    XrCompositionLayerQuad quad_{};
 };
 
 } // namespace meltpool::xr

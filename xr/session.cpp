@@ -142,7 +142,7 @@ void Session::leave() {
     using namespace std::chrono_literals;
     if (!running_ || lost_) return;
     try {
-        if (inFrame_) endFrame(displayTime_, nullptr, 0);
+        dropFrame();
         requestExit();
         // The runtime goes through its states only while frames come in, and may be too ill to answer at all.
         for (const auto end = std::chrono::steady_clock::now() + 500ms; std::chrono::steady_clock::now() < end;) {
@@ -166,6 +166,7 @@ FrameTiming Session::waitFrame() {
     XrFrameState state{XR_TYPE_FRAME_STATE};
     const InWork waiting(WorkPlace::waiting);
     MELTPOOL_XR(xrWaitFrame(session_, nullptr, &state));
+    waited_ = true;
     displayTime_ = state.predictedDisplayTime;
     return {state.predictedDisplayTime, static_cast<double>(state.predictedDisplayPeriod) * 1e-9,
             state.shouldRender == XR_TRUE};
@@ -173,8 +174,14 @@ FrameTiming Session::waitFrame() {
 
 void Session::beginFrame() {
     const ContextGuard guard;
+    waited_ = false;
     MELTPOOL_XR(xrBeginFrame(session_, nullptr));
     inFrame_ = true;
+}
+
+void Session::dropFrame() {
+    if (waited_) beginFrame();
+    if (inFrame_) endFrame(displayTime_, nullptr, 0);
 }
 
 void Session::endFrame(XrTime displayTime, const XrCompositionLayerBaseHeader* const* layers, uint32_t count) {

@@ -58,6 +58,8 @@ class Session {
     /// Blocks until the runtime wants the next frame. Only while running().
     FrameTiming waitFrame();
     void beginFrame();
+    /// Brings a frame that was given up in its middle to its end, showing nothing.
+    void dropFrame();
     /// Shows the layers (none: nothing) at the frame's time.
     void endFrame(XrTime displayTime, const XrCompositionLayerBaseHeader* const* layers, uint32_t count);
 
@@ -79,6 +81,7 @@ class Session {
     XrSessionState state_ = XR_SESSION_STATE_UNKNOWN;
     bool running_ = false;
     bool lost_ = false;
+    bool waited_ = false; ///< for a frame that was not begun yet
     bool inFrame_ = false;
     XrTime displayTime_ = 0; ///< of the frame that was waited for last
 };

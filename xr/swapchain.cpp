@@ -29,6 +29,19 @@ std::optional<GLenum> chooseDepthFormat(std::span<const std::int64_t> offered) {
     return firstOffered(wanted, offered);
 }
 
+PictureFormats choosePictureFormats(std::span<const std::int64_t> offered, bool depthLayer) {
+    const std::optional<GLenum> colour = chooseColourFormat(offered);
+    if (!colour) {
+        std::string list;
+        for (const std::int64_t format : offered)
+            list += (list.empty() ? "" : ", ") + std::to_string(format);
+        throw InputError("the OpenXR runtime offers no 8-bit colour format for OpenGL; expected SRGB8_ALPHA8 or RGBA8, "
+                         "found " +
+                         (list.empty() ? "none" : list));
+    }
+    return {*colour, depthLayer ? chooseDepthFormat(offered).value_or(GL_NONE) : GLenum(GL_NONE)};
+}
+
 std::vector<std::int64_t> offeredFormats(const Session& session) {
     uint32_t count = 0;
     MELTPOOL_XR(xrEnumerateSwapchainFormats(session.handle(), 0, &count, nullptr));

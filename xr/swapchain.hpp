@@ -17,6 +17,15 @@ std::optional<GLenum> chooseColourFormat(std::span<const std::int64_t> offered);
 /// Likewise for depth; nothing: go without a depth layer.
 std::optional<GLenum> chooseDepthFormat(std::span<const std::int64_t> offered);
 
+/// What the eyes are drawn in.
+struct PictureFormats {
+    GLenum colour = GL_NONE;
+    GLenum depth = GL_NONE; ///< GL_NONE: without a depth layer
+};
+
+/// Throws InputError, naming what was offered, where no colour format will do.
+PictureFormats choosePictureFormats(std::span<const std::int64_t> offered, bool depthLayer);
+
 /// What this session's runtime offers, best first in its own opinion.
 std::vector<std::int64_t> offeredFormats(const Session& session);
 

@@ -374,9 +374,10 @@ void DesktopApp::tellTelemetry() {
     std::vector<std::string> passes;
     for (const gl::PassTime& pass : profiler_.passes())
         passes.push_back(pass.name);
-    telemetry_.write({session_.running() ? "running" : "start", now(), frames_, session_.steps(), controls_, panels_,
-                      figures_, sections, passes, messages_, interface_.context(), window_.size(), window_.pixels(),
-                      screenshot_, headset_ ? headset_->told() : HeadsetTold{}, meter_});
+    telemetry_.write({session_.running() ? "running" : "start", now(), frames_, session_.steps(),
+                      session_.running() ? session_.torch() : TorchSample{}, controls_, panels_, figures_, sections,
+                      passes, messages_, interface_.context(), window_.size(), window_.pixels(), screenshot_,
+                      headset_ ? headset_->told() : HeadsetTold{}, meter_});
     meter_.resume();
 }
 

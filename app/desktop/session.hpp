@@ -80,6 +80,8 @@ class Session {
     /// The fault that stopped the metal; empty while all is well.
     const std::string& fault() const { return fault_; }
     void fillFigures(ui::Figures& figures) const;
+    /// The torch of the last step. Only while running().
+    const TorchSample& torch() const { return trainer_->torch(); }
     /// What the metal's temperature numbers mean. Only while running().
     TemperatureMeaning temperature() const { return trainer_->scene().temperature; }
     size_t steps() const { return trainer_ == nullptr ? 0 : trainer_->steps(); }

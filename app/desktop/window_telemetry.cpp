@@ -25,6 +25,13 @@ json camera(const Controls& controls) {
             {"pitch", free.pitch()},          {"free_position", numbers(free.position())}};
 }
 
+/// Of the last step, mm in the workpiece's frame.
+json torch(const TorchSample& torch) {
+    json told{{"tip_mm", numbers(torch.tip * 1000.0f)}, {"axis", numbers(torch.axis())}, {"trigger", torch.trigger}};
+    if (torch.rod) told["rod_mm"] = numbers(torch.rod->tip * 1000.0f);
+    return told;
+}
+
 json metal(const TelemetryRow& row) {
     const ui::Figures& f = row.figures;
     return {{"time", f.time},     {"steps", row.steps},   {"particles", f.particles},
@@ -57,8 +64,10 @@ json headset(const HeadsetTold& told) {
     json places = json::object();
     for (const auto& [name, place] : told.places)
         places[name] = {place.x, place.y, place.width, place.height};
-    return {{"state", told.state}, {"warning", told.warning}, {"openings", told.openings}, {"tracked", told.tracked},
-            {"panel", told.panel}, {"tip", tip(told.tip)},    {"busy_ms", told.busyMs},    {"places", places}};
+    return {{"state", told.state},          {"mode", told.mode},       {"mirrored", told.mirrored},
+            {"tip_report", told.tipReport}, {"warning", told.warning}, {"openings", told.openings},
+            {"tracked", told.tracked},      {"panel", told.panel},     {"tip", tip(told.tip)},
+            {"busy_ms", told.busyMs},       {"places", places}};
 }
 
 json frameCosts(const FrameMeter& meter) {
@@ -114,6 +123,7 @@ void WindowTelemetry::write(const TelemetryRow& row) {
           {"timings", row.panels.timings},
           {"help", row.panels.help},
           {"hidden", row.panels.hidden}}},
+        {"torch", torch(row.torch)},
         {"metal", metal(row)},
         {"passes", row.passes},
         {"parameters", parameters(row)},

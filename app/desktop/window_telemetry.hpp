@@ -5,6 +5,7 @@
 #include "app/desktop/messages.hpp"
 #include "app/desktop/ui/panels.hpp"
 #include "app/meter/frame_meter.hpp"
+#include "core/weld/torch_sample.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -29,8 +30,11 @@ struct TipTold {
 
 /// What the headset does; as at first where none is looked for.
 struct HeadsetTold {
-    std::string state = "off"; ///< "searching", "asleep", "running", "ended"
+    std::string state = "off"; ///< "searching", "asleep", "running", "stalled", "ended"
+    std::string mode; ///< of the session: "waiting", "synchronized", "visible", "focused"; empty: there is none
     std::string warning;
+    std::string tipReport; ///< what measuring the torch's tip wants or has found
+    bool mirrored = false; ///< the window shows the trainee's eye
     int openings = 0;
     bool tracked = false; ///< the torch's hand
     bool panel = false;
@@ -44,7 +48,8 @@ struct TelemetryRow {
     std::string page; ///< "start" or "running"
     double seconds = 0;
     long long frame = 0;
-    size_t steps = 0; ///< simulation steps since the start or the last reset
+    size_t steps = 0;  ///< simulation steps since the start or the last reset
+    TorchSample torch; ///< of the last step
     const Controls& controls;
     const ui::PanelState& panels;
     const ui::Figures& figures;

@@ -44,6 +44,10 @@ void HeadsetDesk::guarded(FunctionRef<void()> work) {
         inFrame_ = false;
         torch_.lose();
         link_.onFault(fault);
+    } catch (const xr::Stalled&) {
+        inFrame_ = false;
+        torch_.lose();
+        link_.onStall();
     }
 }
 
@@ -71,7 +75,6 @@ bool HeadsetDesk::begin(float bottom, double elapsed) {
 
 void HeadsetDesk::readHands(double elapsed) {
     xr::Headset& headset = *link_.headset();
-    headset.input().read(timing_.displayTime);
     torchHand_ = parameters_.hand == HeadsetParameters::kLeft ? xr::Hand::left : xr::Hand::right;
     for (const xr::Hand hand : {xr::Hand::left, xr::Hand::right})
         recentreAsked_ = recentreAsked_ || headset.input().hand(hand).recentre;
@@ -84,6 +87,15 @@ void HeadsetDesk::readHands(double elapsed) {
     // A hand that works on the panel, or whose tip is being measured, does not weld.
     if (pointing_ || measuring_.underWay()) torch_.release();
     visor_.update(torch_.trigger() > 0, elapsed);
+}
+
+TorchSample HeadsetDesk::torch(int step, int steps) const {
+    TorchSample sample = torch_.sample(place_, step, steps);
+    if (rod_) {
+        const glm::vec3 tip = *rod_ * glm::vec3(0, 0, -WorkshopScene::kRodReach);
+        sample.rod = RodSample{place_.toWorkpiece(tip), glm::normalize(rod_->orientation)};
+    }
+    return sample;
 }
 
 void HeadsetDesk::holdTorch(double elapsed) {
@@ -147,7 +159,6 @@ void HeadsetDesk::showPanel(FunctionRef<void(GLuint, const PanelPointer&)> fill)
     guarded([&] {
         xr::Panel& panel = link_.headset()->panel();
         fill(panel.framebuffer(), pointer_);
-        panel.handOver();
         link_.headset()->showPanel(workshop_.toSession(panelPose()));
     });
 }
@@ -156,7 +167,7 @@ void HeadsetDesk::placeWorkshop() {
     if (workshop_.placed() && !recentreAsked_) return;
     xr::Headset& headset = *link_.headset();
     std::array<xr::EyeView, 2> eyes;
-    if (!headset.session().locateEyes(timing_.displayTime, eyes)) return;
+    if (!headset.locateEyes(eyes)) return;
     const xr::Pose head = xr::interpolate(eyes[0].pose, eyes[1].pose, 0.5f);
     workshop_.recentre(head, parameters_, headset.session().originOnFloor());
     recentreAsked_ = false;
@@ -167,6 +178,7 @@ void HeadsetDesk::draw(Renderer& renderer, const LessonInSight& lesson, gl::Prof
     const Clock::time_point start = Clock::now();
     guarded([&] {
         link_.headset()->beginFrame();
+        drawn_ = false; // what the runtime does not show is no mirror either
         if (timing_.shouldRender)
             drawn_ = link_.headset()->drawEyes(
                 [&](const xr::BothEyes& eyes) { drawEyes(renderer, lesson, eyes, profiler); });
@@ -203,7 +215,7 @@ void HeadsetDesk::drawEyes(Renderer& renderer, const LessonInSight& lesson, cons
 }
 
 unsigned HeadsetDesk::pulsesSent() const {
-    return link_.headset() == nullptr ? 0 : link_.headset()->input().hapticCalls().applied;
+    return link_.headset() == nullptr ? 0 : link_.headset()->hapticCalls().applied;
 }
 
 void HeadsetDesk::vibrate(const LessonInSight& lesson) {
@@ -226,9 +238,9 @@ void HeadsetDesk::vibrate(const LessonInSight& lesson) {
 
 void HeadsetDesk::play(const xr::HapticPulse& pulse) {
     if (felt_ == TorchHolder::tracker)
-        link_.headset()->input().playTracker(hold_.tracker(), pulse);
+        link_.headset()->playTracker(hold_.tracker(), pulse);
     else
-        link_.headset()->input().play(feltHand_, pulse);
+        link_.headset()->play(feltHand_, pulse);
 }
 
 void HeadsetDesk::end() {
@@ -251,6 +263,12 @@ bool HeadsetDesk::mirror(GLuint framebuffer, const Viewport& viewport) const {
     return true;
 }
 
+std::string HeadsetDesk::sessionMode() const {
+    static constexpr std::array<const char*, 6> kModes{"waiting", "synchronized", "visible",
+                                                       "focused", "ended",        "lost"};
+    return link_.headset() == nullptr ? "" : kModes[size_t(link_.headset()->mode())];
+}
+
 std::string HeadsetDesk::status() const {
     switch (link_.state()) {
     case xr::LinkState::searching:
@@ -259,6 +277,7 @@ std::string HeadsetDesk::status() const {
         return "the headset sleeps; put it on";
     case xr::LinkState::running:
         return "the headset is in use";
+    case xr::LinkState::stalled:
     case xr::LinkState::ended:
         return link_.reason();
     }
@@ -267,6 +286,9 @@ std::string HeadsetDesk::status() const {
 
 std::string_view HeadsetDesk::warning() const {
     if (link_.state() == xr::LinkState::searching && link_.openings() > 0) return link_.reason();
+    if (link_.state() == xr::LinkState::stalled) return link_.reason();
+    if (link_.state() == xr::LinkState::running && link_.headset()->mode() != xr::SessionMode::focused)
+        return "The headset shows something else than the trainer, so the arc is out.";
     if (link_.state() == xr::LinkState::running && !hold_.warning().empty()) return hold_.warning();
     if (link_.state() == xr::LinkState::running && torch_.known() && !torch_.tracked())
         return "The torch is out of sight: the arc is out. Hold it where the headset sees it.";

@@ -46,7 +46,7 @@ class HeadsetDesk {
     /// The other hand, which holds the filler rod: its grip in the workshop; nothing while it is not tracked.
     const std::optional<xr::Pose>& rod() const { return rod_; }
     /// The torch for step `step` of the `steps` of this frame, in the workpiece's frame.
-    TorchSample torch(int step, int steps) const { return torch_.sample(place_, step, steps); }
+    TorchSample torch(int step, int steps) const;
 
     bool inFrame() const { return inFrame_; }
 
@@ -66,6 +66,8 @@ class HeadsetDesk {
     bool mirror(GLuint framebuffer, const Viewport& viewport) const;
 
     xr::LinkState state() const { return link_.state(); }
+    /// The session's mode in a word; empty while there is none.
+    std::string sessionMode() const;
     /// For the desk: what the headset does, or why there is none.
     std::string status() const;
     /// A warning for the trainee and the teacher; empty while all is well.

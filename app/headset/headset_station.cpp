@@ -37,6 +37,7 @@ HeldTorchAt HeadsetStation::torch() const {
 }
 
 ui::Request HeadsetStation::draw(Session& session, const ui::Figures& figures, double elapsed, gl::Profiler* profiler) {
+    mirrored_ = false;
     if (!desk_.inFrame()) return ui::Request::none;
     const SceneView scene = session.scene(profiler);
     if (desk_.leadsTorch()) session.sound(desk_.torch(0, 1));
@@ -96,9 +97,9 @@ ui::Request HeadsetStation::panelContent(ui::Context& context, Session& session,
     return request;
 }
 
-bool HeadsetStation::mirror(glm::ivec2 pixels) const {
-    if (parameters_.deskView != HeadsetParameters::kTrainee) return false;
-    return desk_.mirror(0, {0, 0, pixels.x, pixels.y});
+bool HeadsetStation::mirror(glm::ivec2 pixels) {
+    mirrored_ = parameters_.deskView == HeadsetParameters::kTrainee && desk_.mirror(0, {0, 0, pixels.x, pixels.y});
+    return mirrored_;
 }
 
 TipTold HeadsetStation::toldOfTip() const {
@@ -117,9 +118,12 @@ TipTold HeadsetStation::toldOfTip() const {
 }
 
 HeadsetTold HeadsetStation::told() const {
-    static constexpr std::array<const char*, 4> kStates{"searching", "asleep", "running", "ended"};
+    static constexpr std::array<const char*, 5> kStates{"searching", "asleep", "running", "stalled", "ended"};
     HeadsetTold told;
     told.state = kStates[static_cast<size_t>(desk_.state())];
+    told.mode = desk_.sessionMode();
+    told.mirrored = mirrored_;
+    told.tipReport = desk_.tipReport();
     told.warning = desk_.warning();
     told.openings = desk_.openings();
     told.tracked = desk_.heldTorch().tracked();

@@ -31,7 +31,7 @@ class HeadsetStation {
     void end() { desk_.end(); }
 
     /// Puts the trainee's view into the window where that is wished and there is one.
-    bool mirror(glm::ivec2 pixels) const;
+    bool mirror(glm::ivec2 pixels);
 
     /// For the window's telemetry.
     HeadsetTold told() const;
@@ -49,6 +49,7 @@ class HeadsetStation {
     HeadsetDesk desk_;
     std::unique_ptr<HeadsetPanel> panel_;
     int page_ = 0;
+    bool mirrored_ = false;
 };
 
 } // namespace meltpool

@@ -12,10 +12,10 @@ namespace meltpool {
 namespace {
 
 constexpr double kPivotSeconds = 12;
-constexpr double kAxisSeconds = 5;
-constexpr double kGettingReady = 2;  ///< s before the first pose counts, while the torch is stood up
-constexpr size_t kWishedPoses = 300; ///< a slow headset swings on for them ...
-constexpr double kLongest = 30;      ///< ... no longer than this, s
+constexpr double kAxisSeconds = 3;
+constexpr double kGettingReady = 5;  ///< s before the first pose counts: the hand that pressed has to get there
+constexpr size_t kWishedPoses = 120; ///< a slow headset swings on for them ...
+constexpr double kLongest = 35;      ///< ... no longer than this, s
 
 std::string decimals(float value, int digits) {
     std::array<char, 32> text{};
@@ -42,7 +42,7 @@ std::string CalibrationFile::keep(const xr::TipCalibration& tip) {
 
 void TipMeasuring::begin(Task task) {
     task_ = task;
-    left_ = task == Task::pivot ? kPivotSeconds : kAxisSeconds;
+    left_ = kGettingReady + (task == Task::pivot ? kPivotSeconds : kAxisSeconds);
     spent_ = 0;
     poses_.clear();
     poses_.reserve(4096);
@@ -53,7 +53,7 @@ std::optional<xr::TipCalibration> TipMeasuring::gather(const xr::HandInput& torc
     if (!underWay()) return std::nullopt;
     spent_ += elapsed;
     left_ -= elapsed;
-    if (torch.tracked && (task_ == Task::pivot || spent_ > kGettingReady)) poses_.push_back(torch.grip);
+    if (torch.tracked && spent_ > kGettingReady) poses_.push_back(torch.grip);
     const bool more = task_ == Task::pivot && poses_.size() < kWishedPoses && spent_ < kLongest;
     if (more && left_ <= 0) left_ = 1;
     if (left_ > 0) return std::nullopt;
@@ -88,9 +88,14 @@ void TipMeasuring::kept(const std::string& fault) {
 
 std::string TipMeasuring::report() const {
     if (!underWay()) return found_;
-    const std::string seconds = std::to_string(static_cast<int>(std::ceil(left_))) + " s";
-    if (task_ == Task::axis) return "Stand the torch upright, its tip straight down, and hold it still: " + seconds;
-    return "Rest the tip in a small dent and swing the torch about it to all sides: " + seconds;
+    const bool ready = spent_ > kGettingReady;
+    const std::string seconds =
+        std::to_string(static_cast<int>(std::ceil(ready ? left_ : kGettingReady - spent_))) + " s";
+    if (task_ == Task::axis)
+        return "Stand the torch upright, its tip straight down, " +
+               (ready ? "and hold it still: " + seconds : "measuring begins in " + seconds);
+    return "Rest the tip in a small dent, " +
+           (ready ? "swing the torch about it to all sides: " + seconds : "measuring begins in " + seconds);
 }
 
 } // namespace meltpool

@@ -39,7 +39,7 @@ void TorchHold::update(bool wanted, const xr::HandInput& hand, std::span<const x
     if (blocked_) torch_.trigger = 0;
 }
 
-std::string TorchHold::warning() const {
+std::string_view TorchHold::warning() const {
     if (!wanted_ || inSight_) return {};
     if (!seen_) return "No tracker is to be seen: the torch is in the hand.";
     if (holder_ == TorchHolder::tracker) return "The torch's tracker is out of sight: the arc is out.";

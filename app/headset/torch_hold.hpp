@@ -4,7 +4,7 @@
 #include "xr/input.hpp"
 
 #include <span>
-#include <string>
+#include <string_view>
 
 namespace meltpool {
 
@@ -29,7 +29,7 @@ class TorchHold {
     /// Number of the tracker among those of the runtime; that of the last one where the hand holds the torch.
     size_t tracker() const { return tracker_; }
     /// A tracker is wanted and not there: what to tell; else empty.
-    std::string warning() const;
+    std::string_view warning() const;
 
   private:
     void choose(bool wanted, std::span<const xr::TrackerInput> trackers, double elapsed);

@@ -77,7 +77,7 @@ std::span<const Solid> WorkshopScene::build(const HeadsetParameters& parameters,
     addRoom(parameters.tableHeight);
     if (hands.torch) addTorch(hands);
     if (hands.rod) {
-        const glm::vec3 from = *hands.rod * glm::vec3(0, 0, 0.08f), to = *hands.rod * glm::vec3(0, 0, -0.30f);
+        const glm::vec3 from = *hands.rod * glm::vec3(0, 0, 0.08f), to = *hands.rod * glm::vec3(0, 0, -kRodReach);
         add(SolidShape::cylinder, alongLine(from, to, 0.0024f), kSteel, 0.8f);
     }
     if (hands.rayStart)

@@ -24,6 +24,9 @@ struct HandsInSight {
 
 class WorkshopScene {
   public:
+    /// How far a filler rod reaches out of the hand, m.
+    static constexpr float kRodReach = 0.30f;
+
     WorkshopScene();
     /// The solids of this frame, in the workshop's metres; valid until the next call. Makes no allocation after the
     /// first.

@@ -28,6 +28,10 @@ bool drawsOnCpu(const std::string& renderer) {
 
 } // namespace
 
+bool drawnOnProcessor() {
+    return drawsOnCpu(textOf(GL_RENDERER));
+}
+
 ContextInfo useCurrentContext(bool debug) {
     glewExperimental = GL_TRUE;
     const GLenum status = glewInit();

@@ -21,6 +21,9 @@ struct ContextInfo {
 /// from here on.
 ContextInfo useCurrentContext(bool debug);
 
+/// The driver of the context that is current draws on the CPU.
+bool drawnOnProcessor();
+
 /// True in builds that want the driver's debug output.
 constexpr bool debugBuild() {
 #ifdef NDEBUG

@@ -109,6 +109,47 @@ Image screenshot() {
     return image;
 }
 
+namespace {
+
+Window windowOf(Display* display, const std::string& title) {
+    Window root = 0, parent = 0, *children = nullptr;
+    unsigned count = 0;
+    XQueryTree(display, DefaultRootWindow(display), &root, &parent, &children, &count);
+    Window found = 0;
+    for (unsigned i = 0; i < count; ++i) {
+        char* name = nullptr;
+        if (XFetchName(display, children[i], &name) != 0 && name != nullptr && title == name) found = children[i];
+        if (name != nullptr) XFree(name);
+    }
+    if (children != nullptr) XFree(children);
+    if (found == 0) throw RuntimeFault("no window is called " + title);
+    return found;
+}
+
+} // namespace
+
+Image windowPicture(const std::string& title) {
+    Display* display = XOpenDisplay(nullptr);
+    if (display == nullptr) throw RuntimeFault("no X display for the window's picture");
+    const Window window = windowOf(display, title);
+    XWindowAttributes shape{};
+    XGetWindowAttributes(display, window, &shape);
+    const int left = DisplayWidth(display, DefaultScreen(display)) - shape.width;
+    const int top = DisplayHeight(display, DefaultScreen(display)) - shape.height;
+    XMoveWindow(display, window, left, top);
+    XRaiseWindow(display, window);
+    XSync(display, 0);
+    XCloseDisplay(display);
+    std::this_thread::sleep_for(std::chrono::milliseconds(700)); // frames that fill what was uncovered
+    const Image screen = screenshot();
+    Image cut{shape.width, shape.height, {}};
+    for (int y = 0; y < shape.height; ++y) {
+        const auto row = screen.rgb.begin() + (std::ptrdiff_t(top + y) * screen.width + left) * 3;
+        cut.rgb.insert(cut.rgb.end(), row, row + shape.width * 3);
+    }
+    return cut;
+}
+
 Image shownEye(const Image& screen, int eye) {
     // Monado's window for its remote headset.
     constexpr int kWidth = 480, kHeight = 540;
@@ -132,7 +173,6 @@ xr::FrameTiming stepFrame(xr::Headset& headset, const std::function<void(const x
         return {};
     }
     const xr::FrameTiming timing = headset.waitFrame();
-    headset.input().read(timing.displayTime);
     headset.beginFrame();
     if (timing.shouldRender && draw) headset.drawEyes(draw);
     if (beforeEnd) beforeEnd();
@@ -142,8 +182,9 @@ xr::FrameTiming stepFrame(xr::Headset& headset, const std::function<void(const x
 
 bool reach(xr::Headset& headset, xr::SessionMode mode, double seconds) {
     using Clock = std::chrono::steady_clock;
+    headset.waitUntilOpened();
     const auto end = Clock::now() + std::chrono::duration<double>(seconds);
-    while (headset.session().mode() != mode) {
+    while (headset.mode() != mode) {
         if (Clock::now() > end) return false;
         stepFrame(headset, {});
     }

@@ -25,6 +25,10 @@ GLFWwindow* benchWindow();
 /// The X display as it is shown now: what the compositor makes of both eyes.
 Image screenshot();
 
+/// The program's window of that title as it is shown now, moved to the screen's lower right corner and raised. Throws
+/// RuntimeFault where there is none.
+Image windowPicture(const std::string& title);
+
 /// Where the compositor shows an eye (0 left, 1 right) on that screen, cut out.
 Image shownEye(const Image& screen, int eye);
 

@@ -103,15 +103,21 @@ TEST_CASE("a controller that is switched off is told at once and comes back", "[
 
 TEST_CASE("the controller vibrates once a frame and is stopped once", "[runtime]") {
     Hands hands;
-    xr::Input& input = hands.headset->input();
+    xr::Headset& headset = *hands.headset;
     for (int i = 0; i < 5; ++i)
-        stepFrame(*hands.headset, {}, [&] { input.play(Hand::right, {0.5f, 170.0f, 0.05f}); });
-    CHECK(input.hapticCalls().applied == 5);
-    CHECK(input.hapticCalls().stopped == 0);
+        stepFrame(headset, {}, [&] {
+            headset.play(Hand::right, {0.1f, 100.0f, 0.05f});
+            headset.play(Hand::right, {0.5f, 170.0f, 0.05f}); // the last word of the frame
+        });
+    CHECK(headset.hapticCalls().applied == 5);
+    CHECK(headset.hapticCalls().stopped == 0);
     for (int i = 0; i < 5; ++i)
-        stepFrame(*hands.headset, {}, [&] { input.play(Hand::right, {}); });
-    CHECK(input.hapticCalls().applied == 5);
-    CHECK(input.hapticCalls().stopped == 1);
+        stepFrame(headset, {}, [&] { headset.play(Hand::right, {}); });
+    CHECK(headset.hapticCalls().applied == 5);
+    CHECK(headset.hapticCalls().stopped == 1);
+    headset.playTracker(0, {0.5f, 170.0f, 0.05f}); // none is bound: nothing happens
+    stepFrame(headset, {});
+    CHECK(headset.hapticCalls().applied == 5);
     CHECK(misuses() == "");
 }
 

@@ -22,6 +22,8 @@ double turn(xr::HeadsetLink& link) {
             stepFrame(*link.headset(), {});
         } catch (const xr::XrFault& fault) {
             link.onFault(fault);
+        } catch (const xr::Stalled&) {
+            link.onStall();
         }
     } else
         std::this_thread::sleep_for(std::chrono::milliseconds(10));

@@ -53,6 +53,18 @@ TEST_CASE("formats: sRGB before plain, any depth, and none is told") {
     CHECK_FALSE(xr::chooseColourFormat(std::vector<std::int64_t>{GL_RGBA32F}));
 }
 
+TEST_CASE("a session without a usable format is refused with what was offered; without depth it goes on") {
+    const std::vector<std::int64_t> monado{GL_RGBA16, GL_RGBA16F, GL_SRGB8_ALPHA8, GL_RGBA8, GL_DEPTH_COMPONENT32F};
+    const xr::PictureFormats best = xr::choosePictureFormats(monado, true);
+    CHECK(best.colour == GLenum(GL_SRGB8_ALPHA8));
+    CHECK(best.depth == GLenum(GL_DEPTH_COMPONENT32F));
+    CHECK(xr::choosePictureFormats(monado, false).depth == GLenum(GL_NONE));
+    CHECK(xr::choosePictureFormats(std::vector<std::int64_t>{GL_RGBA8}, true).depth == GLenum(GL_NONE));
+    CHECK_THROWS_WITH(xr::choosePictureFormats(std::vector<std::int64_t>{GL_RGBA16F, GL_DEPTH_COMPONENT16}, true),
+                      test::containsText("SRGB8_ALPHA8") && test::containsText("34842"));
+    CHECK_THROWS_WITH(xr::choosePictureFormats({}, true), test::containsText("none"));
+}
+
 TEST_CASE("a context that the runtime changed is put back and its errors are drained") {
     const gl::HeadlessContext other(false);
     const gl::HeadlessContext ours(false);

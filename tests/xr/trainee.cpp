@@ -60,7 +60,7 @@ Trainee::Trainee() {
 }
 
 glm::vec3 Trainee::inRoom(const glm::vec3& place) const {
-    return glm::vec3(0, tableHeight - bottom * zoom, 0) + place * zoom - glm::vec3(0, 0, 0.45f);
+    return glm::vec3(0, tableTop - bottom * zoom, 0) + place * zoom - glm::vec3(0, 0, 0.45f);
 }
 
 void Trainee::lookDown() {
@@ -85,19 +85,40 @@ void Trainee::point(const glm::vec3& from, const glm::vec3& target, float trigge
     send();
 }
 
-void Trainee::pointAtControl(TrainerProcess& trainer, const std::string& name, float trigger) {
-    // The control's middle on the panel of 900 x 1100 pixels, 0.6 m wide.
-    const json place = trainer.now()["headset"]["places"][name];
-    const float x = place[0].get<float>() + place[2].get<float>() / 2;
-    const float y = place[1].get<float>() + place[3].get<float>() / 2;
-    const xr::Pose panel = panelPose(hand == 1, tableHeight);
-    const glm::vec3 toRoom(0, 0, -0.45f);
+void Trainee::pointAtPixel(float x, float y, float trigger) {
+    const xr::Pose panel = panelPose(hand == 1, tableHeight); // 900 x 1100 pixels, 0.6 m wide
+    const glm::vec3 toRoom(0, tableTop - tableHeight, -0.45f);
     point(panel * glm::vec3(0.1f, -0.1f, 0.5f) + toRoom,
           panel * glm::vec3((x - 450) / 1500, (550 - y) / 1500, 0) + toRoom, trigger);
 }
 
+void Trainee::pointAtControl(TrainerProcess& trainer, const std::string& name, float trigger) {
+    const json place = trainer.now()["headset"]["places"][name];
+    pointAtPixel(place[0].get<float>() + place[2].get<float>() / 2, place[1].get<float>() + place[3].get<float>() / 2,
+                 trigger);
+}
+
+void Trainee::scrollTo(TrainerProcess& trainer, const std::string& name) {
+    const auto inSight = [&](const json& row) {
+        const json& places = row["headset"]["places"];
+        return places.contains(name) && places[name][1] > 30 && places[name][1] < 1030;
+    };
+    for (const float way : {-1.0f, 1.0f}) {
+        pointAtPixel(450, 550, 0);
+        passFrames(trainer, 2);
+        state.hands[hand].thumbstickY = inSight(trainer.now()) ? 0.0f : way;
+        send();
+        const bool there = trainer.waitFor(inSight, 4);
+        state.hands[hand].thumbstickY = 0;
+        send();
+        passFrames(trainer, 3);
+        if (there && inSight(trainer.now())) return;
+    }
+    FAIL("the panel has no control " << name);
+}
+
 void Trainee::press(TrainerProcess& trainer, const std::string& name) {
-    REQUIRE(trainer.waitFor([&](const json& row) { return row["headset"]["places"].contains(name); }, 5));
+    scrollTo(trainer, name);
     for (const float trigger : {0.0f, 1.0f, 0.0f}) {
         pointAtControl(trainer, name, trigger);
         passFrames(trainer, 4);

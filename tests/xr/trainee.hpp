@@ -21,7 +21,8 @@ struct Trainee {
     RemoteState state;
     size_t hand = 1;          ///< that holds the torch: 0 left, 1 right
     float zoom = 4;           ///< as the lesson is shown
-    float tableHeight = 0.9f; ///< m
+    float tableHeight = 0.9f; ///< m, as set
+    float tableTop = 0.9f;    ///< m, in the session's space
     float bottom = -0.04f;    ///< lowest place of the lesson's box in the workpiece's frame, m
     glm::quat held = glm::angleAxis(-0.8f, glm::vec3(1, 0, 0)); ///< the torch's orientation
 
@@ -38,7 +39,11 @@ struct Trainee {
     void point(const glm::vec3& from, const glm::vec3& target, float trigger);
     /// Holds the ray at a control of the open panel, by its name in the program's telemetry.
     void pointAtControl(TrainerProcess& trainer, const std::string& name, float trigger);
-    /// Points at the control, pulls the trigger there and lets go.
+    /// The same at a pixel of the panel.
+    void pointAtPixel(float x, float y, float trigger);
+    /// Scrolls the panel with the stick until the control is well in sight.
+    void scrollTo(TrainerProcess& trainer, const std::string& name);
+    /// Scrolls to the control, points at it, pulls the trigger there and lets go.
     void press(TrainerProcess& trainer, const std::string& name);
     /// Presses the torch's hand's menu button and waits until the panel is open (or closed).
     void showPanel(TrainerProcess& trainer, bool open);

@@ -18,19 +18,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The program's file and arguments behind the words that the bench says come before them.
-std::vector<std::string> commandOf(const std::vector<std::string>& arguments) {
+/// A program's file and arguments behind the words that the bench says come before them.
+std::vector<std::string> launched(const fs::path& program, const std::vector<std::string>& arguments) {
     std::vector<std::string> words;
     if (const char* launch = std::getenv("MELTPOOL_XR_LAUNCH"))
         for (const std::string_view word : splitText(launch, '\n'))
             if (!word.empty()) words.emplace_back(word);
-    words.push_back((fs::path(MELTPOOL_BINARY_FOLDER) / "bin" / "meltpool").string());
+    words.push_back(program.string());
     words.insert(words.end(), arguments.begin(), arguments.end());
     return words;
 }
 
 int start(const std::vector<std::string>& arguments, const fs::path& folder) {
-    const std::vector<std::string> words = commandOf(arguments);
+    const std::vector<std::string> words = launched(fs::path(MELTPOOL_BINARY_FOLDER) / "bin" / "meltpool", arguments);
     std::vector<char*> pointers;
     for (const std::string& word : words)
         pointers.push_back(const_cast<char*>(word.c_str()));
@@ -56,10 +56,12 @@ int waitForEnd(int pid) {
 
 } // namespace
 
-TrainerProcess::TrainerProcess(fs::path folder, std::vector<std::string> arguments) : folder_(std::move(folder)) {
+TrainerProcess::TrainerProcess(fs::path folder, std::vector<std::string> arguments, const std::string& headset)
+    : folder_(std::move(folder)) {
     fs::create_directories(folder_ / "meltpool");
-    writeTextFileAtomically(folder_ / "meltpool" / "settings.toml",
-                            "[headset]\nresolution_scale = 0.4\nsamples = 1\n[window]\nwidth = 640\nheight = 480\n");
+    writeTextFileAtomically(folder_ / "meltpool" / "settings.toml", "[headset]\nresolution_scale = 0.4\nsamples = 1\n" +
+                                                                        headset +
+                                                                        "[window]\nwidth = 640\nheight = 480\n");
     arguments.insert(arguments.end(), {"--telemetry", (folder_ / "window.jsonl").string()});
     pid_ = start(arguments, folder_);
 }

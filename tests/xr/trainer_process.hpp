@@ -15,8 +15,8 @@ namespace meltpool::test {
 class TrainerProcess {
   public:
     /// Starts `meltpool ARGUMENTS --telemetry ...` with settings of its own (small pictures, so that a software driver
-    /// keeps up).
-    TrainerProcess(std::filesystem::path folder, std::vector<std::string> arguments);
+    /// keeps up). `headset`: further lines of its [headset] settings.
+    TrainerProcess(std::filesystem::path folder, std::vector<std::string> arguments, const std::string& headset = {});
     ~TrainerProcess();
     TrainerProcess(const TrainerProcess&) = delete;
     TrainerProcess& operator=(const TrainerProcess&) = delete;

@@ -4,12 +4,14 @@
 #include "core/weld/torch_path.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/xr/trainee.hpp"
+#include "xr/pivot.hpp"
 
 #include <glm/gtc/constants.hpp>
 
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <random>
 #include <thread>
 
 using namespace meltpool;
@@ -156,7 +158,8 @@ TEST_CASE("the runtime is killed in mid-weld: the window goes on, the headset is
         REQUIRE(whole.samples[i].time - whole.samples[i - 1].time == Approx(step).epsilon(0.01));
 }
 
-TEST_CASE("the panel opens, a button is pressed with the pointer's ray, and the workshop is called here", "[runtime]") {
+TEST_CASE("the panel opens and its buttons are pressed with the pointer's ray: reset, camera, tip, workshop here",
+          "[runtime]") {
     handGeometry();
     const fs::path folder = benchFolder() / "panel";
     Trainee trainee;
@@ -174,12 +177,77 @@ TEST_CASE("the panel opens, a button is pressed with the pointer's ray, and the 
     trainee.press(trainer, "headset.reset");
     CHECK(trainer.waitFor([&](const json&) { return wasReset(trainer.rows()); }, 8));
 
+    // The window shows the trainee's eye and follows the head, then a camera of its own that does not.
+    const auto turned = [&] {
+        trainee.state.head = {glm::angleAxis(-0.3f, glm::vec3(1, 0, 0)), {0, 1.6f, 0}};
+        trainee.send();
+        passFrames(trainer, 4);
+        const Image before = windowPicture("Meltpool");
+        trainee.state.head = {glm::angleAxis(0.25f, glm::vec3(0, 1, 0)), {0.2f, 1.6f, 0}};
+        trainee.send();
+        passFrames(trainer, 4);
+        const Image after = windowPicture("Meltpool");
+        keepPicture(after, trainer.now()["headset"]["mirrored"] == true ? "mirror.png" : "camera.png");
+        return compareImages(before, after, 24).farPixels;
+    };
+    CHECK(trainer.now()["headset"]["mirrored"] == true);
+    CHECK(turned() > 0.1);
+    trainee.press(trainer, "headset.desk_view.camera");
+    REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["mirrored"] == false; }, 5));
+    CHECK(turned() < 0.02);
+
+    // A controller fixed to a real torch, 0.3 mm of noise: the tip is found, and kept.
+    const glm::vec3 offset(0.012f, -0.03f, -0.18f), dent(0.2f, 1.0f, -0.3f);
+    trainee.press(trainer, "headset.tip");
+    REQUIRE(trainer.waitFor(
+        [](const json& row) {
+            return row["headset"]["tip_report"].get<std::string>().find("Rest the tip") != std::string::npos;
+        },
+        5));
+    std::mt19937 random(11);
+    std::normal_distribution<float> noise(0.0f, 0.0003f);
+    const auto begin = std::chrono::steady_clock::now();
+    const fs::path kept = folder / "meltpool" / "torch-tip.txt";
+    const auto swing = [&] {
+        const float t = std::chrono::duration<float>(std::chrono::steady_clock::now() - begin).count();
+        const glm::quat q = glm::angleAxis(0.7f * std::sin(1.9f * t), glm::vec3(1, 0, 0)) *
+                            glm::angleAxis(0.7f * std::sin(1.3f * t), glm::vec3(0, 1, 0)) *
+                            glm::angleAxis(0.8f * std::sin(0.7f * t), glm::vec3(0, 0, 1));
+        const xr::Pose grip{q, dent - q * offset + glm::vec3(noise(random), noise(random), noise(random))};
+        trainee.state.hands[1].pose = grip * handGeometry().grip.inverse();
+        trainee.send();
+    };
+    for (int i = 0; i < 8000 && !fs::exists(kept); ++i) {
+        swing();
+        sleepFor(0.01);
+    }
+    INFO(trainer.now()["headset"]["tip_report"]);
+    REQUIRE(fs::exists(kept));
+    const xr::TipCalibration tip = xr::readCalibration(kept);
+    WARN("the tip was found to " << 1000 * glm::distance(tip.offset, offset) << " mm, residual " << tip.residualMm
+                                 << " mm");
+    CHECK(glm::distance(tip.offset, offset) < 0.0003f);
+
+    // Called from elsewhere, the workshop stands before the eyes as it did: the same picture.
+    trainee.state.hands[1].active = false;
+    trainee.state.head = {glm::angleAxis(-0.3f, glm::vec3(1, 0, 0)), {0, 1.6f, 0}};
+    trainee.send();
+    passFrames(trainer, 6);
+    const Image first = shownEye(screenshot(), 0);
+    trainee.state.head = {glm::angleAxis(0.7f, glm::vec3(0, 1, 0)) * glm::angleAxis(-0.3f, glm::vec3(1, 0, 0)),
+                          {0.5f, 1.6f, 0.3f}};
+    trainee.send();
+    passFrames(trainer, 6);
+    const Image moved = shownEye(screenshot(), 0);
     trainee.state.hands[0].thumbstickClick = true;
-    trainee.state.head.position = {0.5f, 1.5f, 0.3f};
-    trainee.driver.send(trainee.state);
-    passFrames(trainer, 4);
-    keepPicture(screenshot(), "recentred.png");
-    CHECK(trainer.alive());
+    trainee.send();
+    passFrames(trainer, 6);
+    const Image recentred = shownEye(screenshot(), 0);
+    keepPicture(recentred, "recentred.png");
+    CHECK(compareImages(first, moved, 24).farPixels > 0.1);
+    const ImageDifference back = compareImages(first, recentred, 24);
+    INFO("mean " << back.mean << ", far " << back.farPixels);
+    CHECK(back.farPixels < 0.01);
     CHECK(trainer.stop() == 0);
     CHECK(trainer.misuses() == "");
 }

@@ -1,0 +1,109 @@
+// Calls that hang hold nobody up, and what they work on lives until they are over.
+#include "tests/support/catch.hpp"
+#include "xr/call_thread.hpp"
+
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+
+using namespace meltpool;
+using namespace std::chrono_literals;
+
+namespace {
+
+/// A runtime that hangs until it is told to go on.
+struct Gate {
+    std::mutex mutex;
+    std::condition_variable changed;
+    bool open = false;
+    std::atomic<int> calls = 0;
+    std::atomic<bool> destroyed = false;
+    std::thread::id thread;
+
+    void pass() {
+        std::unique_lock lock(mutex);
+        changed.wait(lock, [this] { return open; });
+    }
+    void release() {
+        const std::lock_guard lock(mutex);
+        open = true;
+        changed.notify_all();
+    }
+};
+
+struct Caller : xr::Callee {
+    explicit Caller(Gate& theGate) : gate(theGate) {}
+    ~Caller() override { gate.destroyed = true; }
+    Gate& gate;
+};
+
+void count(xr::Callee& callee) {
+    Gate& gate = static_cast<Caller&>(callee).gate;
+    ++gate.calls;
+    gate.thread = std::this_thread::get_id();
+}
+
+void hang(xr::Callee& callee) {
+    static_cast<Caller&>(callee).gate.pass();
+    ++static_cast<Caller&>(callee).gate.calls;
+}
+
+void fail(xr::Callee&) {
+    throw std::runtime_error("lost");
+}
+
+} // namespace
+
+TEST_CASE("calls run one after the other on a thread of their own, and their faults come back once") {
+    Gate gate;
+    {
+        xr::CallThread thread(std::make_unique<Caller>(gate));
+        for (int i = 1; i <= 100; ++i) {
+            thread.begin(count);
+            REQUIRE(thread.wait(5s));
+            REQUIRE(gate.calls == i);
+        }
+        CHECK(gate.thread != std::this_thread::get_id());
+        thread.begin(fail);
+        REQUIRE(thread.wait(5s));
+        CHECK_THROWS_WITH(thread.rethrow(), "lost");
+        CHECK_NOTHROW(thread.rethrow());
+        CHECK_FALSE(gate.destroyed);
+    }
+    CHECK(gate.destroyed);
+}
+
+TEST_CASE("a call that hangs is given up, others are refused meanwhile, and all goes on when it comes back") {
+    Gate gate;
+    xr::CallThread thread(std::make_unique<Caller>(gate));
+    thread.begin(hang);
+    CHECK_FALSE(thread.wait(20ms));
+    CHECK_FALSE(thread.over());
+    CHECK_THROWS_AS(thread.begin(count), xr::Stalled);
+    gate.release();
+    CHECK(thread.wait(5s));
+    CHECK(gate.calls == 1);
+    thread.begin(count);
+    CHECK(thread.wait(5s));
+    CHECK(gate.calls == 2);
+}
+
+TEST_CASE("what a hanging call works on outlives its owner, and is gone soon after it comes back") {
+    Gate gate;
+    std::shared_ptr<const std::atomic<bool>> gone;
+    {
+        xr::CallThread thread(std::make_unique<Caller>(gate));
+        thread.begin(hang);
+        gone = thread.leave();
+    }
+    CHECK_FALSE(*gone);
+    CHECK_FALSE(gate.destroyed);
+    gate.release();
+    for (int i = 0; i < 500 && !*gone; ++i)
+        std::this_thread::sleep_for(10ms);
+    CHECK(*gone);
+    CHECK(gate.destroyed);
+    CHECK(gate.calls == 1);
+}

@@ -1,0 +1,133 @@
+// The whole program while the real runtime hangs, dies of it, or shows somebody else.
+#include "core/weld/torch_csv.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/xr/trainee.hpp"
+
+#include <chrono>
+#include <csignal>
+#include <memory>
+
+using namespace meltpool;
+using namespace meltpool::test;
+using nlohmann::json;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+auto stateIs(const char* state) {
+    return [state](const json& row) { return row["headset"]["state"] == state; };
+}
+
+auto modeIs(const char* mode) {
+    return [mode](const json& row) { return row["headset"]["mode"] == mode; };
+}
+
+/// Longest time between two of the window's rows (one every 0.05 s where frames come) from `since` on, s.
+double longestPause(TrainerProcess& trainer, double since) {
+    double longest = 0, last = since;
+    for (const json& row : trainer.rows()) {
+        if (row["seconds"] < since) continue;
+        longest = std::max(longest, row["seconds"].get<double>() - last);
+        last = row["seconds"];
+    }
+    return longest;
+}
+
+/// One row a step, without a gap, readable to the end.
+void requireWhole(const fs::path& record) {
+    const TorchRecording whole = readTorchCsv(record);
+    REQUIRE(whole.samples.size() > 10);
+    const double step = whole.samples[1].time - whole.samples[0].time;
+    for (size_t i = 1; i < whole.samples.size(); ++i)
+        REQUIRE(whole.samples[i].time - whole.samples[i - 1].time == Approx(step).epsilon(0.01));
+}
+
+} // namespace
+
+TEST_CASE("the runtime hangs in mid-weld: the desk goes on, the arc is out, and the headset is in use again after it",
+          "[runtime]") {
+    handGeometry();
+    const fs::path folder = benchFolder() / "hang", record = folder / "telemetry.csv";
+    auto trainee = std::make_unique<Trainee>();
+    TrainerProcess trainer(folder, {"--lesson", smallLesson(folder).string(), "--record", record.string()});
+    REQUIRE(trainer.waitFor(running, 30));
+    trainee->aim(glm::vec3(0.018f), 1.0f);
+    REQUIRE(trainer.waitFor([](const json& row) { return row["metal"]["hottest"] > 0.05; }, 10));
+
+    const double before = trainer.now()["seconds"];
+    REQUIRE(kill(servicePid(), SIGSTOP) == 0);
+    REQUIRE(trainer.waitFor(stateIs("stalled"), 5));
+    const json hung = trainer.now();
+    CHECK_THAT(hung["headset"]["warning"].get<std::string>(), containsText("arc is out"));
+    CHECK(trainer.waitFor(
+        [](const json& row) { return row["messages"].dump().find("does not answer") != std::string::npos; }, 5));
+    CHECK(
+        trainer.waitFor([&](const json& row) { return row["metal"]["steps"] > hung["metal"]["steps"].get<int>() + 20; },
+                        10)); // the lesson goes on
+    CHECK(trainer.now()["headset"]["state"] == "stalled");
+    REQUIRE(kill(servicePid(), SIGCONT) == 0);
+    CHECK(trainer.waitFor(running, 10));
+    CHECK(trainer.waitFor([](const json& row) { return row["headset"]["tracked"] == true; }, 5));
+    CHECK(trainer.now()["headset"]["openings"] == 1); // the same session goes on
+    CHECK(trainer.waitFor([](const json& row) { return row["headset"]["tip"]["action"] == "burning"; }, 5));
+    const double pause = longestPause(trainer, before);
+    WARN("longest pause of the window while the runtime hung and came back: " << pause << " s");
+    CHECK(pause < 1.0);
+    CHECK(trainer.misuses() == "");
+
+    // It hangs again and is killed: as any other loss.
+    const double again = trainer.now()["seconds"];
+    REQUIRE(kill(servicePid(), SIGSTOP) == 0);
+    REQUIRE(trainer.waitFor(stateIs("stalled"), 5));
+    REQUIRE(kill(servicePid(), SIGKILL) == 0);
+    REQUIRE(trainer.waitFor(stateIs("searching"), 5));
+    REQUIRE(trainer.waitFor(stateIs("running"), 20));
+    CHECK(trainer.now()["headset"]["openings"] == 2);
+    CHECK(longestPause(trainer, again) < 1.0);
+    trainee = std::make_unique<Trainee>();
+    CHECK(trainer.waitFor([](const json& row) { return row["headset"]["tracked"] == true; }, 5));
+
+    // And it hangs for good: the program still ends.
+    const int hanging = servicePid();
+    REQUIRE(kill(hanging, SIGSTOP) == 0);
+    CHECK(trainer.waitFor(stateIs("stalled"), 5));
+    const auto begin = std::chrono::steady_clock::now();
+    CHECK(trainer.stop() == 0);
+    CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(20));
+    kill(hanging, SIGCONT);
+    requireWhole(record);
+}
+
+TEST_CASE("another program comes before the trainee's eyes: input and arc are gone, the desk looks by itself, then all "
+          "is back",
+          "[runtime]") {
+    handGeometry();
+    const fs::path folder = benchFolder() / "behind";
+    Trainee trainee;
+    TrainerProcess trainer(folder, {"--headset", "--lesson", smallLesson(folder).string()});
+    REQUIRE(trainer.waitFor(running, 30));
+    REQUIRE(trainer.waitFor(modeIs("focused"), 5));
+    trainee.aim(glm::vec3(0.018f), 1.0f);
+    REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["mirrored"] == true; }, 10));
+    REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["tip"]["action"] == "burning"; }, 5));
+    {
+        xr::Headset other(std::make_unique<xr::Instance>(), {.resolutionScale = 0.3f, .samples = 1});
+        REQUIRE(reach(other, xr::SessionMode::focused));
+        const auto show = [&] { stepFrame(other, {}); };
+        REQUIRE(trainer.waitFor(modeIs("synchronized"), 10, show));
+        CHECK(trainer.waitFor([](const json& row) { return row["headset"]["tracked"] == false; }, 5, show));
+        CHECK(trainer.waitFor([](const json& row) { return row["torch"]["trigger"] == 0; }, 5, show));
+        CHECK(trainer.waitFor([](const json& row) { return row["headset"]["mirrored"] == false; }, 5, show));
+        CHECK_THAT(trainer.now()["headset"]["warning"].get<std::string>(), containsText("something else"));
+        const int steps = trainer.now()["metal"]["steps"];
+        CHECK(trainer.waitFor([&](const json& row) { return row["metal"]["steps"] > steps + 10; }, 10, show));
+        CHECK(trainer.now()["headset"]["state"] == "running");
+    }
+    CHECK(trainer.waitFor(modeIs("focused"), 10));
+    CHECK(trainer.waitFor([](const json& row) { return row["headset"]["tip"]["action"] == "burning"; }, 5));
+    CHECK(trainer.waitFor([](const json& row) { return row["headset"]["mirrored"] == true; }, 5));
+    CHECK(trainer.now()["headset"]["openings"] == 1);
+    CHECK(trainer.stop() == 0);
+    CHECK(trainer.misuses() == "");
+}

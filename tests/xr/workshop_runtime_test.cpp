@@ -1,0 +1,150 @@
+// Lessons in the headset from end to end: left-handed and seated, a real weld, the rod, the desk's part in it.
+#include "core/base/text.hpp"
+#include "core/training/lesson.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/xr/trainee.hpp"
+
+#include <cstdlib>
+
+using namespace meltpool;
+using namespace meltpool::test;
+using nlohmann::json;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+glm::vec3 vectorOf(const json& numbers) {
+    return {numbers[0].get<float>(), numbers[1].get<float>(), numbers[2].get<float>()};
+}
+
+/// The lesson's torch is where it was aimed at (mm).
+auto torchAt(const glm::vec3& mm) {
+    return [mm](const json& row) { return glm::distance(vectorOf(row["torch"]["tip_mm"]), mm) < 0.5f; };
+}
+
+auto actionIs(const char* action) {
+    return [action](const json& row) { return row["headset"]["tip"]["action"] == action; };
+}
+
+void pressKey(const std::string& key) {
+    REQUIRE(std::system(("xdotool search --name '^Meltpool$' windowfocus --sync key " + key).c_str()) == 0);
+}
+
+/// A GMAW lesson on a plate that a software driver keeps up with.
+fs::path plateLesson(const fs::path& folder) {
+    fs::create_directories(folder);
+    const fs::path file = folder / "plate.toml";
+    const fs::path paths = fs::path(MELTPOOL_SOURCE_FOLDER) / "app" / "data" / "paths" / "bead-on-plate.toml";
+    writeTextFileAtomically(file, "title = \"Plate\"\ntext = \"Plate.\"\nmodel = \"weld\"\ntorch = \"" +
+                                      paths.string() +
+                                      "\"\n[workpiece]\nworkpiece = \"plate\"\nmetal = \"s235\"\nlength_mm = 24\n"
+                                      "width_mm = 20\nthickness_mm = 4\nspacing_mm = 1\n[process]\nprocess = \"gmaw\"\n"
+                                      "voltage = 20\ncurrent = 190\nefficiency = 0.8\nwire_diameter_mm = 1.2\n"
+                                      "wire_feed_m_min = 4.5\n[surface]\ncells = 28\n[[picture]]\nname = \"metal\"\n");
+    return file;
+}
+
+} // namespace
+
+TEST_CASE(
+    "left hand, seated, low table, another zoom: the tip is where it is held; the mouse takes over and gives back",
+    "[runtime]") {
+    handGeometry();
+    const fs::path folder = benchFolder() / "left";
+    Trainee trainee;
+    trainee.hand = 0;
+    trainee.zoom = 2;
+    trainee.tableHeight = 0.7f;
+    trainee.tableTop = 1.6f - 0.45f; // seated: under the eyes, whatever the floor says
+    TrainerProcess trainer(folder, {"--headset", "--lesson", smallLesson(folder).string()},
+                           "hand = \"left\"\nposture = \"seated\"\nzoom = 2\ntable_height = 0.7\n");
+    REQUIRE(trainer.waitFor(running, 30));
+    const glm::vec3 corner(0.018f);
+    trainee.aim(corner, 1.0f);
+    CHECK(trainer.waitFor(torchAt(corner * 1000.0f), 5));
+    CHECK(trainer.waitFor([](const json& row) { return row["metal"]["hottest"] > 0.05; }, 20));
+    CHECK(glm::distance(vectorOf(trainer.now()["torch"]["axis"]), trainee.held * glm::vec3(0, 0, -1)) < 0.01f);
+    trainee.aim({-0.01f, 0.03f, 0.02f}, 0.0f);
+    CHECK(trainer.waitFor(torchAt({-10, 30, 20}), 5));
+
+    pressKey("c");
+    REQUIRE(trainer.waitFor([](const json& row) { return row["captured"] == true; }, 5));
+    CHECK(trainer.waitFor([](const json& row) { return !torchAt({-10, 30, 20})(row); }, 5));
+    passFrames(trainer, 3);
+    const glm::vec3 mouse = vectorOf(trainer.now()["torch"]["tip_mm"]);
+    trainee.aim({0.01f, 0.03f, 0.02f}, 1.0f); // the hand leads nothing now
+    passFrames(trainer, 8);
+    CHECK(torchAt(mouse)(trainer.now()));
+    CHECK(trainer.now()["torch"]["trigger"] == 0);
+    CHECK(trainer.now()["headset"]["tip"]["amplitude"] == 0);
+    CHECK(trainer.now()["headset"]["state"] == "running");
+    pressKey("c");
+    CHECK(trainer.waitFor(torchAt({10, 30, 20}), 5));
+    CHECK(trainer.stop() == 0);
+    CHECK(trainer.misuses() == "");
+}
+
+TEST_CASE(
+    "a bead is welded in the headset: the arc burns, breaks and stubs by its length, wire arrives, the rod is there",
+    "[runtime]") {
+    handGeometry();
+    const fs::path folder = benchFolder() / "weld";
+    const fs::path file = plateLesson(folder);
+    Trainee trainee;
+    trainee.bottom = makeWorkpiece(readLesson(file).workpiece).low.y;
+    trainee.held = glm::angleAxis(-1.4f, glm::vec3(1, 0, 0)); // nearly straight down
+    TrainerProcess trainer(folder, {"--headset", "--lesson", file.string()});
+    REQUIRE(trainer.waitFor(running, 60));
+    trainee.aim({0, 0.02f, 0}, 1.0f); // far above: no arc
+    REQUIRE(trainer.waitFor(torchAt({0, 20, 0}), 5));
+    passFrames(trainer, 4);
+    CHECK(trainer.now()["headset"]["tip"]["action"] == "idle");
+    CHECK(trainer.now()["headset"]["tip"]["ahead_mm"].get<double>() == Approx(20).margin(1.5));
+    trainee.aim({0, 0.009f, 0}, 1.0f);
+    CHECK(trainer.waitFor(actionIs("breaking"), 5));
+
+    trainee.lookDown();
+    trainee.aim({0, 0.003f, 0}, 1.0f);
+    CHECK(trainer.waitFor(actionIs("burning"), 5));
+    CHECK(trainer.now()["headset"]["tip"]["ahead_mm"].get<double>() == Approx(3).margin(1));
+    CHECK(trainer.waitFor([](const json& row) { return row["headset"]["tip"]["amplitude"] > 0.3; }, 5));
+    const int before = trainer.now()["metal"]["particles"];
+    CHECK(trainer.waitFor([&](const json& row) { return row["metal"]["particles"] > before + 5; }, 20)); // wire
+    CHECK(trainer.waitFor([](const json& row) { return row["metal"]["molten"] > 20; }, 30));
+    CHECK(trainer.waitFor([](const json& row) { return row["headset"]["tip"]["liquid"] > 0.5; }, 20)); // over the pool
+    keepPicture(screenshot(), "welding.png");
+
+    // The other hand's rod: its grip in the session's space, its tip 300 mm before it.
+    const xr::Pose grip{glm::angleAxis(0.3f, glm::vec3(0, 1, 0)), {-0.1f, 1.0f, -0.2f}};
+    trainee.state.hands[0].pose = grip * handGeometry().grip.inverse();
+    trainee.aim({0, -0.002f, 0}, 1.0f);
+    CHECK(trainer.waitFor(actionIs("stubbed"), 5));
+    REQUIRE(trainer.now()["torch"].contains("rod_mm"));
+    const glm::vec3 tip = grip * glm::vec3(0, 0, -0.30f);
+    const glm::vec3 expected = (tip - trainee.inRoom(glm::vec3(0))) / trainee.zoom * 1000.0f;
+    const auto rodThere = [&](const json& row) {
+        return row["torch"].contains("rod_mm") && glm::distance(vectorOf(row["torch"]["rod_mm"]), expected) < 2.0f;
+    };
+    INFO("rod at " << trainer.now()["torch"].dump() << ", expected " << expected.x << ' ' << expected.y << ' '
+                   << expected.z);
+    CHECK(trainer.waitFor(rodThere, 5)); // the grips of both scripted hands are alike to a mm or two
+    trainee.state.hands[0].active = false;
+    trainee.aim({0, 0.003f, 0}, 0.0f);
+    CHECK(trainer.waitFor([](const json& row) { return !row["torch"].contains("rod_mm"); }, 5));
+    CHECK(trainer.waitFor(actionIs("idle"), 5));
+    CHECK(trainer.stop() == 0);
+    CHECK(trainer.misuses() == "");
+}
+
+TEST_CASE("--desktop asks no runtime for anything", "[runtime]") {
+    const fs::path folder = benchFolder() / "desktop";
+    RemoteDriver driver(benchPort());
+    driver.send({});
+    TrainerProcess trainer(folder, {"--desktop", "--lesson", smallLesson(folder).string()});
+    REQUIRE(trainer.waitFor([](const json& row) { return row["frame"] > 20; }, 30));
+    sleepFor(1.5); // a search begins with the first frame
+    CHECK(trainer.now()["headset"]["state"] == "off");
+    CHECK(trainer.stop() == 0);
+    CHECK_FALSE(fs::exists(folder / "validation.txt")); // the loader was never called
+}

@@ -1,0 +1,95 @@
+#include "xr/call_thread.hpp"
+
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+namespace meltpool::xr {
+
+/// Kept alive by whoever lives longer, the thread or its owner.
+struct CallThread::Shared {
+    std::mutex mutex;
+    std::condition_variable changed;
+    std::unique_ptr<Callee> callee;
+    Call call = nullptr; ///< under way; nullptr: none
+    std::exception_ptr fault;
+    bool leaving = false;
+    std::shared_ptr<std::atomic<bool>> gone = std::make_shared<std::atomic<bool>>(false);
+};
+
+CallThread::CallThread(std::unique_ptr<Callee> callee) : shared_(std::make_shared<Shared>()) {
+    shared_->callee = std::move(callee);
+    std::thread(run, shared_).detach();
+}
+
+void CallThread::run(const std::shared_ptr<Shared>& shared) {
+    std::unique_lock lock(shared->mutex);
+    while (true) {
+        shared->changed.wait(lock, [&] { return shared->call != nullptr || shared->leaving; });
+        if (shared->call == nullptr) break;
+        const Call call = shared->call;
+        lock.unlock();
+        std::exception_ptr fault;
+        try {
+            call(*shared->callee);
+        } catch (...) {
+            fault = std::current_exception();
+        }
+        lock.lock();
+        shared->fault = fault;
+        shared->call = nullptr;
+        shared->changed.notify_all();
+    }
+    lock.unlock();
+    shared->callee.reset();
+    lock.lock();
+    *shared->gone = true;
+    shared->changed.notify_all();
+}
+
+CallThread::~CallThread() {
+    if (shared_ == nullptr) return;
+    const std::shared_ptr<Shared> shared = shared_;
+    leave();
+    std::unique_lock lock(shared->mutex);
+    shared->changed.wait_for(lock, kFarewell, [&] { return shared->gone->load(); });
+}
+
+std::shared_ptr<const std::atomic<bool>> CallThread::leave() {
+    const std::shared_ptr<Shared> shared = std::exchange(shared_, nullptr);
+    const std::lock_guard lock(shared->mutex);
+    shared->leaving = true;
+    shared->changed.notify_all();
+    return shared->gone;
+}
+
+void CallThread::begin(Call call) {
+    const std::lock_guard lock(shared_->mutex);
+    if (shared_->call != nullptr) throw Stalled();
+    shared_->fault = nullptr;
+    shared_->call = call;
+    shared_->changed.notify_all();
+}
+
+bool CallThread::over() const {
+    const std::lock_guard lock(shared_->mutex);
+    return shared_->call == nullptr;
+}
+
+bool CallThread::wait(std::chrono::milliseconds patience) const {
+    std::unique_lock lock(shared_->mutex);
+    return shared_->changed.wait_for(lock, patience, [&] { return shared_->call == nullptr; });
+}
+
+void CallThread::rethrow() {
+    std::exception_ptr fault;
+    {
+        const std::lock_guard lock(shared_->mutex);
+        std::swap(fault, shared_->fault);
+    }
+    if (fault) std::rethrow_exception(fault);
+}
+
+} // namespace meltpool::xr

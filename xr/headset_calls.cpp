@@ -1,0 +1,200 @@
+#include "xr/headset_calls.hpp"
+
+#include "core/gl/context.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace meltpool::xr {
+
+namespace {
+
+struct EyeSize {
+    int width = 0;
+    int height = 0;
+};
+
+EyeSize eyeSize(const Instance& instance, float scale) {
+    uint32_t count = 0;
+    constexpr auto kind = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
+    MELTPOOL_XR(xrEnumerateViewConfigurationViews(instance.handle(), instance.system(), kind, 0, &count, nullptr));
+    std::vector<XrViewConfigurationView> views(count, {XR_TYPE_VIEW_CONFIGURATION_VIEW});
+    MELTPOOL_XR(
+        xrEnumerateViewConfigurationViews(instance.handle(), instance.system(), kind, count, &count, views.data()));
+    if (views.size() != 2)
+        throw InputError("the OpenXR runtime has " + std::to_string(views.size()) + " views; expected two eyes");
+    const auto scaled = [&](uint32_t recommended, uint32_t most) {
+        const int wanted = static_cast<int>(std::lround(static_cast<float>(recommended) * scale));
+        return std::clamp(wanted, 16, static_cast<int>(most));
+    };
+    return {scaled(views[0].recommendedImageRectWidth, views[0].maxImageRectWidth),
+            scaled(views[0].recommendedImageRectHeight, views[0].maxImageRectHeight)};
+}
+
+/// Holds back the driver, not this thread, until the other context has got there.
+void waitFor(GLsync& fence, bool software) {
+    if (fence == nullptr) return;
+    glWaitSync(fence, 0, GL_TIMEOUT_IGNORED);
+    // Drivers that draw on the processor do not all hold themselves back; there is no graphics card to stall.
+    constexpr GLuint64 kLongest = 1'000'000'000;
+    if (software) glClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, kLongest);
+    glDeleteSync(fence);
+    fence = nullptr;
+}
+
+} // namespace
+
+HeadsetCalls::HeadsetCalls(std::unique_ptr<Instance> theInstance, const HeadsetSettings& settings,
+                           std::unique_ptr<SharedContext> context)
+    : instance(std::move(theInstance)), settings_(settings), context_(std::move(context)) {}
+
+HeadsetCalls::~HeadsetCalls() {
+    panel_.reset();
+    colour_ = {};
+    depth_ = {};
+    from_.reset();
+    to_.reset();
+    for (GLsync& fence : {std::ref(copied), std::ref(order.drawn)})
+        if (fence != nullptr) glDeleteSync(fence);
+    input.reset();
+    session.reset();
+    instance.reset();
+    if (current_) context_->release();
+}
+
+void HeadsetCalls::open() {
+    context_->makeCurrent();
+    current_ = true;
+    software_ = gl::drawnOnProcessor();
+    const GraphicsBinding binding = GraphicsBinding::ofCurrentContext();
+    bindingKind = binding.kind();
+    session = std::make_unique<Session>(*instance, binding);
+    input = std::make_unique<Input>(*session);
+    makeSwapchains();
+    from_ = std::make_unique<gl::Framebuffer>("handover source");
+    to_ = std::make_unique<gl::Framebuffer>("handover target");
+}
+
+void HeadsetCalls::makeSwapchains() {
+    const PictureFormats formats =
+        choosePictureFormats(offeredFormats(*session), instance->has("XR_KHR_composition_layer_depth"));
+    colourFormat = formats.colour;
+    depthFormat = formats.depth;
+    const EyeSize size = eyeSize(*instance, std::clamp(settings_.resolutionScale, 0.3f, 2.0f));
+    width = size.width;
+    height = size.height;
+    for (size_t i = 0; i < colour_.size(); ++i) {
+        colour_[i] = std::make_unique<Swapchain>(*session, colourFormat, width, height, false);
+        if (depthFormat != GL_NONE) depth_[i] = std::make_unique<Swapchain>(*session, depthFormat, width, height, true);
+    }
+    panel_ = std::make_unique<Swapchain>(*session, colourFormat, settings_.panel.widthPixels,
+                                         settings_.panel.heightPixels, false);
+}
+
+void HeadsetCalls::poll() {
+    session->poll();
+}
+
+void HeadsetCalls::waitFrame() {
+    timing = session->waitFrame();
+    input->read(timing.displayTime);
+}
+
+void HeadsetCalls::beginFrame() {
+    session->beginFrame();
+}
+
+void HeadsetCalls::locateEyes() {
+    headTracked = session->locateEyes(timing.displayTime, views);
+}
+
+void HeadsetCalls::dropFrame() {
+    session->dropFrame();
+}
+
+void HeadsetCalls::requestExit() {
+    session->requestExit();
+}
+
+void HeadsetCalls::copy(GLuint from, int left, const Swapchain& to, GLuint texture, GLenum attachment,
+                        GLbitfield what) {
+    glDisable(GL_FRAMEBUFFER_SRGB); // codes are copied, not light
+    glNamedFramebufferTexture(from_->name(), attachment, from, 0);
+    glNamedFramebufferTexture(to_->name(), attachment, texture, 0);
+    glBlitNamedFramebuffer(from_->name(), to_->name(), left, 0, left + to.width(), to.height(), 0, 0, to.width(),
+                           to.height(), what, GL_NEAREST);
+    glNamedFramebufferTexture(from_->name(), attachment, 0, 0);
+    glNamedFramebufferTexture(to_->name(), attachment, 0, 0);
+}
+
+void HeadsetCalls::handOverEyes() {
+    for (size_t eye = 0; eye < colour_.size(); ++eye) {
+        const int left = static_cast<int>(eye) * width;
+        copy(order.colour, left, *colour_[eye], colour_[eye]->acquire(), GL_COLOR_ATTACHMENT0, GL_COLOR_BUFFER_BIT);
+        colour_[eye]->release();
+        if (depth_[eye] == nullptr) continue;
+        copy(order.depth, left, *depth_[eye], depth_[eye]->acquire(), GL_DEPTH_ATTACHMENT, GL_DEPTH_BUFFER_BIT);
+        depth_[eye]->release();
+    }
+    fillProjection();
+    layers_[layerCount_++] = reinterpret_cast<const XrCompositionLayerBaseHeader*>(&projection_);
+}
+
+void HeadsetCalls::fillProjection() {
+    for (size_t eye = 0; eye < views.size(); ++eye) {
+        XrCompositionLayerProjectionView& view = projectionViews_[eye];
+        view = {XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW};
+        view.pose = toXr(views[eye].pose);
+        view.fov = toXr(views[eye].fov);
+        view.subImage = colour_[eye]->subImage();
+        if (depth_[eye] == nullptr) continue;
+        depthInfos_[eye] = {XR_TYPE_COMPOSITION_LAYER_DEPTH_INFO_KHR};
+        depthInfos_[eye].subImage = depth_[eye]->subImage();
+        depthInfos_[eye].minDepth = 0.0f;
+        depthInfos_[eye].maxDepth = 1.0f;
+        depthInfos_[eye].nearZ = settings_.nearZ;
+        depthInfos_[eye].farZ = settings_.farZ;
+        view.next = &depthInfos_[eye];
+    }
+    projection_.type = XR_TYPE_COMPOSITION_LAYER_PROJECTION;
+    projection_.space = session->space();
+    projection_.viewCount = uint32_t(projectionViews_.size());
+    projection_.views = projectionViews_.data();
+}
+
+void HeadsetCalls::handOverPanel() {
+    copy(order.panel, 0, *panel_, panel_->acquire(), GL_COLOR_ATTACHMENT0, GL_COLOR_BUFFER_BIT);
+    panel_->release();
+    const PanelShape& shape = settings_.panel;
+    quad_.type = XR_TYPE_COMPOSITION_LAYER_QUAD;
+    quad_.layerFlags = XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT;
+    quad_.space = session->space();
+    quad_.eyeVisibility = XR_EYE_VISIBILITY_BOTH;
+    quad_.subImage = panel_->subImage();
+    quad_.pose = toXr(order.panelPose);
+    quad_.size = {shape.width,
+                  shape.width * static_cast<float>(shape.heightPixels) / static_cast<float>(shape.widthPixels)};
+    layers_[layerCount_++] = reinterpret_cast<const XrCompositionLayerBaseHeader*>(&quad_);
+}
+
+void HeadsetCalls::play() {
+    for (const Hand hand : {Hand::left, Hand::right})
+        if (order.plays[size_t(hand)]) input->play(hand, order.pulses[size_t(hand)]);
+    if (order.trackerPlays) input->playTracker(order.tracker, order.trackerPulse);
+}
+
+void HeadsetCalls::endFrame() {
+    layerCount_ = 0;
+    waitFor(order.drawn, software_);
+    if (order.eyes) handOverEyes();
+    if (order.panelShown) handOverPanel();
+    if (layerCount_ > 0) {
+        copied = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+        glFlush();
+        if (software_) glFinish();
+    }
+    play();
+    session->endFrame(timing.displayTime, layers_.data(), layerCount_);
+}
+
+} // namespace meltpool::xr

@@ -1,0 +1,96 @@
+// Everything a headset asks of the runtime, as calls for one thread with an OpenGL context of its own.
+#pragma once
+
+#include "core/gl/texture.hpp"
+#include "xr/call_thread.hpp"
+#include "xr/input.hpp"
+#include "xr/panel.hpp"
+#include "xr/swapchain.hpp"
+
+#include <array>
+#include <memory>
+
+namespace meltpool::xr {
+
+struct HeadsetSettings {
+    float resolutionScale = 1.0f; ///< times the runtime's recommended size a side, 0.3..2
+    int samples = 4;              ///< for each pixel of the eyes
+    float nearZ = 0.02f;          ///< m
+    float farZ = 50.0f;           ///< m
+    PanelShape panel{};
+};
+
+/// What the drawing side hands over for the end of a frame. Set between calls.
+struct FrameOrder {
+    bool eyes = false;                   ///< the textures below hold both eyes, left eye left
+    GLuint colour = 0;                   ///< 2 eyes wide
+    GLuint depth = 0;                    ///< likewise
+    bool panelShown = false;             ///< with the picture below
+    GLuint panel = 0;                    ///< texture
+    Pose panelPose;                      ///< in the session's space
+    GLsync drawn = nullptr;              ///< reached when all of them are drawn
+    std::array<HapticPulse, 2> pulses{}; ///< for the hands
+    std::array<bool, 2> plays{};
+    HapticPulse trackerPulse;
+    size_t tracker = 0;
+    bool trackerPlays = false;
+};
+
+/// The public members are for the side that asks, between calls only.
+class HeadsetCalls : public Callee {
+  public:
+    /// `context` is made current by open() on the thread of the calls.
+    HeadsetCalls(std::unique_ptr<Instance> instance, const HeadsetSettings& settings,
+                 std::unique_ptr<SharedContext> context);
+    ~HeadsetCalls() override;
+
+    // The calls.
+    void open();      ///< session, actions, swapchains
+    void poll();      ///< what the runtime has to say
+    void waitFrame(); ///< and reads the hands for it
+    void beginFrame();
+    void locateEyes(); ///< as late as can be
+    void endFrame();   ///< hands over what `order` says
+    void dropFrame();  ///< goes on after a call was given up
+    void requestExit();
+
+    // Answers.
+    std::unique_ptr<Instance> instance;
+    std::unique_ptr<Session> session;
+    std::unique_ptr<Input> input;
+    GLenum colourFormat = GL_NONE;
+    GLenum depthFormat = GL_NONE; ///< GL_NONE: no depth layer
+    int width = 0;                ///< pixels, of one eye
+    int height = 0;
+    const char* bindingKind = "";
+    FrameTiming timing;
+    std::array<EyeView, 2> views;
+    bool headTracked = false;
+    GLsync copied = nullptr; ///< reached when the textures of the order may be drawn into again
+    FrameOrder order;
+
+  private:
+    void makeSwapchains();
+    void copy(GLuint from, int left, const Swapchain& to, GLuint texture, GLenum attachment, GLbitfield what);
+    void handOverEyes();
+    void handOverPanel();
+    void fillProjection();
+    void play();
+
+    HeadsetSettings settings_;
+    std::unique_ptr<SharedContext> context_;
+    bool current_ = false;
+    bool software_ = false;
+    std::array<std::unique_ptr<Swapchain>, 2> colour_;
+    std::array<std::unique_ptr<Swapchain>, 2> depth_;
+    std::unique_ptr<Swapchain> panel_;
+    std::unique_ptr<gl::Framebuffer> from_, to_;
+    std::array<XrCompositionLayerProjectionView, 2> projectionViews_{};
+    std::array<XrCompositionLayerDepthInfoKHR, 2> depthInfos_{};
+    XrCompositionLayerProjection projection_{};
+    XrCompositionLayerQuad quad_{};
+    std::array<const XrCompositionLayerBaseHeader*, 2> layers_{};
+    uint32_t layerCount_ = 0;
+};
+
+} // namespace meltpool::xr
