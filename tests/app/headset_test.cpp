@@ -165,7 +165,7 @@ TEST_CASE("a tracker that is wanted holds the torch as soon as it is seen, and n
     CHECK(hold.warning().empty());
     hold.update(true, hand, trackers, kTick);
     CHECK(hold.holder() == TorchHolder::hand);
-    CHECK_THAT(hold.warning(), test::containsText("No tracker"));
+    CHECK_THAT(std::string(hold.warning()), test::containsText("No tracker"));
     trackers[1].tracked = true;
     hold.update(true, hand, trackers, kTick);
     CHECK(hold.holder() == TorchHolder::tracker);
@@ -211,13 +211,13 @@ TEST_CASE("a tracker out of sight puts the arc out at once, and gives the torch 
     frame();
     CHECK(torch.trigger() == 0.0f);
     CHECK(hold.holder() == TorchHolder::tracker);
-    CHECK_THAT(hold.warning(), test::containsText("arc is out"));
+    CHECK_THAT(std::string(hold.warning()), test::containsText("arc is out"));
     frame(TorchHold::kPatience);
     CHECK(hold.holder() == TorchHolder::hand);
     CHECK(torch.tip().position.x == Approx(0));
     CHECK(torch.velocity() == glm::vec3(0.0f)); // no way is drawn from the tracker to the hand
     CHECK(torch.trigger() == 0.0f);
-    CHECK_THAT(hold.warning(), test::containsText("in the hand"));
+    CHECK_THAT(std::string(hold.warning()), test::containsText("in the hand"));
     hand.trigger = 0;
     frame();
     hand.trigger = 1;
