@@ -4,17 +4,17 @@
 
 namespace meltpool {
 
-std::vector<MetalSeed> Filler::feed(double volume, glm::vec3 place, glm::vec3 velocity, float temperature) {
+std::span<const MetalSeed> Filler::feed(double volume, glm::vec3 place, glm::vec3 velocity, float temperature) {
     const double each = static_cast<double>(spacing_) * static_cast<double>(spacing_) * static_cast<double>(spacing_);
     waiting_ += volume;
     const float speed = glm::length(velocity);
     const glm::vec3 back = speed > 0 ? -velocity / speed * spacing_ : glm::vec3(0, spacing_, 0);
-    std::vector<MetalSeed> seeds;
+    seeds_.clear();
     for (; waiting_ >= each; waiting_ -= each)
-        seeds.push_back(
-            {place + back * static_cast<float>(seeds.size()), temperature, PHASE_ALIVE | PHASE_LIQUID, velocity});
-    fed_ += seeds.size();
-    return seeds;
+        seeds_.push_back(
+            {place + back * static_cast<float>(seeds_.size()), temperature, PHASE_ALIVE | PHASE_LIQUID, velocity});
+    fed_ += seeds_.size();
+    return seeds_;
 }
 
 } // namespace meltpool

@@ -3,6 +3,9 @@
 
 #include "core/metal/metal_state.hpp"
 
+#include <span>
+#include <vector>
+
 namespace meltpool {
 
 class Filler {
@@ -12,8 +15,8 @@ class Filler {
 
     /// The particles that `volume` (m³) more of filler make up, liquid, leaving `place` with `velocity` (m/s) at
     /// `temperature` (K). What does not fill a particle is kept for the next call, so the sum is exact to one particle.
-    /// Several at once stand in a row against the velocity, a spacing apart.
-    std::vector<MetalSeed> feed(double volume, glm::vec3 place, glm::vec3 velocity, float temperature);
+    /// Several at once stand in a row against the velocity, a spacing apart. They stay until the next call.
+    std::span<const MetalSeed> feed(double volume, glm::vec3 place, glm::vec3 velocity, float temperature);
 
     size_t fed() const { return fed_; }
     void reset() {
@@ -23,6 +26,7 @@ class Filler {
 
   private:
     float spacing_;
+    std::vector<MetalSeed> seeds_;
     double waiting_ = 0; ///< m³ that have not filled a particle yet
     size_t fed_ = 0;
 };

@@ -96,9 +96,11 @@ void MetalState::add(std::span<const MetalSeed> seeds) {
     if (particles_ + seeds.size() > capacity_)
         throw RuntimeFault("no room for " + std::to_string(seeds.size()) + " more particles beside " +
                            std::to_string(particles_) + " of " + std::to_string(capacity_));
-    std::vector<vec4> positions, velocities, heats;
-    std::vector<uint> phases;
-    std::vector<std::pair<size_t, uint>> cells;
+    auto& [positions, velocities, heats, phases, cells] = staging_;
+    for (auto* values : {&positions, &velocities, &heats})
+        values->clear();
+    phases.clear();
+    cells.clear();
     for (const MetalSeed& seed : seeds) {
         const double enthalpy = table_.enthalpyAt(static_cast<double>(seed.temperature));
         const auto rounded = static_cast<float>(enthalpy);

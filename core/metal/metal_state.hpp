@@ -85,6 +85,12 @@ class MetalState {
     HeatTable table_;
     size_t capacity_;
     size_t particles_ = 0;
+    /// What add() writes, kept so that filler costs no allocation.
+    struct {
+        std::vector<vec4> positions, velocities, heats;
+        std::vector<uint> phases;
+        std::vector<std::pair<size_t, uint>> cells;
+    } staging_;
     unsigned regroupings_ = 0;
     double density_;
     double mass_;

@@ -148,7 +148,7 @@ Section deposit(const ValidationCase& from, gl::ShaderLibrary& shaders, const Be
         metal.step(burns ? std::vector{arcAt(b, x)} : std::vector<HeatSource>{},
                    burns ? filler.feed(b.wireRate * frame, tip, {b.speed, -kDropSpeed, 0},
                                        static_cast<float>(kDropTemperature))
-                         : std::vector<MetalSeed>{},
+                         : std::span<const MetalSeed>{},
                    nullptr);
         ++result.steps;
     }

@@ -74,7 +74,7 @@ void runEnergy(const ValidationCase& from, gl::ShaderLibrary& shaders, Validatio
         const double time = static_cast<double>(i) * frame;
         const double share = std::clamp((weld.on - time) / frame, 0.0, 1.0);
         std::vector<HeatSource> sources;
-        std::vector<MetalSeed> drops;
+        std::span<const MetalSeed> drops;
         if (share > 0) {
             const glm::vec3 place = weld.place(time + 0.5 * share * frame);
             sources.push_back(

@@ -59,7 +59,7 @@ void WeldModel::apply(const Lesson& lesson) {
 }
 
 void WeldModel::step(const TorchSample& torch, gl::Profiler* profiler) {
-    const std::vector<MetalSeed> filler = process_.feed(torch, timeStep());
+    const std::span<const MetalSeed> filler = process_.feed(torch, timeStep());
     metal_.setArc(process_.pressure(torch));
     metal_.step(process_.sources(torch), filler, profiler);
 }

@@ -67,15 +67,18 @@ double WeldProcess::wirePower() const {
     return wireRate(parameters) * density_ * std::max(gained, 0.0);
 }
 
-std::vector<HeatSource> WeldProcess::sources(const TorchSample& torch) const {
+std::span<const HeatSource> WeldProcess::sources(const TorchSample& torch) {
     if (torch.trigger <= 0) return {};
     const auto trigger = static_cast<double>(torch.trigger);
-    if (kindOf(parameters) == ProcessKind::Iron)
-        return {HeatSource::hotTip(torch.tip, parameters.tipRadiusMm * kMm,
-                                   parameters.tipTemperatureC + static_cast<float>(kKelvin), kIronCoefficient,
-                                   kIronPower)};
-    const double power = std::max(processPower(parameters) - wirePower(), 0.0) * trigger;
-    return {HeatSource::gaussian(torch.tip, torch.axis(), parameters.sigmaMm * kMm, static_cast<float>(power))};
+    if (kindOf(parameters) == ProcessKind::Iron) {
+        source_ =
+            HeatSource::hotTip(torch.tip, parameters.tipRadiusMm * kMm,
+                               parameters.tipTemperatureC + static_cast<float>(kKelvin), kIronCoefficient, kIronPower);
+    } else {
+        const double power = std::max(processPower(parameters) - wirePower(), 0.0) * trigger;
+        source_ = HeatSource::gaussian(torch.tip, torch.axis(), parameters.sigmaMm * kMm, static_cast<float>(power));
+    }
+    return {&source_, 1};
 }
 
 ArcPressure WeldProcess::pressure(const TorchSample& torch) const {
@@ -87,7 +90,7 @@ ArcPressure WeldProcess::pressure(const TorchSample& torch) const {
     return {torch.tip, torch.axis(), sigma, static_cast<float>(peak)};
 }
 
-std::vector<MetalSeed> WeldProcess::feed(const TorchSample& torch, double seconds) {
+std::span<const MetalSeed> WeldProcess::feed(const TorchSample& torch, double seconds) {
     if (torch.trigger <= 0) return {};
     const double volume = wireRate(parameters) * static_cast<double>(torch.trigger) * seconds;
     return filler_.feed(volume, torch.tip, torch.axis() * parameters.dropSpeed,

@@ -7,7 +7,7 @@
 #include "core/metal/heat.hpp"
 #include "core/weld/torch_sample.hpp"
 
-#include <vector>
+#include <span>
 
 namespace meltpool {
 
@@ -46,15 +46,15 @@ class WeldProcess {
     ProcessParameters parameters;
 
     /// The heat sources under this torch; none with the trigger released. An arc's power less what melts the wire goes
-    /// into the surface, so that source and filler together bring efficiency V I.
-    std::vector<HeatSource> sources(const TorchSample& torch) const;
+    /// into the surface, so that source and filler together bring efficiency V I. Stays until the next call.
+    std::span<const HeatSource> sources(const TorchSample& torch);
 
     /// How an arc presses on the metal under this torch, by its current (see arcPressurePeak()) and as wide as its
     /// heat; peak 0 without an arc. The current follows the trigger.
     ArcPressure pressure(const TorchSample& torch) const;
 
     /// The filler that `seconds` of this torch bring, as particles to add. Exact over time.
-    std::vector<MetalSeed> feed(const TorchSample& torch, double seconds);
+    std::span<const MetalSeed> feed(const TorchSample& torch, double seconds);
 
     const Filler& filler() const { return filler_; }
     void reset() { filler_.reset(); }
@@ -65,6 +65,7 @@ class WeldProcess {
     const HeatTable& table_;
     double density_;
     float ambient_;
+    HeatSource source_;
     Filler filler_;
 };
 

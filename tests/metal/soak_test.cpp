@@ -104,7 +104,7 @@ class Beads {
             sources.push_back(HeatSource::gaussian(place, glm::vec3(0, -1, 0), 3 * kMm, kPower));
             arcEnergy_ += static_cast<double>(kPower) / kFramesASecond;
         }
-        std::vector<MetalSeed> drops;
+        std::span<const MetalSeed> drops;
         if (feeds)
             drops = filler_.feed(0.2e-9, place + glm::vec3(0, 12 * kMm, 0), glm::vec3(0, -0.3F, 0), kDropTemperature);
         fed_ += drops.size();
