@@ -48,3 +48,20 @@ TEST_CASE("a frame in the headset asks nothing of the heap and never waits for t
     checkFrames(trainer, "panel open", 20);
     CHECK(trainer.stop() == 0);
 }
+
+TEST_CASE("a frame of a weld asks nothing of the heap either", "[runtime]") {
+    handGeometry();
+    const std::filesystem::path folder = benchFolder() / "weld frames";
+    Trainee trainee;
+    trainee.bottom = -0.010f; // 4 mm of plate over 6 mm of supports
+    trainee.held = glm::angleAxis(-1.4f, glm::vec3(1, 0, 0));
+    TrainerProcess trainer(folder, {"--headset", "--lesson", plateLesson(folder).string()});
+    REQUIRE(trainer.waitFor(running, 60));
+    trainee.lookDown();
+    trainee.aim({0, 0.003f, 0}, 1.0f);
+    REQUIRE(trainer.waitFor([](const json& row) { return row["metal"]["hottest"] > 0.5; }, 30));
+    sleepFor(1.5);
+    passFrames(trainer, 10);
+    checkFrames(trainer, "welding a plate", 20);
+    CHECK(trainer.stop() == 0);
+}

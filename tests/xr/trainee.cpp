@@ -54,6 +54,19 @@ fs::path smallLesson(const fs::path& folder) {
     return file;
 }
 
+fs::path plateLesson(const fs::path& folder) {
+    fs::create_directories(folder);
+    const fs::path file = folder / "plate.toml";
+    const fs::path paths = fs::path(MELTPOOL_SOURCE_FOLDER) / "app" / "data" / "paths" / "bead-on-plate.toml";
+    writeTextFileAtomically(file, "title = \"Plate\"\ntext = \"Plate.\"\nmodel = \"weld\"\ntorch = \"" +
+                                      paths.string() +
+                                      "\"\n[workpiece]\nworkpiece = \"plate\"\nmetal = \"s235\"\nlength_mm = 24\n"
+                                      "width_mm = 20\nthickness_mm = 4\nspacing_mm = 1\n[process]\nprocess = \"gmaw\"\n"
+                                      "voltage = 20\ncurrent = 190\nefficiency = 0.8\nwire_diameter_mm = 1.2\n"
+                                      "wire_feed_m_min = 4.5\n[surface]\ncells = 28\n[[picture]]\nname = \"metal\"\n");
+    return file;
+}
+
 Trainee::Trainee() {
     state.hands[0].pose.position = {-0.3f, 1.0f, -0.2f};
     aim({0.06f, 0.06f, 0.06f}, 0);

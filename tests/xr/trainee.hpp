@@ -14,6 +14,8 @@ const HandGeometry& handGeometry();
 
 /// A lesson that a software driver keeps up with; what is melted stays so. Writes it into `folder`.
 std::filesystem::path smallLesson(const std::filesystem::path& folder);
+/// The same with metal in SI units: GMAW on a plate of 24x20x4 mm.
+std::filesystem::path plateLesson(const std::filesystem::path& folder);
 
 /// Stands at (0, 1.6, 0) looking along -z when the workshop is placed.
 struct Trainee {
