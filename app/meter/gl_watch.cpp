@@ -31,7 +31,8 @@
     W(glShaderSource) W(glTextureBuffer) W(glTextureParameteri) W(glTextureStorage2D) \
     W(glTextureStorage2DMultisample) W(glTextureStorage3D) W(glTextureStorage3DMultisample) W(glTextureSubImage2D) \
     W(glTextureSubImage3D) W(glUseProgram) W(glVertexArrayAttribBinding) W(glVertexArrayAttribFormat) \
-    W(glVertexArrayElementBuffer) W(glVertexArrayVertexBuffer) W(glVertexAttrib1f) W(glViewportIndexedf)
+    W(glVertexArrayElementBuffer) W(glVertexArrayVertexBuffer) W(glVertexAttrib1f) W(glViewportIndexedf) \
+    W(glWaitSync)
 // clang-format on
 
 namespace {
@@ -131,6 +132,7 @@ std::span<const std::string_view> watchedGlCalls() {
                                                   "glClear",
                                                   "glScissor",
                                                   "glFinish",
+                                                  "glFlush",
                                                   "glDepthMask",
                                                   "glPixelStorei",
                                                   "glDepthFunc",
@@ -167,6 +169,7 @@ WATCHED(void, glClearColor, (GLclampf a, GLclampf b, GLclampf c, GLclampf d), (a
 WATCHED(void, glClear, (GLbitfield a), (a))
 WATCHED(void, glScissor, (GLint a, GLint b, GLsizei c, GLsizei d), (a, b, c, d))
 WATCHED(void, glFinish, (void), ())
+WATCHED(void, glFlush, (void), ())
 WATCHED(void, glDepthMask, (GLboolean a), (a))
 WATCHED(void, glPixelStorei, (GLenum a, GLint b), (a, b))
 WATCHED(void, glDepthFunc, (GLenum a), (a))
