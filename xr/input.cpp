@@ -48,48 +48,40 @@ Input::~Input() {
     xrDestroyActionSet(menu_);
 }
 
-XrAction Input::makeAction(XrActionSet set, XrActionType type, const char* name, const char* label) {
+XrAction Input::makeAction(XrActionSet set, XrActionType type, const char* name, const char* label,
+                           std::span<const XrPath> paths) {
     XrActionCreateInfo info{XR_TYPE_ACTION_CREATE_INFO};
     info.actionType = type;
     std::strncpy(info.actionName, name, XR_MAX_ACTION_NAME_SIZE - 1);
     std::strncpy(info.localizedActionName, label, XR_MAX_LOCALIZED_ACTION_NAME_SIZE - 1);
-    info.countSubactionPaths = uint32_t(handPaths_.size());
-    info.subactionPaths = handPaths_.data();
+    info.countSubactionPaths = uint32_t(paths.size());
+    info.subactionPaths = paths.data();
     XrAction action = XR_NULL_HANDLE;
     MELTPOOL_XR(xrCreateAction(set, &info, &action));
     return action;
 }
 
 void Input::makeActions() {
-    actions_.grip = makeAction(weld_, XR_ACTION_TYPE_POSE_INPUT, "grip", "Torch in the hand");
-    actions_.trigger = makeAction(weld_, XR_ACTION_TYPE_FLOAT_INPUT, "trigger", "Heat");
-    actions_.haptic = makeAction(weld_, XR_ACTION_TYPE_VIBRATION_OUTPUT, "feel", "What the tip feels");
-    actions_.aim = makeAction(menu_, XR_ACTION_TYPE_POSE_INPUT, "aim", "Pointer");
-    actions_.squeeze = makeAction(menu_, XR_ACTION_TYPE_FLOAT_INPUT, "squeeze", "Grab");
-    actions_.menu = makeAction(menu_, XR_ACTION_TYPE_BOOLEAN_INPUT, "panel", "Show the panel");
-    actions_.recentre = makeAction(menu_, XR_ACTION_TYPE_BOOLEAN_INPUT, "recentre", "Bring the workshop here");
-    actions_.scroll = makeAction(menu_, XR_ACTION_TYPE_VECTOR2F_INPUT, "scroll", "Scroll");
-}
-
-XrAction Input::makeTrackerAction(XrActionType type, const char* name, const char* label) {
-    XrActionCreateInfo info{XR_TYPE_ACTION_CREATE_INFO};
-    info.actionType = type;
-    std::strncpy(info.actionName, name, XR_MAX_ACTION_NAME_SIZE - 1);
-    std::strncpy(info.localizedActionName, label, XR_MAX_LOCALIZED_ACTION_NAME_SIZE - 1);
-    info.countSubactionPaths = uint32_t(rolePaths_.size());
-    info.subactionPaths = rolePaths_.data();
-    XrAction action = XR_NULL_HANDLE;
-    MELTPOOL_XR(xrCreateAction(weld_, &info, &action));
-    return action;
+    actions_.grip = makeAction(weld_, XR_ACTION_TYPE_POSE_INPUT, "grip", "Torch in the hand", handPaths_);
+    actions_.trigger = makeAction(weld_, XR_ACTION_TYPE_FLOAT_INPUT, "trigger", "Heat", handPaths_);
+    actions_.haptic = makeAction(weld_, XR_ACTION_TYPE_VIBRATION_OUTPUT, "feel", "What the tip feels", handPaths_);
+    actions_.aim = makeAction(menu_, XR_ACTION_TYPE_POSE_INPUT, "aim", "Pointer", handPaths_);
+    actions_.squeeze = makeAction(menu_, XR_ACTION_TYPE_FLOAT_INPUT, "squeeze", "Grab", handPaths_);
+    actions_.menu = makeAction(menu_, XR_ACTION_TYPE_BOOLEAN_INPUT, "panel", "Show the panel", handPaths_);
+    actions_.recentre =
+        makeAction(menu_, XR_ACTION_TYPE_BOOLEAN_INPUT, "recentre", "Bring the workshop here", handPaths_);
+    actions_.scroll = makeAction(menu_, XR_ACTION_TYPE_VECTOR2F_INPUT, "scroll", "Scroll", handPaths_);
 }
 
 void Input::makeTrackerActions() {
     for (const char* role : trackerRoles())
         rolePaths_.push_back(instance_.path(role));
     try {
-        actions_.tracker = makeTrackerAction(XR_ACTION_TYPE_POSE_INPUT, "tracker", "Tracker on a torch");
-        actions_.trackerTrigger = makeTrackerAction(XR_ACTION_TYPE_FLOAT_INPUT, "tracker_trigger", "Its trigger");
-        actions_.trackerHaptic = makeTrackerAction(XR_ACTION_TYPE_VIBRATION_OUTPUT, "tracker_feel", "Its vibration");
+        actions_.tracker = makeAction(weld_, XR_ACTION_TYPE_POSE_INPUT, "tracker", "Tracker on a torch", rolePaths_);
+        actions_.trackerTrigger =
+            makeAction(weld_, XR_ACTION_TYPE_FLOAT_INPUT, "tracker_trigger", "Its trigger", rolePaths_);
+        actions_.trackerHaptic =
+            makeAction(weld_, XR_ACTION_TYPE_VIBRATION_OUTPUT, "tracker_feel", "Its vibration", rolePaths_);
     } catch (const XrFault& fault) {
         refused_.push_back(std::string(kTrackerProfile) + " (" + resultName(fault.result()) + ")");
         rolePaths_.clear();

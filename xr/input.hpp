@@ -7,6 +7,7 @@
 
 #include <array>
 #include <chrono>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -88,12 +89,12 @@ class Input {
 
     void makeActions();
     void makeTrackerActions();
-    XrAction makeTrackerAction(XrActionType type, const char* name, const char* label);
     void suggest();
     void suggestTrackers();
     void attach();
     void makeSpaces();
-    XrAction makeAction(XrActionSet set, XrActionType type, const char* name, const char* label);
+    XrAction makeAction(XrActionSet set, XrActionType type, const char* name, const char* label,
+                        std::span<const XrPath> paths);
     XrAction actionOf(Act act) const;
     void readHand(size_t hand, XrTime time);
     void forget();
