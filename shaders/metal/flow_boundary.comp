@@ -39,6 +39,6 @@ void main() {
         bodies[slot].where.y = edition;
         resting[slot] = restSums(slot, place);
     }
-    const uint found = listNear(slot, place, neighbourBase(counters.moving.w + entry), substep & 1u, false);
+    const uint found = listNear(slot, place, neighbourBase(counters.moving.w + entry), 0, substep & 1u, false);
     bodies[slot].motion = vec4(0, 0, 0, found);
 }

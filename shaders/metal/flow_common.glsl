@@ -54,25 +54,27 @@ uint residentOf(uint cell, uint moving, uint entry) {
 
 uvec2 residentTexel(uint entry) { return texelFetch(residentTexels, int(entry)).xy; }
 
+/// The cell of a place. Precise, so that every pass comes to the same one.
 ivec3 cellAt(vec3 place) {
-    const ivec3 cell = ivec3(floor((place - fluid.origin.xyz) * fluid.inverseCell.xyz));
-    return clamp(cell, ivec3(0), fluid.cells.xyz - 1);
+    precise const vec3 inCells = (place - fluid.origin.xyz) * fluid.inverseCell.xyz;
+    return clamp(ivec3(floor(inCells)), ivec3(0), fluid.cells.xyz - 1);
 }
 
-/// Where a place lies in its cell, in cells.
-vec3 insideCell(vec3 place, ivec3 cell) { return (place - fluid.origin.xyz) * fluid.inverseCell.xyz - vec3(cell); }
+/// A place inside its cell in steps of a 1024th of the cell: 0 .. 1023, whole.
+vec3 stepsInside(vec3 place) {
+    precise const vec3 inCells = (place - fluid.origin.xyz) * fluid.inverseCell.xyz;
+    return floor(clamp((inCells - vec3(cellAt(place))) * 1024, vec3(0), vec3(1023)));
+}
 
-/// A place inside its cell as ten bits an axis: one word tells a search whether a particle is near enough to be looked at.
-/// Drivers that run on the CPU pay for each word that is read.
+/// The same as ten bits an axis: one word tells a search whether a particle is near enough to be looked at. Drivers that run
+/// on the CPU pay for each word that is read.
 uint packPlace(vec3 place) {
-    const uvec3 steps = uvec3(clamp(insideCell(place, cellAt(place)) * 1024, vec3(0), vec3(1023)));
+    const uvec3 steps = uvec3(stepsInside(place));
     return steps.x | steps.y << 10 | steps.z << 20;
 }
 
-/// What apartPacked() sees packed places of the cell `step` away from: a place that lies at `inside` (cells) of its own cell.
-vec3 packedOrigin(vec3 inside, ivec3 step) { return (inside - vec3(step)) * 1024 - 0.5; }
-
-/// From a packed place to the one that `origin` was made of, in m; `scale` is the packed step in m.
+/// From a packed place to the one that lies at `origin` in steps of its cell, in m; `scale` is the step in m. Differences of
+/// steps are exact: two particles see the same distance.
 vec3 apartPacked(vec3 origin, uint word, vec3 scale) {
     return (origin - vec3(word & 1023u, (word >> 10) & 1023u, word >> 20)) * scale;
 }

@@ -78,7 +78,7 @@ vec3 acceleration(uint index, uint slot, out float fastest, out SolidAround soli
         solids.rising += solidSlope * approach;
         const float weight = (solid ? wettingAt(normal.w) : 1.0) * 2 / (own.place.w + place.w);
         const float pull = weight * fluid.tension.x * cohesion(q) / max(q * fluid.origin.w, 0.02 * fluid.origin.w);
-        sum += (slope * (friction - pressure - stiffness(place.w)) - pull) * d;
+        sum += (slope * (friction - (pressure + stiffness(place.w))) - pull) * d;
         sum -= weight * fluid.tension.y * 4 * q2 * u * (own.normal.xyz - normal.xyz);
 #ifdef MARANGONI
         warming += slope * (normal.w - own.normal.w) * d;

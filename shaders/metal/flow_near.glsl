@@ -13,7 +13,8 @@ uint nearResidents(uint cell, uint moving, uint first, uint count, vec3 origin, 
 }
 
 /// Which of the 27 cells around `centre`, in the order of nextStep(), hold something that may be near: a bit each.
-uint nearCells(ivec3 centre, vec3 inside, uint parity, bool withStill) {
+uint nearCells(ivec3 centre, vec3 steps, uint parity, bool withStill) {
+    const vec3 inside = steps / 1024;
     const float reach = fluid.search.x * fluid.search.x;
     const vec3 edge = 1 / fluid.inverseCell.xyz;
     uint near = 0;
@@ -37,28 +38,30 @@ ivec3 stepOf(int bit) {
     return ivec3(bit - 3 * row, row - 3 * layer, layer) - 1;
 }
 
-/// Writes what is near `place` but `slot` itself to the list at `base`; gives the number found. Still metal only where
-/// `withStill`. Looks at cells, residents and what is near in turn: drivers that run on the CPU go through the inside of every
-/// loop at least once, and pay for every write that any particle might do.
-uint listNear(uint slot, vec3 place, uint base, uint parity, bool withStill) {
+/// Adds what is near `place` but `slot` itself to the list at `base`, which holds `found`; gives the number found then. Moving
+/// metal is listed by one that moves only where both list anew, still metal only by one that moves. Looks at cells, residents
+/// and what is near in turn: drivers that run on the CPU go through the inside of every loop at least once, and pay for every
+/// write that any particle might do.
+uint listNear(uint slot, vec3 place, uint base, uint found, uint parity, bool moves) {
     const ivec3 centre = cellAt(place);
-    const vec3 inside = insideCell(place, centre);
+    const vec3 steps = stepsInside(place);
     const vec3 scale = packedScale();
-    uint found = 0;
-    for (uint cells = nearCells(centre, inside, parity, withStill); cells != 0; cells &= cells - 1) {
+    for (uint cells = nearCells(centre, steps, parity, moves); cells != 0; cells &= cells - 1) {
         const ivec3 step = stepOf(findLSB(cells));
         uint cell;
         neighbourCell(centre, step, cell);
         const uvec2 counts = countTexel(cell, parity);
-        const uint total = counts.y + (withStill ? counts.x : 0u);
-        const vec3 origin = packedOrigin(inside, step);
+        const uint total = counts.y + (moves ? counts.x : 0u);
+        const vec3 origin = steps - vec3(step) * 1024;
         for (uint first = 0; first < total; first += 32) {
             uint near = nearResidents(cell, counts.y, first, min(total - first, 32u), origin, scale);
             for (; near != 0 && found < FLOW_NEIGHBOUR_ROOM; near &= near - 1) {
                 const uint entry = first + uint(findLSB(near));
                 const uint other = residentTexel(residentOf(cell, counts.y, entry)).y;
-                if ((other & FLOW_SLOT) != slot)
-                    neighbours[base + GROUP_SIZE * found++] = other | (entry < counts.y ? 0u : FLOW_SOLID | FLOW_RESTS);
+                const bool still = entry >= counts.y;
+                if ((other & FLOW_SLOT) != slot && (!moves || still || (other & FLOW_RENEWS) != 0))
+                    neighbours[base + GROUP_SIZE * found++] =
+                        still ? other | FLOW_SOLID | FLOW_RESTS : other & ~FLOW_RENEWS;
             }
         }
     }

@@ -38,13 +38,28 @@ void listStill(uint base, uint found) {
     }
 }
 
+bool renews(uint slot) { return bodies[slot].motion.w != 0; }
+
+/// Keeps moving neighbours that do not list anew, in their order; gives their number. They list this particle as long as it
+/// lists them: each pair is on both lists or on none, and its forces add up to nothing.
+uint keepOthers(uint base, uint found) {
+    uint kept = 0;
+    for (uint k = 0; k < found; ++k) {
+        const uint entry = neighbours[base + GROUP_SIZE * k];
+        if ((entry & FLOW_RESTS) == 0 && !renews(entry & FLOW_SLOT)) neighbours[base + GROUP_SIZE * kept++] = entry;
+    }
+    return kept;
+}
+
 void main() {
     uint index = gl_GlobalInvocationID.x;
-    const bool wanted = index < counters.moving.w && nearRestless(placeTexel(lists[index]));
+    const bool wanted = index < counters.moving.w && renews(lists[index]);
     if (!choose(wanted, index)) return;
     const uint slot = lists[index];
     const uint base = neighbourBase(index);
-    const uint found = listNear(slot, placeTexel(slot), base, substep & 1u, true);
+    const bool all = counters.restless.x > FLOW_RESTLESS_ROOM;
+    const uint kept = all ? 0 : keepOthers(base, bodies[slot].where.w);
+    const uint found = listNear(slot, placeTexel(slot), base, kept, substep & 1u, true);
     listStill(base, found);
     if (found == FLOW_NEIGHBOUR_ROOM) atomicAdd(counters.faults.y, 1u);
     bodies[slot].where.w = found;

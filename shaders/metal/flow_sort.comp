@@ -27,6 +27,9 @@ void main() {
     for (uint entry = 0; entry < count; ++entry)
         rank += entered[cell * FLOW_CELL_ROOM + entry] < slot ? 1u : 0u;
     const uint solid = (phases[slot] & PHASE_LIQUID) != 0 ? 0u : FLOW_SOLID;
+    const vec3 place = positions[slot].xyz;
+    const bool renews = nearRestless(place);
+    bodies[slot].motion.w = renews ? 1 : 0;
     if (rank < FLOW_CELL_ROOM)
-        residents[movingBase(cell) + rank] = uvec2(packPlace(positions[slot].xyz), slot | solid);
+        residents[movingBase(cell) + rank] = uvec2(packPlace(place), slot | solid | (renews ? FLOW_RENEWS : 0u));
 }

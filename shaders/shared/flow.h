@@ -43,6 +43,7 @@
 #define FLOW_SOLID 0x80000000u // solid metal
 #define FLOW_RESTS 0x40000000u // still metal
 #define FLOW_SLOT 0x3fffffffu
+#define FLOW_RENEWS 0x40000000u // of a moving resident: lists its neighbours anew in this search
 
 #define FLOW_RESTLESS_ROOM 32u // of these; more make all search
 #define FLOW_RESTLESS_ALL 0xffffffffu

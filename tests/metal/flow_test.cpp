@@ -323,35 +323,6 @@ TEST_CASE("frozen metal off the lattice stops drops, and a moving piece takes th
     }
 }
 
-TEST_CASE("a drop in space keeps its momentum") {
-    test::context();
-    const float dx = 1e-3F;
-    std::mt19937 random(11);
-    std::uniform_real_distribution<float> shake(-0.1F, 0.1F);
-    std::vector<MetalSeed> seeds;
-    for (int i = 0; i < 8 * 8 * 8; ++i) {
-        MetalSeed seed;
-        seed.position = (glm::vec3(i % 8, i / 8 % 8, i / 64) + 0.5F) * dx;
-        if (glm::length(seed.position - 4.0F * dx) > 4 * dx) continue;
-        seed.temperature = kHot;
-        seed.phase |= PHASE_LIQUID;
-        seed.velocity = glm::vec3(0.02F, -0.01F, 0.03F) + glm::vec3(shake(random), shake(random), shake(random));
-        seeds.push_back(seed);
-    }
-    Scene scene(seeds, {}, roomAround(dx), glm::vec3(0));
-    const auto momentum = [&] {
-        glm::dvec3 sum(0);
-        for (const vec4& velocity : scene.state.velocity.read<vec4>(seeds.size()))
-            sum += glm::dvec3(velocity);
-        return sum / static_cast<double>(seeds.size()); // m/s: of the particle mass each
-    };
-    const glm::dvec3 before = momentum();
-    scene.flow.step(0.2, 260, nullptr);
-    // Forces are opposite to the bit, but neighbour lists may miss a pair at the rim of its support on one side.
-    CHECK(glm::length(momentum() - before) < 1e-3 * glm::length(before));
-    CHECK_FALSE(scene.flow.readFaults().any());
-}
-
 TEST_CASE("warmth pulls the surface towards the cold") {
     test::context();
     const float dx = 1e-3F;
