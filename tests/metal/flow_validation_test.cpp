@@ -33,8 +33,8 @@ TEST_CASE("shipped flow cases that take their time pass", "[validation][long]") 
 TEST_CASE("the dam's front is near the measured one", "[validation][long]") {
     const ValidationResult result = runShipped("dam_break");
     WARN(validationText(result));
-    // The column starts at once, the experiment's behind a gate: the first fronts are a tenth ahead, whatever the spacing.
-    CHECK(result.numbers.back().ours < 6);
+    CHECK(result.numbers.size() == 15); // all fronts, and their mean error
+    CHECK(result.passed());
 }
 
 } // namespace meltpool
