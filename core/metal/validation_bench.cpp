@@ -42,6 +42,28 @@ std::vector<double> HeatBench::readLiquidFractions() const {
     return fractions;
 }
 
+Material constantMaterial(const Material& material, double solidAt, double liquidAt) {
+    Material plain = material;
+    const auto hold = [](Property& property, double value) { property = Property::constant(value); };
+    hold(plain.solidDensity, material.solidDensity.at(solidAt));
+    hold(plain.liquidDensity, material.solidDensity.at(solidAt));
+    hold(plain.solidConductivity, material.solidConductivity.at(solidAt));
+    hold(plain.solidSpecificHeat, material.solidSpecificHeat.at(solidAt));
+    hold(plain.liquidConductivity, material.liquidConductivity.at(liquidAt));
+    hold(plain.liquidSpecificHeat, material.liquidSpecificHeat.at(liquidAt));
+    plain.solidus = plain.liquidus = 0.5 * (material.solidus + material.liquidus);
+    return plain;
+}
+
+Material unmeltingMaterial(const Material& material, double temperature) {
+    Material plain = constantMaterial(material, temperature, temperature);
+    plain.liquidConductivity = plain.solidConductivity;
+    plain.liquidSpecificHeat = plain.solidSpecificHeat;
+    plain.latentHeat = 0;
+    plain.solidus = plain.liquidus = kNeverMelts;
+    return plain;
+}
+
 std::vector<HeatSource> nothingBurns(double) {
     return {};
 }

@@ -28,6 +28,13 @@ struct HeatBench {
     HeatSolver solver;
 };
 
+/// The material that a closed form knows: the solid's properties as they are at `solidAt` (K), the liquid's as at
+/// `liquidAt`, melting sharply midway between solidus and liquidus; one density, the solid's.
+Material constantMaterial(const Material& material, double solidAt, double liquidAt);
+
+/// The same for a closed form without melting: the solid's properties at `temperature` (K), however hot it gets.
+Material unmeltingMaterial(const Material& material, double temperature);
+
 /// No source at all.
 std::vector<HeatSource> nothingBurns(double time);
 

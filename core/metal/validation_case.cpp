@@ -1,10 +1,12 @@
 #include "core/metal/validation_case.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/text.hpp"
 #include "core/base/toml_table.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace meltpool {
 
@@ -85,8 +87,8 @@ constexpr std::string_view kRosenthalResults = "temperature_at_XI_Y_Zmm_k for ea
 constexpr std::array kKinds{
     CaseKind{"conduction_step", kStep, true, kDepthResults},
     CaseKind{"conduction_flux", kFlux, true, kDepthResults},
-    CaseKind{"stefan_one_phase", kStefan, true, "front_mm, melted_mm"},
-    CaseKind{"stefan_two_phase", kStefan, true, "front_mm, melted_mm"},
+    CaseKind{"stefan_one_phase", kStefan, true, "front_mm, melted_mm or frozen_mm"},
+    CaseKind{"stefan_two_phase", kStefan, true, "front_mm, melted_mm or frozen_mm"},
     CaseKind{"rosenthal_thick", kRosenthal, true, kRosenthalResults},
     CaseKind{"rosenthal_thin", kRosenthal, true, kRosenthalResults},
     CaseKind{"energy", kEnergy, true,
@@ -111,9 +113,6 @@ const CaseKind& findKind(TomlTable& file) {
     }
     file.fail("kind", "unknown kind '" + name + "'; expected one of " + known);
 }
-
-/// Never melts: where a case gives no solidus.
-constexpr double kNeverMelts = 20000;
 
 Property readConstant(TomlTable& table, const std::string& key, const std::string& phase, NumberRange range,
                       const Property& base) {
@@ -199,18 +198,49 @@ void readMeasured(TomlTable& file, ValidationCase& result) {
     table.finish();
 }
 
+/// Metal melts from a hot wall, or freezes from a cold one; of one phase all of it waits at its melting point.
+void checkStefan(TomlTable& table, const ValidationCase& result) {
+    const Material& m = result.material;
+    if (m.latentHeat <= 0) table.fail("", "a Stefan case needs latent_heat above 0 in [material]");
+    if (m.solidus >= kNeverMelts) table.fail("", "a Stefan case needs solidus_k in [material]");
+    const double wall = result.number("wall_temperature_k");
+    const double initial = result.number("initial_temperature_k");
+    if (wall >= m.solidus && wall <= m.liquidus)
+        table.fail("wall_temperature_k",
+                   "expected a wall above the liquidus (melting) or below the solidus (freezing)");
+    const double melting = 0.5 * (m.solidus + m.liquidus);
+    const bool melts = wall > melting;
+    if (result.kind->name == "stefan_one_phase") {
+        constexpr double kSlack = 1; // K, of a rounded melting point
+        if (initial < m.solidus - kSlack || initial > m.liquidus + kSlack)
+            table.fail("initial_temperature_k", "one phase waits at its melting point; expected " +
+                                                    formatNumber(melting) + ", or kind = \"stefan_two_phase\"");
+    } else if (melts ? initial > m.solidus : initial < m.liquidus) {
+        table.fail("initial_temperature_k", melts ? "expected metal at or below the solidus before a hot wall"
+                                                  : "expected metal at or above the liquidus before a cold wall");
+    }
+}
+
+/// Points lie in the plate and not on the source, where the exact temperature has no bound.
+void checkRosenthal(TomlTable& table, const ValidationCase& result) {
+    const bool thin = result.kind->name == "rosenthal_thin";
+    const double thickness = result.number("thickness_mm");
+    if (thin && !(thickness > 0)) table.fail("thickness_mm", "is missing; expected the thickness of the plate in mm");
+    const auto& at = result.list("at_mm");
+    for (size_t i = 0; i + 2 < at.size(); i += 3) {
+        if (std::hypot(at[i], at[i + 1], thin ? 0 : at[i + 2]) < 1e-3)
+            table.fail("at_mm", "expected points away from the source at [0, 0, 0]");
+        if (at[i + 2] < 0 || (thin && at[i + 2] > thickness))
+            table.fail("at_mm",
+                       thin ? "expected z from 0 (surface) to the thickness" : "expected z from 0 (surface) down");
+    }
+}
+
 /// What single keys cannot say about themselves.
 void checkTogether(TomlTable& table, const ValidationCase& result) {
     const std::string_view kind = result.kind->name;
-    if (kind == "rosenthal_thin" && !(result.number("thickness_mm") > 0))
-        table.fail("thickness_mm", "is missing; expected the thickness of the plate in mm");
-    if (kind.starts_with("stefan")) {
-        if (result.material.latentHeat <= 0) table.fail("", "a Stefan case needs latent_heat in [material]");
-        if (result.number("wall_temperature_k") <= result.material.liquidus)
-            table.fail("wall_temperature_k", "expected a wall above the liquidus");
-        if (result.number("initial_temperature_k") > result.material.solidus)
-            table.fail("initial_temperature_k", "expected metal at or below the solidus");
-    }
+    if (kind.starts_with("rosenthal")) checkRosenthal(table, result);
+    if (kind.starts_with("stefan")) checkStefan(table, result);
     if (kind == "cavity_melting") {
         const auto& times = result.list("times_s");
         if (!std::is_sorted(times.begin(), times.end())) table.fail("times_s", "times must rise");

@@ -25,6 +25,9 @@ enum class CaseValue {
 /// Convection coefficient that `loss = true` stands for, W/(m² K); radiation comes on top.
 inline constexpr double kDefaultLossCoefficient = 15;
 
+/// Solidus (K) where a case gives none: nothing melts.
+inline constexpr double kNeverMelts = 20000;
+
 /// One key of the [case] table of a kind. `fallback` without a value: the key must be there.
 struct CaseKey {
     std::string_view key;

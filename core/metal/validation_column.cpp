@@ -12,7 +12,8 @@ namespace {
 
 /// A column along x from the surface at x = 0; one layer before it is a held wall where `wall` is above 0 K.
 struct Column {
-    Column(const ValidationCase& from, gl::ShaderLibrary& shaders, double depth, double initial, double wall)
+    Column(const ValidationCase& from, const Material& material, gl::ShaderLibrary& shaders, double depth,
+           double initial, double wall)
         : spacing(from.spacing), cells(static_cast<int>(std::ceil(depth / spacing))), wallTemperature(wall) {
         const auto h = static_cast<float>(spacing);
         // One layer of air or wall lies before the surface.
@@ -25,8 +26,8 @@ struct Column {
             seeds.insert(seeds.end(), held.begin(), held.end());
         }
         HeatSettings settings;
-        settings.ambient = initial;
-        bench = std::make_unique<HeatBench>(shaders, lattice, from.material, seeds, settings);
+        settings.ambient = wall > 0 ? std::min(wall, initial) : initial; // no heat is lost; steps fit all from here up
+        bench = std::make_unique<HeatBench>(shaders, lattice, material, seeds, settings);
     }
 
     /// Mean over each layer of what a particle has, the surface's layer first.
@@ -58,24 +59,25 @@ struct Column {
                            std::span(values).subspan(static_cast<size_t>(first), 4), depth);
     }
 
-    /// How much has melted, as a depth from the surface.
-    double meltedDepth() const {
+    /// How much has melted (or frozen, where the wall is the colder), as a depth from the surface.
+    double changedDepth(bool melts) const {
         double sum = 0;
         for (const double fraction : layers(bench->readLiquidFractions()))
-            sum += fraction * spacing;
+            sum += (melts ? fraction : 1 - fraction) * spacing;
         return sum;
     }
 
     /// Depth at which the temperature crosses `melting`, between the layers on both sides of it.
     double isotherm(double melting) const {
         const auto temperatures = layers(bench->readTemperatures());
-        double place = 0, above = wallTemperature;
+        const double sign = wallTemperature > melting ? 1 : -1;
+        double place = 0, before = wallTemperature;
         for (size_t i = 0; i < temperatures.size(); ++i) {
             const double next = (static_cast<double>(i) + 0.5) * spacing;
-            if (temperatures[i] <= melting)
-                return place + (next - place) * (above - melting) / (above - temperatures[i]);
+            if (sign * (temperatures[i] - melting) <= 0)
+                return place + (next - place) * (before - melting) / (before - temperatures[i]);
             place = next;
-            above = temperatures[i];
+            before = temperatures[i];
         }
         return place;
     }
@@ -92,18 +94,66 @@ double heatDepth(double alpha, double time, const std::vector<double>& at) {
     return std::max(7 * std::sqrt(alpha * time), 1.2 * deepest) + 0.004;
 }
 
-double solidDiffusivity(const Material& m, double temperature) {
-    return m.solidConductivity.at(temperature) / (m.solidDensity.at(temperature) * m.solidSpecificHeat.at(temperature));
+double solidDiffusivity(const Material& m) {
+    return m.solidConductivity.at(0) / (m.solidDensity.at(0) * m.solidSpecificHeat.at(0));
 }
+
+/// A front's problem in SI, with what changes (melts or freezes) as the exact solution's liquid: a freezing front is
+/// the melting one of temperatures mirrored at the melting point.
+struct Front {
+    Material material;
+    bool onePhase, melts;
+    double wall, initial; ///< K
+    exact::StefanTwoPhase problem;
+
+    explicit Front(const ValidationCase& from)
+        : onePhase(from.kind->name == "stefan_one_phase"), wall(from.number("wall_temperature_k")) {
+        const double melting = 0.5 * (from.material.solidus + from.material.liquidus);
+        melts = wall > melting;
+        initial = onePhase ? melting : from.number("initial_temperature_k");
+        material = constantMaterial(from.material, std::min(wall, initial), std::max(wall, initial));
+        // Of metal at a sharp melting point only the temperature tells whether it is liquid, and a float rounds it.
+        constexpr double kClearly = 2e-3; // K, a few roundings
+        initial = melts ? std::min(initial, melting - kClearly) : std::max(initial, melting + kClearly);
+        problem = {material.solidDensity.at(0),
+                   material.solidConductivity.at(0),
+                   material.liquidConductivity.at(0),
+                   material.solidSpecificHeat.at(0),
+                   material.liquidSpecificHeat.at(0),
+                   material.latentHeat,
+                   melting,
+                   wall,
+                   initial};
+        if (melts) return;
+        std::swap(problem.solidConductivity, problem.liquidConductivity);
+        std::swap(problem.solidSpecificHeat, problem.liquidSpecificHeat);
+        problem.wall = 2 * melting - wall;
+        problem.initial = 2 * melting - initial;
+    }
+
+    double changedDiffusivity() const {
+        return problem.liquidConductivity / (problem.density * problem.liquidSpecificHeat);
+    }
+    double largestDiffusivity() const {
+        return std::max(changedDiffusivity(),
+                        problem.solidConductivity / (problem.density * problem.solidSpecificHeat));
+    }
+    double exactAt(double time) const {
+        const double stefan = problem.liquidSpecificHeat * (problem.wall - problem.melting) / problem.latentHeat;
+        const double lambda = onePhase ? exact::stefanOnePhase(stefan) : exact::stefanTwoPhase(problem);
+        return exact::stefanFront(lambda, changedDiffusivity(), time);
+    }
+};
 
 } // namespace
 
 void runConductionStep(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result) {
     const double wall = from.number("wall_temperature_k");
     const double initial = from.number("initial_temperature_k");
-    const double alpha = solidDiffusivity(from.material, initial);
+    const Material material = unmeltingMaterial(from.material, initial);
+    const double alpha = solidDiffusivity(material);
     const auto& at = from.list("at_mm");
-    Column column(from, shaders, heatDepth(alpha, from.time, at), initial, wall);
+    Column column(from, material, shaders, heatDepth(alpha, from.time, at), initial, wall);
     result.particles = column.bench->state.particles();
     result.steps = column.bench->run(0, from.time, std::max(wall, initial), nothingBurns);
     const auto temperatures = column.layers(column.bench->readTemperatures());
@@ -116,10 +166,11 @@ void runConductionStep(const ValidationCase& from, gl::ShaderLibrary& shaders, V
 void runConductionFlux(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result) {
     const double flux = from.number("flux_w_m2");
     const double initial = from.number("initial_temperature_k");
-    const double alpha = solidDiffusivity(from.material, initial);
-    const double k = from.material.solidConductivity.at(initial);
+    const Material material = unmeltingMaterial(from.material, initial);
+    const double alpha = solidDiffusivity(material);
+    const double k = material.solidConductivity.at(0);
     const auto& at = from.list("at_mm");
-    Column column(from, shaders, heatDepth(alpha, from.time, at), initial, 0);
+    Column column(from, material, shaders, heatDepth(alpha, from.time, at), initial, 0);
     const double side = TILE_EDGE * from.spacing;
     // A Gaussian far wider than the column is an even flux on its face.
     const auto source = HeatSource::gaussian({0, 0, 0}, {1, 0, 0}, static_cast<float>(1e4 * side),
@@ -136,43 +187,26 @@ void runConductionFlux(const ValidationCase& from, gl::ShaderLibrary& shaders, V
 }
 
 void runStefan(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result) {
-    const Material& m = from.material;
-    const double wall = from.number("wall_temperature_k");
-    const bool onePhase = from.kind->name == "stefan_one_phase";
-    const double melting = 0.5 * (m.solidus + m.liquidus);
-    const double initial = onePhase ? m.solidus : from.number("initial_temperature_k");
-    const exact::StefanTwoPhase problem{m.solidDensity.at(initial),
-                                        m.solidConductivity.at(initial),
-                                        m.liquidConductivity.at(wall),
-                                        m.solidSpecificHeat.at(initial),
-                                        m.liquidSpecificHeat.at(wall),
-                                        m.latentHeat,
-                                        melting,
-                                        wall,
-                                        initial};
-    const double alphaLiquid = problem.liquidConductivity / (problem.density * problem.liquidSpecificHeat);
-    const double alpha =
-        std::max(alphaLiquid, problem.solidConductivity / (problem.density * problem.solidSpecificHeat));
-    const double lambda = onePhase ? exact::stefanOnePhase(problem.liquidSpecificHeat * (wall - melting) / m.latentHeat)
-                                   : exact::stefanTwoPhase(problem);
-    const double front = exact::stefanFront(lambda, alphaLiquid, from.time);
-    Column column(from, shaders, heatDepth(alpha, from.time, {2e3 * front}), initial, wall);
+    const Front front(from);
+    const double reference = front.exactAt(from.time);
+    Column column(from, front.material, shaders, heatDepth(front.largestDiffusivity(), from.time, {2e3 * reference}),
+                  front.initial, front.wall);
     result.particles = column.bench->state.particles();
-    // On cells a front goes by jerks: what has melted waits while the next cell warms up, the isotherm while it melts.
+    // On cells a front goes by jerks: what has changed waits while the next cell warms up, the isotherm while it melts.
     // Their mean goes evenly, more so over the second half of the time, in which front / sqrt(time) should stand still.
     // Where all metal waits at its melting point no cell has to warm up first.
     constexpr int kLooks = 40;
     double now = 0, sum = 0;
     for (int look = 0; look <= kLooks; ++look) {
         const double time = from.time * (0.5 + 0.5 * look / kLooks);
-        result.steps += column.bench->run(now, time, wall, nothingBurns);
+        result.steps += column.bench->run(now, time, std::max(front.wall, front.initial), nothingBurns);
         now = time;
-        const double melted = column.meltedDepth();
-        const double ours = onePhase ? melted : 0.5 * (melted + column.isotherm(melting));
+        const double changed = column.changedDepth(front.melts);
+        const double ours = front.onePhase ? changed : 0.5 * (changed + column.isotherm(front.problem.melting));
         sum += ours * std::sqrt(from.time / time) / (kLooks + 1);
     }
-    result.compareExact(from, "front_mm", front * 1e3, sum * 1e3);
-    result.tell("melted_mm", column.meltedDepth() * 1e3);
+    result.compareExact(from, "front_mm", reference * 1e3, sum * 1e3);
+    result.tell(front.melts ? "melted_mm" : "frozen_mm", column.changedDepth(front.melts) * 1e3);
 }
 
 } // namespace meltpool

@@ -67,6 +67,23 @@ double rosenthalThin(const MovingSource& s, double thickness, double xi, double 
     return s.ambient + s.power / (2 * kPi * s.conductivity * thickness) * product;
 }
 
+double settledShare(const MovingSource& s, double r, double time, bool line) {
+    // Heat of age u gives u^-p exp(-r²/(4 alpha u) - v² u/(4 alpha)), p = 3/2 of a point and 1 of a line. With
+    // u = (r/v) exp(w) that is exp((1-p) w - a cosh w) dw, a = v r/(2 alpha).
+    const double a = s.speed * r / (2 * s.alpha);
+    const double end = std::acosh(1 + 60 / a) + (line ? 0 : 1);
+    const double oldest = std::log(s.speed * time / r);
+    constexpr int kSteps = 2000;
+    double young = 0, all = 0;
+    for (int i = 0; i <= kSteps; ++i) {
+        const double w = end * (2.0 * i / kSteps - 1);
+        const double weight = std::exp((line ? 0 : -0.5 * w) - a * (std::cosh(w) - 1));
+        all += weight;
+        if (w <= oldest) young += weight;
+    }
+    return young / all;
+}
+
 double besselK0(double x) {
     // K0(x) = integral over t from 0 to infinity of exp(-x cosh t); the trapezium converges exponentially.
     const double end = std::acosh(1 + 745 / x);

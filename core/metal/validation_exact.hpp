@@ -42,6 +42,10 @@ double rosenthalThick(const MovingSource& source, double xi, double y, double z)
 /// Rosenthal, line source through a plate of thickness d (m).
 double rosenthalThin(const MovingSource& source, double thickness, double xi, double y);
 
+/// Share, 0 .. 1, of Rosenthal's settled rise that is there at distance r (m) from a source that has burnt for `time`
+/// (s); `line`: through the thickness of a thin plate. The same integral over the ages of the heat, up to `time` only.
+double settledShare(const MovingSource& source, double r, double time, bool line);
+
 /// Modified Bessel function of the second kind, order 0, x > 0.
 double besselK0(double x);
 

@@ -107,6 +107,49 @@ TEST_CASE("A case's faults are named with their line", "[validation]") {
 
 namespace {
 
+std::string faultOfCase(const std::string& kind, const std::string& keys, const std::string& material) {
+    try {
+        readText("name = \"one\"\nkind = \"" + kind + "\"\nspacing_mm = 1\ntime_s = 1\n[material]\ndensity = 7000\n" +
+                 "conductivity = 30\nspecific_heat = 700\n" + material + "\n[case]\n" + keys + "\n");
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+} // namespace
+
+TEST_CASE("A case that makes no sense as a whole says what was expected", "[validation]") {
+    using test::containsText;
+    const std::string melting = "latent_heat = 2.7e5\nsolidus_k = 1750";
+    const auto front = [&](const std::string& phases, double wall, double initial, const std::string& material) {
+        return faultOfCase("stefan_" + phases + "_phase",
+                           "wall_temperature_k = " + std::to_string(wall) +
+                               "\ninitial_temperature_k = " + std::to_string(initial),
+                           material);
+    };
+    CHECK(front("one", 2200, 1750.4, melting).empty());
+    CHECK(front("one", 1200, 1750, melting).empty());
+    CHECK(front("two", 1200, 1800, melting).empty());
+    CHECK_THAT(front("one", 2200, 1750, "solidus_k = 1750"), containsText("latent_heat"));
+    CHECK_THAT(front("one", 2200, 1750, "latent_heat = 1e5"), containsText("solidus_k"));
+    CHECK_THAT(front("one", 2200, 300, melting), containsText("stefan_two_phase"));
+    CHECK_THAT(front("one", 1750, 1750, melting), containsText("wall_temperature_k"));
+    CHECK_THAT(front("two", 2200, 1800, melting), containsText("at or below the solidus"));
+    CHECK_THAT(front("two", 1200, 1700, melting), containsText("at or above the liquidus"));
+    const auto point = [&](const std::string& at) {
+        return faultOfCase(
+            "rosenthal_thin",
+            "power_w = 1500\nspeed_mm_s = 5\ninitial_temperature_k = 293\nthickness_mm = 6\nat_mm = [" + at + "]", "");
+    };
+    CHECK(point("[-10, 0, 6]").empty());
+    CHECK_THAT(point("[-10, 0, 6.5]"), containsText("thickness"));
+    CHECK_THAT(point("[-10, 0, -1]"), containsText("surface"));
+    CHECK_THAT(point("[0, 0, 3]"), containsText("away from the source"));
+}
+
+namespace {
+
 struct KindAndKeys {
     std::string kind, keys;
 };
@@ -115,7 +158,7 @@ struct KindAndKeys {
 const std::vector<KindAndKeys> kKinds{
     {"conduction_step", "wall_temperature_k = 1500\ninitial_temperature_k = 293\nat_mm = [1, 2, 5]"},
     {"conduction_flux", "flux_w_m2 = 5e6\ninitial_temperature_k = 293\nat_mm = [0, 1]"},
-    {"stefan_one_phase", "wall_temperature_k = 2200\ninitial_temperature_k = 1700"},
+    {"stefan_one_phase", "wall_temperature_k = 2200\ninitial_temperature_k = 1750"},
     {"stefan_two_phase", "wall_temperature_k = 2200\ninitial_temperature_k = 293"},
     {"rosenthal_thick",
      "power_w = 1500\nspeed_mm_s = 5\ninitial_temperature_k = 293\nthickness_mm = 6\nat_mm = [[-10, 0, 0], [0, 5, 0]]"},

@@ -78,3 +78,19 @@ TEST_CASE("Drops and channels", "[exact]") {
     CHECK(exact::poiseuille(1000, 5e-3, 7000, 4e-3, 2e-3, 0.1) == Approx(1000 * 0.1 / 7000).epsilon(1e-3));
     CHECK(exact::damBreakFront().size() == 14);
 }
+
+TEST_CASE("How much of a moving source's field has settled", "[exact]") {
+    const exact::MovingSource source{1500, 5e-3, 30, 6e-6, 293};
+    for (const double r : {2e-3, 10e-3, 40e-3})
+        for (const double time : {0.5, 2.0, 8.0}) {
+            // Carslaw and Jaeger 10.7: the point source has a closed form.
+            const double root = std::sqrt(4 * source.alpha * time);
+            const double vt = source.speed * time;
+            const double closed = 0.5 * (std::erfc((r - vt) / root) +
+                                         std::exp(source.speed * r / source.alpha) * std::erfc((r + vt) / root));
+            CHECK(exact::settledShare(source, r, time, false) == Approx(closed).margin(3e-3));
+        }
+    CHECK(exact::settledShare(source, 10e-3, 1.0, true) < exact::settledShare(source, 10e-3, 2.0, true));
+    CHECK(exact::settledShare(source, 10e-3, 1e3, true) == Approx(1));
+    CHECK(exact::settledShare(source, 10e-3, 1e-3, true) < 1e-6);
+}
