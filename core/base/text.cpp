@@ -72,15 +72,18 @@ std::string readTextFile(const std::filesystem::path& file) {
 }
 
 void writeTextFileAtomically(const std::filesystem::path& file, std::string_view text) {
+    // A pipe or device is written to; renaming over it would put a plain file in its place.
+    std::error_code failure;
+    const bool plain = std::filesystem::is_regular_file(file, failure) || !std::filesystem::exists(file, failure);
     std::filesystem::path draft = file;
-    draft += ".tmp";
+    if (plain) draft += ".tmp";
     std::ofstream stream(draft, std::ios::binary | std::ios::trunc);
     stream.write(text.data(), static_cast<std::streamsize>(text.size()));
     stream.close();
-    std::error_code failure;
-    if (stream) std::filesystem::rename(draft, file, failure);
+    failure.clear();
+    if (stream && plain) std::filesystem::rename(draft, file, failure);
     if (!stream || failure) {
-        std::filesystem::remove(draft, failure);
+        if (plain) std::filesystem::remove(draft, failure);
         throw InputError(file, 0, "cannot be written; expected a folder with write permission and free space");
     }
 }

@@ -1,7 +1,6 @@
 #include "core/metal/validation_bench.hpp"
 
 #include "core/base/error.hpp"
-#include "core/base/text.hpp"
 
 #include <cmath>
 
@@ -77,10 +76,6 @@ double interpolate(std::span<const double> places, std::span<const double> value
         sum += weight * values[i];
     }
     return sum;
-}
-
-std::string millimetres(double value) {
-    return formatNumber(value);
 }
 
 } // namespace meltpool

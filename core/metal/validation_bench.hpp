@@ -41,7 +41,4 @@ std::vector<HeatSource> nothingBurns(double time);
 /// Value at `x` of the polynomial through the points (Lagrange).
 double interpolate(std::span<const double> places, std::span<const double> values, double x);
 
-/// A length in mm as it stands in a result's name: no trailing zeros.
-std::string millimetres(double value);
-
 } // namespace meltpool

@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/base/toml_table.hpp"
+#include "core/metal/validation_exact.hpp"
 
 #include <algorithm>
 #include <array>
@@ -80,28 +81,31 @@ constexpr std::array kBead{
     CaseKey{"liquid_conductivity_factor", number, 0.1, 20, 1.0, "stand-in for stirring in the pool"},
 };
 
-constexpr std::string_view kDepthResults = "temperature_at_Xmm_k for each depth X";
-constexpr std::string_view kRosenthalResults = "temperature_at_XI_Y_Zmm_k for each point; field_rms_percent and "
-                                               "field_max_percent beside and behind, beyond three cells";
+constexpr std::string_view kDepthResults = "temperature_at_Xmm_k";
+constexpr std::string_view kFrontResults = "front_mm, melted_mm, frozen_mm";
+constexpr std::string_view kRosenthalResults =
+    "temperature_at_XI_Y_Zmm_k, field_rms_percent, field_max_percent, settled_after_s";
 
 constexpr std::array kKinds{
     CaseKind{"conduction_step", kStep, true, kDepthResults},
     CaseKind{"conduction_flux", kFlux, true, kDepthResults},
-    CaseKind{"stefan_one_phase", kStefan, true, "front_mm, melted_mm or frozen_mm"},
-    CaseKind{"stefan_two_phase", kStefan, true, "front_mm, melted_mm or frozen_mm"},
+    CaseKind{"stefan_one_phase", kStefan, true, kFrontResults},
+    CaseKind{"stefan_two_phase", kStefan, true, kFrontResults},
     CaseKind{"rosenthal_thick", kRosenthal, true, kRosenthalResults},
     CaseKind{"rosenthal_thin", kRosenthal, true, kRosenthalResults},
     CaseKind{"energy", kEnergy, true,
-             "energy_change_j, source_j, wire_j, lost_j, balance_percent, molten_peak_share, molten_end_share"},
-    CaseKind{"hydrostatic", kHydrostatic, true, "bottom_pressure_pa, density_error_percent"},
-    CaseKind{"dam_break", kDamBreak, true, "front_Z for each measured time"},
-    CaseKind{"droplet_pressure", kDroplet, true, "pressure_jump_pa"},
-    CaseKind{"droplet_oscillation", kDroplet, true, "frequency_hz"},
-    CaseKind{"sessile_drop", kSessile, true, "height_mm"},
-    CaseKind{"poiseuille", kPoiseuille, true, "velocity_mm_s"},
-    CaseKind{"cavity_melting", kCavity, false, "melted_fraction, one for each time"},
+             "energy_change_j, source_j, wire_j, lost_j, balance_percent, molten_peak_share, molten_end_share, "
+             "particles_missing, particles_lost_or_not_finite"},
+    CaseKind{"hydrostatic", kHydrostatic, true, "bottom_pressure_pa, density_error_percent, rest_speed_mm_s"},
+    CaseKind{"dam_break", kDamBreak, true, "front_N, front_error_mean_percent"},
+    CaseKind{"droplet_pressure", kDroplet, true, "pressure_jump_pa, density_ratio, rest_speed_mm_s"},
+    CaseKind{"droplet_oscillation", kDroplet, true, "frequency_hz, decay_per_s"},
+    CaseKind{"sessile_drop", kSessile, true, "height_mm, rest_speed_mm_s"},
+    CaseKind{"poiseuille", kPoiseuille, true, "velocity_mm_s, profile_rms_percent"},
+    CaseKind{"cavity_melting", kCavity, false, "melted_fraction, fastest_mm_s, rms_speed_mm_s, balance_percent"},
     CaseKind{"bead_on_plate", kBead, false,
-             "width_mm, penetration_mm; with wire also height_mm, section_mm2, deposited_mm2"},
+             "width_mm, penetration_mm, height_mm, section_mm2, deposited_mm2, fused_plate_mm2, "
+             "heat_affected_width_mm, heat_affected_depth_mm, refused_filler"},
 };
 
 const CaseKind& findKind(TomlTable& file) {
@@ -187,13 +191,21 @@ void readCaseKey(TomlTable& table, const CaseKey& key, ValidationCase& result) {
 void readMeasured(TomlTable& file, ValidationCase& result) {
     constexpr std::string_view kSuffix = "_tolerance_percent";
     TomlTable table = file.table("measured");
+    const auto names = resultNames(result);
+    std::string known;
+    for (const std::string& name : names)
+        known += (known.empty() ? "" : ", ") + name;
     for (const std::string& key : table.keys()) {
         if (key.ends_with(kSuffix)) continue;
+        if (std::find(names.begin(), names.end(), key) == names.end())
+            table.fail(key, "this case has no such result; it has " + known);
         Measured& measured = result.measured[key];
         measured.values = table.isList(key) ? table.numbers(key) : std::vector{table.number(key)};
         measured.tolerancePercent = table.number(key + std::string(kSuffix), {0, 1000}, result.tolerancePercent);
-        if (result.kind->results.find(key) == std::string_view::npos)
-            table.fail(key, "this kind has no such result; it has " + std::string(result.kind->results));
+        const size_t expected = key == "melted_fraction" ? result.list("times_s").size() : 1;
+        if (measured.values.size() != expected)
+            table.fail(key, "expected " + std::to_string(expected) +
+                                (expected == 1 ? " value" : " values, one for each of times_s"));
     }
     table.finish();
 }
@@ -253,6 +265,41 @@ void checkTogether(TomlTable& table, const ValidationCase& result) {
 
 std::span<const CaseKind> caseKinds() {
     return kKinds;
+}
+
+std::string temperatureName(double depth) {
+    return "temperature_at_" + formatNumber(depth) + "mm_k";
+}
+
+std::string temperatureName(double xi, double y, double z) {
+    return "temperature_at_" + formatNumber(xi) + "_" + formatNumber(y) + "_" + formatNumber(z) + "mm_k";
+}
+
+std::vector<std::string> resultNames(const ValidationCase& from) {
+    std::vector<std::string> names;
+    const auto wireless = [&](std::string_view name) {
+        constexpr std::array<std::string_view, 4> kWire{"height_mm", "section_mm2", "deposited_mm2", "refused_filler"};
+        return from.kind->name == "bead_on_plate" &&
+               from.number("wire_diameter_mm") * from.number("wire_feed_m_min") == 0 &&
+               std::find(kWire.begin(), kWire.end(), name) != kWire.end();
+    };
+    for (const std::string_view piece : splitText(from.kind->results, ',')) {
+        const std::string_view name = trimText(piece);
+        if (name == "temperature_at_Xmm_k") {
+            for (const double depth : from.list("at_mm"))
+                names.push_back(temperatureName(depth));
+        } else if (name == "temperature_at_XI_Y_Zmm_k") {
+            const auto& at = from.list("at_mm");
+            for (size_t i = 0; i + 2 < at.size(); i += 3)
+                names.push_back(temperatureName(at[i], at[i + 1], at[i + 2]));
+        } else if (name == "front_N") {
+            for (size_t i = 1; i <= exact::damBreakFront().size(); ++i)
+                names.push_back("front_" + std::to_string(i));
+        } else if (!wireless(name)) {
+            names.emplace_back(name);
+        }
+    }
+    return names;
 }
 
 ValidationCase readValidationCase(const std::filesystem::path& file) {

@@ -42,7 +42,7 @@ struct CaseKind {
     std::string_view name;
     std::span<const CaseKey> keys;
     bool needsTime;           ///< whether `time_s` must be given
-    std::string_view results; ///< documented names of the numbers compared
+    std::string_view results; ///< documented names of its numbers, after commas; X, XI_Y_Z and N stand for numbers
 };
 
 /// Every kind there is, in the order of the documentation.
@@ -69,6 +69,13 @@ struct ValidationCase {
     double number(std::string_view key) const { return numbers.find(key)->second; }
     const std::vector<double>& list(std::string_view key) const { return lists.find(key)->second; }
 };
+
+/// Name of the temperature at a depth, and at a point relative to a source; mm.
+std::string temperatureName(double depth);
+std::string temperatureName(double xi, double y, double z);
+
+/// The names that this case's results can carry, which are those that [measured] may give.
+std::vector<std::string> resultNames(const ValidationCase& from);
 
 /// Reads and checks a case. Throws InputError naming file and line for anything unknown, missing or out of range.
 ValidationCase readValidationCase(const std::filesystem::path& file);

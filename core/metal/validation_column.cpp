@@ -158,7 +158,7 @@ void runConductionStep(const ValidationCase& from, gl::ShaderLibrary& shaders, V
     result.steps = column.bench->run(0, from.time, std::max(wall, initial), nothingBurns);
     const auto temperatures = column.layers(column.bench->readTemperatures());
     for (const double depth : at)
-        result.compareExact(from, "temperature_at_" + millimetres(depth) + "mm_k",
+        result.compareExact(from, temperatureName(depth),
                             exact::conductionStep(initial, wall, alpha, depth * 1e-3, from.time),
                             column.temperatureAt(temperatures, depth * 1e-3), std::abs(wall - initial));
 }
@@ -181,7 +181,7 @@ void runConductionFlux(const ValidationCase& from, gl::ShaderLibrary& shaders, V
         column.bench->run(0, from.time, std::max(surface, initial), [&](double) { return std::vector{source}; });
     const auto temperatures = column.layers(column.bench->readTemperatures());
     for (const double depth : at)
-        result.compareExact(from, "temperature_at_" + millimetres(depth) + "mm_k",
+        result.compareExact(from, temperatureName(depth),
                             exact::conductionFlux(initial, flux, k, alpha, depth * 1e-3, from.time),
                             column.temperatureAt(temperatures, depth * 1e-3), std::abs(surface - initial));
 }

@@ -193,8 +193,7 @@ void runRosenthal(const ValidationCase& from, gl::ShaderLibrary& shaders, Valida
     for (size_t i = 0; i < points.size(); ++i) {
         const glm::dvec3& point = points[i];
         const double reference = exactAt(p, point.x, point.y, point.z);
-        const std::string name = "temperature_at_" + millimetres(at[3 * i]) + "_" + millimetres(at[3 * i + 1]) + "_" +
-                                 millimetres(at[3 * i + 2]) + "mm_k";
+        const std::string name = temperatureName(at[3 * i], at[3 * i + 1], at[3 * i + 2]);
         result.compareExact(from, name, reference, field.at({p.travel + point.x, -point.z, point.y}),
                             reference - p.source.ambient);
     }

@@ -57,3 +57,37 @@ TEST_CASE("validate ends with 1 when a case fails and with 2 when a file has a f
     CHECK_THAT(wrong.errors, containsText("changed.toml:4: spacing_mm: expected a number"));
     CHECK(runMeltpool("validate missing.toml").code == 2);
 }
+
+TEST_CASE("validate keeps what it has when a case ends early, and goes on with the others", "[app]") {
+    const auto folder = test::scratchFolder("validate");
+    std::string text = readTextFile(shippedCase("bead_gmaw_park"));
+    text.replace(text.find("power_w = 4400"), 14, "power_w = 100"); // too little for its wire
+    const auto weak = folder / "weak arc.toml";
+    writeTextFileAtomically(weak, text);
+    const auto file = folder / "out.json";
+    const auto outcome = runMeltpool("validate" + quoted(shippedCase("conduction_step")) + quoted(weak) +
+                                     quoted(shippedCase("conduction_flux")) + "--json" + quoted(file));
+    CHECK(outcome.code == 2);
+    CHECK_THAT(outcome.errors, containsText("weak arc.toml: [case] power_w: the arc cannot melt that much wire"));
+    CHECK_THAT(outcome.output, containsText("2 of 3 cases passed"));
+    const auto json = nlohmann::json::parse(readTextFile(file));
+    REQUIRE(json["cases"].size() == 3);
+    CHECK(json["complete"] == true);
+    CHECK(json["passed"] == false);
+    CHECK(json["cases"][0]["passed"] == true);
+    CHECK(json["cases"][1]["passed"] == false);
+    CHECK_THAT(json["cases"][1]["error"].get<std::string>(), containsText("cannot melt that much wire"));
+    CHECK(json["cases"][2]["passed"] == true);
+}
+
+TEST_CASE("validate says where its JSON cannot be written, and puts no file in a device's place", "[app]") {
+    const std::string words = "validate" + quoted(shippedCase("conduction_step")) + "--json ";
+    const auto full = runMeltpool(words + "/dev/full");
+    CHECK(full.code == 2);
+    CHECK_THAT(full.errors, containsText("/dev/full: cannot be written"));
+    CHECK(std::filesystem::is_character_file("/dev/full"));
+    const auto nowhere = runMeltpool(words + "/no/such/folder/out.json");
+    CHECK(nowhere.code == 2);
+    CHECK_THAT(nowhere.errors, containsText("/no/such/folder/out.json: cannot be written"));
+    CHECK_THAT(nowhere.output, !containsText("pass")); // before any case has run
+}

@@ -98,7 +98,7 @@ TEST_CASE("A case's faults are named with their line", "[validation]") {
                containsText("case.toml:14: [case] at_mm: expected a number"));
     CHECK_THAT(faultOf("[case]", "[case]\npower_w = 1"), containsText("case.toml:12: [case] power_w: unknown key"));
     CHECK_THAT(faultOf("[material]", "[measured]\nwidth_mm = 1\n[material]"),
-               containsText("this kind has no such result"));
+               containsText("this case has no such result"));
     CHECK_THAT(faultOf("density = 7000", "use = \"unobtainium\""),
                containsText("unknown material 'unobtainium'; expected one of 304"));
     CHECK_THAT(faultOf("= 1500", "= nan"), containsText("case.toml:12"));
@@ -146,6 +146,30 @@ TEST_CASE("A case that makes no sense as a whole says what was expected", "[vali
     CHECK_THAT(point("[-10, 0, 6.5]"), containsText("thickness"));
     CHECK_THAT(point("[-10, 0, -1]"), containsText("surface"));
     CHECK_THAT(point("[0, 0, 3]"), containsText("away from the source"));
+}
+
+TEST_CASE("Measured values name what the case yields", "[validation]") {
+    using test::containsText;
+    const auto step = [](const std::string& measured) {
+        return faultOfCase(
+            "conduction_step",
+            "wall_temperature_k = 1500\ninitial_temperature_k = 293\nat_mm = [1, 2.5]\n[measured]\n" + measured, "");
+    };
+    CHECK(step("'temperature_at_2.5mm_k' = 800\n'temperature_at_2.5mm_k_tolerance_percent' = 5").empty());
+    CHECK_THAT(step("temperature_at_3mm_k = 800"), containsText("it has temperature_at_1mm_k, temperature_at_2.5mm_k"));
+    CHECK_THAT(step("mm = 800"), containsText("no such result"));
+    CHECK_THAT(step("temperature_at_1mm_k = [800, 900]"), containsText("expected 1 value"));
+    CHECK_THAT(step("temperature_at_3mm_k_tolerance_percent = 5"), containsText("unknown key"));
+    const std::string bead = "power_w = 4000\nefficiency = 0.8\narc_sigma_mm = 1.6\nspeed_mm_s = 10\n"
+                             "wire_feed_m_min = 7\nplate_mm = [60, 9, 30]\nambient_k = 293\n";
+    CHECK(faultOfCase("bead_on_plate", bead + "wire_diameter_mm = 1\n[measured]\nheight_mm = 2", "").empty());
+    CHECK_THAT(faultOfCase("bead_on_plate", bead + "wire_diameter_mm = 0\n[measured]\nheight_mm = 2", ""),
+               containsText("no such result"));
+    CHECK_THAT(faultOfCase("cavity_melting",
+                           "width_mm = 20\nheight_mm = 20\nhot_k = 2000\ncold_k = 1600\ninitial_k = 1600\n"
+                           "times_s = [1, 2]\n[measured]\nmelted_fraction = 0.1",
+                           "latent_heat = 2.7e5\nsolidus_k = 1750"),
+               containsText("expected 2 values, one for each of times_s"));
 }
 
 namespace {

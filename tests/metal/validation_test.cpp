@@ -120,3 +120,22 @@ TEST_CASE("A moving source's plate has any thickness, and the case waits until i
     CHECK(result.numbers.back().name == "settled_after_s");
     CHECK(result.numbers.back().ours > 2);
 }
+
+TEST_CASE("Every number has a documented name, and measured values are held against any of them", "[validation]") {
+    ValidationCase one = shipped(
+        GENERATE("conduction_step", "stefan_two_phase_1mm", "energy_insulated", "poiseuille", "droplet_oscillation"),
+        1e-3);
+    const auto names = resultNames(one);
+    one.measured[names.front()] = {{1e6}, 3};
+    const ValidationResult result = runValidationCase(one, test::shaders());
+    INFO(validationText(result));
+    for (const ValidationNumber& number : result.numbers) {
+        INFO(number.name);
+        CHECK(std::find(names.begin(), names.end(), number.name) != names.end());
+    }
+    CHECK_FALSE(result.passed());
+    CHECK(result.numbers[1].origin == "measured");
+    CHECK(result.numbers[1].reference == 1e6);
+    CHECK(result.numbers[1].ours == result.numbers[0].ours);
+    CHECK_FALSE(result.numbers[1].passed);
+}
