@@ -80,7 +80,8 @@ std::vector<std::filesystem::path> materialFiles(const std::filesystem::path& fo
 /// The folder with the materials that ship. Throws InputError when the program's data is not there.
 std::filesystem::path materialFolder();
 
-/// The shipped material called `key`; throws InputError that lists the known ones.
+/// The shipped material called `key`, whatever its capitals, blanks and dashes; throws InputError that lists the known
+/// ones.
 Material shippedMaterial(const std::string& key);
 
 } // namespace meltpool

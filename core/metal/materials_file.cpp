@@ -5,6 +5,7 @@
 #include "core/metal/materials.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 namespace meltpool {
 
@@ -118,6 +119,15 @@ MaterialLooks readLooks(TomlTable& file) {
     return looks;
 }
 
+/// Small letters and digits alone, so that "Aluminium 6061" and "aluminium_6061" are found too.
+std::string plainKey(std::string_view key) {
+    std::string plain;
+    for (const char c : key)
+        if (std::isalnum(static_cast<unsigned char>(c)))
+            plain += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return plain;
+}
+
 } // namespace
 
 Material readMaterial(const std::filesystem::path& file) {
@@ -149,11 +159,12 @@ std::filesystem::path materialFolder() {
 }
 
 Material shippedMaterial(const std::string& key) {
-    const std::filesystem::path file = materialFolder() / (key + ".toml");
-    if (std::filesystem::is_regular_file(file)) return readMaterial(file);
     std::string known;
-    for (const auto& path : materialFiles(materialFolder()))
-        known += (known.empty() ? "" : ", ") + path.stem().string();
+    for (const auto& path : materialFiles(materialFolder())) {
+        const std::string stem = path.stem().string();
+        if (plainKey(stem) == plainKey(key)) return readMaterial(path);
+        known += (known.empty() ? "" : ", ") + stem;
+    }
     throw InputError("unknown material '" + key + "'; expected one of " + known);
 }
 

@@ -13,6 +13,9 @@ namespace meltpool {
 
 namespace {
 
+// Of molten metal whose case gives neither, N/m and Pa s: metals lie between 0.4 and 1.9, and 0.001 and 0.007.
+constexpr double kUsualTension = 1;
+constexpr double kUsualViscosity = 0.004;
 constexpr double kHot = 20000; ///< highest temperature a case may name, K
 constexpr auto kNeeded = std::nullopt;
 using enum CaseValue;
@@ -87,23 +90,26 @@ constexpr std::string_view kRosenthalResults =
     "temperature_at_XI_Y_Zmm_k, field_rms_percent, field_max_percent, settled_after_s";
 
 constexpr std::array kKinds{
-    CaseKind{"conduction_step", kStep, true, kDepthResults},
-    CaseKind{"conduction_flux", kFlux, true, kDepthResults},
-    CaseKind{"stefan_one_phase", kStefan, true, kFrontResults},
-    CaseKind{"stefan_two_phase", kStefan, true, kFrontResults},
-    CaseKind{"rosenthal_thick", kRosenthal, true, kRosenthalResults},
-    CaseKind{"rosenthal_thin", kRosenthal, true, kRosenthalResults},
-    CaseKind{"energy", kEnergy, true,
+    CaseKind{"conduction_step", kStep, CaseMatter::heat, true, kDepthResults},
+    CaseKind{"conduction_flux", kFlux, CaseMatter::heat, true, kDepthResults},
+    CaseKind{"stefan_one_phase", kStefan, CaseMatter::heat, true, kFrontResults},
+    CaseKind{"stefan_two_phase", kStefan, CaseMatter::heat, true, kFrontResults},
+    CaseKind{"rosenthal_thick", kRosenthal, CaseMatter::heat, true, kRosenthalResults},
+    CaseKind{"rosenthal_thin", kRosenthal, CaseMatter::heat, true, kRosenthalResults},
+    CaseKind{"energy", kEnergy, CaseMatter::melting, true,
              "energy_change_j, source_j, wire_j, lost_j, balance_percent, molten_peak_share, molten_end_share, "
              "particles_missing, particles_lost_or_not_finite"},
-    CaseKind{"hydrostatic", kHydrostatic, true, "bottom_pressure_pa, density_error_percent, rest_speed_mm_s"},
-    CaseKind{"dam_break", kDamBreak, true, "front_N, front_error_mean_percent"},
-    CaseKind{"droplet_pressure", kDroplet, true, "pressure_jump_pa, density_ratio, rest_speed_mm_s"},
-    CaseKind{"droplet_oscillation", kDroplet, true, "frequency_hz, decay_per_s"},
-    CaseKind{"sessile_drop", kSessile, true, "height_mm, rest_speed_mm_s"},
-    CaseKind{"poiseuille", kPoiseuille, true, "velocity_mm_s, profile_rms_percent"},
-    CaseKind{"cavity_melting", kCavity, false, "melted_fraction, fastest_mm_s, rms_speed_mm_s, balance_percent"},
-    CaseKind{"bead_on_plate", kBead, false,
+    CaseKind{"hydrostatic", kHydrostatic, CaseMatter::fluid, true,
+             "bottom_pressure_pa, density_error_percent, rest_speed_mm_s"},
+    CaseKind{"dam_break", kDamBreak, CaseMatter::fluid, true, "front_N, front_error_mean_percent"},
+    CaseKind{"droplet_pressure", kDroplet, CaseMatter::surface, true,
+             "pressure_jump_pa, density_ratio, rest_speed_mm_s"},
+    CaseKind{"droplet_oscillation", kDroplet, CaseMatter::surface, true, "frequency_hz, decay_per_s"},
+    CaseKind{"sessile_drop", kSessile, CaseMatter::surface, true, "height_mm, rest_speed_mm_s"},
+    CaseKind{"poiseuille", kPoiseuille, CaseMatter::viscous, true, "velocity_mm_s, profile_rms_percent"},
+    CaseKind{"cavity_melting", kCavity, CaseMatter::heat, false,
+             "melted_fraction, fastest_mm_s, rms_speed_mm_s, balance_percent"},
+    CaseKind{"bead_on_plate", kBead, CaseMatter::melting, false,
              "width_mm, penetration_mm, height_mm, section_mm2, deposited_mm2, fused_plate_mm2, "
              "heat_affected_width_mm, heat_affected_depth_mm, refused_filler"},
 };
@@ -118,44 +124,61 @@ const CaseKind& findKind(TomlTable& file) {
     file.fail("kind", "unknown kind '" + name + "'; expected one of " + known);
 }
 
-Property readConstant(TomlTable& table, const std::string& key, const std::string& phase, NumberRange range,
-                      const Property& base) {
-    if (table.has(key + phase)) return Property::constant(table.number(key + phase, range));
-    if (table.has(key)) return Property::constant(table.number(key, range));
-    if (!base.points.empty()) return base;
-    return Property::constant(table.number(key, range)); // says what is missing
+/// Solid and liquid: each of its own key, of the key for both, of the other phase's, or of the shipped material.
+void readPhases(TomlTable& table, const std::string& key, NumberRange range, Property& solid, Property& liquid,
+                std::optional<double> fallback) {
+    const auto given = [&](const std::string& name) {
+        return table.has(name) ? std::optional(table.number(name, range)) : std::nullopt;
+    };
+    const auto both = given(key), ofSolid = given(key + "_solid"), ofLiquid = given(key + "_liquid");
+    const auto choose = [&](Property& property, std::optional<double> own, std::optional<double> other) {
+        std::optional<double> value = own ? own : both;
+        if (!value && property.points.empty()) value = other ? other : fallback;
+        if (value) property = Property::constant(*value);
+    };
+    choose(solid, ofSolid, ofLiquid);
+    choose(liquid, ofLiquid, ofSolid);
+    if (solid.points.empty()) table.number(key, range); // says what is missing
 }
 
-Material readCaseMaterial(TomlTable& file) {
+void readMelting(TomlTable& table, Material& m) {
+    m.latentHeat = table.number("latent_heat", {0, 1e7}, m.latentHeat);
+    const bool sharp = !table.has("use"); // only one of the two given: the stuff melts there
+    const double other = sharp && table.has("liquidus_k") ? table.number("liquidus_k", {1, kNeverMelts}) : m.solidus;
+    m.solidus = table.number("solidus_k", {1, kNeverMelts}, other);
+    m.liquidus = table.number("liquidus_k", {1, kNeverMelts}, sharp ? m.solidus : m.liquidus);
+    if (m.liquidus < m.solidus) table.fail("liquidus_k", "must not lie below the solidus");
+}
+
+Material readCaseMaterial(TomlTable& file, CaseMatter matter) {
     TomlTable table = file.table("material");
     Material m;
     m.key = m.name = "given by the case";
     m.solidus = m.liquidus = kNeverMelts;
-    if (table.has("use")) m = shippedMaterial(table.text("use"));
-    for (const char* phase : {"_solid", "_liquid"}) {
-        const bool solid = std::string_view(phase) == "_solid";
-        Property& density = solid ? m.solidDensity : m.liquidDensity;
-        Property& conductivity = solid ? m.solidConductivity : m.liquidConductivity;
-        Property& specificHeat = solid ? m.solidSpecificHeat : m.liquidSpecificHeat;
-        density = readConstant(table, "density", phase, {1, 30000}, density);
-        conductivity = readConstant(table, "conductivity", phase, {1e-4, 2000}, conductivity);
-        specificHeat = readConstant(table, "specific_heat", phase, {1, 20000}, specificHeat);
+    if (table.has("use")) {
+        try {
+            m = shippedMaterial(table.text("use"));
+        } catch (const InputError& unknown) {
+            table.fail("use", unknown.what());
+        }
     }
-    m.latentHeat = table.number("latent_heat", {0, 1e7}, m.latentHeat);
-    m.solidus = table.number("solidus_k", {1, kNeverMelts}, m.solidus);
-    // Only a solidus given: the stuff melts sharply there.
-    const bool sharp = table.has("solidus_k") && !table.has("use");
-    m.liquidus = table.number("liquidus_k", {1, kNeverMelts}, sharp ? m.solidus : m.liquidus);
-    if (m.liquidus < m.solidus) table.fail("liquidus_k", "must not lie below the solidus");
-    // A fluid case needs these two; a heat case never looks at them.
-    if (table.has("surface_tension") || m.surfaceTension.points.empty())
-        m.surfaceTension = Property::constant(table.number("surface_tension", {0, 10}, 0));
-    if (table.has("viscosity") || m.viscosity.points.empty())
-        m.viscosity = Property::constant(table.number("viscosity", {0, 1e4}, 0));
-    if (table.has("expansion") || m.expansion.points.empty())
-        m.expansion = Property::constant(table.number("expansion", {-1e-2, 1e-2}, 0));
-    if (table.has("emissivity") || m.emissivity.points.empty())
-        m.emissivity = Property::constant(table.number("emissivity", {0, 1}, 0));
+    const bool heat = matter == CaseMatter::heat || matter == CaseMatter::melting;
+    const auto unless = [](bool needed, double value) { return needed ? std::nullopt : std::optional(value); };
+    readPhases(table, "density", {1, 30000}, m.solidDensity, m.liquidDensity, std::nullopt);
+    readPhases(table, "conductivity", {1e-4, 2000}, m.solidConductivity, m.liquidConductivity, unless(heat, 1));
+    readPhases(table, "specific_heat", {1, 20000}, m.solidSpecificHeat, m.liquidSpecificHeat, unless(heat, 1000));
+    readMelting(table, m);
+    const auto constant = [&](std::string_view key, NumberRange range, Property& property, bool needed, double usual) {
+        if (needed && property.points.empty()) table.number(key, range); // says what is missing
+        if (table.has(key) || property.points.empty()) property = Property::constant(table.number(key, range, usual));
+    };
+    constexpr double kLeast = 1e-9; // where nothing would happen at 0
+    const bool metal = matter == CaseMatter::melting;
+    const bool surface = matter == CaseMatter::surface, viscous = matter == CaseMatter::viscous;
+    constant("surface_tension", {surface ? kLeast : 0, 10}, m.surfaceTension, surface, metal ? kUsualTension : 0);
+    constant("viscosity", {viscous ? kLeast : 0, 1e4}, m.viscosity, viscous, metal ? kUsualViscosity : 0);
+    constant("expansion", {-1e-2, 1e-2}, m.expansion, false, 0);
+    constant("emissivity", {0, 1}, m.emissivity, false, 0);
     table.finish();
     return m;
 }
@@ -313,7 +336,7 @@ ValidationCase readValidationCase(const std::filesystem::path& file) {
     const NumberRange time{1e-6, 1e6};
     result.time = result.kind->needsTime ? table.number("time_s", time) : table.number("time_s", time, 0);
     result.tolerancePercent = table.number("tolerance_percent", {0, 1000}, 5);
-    result.material = readCaseMaterial(table);
+    result.material = readCaseMaterial(table, result.kind->matter);
     TomlTable keys = table.table("case");
     for (const CaseKey& key : result.kind->keys)
         readCaseKey(keys, key, result);

@@ -37,10 +37,20 @@ struct CaseKey {
     std::string_view note;
 };
 
+/// What a kind needs of [material] beside the density.
+enum class CaseMatter {
+    heat,    ///< conductivity and specific heat
+    melting, ///< those, and what flows: tension and viscosity have values of a usual molten metal where none is given
+    surface, ///< surface tension; no heat
+    fluid,   ///< no heat
+    viscous, ///< viscosity; no heat
+};
+
 /// One kind of case with what its [case] table needs and the names that its results carry.
 struct CaseKind {
     std::string_view name;
     std::span<const CaseKey> keys;
+    CaseMatter matter;
     bool needsTime;           ///< whether `time_s` must be given
     std::string_view results; ///< documented names of its numbers, after commas; X, XI_Y_Z and N stand for numbers
 };

@@ -160,7 +160,8 @@ void runCavityMelting(const ValidationCase& from, gl::ShaderLibrary& shaders, Va
     result.tell("fastest_mm_s", speed.x * 1e3);
     result.tell("rms_speed_mm_s", speed.y * 1e3);
     const HeatBalance balance = heat.readBalance();
-    result.tell("balance_percent", 100 * std::abs(state.readEnergy() - start - balance.gained) / balance.gained);
+    result.tell("balance_percent",
+                100 * std::abs(state.readEnergy() - start - balance.gained) / std::max(std::abs(balance.gained), 1e-9));
     if (flow.readFaults().any()) result.tell("flow_faults", 1);
 }
 

@@ -174,6 +174,47 @@ TEST_CASE("Measured values name what the case yields", "[validation]") {
 
 namespace {
 
+Material materialOf(const std::string& kind, const std::string& keys, const std::string& material) {
+    return readText("name = \"one\"\nkind = \"" + kind + "\"\nspacing_mm = 1\ntime_s = 1\n[material]\n" + material +
+                    "\n[case]\n" + keys + "\n")
+        .material;
+}
+
+} // namespace
+
+TEST_CASE("A case's material needs what its kind looks at, in any of its forms", "[validation]") {
+    const auto drop = [](const std::string& material) {
+        return materialOf("droplet_pressure", "radius_mm = 6", material);
+    };
+    CHECK(drop("density = 7000\nsurface_tension = 1.8").liquidDensity.at(300) == 7000);
+    CHECK(drop("density_liquid = 6900\nsurface_tension = 1.8").solidDensity.at(300) == 6900);
+    CHECK(drop("use = \"S235\"").surfaceTension.at(1813) == Approx(1.8).epsilon(0.05));
+    CHECK(drop("use = \"aluminium_6061\"").key == "aluminium-6061");
+    CHECK_THROWS_AS(drop("density = 7000"), InputError);                      // no surface tension
+    CHECK_THROWS_AS(drop("density = 7000\nsurface_tension = 0"), InputError); // nothing would pull
+    CHECK_THROWS_AS(materialOf("poiseuille", "gap_mm = 6\nbody_force_n_m3 = 1", "density = 1000"), InputError);
+    CHECK(
+        materialOf("poiseuille", "gap_mm = 6\nbody_force_n_m3 = 1", "density = 1000\nviscosity = 1").viscosity.at(0) ==
+        1);
+    CHECK(materialOf("hydrostatic", "height_mm = 20", "density = 1000").solidus == kNeverMelts);
+    const auto weld = [](const std::string& material) {
+        return materialOf("energy", "power_w = 1500\non_s = 2", material);
+    };
+    CHECK_THROWS_AS(weld("density = 7000\nspecific_heat = 700"), InputError); // no conductivity
+    const Material m = weld("density_solid = 7800\nconductivity_solid = 30\nconductivity = 35\nspecific_heat = 700\n"
+                            "specific_heat_liquid = 800\nliquidus_k = 1750");
+    CHECK(m.liquidDensity.at(300) == 7800);
+    CHECK(m.solidConductivity.at(300) == 30);
+    CHECK(m.liquidConductivity.at(300) == 35);
+    CHECK(m.solidSpecificHeat.at(300) == 700);
+    CHECK(m.liquidSpecificHeat.at(300) == 800);
+    CHECK(m.solidus == 1750);
+    CHECK(m.surfaceTension.at(1750) > 0);
+    CHECK(m.viscosity.at(1750) > 0);
+}
+
+namespace {
+
 struct KindAndKeys {
     std::string kind, keys;
 };
