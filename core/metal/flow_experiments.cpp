@@ -40,14 +40,14 @@ FlowSpace spaceAround(double radius) {
     return {glm::vec3(-reach), glm::vec3(reach)};
 }
 
-/// Second moment along x less the mean of the other two: 0 for a sphere.
-double elongation(const std::vector<glm::dvec3>& places) {
+/// Second moment along an axis less the mean of the other two: 0 for a sphere.
+double elongation(const std::vector<glm::dvec3>& places, int axis) {
     glm::dvec3 mean(0), square(0);
     for (const glm::dvec3& place : places)
         mean += place / static_cast<double>(places.size());
     for (const glm::dvec3& place : places)
         square += (place - mean) * (place - mean) / static_cast<double>(places.size());
-    return square.x - 0.5 * (square.y + square.z);
+    return 1.5 * square[axis] - 0.5 * (square.x + square.y + square.z);
 }
 
 } // namespace
@@ -86,22 +86,32 @@ DropletPressure dropletPressure(gl::ShaderLibrary& shaders, const FlowFluid& flu
 DropletOscillation dropletOscillation(gl::ShaderLibrary& shaders, const FlowFluid& fluid, double radius,
                                       double seconds) {
     const auto seeds = sphere(fluid, radius);
-    FlowBench rest(shaders, fluid, spaceAround(radius), glm::vec3(0), seeds);
-    rest.run(0.4, kFrame);
-    std::vector<MetalSeed> stretched;
-    for (const glm::dvec3& place : rest.readPositions())
-        stretched.push_back(liquidSeed(glm::vec3(place * glm::dvec3(1.1, 1 / std::sqrt(1.1), 1 / std::sqrt(1.1)))));
-    FlowBench bench(shaders, fluid, spaceAround(radius), glm::vec3(0), stretched);
     const double expected =
         std::sqrt(8 * fluid.tension / (fluid.density * radius * radius * radius)) / (2 * std::numbers::pi);
-    std::vector<double> samples{elongation(bench.readPositions())};
-    const double interval = seconds / std::round(seconds * expected * 30); // thirty samples a period
-    bench.run(seconds, interval, [&](double) { samples.push_back(elongation(bench.readPositions())); });
+    // All times in periods and in the longest steps, so that drops of one shape behave alike whatever they are made of.
+    constexpr double kRest = 8, kWatchedAtLeast = 3; // periods
+    const double step = 0.999 * FlowConstants::of(fluid).longestStep;
+    const double interval = step * std::max(1.0, std::round(1 / (30 * expected * step))); // some 30 samples a period
+    const double restTime = interval * std::ceil(kRest / (expected * interval));
+    const double watched = interval * std::ceil(std::max(seconds, kWatchedAtLeast / expected) / interval);
+    FlowBench rest(shaders, fluid, spaceAround(radius), glm::vec3(0), seeds);
+    rest.run(restTime, interval);
     DropletOscillation result;
-    const DampedFit fit = fitDamped(samples, interval, 0.5 * expected, 1.5 * expected);
-    result.frequency = fit.frequency;
-    result.decay = fit.decay;
-    tellRun(result, bench);
+    // The particles of a drop lie in some order, which makes it stiffer along one axis than along another.
+    for (int axis = 0; axis < 3; ++axis) {
+        glm::dvec3 stretch(1 / std::sqrt(1.1));
+        stretch[axis] = 1.1;
+        std::vector<MetalSeed> stretched;
+        for (const glm::dvec3& place : rest.readPositions())
+            stretched.push_back(liquidSeed(glm::vec3(place * stretch)));
+        FlowBench bench(shaders, fluid, spaceAround(radius), glm::vec3(0), stretched);
+        std::vector<double> samples{elongation(bench.readPositions(), axis)};
+        bench.run(watched, interval, [&](double) { samples.push_back(elongation(bench.readPositions(), axis)); });
+        const DampedFit fit = fitDamped(samples, interval, 0.5 * expected, 1.5 * expected);
+        result.frequency += fit.frequency / 3;
+        result.decay += fit.decay / 3;
+        if (axis == 2) tellRun(result, bench);
+    }
     return result;
 }
 

@@ -24,7 +24,8 @@ struct DropletOscillation : FlowRun {
     double frequency = 0; ///< Hz, lowest mode
     double decay = 0;     ///< 1/s
 };
-/// A drop without gravity, come to rest, then stretched by a tenth and watched for `seconds`.
+/// A drop without gravity, come to rest, then stretched by a tenth and watched for `seconds`, at least three periods;
+/// mean of the three axes.
 DropletOscillation dropletOscillation(gl::ShaderLibrary& shaders, const FlowFluid& fluid, double radius,
                                       double seconds);
 
