@@ -92,7 +92,7 @@ Flow::Flow(gl::ShaderLibrary& shaders, MetalState& state, const FlowFluid& fluid
       blockBuffer_("flow block", sizeof(FlowBlock)),
       bodies_("flow bodies", state.capacity() * sizeof(FlowBody)),
       cells_("flow cells", cellCount(block_) * sizeof(FlowCell)),
-      residents_("flow residents", cellCount(block_) * 2 * FLOW_CELL_ROOM * sizeof(uvec2)),
+      residents_("flow residents", cellCount(block_) * 4 * FLOW_CELL_ROOM * sizeof(uint)),
       entered_("flow entered", cellCount(block_) * FLOW_CELL_ROOM * sizeof(uint)),
       lists_("flow lists", (size_t(3) * block_.room.x + FLOW_RESTLESS_ROOM) * sizeof(uint)),
       neighbours_("flow neighbours", neighbourEntries(block_.room.x) * sizeof(uint)),
@@ -103,7 +103,8 @@ Flow::Flow(gl::ShaderLibrary& shaders, MetalState& state, const FlowFluid& fluid
       bodyTexels_("flow body texels", bodies_, GL_RGBA32F, sizeof(vec4)),
       neighbourTexels_("flow neighbour texels", neighbours_, GL_R32UI, sizeof(uint)),
       cellTexels_("flow cell texels", cells_, GL_RGBA32UI, sizeof(FlowCell)),
-      residentTexels_("flow resident texels", residents_, GL_RG32UI, sizeof(uvec2)) {}
+      residentTexels_("flow resident texels", residents_, GL_R32UI, sizeof(uint)),
+      residentPlaceTexels_("flow resident place texels", residents_, GL_RGBA32UI, sizeof(uvec4)) {}
 
 void Flow::bind() const {
     state_.bind();
@@ -123,6 +124,7 @@ void Flow::bind() const {
     neighbourTexels_.bind(FLOW_TEXELS_NEIGHBOURS);
     cellTexels_.bind(FLOW_TEXELS_CELLS);
     residentTexels_.bind(FLOW_TEXELS_RESIDENTS);
+    residentPlaceTexels_.bind(FLOW_TEXELS_PLACES);
     glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, counters_.name());
 }
 

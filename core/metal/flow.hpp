@@ -81,7 +81,7 @@ class Flow {
     const gl::Program& density_;
     const gl::Program& move_;
     gl::Buffer blockBuffer_, bodies_, cells_, residents_, entered_, lists_, neighbours_, counters_, dirty_, resting_;
-    gl::BufferView positionTexels_, bodyTexels_, neighbourTexels_, cellTexels_, residentTexels_;
+    gl::BufferView positionTexels_, bodyTexels_, neighbourTexels_, cellTexels_, residentTexels_, residentPlaceTexels_;
 };
 
 } // namespace meltpool

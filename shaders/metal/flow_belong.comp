@@ -31,7 +31,7 @@ void becomeStill(uint slot) {
     const uint cell = cellIndex(cellAt(positions[slot].xyz));
     const uint entry = atomicAdd(cells[cell].still, 1u);
     if (entry < FLOW_CELL_ROOM)
-        residents[stillBase(cell) + entry] = uvec2(packPlace(positions[slot].xyz), slot);
+        writeResident(stillBase(cell) + entry, packPlace(positions[slot].xyz), slot);
     else
         atomicAdd(counters.faults.x, 1u);
     bodies[slot].where = uvec4(0, FLOW_NO_SUMS, FLOW_BELONGS_STILL, cell);

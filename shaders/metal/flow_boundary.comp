@@ -1,7 +1,7 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-// Lists the moving neighbours of still metal beside the liquid; sums what still metal adds where that is not known.
-#define FLOW_CHOOSES
+// Lists the moving neighbours of still metal that the search before has found beside the liquid; sums what still metal adds
+// where that is not known.
 #include "metal/flow_common.glsl"
 layout(local_size_x = GROUP_SIZE) in;
 #include "metal/flow_near.glsl"
@@ -18,7 +18,7 @@ ivec4 restSums(uint slot, vec3 place) {
         if (!neighbourCell(centre, step, cell)) continue;
         const uint count = countTexel(cell, 0).x;
         for (uint entry = 0; entry < count; ++entry) {
-            const uint other = residentTexel(stillBase(cell) + entry).y;
+            const uint other = residentTexel(stillBase(cell) + entry);
             if (other != slot) sum += restShare(apart(place, placeTexel(other)));
         }
     }
@@ -26,12 +26,8 @@ ivec4 restSums(uint slot, vec3 place) {
 }
 
 void main() {
-    uint entry = gl_GlobalInvocationID.x;
-    const uint listed = min(counters.density.w, fluid.room.x);
-    // What was listed by this search has no neighbours yet.
-    const bool wanted = entry < listed && (entry >= counters.restless.y ||
-                                           nearRestless(placeTexel(lists[2 * fluid.room.x + entry])));
-    if (!choose(wanted, entry)) return;
+    const uint entry = counters.restless.y + gl_GlobalInvocationID.x;
+    if (entry >= min(counters.density.w, fluid.room.x)) return;
     const uint slot = lists[2 * fluid.room.x + entry];
     const vec3 place = placeTexel(slot);
     const uint edition = counters.boundary.w;

@@ -11,7 +11,7 @@ layout(std430, binding = METAL_HEAT) buffer Heats { vec4 heats[]; };
 layout(std430, binding = METAL_PHASE) buffer Phases { uint phases[]; };
 layout(std430, binding = FLOW_BODIES) buffer Bodies { FlowBody bodies[]; };
 layout(std430, binding = FLOW_CELLS) buffer Cells { FlowCell cells[]; };
-layout(std430, binding = FLOW_RESIDENTS) buffer Residents { uvec2 residents[]; };
+layout(std430, binding = FLOW_RESIDENTS) buffer Residents { uint residents[]; };
 layout(std430, binding = FLOW_ENTERED) buffer Entered { uint entered[]; };
 layout(std430, binding = FLOW_LISTS) buffer Lists { uint lists[]; };
 layout(std430, binding = FLOW_NEIGHBOURS) buffer Neighbours { uint neighbours[]; };
@@ -26,6 +26,7 @@ layout(binding = FLOW_TEXELS_BODIES) uniform samplerBuffer bodyTexels;
 layout(binding = FLOW_TEXELS_NEIGHBOURS) uniform usamplerBuffer neighbourTexels;
 layout(binding = FLOW_TEXELS_CELLS) uniform usamplerBuffer cellTexels;
 layout(binding = FLOW_TEXELS_RESIDENTS) uniform usamplerBuffer residentTexels;
+layout(binding = FLOW_TEXELS_PLACES) uniform usamplerBuffer residentPlaceTexels;
 
 vec3 placeTexel(uint slot) { return texelFetch(positionTexels, int(slot)).xyz; }
 
@@ -47,12 +48,15 @@ uvec2 countTexel(uint cell, uint parity) {
 uint movingBase(uint cell) { return 2 * FLOW_CELL_ROOM * cell; }
 uint stillBase(uint cell) { return movingBase(cell) + FLOW_CELL_ROOM; }
 
-/// Resident `entry` of a cell with so many moving ones, where moving ones come first and still metal follows.
-uint residentOf(uint cell, uint moving, uint entry) {
-    return movingBase(cell) + entry + (entry < moving ? 0 : FLOW_CELL_ROOM - moving);
+/// Where the slot of a resident stands; its packed place stands at `entry` itself.
+uint slotEntry(uint entry) { return 2 * FLOW_CELL_ROOM * fluid.room.y + entry; }
+
+void writeResident(uint entry, uint packedPlace, uint slot) {
+    residents[entry] = packedPlace;
+    residents[slotEntry(entry)] = slot;
 }
 
-uvec2 residentTexel(uint entry) { return texelFetch(residentTexels, int(entry)).xy; }
+uint residentTexel(uint entry) { return texelFetch(residentTexels, int(slotEntry(entry))).x; }
 
 /// The cell of a place. Precise, so that every pass comes to the same one.
 ivec3 cellAt(vec3 place) {
@@ -72,14 +76,6 @@ uint packPlace(vec3 place) {
     const uvec3 steps = uvec3(stepsInside(place));
     return steps.x | steps.y << 10 | steps.z << 20;
 }
-
-/// From a packed place to the one that lies at `origin` in steps of its cell, in m; `scale` is the step in m. Differences of
-/// steps are exact: two particles see the same distance.
-vec3 apartPacked(vec3 origin, uint word, vec3 scale) {
-    return (origin - vec3(word & 1023u, (word >> 10) & 1023u, word >> 20)) * scale;
-}
-
-vec3 packedScale() { return 1 / (1024 * fluid.inverseCell.xyz); }
 
 uint cellIndex(ivec3 cell) {
     return uint((cell.z * fluid.cells.y + cell.y) * fluid.cells.x + cell.x);

@@ -19,7 +19,7 @@ void changeSums(uint change) {
         if (!neighbourCell(centre, step, cell)) continue;
         const uint count = countTexel(cell, 0).x;
         for (uint entry = 0; entry < count; ++entry) {
-            const uint other = residentTexel(stillBase(cell) + entry).y;
+            const uint other = residentTexel(stillBase(cell) + entry);
             if (bodies[other].where.y != counters.boundary.w || other == slot) continue;
             ivec4 share = restShare(apart(placeTexel(other), place));
             if (share == ivec4(0)) continue;

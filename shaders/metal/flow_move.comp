@@ -206,6 +206,6 @@ void main() {
     if (gl_LocalInvocationIndex != 0) return;
     // The last group to come here knows whether any particle went too far and decides whether there is a search.
     if (atomicAdd(counters.search.w, 1u) + 1 < counters.moving.x) return;
-    counters.search.x = atomicAdd(counters.restless.w, 0u) > 0 ? counters.moving.x : 0;
+    counters.search.x = atomicAdd(counters.restless.w, 0u) > 0 ? counters.density.x : 0;
     counters.search.w = 0;
 }

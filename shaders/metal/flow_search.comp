@@ -1,6 +1,7 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-// Lists the neighbours of moving metal, a little beyond the support, and the still metal that is among them.
+// Lists the neighbours of moving metal, a little beyond the support, and the still metal that is among them; and the moving
+// neighbours of still metal that was listed before.
 #define FLOW_CHOOSES
 #include "metal/flow_common.glsl"
 layout(local_size_x = GROUP_SIZE) in;
@@ -19,9 +20,10 @@ void listBoundary(uint slot) {
         return;
     }
     lists[2 * room + entry] = slot;
-    if (entry % GROUP_SIZE != 0 && (counters.moving.w + entry) % GROUP_SIZE != 0) return; // no new group
-    atomicMax(counters.boundary.x, entry / GROUP_SIZE + 1);
-    atomicMax(counters.density.x, (counters.moving.w + entry) / GROUP_SIZE + 1);
+    const uint fresh = entry - counters.restless.y;
+    if (fresh % GROUP_SIZE == 0) atomicMax(counters.boundary.x, fresh / GROUP_SIZE + 1);
+    if ((counters.moving.w + entry) % GROUP_SIZE == 0)
+        atomicMax(counters.density.x, (counters.moving.w + entry) / GROUP_SIZE + 1);
 }
 
 /// Lists the still metal among the neighbours. Most of it is listed already: what is not is looked for first.
@@ -51,17 +53,35 @@ uint keepOthers(uint base, uint found) {
     return kept;
 }
 
+/// Slot of an entry: the moving list, then the still metal that was listed beside it.
+uint slotOf(uint index) {
+    const uint moving = counters.moving.w;
+    return lists[index < moving ? index : 2 * fluid.room.x + index - moving];
+}
+
+/// Whether an entry is to list its neighbours anew.
+bool isWanted(uint index) {
+    const uint moving = counters.moving.w;
+    if (index >= moving + counters.restless.y) return false;
+    const uint slot = slotOf(index);
+    return index < moving ? renews(slot) : nearRestless(placeTexel(slot));
+}
+
 void main() {
     uint index = gl_GlobalInvocationID.x;
-    const bool wanted = index < counters.moving.w && renews(lists[index]);
-    if (!choose(wanted, index)) return;
-    const uint slot = lists[index];
+    if (!choose(isWanted(index), index)) return;
+    const bool moves = index < counters.moving.w;
+    const uint slot = slotOf(index);
     const uint base = neighbourBase(index);
     const bool all = counters.restless.x > FLOW_RESTLESS_ROOM;
-    const uint kept = all ? 0 : keepOthers(base, bodies[slot].where.w);
-    const uint found = listNear(slot, placeTexel(slot), base, kept, substep & 1u, true);
-    listStill(base, found);
+    const uint kept = moves && !all ? keepOthers(base, bodies[slot].where.w) : 0;
+    const uint found = listNear(slot, placeTexel(slot), base, kept, substep & 1u, moves);
     if (found == FLOW_NEIGHBOUR_ROOM) atomicAdd(counters.faults.y, 1u);
+    if (!moves) {
+        bodies[slot].motion.w = found;
+        return;
+    }
+    listStill(base, found);
     bodies[slot].where.w = found;
     velocities[slot].w = 0; // way since the search
 }

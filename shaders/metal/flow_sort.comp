@@ -15,7 +15,7 @@ void main() {
         }
         const uint listed = min(counters.density.w, fluid.room.x);
         counters.restless.y = listed;
-        counters.boundary.x = (listed + GROUP_SIZE - 1) / GROUP_SIZE;
+        counters.boundary.x = 0;
         counters.spare.w += 1;
     }
     if (index >= counters.moving.w) return;
@@ -31,5 +31,5 @@ void main() {
     const bool renews = nearRestless(place);
     bodies[slot].motion.w = renews ? 1 : 0;
     if (rank < FLOW_CELL_ROOM)
-        residents[movingBase(cell) + rank] = uvec2(packPlace(place), slot | solid | (renews ? FLOW_RENEWS : 0u));
+        writeResident(movingBase(cell) + rank, packPlace(place), slot | solid | (renews ? FLOW_RENEWS : 0u));
 }

@@ -10,15 +10,13 @@ void tidyCell(uint cell) {
     const uint count = min(cells[cell].still, FLOW_CELL_ROOM);
     uint kept = 0;
     for (uint entry = 0; entry < count; ++entry) {
-        const uvec2 own = residents[base + entry];
-        const uint slot = own.y;
+        const uint own = residents[base + entry];
+        const uint slot = residents[slotEntry(base + entry)];
         if (bodies[slot].where.z != FLOW_BELONGS_STILL || bodies[slot].where.w != cell) continue;
         uint place = kept;
-        while (place > 0 && residents[base + place - 1].y > slot) {
-            residents[base + place] = residents[base + place - 1];
-            --place;
-        }
-        residents[base + place] = own;
+        for (; place > 0 && residents[slotEntry(base + place - 1)] > slot; --place)
+            writeResident(base + place, residents[base + place - 1], residents[slotEntry(base + place - 1)]);
+        writeResident(base + place, own, slot);
         ++kept;
     }
     cells[cell].still = kept;

@@ -10,12 +10,12 @@
 
 #include "glsl_types.h"
 
-#define FLOW_CELL_ROOM 48  // of a cell, for still and for moving particles each; 14 are there at rest density, 27 at most on a lattice
+#define FLOW_CELL_ROOM 48  // fours; of a cell, for still and for moving particles each; 14 are there at rest density, 27 at most on a lattice
 #define FLOW_NEIGHBOUR_ROOM 128 // neighbours kept a particle; 74 are there at rest density
 
 #define FLOW_BODIES 6      // FlowBody a slot
 #define FLOW_CELLS 7       // FlowCell a cell
-#define FLOW_RESIDENTS 8   // uvec2 packed place and slot: FLOW_CELL_ROOM moving ones in order, then as many of still metal, a cell
+#define FLOW_RESIDENTS 8   // packed places: FLOW_CELL_ROOM moving ones in order, then as many of still metal, a cell; then the slots, likewise
 #define FLOW_ENTERED 9     // slots that entered a cell, in no order
 #define FLOW_LISTS 10      // moving slots, spare for compacting them, still slots beside moving ones; capacity each; then restless ones
 #define FLOW_NEIGHBOURS 11 // slots beside an entry of the lists, entry by entry within a rank
@@ -32,6 +32,7 @@
 #define FLOW_TEXELS_NEIGHBOURS 2
 #define FLOW_TEXELS_CELLS 3
 #define FLOW_TEXELS_RESIDENTS 4
+#define FLOW_TEXELS_PLACES 5 // of the residents, four a texel
 
 #define FLOW_BODY_TEXELS 4 // of a FlowBody
 
@@ -92,8 +93,8 @@ struct FlowCell {
 
 struct FlowCounters {
     uvec4 moving;   // indirect dispatch over the moving list; w its length
-    uvec4 search;   // the same, without groups where the neighbour lists still hold; w groups of the move pass that are done
-    uvec4 boundary; // over still metal beside the liquid, without groups where the lists still hold; w edition of still sums that holds
+    uvec4 search;   // over the moving list and the still metal beside it, without groups where the neighbour lists still hold; w groups of the move pass that are done
+    uvec4 boundary; // over still metal that the search has found beside the liquid; w edition of still sums that holds
     uvec4 density;  // over the moving list and the still metal beside it; w number of the latter
     uvec4 faults;   // x cells overfull, y neighbours overfull, z particles no longer finite, w moving list overfull
     uvec4 changes;  // xy length of the list of slots that became or ceased to be still, of even and odd frames; zw unused
