@@ -4,6 +4,7 @@
 #include "shaders/shared/dispatch.h"
 
 #include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 
@@ -13,8 +14,8 @@ namespace {
 
 // Neighbour lists reach a little beyond the support and serve until two neighbours may have gone some way against each
 // other. The way is summed up from the fastest of all neighbours, whichever it is, so that nearly all go much less: two
-// drops that collide miss pairs worth 3e-7 of the density on average and 2e-3 at most (at 0.8: 9e-7 and 3e-3).
-constexpr double kSkin = 0.2;     // spacings beyond the support
+// drops that collide miss pairs worth 7e-7 of the density on average and 2e-3 at most.
+constexpr double kSkin = 0.1;    // spacings beyond the support
 constexpr double kFreeWay = 0.6; // spacings
 constexpr GLbitfield kBarrier = GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_COMMAND_BARRIER_BIT;
 constexpr unsigned kTidyGroups = 8; // passes over what changed stride over it: few groups, no arguments to prepare
@@ -58,8 +59,14 @@ FlowBlock makeBlock(const FlowConstants& constants, const FlowFluid& fluid, cons
     return block;
 }
 
-gl::Defines definesOf(const FlowFluid& fluid) {
+gl::Defines definesOf(const FlowSpace& space) {
     gl::Defines defines;
+    if (glm::any(space.repeats)) defines["REPEATS"] = "1";
+    return defines;
+}
+
+gl::Defines definesOf(const FlowFluid& fluid, const FlowSpace& space) {
+    gl::Defines defines = definesOf(space);
     if (fluid.tensionSlope != 0) defines["MARANGONI"] = "1";
     return defines;
 }
@@ -81,14 +88,14 @@ Flow::Flow(gl::ShaderLibrary& shaders, MetalState& state, const FlowFluid& fluid
       restDensity_(fluid.density),
       block_(makeBlock(constants_, fluid, space, state.capacity(),
                        movingRoom == 0 ? state.capacity() : std::min(movingRoom, state.capacity()))),
-      belong_(shaders.compute("metal/flow_belong.comp")),
-      tidy_(shaders.compute("metal/flow_tidy.comp")),
-      enter_(shaders.compute("metal/flow_enter.comp")),
-      sort_(shaders.compute("metal/flow_sort.comp")),
-      search_(shaders.compute("metal/flow_search.comp")),
-      boundary_(shaders.compute("metal/flow_boundary.comp")),
-      density_(shaders.compute("metal/flow_density.comp")),
-      move_(shaders.compute("metal/flow_move.comp", definesOf(fluid))),
+      belong_(shaders.compute("metal/flow_belong.comp", definesOf(space))),
+      tidy_(shaders.compute("metal/flow_tidy.comp", definesOf(space))),
+      enter_(shaders.compute("metal/flow_enter.comp", definesOf(space))),
+      sort_(shaders.compute("metal/flow_sort.comp", definesOf(space))),
+      search_(shaders.compute("metal/flow_search.comp", definesOf(space))),
+      boundary_(shaders.compute("metal/flow_boundary.comp", definesOf(space))),
+      density_(shaders.compute("metal/flow_density.comp", definesOf(space))),
+      move_(shaders.compute("metal/flow_move.comp", definesOf(fluid, space))),
       blockBuffer_("flow block", sizeof(FlowBlock)),
       bodies_("flow bodies", state.capacity() * sizeof(FlowBody)),
       cells_("flow cells", cellCount(block_) * sizeof(FlowCell)),

@@ -84,10 +84,12 @@ uint cellIndex(ivec3 cell) {
 /// The cell `steps` away from `cell`, across the seam of repeating axes; false where space ends.
 bool neighbourCell(ivec3 cell, ivec3 steps, out uint index) {
     ivec3 other = cell + steps;
+#ifdef REPEATS
     const bvec3 repeats = greaterThan(fluid.period.xyz, vec3(0));
     const ivec3 wrapped = other + mix(ivec3(0), fluid.cells.xyz, lessThan(other, ivec3(0))) -
                           mix(ivec3(0), fluid.cells.xyz, greaterThanEqual(other, fluid.cells.xyz));
     other = mix(other, wrapped, repeats); // no remainders: integer division is slow, on a CPU above all
+#endif
     index = cellIndex(other);
     return all(greaterThanEqual(other, ivec3(0))) && all(lessThan(other, fluid.cells.xyz));
 }
@@ -108,7 +110,11 @@ void nextStep(inout ivec3 step) {
 /// a - b, by the shorter way round where space repeats.
 vec3 apart(vec3 a, vec3 b) {
     const vec3 straight = a - b;
+#ifdef REPEATS
     return straight - fluid.period.xyz * round(straight * fluid.inversePeriod.xyz);
+#else
+    return straight;
+#endif
 }
 
 /// True where a neighbour list that is made around `place` must be made anew: a restless particle is within its reach.
