@@ -14,9 +14,9 @@ namespace {
 
 // Neighbour lists reach a little beyond the support and serve until two neighbours may have gone some way against each
 // other. The way is summed up from the fastest of all neighbours, whichever it is, so that nearly all go much less: two
-// drops that collide miss pairs worth 7e-7 of the density on average and 2e-3 at most.
+// drops that collide miss pairs worth 3e-7 of the density on average and 3e-4 at most.
 constexpr double kSkin = 0.1;    // spacings beyond the support
-constexpr double kFreeWay = 0.6; // spacings
+constexpr double kFreeWay = 0.5; // spacings
 constexpr GLbitfield kBarrier = GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_COMMAND_BARRIER_BIT;
 constexpr unsigned kTidyGroups = 8; // passes over what changed stride over it: few groups, no arguments to prepare
 constexpr unsigned kMostGroups = 1024;

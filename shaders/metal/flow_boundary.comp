@@ -35,6 +35,7 @@ void main() {
         bodies[slot].where.y = edition;
         resting[slot] = restSums(slot, place);
     }
-    const uint found = listNear(slot, place, neighbourBase(counters.moving.w + entry), 0, substep & 1u, false);
+    bool fresh;
+    const uint found = listNear(slot, place, neighbourBase(counters.moving.w + entry), 0, substep & 1u, false, fresh);
     bodies[slot].motion = vec4(0, 0, 0, found);
 }

@@ -76,32 +76,57 @@ ivec3 stepOf(int bit) {
     return ivec3(bit - 3 * row, row - 3 * layer, layer) - 1;
 }
 
+/// Residents that are near, up to 32 of a cell at a time: a bit each, and where they stand.
+const uint kNearSpans = 32;
+struct NearSpan {
+    uint near;
+    uint place; // cell, fours of moving residents (4 bits), first four over 8 (2 bits)
+};
+
+/// Entry among the residents that a bit of a span stands for; whether it is still metal.
+uint entryOfBit(uint place, uint bit, out bool still) {
+    const uint moving = (place >> 2) & 15u;
+    const uint four = 8 * (place & 3u) + (bit >> 2);
+    still = four >= moving;
+    return movingBase(place >> 6) + 4 * four + (bit & 3u) + (still ? FLOW_CELL_ROOM - 4 * moving : 0);
+}
+
 /// Adds what is near `place` but `slot` itself to the list at `base`, which holds `found`; gives the number found then. Moving
-/// metal is listed by one that moves only where both list anew, still metal only by one that moves. Looks at cells, residents
-/// and what is near in turn: drivers that run on the CPU go through the inside of every loop at least once, and pay for every
-/// write that any particle might do.
-uint listNear(uint slot, vec3 place, uint base, uint found, uint parity, bool moves) {
+/// metal is listed by one that moves only where both list anew, still metal only by one that moves. Looks at cells and
+/// residents first and at what is near then, in loops that go on in step for all particles: drivers that run on the CPU go
+/// through every loop as often as that of the particles side by side which needs it most. `fresh`: there is still metal
+/// among them that no search since the last one of all has found.
+uint listNear(uint slot, vec3 place, uint base, uint found, uint parity, bool moves, out bool fresh) {
+    const uint since = counters.restless.z;
+    fresh = false;
     const ivec3 centre = cellAt(place);
     const vec3 steps = stepsInside(place);
     const vec3 square = squareOfStep();
-    for (uint cells = nearCells(centre, steps, square, parity, moves); cells != 0; cells &= cells - 1) {
-        const ivec3 step = stepOf(findLSB(cells));
-        uint cell;
-        neighbourCell(centre, step, cell);
-        const Fours fours = foursOf(cell, parity, moves);
-        const vec3 origin = steps - vec3(step) * 1024;
-        for (uint first = 0; first < fours.all; first += 8) {
-            uint near = nearFours(fours, first, origin, square);
-            for (; near != 0 && found < FLOW_NEIGHBOUR_ROOM; near &= near - 1) {
-                const uint bit = uint(findLSB(near));
-                const uint four = first + (bit >> 2);
-                uint rest;
-                const uint other = residentTexel(entryOf(fours, four, rest) + (bit & 3u));
-                const bool still = four >= fours.moving;
-                if ((other & FLOW_SLOT) != slot && (!moves || still || (other & FLOW_RENEWS) != 0))
-                    neighbours[base + GROUP_SIZE * found++] =
-                        still ? other | FLOW_SOLID | FLOW_RESTS : other & ~FLOW_RENEWS;
+    NearSpan spans[kNearSpans];
+    uint cells = nearCells(centre, steps, square, parity, moves);
+    while (cells != 0) {
+        uint count = 0;
+        for (; cells != 0 && count + FLOW_CELL_ROOM / 16 <= kNearSpans; cells &= cells - 1) {
+            const ivec3 step = stepOf(findLSB(cells));
+            uint cell;
+            neighbourCell(centre, step, cell);
+            const Fours fours = foursOf(cell, parity, moves);
+            const vec3 origin = steps - vec3(step) * 1024;
+            for (uint first = 0; first < fours.all; first += 8) {
+                const uint near = nearFours(fours, first, origin, square);
+                spans[count] = NearSpan(near, cell << 6 | fours.moving << 2 | first >> 3);
+                count += near != 0 ? 1u : 0u;
             }
+        }
+        NearSpan span = NearSpan(0u, 0u);
+        for (uint k = 0; found < FLOW_NEIGHBOUR_ROOM && (span.near != 0 || k < count); span.near &= span.near - 1) {
+            if (span.near == 0) span = spans[k++];
+            bool still;
+            const uint other = residentTexel(entryOfBit(span.place, uint(findLSB(span.near)), still));
+            fresh = fresh || (still && bodies[other].where.x != since);
+            if ((other & FLOW_SLOT) != slot && (!moves || still || (other & FLOW_RENEWS) != 0))
+                neighbours[base + GROUP_SIZE * found++] =
+                    still ? other | FLOW_SOLID | FLOW_RESTS : other & ~FLOW_RENEWS;
         }
     }
     return found;

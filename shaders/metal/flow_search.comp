@@ -26,7 +26,7 @@ void listBoundary(uint slot) {
         atomicMax(counters.density.x, (counters.moving.w + entry) / GROUP_SIZE + 1);
 }
 
-/// Lists the still metal among the neighbours. Most of it is listed already: what is not is looked for first.
+/// Lists the still metal among the neighbours that is not listed already, which is looked for first.
 void listStill(uint base, uint found) {
     for (uint first = 0; first < found; first += 32) {
         uint fresh = 0;
@@ -75,13 +75,14 @@ void main() {
     const uint base = neighbourBase(index);
     const bool all = counters.restless.x > FLOW_RESTLESS_ROOM;
     const uint kept = moves && !all ? keepOthers(base, bodies[slot].where.w) : 0;
-    const uint found = listNear(slot, placeTexel(slot), base, kept, substep & 1u, moves);
+    bool fresh;
+    const uint found = listNear(slot, placeTexel(slot), base, kept, substep & 1u, moves, fresh);
     if (found == FLOW_NEIGHBOUR_ROOM) atomicAdd(counters.faults.y, 1u);
     if (!moves) {
         bodies[slot].motion.w = found;
         return;
     }
-    listStill(base, found);
+    if (fresh) listStill(base, found);
     bodies[slot].where.w = found;
     velocities[slot].w = 0; // way since the search
 }
