@@ -15,6 +15,8 @@ struct CallThread::Shared {
     std::unique_ptr<Callee> callee;
     Call call = nullptr; ///< under way; nullptr: none
     std::exception_ptr fault;
+    bool measured = false; ///< the call is part of a frame that is measured
+    WorkElsewhere work;
     bool leaving = false;
     std::shared_ptr<std::atomic<bool>> gone = std::make_shared<std::atomic<bool>>(false);
 };
@@ -26,10 +28,13 @@ CallThread::CallThread(std::unique_ptr<Callee> callee) : shared_(std::make_share
 
 void CallThread::run(const std::shared_ptr<Shared>& shared) {
     std::unique_lock lock(shared->mutex);
+    WorkMeter meter;
     while (true) {
+        meter.begin(); // sleeping takes no time of the processor, waking up does
         shared->changed.wait(lock, [&] { return shared->call != nullptr || shared->leaving; });
         if (shared->call == nullptr) break;
         const Call call = shared->call;
+        if (!shared->measured) meter.end();
         lock.unlock();
         std::exception_ptr fault;
         try {
@@ -37,11 +42,16 @@ void CallThread::run(const std::shared_ptr<Shared>& shared) {
         } catch (...) {
             fault = std::current_exception();
         }
+        meter.end();
         lock.lock();
+        shared->work = shared->measured ? meter.forAnother() : WorkElsewhere{};
         shared->fault = fault;
         shared->call = nullptr;
+        lock.unlock(); // or who is woken would wait again, for the lock
         shared->changed.notify_all();
+        lock.lock();
     }
+    meter.end();
     lock.unlock();
     shared->callee.reset();
     lock.lock();
@@ -66,10 +76,13 @@ std::shared_ptr<const std::atomic<bool>> CallThread::leave() {
 }
 
 void CallThread::begin(Call call) {
-    const std::lock_guard lock(shared_->mutex);
-    if (shared_->call != nullptr) throw Stalled();
-    shared_->fault = nullptr;
-    shared_->call = call;
+    {
+        const std::lock_guard lock(shared_->mutex);
+        if (shared_->call != nullptr) throw Stalled();
+        shared_->fault = nullptr;
+        shared_->measured = WorkMeter::current() != nullptr;
+        shared_->call = call;
+    }
     shared_->changed.notify_all();
 }
 
@@ -81,6 +94,11 @@ bool CallThread::over() const {
 bool CallThread::wait(std::chrono::milliseconds patience) const {
     std::unique_lock lock(shared_->mutex);
     return shared_->changed.wait_for(lock, patience, [&] { return shared_->call == nullptr; });
+}
+
+WorkElsewhere CallThread::work() const {
+    const std::lock_guard lock(shared_->mutex);
+    return shared_->work;
 }
 
 void CallThread::rethrow() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.hpp"
+#include "core/base/work_meter.hpp"
 
 #include <atomic>
 #include <chrono>
@@ -42,6 +43,8 @@ class CallThread {
     bool wait(std::chrono::milliseconds patience) const;
     /// Throws what the call that is over has thrown; once.
     void rethrow();
+    /// What the call that is over took, from waking up for it on, where the thread that began it has a WorkMeter.
+    WorkElsewhere work() const;
 
     /// Lets go of thread and callee without waiting; only destroying is left. True from when both are gone.
     std::shared_ptr<const std::atomic<bool>> leave();

@@ -67,6 +67,7 @@ void Headset::call(CallThread::Call work, WorkPlace place) {
         throw Stalled();
     }
     patience_ = std::max(patience_ - (std::chrono::steady_clock::now() - begin), kLeastPatience);
+    if (WorkMeter* meter = WorkMeter::current()) meter->add(thread_->work());
     thread_->rethrow();
     note();
 }
@@ -79,7 +80,8 @@ void Headset::poll() {
         thread_->rethrow();
         call(invoke<&HeadsetCalls::dropFrame>);
     }
-    call(invoke<&HeadsetCalls::poll>);
+    // Each call that is handed over takes both threads' time.
+    if (!std::exchange(heard_, false)) call(invoke<&HeadsetCalls::poll>);
 }
 
 FrameTiming Headset::waitFrame() {
@@ -99,7 +101,6 @@ bool Headset::locateEyes(std::array<EyeView, 2>& eyes) {
 }
 
 bool Headset::drawEyes(FunctionRef<void(const BothEyes&)> draw) {
-    call(invoke<&HeadsetCalls::locateEyes>);
     if (!calls_->headTracked) return false;
     draw({calls_->views, targets_->framebuffer(), targets_->width(), targets_->height(), targets_->encodesSrgb(),
           settings_.nearZ, settings_.farZ});
@@ -138,6 +139,7 @@ void Headset::endFrame() {
         glFlush(); // or the other context would wait for commands that nobody has sent
     }
     call(invoke<&HeadsetCalls::endFrame>);
+    heard_ = true;
 }
 
 void Headset::requestExit() {

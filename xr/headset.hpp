@@ -25,8 +25,9 @@ struct BothEyes {
 /// One session on one instance. A frame is
 ///
 ///     poll(); if (!running()) wait otherwise;
-///     timing = waitFrame(); look at input(); simulate; beginFrame();
-///     if (timing.shouldRender) drawEyes(...);   // takes the head's pose as late as can be
+///     timing = waitFrame(); look at input(); simulate;
+///     beginFrame();                             // takes the head's pose: as late as can be
+///     if (timing.shouldRender) drawEyes(...);
 ///     endFrame();
 ///
 /// The runtime is called on a thread of its own. Once the calls of a frame have taken kPatience in all, the one that is
@@ -65,8 +66,7 @@ class Headset {
     void beginFrame();
     /// Where the eyes are at the frame's time; false where the head is not tracked.
     bool locateEyes(std::array<EyeView, 2>& eyes);
-    /// Locates the head, lets `draw` fill both eyes and resolves them. False, and nothing drawn, where the head is not
-    /// tracked.
+    /// Lets `draw` fill both eyes and resolves them. False, and nothing drawn, where the head is not tracked.
     bool drawEyes(FunctionRef<void(const BothEyes&)> draw);
     /// Shows the panel at this pose in this frame.
     void showPanel(const Pose& pose);
@@ -96,6 +96,7 @@ class Headset {
     std::unique_ptr<EyeTargets> targets_;
     std::unique_ptr<Panel> panel_;
     std::chrono::steady_clock::duration patience_ = kPatience; ///< left for this frame
+    bool heard_ = false; ///< what the runtime has to say, at the end of the last frame
     bool stalled_ = false;
     bool running_ = false;
     SessionMode mode_ = SessionMode::waiting;

@@ -102,6 +102,7 @@ void HeadsetCalls::waitFrame() {
 
 void HeadsetCalls::beginFrame() {
     session->beginFrame();
+    if (timing.shouldRender) locateEyes();
 }
 
 void HeadsetCalls::locateEyes() {
@@ -195,6 +196,7 @@ void HeadsetCalls::endFrame() {
     }
     play();
     session->endFrame(timing.displayTime, layers_.data(), layerCount_);
+    poll();
 }
 
 } // namespace meltpool::xr

@@ -45,13 +45,13 @@ class HeadsetCalls : public Callee {
     ~HeadsetCalls() override;
 
     // The calls.
-    void open();      ///< session, actions, swapchains
-    void poll();      ///< what the runtime has to say
-    void waitFrame(); ///< and reads the hands for it
-    void beginFrame();
-    void locateEyes(); ///< as late as can be
-    void endFrame();   ///< hands over what `order` says
-    void dropFrame();  ///< goes on after a call was given up
+    void open();       ///< session, actions, swapchains
+    void poll();       ///< what the runtime has to say
+    void waitFrame();  ///< and reads the hands for it
+    void beginFrame(); ///< and finds the eyes where they are to be drawn
+    void locateEyes();
+    void endFrame();  ///< hands over what `order` says, and hears what the runtime has to say
+    void dropFrame(); ///< goes on after a call was given up
     void requestExit();
 
     // Answers.

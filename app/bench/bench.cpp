@@ -50,13 +50,13 @@ double loadAverage() {
 }
 
 void printRow(const BenchRow& row) {
-    std::printf("%-10s %-26s %9zu %11.3f %9.1f %10.2f", row.suite.c_str(), row.what.c_str(), row.particles, row.stepMs,
+    std::printf("%-10s %-40s %9zu %11.3f %9.1f %10.2f", row.suite.c_str(), row.what.c_str(), row.particles, row.stepMs,
                 row.bytesPerParticle, static_cast<double>(row.bytes) / 1048576);
     for (const auto& [name, value] : row.further)
         std::printf("  %s=%.4g", name.c_str(), value);
     std::printf("\n");
     for (const auto& [name, ms] : row.passes)
-        std::printf("%-10s   %-24s %9s %11.3f\n", "", name.c_str(), "", ms);
+        std::printf("%-10s   %-38s %9s %11.3f\n", "", name.c_str(), "", ms);
     std::fflush(stdout);
 }
 
@@ -139,7 +139,7 @@ void runBench(const std::string& suite, const std::filesystem::path& jsonFile) {
     std::printf("%s, %s; %s, %u threads; meltpool %s (%s)\n", context.info().renderer.c_str(),
                 context.info().version.c_str(), processorName().c_str(), std::thread::hardware_concurrency(),
                 std::string(programVersion()).c_str(), std::string(programCommit()).c_str());
-    std::printf("%-10s %-26s %9s %11s %9s %10s\n", "suite", "what / pass", "particles", "ms (least)", "B/part.", "MiB");
+    std::printf("%-10s %-40s %9s %11s %9s %10s\n", "suite", "what / pass", "particles", "ms (least)", "B/part.", "MiB");
     std::vector<BenchRow> rows;
     for (const BenchPart& part : chosen) {
         Bench bench(shaders, std::string(part.suite));

@@ -21,26 +21,23 @@ using Clock = std::chrono::steady_clock;
 constexpr double kPatience = 6;   ///< s, for a runtime to appear
 constexpr double kWarmUp = 1.0;   ///< s: the first second may fill what is kept
 constexpr double kMeasured = 5.0; ///< s
-constexpr unsigned kLeastFrames = 20;
-constexpr double kFrame = 1.0 / 60;
+constexpr unsigned kLeastFrames = 60;
+constexpr double kFrame = 1.0 / 60; ///< s
+/// So late a frame makes as many steps catch up as a frame ever does, s.
+constexpr double kLate = 0.1;
 
 double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// A lesson under its own demonstration, and both eyes of it.
+/// A lesson under its own demonstration, two steps a frame, and both eyes of it.
 struct Scene {
-    explicit Scene(gl::ShaderLibrary& shaders) : session(shaders, lesson()) { session.begin(controls); }
+    Scene(gl::ShaderLibrary& shaders, Lesson lesson) : session(shaders, std::move(lesson)) { session.begin(controls); }
 
-    static Lesson lesson() {
-        Lesson made = loadLesson(std::string(kDefaultLesson));
-        made.set("particles", "8192", "bench");
-        return made;
-    }
-    void advance(gl::Profiler& profiler) {
+    void advance() {
         time += kFrame;
         const auto held = [this](int, int) { return session.lesson().torch.sample(time); };
-        session.advance(controls, kFrame, &profiler, held);
+        session.advance(controls, kLate, nullptr, held);
         session.fillFigures(figures);
     }
 
@@ -50,9 +47,15 @@ struct Scene {
     double time = 0;
 };
 
-/// Runs frames until both are reached: kMeasured seconds after warming up, and kLeastFrames.
-BenchRow measureFrames(std::string what, FunctionRef<void(gl::Profiler&)> frame) {
-    gl::Profiler profiler;
+Lesson smallClassic() {
+    Lesson lesson = loadLesson(std::string(kDefaultLesson));
+    lesson.set("particles", "8192", "bench");
+    return lesson;
+}
+
+/// Runs frames until both are reached: kMeasured seconds after warming up, and kLeastFrames. One row for each part of
+/// the processor's time.
+std::vector<BenchRow> measureFrames(const std::string& what, FunctionRef<void()> frame) {
     FrameMeter meter;
     std::array<double, kWorkPlaces> sum{};
     bool warm = false;
@@ -67,28 +70,31 @@ BenchRow measureFrames(std::string what, FunctionRef<void(gl::Profiler&)> frame)
             start = Clock::now();
         }
         meter.begin();
-        profiler.beginFrame();
-        frame(profiler);
-        profiler.endFrame();
+        frame();
         meter.end();
         ++run;
         for (size_t place = 0; place < kWorkPlaces; ++place)
             sum[place] += meter.lastMs(static_cast<WorkPlace>(place));
     }
+    const auto row = [&](const char* part, FrameWork work) {
+        BenchRow made;
+        made.suite = "stereo";
+        made.what = what + part;
+        made.stepMs = meter.leastMs(work);
+        made.further = {{"cpu_ms_median", meter.medianMs(work)}};
+        return made;
+    };
+    std::vector<BenchRow> rows{row(", own work", FrameWork::own), row(", runtime's calls", FrameWork::runtime),
+                               row(", outside GL and xrWaitFrame", FrameWork::outside)};
     const auto mean = [&](WorkPlace place) { return sum[static_cast<size_t>(place)] / run; };
-    BenchRow row;
-    row.suite = "stereo";
-    row.what = std::move(what);
-    row.stepMs = meter.leastOwnMs();
-    row.further = {{"own_cpu_ms_median", meter.medianOwnMs()},
-                   {"driver_ms_mean", mean(WorkPlace::driver)},
-                   {"runtime_ms_mean", mean(WorkPlace::runtime)},
-                   {"waiting_ms_mean", mean(WorkPlace::waiting)},
-                   {"frames", run},
-                   {"frames_that_allocated", meter.totals().framesThatAllocated},
-                   {"allocations", static_cast<double>(meter.totals().allocations)},
-                   {"stalls", meter.totals().stalls}};
-    return row;
+    rows[0].further.insert(rows[0].further.end(), {{"driver_ms_mean", mean(WorkPlace::driver)},
+                                                   {"runtime_ms_mean", mean(WorkPlace::runtime)},
+                                                   {"waiting_ms_mean", mean(WorkPlace::waiting)},
+                                                   {"frames", run},
+                                                   {"frames_that_allocated", meter.totals().framesThatAllocated},
+                                                   {"allocations", static_cast<double>(meter.totals().allocations)},
+                                                   {"stalls", meter.totals().stalls}});
+    return rows;
 }
 
 BenchRow measureWithoutRuntime(Scene& scene) {
@@ -97,12 +103,15 @@ BenchRow measureWithoutRuntime(Scene& scene) {
     const Lens lens;
     const std::array<View, 2> eyes{makeView({-0.8f, 1.4f, 2.4f}, glm::angleAxis(-0.5f, glm::vec3(1, 0, 0)), lens, 0.9f),
                                    makeView({0.8f, 1.4f, 2.4f}, glm::angleAxis(-0.5f, glm::vec3(1, 0, 0)), lens, 0.9f)};
-    return measureFrames("own work, no runtime", [&](gl::Profiler& profiler) {
-        scene.advance(profiler);
-        const SceneView shown = scene.session.scene(&profiler);
-        scene.session.renderer().draw(shown, scene.session.lesson().look, eyes, target.target(), &profiler);
-        target.resolve();
-    });
+    return measureFrames("no headset",
+                         [&] {
+                             scene.advance();
+                             const SceneView shown = scene.session.scene(nullptr);
+                             scene.session.renderer().draw(shown, scene.session.lesson().look, eyes, target.target(),
+                                                           nullptr);
+                             target.resolve();
+                         })
+        .front();
 }
 
 /// A frame in which the headset is there was begun.
@@ -115,25 +124,34 @@ bool waitForHeadset(HeadsetStation& station, const Scene& scene) {
     return false;
 }
 
+/// Goes on with the frame that was begun.
+void addHeadsetRows(Bench& bench, const std::string& what, HeadsetStation& station, Scene& scene) {
+    bool begun = true;
+    const auto frame = [&] {
+        if (!begun && !station.begin(scene.session, kFrame)) return;
+        begun = false;
+        scene.advance();
+        station.draw(scene.session, scene.figures, kFrame, nullptr);
+        station.end();
+    };
+    for (BenchRow& row : measureFrames(what, frame))
+        bench.add(std::move(row));
+}
+
 } // namespace
 
 void benchHeadsetFrame(Bench& bench) {
     if (!watchGl()) return; // what the driver takes cannot be told apart here
-    Scene scene(bench.shaders());
-    bench.add(measureWithoutRuntime(scene));
+    Scene classic(bench.shaders(), smallClassic());
+    bench.add(measureWithoutRuntime(classic));
     HeadsetStation station({});
-    if (!waitForHeadset(station, scene)) {
+    if (!waitForHeadset(station, classic)) {
         std::printf("%-10s no headset, so no frame with a runtime: %s\n", "stereo", station.desk().status().c_str());
         return;
     }
-    bool first = true; // it was begun while waiting
-    bench.add(measureFrames("own work, headset", [&](gl::Profiler& profiler) {
-        if (!first && !station.begin(scene.session, kFrame)) return;
-        first = false;
-        scene.advance(profiler);
-        station.draw(scene.session, scene.figures, kFrame, &profiler);
-        station.end();
-    }));
+    addHeadsetRows(bench, "classic", station, classic);
+    Scene weld(bench.shaders(), loadLesson("gmaw-bead"));
+    if (waitForHeadset(station, weld)) addHeadsetRows(bench, "gmaw-bead", station, weld);
 }
 
 } // namespace meltpool

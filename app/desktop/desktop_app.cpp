@@ -107,9 +107,11 @@ void DesktopApp::finish() {
 
 void DesktopApp::frame() {
     if (!telemetry_.enabled()) return runFrame();
+    const bool headset = headsetFrame_;
     meter_.begin();
     runFrame();
     meter_.end();
+    if (headset != headsetFrame_) meter_.restart(); // frames of another kind begin
 }
 
 void DesktopApp::runFrame() {
@@ -127,7 +129,8 @@ void DesktopApp::runFrame() {
     interface_.begin(windowParameters_.interfaceSize, captured, !session_.running());
     interface_.takeInput(input, captured);
     handleKeys(input);
-    profiler_.beginFrame();
+    const bool timed = panels_.timings && !panels_.hidden;
+    if (timed) profiler_.beginFrame();
     simulate(input, seconds);
     drawHeadset(seconds);
     drawPicture(seconds);
@@ -137,7 +140,7 @@ void DesktopApp::runFrame() {
         request = drawInterface();
         interface_.end();
     }
-    profiler_.endFrame();
+    if (timed) profiler_.endFrame();
     if (pictureAsked_) takePicture();
     countFrame(seconds);
     tellTelemetry();

@@ -129,6 +129,11 @@ void Window::open(const Options& options) {
     glfwSetScrollCallback(window_,
                           [](GLFWwindow* w, double, double y) { self(w).gathering_.scroll += static_cast<float>(y); });
     glfwSetWindowSizeCallback(window_, [](GLFWwindow* w, int x, int y) { self(w).onSize({x, y}); });
+    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int x, int y) { self(w).pixels_ = {x, y}; });
+    glfwSetWindowIconifyCallback(window_, [](GLFWwindow* w, int on) { self(w).iconified_ = on == GLFW_TRUE; });
+    glfwGetWindowSize(window_, &size_.x, &size_.y);
+    glfwGetFramebufferSize(window_, &pixels_.x, &pixels_.y);
+    iconified_ = false;
 }
 
 Window::~Window() {
@@ -200,6 +205,7 @@ void Window::onMove(glm::dvec2 position) {
 }
 
 void Window::onSize(glm::ivec2 size) {
+    size_ = size;
     if (!fullScreen_ && !maximised() && size.x > 0 && size.y > 0) normalSize_ = size;
 }
 
@@ -239,20 +245,8 @@ void Window::setTitle(const std::string& title) {
     glfwSetWindowTitle(window_, title.c_str());
 }
 
-glm::ivec2 Window::size() const {
-    glm::ivec2 size{0};
-    glfwGetWindowSize(window_, &size.x, &size.y);
-    return size;
-}
-
-glm::ivec2 Window::pixels() const {
-    glm::ivec2 size{0};
-    glfwGetFramebufferSize(window_, &size.x, &size.y);
-    return size;
-}
-
 bool Window::minimised() const {
-    return glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE || pixels().x == 0 || pixels().y == 0;
+    return iconified_ || pixels_.x == 0 || pixels_.y == 0;
 }
 
 bool Window::maximised() const {

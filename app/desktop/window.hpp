@@ -41,8 +41,9 @@ class Window {
     void toggleFullScreen();
     void setTitle(const std::string& title);
 
-    glm::ivec2 size() const;   ///< screen points
-    glm::ivec2 pixels() const; ///< of the frame buffer
+    // As of the last poll(): asking the display each time takes longer than most of a frame's work.
+    glm::ivec2 size() const { return size_; }     ///< screen points
+    glm::ivec2 pixels() const { return pixels_; } ///< of the frame buffer
     bool minimised() const;
     bool maximised() const;
     bool fullScreen() const { return fullScreen_; }
@@ -74,6 +75,9 @@ class Window {
     bool captured_ = false;
     bool waits_ = true;
     bool fullScreen_ = false;
+    bool iconified_ = false;
+    glm::ivec2 size_{0};
+    glm::ivec2 pixels_{0};
     glm::ivec2 normalSize_{1280, 720};
     glm::ivec2 normalPlace_{0};
 };

@@ -70,12 +70,17 @@ json headset(const HeadsetTold& told) {
             {"busy_ms", told.busyMs},       {"places", places}};
 }
 
+/// The processor's time, ms.
+json frameWork(const FrameMeter& meter, FrameWork work) {
+    return {{"last", meter.lastMs(work)}, {"least", meter.leastMs(work)}, {"median", meter.medianMs(work)}};
+}
+
 json frameCosts(const FrameMeter& meter) {
     const FrameMeter::Totals& totals = meter.totals();
     return {{"frames", totals.frames},
-            {"own_ms", meter.lastMs(WorkPlace::own)},
-            {"own_median_ms", meter.medianOwnMs()},
-            {"own_least_ms", meter.leastOwnMs()},
+            {"own_ms", frameWork(meter, FrameWork::own)},
+            {"runtime_cpu_ms", frameWork(meter, FrameWork::runtime)},
+            {"outside_ms", frameWork(meter, FrameWork::outside)},
             {"driver_ms", meter.lastMs(WorkPlace::driver)},
             {"runtime_ms", meter.lastMs(WorkPlace::runtime)},
             {"waiting_ms", meter.lastMs(WorkPlace::waiting)},

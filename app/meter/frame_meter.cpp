@@ -6,6 +6,7 @@ namespace meltpool {
 
 void FrameMeter::begin() {
     sum_ = {};
+    cpu_ = {};
     allocations_ = 0;
     resume();
 }
@@ -19,12 +20,19 @@ void FrameMeter::take() {
     if (!running_) return;
     running_ = false;
     work_.end();
-    for (const WorkPlace place : {WorkPlace::driver, WorkPlace::runtime, WorkPlace::waiting})
-        sum_[static_cast<size_t>(place)] += work_.seconds(place) * 1000;
-    sum_[static_cast<size_t>(WorkPlace::own)] += work_.ownCpuSeconds() * 1000;
+    for (size_t place = 0; place < kWorkPlaces; ++place)
+        sum_[place] += work_.seconds(static_cast<WorkPlace>(place)) * 1000;
+    const double own = work_.cpuSeconds(WorkPlace::own) * 1000;
+    // While the runtime is called this thread hands over and wakes up again.
+    const double runtime =
+        (work_.cpuSeconds(WorkPlace::runtime) + work_.cpuSeconds(WorkPlace::waiting) + work_.elsewhere().cpuSeconds) *
+        1000;
+    cpu_[static_cast<size_t>(FrameWork::own)] += own;
+    cpu_[static_cast<size_t>(FrameWork::runtime)] += runtime;
+    cpu_[static_cast<size_t>(FrameWork::outside)] += own + runtime;
     totals_.stalls += work_.stalls();
     if (work_.stalls() > 0) totals_.lastStall = work_.lastStall();
-    allocations_ += work_.ownAllocations();
+    allocations_ += work_.ownAllocations() + work_.elsewhere().allocations;
 }
 
 void FrameMeter::pause() {
@@ -34,7 +42,8 @@ void FrameMeter::pause() {
 void FrameMeter::end() {
     take();
     last_ = sum_;
-    own_[totals_.frames % kKept] = static_cast<float>(lastMs(WorkPlace::own));
+    for (size_t work = 0; work < kFrameWorks; ++work)
+        kept_[work][totals_.frames % kKept] = static_cast<float>(cpu_[work]);
     ++totals_.frames;
     totals_.allocations += allocations_;
     if (allocations_ > 0) ++totals_.framesThatAllocated;
@@ -44,20 +53,26 @@ void FrameMeter::restart() {
     totals_ = {};
 }
 
-double FrameMeter::medianOwnMs() const {
-    const size_t kept = std::min<size_t>(totals_.frames, kKept);
-    if (kept == 0) return 0;
-    std::array<float, kKept> sorted = own_;
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(kept / 2);
-    std::nth_element(sorted.begin(), middle, sorted.begin() + static_cast<std::ptrdiff_t>(kept));
+size_t FrameMeter::kept() const {
+    return std::min<size_t>(totals_.frames, kKept);
+}
+
+double FrameMeter::lastMs(FrameWork work) const {
+    return totals_.frames == 0 ? 0 : static_cast<double>(keptOf(work)[(totals_.frames - 1) % kKept]);
+}
+
+double FrameMeter::medianMs(FrameWork work) const {
+    if (kept() == 0) return 0;
+    Kept sorted = keptOf(work);
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(kept() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.begin() + static_cast<std::ptrdiff_t>(kept()));
     return static_cast<double>(*middle);
 }
 
-double FrameMeter::leastOwnMs() const {
-    const size_t kept = std::min<size_t>(totals_.frames, kKept);
-    return kept == 0
-               ? 0
-               : static_cast<double>(*std::min_element(own_.begin(), own_.begin() + static_cast<std::ptrdiff_t>(kept)));
+double FrameMeter::leastMs(FrameWork work) const {
+    const Kept& all = keptOf(work);
+    if (kept() == 0) return 0;
+    return static_cast<double>(*std::min_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(kept())));
 }
 
 } // namespace meltpool

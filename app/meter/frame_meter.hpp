@@ -1,5 +1,5 @@
-// What a frame of the running trainer costs the processor: its own work beside driver and runtime, what it asks of the
-// heap, and whether it ever stands still for the GPU.
+// What a frame of the running trainer costs the processor: its own work and calling the headset's runtime, beside the
+// driver; what it asks of the heap, and whether it ever stands still for the GPU.
 #pragma once
 
 #include "core/base/work_meter.hpp"
@@ -9,6 +9,14 @@
 
 namespace meltpool {
 
+/// The processor's time of a frame for ...
+enum class FrameWork {
+    own,     ///< the frame's thread outside driver and runtime
+    runtime, ///< calling the headset's runtime: every call but xrWaitFrame, and what stands around them on their thread
+    outside, ///< their sum: all that is outside OpenGL and xrWaitFrame
+};
+constexpr size_t kFrameWorks = 3;
+
 class FrameMeter {
   public:
     /// Costs of frames so far.
@@ -16,7 +24,7 @@ class FrameMeter {
         unsigned frames = 0;
         unsigned framesThatAllocated = 0;
         std::uint64_t allocations = 0; ///< calls of operator new by our own work
-        unsigned stalls = 0;           ///< calls that wait for the GPU
+        unsigned stalls = 0;           ///< calls of the frame's thread that wait for the GPU
         const char* lastStall = "";
     };
 
@@ -29,22 +37,28 @@ class FrameMeter {
     void restart();
 
     const Totals& totals() const { return totals_; }
-    /// Of the last frame, ms: of the clock, and for own work the processor's time.
+    /// Of the last frame's thread, ms of the clock.
     double lastMs(WorkPlace place) const { return last_[static_cast<size_t>(place)]; }
-    /// The processor's time for own work in the newest kKept frames, ms.
-    double medianOwnMs() const;
-    double leastOwnMs() const;
+    /// The processor's time of the last frame, and of the newest kKept ones, ms.
+    double lastMs(FrameWork work) const;
+    double medianMs(FrameWork work) const;
+    double leastMs(FrameWork work) const;
 
     static constexpr size_t kKept = 512;
 
   private:
+    using Kept = std::array<float, kKept>;
+
     void take();
+    size_t kept() const;
+    const Kept& keptOf(FrameWork work) const { return kept_[static_cast<size_t>(work)]; }
 
     WorkMeter work_;
     Totals totals_;
     std::array<double, kWorkPlaces> sum_{};
     std::array<double, kWorkPlaces> last_{};
-    std::array<float, kKept> own_{};
+    std::array<double, kFrameWorks> cpu_{};
+    std::array<Kept, kFrameWorks> kept_{};
     std::uint64_t allocations_ = 0;
     bool running_ = false;
 };

@@ -21,7 +21,7 @@
     W(glDeleteSamplers) W(glDeleteShader) W(glDeleteSync) W(glDeleteVertexArrays) W(glDetachShader) \
     W(glDisableVertexArrayAttrib) W(glDispatchCompute) W(glDispatchComputeIndirect) W(glDrawArraysIndirect) \
     W(glDrawArraysInstanced) W(glDrawElementsIndirect) W(glEnableVertexArrayAttrib) W(glFenceSync) \
-    W(glGenerateTextureMipmap) W(glGetInteger64v) W(glGetNamedBufferSubData) W(glGetProgramInfoLog) \
+    W(glGenerateTextureMipmap) W(glGetActiveUniform) W(glGetInteger64v) W(glGetNamedBufferSubData) W(glGetProgramInfoLog) \
     W(glGetProgramiv) W(glGetQueryObjectiv) W(glGetQueryObjectui64v) W(glGetShaderInfoLog) W(glGetShaderiv) \
     W(glGetStringi) W(glGetTextureImage) W(glGetUniformLocation) W(glLinkProgram) W(glMapNamedBufferRange) \
     W(glMemoryBarrier) W(glNamedBufferStorage) W(glNamedBufferSubData) W(glNamedFramebufferTexture) \

@@ -22,10 +22,17 @@ std::optional<Number> parseWhole(std::string_view text) {
 }
 
 template <class Number>
-std::string formatShortest(Number value) {
+void appendShortest(std::string& text, Number value) {
     std::array<char, 64> buffer{};
     const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-    return {buffer.data(), result.ptr};
+    text.append(buffer.data(), result.ptr);
+}
+
+template <class Number>
+std::string formatShortest(Number value) {
+    std::string text;
+    appendShortest(text, value);
+    return text;
 }
 
 } // namespace
@@ -41,6 +48,16 @@ std::string formatNumber(float value) {
 }
 std::string formatNumber(double value) {
     return formatShortest(value);
+}
+
+void appendNumber(std::string& text, float value) {
+    appendShortest(text, value);
+}
+void appendNumber(std::string& text, double value) {
+    appendShortest(text, value);
+}
+void appendNumber(std::string& text, std::uint64_t value) {
+    appendShortest(text, value);
 }
 
 std::vector<std::string_view> splitText(std::string_view text, char separator) {

@@ -1,6 +1,7 @@
 // Numbers and files as text, independent of the user's locale.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -16,6 +17,10 @@ std::optional<long long> parseInteger(std::string_view text);
 /// Shortest text that reads back to the same value.
 std::string formatNumber(float value);
 std::string formatNumber(double value);
+/// Puts it behind `text`, which asks the heap for nothing once it has had room for as much.
+void appendNumber(std::string& text, float value);
+void appendNumber(std::string& text, double value);
+void appendNumber(std::string& text, std::uint64_t value);
 
 /// Pieces between separators; an empty text gives one empty piece. The views point into `text`.
 std::vector<std::string_view> splitText(std::string_view text, char separator);

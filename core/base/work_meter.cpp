@@ -18,60 +18,87 @@ double threadSeconds() {
 #endif
 }
 
-/// What a look at both clocks takes of it, s: half a microsecond, since the system has to be asked.
+/// What a look at the clock takes, s.
 double lookSeconds() {
+    using Clock = std::chrono::steady_clock;
     constexpr int kLooks = 100, kTries = 20;
-    double least = 1;
+    Clock::duration least = Clock::duration::max();
     for (int i = 0; i < kTries; ++i) {
-        const double start = threadSeconds();
-        for (int look = 0; look < kLooks; ++look) {
-            static_cast<void>(std::chrono::steady_clock::now());
-            threadSeconds();
-        }
-        least = std::min(least, (threadSeconds() - start) / kLooks);
+        const Clock::time_point start = Clock::now();
+        for (int look = 1; look < kLooks; ++look)
+            static_cast<void>(Clock::now());
+        least = std::min(least, Clock::now() - start);
     }
-    return least;
+    return std::chrono::duration<double>(least).count() / kLooks;
+}
+
+/// A thread that is here may be asleep.
+bool sleeps(WorkPlace place) {
+    return place == WorkPlace::runtime || place == WorkPlace::waiting;
 }
 
 } // namespace
 
 void WorkMeter::begin() {
     spent_ = {};
+    cpu_ = {};
+    window_ = {};
+    looks_ = {};
     stalls_ = 0;
     ownAllocations_ = 0;
+    elsewhere_ = {};
     allocationsBefore_ = allocationsHere;
-    ownCpu_ = 0;
-    ownParts_ = 0;
     place_ = WorkPlace::own;
-    since_ = Clock::now();
-    cpuSince_ = threadSeconds();
     current_ = this;
+    windowCpuSince_ = threadSeconds();
+    windowSince_ = since_ = Clock::now();
 }
 
 void WorkMeter::end() {
     if (current_ != this) return;
     change(place_);
+    closeWindow();
     current_ = nullptr;
 }
 
 void WorkMeter::change(WorkPlace next) {
     const Clock::time_point now = Clock::now();
-    const double cpuNow = threadSeconds();
-    spent_[static_cast<size_t>(place_)] += std::chrono::duration<double>(now - since_).count();
-    if (place_ == WorkPlace::own) {
-        ownAllocations_ += allocationsHere - allocationsBefore_;
-        ownCpu_ += cpuNow - cpuSince_;
-        ++ownParts_;
-    }
-    since_ = now;
-    cpuSince_ = cpuNow;
+    const auto here = static_cast<size_t>(place_);
+    const double seconds = std::chrono::duration<double>(now - since_).count();
+    spent_[here] += seconds;
+    window_[here] += seconds;
+    ++looks_[here];
+    if (place_ == WorkPlace::own) ownAllocations_ += allocationsHere - allocationsBefore_;
     allocationsBefore_ = allocationsHere;
+    since_ = now;
+    const bool sleep = place_ != next && (sleeps(place_) || sleeps(next));
+    if (sleep || now - windowSince_ >= kWindow) closeWindow();
     place_ = next;
 }
 
-double WorkMeter::ownCpuSeconds() const {
+void WorkMeter::closeWindow() {
+    const double now = threadSeconds();
+    for (size_t place = 0; place < kWorkPlaces; ++place)
+        cpu_[place] += std::min(window_[place], now - windowCpuSince_);
+    window_ = {};
+    windowCpuSince_ = now;
+    windowSince_ = since_ = Clock::now(); // what asking took is nobody's
+}
+
+double WorkMeter::cpuSeconds(WorkPlace place) const {
     static const double look = lookSeconds();
-    return std::max(ownCpu_ - ownParts_ * look, 0.0);
+    const auto here = static_cast<size_t>(place);
+    return std::max(cpu_[here] - looks_[here] * look, 0.0);
+}
+
+WorkElsewhere WorkMeter::forAnother() const {
+    return {cpuSeconds(WorkPlace::own) + cpuSeconds(WorkPlace::runtime) + elsewhere_.cpuSeconds,
+            ownAllocations_ + elsewhere_.allocations};
+}
+
+void WorkMeter::add(const WorkElsewhere& other) {
+    elsewhere_.cpuSeconds += other.cpuSeconds;
+    elsewhere_.allocations += other.allocations;
 }
 
 } // namespace meltpool

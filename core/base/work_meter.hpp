@@ -1,5 +1,5 @@
-// Where a frame's time goes on its own thread: into our own work, the graphics driver, the headset's runtime, or
-// waiting. Whoever calls into a driver or runtime says so; without a meter that costs one look at a pointer.
+// Where a frame's time goes on its threads: into our own work, the graphics driver, the headset's runtime, or waiting.
+// Whoever calls into a driver or runtime says so; without a meter that costs one look at a pointer.
 #pragma once
 
 #include <array>
@@ -15,7 +15,18 @@ constexpr size_t kWorkPlaces = 4;
 /// Requests of this thread to the heap through operator new, where the program counts them (app/meter); else 0.
 inline thread_local std::uint64_t allocationsHere = 0;
 
+/// What another thread did for the one that is measured.
+struct WorkElsewhere {
+    double cpuSeconds = 0; ///< the processor's time, without drivers and without waiting
+    std::uint64_t allocations = 0;
+};
+
 /// Begun and ended on one thread; one at a time.
+///
+/// The processor's time is known only from the system, and asking it takes longer than most calls of a driver. So the
+/// system is asked once in a kWindow and wherever runtime or waiting begin or end; in between the clock tells who had
+/// the time, of which no place gets more than the processor spent in that window. A place is never told too little; too
+/// much by at most one window each time another program interrupts.
 class WorkMeter {
   public:
     ~WorkMeter() { end(); }
@@ -23,11 +34,12 @@ class WorkMeter {
     /// From here on this thread's time is counted, from zero.
     void begin();
     void end();
+    bool running() const { return current_ == this; }
     /// Time since begin(), s. Of the clock, so that what other programs took from us counts too.
     double seconds(WorkPlace place) const { return spent_[static_cast<size_t>(place)]; }
-    /// The processor's time for our own work since begin(), s, less what measuring it took. Where the system does not
-    /// tell a thread's time, as seconds().
-    double ownCpuSeconds() const;
+    /// The processor's time since begin(), s, less what measuring it took. Where the system does not tell a thread's
+    /// time, as seconds().
+    double cpuSeconds(WorkPlace place) const;
     /// Requests to the heap since begin() by work of our own: drivers and runtimes do as they like.
     std::uint64_t ownAllocations() const { return ownAllocations_; }
     /// Calls since begin() after which the thread stood still until the GPU had got somewhere, and the last one's name.
@@ -36,6 +48,12 @@ class WorkMeter {
 
     WorkPlace place() const { return place_; }
 
+    /// What this thread did since begin(), for the meter of the thread that it worked for.
+    WorkElsewhere forAnother() const;
+    /// Adds what another thread did for this one since begin().
+    void add(const WorkElsewhere& other);
+    const WorkElsewhere& elsewhere() const { return elsewhere_; }
+
     /// The thread's meter, or nullptr.
     static WorkMeter* current() { return current_; }
     void stalled(const char* call) {
@@ -43,21 +61,28 @@ class WorkMeter {
         lastStall_ = call;
     }
 
+    static constexpr std::chrono::microseconds kWindow{100};
+
   private:
     friend class InWork;
     using Clock = std::chrono::steady_clock;
+    using Shares = std::array<double, kWorkPlaces>;
 
     void change(WorkPlace next);
+    void closeWindow();
 
     static inline thread_local WorkMeter* current_ = nullptr;
-    std::array<double, kWorkPlaces> spent_{};
+    Shares spent_{};
+    Shares cpu_{};
+    Shares window_{};                           ///< of the clock, in the window that is open
+    std::array<unsigned, kWorkPlaces> looks_{}; ///< at the clock, each of which made its place's time longer
     WorkPlace place_ = WorkPlace::own;
     Clock::time_point since_;
-    double cpuSince_ = 0;
-    double ownCpu_ = 0;
-    unsigned ownParts_ = 0; ///< stretches of own work, each longer by a look at the clock
+    Clock::time_point windowSince_;
+    double windowCpuSince_ = 0;
     std::uint64_t allocationsBefore_ = 0;
     std::uint64_t ownAllocations_ = 0;
+    WorkElsewhere elsewhere_;
     unsigned stalls_ = 0;
     const char* lastStall_ = "";
 };

@@ -65,6 +65,27 @@ fs::file_time_type newestTime(const std::vector<fs::path>& files) {
 
 } // namespace
 
+void Program::listUniforms() {
+    GLint count = 0, longest = 0;
+    glGetProgramiv(name(), GL_ACTIVE_UNIFORMS, &count);
+    glGetProgramiv(name(), GL_ACTIVE_UNIFORM_MAX_LENGTH, &longest);
+    std::string text(static_cast<size_t>(longest) + 1, '\0');
+    for (GLint i = 0; i < count; ++i) {
+        GLint size = 0;
+        GLenum type = GL_NONE;
+        glGetActiveUniform(name(), static_cast<GLuint>(i), longest + 1, nullptr, &size, &type, text.data());
+        Uniform uniform{text.c_str(), glGetUniformLocation(name(), text.c_str())};
+        if (uniform.name.ends_with("[0]")) uniform.name.resize(uniform.name.size() - 3);
+        if (uniform.location >= 0) uniforms_.push_back(std::move(uniform)); // else it lies in a block
+    }
+}
+
+GLint Program::find(const char* uniform) const {
+    for (const Uniform& known : uniforms_)
+        if (known.name == uniform) return known.location;
+    return -1;
+}
+
 void Program::dispatchGroups(unsigned x, unsigned y, unsigned z) const {
     use();
     glDispatchCompute(x, y, z);
@@ -133,6 +154,7 @@ void ShaderLibrary::build(Entry& entry) const {
     glGetProgramiv(program.name(), GL_LINK_STATUS, &linked);
     if (linked == GL_FALSE)
         throw InputError(root_ / entry.files.front(), 0, "the program does not link: " + linkLog(program.name()));
+    program.listUniforms();
     labelObject(GL_PROGRAM, program.name(), entry.files.back());
     entry.program = std::move(program);
     entry.sources = std::move(sources);

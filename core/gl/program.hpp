@@ -40,9 +40,16 @@ class Program {
 
   private:
     friend class ShaderLibrary;
-    GLint find(const char* uniform) const { return glGetUniformLocation(name(), uniform); }
+    /// Asked of the driver once, when the program was linked: frames set hundreds of uniforms.
+    struct Uniform {
+        std::string name;
+        GLint location = -1;
+    };
+    void listUniforms();
+    GLint find(const char* uniform) const;
     static void destroy(GLuint name) { glDeleteProgram(name); }
     Handle<destroy> handle_;
+    std::vector<Uniform> uniforms_;
 };
 
 /// Loads programs from a shader folder. The programs belong to the library and live as long as it; a reload swaps what

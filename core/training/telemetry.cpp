@@ -10,6 +10,8 @@ namespace {
 
 /// Rows between flushes: a second of welding at most is lost when the power goes.
 constexpr size_t kRowsPerFlush = 60;
+/// 15 cells of no more than 24 characters each.
+constexpr size_t kLongestRow = 512;
 
 } // namespace
 
@@ -20,12 +22,24 @@ Telemetry::Telemetry(const std::filesystem::path& file) : file_(file), stream_(f
         header += (header.empty() ? "" : ",") + std::string(name);
     stream_ << header << ",molten,min_temperature,mean_temperature,max_temperature,lost,non_finite\n";
     flush();
+    row_.reserve(kLongestRow);
 }
 
 void Telemetry::add(const TorchSample& torch, const MetalStatistics& metal) {
-    stream_ << torchRow(torch) << ',' << metal.molten << ',' << formatNumber(metal.minTemperature) << ','
-            << formatNumber(metal.meanTemperature) << ',' << formatNumber(metal.maxTemperature) << ',' << metal.lost
-            << ',' << metal.nonFinite << '\n';
+    const auto cell = [this](auto value) {
+        row_ += ',';
+        appendNumber(row_, value);
+    };
+    row_.clear();
+    appendTorchRow(row_, torch);
+    cell(std::uint64_t{metal.molten});
+    cell(metal.minTemperature);
+    cell(metal.meanTemperature);
+    cell(metal.maxTemperature);
+    cell(std::uint64_t{metal.lost});
+    cell(std::uint64_t{metal.nonFinite});
+    row_ += '\n';
+    stream_ << row_;
     ++rows_;
     if (rows_ % kRowsPerFlush == 0) flush();
 }

@@ -27,6 +27,7 @@ class Telemetry {
   private:
     std::filesystem::path file_;
     std::ofstream stream_;
+    std::string row_; ///< keeps its room from row to row
     size_t rows_ = 0;
 };
 

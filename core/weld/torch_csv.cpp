@@ -142,8 +142,8 @@ class Reader {
 };
 
 /// Millimetres that readTorchCsv() turns back into the same float of metres.
-std::string millimetres(float metres) {
-    return formatNumber(static_cast<double>(metres) * 1e3);
+double millimetres(float metres) {
+    return static_cast<double>(metres) * 1e3;
 }
 
 } // namespace
@@ -156,14 +156,16 @@ TorchRecording readTorchCsv(const std::filesystem::path& file) {
     return Reader(file).read();
 }
 
-std::string torchRow(const TorchSample& s) {
-    std::string row = formatNumber(s.time);
-    for (const std::string& cell :
-         {millimetres(s.tip.x), millimetres(s.tip.y), millimetres(s.tip.z), formatNumber(s.orientation.x),
-          formatNumber(s.orientation.y), formatNumber(s.orientation.z), formatNumber(s.orientation.w),
-          formatNumber(s.trigger)})
-        row += "," + cell;
-    return row;
+void appendTorchRow(std::string& text, const TorchSample& s) {
+    appendNumber(text, s.time);
+    for (const float place : {s.tip.x, s.tip.y, s.tip.z}) {
+        text += ',';
+        appendNumber(text, millimetres(place));
+    }
+    for (const float number : {s.orientation.x, s.orientation.y, s.orientation.z, s.orientation.w, s.trigger}) {
+        text += ',';
+        appendNumber(text, number);
+    }
 }
 
 void writeTorchCsv(const std::filesystem::path& file, const TorchRecording& recording) {
@@ -174,7 +176,7 @@ void writeTorchCsv(const std::filesystem::path& file, const TorchRecording& reco
         text += "," + name;
     text += "\n";
     for (size_t i = 0; i < recording.samples.size(); ++i) {
-        text += torchRow(recording.samples[i]);
+        appendTorchRow(text, recording.samples[i]);
         if (i < recording.furtherCells.size())
             for (const std::string& cell : recording.furtherCells[i])
                 text += "," + cell;

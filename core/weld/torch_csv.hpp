@@ -25,8 +25,9 @@ struct TorchRecording {
 /// in its range, a time before the row above, or a quaternion whose length is not near 1.
 TorchRecording readTorchCsv(const std::filesystem::path& file);
 
-/// The required cells of one row as readTorchCsv() reads them back to the same bits, without an end of line.
-std::string torchRow(const TorchSample& sample);
+/// Puts the required cells of one row behind `text` as readTorchCsv() reads them back to the same bits, without an end
+/// of line.
+void appendTorchRow(std::string& text, const TorchSample& sample);
 
 /// The whole table. Throws InputError when the file cannot be written.
 void writeTorchCsv(const std::filesystem::path& file, const TorchRecording& recording);

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <ctime>
 #include <mutex>
 #include <stdexcept>
 #include <thread>
@@ -54,6 +55,34 @@ void fail(xr::Callee&) {
     throw std::runtime_error("lost");
 }
 
+/// Keeps the processor for 20 ms of its time, of which a driver and a wait have 5 each.
+void work(xr::Callee&) {
+    const auto keep = [](double seconds) {
+        const auto now = [] {
+            timespec time{};
+            clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+            return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+        };
+        for (const double end = now() + seconds; now() < end;) {
+        }
+    };
+    keep(0.004);
+    {
+        const InWork driver(WorkPlace::driver);
+        keep(0.005);
+    }
+    {
+        const InWork waiting(WorkPlace::waiting);
+        keep(0.005);
+    }
+    const InWork runtime(WorkPlace::runtime);
+    keep(0.006);
+}
+
+void sleep(xr::Callee&) {
+    std::this_thread::sleep_for(30ms);
+}
+
 } // namespace
 
 TEST_CASE("calls run one after the other on a thread of their own, and their faults come back once") {
@@ -88,6 +117,27 @@ TEST_CASE("a call that hangs is given up, others are refused meanwhile, and all 
     thread.begin(count);
     CHECK(thread.wait(5s));
     CHECK(gate.calls == 2);
+}
+
+TEST_CASE("a call's work is told to who measures it: without drivers, without waiting, without sleep") {
+    Gate gate;
+    xr::CallThread thread(std::make_unique<Caller>(gate));
+    const auto took = [&](xr::CallThread::Call call) {
+        thread.begin(call);
+        REQUIRE(thread.wait(5s));
+        return thread.work().cpuSeconds;
+    };
+    CHECK(took(work) == 0); // nobody measures
+    WorkMeter meter;
+    meter.begin();
+    const double busy = took(work);
+    CHECK(busy > 0.0095);
+    CHECK(busy < 0.0145);
+    const double asleep = took(sleep);
+    CHECK(asleep > 0);
+    CHECK(asleep < 0.005);
+    meter.end();
+    CHECK(took(work) == 0);
 }
 
 TEST_CASE("what a hanging call works on outlives its owner, and is gone soon after it comes back") {

@@ -27,38 +27,43 @@ ImU32 glow(float heat, float shade) {
     return mix(bright, IM_COL32(12, 14, 18, 255), (1 - shade) * (1 - heat));
 }
 
-struct Face {
-    ImVec2 u; ///< edge vectors from the corner nearest to the eye
-    ImVec2 v;
-    float shade;
+constexpr int kCells = 10;
+constexpr int kNodes = kCells + 1;
+
+/// Colours of a face, a fine lattice of nodes, by their distance from the hot corner.
+class FaceColours {
+  public:
+    explicit FaceColours(float shade) {
+        for (int i = 0; i < kNodes; ++i)
+            for (int j = 0; j < kNodes; ++j) {
+                const float s = static_cast<float>(i) / kCells;
+                const float t = static_cast<float>(j) / kCells;
+                nodes_[static_cast<size_t>(i * kNodes + j)] = glow(1.15f - 1.45f * std::sqrt(s * s + t * t), shade);
+            }
+    }
+    ImU32 at(int i, int j) const { return nodes_[static_cast<size_t>(i * kNodes + j)]; }
+
+  private:
+    std::array<ImU32, size_t{kNodes} * kNodes> nodes_{};
 };
 
-/// One face as a fine lattice whose colour follows the distance from the hot corner.
-void drawFace(ImDrawList& draw, ImVec2 corner, const Face& face, float hotU, float hotV) {
-    constexpr int kCells = 10;
-    const auto place = [&](int i, int j) {
-        const float s = static_cast<float>(i) / kCells;
-        const float t = static_cast<float>(j) / kCells;
-        return ImVec2{corner.x + face.u.x * s + face.v.x * t, corner.y + face.u.y * s + face.v.y * t};
-    };
-    const auto tint = [&](int i, int j) {
-        const float s = static_cast<float>(i) / kCells - hotU;
-        const float t = static_cast<float>(j) / kCells - hotV;
-        return glow(1.15f - 1.45f * std::sqrt(s * s + t * t), face.shade);
-    };
+/// One face between the edge vectors u and v from the hot corner, which is nearest to the eye.
+void drawFace(ImDrawList& draw, ImVec2 corner, ImVec2 u, ImVec2 v, const FaceColours& colours) {
     const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
-    for (int i = 0; i < kCells; ++i) {
+    draw.PrimReserve(6 * kCells * kCells, kNodes * kNodes);
+    const auto first = static_cast<int>(draw._VtxCurrentIdx);
+    for (int i = 0; i < kCells; ++i)
         for (int j = 0; j < kCells; ++j) {
-            draw.PrimReserve(6, 4);
-            const auto first = static_cast<ImDrawIdx>(draw._VtxCurrentIdx);
-            for (const int k : {0, 1, 2, 0, 2, 3})
-                draw.PrimWriteIdx(static_cast<ImDrawIdx>(first + k));
-            draw.PrimWriteVtx(place(i, j), white, tint(i, j));
-            draw.PrimWriteVtx(place(i + 1, j), white, tint(i + 1, j));
-            draw.PrimWriteVtx(place(i + 1, j + 1), white, tint(i + 1, j + 1));
-            draw.PrimWriteVtx(place(i, j + 1), white, tint(i, j + 1));
+            const int node = first + i * kNodes + j;
+            for (const int k : {0, kNodes, kNodes + 1, 0, kNodes + 1, 1})
+                draw.PrimWriteIdx(static_cast<ImDrawIdx>(node + k));
         }
-    }
+    for (int i = 0; i < kNodes; ++i)
+        for (int j = 0; j < kNodes; ++j) {
+            const float s = static_cast<float>(i) / kCells;
+            const float t = static_cast<float>(j) / kCells;
+            draw.PrimWriteVtx({corner.x + u.x * s + v.x * t, corner.y + u.y * s + v.y * t}, white, colours.at(i, j));
+        }
 }
 
 /// A soft round glow.
@@ -119,9 +124,10 @@ void drawSign(ImDrawList& draw, ImVec2 centre, float size) {
     const float half = size * 0.5f;
     const float wide = half * 0.866f;
     const ImVec2 near{centre.x, centre.y};
-    drawFace(draw, near, {{-wide, -half * 0.5f}, {wide, -half * 0.5f}, 1.0f}, 0, 0);
-    drawFace(draw, near, {{-wide, -half * 0.5f}, {0, half}, 0.62f}, 0, 0);
-    drawFace(draw, near, {{wide, -half * 0.5f}, {0, half}, 0.42f}, 0, 0);
+    static const FaceColours top(1.0f), left(0.62f), right(0.42f);
+    drawFace(draw, near, {-wide, -half * 0.5f}, {wide, -half * 0.5f}, top);
+    drawFace(draw, near, {-wide, -half * 0.5f}, {0, half}, left);
+    drawFace(draw, near, {wide, -half * 0.5f}, {0, half}, right);
     // The lattices have hard edges; a soft outline smooths the silhouette.
     const std::array<ImVec2, 6> outline{{{near.x, near.y - half},
                                          {near.x + wide, near.y - half * 0.5f},

@@ -1,0 +1,98 @@
+// The meter of a thread's work: what takes the processor's time is counted where it belongs, sleeping is not.
+#include "core/base/work_meter.hpp"
+#include "tests/support/catch.hpp"
+
+#include <ctime>
+#include <thread>
+
+using namespace meltpool;
+using namespace std::chrono_literals;
+
+#if defined(CLOCK_THREAD_CPUTIME_ID)
+
+namespace {
+
+double threadSeconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Keeps the processor for so much of its time, however much of the clock's that takes.
+void work(double seconds) {
+    for (const double end = threadSeconds() + seconds; threadSeconds() < end;) {
+    }
+}
+
+} // namespace
+
+TEST_CASE("work is counted where it is done, by the processor's time") {
+    WorkMeter meter;
+    meter.begin();
+    work(0.02);
+    {
+        const InWork runtime(WorkPlace::runtime);
+        work(0.01);
+        const InWork driver(WorkPlace::driver);
+        work(0.005);
+    }
+    meter.end();
+    // What this thread spent between two looks is at least what it was asked to, and little more.
+    CHECK(meter.cpuSeconds(WorkPlace::own) > 0.0195);
+    CHECK(meter.cpuSeconds(WorkPlace::own) < 0.024);
+    CHECK(meter.cpuSeconds(WorkPlace::runtime) > 0.0095);
+    CHECK(meter.cpuSeconds(WorkPlace::runtime) < 0.012);
+    CHECK(meter.cpuSeconds(WorkPlace::driver) > 0.0045);
+    CHECK(meter.cpuSeconds(WorkPlace::waiting) == 0);
+    CHECK(meter.forAnother().cpuSeconds ==
+          Approx(meter.cpuSeconds(WorkPlace::own) + meter.cpuSeconds(WorkPlace::runtime)));
+}
+
+TEST_CASE("sleep takes the clock's time, not the processor's") {
+    WorkMeter meter;
+    meter.begin();
+    std::this_thread::sleep_for(30ms);
+    {
+        const InWork runtime(WorkPlace::runtime);
+        std::this_thread::sleep_for(30ms);
+    }
+    meter.end();
+    for (const WorkPlace place : {WorkPlace::own, WorkPlace::runtime}) {
+        CHECK(meter.seconds(place) > 0.029);
+        CHECK(meter.cpuSeconds(place) < 0.01);
+    }
+}
+
+TEST_CASE("work between a thousand short calls of a driver is counted, and the calls are not") {
+    WorkMeter meter;
+    double own = 0, driver = 0;
+    const auto timed = [](double& sum, double seconds) {
+        const double start = threadSeconds();
+        work(seconds);
+        sum += threadSeconds() - start;
+    };
+    meter.begin();
+    for (int i = 0; i < 1000; ++i) {
+        timed(own, 10e-6);
+        const InWork call(WorkPlace::driver);
+        timed(driver, 20e-6);
+    }
+    meter.end();
+    CHECK(meter.cpuSeconds(WorkPlace::own) > 0.95 * own);
+    CHECK(meter.cpuSeconds(WorkPlace::own) < own + 0.4 * driver);
+}
+
+#endif
+
+TEST_CASE("what another thread did is told beside, and from zero with every begin") {
+    WorkMeter meter;
+    meter.begin();
+    meter.add({0.5, 3});
+    meter.add({0.25, 1});
+    CHECK(meter.elsewhere().cpuSeconds == 0.75);
+    CHECK(meter.elsewhere().allocations == 4);
+    CHECK(meter.seconds(WorkPlace::runtime) == 0);
+    meter.begin();
+    CHECK(meter.elsewhere().cpuSeconds == 0);
+    CHECK(meter.elsewhere().allocations == 0);
+}
