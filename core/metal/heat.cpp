@@ -166,6 +166,8 @@ void HeatSolver::makeTexels() {
     see(state_.heat, GL_RGBA32F, sizeof(vec4), HEAT_TEXELS_HEATS);
     see(state_.position, GL_RGBA32F, sizeof(vec4), HEAT_TEXELS_POSITIONS);
     see(state_.phase, GL_R32UI, sizeof(uint), HEAT_TEXELS_PHASES);
+    see(cellTheta_, GL_RGBA32F, sizeof(vec4), HEAT_TEXELS_THETA_ROWS);
+    see(state_.latticeSlots, GL_RGBA32UI, sizeof(uvec4), HEAT_TEXELS_LATTICE_ROWS);
 }
 
 void HeatSolver::prepareBlock() {

@@ -36,6 +36,8 @@
 #define HEAT_TEXELS_HEATS 7
 #define HEAT_TEXELS_POSITIONS 8
 #define HEAT_TEXELS_PHASES 9
+#define HEAT_TEXELS_THETA_ROWS 10 // four cells along x a texel
+#define HEAT_TEXELS_LATTICE_ROWS 11 // likewise
 
 #define HEAT_SOURCES 4
 
