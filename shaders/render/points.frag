@@ -8,15 +8,17 @@ layout(location = 0) flat in float temperature;
 layout(location = 1) flat in vec3 lampInEye;
 layout(location = 2) flat in vec3 wayInEye;
 #ifdef VIEWS_BY_CLIPPING
-layout(location = 3) flat in vec2 column;
+layout(location = 4) flat in vec2 column;
 #endif
+layout(location = 3) flat in vec3 disc;
 layout(location = 0) out vec4 colour;
 
 void main() {
 #ifdef VIEWS_BY_CLIPPING
     if (gl_FragCoord.x < column.x || gl_FragCoord.x > column.y) discard;
 #endif
-    vec2 off = vec2(gl_PointCoord.x * 2.0 - 1.0, 1.0 - gl_PointCoord.y * 2.0);
+    // Not gl_PointCoord: drivers put it up to half a pixel apart.
+    vec2 off = (gl_FragCoord.xy - disc.xy) * disc.z;
     float inside = 1.0 - dot(off, off);
     if (inside < 0.0) discard;
     if (frame.colours.x > 0.5) {

@@ -8,8 +8,9 @@ layout(location = 0) in vec4 position; // model units; w: temperature
 layout(location = 0) flat out float temperature;
 layout(location = 1) flat out vec3 lampInEye; // unit
 layout(location = 2) flat out vec3 wayInEye;  // unit, from the eye to the particle
+layout(location = 3) flat out vec3 disc;      // pixels: middle, and one over the radius
 #ifdef VIEWS_BY_CLIPPING
-layout(location = 3) flat out vec2 column; // pixels, left and right side of the view
+layout(location = 4) flat out vec2 column; // pixels, left and right side of the view
 #endif
 
 void main() {
@@ -21,7 +22,10 @@ void main() {
     column = view.size.z + vec2(0.0, view.size.x);
 #endif
     // At least a pixel, so that far particles do not flicker.
-    gl_PointSize = max(2.0 * frame.detail.y * view.eye.w / max(gl_Position.w, 1e-6), 1.5);
+    float radius = max(frame.detail.y * view.eye.w / max(gl_Position.w, 1e-6), 0.75);
+    vec4 clip = view.worldToClip * vec4(world, 1.0);
+    disc = vec3((clip.xy / max(clip.w, 1e-6) * 0.5 + 0.5) * view.size.xy + view.size.zw, 1.0 / radius);
+    gl_PointSize = 2.0 * radius + 1.0; // the whole disc, wherever the driver lays the square over the pixels
     temperature = position.w;
     lampInEye = normalize(mat3(view.worldToEye) * (frame.light.xyz - world));
     wayInEye = normalize(mat3(view.worldToEye) * (world - view.eye.xyz));
