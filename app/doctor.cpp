@@ -2,6 +2,7 @@
 #include "app/doctor.hpp"
 
 #include "app/commands.hpp"
+#include "app/desktop/window_system.hpp"
 #include "app/headset/headset_doctor.hpp"
 #include "app/program_info.hpp"
 #include "core/base/error.hpp"
@@ -74,7 +75,7 @@ void inspectDriver(std::vector<Finding>& findings) {
 }
 
 void inspectDisplay(std::vector<Finding>& findings) {
-    if (glfwInit() == GLFW_TRUE) {
+    if (startWindowSystem()) {
         int count = 0;
         GLFWmonitor** monitors = glfwGetMonitors(&count);
         std::string found = std::to_string(count) + (count == 1 ? " monitor" : " monitors");

@@ -1,6 +1,7 @@
 #include "app/desktop/window.hpp"
 
 #include "app/desktop/desktop.hpp"
+#include "app/desktop/window_system.hpp"
 
 #include "core/base/error.hpp"
 #include "core/base/work_meter.hpp"
@@ -68,7 +69,7 @@ std::string offeredVersion() {
 }
 
 void start() {
-    if (glfwInit() != GLFW_TRUE) throw InputError("no window can be opened here: " + lastProblem());
+    if (!startWindowSystem()) throw InputError("no window can be opened here: " + lastProblem());
 }
 
 Window& self(GLFWwindow* window) {
@@ -78,7 +79,7 @@ Window& self(GLFWwindow* window) {
 } // namespace
 
 std::string missingDisplay() {
-    if (glfwInit() != GLFW_TRUE) return lastProblem();
+    if (!startWindowSystem()) return lastProblem();
     glfwTerminate();
     return {};
 }
