@@ -38,9 +38,10 @@ SessileDrop sessileDrop(gl::ShaderLibrary& shaders, const FlowFluid& fluid, doub
                         double seconds);
 
 struct HydrostaticColumn : FlowRun {
-    double bottomPressure = 0; ///< Pa, of the line through the pressures inside
-    double densityError = 0;   ///< mean of |rho/rho0 - 1| inside
-    double restSpeed = 0;      ///< rms at the end, m/s
+    double bottomPressure =
+        0; ///< Pa, mean of the pressures inside, each with the weight of liquid between it and the floor
+    double densityError = 0; ///< mean of |rho/rho0 - 1| inside
+    double restSpeed = 0;    ///< rms at the end, m/s
 };
 /// A wide pool of depth `height` at rest for `seconds`.
 HydrostaticColumn hydrostaticColumn(gl::ShaderLibrary& shaders, const FlowFluid& fluid, double height, double gravity,

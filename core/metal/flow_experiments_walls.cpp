@@ -19,26 +19,6 @@ void tellRun(FlowRun& run, const FlowBench& bench) {
     run.faults = bench.flow.readFaults();
 }
 
-/// Slope and value at 0 of the line that fits best.
-struct Line {
-    double slope = 0, start = 0;
-};
-
-Line fitLine(const std::vector<double>& x, const std::vector<double>& y) {
-    const auto count = static_cast<double>(x.size());
-    double meanX = 0, meanY = 0, xx = 0, xy = 0;
-    for (size_t i = 0; i < x.size(); ++i) {
-        meanX += x[i] / count;
-        meanY += y[i] / count;
-    }
-    for (size_t i = 0; i < x.size(); ++i) {
-        xx += (x[i] - meanX) * (x[i] - meanX);
-        xy += (x[i] - meanX) * (y[i] - meanY);
-    }
-    const double slope = xy / xx;
-    return {slope, meanY - slope * meanX};
-}
-
 } // namespace
 
 HydrostaticColumn hydrostaticColumn(gl::ShaderLibrary& shaders, const FlowFluid& fluid, double height, double gravity,
@@ -52,22 +32,26 @@ HydrostaticColumn hydrostaticColumn(gl::ShaderLibrary& shaders, const FlowFluid&
     FlowSpace space{glm::vec3(0, -kWall * dx, 0), glm::vec3(wide, (layers + 6) * dx, wide)};
     space.repeats = glm::bvec3(true, false, true);
     FlowBench bench(shaders, fluid, space, glm::vec3(0, -gravity, 0), seeds);
-    std::vector<double> depths, pressures;
     HydrostaticColumn result;
-    double inside = 0;
+    // Under the surface particles lie in layers, five or so, whose pressures differ by what the tension makes of them.
+    const double lowest = dx, highest = (layers - 5.5) * dx;
+    double pressed = 0, inside = 0;
     bench.run(seconds, kFrame, [&](double time) {
         if (time < seconds * 0.8) return;
-        const auto particles = bench.measure();
-        const double top = layers * dx; // of the rest volume: the line's start is at the floor
-        for (const auto& particle : particles) {
-            if (!particle.liquid || particle.position.y < 2.5 * dx || particle.position.y > top - 3 * dx) continue;
-            depths.push_back(particle.position.y);
-            pressures.push_back(particle.pressure);
-            result.densityError += std::abs(particle.delta / bench.flow.constants().scale / 1.0064 - 1);
-            inside += 1;
+        for (const auto& particle : bench.measure()) {
+            const double y = particle.position.y;
+            if (!particle.liquid || y < lowest) continue;
+            if (y < highest) {
+                result.bottomPressure += particle.pressure + fluid.density * gravity * y;
+                pressed += 1;
+            }
+            if (y < (layers - 3) * dx) {
+                result.densityError += std::abs(particle.delta / bench.flow.constants().scale / 1.0064 - 1);
+                inside += 1;
+            }
         }
     });
-    result.bottomPressure = fitLine(depths, pressures).start;
+    result.bottomPressure /= pressed;
     result.densityError /= inside;
     double sum = 0;
     const auto velocities = bench.readVelocities();

@@ -4,6 +4,7 @@
 #include "core/metal/heat_section.hpp"
 #include "core/metal/physical_metal.hpp"
 #include "core/metal/validation_bench.hpp"
+#include "core/metal/validation_size.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -162,6 +163,13 @@ Section deposit(const ValidationCase& from, gl::ShaderLibrary& shaders, const Be
 void runBeadOnPlate(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result) {
     const Bead b = beadOf(from, from.material);
     const bool fed = b.wireRate > 0;
+    requireSpacings(from, "plate_mm, its thickness", static_cast<double>(b.thickness), 2);
+    requireSpacings(from, "plate_mm, its width", static_cast<double>(b.width), 4);
+    const auto cells =
+        static_cast<double>(latticeOf(b, static_cast<float>(from.spacing), fed ? kAirAbove : 0).cellCount());
+    const double wire = b.wireRate * static_cast<double>((b.end - b.start) / b.speed);
+    const double count = (static_cast<double>(b.length * b.thickness * b.width) + wire) / std::pow(from.spacing, 3);
+    requireRoom(from, {cells, count, fed ? count : 0, fed ? cells : 0});
     const Section section = fed ? deposit(from, shaders, b, result) : burnIn(from, shaders, b, result);
     result.compareMeasured(from, "width_mm", section.width * 1e3);
     result.compareMeasured(from, "penetration_mm", section.penetration * 1e3);

@@ -276,6 +276,8 @@ void checkTogether(TomlTable& table, const ValidationCase& result) {
     const std::string_view kind = result.kind->name;
     if (kind.starts_with("rosenthal")) checkRosenthal(table, result);
     if (kind.starts_with("stefan")) checkStefan(table, result);
+    if (kind == "poiseuille" && result.number("body_force_n_m3") == 0)
+        table.fail("body_force_n_m3", "expected a force other than 0: else nothing flows");
     if (kind == "cavity_melting") {
         const auto& times = result.list("times_s");
         if (!std::is_sorted(times.begin(), times.end())) table.fail("times_s", "times must rise");

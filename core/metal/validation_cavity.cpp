@@ -2,6 +2,7 @@
 #include "core/base/text.hpp"
 #include "core/metal/flow.hpp"
 #include "core/metal/validation_bench.hpp"
+#include "core/metal/validation_size.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -61,9 +62,7 @@ struct Cavity {
     }
 
   private:
-    float cellsOf(double millimetres) const {
-        return std::max(4.0F, std::round(static_cast<float>(millimetres * 1e-3) / spacing));
-    }
+    float cellsOf(double millimetres) const { return std::round(static_cast<float>(millimetres * 1e-3) / spacing); }
 
     std::vector<MetalSeed> block(glm::vec2 low, glm::vec2 high, double temperature, unsigned phase) const {
         std::vector<MetalSeed> seeds;
@@ -120,6 +119,12 @@ glm::dvec2 speeds(const MetalState& state, size_t metal) {
 } // namespace
 
 void runCavityMelting(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result) {
+    requireSpacings(from, "width_mm", from.number("width_mm") * 1e-3, 4);
+    requireSpacings(from, "height_mm", from.number("height_mm") * 1e-3, 4);
+    const double layer = (from.number("width_mm") * 1e-3 / from.spacing + 2.0 * static_cast<double>(kWall)) *
+                         (from.number("height_mm") * 1e-3 / from.spacing + 2.0 * static_cast<double>(kWall));
+    const double count = layer * static_cast<double>(kDeep + 4);
+    requireRoom(from, {count, count, count, count});
     const Cavity cavity(from);
     const auto seeds = cavity.seeds();
     const auto metal = static_cast<size_t>(cavity.width * cavity.height * kDeep);

@@ -2,6 +2,7 @@
 // half-space.
 #include "core/metal/validation_bench.hpp"
 #include "core/metal/validation_exact.hpp"
+#include "core/metal/validation_size.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,11 +11,17 @@ namespace meltpool {
 
 namespace {
 
+constexpr double kLeastLayers = 6; // as many as a look between layers needs, and some
+constexpr double kSection = TILE_EDGE * TILE_EDGE;
+
 /// A column along x from the surface at x = 0; one layer before it is a held wall where `wall` is above 0 K.
 struct Column {
     Column(const ValidationCase& from, const Material& material, gl::ShaderLibrary& shaders, double depth,
            double initial, double wall)
-        : spacing(from.spacing), cells(static_cast<int>(std::ceil(depth / spacing))), wallTemperature(wall) {
+        : spacing(from.spacing), wallTemperature(wall) {
+        const double layers = std::max(kLeastLayers, std::ceil(depth / spacing));
+        requireRoom(from, {(layers + 4) * kSection, (layers + 1) * kSection, 0, 0});
+        cells = static_cast<int>(layers);
         const auto h = static_cast<float>(spacing);
         // One layer of air or wall lies before the surface.
         const glm::vec3 low(-h, 0, 0);
@@ -28,6 +35,7 @@ struct Column {
         HeatSettings settings;
         settings.ambient = wall > 0 ? std::min(wall, initial) : initial; // no heat is lost; steps fit all from here up
         bench = std::make_unique<HeatBench>(shaders, lattice, material, seeds, settings);
+        requireSteps(from, from.time / bench->solver.longestStep(std::max(wall, initial)));
     }
 
     /// Mean over each layer of what a particle has, the surface's layer first.
@@ -83,7 +91,7 @@ struct Column {
     }
 
     double spacing;
-    int cells;
+    int cells = 0;
     double wallTemperature;
     std::unique_ptr<HeatBench> bench;
 };

@@ -3,6 +3,7 @@
 #include "core/metal/filler.hpp"
 #include "core/metal/physical_metal.hpp"
 #include "core/metal/validation_bench.hpp"
+#include "core/metal/validation_size.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -46,6 +47,11 @@ PhysicalSetup setupOf(const ValidationCase& from, const Weld& weld) {
     const auto spacing = static_cast<float>(from.spacing);
     const glm::vec3 plate(weld.length, kThickness, kSide);
     setup.lattice = MetalLattice::covering(glm::vec3(0), plate + glm::vec3(0, kAir, 0), spacing);
+    requireSpacings(from, "on a plate of 32x8x32 mm, its thickness", static_cast<double>(kThickness), 1);
+    const auto cells = static_cast<double>(setup.lattice.cellCount());
+    const double plateCount = static_cast<double>(plate.x * plate.y * plate.z) / std::pow(from.spacing, 3);
+    const double count = plateCount + weld.wireRate * weld.on / std::pow(from.spacing, 3);
+    requireRoom(from, {cells, count, count, cells});
     setup.seeds = latticeSeeds(setup.lattice, glm::vec3(0), plate, static_cast<float>(kAmbient), PHASE_CLAMPED);
     setup.space.low = setup.lattice.low;
     setup.space.high = setup.lattice.low + glm::vec3(setup.lattice.cells()) * spacing;

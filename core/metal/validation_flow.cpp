@@ -3,6 +3,7 @@
 #include "core/metal/flow_experiments.hpp"
 #include "core/metal/validation.hpp"
 #include "core/metal/validation_exact.hpp"
+#include "core/metal/validation_size.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,11 +30,36 @@ double radiusOf(const ValidationCase& from) {
     return from.number("radius_mm") * 1e-3;
 }
 
+void checkSteps(const ValidationCase& from, const FlowFluid& fluid) {
+    requireSteps(from, from.time / FlowConstants::of(fluid).longestStep);
+}
+
 void tellRun(ValidationResult& result, const FlowRun& run) {
     result.particles = run.particles;
     result.steps = run.steps;
     if (run.faults.any())
         result.tell("overfull_cells_or_lists", run.faults.cellsOverfull + run.faults.neighboursOverfull);
+}
+
+/// Makes the spacing such that `length` (m) is a whole number of it, and says so; at least `least` of them.
+void fitSpacing(const ValidationCase& from, std::string_view key, double length, double least, FlowFluid& fluid,
+                ValidationResult& result) {
+    requireSpacings(from, key, length, least);
+    fluid.spacing = result.spacing = length / std::round(length / from.spacing);
+}
+
+/// A free drop in the space that the experiments give it: a box of four radii.
+void checkDrop(const ValidationCase& from) {
+    requireSpacings(from, "radius_mm", radiusOf(from), 2);
+    const double radius = radiusOf(from) / from.spacing;
+    const double count = 4.2 * std::pow(radius, 3);
+    requireRoom(from, {0, count, count, std::pow(4 * radius, 3)});
+}
+
+/// A slab that repeats every eight spacings, with walls of three layers; its extent in the other two in m.
+void checkSlab(const ValidationCase& from, double length, double height) {
+    const double count = (length / from.spacing + 6) * (height / from.spacing + 12) * 8;
+    requireRoom(from, {0, count, count, count});
 }
 
 /// How the dam's floor meets the water; both are finer than the particles and do not depend on them. Friction: a
@@ -46,7 +72,9 @@ constexpr double kFloorAngle = 97 * std::numbers::pi / 180;
 } // namespace
 
 void runDropletPressure(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result) {
+    checkDrop(from);
     const FlowFluid fluid = liquidOf(from);
+    checkSteps(from, fluid);
     const DropletPressure drop = dropletPressure(shaders, fluid, radiusOf(from), from.time);
     tellRun(result, drop);
     result.compareExact(from, "pressure_jump_pa", exact::dropletPressure(fluid.tension, radiusOf(from)), drop.jump);
@@ -55,7 +83,9 @@ void runDropletPressure(const ValidationCase& from, gl::ShaderLibrary& shaders, 
 }
 
 void runDropletOscillation(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result) {
+    checkDrop(from);
     const FlowFluid fluid = liquidOf(from);
+    checkSteps(from, fluid);
     const DropletOscillation drop = dropletOscillation(shaders, fluid, radiusOf(from), from.time);
     tellRun(result, drop);
     result.compareExact(from, "frequency_hz", exact::dropletFrequency(fluid.tension, fluid.density, radiusOf(from)),
@@ -68,6 +98,10 @@ void runSessileDrop(const ValidationCase& from, gl::ShaderLibrary& shaders, Vali
     const double angle = from.number("contact_angle_deg") * std::numbers::pi / 180;
     const double volume = from.number("volume_mm3") * 1e-9;
     fluid.wetting = wettingForAngle(angle);
+    requireSpacings(from, "volume_mm3, as the edge of a cube", std::cbrt(volume), 4);
+    const double edge = 1.7 * 2 * std::cbrt(volume) / from.spacing + 12; // of the wall, twice what spreads
+    requireRoom(from, {0, 4 * edge * edge, 4 * edge * edge, edge * edge * edge});
+    checkSteps(from, fluid);
     const SessileDrop drop = sessileDrop(shaders, fluid, volume, kGravity, from.time);
     tellRun(result, drop);
     const double height = exact::sessileHeight(fluid.tension, fluid.density, kGravity, volume, angle);
@@ -78,11 +112,13 @@ void runSessileDrop(const ValidationCase& from, gl::ShaderLibrary& shaders, Vali
 void runHydrostatic(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result) {
     FlowFluid fluid = liquidOf(from);
     const double height = from.number("height_mm") * 1e-3;
+    fitSpacing(from, "height_mm", height, 8, fluid, result);
+    checkSlab(from, 8 * from.spacing, height);
     fluid.fastest = std::sqrt(kGravity * height); // keeps the bottom's compression near a hundredth
+    checkSteps(from, fluid);
     const HydrostaticColumn column = hydrostaticColumn(shaders, fluid, height, kGravity, from.time);
     tellRun(result, column);
-    const double depth = std::round(height / from.spacing) * from.spacing;
-    result.compareExact(from, "bottom_pressure_pa", fluid.density * kGravity * depth, column.bottomPressure);
+    result.compareExact(from, "bottom_pressure_pa", fluid.density * kGravity * height, column.bottomPressure);
     result.compareLimit("density_error_percent", from.tolerancePercent, 100 * column.densityError);
     result.tell("rest_speed_mm_s", column.restSpeed * 1e3);
 }
@@ -90,6 +126,8 @@ void runHydrostatic(const ValidationCase& from, gl::ShaderLibrary& shaders, Vali
 void runDamBreak(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result) {
     FlowFluid fluid = liquidOf(from);
     const double width = from.number("width_mm") * 1e-3;
+    fitSpacing(from, "width_mm", width, 6, fluid, result);
+    checkSlab(from, 15 * width, 2 * width);
     fluid.fastest = std::sqrt(2 * kGravity * 2 * width);
     fluid.wallFriction = kFloorFriction;
     fluid.wetting = wettingForAngle(kFloorAngle);
@@ -101,6 +139,7 @@ void runDamBreak(const ValidationCase& from, gl::ShaderLibrary& shaders, Validat
         fronts.push_back(front);
     }
     if (times.empty()) throw InputError(from.file, 0, "time_s ends before the first measured front");
+    checkSteps(from, fluid);
     const DamBreak dam = damBreak(shaders, fluid, width, kGravity, times);
     tellRun(result, dam);
     double sum = 0;
@@ -116,6 +155,8 @@ void runPoiseuille(const ValidationCase& from, gl::ShaderLibrary& shaders, Valid
     FlowFluid fluid = liquidOf(from);
     const double gap = from.number("gap_mm") * 1e-3;
     const double force = from.number("body_force_n_m3");
+    fitSpacing(from, "gap_mm", gap, 4, fluid, result);
+    checkSlab(from, 8 * from.spacing, gap);
     const auto exactAt = [&](double y) {
         return exact::poiseuille(force, fluid.viscosity, fluid.density, gap, y, from.time);
     };
@@ -123,13 +164,14 @@ void runPoiseuille(const ValidationCase& from, gl::ShaderLibrary& shaders, Valid
     fluid.tension = 0; // no free surface: a stiff liquid without cohesion, at its own viscosity
     fluid.leastViscosity = 0;
     fluid.fastest = 4 * std::abs(centre);
+    checkSteps(from, fluid);
     const PlateFlow flow = plateFlow(shaders, fluid, gap, force, from.time);
     tellRun(result, flow);
     double sum = 0, count = 0, square = 0;
     for (size_t i = 0; i < flow.places.size(); ++i) {
         const double error = flow.velocities[i] - exactAt(flow.places[i]);
         square += error * error / static_cast<double>(flow.places.size());
-        if (std::abs(flow.places[i] - gap / 2) > from.spacing) continue;
+        if (std::abs(flow.places[i] - gap / 2) > fluid.spacing) continue;
         sum += centre + error; // brought to the centre along the exact profile
         count += 1;
     }

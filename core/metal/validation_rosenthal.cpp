@@ -1,6 +1,7 @@
 // A source that moves along a plate, held against Rosenthal's point and line sources once it has settled.
 #include "core/metal/validation_bench.hpp"
 #include "core/metal/validation_exact.hpp"
+#include "core/metal/validation_size.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -168,10 +169,13 @@ void runRosenthal(const ValidationCase& from, gl::ShaderLibrary& shaders, Valida
     const glm::vec3 low(-0.5F * side, -depth, -side);
     const glm::vec3 high(metres(p.travel + p.ahead), 0, side);
     const MetalLattice lattice = MetalLattice::covering(low, high, h);
+    const auto cells = static_cast<double>(lattice.cellCount());
+    requireRoom(from, {cells, cells, 0, 0});
     const auto seeds = latticeSeeds(lattice, low, high, metres(p.source.ambient));
     HeatSettings settings;
     settings.ambient = p.source.ambient;
     HeatBench bench(shaders, lattice, material, seeds, settings);
+    requireSteps(from, p.time / bench.solver.longestStep(p.source.ambient + 1));
     // A thin plate is as many layers as fit best; each takes the power that it would take of the plate as it is.
     const double power = p.source.power * (p.thickness > 0 ? static_cast<double>(depth) / p.thickness : 1);
     const auto source = [&](double time) {
