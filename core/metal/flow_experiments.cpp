@@ -118,13 +118,24 @@ DropletOscillation dropletOscillation(gl::ShaderLibrary& shaders, const FlowFlui
 SessileDrop sessileDrop(gl::ShaderLibrary& shaders, const FlowFluid& fluid, double volume, double gravity,
                         double seconds) {
     const double dx = fluid.spacing;
+    // As many particles as the volume holds: a block, and what is left over in the middle of one more layer.
+    const auto whole = static_cast<size_t>(std::round(volume / (dx * dx * dx)));
     const double side = std::round(std::cbrt(2 * volume) / dx);
-    const double layers = std::max(1.0, std::round(volume / (dx * dx * dx) / (side * side)));
+    const double layers = std::max(1.0, std::ceil(static_cast<double>(whole) / (side * side)));
     const double edge = std::ceil(1.7 * std::cbrt(volume) / dx + 0.5 * side) * dx; // half the wall
     const auto half = static_cast<float>(0.5 * side * dx);
+    std::vector<MetalSeed> drop;
+    addBlock(drop, glm::vec3(-half, 0, -half), glm::vec3(half, layers * dx, half), dx, true);
+    const auto order = [dx](const MetalSeed& seed) {
+        const glm::vec3 p = seed.position;
+        return std::pair(std::floor(static_cast<double>(p.y) / dx), p.x * p.x + p.z * p.z);
+    };
+    std::stable_sort(drop.begin(), drop.end(),
+                     [&](const MetalSeed& a, const MetalSeed& b) { return order(a) < order(b); });
+    drop.resize(std::min(drop.size(), whole));
     std::vector<MetalSeed> seeds;
     addBlock(seeds, glm::vec3(-edge, -3 * dx, -edge), glm::vec3(edge, 0, edge), dx, false);
-    addBlock(seeds, glm::vec3(-half, 0, -half), glm::vec3(half, layers * dx, half), dx, true);
+    seeds.insert(seeds.end(), drop.begin(), drop.end());
     const FlowSpace space{glm::vec3(-edge, -3 * dx, -edge), glm::vec3(edge, 2 * layers * dx + 4 * dx, edge)};
     FlowBench bench(shaders, fluid, space, glm::vec3(0, -gravity, 0), seeds);
     SessileDrop result;

@@ -43,6 +43,15 @@ TEST_CASE("a drop swings at Rayleigh's frequency") {
     CHECK_FALSE(drop.faults.any());
 }
 
+TEST_CASE("a drop on a wall is as many particles as its volume holds") {
+    const FlowFluid steel;
+    const auto particles = [&](double volume) {
+        return sessileDrop(test::shaders(), steel, volume * 1e-9, 9.81, 0.02).particles;
+    };
+    CHECK(particles(31) == particles(30) + 1);
+    CHECK(particles(34) == particles(30) + 4);
+}
+
 TEST_CASE("a pool's pressure grows with depth, and it comes to rest") {
     FlowFluid steel;
     const double height = 10e-3;
