@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -26,12 +27,15 @@ double rmsSpeed(const FlowBench& bench) {
     return std::sqrt(sum / static_cast<double>(velocities.size()));
 }
 
-std::vector<MetalSeed> sphere(const FlowFluid& fluid, double radius) {
+/// The points of a lattice that lie within the sphere around 0, the lattice moved by `shift` spacings along each axis.
+std::vector<MetalSeed> sphere(const FlowFluid& fluid, double radius, double shift = 0) {
     std::vector<MetalSeed> all, seeds;
     const auto reach = static_cast<float>((std::ceil(radius / fluid.spacing) + 1) * fluid.spacing);
     addBlock(all, glm::vec3(-reach), glm::vec3(reach), fluid.spacing, true);
-    for (const MetalSeed& seed : all)
+    for (MetalSeed& seed : all) {
+        seed.position += static_cast<float>(shift * fluid.spacing);
         if (glm::length(glm::dvec3(seed.position)) < radius) seeds.push_back(seed);
+    }
     return seeds;
 }
 
@@ -52,8 +56,10 @@ double elongation(const std::vector<glm::dvec3>& places, int axis) {
 
 } // namespace
 
-DropletPressure dropletPressure(gl::ShaderLibrary& shaders, const FlowFluid& fluid, double radius, double seconds) {
-    const auto seeds = sphere(fluid, radius);
+namespace {
+
+DropletPressure pressureOf(gl::ShaderLibrary& shaders, const FlowFluid& fluid, double radius, double seconds,
+                           std::span<const MetalSeed> seeds) {
     FlowBench bench(shaders, fluid, spaceAround(radius), glm::vec3(0), seeds);
     DropletPressure result;
     // Beyond the surface's own layer, where tension pulls; at least half the radius.
@@ -80,6 +86,27 @@ DropletPressure dropletPressure(gl::ShaderLibrary& shaders, const FlowFluid& flu
     result.density /= samples;
     result.restSpeed = rmsSpeed(bench);
     tellRun(result, bench);
+    return result;
+}
+
+} // namespace
+
+DropletPressure dropletPressure(gl::ShaderLibrary& shaders, const FlowFluid& fluid, double radius, double seconds) {
+    // The order in which particles come to rest differs by what they start from, and the pressure with it by a tenth.
+    constexpr std::array kShifts{0.0, 0.2, 0.35};
+    DropletPressure result;
+    for (const double shift : kShifts) {
+        const DropletPressure one = pressureOf(shaders, fluid, radius, seconds, sphere(fluid, radius, shift));
+        constexpr double kShare = 1.0 / kShifts.size();
+        result.jump += kShare * one.jump;
+        result.density += kShare * one.density;
+        result.restSpeed += kShare * one.restSpeed;
+        result.particles = one.particles;
+        result.steps += one.steps;
+        result.faults.cellsOverfull += one.faults.cellsOverfull;
+        result.faults.neighboursOverfull += one.faults.neighboursOverfull;
+        result.faults.listOverfull += one.faults.listOverfull;
+    }
     return result;
 }
 

@@ -17,7 +17,7 @@ struct DropletPressure : FlowRun {
     double density = 0;   ///< over rest density, there
     double restSpeed = 0; ///< rms at the end, m/s
 };
-/// A drop without gravity, left alone for `seconds`.
+/// A drop without gravity, left alone for `seconds`; mean of three that start from different arrangements.
 DropletPressure dropletPressure(gl::ShaderLibrary& shaders, const FlowFluid& fluid, double radius, double seconds);
 
 struct DropletOscillation : FlowRun {

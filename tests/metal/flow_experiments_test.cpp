@@ -43,6 +43,17 @@ TEST_CASE("a drop swings at Rayleigh's frequency") {
     CHECK_FALSE(drop.faults.any());
 }
 
+TEST_CASE("a drop's pressure is Laplace's") {
+    FlowFluid water;
+    water.density = 1000;
+    water.tension = 0.072;
+    water.viscosity = 1e-3;
+    const DropletPressure drop = dropletPressure(test::shaders(), water, 6e-3, 0.4);
+    CHECK(drop.jump == Approx(exact::dropletPressure(water.tension, 6e-3)).epsilon(0.2));
+    CHECK(drop.density == Approx(1).epsilon(0.03));
+    CHECK_FALSE(drop.faults.any());
+}
+
 TEST_CASE("a drop on a wall is as many particles as its volume holds") {
     const FlowFluid steel;
     const auto particles = [&](double volume) {
