@@ -127,10 +127,12 @@ void Window::open(const Options& options) {
     glfwSetMouseButtonCallback(
         window_, [](GLFWwindow* w, int button, int action, int) { self(w).onButton(button, action == GLFW_PRESS); });
     glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) { self(w).onMove({x, y}); });
-    glfwSetScrollCallback(window_,
-                          [](GLFWwindow* w, double, double y) { self(w).gathering_.scroll += static_cast<float>(y); });
+    glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double y) { self(w).onScroll(y); });
+    glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { self(w).stir(); });
+    glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { self(w).stir(); });
+    glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int) { self(w).stir(); });
     glfwSetWindowSizeCallback(window_, [](GLFWwindow* w, int x, int y) { self(w).onSize({x, y}); });
-    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int x, int y) { self(w).pixels_ = {x, y}; });
+    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int x, int y) { self(w).onPixels({x, y}); });
     glfwSetWindowIconifyCallback(window_, [](GLFWwindow* w, int on) { self(w).iconified_ = on == GLFW_TRUE; });
     glfwGetWindowSize(window_, &size_.x, &size_.y);
     glfwGetFramebufferSize(window_, &pixels_.x, &pixels_.y);
@@ -165,6 +167,7 @@ void Window::swap() {
 }
 
 InputFrame Window::poll(double patience) {
+    if (stirred()) ++quietPolls_;
     if (patience > 0)
         glfwWaitEventsTimeout(patience);
     else
@@ -177,6 +180,7 @@ InputFrame Window::poll(double patience) {
 }
 
 void Window::onKey(int key, int action) {
+    stir();
     const auto* known = std::find_if(kKeys.begin(), kKeys.end(), [key](const auto& k) { return k.first == key; });
     if (known == kKeys.end()) return;
     const auto bit = static_cast<size_t>(known->second);
@@ -188,6 +192,7 @@ void Window::onKey(int key, int action) {
 }
 
 void Window::onButton(int button, bool down) {
+    stir();
     if (button == GLFW_MOUSE_BUTTON_LEFT) {
         leftDown_ = down;
         gathering_.leftHeld |= down;
@@ -197,7 +202,13 @@ void Window::onButton(int button, bool down) {
     }
 }
 
+void Window::onScroll(double way) {
+    stir();
+    gathering_.scroll += static_cast<float>(way);
+}
+
 void Window::onMove(glm::dvec2 position) {
+    stir();
     const glm::vec2 way = mouseKnown_ ? glm::vec2(position - mouse_) : glm::vec2(0);
     gathering_.mouseMove += way;
     if (leftDown_ || rightDown_) gathering_.dragMove += way;
@@ -206,8 +217,14 @@ void Window::onMove(glm::dvec2 position) {
 }
 
 void Window::onSize(glm::ivec2 size) {
+    stir();
     size_ = size;
     if (!fullScreen_ && !maximised() && size.x > 0 && size.y > 0) normalSize_ = size;
+}
+
+void Window::onPixels(glm::ivec2 pixels) {
+    stir();
+    pixels_ = pixels;
 }
 
 bool Window::closing() const {

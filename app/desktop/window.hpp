@@ -34,6 +34,8 @@ class Window {
     void swap();
     /// Reads what happened since the last call; waits up to `patience` seconds for something to happen.
     InputFrame poll(double patience);
+    /// Something happened at this window in one of the last polls.
+    bool stirred() const { return quietPolls_ < kSettlingPolls; }
 
     bool closing() const;
     void close();
@@ -59,12 +61,19 @@ class Window {
 
   private:
     void open(const Options& options);
+    void stir() { quietPolls_ = 0; }
     void onKey(int key, int action);
     void onButton(int button, bool down);
+    void onScroll(double way);
     void onMove(glm::dvec2 position);
     void onSize(glm::ivec2 size);
+    void onPixels(glm::ivec2 pixels);
+
+    /// A click is told as pressed and then as released, and may change the pointer's shape after that.
+    static constexpr int kSettlingPolls = 4;
 
     GLFWwindow* window_ = nullptr;
+    int quietPolls_ = 0; ///< since something happened
     gl::ContextInfo driver_;
     InputFrame gathering_;
     std::bitset<static_cast<size_t>(Key::count)> down_;

@@ -46,7 +46,11 @@ void Interface::begin(float size, bool captured, bool byKeyboard) {
     flag(ImGuiConfigFlags_NoMouse, captured);
     flag(ImGuiConfigFlags_NavEnableKeyboard, byKeyboard);
     ImGui_ImplOpenGL3_NewFrame();
-    ImGui_ImplGlfw_NewFrame();
+    // It asks the display where mouse and focus are, and that takes longer than all the menus.
+    if (window_.stirred()) ImGui_ImplGlfw_NewFrame();
+    const Clock::time_point now = Clock::now();
+    io.DeltaTime = std::max(std::chrono::duration<float>(now - lastBegin_).count(), 1e-4f);
+    lastBegin_ = now;
     ImGui::NewFrame();
     context_.beginFrame();
 }

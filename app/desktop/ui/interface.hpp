@@ -4,6 +4,8 @@
 #include "app/desktop/ui/widgets.hpp"
 #include "app/desktop/window.hpp"
 
+#include <chrono>
+
 namespace meltpool::ui {
 
 class Interface {
@@ -27,11 +29,14 @@ class Interface {
     Context& context() { return context_; }
 
   private:
+    using Clock = std::chrono::steady_clock;
+
     void rebuildFonts(float scale, float pixelScale);
 
     Window& window_;
     Context context_;
     float pixelScale_ = 0;
+    Clock::time_point lastBegin_ = Clock::now();
 };
 
 } // namespace meltpool::ui
