@@ -38,6 +38,6 @@ Heated addHeat(uint slot, vec4 h, float before, float joules, float duration) {
 uint nextPhase(uint bits, float enthalpy) {
     float f = liquidFraction(enthalpy);
     if (f > metal.melting.z) return bits | PHASE_LIQUID;
-    if (f < metal.melting.w) return bits & ~PHASE_LIQUID;
-    return bits;
+    const bool freezes = f < metal.melting.w && (bits & PHASE_LIQUID) != 0u;
+    return freezes ? (bits & ~PHASE_LIQUID) | PHASE_FRESH : bits;
 }

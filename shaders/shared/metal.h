@@ -5,7 +5,7 @@
 //   velocity  vec4   xyz m/s, w free for the flow             (flow)
 //   heat      vec4   x specific enthalpy J/kg, y its residual (what float cannot hold of x, to be added to it),
 //                    z highest temperature so far in K, w seconds spent between 800 and 500 degrees C while cooling   (heat)
-//   phase     uint   bits below                               (LIQUID, LATTICE: heat; rest: who makes the particle)
+//   phase     uint   bits below                               (LIQUID, LATTICE, FRESH: heat; rest: who makes the particle)
 //
 // Solid metal that never moved sits on a lattice of cubes with the particle spacing as edge; `lattice` holds slot + 1 for
 // each cell, 0 where no particle sits. Cells are stored tile by tile, 4 x 4 x 4 cells a tile.

@@ -89,6 +89,29 @@ TEST_CASE("two welds alike give the same bits", "[physical]") {
     CHECK(hashes[0] == hashes[1]);
 }
 
+TEST_CASE("a block that lies loose on a plate is part of it once metal has frozen between them", "[physical]") {
+    test::context();
+    PhysicalSetup setup = plate();
+    setup.heat.convection = 2e4; // freezes soon
+    const auto block = latticeSeeds(setup.lattice, glm::vec3(-3, 1, -3) * kMm, glm::vec3(3, 3, 3) * kMm, 293.15F);
+    setup.seeds.insert(setup.seeds.end(), block.begin(), block.end());
+    PhysicalMetal metal(test::shaders(), setup);
+    const auto run = [&](int frames, float power) {
+        const std::vector<HeatSource> sources{HeatSource::sphere(glm::vec3(4, 0.5F, 0) * kMm, 4 * kMm, power)};
+        for (int frame = 0; frame < frames; ++frame)
+            metal.step(std::span(sources).first(power > 0 ? 1 : 0), {}, nullptr);
+    };
+    run(60, 0);
+    CHECK(metal.pieces().report().particles == block.size()); // it has fallen by a spacing and only lies there
+    run(25, 6000);
+    CHECK(metal.flow().readMoving() > block.size());
+    CHECK(metal.pieces().report().particles > 0); // its other end has not melted
+    run(120, 0);
+    CHECK(metal.statistics().molten == 0);
+    CHECK(metal.pieces().report().pieces == 0);
+    CHECK_FALSE(metal.flow().readFaults().any());
+}
+
 TEST_CASE("a time step is made to fit one step of heat where two would hardly be needed", "[physical]") {
     test::context();
     const PhysicalMetal steel(test::shaders(), plate());
