@@ -124,6 +124,12 @@ Section burnIn(const ValidationCase& from, gl::ShaderLibrary& shaders, const Bea
     return measureSection(bench.state, cutOf(b, material));
 }
 
+/// The deposited section has a bound of its own, whatever the case's tolerance.
+ValidationCase withinThree(ValidationCase from) {
+    from.tolerancePercent = 3;
+    return from;
+}
+
 /// With wire: heat, flow and filler, until the seam has frozen.
 Section deposit(const ValidationCase& from, gl::ShaderLibrary& shaders, const Bead& b, ValidationResult& result) {
     const auto spacing = static_cast<float>(from.spacing);
@@ -155,7 +161,15 @@ Section deposit(const ValidationCase& from, gl::ShaderLibrary& shaders, const Be
     }
     result.particles = metal.state().particles();
     result.tell("refused_filler", static_cast<double>(metal.refusedFiller()));
-    return measureSection(metal.state(), cutOf(b, setup.material));
+    const Section section = measureSection(metal.state(), cutOf(b, setup.material));
+    // The bead is thin where it begins and humps after it: on a short plate no stretch has the mean section.
+    SectionCut whole;
+    whole.to = static_cast<double>(b.length);
+    whole.thickness = static_cast<double>(b.thickness);
+    const double volume = measureSection(metal.state(), whole).deposited * static_cast<double>(b.length);
+    result.compareExact(withinThree(from), "deposited_mm2", b.wireRate / static_cast<double>(b.speed) * 1e6,
+                        volume / static_cast<double>(b.end - b.start) * 1e6);
+    return section;
 }
 
 } // namespace
@@ -176,10 +190,6 @@ void runBeadOnPlate(const ValidationCase& from, gl::ShaderLibrary& shaders, Vali
     if (fed) {
         result.compareMeasured(from, "height_mm", section.height * 1e3);
         result.compareMeasured(from, "section_mm2", section.deposited * 1e6);
-        ValidationCase exact = from;
-        exact.tolerancePercent = 3;
-        result.compareExact(exact, "deposited_mm2", b.wireRate / static_cast<double>(b.speed) * 1e6,
-                            section.deposited * 1e6);
     }
     result.tell("fused_plate_mm2", section.fused * 1e6);
     result.tell("heat_affected_width_mm", section.heatAffectedWidth * 1e3);

@@ -52,3 +52,14 @@ TEST_CASE("What is no whole number of spacings is met exactly", "[validation]") 
     CHECK(result.passed());
     CHECK(result.spacing == Approx(6.4e-3 / 6));
 }
+
+TEST_CASE("A bead's deposit is its wire's metal on a short plate too", "[validation]") {
+    ValidationCase bead = shipped("bead_gmaw_park", 1e-3);
+    bead.measured.clear();
+    bead.lists["plate_mm"] = {36, 5, 20};
+    const ValidationResult result = runValidationCase(bead, test::shaders());
+    INFO(validationText(result));
+    CHECK(result.passed());
+    CHECK(result.numbers[1].name == "deposited_mm2");
+    CHECK(result.numbers[1].reference == Approx(9.163).epsilon(1e-3));
+}
