@@ -54,8 +54,8 @@ Lesson smallClassic() {
 }
 
 /// Runs frames until both are reached: kMeasured seconds after warming up, and kLeastFrames. One row for each part of
-/// the processor's time.
-std::vector<BenchRow> measureFrames(const std::string& what, FunctionRef<void()> frame) {
+/// the processor's time; none where a frame says that there is nothing left to measure.
+std::vector<BenchRow> measureFrames(const std::string& what, FunctionRef<bool()> frame) {
     FrameMeter meter;
     std::array<double, kWorkPlaces> sum{};
     bool warm = false;
@@ -70,7 +70,7 @@ std::vector<BenchRow> measureFrames(const std::string& what, FunctionRef<void()>
             start = Clock::now();
         }
         meter.begin();
-        frame();
+        if (!frame()) return {};
         meter.end();
         ++run;
         for (size_t place = 0; place < kWorkPlaces; ++place)
@@ -110,6 +110,7 @@ BenchRow measureWithoutRuntime(Scene& scene) {
                              scene.session.renderer().draw(shown, scene.session.lesson().look, eyes, target.target(),
                                                            nullptr);
                              target.resolve();
+                             return true;
                          })
         .front();
 }
@@ -124,17 +125,20 @@ bool waitForHeadset(HeadsetStation& station, const Scene& scene) {
     return false;
 }
 
-/// Goes on with the frame that was begun.
+/// Rows of the frames that a headset shows; says so where none is there, or no more.
 void addHeadsetRows(Bench& bench, const std::string& what, HeadsetStation& station, Scene& scene) {
-    bool begun = true;
     const auto frame = [&] {
-        if (!begun && !station.begin(scene.session, kFrame)) return;
-        begun = false;
+        if (!waitForHeadset(station, scene)) return false;
         scene.advance();
         station.draw(scene.session, scene.figures, kFrame, nullptr);
         station.end();
+        return true;
     };
-    for (BenchRow& row : measureFrames(what, frame))
+    std::vector<BenchRow> rows = measureFrames(what, frame);
+    if (rows.empty())
+        std::printf("%-10s no headset, so no frame of %s with a runtime: %s\n", "stereo", what.c_str(),
+                    station.desk().status().c_str());
+    for (BenchRow& row : rows)
         bench.add(std::move(row));
 }
 
@@ -145,13 +149,9 @@ void benchHeadsetFrame(Bench& bench) {
     Scene classic(bench.shaders(), smallClassic());
     bench.add(measureWithoutRuntime(classic));
     HeadsetStation station({});
-    if (!waitForHeadset(station, classic)) {
-        std::printf("%-10s no headset, so no frame with a runtime: %s\n", "stereo", station.desk().status().c_str());
-        return;
-    }
     addHeadsetRows(bench, "classic", station, classic);
     Scene weld(bench.shaders(), loadLesson("gmaw-bead"));
-    if (waitForHeadset(station, weld)) addHeadsetRows(bench, "gmaw-bead", station, weld);
+    addHeadsetRows(bench, "gmaw-bead", station, weld);
 }
 
 } // namespace meltpool
