@@ -125,8 +125,8 @@ bool waitForHeadset(HeadsetStation& station, const Scene& scene) {
     return false;
 }
 
-/// Rows of the frames that a headset shows; says so where none is there, or no more.
-void addHeadsetRows(Bench& bench, const std::string& what, HeadsetStation& station, Scene& scene) {
+/// Rows of the frames that a headset shows; false, and said so, where none is there, or no more.
+bool addHeadsetRows(Bench& bench, const std::string& what, HeadsetStation& station, Scene& scene) {
     const auto frame = [&] {
         if (!waitForHeadset(station, scene)) return false;
         scene.advance();
@@ -140,6 +140,7 @@ void addHeadsetRows(Bench& bench, const std::string& what, HeadsetStation& stati
                     station.desk().status().c_str());
     for (BenchRow& row : rows)
         bench.add(std::move(row));
+    return !rows.empty();
 }
 
 } // namespace
@@ -149,7 +150,7 @@ void benchHeadsetFrame(Bench& bench) {
     Scene classic(bench.shaders(), smallClassic());
     bench.add(measureWithoutRuntime(classic));
     HeadsetStation station({});
-    addHeadsetRows(bench, "classic", station, classic);
+    if (!addHeadsetRows(bench, "classic", station, classic)) return;
     Scene weld(bench.shaders(), loadLesson("gmaw-bead"));
     addHeadsetRows(bench, "gmaw-bead", station, weld);
 }

@@ -54,10 +54,6 @@ double elongation(const std::vector<glm::dvec3>& places, int axis) {
     return 1.5 * square[axis] - 0.5 * (square.x + square.y + square.z);
 }
 
-} // namespace
-
-namespace {
-
 DropletPressure pressureOf(gl::ShaderLibrary& shaders, const FlowFluid& fluid, double radius, double seconds,
                            std::span<const MetalSeed> seeds) {
     FlowBench bench(shaders, fluid, spaceAround(radius), glm::vec3(0), seeds);
