@@ -1,5 +1,5 @@
 // The program's entry.
-#include "app/command_line.hpp"
+#include "app/commands/command_line.hpp"
 
 int main(int argc, char** argv) {
     return meltpool::runProgram(argc, argv);

@@ -3,7 +3,7 @@
 
 #include "xr/headset.hpp"
 #include "xr/link.hpp"
-#include "xr/platform.hpp"
+#include "xr/session/platform.hpp"
 
 #include <array>
 #include <chrono>

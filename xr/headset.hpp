@@ -3,9 +3,9 @@
 
 #include "core/base/function_ref.hpp"
 #include "core/base/work_meter.hpp"
-#include "xr/eye_targets.hpp"
 #include "xr/headset_calls.hpp"
-#include "xr/panel.hpp"
+#include "xr/session/eye_targets.hpp"
+#include "xr/session/panel.hpp"
 
 #include <memory>
 

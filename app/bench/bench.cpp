@@ -1,6 +1,6 @@
 #include "app/bench/bench.hpp"
 
-#include "app/program_info.hpp"
+#include "app/program/program_info.hpp"
 #include "core/base/error.hpp"
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"

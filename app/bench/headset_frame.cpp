@@ -5,7 +5,7 @@
 #include "app/meter/frame_meter.hpp"
 #include "app/meter/gl_watch.hpp"
 #include "core/base/function_ref.hpp"
-#include "core/render/picture_target.hpp"
+#include "core/render/view/picture_target.hpp"
 
 #include <array>
 #include <chrono>

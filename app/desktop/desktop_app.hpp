@@ -2,14 +2,14 @@
 #pragma once
 
 #include "app/desktop/desktop.hpp"
-#include "app/desktop/messages.hpp"
-#include "app/desktop/session.hpp"
-#include "app/desktop/settings.hpp"
-#include "app/desktop/ui/interface.hpp"
+#include "app/desktop/interface.hpp"
 #include "app/desktop/window.hpp"
-#include "app/desktop/window_telemetry.hpp"
 #include "app/headset/headset_station.hpp"
 #include "app/meter/frame_meter.hpp"
+#include "app/session/messages.hpp"
+#include "app/session/session.hpp"
+#include "app/session/settings.hpp"
+#include "app/session/window_telemetry.hpp"
 
 #include <chrono>
 #include <optional>

@@ -1,7 +1,7 @@
 // The operating system's window with an OpenGL 4.5 context, and what keyboard and mouse did in it.
 #pragma once
 
-#include "app/desktop/input.hpp"
+#include "app/session/input.hpp"
 #include "core/gl/context.hpp"
 
 #include <glm/vec2.hpp>

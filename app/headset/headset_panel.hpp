@@ -1,7 +1,7 @@
 // The desk's menus in the headset: a Dear ImGui of its own, drawn into the panel in space and used by a pointer's ray.
 #pragma once
 
-#include "app/desktop/ui/panels.hpp"
+#include "app/session/ui/panels.hpp"
 #include "core/base/function_ref.hpp"
 
 #include <glm/vec2.hpp>

@@ -1,10 +1,10 @@
 // The headset as the window's frame sees it: the desk's side, the panel in space and the lesson between them.
 #pragma once
 
-#include "app/desktop/session.hpp"
-#include "app/desktop/window_telemetry.hpp"
 #include "app/headset/headset_desk.hpp"
 #include "app/headset/headset_panel.hpp"
+#include "app/session/session.hpp"
+#include "app/session/window_telemetry.hpp"
 
 #include <memory>
 #include <string>

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "app/headset/workshop.hpp"
-#include "core/weld/torch_sample.hpp"
-#include "xr/input.hpp"
-#include "xr/pivot.hpp"
+#include "core/weld/torch/torch_sample.hpp"
+#include "xr/input/input.hpp"
+#include "xr/input/pivot.hpp"
 
 #include <optional>
 

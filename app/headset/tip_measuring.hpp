@@ -1,8 +1,8 @@
 // Measuring the torch in the hand: where its tip is and which way it points, and the file that remembers it.
 #pragma once
 
-#include "xr/input.hpp"
-#include "xr/pivot.hpp"
+#include "xr/input/input.hpp"
+#include "xr/input/pivot.hpp"
 
 #include <filesystem>
 #include <optional>

@@ -1,7 +1,7 @@
 // What the lesson's torch is fixed to: the controller in the hand, or a tracker on a real torch.
 #pragma once
 
-#include "xr/input.hpp"
+#include "xr/input/input.hpp"
 
 #include <span>
 #include <string_view>

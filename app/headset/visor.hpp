@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/headset/headset_parameters.hpp"
-#include "core/render/look.hpp"
+#include "core/render/look/look.hpp"
 
 namespace meltpool {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/headset/headset_parameters.hpp"
-#include "xr/pose.hpp"
+#include "xr/session/pose.hpp"
 
 namespace meltpool {
 

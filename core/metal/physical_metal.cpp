@@ -63,7 +63,7 @@ PhysicalMetal::PhysicalMetal(gl::ShaderLibrary& shaders, const PhysicalSetup& se
       setup_(setup),
       timeStep_(setup.timeStep),
       table_(setup.material),
-      count_(shaders.compute("metal/metal_statistics.comp")),
+      count_(shaders.compute("metal/statistics.comp")),
       parts_("metal statistics", sizeof(Parts)),
       readback_("metal statistics", sizeof(Parts)) {
     setup_.heat.meltedLeaves = true;

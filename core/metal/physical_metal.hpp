@@ -2,11 +2,11 @@
 #pragma once
 
 #include "core/gl/readback.hpp"
-#include "core/metal/flow.hpp"
-#include "core/metal/heat.hpp"
-#include "core/metal/particle_view.hpp"
-#include "core/metal/pieces.hpp"
-#include "core/metal/statistics.hpp"
+#include "core/metal/flow/flow.hpp"
+#include "core/metal/heat/heat.hpp"
+#include "core/metal/solid/pieces.hpp"
+#include "core/metal/state/particle_view.hpp"
+#include "core/metal/state/statistics.hpp"
 #include "shaders/shared/metal_statistics.h"
 
 #include <optional>

@@ -1,6 +1,6 @@
 #include "core/render/frame_block.hpp"
 
-#include "core/render/heat_colours.hpp"
+#include "core/render/look/heat_colours.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>

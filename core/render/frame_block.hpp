@@ -1,9 +1,9 @@
 // The uniform block of a frame from what a person chose and what there is to see.
 #pragma once
 
-#include "core/render/look.hpp"
+#include "core/render/look/look.hpp"
 #include "core/render/scene.hpp"
-#include "core/render/view.hpp"
+#include "core/render/view/view.hpp"
 #include "shaders/shared/render.h"
 
 namespace meltpool {

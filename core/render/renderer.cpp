@@ -1,14 +1,14 @@
 #include "core/render/renderer.hpp"
 
 #include "core/base/error.hpp"
-#include "core/render/environment.hpp"
 #include "core/render/frame_block.hpp"
-#include "core/render/heat_colours.hpp"
-#include "core/render/material_presets.hpp"
-#include "core/render/noise.hpp"
+#include "core/render/look/environment.hpp"
+#include "core/render/look/heat_colours.hpp"
+#include "core/render/look/material_presets.hpp"
+#include "core/render/look/noise.hpp"
+#include "core/render/look/temperature_scale.hpp"
 #include "core/render/solids.hpp"
 #include "core/render/surface_painter.hpp"
-#include "core/render/temperature_scale.hpp"
 #include "core/render/toned_program.hpp"
 
 #include <glm/gtc/matrix_transform.hpp>

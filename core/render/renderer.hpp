@@ -3,10 +3,10 @@
 
 #include "core/gl/profiler.hpp"
 #include "core/gl/program.hpp"
-#include "core/render/look.hpp"
+#include "core/render/look/look.hpp"
 #include "core/render/scene.hpp"
-#include "core/render/view.hpp"
-#include "core/render/view_submission.hpp"
+#include "core/render/view/view.hpp"
+#include "core/render/view/view_submission.hpp"
 
 #include <memory>
 #include <optional>

@@ -1,8 +1,8 @@
 // What the renderer needs to know about the world in one frame.
 #pragma once
 
-#include "core/metal/materials.hpp"
-#include "core/metal/particle_view.hpp"
+#include "core/metal/material/materials.hpp"
+#include "core/metal/state/particle_view.hpp"
 #include "core/render/section.hpp"
 #include "core/render/solids.hpp"
 #include "core/surface/surface_mesh.hpp"

@@ -3,7 +3,7 @@
 
 #include "core/gl/buffer.hpp"
 #include "core/gl/texture.hpp"
-#include "core/metal/particle_view.hpp"
+#include "core/metal/state/particle_view.hpp"
 #include "core/render/toned_program.hpp"
 
 #include <glm/vec2.hpp>

@@ -3,11 +3,11 @@
 
 #include "core/gl/program.hpp"
 #include "core/gl/texture.hpp"
-#include "core/render/look.hpp"
-#include "core/render/material_presets.hpp"
+#include "core/render/look/look.hpp"
+#include "core/render/look/material_presets.hpp"
 #include "core/render/scene.hpp"
 #include "core/render/toned_program.hpp"
-#include "core/render/view.hpp"
+#include "core/render/view/view.hpp"
 
 #include <optional>
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/gl/program.hpp"
-#include "core/render/view.hpp"
-#include "core/render/view_submission.hpp"
+#include "core/render/view/view.hpp"
+#include "core/render/view/view_submission.hpp"
 
 #include <array>
 #include <string>

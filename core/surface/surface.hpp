@@ -3,7 +3,7 @@
 
 #include "core/gl/profiler.hpp"
 #include "core/gl/program.hpp"
-#include "core/metal/particle_view.hpp"
+#include "core/metal/state/particle_view.hpp"
 #include "core/surface/surface_grid.hpp"
 #include "core/surface/surface_mesh.hpp"
 #include "core/surface/surface_parameters.hpp"

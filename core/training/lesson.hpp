@@ -3,10 +3,10 @@
 
 #include "core/base/parameter.hpp"
 #include "core/metal/classic/classic_parameters.hpp"
-#include "core/render/look.hpp"
+#include "core/render/look/look.hpp"
 #include "core/surface/surface_parameters.hpp"
-#include "core/weld/process.hpp"
-#include "core/weld/torch_path.hpp"
+#include "core/weld/process/process.hpp"
+#include "core/weld/torch/torch_path.hpp"
 #include "core/weld/workpiece.hpp"
 
 #include <filesystem>

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "core/gl/profiler.hpp"
-#include "core/metal/particle_view.hpp"
-#include "core/metal/statistics.hpp"
+#include "core/metal/state/particle_view.hpp"
+#include "core/metal/state/statistics.hpp"
 #include "core/render/scene.hpp"
 #include "core/surface/surface.hpp"
-#include "core/weld/tip_state.hpp"
-#include "core/weld/torch_sample.hpp"
+#include "core/weld/process/tip_state.hpp"
+#include "core/weld/torch/torch_sample.hpp"
 
 #include <cstdint>
 #include <memory>

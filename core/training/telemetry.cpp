@@ -2,7 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
-#include "core/weld/torch_csv.hpp"
+#include "core/weld/torch/torch_csv.hpp"
 
 namespace meltpool {
 

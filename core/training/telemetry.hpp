@@ -1,8 +1,8 @@
 // The record of a run: the torch and the metal over time, as a CSV that is a torch path again.
 #pragma once
 
-#include "core/metal/statistics.hpp"
-#include "core/weld/torch_sample.hpp"
+#include "core/metal/state/statistics.hpp"
+#include "core/weld/torch/torch_sample.hpp"
 
 #include <cstddef>
 #include <filesystem>

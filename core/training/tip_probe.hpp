@@ -3,7 +3,7 @@
 
 #include "core/surface/surface_probe.hpp"
 #include "core/training/metal_model.hpp"
-#include "core/weld/tip_state.hpp"
+#include "core/weld/process/tip_state.hpp"
 
 namespace meltpool {
 

@@ -1,8 +1,8 @@
 #include "core/training/weld_model.hpp"
 
+#include "core/render/torch_model.hpp"
 #include "core/surface/surface_level.hpp"
 #include "core/training/lesson.hpp"
-#include "core/weld/torch_solids.hpp"
 
 #include <glm/ext/matrix_transform.hpp>
 

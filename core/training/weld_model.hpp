@@ -3,7 +3,7 @@
 
 #include "core/metal/physical_metal.hpp"
 #include "core/training/metal_model.hpp"
-#include "core/weld/process.hpp"
+#include "core/weld/process/process.hpp"
 #include "core/weld/workpiece.hpp"
 
 namespace meltpool {

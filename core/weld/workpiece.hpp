@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/parameter.hpp"
-#include "core/metal/metal_state.hpp"
+#include "core/metal/state/metal_state.hpp"
 
 namespace meltpool {
 

@@ -1,5 +1,5 @@
 // The flow's own buffers and constants, shared by C++ and GLSL; what they mean physically stands in
-// core/metal/flow_constants.hpp.
+// core/metal/flow/flow_constants.hpp.
 //
 // Space is cut into cells at least one kernel support wide, so that a particle's neighbours lie in its own cell and the
 // 26 around it. A cell lists its still metal (rebuilt only where the phase changes) and its moving particles (put in

@@ -1,7 +1,7 @@
 // `meltpool run` from end to end: what it writes, that it repeats, odd particle numbers, and failures midway.
 #include "core/base/image.hpp"
 #include "core/base/text.hpp"
-#include "core/weld/torch_csv.hpp"
+#include "core/weld/torch/torch_csv.hpp"
 #include "tests/app/program.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"

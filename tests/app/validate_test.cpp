@@ -13,7 +13,7 @@ using meltpool::test::runMeltpool;
 namespace {
 
 std::filesystem::path shippedCase(const std::string& name) {
-    return test::testFolder() / "validation" / (name + ".toml");
+    return test::testFolder() / "validation" / "cases" / (name + ".toml");
 }
 
 std::string quoted(const std::filesystem::path& file) {

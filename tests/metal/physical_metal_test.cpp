@@ -1,6 +1,6 @@
 // Heat, flow and filler together: nothing is lost when metal melts, moves, is fed and freezes.
-#include "core/metal/filler.hpp"
 #include "core/metal/physical_metal.hpp"
+#include "core/weld/process/filler.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 

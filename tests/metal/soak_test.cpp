@@ -1,7 +1,7 @@
 // Minutes of striking, welding, cooling and remelting: nothing is lost, every joule is accounted for, a pool left alone
 // comes to rest, and the same weld gives the same bits.
-#include "core/metal/filler.hpp"
 #include "core/metal/physical_metal.hpp"
+#include "core/weld/process/filler.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 

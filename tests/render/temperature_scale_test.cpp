@@ -1,5 +1,5 @@
 // Temperature colours: the classic scale's points, the even scale's evenness, grey, and the texture made of them.
-#include "core/render/temperature_scale.hpp"
+#include "core/render/look/temperature_scale.hpp"
 #include "shaders/shared/render.h"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"

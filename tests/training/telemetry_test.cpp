@@ -1,7 +1,7 @@
 // The record of a run: a torch path that reads back to the same bits, and what happens on a full disk.
 #include "core/base/error.hpp"
 #include "core/training/telemetry.hpp"
-#include "core/weld/torch_csv.hpp"
+#include "core/weld/torch/torch_csv.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 

@@ -1,7 +1,7 @@
 // The Trainer on the classic lesson: a corner melts and freezes again, nothing else does, and runs repeat bit by bit.
 #include "core/training/classic_model.hpp"
 #include "core/training/trainer.hpp"
-#include "core/weld/torch_csv.hpp"
+#include "core/weld/torch/torch_csv.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 

@@ -1,7 +1,7 @@
 // Workpieces have the metal their measures promise, clamps where they belong, and machines put in the power and wire
 // they state.
 #include "core/base/error.hpp"
-#include "core/weld/process.hpp"
+#include "core/weld/process/process.hpp"
 #include "core/weld/workpiece.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"

@@ -1,5 +1,5 @@
 // The whole program while the real runtime hangs, dies of it, or shows somebody else.
-#include "core/weld/torch_csv.hpp"
+#include "core/weld/torch/torch_csv.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/xr/trainee.hpp"
 

@@ -1,6 +1,6 @@
 // What the hand feels, as a function of the tip's state.
 #include "tests/support/catch.hpp"
-#include "xr/haptics.hpp"
+#include "xr/input/haptics.hpp"
 
 #include <array>
 #include <cmath>

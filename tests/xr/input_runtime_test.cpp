@@ -1,5 +1,5 @@
 // Scripted controllers through a real runtime: poses, trigger, buttons, switching off, vibration.
-#include "core/weld/torch_path.hpp"
+#include "core/weld/torch/torch_path.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/xr/bench.hpp"
 

@@ -1,7 +1,7 @@
 // The hand that moves the scripted headset and controllers: a client of Monado's remote driver.
 #pragma once
 
-#include "xr/pose.hpp"
+#include "xr/session/pose.hpp"
 
 #include <array>
 #include <cstddef>

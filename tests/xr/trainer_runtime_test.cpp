@@ -1,10 +1,10 @@
 // The whole program on a real runtime: a tracked torch melts the cube, the panel is used, controller and runtime are
 // lost.
 #include "core/base/text.hpp"
-#include "core/weld/torch_path.hpp"
+#include "core/weld/torch/torch_path.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/xr/trainee.hpp"
-#include "xr/pivot.hpp"
+#include "xr/input/pivot.hpp"
 
 #include <glm/gtc/constants.hpp>
 

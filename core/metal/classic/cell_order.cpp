@@ -20,11 +20,11 @@ CellOrder::CellOrder(gl::ShaderLibrary& library, size_t particles)
     : particles_(particles),
       slots_("classic cell slots", particles * sizeof(uvec2)),
       cellNumbers_("classic cell numbers", particles * sizeof(uint)),
-      count_(library.compute("metal/classic_count.comp")),
-      sumChunks_(library.compute("metal/classic_chunk_sums.comp")),
-      scan_(library.compute("metal/classic_scan.comp")),
-      scatter_(library.compute("metal/classic_scatter.comp")),
-      gather_(library.compute("metal/classic_gather.comp")) {
+      count_(library.compute("metal/classic/count.comp")),
+      sumChunks_(library.compute("metal/classic/chunk_sums.comp")),
+      scan_(library.compute("metal/classic/scan.comp")),
+      scatter_(library.compute("metal/classic/scatter.comp")),
+      gather_(library.compute("metal/classic/gather.comp")) {
     setGrid(grid_);
 }
 

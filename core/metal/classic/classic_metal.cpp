@@ -39,9 +39,9 @@ ClassicMetal::ClassicMetal(gl::ShaderLibrary& library, const ClassicSetup& setup
       velocityTexels_("classic velocity texels", sortedVelocities_, GL_RGBA32F, sizeof(vec4)),
       order_(library, count_),
       reader_(library, count_),
-      grid_{library.compute("metal/classic_density.comp"), library.compute("metal/classic_move.comp")},
-      pairs_{library.compute("metal/classic_density.comp", {{"ALL_PAIRS", "1"}}),
-             library.compute("metal/classic_move.comp", {{"ALL_PAIRS", "1"}})} {
+      grid_{library.compute("metal/classic/density.comp"), library.compute("metal/classic/move.comp")},
+      pairs_{library.compute("metal/classic/density.comp", {{"ALL_PAIRS", "1"}}),
+             library.compute("metal/classic/move.comp", {{"ALL_PAIRS", "1"}})} {
     reset();
 }
 

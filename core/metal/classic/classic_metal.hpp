@@ -7,8 +7,8 @@
 #include "core/metal/classic/cell_order.hpp"
 #include "core/metal/classic/classic_parameters.hpp"
 #include "core/metal/classic/statistics_reader.hpp"
-#include "core/metal/particle_view.hpp"
-#include "core/metal/statistics.hpp"
+#include "core/metal/state/particle_view.hpp"
+#include "core/metal/state/statistics.hpp"
 
 #include <cstdint>
 #include <optional>

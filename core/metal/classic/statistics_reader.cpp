@@ -11,7 +11,7 @@ namespace meltpool {
 StatisticsReader::StatisticsReader(gl::ShaderLibrary& library, size_t particles)
     : particles_(particles),
       chunks_((particles + CLASSIC_STATISTICS_CHUNK - 1) / CLASSIC_STATISTICS_CHUNK),
-      program_(library.compute("metal/classic_statistics.comp")),
+      program_(library.compute("metal/classic/statistics.comp")),
       waited_("classic statistics", chunks_ * sizeof(ClassicChunk) + sizeof(uint)) {
     for (Slot& slot : slots_) {
         slot.buffer = gl::Buffer("classic statistics", waited_.bytes());

@@ -4,7 +4,7 @@
 #include "core/gl/buffer.hpp"
 #include "core/gl/program.hpp"
 #include "core/gl/readback.hpp"
-#include "core/metal/statistics.hpp"
+#include "core/metal/state/statistics.hpp"
 
 #include <array>
 #include <optional>

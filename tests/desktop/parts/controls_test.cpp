@@ -1,6 +1,6 @@
 // What keys and mouse do to modes, cameras and heat source, without a window.
-#include "app/desktop/controls.hpp"
-#include "app/desktop/step_clock.hpp"
+#include "app/session/controls.hpp"
+#include "app/session/step_clock.hpp"
 #include "tests/support/catch.hpp"
 
 #include <glm/geometric.hpp>

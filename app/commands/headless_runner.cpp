@@ -1,0 +1,196 @@
+#include "app/commands/headless_runner.hpp"
+
+#include "app/program/program_info.hpp"
+#include "app/program/progress_bar.hpp"
+#include "core/base/error.hpp"
+#include "core/render/renderer.hpp"
+#include "core/render/view/camera.hpp"
+#include "core/render/view/picture_target.hpp"
+#include "core/training/result_file.hpp"
+
+#include <glm/trigonometric.hpp>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+namespace meltpool {
+
+namespace {
+
+constexpr int kSamples = 4; ///< of a pixel, for smooth edges
+constexpr int kManyPixels = 4096 * 2304;
+
+/// Above kManyPixels the samples would cost gigabytes, and pixels that small need none.
+int samplesFor(const RunParameters& run) {
+    return run.width * run.height > kManyPixels ? 1 : kSamples;
+}
+
+View viewOf(const CameraParameters& camera, float aspect) {
+    Lens lens;
+    lens.fieldOfView = glm::radians(camera.fieldOfView);
+    const OrbitCamera orbit(glm::radians(camera.azimuth), glm::radians(camera.elevation), camera.distance);
+    return orbit.view(lens, aspect);
+}
+
+/// Takes the lesson's pictures at their times.
+class Photographer {
+  public:
+    Photographer(gl::ShaderLibrary& shaders, const RunParameters& run, std::filesystem::path folder)
+        : renderer_(shaders),
+          target_(run.width, run.height, samplesFor(run)),
+          folder_(std::move(folder)),
+          every_(static_cast<double>(run.picturesEvery)) {}
+
+    const std::optional<SectionFigures>& section() const { return section_; }
+
+    void takeDue(Trainer& trainer, bool last) {
+        const double half = trainer.timeStep() / 2;
+        const bool due = every_ > 0 && trainer.time() + half >= static_cast<double>(taken_) * every_;
+        if (!due && !last) return;
+        ++taken_;
+        trainer.updateSurface(nullptr);
+        for (const PictureLook& picture : trainer.lesson().pictures)
+            take(trainer, picture);
+    }
+
+  private:
+    void take(Trainer& trainer, const PictureLook& picture) {
+        const float aspect = static_cast<float>(target_.width()) / static_cast<float>(target_.height());
+        const View view = viewOf(picture.camera, aspect);
+        SceneView scene = trainer.scene();
+        if (!picture.look.showSource) scene.solids = {}; // the torch is the source of a weld
+        if (picture.sectionAt) {
+            scene.section.shown = true;
+            scene.section.point = {*picture.sectionAt, 0, 0};
+            scene.solids = {};
+        }
+        renderer_.draw(scene, picture.look, {&view, 1}, target_.target(), nullptr);
+        if (picture.sectionAt) measure(scene);
+        try {
+            writePng(folder_ / runPictureName(trainer.time(), picture.name), target_.read());
+        } catch (const InputError& error) {
+            // The folder was writable when the run began: by now it is the disk that fails, not the input.
+            throw RuntimeFault(error.what());
+        }
+    }
+
+    /// Sizes of the zones in the section that was drawn last.
+    void measure(const SceneView& scene) {
+        const auto solidus = static_cast<double>(scene.temperature.solidus);
+        SectionFigures figures;
+        figures.at = static_cast<double>(scene.section.point.x);
+        figures.fusion = renderer_.measureSection(solidus, 0);
+        if (solidus > kSteelTransformation) figures.heatAffected = renderer_.measureSection(kSteelTransformation, 0);
+        section_ = figures;
+    }
+
+    Renderer renderer_;
+    PictureTarget target_;
+    std::filesystem::path folder_;
+    double every_;
+    size_t taken_ = 0;
+    std::optional<SectionFigures> section_;
+};
+
+void requireFinite(const Trainer& trainer) {
+    const size_t broken = trainer.figures().nonFinite;
+    if (broken == 0) return;
+    char sentence[200];
+    std::snprintf(sentence, sizeof sentence,
+                  "the metal stopped being finite at %.3f s (%zu times); a shorter time step, less heat or a lower "
+                  "gas stiffness may keep it stable",
+                  trainer.time(), broken);
+    throw RuntimeFault(sentence);
+}
+
+class Run {
+  public:
+    Run(const gl::ContextInfo& driver, Trainer& trainer, std::filesystem::path folder)
+        : driver_(driver), trainer_(trainer), folder_(std::move(folder)) {}
+
+    LessonResult toTheEnd(gl::ShaderLibrary& shaders, const StopFlag& stop) {
+        try {
+            steps(shaders, stop);
+            trainer_.stopRecord();
+            return keepResult("");
+        } catch (const std::exception& error) {
+            keepWhatThereIs(error.what());
+            throw;
+        }
+    }
+
+  private:
+    void steps(gl::ShaderLibrary& shaders, const StopFlag& stop) {
+        trainer_.waitForFigures(true);
+        trainer_.record(folder_ / "telemetry.csv");
+        const RunParameters& run = trainer_.lesson().run;
+        const size_t whole = stepsFor(static_cast<double>(run.seconds), trainer_.timeStep());
+        Photographer photographer(shaders, run, folder_);
+        ProgressBar bar(trainer_.lesson().key);
+        photographer.takeDue(trainer_, whole == 0);
+        for (size_t step = 1; step <= whole; ++step) {
+            if (stop) throw RuntimeFault("the run was stopped before its end");
+            trainer_.advance(trainer_.demonstration(), nullptr);
+            requireFinite(trainer_);
+            photographer.takeDue(trainer_, step == whole);
+            section_ = photographer.section();
+            bar.show(static_cast<double>(step), static_cast<double>(whole));
+        }
+    }
+
+    LessonResult keepResult(const std::string& error) {
+        const LessonResult result = trainer_.result();
+        const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+        const ResultContext context{
+            std::string(programVersion()), std::string(programCommit()), driver_.renderer, wall, section_, error};
+        writeResult(folder_ / "result.json", trainer_.lesson(), result, context);
+        return result;
+    }
+
+    /// After a failure; a second one must not hide the first.
+    void keepWhatThereIs(const std::string& error) {
+        try {
+            trainer_.stopRecord();
+        } catch (const std::exception&) {
+        }
+        try {
+            keepResult(error);
+        } catch (const std::exception&) {
+        }
+    }
+
+    const gl::ContextInfo& driver_;
+    Trainer& trainer_;
+    std::filesystem::path folder_;
+    std::optional<SectionFigures> section_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+} // namespace
+
+void prepareOutputFolder(const std::filesystem::path& folder) {
+    std::error_code failure;
+    std::filesystem::create_directories(folder, failure);
+    if (failure || !std::filesystem::is_directory(folder, failure))
+        throw InputError(folder, 0, "cannot be made; expected a place where a folder may be made and written");
+}
+
+LessonResult runHeadless(const gl::ContextInfo& driver, gl::ShaderLibrary& shaders, const Lesson& lesson,
+                         const std::filesystem::path& folder, const StopFlag& stop) {
+    Trainer trainer(shaders, lesson);
+    return Run(driver, trainer, folder).toTheEnd(shaders, stop);
+}
+
+size_t stepsFor(double seconds, double timeStep) {
+    // A time step is a rounded float: 10 s of 1/60 are 600 steps, not 601 for the last bit.
+    return static_cast<size_t>(std::ceil(seconds / timeStep * (1 - 1e-6)));
+}
+
+std::string runPictureName(double time, const std::string& look) {
+    char name[64];
+    std::snprintf(name, sizeof name, "%07.3fs-", time);
+    return name + look + ".png";
+}
+
+} // namespace meltpool

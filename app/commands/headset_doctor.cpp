@@ -1,0 +1,23 @@
+#include "app/commands/headset_doctor.hpp"
+
+#include "core/gl/context.hpp"
+#include "xr/diagnosis.hpp"
+
+#include <memory>
+
+namespace meltpool {
+
+void inspectHeadset(std::vector<Finding>& findings) {
+    std::unique_ptr<gl::HeadlessContext> context;
+    try {
+        context = std::make_unique<gl::HeadlessContext>(false);
+    } catch (const std::exception&) {
+        // What is wrong with OpenGL stands further up in the list.
+    }
+    const xr::Diagnosis told = xr::diagnose(context != nullptr);
+    for (const xr::Fact& fact : told.facts)
+        findings.push_back({fact.name, fact.good ? Finding::State::good : Finding::State::note, fact.value, ""});
+    if (!told.advice.empty()) findings.back().remedy = told.advice;
+}
+
+} // namespace meltpool

@@ -1,0 +1,91 @@
+#include "app/commands/commands.hpp"
+
+#include "app/commands/headless_runner.hpp"
+#include "core/base/error.hpp"
+#include "core/base/resources.hpp"
+#include "core/training/lesson.hpp"
+
+#include <csignal>
+#include <cstdio>
+
+namespace meltpool {
+
+namespace {
+
+StopFlag stopAsked{false};
+
+void askToStop(int) {
+    stopAsked = true;
+}
+
+/// Notes are written as fragments or sentences; in a list they read as sentences.
+std::string asSentence(std::string_view note) {
+    std::string text(note);
+    if (text.empty()) return text;
+    if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    if (text.back() != '.') text += '.';
+    return text;
+}
+
+std::filesystem::path lessonFolder() {
+    return resourceFolder() / "data" / "lessons";
+}
+
+void setSize(Lesson& lesson, const std::string& size) {
+    const size_t cross = size.find('x');
+    if (cross == std::string::npos)
+        throw InputError("--size is '" + size + "'; expected WIDTHxHEIGHT in pixels, such as 1280x720");
+    lesson.set("width", size.substr(0, cross), "--size " + size);
+    lesson.set("height", size.substr(cross + 1), "--size " + size);
+}
+
+Lesson requestedLesson(const RunRequest& request) {
+    Lesson lesson = findLesson(request.lesson, lessonFolder());
+    for (const std::string& pair : request.sets) {
+        const size_t equals = pair.find('=');
+        if (equals == std::string::npos || equals == 0)
+            throw InputError("--set is '" + pair + "'; expected KEY=VALUE, such as particles=8192");
+        lesson.set(pair.substr(0, equals), pair.substr(equals + 1), "--set " + pair);
+    }
+    if (!request.seconds.empty()) lesson.set("seconds", request.seconds, "--seconds");
+    if (!request.picturesEvery.empty()) lesson.set("pictures_every", request.picturesEvery, "--pictures");
+    if (!request.size.empty()) setSize(lesson, request.size);
+    if (!request.torch.empty()) {
+        lesson.torchFile = request.torch;
+        lesson.torch = TorchPath::read(request.torch);
+    }
+    return lesson;
+}
+
+} // namespace
+
+void runLesson(const RunRequest& request) {
+    const Lesson lesson = requestedLesson(request);
+    prepareOutputFolder(request.folder);
+    std::signal(SIGINT, askToStop);
+    std::signal(SIGTERM, askToStop);
+    const gl::HeadlessContext context;
+    gl::ShaderLibrary shaders(resourceFolder() / "shaders");
+    const LessonResult result = runHeadless(context.info(), shaders, lesson, request.folder, stopAsked);
+    std::printf(
+        "%s: %.2f s in %zu steps, %zu of %zu particles molten, temperature %.3g to %.3g, %zu lost; pictures and "
+        "result are in %s\n",
+        lesson.key.c_str(), result.seconds, result.steps, result.metal.molten, result.metal.particles,
+        result.metal.minTemperature, result.metal.maxTemperature, result.metal.lost, request.folder.string().c_str());
+}
+
+void listLessons() {
+    for (const std::string& name : lessonNames(lessonFolder())) {
+        const Lesson lesson = findLesson(name, lessonFolder());
+        std::printf("%-20s %5.0f s  %s\n", name.c_str(), static_cast<double>(lesson.run.seconds), lesson.title.c_str());
+    }
+}
+
+void listParameters(const std::string& name) {
+    Lesson lesson = findLesson(name, lessonFolder());
+    for (const Parameter& p : lesson.parameters())
+        std::printf("%-20s %-12s %s%s. %s\n", std::string(p.key).c_str(), parameterText(p).c_str(),
+                    expectation(p).c_str(), p.onlyAtStart ? ", at the start only" : "", asSentence(p.note).c_str());
+}
+
+} // namespace meltpool

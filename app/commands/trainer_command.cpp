@@ -1,0 +1,24 @@
+#include "app/commands/commands.hpp"
+
+#include "core/training/lesson.hpp"
+
+#include <cstdio>
+
+namespace meltpool {
+
+void runTrainer(const DesktopOptions& options) {
+    const std::string missing = missingDisplay();
+    if (missing.empty()) {
+        runDesktop(options);
+        return;
+    }
+    RunRequest demonstration;
+    demonstration.lesson = kDefaultLesson;
+    demonstration.folder = std::filesystem::path("out") / kDefaultLesson;
+    std::printf("There is no display (%s); the demonstration of lesson '%s' runs without one instead.\n",
+                missing.c_str(), demonstration.lesson.c_str());
+    std::fflush(stdout);
+    runLesson(demonstration);
+}
+
+} // namespace meltpool

@@ -1,0 +1,145 @@
+// `meltpool validate`: how far the metal is from exact solutions and experiments.
+#include "app/commands/commands.hpp"
+#include "app/program/program_info.hpp"
+#include "core/base/error.hpp"
+#include "core/base/resources.hpp"
+#include "core/base/text.hpp"
+#include "core/gl/context.hpp"
+#include "core/validation/validation.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <new>
+
+namespace meltpool {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON knows no number that is not finite.
+Json finite(double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json numberJson(const ValidationNumber& number) {
+    Json json{{"name", number.name}, {"origin", number.origin}, {"ours", finite(number.ours)}};
+    if (number.origin != "ours") json["reference"] = number.reference;
+    if (number.origin == "exact" || number.origin == "measured") {
+        json["error_percent"] = finite(number.errorPercent);
+        json["tolerance_percent"] = number.tolerancePercent;
+    }
+    if (!number.moment.empty()) json["at"] = number.moment;
+    json["passed"] = number.passed;
+    return json;
+}
+
+Json resultJson(const ValidationResult& result) {
+    Json json{{"name", result.name},
+              {"kind", result.kind},
+              {"file", result.file.string()},
+              {"spacing_mm", result.spacing * 1e3},
+              {"particles", result.particles},
+              {"steps", result.steps},
+              {"wall_seconds", result.wallSeconds},
+              {"passed", result.passed()}};
+    if (!result.error.empty()) json["error"] = result.error;
+    json["numbers"] = Json::array();
+    for (const ValidationNumber& number : result.numbers)
+        json["numbers"].push_back(numberJson(number));
+    return json;
+}
+
+/// The file of --json. Written anew after every case, so that a run that is stopped keeps what it had.
+class Record {
+  public:
+    Record(std::filesystem::path file, const gl::HeadlessContext& context) : file_(std::move(file)) {
+        json_ = {{"renderer", context.info().renderer}, {"version", programVersion()}, {"commit", programCommit()}};
+        json_["complete"] = false;
+        json_["passed"] = false;
+        json_["cases"] = Json::array();
+        keep();
+    }
+
+    void add(const ValidationResult& result) {
+        json_["cases"].push_back(resultJson(result));
+        keep();
+    }
+
+    void finish(bool passed) {
+        json_["complete"] = true;
+        json_["passed"] = passed;
+        if (!file_.empty())
+            writeTextFileAtomically(file_, json_.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    }
+
+  private:
+    void keep() const {
+        // A pipe or device gets the whole once, at the end.
+        std::error_code fault;
+        const bool plain = std::filesystem::is_regular_file(file_, fault) || !std::filesystem::exists(file_, fault);
+        if (!file_.empty() && plain)
+            writeTextFileAtomically(file_, json_.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    }
+
+    std::filesystem::path file_;
+    Json json_;
+};
+
+/// What ended a case early: the person's input (exit code 2) or the machine (1).
+struct Ends {
+    std::string input, machine;
+
+    void run(const ValidationCase& one, gl::ShaderLibrary& shaders, ValidationResult& result) {
+        try {
+            runValidationCase(one, shaders, result);
+        } catch (const InputError& error) {
+            result.error = error.what();
+            if (input.empty()) input = result.error;
+        } catch (const std::bad_alloc&) {
+            result.error =
+                one.file.string() + ": there is not enough memory for this case; expected a larger spacing_mm";
+            if (input.empty()) input = result.error;
+        } catch (const std::exception& error) {
+            result.error = one.file.string() + ": " + error.what();
+            if (machine.empty()) machine = result.error;
+        }
+    }
+};
+
+} // namespace
+
+bool runValidation(const ValidationRequest& request) {
+    const auto files = request.cases.empty() ? validationCaseFiles(resourceFolder() / "validation") : request.cases;
+    // Every file is read before the first is run: a fault in the last must not cost the time of the others.
+    std::vector<ValidationCase> cases;
+    for (const auto& file : files)
+        cases.push_back(readValidationCase(file));
+
+    const gl::HeadlessContext context(false);
+    gl::ShaderLibrary shaders(resourceFolder() / "shaders");
+    Record record(request.json, context);
+    Ends ends;
+    std::vector<std::string> failed;
+    std::fputs(validationHeads().c_str(), stdout);
+    for (const ValidationCase& one : cases) {
+        ValidationResult result;
+        ends.run(one, shaders, result);
+        std::fputs(validationText(result).c_str(), stdout);
+        std::fflush(stdout);
+        record.add(result);
+        if (!result.passed()) failed.push_back(result.name);
+    }
+    std::printf("%zu of %zu cases passed\n", cases.size() - failed.size(), cases.size());
+    for (const std::string& name : failed)
+        std::printf("failed: %s\n", name.c_str());
+    std::fflush(stdout);
+    record.finish(failed.empty());
+    if (!ends.input.empty()) throw InputError(ends.input);
+    if (!ends.machine.empty()) throw RuntimeFault(ends.machine);
+    return failed.empty();
+}
+
+} // namespace meltpool

@@ -1,0 +1,87 @@
+#include "app/desktop/interface.hpp"
+
+#include "core/base/work_meter.hpp"
+
+#include <algorithm>
+
+namespace meltpool::ui {
+
+Interface::Interface(Window& window) : window_(window) {
+    context_.scale = 0;
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr; // what the program remembers stands in its own settings file
+    io.LogFilename = nullptr;
+    ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
+    ImGui_ImplOpenGL3_Init("#version 450 core");
+}
+
+Interface::~Interface() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+}
+
+void Interface::rebuildFonts(float scale, float pixelScale) {
+    context_.scale = scale;
+    pixelScale_ = pixelScale;
+    context_.fonts = loadFonts(scale, pixelScale);
+    applyTheme(scale);
+#if IMGUI_VERSION_NUM < 19200
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+#endif
+}
+
+void Interface::begin(float size, bool captured, bool byKeyboard) {
+    const float scale = std::clamp(window_.interfaceScale() * size, 0.5f, 4.0f);
+    // A slider that is being pulled would run away under the hand if the sizes changed with it.
+    const bool settled = context_.scale <= 0 || !ImGui::IsMouseDown(0);
+    if (settled && (scale != context_.scale || window_.pixelScale() != pixelScale_))
+        rebuildFonts(scale, window_.pixelScale());
+    ImGuiIO& io = ImGui::GetIO();
+    const auto flag = [&io](ImGuiConfigFlags_ which, bool on) {
+        io.ConfigFlags = on ? io.ConfigFlags | which : io.ConfigFlags & ~which;
+    };
+    flag(ImGuiConfigFlags_NoMouse, captured);
+    flag(ImGuiConfigFlags_NavEnableKeyboard, byKeyboard);
+    ImGui_ImplOpenGL3_NewFrame();
+    // It asks the display where mouse and focus are, and that takes longer than all the menus.
+    if (window_.stirred()) ImGui_ImplGlfw_NewFrame();
+    const Clock::time_point now = Clock::now();
+    io.DeltaTime = std::max(std::chrono::duration<float>(now - lastBegin_).count(), 1e-4f);
+    lastBegin_ = now;
+    ImGui::NewFrame();
+    context_.beginFrame();
+}
+
+void Interface::takeInput(InputFrame& input, bool captured) const {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.WantTextInput) {
+        input.held.reset();
+        input.pressed.clear();
+        input.struck.clear();
+    }
+    if (!captured && io.WantCaptureMouse) {
+        input.mouseMove = {0, 0};
+        input.dragMove = {0, 0};
+        input.scroll = 0;
+        input.leftHeld = false;
+        input.rightHeld = false;
+    }
+}
+
+void Interface::end() {
+    ImGui::Render();
+    const glm::ivec2 pixels = window_.pixels();
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, pixels.x, pixels.y);
+    const InWork driver(WorkPlace::driver); // Dear ImGui loads the functions of OpenGL by itself
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+void Interface::drop() {
+    ImGui::EndFrame();
+}
+
+} // namespace meltpool::ui

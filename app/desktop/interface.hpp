@@ -1,0 +1,42 @@
+// Dear ImGui bound to the window: frames, fonts that follow the screen's scale, and which input it takes for itself.
+#pragma once
+
+#include "app/desktop/window.hpp"
+#include "app/session/ui/widgets.hpp"
+
+#include <chrono>
+
+namespace meltpool::ui {
+
+class Interface {
+  public:
+    /// Call after the window installed its own callbacks.
+    explicit Interface(Window& window);
+    ~Interface();
+    Interface(const Interface&) = delete;
+    Interface& operator=(const Interface&) = delete;
+
+    /// Begins a frame. `size`: the person's factor on what the desktop asks for. `captured`: the mouse is not for the
+    /// interface. `byKeyboard`: keys walk through the controls.
+    void begin(float size, bool captured, bool byKeyboard);
+    /// Takes out of `input` what belongs to the interface. Between begin() and end().
+    void takeInput(InputFrame& input, bool captured) const;
+    /// Draws it into the window's frame buffer.
+    void end();
+    /// Ends a frame without drawing it.
+    void drop();
+
+    Context& context() { return context_; }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    void rebuildFonts(float scale, float pixelScale);
+
+    Window& window_;
+    Context context_;
+    float pixelScale_ = 0;
+    Clock::time_point lastBegin_ = Clock::now();
+};
+
+} // namespace meltpool::ui

@@ -1,0 +1,55 @@
+// Modes, cameras and heat source of the desktop trainer: what keys and mouse do, without a window.
+#pragma once
+
+#include "app/session/heat_source.hpp"
+#include "core/render/view/camera.hpp"
+
+namespace meltpool {
+
+enum class Mode {
+    interact, ///< the simulation runs, the camera orbits the metal, the mouse holds the source
+    view      ///< the simulation stands still, the camera flies, the mouse looks
+};
+
+class Controls {
+  public:
+    ControlParameters parameters;
+    Lens lens;
+
+    /// Applies `seconds` of input. V changes the mode, C captures or frees the mouse, Escape frees it. A captured mouse
+    /// moves the source (or looks); a free one does so while a button is held on the picture.
+    void update(const InputFrame& input, double seconds);
+
+    /// Source home and off; cameras and mode stay.
+    void reset() { source_.reset(); }
+    /// Interact mode, mouse free, source home, cameras as at first.
+    void restart();
+    /// Where the orbiting camera begins.
+    void placeCamera(const OrbitCamera& camera) { orbit_ = camera; }
+    void releaseMouse() { captured_ = false; }
+    void captureMouse() { captured_ = true; }
+    void setMode(Mode mode);
+
+    Mode mode() const { return mode_; }
+    bool captured() const { return captured_; }
+    SteeredSource& source() { return source_; }
+    const SteeredSource& source() const { return source_; }
+
+    View view(float aspect) const;
+    glm::vec3 eye() const;
+    glm::vec3 forward() const;
+    const FreeCamera& freeCamera() const { return free_; }
+    const OrbitCamera& orbitCamera() const { return orbit_; }
+
+  private:
+    void work(const InputFrame& input, float seconds);
+    void look(const InputFrame& input, float seconds);
+
+    Mode mode_ = Mode::interact;
+    bool captured_ = false;
+    FreeCamera free_;
+    OrbitCamera orbit_;
+    SteeredSource source_;
+};
+
+} // namespace meltpool

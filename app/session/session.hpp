@@ -1,0 +1,108 @@
+// The lesson on the desktop: what is set at its start and while it runs, and the Trainer that runs it.
+#pragma once
+
+#include "app/session/controls.hpp"
+#include "app/session/step_clock.hpp"
+#include "app/session/ui/panels.hpp"
+#include "core/render/renderer.hpp"
+#include "core/training/trainer.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace meltpool {
+
+/// A lesson's values as the menus group them. They point into the lesson, which must outlive them unmoved; the defaults
+/// are what the lesson held when this was made.
+struct LessonSections {
+    explicit LessonSections(Lesson& lesson);
+
+    ui::Section start; ///< what is chosen before the metal is made
+    ui::Section view;
+    ui::Section surface;
+    ui::Section simulation;
+
+    std::vector<ui::Section*> all() { return {&start, &view, &surface, &simulation}; }
+    void restoreDefaults();
+};
+
+/// The lesson of a catalogue name or TOML file. Throws InputError when it cannot be used.
+Lesson loadLesson(const std::string& name);
+
+/// The torch that something else than the mouse leads: the sample for step `step` (from 0) of the `steps` of a frame.
+using HeldTorchAt = std::function<TorchSample(int step, int steps)>;
+
+class Session {
+  public:
+    /// Throws InputError when the shaders cannot be used.
+    Session(gl::ShaderLibrary& shaders, Lesson lesson);
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+
+    /// Makes fresh metal from the start values. Throws InputError or RuntimeFault when the machine cannot hold it.
+    void begin(Controls& controls);
+    /// Puts metal and source back.
+    void reset(Controls& controls);
+    /// Gives the metal back.
+    void end() {
+        trainer_.reset();
+        sounding_ = {};
+    }
+    bool running() const { return trainer_ != nullptr; }
+
+    /// Runs the steps that `seconds` of real time ask for. With `held` that leads the torch; else the controls do, and
+    /// nothing runs while the person looks around.
+    void advance(const Controls& controls, double seconds, gl::Profiler* profiler, const HeldTorchAt& held = {});
+    /// `shift`: how far right of the window's middle the picture's middle is, as a share of half its width.
+    void draw(const Controls& controls, glm::ivec2 pixels, float shift, gl::Profiler* profiler);
+
+    /// Asks where the metal lies under the torch in the hand; the answer comes frames later. Nothing waits.
+    void sound(const TorchSample& torch);
+    /// The newest answer; no metal anywhere before the first.
+    const TipSounding& sounding() const { return sounding_; }
+    TipGap gap() const { return running() ? trainer_->gap() : TipGap{}; }
+
+    /// The world as it is now, the surface brought up to date; without a running lesson an empty one.
+    SceneView scene(gl::Profiler* profiler);
+    Renderer& renderer() { return renderer_; }
+    /// Metres of a unit of the scene's world, and the lowest place of the workpiece in its own frame, m.
+    float unit() const;
+    float bottom() const;
+    /// From the next start on, and from now on where a lesson runs, every step is written to `file`.
+    void record(const std::filesystem::path& file);
+
+    /// The last steps' torch was not the mouse's.
+    bool held() const { return held_; }
+
+    /// The fault that stopped the metal; empty while all is well.
+    const std::string& fault() const { return fault_; }
+    void fillFigures(ui::Figures& figures) const;
+    /// The torch of the last step. Only while running().
+    const TorchSample& torch() const { return trainer_->torch(); }
+    /// What the metal's temperature numbers mean. Only while running().
+    TemperatureMeaning temperature() const { return trainer_->scene().temperature; }
+    size_t steps() const { return trainer_ == nullptr ? 0 : trainer_->steps(); }
+    const Lesson& lesson() const { return lesson_; }
+    LessonSections& sections() { return sections_; }
+
+  private:
+    bool takeOverChanges(const Controls& controls);
+
+    gl::ShaderLibrary& shaders_;
+    Lesson lesson_;
+    LessonSections sections_;
+    SurfaceParameters shownSurface_;
+    Renderer renderer_;
+    std::unique_ptr<Trainer> trainer_;
+    StepClock clock_;
+    std::string fault_;
+    bool surfaceIsOld_ = true;
+    TipSounding sounding_;
+    bool held_ = false; ///< the last step's torch was not the mouse's
+    std::filesystem::path record_;
+};
+
+} // namespace meltpool

@@ -1,0 +1,149 @@
+#include "app/session/settings.hpp"
+
+#include "core/base/error.hpp"
+#include "core/base/text.hpp"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <system_error>
+
+namespace meltpool {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string place(const fs::path& file, const toml::node& node) {
+    return file.string() + ":" + std::to_string(node.source().begin.line);
+}
+
+/// The value as the text that setParameter() reads; "" for what no parameter can be.
+std::string valueText(const toml::node& node) {
+    if (const auto* text = node.as_string()) return text->get();
+    if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
+    if (const auto* whole = node.as_integer()) return std::to_string(whole->get());
+    if (const auto* number = node.as_floating_point()) return formatNumber(number->get());
+    std::string joined;
+    if (const auto* list = node.as_array())
+        for (const toml::node& item : *list)
+            joined += (joined.empty() ? "" : ",") + valueText(item);
+    return joined;
+}
+
+/// A name beside `file` that is not taken.
+fs::path asideName(const fs::path& file) {
+    for (int i = 1;; ++i) {
+        fs::path name = file;
+        name.replace_filename(file.stem().string() + ".broken-" + std::to_string(i) + file.extension().string());
+        if (!fs::exists(name)) return name;
+    }
+}
+
+/// `whole`: nothing of it could be used, so it goes; else a copy is kept, and the good values stay in place.
+std::string setAside(const fs::path& file, bool whole) {
+    const fs::path aside = asideName(file);
+    std::error_code failed;
+    if (whole)
+        fs::rename(file, aside, failed);
+    else
+        fs::copy_file(file, aside, failed);
+    if (failed) return "The settings file could not be kept aside: " + failed.message() + ".";
+    return "The settings file as it was is kept as " + aside.string() + ".";
+}
+
+void readSection(const fs::path& file, const toml::table& table, const SettingsSection& section,
+                 std::vector<std::string>& faults) {
+    for (const auto& [key, node] : table) {
+        try {
+            setParameter(section.parameters, key.str(), valueText(node), place(file, node));
+        } catch (const InputError& fault) {
+            faults.emplace_back(fault.what());
+        }
+    }
+}
+
+void readSections(const fs::path& file, const toml::table& root, const std::vector<SettingsSection>& sections,
+                  std::vector<std::string>& faults) {
+    for (const auto& [key, node] : root) {
+        const auto known = std::find_if(sections.begin(), sections.end(),
+                                        [&](const SettingsSection& s) { return s.name == key.str(); });
+        if (known != sections.end() && node.is_table()) {
+            readSection(file, *node.as_table(), *known, faults);
+            continue;
+        }
+        std::string names;
+        for (const SettingsSection& s : sections)
+            names += (names.empty() ? "[" : ", [") + s.name + "]";
+        faults.push_back(place(file, node) + ": unknown entry '" + std::string(key.str()) + "'; expected a table of " +
+                         names);
+    }
+}
+
+std::string quoted(const std::string& text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') out += '\\';
+        out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
+    return out + "\"";
+}
+
+/// A number with a decimal point or exponent, so that a reader keeps it a real number.
+std::string realText(float value) {
+    const std::string text = formatNumber(value);
+    return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
+}
+
+std::string tomlValue(const Parameter& p) {
+    if (!p.choices.empty() || std::holds_alternative<std::string*>(p.value)) return quoted(parameterText(p));
+    if (const auto* number = std::get_if<float*>(&p.value)) return realText(**number);
+    if (const auto* vector = std::get_if<glm::vec3*>(&p.value)) {
+        const glm::vec3 v = **vector;
+        return "[" + realText(v.x) + ", " + realText(v.y) + ", " + realText(v.z) + "]";
+    }
+    return parameterText(p);
+}
+
+} // namespace
+
+std::vector<std::string> loadSettings(const fs::path& file, const std::vector<SettingsSection>& sections) {
+    std::vector<std::string> faults;
+    std::error_code unreadable;
+    if (!fs::exists(file, unreadable)) return faults;
+    bool broken = false;
+    try {
+        const std::string text = readTextFile(file);
+        const toml::table root = toml::parse(text, file.string());
+        readSections(file, root, sections, faults);
+    } catch (const toml::parse_error& fault) {
+        faults.push_back(file.string() + ":" + std::to_string(fault.source().begin.line) +
+                         ": the settings are no TOML: " + std::string(fault.description()) + "; defaults are used");
+        broken = true;
+    } catch (const std::exception& fault) {
+        faults.emplace_back(fault.what());
+        return faults;
+    }
+    if (!faults.empty()) faults.push_back(setAside(file, broken));
+    return faults;
+}
+
+std::string settingsText(const std::vector<SettingsSection>& sections) {
+    std::string text = "# Settings of the Meltpool desktop trainer; written when the window closes.\n";
+    for (const SettingsSection& section : sections) {
+        text += "\n[" + section.name + "]\n";
+        for (const Parameter& p : section.parameters)
+            text +=
+                std::string(p.key) + " = " + tomlValue(p) + " # " + std::string(p.label) + ": " + expectation(p) + "\n";
+    }
+    return text;
+}
+
+void saveSettings(const fs::path& file, const std::vector<SettingsSection>& sections) {
+    std::error_code failed;
+    fs::create_directories(file.parent_path(), failed);
+    if (failed) throw InputError(file.parent_path(), 0, "the settings folder cannot be made: " + failed.message());
+    writeTextFileAtomically(file, settingsText(sections));
+}
+
+} // namespace meltpool

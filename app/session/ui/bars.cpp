@@ -1,0 +1,229 @@
+// The bars at the top and bottom of the running trainer, the messages above them and the colour scale.
+#include "app/session/ui/panels.hpp"
+#include "core/render/look/temperature_scale.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace meltpool::ui {
+
+namespace {
+
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollbar |
+                                    ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+void beginBar(Context& context, const char* name, float y) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({0, y});
+    ImGui::SetNextWindowSize({screen.x, barHeight(context)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.points(14), context.points(7)});
+    ImGui::Begin(name, nullptr, kFixed);
+    ImGui::PopStyleVar(3);
+}
+
+/// A rounded label in the middle of the bar: the mode and what the mouse does.
+void modeSign(Context& context, const Controls& controls, float left, float right) {
+    const bool working = controls.mode() == Mode::interact;
+    const char* text = working ? "Working" : "Looking around \xE2\x80\x93 paused";
+    const ImU32 tint = working ? colour::kAccent : colour::kCold;
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    ImGui::PushFont(context.fonts.strong);
+    const ImVec2 size = ImGui::CalcTextSize(text);
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float y = (barHeight(context) - size.y) / 2;
+    const float dot = context.points(4.5f);
+    // In the window's middle, or pushed aside by the buttons; in a very small window only the dot is left.
+    const float x = std::clamp((screen.x - size.x) / 2, left + 4 * dot, std::max(left + 4 * dot, right - size.x - dot));
+    const bool fits = x + size.x < right;
+    draw->AddCircleFilled({x - dot * 3, y + size.y / 2}, dot, tint, 16);
+    if (fits) draw->AddText({x, y}, tint, text);
+    ImGui::PopFont();
+}
+
+ShortText figuresText(const Figures& f) {
+    const double share = f.particles > 0 ? 100.0 * static_cast<double>(f.molten) / static_cast<double>(f.particles) : 0;
+    const ShortText hottest = f.kelvin ? ShortText{niceNumber(std::round(f.hottest - 273.15)), " \xC2\xB0", "C"}
+                                       : niceNumber(std::round(f.hottest * 100) / 100);
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "%.1f s   \xC2\xB7   %zu particles   \xC2\xB7   %.1f %% molten   \xC2\xB7   hottest ", f.time,
+                  f.particles, share);
+    ShortText all{text, hottest};
+    if (f.stopped) {
+        all += "   \xC2\xB7   stopped";
+    } else if (f.speed < 0.97) {
+        std::snprintf(text, sizeof text, "   \xC2\xB7   runs at %.0f %% of real time", std::max(1.0, f.speed * 100));
+        all += text;
+    }
+    return all;
+}
+
+/// A key's name in a small frame, and what it does.
+void keyHint(Context& context, const char* key, const char* what) {
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    const ImVec2 size = ImGui::CalcTextSize(key);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float pad = context.points(5);
+    draw->AddRectFilled({at.x, at.y - context.points(1)}, {at.x + size.x + 2 * pad, at.y + size.y + context.points(1)},
+                        colour::kTrack, context.points(4));
+    draw->AddText({at.x + pad, at.y}, colour::kText, key);
+    ImGui::Dummy({size.x + 2 * pad, size.y});
+    ImGui::SameLine(0, context.points(6));
+    ImGui::PushStyleColor(ImGuiCol_Text, colour::kQuiet);
+    ImGui::TextUnformatted(what);
+    ImGui::PopStyleColor();
+    ImGui::SameLine(0, context.points(16));
+}
+
+struct Hint {
+    const char* key;
+    const char* what;
+};
+
+} // namespace
+
+float barHeight(const Context& context) {
+    return context.points(48);
+}
+
+Request topBar(Context& context, PanelState& panels, const Controls& controls, const std::string& lesson) {
+    Request request = Request::none;
+    beginBar(context, "top bar", 0);
+    drawSign(*ImGui::GetWindowDrawList(), {context.points(28), barHeight(context) / 2}, context.points(28));
+    ImGui::SetCursorPosX(context.points(50));
+    ImGui::AlignTextToFramePadding();
+    strongText(context, "Meltpool");
+    ImGui::SameLine(0, context.points(18));
+    const auto tab = [&](const char* name, const char* text, bool& open, const char* note) {
+        if (button(context, name, text, open ? ButtonKind::lit : ButtonKind::plain, 0, note)) open = !open;
+        ImGui::SameLine(0, context.points(6));
+    };
+    tab("bar.view", "View", panels.view, "How the metal is shown (F2)");
+    tab("bar.simulation", "Simulation", panels.simulation, "How the metal behaves (F3)");
+    tab("bar.timings", "Timings", panels.timings, "Where the time of a frame goes (F4)");
+    const float width = context.points(86);
+    const float buttons = ImGui::GetIO().DisplaySize.x - 3 * width - context.points(14 + 12);
+    modeSign(context, controls, ImGui::GetItemRectMax().x, buttons);
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(buttons);
+    if (button(context, "bar.reset", "Reset", ButtonKind::plain, 86, "Metal and torch back to where they began (F5)"))
+        request = Request::reset;
+    ImGui::SameLine(0, context.points(6));
+    if (button(context, "bar.restart", "Restart", ButtonKind::plain, 86, "Back to the start menu"))
+        request = Request::restart;
+    ImGui::SameLine(0, context.points(6));
+    if (button(context, "bar.help", "Help", panels.help ? ButtonKind::lit : ButtonKind::plain, 86,
+               ShortText{"All keys (F1). Lesson: ", lesson}.c_str()))
+        panels.help = !panels.help;
+    ImGui::End();
+    return request;
+}
+
+void statusBar(Context& context, const Figures& figures, const Controls& controls) {
+    const float height = barHeight(context);
+    beginBar(context, "status bar", ImGui::GetIO().DisplaySize.y - height);
+    ImGui::PushFont(context.fonts.small);
+    ImGui::SetCursorPosY((height - ImGui::GetTextLineHeight()) / 2);
+    const ShortText text = figuresText(figures);
+    const float right = ImGui::GetIO().DisplaySize.x - ImGui::CalcTextSize(text.c_str()).x - context.points(16);
+
+    constexpr std::array<Hint, 4> kWork{
+        {{"Left button", "heat"}, {"V", "look around"}, {"C", "catch the mouse"}, {"F1", "help"}}};
+    constexpr std::array<Hint, 4> kLook{
+        {{"W A S D", "fly"}, {"V", "back to work"}, {"C", "catch the mouse"}, {"F1", "help"}}};
+    constexpr std::array<Hint, 3> kCaught{
+        {{"Left button", "heat"}, {"Right button", "near and far"}, {"C", "free the mouse"}}};
+    constexpr std::array<Hint, 3> kCaughtLook{{{"Mouse", "look"}, {"W A S D", "fly"}, {"C", "free the mouse"}}};
+    const bool working = controls.mode() == Mode::interact;
+    std::span<const Hint> hints = working ? std::span<const Hint>(kWork) : std::span<const Hint>(kLook);
+    if (controls.captured()) hints = working ? std::span<const Hint>(kCaught) : std::span<const Hint>(kCaughtLook);
+    for (const Hint& hint : hints) {
+        const float need = ImGui::CalcTextSize(hint.key).x + ImGui::CalcTextSize(hint.what).x + context.points(40);
+        if (ImGui::GetCursorPosX() + need > right) break;
+        keyHint(context, hint.key, hint.what);
+    }
+    ImGui::GetWindowDrawList()->AddText({right, ImGui::GetWindowPos().y + (height - ImGui::GetTextLineHeight()) / 2},
+                                        colour::kText, text.c_str());
+    ImGui::PopFont();
+    ImGui::End();
+}
+
+void messageStack(Context& context, Messages& messages, float left, float right) {
+    if (messages.shown().empty()) return;
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    // Where panels leave no room, over them.
+    if (screen.x - left - right < context.points(260)) left = right = 0;
+    const float width = std::min(context.points(620), screen.x - left - right - context.points(40));
+    ImGui::SetNextWindowPos({(left + screen.x - right) / 2, barHeight(context) + context.points(10)}, ImGuiCond_Always,
+                            {0.5f, 0});
+    ImGui::SetNextWindowSize({width, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::Begin("messages", nullptr,
+                 (kFixed & ~ImGuiWindowFlags_NoBringToFrontOnFocus) | ImGuiWindowFlags_NoBackground |
+                     ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::PopStyleVar();
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    const float pad = context.points(11);
+    const Message* dismissed = nullptr;
+    for (const Message& message : messages.shown()) {
+        const bool warning = message.kind == Message::Kind::warning;
+        const float inner = width - 3 * pad;
+        const ImVec2 size = ImGui::CalcTextSize(message.text.c_str(), nullptr, false, inner);
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        ImGui::PushID(&message);
+        if (ImGui::InvisibleButton("message", {width, size.y + 2 * pad})) dismissed = &message;
+        ImGui::PopID();
+        const ImVec2 end{at.x + width, at.y + size.y + 2 * pad};
+        draw->AddRectFilled(at, end, IM_COL32(38, 43, 53, 252), context.points(8));
+        draw->AddRect(at, end, IM_COL32(255, 255, 255, 30), context.points(8));
+        draw->AddRectFilled(at, {at.x + context.points(5), end.y}, warning ? colour::kWarning : colour::kAccent,
+                            context.points(8), ImDrawFlags_RoundCornersLeft);
+        draw->AddText(nullptr, 0, {at.x + 2 * pad, at.y + pad}, colour::kText, message.text.c_str(), nullptr, inner);
+    }
+    ImGui::End();
+    if (dismissed != nullptr) messages.dismiss(*dismissed);
+}
+
+void temperatureScale(Context& context, int colours, const TemperatureMeaning& meaning, float left) {
+    if (colours == kMaterialColours) return;
+    ImDrawList* draw = ImGui::GetBackgroundDrawList();
+    const float width = context.points(14);
+    const float height = context.points(180);
+    const float x = context.points(24) + left;
+    const float y = ImGui::GetIO().DisplaySize.y - barHeight(context) - height - context.points(28);
+    constexpr int kParts = 32;
+    const float part = height / kParts;
+    const auto tint = [colours](int step) {
+        const glm::vec3 c = temperatureColour(static_cast<ColourMode>(colours), static_cast<float>(step) / kParts);
+        return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 1});
+    };
+    draw->AddRectFilled({x - context.points(10), y - context.points(34)},
+                        {x + width + context.points(64), y + height + context.points(14)}, IM_COL32(22, 25, 31, 190),
+                        context.points(8));
+    for (int i = 0; i < kParts; ++i) {
+        const float top = y + part * static_cast<float>(kParts - 1 - i);
+        const ImU32 lower = tint(i);
+        const ImU32 upper = tint(i + 1);
+        draw->AddRectFilledMultiColor({x, top}, {x + width, top + part}, upper, upper, lower, lower);
+    }
+    draw->AddText(context.fonts.small, context.fonts.small->FontSize * ImGui::GetIO().FontGlobalScale,
+                  {x - context.points(2), y - context.points(29)}, colour::kQuiet, "Temperature");
+    const auto degrees = [&meaning](float share) {
+        const float kelvin = meaning.coldest + share * (meaning.hottest - meaning.coldest);
+        return ShortText{niceNumber(std::round(static_cast<double>(kelvin) - 273.15)), " \xC2\xB0", "C"};
+    };
+    const std::array<ShortText, 3> labels = meaning.kelvin
+                                                ? std::array<ShortText, 3>{degrees(1), degrees(0.5f), degrees(0)}
+                                                : std::array<ShortText, 3>{"1  liquid", "0.5", "0  solid"};
+    for (size_t i = 0; i < 3; ++i)
+        draw->AddText(context.fonts.small, context.fonts.small->FontSize * ImGui::GetIO().FontGlobalScale,
+                      {x + width + context.points(8), y + height / 2 * static_cast<float>(i) - context.points(9)},
+                      colour::kText, labels[i].c_str());
+}
+
+} // namespace meltpool::ui

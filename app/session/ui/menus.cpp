@@ -1,0 +1,262 @@
+// View menu, simulation menu, timings and help of the running trainer.
+#include "app/session/ui/panels.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace meltpool::ui {
+
+namespace {
+
+constexpr float kPanelWidth = 336;
+constexpr float kPanelGap = 10;
+
+enum class Side { left, leftBeside, right };
+
+/// A panel along one side of the picture, as tall as its content, at most down to the status bar.
+bool beginPanel(Context& context, const char* name, Side side) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float gap = context.points(kPanelGap);
+    const float width = std::min(context.points(kPanelWidth), screen.x / 2 - gap);
+    const float room = screen.y - 2 * barHeight(context) - 2 * gap;
+    const float x = side == Side::right ? screen.x - width - gap : gap + (side == Side::leftBeside ? width + gap : 0);
+    ImGui::SetNextWindowPos({x, barHeight(context) + gap});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, room});
+    return ImGui::Begin(name, nullptr,
+                        ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+}
+
+void panelTitle(Context& context, const char* title, const char* what) {
+    strongText(context, title);
+    quietText(context, what);
+}
+
+/// Parameters under one heading of a menu.
+struct Group {
+    const char* section;
+    const char* title;
+    std::array<std::string_view, 6> keys; ///< empty ones fill up
+    bool openAtFirst;
+};
+
+const Section* findSection(std::span<const Section* const> sections, std::string_view name) {
+    for (const Section* section : sections)
+        if (section->name == name) return section;
+    return nullptr;
+}
+
+/// Whether a section's parameter stands under this heading. What only takes effect at the start stands nowhere.
+bool stands(const Parameter& parameter, const Group& group) {
+    return !parameter.onlyAtStart && std::find(group.keys.begin(), group.keys.end(), parameter.key) != group.keys.end();
+}
+
+/// Under a heading of its own whatever parameters of a section `belongs` says yes to; nothing where there are none.
+template <class Belongs>
+void drawGroup(Context& context, const Section& section, const char* title, bool openAtFirst, const Belongs& belongs) {
+    if (std::none_of(section.parameters.begin(), section.parameters.end(), belongs)) return;
+    if (!groupHeading(context, section.name, title, openAtFirst)) return;
+    for (const Parameter& parameter : section.parameters)
+        if (belongs(parameter)) parameterControl(context, section.name, parameter, section.defaults);
+}
+
+/// A group's parameters in the group's order.
+void drawGroup(Context& context, const Section& section, const Group& group) {
+    const auto belongs = [&group](const Parameter& p) { return stands(p, group); };
+    if (std::none_of(section.parameters.begin(), section.parameters.end(), belongs)) return;
+    if (!groupHeading(context, section.name, group.title, group.openAtFirst)) return;
+    for (const std::string_view key : group.keys)
+        if (const Parameter* p = findParameter(section.parameters, key); p != nullptr && !p->onlyAtStart)
+            parameterControl(context, section.name, *p, section.defaults);
+}
+
+/// The groups in order, then under "More" whatever no group names.
+void drawGroups(Context& context, std::span<const Section* const> sections, std::span<const Group> groups) {
+    // The sections' keys are distinct where it matters: a value that stands in two menus has one key.
+    const auto named = [&](const Parameter& p) {
+        return std::any_of(groups.begin(), groups.end(), [&](const Group& group) {
+            return stands(p, group) && findSection(sections, group.section) != nullptr;
+        });
+    };
+    bool anyNamed = false;
+    for (const Group& group : groups) {
+        const Section* section = findSection(sections, group.section);
+        if (section == nullptr) continue;
+        anyNamed = anyNamed || std::any_of(section->parameters.begin(), section->parameters.end(),
+                                           [&group](const Parameter& p) { return stands(p, group); });
+        drawGroup(context, *section, group);
+    }
+    for (const Section* section : sections) {
+        // A lesson of which no group knows any value shows them all.
+        const ShortText title = anyNamed ? ShortText{"More: ", section->name} : ShortText("Process");
+        drawGroup(context, *section, title.c_str(), !anyNamed,
+                  [&](const Parameter& p) { return !p.onlyAtStart && !named(p); });
+    }
+}
+
+void passRow(Context& context, std::string_view name, double ms, double whole, int depth) {
+    char text[48];
+    std::snprintf(text, sizeof text, "%.2f ms", ms);
+    const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float height = ImGui::GetTextLineHeight();
+    const float share = whole > 0 ? static_cast<float>(std::min(ms / whole, 1.0)) : 0.0f;
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y}, {at.x + width * share, at.y + height},
+                                              depth == 0 ? IM_COL32(255, 138, 61, 60) : IM_COL32(255, 255, 255, 20),
+                                              context.points(3));
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + context.points(6 + 12 * static_cast<float>(depth)));
+    ImGui::PushStyleColor(ImGuiCol_Text, depth == 0 ? colour::kText : colour::kQuiet);
+    ImGui::TextUnformatted(readableName(name).c_str());
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(right - ImGui::CalcTextSize(text).x - context.points(4));
+    ImGui::TextUnformatted(text);
+    ImGui::PopStyleColor();
+}
+
+struct Shortcut {
+    const char* keys;
+    const char* what;
+};
+
+void shortcutColumn(Context& context, const char* title, std::span<const Shortcut> rows) {
+    strongText(context, title);
+    const float left = ImGui::GetCursorPosX();
+    for (const Shortcut& row : rows) {
+        ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(255, 178, 122, 255));
+        ImGui::TextUnformatted(row.keys);
+        ImGui::PopStyleColor();
+        ImGui::SameLine();
+        ImGui::SetCursorPosX(left + context.points(140));
+        ImGui::TextUnformatted(row.what);
+    }
+    ImGui::Dummy({0, context.points(6)});
+}
+
+} // namespace
+
+ParameterList describe(PanelState& p) {
+    return {
+        {"view", "View menu", "", &p.view, 0, 1, "open at the start"},
+        {"simulation", "Simulation menu", "", &p.simulation, 0, 1, "open at the start"},
+        {"timings", "Timings", "", &p.timings, 0, 1, "open at the start"},
+    };
+}
+
+float panelReach(const Context& context) {
+    return context.points(kPanelWidth + kPanelGap);
+}
+
+void viewMenu(Context& context, std::span<const Section* const> sections) {
+    beginPanel(context, "view menu", Side::left);
+    panelTitle(context, "View", "How the metal is shown. Nothing here changes what it does.");
+    static constexpr std::array<Group, 6> kGroups{
+        {{"view", "Show the metal as", {"mode", "colours", "material", "point_size"}, true},
+         {"view", "In the picture", {"show_box", "show_sky", "show_source"}, true},
+         {"view", "Light", {"ambient", "diffuse", "specular", "shininess", "exposure", "light_position"}, false},
+         {"surface", "Surface", {"influence", "iso_level", "caps"}, false},
+         {"controls",
+          "Mouse and keys",
+          {"source_step", "source_mouse_speed", "look_speed", "camera_speed", "invert_look"},
+          false},
+         {"window", "Window", {"interface_size"}, false}}};
+    drawGroups(context, sections, kGroups);
+    ImGui::End();
+}
+
+void simulationMenu(Context& context, const Section& section, Controls& controls) {
+    beginPanel(context, "simulation menu", Side::right);
+    panelTitle(context, "Simulation", "How the metal behaves. Everything takes effect at once.");
+    bool cold = controls.source().cold();
+    if (toggle(context, "simulation.cold", "Cold source", cold, "Freezes what it touches instead of melting it (F)"))
+        controls.source().setCold(cold);
+    static constexpr std::array<Group, 3> kGroups{
+        {{"simulation", "Heat", {"heat_radius", "heat_temperature", "solidify_rate"}, true},
+         {"simulation",
+          "Liquid metal",
+          {"viscosity", "gas_stiffness", "rest_density", "particle_mass", "support_radius"},
+          true},
+         {"simulation",
+          "Space and time",
+          {"gravity", "wall_restitution", "wall_slip", "acceleration_limit", "time_step"},
+          true}}};
+    const std::array<const Section*, 1> sections{&section};
+    drawGroups(context, sections, kGroups);
+    ImGui::End();
+}
+
+void timingsPanel(Context& context, const gl::Profiler& profiler, const Figures& figures, double frameMs,
+                  const std::string& driver, bool besideView) {
+    beginPanel(context, "timings", besideView ? Side::leftBeside : Side::left);
+    panelTitle(context, "Timings", driver.c_str());
+    char text[64];
+    std::snprintf(text, sizeof text, "%.0f frames a second", figures.framesPerSecond);
+    ImGui::TextUnformatted(text);
+    ImGui::PushFont(context.fonts.small);
+    passRow(context, "whole frame", frameMs, frameMs, 0);
+    for (const gl::PassTime& pass : profiler.passes())
+        passRow(context, pass.name, pass.lastMs, frameMs, pass.depth);
+    ImGui::PopFont();
+    ImGui::End();
+}
+
+void helpOverlay(Context& context, bool& open) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    constexpr ImGuiWindowFlags kStill = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
+    // A shade over everything; a click on it closes the page.
+    ImGui::SetNextWindowPos({0, 0});
+    ImGui::SetNextWindowSize(screen);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(8, 10, 14, 170));
+    ImGui::Begin("help shade", nullptr, kStill);
+    if (ImGui::IsWindowAppearing()) ImGui::SetWindowFocus();
+    if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) open = false;
+    ImGui::End();
+    ImGui::PopStyleColor();
+
+    ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSize({std::min(context.points(860), screen.x - context.points(20)), 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.points(32), context.points(26)});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(26, 30, 37, 255));
+    ImGui::Begin("help", nullptr, kStill | ImGuiWindowFlags_AlwaysAutoResize);
+    if (ImGui::IsWindowAppearing()) ImGui::SetWindowFocus();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
+    constexpr std::array<Shortcut, 5> kTorch{{{"Left button", "heat while held"},
+                                              {"Mouse", "torch sideways and up"},
+                                              {"+ right button", "torch near and far"},
+                                              {"Arrow keys", "torch in steps"},
+                                              {"Page up, down", "torch up and down"}}};
+    constexpr std::array<Shortcut, 2> kHeat{{{"F", "hot or cold source"}, {"F5", "reset metal and torch"}}};
+    constexpr std::array<Shortcut, 4> kOrbit{{{"A  D", "around the metal"},
+                                              {"W  S", "over and under it"},
+                                              {"Q  E", "nearer and farther"},
+                                              {"Wheel", "nearer and farther"}}};
+    constexpr std::array<Shortcut, 4> kFly{
+        {{"Mouse", "look"}, {"W  S", "forwards and back"}, {"A  D", "to the sides"}, {"Q  E", "down and up"}}};
+    constexpr std::array<Shortcut, 8> kProgram{{{"V", "work, or pause and look around"},
+                                                {"C", "catch or free the mouse"},
+                                                {"Escape", "free the mouse"},
+                                                {"F1", "this page"},
+                                                {"F2  F3  F4", "view, simulation, timings"},
+                                                {"Tab", "hide and show all panels"},
+                                                {"F11", "full screen"},
+                                                {"F12", "save a picture"}}};
+    ImGui::Columns(2, "help columns", false);
+    shortcutColumn(context, "The torch, while working", kTorch);
+    shortcutColumn(context, "The metal", kHeat);
+    shortcutColumn(context, "The camera, while working", kOrbit);
+    ImGui::NextColumn();
+    shortcutColumn(context, "The camera, while looking around", kFly);
+    shortcutColumn(context, "The program", kProgram);
+    ImGui::Columns(1);
+    quietText(context,
+              "A mouse that is not caught moves the torch too, while a button is held on the picture. Double click a "
+              "slider to type a number; point at a name to read what it does.");
+    ImGui::Dummy({0, context.points(4)});
+    if (button(context, "help.close", "Close", ButtonKind::main, 140)) open = false;
+    ImGui::End();
+}
+
+} // namespace meltpool::ui

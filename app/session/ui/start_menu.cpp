@@ -1,0 +1,180 @@
+// The first screen: how much metal, how it is arranged, how fine its surface is.
+#include "app/session/ui/panels.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace meltpool::ui {
+
+namespace {
+
+ImU32 mix(ImU32 a, ImU32 b, float share) {
+    const ImVec4 x = ImGui::ColorConvertU32ToFloat4(a);
+    const ImVec4 y = ImGui::ColorConvertU32ToFloat4(b);
+    const auto channel = [share](float p, float q) { return p + (q - p) * share; };
+    return ImGui::ColorConvertFloat4ToU32({channel(x.x, y.x), channel(x.y, y.y), channel(x.z, y.z), channel(x.w, y.w)});
+}
+
+/// The glow of the metal at a heat of 0..1: grey, red, orange, nearly white.
+ImU32 glow(float heat, float shade) {
+    constexpr std::array<ImU32, 5> kSteps{IM_COL32(150, 158, 170, 255), IM_COL32(160, 120, 110, 255),
+                                          IM_COL32(226, 74, 22, 255), IM_COL32(255, 154, 48, 255),
+                                          IM_COL32(255, 244, 205, 255)};
+    const float at = std::clamp(heat, 0.0f, 1.0f) * 4;
+    const auto low = std::min<size_t>(static_cast<size_t>(at), 3);
+    const ImU32 bright = mix(kSteps[low], kSteps[low + 1], at - static_cast<float>(low));
+    return mix(bright, IM_COL32(12, 14, 18, 255), (1 - shade) * (1 - heat));
+}
+
+constexpr int kCells = 10;
+constexpr int kNodes = kCells + 1;
+
+/// Colours of a face, a fine lattice of nodes, by their distance from the hot corner.
+class FaceColours {
+  public:
+    explicit FaceColours(float shade) {
+        for (int i = 0; i < kNodes; ++i)
+            for (int j = 0; j < kNodes; ++j) {
+                const float s = static_cast<float>(i) / kCells;
+                const float t = static_cast<float>(j) / kCells;
+                nodes_[static_cast<size_t>(i * kNodes + j)] = glow(1.15f - 1.45f * std::sqrt(s * s + t * t), shade);
+            }
+    }
+    ImU32 at(int i, int j) const { return nodes_[static_cast<size_t>(i * kNodes + j)]; }
+
+  private:
+    std::array<ImU32, size_t{kNodes} * kNodes> nodes_{};
+};
+
+/// One face between the edge vectors u and v from the hot corner, which is nearest to the eye.
+void drawFace(ImDrawList& draw, ImVec2 corner, ImVec2 u, ImVec2 v, const FaceColours& colours) {
+    const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
+    draw.PrimReserve(6 * kCells * kCells, kNodes * kNodes);
+    const auto first = static_cast<int>(draw._VtxCurrentIdx);
+    for (int i = 0; i < kCells; ++i)
+        for (int j = 0; j < kCells; ++j) {
+            const int node = first + i * kNodes + j;
+            for (const int k : {0, kNodes, kNodes + 1, 0, kNodes + 1, 1})
+                draw.PrimWriteIdx(static_cast<ImDrawIdx>(node + k));
+        }
+    for (int i = 0; i < kNodes; ++i)
+        for (int j = 0; j < kNodes; ++j) {
+            const float s = static_cast<float>(i) / kCells;
+            const float t = static_cast<float>(j) / kCells;
+            draw.PrimWriteVtx({corner.x + u.x * s + v.x * t, corner.y + u.y * s + v.y * t}, white, colours.at(i, j));
+        }
+}
+
+/// A soft round glow.
+void drawGlow(ImDrawList& draw, ImVec2 centre, float radius, ImU32 inner) {
+    constexpr int kParts = 48;
+    const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
+    const ImU32 outer = inner & ~IM_COL32_A_MASK;
+    draw.PrimReserve(kParts * 3, kParts + 1);
+    const auto first = static_cast<ImDrawIdx>(draw._VtxCurrentIdx);
+    for (int i = 0; i < kParts; ++i) {
+        draw.PrimWriteIdx(first);
+        draw.PrimWriteIdx(static_cast<ImDrawIdx>(first + 1 + i));
+        draw.PrimWriteIdx(static_cast<ImDrawIdx>(first + 1 + (i + 1) % kParts));
+    }
+    draw.PrimWriteVtx(centre, white, inner);
+    for (int i = 0; i < kParts; ++i) {
+        const float angle = 6.2831853f * static_cast<float>(i) / kParts;
+        draw.PrimWriteVtx({centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)}, white, outer);
+    }
+}
+
+void introduction(Context& context, const std::string& task) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float size = context.points(92);
+    drawSign(*ImGui::GetWindowDrawList(), {at.x + size / 2, at.y + size / 2}, size);
+    ImGui::Dummy({size, size});
+    ImGui::SameLine(0, context.points(22));
+    ImGui::BeginGroup();
+    ImGui::PushFont(context.fonts.title);
+    ImGui::TextUnformatted("Meltpool");
+    ImGui::PopFont();
+    ImGui::PushStyleColor(ImGuiCol_Text, colour::kQuiet);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(task.empty() ? "Melt metal where the flame touches it." : task.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    ImGui::EndGroup();
+}
+
+/// The values, in a part of their own that scrolls where there are more than the window has room for: the buttons below
+/// stay in sight.
+void values(Context& context, const Section& start, float screenHeight) {
+    const float room = std::max(context.points(120), screenHeight - context.points(350));
+    const float height = std::min(context.startValuesHeight, room);
+    ImGui::BeginChild("values", {0, height > 0 ? height : room});
+    for (const Parameter& parameter : start.parameters) {
+        parameterControl(context, start.name, parameter, start.defaults);
+        quietText(context, sentence(parameter.note));
+        ImGui::Dummy({0, context.points(3)});
+    }
+    context.startValuesHeight = ImGui::GetCursorPosY();
+    ImGui::EndChild();
+}
+
+} // namespace
+
+void drawSign(ImDrawList& draw, ImVec2 centre, float size) {
+    const float half = size * 0.5f;
+    const float wide = half * 0.866f;
+    const ImVec2 near{centre.x, centre.y};
+    static const FaceColours top(1.0f), left(0.62f), right(0.42f);
+    drawFace(draw, near, {-wide, -half * 0.5f}, {wide, -half * 0.5f}, top);
+    drawFace(draw, near, {-wide, -half * 0.5f}, {0, half}, left);
+    drawFace(draw, near, {wide, -half * 0.5f}, {0, half}, right);
+    // The lattices have hard edges; a soft outline smooths the silhouette.
+    const std::array<ImVec2, 6> outline{{{near.x, near.y - half},
+                                         {near.x + wide, near.y - half * 0.5f},
+                                         {near.x + wide, near.y + half * 0.5f},
+                                         {near.x, near.y + half},
+                                         {near.x - wide, near.y + half * 0.5f},
+                                         {near.x - wide, near.y - half * 0.5f}}};
+    draw.AddPolyline(outline.data(), 6, IM_COL32(58, 63, 72, 255), ImDrawFlags_Closed, std::max(1.2f, size * 0.018f));
+}
+
+void drawBackdrop(float width, float height) {
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    constexpr ImU32 kTop = IM_COL32(17, 20, 27, 255);
+    constexpr ImU32 kBottom = IM_COL32(34, 30, 32, 255);
+    draw.AddRectFilledMultiColor({0, 0}, {width, height}, kTop, kTop, kBottom, kBottom);
+    drawGlow(draw, {width * 0.5f, height * 1.05f}, height * 0.9f, IM_COL32(255, 120, 40, 70));
+    drawGlow(draw, {width * 0.5f, height * 1.05f}, height * 0.45f, IM_COL32(255, 190, 110, 60));
+}
+
+Request startMenu(Context& context, const Section& start, const std::string& task, const std::string& driver) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    drawBackdrop(screen.x, screen.y);
+    const float width = std::min(context.points(600), screen.x - context.points(24));
+    ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, screen.y - context.points(16)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.points(36), context.points(30)});
+    ImGui::Begin("start menu", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::PopStyleVar();
+    introduction(context, task);
+    ImGui::Dummy({0, context.points(10)});
+    values(context, start, screen.y);
+    ImGui::Dummy({0, context.points(8)});
+    Request request = Request::none;
+    const float half = (ImGui::GetContentRegionAvail().x / context.scale - 12) / 2;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {context.points(12), context.points(11)});
+    if (button(context, "start.start", "Start", ButtonKind::main, half)) request = Request::start;
+    ImGui::SameLine(0, context.points(12));
+    if (button(context, "start.defaults", "Start with defaults", ButtonKind::plain, half,
+               "Forget the values above and use the ones the program came with"))
+        request = Request::startWithDefaults;
+    ImGui::PopStyleVar();
+    ImGui::Dummy({0, context.points(2)});
+    quietText(context, driver);
+    ImGui::End();
+    return request;
+}
+
+} // namespace meltpool::ui

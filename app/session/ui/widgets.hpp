@@ -1,0 +1,79 @@
+// The interface's own controls, made from parameter descriptions: sliders, switches, choices, buttons.
+#pragma once
+
+#include "app/session/ui/short_text.hpp"
+#include "app/session/ui/theme.hpp"
+#include "core/base/parameter.hpp"
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace meltpool::ui {
+
+/// A place on the screen in points, for tests and for help that points at things.
+struct Place {
+    float x = 0;
+    float y = 0;
+    float width = 0;
+    float height = 0;
+    unsigned frame = 0; ///< in which it was last drawn there
+};
+
+/// What every panel needs while it is drawn.
+struct Context {
+    Fonts fonts;
+    float scale = 1;
+    float startValuesHeight = 0; ///< what the start menu's values took in the last frame; 0: not drawn yet
+    /// Where each control was drawn last, by name such as "simulation.viscosity". Kept from frame to frame, so that
+    /// noting a place asks nothing of the heap.
+    std::map<std::string, Place, std::less<>> places;
+    unsigned frame = 0;
+
+    void beginFrame() { ++frame; }
+    bool inSight(const Place& place) const { return place.frame == frame; }
+    float points(float size) const { return size * scale; }
+};
+
+/// Notes the last item's place under `name` when it is in sight.
+void markItem(Context& context, std::string_view name);
+
+/// A parameter's values before anyone touched them, by key, so that a control can offer the way back.
+using DefaultTexts = std::map<std::string, std::string, std::less<>>;
+DefaultTexts defaultTexts(const ParameterList& list);
+
+/// Draws one parameter with label, value, unit and tooltip; true when it was changed. `prefix` starts its name among
+/// the places.
+bool parameterControl(Context& context, std::string_view prefix, const Parameter& parameter,
+                      const DefaultTexts& defaults);
+
+/// A heading of a group; false when it is folded.
+bool groupHeading(Context& context, std::string_view prefix, const char* title, bool openAtFirst = true);
+
+enum class ButtonKind { plain, main, lit };
+/// A button of the given width in points (0: as wide as its text).
+bool button(Context& context, std::string_view name, const char* text, ButtonKind kind = ButtonKind::plain,
+            float width = 0, const char* tooltip = nullptr);
+
+/// A switch with its label.
+/// `hovered` is answered where it is asked for, so that a long tooltip is only made when it is read.
+bool toggle(Context& context, std::string_view name, std::string_view label, bool& value, const char* tooltip = nullptr,
+            bool* hovered = nullptr);
+
+/// Buttons of which one is chosen, wrapped into rows.
+bool choiceRow(Context& context, std::string_view name, std::span<const std::string_view> choices, int& value);
+
+void quietText(Context& context, std::string_view text);
+void strongText(Context& context, std::string_view text);
+/// The tooltip of the last item, wrapped to a readable width.
+void tooltip(Context& context, std::string_view text);
+
+/// A number for people: at most four digits, no needless zeros.
+ShortText niceNumber(double value);
+/// "what it costs" -> "What it costs."
+std::string sentence(std::string_view text);
+/// "rest_density" -> "Rest density".
+ShortText readableName(std::string_view key);
+
+} // namespace meltpool::ui

@@ -1,0 +1,148 @@
+#include "app/session/window_telemetry.hpp"
+
+#include "core/base/error.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace meltpool {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr double kRowSeconds = 0.05;
+
+json numbers(const glm::vec3& v) {
+    return {v.x, v.y, v.z};
+}
+
+json camera(const Controls& controls) {
+    const OrbitCamera& orbit = controls.orbitCamera();
+    const FreeCamera& free = controls.freeCamera();
+    return {{"eye", numbers(controls.eye())}, {"forward", numbers(controls.forward())},
+            {"azimuth", orbit.azimuth()},     {"elevation", orbit.elevation()},
+            {"distance", orbit.distance()},   {"yaw", free.yaw()},
+            {"pitch", free.pitch()},          {"free_position", numbers(free.position())}};
+}
+
+/// Of the last step, mm in the workpiece's frame.
+json torch(const TorchSample& torch) {
+    json told{{"tip_mm", numbers(torch.tip * 1000.0f)}, {"axis", numbers(torch.axis())}, {"trigger", torch.trigger}};
+    if (torch.rod) told["rod_mm"] = numbers(torch.rod->tip * 1000.0f);
+    return told;
+}
+
+json metal(const TelemetryRow& row) {
+    const ui::Figures& f = row.figures;
+    return {{"time", f.time},     {"steps", row.steps},   {"particles", f.particles},
+            {"molten", f.molten}, {"hottest", f.hottest}, {"stopped", f.stopped},
+            {"lost", f.lost},     {"refused", f.refused}, {"speed", f.speed}};
+}
+
+json parameters(const TelemetryRow& row) {
+    json all = json::object();
+    for (const ui::Section* section : row.sections)
+        for (const Parameter& p : section->parameters)
+            all[section->name][std::string(p.key)] = parameterText(p);
+    return all;
+}
+
+json places(const ui::Context& context) {
+    json all = json::object();
+    for (const auto& [name, place] : context.places)
+        if (context.inSight(place)) all[name] = {place.x, place.y, place.width, place.height};
+    return all;
+}
+
+json tip(const TipTold& told) {
+    return {{"action", told.action},       {"ahead_mm", told.aheadMm},  {"nearest_mm", told.nearestMm},
+            {"liquid", told.liquid},       {"touching", told.touching}, {"amplitude", told.amplitude},
+            {"frequency", told.frequency}, {"touches", told.touches},   {"pulses", told.pulses}};
+}
+
+json headset(const HeadsetTold& told) {
+    json places = json::object();
+    for (const auto& [name, place] : told.places)
+        places[name] = {place.x, place.y, place.width, place.height};
+    return {{"state", told.state},          {"mode", told.mode},       {"mirrored", told.mirrored},
+            {"tip_report", told.tipReport}, {"warning", told.warning}, {"openings", told.openings},
+            {"tracked", told.tracked},      {"panel", told.panel},     {"tip", tip(told.tip)},
+            {"busy_ms", told.busyMs},       {"places", places}};
+}
+
+/// The processor's time, ms.
+json frameWork(const FrameMeter& meter, FrameWork work) {
+    return {{"last", meter.lastMs(work)}, {"least", meter.leastMs(work)}, {"median", meter.medianMs(work)}};
+}
+
+json frameCosts(const FrameMeter& meter) {
+    const FrameMeter::Totals& totals = meter.totals();
+    return {{"frames", totals.frames},
+            {"own_ms", frameWork(meter, FrameWork::own)},
+            {"runtime_cpu_ms", frameWork(meter, FrameWork::runtime)},
+            {"outside_ms", frameWork(meter, FrameWork::outside)},
+            {"driver_ms", meter.lastMs(WorkPlace::driver)},
+            {"runtime_ms", meter.lastMs(WorkPlace::runtime)},
+            {"waiting_ms", meter.lastMs(WorkPlace::waiting)},
+            {"allocations", totals.allocations},
+            {"allocating_frames", totals.framesThatAllocated},
+            {"stalls", totals.stalls},
+            {"last_stall", totals.lastStall}};
+}
+
+json messageTexts(const Messages& messages) {
+    json all = json::array();
+    for (const Message& message : messages.shown())
+        all.push_back(message.text);
+    return all;
+}
+
+} // namespace
+
+WindowTelemetry::WindowTelemetry(const std::filesystem::path& file) {
+    if (file.empty()) return;
+    file_.open(file, std::ios::trunc);
+    if (!file_) throw InputError(file, 0, "the telemetry cannot be written here; expected a file in a writable folder");
+}
+
+bool WindowTelemetry::due(double now) {
+    if (!enabled() || now < next_) return false;
+    next_ = now + kRowSeconds;
+    return true;
+}
+
+void WindowTelemetry::write(const TelemetryRow& row) {
+    const Controls& c = row.controls;
+    const json object{
+        {"page", row.page},
+        {"seconds", row.seconds},
+        {"frame", row.frame},
+        {"mode", c.mode() == Mode::interact ? "interact" : "view"},
+        {"captured", c.captured()},
+        {"camera", camera(c)},
+        {"source",
+         {{"position", numbers(c.source().position())}, {"on", c.source().on()}, {"cold", c.source().cold()}}},
+        {"panels",
+         {{"view", row.panels.view},
+          {"simulation", row.panels.simulation},
+          {"timings", row.panels.timings},
+          {"help", row.panels.help},
+          {"hidden", row.panels.hidden}}},
+        {"torch", torch(row.torch)},
+        {"metal", metal(row)},
+        {"passes", row.passes},
+        {"parameters", parameters(row)},
+        {"window",
+         {{"size", {row.size.x, row.size.y}}, {"pixels", {row.pixels.x, row.pixels.y}}, {"scale", row.context.scale}}},
+        {"frames_per_second", row.figures.framesPerSecond},
+        {"messages", messageTexts(row.messages)},
+        {"places", places(row.context)},
+        {"screenshot", row.screenshot},
+        {"headset", headset(row.headset)},
+        {"frame_costs", frameCosts(row.meter)},
+    };
+    // Bytes of a message need not be UTF-8 (a path, a driver's log); they are replaced, not refused.
+    file_ << object.dump(-1, ' ', false, json::error_handler_t::replace) << std::endl;
+}
+
+} // namespace meltpool

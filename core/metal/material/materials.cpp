@@ -1,0 +1,41 @@
+#include "core/metal/material/materials.hpp"
+
+#include <algorithm>
+
+namespace meltpool {
+
+Property Property::constant(double value, std::string source) {
+    return {{{0.0, value}}, std::move(source)};
+}
+
+double Property::at(double temperature) const {
+    if (temperature <= points.front().temperature) return points.front().value;
+    if (temperature >= points.back().temperature) return points.back().value;
+    const auto after = std::upper_bound(points.begin(), points.end(), temperature,
+                                        [](double t, const Point& point) { return t < point.temperature; });
+    const auto before = after - 1;
+    const double share = (temperature - before->temperature) / (after->temperature - before->temperature);
+    return before->value + share * (after->value - before->value);
+}
+
+double Property::integral(double from, double to) const {
+    if (to < from) return -integral(to, from);
+    double sum = 0;
+    double left = from;
+    // Between two neighbouring points the value is linear, so the trapezium is exact.
+    const auto add = [&](double right) {
+        sum += 0.5 * (at(left) + at(right)) * (right - left);
+        left = right;
+    };
+    for (const Point& point : points)
+        if (point.temperature > left && point.temperature < to) add(point.temperature);
+    add(to);
+    return sum;
+}
+
+double Material::tensionSlope() const {
+    const double step = 10;
+    return (surfaceTension.at(liquidus + step) - surfaceTension.at(liquidus)) / step;
+}
+
+} // namespace meltpool

@@ -1,0 +1,156 @@
+#include "core/metal/state/metal_state.hpp"
+
+#include "core/base/error.hpp"
+
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+
+namespace meltpool {
+
+namespace {
+
+/// Share of liquid above which solid metal begins to flow, and below which liquid metal stands still.
+constexpr float kMeltFraction = 0.6F;
+constexpr float kFreezeFraction = 0.3F;
+
+} // namespace
+
+MetalLattice MetalLattice::covering(glm::vec3 low, glm::vec3 high, float spacing) {
+    MetalLattice lattice;
+    lattice.low = low;
+    lattice.spacing = spacing;
+    // A box that is a whole number of cells must not get one more for the rounding of its corners.
+    const glm::vec3 cells = glm::ceil((high - low) / spacing - 1e-3F);
+    lattice.tiles = glm::max(glm::ivec3(1), (glm::ivec3(cells) + (TILE_EDGE - 1)) / TILE_EDGE);
+    return lattice;
+}
+
+size_t MetalLattice::tileCount() const {
+    return static_cast<size_t>(tiles.x) * static_cast<size_t>(tiles.y) * static_cast<size_t>(tiles.z);
+}
+
+glm::ivec3 MetalLattice::cellAt(glm::vec3 place) const {
+    return glm::ivec3(glm::floor((place - low) / spacing));
+}
+
+bool MetalLattice::contains(glm::ivec3 cell) const {
+    return glm::all(glm::greaterThanEqual(cell, glm::ivec3(0))) && glm::all(glm::lessThan(cell, cells()));
+}
+
+size_t MetalLattice::index(glm::ivec3 cell) const {
+    const glm::ivec3 tile = cell / TILE_EDGE;
+    const glm::ivec3 inside = cell - tile * TILE_EDGE;
+    const auto tileIndex = static_cast<size_t>((tile.z * tiles.y + tile.y) * tiles.x + tile.x);
+    return tileIndex * TILE_CELLS + static_cast<size_t>((inside.z * TILE_EDGE + inside.y) * TILE_EDGE + inside.x);
+}
+
+std::vector<MetalSeed> latticeSeeds(const MetalLattice& lattice, glm::vec3 low, glm::vec3 high, float temperature,
+                                    unsigned extraPhase) {
+    std::vector<MetalSeed> seeds;
+    const glm::ivec3 tiles = lattice.tiles;
+    for (int tile = 0; tile < static_cast<int>(lattice.tileCount()); ++tile)
+        for (int inside = 0; inside < TILE_CELLS; ++inside) {
+            const glm::ivec3 corner = glm::ivec3(tile % tiles.x, tile / tiles.x % tiles.y, tile / (tiles.x * tiles.y));
+            const glm::ivec3 cell = corner * TILE_EDGE + glm::ivec3(inside % TILE_EDGE, inside / TILE_EDGE % TILE_EDGE,
+                                                                    inside / (TILE_EDGE * TILE_EDGE));
+            const glm::vec3 centre = lattice.centre(cell);
+            if (glm::all(glm::greaterThan(centre, low)) && glm::all(glm::lessThan(centre, high)))
+                seeds.push_back({centre, temperature, PHASE_ALIVE | PHASE_LATTICE | extraPhase, glm::vec3(0)});
+        }
+    return seeds;
+}
+
+MetalState::MetalState(const MetalLattice& lattice, const HeatTable& table, double density, size_t capacity)
+    : position("metal position", capacity * sizeof(vec4)),
+      velocity("metal velocity", capacity * sizeof(vec4)),
+      heat("metal heat", capacity * sizeof(vec4)),
+      phase("metal phase", capacity * sizeof(uint)),
+      latticeSlots("metal lattice", lattice.cellCount() * sizeof(uint)),
+      counters("metal counters", sizeof(MetalCounters)),
+      changes("metal changes", (1 + capacity) * sizeof(uint)),
+      lattice_(lattice),
+      table_(table),
+      capacity_(capacity),
+      density_(density),
+      mass_(density * static_cast<double>(lattice.spacing) * static_cast<double>(lattice.spacing) *
+            static_cast<double>(lattice.spacing)),
+      blockBuffer_("metal block", sizeof(MetalBlock)) {
+    block_.origin = vec4(lattice.low, lattice.spacing);
+    block_.tiles = ivec4(lattice.tiles, static_cast<int>(capacity));
+    block_.gravity = vec4(0, -9.81F, 0, static_cast<float>(mass_));
+    block_.melting = vec4(static_cast<float>(table.solidusEnthalpy()), static_cast<float>(table.liquidusEnthalpy()),
+                          kMeltFraction, kFreezeFraction);
+    writeBlock();
+}
+
+void MetalState::writeBlock() {
+    blockBuffer_.writeValue(block_);
+}
+
+void MetalState::setGravity(glm::vec3 gravity) {
+    block_.gravity = vec4(gravity, block_.gravity.w);
+    writeBlock();
+}
+
+void MetalState::add(std::span<const MetalSeed> seeds) {
+    if (particles_ + seeds.size() > capacity_)
+        throw RuntimeFault("no room for " + std::to_string(seeds.size()) + " more particles beside " +
+                           std::to_string(particles_) + " of " + std::to_string(capacity_));
+    auto& [positions, velocities, heats, phases, cells] = staging_;
+    for (auto* values : {&positions, &velocities, &heats})
+        values->clear();
+    phases.clear();
+    cells.clear();
+    for (const MetalSeed& seed : seeds) {
+        const double enthalpy = table_.enthalpyAt(static_cast<double>(seed.temperature));
+        const auto rounded = static_cast<float>(enthalpy);
+        const auto residual = static_cast<float>(enthalpy - static_cast<double>(rounded));
+        positions.emplace_back(seed.position, seed.temperature);
+        velocities.emplace_back(seed.velocity, 0.0F);
+        heats.emplace_back(rounded, residual, seed.temperature, 0.0F);
+        phases.push_back(seed.phase);
+        if (!(seed.phase & PHASE_LATTICE)) continue;
+        const glm::ivec3 cell = lattice_.cellAt(seed.position);
+        if (!lattice_.contains(cell)) throw RuntimeFault("a particle of the lattice lies outside it");
+        const uint slot = static_cast<uint>(particles_ + phases.size());
+        cells.emplace_back(lattice_.index(cell), slot);
+    }
+    if (!cells.empty()) {
+        auto all = latticeSlots.read<uint>(lattice_.cellCount());
+        for (const auto& [cell, slot] : cells)
+            all[cell] = slot;
+        latticeSlots.write(std::span<const uint>(all));
+    }
+    position.write(std::span<const vec4>(positions), particles_ * sizeof(vec4));
+    velocity.write(std::span<const vec4>(velocities), particles_ * sizeof(vec4));
+    heat.write(std::span<const vec4>(heats), particles_ * sizeof(vec4));
+    phase.write(std::span<const uint>(phases), particles_ * sizeof(uint));
+    particles_ += seeds.size();
+    counters.writeValue(static_cast<uint>(particles_), offsetof(MetalCounters, particles));
+}
+
+void MetalState::bind() const {
+    position.bindStorage(METAL_POSITION);
+    velocity.bindStorage(METAL_VELOCITY);
+    heat.bindStorage(METAL_HEAT);
+    phase.bindStorage(METAL_PHASE);
+    latticeSlots.bindStorage(METAL_LATTICE);
+    counters.bindStorage(METAL_COUNTERS);
+    blockBuffer_.bindUniform(METAL_BLOCK);
+}
+
+size_t MetalState::bytes() const {
+    return position.bytes() + velocity.bytes() + heat.bytes() + phase.bytes() + latticeSlots.bytes() +
+           counters.bytes() + changes.bytes();
+}
+
+double MetalState::readEnergy() const {
+    const auto heats = heat.read<vec4>(particles_);
+    const auto phases = phase.read<uint>(particles_);
+    double sum = 0;
+    for (size_t i = 0; i < particles_; ++i)
+        if (phases[i] & PHASE_ALIVE) sum += static_cast<double>(heats[i].x) + static_cast<double>(heats[i].y);
+    return sum * mass_;
+}
+
+} // namespace meltpool

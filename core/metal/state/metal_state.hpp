@@ -1,0 +1,101 @@
+// The particles of the physical metal: their buffers on the GPU, the lattice they start on, and how both are filled.
+#pragma once
+
+#include "core/gl/buffer.hpp"
+#include "core/metal/material/heat_table.hpp"
+#include "shaders/shared/metal.h"
+
+#include <glm/vec3.hpp>
+
+#include <vector>
+
+namespace meltpool {
+
+/// The cubic lattice that solid metal starts on; cells are stored tile by tile.
+struct MetalLattice {
+    glm::vec3 low{0};    ///< low corner of cell (0, 0, 0), m
+    float spacing = 0;   ///< edge of a cell, m
+    glm::ivec3 tiles{0}; ///< size in tiles of TILE_EDGE cells
+
+    /// The smallest lattice that covers the box from `low` to `high`, its cells' corners on `low`.
+    static MetalLattice covering(glm::vec3 low, glm::vec3 high, float spacing);
+
+    glm::ivec3 cells() const { return tiles * TILE_EDGE; }
+    size_t tileCount() const;
+    size_t cellCount() const { return tileCount() * TILE_CELLS; }
+    glm::vec3 centre(glm::ivec3 cell) const { return low + (glm::vec3(cell) + 0.5F) * spacing; }
+    glm::ivec3 cellAt(glm::vec3 place) const;
+    bool contains(glm::ivec3 cell) const;
+    /// Place of a cell in the lattice buffer; the cell must be inside.
+    size_t index(glm::ivec3 cell) const;
+};
+
+/// One particle to start with.
+struct MetalSeed {
+    glm::vec3 position{0};        ///< m
+    float temperature = 293.15F;  ///< K
+    unsigned phase = PHASE_ALIVE; ///< PHASE_... bits; with PHASE_LATTICE the position is its cell's centre
+    glm::vec3 velocity{0};        ///< m/s
+};
+
+/// Seeds for every cell of `lattice` whose centre lies between `low` and `high`, solid and on the lattice, tile by tile
+/// so that neighbours in space are neighbours in memory.
+std::vector<MetalSeed> latticeSeeds(const MetalLattice& lattice, glm::vec3 low, glm::vec3 high, float temperature,
+                                    unsigned extraPhase = 0);
+
+/// The buffers that heat and flow work on; see shaders/shared/metal.h for what each holds.
+class MetalState {
+  public:
+    /// `density`: what particle masses are made from (kg/m³). `capacity`: room for seeds and later filler, in
+    /// particles.
+    MetalState(const MetalLattice& lattice, const HeatTable& table, double density, size_t capacity);
+
+    /// Puts particles into the next free slots. Throws RuntimeFault when there is no room.
+    void add(std::span<const MetalSeed> seeds);
+
+    /// Binds the particle buffers and the block to their fixed places.
+    void bind() const;
+
+    const MetalLattice& lattice() const { return lattice_; }
+    const HeatTable& table() const { return table_; }
+    size_t particles() const { return particles_; }
+    size_t capacity() const { return capacity_; }
+    double particleMass() const { return mass_; } ///< kg
+    double density() const { return density_; }   ///< kg/m³
+    void setGravity(glm::vec3 gravity);           ///< m/s²
+
+    /// GPU memory in bytes.
+    size_t bytes() const;
+
+    /// Sum of m H over the living particles with their residuals, J. Waits for the GPU.
+    double readEnergy() const;
+
+    /// Goes up whenever phase bits may have changed that `changes` does not list: pieces were told apart, or the CPU
+    /// wrote phases, who must say so by noteRegrouping().
+    unsigned regroupings() const { return regroupings_; }
+    void noteRegrouping() { ++regroupings_; }
+
+    gl::Buffer position, velocity, heat, phase, latticeSlots, counters;
+    gl::Buffer changes; ///< see shaders/shared/metal.h; bound by those who use it
+
+  private:
+    void writeBlock();
+
+    MetalLattice lattice_;
+    HeatTable table_;
+    size_t capacity_;
+    size_t particles_ = 0;
+    /// What add() writes, kept so that filler costs no allocation.
+    struct {
+        std::vector<vec4> positions, velocities, heats;
+        std::vector<uint> phases;
+        std::vector<std::pair<size_t, uint>> cells;
+    } staging_;
+    unsigned regroupings_ = 0;
+    double density_;
+    double mass_;
+    MetalBlock block_{};
+    gl::Buffer blockBuffer_;
+};
+
+} // namespace meltpool

@@ -1,0 +1,44 @@
+// What the heat cases share: a metal block with its solver, run in even steps, and reading fields between particles.
+#pragma once
+
+#include "core/metal/heat/heat.hpp"
+#include "core/validation/validation.hpp"
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace meltpool {
+
+/// A metal state with its heat solver.
+struct HeatBench {
+    HeatBench(gl::ShaderLibrary& shaders, const MetalLattice& lattice, const Material& material,
+              std::span<const MetalSeed> seeds, const HeatSettings& settings, double liquidConductivityFactor = 1);
+
+    /// Makes equal steps up to `seconds`, none longer than the solver's longest for `hottest` (K). `sources` gives what
+    /// burns at a time. Returns the number of steps.
+    size_t run(double from, double to, double hottest, const std::function<std::vector<HeatSource>(double)>& sources);
+
+    std::vector<double> readTemperatures() const;    ///< K, one a particle
+    std::vector<double> readLiquidFractions() const; ///< one a particle
+
+    MetalState state;
+    HeatSolver solver;
+};
+
+/// The material that a closed form knows: the solid's properties as they are at `solidAt` (K), the liquid's as at
+/// `liquidAt`, melting sharply midway between solidus and liquidus; one density, the solid's.
+Material constantMaterial(const Material& material, double solidAt, double liquidAt);
+
+/// The same for a closed form without melting: the solid's properties at `temperature` (K), however hot it gets.
+Material unmeltingMaterial(const Material& material, double temperature);
+
+/// No source at all.
+std::vector<HeatSource> nothingBurns(double time);
+
+/// Value at `x` of the polynomial through the points (Lagrange).
+double interpolate(std::span<const double> places, std::span<const double> values, double x);
+
+} // namespace meltpool

@@ -1,0 +1,83 @@
+// Runs validation cases and says how far the metal is from exact solutions and from experiments.
+#pragma once
+
+#include "core/gl/program.hpp"
+#include "core/validation/validation_case.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace meltpool {
+
+/// One number of a result beside what it should be.
+struct ValidationNumber {
+    std::string name;   ///< documented name, such as front_mm
+    std::string origin; ///< "exact", "measured", "limit" (ours must stay below the reference) or "ours" (only told)
+    double reference = 0;
+    double ours = 0;
+    double errorPercent = 0; ///< of `scale`; for "limit": 0
+    double tolerancePercent = 0;
+    bool passed = true;
+    std::string moment; ///< of several with the same name: which, such as "132 s"; else empty
+};
+
+struct ValidationResult {
+    std::string name;
+    std::string kind;
+    std::filesystem::path file;
+    double spacing = 0; ///< m
+    size_t particles = 0;
+    size_t steps = 0;
+    double wallSeconds = 0;
+    std::vector<ValidationNumber> numbers;
+    std::string error; ///< why the case ended early; else empty
+
+    bool passed() const;
+
+    /// Adds a number that has a closed form; the error is relative to `scale` (the reference itself where 0).
+    void compareExact(const ValidationCase& from, std::string numberName, double reference, double ours,
+                      double scale = 0);
+    /// Adds a number that must not exceed `limit`.
+    void compareLimit(std::string numberName, double limit, double ours);
+    /// Adds a number with nothing to compare it to.
+    void tell(std::string numberName, double ours);
+    /// Compares with value `index` of [measured] where the case gives that name; else only tells it.
+    void compareMeasured(const ValidationCase& from, const std::string& numberName, double ours, size_t index = 0,
+                         const std::string& moment = {});
+    /// Compares what [measured] gives beside a closed form or a number that was only told; what the case did not yield
+    /// fails.
+    void compareLeftMeasured(const ValidationCase& from);
+};
+
+/// Runs one case on the current GL context. Throws InputError where the case cannot be built, RuntimeFault where the
+/// state stops being finite.
+ValidationResult runValidationCase(const ValidationCase& from, gl::ShaderLibrary& shaders);
+
+/// The same into `result`, which keeps the numbers found before a fault.
+void runValidationCase(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
+
+/// What a kind does; fills numbers, particles and steps.
+using CaseRunner = void (*)(const ValidationCase&, gl::ShaderLibrary&, ValidationResult&);
+
+void runConductionStep(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
+void runConductionFlux(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
+void runStefan(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
+void runRosenthal(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
+void runEnergy(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
+void runCavityMelting(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
+void runBeadOnPlate(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
+void runDropletPressure(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
+void runDropletOscillation(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
+void runSessileDrop(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
+void runHydrostatic(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
+void runDamBreak(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
+void runPoiseuille(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
+
+/// The heads of the table's columns.
+std::string validationHeads();
+
+/// The table that `meltpool validate` prints for one case: a line a number.
+std::string validationText(const ValidationResult& result);
+
+} // namespace meltpool

@@ -1,0 +1,362 @@
+#include "core/validation/validation_case.hpp"
+
+#include "core/base/error.hpp"
+#include "core/base/text.hpp"
+#include "core/base/toml_table.hpp"
+#include "core/validation/exact_solutions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace meltpool {
+
+namespace {
+
+// Of molten metal whose case gives neither, N/m and Pa s: metals lie between 0.4 and 1.9, and 0.001 and 0.007.
+constexpr double kUsualTension = 1;
+constexpr double kUsualViscosity = 0.004;
+constexpr double kHot = 20000; ///< highest temperature a case may name, K
+constexpr auto kNeeded = std::nullopt;
+using enum CaseValue;
+
+constexpr std::array kStep{
+    CaseKey{"wall_temperature_k", number, 1, kHot, kNeeded, "held surface"},
+    CaseKey{"initial_temperature_k", number, 1, kHot, kNeeded, "metal at the start"},
+    CaseKey{"at_mm", list, 0, 1000, kNeeded, "depths to compare"},
+};
+constexpr std::array kFlux{
+    CaseKey{"flux_w_m2", number, -1e9, 1e9, kNeeded, "into the surface"},
+    CaseKey{"initial_temperature_k", number, 1, kHot, kNeeded, "metal at the start"},
+    CaseKey{"at_mm", list, 0, 1000, kNeeded, "depths to compare"},
+};
+constexpr std::array kStefan{
+    CaseKey{"wall_temperature_k", number, 1, kHot, kNeeded, "held surface"},
+    CaseKey{"initial_temperature_k", number, 1, kHot, kNeeded, "metal at the start"},
+};
+constexpr std::array kRosenthal{
+    CaseKey{"power_w", number, 0.001, 1e6, kNeeded, "absorbed power"},
+    CaseKey{"speed_mm_s", number, 0.01, 1000, kNeeded, "of the source along x"},
+    CaseKey{"initial_temperature_k", number, 1, kHot, kNeeded, "plate"},
+    CaseKey{"thickness_mm", number, 0.01, 1000, 0.0, "of the thin plate; not used by the thick one"},
+    CaseKey{"at_mm", rows, -1000, 1000, kNeeded, "[xi, y, z] relative to the source, xi ahead, z down"},
+    CaseKey{"field_rms_percent", number, 0, 1000, 0.0, "most that the field's error may be; 0: only told"},
+    CaseKey{"field_max_percent", number, 0, 1000, 0.0, "same, at its worst place"},
+};
+constexpr std::array kEnergy{
+    CaseKey{"power_w", number, 0, 1e6, kNeeded, "of the arc"},
+    CaseKey{"on_s", number, 0, 1e5, kNeeded, "how long it burns"},
+    CaseKey{"loss", lossRate, 0, 1e6, 0.0, "heat lost from the surface: true, false or W/(m² K)"},
+    CaseKey{"speed_mm_s", number, 0, 1000, 0.0, "of travel"},
+    CaseKey{"wire_diameter_mm", number, 0, 10, 0.0, "0: no wire"},
+    CaseKey{"wire_feed_m_min", number, 0, 100, 0.0, "0: no wire"},
+};
+constexpr std::array kHydrostatic{CaseKey{"height_mm", number, 0.1, 1000, kNeeded, "of the column"}};
+constexpr std::array kDamBreak{CaseKey{"width_mm", number, 0.1, 1000, kNeeded, "of the column, twice as high"}};
+constexpr std::array kDroplet{CaseKey{"radius_mm", number, 0.01, 100, kNeeded, "of the drop"}};
+constexpr std::array kSessile{
+    CaseKey{"volume_mm3", number, 0.001, 1e6, kNeeded, "of the drop"},
+    CaseKey{"contact_angle_deg", number, 5, 180, kNeeded, "against the wall"},
+};
+constexpr std::array kPoiseuille{
+    CaseKey{"gap_mm", number, 0.01, 1000, kNeeded, "between the plates"},
+    CaseKey{"body_force_n_m3", number, -1e9, 1e9, kNeeded, "along the plates"},
+};
+constexpr std::array kCavity{
+    CaseKey{"width_mm", number, 0.1, 1000, kNeeded, "between hot and cold wall"},
+    CaseKey{"height_mm", number, 0.1, 1000, kNeeded, "of the cavity"},
+    CaseKey{"hot_k", number, 1, kHot, kNeeded, "hot wall"},
+    CaseKey{"cold_k", number, 1, kHot, kNeeded, "cold wall"},
+    CaseKey{"initial_k", number, 1, kHot, kNeeded, "metal at the start"},
+    CaseKey{"times_s", list, 0.001, 1e6, kNeeded, "when to compare, rising"},
+};
+constexpr std::array kBead{
+    CaseKey{"power_w", number, 0, 1e6, kNeeded, "voltage times current"},
+    CaseKey{"efficiency", number, 0.01, 1, kNeeded, "share of it that the workpiece takes"},
+    CaseKey{"arc_sigma_mm", number, 0.1, 50, kNeeded, "standard deviation of the Gaussian"},
+    CaseKey{"speed_mm_s", number, 0.01, 1000, kNeeded, "of travel"},
+    CaseKey{"wire_diameter_mm", number, 0, 10, kNeeded, "0: no wire"},
+    CaseKey{"wire_feed_m_min", number, 0, 100, kNeeded, "0: no wire"},
+    CaseKey{"plate_mm", triple, 0.1, 1000, kNeeded,
+            "along the seam first; of the other two the smaller is the thickness"},
+    CaseKey{"ambient_k", number, 1, kHot, kNeeded, "plate and air"},
+    CaseKey{"current_a", number, 0, 2000, 0.0, "of the arc, for its pressure; with wire only"},
+    CaseKey{"liquid_conductivity_factor", number, 0.1, 20, 1.0, "stand-in for stirring in the pool"},
+};
+
+constexpr std::string_view kDepthResults = "temperature_at_Xmm_k";
+constexpr std::string_view kFrontResults = "front_mm, melted_mm, frozen_mm";
+constexpr std::string_view kRosenthalResults =
+    "temperature_at_XI_Y_Zmm_k, field_rms_percent, field_max_percent, settled_after_s";
+
+constexpr std::array kKinds{
+    CaseKind{"conduction_step", kStep, CaseMatter::heat, true, kDepthResults},
+    CaseKind{"conduction_flux", kFlux, CaseMatter::heat, true, kDepthResults},
+    CaseKind{"stefan_one_phase", kStefan, CaseMatter::heat, true, kFrontResults},
+    CaseKind{"stefan_two_phase", kStefan, CaseMatter::heat, true, kFrontResults},
+    CaseKind{"rosenthal_thick", kRosenthal, CaseMatter::heat, true, kRosenthalResults},
+    CaseKind{"rosenthal_thin", kRosenthal, CaseMatter::heat, true, kRosenthalResults},
+    CaseKind{"energy", kEnergy, CaseMatter::melting, true,
+             "energy_change_j, source_j, wire_j, lost_j, balance_percent, molten_peak_share, molten_end_share, "
+             "particles_missing, particles_lost_or_not_finite"},
+    CaseKind{"hydrostatic", kHydrostatic, CaseMatter::fluid, true,
+             "bottom_pressure_pa, density_error_percent, rest_speed_mm_s"},
+    CaseKind{"dam_break", kDamBreak, CaseMatter::fluid, true, "front_N, front_error_mean_percent"},
+    CaseKind{"droplet_pressure", kDroplet, CaseMatter::surface, true,
+             "pressure_jump_pa, density_ratio, rest_speed_mm_s"},
+    CaseKind{"droplet_oscillation", kDroplet, CaseMatter::surface, true, "frequency_hz, decay_per_s"},
+    CaseKind{"sessile_drop", kSessile, CaseMatter::surface, true, "height_mm, rest_speed_mm_s"},
+    CaseKind{"poiseuille", kPoiseuille, CaseMatter::viscous, true, "velocity_mm_s, profile_rms_percent"},
+    CaseKind{"cavity_melting", kCavity, CaseMatter::heat, false,
+             "melted_fraction, fastest_mm_s, rms_speed_mm_s, balance_percent"},
+    CaseKind{"bead_on_plate", kBead, CaseMatter::melting, false,
+             "width_mm, penetration_mm, height_mm, section_mm2, deposited_mm2, fused_plate_mm2, "
+             "heat_affected_width_mm, heat_affected_depth_mm, refused_filler"},
+};
+
+const CaseKind& findKind(TomlTable& file) {
+    const std::string name = file.text("kind");
+    std::string known;
+    for (const CaseKind& kind : kKinds) {
+        if (kind.name == name) return kind;
+        known += (known.empty() ? "" : ", ") + std::string(kind.name);
+    }
+    file.fail("kind", "unknown kind '" + name + "'; expected one of " + known);
+}
+
+/// Solid and liquid: each of its own key, of the key for both, of the other phase's, or of the shipped material.
+void readPhases(TomlTable& table, const std::string& key, NumberRange range, Property& solid, Property& liquid,
+                std::optional<double> fallback) {
+    const auto given = [&](const std::string& name) {
+        return table.has(name) ? std::optional(table.number(name, range)) : std::nullopt;
+    };
+    const auto both = given(key), ofSolid = given(key + "_solid"), ofLiquid = given(key + "_liquid");
+    const auto choose = [&](Property& property, std::optional<double> own, std::optional<double> other) {
+        std::optional<double> value = own ? own : both;
+        if (!value && property.points.empty()) value = other ? other : fallback;
+        if (value) property = Property::constant(*value);
+    };
+    choose(solid, ofSolid, ofLiquid);
+    choose(liquid, ofLiquid, ofSolid);
+    if (solid.points.empty()) table.number(key, range); // says what is missing
+}
+
+void readMelting(TomlTable& table, Material& m) {
+    m.latentHeat = table.number("latent_heat", {0, 1e7}, m.latentHeat);
+    const bool sharp = !table.has("use"); // only one of the two given: the stuff melts there
+    const double other = sharp && table.has("liquidus_k") ? table.number("liquidus_k", {1, kNeverMelts}) : m.solidus;
+    m.solidus = table.number("solidus_k", {1, kNeverMelts}, other);
+    m.liquidus = table.number("liquidus_k", {1, kNeverMelts}, sharp ? m.solidus : m.liquidus);
+    if (m.liquidus < m.solidus) table.fail("liquidus_k", "must not lie below the solidus");
+}
+
+Material readCaseMaterial(TomlTable& file, CaseMatter matter) {
+    TomlTable table = file.table("material");
+    Material m;
+    m.key = m.name = "given by the case";
+    m.solidus = m.liquidus = kNeverMelts;
+    if (table.has("use")) {
+        try {
+            m = shippedMaterial(table.text("use"));
+        } catch (const InputError& unknown) {
+            table.fail("use", unknown.what());
+        }
+    }
+    const bool heat = matter == CaseMatter::heat || matter == CaseMatter::melting;
+    const auto unless = [](bool needed, double value) { return needed ? std::nullopt : std::optional(value); };
+    readPhases(table, "density", {1, 30000}, m.solidDensity, m.liquidDensity, std::nullopt);
+    readPhases(table, "conductivity", {1e-4, 2000}, m.solidConductivity, m.liquidConductivity, unless(heat, 1));
+    readPhases(table, "specific_heat", {1, 20000}, m.solidSpecificHeat, m.liquidSpecificHeat, unless(heat, 1000));
+    readMelting(table, m);
+    const auto constant = [&](std::string_view key, NumberRange range, Property& property, bool needed, double usual) {
+        if (needed && property.points.empty()) table.number(key, range); // says what is missing
+        if (table.has(key) || property.points.empty()) property = Property::constant(table.number(key, range, usual));
+    };
+    constexpr double kLeast = 1e-9; // where nothing would happen at 0
+    const bool metal = matter == CaseMatter::melting;
+    const bool surface = matter == CaseMatter::surface, viscous = matter == CaseMatter::viscous;
+    constant("surface_tension", {surface ? kLeast : 0, 10}, m.surfaceTension, surface, metal ? kUsualTension : 0);
+    constant("viscosity", {viscous ? kLeast : 0, 1e4}, m.viscosity, viscous, metal ? kUsualViscosity : 0);
+    constant("expansion", {-1e-2, 1e-2}, m.expansion, false, 0);
+    constant("emissivity", {0, 1}, m.emissivity, false, 0);
+    table.finish();
+    return m;
+}
+
+void readCaseKey(TomlTable& table, const CaseKey& key, ValidationCase& result) {
+    const std::string name(key.key);
+    const NumberRange range{key.minimum, key.maximum};
+    switch (key.value) {
+    case number:
+        result.numbers[name] = key.fallback ? table.number(name, range, *key.fallback) : table.number(name, range);
+        break;
+    case list:
+        result.lists[name] = table.numbers(name, range);
+        break;
+    case triple:
+        result.lists[name] = table.numbers(name, range, 3);
+        if (result.lists[name].size() != 3) table.fail(name, "expected exactly three numbers");
+        break;
+    case rows:
+        for (const auto& row : table.rows(name, 3))
+            for (const double value : row) {
+                if (value < key.minimum || value > key.maximum) table.fail(name, "expected numbers from -1000 to 1000");
+                result.lists[name].push_back(value);
+            }
+        break;
+    case lossRate:
+        result.numbers[name] = table.isFlag(name) ? (table.flag(name, false) ? kDefaultLossCoefficient : 0)
+                                                  : table.number(name, range, *key.fallback);
+        break;
+    }
+}
+
+void readMeasured(TomlTable& file, ValidationCase& result) {
+    constexpr std::string_view kSuffix = "_tolerance_percent";
+    TomlTable table = file.table("measured");
+    const auto names = resultNames(result);
+    std::string known;
+    for (const std::string& name : names)
+        known += (known.empty() ? "" : ", ") + name;
+    for (const std::string& key : table.keys()) {
+        if (key.ends_with(kSuffix)) continue;
+        if (std::find(names.begin(), names.end(), key) == names.end())
+            table.fail(key, "this case has no such result; it has " + known);
+        Measured& measured = result.measured[key];
+        measured.values = table.isList(key) ? table.numbers(key) : std::vector{table.number(key)};
+        measured.tolerancePercent = table.number(key + std::string(kSuffix), {0, 1000}, result.tolerancePercent);
+        const size_t expected = key == "melted_fraction" ? result.list("times_s").size() : 1;
+        if (measured.values.size() != expected)
+            table.fail(key, "expected " + std::to_string(expected) +
+                                (expected == 1 ? " value" : " values, one for each of times_s"));
+    }
+    table.finish();
+}
+
+/// Metal melts from a hot wall, or freezes from a cold one; of one phase all of it waits at its melting point.
+void checkStefan(TomlTable& table, const ValidationCase& result) {
+    const Material& m = result.material;
+    if (m.latentHeat <= 0) table.fail("", "a Stefan case needs latent_heat above 0 in [material]");
+    if (m.solidus >= kNeverMelts) table.fail("", "a Stefan case needs solidus_k in [material]");
+    const double wall = result.number("wall_temperature_k");
+    const double initial = result.number("initial_temperature_k");
+    if (wall >= m.solidus && wall <= m.liquidus)
+        table.fail("wall_temperature_k",
+                   "expected a wall above the liquidus (melting) or below the solidus (freezing)");
+    const double melting = 0.5 * (m.solidus + m.liquidus);
+    const bool melts = wall > melting;
+    if (result.kind->name == "stefan_one_phase") {
+        constexpr double kSlack = 1; // K, of a rounded melting point
+        if (initial < m.solidus - kSlack || initial > m.liquidus + kSlack)
+            table.fail("initial_temperature_k", "one phase waits at its melting point; expected " +
+                                                    formatNumber(melting) + ", or kind = \"stefan_two_phase\"");
+    } else if (melts ? initial > m.solidus : initial < m.liquidus) {
+        table.fail("initial_temperature_k", melts ? "expected metal at or below the solidus before a hot wall"
+                                                  : "expected metal at or above the liquidus before a cold wall");
+    }
+}
+
+/// Points lie in the plate and not on the source, where the exact temperature has no bound.
+void checkRosenthal(TomlTable& table, const ValidationCase& result) {
+    const bool thin = result.kind->name == "rosenthal_thin";
+    const double thickness = result.number("thickness_mm");
+    if (thin && !(thickness > 0)) table.fail("thickness_mm", "is missing; expected the thickness of the plate in mm");
+    const auto& at = result.list("at_mm");
+    for (size_t i = 0; i + 2 < at.size(); i += 3) {
+        if (std::hypot(at[i], at[i + 1], thin ? 0 : at[i + 2]) < 1e-3)
+            table.fail("at_mm", "expected points away from the source at [0, 0, 0]");
+        if (at[i + 2] < 0 || (thin && at[i + 2] > thickness))
+            table.fail("at_mm",
+                       thin ? "expected z from 0 (surface) to the thickness" : "expected z from 0 (surface) down");
+    }
+}
+
+/// What single keys cannot say about themselves.
+void checkTogether(TomlTable& table, const ValidationCase& result) {
+    const std::string_view kind = result.kind->name;
+    if (kind.starts_with("rosenthal")) checkRosenthal(table, result);
+    if (kind.starts_with("stefan")) checkStefan(table, result);
+    if (kind == "poiseuille" && result.number("body_force_n_m3") == 0)
+        table.fail("body_force_n_m3", "expected a force other than 0: else nothing flows");
+    if (kind == "cavity_melting") {
+        const auto& times = result.list("times_s");
+        if (!std::is_sorted(times.begin(), times.end())) table.fail("times_s", "times must rise");
+        if (result.number("hot_k") <= result.number("cold_k"))
+            table.fail("hot_k", "expected a hot wall above the cold one");
+    }
+}
+
+} // namespace
+
+std::span<const CaseKind> caseKinds() {
+    return kKinds;
+}
+
+std::string temperatureName(double depth) {
+    return "temperature_at_" + formatNumber(depth) + "mm_k";
+}
+
+std::string temperatureName(double xi, double y, double z) {
+    return "temperature_at_" + formatNumber(xi) + "_" + formatNumber(y) + "_" + formatNumber(z) + "mm_k";
+}
+
+std::vector<std::string> resultNames(const ValidationCase& from) {
+    std::vector<std::string> names;
+    const auto wireless = [&](std::string_view name) {
+        constexpr std::array<std::string_view, 4> kWire{"height_mm", "section_mm2", "deposited_mm2", "refused_filler"};
+        return from.kind->name == "bead_on_plate" &&
+               from.number("wire_diameter_mm") * from.number("wire_feed_m_min") == 0 &&
+               std::find(kWire.begin(), kWire.end(), name) != kWire.end();
+    };
+    for (const std::string_view piece : splitText(from.kind->results, ',')) {
+        const std::string_view name = trimText(piece);
+        if (name == "temperature_at_Xmm_k") {
+            for (const double depth : from.list("at_mm"))
+                names.push_back(temperatureName(depth));
+        } else if (name == "temperature_at_XI_Y_Zmm_k") {
+            const auto& at = from.list("at_mm");
+            for (size_t i = 0; i + 2 < at.size(); i += 3)
+                names.push_back(temperatureName(at[i], at[i + 1], at[i + 2]));
+        } else if (name == "front_N") {
+            for (size_t i = 1; i <= exact::damBreakFront().size(); ++i)
+                names.push_back("front_" + std::to_string(i));
+        } else if (!wireless(name)) {
+            names.emplace_back(name);
+        }
+    }
+    return names;
+}
+
+ValidationCase readValidationCase(const std::filesystem::path& file) {
+    const toml::table parsed = parseTomlFile(file);
+    TomlTable table(parsed, file);
+    ValidationCase result;
+    result.file = file;
+    result.name = table.text("name");
+    result.kind = &findKind(table);
+    result.spacing = table.number("spacing_mm", {0.001, 100}) * 1e-3;
+    const NumberRange time{1e-6, 1e6};
+    result.time = result.kind->needsTime ? table.number("time_s", time) : table.number("time_s", time, 0);
+    result.tolerancePercent = table.number("tolerance_percent", {0, 1000}, 5);
+    result.material = readCaseMaterial(table, result.kind->matter);
+    TomlTable keys = table.table("case");
+    for (const CaseKey& key : result.kind->keys)
+        readCaseKey(keys, key, result);
+    keys.finish();
+    checkTogether(keys, result);
+    if (table.has("measured")) readMeasured(table, result);
+    table.finish();
+    return result;
+}
+
+std::vector<std::filesystem::path> validationCaseFiles(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    std::error_code fault;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, fault))
+        if (entry.path().extension() == ".toml") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    if (files.empty()) throw InputError(folder, 0, "holds no validation case; expected files that end in .toml");
+    return files;
+}
+
+} // namespace meltpool

@@ -1,0 +1,34 @@
+// Wire or rod that melts into the pool: particles with exact mass and enthalpy.
+#pragma once
+
+#include "core/metal/state/metal_state.hpp"
+
+#include <span>
+#include <vector>
+
+namespace meltpool {
+
+class Filler {
+  public:
+    /// `spacing`: edge of the cube that a particle stands for, m.
+    explicit Filler(float spacing) : spacing_(spacing) {}
+
+    /// The particles that `volume` (m³) more of filler make up, liquid, leaving `place` with `velocity` (m/s) at
+    /// `temperature` (K). What does not fill a particle is kept for the next call, so the sum is exact to one particle.
+    /// Several at once stand in a row against the velocity, a spacing apart. They stay until the next call.
+    std::span<const MetalSeed> feed(double volume, glm::vec3 place, glm::vec3 velocity, float temperature);
+
+    size_t fed() const { return fed_; }
+    void reset() {
+        waiting_ = 0;
+        fed_ = 0;
+    }
+
+  private:
+    float spacing_;
+    std::vector<MetalSeed> seeds_;
+    double waiting_ = 0; ///< m³ that have not filled a particle yet
+    size_t fed_ = 0;
+};
+
+} // namespace meltpool

@@ -1,0 +1,35 @@
+// The recorded form of a torch path: a CSV table, one row a moment.
+#pragma once
+
+#include "core/weld/torch/torch_sample.hpp"
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace meltpool {
+
+/// The columns that every recording has, in the order in which they are written.
+std::span<const std::string_view> torchColumns();
+
+struct TorchRecording {
+    std::vector<TorchSample> samples; ///< times ascend; orientations have unit length
+    std::vector<std::string> furtherColumns;
+    std::vector<std::vector<std::string>> furtherCells; ///< one row a sample, one cell a further column, as written
+};
+
+/// Reads `time_s,x_mm,y_mm,z_mm,qx,qy,qz,qw,trigger` and whatever further columns there are, in any order; `#` starts a
+/// comment. Throws InputError naming file and line for a missing column or cell, anything that is not a finite number
+/// in its range, a time before the row above, or a quaternion whose length is not near 1.
+TorchRecording readTorchCsv(const std::filesystem::path& file);
+
+/// Puts the required cells of one row behind `text` as readTorchCsv() reads them back to the same bits, without an end
+/// of line.
+void appendTorchRow(std::string& text, const TorchSample& sample);
+
+/// The whole table. Throws InputError when the file cannot be written.
+void writeTorchCsv(const std::filesystem::path& file, const TorchRecording& recording);
+
+} // namespace meltpool

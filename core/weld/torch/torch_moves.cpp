@@ -1,0 +1,187 @@
+#include "core/weld/torch/torch_moves.hpp"
+
+#include "core/base/error.hpp"
+#include "core/base/toml_table.hpp"
+
+#include <glm/gtc/constants.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace meltpool {
+
+namespace {
+
+constexpr NumberRange kSeconds{0, 3600};
+constexpr NumberRange kSpeeds{0.01, 10000}; ///< mm/s
+constexpr NumberRange kWorkAngles{0, 180};
+constexpr NumberRange kTravelAngles{-80, 80}; ///< beyond, the torch would lie in the seam
+constexpr NumberRange kWidths{0, 1000};       ///< mm
+constexpr NumberRange kFrequencies{0.01, 50}; ///< Hz
+constexpr double kMostHalfSwings = 1e6;
+constexpr float kShortest = 1e-6f; ///< m; a line shorter than this has no direction
+
+glm::vec3 metres(const std::vector<double>& mm) {
+    return glm::vec3(static_cast<float>(mm[0] * 1e-3), static_cast<float>(mm[1] * 1e-3),
+                     static_cast<float>(mm[2] * 1e-3));
+}
+
+glm::vec3 place(TomlTable& table, std::string_view key) {
+    const auto values = table.numbers(key, {-1e5, 1e5}, 3);
+    if (values.size() != 3) table.fail(key, "expected three numbers [x, y, z] in mm");
+    return metres(values);
+}
+
+/// Turns the file's moves into stretches of time, one after the other.
+class Author {
+  public:
+    std::vector<TorchMove> read(const std::filesystem::path& file) {
+        const toml::table parsed = parseTomlFile(file);
+        TomlTable root(parsed, file);
+        tip_ = place(root, "start_mm");
+        readAngles(root);
+        orientation_ = held();
+        for (TomlTable& move : root.tables("move")) {
+            readMove(move);
+            move.finish();
+        }
+        root.finish();
+        if (moves_.empty()) root.fail("move", "is missing; expected at least one table that begins with [[move]]");
+        return std::move(moves_);
+    }
+
+  private:
+    void readAngles(TomlTable& table) {
+        work_ = table.number("work_angle_deg", kWorkAngles, work_);
+        travel_ = table.number("travel_angle_deg", kTravelAngles, travel_);
+    }
+
+    glm::quat held() const { return heldOrientation(glm::radians(work_), glm::radians(travel_), direction_); }
+
+    TorchMove& add(double duration, const glm::vec3& to) {
+        TorchMove move;
+        move.begin = time_;
+        move.duration = duration;
+        move.from = tip_;
+        move.to = to;
+        move.fromOrientation = orientation_;
+        move.toOrientation = orientation_;
+        move.trigger = trigger_;
+        time_ += duration;
+        tip_ = to;
+        return moves_.emplace_back(move);
+    }
+
+    void readMove(TomlTable& table) {
+        const std::string kind = table.text("kind");
+        if (kind == "hold") return readHold(table);
+        if (kind == "line") return static_cast<void>(readLine(table));
+        if (kind == "weave") return readWeave(table);
+        if (kind == "arc_on" || kind == "arc_off") {
+            trigger_ = kind == "arc_off" ? 0.0f : static_cast<float>(table.number("trigger", {0, 1}, 1.0));
+            add(0, tip_);
+            return;
+        }
+        table.fail("kind", "is '" + kind + "'; expected one of hold, line, weave, arc_on, arc_off");
+    }
+
+    void readHold(TomlTable& table) {
+        readAngles(table);
+        const double seconds = table.number("seconds", kSeconds);
+        TorchMove& move = add(seconds, tip_);
+        orientation_ = held();
+        move.toOrientation = orientation_;
+    }
+
+    TorchMove& readLine(TomlTable& table) {
+        const glm::vec3 to = place(table, "to_mm");
+        const double speed = table.number("speed_mm_s", kSpeeds) * 1e-3;
+        readAngles(table);
+        const glm::vec3 way = to - tip_;
+        const float length = glm::length(way);
+        if (length < kShortest) table.fail("to_mm", "is where the torch already stands; expected another place");
+        const glm::vec3 along = way / length;
+        // Straight up or down there is no seam; the torch keeps the direction that it had.
+        if (glm::length(glm::vec2(along.x, along.z)) > 1e-3f) direction_ = along;
+        orientation_ = held();
+        return add(static_cast<double>(length) / speed, to);
+    }
+
+    void readWeave(TomlTable& table) {
+        TorchMove& move = readLine(table);
+        move.weaveSide = acrossSeam(direction_);
+        move.weaveWidth = table.number("width_mm", kWidths) * 1e-3;
+        const double frequency = table.number("frequency_hz", kFrequencies);
+        const double halfSwings = std::round(2 * move.duration * frequency);
+        if (halfSwings > kMostHalfSwings) table.fail("frequency_hz", "gives too many swings; expected a lower number");
+        // A whole number of half swings brings the torch back to the seam where the move ends.
+        move.weaveHalfSwings = std::max(1, static_cast<int>(halfSwings));
+        const double swing = 2 * move.duration / move.weaveHalfSwings;
+        move.weaveDwell = table.number("dwell_s", kSeconds, 0.0);
+        if (move.weaveDwell > 0.45 * swing)
+            table.fail("dwell_s", "leaves no time to swing; expected at most 0.45 of a swing's time");
+    }
+
+    std::vector<TorchMove> moves_;
+    double time_ = 0;
+    glm::vec3 tip_{0.0f};
+    double work_ = 90;
+    double travel_ = 0;
+    glm::vec3 direction_{1.0f, 0.0f, 0.0f};
+    glm::quat orientation_{1.0f, 0.0f, 0.0f, 0.0f};
+    float trigger_ = 0;
+};
+
+} // namespace
+
+std::vector<TorchMove> readTorchMoves(const std::filesystem::path& file) {
+    return Author().read(file);
+}
+
+glm::vec3 acrossSeam(const glm::vec3& direction) {
+    const glm::vec3 across = glm::normalize(glm::cross(direction, glm::vec3(0.0f, 1.0f, 0.0f)));
+    return across.z < 0 ? -across : across;
+}
+
+glm::quat heldOrientation(double workAngle, double travelAngle, const glm::vec3& direction) {
+    const glm::vec3 across = acrossSeam(direction);
+    const auto work = static_cast<float>(workAngle);
+    const auto travel = static_cast<float>(travelAngle);
+    const glm::vec3 handle = std::sin(work) * glm::vec3(0.0f, 1.0f, 0.0f) + std::cos(work) * across;
+    const glm::vec3 along = glm::normalize(direction - glm::dot(direction, handle) * handle);
+    const glm::vec3 back = std::cos(travel) * handle - std::sin(travel) * along;
+    // The same side of the torch faces forward whichever way it travels along the seam.
+    const glm::vec3 side = along.x < 0 ? -along : along;
+    const glm::vec3 right = glm::normalize(side - glm::dot(side, back) * back);
+    return glm::normalize(glm::quat_cast(glm::mat3(right, glm::cross(back, right), back)));
+}
+
+double weaveOffset(double phase, double dwellShare) {
+    // One quarter: from the centre to the toe in (0.5 - dwellShare) / 2 of a swing, then half of the dwell.
+    const double whole = phase - std::floor(phase);
+    const double sign = whole < 0.5 ? 1 : -1;
+    const double half = whole < 0.5 ? whole : whole - 0.5;
+    const double fromCentre = std::min(half, 0.5 - half);
+    const double rise = (0.5 - dwellShare) / 2;
+    if (fromCentre >= rise) return sign;
+    return sign * std::sin(glm::half_pi<double>() * fromCentre / rise);
+}
+
+TorchSample TorchMove::sample(double time) const {
+    const double passed = time - begin;
+    const double share = duration > 0 ? std::clamp(passed / duration, 0.0, 1.0) : 1.0;
+    TorchSample result;
+    result.time = time;
+    result.tip = glm::mix(from, to, static_cast<float>(share));
+    result.orientation = glm::normalize(glm::slerp(fromOrientation, toOrientation, static_cast<float>(share)));
+    result.trigger = trigger;
+    if (weaveHalfSwings > 0) {
+        const double swing = 2 * duration / weaveHalfSwings;
+        const double offset = weaveOffset(passed / swing, weaveDwell / swing) * weaveWidth / 2;
+        result.tip += static_cast<float>(offset) * weaveSide;
+    }
+    return result;
+}
+
+} // namespace meltpool

@@ -1,0 +1,58 @@
+#include "core/weld/torch/torch_path.hpp"
+
+#include "core/base/error.hpp"
+
+#include <algorithm>
+
+namespace meltpool {
+
+TorchPath TorchPath::read(const std::filesystem::path& file) {
+    if (file.extension() == ".csv") return TorchPath(readTorchCsv(file).samples);
+    if (file.extension() == ".toml") return TorchPath(readTorchMoves(file));
+    throw InputError(file, 0, "is no torch path; expected a file that ends in .csv (recorded) or .toml (authored)");
+}
+
+double TorchPath::duration() const {
+    if (!samples_.empty()) return samples_.back().time;
+    return moves_.empty() ? 0 : moves_.back().begin + moves_.back().duration;
+}
+
+TorchSample TorchPath::sample(double time) const {
+    if (!samples_.empty()) return sampleRecording(time);
+    if (!moves_.empty()) return sampleMoves(time);
+    TorchSample none;
+    none.time = time;
+    return none;
+}
+
+TorchSample TorchPath::sampleRecording(double time) const {
+    const auto next = std::upper_bound(samples_.begin(), samples_.end(), time,
+                                       [](double t, const TorchSample& s) { return t < s.time; });
+    const bool before = next == samples_.begin();
+    TorchSample result = before ? samples_.front() : *(next - 1);
+    const bool over = next == samples_.end() && time > samples_.back().time;
+    if (before || over) result.trigger = 0;
+    if (!before && next != samples_.end()) {
+        const TorchSample& last = *(next - 1);
+        const auto share = static_cast<float>((time - last.time) / (next->time - last.time));
+        // A row's own moment gives back the row's own bits.
+        if (share > 0) {
+            result.tip = glm::mix(last.tip, next->tip, share);
+            result.orientation = glm::normalize(glm::slerp(last.orientation, next->orientation, share));
+        }
+    }
+    result.time = time;
+    return result;
+}
+
+TorchSample TorchPath::sampleMoves(double time) const {
+    const auto next =
+        std::upper_bound(moves_.begin(), moves_.end(), time, [](double t, const TorchMove& m) { return t < m.begin; });
+    const TorchMove& move = next == moves_.begin() ? *next : *(next - 1);
+    TorchSample result = move.sample(std::clamp(time, move.begin, move.begin + move.duration));
+    if (time < 0 || time > duration()) result.trigger = 0;
+    result.time = time;
+    return result;
+}
+
+} // namespace meltpool

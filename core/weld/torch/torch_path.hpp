@@ -1,0 +1,35 @@
+// Where the torch is at any time of a written or recorded path.
+#pragma once
+
+#include "core/weld/torch/torch_csv.hpp"
+#include "core/weld/torch/torch_moves.hpp"
+
+namespace meltpool {
+
+class TorchPath {
+  public:
+    TorchPath() = default;
+    explicit TorchPath(std::vector<TorchSample> samples) : samples_(std::move(samples)) {}
+    explicit TorchPath(std::vector<TorchMove> moves) : moves_(std::move(moves)) {}
+
+    /// Reads the recorded form (.csv) or the authored form (.toml). Throws InputError for any other ending and for
+    /// everything that readTorchCsv() and readTorchMoves() refuse.
+    static TorchPath read(const std::filesystem::path& file);
+
+    /// The torch at `time` s. Recorded: place linear and orientation slerp between rows, a row's trigger until the next
+    /// row. Before the first and after the last moment the torch stands there with the trigger released.
+    TorchSample sample(double time) const;
+
+    /// Time of the last moment, s; 0 for an empty path.
+    double duration() const;
+    bool empty() const { return samples_.empty() && moves_.empty(); }
+
+  private:
+    TorchSample sampleRecording(double time) const;
+    TorchSample sampleMoves(double time) const;
+
+    std::vector<TorchSample> samples_;
+    std::vector<TorchMove> moves_;
+};
+
+} // namespace meltpool

@@ -1,0 +1,17 @@
+// Counts the particles of each cell; each particle remembers its cell and when it came. Only after a reset or a change
+// of the grid: while running, the pass that moves the particles counts them as well.
+#version 450 core
+#extension GL_GOOGLE_include_directive : require
+#include "metal/classic/step.glsl"
+
+layout(local_size_x = GROUP_SIZE) in;
+layout(std430, binding = CLASSIC_MOVED_POSITIONS) readonly buffer Positions { vec4 positions[]; };
+layout(std430, binding = CLASSIC_CELL_SLOTS) writeonly buffer Slots { uvec2 slots[]; };
+layout(std430, binding = CLASSIC_CELL_COUNTS) buffer Counts { uint counts[]; };
+
+void main() {
+    const uint i = linearInvocation();
+    if (i >= now.particles) return;
+    const uint cell = cellIndex(cellOf(positions[i].xyz));
+    slots[i] = uvec2(cell, atomicAdd(counts[cell], 1u));
+}

@@ -1,0 +1,151 @@
+#version 450 core
+// A whole step of the plain tiles, where metal on the lattice conducts and its surface loses heat to the air, and nothing
+// else happens: theta in one half of its buffer -> enthalpy, temperature, phase, theta in the other half. One group a tile,
+// an invocation for each row of four cells along x: a row is a texel, and so are those beside it.
+// What no branch can hide (drivers that run on the CPU pay for every line whether its condition holds or not) is left to
+// the passes over mixed tiles.
+#extension GL_GOOGLE_include_directive : require
+#include "shared/dispatch.h"
+#include "shared/metal.h"
+layout(local_size_x = TILE_CELLS / TILE_EDGE) in;
+#include "metal/heat/common.glsl"
+#include "metal/heat/update.glsl"
+#include "metal/heat/loss.glsl"
+#include "metal/heat/ledger.glsl"
+#include "metal/heat/leave.glsl"
+
+layout(binding = HEAT_TEXELS_THETA_ROWS) uniform samplerBuffer thetaRows;
+layout(binding = HEAT_TEXELS_LATTICE_ROWS) uniform usamplerBuffer latticeRows;
+
+/// What the tile beside a tile gives to its rows.
+struct TileBeside {
+    int base;   // of its theta
+    bool there; // not beyond the lattice's end
+    bool open;  // it takes part in this step, so that both sides count the flow
+};
+
+TileBeside tileBeside(int tile, int step, bool there) {
+    const int stamp = stampOf(there ? tile + step : tile);
+    return TileBeside(thetaBase(stamp, there ? tile + step : tile), there, tookPart(stamp, heatBlock.step.x));
+}
+
+vec4 rowOf(int base, int row) { return texelFetch(thetaRows, base / TILE_EDGE + row); }
+
+/// The rows beside a row along y or z, which the tile on one side of its own may hold.
+struct RowsBeside {
+    vec4 low, high;
+    bool openLow, openHigh;
+};
+
+/// `at`: place of the row along the axis; `inner`: from one row to the next; `stride`: from one tile to the next; `place`:
+/// of the tile along the axis, of `size`.
+RowsBeside rowsBeside(int tile, int base, int row, int at, int inner, int stride, int place, int size) {
+    const bool first = at == 0, last = at == TILE_EDGE - 1;
+    const TileBeside beside = tileBeside(tile, first ? -stride : stride, first ? place > 0 : last && place + 1 < size);
+    const int across = (TILE_EDGE - 1) * inner;
+    RowsBeside rows;
+    rows.low = rowOf(first ? beside.base : base, row + (first ? across : -inner));
+    rows.high = rowOf(last ? beside.base : base, row + (last ? -across : inner));
+    rows.low = first && !beside.there ? vec4(kEmpty) : rows.low;
+    rows.high = last && !beside.there ? vec4(kEmpty) : rows.high;
+    rows.openLow = !first || beside.open;
+    rows.openHigh = !last || beside.open;
+    return rows;
+}
+
+/// What comes into the four cells of a row: see Inflow, powerOf() and freeArea(), which are the same for one cell.
+struct RowInflow {
+    vec4 metal_, walls; // W/m
+    vec4 largest;       // difference to a neighbour, W/m
+    vec4 openAxes;      // sum over the axes of the squares of how many faces are open
+};
+
+vec4 sideInflow(vec4 beside, vec4 theta, bvec4 wall) {
+    return mix(beside - theta, 2.0 * (-2.0 - beside - theta), wall) * (1.0 - vec4(equal(beside, vec4(kEmpty))));
+}
+
+void addAxis(inout RowInflow sum, vec4 theta, vec4 low, vec4 high, vec4 openLow, vec4 openHigh) {
+    const bvec4 wallLow = lessThan(low, vec4(-1.5));
+    const bvec4 wallHigh = lessThan(high, vec4(-1.5));
+    const vec4 fromLow = sideInflow(low, theta, wallLow);
+    const vec4 fromHigh = sideInflow(high, theta, wallHigh);
+    sum.walls += fromLow * vec4(wallLow) + fromHigh * vec4(wallHigh);
+    sum.metal_ += fromLow * openLow * vec4(not(wallLow)) + fromHigh * openHigh * vec4(not(wallHigh));
+    sum.largest = max(sum.largest, max(abs(fromLow), abs(fromHigh)));
+    const vec4 open = vec4(equal(low, vec4(kEmpty))) + vec4(equal(high, vec4(kEmpty)));
+    sum.openAxes += open * open;
+}
+
+RowInflow inflowOfRow(int tile, int base, int row, vec4 theta) {
+    const ivec3 place = tileCoordinate(tile);
+    const ivec3 size = metal.tiles.xyz;
+    const TileBeside before = tileBeside(tile, -1, place.x > 0);
+    const TileBeside after = tileBeside(tile, 1, place.x + 1 < size.x);
+    const float ahead = before.there ? texelFetch(thetaTexels, before.base + TILE_EDGE * row + TILE_EDGE - 1).x : kEmpty;
+    const float behind = after.there ? texelFetch(thetaTexels, after.base + TILE_EDGE * row).x : kEmpty;
+    const RowsBeside y = rowsBeside(tile, base, row, row % TILE_EDGE, 1, size.x, place.y, size.y);
+    const RowsBeside z = rowsBeside(tile, base, row, row / TILE_EDGE, TILE_EDGE, size.x * size.y, place.z, size.z);
+    RowInflow sum = RowInflow(vec4(0), vec4(0), vec4(0), vec4(0));
+    addAxis(sum, theta, vec4(ahead, theta.xyz), vec4(theta.yzw, behind), vec4(before.open, 1, 1, 1),
+            vec4(1, 1, 1, after.open));
+    addAxis(sum, theta, y.low, y.high, vec4(y.openLow), vec4(y.openHigh));
+    addAxis(sum, theta, z.low, z.high, vec4(z.openLow), vec4(z.openHigh));
+    return sum;
+}
+
+/// What a cell's step found, for the notes of its tile.
+struct Found {
+    bool need, warm, hot;
+};
+
+/// The step of one cell. Nothing happens where none sits or its temperature is held.
+void advance(int cell, int otherHalf, uint entry, float theta, float metalFlow, float wallFlow, float largest,
+             float openAxes, float since, inout Found found) {
+    if (theta < 0.0) {
+        cellTheta[otherHalf] = theta;
+        return;
+    }
+    const float dx = metal.origin.w;
+    const vec2 power = dx * vec2(metalFlow, wallFlow);
+    const uint slot = entry - 1u;
+    const vec4 h = texelFetch(heatTexels, int(slot));
+    const float temperature = thermalState(h.x).x;
+    const float losing = surfaceLoss(temperature, sqrt(openAxes) * dx * dx);
+    const float lost = losing * since; // may be due for several steps at once
+    book(cell, power.y * heatBlock.time.x, lost);
+    const Heated heated = addHeat(slot, h, temperature, (power.x + power.y) * heatBlock.time.x - lost, since);
+    cellTheta[otherHalf] = heated.theta;
+    writePhase(slot, cell, otherHalf, heated.enthalpy);
+    found.need = found.need || largest > heatBlock.waking.x || abs(losing) * heatBlock.time.x > heatBlock.waking.z;
+    found.warm = found.warm || (losing != 0.0 && abs(temperature - heatBlock.time.z) > heatBlock.waking.y);
+#ifdef EVAPORATION
+    found.hot = found.hot || evaporates(heated.temperature);
+#endif
+}
+
+void main() {
+    const int tile = int(texelFetch(listTexels, int(gl_WorkGroupID.x)).x);
+    const int row = int(gl_LocalInvocationIndex);
+    const int cell = tile * TILE_CELLS + TILE_EDGE * row;
+    const int stamp = stampOf(tile);
+    const int base = thetaBase(stamp, tile);
+    const int other = thetaBase(stamp ^ TILE_HALF, tile) + TILE_EDGE * row;
+    const vec4 theta = rowOf(base, row);
+    const RowInflow f = inflowOfRow(tile, base, row, theta);
+    const uvec4 entry = texelFetch(latticeRows, cell / TILE_EDGE);
+    const float since = sinceOf(tile);
+    Found found = Found(false, false, false);
+#define ADVANCE(C, I)                                                                                                  \
+    advance(cell + I, other + I, entry.C, theta.C, f.metal_.C, f.walls.C, f.largest.C, f.openAxes.C, since, found)
+    ADVANCE(x, 0);
+    ADVANCE(y, 1);
+    ADVANCE(z, 2);
+    ADVANCE(w, 3);
+#undef ADVANCE
+    const ivec4 notes = notesOf(tile);
+    if (found.need) noteNeed(tile, notes);
+    if (found.warm && heatBlock.step.x - notes.z >= TILE_NOTE) tiles[tile].lastWarm = heatBlock.step.x;
+#ifdef EVAPORATION
+    if (found.hot && heatBlock.step.x - notes.w >= TILE_NOTE) tiles[tile].lastHot = heatBlock.step.x;
+#endif
+}

@@ -1,0 +1,25 @@
+#version 450 core
+// Adds up the tile sums of each source, in a fixed order: one group a source. The totals stand in front of the tile sums.
+// Tiles without metal take no part and have no sum.
+#extension GL_GOOGLE_include_directive : require
+#include "shared/dispatch.h"
+layout(local_size_x = GROUP_SIZE) in;
+#include "metal/heat/common.glsl"
+#include "metal/heat/source.glsl"
+layout(std430, binding = HEAT_PARTIAL) restrict buffer Partial { float partial[]; };
+
+shared float sums[GROUP_SIZE];
+
+void main() {
+    int source = int(gl_WorkGroupID.x);
+    int lane = int(gl_LocalInvocationIndex);
+    HeatSourceData s = heatBlock.sources[source];
+    float sum = 0.0;
+    for (int i = lane; i < s.tileCount.w; i += GROUP_SIZE)
+        if (tookPart(stampOf(tileIndex(sourceTile(s, i))), heatBlock.step.x)) sum += partial[s.lowTile.w + i];
+    sums[lane] = sum;
+    barrier();
+    if (lane != 0) return;
+    for (int i = 1; i < GROUP_SIZE; ++i) sum += sums[i];
+    partial[source] = sum;
+}

@@ -1,0 +1,125 @@
+// One round of finding connected pieces: each solid particle, and the root it knew, take the smallest label among the particles
+// bonded to it. Reads the old labels only and takes minima, so the result does not depend on the order of threads.
+#version 450 core
+#extension GL_GOOGLE_include_directive : require
+#include "solid.glsl"
+
+layout(local_size_x = PIECES_GROUP) in;
+// What is gathered is read as texels: some drivers fetch a whole texel at once but storage number by number.
+layout(binding = PIECES_TEXELS_LABEL) uniform usamplerBuffer labelTexels;
+layout(binding = PIECES_TEXELS_LATTICE) uniform usamplerBuffer latticeTexels;
+layout(binding = PIECES_TEXELS_POSITION) uniform samplerBuffer positionTexels;
+layout(std430, binding = PIECES_RELABEL) buffer Relabels { uint relabel[]; };
+
+uniform uint round_; // 1 ... PIECES_ROUNDS
+uniform uint first;  // slots of this part of the round,
+uniform uint last;   // excluded
+
+uint labelOf(uint slot) { return texelFetch(labelTexels, int(slot)).x; }
+uint latticeSlotAt(int index) { return texelFetch(latticeTexels, index).x; }
+
+/// Of the particle in a cell of the lattice; where none is, greater than any, as is PIECE_NONE.
+uint labelAt(int index) {
+    uint other = latticeSlotAt(index);
+    return other != 0 ? labelOf(other - 1) : PIECE_NONE;
+}
+
+bool bonded(uint mine, uint other) {
+    return ((mine | other) & PHASE_FRESH) != 0 || pieceOf(mine) == pieceOf(other);
+}
+
+void lower(uint slot, uint to) {
+    atomicMin(relabel[slot], to);
+    atomicMax(control.changed, round_);
+}
+
+/// The smallest label among the lattice neighbours of a particle of the lattice. They are bonded whatever they are: no
+/// loose piece is on the lattice.
+uint smallestOnLattice(ivec3 centre, uint smallest) {
+    ivec3 inside = centre & (TILE_EDGE - 1);
+    ivec3 inner = ivec3(1, TILE_EDGE, TILE_EDGE * TILE_EDGE);
+    ivec3 outer = ivec3(1, metal.tiles.x, metal.tiles.x * metal.tiles.y) * TILE_CELLS - (TILE_EDGE - 1) * inner;
+    ivec3 own = ivec3(latticeIndex(centre));
+    // Beyond the lattice's end the particle finds itself.
+    ivec3 low = own - mix(inner, outer, equal(inside, ivec3(0))) * ivec3(greaterThan(centre, ivec3(0)));
+    ivec3 high = own + mix(inner, outer, equal(inside, ivec3(TILE_EDGE - 1))) *
+                           ivec3(lessThan(centre, metal.tiles.xyz * TILE_EDGE - 1));
+    smallest = min(smallest, min(labelAt(low.x), labelAt(high.x)));
+    smallest = min(smallest, min(labelAt(low.y), labelAt(high.y)));
+    return min(smallest, min(labelAt(low.z), labelAt(high.z)));
+}
+
+/// Goes on to the next of the 27 steps from (-1, -1, -1) to (1, 1, 1).
+void nextStep(inout ivec3 step) {
+    ++step.x;
+    if (step.x > 1) {
+        step.x = -1;
+        ++step.y;
+    }
+    if (step.y > 1) {
+        step.y = -1;
+        ++step.z;
+    }
+}
+
+bool touches(uint other, uint bits, vec3 place) {
+    if (labelOf(other) == PIECE_NONE || !bonded(bits, phase[other])) return false;
+    vec3 apart = texelFetch(positionTexels, int(other)).xyz - place;
+    float reach = PIECE_BOND * metal.origin.w;
+    return dot(apart, apart) <= reach * reach;
+}
+
+/// Of metal off the lattice with that on it. It lowers the labels on both sides: the lattice need not look for it.
+uint smallestAround(ivec3 centre, uint bits, vec3 place, uint own, uint smallest) {
+    for (ivec3 step = ivec3(-1); step.z <= 1; nextStep(step)) {
+        ivec3 cell = centre + step;
+        if (!inLattice(cell)) continue;
+        uint other = latticeSlotAt(int(latticeIndex(cell)));
+        if (other == 0 || !touches(other - 1, bits, place)) continue;
+        uint theirs = labelOf(other - 1);
+        smallest = min(smallest, theirs);
+        if (own >= theirs) continue;
+        lower(other - 1, own);
+        lower(theirs, own);
+    }
+    return smallest;
+}
+
+uint smallestOfOthers(ivec3 centre, uint bits, vec3 place, uint smallest) {
+    ivec3 low = max(centre - 1, ivec3(0));
+    ivec3 high = min(centre + 1, pieces.coarse.xyz - 1);
+    for (int z = low.z; z <= high.z; ++z)
+        for (int y = low.y; y <= high.y; ++y)
+            for (int x = low.x; x <= high.x; ++x)
+                for (uint other = head[coarseIndex(ivec3(x, y, z))]; other != 0; other = next[other - 1])
+                    if (touches(other - 1, bits, place)) smallest = min(smallest, labelOf(other - 1));
+    return smallest;
+}
+
+void labelSlot(uint slot) {
+    uint own = labelOf(slot);
+    if (own == PIECE_NONE) return;
+    uint bits = phase[slot];
+    bool onLattice = (bits & PHASE_LATTICE) != 0;
+    vec3 place = texelFetch(positionTexels, int(slot)).xyz;
+    uint smallest = min(own, labelOf(own));
+    if (onLattice) {
+        smallest = smallestOnLattice(latticeCell(place), smallest);
+    } else {
+        smallest = smallestAround(latticeCell(place), bits, place, own, smallest);
+        smallest = smallestOfOthers(coarseCell(place), bits, place, smallest);
+    }
+    // Labels name particles of the same piece: what these know is as good, and saves rounds.
+    for (int jump = 0; jump < 3; ++jump) smallest = min(smallest, labelOf(smallest));
+    if (smallest == own) return;
+    lower(slot, smallest);
+    lower(own, smallest);
+}
+
+// Few groups that stride over the slots: a round that has nothing left to do costs next to nothing.
+void main() {
+    bool settled = control.changed + 1 < round_; // the round before changed nothing
+    uint end = settled ? 0 : last;
+    for (uint slot = first + linearInvocation(); slot < end; slot += gl_NumWorkGroups.x * PIECES_GROUP)
+        labelSlot(slot);
+}

@@ -1,0 +1,271 @@
+// Solid pieces: told apart as a CPU flood fill does, falling as Galilei says, resting, tipping over, keeping shape and
+// momentum.
+#include "core/metal/solid/pieces.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <numeric>
+#include <random>
+
+namespace meltpool {
+
+namespace {
+
+constexpr float kSpacing = 1e-3F;
+constexpr float kStep = 1.0F / (90 * 16);
+
+const HeatTable& steel() {
+    static const HeatTable table(
+        readMaterial(test::testFolder().parent_path() / "app" / "data" / "materials" / "s235.toml"));
+    return table;
+}
+
+/// A lattice of 32 x 24 x 16 mm with its low corner at the origin; the floor is its bottom.
+MetalLattice smallLattice() {
+    return MetalLattice::covering(glm::vec3(0), glm::vec3(0.032F, 0.024F, 0.016F), kSpacing);
+}
+
+/// Seeds of the box between two cells (the second excluded).
+std::vector<MetalSeed> box(const MetalLattice& lattice, glm::ivec3 low, glm::ivec3 high, unsigned extra = 0) {
+    return latticeSeeds(lattice, lattice.low + glm::vec3(low) * kSpacing, lattice.low + glm::vec3(high) * kSpacing, 293,
+                        extra);
+}
+
+std::vector<MetalSeed> operator+(std::vector<MetalSeed> a, const std::vector<MetalSeed>& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+
+struct Bench {
+    explicit Bench(const std::vector<MetalSeed>& seeds)
+        : state((test::context(), smallLattice()), steel(), 7850, seeds.size() + 8),
+          pieces(test::shaders(), state, {0, 0.35F}) {
+        state.add(seeds);
+        pieces.relabelNow(nullptr);
+    }
+
+    void run(float seconds) {
+        const int steps = static_cast<int>(std::lround(seconds / kStep));
+        for (int step = 0; step < steps; ++step) {
+            if (step % 16 == 0) pieces.relabel(nullptr);
+            pieces.move(kStep, 1, nullptr);
+        }
+    }
+
+    std::vector<vec4> positions() const { return state.position.read<vec4>(state.particles()); }
+    std::vector<vec4> velocities() const { return state.velocity.read<vec4>(state.particles()); }
+    std::vector<uint> phases() const { return state.phase.read<uint>(state.particles()); }
+    unsigned pieceOf(size_t slot) const { return (phases()[slot] & PIECE_BITS) >> PHASE_PIECE_SHIFT; }
+
+    void setPhases(const std::function<uint(size_t, uint)>& change) {
+        auto bits = phases();
+        for (size_t i = 0; i < bits.size(); ++i)
+            bits[i] = change(i, bits[i]);
+        state.phase.write(std::span<const uint>(bits));
+    }
+
+    MetalState state;
+    SolidPieces pieces;
+};
+
+/// Component of every solid particle by flood fill over all pairs closer than the bond length; SIZE_MAX for others.
+std::vector<size_t> floodFill(const std::vector<vec4>& positions, const std::vector<uint>& phases) {
+    std::vector<size_t> component(positions.size(), SIZE_MAX);
+    const float reach = static_cast<float>(PIECE_BOND) * kSpacing;
+    for (size_t root = 0; root < positions.size(); ++root) {
+        if (component[root] != SIZE_MAX || (phases[root] & PHASE_LIQUID)) continue;
+        std::vector<size_t> open{root};
+        component[root] = root;
+        while (!open.empty()) {
+            const size_t i = open.back();
+            open.pop_back();
+            for (size_t j = 0; j < positions.size(); ++j)
+                if (component[j] == SIZE_MAX && !(phases[j] & PHASE_LIQUID) &&
+                    glm::distance(glm::vec3(positions[i]), glm::vec3(positions[j])) <= reach) {
+                    component[j] = root;
+                    open.push_back(j);
+                }
+        }
+    }
+    return component;
+}
+
+float largestStretch(const std::vector<vec4>& before, const std::vector<vec4>& after, size_t first, size_t last) {
+    float largest = 0;
+    for (size_t i = first + 1; i < last; ++i) {
+        const float was = glm::distance(glm::vec3(before[i]), glm::vec3(before[first]));
+        const float is = glm::distance(glm::vec3(after[i]), glm::vec3(after[first]));
+        largest = std::max(largest, std::abs(is - was) / kSpacing);
+    }
+    return largest;
+}
+
+} // namespace
+
+TEST_CASE("pieces are told apart as a flood fill does, with metal missing at random") {
+    for (const unsigned seed : {1U, 2U, 3U}) {
+        const MetalLattice lattice = smallLattice();
+        auto seeds = box(lattice, {0, 0, 0}, {32, 1, 16}, PHASE_CLAMPED) + box(lattice, {0, 1, 0}, {32, 12, 16});
+        std::mt19937 random(seed);
+        for (MetalSeed& s : seeds) // few enough bonds for many islands
+            if (!(s.phase & PHASE_CLAMPED) && random() % 100 < 66) s.phase |= PHASE_LIQUID;
+        const Bench bench(seeds);
+        std::vector<uint> startPhases;
+        for (const MetalSeed& s : seeds)
+            startPhases.push_back(s.phase);
+        const auto expected = floodFill(bench.positions(), startPhases);
+        std::vector<bool> clamped(seeds.size(), false);
+        for (size_t i = 0; i < seeds.size(); ++i)
+            if (expected[i] != SIZE_MAX && (startPhases[i] & PHASE_CLAMPED)) clamped[expected[i]] = true;
+        std::vector<unsigned> numberOf(seeds.size(), 0);
+        unsigned found = 0;
+        for (size_t i = 0; i < seeds.size(); ++i)
+            if (expected[i] == i && !clamped[i]) numberOf[i] = ++found;
+        const auto phases = bench.phases();
+        size_t wrong = 0;
+        for (size_t i = 0; i < seeds.size(); ++i) {
+            if (expected[i] == SIZE_MAX) continue;
+            const unsigned number = numberOf[expected[i]] > PIECES_MOST ? 0 : numberOf[expected[i]];
+            wrong += ((phases[i] & PIECE_BITS) >> PHASE_PIECE_SHIFT) != number ? 1U : 0U;
+        }
+        CHECK(found > 20);
+        CHECK(wrong == 0);
+        CHECK(bench.pieces.report().pieces == std::min(found, unsigned(PIECES_MOST)));
+    }
+}
+
+TEST_CASE("a bridge cut through in the middle falls, comes to rest and is not left in the air") {
+    const MetalLattice lattice = smallLattice();
+    const auto left = box(lattice, {0, 0, 4}, {4, 14, 12}, PHASE_CLAMPED);
+    const auto right = box(lattice, {28, 0, 4}, {32, 14, 12}, PHASE_CLAMPED);
+    const auto bridge = box(lattice, {4, 11, 4}, {28, 14, 12});
+    Bench bench(left + right + bridge);
+    const size_t first = left.size() + right.size();
+    const auto start = bench.positions();
+    bench.run(0.05F);
+    CHECK(bench.pieces.report().pieces == 0);
+    CHECK(std::memcmp(start.data(), bench.positions().data(), start.size() * sizeof(vec4)) == 0);
+
+    // Cut at both ends: what lies between them is held by nothing.
+    bench.setPhases([&](size_t i, uint bits) {
+        const float x = start[i].x;
+        const bool cut = i >= first && (x < 0.006F || x > 0.026F);
+        return cut ? (bits | PHASE_LIQUID) & ~uint(PHASE_LATTICE) : bits;
+    });
+    bench.pieces.relabelNow(nullptr);
+    CHECK(bench.pieces.report().pieces == 1);
+    const auto cutPositions = bench.positions();
+    bench.run(0.03F);
+    size_t inside = first;
+    while (start[inside].x < 0.007F || start[inside].x > 0.025F)
+        ++inside;
+    const float fallen = start[inside].y - bench.positions()[inside].y;
+    const float free = 0.5F * 9.81F * 0.03F * 0.03F;
+    CHECK(fallen == Approx(free).epsilon(0.03));
+    bench.run(0.8F);
+    const auto end = bench.positions();
+    float lowest = 1, fastest = 0;
+    const auto velocities = bench.velocities();
+    std::vector<size_t> piece;
+    for (size_t i = first; i < end.size(); ++i)
+        if (bench.phases()[i] >> PHASE_PIECE_SHIFT != 0) piece.push_back(i);
+    REQUIRE(piece.size() > 400);
+    for (const size_t i : piece) {
+        lowest = std::min(lowest, end[i].y);
+        fastest = std::max(fastest, glm::length(glm::vec3(velocities[i])));
+    }
+    CHECK(lowest == Approx(0.5F * kSpacing).margin(0.15F * kSpacing)); // on the floor, not in it
+    CHECK(fastest < 5e-3F);
+    float stretch = 0;
+    for (const size_t i : piece)
+        stretch =
+            std::max(stretch, std::abs(glm::distance(glm::vec3(end[i]), glm::vec3(end[piece[0]])) -
+                                       glm::distance(glm::vec3(cutPositions[i]), glm::vec3(cutPositions[piece[0]]))));
+    CHECK(stretch < 0.01F * kSpacing);
+}
+
+TEST_CASE("a slender piece that stands askew tips over") {
+    const MetalLattice lattice = smallLattice();
+    Bench bench(box(lattice, {14, 1, 7}, {17, 17, 10}));
+    auto positions = bench.positions();
+    const float lean = 0.35F; // rad; a 3 x 16 column tips beyond atan(3/16) = 0.19
+    for (vec4& p : positions) {
+        const float x = p.x - 0.0155F, y = p.y;
+        p.x = 0.0155F + std::cos(lean) * x + std::sin(lean) * y;
+        p.y = 0.002F - std::sin(lean) * x + std::cos(lean) * y;
+    }
+    bench.state.position.write(std::span<const vec4>(positions));
+    bench.run(0.6F);
+    float highest = 0;
+    for (const vec4& p : bench.positions())
+        highest = std::max(highest, p.y);
+    CHECK(highest < 0.0045F);
+    CHECK(largestStretch(positions, bench.positions(), 0, positions.size()) < 0.02F);
+}
+
+TEST_CASE("a piece in free flight keeps its momentum and its spin") {
+    const MetalLattice lattice = smallLattice();
+    Bench bench(box(lattice, {14, 8, 6}, {19, 11, 10}));
+    bench.state.setGravity(glm::vec3(0));
+    const glm::vec3 centre(0.0165F, 0.0095F, 0.008F), drift(0.01F, 0.02F, -0.005F), spin(3, 7, -5);
+    auto velocities = bench.velocities();
+    const auto positions = bench.positions();
+    for (size_t i = 0; i < positions.size(); ++i)
+        velocities[i] = vec4(drift + glm::cross(spin, glm::vec3(positions[i]) - centre), 0);
+    bench.state.velocity.write(std::span<const vec4>(velocities));
+    const auto momenta = [&] {
+        glm::dvec3 linear(0), angular(0), middle(0);
+        const auto p = bench.positions();
+        const auto v = bench.velocities();
+        for (const vec4& x : p)
+            middle += glm::dvec3(glm::vec3(x)) / double(p.size());
+        for (size_t i = 0; i < p.size(); ++i) {
+            linear += glm::dvec3(glm::vec3(v[i]));
+            angular += glm::cross(glm::dvec3(glm::vec3(p[i])) - middle, glm::dvec3(glm::vec3(v[i])));
+        }
+        return std::pair(linear, angular);
+    };
+    const auto [linearBefore, angularBefore] = momenta();
+    bench.run(0.2F);
+    const auto [linear, angular] = momenta();
+    CHECK(glm::length(linear - linearBefore) < 1e-3 * glm::length(linearBefore));
+    CHECK(glm::length(angular - angularBefore) < 0.01 * glm::length(angularBefore));
+    CHECK(largestStretch(positions, bench.positions(), 0, positions.size()) < 0.01F);
+}
+
+TEST_CASE("metal that rests on metal is another piece until something freezes between them") {
+    const MetalLattice lattice = smallLattice();
+    const auto plate = box(lattice, {0, 0, 0}, {32, 2, 16}, PHASE_CLAMPED);
+    const auto block = box(lattice, {12, 4, 5}, {18, 7, 11});
+    Bench bench(plate + block);
+    CHECK(bench.pieces.report().pieces == 1);
+    bench.run(0.6F);
+    CHECK(bench.pieces.report().particles == block.size());
+    CHECK(bench.positions()[plate.size()].y == Approx(2.5F * kSpacing).margin(0.2F * kSpacing));
+    bench.setPhases([&](size_t i, uint bits) { return i == plate.size() ? bits | PHASE_FRESH : bits; });
+    bench.pieces.relabelNow(nullptr);
+    CHECK(bench.pieces.report().particles == 0);
+    CHECK(bench.pieceOf(plate.size()) == 0);
+    const auto rest = bench.positions();
+    bench.run(0.1F);
+    CHECK(std::memcmp(rest.data(), bench.positions().data(), rest.size() * sizeof(vec4)) == 0);
+}
+
+TEST_CASE("two runs of falling pieces give the same bits") {
+    const auto once = [] {
+        const MetalLattice lattice = smallLattice();
+        Bench bench(box(lattice, {4, 6, 4}, {9, 10, 9}) + box(lattice, {6, 12, 5}, {12, 15, 10}) +
+                    box(lattice, {20, 3, 3}, {25, 6, 12}));
+        bench.run(0.25F);
+        return bench.positions();
+    };
+    const auto a = once(), b = once();
+    CHECK(std::memcmp(a.data(), b.data(), a.size() * sizeof(vec4)) == 0);
+}
+
+} // namespace meltpool

@@ -1,0 +1,220 @@
+// Torch paths: interpolation, what each move does, that a written path reads back to the same bits, and bad input.
+#include "core/weld/torch/torch_path.hpp"
+
+#include "core/base/error.hpp"
+#include "core/base/text.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+#include <glm/gtc/constants.hpp>
+
+#include <random>
+
+using namespace meltpool;
+using meltpool::test::containsText;
+
+namespace {
+
+const std::string kHeader = "time_s,x_mm,y_mm,z_mm,qx,qy,qz,qw,trigger\n";
+
+std::filesystem::path written(const std::string& name, const std::string& text) {
+    const auto file = test::scratchFolder("weld") / name;
+    writeTextFileAtomically(file, text);
+    return file;
+}
+
+/// The sentence with which a file is refused; empty when it is taken.
+std::string refusal(const std::string& name, const std::string& text) {
+    try {
+        TorchPath::read(written(name, text));
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TorchPath shipped(const char* name) {
+    return TorchPath::read(test::testFolder() / "paths" / name);
+}
+
+/// Angle between two directions, rad.
+double between(const glm::vec3& a, const glm::vec3& b) {
+    return std::acos(std::clamp(static_cast<double>(glm::dot(a, b)), -1.0, 1.0));
+}
+
+} // namespace
+
+TEST_CASE("a recorded path is linear in place, slerped in rotation, and holds the trigger", "[weld]") {
+    const TorchPath path = shipped("recorded.csv");
+    CHECK(path.duration() == 2);
+    const TorchSample middle = path.sample(0.5);
+    CHECK(middle.tip.x == Approx(0.015));
+    CHECK(middle.tip.y == Approx(0.020));
+    CHECK(middle.trigger == 0);
+    CHECK(between(middle.axis(), {0, 0, -1}) == Approx(0).margin(1e-4));
+    const TorchSample turned = path.sample(1.5);
+    CHECK(turned.trigger == 1);
+    CHECK(between(turned.axis(), {0, 0, -1}) == Approx(glm::quarter_pi<double>()).margin(1e-4));
+    CHECK(path.sample(2).trigger == 0.5f);
+    CHECK(path.sample(2.001).trigger == 0);
+    CHECK(path.sample(99).tip.y == Approx(0.030));
+}
+
+TEST_CASE("further columns and comments of a recording are kept apart", "[weld]") {
+    const TorchRecording recording = readTorchCsv(test::testFolder() / "paths" / "recorded.csv");
+    REQUIRE(recording.furtherColumns == std::vector<std::string>{"operator"});
+    CHECK(recording.furtherCells.front() == std::vector<std::string>{"anna"});
+    CHECK(recording.furtherCells.back() == std::vector<std::string>{"ben"});
+}
+
+TEST_CASE("columns may stand in any order and lines may end as on Windows", "[weld]") {
+    const auto file = written("order.csv", "\xEF\xBB\xBFtrigger,qw,qz,qy,qx,z_mm,y_mm,x_mm,note,time_s\r\n"
+                                           "1,1,0,0,0,3,2,1,hello,0.25\r\n");
+    const TorchRecording recording = readTorchCsv(file);
+    REQUIRE(recording.samples.size() == 1);
+    CHECK(recording.samples[0].time == 0.25);
+    CHECK(recording.samples[0].tip.z == Approx(0.003));
+    CHECK(recording.samples[0].trigger == 1);
+}
+
+TEST_CASE("a written recording reads back to the same bits", "[weld]") {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> any(-1.0f, 1.0f);
+    TorchRecording recording;
+    recording.furtherColumns = {"molten"};
+    double time = 0;
+    for (int i = 0; i < 300; ++i) {
+        time += 1.0 / 60;
+        const glm::quat q = glm::normalize(glm::quat(any(random), any(random), any(random), any(random)));
+        recording.samples.push_back({time, {any(random), any(random), any(random)}, q, std::abs(any(random))});
+        recording.furtherCells.push_back({std::to_string(i)});
+    }
+    const auto file = test::scratchFolder("weld") / "again.csv";
+    writeTorchCsv(file, recording);
+    const TorchRecording again = readTorchCsv(file);
+    REQUIRE(again.samples.size() == recording.samples.size());
+    const TorchPath path(again.samples);
+    for (size_t i = 0; i < again.samples.size(); ++i) {
+        const TorchSample& wanted = recording.samples[i];
+        const TorchSample got = path.sample(wanted.time);
+        REQUIRE(got.time == wanted.time);
+        REQUIRE(got.tip == wanted.tip);
+        REQUIRE(got.orientation == wanted.orientation);
+        REQUIRE(got.trigger == wanted.trigger);
+    }
+    CHECK(again.furtherCells == recording.furtherCells);
+}
+
+TEST_CASE("authored moves take the time that their speed asks for", "[weld]") {
+    const TorchPath path = shipped("authored.toml");
+    CHECK(path.duration() == Approx(0.5 + 5 + 1 + 5));
+    CHECK(path.sample(0.4).trigger == 0);
+    CHECK(path.sample(0.5).trigger == Approx(0.8f));
+    CHECK(path.sample(0.5 + 2.5).tip.x == Approx(0.025));
+    CHECK(path.sample(path.duration()).trigger == 0);
+    CHECK(path.sample(path.duration()).tip.x == Approx(0.080));
+    CHECK(path.sample(path.duration()).tip.z == Approx(0).margin(1e-6));
+}
+
+TEST_CASE("work and travel angle lean the torch as welders count them", "[weld]") {
+    const glm::vec3 x(1, 0, 0);
+    const auto axis = [](double work, double travel, glm::vec3 along) {
+        return heldOrientation(glm::radians(work), glm::radians(travel), along) * glm::vec3(0, 0, -1);
+    };
+    CHECK(between(axis(90, 0, x), {0, -1, 0}) == Approx(0).margin(1e-3));
+    // 45 degrees in a fillet: the handle leans to the welder, the torch points down and away.
+    CHECK(between(axis(45, 0, x), glm::normalize(glm::vec3(0, -1, -1))) == Approx(0).margin(1e-3));
+    // Pushing points where it goes, in either direction; dragging points back.
+    CHECK(axis(90, 15, x).x == Approx(std::sin(glm::radians(15.0))));
+    CHECK(axis(90, 15, -x).x == Approx(-std::sin(glm::radians(15.0))));
+    CHECK(axis(90, -15, x).x == Approx(-std::sin(glm::radians(15.0))));
+    const glm::quat q = heldOrientation(1.0, 0.2, glm::normalize(glm::vec3(1, 0, 1)));
+    CHECK(glm::length(q) == Approx(1));
+    CHECK(glm::determinant(glm::mat3_cast(q)) == Approx(1));
+}
+
+TEST_CASE("a weave reaches both toes, rests there, and ends on the seam", "[weld]") {
+    CHECK(weaveOffset(0, 0.1) == 0);
+    CHECK(weaveOffset(0.25, 0.1) == 1);
+    CHECK(weaveOffset(0.25 + 0.049, 0.1) == 1);
+    CHECK(weaveOffset(0.25 + 0.06, 0.1) < 1);
+    CHECK(weaveOffset(0.75, 0.1) == -1);
+    CHECK(weaveOffset(0.5, 0.1) == Approx(0).margin(1e-9));
+    const TorchPath path = shipped("authored.toml");
+    float widest = 0, narrowest = 0;
+    double fastest = 0;
+    for (double t = 6.5; t < 11.5; t += 0.001) {
+        const glm::vec3 tip = path.sample(t).tip;
+        widest = std::max(widest, tip.z);
+        narrowest = std::min(narrowest, tip.z);
+        fastest = std::max(fastest, static_cast<double>(glm::length(path.sample(t + 0.001).tip - tip)));
+    }
+    CHECK(widest == Approx(0.004).margin(1e-5));
+    CHECK(narrowest == Approx(-0.004).margin(1e-5));
+    CHECK(fastest < 0.001 * 0.1); // no jumps: below 100 mm/s throughout
+}
+
+TEST_CASE("a bad recording is refused in one sentence with file, line and expectation", "[weld]") {
+    const std::string good = "0,1,2,3,0,0,0,1,1\n";
+    struct Case {
+        std::string text, place, expectation;
+    };
+    const std::vector<Case> cases{
+        {"", "bad.csv: ", "expected a header row"},
+        {kHeader, "bad.csv: ", "expected at least one"},
+        {"time_s,x_mm\n0,1\n", "bad.csv:1: ", "'y_mm' is missing"},
+        {"time_s,time_s,x_mm,y_mm,z_mm,qx,qy,qz,qw,trigger\n", "bad.csv:1: ", "stands twice"},
+        {kHeader + good + "1,2,3\n", "bad.csv:3: ", "expected 9"},
+        {kHeader + good + "1,2,3,oops,0,0,0,1,0\n", "bad.csv:3: ", "z_mm is 'oops'"},
+        {kHeader + good + "1,nan,3,4,0,0,0,1,0\n", "bad.csv:3: ", "x_mm is 'nan'"},
+        {kHeader + good + "inf,2,3,4,0,0,0,1,0\n", "bad.csv:3: ", "time_s is 'inf'"},
+        {kHeader + "# remark\n\n" + good + "-1,2,3,4,0,0,0,1,0\n", "bad.csv:5: ", "time_s is '-1'"},
+        {kHeader + "2,1,2,3,0,0,0,1,1\n1,1,2,3,0,0,0,1,1\n", "bad.csv:3: ", "expected at least 2"},
+        {kHeader + "0,1,2,3,0,0,0,0,1\n", "bad.csv:2: ", "length 0; expected 1"},
+        {kHeader + "0,1,2,3,0,0,0,1,1.5\n", "bad.csv:2: ", "expected a number from 0 to 1"},
+        {kHeader + "0,1,,3,0,0,0,1,1\n", "bad.csv:2: ", "y_mm is ''"},
+    };
+    for (const Case& bad : cases) {
+        INFO(bad.text);
+        const std::string sentence = refusal("bad.csv", bad.text);
+        CHECK_THAT(sentence, containsText(bad.place));
+        CHECK_THAT(sentence, containsText(bad.expectation));
+        CHECK_THAT(sentence, containsText("expected"));
+        CHECK(sentence.find('\n') == std::string::npos);
+    }
+}
+
+TEST_CASE("bad moves are refused in one sentence with file, line and expectation", "[weld]") {
+    const std::string start = "start_mm = [0, 0, 0]\n";
+    struct Case {
+        std::string text, place, expectation;
+    };
+    const std::vector<Case> cases{
+        {"", "bad.toml", "start_mm"},
+        {start, "bad.toml", "[[move]]"},
+        {"start_mm = [0, 0]\n", "bad.toml:1: ", "3"},
+        {start + "speed = 3\n[[move]]\nkind = 'hold'\nseconds = 1\n", "bad.toml:2: ", "unknown key"},
+        {start + "[[move]]\nkind = 'fly'\n", "bad.toml:3: ", "expected one of hold"},
+        {start + "[[move]]\nkind = 'hold'\n", "bad.toml:2: ", "seconds"},
+        {start + "[[move]]\nkind = 'hold'\nseconds = -1\n", "bad.toml:4: ", "from 0 to 3600"},
+        {start + "[[move]]\nkind = 'hold'\nseconds = nan\n", "bad.toml:4: ", "expected"},
+        {start + "[[move]]\nkind = 'hold'\nseconds = 1\nwidth_mm = 1\n", "bad.toml:5: ", "unknown key"},
+        {start + "[[move]]\nkind = 'line'\nto_mm = [0, 0, 0]\nspeed_mm_s = 5\n", "bad.toml:4: ", "another place"},
+        {start + "[[move]]\nkind = 'line'\nto_mm = [9, 0, 0]\nspeed_mm_s = 0\n", "bad.toml:5: ", "expected"},
+        {start + "[[move]]\nkind = 'arc_on'\ntrigger = 2\n", "bad.toml:4: ", "from 0 to 1"},
+        {start + "[[move]\n", "bad.toml:2: ", ""},
+    };
+    for (const Case& bad : cases) {
+        INFO(bad.text);
+        const std::string sentence = refusal("bad.toml", bad.text);
+        CHECK_THAT(sentence, containsText(bad.place));
+        CHECK_THAT(sentence, containsText(bad.expectation));
+        CHECK(sentence.find('\n') == std::string::npos);
+    }
+}
+
+TEST_CASE("a path that is neither CSV nor TOML, or not there, is refused by name", "[weld]") {
+    CHECK_THAT(refusal("path.txt", "hello"), containsText("path.txt: is no torch path; expected"));
+    CHECK_THROWS_WITH(TorchPath::read("nowhere/path.csv"), containsText("nowhere/path.csv: "));
+    CHECK_THROWS_AS(TorchPath::read("nowhere/path.toml"), InputError);
+}

@@ -1,0 +1,68 @@
+// The feel of the arc.
+#include "xr/input/haptics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace meltpool::xr {
+
+namespace {
+
+constexpr float kRenewal = 0.05f; // s: outlives a frame at 20 Hz, so the hum has no gaps, and ends soon after the last
+constexpr float kKnockFrequency = 60.0f;
+constexpr float kDullFrequency = 35.0f; // of a knock on liquid metal
+constexpr float kDullness = 0.6f;       // share of a knock that liquid metal swallows
+constexpr float kHardKnock = 0.2f;      // m/s from which a knock is felt in full
+constexpr float kHumFrequency = 170.0f; // near the resonance of common voice-coil motors
+constexpr float kLongArcFrequency = 90.0f;
+constexpr float kPoolDrop = 20.0f; // Hz that a pool takes from the hum
+constexpr float kBuzzFrequency = 45.0f;
+constexpr float kBuzzAmplitude = 0.8f;
+
+HapticPulse knock(const TipFeel& tip) {
+    const float hardness = std::clamp(tip.touchSpeed / kHardKnock, 0.0f, 1.0f);
+    const float liquid = tip.state.liquid;
+    return {(0.4f + 0.6f * hardness) * (1.0f - kDullness * liquid),
+            kKnockFrequency + (kDullFrequency - kKnockFrequency) * liquid,
+            static_cast<float>(kKnockDuration - tip.sinceTouch)};
+}
+
+HapticPulse hum(const TipState& state) {
+    return {(0.15f + 0.45f * state.power) * (1.0f - 0.6f * state.stretch),
+            kHumFrequency + (kLongArcFrequency - kHumFrequency) * state.stretch - kPoolDrop * state.liquid, kRenewal};
+}
+
+/// The pulse for the first half of each beat, silence for the second.
+HapticPulse stutter(const HapticPulse& pulse, double time, double rate) {
+    return std::fmod(time * rate, 1.0) < 0.5 ? pulse : HapticPulse{};
+}
+
+} // namespace
+
+HapticPulse feel(const TipFeel& tip) {
+    if (tip.sinceTouch < kKnockDuration) return knock(tip);
+    switch (tip.state.action) {
+    case TipAction::idle:
+        break;
+    case TipAction::burning:
+        return hum(tip.state);
+    case TipAction::shorting:
+        return stutter(hum(tip.state), tip.time, kShortRate);
+    case TipAction::breaking:
+        return stutter(hum(tip.state), tip.time, kBreakRate);
+    case TipAction::stubbed:
+        return {kBuzzAmplitude, kBuzzFrequency, kRenewal};
+    }
+    return {};
+}
+
+void synthesize(const HapticPulse& pulse, float sampleRate, double phase, std::span<float> samples) {
+    const double step = 2.0 * std::numbers::pi * static_cast<double>(pulse.frequency) / static_cast<double>(sampleRate);
+    for (float& sample : samples) {
+        sample = pulse.amplitude * static_cast<float>(std::sin(phase));
+        phase += step;
+    }
+}
+
+} // namespace meltpool::xr

@@ -1,0 +1,60 @@
+// Finding a torch's tip: the tip is held on one point, the torch is turned about it, least squares gives the offset.
+#pragma once
+
+#include "xr/session/pose.hpp"
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+namespace meltpool::xr {
+
+struct PivotResult {
+    bool accepted = false;
+    std::string reason;    ///< why not, as a sentence for the person; empty where accepted
+    glm::vec3 offset{0};   ///< m, from the grip (or tracker) to the tip in the grip's own frame
+    glm::vec3 point{0};    ///< m, where the tip was held
+    float residualMm = 0;  ///< root mean square distance of the tips from that point
+    float errorMm = 0;     ///< standard error of the offset (its length in space), estimated from the residual
+    float turnDegrees = 0; ///< how far the torch was turned about its least turned axis
+};
+
+/// Solves R_i * offset + p_i = point for all poses in the least-squares sense (6 unknowns, 3 equations a pose). Refuses
+/// fewer than 20 poses, a torch that was not turned by some 15 degrees about two axes (the offset along a common axis
+/// would be free), a residual above 5 mm (the tip slid), and an offset that its own residual leaves uncertain by more
+/// than kPivotError (too few poses or too little turned for that much noise). For noise that is the same in all
+/// directions and from pose to pose, no other estimate from the same poses is better.
+PivotResult solvePivot(std::span<const Pose> poses);
+
+constexpr float kPivotError = 0.3f; ///< mm
+
+struct AxisResult {
+    bool accepted = false;
+    std::string reason;            ///< as for PivotResult
+    glm::vec3 direction{0, 0, -1}; ///< unit vector along which the torch points, in the grip's own frame
+    float spreadDegrees = 0;       ///< root mean square angle of the single poses from it
+};
+
+/// The way a torch points, from poses while it is held with its tip straight down: the mean of `down` (a unit vector in
+/// the poses' space) in the grip's frame. Refuses fewer than 20 poses, and a hand that trembled by more than 3 degrees.
+AxisResult solveAxis(std::span<const Pose> poses, const glm::vec3& down = {0, -1, 0});
+
+/// The tip's place on a torch: the offset and the direction the torch's axis (-Z of the tip pose) takes in the grip's
+/// frame.
+struct TipCalibration {
+    glm::vec3 offset{0.0f, 0.0f, -0.12f}; ///< m, in the grip's frame
+    glm::quat orientation{1, 0, 0, 0};    ///< of the tip pose in the grip's frame
+    float residualMm = 0;
+
+    /// Lets the torch point along this unit vector of the grip's frame, turned no more about itself than that takes.
+    void pointAlong(const glm::vec3& direction);
+
+    /// The tip pose of a grip pose.
+    Pose tip(const Pose& grip) const { return grip * Pose{orientation, offset}; }
+};
+
+/// One calibration as a text file of `key = value` lines in mm. Throws InputError (file, line, expectation).
+TipCalibration readCalibration(const std::filesystem::path& file);
+void writeCalibration(const std::filesystem::path& file, const TipCalibration& calibration);
+
+} // namespace meltpool::xr
