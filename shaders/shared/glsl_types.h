@@ -10,11 +10,14 @@
 
 namespace meltpool {
 using glm::ivec2;
+using glm::ivec3;
 using glm::ivec4;
 using glm::mat4;
 using glm::uvec2;
+using glm::uvec3;
 using glm::uvec4;
 using glm::vec2;
+using glm::vec3;
 using glm::vec4;
 using uint = unsigned int;
 } // namespace meltpool

@@ -20,7 +20,7 @@
 #include "glsl_types.h"
 
 #define PHASE_ALIVE 1u    // the slot is in use
-#define PHASE_LIQUID 2u   // moves with the flow; set above and cleared below the two fractions in MetalBlock.melting
+#define PHASE_LIQUID 2u   // moves with the flow; set above and cleared below the two fractions meltsAbove and freezesBelow of MetalBlock
 #define PHASE_LATTICE 4u  // sits at the centre of its lattice cell: conducts with its six neighbours there
 #define PHASE_HELD 8u     // its temperature is held: a wall; off the lattice, one that no heat crosses
 #define PHASE_CLAMPED 16u // held by a fixture: never falls
@@ -45,10 +45,16 @@ namespace meltpool {
 #endif
 
 struct MetalBlock {
-    vec4 origin;  // xyz low corner of lattice cell (0, 0, 0) in m, w spacing in m
-    ivec4 tiles;  // xyz lattice size in tiles, w capacity in particles
-    vec4 gravity; // xyz m/s², w mass of a particle in kg
-    vec4 melting; // x solidus enthalpy, y liquidus enthalpy (J/kg), z fraction above which it melts, w below which it freezes
+    vec3 origin;           // low corner of lattice cell (0, 0, 0), m
+    float spacing;         // edge of a cell, m
+    ivec3 tiles;           // size of the lattice in tiles
+    int capacity;          // particles that there is room for
+    vec3 gravity;          // m/s²
+    float particleMass;    // kg
+    float solidusEnthalpy; // J/kg
+    float liquidusEnthalpy;
+    float meltsAbove;   // fraction of liquid above which a solid particle becomes liquid
+    float freezesBelow; // fraction of liquid below which a liquid particle becomes solid
 };
 
 struct MetalCounters {

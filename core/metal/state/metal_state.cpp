@@ -75,11 +75,16 @@ MetalState::MetalState(const MetalLattice& lattice, const HeatTable& table, doub
       mass_(density * static_cast<double>(lattice.spacing) * static_cast<double>(lattice.spacing) *
             static_cast<double>(lattice.spacing)),
       blockBuffer_("metal block", sizeof(MetalBlock)) {
-    block_.origin = vec4(lattice.low, lattice.spacing);
-    block_.tiles = ivec4(lattice.tiles, static_cast<int>(capacity));
-    block_.gravity = vec4(0, -9.81F, 0, static_cast<float>(mass_));
-    block_.melting = vec4(static_cast<float>(table.solidusEnthalpy()), static_cast<float>(table.liquidusEnthalpy()),
-                          kMeltFraction, kFreezeFraction);
+    block_.origin = lattice.low;
+    block_.spacing = lattice.spacing;
+    block_.tiles = lattice.tiles;
+    block_.capacity = static_cast<int>(capacity);
+    block_.gravity = {0, -9.81F, 0};
+    block_.particleMass = static_cast<float>(mass_);
+    block_.solidusEnthalpy = static_cast<float>(table.solidusEnthalpy());
+    block_.liquidusEnthalpy = static_cast<float>(table.liquidusEnthalpy());
+    block_.meltsAbove = kMeltFraction;
+    block_.freezesBelow = kFreezeFraction;
     writeBlock();
 }
 
@@ -88,7 +93,7 @@ void MetalState::writeBlock() {
 }
 
 void MetalState::setGravity(glm::vec3 gravity) {
-    block_.gravity = vec4(gravity, block_.gravity.w);
+    block_.gravity = gravity;
     writeBlock();
 }
 

@@ -28,15 +28,15 @@ void leaveCells(uint slot) {
 }
 
 void becomeStill(uint slot) {
-    const uint cell = cellIndex(cellAt(positions[slot].xyz));
+    const uint cell = cellIndex(cellAt(position[slot].xyz));
     const uint entry = atomicAdd(cells[cell].still, 1u);
     if (entry < FLOW_CELL_ROOM)
-        writeResident(stillBase(cell) + entry, packPlace(positions[slot].xyz), slot);
+        writeResident(stillBase(cell) + entry, packPlace(position[slot].xyz), slot);
     else
         atomicAdd(counters.faults.x, 1u);
     bodies[slot].where = uvec4(0, FLOW_NO_SUMS, FLOW_BELONGS_STILL, cell);
-    bodies[slot].place = vec4(positions[slot].xyz, 0);
-    velocities[slot] = vec4(0);
+    bodies[slot].place = vec4(position[slot].xyz, 0);
+    velocity[slot] = vec4(0);
     markDirty(cell);
     noteStill(slot);
 }
@@ -47,7 +47,7 @@ void becomeMoving(uint slot) {
         lists[entry] = slot;
     else
         atomicAdd(counters.faults.w, 1u);
-    const uint cell = cellIndex(cellAt(positions[slot].xyz));
+    const uint cell = cellIndex(cellAt(position[slot].xyz));
     bodies[slot].where.xy = uvec2(cell);
 }
 
@@ -57,9 +57,9 @@ void ceaseToBeStill(uint slot) {
 }
 
 void lookAt(uint slot) {
-    const uint phase = phases[slot];
-    const bool moves = (phase & PHASE_LIQUID) != 0 || (phase >> PHASE_PIECE_SHIFT) != 0;
-    const uint now = (phase & PHASE_ALIVE) == 0 ? FLOW_BELONGS_NOWHERE
+    const uint bits = phase[slot];
+    const bool moves = (bits & PHASE_LIQUID) != 0 || (bits >> PHASE_PIECE_SHIFT) != 0;
+    const uint now = (bits & PHASE_ALIVE) == 0 ? FLOW_BELONGS_NOWHERE
                      : moves                    ? FLOW_BELONGS_MOVING
                                                 : FLOW_BELONGS_STILL;
     if (bodies[slot].where.z == now) return;

@@ -1,14 +1,9 @@
 // Buffers, cells and distances that every pass of the flow shares.
 #include "shared/dispatch.h"
 #include "shared/flow.h"
-#include "shared/metal.h"
+#include "metal/state.glsl"
 
-layout(std140, binding = METAL_BLOCK) uniform MetalUniform { MetalBlock metal; };
 layout(std140, binding = FLOW_BLOCK) uniform FlowUniform { FlowBlock fluid; };
-layout(std430, binding = METAL_POSITION) buffer Positions { vec4 positions[]; };
-layout(std430, binding = METAL_VELOCITY) buffer Velocities { vec4 velocities[]; };
-layout(std430, binding = METAL_HEAT) buffer Heats { vec4 heats[]; };
-layout(std430, binding = METAL_PHASE) buffer Phases { uint phases[]; };
 layout(std430, binding = FLOW_BODIES) buffer Bodies { FlowBody bodies[]; };
 layout(std430, binding = FLOW_CELLS) buffer Cells { FlowCell cells[]; };
 layout(std430, binding = FLOW_RESIDENTS) buffer Residents { uint residents[]; };

@@ -17,7 +17,7 @@ void main() {
     if (index >= moving + min(counters.density.w, fluid.room.x)) return;
     const bool moves = index < moving;
     const uint slot = moves ? lists[index] : lists[2 * fluid.room.x + index - moving];
-    const vec4 place = positions[slot];
+    const vec4 place = position[slot];
     vec4 sum; // xyz gradient, w density
     uint found;
     if (moves) {
@@ -45,5 +45,5 @@ void main() {
     }
     bodies[slot].place = vec4(place.xyz, fluid.kernel.x * sum.w);
     bodies[slot].normal = vec4(-8 * fluid.kernel.x * inverse * sum.xyz, place.w);
-    if (moves) bodies[slot].motion.xyz = velocities[slot].xyz;
+    if (moves) bodies[slot].motion.xyz = velocity[slot].xyz;
 }

@@ -51,6 +51,6 @@ void main() {
     for (uint entry = gl_GlobalInvocationID.x; entry < moving; entry += stride) {
         const uint slot = lists[fluid.room.x + entry];
         lists[entry] = slot;
-        enterCell(slot, positions[slot].xyz, substep & 1u);
+        enterCell(slot, position[slot].xyz, substep & 1u);
     }
 }

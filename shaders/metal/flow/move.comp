@@ -104,14 +104,14 @@ vec3 acceleration(uint index, uint slot, out float fastest, out SolidAround soli
     // weight. Elsewhere hot metal is lighter (Boussinesq).
     const bool flying = found < 20;
     fastest = flying ? max(sqrt(fastest2), 0.4 * length(own.motion.xyz)) : sqrt(fastest2);
-    if (!flying) sum -= fluid.buoyancy.x * (own.normal.w - fluid.buoyancy.y) * metal.gravity.xyz;
+    if (!flying) sum -= fluid.buoyancy.x * (own.normal.w - fluid.buoyancy.y) * metal.gravity;
     return sum;
 }
 
 /// Share of the velocity that mushy metal keeps over a substep: implicit Carman-Kozeny drag.
 float mushyShare(float enthalpy) {
     // Pure metal melts at one enthalpy step, whose ends are apart by the latent heat alone.
-    const float f = clamp((enthalpy - metal.melting.x) / max(metal.melting.y - metal.melting.x, 1), 0, 1);
+    const float f = clamp((enthalpy - metal.solidusEnthalpy) / max(metal.liquidusEnthalpy - metal.solidusEnthalpy, 1), 0, 1);
     return 1 / (1 + fluid.period.w * fluid.kernel.w * (1 - f) * (1 - f) / (f * f * f + 1e-3));
 }
 
@@ -129,8 +129,8 @@ layout(std430, binding = METAL_LATTICE) readonly buffer LatticeSlots { uint latt
 
 /// True where solid metal sits on the lattice.
 bool latticeFilled(vec3 place) {
-    const ivec3 cell = ivec3(floor((place - metal.origin.xyz) / metal.origin.w));
-    if (any(lessThan(cell, ivec3(0))) || any(greaterThanEqual(cell, metal.tiles.xyz * TILE_EDGE))) return false;
+    const ivec3 cell = ivec3(floor((place - metal.origin) / metal.spacing));
+    if (any(lessThan(cell, ivec3(0))) || any(greaterThanEqual(cell, metal.tiles * TILE_EDGE))) return false;
     const ivec3 tile = cell / TILE_EDGE;
     const ivec3 inside = cell - tile * TILE_EDGE;
     const int index = ((tile.z * metal.tiles.y + tile.y) * metal.tiles.x + tile.x) * TILE_CELLS;
@@ -149,7 +149,7 @@ vec3 stopAtLattice(vec3 before, vec3 after, inout vec3 velocity) {
         vec3 step = place;
         step[axis % 3] = after[axis % 3];
         vec3 probe = step;
-        probe[axis % 3] += kWallGap * metal.origin.w * sign(after[axis % 3] - before[axis % 3]);
+        probe[axis % 3] += kWallGap * metal.spacing * sign(after[axis % 3] - before[axis % 3]);
         if (latticeFilled(probe))
             velocity[axis % 3] = 0;
         else
@@ -165,8 +165,8 @@ const float kRestlessShare = 0.8;
 void moveOn(uint index) {
     const uint slot = lists[index];
     const uint next = 1u - (substep & 1u);
-    const vec4 before = positions[slot];
-    if ((phases[slot] & PHASE_LIQUID) == 0) {
+    const vec4 before = position[slot];
+    if ((phase[slot] & PHASE_LIQUID) == 0) {
         enterCell(slot, before.xyz, next);
         return;
     }
@@ -174,23 +174,23 @@ void moveOn(uint index) {
     float fastest;
     SolidAround solids;
     const vec3 pairs = acceleration(index, slot, fastest, solids);
-    vec3 velocity = velocities[slot].xyz + dt * (pairs + (metal.gravity.xyz + fluid.body.xyz));
-    velocity *= mushyShare(heats[slot].x);
-    velocity = stopAtSolid(solids, velocity - velocities[slot].xyz, velocity);
-    float speed = length(velocity);
+    vec3 newVelocity = velocity[slot].xyz + dt * (pairs + (metal.gravity + fluid.body.xyz));
+    newVelocity *= mushyShare(heat[slot].x);
+    newVelocity = stopAtSolid(solids, newVelocity - velocity[slot].xyz, newVelocity);
+    float speed = length(newVelocity);
     if (!(speed < 1e6)) { // also catches what is not a number
         atomicAdd(counters.faults.z, 1u);
-        velocity = vec3(0);
+        newVelocity = vec3(0);
         speed = 0;
     } else if (speed > fluid.inversePeriod.w) {
-        velocity *= fluid.inversePeriod.w / speed;
+        newVelocity *= fluid.inversePeriod.w / speed;
         speed = fluid.inversePeriod.w;
     }
-    const vec3 free = stopAtLattice(before.xyz, before.xyz + dt * velocity, velocity);
-    const vec3 after = confine(free, velocity);
-    const float way = velocities[slot].w + dt * fastest; // that neighbours may have come or gone since they were listed
-    positions[slot] = vec4(after, before.w);
-    velocities[slot] = vec4(velocity, way);
+    const vec3 free = stopAtLattice(before.xyz, before.xyz + dt * newVelocity, newVelocity);
+    const vec3 after = confine(free, newVelocity);
+    const float way = velocity[slot].w + dt * fastest; // that neighbours may have come or gone since they were listed
+    position[slot] = vec4(after, before.w);
+    velocity[slot] = vec4(newVelocity, way);
     enterCell(slot, after, next);
     if (way <= kRestlessShare * fluid.search.y) return;
     if (way > fluid.search.y) atomicOr(counters.restless.w, 1u);

@@ -84,5 +84,5 @@ void main() {
     }
     if (fresh) listStill(base, found);
     bodies[slot].where.w = found;
-    velocities[slot].w = 0; // way since the search
+    velocity[slot].w = 0; // way since the search
 }

@@ -26,8 +26,8 @@ void main() {
     uint rank = 0;
     for (uint entry = 0; entry < count; ++entry)
         rank += entered[cell * FLOW_CELL_ROOM + entry] < slot ? 1u : 0u;
-    const uint solid = (phases[slot] & PHASE_LIQUID) != 0 ? 0u : FLOW_SOLID;
-    const vec3 place = positions[slot].xyz;
+    const uint solid = (phase[slot] & PHASE_LIQUID) != 0 ? 0u : FLOW_SOLID;
+    const vec3 place = position[slot].xyz;
     const bool renews = nearRestless(place);
     bodies[slot].motion.w = renews ? 1 : 0;
     if (rank < FLOW_CELL_ROOM)

@@ -32,7 +32,7 @@ void main() {
     vec4 h = texelFetch(heatTexels, int(slot));
     vec2 own = thermalState(h.x);
     float weight = texelFetch(weightTexels, cell).x;
-    float within = weight > 1.0 ? kWithin * metal.origin.w * (mean - own.y) : 0.0;
+    float within = weight > 1.0 ? kWithin * metal.spacing * (mean - own.y) : 0.0;
     float joules = (cellPower[cell] / weight + within) * heatBlock.time.x;
     float since = sinceOf(tile);
     float lost = particleLoss(h.x, own.x, joules, cellArea[cell] / weight, since);

@@ -14,7 +14,7 @@ layout(std430, binding = HEAT_CELL_AREA) restrict readonly buffer CellArea { flo
 
 /// Watts that a particle that lies on the table gives to it. What is clamped or still on the lattice stands on its fixture.
 float tableLoss(float height, float temperature) {
-    float spacing = metal.origin.w;
+    float spacing = metal.spacing;
     if (height - heatBlock.loose.z > spacing) return 0.0;
     return heatBlock.loose.w * spacing * spacing * (temperature - heatBlock.time.z);
 }
@@ -39,12 +39,12 @@ void main() {
         float share = weight / texelFetch(weightTexels, cell).x;
         float mean = texelFetch(thetaTexels, thetaPlace(cell)).x;
         if (isHeld(mean)) continue;
-        power += share * cellPower[cell] + weight * kWithin * metal.origin.w * (mean - own.y);
+        power += share * cellPower[cell] + weight * kWithin * metal.spacing * (mean - own.y);
         area += share * cellArea[cell];
         missing -= weight;
     }
     // Metal that left the lattice is all surface; 1e-3 leaves out what the whole-numbered weights lack.
-    if (missing > 1e-3) area += 3.0 * missing * metal.origin.w * metal.origin.w;
+    if (missing > 1e-3) area += 3.0 * missing * metal.spacing * metal.spacing;
     float joules = power * heatBlock.time.x;
     float lost = particleLoss(h.x, own.x, joules, area, heatBlock.time.x) + tableLoss(place.y, own.x) * heatBlock.time.x;
     book(heatBlock.step.w * TILE_CELLS + int(slot), 0.0, lost);

@@ -1,14 +1,9 @@
 // Buffers and small functions that every heat pass uses. Included after the #version line.
 #include "shared/heat.h"
-#include "shared/metal.h"
+#include "metal/state.glsl"
 
-layout(std140, binding = METAL_BLOCK) uniform Metal { MetalBlock metal; };
 layout(std140, binding = HEAT_BLOCK) uniform Heat { HeatBlock heatBlock; };
 
-layout(std430, binding = METAL_POSITION) restrict buffer Positions { vec4 position[]; };
-layout(std430, binding = METAL_HEAT) restrict buffer Heats { vec4 heat[]; };
-layout(std430, binding = METAL_PHASE) restrict buffer Phases { uint phase[]; };
-layout(std430, binding = METAL_LATTICE) restrict buffer Lattice { uint lattice[]; };
 layout(std430, binding = HEAT_CELL_THETA) restrict buffer CellTheta { float cellTheta[]; };
 layout(std430, binding = HEAT_CELL_WEIGHT) restrict buffer CellWeights { float cellWeight[]; };
 layout(std430, binding = HEAT_TILES) restrict buffer Tiles { HeatTile tiles[]; };
@@ -46,22 +41,9 @@ vec2 thermalState(float enthalpy) {
 }
 
 float liquidFraction(float enthalpy) {
-    float range = metal.melting.y - metal.melting.x;
-    return range > 0.0 ? clamp((enthalpy - metal.melting.x) / range, 0.0, 1.0) : float(enthalpy >= metal.melting.y);
+    float range = metal.liquidusEnthalpy - metal.solidusEnthalpy;
+    return range > 0.0 ? clamp((enthalpy - metal.solidusEnthalpy) / range, 0.0, 1.0) : float(enthalpy >= metal.liquidusEnthalpy);
 }
-
-ivec3 tileCoordinate(int tile) {
-    ivec3 size = metal.tiles.xyz;
-    return ivec3(tile % size.x, tile / size.x % size.y, tile / (size.x * size.y));
-}
-
-int tileIndex(ivec3 tile) { return (tile.z * metal.tiles.y + tile.y) * metal.tiles.x + tile.x; }
-
-ivec3 insideCoordinate(int inside) {
-    return ivec3(inside & 3, (inside >> 2) & 3, inside >> 4); // TILE_EDGE is 4
-}
-
-vec3 cellCentre(ivec3 cell) { return metal.origin.xyz + (vec3(cell) + 0.5) * metal.origin.w; }
 
 int stampOf(int tile) { return texelFetch(stampTexels, tile).x; }
 ivec4 notesOf(int tile) { return texelFetch(tileTexels, 2 * tile); } // lastNeed, lastLoose, lastWarm, lastHot
@@ -95,7 +77,7 @@ Beside cellsBeside(ivec3 tilePlace, int inside) {
     b.edgeLow = equal(at, ivec3(0));
     b.edgeHigh = equal(at, ivec3(TILE_EDGE - 1));
     b.endLow = bvec3(ivec3(b.edgeLow) & ivec3(equal(tilePlace, ivec3(0))));
-    b.endHigh = bvec3(ivec3(b.edgeHigh) & ivec3(equal(tilePlace, metal.tiles.xyz - 1)));
+    b.endHigh = bvec3(ivec3(b.edgeHigh) & ivec3(equal(tilePlace, metal.tiles - 1)));
     b.low = -mix(mix(inner, outer, b.edgeLow), ivec3(0), b.endLow);
     b.high = mix(mix(inner, outer, b.edgeHigh), ivec3(0), b.endHigh);
     return b;
@@ -158,7 +140,7 @@ bool keepsAwake(Inflow f) {
 vec2 powerOf(Inflow f, Neighbours n) {
     vec3 walls = f.low * vec3(f.wallLow) + f.high * vec3(f.wallHigh);
     vec3 metal_ = f.low * vec3(n.openLow) * vec3(not(f.wallLow)) + f.high * vec3(n.openHigh) * vec3(not(f.wallHigh));
-    return metal.origin.w * vec2(metal_.x + metal_.y + metal_.z, walls.x + walls.y + walls.z);
+    return metal.spacing * vec2(metal_.x + metal_.y + metal_.z, walls.x + walls.y + walls.z);
 }
 
 /// How full a cell with that weight is, 0 .. 1. Steep, so that the unevenness inside liquid metal makes no surface.
@@ -189,7 +171,7 @@ vec4 freeSurface(float weight, Weights w) {
     vec3 high = max(vec3(0), own - vec3(fullness(w.high.x), fullness(w.high.y), fullness(w.high.z)));
     vec3 normal = high - low;
     float size = length(normal);
-    float area = length(high + low) * metal.origin.w * metal.origin.w;
+    float area = length(high + low) * metal.spacing * metal.spacing;
     return vec4(size > 0.0 ? normal / size : vec3(0), area);
 }
 
@@ -197,7 +179,7 @@ vec4 freeSurface(float weight, Weights w) {
 /// and on even slopes.
 float freeArea(Neighbours n) {
     vec3 open = vec3(equal(n.low, vec3(kEmpty))) + vec3(equal(n.high, vec3(kEmpty)));
-    return length(open) * metal.origin.w * metal.origin.w;
+    return length(open) * metal.spacing * metal.spacing;
 }
 
 /// Notes that something happened in a tile whose notes at the start of the pass were `notes`.

@@ -8,7 +8,7 @@ layout(std430, binding = HEAT_HOMES) restrict buffer Homes { uint homes[]; };
 /// Notes a slot whose phase bits changed.
 void noteChange(uint slot) {
     uint place = atomicAdd(changes[0], 1u);
-    if (place < uint(metal.tiles.w)) changes[place + 1u] = slot;
+    if (place < uint(metal.capacity)) changes[place + 1u] = slot;
 }
 
 /// Puts a slot into the list of loose ones, once.
@@ -35,7 +35,7 @@ void writePhase(uint slot, int cell, int place, float enthalpy) {
     phase[slot] = leaves ? after & ~PHASE_LATTICE : after;
     noteChange(slot);
     if (!leaves) return;
-    lattice[cell] = 0u;
+    latticeSlot[cell] = 0u;
     freeCell(cell, place);
     joinLoose(slot);
 }

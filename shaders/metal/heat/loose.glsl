@@ -19,7 +19,7 @@ struct Shares {
 };
 
 Shares sharesOf(vec3 place) {
-    vec3 q = (place - metal.origin.xyz) / metal.origin.w - 0.5;
+    vec3 q = (place - metal.origin) / metal.spacing - 0.5;
     vec3 low = floor(q);
     return Shares(ivec3(low), q - low);
 }
@@ -30,7 +30,7 @@ int shareCell(Shares s, int corner, out float weight) {
     ivec3 cell = s.base + bit;
     vec3 w = mix(1.0 - s.fraction, s.fraction, vec3(bit));
     weight = floor(w.x * w.y * w.z * LOOSE_UNIT) / LOOSE_UNIT;
-    if (any(lessThan(cell, ivec3(0))) || any(greaterThanEqual(cell, metal.tiles.xyz * TILE_EDGE))) return -1;
+    if (any(lessThan(cell, ivec3(0))) || any(greaterThanEqual(cell, metal.tiles * TILE_EDGE))) return -1;
     ivec3 tile = cell / TILE_EDGE;
     ivec3 inside = cell - tile * TILE_EDGE;
     return tileIndex(tile) * TILE_CELLS + (inside.z * TILE_EDGE + inside.y) * TILE_EDGE + inside.x;

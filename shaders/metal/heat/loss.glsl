@@ -21,7 +21,7 @@ bool evaporates(float temperature) { return temperature > 0.5 * heatBlock.evapor
 /// Temperature after a step in which a surface that would have reached `hot` also evaporates. The flux rises so steeply that
 /// it is taken at the end of the step: Newton's method for T + area dt q(T)/(m c) = hot, which comes down from above.
 float afterEvaporation(float hot, float area) {
-    float cooling = area * heatBlock.time.x / (metal.gravity.w * heatBlock.evaporation.w);
+    float cooling = area * heatBlock.time.x / (metal.particleMass * heatBlock.evaporation.w);
     float t = hot;
     bool boils = area > 0.0 && evaporates(hot);
     for (int i = 0; i < 20 && boils; ++i) {
@@ -38,8 +38,8 @@ float afterEvaporation(float hot, float area) {
 float particleLoss(float enthalpy, float temperature, float joules, float area, float due) {
     float lost = surfaceLoss(temperature, area) * due;
 #ifdef EVAPORATION
-    float hot = thermalState(enthalpy + (joules - lost) / metal.gravity.w).x;
-    lost += (hot - afterEvaporation(hot, area)) * heatBlock.evaporation.w * metal.gravity.w;
+    float hot = thermalState(enthalpy + (joules - lost) / metal.particleMass).x;
+    lost += (hot - afterEvaporation(hot, area)) * heatBlock.evaporation.w * metal.particleMass;
 #endif
     return lost;
 }

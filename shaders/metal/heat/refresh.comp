@@ -10,7 +10,7 @@ void main() {
     uint cell = linearInvocation();
     uint cells = uint(heatBlock.step.w) * TILE_CELLS;
     if (cell >= cells) return;
-    uint entry = lattice[cell];
+    uint entry = latticeSlot[cell];
     float theta = kEmpty;
     if (entry != 0u) {
         uint slot = entry - 1u;
@@ -27,6 +27,6 @@ void main() {
     int never = now - 1000;
     tiles[cell / TILE_CELLS] = HeatTile(now, never, never, now, 0.0, heatBlock.clock.x, uint[2](0u, 0u));
     bool filled = false;
-    for (uint inside = 0u; inside < TILE_CELLS; ++inside) filled = filled || lattice[cell + inside] != 0u;
+    for (uint inside = 0u; inside < TILE_CELLS; ++inside) filled = filled || latticeSlot[cell + inside] != 0u;
     tileStamp[cell / TILE_CELLS] = filled ? now << TILE_STEP_SHIFT : TILE_NO_METAL;
 }

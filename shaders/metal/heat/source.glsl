@@ -63,7 +63,7 @@ float temperatureOf(float theta) {
 
 /// Weight of cell `inside` of a tile for source `s`, from how full it is, its free surface and its Kirchhoff variable.
 float cellWeightIn(HeatSourceData s, ivec3 tilePlace, int inside, float weight, vec4 surface, float theta) {
-    float volume = weight * metal.origin.w * metal.origin.w * metal.origin.w;
+    float volume = weight * metal.spacing * metal.spacing * metal.spacing;
     vec3 place = cellCentre(tilePlace * TILE_EDGE + insideCoordinate(inside));
     float temperature = int(s.place.w) == SOURCE_TIP ? temperatureOf(theta) : 0.0;
     return sourceWeight(s, place, volume, surface, temperature);

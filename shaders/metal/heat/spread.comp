@@ -78,7 +78,7 @@ void addAxis(inout RowInflow sum, vec4 theta, vec4 low, vec4 high, vec4 openLow,
 
 RowInflow inflowOfRow(int tile, int base, int row, vec4 theta) {
     const ivec3 place = tileCoordinate(tile);
-    const ivec3 size = metal.tiles.xyz;
+    const ivec3 size = metal.tiles;
     const TileBeside before = tileBeside(tile, -1, place.x > 0);
     const TileBeside after = tileBeside(tile, 1, place.x + 1 < size.x);
     const float ahead = before.there ? texelFetch(thetaTexels, before.base + TILE_EDGE * row + TILE_EDGE - 1).x : kEmpty;
@@ -105,7 +105,7 @@ void advance(int cell, int otherHalf, uint entry, float theta, float metalFlow, 
         cellTheta[otherHalf] = theta;
         return;
     }
-    const float dx = metal.origin.w;
+    const float dx = metal.spacing;
     const vec2 power = dx * vec2(metalFlow, wallFlow);
     const uint slot = entry - 1u;
     const vec4 h = texelFetch(heatTexels, int(slot));

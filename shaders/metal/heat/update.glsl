@@ -20,7 +20,7 @@ struct Heated {
 /// Adds what a particle took up in `duration` s to its state `h` at temperature `before`, keeping in the residual what float
 /// cannot hold. The memory of the peak is written only where it changed.
 Heated addHeat(uint slot, vec4 h, float before, float joules, float duration) {
-    precise float change = joules / metal.gravity.w + h.y;
+    precise float change = joules / metal.particleMass + h.y;
     precise float sum = h.x + change;
     precise float taken = sum - h.x;
     precise float rest = change - taken;
@@ -37,7 +37,7 @@ Heated addHeat(uint slot, vec4 h, float before, float joules, float duration) {
 /// Phase bits after a step: liquid above one fraction, solid below another, so that a particle at the brink does not flutter.
 uint nextPhase(uint bits, float enthalpy) {
     float f = liquidFraction(enthalpy);
-    if (f > metal.melting.z) return bits | PHASE_LIQUID;
-    const bool freezes = f < metal.melting.w && (bits & PHASE_LIQUID) != 0u;
+    if (f > metal.meltsAbove) return bits | PHASE_LIQUID;
+    const bool freezes = f < metal.freezesBelow && (bits & PHASE_LIQUID) != 0u;
     return freezes ? (bits & ~PHASE_LIQUID) | PHASE_FRESH : bits;
 }

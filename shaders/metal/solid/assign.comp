@@ -5,7 +5,6 @@
 #include "solid.glsl"
 
 layout(local_size_x = PIECES_GROUP) in;
-layout(std430, binding = METAL_VELOCITY) buffer Velocities { vec4 velocity[]; };
 layout(std430, binding = PIECES_LABEL) readonly buffer Labels { uint label[]; };
 layout(std430, binding = PIECES_NUMBER) readonly buffer Numbers { uint number[]; };
 

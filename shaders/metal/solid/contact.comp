@@ -4,7 +4,6 @@
 #include "solid.glsl"
 
 layout(local_size_x = PIECES_GROUP) in;
-layout(std430, binding = METAL_VELOCITY) readonly buffer Velocities { vec4 velocity[]; };
 layout(std430, binding = PIECES_LOOSE) readonly buffer Loose { uint loose[]; };
 layout(std430, binding = PIECES_CONTACT) writeonly buffer Contacts { PieceContact contact[]; };
 
@@ -13,7 +12,7 @@ const float kSpring = 0.2;
 const float kDamper = 0.2;
 
 void touch(vec3 apart, vec3 relative, bool standsStill, inout PieceContact sum) {
-    float reach = metal.origin.w;
+    float reach = metal.spacing;
     float distance = length(apart);
     if (distance >= reach || distance < 1e-3 * reach) return;
     vec3 normal = apart / distance;
@@ -69,8 +68,8 @@ void main() {
         touchLattice(place, speed, sum);
         touchOthers(place, speed, pieceOf(bits), sum);
         // The floor is met by the particle's rim: half a spacing from its centre.
-        float height = place.y - pieces.step.y + 0.5 * metal.origin.w;
-        touch(vec3(0, max(height, 0.01 * metal.origin.w), 0), speed, true, sum);
+        float height = place.y - pieces.step.y + 0.5 * metal.spacing;
+        touch(vec3(0, max(height, 0.01 * metal.spacing), 0), speed, true, sum);
     }
     contact[entry] = sum;
 }

@@ -6,7 +6,6 @@
 #include "turn.glsl"
 
 layout(local_size_x = PIECES_GROUP) in;
-layout(std430, binding = METAL_VELOCITY) readonly buffer Velocities { vec4 velocity[]; };
 layout(std430, binding = PIECES_LOOSE) readonly buffer Loose { uint loose[]; };
 layout(std430, binding = PIECES_CONTACT) readonly buffer Contacts { PieceContact contact[]; };
 layout(std430, binding = PIECES_MOTION) writeonly buffer Motions { PieceMotion motion[]; };
@@ -54,7 +53,7 @@ void main() {
     uint lane = gl_LocalInvocationID.x;
     vec4 place = vec4(0);
     vec4 speed = vec4(0);
-    vec3 middle = metal.origin.xyz + 0.5 * TILE_EDGE * vec3(metal.tiles.xyz) * metal.origin.w; // keeps the sums small
+    vec3 middle = metal.origin + 0.5 * TILE_EDGE * vec3(metal.tiles) * metal.spacing; // keeps the sums small
     for (uint entry = lane; entry < control.loose; entry += PIECES_GROUP) {
         if (!member(entry, piece)) continue;
         place += vec4(position[loose[entry]].xyz - middle, 1);
@@ -87,10 +86,10 @@ void main() {
     if (lane != 0) return;
     // A lone particle or a straight row has no inertia about some axis, and no spin about it either: a trace keeps the
     // inverse finite.
-    diagonal += 1e-5 * (diagonal.x + diagonal.y + diagonal.z + metal.origin.w * metal.origin.w);
+    diagonal += 1e-5 * (diagonal.x + diagonal.y + diagonal.z + metal.spacing * metal.spacing);
     mat3 inertia = mat3(diagonal.x, mixed.x, mixed.z, mixed.x, diagonal.y, mixed.y, mixed.z, mixed.y, diagonal.z);
     float dt = pieces.step.x;
-    vec3 velocityNow = speed.xyz / members + dt * (metal.gravity.xyz + force / members);
+    vec3 velocityNow = speed.xyz / members + dt * (metal.gravity + force / members);
     spin += dt * torque;
     vec3 turning = inverse(inertia) * spin;
     vec3 after = turned(inverse(inertia) * turned(spin, -turning * dt), turning * dt); // in the turned piece's own frame

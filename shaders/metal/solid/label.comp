@@ -43,7 +43,7 @@ uint smallestOnLattice(ivec3 centre, uint smallest) {
     // Beyond the lattice's end the particle finds itself.
     ivec3 low = own - mix(inner, outer, equal(inside, ivec3(0))) * ivec3(greaterThan(centre, ivec3(0)));
     ivec3 high = own + mix(inner, outer, equal(inside, ivec3(TILE_EDGE - 1))) *
-                           ivec3(lessThan(centre, metal.tiles.xyz * TILE_EDGE - 1));
+                           ivec3(lessThan(centre, metal.tiles * TILE_EDGE - 1));
     smallest = min(smallest, min(labelAt(low.x), labelAt(high.x)));
     smallest = min(smallest, min(labelAt(low.y), labelAt(high.y)));
     return min(smallest, min(labelAt(low.z), labelAt(high.z)));
@@ -65,7 +65,7 @@ void nextStep(inout ivec3 step) {
 bool touches(uint other, uint bits, vec3 place) {
     if (labelOf(other) == PIECE_NONE || !bonded(bits, phase[other])) return false;
     vec3 apart = texelFetch(positionTexels, int(other)).xyz - place;
-    float reach = PIECE_BOND * metal.origin.w;
+    float reach = PIECE_BOND * metal.spacing;
     return dot(apart, apart) <= reach * reach;
 }
 

@@ -5,7 +5,6 @@
 #include "turn.glsl"
 
 layout(local_size_x = PIECES_GROUP) in;
-layout(std430, binding = METAL_VELOCITY) buffer Velocities { vec4 velocity[]; };
 layout(std430, binding = PIECES_LOOSE) readonly buffer Loose { uint loose[]; };
 layout(std430, binding = PIECES_MOTION) readonly buffer Motions { PieceMotion motion[]; };
 
