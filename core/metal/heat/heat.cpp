@@ -331,6 +331,11 @@ void HeatSolver::step(double seconds, std::span<const HeatSource> sources, gl::P
     pass("heat plain tiles", &HeatSolver::advance);
 }
 
+OffLatticeList HeatSolver::offLattice() const {
+    const size_t arguments = offsetof(HeatControl, loose);
+    return {lists_, 3 * state_.lattice().tileCount(), control_, arguments + 3 * sizeof(uint), arguments};
+}
+
 unsigned HeatSolver::readActiveTiles() const {
     const auto control = control_.read<HeatControl>(1)[0];
     return control.plain.x + control.mixed.x;

@@ -62,6 +62,21 @@ struct HeatBalance {
     double lost = 0;   ///< through the surface
 };
 
+/// The solver's list of the slots of all living metal off the lattice (liquid, solid that fell or was fed), except
+/// what is held, for passes that run over it. `slots` holds one uint each from entry `first` on, in no particular
+/// order. Their number is a uint at byte `count` of `control` and stays on the GPU. Bind `control` as
+/// GL_DISPATCH_INDIRECT_BUFFER to dispatch groups of GROUP_SIZE over the list from byte `dispatch`.
+/// The list is up to date after HeatSolver::step() as of that step's end, and includes what melted in it. Particles
+/// that MetalState::add() brought since and solid that came free since are listed in the next step. A slot stays in the
+/// list for good: a pass over it skips those without PHASE_ALIVE.
+struct OffLatticeList {
+    const gl::Buffer& slots;
+    size_t first;
+    const gl::Buffer& control; ///< HeatControl
+    size_t count;              ///< byte of the number of entries in `control`
+    size_t dispatch;           ///< byte of the indirect dispatch arguments in `control`
+};
+
 class HeatSolver {
   public:
     /// `state` must outlive the solver.
@@ -76,6 +91,8 @@ class HeatSolver {
 
     /// After particles were added to or taken off the lattice by others: reads it anew and wakes every tile.
     void refresh();
+
+    OffLatticeList offLattice() const;
 
     /// Tiles that took part in the last step. Waits for the GPU.
     unsigned readActiveTiles() const;

@@ -6,6 +6,7 @@
 
 #include <glm/common.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -156,6 +157,41 @@ TEST_CASE("Metal taken off the lattice by others is found, and its old cell is f
     const auto temperatures = bench.readTemperatures();
     CHECK(temperatures.front() > 320);
     CHECK(temperatures.back() > 320);
+}
+
+TEST_CASE("Other passes find every slot off the lattice in the solver's list", "[heat][loose]") {
+    const Material m = simpleMetal();
+    const glm::vec3 high(0.008F, 0.008F, 0.008F);
+    const MetalLattice lattice = MetalLattice::covering(glm::vec3(0), high, kSpacing);
+    auto seeds = latticeSeeds(lattice, glm::vec3(0), high, 300);
+    loosen(seeds, 0.005F, 0.4F);
+    HeatSettings settings;
+    settings.meltedLeaves = true;
+    HeatBench bench(test::shaders(), lattice, m, seeds, settings);
+    const OffLatticeList list = bench.solver.offLattice();
+    const auto listed = [&] {
+        const auto count = list.control.read<uint>(1, list.count)[0];
+        CHECK(list.control.read<uint>(1, list.dispatch)[0] == (count + GROUP_SIZE - 1) / GROUP_SIZE);
+        auto slots = list.slots.read<uint>(count, list.first * sizeof(uint));
+        std::sort(slots.begin(), slots.end());
+        return slots;
+    };
+    const auto offLattice = [&] {
+        std::vector<uint> slots;
+        const auto phases = bench.state.phase.read<uint>(bench.state.particles());
+        for (uint slot = 0; slot < phases.size(); ++slot)
+            if (!(phases[slot] & PHASE_LATTICE)) slots.push_back(slot);
+        return slots;
+    };
+    CHECK(listed().empty());
+    bench.solver.step(1e-3, {});
+    CHECK(listed() == offLattice());
+    const size_t before = listed().size();
+    const auto hot = HeatSource::sphere({0.002F, 0.002F, 0.002F}, 2 * kSpacing, 20000);
+    for (int i = 0; i < 20; ++i)
+        bench.solver.step(1e-3, std::vector{hot});
+    CHECK(listed().size() > before); // some melted
+    CHECK(listed() == offLattice());
 }
 
 TEST_CASE("Loose metal gives the same bits twice", "[heat][loose]") {
