@@ -227,16 +227,17 @@ void HeadsetDesk::vibrate(const LessonInSight& lesson) {
     feel_ = {time_, tipState(lesson.gap, lesson.handLeads ? torch_.trigger() : 0.0f, lesson.sounding), touch_.since(),
              touch_.speed()};
     feel_.state.liquid = lesson.sounding.liquid;
-    pulse_ = xr::feel(feel_);
-    pulse_.amplitude *= parameters_.hapticStrength;
+    vibration_ = feel(feel_);
+    vibration_.amplitude *= parameters_.hapticStrength;
     // Whoever held the torch before feels nothing more of it.
     if (felt_ != hold_.holder() || feltHand_ != torchHand_) play({});
     felt_ = hold_.holder();
     feltHand_ = torchHand_;
-    play(pulse_);
+    play(vibration_);
 }
 
-void HeadsetDesk::play(const xr::HapticPulse& pulse) {
+void HeadsetDesk::play(const Vibration& vibration) {
+    const xr::HapticPulse pulse{vibration.amplitude, vibration.frequency, vibration.duration};
     if (felt_ == TorchHolder::tracker)
         link_.headset()->playTracker(hold_.tracker(), pulse);
     else

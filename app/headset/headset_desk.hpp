@@ -9,6 +9,7 @@
 #include "app/headset/visor.hpp"
 #include "app/headset/workshop_scene.hpp"
 #include "core/render/renderer.hpp"
+#include "core/training/feedback/haptics.hpp"
 #include "xr/link.hpp"
 
 #include <array>
@@ -86,8 +87,8 @@ class HeadsetDesk {
     const TipSounding& sounding() const { return sounding_; }
     const TipTouch& touch() const { return touch_; }
     unsigned pulsesSent() const;
-    const xr::TipFeel& tipFeel() const { return feel_; }
-    const xr::HapticPulse& pulse() const { return pulse_; }
+    const TipFeel& tipFeel() const { return feel_; }
+    const Vibration& vibration() const { return vibration_; }
 
     /// CPU time of this object in the last frame, s, without waiting for the runtime.
     double busySeconds() const { return busy_; }
@@ -104,7 +105,7 @@ class HeadsetDesk {
     xr::Pose panelPose() const; ///< in the workshop
     void drawEyes(Renderer& renderer, const LessonInSight& lesson, const xr::BothEyes& eyes, gl::Profiler* profiler);
     void vibrate(const LessonInSight& lesson);
-    void play(const xr::HapticPulse& pulse);
+    void play(const Vibration& vibration);
     void guarded(FunctionRef<void()> work);
 
     const HeadsetParameters& parameters_;
@@ -134,8 +135,8 @@ class HeadsetDesk {
     double elapsed_ = 0; ///< real seconds since the frame before
     TipSounding sounding_;
     TipTouch touch_;
-    xr::TipFeel feel_;
-    xr::HapticPulse pulse_;
+    TipFeel feel_;
+    Vibration vibration_;
     TorchHolder felt_ = TorchHolder::hand; ///< what was made to vibrate last, and which hand
     xr::Hand feltHand_ = xr::Hand::right;
 };

@@ -111,8 +111,8 @@ TipTold HeadsetStation::toldOfTip() const {
     told.liquid = static_cast<double>(desk_.sounding().liquid);
     told.touching = desk_.touch().touching();
     told.touches = desk_.touch().count();
-    told.amplitude = static_cast<double>(desk_.pulse().amplitude);
-    told.frequency = static_cast<double>(desk_.pulse().frequency);
+    told.amplitude = static_cast<double>(desk_.vibration().amplitude);
+    told.frequency = static_cast<double>(desk_.vibration().frequency);
     told.pulses = desk_.pulsesSent();
     return told;
 }

@@ -1,7 +1,7 @@
 // Controllers and trackers: where they are, what is pressed, and what they are made to feel.
 #pragma once
 
-#include "xr/input/haptics.hpp"
+#include "xr/input/haptic_pulse.hpp"
 #include "xr/session/profiles.hpp"
 #include "xr/session/session.hpp"
 

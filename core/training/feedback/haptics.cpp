@@ -1,11 +1,10 @@
 // The feel of the arc.
-#include "xr/input/haptics.hpp"
+#include "core/training/feedback/haptics.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-namespace meltpool::xr {
+namespace meltpool {
 
 namespace {
 
@@ -20,7 +19,7 @@ constexpr float kPoolDrop = 20.0f; // Hz that a pool takes from the hum
 constexpr float kBuzzFrequency = 45.0f;
 constexpr float kBuzzAmplitude = 0.8f;
 
-HapticPulse knock(const TipFeel& tip) {
+Vibration knock(const TipFeel& tip) {
     const float hardness = std::clamp(tip.touchSpeed / kHardKnock, 0.0f, 1.0f);
     const float liquid = tip.state.liquid;
     return {(0.4f + 0.6f * hardness) * (1.0f - kDullness * liquid),
@@ -28,19 +27,19 @@ HapticPulse knock(const TipFeel& tip) {
             static_cast<float>(kKnockDuration - tip.sinceTouch)};
 }
 
-HapticPulse hum(const TipState& state) {
+Vibration hum(const TipState& state) {
     return {(0.15f + 0.45f * state.power) * (1.0f - 0.6f * state.stretch),
             kHumFrequency + (kLongArcFrequency - kHumFrequency) * state.stretch - kPoolDrop * state.liquid, kRenewal};
 }
 
 /// The pulse for the first half of each beat, silence for the second.
-HapticPulse stutter(const HapticPulse& pulse, double time, double rate) {
-    return std::fmod(time * rate, 1.0) < 0.5 ? pulse : HapticPulse{};
+Vibration stutter(const Vibration& pulse, double time, double rate) {
+    return std::fmod(time * rate, 1.0) < 0.5 ? pulse : Vibration{};
 }
 
 } // namespace
 
-HapticPulse feel(const TipFeel& tip) {
+Vibration feel(const TipFeel& tip) {
     if (tip.sinceTouch < kKnockDuration) return knock(tip);
     switch (tip.state.action) {
     case TipAction::idle:
@@ -57,12 +56,4 @@ HapticPulse feel(const TipFeel& tip) {
     return {};
 }
 
-void synthesize(const HapticPulse& pulse, float sampleRate, double phase, std::span<float> samples) {
-    const double step = 2.0 * std::numbers::pi * static_cast<double>(pulse.frequency) / static_cast<double>(sampleRate);
-    for (float& sample : samples) {
-        sample = pulse.amplitude * static_cast<float>(std::sin(phase));
-        phase += step;
-    }
-}
-
-} // namespace meltpool::xr
+} // namespace meltpool

@@ -1,12 +1,8 @@
 // What the hand feels, as a function of the tip's state.
+#include "core/training/feedback/haptics.hpp"
 #include "tests/support/catch.hpp"
-#include "xr/input/haptics.hpp"
-
-#include <array>
-#include <cmath>
 
 using namespace meltpool;
-using namespace meltpool::xr;
 
 namespace {
 
@@ -49,12 +45,12 @@ TEST_CASE("nothing happens at the tip: silence") {
 TEST_CASE("the hum grows with power and sinks with a long arc and over a pool") {
     float last = 0;
     for (const float power : {0.1f, 0.4f, 0.7f, 1.0f}) {
-        const HapticPulse pulse = feel(burning(power));
+        const Vibration pulse = feel(burning(power));
         CHECK(pulse.amplitude > last);
         CHECK(pulse.amplitude <= 1.0f);
         last = pulse.amplitude;
     }
-    const HapticPulse right = feel(burning(1)), far = feel(burning(1, 0.5f)), pool = feel(burning(1, 0, 1));
+    const Vibration right = feel(burning(1)), far = feel(burning(1, 0.5f)), pool = feel(burning(1, 0, 1));
     CHECK(far.amplitude < right.amplitude);
     CHECK(far.frequency < right.frequency);
     CHECK(pool.frequency < right.frequency);
@@ -79,7 +75,7 @@ TEST_CASE("a stubbed wire buzzes, lower and stronger than any hum") {
 }
 
 TEST_CASE("a touch knocks, harder when it was faster, duller on a pool, over any hum, and only while it lasts") {
-    const HapticPulse soft = feel(touched(0.01f)), hard = feel(touched(1.0f)), pool = feel(touched(1.0f, 1));
+    const Vibration soft = feel(touched(0.01f)), hard = feel(touched(1.0f)), pool = feel(touched(1.0f, 1));
     CHECK_FALSE(soft.silent());
     CHECK(hard.amplitude == 1.0f);
     CHECK(hard.amplitude > soft.amplitude);
@@ -98,22 +94,4 @@ TEST_CASE("a touch knocks, harder when it was faster, duller on a pool, over any
 TEST_CASE("the same state feels the same") {
     const TipFeel tip = burning(0.6f, 0.4f, 0.2f);
     CHECK(feel(tip) == feel(tip));
-}
-
-TEST_CASE("PCM samples have the pulse's amplitude and frequency and join at their phase") {
-    const HapticPulse pulse{0.5f, 100.0f, 0.05f};
-    std::array<float, 2000> samples{};
-    synthesize(pulse, 2000.0f, 0.0, samples);
-    int crossings = 0;
-    float largest = 0;
-    for (size_t i = 1; i < samples.size(); ++i) {
-        crossings += (samples[i - 1] < 0) != (samples[i] < 0) ? 1 : 0;
-        largest = std::max(largest, std::abs(samples[i]));
-    }
-    CHECK(crossings == Approx(200).margin(2));
-    CHECK(largest == Approx(0.5f).margin(0.001));
-    std::array<float, 10> later{};
-    synthesize(pulse, 2000.0f, 2.0 * 3.14159265358979 * 100.0 * 7.0 / 2000.0, later);
-    for (size_t i = 0; i < later.size(); ++i)
-        CHECK(later[i] == Approx(samples[i + 7]).margin(1e-4));
 }
