@@ -10,6 +10,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// A context is current on one thread, so each thread counts its own.
+thread_local std::uint64_t dispatches = 0;
+
 void deleteShader(GLuint name) {
     glDeleteShader(name);
 }
@@ -86,9 +89,20 @@ GLint Program::find(const char* uniform) const {
     return -1;
 }
 
+std::uint64_t dispatchCount() {
+    return dispatches;
+}
+
 void Program::dispatchGroups(unsigned x, unsigned y, unsigned z) const {
     use();
+    ++dispatches;
     glDispatchCompute(x, y, z);
+}
+
+void Program::dispatchIndirect(size_t offset) const {
+    use();
+    ++dispatches;
+    glDispatchComputeIndirect(static_cast<GLintptr>(offset));
 }
 
 void Program::dispatch(size_t count, unsigned groupSize) const {

@@ -9,12 +9,16 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace meltpool::gl {
+
+/// Dispatches that this thread has issued so far, direct and indirect ones. Callers compare two readings.
+std::uint64_t dispatchCount();
 
 class Program {
   public:
@@ -26,6 +30,8 @@ class Program {
     /// shaders/shared/dispatch.h.
     void dispatch(size_t count, unsigned groupSize) const;
     void dispatchGroups(unsigned x, unsigned y = 1, unsigned z = 1) const;
+    /// Runs a compute program with the group counts at byte `offset` of the bound GL_DISPATCH_INDIRECT_BUFFER.
+    void dispatchIndirect(size_t offset) const;
 
     /// Sets a plain uniform by name; a name the compiler dropped is ignored.
     void set(const char* uniform, int value) const { glProgramUniform1i(name(), find(uniform), value); }

@@ -166,8 +166,7 @@ void Surface::Work::forget() {
 }
 
 void Surface::Work::dispatchIndirect(const gl::Program& program, size_t command) const {
-    program.use();
-    glDispatchComputeIndirect(static_cast<GLintptr>(command));
+    program.dispatchIndirect(command);
     glMemoryBarrier(kStorage);
 }
 

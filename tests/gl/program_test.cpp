@@ -46,6 +46,28 @@ TEST_CASE("a buffer starts at zero and keeps what is written") {
     CHECK_THROWS_AS(buffer.write(std::span<const unsigned>(values), 4), RuntimeFault);
 }
 
+TEST_CASE("every dispatch is counted, and an indirect one takes its group counts from the buffer") {
+    test::context();
+    ShaderLibrary library(shaderFolder(kCountShader));
+    const Program& program = library.compute("count.comp", {{"OFFSET", "7u"}});
+    const Buffer values("values", 256 * 4);
+    values.bindStorage(0);
+    program.set("count", 256U);
+    const std::vector<unsigned> groups{99, 99, 99, 2, 1, 1}; // the second command: two groups of 64
+    const Buffer commands("commands", std::span<const unsigned>(groups));
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, commands.name());
+    const std::uint64_t before = dispatchCount();
+    program.dispatchIndirect(3 * sizeof(unsigned));
+    CHECK(dispatchCount() == before + 1);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    const auto read = values.read<unsigned>(256);
+    CHECK(read[127] == 127 + 7);
+    CHECK(read[128] == 0);
+    program.dispatch(256, 64);
+    program.dispatch(0, 64); // nothing to run
+    CHECK(dispatchCount() == before + 2);
+}
+
 TEST_CASE("a dispatch covers every index once, also beyond one axis") {
     test::context();
     ShaderLibrary library(shaderFolder(kCountShader));

@@ -194,8 +194,7 @@ void Flow::substep(gl::Profiler* profiler) {
     const auto pass = [&](const gl::Program& program, const char* name, size_t groups) {
         const gl::Scope scope(profiler, name);
         program.set("substep", substep_);
-        program.use();
-        glDispatchComputeIndirect(static_cast<GLintptr>(groups));
+        program.dispatchIndirect(groups);
         glMemoryBarrier(kBarrier);
     };
     pass(sort_, "flow sort", offsetof(FlowCounters, search));

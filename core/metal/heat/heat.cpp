@@ -260,8 +260,7 @@ void HeatSolver::writeBlock(double seconds, std::span<const HeatSource> sources)
 }
 
 void HeatSolver::indirect(const gl::Program& program, size_t groups) const {
-    program.use();
-    glDispatchComputeIndirect(static_cast<GLintptr>(groups));
+    program.dispatchIndirect(groups);
 }
 
 /// Metal that heat itself takes off the lattice is in the list by then.

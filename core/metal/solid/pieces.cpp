@@ -131,8 +131,7 @@ void SolidPieces::finish() {
 }
 
 void SolidPieces::indirect(const gl::Program& program, size_t offset) const {
-    program.use();
-    glDispatchComputeIndirect(static_cast<GLintptr>(offset));
+    program.dispatchIndirect(offset);
     storageBarrier();
 }
 
