@@ -2,8 +2,8 @@
 #include "app/bench/bench.hpp"
 #include "app/bench/parts.hpp"
 #include "app/headset/headset_station.hpp"
-#include "app/meter/frame_meter.hpp"
 #include "app/meter/gl_watch.hpp"
+#include "app/program/frame_meter.hpp"
 #include "core/base/function_ref.hpp"
 #include "core/render/view/picture_target.hpp"
 
@@ -43,7 +43,7 @@ struct Scene {
 
     Session session;
     Controls controls;
-    ui::Figures figures;
+    LessonFigures figures;
     double time = 0;
 };
 

@@ -20,12 +20,6 @@ constexpr double kPatienceMinimised = 0.1;
 /// How long a headset that was asked for may take to appear, s.
 constexpr double kHeadsetPatience = 15;
 
-ui::Section ownSection(const char* name, ParameterList list) {
-    ui::Section section{name, std::move(list), {}};
-    section.defaults = ui::defaultTexts(section.parameters);
-    return section;
-}
-
 std::string driverText(const gl::ContextInfo& info) {
     return info.renderer + (info.software ? " \xE2\x80\x93 drawn on the processor, without a graphics card" : "");
 }
@@ -49,9 +43,9 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
       interface_(window_),
       shaders_(resourceFolder() / "shaders"),
       session_(shaders_, loadLesson(options.lesson)),
-      windowSection_(ownSection("window", describe(windowParameters_))),
-      controlSection_(ownSection("controls", describe(controls_.parameters))),
-      panelSection_(ownSection("panels", describe(panels_))),
+      windowSection_("window", describe(windowParameters_)),
+      controlSection_("controls", describe(controls_.parameters)),
+      panelSection_("panels", describe(panels_)),
       settingsFile_(options.settings.empty() ? settingsFolder() / "settings.toml" : options.settings),
       driver_(driverText(window_.driver())) {
     if (options_.lesson != kDefaultLesson) {
@@ -69,12 +63,12 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
 
 std::vector<SettingsSection> DesktopApp::settingsSections() {
     LessonSections& lesson = keptSections_ ? *keptSections_ : session_.sections();
-    std::vector<ui::Section*> all = lesson.all();
+    std::vector<ParameterSection*> all = lesson.all();
     all.insert(all.end(), {&windowSection_, &controlSection_, &panelSection_});
     if (headset_) all.push_back(&headset_->section());
     std::vector<SettingsSection> sections;
     ParameterList kept;
-    for (const ui::Section* each : all) {
+    for (const ParameterSection* each : all) {
         sections.push_back({each->name, {}});
         for (const Parameter& p : each->parameters) {
             // A value that stands in two menus is kept once, where it was named first.
@@ -134,7 +128,7 @@ void DesktopApp::runFrame() {
     simulate(input, seconds);
     drawHeadset(seconds);
     drawPicture(seconds);
-    ui::Request request = ui::Request::none;
+    MenuRequest request = MenuRequest::none;
     {
         const gl::Scope scope(&profiler_, "interface");
         request = drawInterface();
@@ -169,7 +163,7 @@ void DesktopApp::beginHeadset(double seconds) {
 void DesktopApp::drawHeadset(double seconds) {
     if (!headsetFrame_) return;
     const gl::Scope scope(&profiler_, "headset");
-    const ui::Request request = headset_->draw(session_, figures_, seconds, &profiler_);
+    const MenuRequest request = headset_->draw(session_, figures_, seconds, &profiler_);
     headset_->end();
     act(request);
 }
@@ -211,26 +205,26 @@ void DesktopApp::handleKeys(const InputFrame& input) {
     }
 }
 
-void DesktopApp::act(ui::Request request) {
+void DesktopApp::act(MenuRequest request) {
     switch (request) {
-    case ui::Request::startWithDefaults:
+    case MenuRequest::startWithDefaults:
         session_.sections().restoreDefaults();
         startLesson();
         break;
-    case ui::Request::start:
+    case MenuRequest::start:
         startLesson();
         break;
-    case ui::Request::reset:
+    case MenuRequest::reset:
         session_.reset(controls_);
         break;
-    case ui::Request::restart:
+    case MenuRequest::restart:
         session_.end();
         controls_.restart();
         panels_.help = false;
         profiler_.reset();
         messages_.clear("metal");
         break;
-    case ui::Request::none:
+    case MenuRequest::none:
         break;
     }
 }
@@ -290,9 +284,9 @@ void DesktopApp::drawPicture(double seconds) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-ui::Request DesktopApp::drawInterface() {
+MenuRequest DesktopApp::drawInterface() {
     ui::Context& context = interface_.context();
-    ui::Request request = ui::Request::none;
+    MenuRequest request = MenuRequest::none;
     if (!session_.running())
         request = ui::startMenu(context, session_.sections().start, session_.lesson().text, driver_);
     else if (!panels_.hidden)
@@ -303,16 +297,17 @@ ui::Request DesktopApp::drawInterface() {
     return request;
 }
 
-ui::Request DesktopApp::drawPanels() {
+MenuRequest DesktopApp::drawPanels() {
     ui::Context& context = interface_.context();
     const LessonSections& lesson = session_.sections();
-    const ui::Request request = ui::topBar(context, panels_, controls_, session_.lesson().title);
+    const MenuRequest request = ui::topBar(context, panels_, controls_, session_.lesson().title);
     ui::statusBar(context, figures_, controls_);
     ui::temperatureScale(context, session_.lesson().look.colours, session_.temperature(), coveredLeft());
     makeRoom();
     if (panels_.view) {
-        const std::array<const ui::Section*, 5> sections{&lesson.view, &lesson.surface, &controlSection_,
-                                                         &windowSection_, headset_ ? &headset_->section() : nullptr};
+        const std::array<const ParameterSection*, 5> sections{&lesson.view, &lesson.surface, &controlSection_,
+                                                              &windowSection_,
+                                                              headset_ ? &headset_->section() : nullptr};
         ui::viewMenu(context, std::span(sections).first(headset_ ? 5 : 4));
     }
     if (panels_.simulation) ui::simulationMenu(context, lesson.simulation, controls_);
@@ -371,16 +366,16 @@ void DesktopApp::tellTelemetry() {
     if (!telemetry_.due(now())) return;
     meter_.pause();
     const LessonSections& lesson = session_.sections();
-    const std::vector<const ui::Section*> sections{&lesson.start,      &lesson.view,    &lesson.surface,
-                                                   &lesson.simulation, &windowSection_, &controlSection_,
-                                                   &panelSection_};
+    const std::vector<const ParameterSection*> sections{&lesson.start,      &lesson.view,    &lesson.surface,
+                                                        &lesson.simulation, &windowSection_, &controlSection_,
+                                                        &panelSection_};
     std::vector<std::string> passes;
     for (const gl::PassTime& pass : profiler_.passes())
         passes.push_back(pass.name);
     telemetry_.write({session_.running() ? "running" : "start", now(), frames_, session_.steps(),
                       session_.running() ? session_.torch() : TorchSample{}, controls_, panels_, figures_, sections,
                       passes, messages_, interface_.context(), window_.size(), window_.pixels(), screenshot_,
-                      headset_ ? headset_->told() : HeadsetTold{}, meter_});
+                      headset_ ? headset_->status() : HeadsetStatus{}, meter_});
     meter_.resume();
 }
 

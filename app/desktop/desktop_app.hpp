@@ -4,12 +4,12 @@
 #include "app/desktop/desktop.hpp"
 #include "app/desktop/interface.hpp"
 #include "app/desktop/window.hpp"
+#include "app/desktop/window_telemetry.hpp"
 #include "app/headset/headset_station.hpp"
-#include "app/meter/frame_meter.hpp"
+#include "app/program/frame_meter.hpp"
 #include "app/session/messages.hpp"
 #include "app/session/session.hpp"
 #include "app/session/settings.hpp"
-#include "app/session/window_telemetry.hpp"
 
 #include <chrono>
 #include <optional>
@@ -44,7 +44,7 @@ class DesktopApp {
     void readSettings();
     std::vector<SettingsSection> settingsSections();
     void handleKeys(const InputFrame& input);
-    void act(ui::Request request);
+    void act(MenuRequest request);
     void startLesson();
     void beginHeadset(double seconds);
     void drawHeadset(double seconds);
@@ -52,8 +52,8 @@ class DesktopApp {
     void drawPicture(double seconds);
     float coveredLeft();
     float coveredRight();
-    ui::Request drawInterface();
-    ui::Request drawPanels();
+    MenuRequest drawInterface();
+    MenuRequest drawPanels();
     void makeRoom();
     void watchShaders();
     void countFrame(double seconds);
@@ -67,9 +67,9 @@ class DesktopApp {
     WindowTelemetry telemetry_;
     Messages messages_;
     WindowParameters windowParameters_;
-    ui::PanelState panels_;
+    PanelState panels_;
     Controls controls_;
-    ui::Figures figures_;
+    LessonFigures figures_;
 
     Window window_;
     ui::Interface interface_;
@@ -81,9 +81,9 @@ class DesktopApp {
     /// Where the kept values of the ordinary lesson live while another one runs.
     std::optional<Lesson> keptLesson_;
     std::optional<LessonSections> keptSections_;
-    ui::Section windowSection_;
-    ui::Section controlSection_;
-    ui::Section panelSection_;
+    ParameterSection windowSection_;
+    ParameterSection controlSection_;
+    ParameterSection panelSection_;
 
     std::filesystem::path settingsFile_;
     std::string screenshot_;

@@ -7,13 +7,7 @@ namespace meltpool {
 
 namespace {
 
-ui::Section sectionOf(HeadsetParameters& parameters) {
-    ui::Section made{"headset", describe(parameters), {}};
-    made.defaults = ui::defaultTexts(made.parameters);
-    return made;
-}
-
-ui::ShortText figuresText(const ui::Figures& figures) {
+ui::ShortText figuresText(const LessonFigures& figures) {
     std::array<char, 128> text{};
     const double share = figures.particles > 0 ? 100.0 * double(figures.molten) / double(figures.particles) : 0;
     std::snprintf(text.data(), text.size(), "%.1f s   \xC2\xB7   %.1f %% molten   \xC2\xB7   hottest %.2f",
@@ -21,7 +15,7 @@ ui::ShortText figuresText(const ui::Figures& figures) {
     return text.data();
 }
 
-void drawParameters(ui::Context& context, const ui::Section& section) {
+void drawParameters(ui::Context& context, const ParameterSection& section) {
     for (const Parameter& parameter : section.parameters)
         if (!parameter.onlyAtStart) ui::parameterControl(context, section.name, parameter, section.defaults);
 }
@@ -29,28 +23,29 @@ void drawParameters(ui::Context& context, const ui::Section& section) {
 } // namespace
 
 HeadsetStation::HeadsetStation(const std::filesystem::path& folder)
-    : section_(sectionOf(parameters_)), desk_(parameters_, folder) {}
+    : section_("headset", describe(parameters_)), desk_(parameters_, folder) {}
 
 HeldTorchAt HeadsetStation::torch() const {
     if (!desk_.leadsTorch()) return {};
     return [this](int step, int steps) { return desk_.torch(step, steps); };
 }
 
-ui::Request HeadsetStation::draw(Session& session, const ui::Figures& figures, double elapsed, gl::Profiler* profiler) {
+MenuRequest HeadsetStation::draw(Session& session, const LessonFigures& figures, double elapsed,
+                                 gl::Profiler* profiler) {
     mirrored_ = false;
-    if (!desk_.inFrame()) return ui::Request::none;
+    if (!desk_.inFrame()) return MenuRequest::none;
     const SceneView scene = session.scene(profiler);
     if (desk_.leadsTorch()) session.sound(desk_.torch(0, 1));
     desk_.draw(session.renderer(),
                {&scene, &session.lesson().look, session.unit(), session.held(), session.gap(), session.sounding()},
                profiler);
-    return desk_.panelShown() ? drawPanel(session, figures, elapsed) : ui::Request::none;
+    return desk_.panelShown() ? drawPanel(session, figures, elapsed) : MenuRequest::none;
 }
 
-ui::Request HeadsetStation::drawPanel(Session& session, const ui::Figures& figures, double elapsed) {
+MenuRequest HeadsetStation::drawPanel(Session& session, const LessonFigures& figures, double elapsed) {
     const xr::PanelShape shape = desk_.panelShape();
     if (panel_ == nullptr) panel_ = std::make_unique<HeadsetPanel>(shape.widthPixels, shape.heightPixels);
-    ui::Request request = ui::Request::none;
+    MenuRequest request = MenuRequest::none;
     desk_.showPanel([&](GLuint framebuffer, const PanelPointer& pointer) {
         panel_->draw(framebuffer, pointer, elapsed,
                      [&](ui::Context& context) { request = panelContent(context, session, figures); });
@@ -58,8 +53,8 @@ ui::Request HeadsetStation::drawPanel(Session& session, const ui::Figures& figur
     return request;
 }
 
-ui::Request HeadsetStation::panelContent(ui::Context& context, Session& session, const ui::Figures& figures) {
-    ui::Request request = ui::Request::none;
+MenuRequest HeadsetStation::panelContent(ui::Context& context, Session& session, const LessonFigures& figures) {
+    MenuRequest request = MenuRequest::none;
     ui::strongText(context, session.lesson().title);
     if (session.running())
         ui::quietText(context, figuresText(figures));
@@ -69,12 +64,12 @@ ui::Request HeadsetStation::panelContent(ui::Context& context, Session& session,
     ImGui::Dummy({0, context.points(4)});
     if (!session.running()) {
         if (ui::button(context, "headset.start", "Start the lesson", ui::ButtonKind::main))
-            request = ui::Request::start;
+            request = MenuRequest::start;
     } else {
-        if (ui::button(context, "headset.reset", "Reset", ui::ButtonKind::plain, 90)) request = ui::Request::reset;
+        if (ui::button(context, "headset.reset", "Reset", ui::ButtonKind::plain, 90)) request = MenuRequest::reset;
         ImGui::SameLine();
         if (ui::button(context, "headset.restart", "Start menu", ui::ButtonKind::plain, 110))
-            request = ui::Request::restart;
+            request = MenuRequest::restart;
         ImGui::SameLine();
     }
     if (ui::button(context, "headset.recentre", "Workshop here", ui::ButtonKind::plain, 140)) desk_.recentre();
@@ -102,38 +97,38 @@ bool HeadsetStation::mirror(glm::ivec2 pixels) {
     return mirrored_;
 }
 
-TipTold HeadsetStation::toldOfTip() const {
+TipStatus HeadsetStation::tipStatus() const {
     static constexpr std::array<const char*, 5> kActions{"idle", "burning", "shorting", "stubbed", "breaking"};
-    TipTold told;
-    told.action = kActions[static_cast<size_t>(desk_.tipFeel().state.action)];
-    told.aheadMm = 1000.0 * static_cast<double>(desk_.sounding().ahead);
-    told.nearestMm = 1000.0 * static_cast<double>(desk_.sounding().nearest);
-    told.liquid = static_cast<double>(desk_.sounding().liquid);
-    told.touching = desk_.touch().touching();
-    told.touches = desk_.touch().count();
-    told.amplitude = static_cast<double>(desk_.vibration().amplitude);
-    told.frequency = static_cast<double>(desk_.vibration().frequency);
-    told.pulses = desk_.pulsesSent();
-    return told;
+    TipStatus status;
+    status.action = kActions[static_cast<size_t>(desk_.tipFeel().state.action)];
+    status.aheadMm = 1000.0 * static_cast<double>(desk_.sounding().ahead);
+    status.nearestMm = 1000.0 * static_cast<double>(desk_.sounding().nearest);
+    status.liquid = static_cast<double>(desk_.sounding().liquid);
+    status.touching = desk_.touch().touching();
+    status.touches = desk_.touch().count();
+    status.amplitude = static_cast<double>(desk_.vibration().amplitude);
+    status.frequency = static_cast<double>(desk_.vibration().frequency);
+    status.pulses = desk_.pulsesSent();
+    return status;
 }
 
-HeadsetTold HeadsetStation::told() const {
+HeadsetStatus HeadsetStation::status() const {
     static constexpr std::array<const char*, 5> kStates{"searching", "asleep", "running", "stalled", "ended"};
-    HeadsetTold told;
-    told.state = kStates[static_cast<size_t>(desk_.state())];
-    told.mode = desk_.sessionMode();
-    told.mirrored = mirrored_;
-    told.tipReport = desk_.tipReport();
-    told.warning = desk_.warning();
-    told.openings = desk_.openings();
-    told.tracked = desk_.heldTorch().tracked();
-    told.panel = desk_.panelOpen();
-    told.tip = toldOfTip();
-    told.busyMs = desk_.busySeconds() * 1000;
+    HeadsetStatus status;
+    status.state = kStates[static_cast<size_t>(desk_.state())];
+    status.mode = desk_.sessionMode();
+    status.mirrored = mirrored_;
+    status.tipReport = desk_.tipReport();
+    status.warning = desk_.warning();
+    status.openings = desk_.openings();
+    status.tracked = desk_.heldTorch().tracked();
+    status.panel = desk_.panelOpen();
+    status.tip = tipStatus();
+    status.busyMs = desk_.busySeconds() * 1000;
     if (panel_ != nullptr)
         for (const auto& [name, place] : panel_->context().places)
-            if (panel_->context().inSight(place)) told.places.emplace(name, place);
-    return told;
+            if (panel_->context().inSight(place)) status.places.emplace(name, place);
+    return status;
 }
 
 } // namespace meltpool

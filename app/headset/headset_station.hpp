@@ -3,8 +3,8 @@
 
 #include "app/headset/headset_desk.hpp"
 #include "app/headset/headset_panel.hpp"
+#include "app/headset/headset_status.hpp"
 #include "app/session/session.hpp"
-#include "app/session/window_telemetry.hpp"
 
 #include <memory>
 #include <string>
@@ -19,33 +19,33 @@ class HeadsetStation {
     explicit HeadsetStation(const std::filesystem::path& folder);
 
     /// The headset's own values, for menus and the settings file.
-    const ui::Section& section() const { return section_; }
-    ui::Section& section() { return section_; }
+    const ParameterSection& section() const { return section_; }
+    ParameterSection& section() { return section_; }
 
     /// True while the headset wants a frame; `session` may be without a running lesson.
     bool begin(const Session& session, double elapsed) { return desk_.begin(session.bottom(), elapsed); }
     /// The torch for the lesson's steps where the hand leads it; empty: the mouse does.
     HeldTorchAt torch() const;
     /// Both eyes, and the panel where it is open. `figures` are shown on it. Answers what was asked for there.
-    ui::Request draw(Session& session, const ui::Figures& figures, double elapsed, gl::Profiler* profiler);
+    MenuRequest draw(Session& session, const LessonFigures& figures, double elapsed, gl::Profiler* profiler);
     void end() { desk_.end(); }
 
     /// Puts the trainee's view into the window where that is wished and there is one.
     bool mirror(glm::ivec2 pixels);
 
     /// For the window's telemetry.
-    HeadsetTold told() const;
+    HeadsetStatus status() const;
 
     HeadsetDesk& desk() { return desk_; }
     const HeadsetDesk& desk() const { return desk_; }
 
   private:
-    TipTold toldOfTip() const;
-    ui::Request drawPanel(Session& session, const ui::Figures& figures, double elapsed);
-    ui::Request panelContent(ui::Context& context, Session& session, const ui::Figures& figures);
+    TipStatus tipStatus() const;
+    MenuRequest drawPanel(Session& session, const LessonFigures& figures, double elapsed);
+    MenuRequest panelContent(ui::Context& context, Session& session, const LessonFigures& figures);
 
     HeadsetParameters parameters_;
-    ui::Section section_;
+    ParameterSection section_;
     HeadsetDesk desk_;
     std::unique_ptr<HeadsetPanel> panel_;
     int page_ = 0;

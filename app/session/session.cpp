@@ -15,12 +15,6 @@ namespace meltpool {
 
 namespace {
 
-ui::Section section(const char* name, ParameterList list) {
-    ui::Section made{name, std::move(list), {}};
-    made.defaults = ui::defaultTexts(made.parameters);
-    return made;
-}
-
 ParameterList startParameters(Lesson& lesson) {
     ParameterList list;
     for (const Parameter& p : lesson.model == LessonModel::Weld ? describe(lesson.workpiece) : describe(lesson.setup))
@@ -54,14 +48,14 @@ Lesson loadLesson(const std::string& name) {
 }
 
 LessonSections::LessonSections(Lesson& lesson)
-    : start(section("start", startParameters(lesson))),
-      view(section("view", describe(lesson.look))),
-      surface(section("surface", liveParameters(describe(lesson.surface)))),
-      simulation(section("simulation", liveParameters(lesson.model == LessonModel::Weld ? describe(lesson.process)
-                                                                                        : describe(lesson.metal)))) {}
+    : start("start", startParameters(lesson)),
+      view("view", describe(lesson.look)),
+      surface("surface", liveParameters(describe(lesson.surface))),
+      simulation("simulation", liveParameters(lesson.model == LessonModel::Weld ? describe(lesson.process)
+                                                                                : describe(lesson.metal))) {}
 
 void LessonSections::restoreDefaults() {
-    for (const ui::Section* each : all())
+    for (const ParameterSection* each : all())
         for (const auto& [key, text] : each->defaults)
             setParameter(each->parameters, key, text, each->name);
 }
@@ -168,7 +162,7 @@ void Session::draw(const Controls& controls, glm::ivec2 pixels, float shift, gl:
     renderer_.draw(scene, lesson_.look, views, {0, {0, 0, pixels.x, pixels.y}}, profiler);
 }
 
-void Session::fillFigures(ui::Figures& figures) const {
+void Session::fillFigures(LessonFigures& figures) const {
     if (!running()) return;
     const MetalStatistics& metal = trainer_->figures();
     figures.time = trainer_->time();

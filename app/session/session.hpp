@@ -2,8 +2,9 @@
 #pragma once
 
 #include "app/session/controls.hpp"
+#include "app/session/lesson_figures.hpp"
+#include "app/session/parameter_section.hpp"
 #include "app/session/step_clock.hpp"
-#include "app/session/ui/panels.hpp"
 #include "core/render/renderer.hpp"
 #include "core/training/trainer.hpp"
 
@@ -20,12 +21,12 @@ namespace meltpool {
 struct LessonSections {
     explicit LessonSections(Lesson& lesson);
 
-    ui::Section start; ///< what is chosen before the metal is made
-    ui::Section view;
-    ui::Section surface;
-    ui::Section simulation;
+    ParameterSection start; ///< what is chosen before the metal is made
+    ParameterSection view;
+    ParameterSection surface;
+    ParameterSection simulation;
 
-    std::vector<ui::Section*> all() { return {&start, &view, &surface, &simulation}; }
+    std::vector<ParameterSection*> all() { return {&start, &view, &surface, &simulation}; }
     void restoreDefaults();
 };
 
@@ -79,7 +80,7 @@ class Session {
 
     /// The fault that stopped the metal; empty while all is well.
     const std::string& fault() const { return fault_; }
-    void fillFigures(ui::Figures& figures) const;
+    void fillFigures(LessonFigures& figures) const;
     /// The torch of the last step. Only while running().
     const TorchSample& torch() const { return trainer_->torch(); }
     /// What the metal's temperature numbers mean. Only while running().

@@ -1,7 +1,7 @@
 // Every OpenGL call of the program is listened to, or what a frame costs beside the driver would be told too high, and
 // a call that waits might go unheard.
-#include "app/meter/frame_meter.hpp"
 #include "app/meter/gl_watch.hpp"
+#include "app/program/frame_meter.hpp"
 #include "core/base/text.hpp"
 #include "core/gl/buffer.hpp"
 #include "tests/support/catch.hpp"

@@ -45,7 +45,7 @@ void modeSign(Context& context, const Controls& controls, float left, float righ
     ImGui::PopFont();
 }
 
-ShortText figuresText(const Figures& f) {
+ShortText figuresText(const LessonFigures& f) {
     const double share = f.particles > 0 ? 100.0 * static_cast<double>(f.molten) / static_cast<double>(f.particles) : 0;
     const ShortText hottest = f.kelvin ? ShortText{niceNumber(std::round(f.hottest - 273.15)), " \xC2\xB0", "C"}
                                        : niceNumber(std::round(f.hottest * 100) / 100);
@@ -91,8 +91,8 @@ float barHeight(const Context& context) {
     return context.points(48);
 }
 
-Request topBar(Context& context, PanelState& panels, const Controls& controls, const std::string& lesson) {
-    Request request = Request::none;
+MenuRequest topBar(Context& context, PanelState& panels, const Controls& controls, const std::string& lesson) {
+    MenuRequest request = MenuRequest::none;
     beginBar(context, "top bar", 0);
     drawSign(*ImGui::GetWindowDrawList(), {context.points(28), barHeight(context) / 2}, context.points(28));
     ImGui::SetCursorPosX(context.points(50));
@@ -112,10 +112,10 @@ Request topBar(Context& context, PanelState& panels, const Controls& controls, c
     ImGui::SameLine();
     ImGui::SetCursorPosX(buttons);
     if (button(context, "bar.reset", "Reset", ButtonKind::plain, 86, "Metal and torch back to where they began (F5)"))
-        request = Request::reset;
+        request = MenuRequest::reset;
     ImGui::SameLine(0, context.points(6));
     if (button(context, "bar.restart", "Restart", ButtonKind::plain, 86, "Back to the start menu"))
-        request = Request::restart;
+        request = MenuRequest::restart;
     ImGui::SameLine(0, context.points(6));
     if (button(context, "bar.help", "Help", panels.help ? ButtonKind::lit : ButtonKind::plain, 86,
                ShortText{"All keys (F1). Lesson: ", lesson}.c_str()))
@@ -124,7 +124,7 @@ Request topBar(Context& context, PanelState& panels, const Controls& controls, c
     return request;
 }
 
-void statusBar(Context& context, const Figures& figures, const Controls& controls) {
+void statusBar(Context& context, const LessonFigures& figures, const Controls& controls) {
     const float height = barHeight(context);
     beginBar(context, "status bar", ImGui::GetIO().DisplaySize.y - height);
     ImGui::PushFont(context.fonts.small);

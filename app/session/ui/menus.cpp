@@ -41,8 +41,8 @@ struct Group {
     bool openAtFirst;
 };
 
-const Section* findSection(std::span<const Section* const> sections, std::string_view name) {
-    for (const Section* section : sections)
+const ParameterSection* findSection(std::span<const ParameterSection* const> sections, std::string_view name) {
+    for (const ParameterSection* section : sections)
         if (section->name == name) return section;
     return nullptr;
 }
@@ -54,7 +54,8 @@ bool stands(const Parameter& parameter, const Group& group) {
 
 /// Under a heading of its own whatever parameters of a section `belongs` says yes to; nothing where there are none.
 template <class Belongs>
-void drawGroup(Context& context, const Section& section, const char* title, bool openAtFirst, const Belongs& belongs) {
+void drawGroup(Context& context, const ParameterSection& section, const char* title, bool openAtFirst,
+               const Belongs& belongs) {
     if (std::none_of(section.parameters.begin(), section.parameters.end(), belongs)) return;
     if (!groupHeading(context, section.name, title, openAtFirst)) return;
     for (const Parameter& parameter : section.parameters)
@@ -62,7 +63,7 @@ void drawGroup(Context& context, const Section& section, const char* title, bool
 }
 
 /// A group's parameters in the group's order.
-void drawGroup(Context& context, const Section& section, const Group& group) {
+void drawGroup(Context& context, const ParameterSection& section, const Group& group) {
     const auto belongs = [&group](const Parameter& p) { return stands(p, group); };
     if (std::none_of(section.parameters.begin(), section.parameters.end(), belongs)) return;
     if (!groupHeading(context, section.name, group.title, group.openAtFirst)) return;
@@ -72,7 +73,7 @@ void drawGroup(Context& context, const Section& section, const Group& group) {
 }
 
 /// The groups in order, then under "More" whatever no group names.
-void drawGroups(Context& context, std::span<const Section* const> sections, std::span<const Group> groups) {
+void drawGroups(Context& context, std::span<const ParameterSection* const> sections, std::span<const Group> groups) {
     // The sections' keys are distinct where it matters: a value that stands in two menus has one key.
     const auto named = [&](const Parameter& p) {
         return std::any_of(groups.begin(), groups.end(), [&](const Group& group) {
@@ -81,13 +82,13 @@ void drawGroups(Context& context, std::span<const Section* const> sections, std:
     };
     bool anyNamed = false;
     for (const Group& group : groups) {
-        const Section* section = findSection(sections, group.section);
+        const ParameterSection* section = findSection(sections, group.section);
         if (section == nullptr) continue;
         anyNamed = anyNamed || std::any_of(section->parameters.begin(), section->parameters.end(),
                                            [&group](const Parameter& p) { return stands(p, group); });
         drawGroup(context, *section, group);
     }
-    for (const Section* section : sections) {
+    for (const ParameterSection* section : sections) {
         // A lesson of which no group knows any value shows them all.
         const ShortText title = anyNamed ? ShortText{"More: ", section->name} : ShortText("Process");
         drawGroup(context, *section, title.c_str(), !anyNamed,
@@ -136,19 +137,11 @@ void shortcutColumn(Context& context, const char* title, std::span<const Shortcu
 
 } // namespace
 
-ParameterList describe(PanelState& p) {
-    return {
-        {"view", "View menu", "", &p.view, 0, 1, "open at the start"},
-        {"simulation", "Simulation menu", "", &p.simulation, 0, 1, "open at the start"},
-        {"timings", "Timings", "", &p.timings, 0, 1, "open at the start"},
-    };
-}
-
 float panelReach(const Context& context) {
     return context.points(kPanelWidth + kPanelGap);
 }
 
-void viewMenu(Context& context, std::span<const Section* const> sections) {
+void viewMenu(Context& context, std::span<const ParameterSection* const> sections) {
     beginPanel(context, "view menu", Side::left);
     panelTitle(context, "View", "How the metal is shown. Nothing here changes what it does.");
     static constexpr std::array<Group, 6> kGroups{
@@ -165,7 +158,7 @@ void viewMenu(Context& context, std::span<const Section* const> sections) {
     ImGui::End();
 }
 
-void simulationMenu(Context& context, const Section& section, Controls& controls) {
+void simulationMenu(Context& context, const ParameterSection& section, Controls& controls) {
     beginPanel(context, "simulation menu", Side::right);
     panelTitle(context, "Simulation", "How the metal behaves. Everything takes effect at once.");
     bool cold = controls.source().cold();
@@ -181,12 +174,12 @@ void simulationMenu(Context& context, const Section& section, Controls& controls
           "Space and time",
           {"gravity", "wall_restitution", "wall_slip", "acceleration_limit", "time_step"},
           true}}};
-    const std::array<const Section*, 1> sections{&section};
+    const std::array<const ParameterSection*, 1> sections{&section};
     drawGroups(context, sections, kGroups);
     ImGui::End();
 }
 
-void timingsPanel(Context& context, const gl::Profiler& profiler, const Figures& figures, double frameMs,
+void timingsPanel(Context& context, const gl::Profiler& profiler, const LessonFigures& figures, double frameMs,
                   const std::string& driver, bool besideView) {
     beginPanel(context, "timings", besideView ? Side::leftBeside : Side::left);
     panelTitle(context, "Timings", driver.c_str());

@@ -2,7 +2,10 @@
 #pragma once
 
 #include "app/session/controls.hpp"
+#include "app/session/lesson_figures.hpp"
+#include "app/session/menu_state.hpp"
 #include "app/session/messages.hpp"
+#include "app/session/parameter_section.hpp"
 #include "app/session/ui/widgets.hpp"
 #include "core/gl/profiler.hpp"
 #include "core/render/scene.hpp"
@@ -13,50 +16,18 @@
 
 namespace meltpool::ui {
 
-/// Parameters that belong together, with the values they had before anyone touched them.
-struct Section {
-    std::string name; ///< starts the names of its controls, and is its table in the settings file
-    ParameterList parameters;
-    DefaultTexts defaults;
-};
-
-/// Which panels are open.
-struct PanelState {
-    bool view = false;
-    bool simulation = true;
-    bool timings = false;
-    bool help = false;
-    bool hidden = false; ///< everything out of the way of the picture
-};
-ParameterList describe(PanelState& panels);
-
-enum class Request { none, start, startWithDefaults, reset, restart };
-
-/// What the bars tell about the metal.
-struct Figures {
-    double time = 0;  ///< simulated seconds
-    double speed = 1; ///< simulated over real time
-    double framesPerSecond = 0;
-    size_t particles = 0;
-    size_t molten = 0;
-    double hottest = 0;   ///< 0..1, or K
-    bool kelvin = false;  ///< which of the two
-    size_t lost = 0;      ///< particles that left the box or became no number
-    size_t refused = 0;   ///< new particle states that were no number and were refused, since the reset
-    bool stopped = false; ///< the state is no longer finite and the simulation stands still
-};
-
 /// Width of the panels at the sides, with their gap to the picture; points.
 float panelReach(const Context& context);
 /// Height of the bars at the top and bottom, points.
 float barHeight(const Context& context);
 
-Request startMenu(Context& context, const Section& start, const std::string& task, const std::string& driver);
-Request topBar(Context& context, PanelState& panels, const Controls& controls, const std::string& lesson);
-void statusBar(Context& context, const Figures& figures, const Controls& controls);
-void viewMenu(Context& context, std::span<const Section* const> sections);
-void simulationMenu(Context& context, const Section& section, Controls& controls);
-void timingsPanel(Context& context, const gl::Profiler& profiler, const Figures& figures, double frameMs,
+MenuRequest startMenu(Context& context, const ParameterSection& start, const std::string& task,
+                      const std::string& driver);
+MenuRequest topBar(Context& context, PanelState& panels, const Controls& controls, const std::string& lesson);
+void statusBar(Context& context, const LessonFigures& figures, const Controls& controls);
+void viewMenu(Context& context, std::span<const ParameterSection* const> sections);
+void simulationMenu(Context& context, const ParameterSection& section, Controls& controls);
+void timingsPanel(Context& context, const gl::Profiler& profiler, const LessonFigures& figures, double frameMs,
                   const std::string& driver, bool besideView);
 void helpOverlay(Context& context, bool& open);
 /// Messages at the top, between what panels cover at the left and right (points); a click takes one away.

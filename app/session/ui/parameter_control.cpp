@@ -212,13 +212,6 @@ struct Draw {
 
 } // namespace
 
-DefaultTexts defaultTexts(const ParameterList& list) {
-    DefaultTexts texts;
-    for (const Parameter& p : list)
-        texts[std::string(p.key)] = parameterText(p);
-    return texts;
-}
-
 bool parameterControl(Context& context, std::string_view prefix, const Parameter& parameter,
                       const DefaultTexts& defaults) {
     const ShortText name{prefix, ".", parameter.key};

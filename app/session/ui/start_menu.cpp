@@ -105,7 +105,7 @@ void introduction(Context& context, const std::string& task) {
 
 /// The values, in a part of their own that scrolls where there are more than the window has room for: the buttons below
 /// stay in sight.
-void values(Context& context, const Section& start, float screenHeight) {
+void values(Context& context, const ParameterSection& start, float screenHeight) {
     const float room = std::max(context.points(120), screenHeight - context.points(350));
     const float height = std::min(context.startValuesHeight, room);
     ImGui::BeginChild("values", {0, height > 0 ? height : room});
@@ -147,7 +147,8 @@ void drawBackdrop(float width, float height) {
     drawGlow(draw, {width * 0.5f, height * 1.05f}, height * 0.45f, IM_COL32(255, 190, 110, 60));
 }
 
-Request startMenu(Context& context, const Section& start, const std::string& task, const std::string& driver) {
+MenuRequest startMenu(Context& context, const ParameterSection& start, const std::string& task,
+                      const std::string& driver) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     drawBackdrop(screen.x, screen.y);
     const float width = std::min(context.points(600), screen.x - context.points(24));
@@ -162,14 +163,14 @@ Request startMenu(Context& context, const Section& start, const std::string& tas
     ImGui::Dummy({0, context.points(10)});
     values(context, start, screen.y);
     ImGui::Dummy({0, context.points(8)});
-    Request request = Request::none;
+    MenuRequest request = MenuRequest::none;
     const float half = (ImGui::GetContentRegionAvail().x / context.scale - 12) / 2;
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {context.points(12), context.points(11)});
-    if (button(context, "start.start", "Start", ButtonKind::main, half)) request = Request::start;
+    if (button(context, "start.start", "Start", ButtonKind::main, half)) request = MenuRequest::start;
     ImGui::SameLine(0, context.points(12));
     if (button(context, "start.defaults", "Start with defaults", ButtonKind::plain, half,
                "Forget the values above and use the ones the program came with"))
-        request = Request::startWithDefaults;
+        request = MenuRequest::startWithDefaults;
     ImGui::PopStyleVar();
     ImGui::Dummy({0, context.points(2)});
     quietText(context, driver);

@@ -1,6 +1,7 @@
 // The interface's own controls, made from parameter descriptions: sliders, switches, choices, buttons.
 #pragma once
 
+#include "app/session/parameter_section.hpp"
 #include "app/session/ui/short_text.hpp"
 #include "app/session/ui/theme.hpp"
 #include "core/base/parameter.hpp"
@@ -38,10 +39,6 @@ struct Context {
 
 /// Notes the last item's place under `name` when it is in sight.
 void markItem(Context& context, std::string_view name);
-
-/// A parameter's values before anyone touched them, by key, so that a control can offer the way back.
-using DefaultTexts = std::map<std::string, std::string, std::less<>>;
-DefaultTexts defaultTexts(const ParameterList& list);
 
 /// Draws one parameter with label, value, unit and tooltip; true when it was changed. `prefix` starts its name among
 /// the places.

@@ -1,4 +1,4 @@
-#include "app/session/window_telemetry.hpp"
+#include "app/desktop/window_telemetry.hpp"
 
 #include "core/base/error.hpp"
 
@@ -33,7 +33,7 @@ json torch(const TorchSample& torch) {
 }
 
 json metal(const TelemetryRow& row) {
-    const ui::Figures& f = row.figures;
+    const LessonFigures& f = row.figures;
     return {{"time", f.time},     {"steps", row.steps},   {"particles", f.particles},
             {"molten", f.molten}, {"hottest", f.hottest}, {"stopped", f.stopped},
             {"lost", f.lost},     {"refused", f.refused}, {"speed", f.speed}};
@@ -41,7 +41,7 @@ json metal(const TelemetryRow& row) {
 
 json parameters(const TelemetryRow& row) {
     json all = json::object();
-    for (const ui::Section* section : row.sections)
+    for (const ParameterSection* section : row.sections)
         for (const Parameter& p : section->parameters)
             all[section->name][std::string(p.key)] = parameterText(p);
     return all;
@@ -54,13 +54,13 @@ json places(const ui::Context& context) {
     return all;
 }
 
-json tip(const TipTold& told) {
+json tip(const TipStatus& told) {
     return {{"action", told.action},       {"ahead_mm", told.aheadMm},  {"nearest_mm", told.nearestMm},
             {"liquid", told.liquid},       {"touching", told.touching}, {"amplitude", told.amplitude},
             {"frequency", told.frequency}, {"touches", told.touches},   {"pulses", told.pulses}};
 }
 
-json headset(const HeadsetTold& told) {
+json headset(const HeadsetStatus& told) {
     json places = json::object();
     for (const auto& [name, place] : told.places)
         places[name] = {place.x, place.y, place.width, place.height};

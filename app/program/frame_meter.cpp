@@ -1,4 +1,4 @@
-#include "app/meter/frame_meter.hpp"
+#include "app/program/frame_meter.hpp"
 
 #include <algorithm>
 

@@ -1,0 +1,56 @@
+// What the window tells a test or an observer: one JSON object a line, the newest last.
+#pragma once
+
+#include "app/headset/headset_status.hpp"
+#include "app/program/frame_meter.hpp"
+#include "app/session/controls.hpp"
+#include "app/session/lesson_figures.hpp"
+#include "app/session/menu_state.hpp"
+#include "app/session/messages.hpp"
+#include "app/session/ui/widgets.hpp"
+#include "core/weld/torch/torch_sample.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace meltpool {
+
+/// Everything a row is made of; borrowed for the call.
+struct TelemetryRow {
+    std::string page; ///< "start" or "running"
+    double seconds = 0;
+    long long frame = 0;
+    size_t steps = 0;  ///< simulation steps since the start or the last reset
+    TorchSample torch; ///< of the last step
+    const Controls& controls;
+    const PanelState& panels;
+    const LessonFigures& figures;
+    const std::vector<const ParameterSection*>& sections;
+    const std::vector<std::string>& passes; ///< names of the timed GPU passes
+    const Messages& messages;
+    const ui::Context& context;
+    glm::ivec2 size{0};     ///< window, points
+    glm::ivec2 pixels{0};   ///< frame buffer
+    std::string screenshot; ///< the last picture saved
+    HeadsetStatus headset;
+    const FrameMeter& meter; ///< what the frames before this row cost
+};
+
+class WindowTelemetry {
+  public:
+    /// Throws InputError when the file cannot be written. An empty name writes nothing.
+    explicit WindowTelemetry(const std::filesystem::path& file);
+
+    bool enabled() const { return file_.is_open(); }
+    /// True when it is time for another row: at most 20 a second.
+    bool due(double now);
+    void write(const TelemetryRow& row);
+
+  private:
+    std::ofstream file_;
+    double next_ = 0;
+};
+
+} // namespace meltpool

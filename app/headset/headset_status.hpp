@@ -1,0 +1,39 @@
+// What the window's telemetry says about the headset.
+#pragma once
+
+#include "app/session/ui/widgets.hpp"
+
+#include <map>
+#include <string>
+
+namespace meltpool {
+
+/// What happens at the tip of the torch in the hand, and what the hand feels.
+struct TipStatus {
+    std::string action = "idle"; ///< "burning", "shorting", "stubbed", "breaking"
+    double aheadMm = 0;          ///< to the metal along the torch's axis; infinite (null): none
+    double nearestMm = 0;
+    double liquid = 0;
+    bool touching = false;
+    double amplitude = 0;
+    double frequency = 0;
+    unsigned touches = 0; ///< since the start
+    unsigned pulses = 0;  ///< sent to the controller since the headset was opened
+};
+
+/// What the headset does; as at first where none is looked for.
+struct HeadsetStatus {
+    std::string state = "off"; ///< "searching", "asleep", "running", "stalled", "ended"
+    std::string mode; ///< of the session: "waiting", "synchronized", "visible", "focused"; empty: there is none
+    std::string warning;
+    std::string tipReport; ///< what measuring the torch's tip wants or has found
+    bool mirrored = false; ///< the window shows the trainee's eye
+    int openings = 0;
+    bool tracked = false; ///< the torch's hand
+    bool panel = false;
+    TipStatus tip;
+    double busyMs = 0;                       ///< CPU time of the last headset frame without the runtime's waiting
+    std::map<std::string, ui::Place> places; ///< controls on the panel, its pixels
+};
+
+} // namespace meltpool

@@ -1,0 +1,23 @@
+// Parameters that belong together: a menu's group, a table of the settings file.
+#pragma once
+
+#include "core/base/parameter.hpp"
+
+#include <map>
+#include <string>
+
+namespace meltpool {
+
+/// A parameter's values before anyone touched them, as text by key, so that a control can offer the way back.
+using DefaultTexts = std::map<std::string, std::string, std::less<>>;
+
+struct ParameterSection {
+    /// The defaults are the values that the parameters hold now.
+    ParameterSection(std::string theName, ParameterList list);
+
+    std::string name; ///< begins the names of its controls, and is its table in the settings file
+    ParameterList parameters;
+    DefaultTexts defaults;
+};
+
+} // namespace meltpool
