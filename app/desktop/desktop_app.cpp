@@ -1,7 +1,7 @@
 #include "app/desktop/desktop_app.hpp"
 
 #include "app/desktop/screenshot.hpp"
-#include "app/meter/gl_watch.hpp"
+#include "app/program/call_counters.hpp"
 #include "core/base/error.hpp"
 #include "core/base/resources.hpp"
 
@@ -54,7 +54,7 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
     }
     if (options_.headset != HeadsetUse::off) headset_.emplace(settingsFolder());
     session_.record(options_.record);
-    if (telemetry_.enabled()) watchGl();
+    if (telemetry_.enabled()) callsCounted_ = joinCallCounters();
     readSettings();
     window_.resize({windowParameters_.width, windowParameters_.height}, windowParameters_.maximised);
     window_.show();
@@ -375,7 +375,7 @@ void DesktopApp::tellTelemetry() {
     telemetry_.write({session_.running() ? "running" : "start", now(), frames_, session_.steps(),
                       session_.running() ? session_.torch() : TorchSample{}, controls_, panels_, figures_, sections,
                       passes, messages_, interface_.context(), window_.size(), window_.pixels(), screenshot_,
-                      headset_ ? headset_->status() : HeadsetStatus{}, meter_});
+                      headset_ ? headset_->status() : HeadsetStatus{}, meter_, callsCounted_});
     meter_.resume();
 }
 

@@ -78,6 +78,7 @@ class DesktopApp {
     std::optional<HeadsetStation> headset_;
     gl::Profiler profiler_;
     FrameMeter meter_;
+    bool callsCounted_ = false; ///< the meter knows of allocations, stalls and the driver
     /// Where the kept values of the ordinary lesson live while another one runs.
     std::optional<Lesson> keptLesson_;
     std::optional<LessonSections> keptSections_;

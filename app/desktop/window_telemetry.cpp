@@ -75,19 +75,23 @@ json frameWork(const FrameMeter& meter, FrameWork work) {
     return {{"last", meter.lastMs(work)}, {"least", meter.leastMs(work)}, {"median", meter.medianMs(work)}};
 }
 
-json frameCosts(const FrameMeter& meter) {
+/// `counted`: call counters are loaded; without them there is nothing to say about what only they see.
+json frameCosts(const FrameMeter& meter, bool counted) {
     const FrameMeter::Totals& totals = meter.totals();
-    return {{"frames", totals.frames},
-            {"own_ms", frameWork(meter, FrameWork::own)},
-            {"runtime_cpu_ms", frameWork(meter, FrameWork::runtime)},
-            {"outside_ms", frameWork(meter, FrameWork::outside)},
-            {"driver_ms", meter.lastMs(WorkPlace::driver)},
-            {"runtime_ms", meter.lastMs(WorkPlace::runtime)},
-            {"waiting_ms", meter.lastMs(WorkPlace::waiting)},
-            {"allocations", totals.allocations},
-            {"allocating_frames", totals.framesThatAllocated},
-            {"stalls", totals.stalls},
-            {"last_stall", totals.lastStall}};
+    json costs{{"frames", totals.frames},
+               {"counted", counted},
+               {"own_ms", frameWork(meter, FrameWork::own)},
+               {"runtime_cpu_ms", frameWork(meter, FrameWork::runtime)},
+               {"outside_ms", frameWork(meter, FrameWork::outside)},
+               {"runtime_ms", meter.lastMs(WorkPlace::runtime)},
+               {"waiting_ms", meter.lastMs(WorkPlace::waiting)}};
+    if (!counted) return costs;
+    costs["driver_ms"] = meter.lastMs(WorkPlace::driver);
+    costs["allocations"] = totals.allocations;
+    costs["allocating_frames"] = totals.framesThatAllocated;
+    costs["stalls"] = totals.stalls;
+    costs["last_stall"] = totals.lastStall;
+    return costs;
 }
 
 json messageTexts(const Messages& messages) {
@@ -139,7 +143,7 @@ void WindowTelemetry::write(const TelemetryRow& row) {
         {"places", places(row.context)},
         {"screenshot", row.screenshot},
         {"headset", headset(row.headset)},
-        {"frame_costs", frameCosts(row.meter)},
+        {"frame_costs", frameCosts(row.meter, row.callsCounted)},
     };
     // Bytes of a message need not be UTF-8 (a path, a driver's log); they are replaced, not refused.
     file_ << object.dump(-1, ' ', false, json::error_handler_t::replace) << std::endl;

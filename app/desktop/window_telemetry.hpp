@@ -35,7 +35,8 @@ struct TelemetryRow {
     glm::ivec2 pixels{0};   ///< frame buffer
     std::string screenshot; ///< the last picture saved
     HeadsetStatus headset;
-    const FrameMeter& meter; ///< what the frames before this row cost
+    const FrameMeter& meter;   ///< what the frames before this row cost
+    bool callsCounted = false; ///< the meter knows of allocations, stalls and the driver
 };
 
 class WindowTelemetry {

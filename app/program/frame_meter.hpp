@@ -1,5 +1,5 @@
-// What a frame of the running trainer costs the processor: its own work and calling the headset's runtime, beside the
-// driver; what it asks of the heap, and whether it ever stands still for the GPU.
+// What a frame of the running trainer costs the processor. Where the tests' call counters are loaded also how often it
+// asks the heap and waits for the GPU, and the graphics driver's share.
 #pragma once
 
 #include "core/base/work_meter.hpp"
@@ -11,15 +11,15 @@ namespace meltpool {
 
 /// The processor's time of a frame for ...
 enum class FrameWork {
-    own,     ///< the frame's thread outside driver and runtime
+    own,     ///< the frame's thread outside the runtime, and outside the driver where call counters tell it apart
     runtime, ///< calling the headset's runtime: every call but xrWaitFrame, and what stands around them on their thread
-    outside, ///< their sum: all that is outside OpenGL and xrWaitFrame
+    outside, ///< their sum
 };
 constexpr size_t kFrameWorks = 3;
 
 class FrameMeter {
   public:
-    /// Costs of frames so far.
+    /// Costs of frames so far. All but the number of frames stay 0 without call counters.
     struct Totals {
         unsigned frames = 0;
         unsigned framesThatAllocated = 0;

@@ -47,7 +47,7 @@ void WorkMeter::begin() {
     stalls_ = 0;
     ownAllocations_ = 0;
     elsewhere_ = {};
-    allocationsBefore_ = allocationsHere;
+    allocationsBefore_ = countAllocations_();
     place_ = WorkPlace::own;
     current_ = this;
     windowCpuSince_ = threadSeconds();
@@ -68,8 +68,9 @@ void WorkMeter::change(WorkPlace next) {
     spent_[here] += seconds;
     window_[here] += seconds;
     ++looks_[here];
-    if (place_ == WorkPlace::own) ownAllocations_ += allocationsHere - allocationsBefore_;
-    allocationsBefore_ = allocationsHere;
+    const std::uint64_t allocations = countAllocations_();
+    if (place_ == WorkPlace::own) ownAllocations_ += allocations - allocationsBefore_;
+    allocationsBefore_ = allocations;
     since_ = now;
     const bool sleep = place_ != next && (sleeps(place_) || sleeps(next));
     if (sleep || now - windowSince_ >= kWindow) closeWindow();

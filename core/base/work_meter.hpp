@@ -12,9 +12,6 @@ namespace meltpool {
 enum class WorkPlace { own, driver, runtime, waiting };
 constexpr size_t kWorkPlaces = 4;
 
-/// Requests of this thread to the heap through operator new, where the program counts them (app/meter); else 0.
-inline thread_local std::uint64_t allocationsHere = 0;
-
 /// What another thread did for the one that is measured.
 struct WorkElsewhere {
     double cpuSeconds = 0; ///< the processor's time, without drivers and without waiting
@@ -40,7 +37,7 @@ class WorkMeter {
     /// The processor's time since begin(), s, less what measuring it took. Where the system does not tell a thread's
     /// time, as seconds().
     double cpuSeconds(WorkPlace place) const;
-    /// Requests to the heap since begin() by work of our own: drivers and runtimes do as they like.
+    /// Requests to the heap since begin() by work of our own, not by drivers and runtimes; 0 where nothing counts them.
     std::uint64_t ownAllocations() const { return ownAllocations_; }
     /// Calls since begin() after which the thread stood still until the GPU had got somewhere, and the last one's name.
     unsigned stalls() const { return stalls_; }
@@ -56,6 +53,19 @@ class WorkMeter {
 
     /// The thread's meter, or nullptr.
     static WorkMeter* current() { return current_; }
+
+    /// From here on the thread's time belongs to `place`; what is called while waiting counts as waiting. Answers where
+    /// it belonged before, for leave().
+    WorkPlace enter(WorkPlace place) {
+        const WorkPlace before = place_;
+        if (before != WorkPlace::waiting) change(place);
+        return before;
+    }
+    void leave(WorkPlace before) { change(before); }
+
+    /// `count` answers how often the calling thread has asked the heap so far. For all meters that begin later; the
+    /// program itself does not count.
+    static void countAllocationsBy(std::uint64_t (*count)()) { countAllocations_ = count; }
     void stalled(const char* call) {
         ++stalls_;
         lastStall_ = call;
@@ -64,7 +74,6 @@ class WorkMeter {
     static constexpr std::chrono::microseconds kWindow{100};
 
   private:
-    friend class InWork;
     using Clock = std::chrono::steady_clock;
     using Shares = std::array<double, kWorkPlaces>;
 
@@ -72,6 +81,7 @@ class WorkMeter {
     void closeWindow();
 
     static inline thread_local WorkMeter* current_ = nullptr;
+    static inline std::uint64_t (*countAllocations_)() = [] { return std::uint64_t{0}; };
     Shares spent_{};
     Shares cpu_{};
     Shares window_{};                           ///< of the clock, in the window that is open
@@ -90,13 +100,11 @@ class WorkMeter {
 /// While it lives the thread's time belongs to `place`; what is called while waiting counts as waiting.
 class InWork {
   public:
-    explicit InWork(WorkPlace place) : meter_(WorkMeter::current_) {
-        if (meter_ == nullptr) return;
-        before_ = meter_->place_;
-        if (before_ != WorkPlace::waiting) meter_->change(place);
+    explicit InWork(WorkPlace place) : meter_(WorkMeter::current()) {
+        if (meter_ != nullptr) before_ = meter_->enter(place);
     }
     ~InWork() {
-        if (meter_ != nullptr) meter_->change(before_);
+        if (meter_ != nullptr) meter_->leave(before_);
     }
     InWork(const InWork&) = delete;
     InWork& operator=(const InWork&) = delete;

@@ -1,5 +1,5 @@
-// What a frame costs while a headset is in use: nothing of the heap, no standing still for the GPU. How long it takes
-// is told, not judged.
+// A frame in the headset allocates nothing and never waits for the GPU. How long it takes is printed, not judged.
+#if defined(MELTPOOL_CALL_COUNTERS) // sanitizer builds have none
 #include "tests/support/catch.hpp"
 #include "tests/xr/trainee.hpp"
 
@@ -18,6 +18,7 @@ void checkFrames(TrainerProcess& trainer, const std::string& when, int count) {
     passFrames(trainer, count);
     const json after = trainer.now()["frame_costs"];
     const int frames = after["frames"].get<int>() - before["frames"].get<int>();
+    REQUIRE(after["counted"] == true);
     const int allocating = after["allocating_frames"].get<int>() - before["allocating_frames"].get<int>();
     const int stalls = after["stalls"].get<int>() - before["stalls"].get<int>();
     const auto ms = [&](const char* what) {
@@ -29,24 +30,26 @@ void checkFrames(TrainerProcess& trainer, const std::string& when, int count) {
     WARN(when << ", " << frames << " frames: own work " << ms("own_ms") << "; calling the runtime "
               << ms("runtime_cpu_ms") << "; both " << ms("outside_ms") << "; the last one: driver "
               << after["driver_ms"] << ", runtime " << after["runtime_ms"] << ", waiting " << after["waiting_ms"]
-              << " ms; " << allocating << " frames asked the heap, " << stalls << " stalls");
+              << " ms; " << allocating << " frames allocated, " << stalls << " stalls");
     INFO(after.dump());
     CHECK(frames >= count);
     CHECK(allocating == 0);
     CHECK(stalls == 0);
+    CHECK(after["driver_ms"] > 0);
     CHECK(after["runtime_cpu_ms"]["least"] > 0);
     CHECK(after["outside_ms"]["least"] > after["own_ms"]["least"]);
 }
 
 } // namespace
 
-TEST_CASE("a frame in the headset asks nothing of the heap and never waits for the GPU", "[runtime]") {
+TEST_CASE("a frame in the headset allocates nothing and never waits for the GPU", "[runtime]") {
     handGeometry();
     const std::filesystem::path folder = benchFolder() / "frames";
     Trainee trainee;
-    // Recorded, which costs the heap nothing either.
+    // The recording allocates nothing either.
     TrainerProcess trainer(
-        folder, {"--headset", "--lesson", smallLesson(folder).string(), "--record", (folder / "record.csv").string()});
+        folder, {"--headset", "--lesson", smallLesson(folder).string(), "--record", (folder / "record.csv").string()},
+        {}, MELTPOOL_CALL_COUNTERS);
     REQUIRE(trainer.waitFor(running, 30));
     REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["tracked"] == true; }, 5));
     trainee.lookDown();
@@ -62,13 +65,13 @@ TEST_CASE("a frame in the headset asks nothing of the heap and never waits for t
     CHECK(trainer.stop() == 0);
 }
 
-TEST_CASE("a frame of a weld asks nothing of the heap either", "[runtime]") {
+TEST_CASE("a frame of a weld allocates nothing either", "[runtime]") {
     handGeometry();
     const std::filesystem::path folder = benchFolder() / "weld frames";
     Trainee trainee;
     trainee.bottom = -0.010f; // 4 mm of plate over 6 mm of supports
     trainee.held = glm::angleAxis(-1.4f, glm::vec3(1, 0, 0));
-    TrainerProcess trainer(folder, {"--headset", "--lesson", plateLesson(folder).string()});
+    TrainerProcess trainer(folder, {"--headset", "--lesson", plateLesson(folder).string()}, {}, MELTPOOL_CALL_COUNTERS);
     REQUIRE(trainer.waitFor(running, 60));
     trainee.lookDown();
     trainee.aim({0, 0.003f, 0}, 1.0f);
@@ -78,3 +81,5 @@ TEST_CASE("a frame of a weld asks nothing of the heap either", "[runtime]") {
     checkFrames(trainer, "welding a plate", 20);
     CHECK(trainer.stop() == 0);
 }
+
+#endif

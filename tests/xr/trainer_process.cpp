@@ -29,7 +29,7 @@ std::vector<std::string> launched(const fs::path& program, const std::vector<std
     return words;
 }
 
-int start(const std::vector<std::string>& arguments, const fs::path& folder) {
+int start(const std::vector<std::string>& arguments, const fs::path& folder, const std::string& preload) {
     const std::vector<std::string> words = launched(fs::path(MELTPOOL_BINARY_FOLDER) / "bin" / "meltpool", arguments);
     std::vector<char*> pointers;
     for (const std::string& word : words)
@@ -41,6 +41,7 @@ int start(const std::vector<std::string>& arguments, const fs::path& folder) {
         setenv("XDG_CONFIG_HOME", folder.c_str(), 1);
         setenv("XR_CORE_VALIDATION_FILE_NAME", (folder / "validation.txt").c_str(), 1);
     }
+    if (!preload.empty()) setenv("LD_PRELOAD", preload.c_str(), 1);
     const int log = open((benchFolder() / "program.log").c_str(), O_WRONLY | O_CREAT | O_APPEND, 0644);
     dup2(log, 1);
     dup2(log, 2);
@@ -56,14 +57,15 @@ int waitForEnd(int pid) {
 
 } // namespace
 
-TrainerProcess::TrainerProcess(fs::path folder, std::vector<std::string> arguments, const std::string& headset)
+TrainerProcess::TrainerProcess(fs::path folder, std::vector<std::string> arguments, const std::string& headset,
+                               const std::string& preload)
     : folder_(std::move(folder)) {
     fs::create_directories(folder_ / "meltpool");
     writeTextFileAtomically(folder_ / "meltpool" / "settings.toml", "[headset]\nresolution_scale = 0.4\nsamples = 1\n" +
                                                                         headset +
                                                                         "[window]\nwidth = 640\nheight = 480\n");
     arguments.insert(arguments.end(), {"--telemetry", (folder_ / "window.jsonl").string()});
-    pid_ = start(arguments, folder_);
+    pid_ = start(arguments, folder_, preload);
 }
 
 TrainerProcess::~TrainerProcess() {
@@ -133,7 +135,7 @@ std::string TrainerProcess::misuses() const {
 }
 
 int runTrainer(const std::vector<std::string>& arguments) {
-    return waitForEnd(start(arguments, {}));
+    return waitForEnd(start(arguments, {}, {}));
 }
 
 } // namespace meltpool::test

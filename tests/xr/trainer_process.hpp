@@ -15,8 +15,9 @@ namespace meltpool::test {
 class TrainerProcess {
   public:
     /// Starts `meltpool ARGUMENTS --telemetry ...` with settings of its own (small pictures, so that a software driver
-    /// keeps up). `headset`: further lines of its [headset] settings.
-    TrainerProcess(std::filesystem::path folder, std::vector<std::string> arguments, const std::string& headset = {});
+    /// keeps up). `headset`: further lines of its [headset] settings. `preload`: library that is loaded before it.
+    TrainerProcess(std::filesystem::path folder, std::vector<std::string> arguments, const std::string& headset = {},
+                   const std::string& preload = {});
     ~TrainerProcess();
     TrainerProcess(const TrainerProcess&) = delete;
     TrainerProcess& operator=(const TrainerProcess&) = delete;
