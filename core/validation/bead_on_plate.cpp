@@ -97,13 +97,8 @@ ArcPressure pressureAt(const Bead& b, float x) {
 
 /// The measured stretch: where the pool has settled, and well before its end. Fed metal lies in waves, so it is long.
 SectionCut cutOf(const Bead& b, const Material& material) {
-    SectionCut cut;
     const double path = static_cast<double>(b.end - b.start);
-    cut.from = static_cast<double>(b.start) + 0.35 * path;
-    cut.to = static_cast<double>(b.start) + 0.8 * path;
-    cut.thickness = static_cast<double>(b.thickness);
-    cut.fusion = 0.5 * (material.solidus + material.liquidus);
-    return cut;
+    return sectionCut(material, static_cast<double>(b.start) + 0.35 * path, static_cast<double>(b.start) + 0.8 * path);
 }
 
 /// Without wire the surface stays where it is: heat alone, on the lattice.
@@ -114,14 +109,15 @@ Section burnIn(const ValidationCase& from, gl::ShaderLibrary& shaders, const Bea
     // would take power that a stirred pool keeps: the fitted efficiency stands for what evaporates.
     HeatSettings settings = surroundings(b);
     settings.evaporation = false;
-    HeatBench bench(shaders, lattice, material, plateOf(b, lattice), settings);
+    const std::vector<MetalSeed> plate = plateOf(b, lattice);
+    HeatBench bench(shaders, lattice, material, plate, settings);
     const double duration = static_cast<double>((b.end - b.start) / b.speed);
     result.particles = bench.state.particles();
     constexpr double kHottest = 3500;
     result.steps = bench.run(0, duration, kHottest, [&](double time) {
         return std::vector{arcAt(b, b.start + b.speed * static_cast<float>(time))};
     });
-    return measureSection(bench.state, cutOf(b, material));
+    return measureSection(bench.state, plate, cutOf(b, material));
 }
 
 /// The deposited section has a bound of its own, whatever the case's tolerance.
@@ -161,12 +157,10 @@ Section deposit(const ValidationCase& from, gl::ShaderLibrary& shaders, const Be
     }
     result.particles = metal.state().particles();
     result.tell("refused_filler", static_cast<double>(metal.refusedFiller()));
-    const Section section = measureSection(metal.state(), cutOf(b, setup.material));
+    const Section section = measureSection(metal.state(), setup.seeds, cutOf(b, setup.material));
     // The bead is thin where it begins and humps after it: on a short plate no stretch has the mean section.
-    SectionCut whole;
-    whole.to = static_cast<double>(b.length);
-    whole.thickness = static_cast<double>(b.thickness);
-    const double volume = measureSection(metal.state(), whole).deposited * static_cast<double>(b.length);
+    const SectionCut whole = sectionCut(setup.material, 0, static_cast<double>(b.length));
+    const double volume = measureSection(metal.state(), setup.seeds, whole).deposited * static_cast<double>(b.length);
     result.compareExact(withinThree(from), "deposited_mm2", b.wireRate / static_cast<double>(b.speed) * 1e6,
                         volume / static_cast<double>(b.end - b.start) * 1e6);
     return section;
@@ -185,15 +179,17 @@ void runBeadOnPlate(const ValidationCase& from, gl::ShaderLibrary& shaders, Vali
     const double count = (static_cast<double>(b.length * b.thickness * b.width) + wire) / std::pow(from.spacing, 3);
     requireRoom(from, {cells, count, fed ? count : 0, fed ? cells : 0});
     const Section section = fed ? deposit(from, shaders, b, result) : burnIn(from, shaders, b, result);
-    result.compareMeasured(from, "width_mm", section.width * 1e3);
-    result.compareMeasured(from, "penetration_mm", section.penetration * 1e3);
+    result.compareMeasured(from, "width_mm", section.fusion.width * 1e3);
+    result.compareMeasured(from, "penetration_mm", section.fusion.depth * 1e3);
     if (fed) {
-        result.compareMeasured(from, "height_mm", section.height * 1e3);
+        result.compareMeasured(from, "height_mm", section.height.value_or(0) * 1e3);
         result.compareMeasured(from, "section_mm2", section.deposited * 1e6);
     }
-    result.tell("fused_plate_mm2", section.fused * 1e6);
-    result.tell("heat_affected_width_mm", section.heatAffectedWidth * 1e3);
-    result.tell("heat_affected_depth_mm", section.heatAffectedDepth * 1e3);
+    result.tell("fused_plate_mm2", section.fusion.area * 1e6);
+    if (section.heatAffected) {
+        result.tell("heat_affected_width_mm", section.heatAffected->width * 1e3);
+        result.tell("heat_affected_depth_mm", section.heatAffected->depth * 1e3);
+    }
 }
 
 } // namespace meltpool

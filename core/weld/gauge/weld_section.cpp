@@ -1,138 +1,264 @@
 #include "core/weld/gauge/weld_section.hpp"
 
+#include "core/base/error.hpp"
+#include "core/weld/gauge/section_slice.hpp"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 namespace meltpool {
 
 namespace {
 
-/// The plate's highest temperatures in one slice across x; rows down from the surface, columns across.
-struct Slice {
-    Slice(int down, int across) : rows(down), columns(across), peak(static_cast<size_t>(down * across), kGone) {}
+constexpr std::array<glm::ivec2, 2> kSides{{{0, 1}, {1, 0}}}; ///< up, towards the welder
+constexpr int kNoRow = -1;
 
-    static constexpr double kGone = std::numeric_limits<double>::infinity(); ///< molten and left its cell
-    double& at(int row, int column) { return peak[static_cast<size_t>(row * columns + column)]; }
-    double at(int row, int column) const { return peak[static_cast<size_t>(row * columns + column)]; }
+/// The state's particles, read back.
+struct Particles {
+    Particles(const MetalState& state, size_t originals)
+        : positions(state.position.read<vec4>(state.particles())),
+          heats(state.heat.read<vec4>(state.particles())),
+          phases(state.phase.read<uint>(state.particles())) {
+        if (originals > positions.size())
+            throw RuntimeFault("a section of a metal with " + std::to_string(positions.size()) +
+                               " particles cannot be measured; expected the " + std::to_string(originals) +
+                               " of the workpiece among them");
+    }
 
-    int rows, columns;
-    std::vector<double> peak;
+    std::vector<vec4> positions, heats;
+    std::vector<uint> phases;
 };
 
-/// Where a row of values that begins inside the hot zone falls below `level`, in cells from the first one's middle.
-/// Nothing when even the first is colder.
-std::optional<double> crossing(const std::vector<double>& values, double level) {
-    if (values.empty() || values[0] < level) return std::nullopt;
-    for (size_t i = 1; i < values.size(); ++i) {
-        if (values[i] >= level) continue;
-        const double place = static_cast<double>(i);
-        if (std::isfinite(values[i - 1])) return place - (level - values[i]) / (values[i - 1] - values[i]);
-        // The hotter cell is gone: go on towards its middle with a slope that grows as it did over the three before it.
-        const double slope = i + 1 < values.size() ? values[i] - values[i + 1] : 0;
-        const double before = i + 2 < values.size() ? values[i + 1] - values[i + 2] : 0;
-        const double steeper = before > 0 ? std::max(slope, slope * slope / before) : slope;
-        return place - (slope > 0 ? std::min(1.0, (level - values[i]) / steeper) : 0.5);
+/// The row that all columns with a row have in common.
+std::optional<int> commonRow(const std::vector<int>& rows) {
+    std::optional<int> common;
+    for (const int row : rows) {
+        if (row == kNoRow) continue;
+        if (common && *common != row) return std::nullopt;
+        common = row;
     }
-    return static_cast<double>(values.size()) - 0.5;
+    return common;
 }
 
-/// Depth (cells) of the zone above `level` below the surface, and its width at the surface.
-struct Zone {
-    double depth = 0;
-    double width = 0;
-    double area = 0;
+/// The lattice layers that a cut takes and what they hold.
+class CutLayers {
+  public:
+    CutLayers(const MetalLattice& lattice, const SectionCut& cut)
+        : lattice_(lattice), spacing_(static_cast<double>(lattice.spacing)) {
+        const double cells = static_cast<double>(lattice.cells().x);
+        const double low = static_cast<double>(lattice.low.x);
+        const double first = std::floor((cut.from + 0.5 * spacing_ - low) / spacing_);
+        const double count = std::max(1.0, std::round((cut.to - cut.from) / spacing_));
+        first_ = static_cast<int>(std::clamp(first, 0.0, cells));
+        const int end = static_cast<int>(std::clamp(first + count, 0.0, cells));
+        const glm::ivec2 grid(lattice.cells().z, lattice.cells().y);
+        layers_.resize(static_cast<size_t>(std::max(end - first_, 0)), Layer{SectionSlice(grid), 0, 0});
+        tops_.assign(static_cast<size_t>(grid.x), kNoRow);
+        above_.assign(static_cast<size_t>(grid.x), 0);
+    }
+
+    void enter(const Particles& particles, std::span<const MetalSeed> original, double fusion);
+    Section measure(const SectionCut& cut) const;
+    SectionMap draw(const Particles& particles) const;
+
+  private:
+    struct Layer {
+        SectionSlice slice;
+        size_t had;   ///< cells that held metal at the start
+        size_t holds; ///< particles there now
+    };
+
+    /// Number of the layer that a place lies in; nothing outside the cut, or for a layer without workpiece.
+    std::optional<size_t> layerOf(const vec4& position) const;
+    std::optional<size_t> columnOf(const vec4& position) const;
+    double beadTop() const;
+    double rowHeight(int row) const { return static_cast<double>(lattice_.low.y) + row * spacing_; }
+    WeldZone zoneOf(double kelvin) const;
+    int used() const;
+    double evened(size_t column) const;
+
+    MetalLattice lattice_;
+    double spacing_;
+    int first_ = 0;
+    std::vector<Layer> layers_;
+    std::optional<int> level_;  ///< uppermost row of the workpiece where all columns have the same
+    std::vector<int> tops_;     ///< uppermost row of the workpiece, one a column
+    std::vector<double> above_; ///< particles over it in all layers, one a column
 };
 
-Zone zoneOf(const Slice& slice, double level) {
-    Zone zone;
-    for (int column = 0; column < slice.columns; ++column) {
-        std::vector<double> down;
-        for (int row = 0; row < slice.rows; ++row)
-            down.push_back(slice.at(row, column));
-        if (const auto depth = crossing(down, level)) {
-            zone.depth = std::max(zone.depth, *depth + 0.5); // the first cell's middle lies half a cell down
-            zone.area += *depth + 0.5;
-        }
+std::optional<size_t> CutLayers::layerOf(const vec4& position) const {
+    const double cell =
+        std::floor((static_cast<double>(position.x) - static_cast<double>(lattice_.low.x)) / spacing_) - first_;
+    if (!(cell >= 0 && cell < static_cast<double>(layers_.size()))) return std::nullopt;
+    const auto layer = static_cast<size_t>(cell);
+    return layers_[layer].had > 0 ? std::optional(layer) : std::nullopt;
+}
+
+std::optional<size_t> CutLayers::columnOf(const vec4& position) const {
+    const double cell = std::floor((static_cast<double>(position.z) - static_cast<double>(lattice_.low.z)) / spacing_);
+    if (!(cell >= 0 && cell < static_cast<double>(tops_.size()))) return std::nullopt;
+    return static_cast<size_t>(cell);
+}
+
+void CutLayers::enter(const Particles& particles, std::span<const MetalSeed> original, double fusion) {
+    for (size_t i = 0; i < original.size(); ++i) {
+        const glm::ivec3 cell = lattice_.cellAt(original[i].position);
+        const int number = cell.x - first_;
+        if (!(original[i].phase & PHASE_LATTICE) || !lattice_.contains(cell) || number < 0 ||
+            number >= static_cast<int>(layers_.size()))
+            continue;
+        Layer& layer = layers_[static_cast<size_t>(number)];
+        const auto peak = static_cast<double>(particles.heats[i].z);
+        const bool melted = !(particles.phases[i] & PHASE_LATTICE) && peak >= fusion;
+        layer.slice.setPeak({cell.z, cell.y}, melted ? SectionSlice::kGone : peak);
+        ++layer.had;
+        int& top = tops_[static_cast<size_t>(cell.z)];
+        top = std::max(top, cell.y);
     }
-    int hottest = 0;
-    for (int column = 1; column < slice.columns; ++column)
-        if (slice.at(0, column) > slice.at(0, hottest)) hottest = column;
-    for (const int side : {-1, 1}) {
-        std::vector<double> out;
-        for (int column = hottest; column >= 0 && column < slice.columns; column += side)
-            out.push_back(slice.at(0, column));
-        if (const auto half = crossing(out, level)) zone.width += *half;
+    level_ = commonRow(tops_);
+    for (size_t i = 0; i < particles.positions.size(); ++i) {
+        if (!(particles.phases[i] & PHASE_ALIVE)) continue;
+        const auto layer = layerOf(particles.positions[i]);
+        const auto column = columnOf(particles.positions[i]);
+        if (!layer || !column) continue;
+        ++layers_[*layer].holds;
+        const int top = level_.value_or(tops_[*column]);
+        if (top != kNoRow && static_cast<double>(particles.positions[i].y) > rowHeight(top + 1)) above_[*column] += 1;
     }
-    return zone;
+}
+
+int CutLayers::used() const {
+    return static_cast<int>(std::count_if(layers_.begin(), layers_.end(), [](const Layer& l) { return l.had > 0; }));
+}
+
+/// Metal over a column in cells, evened over the layers and three columns: a single particle is no bead.
+double CutLayers::evened(size_t column) const {
+    double metal = 0;
+    for (int beside = -1; beside <= 1; ++beside) {
+        const size_t other = column + static_cast<size_t>(beside);
+        // Where the surface steps, metal on the other step says nothing about this one.
+        const bool same = other < tops_.size() && (level_ || tops_[other] == tops_[column]);
+        metal += above_[same ? other : column] / 3;
+    }
+    return metal / std::max(used(), 1);
+}
+
+/// Height over the origin of the highest deposit, m; 0 where there is none above the origin.
+double CutLayers::beadTop() const {
+    double highest = 0;
+    for (size_t column = 0; column < tops_.size(); ++column) {
+        const int top = level_.value_or(tops_[column]);
+        const double metal = evened(column);
+        if (top == kNoRow || metal <= 0) continue;
+        highest = std::max(highest, rowHeight(top + 1) + metal * spacing_);
+    }
+    return highest;
+}
+
+WeldZone CutLayers::zoneOf(double kelvin) const {
+    const std::span<const glm::ivec2> sides = std::span(kSides).first(level_ ? 1 : 2);
+    WeldZone sum;
+    double highest = 0;
+    for (const Layer& layer : layers_) {
+        if (layer.had == 0) continue;
+        const SliceZone zone = measureZone(layer.slice, sides, kelvin);
+        sum.width += zone.width * spacing_;
+        sum.depth += zone.depth * spacing_;
+        sum.area += zone.area * spacing_ * spacing_;
+        if (zone.low.x > zone.high.x) continue;
+        sum.box.width += (zone.high.x - zone.low.x) * spacing_;
+        const auto low = static_cast<double>(lattice_.low.y);
+        sum.box.depth += std::max(-(low + zone.low.y * spacing_), 0.0);
+        highest += std::max(low + zone.high.y * spacing_, 0.0);
+    }
+    const double layers = std::max(used(), 1);
+    for (double* value : {&sum.width, &sum.depth, &sum.area, &sum.box.width, &sum.box.depth})
+        *value /= layers;
+    sum.box.height = std::max(highest / layers, beadTop());
+    return sum;
+}
+
+Section CutLayers::measure(const SectionCut& cut) const {
+    Section section;
+    section.layers = used();
+    if (section.layers == 0) {
+        if (cut.heatAffected) section.heatAffected.emplace();
+        return section;
+    }
+    for (const Layer& layer : layers_)
+        if (layer.had > 0)
+            section.deposited +=
+                (static_cast<double>(layer.holds) - static_cast<double>(layer.had)) * spacing_ * spacing_;
+    section.deposited /= section.layers;
+    section.fusion = zoneOf(cut.fusion);
+    section.fusion.box.area = section.fusion.area + section.deposited;
+    if (cut.heatAffected) {
+        section.heatAffected = zoneOf(*cut.heatAffected);
+        section.heatAffected->box.area = section.heatAffected->area + section.deposited;
+    }
+    if (level_) {
+        section.height = 0;
+        for (size_t column = 0; column < tops_.size(); ++column)
+            section.height = std::max(*section.height, evened(column) * spacing_);
+    }
+    return section;
+}
+
+SectionMap CutLayers::draw(const Particles& particles) const {
+    std::vector<MapParticle> near;
+    for (size_t i = 0; i < particles.positions.size(); ++i) {
+        const vec4& at = particles.positions[i];
+        if (!(particles.phases[i] & PHASE_ALIVE) || !layerOf(at) || !std::isfinite(at.y) || !std::isfinite(at.z))
+            continue;
+        near.push_back({{at.z, at.y}, std::max(particles.heats[i].z, at.w), at.w});
+    }
+    const glm::vec2 size = glm::vec2(lattice_.cells().z, lattice_.cells().y) * lattice_.spacing;
+    return makeSectionMap({lattice_.low.z, lattice_.low.y}, size, lattice_.spacing, used(), near);
 }
 
 } // namespace
 
-Section measureSection(const MetalState& state, const SectionCut& cut) {
-    const auto spacing = static_cast<double>(state.lattice().spacing);
-    const glm::ivec3 cells = state.lattice().cells();
-    const auto low = glm::dvec3(state.lattice().low);
-    const auto index = [&](double place, double from) {
-        return static_cast<int>(std::floor((place - from) / spacing));
-    };
-    const int firstSlice = index(cut.from + 0.5 * spacing, low.x);
-    const int slices = std::max(1, static_cast<int>(std::lround((cut.to - cut.from) / spacing)));
-    const int rows = static_cast<int>(std::lround(cut.thickness / spacing));
-    std::vector<Slice> plate(static_cast<size_t>(slices), Slice(rows, cells.z));
-    std::vector<std::vector<double>> above(static_cast<size_t>(slices),
-                                           std::vector<double>(static_cast<size_t>(cells.z)));
-    std::vector<size_t> count(static_cast<size_t>(slices));
+SectionCut sectionCut(const Material& material, double from, double to) {
+    SectionCut cut;
+    cut.from = from;
+    cut.to = to;
+    cut.fusion = 0.5 * (material.solidus + material.liquidus);
+    if (cut.fusion > kSteelTransformation) cut.heatAffected = kSteelTransformation;
+    return cut;
+}
 
-    const auto positions = state.position.read<vec4>(state.particles());
-    const auto heats = state.heat.read<vec4>(state.particles());
-    const auto phases = state.phase.read<uint>(state.particles());
-    int firstColumn = cells.z, lastColumn = -1;
-    for (size_t i = 0; i < positions.size(); ++i) {
-        if (!(phases[i] & PHASE_ALIVE)) continue;
-        const glm::dvec3 place(positions[i]);
-        const int slice = index(place.x, low.x) - firstSlice;
-        const int column = index(place.z, low.z);
-        if (slice < 0 || slice >= slices || column < 0 || column >= cells.z) continue;
-        const auto s = static_cast<size_t>(slice);
-        ++count[s];
-        if (place.y > cut.surface) above[s][static_cast<size_t>(column)] += 1;
-        const int row = index(-place.y, -cut.surface);
-        if (!(phases[i] & PHASE_LATTICE) || row < 0 || row >= rows) continue;
-        plate[s].at(row, column) = static_cast<double>(heats[i].z);
-        firstColumn = std::min(firstColumn, column);
-        lastColumn = std::max(lastColumn, column);
+Section measureSection(const MetalState& state, std::span<const MetalSeed> original, const SectionCut& cut) {
+    CutLayers layers(state.lattice(), cut);
+    layers.enter(Particles(state, original.size()), original, cut.fusion);
+    return layers.measure(cut);
+}
+
+WeldSection cutWeld(const MetalState& state, std::span<const MetalSeed> original, const SectionCut& cut) {
+    const Particles particles(state, original.size());
+    CutLayers layers(state.lattice(), cut);
+    layers.enter(particles, original, cut.fusion);
+    return {cut, layers.measure(cut), layers.draw(particles)};
+}
+
+double middleOfWeld(const MetalState& state, std::span<const MetalSeed> original, double fusion) {
+    const Particles particles(state, original.size());
+    constexpr float kFar = std::numeric_limits<float>::max();
+    float low = kFar, high = -kFar, fusedLow = kFar, fusedHigh = -kFar;
+    for (size_t i = 0; i < original.size(); ++i) {
+        const float x = original[i].position.x;
+        low = std::min(low, x);
+        high = std::max(high, x);
+        if (static_cast<double>(particles.heats[i].z) < fusion) continue;
+        fusedLow = std::min(fusedLow, x);
+        fusedHigh = std::max(fusedHigh, x);
     }
-    Section sum;
-    for (size_t s = 0; s < plate.size(); ++s) {
-        // Beside the plate there is air, not molten metal.
-        for (int row = 0; row < rows; ++row)
-            for (int column = 0; column < cells.z; ++column)
-                if (column < firstColumn || column > lastColumn) plate[s].at(row, column) = 0;
-        const Zone fusion = zoneOf(plate[s], cut.fusion);
-        const Zone affected = zoneOf(plate[s], cut.heatAffected);
-        sum.width += fusion.width * spacing;
-        sum.penetration += fusion.depth * spacing;
-        sum.fused += fusion.area * spacing * spacing;
-        sum.heatAffectedWidth += affected.width * spacing;
-        sum.heatAffectedDepth += affected.depth * spacing;
-        const double had = static_cast<double>(rows * (lastColumn - firstColumn + 1));
-        sum.deposited += (static_cast<double>(count[s]) - had) * spacing * spacing;
-    }
-    // Columns of metal above the surface, evened over the slices and three columns: a single particle is no bead.
-    for (int column = 1; column + 1 < cells.z; ++column) {
-        double metal = 0;
-        for (const auto& slice : above)
-            for (int beside = -1; beside <= 1; ++beside)
-                metal += slice[static_cast<size_t>(column + beside)] / 3;
-        sum.height = std::max(sum.height, metal * spacing);
-    }
-    const auto all = static_cast<double>(plate.size());
-    for (double* value : {&sum.width, &sum.penetration, &sum.height, &sum.deposited, &sum.fused, &sum.heatAffectedWidth,
-                          &sum.heatAffectedDepth})
-        *value /= all;
-    return sum;
+    if (fusedLow <= fusedHigh) return 0.5 * static_cast<double>(fusedLow + fusedHigh);
+    return low <= high ? 0.5 * static_cast<double>(low + high) : 0;
 }
 
 } // namespace meltpool

@@ -1,33 +1,87 @@
-// The macro-section of a weld: what a cut, ground and etched across the seam would show, measured from the particles.
+// The macro-section of a weld: what a cut across the seam, ground and etched, would show. Results, validation and
+// pictures all take it from here.
 #pragma once
 
+#include "core/metal/material/materials.hpp"
 #include "core/metal/state/metal_state.hpp"
+#include "core/weld/gauge/section_map.hpp"
+
+#include <optional>
+#include <span>
 
 namespace meltpool {
 
-/// Where to cut: slices across the x axis from `from` to `to` (m), plate with its top at y = `surface` before welding.
+/// Temperature above which steel changes its grain, K (A1, 723 °C).
+inline constexpr double kSteelTransformation = 996.15;
+
+/// Length along the seam that a section is the mean of where nothing else is asked for, m: several particles, so that
+/// no single one decides.
+inline constexpr double kSectionLength = 5e-3;
+
+/// Where to cut, and what counts as hot.
 struct SectionCut {
-    double from = 0, to = 0;
-    double surface = 0;
-    double thickness = 0;         ///< of the plate, m
-    double fusion = 0;            ///< K: what was hotter has been molten
-    double heatAffected = 996.15; ///< K: what was hotter has changed (steel: Ac1, 723 degrees C)
+    double from = 0, to = 0;            ///< m along the seam; the cut takes the whole lattice layers nearest to these
+    double fusion = 0;                  ///< K: what was hotter has been molten
+    std::optional<double> heatAffected; ///< K: what was hotter has changed; only of steel that melts above that
+
+    double at() const { return 0.5 * (from + to); }
 };
 
-/// Mean over the slices of the cut; lengths in m, areas in m².
+/// The cut from `from` to `to` (m) through a weld of this material: fusion midway between solidus and liquidus.
+SectionCut sectionCut(const Material& material, double from, double to);
+
+/// The box around a zone in the section and its area, with the deposited metal. Heights are from the workpiece's
+/// origin (see WorkpieceParameters).
+struct SectionBox {
+    double width = 0;  ///< m across the seam, of the workpiece's own metal
+    double height = 0; ///< m, highest place of the zone or the deposit above the origin, at least 0
+    double depth = 0;  ///< m, lowest place of the zone below the origin, at least 0
+    double area = 0;   ///< m², of the zone in the workpiece's own metal and of what was deposited
+};
+
+/// A part of the workpiece that was hot.
+struct WeldZone {
+    /// m, of the workpiece's surface that it takes. In a plate or a butt joint its breadth from toe to toe; in the
+    /// corner of a tee or a lap joint the stretches on both plates together, measured along them.
+    double width = 0;
+    double depth = 0; ///< m, greatest distance from the workpiece's own surface: of the fused zone the penetration
+    double area = 0;  ///< m², of the workpiece's own metal
+    SectionBox box;
+};
+
+/// The figures of a section, each a mean over its layers.
 struct Section {
-    double width = 0;       ///< of the fusion zone at the plate's surface
-    double penetration = 0; ///< of the fusion zone below it
-    double height = 0;      ///< of the bead above it
-    double deposited = 0;   ///< area of metal in the section beyond what the plate had
-    double fused = 0;       ///< area of plate that was molten
-    double heatAffectedWidth = 0;
-    double heatAffectedDepth = 0;
+    int layers = 0; ///< lattice layers that held metal at the start; 0: the cut meets no workpiece and nothing applies
+    WeldZone fusion;
+    std::optional<WeldZone> heatAffected; ///< where the cut asks for it
+    /// m, of the bead above the workpiece's surface. Only where that surface is one level all across the cut, as of a
+    /// plate, a butt joint, a cube or a bridge; a tee and a lap joint have none.
+    std::optional<double> height;
+    double deposited = 0; ///< m², metal in the section beyond what the workpiece had; negative where metal ran away
 };
 
-/// Measures a section. `plate`: the plate as it was, for its cells; it must lie on the state's lattice. Waits for the
-/// GPU. Fronts are found where the highest temperature crosses a level, linear between cells; where the far cell has
-/// left the lattice, from the slope before it.
-Section measureSection(const MetalState& state, const SectionCut& cut);
+/// The figures and the picture of one cut.
+struct WeldSection {
+    SectionCut cut;
+    Section figures;
+    SectionMap map;
+};
+
+/// Measures a section. `original`: the workpiece before welding; its seeds lie on the state's lattice and were the
+/// first that the state was given, so that seed i is slot i. The faces that are welded on look up, or up and towards
+/// the welder (+z) where the workpiece's upper surface is no single level; distances and widths count from these. Metal
+/// that left its cell counts as molten there if it was, otherwise with the highest temperature it had. Throws
+/// RuntimeFault when the state holds fewer particles than `original`.
+///
+/// Waits for the GPU and reads every particle: for the end of a lesson, for validation and when a person asks, never in
+/// a frame that must not stall.
+Section measureSection(const MetalState& state, std::span<const MetalSeed> original, const SectionCut& cut);
+
+/// The same together with its picture.
+WeldSection cutWeld(const MetalState& state, std::span<const MetalSeed> original, const SectionCut& cut);
+
+/// Where to cut when nobody said: the middle (m along the seam) of what was heated above `fusion` (K) of the workpiece,
+/// or of the workpiece itself where nothing was. Waits for the GPU.
+double middleOfWeld(const MetalState& state, std::span<const MetalSeed> original, double fusion);
 
 } // namespace meltpool

@@ -1,0 +1,50 @@
+// One slice of the workpiece as it was before welding, one lattice cell thick, and the zones in it that were hot.
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace meltpool {
+
+/// A grid of cells across the seam: x counts columns towards the welder (+z), y counts rows upwards. Each cell that
+/// held metal at the start has the highest temperature (K) of that metal so far.
+class SectionSlice {
+  public:
+    static constexpr double kAir = -std::numeric_limits<double>::infinity(); ///< held no metal at the start
+    static constexpr double kGone = std::numeric_limits<double>::infinity(); ///< its metal melted and moved away
+
+    explicit SectionSlice(glm::ivec2 cells);
+
+    glm::ivec2 cells() const { return cells_; }
+    /// kAir outside the grid.
+    double peak(glm::ivec2 cell) const;
+    /// The cell must lie inside the grid.
+    void setPeak(glm::ivec2 cell, double kelvin);
+    bool held(glm::ivec2 cell) const { return peak(cell) != kAir; }
+    /// Whether the cell held metal with nothing beside it on that side: a face of the workpiece.
+    bool isFace(glm::ivec2 cell, glm::ivec2 side) const { return held(cell) && !held(cell + side); }
+
+  private:
+    glm::ivec2 cells_;
+    std::vector<double> peaks_;
+};
+
+/// The part of a slice that was at least as hot as some temperature; lengths in cells, places from the grid's corner.
+struct SliceZone {
+    double width = 0; ///< of the workpiece's surface that it takes, along the surface and half a cell below it
+    double depth = 0; ///< greatest distance from the workpiece's surface
+    double area = 0;  ///< cells
+    glm::dvec2 low{std::numeric_limits<double>::infinity()};   ///< of the box around it; above `high` when it is empty
+    glm::dvec2 high{-std::numeric_limits<double>::infinity()}; ///< of the box around it
+};
+
+/// Measures the zone above `level` (K). `sides`: the outward directions of the faces that are welded on, as unit steps.
+/// Edges of the zone lie where the highest temperature crosses the level, linear between the cells' centres; where the
+/// hotter cell is gone they follow from the slope on the colder side. The width of each plane of faces is that of the
+/// hot stretch around its hottest cell; planes add up, and a gap between two hot edges belongs to the stretch.
+SliceZone measureZone(const SectionSlice& slice, std::span<const glm::ivec2> sides, double level);
+
+} // namespace meltpool

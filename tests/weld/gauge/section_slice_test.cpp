@@ -1,0 +1,134 @@
+// Zones of one slice against fields whose zones are known, to a small part of a cell.
+#include "core/weld/gauge/section_slice.hpp"
+#include "tests/support/catch.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <array>
+#include <cmath>
+#include <functional>
+
+using namespace meltpool;
+
+namespace {
+
+constexpr std::array<glm::ivec2, 2> kUpAndOut{{{0, 1}, {1, 0}}};
+constexpr double kPi = 3.14159265358979;
+
+/// Of a grid of 40 x 30 cells: places in cells from the edge between columns 19 and 20 and the top of row 19.
+using Held = std::function<bool(glm::dvec2)>;
+using Field = std::function<double(glm::dvec2)>;
+
+SectionSlice sliceOf(const Held& held, const Field& peak) {
+    SectionSlice slice({40, 30});
+    for (int y = 0; y < 30; ++y)
+        for (int x = 0; x < 40; ++x) {
+            const glm::dvec2 place(x + 0.5 - 20, y + 0.5 - 20);
+            if (held(place)) slice.setPeak({x, y}, peak(place));
+        }
+    return slice;
+}
+
+/// A strip of cells at the side of a zone counts by its middle: what the zone takes of it beside that is not seen. It
+/// takes less than a cell at each side.
+constexpr double kStripEnd = 0.9;
+
+/// That error has no sign, so that it goes away in the mean over zones.
+struct MeanRatio {
+    void add(double measured, double exact) {
+        sum += measured / exact;
+        ++count;
+    }
+    double mean() const { return sum / count; }
+
+    double sum = 0;
+    int count = 0;
+};
+
+bool plate(glm::dvec2 p) {
+    return p.y < 0;
+}
+
+bool tee(glm::dvec2 p) {
+    return p.y < 0 || (p.x < 0 && p.x > -6);
+}
+
+/// Falls by 100 K a cell with the distance from the seam; the zone above 1800 K has the radius asked for.
+Field coneOf(double radius) {
+    return [radius](glm::dvec2 p) { return 1800 + 100 * (radius - glm::length(p)); };
+}
+
+} // namespace
+
+TEST_CASE("the zone of a plate is measured to a small part of a cell", "[gauge]") {
+    MeanRatio area;
+    for (double radius = 2; radius < 8; radius += 0.13) {
+        INFO(radius);
+        const SliceZone zone = measureZone(sliceOf(plate, coneOf(radius)), std::span(kUpAndOut).first(1), 1800);
+        const double besideSeam = std::sqrt(radius * radius - 0.25); // half a cell down, or half a cell beside the seam
+        CHECK(zone.width == Approx(2 * besideSeam).margin(0.03));
+        CHECK(zone.depth == Approx(besideSeam).margin(0.03));
+        CHECK(zone.area == Approx(0.5 * kPi * radius * radius).margin(2 * kStripEnd));
+        area.add(zone.area, 0.5 * kPi * radius * radius);
+        CHECK(zone.high.x - zone.low.x == Approx(2 * besideSeam).margin(0.03));
+        CHECK(zone.high.y == 20);
+        CHECK(zone.low.y == Approx(20 - zone.depth));
+    }
+    CHECK(area.mean() == Approx(1).epsilon(0.015));
+}
+
+TEST_CASE("the zone of a tee's corner is measured from both plates' surfaces", "[gauge]") {
+    MeanRatio area;
+    for (double radius = 2; radius < 5.5; radius += 0.13) {
+        INFO(radius);
+        const SliceZone zone = measureZone(sliceOf(tee, coneOf(radius)), kUpAndOut, 1800);
+        const double leg = std::sqrt(radius * radius - 0.25);
+        CHECK(zone.width == Approx(2 * leg).margin(0.05));
+        CHECK(zone.depth == Approx(radius).margin(0.06)); // under the joint line, away from both surfaces
+        CHECK(zone.area == Approx(0.75 * kPi * radius * radius).margin(2 * kStripEnd));
+        area.add(zone.area, 0.75 * kPi * radius * radius);
+        CHECK(zone.high.y == Approx(20 + leg).margin(0.03));
+        CHECK(zone.low.y == Approx(20 - leg).margin(0.03));
+    }
+    CHECK(area.mean() == Approx(1).epsilon(0.015));
+}
+
+TEST_CASE("molten metal that has gone leaves the edges of the zone where they were", "[gauge]") {
+    for (double radius = 2; radius < 8; radius += 0.13) {
+        INFO(radius);
+        const Field cone = coneOf(radius);
+        const auto gone = [&](glm::dvec2 p) { return cone(p) >= 1800 ? SectionSlice::kGone : cone(p); };
+        const auto sides = std::span(kUpAndOut).first(1);
+        const SliceZone full = measureZone(sliceOf(plate, cone), sides, 1800);
+        const SliceZone left = measureZone(sliceOf(plate, gone), sides, 1800);
+        CHECK(left.width == Approx(full.width).margin(0.15));
+        CHECK(left.depth == Approx(full.depth).margin(0.15));
+        CHECK(left.area == Approx(full.area).epsilon(0.07));
+    }
+}
+
+TEST_CASE("a joint's gap between two hot edges belongs to the width, beside one hot edge it does not", "[gauge]") {
+    const auto butt = [](glm::dvec2 p) { return p.y < 0 && std::abs(p.x) > 1; };
+    const auto sides = std::span(kUpAndOut).first(1);
+    const SliceZone both = measureZone(sliceOf(butt, coneOf(5)), sides, 1800);
+    CHECK(both.width == Approx(2 * std::sqrt(24.75)).margin(0.03));
+    const Field oneHot = [](glm::dvec2 p) { return p.x > 0 ? coneOf(5)(p) : 300.0; };
+    CHECK(measureZone(sliceOf(butt, oneHot), sides, 1800).width == Approx(std::sqrt(24.75) - 1).margin(0.03));
+}
+
+TEST_CASE("a plate that is molten through is as deep as it is thick", "[gauge]") {
+    const auto thin = [](glm::dvec2 p) { return p.y < 0 && p.y > -4; };
+    const SliceZone zone = measureZone(sliceOf(thin, coneOf(9)), std::span(kUpAndOut).first(1), 1800);
+    CHECK(zone.depth == Approx(4));
+    CHECK(zone.low.y == Approx(16));
+}
+
+TEST_CASE("a slice that is cold or empty has no zone", "[gauge]") {
+    for (const SectionSlice& slice : {sliceOf(tee, [](glm::dvec2) { return 300.0; }), SectionSlice({8, 8})}) {
+        const SliceZone zone = measureZone(slice, kUpAndOut, 1800);
+        CHECK(zone.width == 0);
+        CHECK(zone.depth == 0);
+        CHECK(zone.area == 0);
+        CHECK(zone.low.x > zone.high.x);
+    }
+}

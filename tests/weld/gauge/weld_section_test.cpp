@@ -1,0 +1,202 @@
+// Sections of metal whose zones are known: on plates and in corners, in part off the lattice, empty and beside the
+// metal.
+#include "core/base/error.hpp"
+#include "core/weld/gauge/weld_section.hpp"
+#include "core/weld/workpiece.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <functional>
+
+using namespace meltpool;
+
+namespace {
+
+constexpr float kSpacing = 1e-3F;
+
+Material steel() {
+    return readMaterial(test::testFolder().parent_path() / "app" / "data" / "materials" / "s235.toml");
+}
+
+/// A workpiece with a field of highest temperatures.
+struct Heated {
+    Heated(WorkpieceKind kind, const std::function<float(glm::vec3)>& peak) {
+        WorkpieceParameters p;
+        p.kind = static_cast<int>(kind);
+        p.lengthMm = 16;
+        p.widthMm = 24;
+        p.thicknessMm = 6;
+        p.heightMm = 12;
+        piece = makeWorkpiece(p);
+        for (MetalSeed& seed : piece.seeds)
+            seed.temperature = peak(seed.position);
+    }
+
+    MetalState state(const std::vector<MetalSeed>& more = {}) const {
+        MetalState made(piece.lattice, HeatTable(steel()), 7850, piece.seeds.size() + more.size());
+        made.add(piece.seeds);
+        made.add(more);
+        return made;
+    }
+
+    Workpiece piece;
+};
+
+/// 1800 K at `radius` (m) from the seam's line, 1e5 K less each metre outwards.
+std::function<float(glm::vec3)> coneOf(float radius) {
+    return [radius](glm::vec3 p) { return 1800 + 1e5F * (radius - std::hypot(p.y, p.z)); };
+}
+
+SectionCut cutOf(double from, double to) {
+    SectionCut cut;
+    cut.from = from;
+    cut.to = to;
+    cut.fusion = 1800;
+    cut.heatAffected = 1600;
+    return cut;
+}
+
+} // namespace
+
+TEST_CASE("a section is measured from the highest temperatures, on the lattice or off it", "[gauge]") {
+    test::context();
+    const MetalLattice lattice = MetalLattice::covering({0, -8 * kSpacing, -12 * kSpacing},
+                                                        {8 * kSpacing, 4 * kSpacing, 12 * kSpacing}, kSpacing);
+    auto seeds = latticeSeeds(lattice, lattice.low, {8 * kSpacing, 0, 12 * kSpacing}, 300);
+    // Peaks fall linearly from the seam: 2000 K there, 100 K less each millimetre across, 200 K each millimetre down.
+    for (MetalSeed& seed : seeds)
+        seed.temperature = 2000 - 1e5F * std::abs(seed.position.z) + 2e5F * seed.position.y;
+    const std::vector<MetalSeed> plate = seeds;
+    REQUIRE(plate.size() == 8 * 8 * 24);
+    for (int i = 0; i < 8; ++i) // a bead of three rows and one on top of them
+        for (int j = -1; j <= 2; ++j) {
+            const float x = (static_cast<float>(i) + 0.5F) * kSpacing;
+            const glm::vec3 place = j < 2 ? glm::vec3(x, 0.5F * kSpacing, static_cast<float>(j) * kSpacing)
+                                          : glm::vec3(x, 1.5F * kSpacing, 0);
+            seeds.push_back({place, 2000, PHASE_ALIVE, glm::vec3(0)});
+        }
+    MetalState state(lattice, HeatTable(steel()), 7850, seeds.size());
+    state.add(seeds);
+    SectionCut cut = cutOf(0, 8e-3);
+    cut.fusion = 1500;
+    cut.heatAffected = 1000;
+    const Section section = measureSection(state, plate, cut);
+    CHECK(section.layers == 8);
+    CHECK(section.fusion.width * 1e3 == Approx(2 * (500.0 - 100) / 100).margin(0.05)); // at half a millimetre's depth
+    CHECK(section.fusion.depth * 1e3 == Approx(450.0 / 200).margin(0.05));             // half a millimetre off the seam
+    CHECK(section.heatAffected->depth * 1e3 == Approx(950.0 / 200).margin(0.05));
+    CHECK(section.deposited * 1e6 == Approx(4));
+    CHECK(*section.height * 1e3 == Approx(4.0 / 3).margin(0.01)); // evened over three columns
+    CHECK(section.fusion.box.height == Approx(*section.height));
+    CHECK(section.fusion.box.depth == Approx(section.fusion.depth));
+    CHECK(section.fusion.box.area == Approx(section.fusion.area + section.deposited));
+    // The same when the molten part has left the lattice.
+    auto phases = state.phase.read<uint>(state.particles());
+    for (size_t i = 0; i < plate.size(); ++i)
+        if (seeds[i].temperature > 1500) phases[i] &= ~PHASE_LATTICE;
+    state.phase.write(std::span<const uint>(phases));
+    const Section gone = measureSection(state, plate, cut);
+    CHECK(gone.fusion.width == Approx(section.fusion.width).margin(1e-5));
+    CHECK(gone.fusion.depth == Approx(section.fusion.depth).margin(1e-5));
+    // Metal that fell off without having melted is no fusion zone.
+    for (size_t i = 0; i < plate.size(); ++i)
+        if (seeds[i].temperature < 1500) phases[i] &= ~PHASE_LATTICE;
+    state.phase.write(std::span<const uint>(phases));
+    CHECK(measureSection(state, plate, cut).fusion.depth == Approx(section.fusion.depth).margin(1e-5));
+}
+
+TEST_CASE("a tee's section follows both plates and has no height over one level", "[gauge]") {
+    test::context();
+    const Heated tee(WorkpieceKind::Tee, coneOf(3.3e-3F));
+    std::vector<MetalSeed> fillet; // four rows along the corner
+    for (int i = 0; i < 16; ++i)
+        for (int j = 0; j < 4; ++j)
+            fillet.push_back({{(static_cast<float>(i) - 7.5F) * kSpacing, (0.5F + static_cast<float>(j / 2)) * kSpacing,
+                               (0.5F + static_cast<float>(j % 2)) * kSpacing},
+                              1900,
+                              PHASE_ALIVE,
+                              glm::vec3(0)});
+    const Section section = measureSection(tee.state(fillet), tee.piece.seeds, cutOf(-2.5e-3, 2.5e-3));
+    CHECK(section.layers == 5);
+    CHECK_FALSE(section.height.has_value());
+    CHECK(section.deposited * 1e6 == Approx(4));
+    const double leg = std::sqrt(3.3 * 3.3 - 0.25);
+    CHECK(section.fusion.width * 1e3 == Approx(2 * leg).margin(0.05));
+    CHECK(section.fusion.depth * 1e3 == Approx(3.3).margin(0.06));
+    CHECK(section.fusion.area * 1e6 == Approx(0.75 * 3.14159 * 3.3 * 3.3).epsilon(0.04));
+    CHECK(section.fusion.box.height * 1e3 == Approx(leg).margin(0.05)); // up the standing plate
+    CHECK(section.fusion.box.depth * 1e3 == Approx(leg).margin(0.05));
+    REQUIRE(section.heatAffected);
+    CHECK(section.heatAffected->depth * 1e3 == Approx(5.3).margin(0.06));
+    CHECK(section.heatAffected->width > section.fusion.width);
+}
+
+TEST_CASE("every kind of workpiece has a section, and only level ones have a height", "[gauge]") {
+    test::context();
+    for (const auto kind : {WorkpieceKind::Plate, WorkpieceKind::Cube, WorkpieceKind::Bridge, WorkpieceKind::Tee,
+                            WorkpieceKind::Lap, WorkpieceKind::Butt}) {
+        INFO(static_cast<int>(kind));
+        const Heated heated(kind, [](glm::vec3 p) { return p.x > -2e-3F && p.x < 2e-3F ? 2000.0F : 300.0F; });
+        const MetalState state = heated.state();
+        const Section section = measureSection(state, heated.piece.seeds, cutOf(-1e-3, 1e-3));
+        CHECK(section.layers == 2);
+        CHECK(section.height.has_value() == (kind != WorkpieceKind::Tee && kind != WorkpieceKind::Lap));
+        CHECK(section.deposited == 0);
+        size_t layer = 0;
+        for (const MetalSeed& seed : heated.piece.seeds)
+            layer += seed.position.x > 0 && seed.position.x < kSpacing;
+        CHECK(section.fusion.area * 1e6 == Approx(layer)); // all of it
+        CHECK(section.fusion.depth > 0);
+        CHECK(middleOfWeld(state, heated.piece.seeds, 1800) == Approx(0).margin(1e-9));
+    }
+}
+
+TEST_CASE("a cut beside the metal is empty, one that ends beside it counts the layers it meets", "[gauge]") {
+    test::context();
+    const Heated plate(WorkpieceKind::Plate, coneOf(3));
+    const MetalState state = plate.state();
+    for (const double at : {-0.5, 0.012, 1e6}) {
+        const WeldSection none = cutWeld(state, plate.piece.seeds, cutOf(at - 2e-3, at + 2e-3));
+        CHECK(none.figures.layers == 0);
+        CHECK(none.figures.fusion.width == 0);
+        CHECK(none.figures.deposited == 0);
+        CHECK_FALSE(none.figures.height.has_value());
+        REQUIRE(none.figures.heatAffected);
+        CHECK(none.figures.heatAffected->area == 0);
+        CHECK(none.map.sums.empty());
+    }
+    const Section end = measureSection(state, plate.piece.seeds, cutOf(6e-3, 12e-3));
+    CHECK(end.layers == 2);
+    CHECK(end.fusion.area == Approx(24e-3 * 6e-3));
+    CHECK(end.deposited == 0);
+}
+
+TEST_CASE("the middle of a weld is the middle of what was molten, or of the workpiece", "[gauge]") {
+    test::context();
+    const Heated early(WorkpieceKind::Plate, [](glm::vec3 p) { return p.x < -4e-3F ? 1900.0F : 300.0F; });
+    CHECK(middleOfWeld(early.state(), early.piece.seeds, 1800) == Approx(-6e-3));
+    const Heated cold(WorkpieceKind::Cube, [](glm::vec3) { return 300.0F; });
+    CHECK(middleOfWeld(cold.state(), cold.piece.seeds, 1800) == Approx(0).margin(1e-9));
+}
+
+TEST_CASE("a section of too few particles is refused", "[gauge]") {
+    test::context();
+    const Heated plate(WorkpieceKind::Plate, coneOf(3));
+    MetalState state(plate.piece.lattice, HeatTable(steel()), 7850, 100);
+    state.add(std::span(plate.piece.seeds).first(100));
+    CHECK_THROWS_AS(measureSection(state, plate.piece.seeds, cutOf(0, 1e-3)), RuntimeFault);
+}
+
+TEST_CASE("steel is asked for its heat-affected zone, solder is not", "[gauge]") {
+    const SectionCut cut = sectionCut(steel(), -1e-3, 3e-3);
+    CHECK(cut.at() == Approx(1e-3));
+    CHECK(cut.heatAffected == kSteelTransformation);
+    CHECK(cut.fusion == Approx(0.5 * (steel().solidus + steel().liquidus)));
+    Material solder = steel();
+    solder.solidus = 456;
+    solder.liquidus = 463;
+    CHECK_FALSE(sectionCut(solder, 0, 1).heatAffected.has_value());
+}
