@@ -10,7 +10,7 @@ namespace meltpool {
 
 namespace {
 
-constexpr int kPieceSteps = 8;    ///< of loose pieces a frame: keeps what rests within 0.1 mm of the floor
+constexpr int kFragmentSteps = 8; ///< of free fragments a frame: keeps what rests within 0.1 mm of the floor
 constexpr double kHottest = 3500; ///< K, above which no metal here stays liquid: what the heat step is made for
 constexpr double kRoomTemperature = 293.15;
 
@@ -71,7 +71,7 @@ PhysicalMetal::PhysicalMetal(gl::ShaderLibrary& shaders, const PhysicalSetup& se
 }
 
 void PhysicalMetal::reset() {
-    pieces_.reset();
+    fragments_.reset();
     flow_.reset();
     heat_.reset();
     state_ = std::make_unique<MetalState>(setup_.lattice, table_, massDensity(setup_.material),
@@ -82,8 +82,8 @@ void PhysicalMetal::reset() {
     flow_ = std::make_unique<Flow>(shaders_, *state_,
                                    fluidOf(setup_.material, setup_.lattice.spacing, setup_.wetting, setup_.marangoni),
                                    setup_.space);
-    pieces_ = std::make_unique<SolidPieces>(shaders_, *state_, setup_.pieces);
-    pieces_->relabelNow(nullptr);
+    fragments_ = std::make_unique<RigidFragments>(shaders_, *state_, setup_.fragments);
+    fragments_->relabelNow(nullptr);
     timeStep_ = static_cast<float>(chooseTimeStep(static_cast<double>(setup_.timeStep), heat_->longestStep(kHottest),
                                                   flow_->constants().longestStep));
     refused_ = 0;
@@ -102,8 +102,8 @@ void PhysicalMetal::step(std::span<const HeatSource> sources, std::span<const Me
 
     flow_->step(frame, profiler);
 
-    pieces_->relabel(profiler);
-    pieces_->move(timeStep_ / kPieceSteps, kPieceSteps, profiler);
+    fragments_->relabel(profiler);
+    fragments_->move(timeStep_ / kFragmentSteps, kFragmentSteps, profiler);
 }
 
 void PhysicalMetal::gatherStatistics() {
@@ -169,7 +169,7 @@ std::uint64_t PhysicalMetal::stateHash() const {
 }
 
 size_t PhysicalMetal::bytes() const {
-    return state_->bytes() + heat_->bytes() + flow_->bytes() + pieces_->bytes() + parts_.bytes();
+    return state_->bytes() + heat_->bytes() + flow_->bytes() + fragments_->bytes() + parts_.bytes();
 }
 
 } // namespace meltpool

@@ -1,10 +1,10 @@
-// The metal that obeys physics: heat, flow, solid pieces and filler over one state. step() is the algorithm.
+// The metal that obeys physics: heat, flow, solid fragments and filler over one state. step() is the algorithm.
 #pragma once
 
 #include "core/gl/readback.hpp"
 #include "core/metal/flow/flow.hpp"
 #include "core/metal/heat/heat.hpp"
-#include "core/metal/solid/pieces.hpp"
+#include "core/metal/solid/rigid_fragments.hpp"
 #include "core/metal/state/particle_view.hpp"
 #include "core/metal/state/statistics.hpp"
 #include "shaders/shared/metal_statistics.h"
@@ -19,7 +19,7 @@ struct PhysicalSetup {
     std::vector<MetalSeed> seeds;
     size_t fillerRoom = 20000; ///< particles that may be fed
     FlowSpace space;
-    PieceSetup pieces;
+    FragmentSetup fragments;
     HeatSettings heat;
     /// Pull of the surface towards cold metal. Off: with pools of a few spacings, as at 1 mm, the full slope of a real
     /// metal's tension tears them apart, as no layer is fine enough to brake it.
@@ -37,7 +37,7 @@ class PhysicalMetal {
     void reset();
 
     /// One time step: filler enters, heat spreads in as many steps as conduction allows, liquid flows in as many as
-    /// surface tension needs, loose pieces move. Nothing is read back. Filler beyond the room is refused and counted.
+    /// surface tension needs, free fragments move. Nothing is read back. Filler beyond the room is refused and counted.
     void step(std::span<const HeatSource> sources, std::span<const MetalSeed> filler, gl::Profiler* profiler);
 
     /// Pressure of the arc from the next step on; none with a peak of 0.
@@ -51,7 +51,7 @@ class PhysicalMetal {
     const HeatTable& table() const { return table_; }
     const HeatSolver& heat() const { return *heat_; }
     const Flow& flow() const { return *flow_; }
-    const SolidPieces& pieces() const { return *pieces_; }
+    const RigidFragments& fragments() const { return *fragments_; }
     size_t refusedFiller() const { return refused_; }
 
     MetalStatistics statistics(); ///< waits for the GPU
@@ -77,7 +77,7 @@ class PhysicalMetal {
     std::unique_ptr<MetalState> state_;
     std::unique_ptr<HeatSolver> heat_;
     std::unique_ptr<Flow> flow_;
-    std::unique_ptr<SolidPieces> pieces_;
+    std::unique_ptr<RigidFragments> fragments_;
     size_t refused_ = 0;
 };
 

@@ -23,7 +23,7 @@ PhysicalSetup setupOf(const Material& material, const Workpiece& workpiece) {
     setup.seeds = workpiece.seeds;
     setup.space.low = workpiece.low;
     setup.space.high = workpiece.high;
-    setup.pieces.floorHeight = workpiece.floorHeight;
+    setup.fragments.floorHeight = workpiece.floorHeight;
     setup.heat.ambient = static_cast<double>(kRoomTemperature);
     setup.heat.tableHeight = static_cast<double>(workpiece.floorHeight);
     setup.heat.tableConductance = 2000; // liquid metal on a cold plate: 1000 to 10000 in the casting trade

@@ -135,7 +135,7 @@ Section deposit(const ValidationCase& from, gl::ShaderLibrary& shaders, const Be
     setup.seeds = plateOf(b, setup.lattice);
     setup.space.low = setup.lattice.low;
     setup.space.high = setup.lattice.low + glm::vec3(setup.lattice.cells()) * spacing;
-    setup.pieces.floorHeight = setup.lattice.low.y;
+    setup.fragments.floorHeight = setup.lattice.low.y;
     setup.heat = surroundings(b);
     const double duration = static_cast<double>((b.end - b.start) / b.speed);
     setup.fillerRoom = static_cast<size_t>(1.1 * b.wireRate * duration / std::pow(from.spacing, 3)) + 100;

@@ -24,8 +24,9 @@
 #define PHASE_LATTICE 4u  // sits at the centre of its lattice cell: conducts with its six neighbours there
 #define PHASE_HELD 8u     // its temperature is held: a wall; off the lattice, one that no heat crosses
 #define PHASE_CLAMPED 16u // held by a fixture: never falls
-#define PHASE_FRESH 32u   // froze since the solid pieces were last told apart: bonds with whatever it touches
-#define PHASE_PIECE_SHIFT 8 // from this bit on: number of the loose solid piece it belongs to, 0 for what clamps hold
+#define PHASE_FRESH 32u   // froze since solid fragments were last labelled: bonds with whatever it touches
+#define PHASE_FRAGMENT_SHIFT 8 // from this bit on: number of the free solid fragment it belongs to, 0 for what clamps hold
+#define PHASE_FRAGMENT_BITS (255u << PHASE_FRAGMENT_SHIFT)
 
 #define TILE_EDGE 4
 #define TILE_CELLS 64

@@ -24,7 +24,7 @@ PhysicalSetup plate() {
         if (std::abs(seed.position.x) > 11 * kMm || std::abs(seed.position.z) > 9 * kMm) seed.phase |= PHASE_CLAMPED;
     setup.fillerRoom = 200;
     setup.space = {glm::vec3(-12, -8, -12) * kMm, glm::vec3(12, 8, 12) * kMm};
-    setup.pieces.floorHeight = -8 * kMm;
+    setup.fragments.floorHeight = -8 * kMm;
     setup.heat.ledger = true;
     return setup;
 }
@@ -102,13 +102,13 @@ TEST_CASE("a block that lies loose on a plate is part of it once metal has froze
             metal.step(std::span(sources).first(power > 0 ? 1 : 0), {}, nullptr);
     };
     run(60, 0);
-    CHECK(metal.pieces().report().particles == block.size()); // it has fallen by a spacing and only lies there
+    CHECK(metal.fragments().report().particles == block.size()); // it has fallen by a spacing and only lies there
     run(25, 6000);
     CHECK(metal.flow().readMoving() > block.size());
-    CHECK(metal.pieces().report().particles > 0); // its other end has not melted
+    CHECK(metal.fragments().report().particles > 0); // its other end has not melted
     run(120, 0);
     CHECK(metal.statistics().molten == 0);
-    CHECK(metal.pieces().report().pieces == 0);
+    CHECK(metal.fragments().report().fragments == 0);
     CHECK_FALSE(metal.flow().readFaults().any());
 }
 

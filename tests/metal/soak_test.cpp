@@ -29,7 +29,7 @@ PhysicalSetup plate() {
         if (std::abs(seed.position.x) > 14 * kMm) seed.phase |= PHASE_CLAMPED;
     setup.fillerRoom = 600;
     setup.space = {low, high};
-    setup.pieces.floorHeight = -16 * kMm;
+    setup.fragments.floorHeight = -16 * kMm;
     setup.heat.convection = 1200;
     setup.heat.radiation = true;
     setup.heat.evaporation = true;
@@ -85,7 +85,7 @@ class Beads {
             sum += velocity;
             if (phases[i] & PHASE_LIQUID)
                 liquid += 1;
-            else if ((phases[i] >> PHASE_PIECE_SHIFT) == 0)
+            else if ((phases[i] >> PHASE_FRAGMENT_SHIFT) == 0)
                 stillSpeed = std::max(stillSpeed, glm::length(velocity));
         }
         CHECK(stillSpeed == 0);
@@ -211,7 +211,7 @@ TEST_CASE("a pool 10 mm deep comes to rest in a steel plate", "[soak]") {
     const glm::vec3 low = glm::vec3(-8, -14, -8) * kMm, high = glm::vec3(8, 8, 8) * kMm;
     setup.lattice = MetalLattice::covering(low, high, kMm);
     setup.space = {low, high};
-    setup.pieces.floorHeight = low.y;
+    setup.fragments.floorHeight = low.y;
     setup.seeds = latticeSeeds(setup.lattice, low, {high.x, 0, high.z}, 1765, PHASE_CLAMPED);
     for (MetalSeed& seed : setup.seeds) {
         const glm::vec3 p = seed.position;

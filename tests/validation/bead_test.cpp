@@ -21,7 +21,7 @@ PhysicalSetup plateSetup(glm::vec3 low, glm::vec3 high) {
     setup.seeds = latticeSeeds(setup.lattice, low, high, 293, PHASE_CLAMPED);
     setup.space.low = setup.lattice.low;
     setup.space.high = setup.lattice.low + glm::vec3(setup.lattice.cells()) * kSpacing;
-    setup.pieces.floorHeight = low.y;
+    setup.fragments.floorHeight = low.y;
     setup.fillerRoom = 100;
     return setup;
 }

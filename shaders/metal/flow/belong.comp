@@ -58,7 +58,7 @@ void ceaseToBeStill(uint slot) {
 
 void lookAt(uint slot) {
     const uint bits = phase[slot];
-    const bool moves = (bits & PHASE_LIQUID) != 0 || (bits >> PHASE_PIECE_SHIFT) != 0;
+    const bool moves = (bits & PHASE_LIQUID) != 0 || (bits >> PHASE_FRAGMENT_SHIFT) != 0;
     const uint now = (bits & PHASE_ALIVE) == 0 ? FLOW_BELONGS_NOWHERE
                      : moves                    ? FLOW_BELONGS_MOVING
                                                 : FLOW_BELONGS_STILL;

@@ -1,40 +1,40 @@
-// One round of finding connected pieces: each solid particle, and the root it knew, take the smallest label among the particles
-// bonded to it. Reads the old labels only and takes minima, so the result does not depend on the order of threads.
+// One round of labelling connected fragments: each solid particle, and the root it knew, take the smallest label among the
+// particles bonded to it. Reads the old labels only and takes minima, so the result does not depend on the order of threads.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-#include "solid.glsl"
+#include "metal/solid/common.glsl"
 
-layout(local_size_x = PIECES_GROUP) in;
+layout(local_size_x = FRAGMENT_GROUP) in;
 // What is gathered is read as texels: some drivers fetch a whole texel at once but storage number by number.
-layout(binding = PIECES_TEXELS_LABEL) uniform usamplerBuffer labelTexels;
-layout(binding = PIECES_TEXELS_LATTICE) uniform usamplerBuffer latticeTexels;
-layout(binding = PIECES_TEXELS_POSITION) uniform samplerBuffer positionTexels;
-layout(std430, binding = PIECES_RELABEL) buffer Relabels { uint relabel[]; };
+layout(binding = FRAGMENT_TEXELS_LABEL) uniform usamplerBuffer labelTexels;
+layout(binding = FRAGMENT_TEXELS_LATTICE) uniform usamplerBuffer latticeTexels;
+layout(binding = FRAGMENT_TEXELS_POSITION) uniform samplerBuffer positionTexels;
+layout(std430, binding = FRAGMENT_NEXT_LABELS) buffer NextLabels { uint nextLabel[]; };
 
-uniform uint round_; // 1 ... PIECES_ROUNDS
+uniform uint round_; // 1 ... FRAGMENT_LABEL_ROUNDS
 uniform uint first;  // slots of this part of the round,
 uniform uint last;   // excluded
 
 uint labelOf(uint slot) { return texelFetch(labelTexels, int(slot)).x; }
 uint latticeSlotAt(int index) { return texelFetch(latticeTexels, index).x; }
 
-/// Of the particle in a cell of the lattice; where none is, greater than any, as is PIECE_NONE.
+/// Of the particle in a cell of the lattice; where none is, greater than any, as is FRAGMENT_NO_LABEL.
 uint labelAt(int index) {
     uint other = latticeSlotAt(index);
-    return other != 0 ? labelOf(other - 1) : PIECE_NONE;
+    return other != 0 ? labelOf(other - 1) : FRAGMENT_NO_LABEL;
 }
 
 bool bonded(uint mine, uint other) {
-    return ((mine | other) & PHASE_FRESH) != 0 || pieceOf(mine) == pieceOf(other);
+    return ((mine | other) & PHASE_FRESH) != 0 || fragmentOf(mine) == fragmentOf(other);
 }
 
 void lower(uint slot, uint to) {
-    atomicMin(relabel[slot], to);
-    atomicMax(control.changed, round_);
+    atomicMin(nextLabel[slot], to);
+    atomicMax(control.lastChange, round_);
 }
 
 /// The smallest label among the lattice neighbours of a particle of the lattice. They are bonded whatever they are: no
-/// loose piece is on the lattice.
+/// free fragment is on the lattice.
 uint smallestOnLattice(ivec3 centre, uint smallest) {
     ivec3 inside = centre & (TILE_EDGE - 1);
     ivec3 inner = ivec3(1, TILE_EDGE, TILE_EDGE * TILE_EDGE);
@@ -62,20 +62,21 @@ void nextStep(inout ivec3 step) {
     }
 }
 
-bool touches(uint other, uint bits, vec3 place) {
-    if (labelOf(other) == PIECE_NONE || !bonded(bits, phase[other])) return false;
-    vec3 apart = texelFetch(positionTexels, int(other)).xyz - place;
-    float reach = PIECE_BOND * metal.spacing;
-    return dot(apart, apart) <= reach * reach;
+bool isBondedNeighbour(uint other, uint bits, vec3 place) {
+    if (labelOf(other) == FRAGMENT_NO_LABEL || !bonded(bits, phase[other])) return false;
+    vec3 displacement = texelFetch(positionTexels, int(other)).xyz - place;
+    float reach = FRAGMENT_BOND_LENGTH * metal.spacing;
+    return dot(displacement, displacement) <= reach * reach;
 }
 
-/// Of metal off the lattice with that on it. It lowers the labels on both sides: the lattice need not look for it.
-uint smallestAround(ivec3 centre, uint bits, vec3 place, uint own, uint smallest) {
+/// The smallest label among the lattice particles bonded to a particle off the lattice. Lowers the labels on both sides: a
+/// lattice particle does not look for those off the lattice.
+uint smallestOfLattice(ivec3 centre, uint bits, vec3 place, uint own, uint smallest) {
     for (ivec3 step = ivec3(-1); step.z <= 1; nextStep(step)) {
         ivec3 cell = centre + step;
         if (!inLattice(cell)) continue;
         uint other = latticeSlotAt(int(latticeIndex(cell)));
-        if (other == 0 || !touches(other - 1, bits, place)) continue;
+        if (other == 0 || !isBondedNeighbour(other - 1, bits, place)) continue;
         uint theirs = labelOf(other - 1);
         smallest = min(smallest, theirs);
         if (own >= theirs) continue;
@@ -85,20 +86,21 @@ uint smallestAround(ivec3 centre, uint bits, vec3 place, uint own, uint smallest
     return smallest;
 }
 
-uint smallestOfOthers(ivec3 centre, uint bits, vec3 place, uint smallest) {
+/// The smallest label among the particles off the lattice that are bonded to one off the lattice.
+uint smallestOffLattice(ivec3 centre, uint bits, vec3 place, uint smallest) {
     ivec3 low = max(centre - 1, ivec3(0));
-    ivec3 high = min(centre + 1, pieces.coarse.xyz - 1);
+    ivec3 high = min(centre + 1, fragmentBlock.coarseCells - 1);
     for (int z = low.z; z <= high.z; ++z)
         for (int y = low.y; y <= high.y; ++y)
             for (int x = low.x; x <= high.x; ++x)
                 for (uint other = head[coarseIndex(ivec3(x, y, z))]; other != 0; other = next[other - 1])
-                    if (touches(other - 1, bits, place)) smallest = min(smallest, labelOf(other - 1));
+                    if (isBondedNeighbour(other - 1, bits, place)) smallest = min(smallest, labelOf(other - 1));
     return smallest;
 }
 
 void labelSlot(uint slot) {
     uint own = labelOf(slot);
-    if (own == PIECE_NONE) return;
+    if (own == FRAGMENT_NO_LABEL) return;
     uint bits = phase[slot];
     bool onLattice = (bits & PHASE_LATTICE) != 0;
     vec3 place = texelFetch(positionTexels, int(slot)).xyz;
@@ -106,10 +108,10 @@ void labelSlot(uint slot) {
     if (onLattice) {
         smallest = smallestOnLattice(latticeCell(place), smallest);
     } else {
-        smallest = smallestAround(latticeCell(place), bits, place, own, smallest);
-        smallest = smallestOfOthers(coarseCell(place), bits, place, smallest);
+        smallest = smallestOfLattice(latticeCell(place), bits, place, own, smallest);
+        smallest = smallestOffLattice(coarseCell(place), bits, place, smallest);
     }
-    // Labels name particles of the same piece: what these know is as good, and saves rounds.
+    // A label names a particle of the same fragment, so that particle's label holds too: saves rounds.
     for (int jump = 0; jump < 3; ++jump) smallest = min(smallest, labelOf(smallest));
     if (smallest == own) return;
     lower(slot, smallest);
@@ -118,8 +120,8 @@ void labelSlot(uint slot) {
 
 // Few groups that stride over the slots: a round that has nothing left to do costs next to nothing.
 void main() {
-    bool settled = control.changed + 1 < round_; // the round before changed nothing
+    bool settled = control.lastChange + 1 < round_; // the round before changed nothing
     uint end = settled ? 0 : last;
-    for (uint slot = first + linearInvocation(); slot < end; slot += gl_NumWorkGroups.x * PIECES_GROUP)
+    for (uint slot = first + linearInvocation(); slot < end; slot += gl_NumWorkGroups.x * FRAGMENT_GROUP)
         labelSlot(slot);
 }

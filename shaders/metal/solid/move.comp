@@ -1,22 +1,22 @@
-// Moves the particles of loose pieces as the rigid bodies they are: turned exactly, so that a piece keeps its shape.
+// Moves the particles of free fragments as rigid bodies, with exact rotations so that a fragment keeps its shape.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-#include "solid.glsl"
-#include "turn.glsl"
+#include "metal/solid/common.glsl"
+#include "metal/solid/rotation.glsl"
 
-layout(local_size_x = PIECES_GROUP) in;
-layout(std430, binding = PIECES_LOOSE) readonly buffer Loose { uint loose[]; };
-layout(std430, binding = PIECES_MOTION) readonly buffer Motions { PieceMotion motion[]; };
+layout(local_size_x = FRAGMENT_GROUP) in;
+layout(std430, binding = FRAGMENT_FREE_SLOTS) readonly buffer FreeSlots { uint freeSlots[]; };
+layout(std430, binding = FRAGMENT_MOTIONS) readonly buffer Motions { FragmentMotion motion[]; };
 
 void main() {
     uint entry = linearInvocation();
-    if (entry >= control.loose) return;
-    uint slot = loose[entry];
+    if (entry >= control.particles) return;
+    uint slot = freeSlots[entry];
     uint bits = phase[slot];
-    if (!solid(bits) || pieceOf(bits) == 0) return;
-    PieceMotion body = motion[pieceOf(bits)];
-    float dt = pieces.step.x;
-    vec3 arm = turned(position[slot].xyz - body.centre.xyz, body.spin.xyz * dt);
-    position[slot].xyz = body.centre.xyz + body.velocity.xyz * dt + arm;
-    velocity[slot].xyz = body.velocity.xyz + cross(body.after.xyz, arm);
+    if (!isSolid(bits) || fragmentOf(bits) == 0) return;
+    FragmentMotion body = motion[fragmentOf(bits)];
+    float dt = fragmentBlock.timeStep;
+    vec3 arm = rotated(position[slot].xyz - body.centre, body.angularVelocity * dt);
+    position[slot].xyz = body.centre + body.velocity * dt + arm;
+    velocity[slot].xyz = body.velocity + cross(body.endAngularVelocity, arm);
 }

@@ -291,7 +291,7 @@ TEST_CASE("frozen metal off the lattice stops drops, and a moving piece takes th
         MetalSeed seed;
         const glm::vec3 off(shake(random), shake(random), shake(random));
         seed.position = (glm::vec3(i % 15, i / 15 % 2, i / 30) + 0.5F + off) * dx;
-        if (piece) seed.phase |= 1U << PHASE_PIECE_SHIFT;
+        if (piece) seed.phase |= 1U << PHASE_FRAGMENT_SHIFT;
         seed.velocity = rising;
         seeds.push_back(seed);
     }

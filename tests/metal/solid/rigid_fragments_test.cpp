@@ -1,6 +1,6 @@
-// Solid pieces: told apart as a CPU flood fill does, falling as Galilei says, resting, tipping over, keeping shape and
-// momentum.
-#include "core/metal/solid/pieces.hpp"
+// Solid fragments: told apart as a CPU flood fill does, falling as Galilei says, resting, tipping over, keeping shape
+// and momentum.
+#include "core/metal/solid/rigid_fragments.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
@@ -44,23 +44,23 @@ std::vector<MetalSeed> operator+(std::vector<MetalSeed> a, const std::vector<Met
 struct Bench {
     explicit Bench(const std::vector<MetalSeed>& seeds)
         : state((test::context(), smallLattice()), steel(), 7850, seeds.size() + 8),
-          pieces(test::shaders(), state, {0, 0.35F}) {
+          fragments(test::shaders(), state, {0, 0.35F}) {
         state.add(seeds);
-        pieces.relabelNow(nullptr);
+        fragments.relabelNow(nullptr);
     }
 
     void run(float seconds) {
         const int steps = static_cast<int>(std::lround(seconds / kStep));
         for (int step = 0; step < steps; ++step) {
-            if (step % 16 == 0) pieces.relabel(nullptr);
-            pieces.move(kStep, 1, nullptr);
+            if (step % 16 == 0) fragments.relabel(nullptr);
+            fragments.move(kStep, 1, nullptr);
         }
     }
 
     std::vector<vec4> positions() const { return state.position.read<vec4>(state.particles()); }
     std::vector<vec4> velocities() const { return state.velocity.read<vec4>(state.particles()); }
     std::vector<uint> phases() const { return state.phase.read<uint>(state.particles()); }
-    unsigned pieceOf(size_t slot) const { return (phases()[slot] & PIECE_BITS) >> PHASE_PIECE_SHIFT; }
+    unsigned fragmentOf(size_t slot) const { return (phases()[slot] & PHASE_FRAGMENT_BITS) >> PHASE_FRAGMENT_SHIFT; }
 
     void setPhases(const std::function<uint(size_t, uint)>& change) {
         auto bits = phases();
@@ -70,13 +70,13 @@ struct Bench {
     }
 
     MetalState state;
-    SolidPieces pieces;
+    RigidFragments fragments;
 };
 
 /// Component of every solid particle by flood fill over all pairs closer than the bond length; SIZE_MAX for others.
 std::vector<size_t> floodFill(const std::vector<vec4>& positions, const std::vector<uint>& phases) {
     std::vector<size_t> component(positions.size(), SIZE_MAX);
-    const float reach = static_cast<float>(PIECE_BOND) * kSpacing;
+    const float reach = static_cast<float>(FRAGMENT_BOND_LENGTH) * kSpacing;
     for (size_t root = 0; root < positions.size(); ++root) {
         if (component[root] != SIZE_MAX || (phases[root] & PHASE_LIQUID)) continue;
         std::vector<size_t> open{root};
@@ -107,7 +107,7 @@ float largestStretch(const std::vector<vec4>& before, const std::vector<vec4>& a
 
 } // namespace
 
-TEST_CASE("pieces are told apart as a flood fill does, with metal missing at random") {
+TEST_CASE("fragments are told apart as a flood fill does, with metal missing at random") {
     for (const unsigned seed : {1U, 2U, 3U}) {
         const MetalLattice lattice = smallLattice();
         auto seeds = box(lattice, {0, 0, 0}, {32, 1, 16}, PHASE_CLAMPED) + box(lattice, {0, 1, 0}, {32, 12, 16});
@@ -130,12 +130,12 @@ TEST_CASE("pieces are told apart as a flood fill does, with metal missing at ran
         size_t wrong = 0;
         for (size_t i = 0; i < seeds.size(); ++i) {
             if (expected[i] == SIZE_MAX) continue;
-            const unsigned number = numberOf[expected[i]] > PIECES_MOST ? 0 : numberOf[expected[i]];
-            wrong += ((phases[i] & PIECE_BITS) >> PHASE_PIECE_SHIFT) != number ? 1U : 0U;
+            const unsigned number = numberOf[expected[i]] > FRAGMENT_MAX_COUNT ? 0 : numberOf[expected[i]];
+            wrong += ((phases[i] & PHASE_FRAGMENT_BITS) >> PHASE_FRAGMENT_SHIFT) != number ? 1U : 0U;
         }
         CHECK(found > 20);
         CHECK(wrong == 0);
-        CHECK(bench.pieces.report().pieces == std::min(found, unsigned(PIECES_MOST)));
+        CHECK(bench.fragments.report().fragments == std::min(found, unsigned(FRAGMENT_MAX_COUNT)));
     }
 }
 
@@ -148,7 +148,7 @@ TEST_CASE("a bridge cut through in the middle falls, comes to rest and is not le
     const size_t first = left.size() + right.size();
     const auto start = bench.positions();
     bench.run(0.05F);
-    CHECK(bench.pieces.report().pieces == 0);
+    CHECK(bench.fragments.report().fragments == 0);
     CHECK(std::memcmp(start.data(), bench.positions().data(), start.size() * sizeof(vec4)) == 0);
 
     // Cut at both ends: what lies between them is held by nothing.
@@ -157,8 +157,8 @@ TEST_CASE("a bridge cut through in the middle falls, comes to rest and is not le
         const bool cut = i >= first && (x < 0.006F || x > 0.026F);
         return cut ? (bits | PHASE_LIQUID) & ~uint(PHASE_LATTICE) : bits;
     });
-    bench.pieces.relabelNow(nullptr);
-    CHECK(bench.pieces.report().pieces == 1);
+    bench.fragments.relabelNow(nullptr);
+    CHECK(bench.fragments.report().fragments == 1);
     const auto cutPositions = bench.positions();
     bench.run(0.03F);
     size_t inside = first;
@@ -171,25 +171,25 @@ TEST_CASE("a bridge cut through in the middle falls, comes to rest and is not le
     const auto end = bench.positions();
     float lowest = 1, fastest = 0;
     const auto velocities = bench.velocities();
-    std::vector<size_t> piece;
+    std::vector<size_t> fragment;
     for (size_t i = first; i < end.size(); ++i)
-        if (bench.phases()[i] >> PHASE_PIECE_SHIFT != 0) piece.push_back(i);
-    REQUIRE(piece.size() > 400);
-    for (const size_t i : piece) {
+        if (bench.phases()[i] >> PHASE_FRAGMENT_SHIFT != 0) fragment.push_back(i);
+    REQUIRE(fragment.size() > 400);
+    for (const size_t i : fragment) {
         lowest = std::min(lowest, end[i].y);
         fastest = std::max(fastest, glm::length(glm::vec3(velocities[i])));
     }
     CHECK(lowest == Approx(0.5F * kSpacing).margin(0.15F * kSpacing)); // on the floor, not in it
     CHECK(fastest < 5e-3F);
     float stretch = 0;
-    for (const size_t i : piece)
-        stretch =
-            std::max(stretch, std::abs(glm::distance(glm::vec3(end[i]), glm::vec3(end[piece[0]])) -
-                                       glm::distance(glm::vec3(cutPositions[i]), glm::vec3(cutPositions[piece[0]]))));
+    for (const size_t i : fragment)
+        stretch = std::max(stretch,
+                           std::abs(glm::distance(glm::vec3(end[i]), glm::vec3(end[fragment[0]])) -
+                                    glm::distance(glm::vec3(cutPositions[i]), glm::vec3(cutPositions[fragment[0]]))));
     CHECK(stretch < 0.01F * kSpacing);
 }
 
-TEST_CASE("a slender piece that stands askew tips over") {
+TEST_CASE("a slender fragment that stands askew tips over") {
     const MetalLattice lattice = smallLattice();
     Bench bench(box(lattice, {14, 1, 7}, {17, 17, 10}));
     auto positions = bench.positions();
@@ -208,7 +208,7 @@ TEST_CASE("a slender piece that stands askew tips over") {
     CHECK(largestStretch(positions, bench.positions(), 0, positions.size()) < 0.02F);
 }
 
-TEST_CASE("a piece in free flight keeps its momentum and its spin") {
+TEST_CASE("a fragment in free flight keeps its momentum and its spin") {
     const MetalLattice lattice = smallLattice();
     Bench bench(box(lattice, {14, 8, 6}, {19, 11, 10}));
     bench.state.setGravity(glm::vec3(0));
@@ -238,25 +238,45 @@ TEST_CASE("a piece in free flight keeps its momentum and its spin") {
     CHECK(largestStretch(positions, bench.positions(), 0, positions.size()) < 0.01F);
 }
 
-TEST_CASE("metal that rests on metal is another piece until something freezes between them") {
+TEST_CASE("metal that rests on metal is another fragment until something freezes between them") {
     const MetalLattice lattice = smallLattice();
     const auto plate = box(lattice, {0, 0, 0}, {32, 2, 16}, PHASE_CLAMPED);
     const auto block = box(lattice, {12, 4, 5}, {18, 7, 11});
     Bench bench(plate + block);
-    CHECK(bench.pieces.report().pieces == 1);
+    CHECK(bench.fragments.report().fragments == 1);
     bench.run(0.6F);
-    CHECK(bench.pieces.report().particles == block.size());
+    CHECK(bench.fragments.report().particles == block.size());
     CHECK(bench.positions()[plate.size()].y == Approx(2.5F * kSpacing).margin(0.2F * kSpacing));
     bench.setPhases([&](size_t i, uint bits) { return i == plate.size() ? bits | PHASE_FRESH : bits; });
-    bench.pieces.relabelNow(nullptr);
-    CHECK(bench.pieces.report().particles == 0);
-    CHECK(bench.pieceOf(plate.size()) == 0);
+    bench.fragments.relabelNow(nullptr);
+    CHECK(bench.fragments.report().particles == 0);
+    CHECK(bench.fragmentOf(plate.size()) == 0);
     const auto rest = bench.positions();
     bench.run(0.1F);
     CHECK(std::memcmp(rest.data(), bench.positions().data(), rest.size() * sizeof(vec4)) == 0);
 }
 
-TEST_CASE("two runs of falling pieces give the same bits") {
+TEST_CASE("fragments cost no dispatch while nothing is free") {
+    const MetalLattice lattice = smallLattice();
+    const bool clamped = GENERATE(true, false);
+    Bench bench(box(lattice, {4, 6, 4}, {9, 10, 9}, clamped ? PHASE_CLAMPED : 0));
+    constexpr int kSteps = 8, kPasses = 5;
+    const auto dispatches = [&] {
+        const auto before = gl::dispatchCount();
+        bench.fragments.move(kStep, kSteps, nullptr);
+        return gl::dispatchCount() - before;
+    };
+    glFinish(); // the number of free particles is back
+    CHECK(dispatches() == (clamped ? 0U : kSteps * kPasses));
+    CHECK(dispatches() == (clamped ? 0U : kSteps * kPasses));
+    bench.setPhases([](size_t, uint bits) { return bits & ~PHASE_CLAMPED; });
+    bench.fragments.relabelNow(nullptr);
+    CHECK(dispatches() == kSteps * kPasses);
+    glFinish();
+    CHECK(dispatches() == kSteps * kPasses);
+}
+
+TEST_CASE("two runs of falling fragments give the same bits") {
     const auto once = [] {
         const MetalLattice lattice = smallLattice();
         Bench bench(box(lattice, {4, 6, 4}, {9, 10, 9}) + box(lattice, {6, 12, 5}, {12, 15, 10}) +

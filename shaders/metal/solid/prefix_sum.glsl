@@ -1,10 +1,10 @@
-// Prefix sum of one number a thread within a group of PIECES_GROUP threads, for passes that run as a single group: each
+// Prefix sum of one number a thread within a group of FRAGMENT_GROUP threads, for passes that run as a single group: each
 // thread looks at a run of slots, so that however many there are the group waits for itself only a few times.
-shared uint scanned[PIECES_GROUP];
+shared uint scanned[FRAGMENT_GROUP];
 
 /// First slot of this thread's run; the run ends where the next thread's begins.
 uint runStart(uint lane) {
-    uint length = (counters.particles + PIECES_GROUP - 1) / PIECES_GROUP;
+    uint length = (counters.particles + FRAGMENT_GROUP - 1) / FRAGMENT_GROUP;
     return min(lane * length, counters.particles);
 }
 
@@ -13,12 +13,12 @@ uint sumBefore(uint number, out uint total) {
     uint lane = gl_LocalInvocationID.x;
     scanned[lane] = number;
     barrier();
-    for (uint reach = 1; reach < PIECES_GROUP; reach *= 2) {
+    for (uint reach = 1; reach < FRAGMENT_GROUP; reach *= 2) {
         uint sum = scanned[lane] + (lane >= reach ? scanned[lane - reach] : 0);
         barrier();
         scanned[lane] = sum;
         barrier();
     }
-    total = scanned[PIECES_GROUP - 1];
+    total = scanned[FRAGMENT_GROUP - 1];
     return scanned[lane] - number;
 }

@@ -1,0 +1,185 @@
+#include "core/metal/solid/rigid_fragments.hpp"
+
+#include <algorithm>
+
+namespace meltpool {
+
+namespace {
+
+constexpr unsigned kLabelGroups = 16;
+constexpr size_t kPart = 32768; ///< slots that a call looks at in a round: a frame costs no more with more metal
+
+void storageBarrier() {
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+} // namespace
+
+RigidFragments::RigidFragments(gl::ShaderLibrary& shaders, MetalState& state, const FragmentSetup& setup)
+    : state_(state),
+      freeParticles_("number of free particles", sizeof(uint)),
+      blockBuffer_("fragment block", sizeof(FragmentBlock)),
+      cellHeads_("fragment cell heads", state.lattice().cellCount() / 8 * sizeof(uint)),
+      cellNext_("fragment cell lists", state.capacity() * sizeof(uint)),
+      labels_("fragment labels", state.capacity() * sizeof(uint)),
+      nextLabels_("fragment next labels", state.capacity() * sizeof(uint)),
+      control_("fragment control", sizeof(FragmentControl)),
+      motions_("fragment motions", (FRAGMENT_MAX_COUNT + 1) * sizeof(FragmentMotion)),
+      freeSlots_("fragment free slots", state.capacity() * sizeof(uint)),
+      contacts_("fragment contacts", state.capacity() * sizeof(FragmentContact)),
+      labelTexels_("fragment labels", labels_, GL_R32UI, sizeof(uint)),
+      nextLabelTexels_("fragment next labels", nextLabels_, GL_R32UI, sizeof(uint)),
+      latticeTexels_("fragment lattice", state.latticeSlots, GL_R32UI, sizeof(uint)),
+      positionTexels_("fragment positions", state.position, GL_RGBA32F, sizeof(vec4)),
+      clearCells_(shaders.compute("metal/solid/clear_cells.comp")),
+      beginLabels_(shaders.compute("metal/solid/link_cells.comp", {{"BEGIN", "1"}})),
+      linkCells_(shaders.compute("metal/solid/link_cells.comp")),
+      label_(shaders.compute("metal/solid/label.comp")),
+      countMembers_(shaders.compute("metal/solid/count_members.comp")),
+      numberFragments_(shaders.compute("metal/solid/number_fragments.comp")),
+      assignFragments_(shaders.compute("metal/solid/assign_fragments.comp")),
+      listFree_(shaders.compute("metal/solid/list_free.comp")),
+      contactsPass_(shaders.compute("metal/solid/contacts.comp")),
+      rigidMotion_(shaders.compute("metal/solid/rigid_motion.comp")),
+      movePass_(shaders.compute("metal/solid/move.comp")) {
+    // Slots without a label take no part: metal that comes in the middle of a cycle waits for the next one.
+    labels_.fill(FRAGMENT_NO_LABEL);
+    nextLabels_.fill(FRAGMENT_NO_LABEL);
+    block_.coarseCells = state.lattice().cells() / 2;
+    block_.floorHeight = setup.floorHeight;
+    block_.friction = setup.friction;
+    blockBuffer_.writeValue(block_);
+}
+
+void RigidFragments::bind() const {
+    state_.bind();
+    blockBuffer_.bindUniform(FRAGMENT_BLOCK);
+    cellHeads_.bindStorage(FRAGMENT_CELL_HEADS);
+    cellNext_.bindStorage(FRAGMENT_CELL_NEXT);
+    labels_.bindStorage(FRAGMENT_LABELS);
+    nextLabels_.bindStorage(FRAGMENT_NEXT_LABELS);
+    control_.bindStorage(FRAGMENT_CONTROL);
+    motions_.bindStorage(FRAGMENT_MOTIONS);
+    freeSlots_.bindStorage(FRAGMENT_FREE_SLOTS);
+    contacts_.bindStorage(FRAGMENT_CONTACTS);
+    labelTexels_.bind(FRAGMENT_TEXELS_LABEL);
+    latticeTexels_.bind(FRAGMENT_TEXELS_LATTICE);
+    positionTexels_.bind(FRAGMENT_TEXELS_POSITION);
+}
+
+void RigidFragments::relabel(gl::Profiler* profiler) {
+    const gl::Scope scope(profiler, "fragments labelled");
+    bind();
+    if (stage_ == 0)
+        begin();
+    else if (stage_ <= FRAGMENT_LABEL_ROUNDS)
+        partOfRound(static_cast<unsigned>(stage_));
+    else
+        finish();
+    if (done_ < slots_) return; // the rest of the round is for the next calls
+    stage_ = (stage_ + 1) % (FRAGMENT_LABEL_ROUNDS + 2);
+    done_ = 0;
+}
+
+void RigidFragments::relabelNow(gl::Profiler* profiler) {
+    stage_ = 0;
+    done_ = 0;
+    do
+        relabel(profiler);
+    while (stage_ != 0 || done_ != 0);
+}
+
+void RigidFragments::begin() {
+    slots_ = state_.particles();
+    cellHeads_.clear();
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    beginLabels_.dispatch(slots_, FRAGMENT_GROUP);
+    storageBarrier();
+    done_ = slots_;
+}
+
+void RigidFragments::partOfRound(unsigned round) {
+    if (done_ == 0) {
+        glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+        labels_.copyTo(nextLabels_, slots_ * sizeof(uint));
+    }
+    const size_t last = std::min(slots_, done_ + kPart);
+    label_.set("round_", round);
+    label_.set("first", static_cast<unsigned>(done_));
+    label_.set("last", static_cast<unsigned>(last));
+    label_.dispatchGroups(kLabelGroups);
+    storageBarrier();
+    done_ = last;
+    if (done_ < slots_) return;
+    std::swap(labels_, nextLabels_);
+    std::swap(labelTexels_, nextLabelTexels_);
+}
+
+void RigidFragments::finish() {
+    done_ = slots_;
+    const size_t particles = state_.particles();
+    // No round follows: the next labels' memory counts members. The next cycle labels all these slots anew.
+    constexpr GLuint kNone = 0;
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    glClearNamedBufferSubData(nextLabels_.name(), GL_R32UI, 0, static_cast<GLsizeiptr>(particles * sizeof(uint)),
+                              GL_RED_INTEGER, GL_UNSIGNED_INT, &kNone);
+    countMembers_.dispatch(particles, FRAGMENT_GROUP);
+    storageBarrier();
+    numberFragments_.dispatchGroups(1);
+    storageBarrier();
+    assignFragments_.dispatch(particles, FRAGMENT_GROUP);
+    storageBarrier();
+    state_.noteRegrouping();
+    listFree_.dispatchGroups(1);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+    freeParticles_.forget();
+    freeParticles_.request(control_, offsetof(FragmentControl, particles));
+    mayBeFree_ = true;
+}
+
+void RigidFragments::indirect(const gl::Program& program, size_t offset) const {
+    program.dispatchIndirect(offset);
+    storageBarrier();
+}
+
+/// Whether the last cycle may have found free particles: true until the GPU said that there are none.
+bool RigidFragments::mayBeFree() {
+    if (const auto particles = freeParticles_.poll<uint>()) mayBeFree_ = *particles > 0;
+    return mayBeFree_;
+}
+
+void RigidFragments::move(float dt, int steps, gl::Profiler* profiler) {
+    if (!mayBeFree()) return;
+    const gl::Scope scope(profiler, "free fragments");
+    if (block_.timeStep != dt) {
+        block_.timeStep = dt;
+        blockBuffer_.writeValue(block_);
+    }
+    bind();
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, control_.name());
+    for (int i = 0; i < steps; ++i)
+        moveOnce();
+}
+
+void RigidFragments::moveOnce() const {
+    indirect(clearCells_, offsetof(FragmentControl, cellGroups));       // -> coarse cells
+    indirect(linkCells_, offsetof(FragmentControl, slotGroups));        // positions -> lists of the coarse cells
+    indirect(contactsPass_, offsetof(FragmentControl, particleGroups)); // positions, velocities -> contacts
+    indirect(rigidMotion_, offsetof(FragmentControl, fragmentGroups));  // contacts -> motions
+    indirect(movePass_, offsetof(FragmentControl, particleGroups));     // motions -> positions, velocities
+}
+
+FragmentReport RigidFragments::report() const {
+    const FragmentControl control = control_.read<FragmentControl>(1).front();
+    return {control.particles == 0 ? 0 : control.fragments, control.particles, control.rejected};
+}
+
+size_t RigidFragments::bytes() const {
+    size_t sum = 0;
+    for (const gl::Buffer* buffer : {&blockBuffer_, &cellHeads_, &cellNext_, &labels_, &nextLabels_, &control_,
+                                     &motions_, &freeSlots_, &contacts_})
+        sum += buffer->bytes();
+    return sum;
+}
+
+} // namespace meltpool

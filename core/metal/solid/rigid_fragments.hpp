@@ -1,0 +1,72 @@
+// Solid metal cut free of every clamp: labels the connected fragments, lets the free ones fall, rest and tip over as
+// rigid bodies, and joins them again where they freeze together.
+#pragma once
+
+#include "core/gl/buffer_view.hpp"
+#include "core/gl/profiler.hpp"
+#include "core/gl/program.hpp"
+#include "core/gl/readback.hpp"
+#include "core/metal/state/metal_state.hpp"
+#include "shaders/shared/fragments.h"
+
+namespace meltpool {
+
+struct FragmentSetup {
+    float floorHeight = 0;  ///< m, the level that nothing falls through
+    float friction = 0.35F; ///< metal on metal, Coulomb, no unit
+};
+
+/// How many fragments are free at the moment.
+struct FragmentReport {
+    unsigned fragments = 0; ///< free ones
+    unsigned particles = 0; ///< in free ones
+    unsigned rejected = 0;  ///< free ones beyond FRAGMENT_MAX_COUNT: they stand still
+};
+
+class RigidFragments {
+  public:
+    /// `state` must outlive this object.
+    RigidFragments(gl::ShaderLibrary& shaders, MetalState& state, const FragmentSetup& setup);
+
+    /// One small part of labelling the fragments, about the same for any amount of metal; a whole cycle takes
+    /// FRAGMENT_LABEL_ROUNDS + 2 calls, more where there is much metal. Call it once a frame. Reads positions and
+    /// phases; at the end of a cycle writes the fragment bits, takes free metal off the lattice and clears PHASE_FRESH.
+    void relabel(gl::Profiler* profiler);
+
+    /// A whole cycle at once, from its beginning.
+    void relabelNow(gl::Profiler* profiler);
+
+    /// Moves every free fragment on by `steps` times `dt` seconds: forces that others added to the velocities of its
+    /// particles, gravity, contact with the floor, with fixed metal and with other fragments. Dispatches nothing once
+    /// the number of free particles has come back from the GPU as zero. Until then, five passes a step of as many
+    /// groups as are needed, which are none while nothing is free: when the number arrives changes no result.
+    void move(float dt, int steps, gl::Profiler* profiler);
+
+    /// Waits for the GPU.
+    FragmentReport report() const;
+
+    size_t bytes() const;
+
+  private:
+    void bind() const;
+    void begin();
+    void partOfRound(unsigned round);
+    void finish();
+    bool mayBeFree();
+    void moveOnce() const;
+    void indirect(const gl::Program& program, size_t offset) const;
+
+    MetalState& state_;
+    FragmentBlock block_{};
+    int stage_ = 0;         ///< begin, rounds, end
+    size_t slots_ = 0;      ///< that were there when the cycle began
+    size_t done_ = 0;       ///< of them in this stage
+    bool mayBeFree_ = true; ///< false: the GPU said that the last cycle found nothing free
+    gl::Readback freeParticles_;
+    gl::Buffer blockBuffer_, cellHeads_, cellNext_, labels_, nextLabels_, control_, motions_, freeSlots_, contacts_;
+    gl::BufferView labelTexels_, nextLabelTexels_, latticeTexels_, positionTexels_;
+    const gl::Program &clearCells_, &beginLabels_, &linkCells_, &label_, &countMembers_, &numberFragments_,
+        &assignFragments_, &listFree_, &contactsPass_, &rigidMotion_, &movePass_;
+};
+
+} // namespace meltpool

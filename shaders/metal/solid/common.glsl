@@ -1,0 +1,26 @@
+// What the passes over solid fragments have in common: their buffers, the coarse cells and which particles are solid.
+#include "shared/dispatch.h"
+#include "shared/fragments.h"
+#include "metal/state.glsl"
+
+layout(std140, binding = FRAGMENT_BLOCK) uniform Fragments { FragmentBlock fragmentBlock; };
+layout(std430, binding = METAL_COUNTERS) readonly buffer Counters { MetalCounters counters; };
+layout(std430, binding = FRAGMENT_CELL_HEADS) buffer Heads { uint head[]; };
+layout(std430, binding = FRAGMENT_CELL_NEXT) buffer Nexts { uint next[]; };
+layout(std430, binding = FRAGMENT_CONTROL) buffer Control { FragmentControl control; };
+
+bool isSolid(uint bits) { return (bits & (PHASE_ALIVE | PHASE_LIQUID)) == PHASE_ALIVE; }
+uint fragmentOf(uint bits) { return (bits & PHASE_FRAGMENT_BITS) >> PHASE_FRAGMENT_SHIFT; }
+
+/// Particles outside the lattice are kept in the border cells: that only costs distance tests.
+ivec3 coarseCell(vec3 place) { return clamp(latticeCell(place) >> 1, ivec3(0), fragmentBlock.coarseCells - 1); }
+
+uint coarseIndex(ivec3 cell) {
+    ivec3 size = fragmentBlock.coarseCells;
+    return uint((cell.z * size.y + cell.y) * size.x + cell.x);
+}
+
+uint coarseCellCount() {
+    ivec3 size = fragmentBlock.coarseCells;
+    return uint(size.x * size.y * size.z);
+}

@@ -1,0 +1,100 @@
+// The motion of each free fragment as a rigid body: linear and angular momentum of its particles, then gravity, contacts and friction
+// over one step. One group a fragment; sums in the fixed order of the list of free slots.
+#version 450 core
+#extension GL_GOOGLE_include_directive : require
+#include "metal/solid/common.glsl"
+#include "metal/solid/rotation.glsl"
+
+layout(local_size_x = FRAGMENT_GROUP) in;
+layout(std430, binding = FRAGMENT_FREE_SLOTS) readonly buffer FreeSlots { uint freeSlots[]; };
+layout(std430, binding = FRAGMENT_CONTACTS) readonly buffer Contacts { FragmentContact contact[]; };
+layout(std430, binding = FRAGMENT_MOTIONS) writeonly buffer Motions { FragmentMotion motion[]; };
+
+// The spring is shared out over the contacts so that the whole fragment turns around in the same few steps, whatever its size.
+const float kSpring = 0.2;
+const float kDamper = 0.5;
+
+shared vec4 sums[FRAGMENT_GROUP];
+
+/// Sum over the group, in the order of a binary tree.
+vec4 total(vec4 value) {
+    uint lane = gl_LocalInvocationID.x;
+    barrier();
+    sums[lane] = value;
+    barrier();
+    for (uint reach = FRAGMENT_GROUP / 2; reach > 0; reach /= 2) {
+        if (lane < reach) sums[lane] += sums[lane + reach];
+        barrier();
+    }
+    return sums[0];
+}
+
+bool isMember(uint entry, uint fragment) {
+    uint bits = phase[freeSlots[entry]];
+    return isSolid(bits) && fragmentOf(bits) == fragment;
+}
+
+/// Acceleration of a particle by what it touches, for its share of the fragment's stiffness.
+vec3 contactForce(uint entry, float share) {
+    float dt = fragmentBlock.timeStep;
+    FragmentContact c = contact[entry];
+    vec3 spring = kSpring * share / (dt * dt) * vec3(c.overlap) * 1e-9;
+    vec3 normal = spring - kDamper * share / dt * vec3(c.normalVelocity) * 1e-6;
+    if (dot(normal, spring) < 0) normal = vec3(0); // contacts do not pull
+    vec3 friction = -kDamper * share / dt * vec3(c.slipVelocity) * 1e-6;
+    float most = fragmentBlock.friction * length(normal);
+    float size = length(friction);
+    if (size > most) friction *= most / size;
+    return normal + friction + vec3(c.impact) * 1e-3;
+}
+
+void main() {
+    uint fragment = gl_WorkGroupID.x + 1;
+    uint lane = gl_LocalInvocationID.x;
+    vec4 place = vec4(0); // sum of positions, number of members
+    vec4 speed = vec4(0); // sum of velocities, number of contacts
+    vec3 middle = metal.origin + 0.5 * TILE_EDGE * vec3(metal.tiles) * metal.spacing; // keeps the sums small
+    for (uint entry = lane; entry < control.particles; entry += FRAGMENT_GROUP) {
+        if (!isMember(entry, fragment)) continue;
+        place += vec4(position[freeSlots[entry]].xyz - middle, 1);
+        speed += vec4(velocity[freeSlots[entry]].xyz, float(contact[entry].fixedContacts));
+    }
+    place = total(place);
+    speed = total(speed);
+    float members = place.w;
+    if (members == 0) return;
+    vec3 centre = middle + place.xyz / members;
+    float share = members / max(speed.w, 1.0);
+
+    // Angular momentum and torque over the particle mass; moments and products of inertia likewise.
+    vec3 angularMomentum = vec3(0), force = vec3(0), torque = vec3(0), diagonal = vec3(0), mixed = vec3(0);
+    for (uint entry = lane; entry < control.particles; entry += FRAGMENT_GROUP) {
+        if (!isMember(entry, fragment)) continue;
+        uint slot = freeSlots[entry];
+        vec3 arm = position[slot].xyz - centre;
+        vec3 push = contactForce(entry, share);
+        angularMomentum += cross(arm, velocity[slot].xyz);
+        force += push;
+        torque += cross(arm, push);
+        diagonal += arm.yzx * arm.yzx + arm.zxy * arm.zxy;
+        mixed -= arm.xyz * arm.yzx;
+    }
+    angularMomentum = total(vec4(angularMomentum, 0)).xyz;
+    force = total(vec4(force, 0)).xyz;
+    torque = total(vec4(torque, 0)).xyz;
+    diagonal = total(vec4(diagonal, 0)).xyz;
+    mixed = total(vec4(mixed, 0)).xyz;
+    if (lane != 0) return;
+    // A lone particle or a straight row has neither inertia nor angular momentum about some axis: a small share of the trace
+    // keeps the inverse finite.
+    diagonal += 1e-5 * (diagonal.x + diagonal.y + diagonal.z + metal.spacing * metal.spacing);
+    mat3 inertia = mat3(diagonal.x, mixed.x, mixed.z, mixed.x, diagonal.y, mixed.y, mixed.z, mixed.y, diagonal.z);
+    float dt = fragmentBlock.timeStep;
+    vec3 velocityNow = speed.xyz / members + dt * (metal.gravity + force / members);
+    angularMomentum += dt * torque;
+    vec3 angularVelocity = inverse(inertia) * angularMomentum;
+    // In the rotated fragment's own frame.
+    vec3 atEnd = rotated(inverse(inertia) * rotated(angularMomentum, -angularVelocity * dt), angularVelocity * dt);
+    motion[fragment] =
+        FragmentMotion(centre, members, velocityNow, speed.w, angularVelocity, 0, atEnd, 0);
+}
