@@ -39,7 +39,7 @@ void measurePlate(Bench& bench, std::string what, float length, float width, boo
     Surface surface(bench.shaders(), parameters, low, high);
     surface.parameters.isoLevel = flatFaceLevel(parameters, surface.grid(), kSpacing);
     surface.setTemperatureRange(300.0f, 3300.0f);
-    surface.keeping.on = keep;
+    surface.incremental.enabled = keep;
     // Two states in turn: every particle of the pool is another each time.
     const std::array places{plate(length, width, 0.0f), plate(length, width, 0.3f * kSpacing)};
     const std::array buffers{gl::Buffer("bench plate", std::span<const glm::vec4>(places[0])),

@@ -92,9 +92,13 @@ Renderer::Parts::Parts(gl::ShaderLibrary& shaders)
         buffer = gl::Buffer("frame block", sizeof(FrameData));
     for (gl::Buffer& buffer : materials)
         buffer = gl::Buffer("material block", sizeof(MaterialData));
-    glEnableVertexArrayAttrib(pointLayout.name(), 0);
-    glVertexArrayAttribFormat(pointLayout.name(), 0, 4, GL_FLOAT, GL_FALSE, 0);
-    glVertexArrayAttribBinding(pointLayout.name(), 0, 0);
+    for (const GLuint attribute : {POSITION_ATTRIBUTE, TEMPERATURE_ATTRIBUTE}) {
+        glEnableVertexArrayAttrib(pointLayout.name(), attribute);
+        glVertexArrayAttribBinding(pointLayout.name(), attribute, 0);
+    }
+    // A particle is a vec4: position and temperature.
+    glVertexArrayAttribFormat(pointLayout.name(), POSITION_ATTRIBUTE, 3, GL_FLOAT, GL_FALSE, 0);
+    glVertexArrayAttribFormat(pointLayout.name(), TEMPERATURE_ATTRIBUTE, 1, GL_FLOAT, GL_FALSE, sizeof(glm::vec3));
 }
 
 void Renderer::Parts::load(ViewSubmission submission) {
@@ -134,7 +138,7 @@ void Renderer::Parts::prepare(const SceneView& scene, const LookParameters& look
     current = (current + 1) % kFramesUnderWay;
     FrameData frame = makeFrame(scene, look);
     const auto count = static_cast<int>(views.size());
-    frame.colours.z = static_cast<float>(count);
+    frame.viewCount = static_cast<float>(count);
     for (int i = 0; i < count; ++i)
         frame.views[i] = makeViewData(views[static_cast<size_t>(i)], columnOf(target.viewport, i, count));
     frames[current].writeValue(frame);

@@ -4,12 +4,13 @@
 #include "shaders/shared/surface.h"
 
 #include <array>
+#include <cstddef>
 
 namespace meltpool {
 
 namespace {
 
-constexpr GLuint kPeak = 2; // vertex attribute
+constexpr GLuint kVertexBuffer = 0, kPeakBuffer = 1; // bindings of the vertex array
 constexpr std::array<GLuint, MOST_VIEWS + 1> kCounts{0, 1, 2, 3, 4};
 
 } // namespace
@@ -26,14 +27,17 @@ SurfacePainter::SurfacePainter(gl::ShaderLibrary& shaders)
       empty_("pulled vertices"),
       command_("surface draw command", sizeof(SurfaceDraw)),
       counts_("instance counts", std::span<const GLuint>(kCounts)) {
-    for (GLuint attribute = 0; attribute < 2; ++attribute) {
-        glEnableVertexArrayAttrib(layout_.name(), attribute);
-        glVertexArrayAttribFormat(layout_.name(), attribute, 4, GL_FLOAT, GL_FALSE,
-                                  static_cast<GLuint>(attribute * sizeof(glm::vec4)));
-        glVertexArrayAttribBinding(layout_.name(), attribute, 0);
-    }
-    glVertexArrayAttribFormat(layout_.name(), kPeak, 1, GL_FLOAT, GL_FALSE, 0);
-    glVertexArrayAttribBinding(layout_.name(), kPeak, kPeak);
+    addVertexAttribute(POSITION_ATTRIBUTE, 3, offsetof(SurfaceVertex, position));
+    addVertexAttribute(NORMAL_ATTRIBUTE, 3, offsetof(SurfaceVertex, normal));
+    addVertexAttribute(TEMPERATURE_ATTRIBUTE, 1, offsetof(SurfaceVertex, temperature));
+    glVertexArrayAttribFormat(layout_.name(), PEAK_ATTRIBUTE, 1, GL_FLOAT, GL_FALSE, 0);
+    glVertexArrayAttribBinding(layout_.name(), PEAK_ATTRIBUTE, kPeakBuffer);
+}
+
+void SurfacePainter::addVertexAttribute(GLuint attribute, GLint components, size_t offset) {
+    glEnableVertexArrayAttrib(layout_.name(), attribute);
+    glVertexArrayAttribFormat(layout_.name(), attribute, components, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
+    glVertexArrayAttribBinding(layout_.name(), attribute, kVertexBuffer);
 }
 
 void SurfacePainter::load(ViewSubmission submission) {
@@ -121,14 +125,14 @@ void SurfacePainter::drawFarSide(const SurfaceMesh& mesh, const ViewBatch& views
 }
 
 void SurfacePainter::drawMesh(const SurfaceMesh& mesh, const ViewBatch& views) const {
-    glVertexArrayVertexBuffer(layout_.name(), 0, mesh.vertices->name(), 0, sizeof(SurfaceVertex));
+    glVertexArrayVertexBuffer(layout_.name(), kVertexBuffer, mesh.vertices->name(), 0, sizeof(SurfaceVertex));
     glVertexArrayElementBuffer(layout_.name(), mesh.indices->name());
     if (mesh.peaks != nullptr) {
-        glVertexArrayVertexBuffer(layout_.name(), kPeak, mesh.peaks->name(), 0, sizeof(float));
-        glEnableVertexArrayAttrib(layout_.name(), kPeak);
+        glVertexArrayVertexBuffer(layout_.name(), kPeakBuffer, mesh.peaks->name(), 0, sizeof(float));
+        glEnableVertexArrayAttrib(layout_.name(), PEAK_ATTRIBUTE);
     } else {
-        glDisableVertexArrayAttrib(layout_.name(), kPeak);
-        glVertexAttrib1f(kPeak, 0.0f); // nothing was ever hot
+        glDisableVertexArrayAttrib(layout_.name(), PEAK_ATTRIBUTE);
+        glVertexAttrib1f(PEAK_ATTRIBUTE, 0.0f); // no tint
     }
     layout_.bind();
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commandFor(mesh, views).name());

@@ -36,6 +36,7 @@ class SurfacePainter {
         gl::Framebuffer framebuffer{"far side"};
     };
 
+    void addVertexAttribute(GLuint attribute, GLint components, size_t offset);
     void drawFarSide(const SurfaceMesh& mesh, const ViewBatch& views, int count, const RenderTarget& target);
     void fitFarSide(int width, int height);
     void drawMesh(const SurfaceMesh& mesh, const ViewBatch& views) const;

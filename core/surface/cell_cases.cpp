@@ -42,8 +42,8 @@ bool shareFace(CellEdge a, CellEdge b) {
 
 constexpr CellEdge kNoEdge = ~0U;
 
-/// For every crossing edge the next one of its loop. Walking a face counter-clockwise, a run of inside corners is
-/// entered over one edge and left over another; the segment runs from the former to the latter.
+/// For every edge that crosses the surface, the next one of its loop. Going counter-clockwise around a face, one edge
+/// leads into a run of inside corners and one out of it; the segment connects the former to the latter.
 std::array<CellEdge, 32> nextEdges(unsigned inside) {
     std::array<CellEdge, 32> next{};
     next.fill(kNoEdge);
@@ -59,8 +59,8 @@ std::array<CellEdge, 32> nextEdges(unsigned inside) {
     return next;
 }
 
-/// Splits the part of a loop from place `first` to `last` into triangles without an inner edge in a face. False when
-/// there is no way.
+/// Splits the part of a loop from index `first` to `last` into triangles none of whose inner edges lies in a face.
+/// Returns false when that is impossible.
 bool fillLoop(const std::vector<CellEdge>& loop, std::size_t first, std::size_t last,
               std::vector<CellTriangle>& triangles) {
     if (last - first < 2) return true;

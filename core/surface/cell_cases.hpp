@@ -1,4 +1,4 @@
-// The 256 ways in which a surface can pass through a cell, as triangles; made by rule, not by a typed table.
+// Marching cubes: the triangles of each of the 256 cases of a cell, derived by a rule instead of a table.
 #pragma once
 
 #include <array>
@@ -15,17 +15,18 @@ using CellTriangle = std::array<CellEdge, 3>;
 
 /// The triangles of a cell whose corner dx + 2 dy + 4 dz is inside where that bit of `inside` is set: at most five.
 ///
-/// On every face of the cell the surface leaves segments around runs of inside corners, so that two inside corners
-/// which meet only across a face's diagonal stay apart. The segments depend on that face's four corners alone: two
-/// cells that share a face agree on them, and the surface is closed. The segments of the six faces join to loops; a
-/// loop becomes triangles whose inner edges never lie in a face, where the neighbour could have the same edge.
+/// The surface cuts every face of the cell in segments, one around each run of inside corners; two inside corners that
+/// share only the face's diagonal get a segment each. The segments depend on the four corners of the face alone, so
+/// that two cells that share a face have the same ones and the surface is closed. The segments of the six faces join to
+/// loops. A loop is split into triangles; no inner edge of the split lies in a face, where the neighbour could have it
+/// too.
 std::vector<CellTriangle> cellTriangles(unsigned inside);
 
 /// Largest number of triangles in a cell.
 inline constexpr unsigned kMostCellTriangles = 5;
 
-/// All cases as the shaders read them: words 0-255, one a case: bits 0-2 its number of triangles, the rest the word of
-/// the first; then one word a triangle: its edges, 5 bits each, the first lowest.
+/// All cases as the shaders read them. Words 0-255, one a case: bits 0-2 hold the number of triangles, the rest the
+/// word of the first triangle. Then one word a triangle: its three edges of 5 bits, the first in the lowest bits.
 std::vector<std::uint32_t> cellCaseTable();
 
 } // namespace meltpool

@@ -18,21 +18,17 @@ namespace {
 
 constexpr GLbitfield kStorage = GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT;
 
-int extrasOf(const ParticleView& particles) {
+int dataOf(const ParticleView& particles) {
     return (particles.phases != nullptr ? SURFACE_WITH_PHASES : 0) |
            (particles.heats != nullptr ? SURFACE_WITH_PEAKS : 0);
 }
 
 SurfaceStatistics statisticsOf(const SurfaceCommands& commands) {
     return {commands.vertexCount,   commands.triangleCount, commands.blockCount,
-            commands.splattedCount, commands.whole != 0,    commands.overflow != 0};
+            commands.splattedCount, commands.rebuilt != 0,  commands.overflow != 0};
 }
 
-} // namespace
-
-namespace {
-
-/// How hot the metal has been: a third volume beside density and temperature, for particles that remember it.
+/// Highest temperature so far: a third volume, for particles that store it.
 struct Peaks {
     gl::Buffer volume, splatted, vertices; // a word a corner, a particle, a vertex
     gl::BufferView volumeTexels, heatTexels;
@@ -40,37 +36,37 @@ struct Peaks {
 
 } // namespace
 
-/// The passes and the memory they work on.
+/// The compute passes and their buffers.
 struct Surface::Work {
     Work(gl::ShaderLibrary& shaders, const SurfaceGrid& theGrid);
 
-    void makeRoom(size_t particles);
-    void forget();
+    void growParticleBuffers(size_t particles);
+    void clearVolumes();
     void makePeaks();
     void bindParticles(const ParticleView& particles);
     void bindPeaks(const ParticleView& particles);
-    void enterAll(const ParticleView& particles);
-    void enterChanged(const ParticleView& particles);
-    void chooseBlocks();
+    void splatAll(const ParticleView& particles);
+    void splatChanged(const ParticleView& particles);
+    void listBlocks();
     void countMesh();
     void makeMesh(gl::Profiler* profiler);
     void dispatchIndirect(const gl::Program& program, size_t command) const;
 
     SurfaceGrid grid;
     SurfaceSetup setup;
-    SurfaceParameters made; ///< what the volumes were made with
-    size_t entered = 0;     ///< particles that they may hold; 0 before the first update
-    int extras = 0;         ///< SURFACE_WITH_* of the particles
+    SurfaceParameters used;   ///< parameters that the volumes were made with
+    size_t splattedCount = 0; ///< particles in the volumes; 0: the next update rebuilds
+    int particleData = 0;     ///< SURFACE_WITH_* of the particles
     std::optional<Peaks> peaks;
 
-    const gl::Program& compare;
-    std::array<const gl::Program*, 2> splatAll, splatChanged; // by SurfaceKernel
-    const gl::Program& listBlocks;
-    const gl::Program& inside;
-    const gl::Program& count;
-    const gl::Program& sumBlocks;
-    const gl::Program& placeBlocks;
-    const gl::Program& listMesh;
+    const gl::Program& comparePass;
+    std::array<const gl::Program*, 2> splatAllPass, splatChangedPass; // by SurfaceKernel
+    const gl::Program& listBlocksPass;
+    const gl::Program& insidePass;
+    const gl::Program& countPass;
+    const gl::Program& sumBlocksPass;
+    const gl::Program& placeBlocksPass;
+    const gl::Program& listMeshPass;
     const gl::Program& vertexPass;
     const gl::Program& trianglePass;
 
@@ -78,8 +74,8 @@ struct Surface::Work {
     gl::Buffer splatted, changedList; // a vec4 and a uint a particle
     gl::Buffer density, temperature;
     gl::BufferView particleTexels, splattedTexels, densityTexels, temperatureTexels;
-    gl::Buffer blockFlags, blockStates, settled;
-    gl::Buffer blockList, retired, blockSums;
+    gl::Buffer blockFlags, blockStates, baseTriangles;
+    gl::Buffer blockList, obsoleteTriangles, blockSums;
     gl::Buffer insideBits, rows, rowSums;
     gl::Buffer cases;
     gl::BufferView insideTexels, rowTexels, caseTexels;
@@ -91,17 +87,17 @@ struct Surface::Work {
 Surface::Work::Work(gl::ShaderLibrary& shaders, const SurfaceGrid& theGrid)
     : grid(theGrid),
       setup(grid.setup()),
-      compare(shaders.compute("surface/compare.comp")),
-      splatAll{&shaders.compute("surface/splat.comp", {{"SURFACE_ANEW", "1"}}),
-               &shaders.compute("surface/splat.comp", {{"SURFACE_ANEW", "1"}, {"SURFACE_SMOOTH", "1"}})},
-      splatChanged{&shaders.compute("surface/splat.comp"),
-                   &shaders.compute("surface/splat.comp", {{"SURFACE_SMOOTH", "1"}})},
-      listBlocks(shaders.compute("surface/list_blocks.comp")),
-      inside(shaders.compute("surface/inside.comp")),
-      count(shaders.compute("surface/count.comp")),
-      sumBlocks(shaders.compute("surface/sum_blocks.comp")),
-      placeBlocks(shaders.compute("surface/place_blocks.comp")),
-      listMesh(shaders.compute("surface/list_mesh.comp")),
+      comparePass(shaders.compute("surface/compare.comp")),
+      splatAllPass{&shaders.compute("surface/splat.comp", {{"SURFACE_REBUILD", "1"}}),
+                   &shaders.compute("surface/splat.comp", {{"SURFACE_REBUILD", "1"}, {"SURFACE_SMOOTH", "1"}})},
+      splatChangedPass{&shaders.compute("surface/splat.comp"),
+                       &shaders.compute("surface/splat.comp", {{"SURFACE_SMOOTH", "1"}})},
+      listBlocksPass(shaders.compute("surface/list_blocks.comp")),
+      insidePass(shaders.compute("surface/inside.comp")),
+      countPass(shaders.compute("surface/count.comp")),
+      sumBlocksPass(shaders.compute("surface/sum_blocks.comp")),
+      placeBlocksPass(shaders.compute("surface/place_blocks.comp")),
+      listMeshPass(shaders.compute("surface/list_mesh.comp")),
       vertexPass(shaders.compute("surface/vertices.comp")),
       trianglePass(shaders.compute("surface/triangles.comp")),
       setupBlock("surface setup", sizeof(SurfaceSetup)),
@@ -111,9 +107,9 @@ Surface::Work::Work(gl::ShaderLibrary& shaders, const SurfaceGrid& theGrid)
       temperatureTexels("surface temperature", temperature, GL_R32UI, 4),
       blockFlags("surface block flags", grid.blockCount() * 4),
       blockStates("surface block states", grid.blockCount() * 4),
-      settled("surface settled", grid.blockCount() * 8),
+      baseTriangles("surface base triangles", grid.blockCount() * 8),
       blockList("surface block list", grid.blockCount() * 4),
-      retired("surface retired", grid.blockCount() * 8),
+      obsoleteTriangles("surface obsolete triangles", grid.blockCount() * 8),
       blockSums("surface block sums", grid.blockCount() * 8),
       insideBits("surface inside bits", grid.blockCount() * SURFACE_BLOCK_WORDS * 4),
       rows("surface rows", grid.blockCount() * SURFACE_BLOCK_ROWS * 8),
@@ -131,18 +127,18 @@ Surface::Work::Work(gl::ShaderLibrary& shaders, const SurfaceGrid& theGrid)
     SurfaceCommands start{};
     start.changed = {0, 1, 1};
     commands.writeValue(start);
-    setupBlock.writeValue(setup); // for a look at the empty volumes
+    setupBlock.writeValue(setup); // the volumes can be queried before the first update
 }
 
-/// Grows what has an entry a particle.
-void Surface::Work::makeRoom(size_t particles) {
+/// Makes the buffers with an entry a particle large enough.
+void Surface::Work::growParticleBuffers(size_t particles) {
     if (splatted && splatted.bytes() >= particles * sizeof(glm::vec4)) return;
-    // Where filler comes, it comes a particle a frame: room for many, or every frame would begin anew.
+    // Filler adds a particle in every frame: without spare room every frame would rebuild.
     if (splatted) particles += particles / 8 + 1024;
     splatted = gl::Buffer("surface splatted particles", particles * sizeof(glm::vec4));
     changedList = gl::Buffer("surface changed particles", particles * 4);
     splattedTexels = gl::BufferView("surface splatted particles", splatted, GL_RGBA32F, sizeof(glm::vec4));
-    entered = 0;
+    splattedCount = 0;
 }
 
 void Surface::Work::makePeaks() {
@@ -152,12 +148,12 @@ void Surface::Work::makePeaks() {
         peaks->vertices = gl::Buffer("surface vertex peaks", grid.mostVertices() * 4);
         peaks->volumeTexels = gl::BufferView("surface peaks", peaks->volume, GL_R32UI, 4);
     }
-    const size_t bytes = splatted ? splatted.bytes() / 4 : 4; // a float where the other has a vec4
+    const size_t bytes = splatted ? splatted.bytes() / 4 : 4; // a float a particle instead of a vec4
     if (peaks->splatted.bytes() < bytes) peaks->splatted = gl::Buffer("surface splatted peaks", bytes);
 }
 
-/// Empties the volumes: no particle is entered any more.
-void Surface::Work::forget() {
+/// Empties the volumes and marks every particle as not splatted.
+void Surface::Work::clearVolumes() {
     for (const gl::Buffer* buffer : {&density, &temperature, &blockStates, &insideBits})
         buffer->clear();
     if (peaks) peaks->volume.clear();
@@ -171,10 +167,10 @@ void Surface::Work::dispatchIndirect(const gl::Program& program, size_t command)
 }
 
 void Surface::Work::bindParticles(const ParticleView& particles) {
-    // Made each time: the particles' buffer may be another one under the same name.
+    // A new view for each update: another buffer of particles may have the same GL name.
     particleTexels = gl::BufferView("surface particles", *particles.positions, GL_RGBA32F, sizeof(glm::vec4));
     particleTexels.bind(SURFACE_TEXELS_PARTICLES);
-    // Passes without phases or memory of the particles never look there; drivers still want something bound.
+    // Passes that do not read phases or splatted particles still need a buffer bound there.
     (particles.phases != nullptr ? *particles.phases : commands).bindStorage(SURFACE_BIND_PHASES);
     (splatted ? splatted : commands).bindStorage(SURFACE_BIND_SPLATTED);
     (changedList ? changedList : commands).bindStorage(SURFACE_BIND_CHANGED_LIST);
@@ -193,45 +189,45 @@ void Surface::Work::bindPeaks(const ParticleView& particles) {
     peaks->heatTexels.bind(SURFACE_TEXELS_HEATS);
 }
 
-void Surface::Work::enterAll(const ParticleView& particles) {
+void Surface::Work::splatAll(const ParticleView& particles) {
     bindParticles(particles);
-    splatAll[size_t(made.kernel)]->dispatch(particles.count, SURFACE_GROUP);
+    splatAllPass[size_t(used.kernel)]->dispatch(particles.count, SURFACE_GROUP);
     glMemoryBarrier(kStorage);
 }
 
-void Surface::Work::enterChanged(const ParticleView& particles) {
+void Surface::Work::splatChanged(const ParticleView& particles) {
     bindParticles(particles);
     splattedTexels.bind(SURFACE_TEXELS_SPLATTED);
-    compare.dispatch(particles.count, SURFACE_GROUP);
+    comparePass.dispatch(particles.count, SURFACE_GROUP);
     glMemoryBarrier(kStorage | GL_COMMAND_BARRIER_BIT);
-    dispatchIndirect(*splatChanged[size_t(made.kernel)], offsetof(SurfaceCommands, changed));
+    dispatchIndirect(*splatChangedPass[size_t(used.kernel)], offsetof(SurfaceCommands, changed));
 }
 
-void Surface::Work::chooseBlocks() {
+void Surface::Work::listBlocks() {
     blockFlags.bindStorage(SURFACE_BIND_BLOCK_FLAGS);
     blockStates.bindStorage(SURFACE_BIND_BLOCK_STATES);
     blockList.bindStorage(SURFACE_BIND_BLOCK_LIST);
-    settled.bindStorage(SURFACE_BIND_SETTLED);
-    retired.bindStorage(SURFACE_BIND_RETIRED);
+    baseTriangles.bindStorage(SURFACE_BIND_BASE_TRIANGLES);
+    obsoleteTriangles.bindStorage(SURFACE_BIND_OBSOLETE_TRIANGLES);
     commands.bindStorage(SURFACE_BIND_COMMANDS);
-    listBlocks.dispatchGroups(1);
+    listBlocksPass.dispatchGroups(1);
     glMemoryBarrier(kStorage | GL_COMMAND_BARRIER_BIT);
 }
 
-/// Finds the inside corners of the listed blocks, and how many vertices and triangles each gets and where.
+/// Finds the inside corners of the listed blocks, and the number and offset of their vertices and triangles.
 void Surface::Work::countMesh() {
     densityTexels.bind(SURFACE_TEXELS_DENSITY);
     insideBits.bindStorage(SURFACE_BIND_INSIDE);
-    dispatchIndirect(inside, offsetof(SurfaceCommands, words));
+    dispatchIndirect(insidePass, offsetof(SurfaceCommands, words));
     rowSums.bindStorage(SURFACE_BIND_ROW_SUMS);
     caseTexels.bind(SURFACE_TEXELS_CASES);
     insideTexels.bind(SURFACE_TEXELS_INSIDE);
     indices.bindStorage(SURFACE_BIND_INDICES);
-    dispatchIndirect(count, offsetof(SurfaceCommands, rows));
+    dispatchIndirect(countPass, offsetof(SurfaceCommands, rows));
     blockSums.bindStorage(SURFACE_BIND_BLOCK_SUMS);
-    dispatchIndirect(sumBlocks, offsetof(SurfaceCommands, blocks));
+    dispatchIndirect(sumBlocksPass, offsetof(SurfaceCommands, blocks));
     blockStates.bindStorage(SURFACE_BIND_BLOCK_STATES);
-    placeBlocks.dispatchGroups(1);
+    placeBlocksPass.dispatchGroups(1);
     glMemoryBarrier(kStorage | GL_COMMAND_BARRIER_BIT);
 }
 
@@ -241,7 +237,7 @@ void Surface::Work::makeMesh(gl::Profiler* profiler) {
         rows.bindStorage(SURFACE_BIND_ROWS);
         edgeList.bindStorage(SURFACE_BIND_EDGE_LIST);
         triangleList.bindStorage(SURFACE_BIND_TRIANGLE_LIST);
-        dispatchIndirect(listMesh, offsetof(SurfaceCommands, rows));
+        dispatchIndirect(listMeshPass, offsetof(SurfaceCommands, rows));
     }
     {
         const gl::Scope scope(profiler, "surface vertices");
@@ -267,56 +263,66 @@ Surface::~Surface() = default;
 
 void Surface::setTemperatureRange(float coldest, float hottest) {
     if (!(hottest > coldest)) throw InputError("the surface's temperature range is empty; expected coldest < hottest");
-    if (work_->setup.origin.w == coldest && work_->setup.extent.w == hottest - coldest) return;
-    work_->setup.origin.w = coldest;
-    work_->setup.extent.w = hottest - coldest;
-    work_->entered = 0;
+    SurfaceSetup& setup = work_->setup;
+    if (setup.coldest == coldest && setup.temperatureRange == hottest - coldest) return;
+    setup.coldest = coldest;
+    setup.temperatureRange = hottest - coldest;
+    work_->splattedCount = 0;
 }
 
-bool Surface::mustStartAnew(const ParticleView& particles) const {
-    const SurfaceParameters& made = work_->made;
-    return !keeping.on || work_->entered == 0 || particles.count < work_->entered ||
-           work_->extras != extrasOf(particles) || made.influence != parameters.influence ||
-           made.kernel != std::clamp(parameters.kernel, 0, 1) || made.isoLevel != parameters.isoLevel ||
-           made.caps != parameters.caps;
+bool Surface::mustRebuild(const ParticleView& particles) const {
+    const SurfaceParameters& used = work_->used;
+    return !incremental.enabled || work_->splattedCount == 0 || particles.count < work_->splattedCount ||
+           work_->particleData != dataOf(particles) || used.influence != parameters.influence ||
+           used.kernel != std::clamp(parameters.kernel, 0, 1) || used.isoLevel != parameters.isoLevel ||
+           used.caps != parameters.caps;
+}
+
+void Surface::writeSetup(size_t particles, bool rebuild) {
+    SurfaceSetup& setup = work_->setup;
+    setup.influence = std::clamp(parameters.influence, 1, 8);
+    setup.particleCount = static_cast<unsigned>(particles);
+    setup.isoLevel = static_cast<unsigned>(std::max(std::lround(double(parameters.isoLevel) * SURFACE_UNIT), 1L));
+    setup.caps = parameters.caps ? 1 : 0;
+    setup.rebuild = rebuild ? 1 : 0;
+    setup.particleData = work_->particleData;
+    setup.incremental = incremental.enabled ? 1 : 0;
+    setup.positionTolerance = incremental.positionTolerance;
+    setup.temperatureTolerance = incremental.temperatureTolerance;
+    work_->setupBlock.writeValue(setup);
+    work_->setupBlock.bindUniform(SURFACE_BIND_SETUP);
 }
 
 void Surface::update(const ParticleView& particles, gl::Profiler* profiler) {
     const gl::Scope all(profiler, "surface");
     Work& w = *work_;
-    if (keeping.on) w.makeRoom(particles.count);
-    const bool anew = mustStartAnew(particles);
-    w.made = parameters;
-    w.made.kernel = std::clamp(parameters.kernel, 0, 1);
-    w.entered = keeping.on ? particles.count : 0;
-    w.extras = extrasOf(particles);
+    if (incremental.enabled) w.growParticleBuffers(particles.count);
+    const bool rebuild = mustRebuild(particles);
+    w.used = parameters;
+    w.used.kernel = std::clamp(parameters.kernel, 0, 1);
+    w.splattedCount = incremental.enabled ? particles.count : 0;
+    w.particleData = dataOf(particles);
     if (particles.heats != nullptr) w.makePeaks();
-    w.setup.cells.w = std::clamp(parameters.influence, 1, 8);
-    w.setup.limits.x = static_cast<unsigned>(particles.count);
-    w.setup.limits.y = static_cast<unsigned>(std::max(std::lround(double(parameters.isoLevel) * SURFACE_UNIT), 1L));
-    w.setup.options = {parameters.caps ? 1 : 0, anew ? 1 : 0, w.extras, keeping.on ? 1 : 0};
-    w.setup.still = {keeping.stillCells, keeping.stillTemperature, 0, 0};
-    w.setupBlock.writeValue(w.setup);
-    w.setupBlock.bindUniform(SURFACE_BIND_SETUP);
+    writeSetup(particles.count, rebuild);
     glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, w.commands.name());
-    if (anew) {
+    if (rebuild) {
         const gl::Scope scope(profiler, "surface clear");
-        w.forget();
+        w.clearVolumes();
     }
     {
         const gl::Scope scope(profiler, "surface splat");
-        anew ? w.enterAll(particles) : w.enterChanged(particles);
+        rebuild ? w.splatAll(particles) : w.splatChanged(particles);
     }
     {
         const gl::Scope scope(profiler, "surface count");
-        w.chooseBlocks();
+        w.listBlocks();
         w.countMesh();
     }
     w.makeMesh(profiler);
 }
 
 SurfaceMesh Surface::mesh() const {
-    const bool withPeaks = (work_->extras & SURFACE_WITH_PEAKS) != 0;
+    const bool withPeaks = (work_->particleData & SURFACE_WITH_PEAKS) != 0;
     return {&work_->vertices, &work_->indices, &work_->commands, withPeaks ? &work_->peaks->vertices : nullptr};
 }
 
@@ -342,9 +348,10 @@ size_t Surface::bytes() const {
     const Work& w = *work_;
     size_t sum = 0;
     for (const gl::Buffer* buffer :
-         {&w.setupBlock, &w.splatted,  &w.changedList,  &w.density,   &w.temperature, &w.blockFlags, &w.blockStates,
-          &w.settled,    &w.blockList, &w.retired,      &w.blockSums, &w.insideBits,  &w.rows,       &w.rowSums,
-          &w.cases,      &w.edgeList,  &w.triangleList, &w.vertices,  &w.indices,     &w.commands})
+         {&w.setupBlock, &w.splatted,     &w.changedList,   &w.density,   &w.temperature,
+          &w.blockFlags, &w.blockStates,  &w.baseTriangles, &w.blockList, &w.obsoleteTriangles,
+          &w.blockSums,  &w.insideBits,   &w.rows,          &w.rowSums,   &w.cases,
+          &w.edgeList,   &w.triangleList, &w.vertices,      &w.indices,   &w.commands})
         sum += buffer->bytes();
     if (w.peaks) sum += w.peaks->volume.bytes() + w.peaks->splatted.bytes() + w.peaks->vertices.bytes();
     return sum;

@@ -16,20 +16,20 @@ namespace meltpool {
 /// Small results of an update.
 struct SurfaceStatistics {
     unsigned vertices = 0;
-    unsigned triangles = 0; ///< with those that were made empty since the last whole mesh
-    unsigned blocks = 0;    ///< blocks of 8³ cells that were made anew
-    unsigned particles = 0; ///< particles that were entered anew
-    bool whole = true;      ///< every block was made anew
-    bool overflow = false;  ///< the mesh did not fit its buffers; what is drawn is a part of it
+    unsigned triangles = 0; ///< including those made empty since the last rebuild
+    unsigned blocks = 0;    ///< blocks of 8³ cells that this update meshed
+    unsigned particles = 0; ///< particles that this update splatted
+    bool rebuilt = true;    ///< the whole mesh was made
+    bool overflow = false;  ///< the mesh did not fit its buffers and is incomplete
 };
 
-/// How an update uses what earlier ones made. Off, every update starts from nothing.
-struct SurfaceKeeping {
-    /// Only particles that changed are entered anew and only blocks around them are made anew: the cost follows what
-    /// moves or warms, not the metal. For particles that keep their slots.
-    bool on = false;
-    float stillCells = 0;       ///< a particle stays as it was entered until it is farther than this from there
-    float stillTemperature = 0; ///< ... and its temperature by this share of the temperature range
+/// Settings of incremental updates. Without them every update rebuilds volumes and mesh.
+struct IncrementalUpdate {
+    /// Splat only particles that changed and mesh only the blocks around them: the cost depends on how many particles
+    /// move or change temperature, not on how many there are. Particles must keep their slots.
+    bool enabled = false;
+    float positionTolerance = 0;    ///< a particle counts as unchanged until it moved farther than this, cells
+    float temperatureTolerance = 0; ///< ... or its temperature changed by more than this share of the range
 };
 
 /// The density volume holds at every corner of the grid the sum of the weights 1 - d / d_max of the particles around, d
@@ -38,18 +38,19 @@ struct SurfaceKeeping {
 /// does not depend on how densely the particles lie. Both are sums of integers: the same particles give the same bits
 /// in any order.
 ///
-/// Particles that remember their highest temperature give a third volume, and the mesh its peaks, in the same way.
+/// Particles that store their highest temperature fill a third volume, from which the mesh gets its peaks in the same
+/// way.
 ///
 /// The smooth kernel has other weights (SurfaceKernel).
 ///
-/// Triangles and vertices are ordered by block of 8³ cells, then row, then cell. With SurfaceKeeping the blocks that
-/// changed since the whole mesh was last made follow behind the others, and the triangles they had before are empty
-/// (three times vertex 0); the mesh is whole again when a third of it has changed. That happens on the GPU and depends
-/// on nothing but the particles: the same updates give the same bits.
+/// Triangles and vertices are ordered by block of 8³ cells, then row, then cell. After incremental updates the blocks
+/// that changed since the last rebuild follow behind the others, and the triangles that they had before are empty
+/// (three times vertex 0). The mesh is rebuilt when a third of its blocks changed. The GPU decides that from the
+/// particles alone: the same updates give the same bits.
 class Surface {
   public:
-    /// Lays a grid over the box: `parameters.cells` along its longest side, cells as near to cubes as whole numbers
-    /// allow along the others. Throws InputError when the box is empty or the cells are out of range.
+    /// Divides the box into a grid: `parameters.cells` along its longest side, along the others as many as make the
+    /// cells most nearly cubes. Throws InputError when the box is empty or the cells are out of range.
     Surface(gl::ShaderLibrary& shaders, const SurfaceParameters& parameters, glm::vec3 boxMin, glm::vec3 boxMax);
     ~Surface();
     Surface(const Surface&) = delete;
@@ -57,34 +58,36 @@ class Surface {
 
     /// Live values; `cells` is only read at construction.
     SurfaceParameters parameters;
-    SurfaceKeeping keeping;
+    IncrementalUpdate incremental;
 
-    /// The particles' temperatures that the volume resolves; beyond it they are clamped. Classic: 0..1 (the default).
+    /// Range of temperatures that the volume stores; others are clamped to it. The default, 0..1, is the classic
+    /// model's. Throws InputError when the range is empty.
     void setTemperatureRange(float coldest, float hottest);
 
-    /// Makes the mesh of these particles; nothing is read back. Passes are timed below the scope "surface".
+    /// Makes the mesh of these particles without reading anything back. The passes are timed below the scope "surface".
     void update(const ParticleView& particles, gl::Profiler* profiler);
 
     SurfaceMesh mesh() const;
     const SurfaceGrid& grid() const;
 
-    /// The volumes' sums by SurfaceGrid::address(), as 32-bit unsigned integers.
+    /// The volumes, indexed by SurfaceGrid::address(): 32-bit unsigned integers.
     const gl::Buffer& densityVolume() const;
     const gl::Buffer& temperatureVolume() const;
-    /// Binds setup and both volumes to their places (shaders/shared/surface.h), for passes that look at them.
+    /// Binds setup and both volumes to their binding points (shaders/shared/surface.h), for passes that read them.
     void bindVolumes() const;
 
-    /// GPU memory that this surface holds.
+    /// Bytes of GPU memory in use.
     size_t bytes() const;
 
     /// Counts of the last update; waits for the GPU.
     SurfaceStatistics statistics() const;
-    /// The same without waiting: request them after an update, then ask in later frames until they are there.
+    /// The same without waiting: request them after an update, then poll in later frames until they have arrived.
     void requestStatistics();
     std::optional<SurfaceStatistics> pollStatistics();
 
   private:
-    bool mustStartAnew(const ParticleView& particles) const;
+    bool mustRebuild(const ParticleView& particles) const;
+    void writeSetup(size_t particles, bool rebuild);
 
     struct Work;
     std::unique_ptr<Work> work_;

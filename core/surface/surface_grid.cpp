@@ -38,17 +38,21 @@ size_t SurfaceGrid::mostVertices() const {
     const glm::ivec3 c = cells + 3;
     const size_t all = 3 * size_t(c.x) * size_t(c.y) * size_t(c.z);
     const size_t layer = size_t(c.x) * size_t(c.y) + size_t(c.y) * size_t(c.z) + size_t(c.z) * size_t(c.x);
-    constexpr size_t kOneDispatch = 65535 * size_t(SURFACE_GROUP) / 2; // so that one row of groups makes all triangles
+    constexpr size_t kOneDispatch = 65535 * size_t(SURFACE_GROUP) / 2; // one row of work groups makes all triangles
     return std::min({all, 12 * layer, kOneDispatch});
 }
 
 SurfaceSetup SurfaceGrid::setup() const {
     SurfaceSetup setup{};
-    setup.cells = glm::ivec4(cells, 0);
-    setup.blocks = glm::ivec4(blocks(), static_cast<int>(blockCount()));
-    setup.origin = glm::vec4(boxMin.x, boxMin.y, boxMax.z, 0.0f);
-    setup.extent = glm::vec4(boxMax.x - boxMin.x, boxMax.y - boxMin.y, boxMin.z - boxMax.z, 1.0f);
-    setup.limits = glm::uvec4(0, 0, mostVertices(), mostTriangles());
+    setup.cells = cells;
+    setup.blocks = blocks();
+    setup.blockCount = static_cast<int>(blockCount());
+    setup.origin = glm::vec3(boxMin.x, boxMin.y, boxMax.z);
+    setup.extent = glm::vec3(boxMax.x - boxMin.x, boxMax.y - boxMin.y, boxMin.z - boxMax.z);
+    setup.coldest = 0;
+    setup.temperatureRange = 1;
+    setup.maxVertices = static_cast<unsigned>(mostVertices());
+    setup.maxTriangles = static_cast<unsigned>(mostTriangles());
     return setup;
 }
 

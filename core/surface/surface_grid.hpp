@@ -1,4 +1,4 @@
-// The grid that the surface is found on: its cells over the box and how its corners are stored.
+// The grid of the surface extraction: its cells over the box and how its corners are stored.
 #pragma once
 
 #include "shaders/shared/surface.h"
@@ -16,23 +16,23 @@ struct SurfaceGrid {
     glm::vec3 boxMin{-1.0f};
     glm::vec3 boxMax{1.0f};
 
-    /// `cells` along the longest side of the box, along the others what makes the cells most nearly cubes, at least 2.
-    /// Throws InputError when the box has no volume, or when a side takes more cells than can be numbered.
+    /// `cells` along the longest side of the box; along the others as many as make the cells most nearly cubes, at
+    /// least 2. Throws InputError when the box has no volume, or when `cells` does not fit the packed coordinates.
     SurfaceGrid(int cells, glm::vec3 boxMin, glm::vec3 boxMax);
 
-    /// Blocks of 8³ corners that hold the corners of an axis and of all.
+    /// Blocks of 8³ corners along each axis.
     glm::ivec3 blocks() const { return (cells + 2 + (SURFACE_BLOCK - 1)) / SURFACE_BLOCK; }
     size_t blockCount() const;
 
-    /// Where a corner is stored; the same as cornerAddress() in the shaders.
+    /// Index of a corner in the volumes; the same as cornerAddress() in the shaders.
     size_t address(glm::ivec3 corner) const;
 
-    /// The mesh that buffers are made for: twelve layers of surface across the whole grid, or all that a small grid can
-    /// hold. A welded plate or a melting cube has one or two.
+    /// Size of the mesh buffers: twelve layers of surface across the whole grid, or all edges of a small grid. A welded
+    /// plate or a melting cube has one or two layers.
     size_t mostVertices() const;
     size_t mostTriangles() const { return 2 * mostVertices(); }
 
-    /// The part of the passes' uniform block that the grid decides.
+    /// The uniform block of the passes with what the grid decides; temperatures 0..1, the rest 0.
     SurfaceSetup setup() const;
 };
 

@@ -5,12 +5,12 @@
 
 namespace meltpool {
 
-/// Borrowed from the Surface that made it; valid until that is updated or gone.
+/// Points to buffers of the Surface that made it; valid until that is updated or destroyed.
 struct SurfaceMesh {
-    const gl::Buffer* vertices = nullptr;    ///< SurfaceVertex: vec4 position and temperature, vec4 normal
+    const gl::Buffer* vertices = nullptr;    ///< SurfaceVertex
     const gl::Buffer* indices = nullptr;     ///< GLuint, three a triangle, counter-clockwise from outside
     const gl::Buffer* drawCommand = nullptr; ///< one DrawElementsIndirectCommand
-    /// One float a vertex: the highest temperature so far, K. Null where nobody keeps it.
+    /// One float a vertex: the highest temperature so far, K. Null when the particles do not store it.
     const gl::Buffer* peaks = nullptr;
 };
 

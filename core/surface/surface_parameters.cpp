@@ -24,9 +24,9 @@ ParameterList describe(SurfaceParameters& p) {
         {"influence", "Particle influence", "cells", &p.influence, 1, 8,
          "a particle adds to (2 i - 1)³ corners: higher is smoother, fatter and slower"},
         {"kernel", "Particle shape", "", &p.kernel, 0, 1,
-         "smooth: an even surface, but thinner for the same influence and iso level", kKernels},
+         "smooth: an even surface, but thinner at the same influence and iso level", kKernels},
         {"iso_level", "Iso level", "", &p.isoLevel, 0.01, 1000,
-         "lower wraps the metal more loosely, higher opens holes"},
+         "lower makes the metal look fatter, higher opens holes"},
         {"caps", "Caps on the box", "", &p.caps, 0, 1, "off: the metal is open where it touches the box"},
     };
 }

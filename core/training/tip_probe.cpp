@@ -14,7 +14,7 @@ float distanceOf(float found, const MetalModel& metal) {
     return metres < TipProbe::kReach * 0.999F ? metres : std::numeric_limits<float>::infinity();
 }
 
-TipSounding soundingOf(const SurfaceSounding& found, const MetalModel& metal) {
+TipSounding soundingOf(const SurfaceProbeAnswer& found, const MetalModel& metal) {
     TipSounding sounding;
     sounding.ahead = distanceOf(found.ahead, metal);
     sounding.nearest = distanceOf(found.nearest, metal);

@@ -93,7 +93,7 @@ void WeldModel::prepare(Surface& surface) const {
     surface.setTemperatureRange(kRoomTemperature, 3500);
     surface.parameters.isoLevel *= flatFaceLevel(surface.parameters, surface.grid(), workpiece_.lattice.spacing);
     // Particles keep their slots; less than a fiftieth of a cell or 3 K is seen by nobody.
-    surface.keeping = {true, 0.02F, 0.001F};
+    surface.incremental = {true, 0.02F, 0.001F};
 }
 
 } // namespace meltpool

@@ -6,8 +6,8 @@
 
 // Light on a surface that faces the arc, over pi: what a white one there shines with. `toArc`: from the place, world.
 vec3 arcOn(vec3 toArc) {
-    float squared = dot(toArc, toArc) / (frame.tone.w * frame.tone.w);
-    return frame.arcLight.rgb / (3.14159265 * max(squared, frame.arc.w));
+    float squared = dot(toArc, toArc) / (frame.modelUnit * frame.modelUnit);
+    return frame.arcLight / (3.14159265 * max(squared, frame.arcMinDistanceSquared));
 }
 
 // What a dull white surface with unit normal `n` shines with.

@@ -16,8 +16,8 @@ void main() {
     share[(axis + 2) % 3] = float((line >> 1) & 1);
     vec3 other = share;
     other[axis] = 1.0;
-    vec4 from = toClip(toWorld(mix(frame.boxMin.xyz, frame.boxMax.xyz, share)));
-    vec4 to = toClip(toWorld(mix(frame.boxMin.xyz, frame.boxMax.xyz, other)));
+    vec4 from = toClip(toWorld(mix(frame.boxMin, frame.boxMax, share)));
+    vec4 to = toClip(toWorld(mix(frame.boxMin, frame.boxMax, other)));
     // What lies behind the eye cannot be divided by w: cut the line at the near plane first.
     float nearFrom = from.z + from.w;
     float nearTo = to.z + to.w;
@@ -28,7 +28,7 @@ void main() {
     }
     if (nearFrom < 0.0) from = mix(to, from, nearTo / (nearTo - nearFrom) * 0.9999);
     if (nearTo < 0.0) to = mix(from, to, nearFrom / (nearFrom - nearTo) * 0.9999);
-    vec2 size = frame.views[viewIndex()].size.xy;
+    vec2 size = frame.views[viewIndex()].size;
     vec2 along = (to.xy / to.w - from.xy / from.w) * size;
     vec2 side = normalize(vec2(-along.y, along.x) + vec2(1e-6, 0.0)) * 2.0 / size;
     bool end = corner == 1 || corner == 2 || corner == 4;

@@ -26,10 +26,10 @@ void main() {
     float dull = surface.y;
     vec3 seen = decodeEnvironment(
         textureLod(roughEnvironment, mirrored, kLiquidLevel + (kSolidLevel - kLiquidLevel) * dull).rgb);
-    float towardsLamp = max(dot(normalize(mirrored), frame.lampWay.xyz), 0.0);
-    float glint = frame.phong.z * (1.0 - 0.65 * dull) * pow(towardsLamp, frame.phong.w * (1.0 - 0.8 * dull));
-    vec3 glow = material.heat.x * glowOf(temperature);
-    vec3 light = body + surface.x * mirrorTint * seen + glint * material.glint.rgb + glow;
+    float towardsLamp = max(dot(normalize(mirrored), frame.lampDirection), 0.0);
+    float glint = frame.specular * (1.0 - 0.65 * dull) * pow(towardsLamp, frame.shininess * (1.0 - 0.8 * dull));
+    vec3 glow = material.emissivity * glowOf(temperature);
+    vec3 light = body + surface.x * mirrorTint * seen + glint * material.highlight + glow;
     if (frame.arcLight.g > 0.0)
         light += surface.x * mirrorTint * arcMirrored(toArc, mirrored, kLiquidLobe * pow(kSolidLobe / kLiquidLobe, dull));
     colour = finish(light, 1.0);

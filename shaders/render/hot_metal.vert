@@ -6,9 +6,10 @@
 #include "render/hot.glsl"
 #include "render/metal_look.glsl"
 
-layout(location = 0) in vec4 position; // model units; w: temperature, K
-layout(location = 1) in vec4 outward;
-layout(location = 2) in float peak; // highest temperature so far, K
+layout(location = POSITION_ATTRIBUTE) in vec3 position; // model units
+layout(location = NORMAL_ATTRIBUTE) in vec3 outward;   // unit, model
+layout(location = TEMPERATURE_ATTRIBUTE) in float vertexTemperature; // K
+layout(location = PEAK_ATTRIBUTE) in float peak; // highest temperature so far, K
 
 layout(location = 0) out vec3 mirrored;    // world direction that the eye sees in the metal, not unit
 layout(location = 1) out vec3 body;        // light of the material itself
@@ -18,21 +19,21 @@ layout(location = 4) out float temperature;
 layout(location = 5) out vec3 toArc;
 
 void main() {
-    vec3 world = toWorld(position.xyz);
-    vec3 n = normalize(mat3(frame.modelToWorld) * outward.xyz);
-    mirrored = reflect(world - frame.views[viewIndex()].eye.xyz, n);
+    vec3 world = toWorld(position);
+    vec3 n = normalize(mat3(frame.modelToWorld) * outward);
+    mirrored = reflect(world - frame.views[viewIndex()].eye, n);
 
-    float liquid = meltShares(position.w).y;
-    float light = frame.phong.x + frame.phong.y * max(dot(n, normalize(frame.light.xyz - world)), 0.0);
-    float mirror = mix(material.solid.w, material.liquid.w, liquid);
+    float liquid = meltShares(vertexTemperature).y;
+    float light = frame.ambient + frame.diffuse * max(dot(n, normalize(frame.lamp - world)), 0.0);
+    float mirror = mix(material.solidMirror, material.liquidMirror, liquid);
     // Oxide lies on solid metal only: a pool is clean.
-    vec3 tint = mix(vec3(1.0), tintOf(max(peak, position.w)), material.heat.y * (1.0 - liquid));
+    vec3 tint = mix(vec3(1.0), tintOf(max(peak, vertexTemperature)), material.oxideTint * (1.0 - liquid));
     float scale = 1.0 - dot(tint, vec3(1.0 / 3.0));
-    toArc = frame.arc.xyz - world;
+    toArc = frame.arc - world;
     vec3 lit = vec3(light) + arcDiffuse(toArc, n);
     body = lit * (1.0 - mirror) * materialColour(liquid) * tint;
-    mirrorTint = mix(vec3(1.0), material.mirror.rgb, 0.8) * tint;
-    surface = vec2(light * mirror * (1.0 - 0.5 * scale * (1.0 - liquid)), frame.detail.x * (1.0 - liquid));
-    temperature = position.w;
+    mirrorTint = mix(vec3(1.0), material.mirrorColour, 0.8) * tint;
+    surface = vec2(light * mirror * (1.0 - 0.5 * scale * (1.0 - liquid)), frame.dullness * (1.0 - liquid));
+    temperature = vertexTemperature;
     showCut(world);
 }

@@ -27,7 +27,7 @@ vec2 clouds(vec3 from, vec3 along, float thickness) {
 }
 
 void main() {
-    vec3 at = place * frame.detail.z;
+    vec3 at = place * frame.perCubeWidth;
     vec3 n = normalize(normal);
     vec3 along = normalize(way);
     vec3 lamp = normalize(toLamp);
@@ -37,14 +37,14 @@ void main() {
     vec3 grain = texture(noise, at * 2.6).rgb - 0.5;
     n = normalize(n + (bump * 0.22 + grain * 0.10) * (1.0 - 0.85 * wet));
 
-    Passage p = passThrough(along, n, material.mirror.w);
+    Passage p = passThrough(along, n, material.refractiveIndex);
     float level = 2.0 * (1.0 - wet);
-    vec3 behind = environmentAt(p.exitWay, level) * exp(-material.absorb.rgb * p.distance);
+    vec3 behind = environmentAt(p.exitWay, level) * exp(-material.absorption * p.distance);
 
     mat3 toModel = transpose(mat3(frame.modelToWorld)); // times the scale, which normalising removes
-    vec2 milk = clouds(at, normalize(toModel * p.inside), p.distance) * material.absorb.w;
+    vec2 milk = clouds(at, normalize(toModel * p.inside), p.distance) * material.scattering;
     vec3 sky = skyLight(n);
-    float lit = frame.phong.x + frame.phong.y * (0.35 + 0.65 * max(dot(n, lamp), 0.0));
+    float lit = frame.ambient + frame.diffuse * (0.35 + 0.65 * max(dot(n, lamp), 0.0));
     vec3 white = (0.55 * lit + 0.5 * sky) * vec3(0.82, 0.93, 1.0);
     vec3 body = mix(behind, white, 1.0 - exp(-milk.x * 1.6));
     body = mix(body, white * 1.35, 1.0 - exp(-milk.y * 4.0));
@@ -57,7 +57,7 @@ void main() {
 
     vec3 mirrored = reflect(along, n);
     vec3 image = environmentAt(mirrored, 1.0 + 2.0 * (1.0 - wet));
-    float shininess = frame.phong.w * (0.5 + 2.0 * wet);
-    float highlight = frame.phong.z * pow(max(dot(mirrored, lamp), 0.0), shininess);
-    colour = finish(mix(body, image, mirrorShare(cosine, material.mirror.w)) + highlight, 1.0);
+    float shininess = frame.shininess * (0.5 + 2.0 * wet);
+    float highlight = frame.specular * pow(max(dot(mirrored, lamp), 0.0), shininess);
+    colour = finish(mix(body, image, mirrorShare(cosine, material.refractiveIndex)) + highlight, 1.0);
 }

@@ -18,7 +18,7 @@ const float kSolidLevel = 3.0;
 void main() {
     float dull = surface.y;
     vec3 seen = decodeEnvironment(textureLod(roughEnvironment, mirrored, kLiquidLevel + (kSolidLevel - kLiquidLevel) * dull).rgb);
-    float towardsLamp = max(dot(normalize(mirrored), frame.lampWay.xyz), 0.0);
-    float glint = frame.phong.z * (1.0 - 0.65 * dull) * pow(towardsLamp, frame.phong.w * (1.0 - 0.8 * dull));
-    colour = finish(body + surface.x * material.mirror.rgb * seen + glint * material.glint.rgb, 1.0);
+    float towardsLamp = max(dot(normalize(mirrored), frame.lampDirection), 0.0);
+    float glint = frame.specular * (1.0 - 0.65 * dull) * pow(towardsLamp, frame.shininess * (1.0 - 0.8 * dull));
+    colour = finish(body + surface.x * material.mirrorColour * seen + glint * material.highlight, 1.0);
 }

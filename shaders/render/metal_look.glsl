@@ -8,12 +8,12 @@
 // Classic: colour grey max(1 - T, 0.2) and mirror share min(T, 0.6) from T > 0.3 on, that is from 0.7 to 0.2 over
 // 0.3 .. 0.8 and from 0.3 to 0.6 over 0.3 .. 0.6. Physical: by the liquid fraction.
 vec2 meltShares(float temperature) {
-    if (frame.temperature.w == 0.0) return clamp((temperature - 0.3) / vec2(0.5, 0.3), 0.0, 1.0);
-    return vec2(clamp((temperature - frame.temperature.z) * frame.temperature.w, 0.0, 1.0));
+    if (frame.perMushyRange == 0.0) return clamp((temperature - 0.3) / vec2(0.5, 0.3), 0.0, 1.0);
+    return vec2(clamp((temperature - frame.solidus) * frame.perMushyRange, 0.0, 1.0));
 }
 
 vec3 materialColour(float share) {
-    return toLinear(mix(material.solid.rgb, material.liquid.rgb, share));
+    return toLinear(mix(material.solidColour, material.liquidColour, share));
 }
 
 #endif

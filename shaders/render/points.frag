@@ -21,13 +21,13 @@ void main() {
     vec2 off = (gl_FragCoord.xy - disc.xy) * disc.z;
     float inside = 1.0 - dot(off, off);
     if (inside < 0.0) discard;
-    if (frame.colours.x > 0.5) {
+    if (frame.colourMode > 0.5) {
         colour = finishExact(scaleColour(temperature), 1.0);
         return;
     }
     vec3 n = vec3(off, sqrt(inside));
     vec2 share = meltShares(temperature);
-    float light = frame.phong.x + frame.phong.y * max(dot(n, lampInEye), 0.0);
-    float highlight = pow(max(dot(reflect(wayInEye, n), lampInEye), 0.0), 20.0) * frame.phong.z * (0.2 + 0.8 * share.y);
+    float light = frame.ambient + frame.diffuse * max(dot(n, lampInEye), 0.0);
+    float highlight = pow(max(dot(reflect(wayInEye, n), lampInEye), 0.0), 20.0) * frame.specular * (0.2 + 0.8 * share.y);
     colour = finish(light * materialColour(share.x) * (0.55 + 0.45 * n.z) + highlight, 1.0);
 }

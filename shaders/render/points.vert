@@ -3,7 +3,8 @@
 #extension GL_GOOGLE_include_directive : require
 #include "render/view.glsl"
 
-layout(location = 0) in vec4 position; // model units; w: temperature
+layout(location = POSITION_ATTRIBUTE) in vec3 position; // model units
+layout(location = TEMPERATURE_ATTRIBUTE) in float particleTemperature;
 
 layout(location = 0) flat out float temperature;
 layout(location = 1) flat out vec3 lampInEye; // unit
@@ -15,18 +16,18 @@ layout(location = 4) flat out vec2 column; // pixels, left and right side of the
 
 void main() {
     ViewData view = frame.views[viewIndex()];
-    vec3 world = toWorld(position.xyz);
+    vec3 world = toWorld(position);
     showCut(world);
 #ifdef VIEWS_BY_CLIPPING
     // Like every clipping of points, clip distances ask for the middle alone: the pixels are looked at one by one.
-    column = view.size.z + vec2(0.0, view.size.x);
+    column = view.corner.x + vec2(0.0, view.size.x);
 #endif
     // At least a pixel, so that far particles do not flicker.
-    float radius = max(frame.detail.y * view.eye.w / max(gl_Position.w, 1e-6), 0.75);
+    float radius = max(frame.pointRadius * view.pixelsPerUnit / max(gl_Position.w, 1e-6), 0.75);
     vec4 clip = view.worldToClip * vec4(world, 1.0);
-    disc = vec3((clip.xy / max(clip.w, 1e-6) * 0.5 + 0.5) * view.size.xy + view.size.zw, 1.0 / radius);
+    disc = vec3((clip.xy / max(clip.w, 1e-6) * 0.5 + 0.5) * view.size + view.corner, 1.0 / radius);
     gl_PointSize = 2.0 * radius + 1.0; // the whole disc, wherever the driver lays the square over the pixels
-    temperature = position.w;
-    lampInEye = normalize(mat3(view.worldToEye) * (frame.light.xyz - world));
-    wayInEye = normalize(mat3(view.worldToEye) * (world - view.eye.xyz));
+    temperature = particleTemperature;
+    lampInEye = normalize(mat3(view.worldToEye) * (frame.lamp - world));
+    wayInEye = normalize(mat3(view.worldToEye) * (world - view.eye));
 }

@@ -31,8 +31,8 @@ void main() {
     if (sum.x < SECTION_INSIDE) discard;
     float peak = sum.y / sum.x;
     float temperature = sum.z / sum.x;
-    if (frame.colours.x > 0.5) {
-        colour = finishExact(scaleColour(temperature) * min(frame.tone.rgb, 1.0), 1.0);
+    if (frame.colourMode > 0.5) {
+        colour = finishExact(scaleColour(temperature) * min(frame.exposure, 1.0), 1.0);
         return;
     }
     vec2 place = corner.xy + inPicture * corner.zw;
@@ -41,7 +41,7 @@ void main() {
                       peakAt(inPicture + vec2(0.0, texel.y)) - peakAt(inPicture - vec2(0.0, texel.y))) / (4.0 * spacing);
     vec2 inwards = slope / max(length(slope), 1e-6);
 
-    float fused = frame.temperature.z;
+    float fused = frame.solidus;
     vec2 cell = place / spacing; // grains are sized by the spacing so that every scale of plate shows them
     float speckle = grains(cell * 0.11) * 0.5 + grains(cell * 0.31) * 0.5;
     float rolled = grains(cell * vec2(0.012, 0.25));
@@ -56,7 +56,7 @@ void main() {
     float line = abs(peak - fused) / max(length(slope), 1e-6) / spacing; // in spacings from the fusion line
     reflectance *= 1.0 - 0.45 * smoothstep(0.22, 0.0, line);
 
-    float light = frame.phong.x + frame.phong.y * 0.8;
+    float light = frame.ambient + frame.diffuse * 0.8;
     vec3 body = light * reflectance * vec3(1.0, 0.98, 0.95);
-    colour = finish(body + material.heat.x * glowOf(temperature), 1.0);
+    colour = finish(body + material.emissivity * glowOf(temperature), 1.0);
 }

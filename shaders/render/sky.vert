@@ -7,6 +7,6 @@ layout(location = 0) out vec3 way;
 
 void main() {
     vec4 place = vec4((gl_VertexID & 1) * 4 - 1, (gl_VertexID & 2) * 2 - 1, 1.0, 1.0);
-    way = (frame.views[viewIndex()].clipToWay * place).xyz;
+    way = (frame.views[viewIndex()].clipToDirection * place).xyz;
     showAt(place);
 }

@@ -22,8 +22,8 @@ void main() {
     vec3 mirrored = reflect(normalize(way), n);
     vec3 image = decodeEnvironment(textureLod(roughEnvironment, mirrored, mix(5.0, 0.0, paint.w)).rgb);
     float glance = pow(clamp(1.0 - dot(mirrored, n), 0.0, 1.0), 5.0);
-    float light = frame.phong.x + frame.phong.y * max(dot(n, lamp), 0.0);
-    float highlight = frame.phong.z * paint.w * pow(max(dot(mirrored, lamp), 0.0), mix(8.0, 80.0, paint.w));
+    float light = frame.ambient + frame.diffuse * max(dot(n, lamp), 0.0);
+    float highlight = frame.specular * paint.w * pow(max(dot(mirrored, lamp), 0.0), mix(8.0, 80.0, paint.w));
     vec3 seen = light * paint.rgb + image * paint.w * mix(0.12, 0.9, glance) + highlight + glow;
     if (frame.arcLight.g > 0.0) {
         seen += arcDiffuse(toArc, n) * paint.rgb;

@@ -16,8 +16,8 @@ layout(location = 3) out vec3 toArc;
 void main() {
     vec3 world = (solidToWorld * vec4(position, 1.0)).xyz;
     normal = transpose(inverse(mat3(solidToWorld))) * outward;
-    way = world - frame.views[viewIndex()].eye.xyz;
-    toLamp = frame.light.xyz - world;
-    toArc = frame.arc.xyz - world;
+    way = world - frame.views[viewIndex()].eye;
+    toLamp = frame.lamp - world;
+    toArc = frame.arc - world;
     showAt(toClip(world));
 }

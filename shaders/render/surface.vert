@@ -3,8 +3,9 @@
 #extension GL_GOOGLE_include_directive : require
 #include "render/view.glsl"
 
-layout(location = 0) in vec4 position; // model units; w: temperature
-layout(location = 1) in vec4 outward;
+layout(location = POSITION_ATTRIBUTE) in vec3 position; // model units
+layout(location = NORMAL_ATTRIBUTE) in vec3 outward;   // unit, model
+layout(location = TEMPERATURE_ATTRIBUTE) in float vertexTemperature;
 
 layout(location = 0) out vec3 normal; // world, not unit
 layout(location = 1) out vec3 way;    // world, from the eye to here
@@ -14,12 +15,12 @@ layout(location = 4) out vec3 toLamp;
 layout(location = 5) flat out int view;
 
 void main() {
-    vec3 world = toWorld(position.xyz);
-    normal = mat3(frame.modelToWorld) * outward.xyz;
+    vec3 world = toWorld(position);
+    normal = mat3(frame.modelToWorld) * outward;
     view = viewIndex();
-    way = world - frame.views[view].eye.xyz;
-    place = position.xyz;
-    temperature = position.w;
-    toLamp = frame.light.xyz - world;
+    way = world - frame.views[view].eye;
+    place = position;
+    temperature = vertexTemperature;
+    toLamp = frame.lamp - world;
     showCut(world);
 }

@@ -36,7 +36,7 @@ vec4 encoded(vec3 light, float cover) {
 
 // The colour to write for light that reaches the eye.
 vec4 finish(vec3 light, float cover) {
-    vec3 toned = toneCurve(max(light, 0.0) * frame.tone.rgb);
+    vec3 toned = toneCurve(max(light, 0.0) * frame.exposure);
     return encoded(toned, cover);
 }
 

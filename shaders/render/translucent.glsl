@@ -33,9 +33,9 @@ float mirrorShare(float cosine, float index) {
 // The far side that this eye sees at a place 0..1 of its view: the views lie side by side, and none looks into its
 // neighbour's column.
 vec4 farSide(vec2 inView) {
-    vec2 border = 0.5 / frame.views[view].size.xy;
+    vec2 border = 0.5 / frame.views[view].size;
     inView = clamp(inView, border, 1.0 - border);
-    return texture(backSide, vec2((float(view) + inView.x) / frame.colours.z, inView.y));
+    return texture(backSide, vec2((float(view) + inView.x) / frame.viewCount, inView.y));
 }
 
 // Two refractions, at this pixel and where the bent ray leaves through the far side that this eye sees (Wyman 2005, "An
@@ -43,14 +43,14 @@ vec4 farSide(vec2 inView) {
 // the far normal is looked up where the bent ray's end is projected to.
 Passage passThrough(vec3 along, vec3 n, float index) {
     ViewData eye = frame.views[view];
-    vec2 here = (gl_FragCoord.xy - eye.size.zw) / eye.size.xy;
+    vec2 here = (gl_FragCoord.xy - eye.corner) / eye.size;
     float straight = max(farSide(here).w - length(way), 0.0);
     Passage p;
     p.inside = refract(along, n, 1.0 / index);
-    vec4 end = eye.worldToClip * vec4(eye.eye.xyz + way + p.inside * straight, 1.0);
+    vec4 end = eye.worldToClip * vec4(eye.eye + way + p.inside * straight, 1.0);
     vec4 far4 = farSide(end.xy / end.w * 0.5 + 0.5);
     vec3 farNormal = far4.w > 0.0 ? normalize(far4.xyz) : -n;
-    p.distance = straight / frame.tone.w * frame.detail.z;
+    p.distance = straight / frame.modelUnit * frame.perCubeWidth;
     p.exitWay = refract(p.inside, -farNormal, index);
     if (dot(p.exitWay, p.exitWay) < 0.5) p.exitWay = reflect(p.inside, -farNormal); // total reflection
     return p;

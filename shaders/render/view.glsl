@@ -37,7 +37,7 @@ void showAt(vec4 clip) {
     gl_ViewportIndex = viewIndex();
 #endif
 #ifdef VIEWS_BY_CLIPPING
-    float columns = frame.colours.z;
+    float columns = frame.viewCount;
     float middle = float(2 * viewIndex() + 1) - columns;
     gl_Position.x = (clip.x + middle * clip.w) / columns;
     gl_ClipDistance[0] = clip.w + clip.x;
@@ -47,7 +47,7 @@ void showAt(vec4 clip) {
 
 // As showAt() for the metal's surface, of which the section takes a part away.
 void showCut(vec3 world) {
-    gl_ClipDistance[kCutPlane] = frame.cut.w - dot(frame.cut.xyz, world);
+    gl_ClipDistance[kCutPlane] = frame.cutOffset - dot(frame.cutNormal, world);
     showAt(toClip(world));
 }
 

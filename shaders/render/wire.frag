@@ -20,6 +20,6 @@ void main() {
     float height = 1.0 / max(max(rate.x, rate.y), rate.z);
     cover *= (gl_FrontFacing ? 0.9 : 0.22) * clamp(height / 7.0, 0.25, 1.0);
     if (cover < 0.01) discard;
-    vec3 light = frame.colours.x > 0.5 ? scaleColour(temperature) : materialColour(meltShares(temperature).x) * 1.6;
+    vec3 light = frame.colourMode > 0.5 ? scaleColour(temperature) : materialColour(meltShares(temperature).x) * 1.6;
     colour = finish(light * (0.6 + 0.4 * abs(facing)), cover);
 }

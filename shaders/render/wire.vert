@@ -17,10 +17,10 @@ layout(location = 2) out float facing; // cosine between the normal and the way 
 
 void main() {
     SurfaceVertex v = vertices[indices[gl_VertexID]];
-    vec3 world = toWorld(v.position.xyz);
+    vec3 world = toWorld(v.position);
     corner = vec3(equal(ivec3(gl_VertexID % 3), ivec3(0, 1, 2)));
-    temperature = v.position.w;
-    facing = dot(normalize(mat3(frame.modelToWorld) * v.normal.xyz),
-                 normalize(frame.views[viewIndex()].eye.xyz - world));
+    temperature = v.temperature;
+    facing = dot(normalize(mat3(frame.modelToWorld) * v.normal),
+                 normalize(frame.views[viewIndex()].eye - world));
     showCut(world);
 }

@@ -1,4 +1,4 @@
-// What the drawing passes and the renderer share: uniform blocks, texture units and vertex layout.
+// What the drawing shaders share with the renderer: uniform blocks, texture units, vertex attributes.
 #ifndef MELTPOOL_SHARED_RENDER_H
 #define MELTPOOL_SHARED_RENDER_H
 
@@ -9,26 +9,32 @@
 #define MATERIAL_BINDING 1
 
 // Texture units.
-#define SHARP_UNIT 0  // the environment, level 0 alone: without the cost of choosing a level
-#define ROUGH_UNIT 1  // the environment with its levels: the higher, the rougher the surface that mirrors it
-#define SCALE_UNIT 2  // temperature colours, one scale a row
-#define BACK_UNIT 3   // back faces of all views side by side: normal and distance from the eye
-#define HEAT_UNIT 5   // glow and tint over temperature
-#define SECTION_UNIT 6 // what lies on the section's plane
-#define NOISE_UNIT 4  // smooth random values in space, repeating
+#define SHARP_UNIT 0   // the environment, level 0 only: saves choosing a level
+#define ROUGH_UNIT 1   // the environment with its levels: the higher, the rougher the surface that mirrors it
+#define SCALE_UNIT 2   // temperature colours, one scale a row
+#define BACK_UNIT 3    // back faces of all views side by side: normal and distance from the eye
+#define NOISE_UNIT 4   // smooth random values in space, repeating
+#define HEAT_UNIT 5    // glow and tint over temperature
+#define SECTION_UNIT 6 // sums over the particles on the section's plane
 
-// Storage bindings of passes that pull their vertices.
+// Vertex attributes of the metal's surface (SurfaceVertex) and of particles drawn as points.
+#define POSITION_ATTRIBUTE 0
+#define NORMAL_ATTRIBUTE 1
+#define PEAK_ATTRIBUTE 2
+#define TEMPERATURE_ATTRIBUTE 3
+
+// Storage bindings of passes that read vertices from buffers by themselves.
 #define PULL_VERTICES_BINDING 0
 #define PULL_INDICES_BINDING 1
 
-// Most views of one draw call list.
+// Most views of a frame.
 #define MOST_VIEWS 4
 
-// The environment is stored as sqrt(light / ENVIRONMENT_RANGE) in ten bits: fine steps in the dark, lamps brighter than
-// white, and filtering as cheap as that of a plain picture.
+// The environment is stored as sqrt(light / ENVIRONMENT_RANGE) in ten bits: fine steps in the dark, room for lamps
+// brighter than white, and the filtering cost of an ordinary texture.
 #define ENVIRONMENT_RANGE 8.0
 
-// Levels of the environment. Level i holds what a surface of GGX roughness (i / (ENVIRONMENT_LEVELS - 1))^1.5 mirrors.
+// Levels of the environment. Level i is the mirror image in a surface of GGX roughness (i / (ENVIRONMENT_LEVELS - 1))^1.5.
 #define ENVIRONMENT_LEVELS 7
 
 // Columns and rows of the temperature colour texture.
@@ -52,40 +58,64 @@ namespace meltpool {
 struct ViewData {
     mat4 worldToClip;
     mat4 worldToEye;
-    mat4 clipToWay; // clip xy at the far plane (z = w = 1) to a world direction
-    vec4 eye;       // world; w: pixels that one world unit covers at a depth of 1
-    vec4 size;      // pixels: width, height, left and lower border in the frame buffer
+    mat4 clipToDirection; // clip xy at the far plane (z = w = 1) to a world direction
+    vec3 eye;             // world
+    float pixelsPerUnit;  // pixels that one world unit covers at a depth of 1
+    vec2 size;            // width and height, pixels
+    vec2 corner;          // lower left corner in the frame buffer, pixels
 };
 
 struct FrameData {
     ViewData views[MOST_VIEWS];
     mat4 modelToWorld;
-    vec4 light;       // place of the lamp, world units
-    vec4 lampWay;     // unit world direction from the model's origin to the lamp: highlights take the lamp as far away
-    vec4 phong;       // ambient, diffuse, specular, shininess
-    vec4 tone;        // rgb: exposure times what the visor lets through, w: size of a model unit in world units
-    vec4 temperature; // x: coldest, y: 1 / (hottest - coldest), z: solidus, w: 1 / (liquidus - solidus), 0 = classic
-    vec4 colours;     // x: ColourMode, y: row of the temperature scale, z: number of views
-    vec4 boxMin;
-    vec4 boxMax;
-    vec4 cut;    // plane, world: what has dot(xyz, place) > w is taken away
-    vec4 arc;      // place of the arc, world units; w: square of the least distance, model units
-    vec4 arcLight; // rgb: its intensity, 1 = white paper's luminance times square model unit; 0: no arc
-    vec4 detail; // x: dullness of solid metal, y: radius of a drawn particle in world units, z: width of a classic cube over a model unit: scales frost and clouds
+    vec3 lamp;                    // position, world
+    float modelUnit;              // length of a model unit in world units
+    vec3 lampDirection;           // unit, world, from the model's origin: for highlights the lamp is infinitely far away
+    float perCubeWidth;           // 1 / width of a classic cube in model units: scales frost and clouds
+    float ambient;                // of Phong's model, as the next three
+    float diffuse;
+    float specular;
+    float shininess;
+    vec3 exposure;                // factor on all light, with the visor's transmittance
+    float dullness;               // of solid metal
+    float coldest;                // lower end of the temperature colours
+    float perTemperatureRange;    // 1 / (hottest - coldest)
+    float solidus;                // K
+    float perMushyRange;          // 1 / (liquidus - solidus); 0: the classic model
+    vec3 boxMin;
+    float pointRadius;            // radius of a drawn particle, world units
+    vec3 boxMax;
+    float viewCount;
+    vec3 cutNormal;               // world: what has dot(cutNormal, position) > cutOffset is cut away
+    float cutOffset;
+    vec3 arc;                     // position, world
+    float arcMinDistanceSquared;  // nearer surfaces are lit as from this distance, square model units
+    vec3 arcLight;                // luminous intensity, 1 = white paper's luminance times a square model unit; 0: no arc
+    float colourMode;             // ColourMode
+    float scaleRow;               // row of the temperature colour texture
+    float reserved;
+    vec2 reserved2;
 };
 
 struct MaterialData {
-    vec4 solid;  // rgb: colour as displayed (sRGB), w: share of the mirror image
-    vec4 liquid; // the same, molten
-    vec4 mirror; // rgb: linear colour of the mirror image, w: refractive index of translucent stuff
-    vec4 glint;  // rgb: linear colour of the lamp's highlight
-    vec4 heat;   // x: share of a black body's light, y: strength of the oxide's tint
-    vec4 absorb; // rgb: absorption over the width of a classic cube, w: scattering over it
+    vec3 solidColour;      // as displayed (sRGB)
+    float solidMirror;     // share of the mirror image
+    vec3 liquidColour;
+    float liquidMirror;
+    vec3 mirrorColour;     // linear colour of the mirror image
+    float refractiveIndex; // of translucent materials
+    vec3 highlight;        // linear colour of the lamp's highlight
+    float emissivity;      // share of a black body's light
+    vec3 absorption;       // over the width of a classic cube
+    float scattering;      // over the width of a classic cube
+    float oxideTint;       // strength of the temper colours, 0..1
+    float reserved;
+    vec2 reserved2;
 };
 
 #ifdef __cplusplus
 static_assert(sizeof(ViewData) == 224);
-static_assert(sizeof(FrameData) == 4 * 224 + 64 + 12 * 16);
+static_assert(sizeof(FrameData) == 4 * 224 + 64 + 11 * 16);
 static_assert(sizeof(MaterialData) == 6 * 16);
 } // namespace meltpool
 #endif

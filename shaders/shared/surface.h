@@ -1,27 +1,26 @@
-// The surface's GPU layout: the vertices that the renderer reads, and what the extraction passes hand on to each other.
+// Structs, bindings and group sizes of the surface extraction, shared by C++ and GLSL.
 //
-// Corners are numbered with one layer of empty ones around the grid: corner 0 and corner cells + 2 of an axis lie in
-// that layer, 1 .. cells + 1 are the grid's own. The layer has no thickness: an edge into it stands for the corner it
-// starts from, so that the cells of the layer make the caps on the box. A cell and an edge are named by their lowest
-// corner.
+// The grid has one layer of empty corners around it: along each axis corners 0 and cells + 2 belong to that layer,
+// corners 1 .. cells + 1 to the grid. The layer has no thickness: an edge from a grid corner into the layer has zero
+// length, so that the cells of the layer form the caps on the box. A cell or an edge has the number of its lowest corner.
 //
 // Corners are stored in blocks of 8 x 8 x 8, x fastest within a block and among the blocks. A row is the 8 corners of a
-// block that share y and z; the bits of 4 rows share a word.
+// block that share y and z; the inside bits of 4 rows share a word.
 #ifndef MELTPOOL_SHARED_SURFACE_H
 #define MELTPOOL_SHARED_SURFACE_H
 
 #include "glsl_types.h"
 
-/// Corners along the side of a block, in a block, rows of a block, words of a block's inside bits.
+/// Corners along the side of a block, corners in a block, rows in a block, words of inside bits in a block.
 #define SURFACE_BLOCK 8
 #define SURFACE_BLOCK_CORNERS 512
 #define SURFACE_BLOCK_ROWS 64
 #define SURFACE_BLOCK_WORDS 16
 
-/// A weight of 1 in the volumes' integer sums.
+/// The integer that stands for a weight of 1 in the volumes' sums.
 #define SURFACE_UNIT 10000
 
-/// Bits a coordinate takes in packed edges and cells.
+/// Bits of one coordinate in packed edges and cells.
 #define SURFACE_COORDINATE_BITS 10
 
 /// Invocations of a work group of the passes over particles, rows, vertices and triangles, and of the scans.
@@ -42,20 +41,20 @@
 #define SURFACE_BIND_VERTICES 12
 #define SURFACE_BIND_INDICES 13
 #define SURFACE_BIND_COMMANDS 14
-// The passes over particles need fewer of the buffers above and more of their own.
+// The passes over particles use these numbers for buffers of their own instead.
 #define SURFACE_BIND_SPLATTED 5
 #define SURFACE_BIND_CHANGED_LIST 6
 #define SURFACE_BIND_PHASES 7
 #define SURFACE_BIND_PEAK 8
 #define SURFACE_BIND_SPLATTED_PEAKS 9
-// The pass that makes the vertices, likewise.
+// So does the pass that makes the vertices,
 #define SURFACE_BIND_VERTEX_PEAKS 8
-// The pass that lists the blocks, likewise.
+// and the passes that list and place the blocks.
 #define SURFACE_BIND_BLOCK_STATES 1
-#define SURFACE_BIND_SETTLED 2
-#define SURFACE_BIND_RETIRED 10
+#define SURFACE_BIND_BASE_TRIANGLES 2
+#define SURFACE_BIND_OBSOLETE_TRIANGLES 10
 
-// The same buffers as texels, for the passes that read much: drivers fetch them faster.
+// The same buffers as buffer textures, for passes that read much: drivers fetch texels faster than storage.
 #define SURFACE_TEXELS_PARTICLES 0
 #define SURFACE_TEXELS_SPLATTED 1
 #define SURFACE_TEXELS_DENSITY 2
@@ -66,18 +65,18 @@
 #define SURFACE_TEXELS_HEATS 7
 #define SURFACE_TEXELS_PEAK 8
 
-/// What the particles come with besides place and temperature.
+/// What the particles bring besides position and temperature.
 #define SURFACE_WITH_PHASES 1
 #define SURFACE_WITH_PEAKS 2
 
-/// Coordinates of a particle that is nowhere: not yet entered into the volumes, or no metal any more.
+/// Coordinates of a particle that adds nothing to the volumes: not yet splatted, or no metal any more.
 #define SURFACE_NOWHERE 3.0e38f
 
-/// What is known of a block between updates.
-#define SURFACE_BLOCK_HELD 1u     // may hold a piece of the surface
-#define SURFACE_BLOCK_ALTERED 2u  // its corners changed since the whole mesh was made: has new vertices
-#define SURFACE_BLOCK_REMADE 4u   // it or a block that it takes vertices from was altered: has new triangles
-#define SURFACE_LISTED_ALTERED 0x80000000u // in the block list: vertices as well as triangles are made
+/// State of a block between updates.
+#define SURFACE_BLOCK_OCCUPIED 1u // a part of the surface may pass through it
+#define SURFACE_BLOCK_CHANGED 2u  // its corners changed since the last rebuild: its vertices are made again
+#define SURFACE_BLOCK_REMESHED 4u // it, or a block whose vertices it uses, changed: its triangles are made again
+#define SURFACE_LISTED_WITH_VERTICES 0x80000000u // in the block list: vertices as well as triangles are made
 
 #ifdef __cplusplus
 namespace meltpool {
@@ -85,8 +84,10 @@ namespace meltpool {
 
 /// A vertex of the surface in model units.
 struct SurfaceVertex {
-    vec4 position; ///< xyz place, w temperature: the mean of the particles around, weighted as in the density volume
-    vec4 normal;   ///< xyz outward unit normal, w 0
+    vec3 position;
+    float temperature; ///< mean of the particles around, with the weights of the density volume
+    vec3 normal;       ///< outward unit normal
+    float reserved;
 };
 
 /// What glDrawElementsIndirect reads.
@@ -106,6 +107,9 @@ struct SurfaceDispatch {
 };
 
 /// Everything the GPU decides about the sizes of later passes; small enough to be read back whole.
+///
+/// The mesh consists of a base part, made at the last rebuild, and behind it the part that every incremental update
+/// makes again.
 struct SurfaceCommands {
     SurfaceDraw draw;
     SurfaceDispatch changed;   ///< over the particles that changed; only x is counted
@@ -114,28 +118,40 @@ struct SurfaceCommands {
     SurfaceDispatch blocks;    ///< over the listed blocks
     SurfaceDispatch vertices;  ///< over the vertices that fit
     SurfaceDispatch triangles; ///< over the triangles that fit
-    uint changedCount;     ///< particles that changed
-    uint splattedCount;    ///< the same, kept for the statistics when the next update counts anew
-    uint blockCount;       ///< listed blocks: those made anew
-    uint whole;            ///< 1: every block that holds surface is listed
-    uint firstVertex;      ///< of the part that is made anew
-    uint firstTriangle;    ///< likewise
-    uint vertexCount;      ///< vertices of the whole surface
-    uint triangleCount;    ///< triangles of the whole surface
-    uint settledVertices;  ///< vertices at the last whole mesh
-    uint settledTriangles; ///< likewise
-    uint overflow;         ///< 1 when the mesh does not fit its buffers
+    uint changedCount;         ///< particles that changed
+    uint splattedCount;        ///< particles splatted by this update, for the statistics: changedCount is reset
+    uint blockCount;           ///< listed blocks: those whose mesh is made by this update
+    uint rebuilt;              ///< 1: every occupied block is listed and the whole mesh becomes the base part
+    uint firstVertex;          ///< of the part that this update makes
+    uint firstTriangle;        ///< of the part that this update makes
+    uint vertexCount;          ///< vertices of the whole surface
+    uint triangleCount;        ///< triangles of the whole surface
+    uint baseVertices;         ///< vertices of the base part
+    uint baseTriangles;        ///< triangles of the base part
+    uint overflow;             ///< 1 when the mesh does not fit its buffers
 };
 
 /// The grid and the parameters of an update.
 struct SurfaceSetup {
-    ivec4 cells;   ///< xyz cells per axis, w influence
-    ivec4 blocks;  ///< xyz blocks per axis, w their number
-    vec4 origin;   ///< xyz model position of the grid's first corner, w temperature that counts as 0
-    vec4 extent;   ///< xyz from the first corner to the last, signed; w temperature that counts as 1, less origin.w
-    uvec4 limits;  ///< x particles, y iso level in units of 1 / SURFACE_UNIT, z most vertices, w most triangles
-    ivec4 options; ///< x 1: with caps; y 1: make the whole mesh anew; z bits SURFACE_WITH_*; w 1: remember the particles
-    vec4 still;   ///< a change not larger than this is none: x cells, y share of the temperature range
+    ivec3 cells;                ///< cells per axis
+    int influence;              ///< a particle reaches (2 influence - 1)^3 corners
+    ivec3 blocks;               ///< blocks per axis
+    int blockCount;             ///< blocks in all
+    vec3 origin;                ///< model position of the grid's first corner
+    float coldest;              ///< temperature stored as 0
+    vec3 extent;                ///< from the first corner to the last, signed, model units
+    float temperatureRange;     ///< temperature stored as 1, less the coldest
+    uint particleCount;         ///< particles of this update
+    uint isoLevel;              ///< in units of 1 / SURFACE_UNIT
+    uint maxVertices;           ///< vertices that the buffers hold
+    uint maxTriangles;          ///< triangles that the buffers hold
+    int caps;                   ///< 1: the surface is closed where the metal touches the box
+    int rebuild;                ///< 1: start from empty volumes and make the whole mesh
+    int particleData;           ///< bits SURFACE_WITH_*
+    int incremental;            ///< 1: store each particle as splatted, for the next update
+    float positionTolerance;    ///< movement up to which a particle counts as unchanged, cells
+    float temperatureTolerance; ///< the same for its temperature, as a share of the temperature range
+    vec2 reserved;
 };
 
 #ifdef __cplusplus

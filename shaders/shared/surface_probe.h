@@ -1,10 +1,10 @@
-// What the pass that looks for the surface around a point shares with C++.
+// What the pass that finds the surface around a point shares with C++.
 #ifndef MELTPOOL_SHARED_SURFACE_PROBE_H
 #define MELTPOOL_SHARED_SURFACE_PROBE_H
 
 #include "glsl_types.h"
 
-/// Rays of one look: the first along the axis, the others evenly over all directions.
+/// Rays of one query: the first along the axis, the others spread evenly over all directions.
 #define SURFACE_PROBE_RAYS 64
 #define SURFACE_BIND_PROBE 3
 
@@ -12,10 +12,14 @@
 namespace meltpool {
 #endif
 
-/// In model units; a distance is negative inside the metal, and at least the reach where no surface was met.
+/// Where the surface lies around a point, in model units. A distance is negative when the point is inside the metal, and
+/// equals the query's reach where no surface was found.
 struct SurfaceProbeAnswer {
-    vec4 found;  // x along the axis, y nearest, z temperature where the axis meets the metal (inside: at the point), w unused
-    vec4 normal; // xyz outward unit normal at the nearest place, w unused
+    vec3 normal;       ///< outward unit normal at the nearest place
+    float ahead;       ///< distance along the axis; from inside the metal: against the axis
+    float nearest;     ///< least distance over all rays: before a flat face up to a tenth too long
+    float temperature; ///< where the axis meets the metal (from inside: at the point), as the surface shows it
+    vec2 reserved;
 };
 
 #ifdef __cplusplus

@@ -1,7 +1,7 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-// Lists the particles that are not as they were last entered into the volumes. Their order does not matter: sums of
-// integers come out the same in any.
+// Lists the particles that moved or changed temperature since they were last splatted. The order of the list does not
+// matter: the volumes are sums of integers.
 #include "surface/grid.glsl"
 layout(local_size_x = SURFACE_GROUP) in;
 #include "surface/particles.glsl"
@@ -12,12 +12,13 @@ layout(std430, binding = SURFACE_BIND_COMMANDS) buffer Commands { SurfaceCommand
 
 void main() {
     uint index = linearInvocation();
-    if (index >= setup.limits.x) return;
-    vec4 now = particleNow(index), before = texelFetch(splatted, int(index));
-    vec3 cells = abs((now.xyz - before.xyz) * (vec3(setup.cells.xyz) / setup.extent.xyz));
-    // Written so that a temperature that is no number counts as a change.
-    bool still = all(lessThanEqual(cells, vec3(setup.still.x))) && abs(now.w - before.w) <= setup.still.y * setup.extent.w;
-    if (still) return;
+    if (index >= setup.particleCount) return;
+    Particle now = particleNow(index), before = fetchParticle(splatted, index);
+    vec3 cells = abs((now.position - before.position) * (vec3(setup.cells) / setup.extent));
+    // Written so that a temperature that is not a number counts as a change.
+    bool unchanged = all(lessThanEqual(cells, vec3(setup.positionTolerance))) &&
+                     abs(now.temperature - before.temperature) <= setup.temperatureTolerance * setup.temperatureRange;
+    if (unchanged) return;
     uint slot = atomicAdd(commands.changedCount, 1u);
     changedList[slot] = index;
     if (slot % SURFACE_GROUP == 0u) atomicAdd(commands.changed.x, 1u);

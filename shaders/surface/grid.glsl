@@ -1,4 +1,4 @@
-// The grid as every surface pass sees it.
+// The surface grid: where corners and blocks are stored, packing of corners.
 #ifndef MELTPOOL_SURFACE_GRID_GLSL
 #define MELTPOOL_SURFACE_GRID_GLSL
 
@@ -7,7 +7,7 @@
 
 layout(std140, binding = SURFACE_BIND_SETUP) uniform Setup { SurfaceSetup setup; };
 
-/// Where a corner (or the block, row and bit that hold it) is stored.
+/// Index of a corner in the volumes; without its low 3 bits the index of its row, without its low 9 that of its block.
 int cornerAddress(ivec3 corner) {
     ivec3 block = corner >> 3, inner = corner & 7;
     return ((block.z * setup.blocks.y + block.y) * setup.blocks.x + block.x) * SURFACE_BLOCK_CORNERS + inner.z * 64 +
@@ -18,7 +18,8 @@ SurfaceDispatch dispatchOver(uint count) {
     return SurfaceDispatch((count + SURFACE_GROUP - 1u) / SURFACE_GROUP, 1u, 1u);
 }
 
-ivec3 blockPlace(int block) {
+/// Coordinates of a block among the blocks.
+ivec3 blockCoordinates(int block) {
     int row = block / setup.blocks.x;
     return ivec3(block - row * setup.blocks.x, row % setup.blocks.y, row / setup.blocks.y);
 }

@@ -1,6 +1,7 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-// Lists the crossing edges and the triangles of every row at their places, so that the emitting passes run full.
+// Lists the edges that cross the surface and the triangles of every row, so that the passes that make vertices and
+// triangles have no idle invocations.
 #include "surface/grid.glsl"
 layout(local_size_x = SURFACE_GROUP) in;
 #include "surface/row.glsl"
@@ -15,7 +16,7 @@ layout(std430, binding = SURFACE_BIND_COMMANDS) readonly buffer Commands { Surfa
 
 void listEdges(CellRow row, uint edges, uint slot) {
     uint corner = packCorner(row.first);
-    while (edges != 0u && slot < setup.limits.z) {
+    while (edges != 0u && slot < setup.maxVertices) {
         uint edge = uint(findLSB(edges));
         edges &= edges - 1u;
         edgeList[slot++ - commands.firstVertex] = corner + (edge & 7u) | edge >> 3 << 3 * SURFACE_COORDINATE_BITS;
@@ -28,7 +29,7 @@ void listTriangles(CellRow row, uint slot) {
         int cell = findLSB(crossed);
         crossed &= crossed - 1u;
         uint entry = texelFetch(cases, int(cellCase(row, cell))).x;
-        uint end = min(slot + (entry & 7u), setup.limits.w);
+        uint end = min(slot + (entry & 7u), setup.maxTriangles);
         for (uint triangle = entry >> 3; slot < end; ++triangle, ++slot)
             triangleList[slot - commands.firstTriangle] = uvec2(corner + uint(cell), triangle);
     }
@@ -39,11 +40,11 @@ void main() {
     if (index >= commands.blockCount * SURFACE_BLOCK_ROWS) return;
     CellRow row = readRow(index);
     uint sums = rowSums[index];
-    uvec2 place = blockSums[index / SURFACE_BLOCK_ROWS] + uvec2(sums & 65535u, sums >> 16);
-    if (row.altered) {
+    uvec2 first = blockSums[index / SURFACE_BLOCK_ROWS] + uvec2(sums & 65535u, sums >> 16);
+    if (row.withVertices) {
         uint edges = crossingEdges(row);
-        rows[cornerAddress(row.first) >> 3] = uvec2(place.x, edges);
-        listEdges(row, edges, place.x);
+        rows[cornerAddress(row.first) >> 3] = uvec2(first.x, edges);
+        listEdges(row, edges, first.x);
     }
-    listTriangles(row, place.y);
+    listTriangles(row, first.y);
 }

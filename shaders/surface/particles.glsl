@@ -1,4 +1,4 @@
-// The particles as the surface's passes see them: now, and as they were last entered into the volumes.
+// The particles as the surface's passes read them: as they are now, and as they were last splatted into the volumes.
 #ifndef MELTPOOL_SURFACE_PARTICLES_GLSL
 #define MELTPOOL_SURFACE_PARTICLES_GLSL
 
@@ -7,12 +7,22 @@
 layout(binding = SURFACE_TEXELS_PARTICLES) uniform samplerBuffer particles;
 layout(std430, binding = SURFACE_BIND_PHASES) readonly buffer Phases { uint phases[]; };
 
-/// A particle's place and temperature; SURFACE_NOWHERE when it is no metal or its place is no number.
-vec4 particleNow(uint index) {
-    vec4 particle = texelFetch(particles, int(index));
-    bool alive = (setup.options.z & SURFACE_WITH_PHASES) == 0 || (phases[index] & PHASE_ALIVE) != 0u;
-    bool somewhere = all(lessThan(abs(particle.xyz), vec3(1e30)));
-    return alive && somewhere ? particle : vec4(SURFACE_NOWHERE);
+struct Particle {
+    vec3 position;
+    float temperature;
+};
+
+Particle fetchParticle(samplerBuffer from, uint index) {
+    vec4 texel = texelFetch(from, int(index));
+    return Particle(texel.xyz, texel.w);
+}
+
+/// A particle as it is now; at SURFACE_NOWHERE when it is no metal or its position is not a number.
+Particle particleNow(uint index) {
+    Particle particle = fetchParticle(particles, index);
+    bool alive = (setup.particleData & SURFACE_WITH_PHASES) == 0 || (phases[index] & PHASE_ALIVE) != 0u;
+    bool somewhere = all(lessThan(abs(particle.position), vec3(1e30)));
+    return alive && somewhere ? particle : Particle(vec3(SURFACE_NOWHERE), SURFACE_NOWHERE);
 }
 
 #endif

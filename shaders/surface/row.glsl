@@ -5,16 +5,16 @@
 layout(binding = SURFACE_TEXELS_INSIDE) uniform usamplerBuffer inside;
 layout(std430, binding = SURFACE_BIND_BLOCK_LIST) readonly buffer BlockList { uint blockList[]; };
 
-/// The inside bits of 9 corners in a row from each of the four corner rows around a row of cells.
+/// The inside bits of the four corner rows around a row of 8 cells, 9 corners each.
 struct CellRow {
-    ivec3 first;  ///< the row's first corner
-    bool altered; ///< its vertices are made as well as its triangles
+    ivec3 first;       ///< the row's first corner
+    bool withVertices; ///< its vertices are made as well as its triangles
     uint near, up, back, upBack; ///< at (y, z), (y + 1, z), (y, z + 1), (y + 1, z + 1)
 };
 
 /// The 8 bits of the row that `corner` starts; none outside the grid.
 uint rowBits(ivec3 corner) {
-    if (any(greaterThanEqual(corner >> 3, setup.blocks.xyz))) return 0u;
+    if (any(greaterThanEqual(corner >> 3, setup.blocks))) return 0u;
     int address = cornerAddress(corner);
     return texelFetch(inside, address >> 5).x >> (address & 24) & 255u;
 }
@@ -26,9 +26,9 @@ uint nineBits(ivec3 corner) {
 /// Row number `index` among those of the listed blocks.
 CellRow readRow(uint index) {
     uint listed = blockList[index / SURFACE_BLOCK_ROWS];
-    ivec3 block = blockPlace(int(listed & ~SURFACE_LISTED_ALTERED));
+    ivec3 block = blockCoordinates(int(listed & ~SURFACE_LISTED_WITH_VERTICES));
     CellRow row;
-    row.altered = (listed & SURFACE_LISTED_ALTERED) != 0u;
+    row.withVertices = (listed & SURFACE_LISTED_WITH_VERTICES) != 0u;
     row.first = block * 8 + ivec3(0, index & 7u, index >> 3 & 7u);
     row.near = nineBits(row.first);
     row.up = nineBits(row.first + ivec3(0, 1, 0));
@@ -37,8 +37,8 @@ CellRow readRow(uint index) {
     return row;
 }
 
-/// Bits of the cells (or edges along x) of the row that are the grid's own and not the layer around it.
-uint ownCells(CellRow row) {
+/// Bits of the cells (or edges along x) of the row that belong to the grid and not to the layer around it.
+uint gridCells(CellRow row) {
     ivec2 last = setup.cells.yz;
     if (any(lessThan(row.first.yz, ivec2(1))) || any(greaterThan(row.first.yz, last))) return 0u;
     int low = max(1 - row.first.x, 0), high = min(setup.cells.x - row.first.x, 7);
@@ -48,7 +48,7 @@ uint ownCells(CellRow row) {
 /// Crossing edges of the row's corners: bits 0-7 along x, 8-15 along y, 16-23 along z.
 uint crossingEdges(CellRow row) {
     uint x = (row.near ^ row.near >> 1) & 255u, y = (row.near ^ row.up) & 255u, z = (row.near ^ row.back) & 255u;
-    if (setup.options.x == 0) { // edges into the layer around the grid belong to the caps
+    if (setup.caps == 0) { // edges into the layer around the grid belong to the caps
         int low = 1 - row.first.x, high = setup.cells.x - row.first.x;
         if (low > 0) x &= ~1u;
         if (high < 7) x &= (2u << max(high, -1)) - 1u;
@@ -62,7 +62,7 @@ uint crossingEdges(CellRow row) {
 uint crossedCells(CellRow row) {
     uint any_ = row.near | row.up | row.back | row.upBack, all_ = row.near & row.up & row.back & row.upBack;
     uint crossed = (any_ | any_ >> 1) & ~(all_ & all_ >> 1) & 255u;
-    return setup.options.x == 0 ? crossed & ownCells(row) : crossed;
+    return setup.caps == 0 ? crossed & gridCells(row) : crossed;
 }
 
 /// Bit dx + 2 dy + 4 dz is set where that corner of the cell is inside.

@@ -4,7 +4,8 @@
 
 shared uvec2 scanned[SURFACE_SCAN_GROUP];
 
-/// Sum of the values of the invocations before this one; to be called by the whole group. `total`: of all of them.
+/// Sum of the values of the invocations before this one (Hillis and Steele 1986); every invocation of the group must
+/// call it. `total`: the sum over the group.
 uvec2 sumBefore(uvec2 value, out uvec2 total) {
     uint self = gl_LocalInvocationIndex;
     scanned[self] = value;

@@ -1,11 +1,11 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-// Takes every changed particle out of the corners it was added to, adds it to the corners around it now, and marks the
-// blocks that this can change. The weights are integers, so that what is taken out is exactly what was added.
+// Subtracts every changed particle from the corners it was added to, adds it to the corners around its present position,
+// and marks the blocks whose mesh this can change. Weights are integers, so that exactly what was added is subtracted.
 //
-// SURFACE_SMOOTH: the weight falls to zero, with its slope, at the ball inside the reached corners, (1 - d²/r²)³ with
-// r = influence - 1/2, instead of the founding thesis' cone that ends in a step.
-// SURFACE_ANEW: the volumes are empty; every particle is added.
+// SURFACE_SMOOTH: the weight (1 - d²/r²)³ with r = influence - 1/2 cells falls smoothly to zero inside the reached
+// corners. Without it: the linear weight of the founding thesis, which ends in a step.
+// SURFACE_REBUILD: the volumes are empty and every particle is added.
 #include "surface/grid.glsl"
 layout(local_size_x = SURFACE_GROUP) in;
 #include "surface/particles.glsl"
@@ -13,20 +13,20 @@ layout(local_size_x = SURFACE_GROUP) in;
 layout(std430, binding = SURFACE_BIND_DENSITY) buffer Density { uint density[]; };
 layout(std430, binding = SURFACE_BIND_TEMPERATURE) buffer Temperature { uint temperature[]; };
 layout(std430, binding = SURFACE_BIND_BLOCK_FLAGS) writeonly buffer BlockFlags { uint flags[]; };
-layout(std430, binding = SURFACE_BIND_SPLATTED) buffer Splatted { vec4 splatted[]; };
+layout(std430, binding = SURFACE_BIND_SPLATTED) buffer Splatted { Particle splatted[]; };
 layout(std430, binding = SURFACE_BIND_PEAK) buffer Peak { uint peak[]; };
 layout(std430, binding = SURFACE_BIND_SPLATTED_PEAKS) buffer SplattedPeaks { float splattedPeaks[]; };
 layout(binding = SURFACE_TEXELS_HEATS) uniform samplerBuffer heats;
 layout(std430, binding = SURFACE_BIND_CHANGED_LIST) readonly buffer ChangedList { uint changedList[]; };
 layout(std430, binding = SURFACE_BIND_COMMANDS) readonly buffer Commands { SurfaceCommands commands; };
 
-/// Marks the blocks with an edge whose vertex depends on these corners: its ends, and the corners beside them for the
-/// normal. Where nothing was before, a vertex needs an end among them.
+/// Marks the blocks with an edge whose vertex depends on these corners. A vertex depends on both ends of its edge and,
+/// for the normal, on their neighbours. In empty volumes every vertex has an end among these corners.
 void markBlocks(ivec3 first, ivec3 last) {
-#ifdef SURFACE_ANEW
+#ifdef SURFACE_REBUILD
     ivec3 low = (first - 1) >> 3, high = last >> 3;
 #else
-    ivec3 low = max(first - 2, ivec3(0)) >> 3, high = min((last + 1) >> 3, setup.blocks.xyz - 1);
+    ivec3 low = max(first - 2, ivec3(0)) >> 3, high = min((last + 1) >> 3, setup.blocks - 1);
 #endif
     for (int z = low.z; z <= high.z; ++z)
         for (int y = low.y; y <= high.y; ++y)
@@ -58,29 +58,29 @@ float weightScale(float reach) {
 #endif
 
 bool withPeaks() {
-    return (setup.options.z & SURFACE_WITH_PEAKS) != 0;
+    return (setup.particleData & SURFACE_WITH_PEAKS) != 0;
 }
 
-/// The highest temperature of a particle so far; the coldest of all where that is not known.
+/// The highest temperature of a particle so far; the coldest of the range where the particles do not store it.
 float peakNow(uint index) {
-    return withPeaks() ? texelFetch(heats, int(index)).z : setup.origin.w;
+    return withPeaks() ? texelFetch(heats, int(index)).z : setup.coldest; // the layout of `heats`: shared/metal.h
 }
 
-/// A temperature as a share of the range.
+/// A temperature as a share of the temperature range, 0 to 1.
 float shareOf(float temperature_) {
-    precise float share = (temperature_ - setup.origin.w) / setup.extent.w;
+    precise float share = (temperature_ - setup.coldest) / setup.temperatureRange;
     return share > 0.0 ? min(share, 1.0) : 0.0;
 }
 
-/// Adds the particle to the volumes `times` times: 1, or -1 to take it out.
-void addParticle(vec4 particle, float hottest, int times) {
-    precise vec3 place = (particle.xyz - setup.origin.xyz) * (vec3(setup.cells.xyz) / setup.extent.xyz) + 1.0;
+/// Adds the particle to the volumes (`sign_` 1) or subtracts it (-1).
+void addParticle(Particle particle, float hottest, int sign_) {
+    precise vec3 place = (particle.position - setup.origin) * (vec3(setup.cells) / setup.extent) + 1.0;
     if (!all(lessThan(abs(place), vec3(1e6)))) return;
-    float share = shareOf(particle.w), peakShare = shareOf(hottest);
+    float share = shareOf(particle.temperature), peakShare = shareOf(hottest);
 
-    int reach = setup.cells.w - 1;
+    int reach = setup.influence - 1;
     ivec3 nearest = ivec3(floor(place + 0.5));
-    ivec3 first = max(nearest - reach, ivec3(1)), last = min(nearest + reach, setup.cells.xyz + 1);
+    ivec3 first = max(nearest - reach, ivec3(1)), last = min(nearest + reach, setup.cells + 1);
     if (any(greaterThan(first, last))) return;
     markBlocks(first, last);
 
@@ -100,27 +100,27 @@ void addParticle(vec4 particle, float hottest, int times) {
                 precise float scaled = near * float(SURFACE_UNIT) + 0.5;
                 int weight = int(scaled);
                 int address = row + (x >> 3) * SURFACE_BLOCK_CORNERS + (x & 7);
-                atomicAdd(density[address], uint(weight * times));
+                atomicAdd(density[address], uint(weight * sign_));
                 if (share > 0.0) {
                     precise float heat = float(weight) * share + 0.5;
-                    atomicAdd(temperature[address], uint(int(heat) * times));
+                    atomicAdd(temperature[address], uint(int(heat) * sign_));
                 }
                 if (peakShare > 0.0) {
                     precise float heat = float(weight) * peakShare + 0.5;
-                    atomicAdd(peak[address], uint(int(heat) * times));
+                    atomicAdd(peak[address], uint(int(heat) * sign_));
                 }
             }
         }
     }
 }
 
-#ifdef SURFACE_ANEW
+#ifdef SURFACE_REBUILD
 void main() {
     uint index = linearInvocation();
-    if (index >= setup.limits.x) return;
-    vec4 now = particleNow(index);
+    if (index >= setup.particleCount) return;
+    Particle now = particleNow(index);
     float hottest = peakNow(index);
-    if (setup.options.w != 0) {
+    if (setup.incremental != 0) {
         splatted[index] = now;
         if (withPeaks()) splattedPeaks[index] = hottest;
     }
@@ -131,15 +131,16 @@ void main() {
     uint slot = linearInvocation();
     if (slot >= commands.changedCount) return;
     uint index = changedList[slot];
-    vec4 now = particleNow(index);
-    vec4 entered = splatted[index];
-    float hottest = peakNow(index), enteredHottest = withPeaks() ? splattedPeaks[index] : hottest;
+    Particle now = particleNow(index);
+    Particle particle = splatted[index];
+    float hottestNow = peakNow(index), hottest = withPeaks() ? splattedPeaks[index] : hottestNow;
     splatted[index] = now;
-    if (withPeaks()) splattedPeaks[index] = hottest;
-    for (int times = -1; times <= 1; times += 2) {
-        addParticle(entered, enteredHottest, times);
-        entered = now;
-        enteredHottest = hottest;
+    if (withPeaks()) splattedPeaks[index] = hottestNow;
+    // One loop instead of two calls: the compiler makes the body once.
+    for (int sign_ = -1; sign_ <= 1; sign_ += 2) {
+        addParticle(particle, hottest, sign_);
+        particle = now;
+        hottest = hottestNow;
     }
 }
 #endif

@@ -1,6 +1,6 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-// Replaces a listed block's row counts by running sums and keeps the block's totals.
+// Replaces the row counts of every listed block by running sums and stores the block's totals.
 #include "surface/grid.glsl"
 layout(local_size_x = SURFACE_GROUP) in;
 

@@ -46,7 +46,7 @@ struct FlatScene {
     explicit FlatScene(float temperature) {
         std::vector<SurfaceVertex> corners;
         for (const glm::vec2 at : {glm::vec2(-9, -9), glm::vec2(9, -9), glm::vec2(9, 9), glm::vec2(-9, 9)})
-            corners.push_back({glm::vec4(at, 0, temperature), glm::vec4(0, 0, 1, 0)});
+            corners.push_back({glm::vec3(at, 0), temperature, glm::vec3(0, 0, 1), 0});
         const std::array<GLuint, 6> order{0, 1, 2, 0, 2, 3};
         const SurfaceDraw draw{6, 1, 0, 0, 0};
         vertices = gl::Buffer("flat vertices", std::span<const SurfaceVertex>(corners));

@@ -64,7 +64,7 @@ void addFace(Mesh& mesh, int axis, float side) {
             p[axis] = 0.5f * side;
             p[(axis + 1) % 3] = static_cast<float>(i) / kCells - 0.5f;
             p[(axis + 2) % 3] = static_cast<float>(j) / kCells - 0.5f;
-            mesh.vertices.push_back({glm::vec4(sagged(p), temperatureAt(p)), glm::vec4(normalAt(p, axis, side), 0.0f)});
+            mesh.vertices.push_back({sagged(p), temperatureAt(p), normalAt(p, axis, side), 0.0f});
         }
     const GLuint row = kCells + 1;
     for (GLuint i = 0; i < kCells; ++i)

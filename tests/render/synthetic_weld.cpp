@@ -59,7 +59,7 @@ SyntheticWeld::SyntheticWeld() {
             const glm::dvec3 normal = glm::normalize(glm::cross(surfacePoint(x, z + step) - surfacePoint(x, z - step),
                                                                 surfacePoint(x + step, z) - surfacePoint(x - step, z)));
             vertices.push_back(
-                {glm::vec4(surfacePoint(x, z), weldTemperature({x - kSourceX, 0, z})), glm::vec4(normal, 0.0f)});
+                {surfacePoint(x, z), static_cast<float>(weldTemperature({x - kSourceX, 0, z})), normal, 0.0f});
             peaks.push_back(static_cast<float>(weldPeak(kSourceX - x, z, 0)));
         }
     std::vector<GLuint> indices;

@@ -115,7 +115,7 @@ TEST_CASE("a look from anywhere finds what a walk in tiny steps finds") {
         const vec3 axis = i % 3 == 0 ? randomDirection(random)
                                      : glm::normalize(randomDirection(random) * 0.4f - glm::normalize(point));
         const ProbeAim aim{point, axis, 2};
-        const SurfaceSounding found = probe.now(surface, aim);
+        const SurfaceProbeAnswer found = probe.now(surface, aim);
         const bool inside = field.inside(aim.point);
         const double ahead = field.change(aim.point, inside ? -aim.axis : aim.axis, 2);
         INFO("look " << i << " from " << aim.point.x << ' ' << aim.point.y << ' ' << aim.point.z);
@@ -153,7 +153,7 @@ TEST_CASE("over flat metal the look tells height, length along a leaning axis, a
     const float off = 0.25f * spacing; // the lattice's waves, and an iso level made for the mean
     const float leaningOff = 0.35f * spacing * std::sqrt(2.0f);
     for (const float height : {0.5f, 0.11f, 0.02f, -0.03f, -0.3f}) {
-        const SurfaceSounding straight = probe.now(surface, {{0.03f, top + height, -0.21f}, {0, -1, 0}, 2});
+        const SurfaceProbeAnswer straight = probe.now(surface, {{0.03f, top + height, -0.21f}, {0, -1, 0}, 2});
         INFO("height " << height);
         CHECK(straight.ahead == Approx(height).margin(off));
         CHECK(straight.nearest == Approx(height).epsilon(0.06).margin(off));
@@ -164,7 +164,7 @@ TEST_CASE("over flat metal the look tells height, length along a leaning axis, a
             CHECK(probe.now(surface, {{0.03f, top + height, -0.21f}, leaning, 2}).ahead ==
                   Approx(height * std::sqrt(2.0f)).margin(leaningOff));
     }
-    const SurfaceSounding away = probe.now(surface, {{0, 0.5f, 0}, {0, 1, 0}, 0.3f});
+    const SurfaceProbeAnswer away = probe.now(surface, {{0, 0.5f, 0}, {0, 1, 0}, 0.3f});
     CHECK(away.ahead == 0.3f);
     CHECK(away.nearest == 0.3f);
 }
@@ -176,12 +176,12 @@ TEST_CASE("an answer comes without waiting, the same bits each time; empty space
     const ProbeAim aim{{0.2f, 0.9f, 0.1f}, {0, -1, 0}, 2};
     CHECK(probe.now(surface, aim).ahead == 2);
     update(surface, ball());
-    const SurfaceSounding wanted = probe.now(surface, aim);
+    const SurfaceProbeAnswer wanted = probe.now(surface, aim);
     CHECK(wanted.ahead < 1);
     probe.request(surface, aim);
     probe.request(surface, {{0, 0, 0}, {0, 1, 0}, 1}); // dropped
     glFinish();
-    std::optional<SurfaceSounding> answer;
+    std::optional<SurfaceProbeAnswer> answer;
     for (int i = 0; i < 100 && !answer; ++i)
         answer = probe.poll();
     REQUIRE(answer);

@@ -19,7 +19,7 @@ using glm::vec3;
 namespace {
 
 vec3 placeInGrid(const SurfaceSetup& s, const glm::vec4& particle) {
-    return (vec3(particle) - vec3(s.origin)) * (vec3(s.cells) / vec3(s.extent)) + 1.0f;
+    return (vec3(particle) - s.origin) * (vec3(s.cells) / s.extent) + 1.0f;
 }
 
 bool isOwn(const SurfaceGrid& grid, ivec3 corner) {
@@ -52,17 +52,17 @@ struct Field {
 SurfaceVertex vertexBetween(const Field& field, float iso, ivec3 a, ivec3 b, float coldest, float hottest) {
     const SurfaceSetup s = field.grid.setup();
     const bool cap = !isOwn(field.grid, a) || !isOwn(field.grid, b);
-    const vec3 axis = vec3(b - a) * glm::sign(vec3(s.extent)) * (field.density(a) > field.density(b) ? 1.0f : -1.0f);
+    const vec3 axis = vec3(b - a) * glm::sign(s.extent) * (field.density(a) > field.density(b) ? 1.0f : -1.0f);
     if (cap) (isOwn(field.grid, a) ? b : a) = isOwn(field.grid, a) ? a : b;
     const float atA = field.density(a), atB = field.density(b);
     const float part = cap ? 0.0f : glm::clamp((iso - atA) / (atB - atA), 0.0f, 1.0f);
     const vec3 place = glm::mix(vec3(a), vec3(b), part) - 1.0f;
     const float share = glm::mix(field.heat(a), field.heat(b), part) / glm::mix(atA, atB, part);
-    const vec3 rise = glm::mix(field.gradient(a), field.gradient(b), part) * vec3(s.cells) / vec3(s.extent);
+    const vec3 rise = glm::mix(field.gradient(a), field.gradient(b), part) * vec3(s.cells) / s.extent;
     SurfaceVertex vertex{};
-    vertex.position =
-        glm::vec4(vec3(s.origin) + vec3(s.extent) * place / vec3(s.cells), coldest + (hottest - coldest) * share);
-    vertex.normal = glm::vec4(cap || rise == vec3(0.0f) ? axis : -glm::normalize(rise), 0.0f);
+    vertex.position = s.origin + s.extent * place / vec3(s.cells);
+    vertex.temperature = coldest + (hottest - coldest) * share;
+    vertex.normal = cap || rise == vec3(0.0f) ? axis : -glm::normalize(rise);
     return vertex;
 }
 

@@ -14,77 +14,71 @@ glm::vec3 shown(const glm::vec3& light) {
 constexpr float kIceIndex = 1.31f;
 constexpr float kWaxIndex = 1.44f;
 
-} // namespace
+/// One state of a material.
+struct Finish {
+    glm::vec3 colour; ///< as displayed (sRGB)
+    float mirror;     ///< share of the mirror image
+};
 
-namespace {
-
-MaterialData presetBase(MaterialLook look) {
-    switch (look) {
-    case kCopper:
-        return {.solid = {0.78f, 0.48f, 0.36f, 0.34f},
-                .liquid = {0.42f, 0.20f, 0.13f, 0.66f},
-                .mirror = {1.0f, 0.62f, 0.48f, 1.0f},
-                .glint = {},
-                .heat = {},
-                .absorb = {}};
-    case kGold:
-        return {.solid = {0.86f, 0.66f, 0.27f, 0.40f},
-                .liquid = {0.50f, 0.33f, 0.09f, 0.70f},
-                .mirror = {1.0f, 0.78f, 0.34f, 1.0f},
-                .glint = {},
-                .heat = {},
-                .absorb = {}};
-    case kWax:
-        return {.solid = {0.90f, 0.79f, 0.57f, 0.04f},
-                .liquid = {0.92f, 0.63f, 0.24f, 0.04f},
-                .mirror = {1.0f, 1.0f, 1.0f, kWaxIndex},
-                .glint = {},
-                .heat = {},
-                .absorb = {2.2f, 4.6f, 9.0f, 0.0f}};
-    case kIce:
-        return {.solid = {0.90f, 0.95f, 0.97f, 0.02f},
-                .liquid = {0.85f, 0.92f, 0.95f, 0.02f},
-                .mirror = {1.0f, 1.0f, 1.0f, kIceIndex},
-                .glint = {},
-                .heat = {},
-                .absorb = {1.10f, 0.30f, 0.16f, 6.0f}};
-    case kSolder:
-        break;
-    }
-    return {.solid = {0.7f, 0.7f, 0.7f, 0.3f},
-            .liquid = {0.2f, 0.2f, 0.2f, 0.6f},
-            .mirror = {1.0f, 1.0f, 1.0f, 1.0f},
-            .glint = {},
-            .heat = {},
-            .absorb = {}};
+MaterialData makeMaterial(const Finish& solid, const Finish& liquid, glm::vec3 mirrorColour, float refractiveIndex) {
+    MaterialData data{};
+    data.solidColour = solid.colour;
+    data.solidMirror = solid.mirror;
+    data.liquidColour = liquid.colour;
+    data.liquidMirror = liquid.mirror;
+    data.mirrorColour = mirrorColour;
+    data.refractiveIndex = refractiveIndex;
+    // The highlight of a metal has most of the metal's colour; that of other materials is white.
+    data.highlight = glm::mix(glm::vec3(1.0f), mirrorColour, 0.7f);
+    return data;
 }
 
-/// A metal's highlight has most of its colour, everything else mirrors the lamp white.
-MaterialData withGlint(MaterialData data) {
-    data.glint = glm::mix(glm::vec4(1.0f), data.mirror, 0.7f);
+MaterialData makeMetal(const Finish& solid, const Finish& liquid, glm::vec3 mirrorColour) {
+    return makeMaterial(solid, liquid, mirrorColour, 1.0f);
+}
+
+MaterialData makeTranslucent(const Finish& solid, const Finish& liquid, float refractiveIndex, glm::vec3 absorption,
+                             float scattering) {
+    MaterialData data = makeMaterial(solid, liquid, glm::vec3(1.0f), refractiveIndex);
+    data.absorption = absorption;
+    data.scattering = scattering;
     return data;
 }
 
 } // namespace
 
 MaterialData presetMaterial(MaterialLook look) {
-    return withGlint(presetBase(look));
+    switch (look) {
+    case kCopper:
+        return makeMetal({{0.78f, 0.48f, 0.36f}, 0.34f}, {{0.42f, 0.20f, 0.13f}, 0.66f}, {1.0f, 0.62f, 0.48f});
+    case kGold:
+        return makeMetal({{0.86f, 0.66f, 0.27f}, 0.40f}, {{0.50f, 0.33f, 0.09f}, 0.70f}, {1.0f, 0.78f, 0.34f});
+    case kWax:
+        return makeTranslucent({{0.90f, 0.79f, 0.57f}, 0.04f}, {{0.92f, 0.63f, 0.24f}, 0.04f}, kWaxIndex,
+                               {2.2f, 4.6f, 9.0f}, 0.0f);
+    case kIce:
+        return makeTranslucent({{0.90f, 0.95f, 0.97f}, 0.02f}, {{0.85f, 0.92f, 0.95f}, 0.02f}, kIceIndex,
+                               {1.10f, 0.30f, 0.16f}, 6.0f);
+    case kSolder:
+        break;
+    }
+    return makeMetal({glm::vec3(0.7f), 0.3f}, {glm::vec3(0.2f), 0.6f}, glm::vec3(1.0f));
 }
 
 MaterialData physicalMaterial(const MaterialLooks& looks) {
     if (physicalKind(looks) != SurfaceKind::metal) {
         MaterialData data = presetMaterial(physicalKind(looks) == SurfaceKind::ice ? kIce : kWax);
-        data.mirror.w = looks.refractiveIndex;
+        data.refractiveIndex = looks.refractiveIndex;
         return data;
     }
-    // The duller the surface, the more of its reflectance is spread so far that it reads as paint and not as image.
-    const auto mirrorShare = [&](float roughness) { return glm::mix(0.75f, 0.2f, glm::clamp(roughness, 0.0f, 1.0f)); };
-    return withGlint({.solid = glm::vec4(shown(looks.solidColour), mirrorShare(looks.solidRoughness)),
-                      .liquid = glm::vec4(shown(looks.liquidColour * 0.35f), mirrorShare(looks.liquidRoughness)),
-                      .mirror = glm::vec4(glm::mix(looks.solidColour, glm::vec3(1.0f), 0.15f), looks.refractiveIndex),
-                      .glint = {},
-                      .heat = {looks.visibleEmissivity, looks.heatTint, 0, 0},
-                      .absorb = {}});
+    // The rougher the surface, the more of its reflection is spread so widely that it looks diffuse.
+    const auto mirrorShare = [](float roughness) { return glm::mix(0.75f, 0.2f, glm::clamp(roughness, 0.0f, 1.0f)); };
+    MaterialData data = makeMaterial({shown(looks.solidColour), mirrorShare(looks.solidRoughness)},
+                                     {shown(looks.liquidColour * 0.35f), mirrorShare(looks.liquidRoughness)},
+                                     glm::mix(looks.solidColour, glm::vec3(1.0f), 0.15f), looks.refractiveIndex);
+    data.emissivity = looks.visibleEmissivity;
+    data.oxideTint = looks.heatTint;
+    return data;
 }
 
 SurfaceKind presetKind(MaterialLook look) {

@@ -1,4 +1,4 @@
-// Updates that keep what did not change: to the last bit what a fresh surface makes of the same particles.
+// Incremental updates: the same bits as a new surface makes of the same particles.
 #include "shaders/shared/metal.h"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
@@ -68,7 +68,7 @@ class Plate {
     std::mt19937 random_{11};
 };
 
-/// Every triangle with all that its corners hold, in an order that does not depend on the mesh's.
+/// Every triangle with position, temperature and normal of its corners, in an order that does not depend on the mesh.
 std::vector<std::array<float, 21>> sortedTriangles(const test::Mesh& mesh) {
     std::vector<std::array<float, 21>> rows;
     for (size_t i = 0; i < mesh.indices.size(); i += 3) {
@@ -84,67 +84,67 @@ std::vector<std::array<float, 21>> sortedTriangles(const test::Mesh& mesh) {
 
 } // namespace
 
-TEST_CASE("kept updates give the surface that a fresh one gives") {
+TEST_CASE("incremental updates give the surface that a fresh one gives") {
     for (const int kernel : {int(SurfaceKernel::cone), int(SurfaceKernel::smooth)})
         for (const bool caps : {true, false}) {
             const SurfaceParameters parameters{100, 3, 0.6f, caps, kernel};
-            Surface kept(test::shaders(), parameters, Plate::kLow, Plate::kHigh);
+            Surface updated(test::shaders(), parameters, Plate::kLow, Plate::kHigh);
             Surface fresh(test::shaders(), parameters, Plate::kLow, Plate::kHigh);
-            kept.keeping.on = true;
+            updated.incremental.enabled = true;
             Plate plate;
-            int partial = 0;
+            int incremental = 0;
             for (int step = 0; step < 9; ++step) {
                 const vec3 spot(-0.6f + 0.05f * float(step), 0.0f, 0.05f);
                 if (step > 0) plate.stir(spot, 0.12f);
                 if (step > 4) plate.add(spot + vec3(0.0f, 0.1f, 0.0f));
-                plate.update(kept);
+                plate.update(updated);
                 plate.update(fresh);
                 INFO("step " << step << ", kernel " << kernel << ", caps " << caps);
-                const test::Volumes twin = test::twinVolumes(kept.grid(), parameters, 0, 1, plate.alive());
-                REQUIRE(kept.densityVolume().read<std::uint32_t>(twin.density.size()) == twin.density);
-                REQUIRE(kept.temperatureVolume().read<std::uint32_t>(twin.density.size()) == twin.temperature);
-                const test::Mesh ours = test::readMesh(kept), theirs = test::readMesh(fresh);
+                const test::Volumes twin = test::twinVolumes(updated.grid(), parameters, 0, 1, plate.alive());
+                REQUIRE(updated.densityVolume().read<std::uint32_t>(twin.density.size()) == twin.density);
+                REQUIRE(updated.temperatureVolume().read<std::uint32_t>(twin.density.size()) == twin.temperature);
+                const test::Mesh ours = test::readMesh(updated), theirs = test::readMesh(fresh);
                 REQUIRE(sortedTriangles(ours) == sortedTriangles(theirs));
                 if (caps) REQUIRE(test::unmatchedSides(ours).empty());
-                const SurfaceStatistics statistics = kept.statistics();
+                const SurfaceStatistics statistics = updated.statistics();
                 REQUIRE_FALSE(statistics.overflow);
-                partial += !statistics.whole;
-                if (!statistics.whole) {
+                incremental += !statistics.rebuilt;
+                if (!statistics.rebuilt) {
                     CHECK(statistics.particles < plate.places.size() / 10);
                     CHECK(statistics.blocks < fresh.statistics().blocks);
                 }
             }
-            CHECK(partial >= 1);
+            CHECK(incremental >= 1);
         }
 }
 
-TEST_CASE("nothing changed, nothing is made") {
+TEST_CASE("an update without changes makes no mesh") {
     Surface surface(test::shaders(), {64, 2}, Plate::kLow, Plate::kHigh);
-    surface.keeping.on = true;
+    surface.incremental.enabled = true;
     Plate plate;
     plate.update(surface);
-    CHECK(surface.statistics().whole);
+    CHECK(surface.statistics().rebuilt);
     CHECK(surface.statistics().particles == plate.places.size());
     const auto before = sortedTriangles(test::readMesh(surface));
     plate.update(surface);
-    CHECK_FALSE(surface.statistics().whole);
+    CHECK_FALSE(surface.statistics().rebuilt);
     CHECK(surface.statistics().particles == 0);
     CHECK(surface.statistics().blocks == 0);
     CHECK(sortedTriangles(test::readMesh(surface)) == before);
 }
 
-TEST_CASE("the mesh knows how hot the metal has been") {
+TEST_CASE("the mesh has the highest temperature that the metal had") {
     const SurfaceParameters parameters{64, 3, 0.6f, true, int(SurfaceKernel::smooth)};
-    Surface kept(test::shaders(), parameters, Plate::kLow, Plate::kHigh);
+    Surface updated(test::shaders(), parameters, Plate::kLow, Plate::kHigh);
     Surface fresh(test::shaders(), parameters, Plate::kLow, Plate::kHigh);
-    kept.keeping.on = true;
-    for (Surface* surface : {&kept, &fresh})
+    updated.incremental.enabled = true;
+    for (Surface* surface : {&updated, &fresh})
         surface->setTemperatureRange(300, 2300);
     Plate plate;
     std::vector<vec4> heats(plate.places.size(), vec4(0, 0, 300, 0));
     for (vec4& p : plate.places)
         p.w = 300;
-    for (int step = 0; step < 5; ++step) { // a hot spot wanders and what it leaves cools
+    for (int step = 0; step < 5; ++step) { // a hot spot moves, the metal behind it cools
         for (size_t i = 0; i < plate.places.size(); ++i) {
             const bool hot = glm::distance(vec3(plate.places[i]), vec3(-0.4f + 0.1f * float(step), 0, 0)) < 0.12f;
             plate.places[i].w = hot ? 1500.0f : 300.0f;
@@ -152,7 +152,7 @@ TEST_CASE("the mesh knows how hot the metal has been") {
         }
         const gl::Buffer positions("plate", std::span<const vec4>(plate.places));
         const gl::Buffer heatBuffer("plate heats", std::span<const vec4>(heats));
-        for (Surface* surface : {&kept, &fresh})
+        for (Surface* surface : {&updated, &fresh})
             surface->update({&positions, plate.places.size(), nullptr, &heatBuffer}, nullptr);
     }
     const auto sortedPeaks = [](const Surface& surface) {
@@ -165,26 +165,26 @@ TEST_CASE("the mesh knows how hot the metal has been") {
         std::sort(rows.begin(), rows.end());
         return rows;
     };
-    const auto rows = sortedPeaks(kept);
+    const auto rows = sortedPeaks(updated);
     CHECK(rows == sortedPeaks(fresh));
     size_t tinted = 0;
     for (const auto& [x, y, z, peak] : rows) {
         if (y < -0.05f) continue;
         if (std::abs(x + 0.4f) < 0.02f && std::abs(z) < 0.02f) {
-            CHECK(std::abs(peak - 1500) < 2); // cold again, but it has been hot
+            CHECK(std::abs(peak - 1500) < 2); // cold now, but it has been hot
             ++tinted;
         }
         if (x > 0.4f) REQUIRE(std::abs(peak - 300) < 1);
     }
     CHECK(tinted > 0);
 
-    plate.update(fresh); // particles that remember nothing
+    plate.update(fresh); // particles without their highest temperatures
     CHECK(fresh.mesh().peaks == nullptr);
 }
 
-TEST_CASE("a small change makes a small part anew, however often it comes") {
+TEST_CASE("a small change updates a small part of the mesh, however often it happens") {
     Surface surface(test::shaders(), {128, 3, 0.6f}, Plate::kLow, Plate::kHigh);
-    surface.keeping.on = true;
+    surface.incremental.enabled = true;
     Plate plate;
     plate.update(surface);
     const unsigned all = surface.statistics().blocks;
@@ -192,7 +192,7 @@ TEST_CASE("a small change makes a small part anew, however often it comes") {
         plate.places[2000].y += 0.01f;
         plate.places[2000].w += 0.01f;
         plate.update(surface);
-        REQUIRE_FALSE(surface.statistics().whole);
+        REQUIRE_FALSE(surface.statistics().rebuilt);
         REQUIRE(surface.statistics().particles == 1);
         REQUIRE(surface.statistics().blocks * 3 <= all);
         REQUIRE(surface.statistics().blocks <= 64);
@@ -200,41 +200,41 @@ TEST_CASE("a small change makes a small part anew, however often it comes") {
     CHECK(test::unmatchedSides(test::readMesh(surface)).empty());
 }
 
-TEST_CASE("a change within the tolerance waits until it has grown") {
+TEST_CASE("a change is splatted once it exceeds the tolerance") {
     Surface surface(test::shaders(), {64, 2}, Plate::kLow, Plate::kHigh);
-    surface.keeping = {true, 0.1f, 0.01f};
+    surface.incremental = {true, 0.1f, 0.01f};
     Plate plate;
     plate.update(surface);
     const float cell = 2.0f / 64;
-    unsigned entered = 0;
+    unsigned splatted = 0;
     for (int step = 0; step < 10; ++step) {
         plate.places[100].x += 0.03f * cell;
         plate.places[2000].w += 0.003f;
         plate.update(surface);
-        entered += surface.statistics().particles;
+        splatted += surface.statistics().particles;
     }
-    CHECK(entered == 4); // each after every fourth step: 0.12 cells, 0.012 of the range
+    CHECK(splatted == 4); // each after every fourth step: 0.12 cells, 0.012 of the range
 }
 
-TEST_CASE("another level, reach or range takes effect at once with kept updates") {
-    Surface kept(test::shaders(), {48, 2, 1.0f}, Plate::kLow, Plate::kHigh);
-    kept.keeping.on = true;
+TEST_CASE("another iso level, influence or temperature range takes effect in the next incremental update") {
+    Surface updated(test::shaders(), {48, 2, 1.0f}, Plate::kLow, Plate::kHigh);
+    updated.incremental.enabled = true;
     Plate plate;
-    plate.update(kept);
+    plate.update(updated);
     const auto check = [&] {
-        Surface fresh(test::shaders(), kept.parameters, Plate::kLow, Plate::kHigh);
+        Surface fresh(test::shaders(), updated.parameters, Plate::kLow, Plate::kHigh);
         fresh.setTemperatureRange(-2, 2);
-        plate.update(kept);
+        plate.update(updated);
         plate.update(fresh);
-        REQUIRE(sortedTriangles(test::readMesh(kept)) == sortedTriangles(test::readMesh(fresh)));
+        REQUIRE(sortedTriangles(test::readMesh(updated)) == sortedTriangles(test::readMesh(fresh)));
     };
-    kept.setTemperatureRange(-2, 2);
+    updated.setTemperatureRange(-2, 2);
     check();
-    kept.parameters.isoLevel = 2.0f;
+    updated.parameters.isoLevel = 2.0f;
     check();
-    kept.parameters.influence = 3;
+    updated.parameters.influence = 3;
     check();
-    kept.parameters.caps = false;
+    updated.parameters.caps = false;
     check();
     plate.places.resize(1000);
     plate.phases.resize(1000);
