@@ -37,7 +37,7 @@ FlowFluid fluidOf(const Material& material, float spacing, double wetting, bool 
     fluid.tensionSlope = marangoni ? material.tensionSlope() : 0;
     fluid.viscosity = material.viscosity.at(material.liquidus);
     fluid.expansion = material.expansion.at(material.liquidus);
-    fluid.evenTemperature = material.liquidus;
+    fluid.referenceTemperature = material.liquidus;
     return fluid;
 }
 

@@ -83,7 +83,7 @@ FlowFluid liquidIn(const Cavity& cavity, const ValidationCase& from) {
     fluid.tension = 0; // the box is full: no surface
     fluid.viscosity = m.viscosity.at(m.liquidus);
     fluid.expansion = m.expansion.at(m.liquidus);
-    fluid.evenTemperature = 0.5 * (m.liquidus + cavity.hot);
+    fluid.referenceTemperature = 0.5 * (m.liquidus + cavity.hot);
     fluid.confinement = kConfinement;
     // The flow's own lower bound holds for the viscosity: four times gallium's in the shipped case. With gallium's own
     // value the circulation is half as fast again, and the errors lie between 1 and 11 % instead of -5 and 5 %. Half of

@@ -1,110 +1,156 @@
-// The flow's own buffers and constants, shared by C++ and GLSL; what they mean physically stands in
-// core/metal/flow/flow_constants.hpp.
+// Buffers and constants of the flow, shared by C++ and GLSL. core/metal/flow/flow_constants.hpp says how the constants
+// follow from a liquid's properties.
+//
+// Moving metal is liquid, or part of a loose solid fragment. Wall metal is all other solid metal: it stands still and
+// bounds the liquid.
 //
 // Space is cut into cells at least one kernel support wide, so that a particle's neighbours lie in its own cell and the
-// 26 around it. A cell lists its still metal (rebuilt only where the phase changes) and its moving particles (put in
-// anew every substep by the pass that moves them). Both lists are in the order of slots, so that every sum has one
-// order.
+// 26 around it. Each cell lists its wall particles, which change only where the phase changes, and its moving particles,
+// which the move pass puts into cells again in every substep. Both lists are ordered by slot, so that sums over
+// neighbours have one order and the same run gives the same bits.
 #ifndef MELTPOOL_SHARED_FLOW_H
 #define MELTPOOL_SHARED_FLOW_H
 
 #include "glsl_types.h"
 
-#define FLOW_CELL_ROOM 48  // fours; of a cell, for still and for moving particles each; 14 are there at rest density, 27 at most on a lattice
-#define FLOW_NEIGHBOUR_ROOM 128 // neighbours kept a particle; 74 are there at rest density
+#define FLOW_CELL_CAPACITY 48       // wall particles of a cell, and moving ones; a multiple of 4; 14 at rest density, at most 27 on a lattice
+#define FLOW_NEIGHBOUR_CAPACITY 128 // neighbours listed for a particle; 74 at rest density
 
-#define FLOW_BODIES 6      // FlowBody a slot
-#define FLOW_CELLS 7       // FlowCell a cell
-#define FLOW_RESIDENTS 8   // packed places: FLOW_CELL_ROOM moving ones in order, then as many of still metal, a cell; then the slots, likewise
-#define FLOW_ENTERED 9     // slots that entered a cell, in no order
-#define FLOW_LISTS 10      // moving slots, spare for compacting them, still slots beside moving ones; capacity each; then restless ones
-#define FLOW_NEIGHBOURS 11 // slots beside an entry of the lists, entry by entry within a rank
-#define FLOW_COUNTERS 12
-#define FLOW_DIRTY 13      // cells whose still metal changed, a word a cell; then FLOW_STILL_CHANGES slots that became or ceased to be still
-#define FLOW_RESTING 14    // ivec4 a slot of still metal: what other still metal adds to its gradient (xyz) and density (w), in 1/FLOW_REST_UNIT
-#define FLOW_CHANGES 15    // the metal's list of slots whose phase changed
+// Storage buffers
+#define FLOW_PARTICLES 6     // FlowParticle for each slot
+#define FLOW_CELLS 7         // FlowCell for each cell
+#define FLOW_CELL_LISTS 8    // for each cell the packed positions of its moving particles, then of its wall particles; then all slots likewise
+#define FLOW_BINNED 9        // for each cell the slots of its moving particles in no order
+#define FLOW_LISTS 10        // lists of slots, see flow/common.glsl
+#define FLOW_NEIGHBOURS 11   // neighbour lists; entry k of the particles of a work group lie side by side
+#define FLOW_COUNTERS 12     // FlowCounters
+#define FLOW_CHANGED 13      // cells whose wall particles changed; then FLOW_WALL_CHANGES slots that became or ceased to be wall
+#define FLOW_WALL_SUMS 14    // ivec4 for each wall slot: what other wall metal adds to its gradient (xyz) and density (w), in 1/FLOW_WALL_SUM_UNIT
+#define FLOW_PHASE_CHANGES 15 // the metal's list of slots whose phase changed
 
 #define FLOW_BLOCK 1 // uniform buffer
 
-// Buffer textures of the above
+// Buffer textures over the same buffers
 #define FLOW_TEXELS_POSITIONS 0
-#define FLOW_TEXELS_BODIES 1 // FLOW_BODY_TEXELS a slot
+#define FLOW_TEXELS_PARTICLES 1 // FLOW_PARTICLE_TEXELS for each slot
 #define FLOW_TEXELS_NEIGHBOURS 2
 #define FLOW_TEXELS_CELLS 3
-#define FLOW_TEXELS_RESIDENTS 4
-#define FLOW_TEXELS_PLACES 5 // of the residents, four a texel
+#define FLOW_TEXELS_CELL_SLOTS 4
+#define FLOW_TEXELS_CELL_POSITIONS 5 // four packed positions in a texel
 
-#define FLOW_BODY_TEXELS 4 // of a FlowBody
+#define FLOW_PARTICLE_TEXELS 4 // of a FlowParticle
 
-#define FLOW_BELONGS_NOWHERE 0u
-#define FLOW_BELONGS_STILL 1u
-#define FLOW_BELONGS_MOVING 2u
+// FlowParticle.group
+#define FLOW_GROUP_NONE 0u
+#define FLOW_GROUP_WALL 1u
+#define FLOW_GROUP_MOVING 2u
 
-// Bits of a slot in a list of neighbours
-#define FLOW_SOLID 0x80000000u // solid metal
-#define FLOW_RESTS 0x40000000u // still metal
+// Bits of a slot in a list of neighbours or in the list of a cell
+#define FLOW_SOLID 0x80000000u // solid metal, wall or fragment
+#define FLOW_WALL 0x40000000u  // wall metal (in lists of neighbours)
+#define FLOW_RENEWS 0x40000000u // its own list is made anew in this search (in lists of cells)
 #define FLOW_SLOT 0x3fffffffu
-#define FLOW_RENEWS 0x40000000u // of a moving resident: lists its neighbours anew in this search
 
-#define FLOW_RESTLESS_ROOM 32u // of these; more make all search
-#define FLOW_RESTLESS_ALL 0xffffffffu
+#define FLOW_STALE_CAPACITY 32u    // particles with stale neighbour lists that a search renews one by one; with more it renews all lists
+#define FLOW_STALE_ALL 0xffffffffu // all lists are stale
 
-#define FLOW_STILL_CHANGES 4096u  // slots a frame that may change between still and moving before all still sums are made anew
-#define FLOW_CEASED 0x80000000u   // bit of such a slot: it is still no more
-#define FLOW_REST_UNIT 16777216.0 // still sums are whole numbers: they take additions and removals in any order without loss
-#define FLOW_NO_SUMS 0xffffffffu
+#define FLOW_WALL_CHANGES 4096u          // slots a frame that may become or cease to be wall before all wall sums are made anew
+#define FLOW_NO_LONGER_WALL 0x80000000u  // bit of such a slot: it ceased to be wall
+#define FLOW_WALL_SUM_UNIT 16777216.0    // wall sums are whole numbers: additions and removals in any order lose nothing
+#define FLOW_NO_WALL_SUMS 0xffffffffu    // FlowParticle.wallSumGeneration of a slot without valid sums
 
 #ifdef __cplusplus
 namespace meltpool {
 #endif
 
 struct FlowBlock {
-    vec4 origin;        // xyz low corner of cell (0, 0, 0) in m, w kernel support H in m
-    vec4 inverseCell;   // xyz 1/edge of a cell, w 1/H
-    vec4 period;        // xyz length after which space repeats, 0 where it does not; w time step in s
-    vec4 inversePeriod; // xyz 1/period or 0, w fastest speed allowed in m/s
-    vec4 high;          // xyz high corner of the space in m, w half a spacing
-    ivec4 cells;        // xyz cells, w capacity in particles
-    vec4 body;          // xyz acceleration besides gravity in m/s², w weight of hot still metal against liquid: 0 repels .. 1 wets
-    vec4 kernel;        // x s V W(0), y c² in m²/s², z 10 nu in m²/s, w mushy drag over density in 1/s
-    vec4 tension;       // x cohesion and y area acceleration (see constants), z slope of surface tension over temperature over density in m³/(s² K), w friction against still metal over that in the liquid
-    vec4 search;        // x reach of neighbour lists in m, y way after which they are made anew in m, z scale s of the density sum, w unused
-    vec4 arc;           // xyz where the arc's axis meets the metal in m, w 1/(2 sigma²) of its pressure in 1/m²
-    vec4 arcAxis;       // xyz unit vector of the arc into the metal, w highest pressure over density in m²/s²
-    vec4 wetting;       // x weight of cold still metal, y temperature (K) up to which it is cold, z 1/(temperature from which body.w holds - y), w unused
-    uvec4 room;         // x capacity of the lists in particles, y cells, zw unused
-    vec4 buoyancy;      // x expansion of the volume in 1/K, y temperature in K at which metal has its whole weight, zw unused
+    vec3 origin;          // low corner of cell (0, 0, 0), m
+    float support;        // H of the kernel, m
+    vec3 inverseCellSize; // 1/m
+    float inverseSupport; // 1/m
+    vec3 period;          // length after which space repeats, 0 where it does not, m
+    float timeStep;       // s
+    vec3 inversePeriod;   // 1/period, 0 where space does not repeat, 1/m
+    float speedLimit;     // fastest speed allowed, m/s
+    vec3 high;            // high corner of space, m
+    float halfSpacing;    // half a particle spacing, m
+    ivec3 cells;
+    int capacity;       // slots of the metal
+    vec3 acceleration;  // besides gravity, m/s²
+    float hotWetting;   // attraction by hot wall metal over that by liquid: 0 repels .. 1 wets
+    float kernelSelf;   // s V W(0)
+    float soundSpeedSquared; // m²/s²
+    float pairFriction; // 10 nu, m²/s
+    float mushyDrag;    // over density, 1/s
+    float cohesion;     // m/s²
+    float areaForce;    // prefactor of the surface area force, m²/s²
+    float marangoni;    // slope of surface tension over temperature, over density, m³/(s² K)
+    float wallFriction; // friction against solid metal over that in the liquid
+    float reach;        // of neighbour lists, m
+    float freeWay;      // relative way of neighbours after which lists are stale, m
+    float densityScale; // s of the density sum
+    float coldWetting;  // attraction by cold wall metal over that by liquid
+    vec3 arcCentre;     // where the arc's axis meets the metal, m
+    float arcInverseVariance; // 1/(2 sigma²) of the arc's pressure, 1/m²
+    vec3 arcAxis;       // unit vector of the arc into the metal
+    float arcPeak;      // highest pressure of the arc over density, m²/s²
+    float coldBelow;    // wall metal is cold up to this temperature, K
+    float inverseWettingRange; // 1/(temperature from which wall metal is hot - coldBelow), 1/K
+    float expansion;    // of the volume over temperature, 1/K
+    float referenceTemperature; // at which metal has its whole weight, K
+    uint listCapacity;  // moving particles, and wall particles beside them
+    uint cellCount;
+    uint reserved0, reserved1;
 };
 
-struct FlowBody {
-    vec4 place;  // xyz position at the start of the substep in m, w density over rest density, scaled
-    vec4 normal; // xyz g, the weighted kernel gradient sum in 1/m, w temperature in K
-    vec4 motion; // xyz velocity at the start of the substep in m/s, w unused
-    uvec4 where; // of moving metal: xy cell entered for the even and the odd substep, z where it belongs, w neighbours;
-                 // of still metal: x search of all that it was last listed since, y edition of its still sums, z same, w its cell
+struct FlowParticle {
+    vec3 position;     // at the start of the substep, m
+    float density;     // over rest density, scaled
+    vec3 normal;       // weighted sum of kernel gradients, points into the metal, 1/m
+    float temperature; // K
+    vec3 velocity;     // at the start of the substep, m/s
+    uint renews;       // of moving metal: 1 where the search in progress makes its neighbour list anew
+    uint cell;         // that it is listed in
+    uint group;        // FLOW_GROUP_...
+    uint listedSince;  // of wall metal: FlowCounters.fullSearch at the time when it was last listed beside moving metal
+    uint wallSumGeneration; // of wall metal: FlowCounters.wallSumGeneration at the time when its wall sums were made
 };
 
 struct FlowCell {
-    uint still; // entries of still metal
-    uint even;  // entries of moving particles for even substeps
-    uint odd;   // same, odd
-    uint dirty; // 1 between the passes that find and tidy changed cells
+    uint walls;
+    uint moving;
+    uint changed; // 1 between the passes that find and compact changed cells
+    uint reserved;
 };
 
 struct FlowCounters {
-    uvec4 moving;   // indirect dispatch over the moving list; w its length
-    uvec4 search;   // over the moving list and the still metal beside it, without groups where the neighbour lists still hold; w groups of the move pass that are done
-    uvec4 boundary; // over still metal that the search has found beside the liquid; w edition of still sums that holds
-    uvec4 density;  // over the moving list and the still metal beside it; w number of the latter
-    uvec4 faults;   // x cells overfull, y neighbours overfull, z particles no longer finite, w moving list overfull
-    uvec4 changes;  // xy length of the list of slots that became or ceased to be still, of even and odd frames; zw unused
-    uvec4 restless; // x moving particles whose neighbours went nearly too far (beyond FLOW_RESTLESS_ROOM: all), y still metal listed before this search, z substep of the last search of all, w 1: there must be a search
-    uvec4 spare;    // x length of the list being compacted, y changed cells, z unused, w searches made
+    uvec3 movingGroups; // indirect dispatch over the moving list
+    uint moving;        // length of the moving list
+    uvec3 searchGroups; // over the moving list and the wall list; no groups where the neighbour lists still hold
+    uint moveGroupsDone;
+    uvec3 boundaryGroups; // over wall metal that this search has newly found beside moving metal
+    uint wallSumGeneration; // of the wall sums that hold
+    uvec3 densityGroups;    // over the moving list and the wall list
+    uint walls;             // length of the wall list
+    uint cellsOverfull;     // faults so far
+    uint neighboursOverfull;
+    uint notFinite;
+    uint listsOverfull;
+    uint wallChanges[2]; // slots that became or ceased to be wall, in even and odd frames
+    uint frame;
+    uint searches;   // made so far
+    uint stale;      // moving particles whose neighbours went nearly too far; beyond FLOW_STALE_CAPACITY all
+    uint wallsBefore; // length of the wall list before this search
+    uint fullSearch; // number of the last search that renewed all lists
+    uint searchDue;  // 1: a neighbour went too far, so that the next substep must search
+    uint compacted;  // length of the moving list that is being compacted
+    uint changedCells;
+    uint reserved0, reserved1;
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(FlowBlock) == 240);
-static_assert(sizeof(FlowBody) == 64);
+static_assert(sizeof(FlowBlock) == 224);
+static_assert(sizeof(FlowParticle) == 64);
 static_assert(sizeof(FlowCell) == 16);
 static_assert(sizeof(FlowCounters) == 128);
 } // namespace meltpool

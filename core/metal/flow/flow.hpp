@@ -26,22 +26,22 @@ struct ArcPressure {
     float peak = 0;           ///< Pa
 };
 
-/// How many went wrong so far; all zero in a healthy run.
+/// Faults since the start; all zero in a healthy run.
 struct FlowFaults {
-    unsigned cellsOverfull = 0, neighboursOverfull = 0, notFinite = 0, listOverfull = 0;
-    bool any() const { return (cellsOverfull | neighboursOverfull | notFinite | listOverfull) != 0; }
+    unsigned cellsOverfull = 0, neighboursOverfull = 0, notFinite = 0, listsOverfull = 0;
+    bool any() const { return (cellsOverfull | neighboursOverfull | notFinite | listsOverfull) != 0; }
 };
 
-/// Moves the liquid particles of a MetalState. Still metal (solid, of no loose piece) is their boundary, with its own
-/// density and pressure. Work follows the liquid: only it and the still metal beside it are touched in a substep.
+/// Moves the liquid particles of a MetalState. Solid metal bounds them with its own density and pressure (Akinci et al.
+/// 2012). A substep touches the moving metal and the wall metal beside it only.
 class Flow {
   public:
-    /// `movingRoom`: most particles that move or lie beside moving ones at a time; 0 makes room for all.
+    /// `mostMoving`: most particles that move or lie beside moving ones at a time; 0 makes room for all.
     Flow(gl::ShaderLibrary& shaders, MetalState& state, const FlowFluid& fluid, const FlowSpace& space,
-         size_t movingRoom = 0);
+         size_t mostMoving = 0);
 
-    /// Moves all liquid on by `seconds` in as many equal substeps as stability needs. First takes up which slots
-    /// melted, froze or are new.
+    /// Moves all liquid on by `seconds` in as many equal substeps as stability needs. First finds which slots melted,
+    /// froze or are new.
     void step(double seconds, gl::Profiler* profiler);
     /// The same with a given number of substeps.
     void step(double seconds, unsigned substeps, gl::Profiler* profiler);
@@ -53,14 +53,14 @@ class Flow {
     const FlowConstants& constants() const { return constants_; }
     FlowFaults readFaults() const; ///< waits for the GPU
     unsigned readMoving() const;   ///< moving particles; waits for the GPU
-    unsigned readSearches() const; ///< times that neighbour lists were made; waits for the GPU
-    /// Density ratio delta of each slot as of the last substep's start; 0 where never computed. Waits for the GPU.
-    std::vector<FlowBody> readBodies() const;
+    unsigned readSearches() const; ///< for neighbours, since the start; waits for the GPU
+    /// Particles as of the last substep's start; density 0 where it was never computed. Waits for the GPU.
+    std::vector<FlowParticle> readParticles() const;
     size_t bytes() const;
 
   private:
     void bind() const;
-    void takeUpChanges(gl::Profiler* profiler);
+    void updateGroups(gl::Profiler* profiler);
     void substep(gl::Profiler* profiler);
 
     MetalState& state_;
@@ -68,20 +68,20 @@ class Flow {
     double restDensity_;
     FlowBlock block_{};
     bool blockChanged_ = true;
-    uint substep_ = 0;
-    uint frame_ = 0;
-    size_t known_ = 0;         ///< slots that the flow has looked at
-    unsigned regroupings_ = 0; ///< of the state when it last looked at all of them
-    const gl::Program& belong_;
-    const gl::Program& tidy_;
-    const gl::Program& enter_;
+    size_t known_ = 0;         ///< slots that were classified
+    unsigned regroupings_ = 0; ///< of the state when all slots were last classified
+    const gl::Program& classify_;
+    const gl::Program& compact_;
+    const gl::Program& bin_;
     const gl::Program& sort_;
     const gl::Program& search_;
     const gl::Program& boundary_;
     const gl::Program& density_;
     const gl::Program& move_;
-    gl::Buffer blockBuffer_, bodies_, cells_, residents_, entered_, lists_, neighbours_, counters_, dirty_, resting_;
-    gl::BufferView positionTexels_, bodyTexels_, neighbourTexels_, cellTexels_, residentTexels_, residentPlaceTexels_;
+    gl::Buffer blockBuffer_, particles_, cells_, cellLists_, binned_, lists_, neighbours_, counters_, changed_,
+        wallSums_;
+    gl::BufferView positionTexels_, particleTexels_, neighbourTexels_, cellTexels_, cellSlotTexels_,
+        cellPositionTexels_;
 };
 
 } // namespace meltpool

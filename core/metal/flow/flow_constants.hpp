@@ -12,10 +12,10 @@ struct FlowFluid {
     double tension = 1.8;    ///< surface tension, N/m
     double tensionSlope = 0; ///< over temperature, N/(m K): drives the surface towards the colder where negative
     double viscosity = 6e-3; ///< Pa s
-    /// How strongly still metal and walls attract the liquid against its own kind: 0 repels (contact angle 180
+    /// How strongly wall metal attracts the liquid against its own kind: 0 repels (contact angle 180
     /// degrees), 1 wets fully. See wettingForAngle().
     double wetting = 1;
-    /// The same of still metal that is too cold to be wetted: all below `coldBelow` (K); from `warmAbove` (K) on
+    /// The same of wall metal that is too cold to be wetted: all below `coldBelow` (K); from `warmAbove` (K) on
     /// `wetting` holds, in between both in part.
     double coldWetting = 1;
     double coldBelow = 0;
@@ -26,12 +26,13 @@ struct FlowFluid {
     /// Kinematic viscosity is at least this share of sound speed times support; below it surface tension stirs the
     /// liquid. 0 takes the physical value whatever it is.
     double leastViscosity = 1.66e-3;
-    /// Friction against still metal: 1 holds the liquid fast at walls, 0 lets it slip where the layer that walls hold
+    /// Friction against wall metal: 1 holds the liquid fast at walls, 0 lets it slip where the layer that walls hold
     /// back is thinner than the particles.
     double wallFriction = 1;
     double mushyDrag = 1e6; ///< kg/(m³ s), Carman-Kozeny constant of half-molten metal
-    double expansion = 0;   ///< 1/K, of the volume over temperature: weight follows 1 - expansion (T - evenTemperature)
-    double evenTemperature = 0; ///< K, at which metal weighs as `density` says
+    double expansion =
+        0; ///< 1/K, of the volume over temperature: weight follows 1 - expansion (T - referenceTemperature)
+    double referenceTemperature = 0; ///< K, at which metal weighs as `density` says
     /// Density over rest density, less 1, of liquid that fills a closed space: its pressure keeps the liquid together
     /// where the flow would pull it apart, which soft particles cannot resist. 0 for liquid with a surface of its own.
     double confinement = 0;
@@ -49,7 +50,7 @@ struct FlowConstants {
     double friction;     ///< of pairs, m²/s: 10.3 of it, calibrated on plates; 10 in the limit of many neighbours
     double cohesion;     ///< 2049 gamma V²/H⁵ over the mass, m/s²
     double area;         ///< 0.1489 gamma V/H over the mass, m²/s²
-    double wallFriction; ///< of still metal against liquid, times that of liquid against liquid
+    double wallFriction; ///< of wall metal against liquid, times that of liquid against liquid
     double mushyDrag;    ///< over density, 1/s
     double longestStep;  ///< longest stable time step, s
 
@@ -71,7 +72,7 @@ double arcPressurePeak(double current, double sigma);
 /// The wetting weight whose contact angle (radians, 0 .. pi) was measured to be `angle`; linear between measurements.
 double wettingForAngle(double angle);
 
-/// Weight of still metal at `temperature` (K) against liquid, see FlowFluid.
+/// Weight of wall metal at `temperature` (K) against liquid, see FlowFluid.
 double wettingAt(const FlowFluid& fluid, double temperature);
 
 } // namespace meltpool

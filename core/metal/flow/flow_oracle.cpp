@@ -8,7 +8,7 @@
 
 namespace meltpool {
 
-glm::dvec3 FlowOracle::apart(const glm::dvec3& a, const glm::dvec3& b) const {
+glm::dvec3 FlowOracle::displacement(const glm::dvec3& a, const glm::dvec3& b) const {
     glm::dvec3 d = a - b;
     for (int axis = 0; axis < 3; ++axis)
         if (period_[axis] > 0) d[axis] -= period_[axis] * std::round(d[axis] / period_[axis]);
@@ -31,7 +31,7 @@ void FlowOracle::forEachPair(const std::vector<OracleParticle>& particles, const
     const size_t count = order.size();
     for (size_t a = 0; a < count; ++a) {
         const auto visit = [&](size_t b) {
-            const glm::dvec3 d = apart(particles[order[a].second].position, particles[order[b].second].position);
+            const glm::dvec3 d = displacement(particles[order[a].second].position, particles[order[b].second].position);
             if (glm::dot(d, d) >= h * h) return;
             act(order[a].second, order[b].second);
             act(order[b].second, order[a].second);
@@ -52,7 +52,7 @@ void FlowOracle::sweepDensity(std::vector<OracleParticle>& particles) const {
     }
     const double h = constants_.support;
     forEachPair(particles, [&](size_t i, size_t j) {
-        const glm::dvec3 d = apart(particles[i].position, particles[j].position);
+        const glm::dvec3 d = displacement(particles[i].position, particles[j].position);
         const double u = 1 - glm::dot(d, d) / (h * h);
         particles[i].delta += constants_.kernelSelf * u * u * u * u;
         particles[i].gradient += weight(particles[j]) * slopeOverDistance(glm::length(d)) * d;
@@ -61,7 +61,7 @@ void FlowOracle::sweepDensity(std::vector<OracleParticle>& particles) const {
 
 glm::dvec3 FlowOracle::pairAcceleration(const OracleParticle& own, const OracleParticle& other) const {
     const double h = constants_.support;
-    const glm::dvec3 d = apart(own.position, other.position);
+    const glm::dvec3 d = displacement(own.position, other.position);
     const double r = glm::length(d);
     const glm::dvec3 e = d / r;
     const double q = r / h;
@@ -91,7 +91,7 @@ void FlowOracle::sweepForce(std::vector<OracleParticle>& particles) const {
         const glm::dvec3 a = pairAcceleration(particles[i], particles[j]);
         particles[i].acceleration += a;
         particles[i].pressure +=
-            constants_.mass * glm::dot(a, apart(particles[i].position, particles[j].position)) / (6 * volume);
+            constants_.mass * glm::dot(a, displacement(particles[i].position, particles[j].position)) / (6 * volume);
     });
 }
 

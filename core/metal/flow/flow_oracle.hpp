@@ -12,7 +12,7 @@ namespace meltpool {
 struct OracleParticle {
     glm::dvec3 position{0}, velocity{0};
     bool liquid = true;
-    double temperature = 500; ///< K, of still metal
+    double temperature = 500; ///< K, of wall metal
     double delta = 0;         ///< density over rest density, scaled
     glm::dvec3 gradient{0};   ///< weighted kernel gradient sum, 1/m
     glm::dvec3 acceleration{0};
@@ -36,7 +36,7 @@ class FlowOracle {
   private:
     using PairFunction = std::function<void(size_t, size_t)>;
 
-    glm::dvec3 apart(const glm::dvec3& a, const glm::dvec3& b) const;
+    glm::dvec3 displacement(const glm::dvec3& a, const glm::dvec3& b) const;
     double slopeOverDistance(double r) const;
     double weight(const OracleParticle& other) const { return other.liquid ? 1 : wettingAt(fluid_, other.temperature); }
     glm::dvec3 pairAcceleration(const OracleParticle& own, const OracleParticle& other) const;

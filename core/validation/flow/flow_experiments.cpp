@@ -101,7 +101,7 @@ DropletPressure dropletPressure(gl::ShaderLibrary& shaders, const FlowFluid& flu
         result.steps += one.steps;
         result.faults.cellsOverfull += one.faults.cellsOverfull;
         result.faults.neighboursOverfull += one.faults.neighboursOverfull;
-        result.faults.listOverfull += one.faults.listOverfull;
+        result.faults.listsOverfull += one.faults.listsOverfull;
     }
     return result;
 }

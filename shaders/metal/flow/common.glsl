@@ -4,71 +4,91 @@
 #include "metal/state.glsl"
 
 layout(std140, binding = FLOW_BLOCK) uniform FlowUniform { FlowBlock fluid; };
-layout(std430, binding = FLOW_BODIES) buffer Bodies { FlowBody bodies[]; };
+layout(std430, binding = FLOW_PARTICLES) buffer Particles { FlowParticle particles[]; };
 layout(std430, binding = FLOW_CELLS) buffer Cells { FlowCell cells[]; };
-layout(std430, binding = FLOW_RESIDENTS) buffer Residents { uint residents[]; };
-layout(std430, binding = FLOW_ENTERED) buffer Entered { uint entered[]; };
+layout(std430, binding = FLOW_CELL_LISTS) buffer CellLists { uint cellLists[]; };
+layout(std430, binding = FLOW_BINNED) buffer Binned { uint binned[]; };
 layout(std430, binding = FLOW_LISTS) buffer Lists { uint lists[]; };
 layout(std430, binding = FLOW_NEIGHBOURS) buffer Neighbours { uint neighbours[]; };
 layout(std430, binding = FLOW_COUNTERS) buffer Counters { FlowCounters counters; };
-layout(std430, binding = FLOW_DIRTY) buffer Dirty { uint dirty[]; };
-layout(std430, binding = FLOW_RESTING) buffer Resting { ivec4 resting[]; };
+layout(std430, binding = FLOW_CHANGED) buffer Changed { uint changed[]; };
+layout(std430, binding = FLOW_WALL_SUMS) buffer WallSums { ivec4 wallSums[]; };
 
-// What is gathered from many places is read as texels: some drivers fetch a whole texel at once but storage number by
-// number. A pass reads no texels of what it writes.
+// What is gathered from many places is read as texels: some drivers fetch a whole texel at once but storage word by word.
+// A pass reads no texels of what it writes.
 layout(binding = FLOW_TEXELS_POSITIONS) uniform samplerBuffer positionTexels;
-layout(binding = FLOW_TEXELS_BODIES) uniform samplerBuffer bodyTexels;
+layout(binding = FLOW_TEXELS_PARTICLES) uniform samplerBuffer particleTexels;
 layout(binding = FLOW_TEXELS_NEIGHBOURS) uniform usamplerBuffer neighbourTexels;
 layout(binding = FLOW_TEXELS_CELLS) uniform usamplerBuffer cellTexels;
-layout(binding = FLOW_TEXELS_RESIDENTS) uniform usamplerBuffer residentTexels;
-layout(binding = FLOW_TEXELS_PLACES) uniform usamplerBuffer residentPlaceTexels;
+layout(binding = FLOW_TEXELS_CELL_SLOTS) uniform usamplerBuffer cellSlotTexels;
+layout(binding = FLOW_TEXELS_CELL_POSITIONS) uniform usamplerBuffer cellPositionTexels;
 
-vec3 placeTexel(uint slot) { return texelFetch(positionTexels, int(slot)).xyz; }
+// `lists` holds, one behind the other: the moving slots; the same while they are compacted; the wall slots beside moving
+// metal (listCapacity each); the number of neighbours of each entry of the moving list and then of the wall list
+// (2 listCapacity); the slots with stale neighbour lists.
+uint compactedIndex(uint k) { return fluid.listCapacity + k; }
+uint wallIndex(uint k) { return 2 * fluid.listCapacity + k; }
+uint neighbourCountIndex(uint entry) { return 3 * fluid.listCapacity + entry; }
+uint staleIndex(uint k) { return 5 * fluid.listCapacity + k; }
 
-/// Weight of solid metal at this temperature (K) against the liquid.
-float wettingAt(float temperature) {
-    return mix(fluid.wetting.x, fluid.body.w, clamp((temperature - fluid.wetting.y) * fluid.wetting.z, 0, 1));
+/// Slot of an entry: the moving list comes first, then the wall list.
+uint slotOf(uint entry) {
+    const uint moving = counters.moving;
+    return lists[entry < moving ? entry : wallIndex(entry - moving)];
 }
 
-/// Entry `k` of the neighbour list that begins at `base`.
+/// Place of the first neighbour of an entry in `neighbours`; the next ones follow GROUP_SIZE apart.
+uint neighbourBase(uint entry) {
+    return entry / GROUP_SIZE * (GROUP_SIZE * FLOW_NEIGHBOUR_CAPACITY) + entry % GROUP_SIZE;
+}
+
+/// Neighbour `k` of the list that begins at `base`.
 uint neighbourTexel(uint base, uint k) { return texelFetch(neighbourTexels, int(base + GROUP_SIZE * k)).x; }
 
-/// Counts of a cell: x still metal, y moving metal of this parity.
-uvec2 countTexel(uint cell, uint parity) {
-    const uvec4 counts = texelFetch(cellTexels, int(cell));
-    return uvec2(counts.x, min(parity == 0 ? counts.y : counts.z, FLOW_CELL_ROOM));
+vec3 positionTexel(uint slot) { return texelFetch(positionTexels, int(slot)).xyz; }
+
+/// Attraction of liquid by solid metal of this temperature (K), over that by liquid. Own derivation: the contact line stops
+/// on metal on which the liquid would freeze (Schiaffino and Sonin 1997); flow_constants.cpp holds the measured angles.
+float wettingAt(float temperature) {
+    return mix(fluid.coldWetting, fluid.hotWetting, clamp((temperature - fluid.coldBelow) * fluid.inverseWettingRange, 0, 1));
 }
 
-/// First of the residents of a cell: its moving metal; its still metal.
-uint movingBase(uint cell) { return 2 * FLOW_CELL_ROOM * cell; }
-uint stillBase(uint cell) { return movingBase(cell) + FLOW_CELL_ROOM; }
-
-/// Where the slot of a resident stands; its packed place stands at `entry` itself.
-uint slotEntry(uint entry) { return 2 * FLOW_CELL_ROOM * fluid.room.y + entry; }
-
-void writeResident(uint entry, uint packedPlace, uint slot) {
-    residents[entry] = packedPlace;
-    residents[slotEntry(entry)] = slot;
+/// Number of particles of a cell: x wall, y moving.
+uvec2 cellCounts(uint cell) {
+    const uvec2 counts = texelFetch(cellTexels, int(cell)).xy;
+    return uvec2(counts.x, min(counts.y, FLOW_CELL_CAPACITY));
 }
 
-uint residentTexel(uint entry) { return texelFetch(residentTexels, int(slotEntry(entry))).x; }
+/// Index of the first moving particle, and of the first wall particle, of a cell in the lists of cells.
+uint cellMovingBase(uint cell) { return 2 * FLOW_CELL_CAPACITY * cell; }
+uint cellWallBase(uint cell) { return cellMovingBase(cell) + FLOW_CELL_CAPACITY; }
 
-/// The cell of a place. Precise, so that every pass comes to the same one.
-ivec3 cellAt(vec3 place) {
-    precise const vec3 inCells = (place - fluid.origin.xyz) * fluid.inverseCell.xyz;
-    return clamp(ivec3(floor(inCells)), ivec3(0), fluid.cells.xyz - 1);
+/// Where the slot that belongs to a packed position stands.
+uint cellSlotIndex(uint index) { return 2 * FLOW_CELL_CAPACITY * fluid.cellCount + index; }
+
+void writeCellEntry(uint index, uint packedPosition, uint slot) {
+    cellLists[index] = packedPosition;
+    cellLists[cellSlotIndex(index)] = slot;
 }
 
-/// A place inside its cell in steps of a 1024th of the cell: 0 .. 1023, whole.
-vec3 stepsInside(vec3 place) {
-    precise const vec3 inCells = (place - fluid.origin.xyz) * fluid.inverseCell.xyz;
-    return floor(clamp((inCells - vec3(cellAt(place))) * 1024, vec3(0), vec3(1023)));
+uint cellSlotTexel(uint index) { return texelFetch(cellSlotTexels, int(cellSlotIndex(index))).x; }
+
+/// The cell of a position. Precise, so that every pass comes to the same one.
+ivec3 cellAt(vec3 position) {
+    precise const vec3 inCells = (position - fluid.origin) * fluid.inverseCellSize;
+    return clamp(ivec3(floor(inCells)), ivec3(0), fluid.cells - 1);
 }
 
-/// The same as ten bits an axis: one word tells a search whether a particle is near enough to be looked at. Drivers that run
-/// on the CPU pay for each word that is read.
-uint packPlace(vec3 place) {
-    const uvec3 steps = uvec3(stepsInside(place));
+/// A position inside its cell in whole steps of a 1024th of the cell: 0 .. 1023.
+vec3 stepsInside(vec3 position) {
+    precise const vec3 inCells = (position - fluid.origin) * fluid.inverseCellSize;
+    return floor(clamp((inCells - vec3(cellAt(position))) * 1024, vec3(0), vec3(1023)));
+}
+
+/// The same with ten bits an axis: a search reads one word to see whether a particle is near. Drivers that run on the CPU
+/// pay for each word read.
+uint packPosition(vec3 position) {
+    const uvec3 steps = uvec3(stepsInside(position));
     return steps.x | steps.y << 10 | steps.z << 20;
 }
 
@@ -80,13 +100,13 @@ uint cellIndex(ivec3 cell) {
 bool neighbourCell(ivec3 cell, ivec3 steps, out uint index) {
     ivec3 other = cell + steps;
 #ifdef REPEATS
-    const bvec3 repeats = greaterThan(fluid.period.xyz, vec3(0));
-    const ivec3 wrapped = other + mix(ivec3(0), fluid.cells.xyz, lessThan(other, ivec3(0))) -
-                          mix(ivec3(0), fluid.cells.xyz, greaterThanEqual(other, fluid.cells.xyz));
+    const bvec3 repeats = greaterThan(fluid.period, vec3(0));
+    const ivec3 wrapped = other + mix(ivec3(0), fluid.cells, lessThan(other, ivec3(0))) -
+                          mix(ivec3(0), fluid.cells, greaterThanEqual(other, fluid.cells));
     other = mix(other, wrapped, repeats); // no remainders: integer division is slow, on a CPU above all
 #endif
     index = cellIndex(other);
-    return all(greaterThanEqual(other, ivec3(0))) && all(lessThan(other, fluid.cells.xyz));
+    return all(greaterThanEqual(other, ivec3(0))) && all(lessThan(other, fluid.cells));
 }
 
 /// Goes on to the next of the 27 steps from (-1, -1, -1) to (1, 1, 1).
@@ -103,61 +123,35 @@ void nextStep(inout ivec3 step) {
 }
 
 /// a - b, by the shorter way round where space repeats.
-vec3 apart(vec3 a, vec3 b) {
+vec3 displacement(vec3 a, vec3 b) {
     const vec3 straight = a - b;
 #ifdef REPEATS
-    return straight - fluid.period.xyz * round(straight * fluid.inversePeriod.xyz);
+    return straight - fluid.period * round(straight * fluid.inversePeriod);
 #else
     return straight;
 #endif
 }
 
-/// True where a neighbour list that is made around `place` must be made anew: a restless particle is within its reach.
-bool nearRestless(vec3 place) {
-    const uint restless = counters.restless.x;
-    if (restless > FLOW_RESTLESS_ROOM) return true;
-    const float reach = fluid.search.x * fluid.search.x;
+/// True where a neighbour list made around `position` must be renewed: a particle with a stale list is within its reach.
+bool nearStale(vec3 position) {
+    const uint stale = counters.stale;
+    if (stale > FLOW_STALE_CAPACITY) return true;
+    const float reach = fluid.reach * fluid.reach;
     bool near = false;
-    for (uint k = 0; k < restless; ++k) {
-        const vec3 d = apart(place, placeTexel(lists[3 * fluid.room.x + k]));
+    for (uint k = 0; k < stale; ++k) {
+        const vec3 d = displacement(position, positionTexel(lists[staleIndex(k)]));
         near = near || dot(d, d) < reach;
     }
     return near;
 }
 
-#ifdef FLOW_CHOOSES
-shared uint chosen[GROUP_SIZE];
-shared uint chosenCount;
-
-/// Hands the entries that a group is to work on to its first invocations, in no order: those beyond have nothing to do and
-/// cost nothing. Every invocation of the group must call it. False where there is none for this one.
-bool choose(bool wanted, inout uint entry) {
-    if (gl_LocalInvocationIndex == 0) chosenCount = 0;
-    barrier();
-    if (wanted) chosen[atomicAdd(chosenCount, 1u)] = entry;
-    barrier();
-    if (gl_LocalInvocationIndex >= chosenCount) return false;
-    entry = chosen[gl_LocalInvocationIndex];
-    return true;
-}
-#endif
-
-/// Puts a moving slot into the cell that the next substep, of this parity (0 even, 1 odd), finds it in.
-void enterCell(uint slot, vec3 place, uint parity) {
-    const uint cell = cellIndex(cellAt(place));
-    const uint entry = parity == 0 ? atomicAdd(cells[cell].even, 1u) : atomicAdd(cells[cell].odd, 1u);
-    if (entry < FLOW_CELL_ROOM)
-        entered[cell * FLOW_CELL_ROOM + entry] = slot;
+/// Lists a moving slot in the cell that the next search finds it in.
+void binParticle(uint slot, vec3 position) {
+    const uint cell = cellIndex(cellAt(position));
+    const uint entry = atomicAdd(cells[cell].moving, 1u);
+    if (entry < FLOW_CELL_CAPACITY)
+        binned[cell * FLOW_CELL_CAPACITY + entry] = slot;
     else
-        atomicAdd(counters.faults.x, 1u);
-    bodies[slot].where[parity] = cell;
-}
-
-uint cellMoving(uint cell, uint parity) {
-    return min(parity == 0 ? cells[cell].even : cells[cell].odd, FLOW_CELL_ROOM);
-}
-
-/// Place of the first neighbour of entry `index` of the lists; the next ones follow GROUP_SIZE apart.
-uint neighbourBase(uint index) {
-    return index / GROUP_SIZE * (GROUP_SIZE * FLOW_NEIGHBOUR_ROOM) + index % GROUP_SIZE;
+        atomicAdd(counters.cellsOverfull, 1u);
+    particles[slot].cell = cell;
 }

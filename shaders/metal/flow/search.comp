@@ -1,88 +1,77 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-// Lists the neighbours of moving metal, a little beyond the support, and the still metal that is among them; and the moving
-// neighbours of still metal that was listed before.
-#define FLOW_CHOOSES
+// Lists the neighbours of moving metal, a little beyond the support, and the wall metal among them; and the moving
+// neighbours of wall metal that was listed before.
 #include "metal/flow/common.glsl"
 layout(local_size_x = GROUP_SIZE) in;
-#include "metal/flow/near.glsl"
+#include "metal/flow/choose.glsl"
+#include "metal/flow/neighbours.glsl"
 
-uniform uint substep;
-
-/// Lists still metal that has come to lie beside the liquid, each slot once.
-void listBoundary(uint slot) {
-    const uint since = counters.restless.z;
-    if (atomicExchange(bodies[slot].where.x, since) == since) return;
-    const uint entry = atomicAdd(counters.density.w, 1u);
-    const uint room = fluid.room.x;
-    if (entry >= room) {
-        atomicAdd(counters.faults.w, 1u);
+/// Lists wall metal that has come to lie beside moving metal, each slot once.
+void listWall(uint slot) {
+    const uint since = counters.fullSearch;
+    if (atomicExchange(particles[slot].listedSince, since) == since) return;
+    const uint wall = atomicAdd(counters.walls, 1u);
+    if (wall >= fluid.listCapacity) {
+        atomicAdd(counters.listsOverfull, 1u);
         return;
     }
-    lists[2 * room + entry] = slot;
-    const uint fresh = entry - counters.restless.y;
-    if (fresh % GROUP_SIZE == 0) atomicMax(counters.boundary.x, fresh / GROUP_SIZE + 1);
-    if ((counters.moving.w + entry) % GROUP_SIZE == 0)
-        atomicMax(counters.density.x, (counters.moving.w + entry) / GROUP_SIZE + 1);
+    lists[wallIndex(wall)] = slot;
+    const uint added = wall - counters.wallsBefore;
+    if (added % GROUP_SIZE == 0) atomicMax(counters.boundaryGroups.x, added / GROUP_SIZE + 1);
+    const uint entry = counters.moving + wall;
+    if (entry % GROUP_SIZE == 0) atomicMax(counters.densityGroups.x, entry / GROUP_SIZE + 1);
 }
 
-/// Lists the still metal among the neighbours that is not listed already, which is looked for first.
-void listStill(uint base, uint found) {
+/// Lists the wall metal among the neighbours that is not listed yet. First looks for it, so that most particles do no more.
+void listWalls(uint base, uint found) {
     for (uint first = 0; first < found; first += 32) {
-        uint fresh = 0;
+        uint unlisted = 0;
         for (uint k = first; k < min(found, first + 32); ++k) {
-            const uint entry = neighbours[base + GROUP_SIZE * k];
-            if ((entry & FLOW_RESTS) != 0 && bodies[entry & FLOW_SLOT].where.x != counters.restless.z)
-                fresh |= 1u << (k - first);
+            const uint neighbour = neighbours[base + GROUP_SIZE * k];
+            if ((neighbour & FLOW_WALL) != 0 && particles[neighbour & FLOW_SLOT].listedSince != counters.fullSearch)
+                unlisted |= 1u << (k - first);
         }
-        for (; fresh != 0; fresh &= fresh - 1)
-            listBoundary(neighbours[base + GROUP_SIZE * (first + uint(findLSB(fresh)))] & FLOW_SLOT);
+        for (; unlisted != 0; unlisted &= unlisted - 1)
+            listWall(neighbours[base + GROUP_SIZE * (first + uint(findLSB(unlisted)))] & FLOW_SLOT);
     }
 }
 
-bool renews(uint slot) { return bodies[slot].motion.w != 0; }
+bool renews(uint slot) { return particles[slot].renews != 0; }
 
-/// Keeps moving neighbours that do not list anew, in their order; gives their number. They list this particle as long as it
-/// lists them: each pair is on both lists or on none, and its forces add up to nothing.
+/// Keeps the moving neighbours that do not renew their lists, in their order; gives their number. They list this particle as
+/// long as it lists them: each pair is on both lists or on none, so that its two forces cancel.
 uint keepOthers(uint base, uint found) {
     uint kept = 0;
     for (uint k = 0; k < found; ++k) {
-        const uint entry = neighbours[base + GROUP_SIZE * k];
-        if ((entry & FLOW_RESTS) == 0 && !renews(entry & FLOW_SLOT)) neighbours[base + GROUP_SIZE * kept++] = entry;
+        const uint neighbour = neighbours[base + GROUP_SIZE * k];
+        if ((neighbour & FLOW_WALL) == 0 && !renews(neighbour & FLOW_SLOT))
+            neighbours[base + GROUP_SIZE * kept++] = neighbour;
     }
     return kept;
 }
 
-/// Slot of an entry: the moving list, then the still metal that was listed beside it.
-uint slotOf(uint index) {
-    const uint moving = counters.moving.w;
-    return lists[index < moving ? index : 2 * fluid.room.x + index - moving];
-}
-
-/// Whether an entry is to list its neighbours anew.
-bool isWanted(uint index) {
-    const uint moving = counters.moving.w;
-    if (index >= moving + counters.restless.y) return false;
-    const uint slot = slotOf(index);
-    return index < moving ? renews(slot) : nearRestless(placeTexel(slot));
+/// Whether an entry must list its neighbours anew.
+bool isWanted(uint entry) {
+    const uint moving = counters.moving;
+    if (entry >= moving + counters.wallsBefore) return false;
+    const uint slot = slotOf(entry);
+    return entry < moving ? renews(slot) : nearStale(positionTexel(slot));
 }
 
 void main() {
-    uint index = gl_GlobalInvocationID.x;
-    if (!choose(isWanted(index), index)) return;
-    const bool moves = index < counters.moving.w;
-    const uint slot = slotOf(index);
-    const uint base = neighbourBase(index);
-    const bool all = counters.restless.x > FLOW_RESTLESS_ROOM;
-    const uint kept = moves && !all ? keepOthers(base, bodies[slot].where.w) : 0;
-    bool fresh;
-    const uint found = listNear(slot, placeTexel(slot), base, kept, substep & 1u, moves, fresh);
-    if (found == FLOW_NEIGHBOUR_ROOM) atomicAdd(counters.faults.y, 1u);
-    if (!moves) {
-        bodies[slot].motion.w = found;
-        return;
-    }
-    if (fresh) listStill(base, found);
-    bodies[slot].where.w = found;
-    velocity[slot].w = 0; // way since the search
+    uint entry = gl_GlobalInvocationID.x;
+    if (!choose(isWanted(entry), entry)) return;
+    const bool moves = entry < counters.moving;
+    const uint slot = slotOf(entry);
+    const uint base = neighbourBase(entry);
+    const bool all = counters.stale > FLOW_STALE_CAPACITY;
+    const uint kept = moves && !all ? keepOthers(base, lists[neighbourCountIndex(entry)]) : 0;
+    bool unlisted;
+    const uint found = listNeighbours(slot, positionTexel(slot), base, kept, moves, unlisted);
+    lists[neighbourCountIndex(entry)] = found;
+    if (found == FLOW_NEIGHBOUR_CAPACITY) atomicAdd(counters.neighboursOverfull, 1u);
+    if (!moves) return;
+    if (unlisted) listWalls(base, found);
+    velocity[slot].w = 0; // way that neighbours may have gone since the search
 }

@@ -33,7 +33,7 @@ FlowFluid expanding() {
     fluid.tension = 0;
     fluid.fastest = 0.1;
     fluid.expansion = 1e-4;
-    fluid.evenTemperature = 1500;
+    fluid.referenceTemperature = 1500;
     return fluid;
 }
 

@@ -70,15 +70,15 @@ struct DensityErrors {
 };
 
 DensityErrors densityErrors(const FlowBench& bench) {
-    const auto bodies = bench.flow.readBodies();
+    const auto computed = bench.flow.readParticles();
     std::vector<OracleParticle> particles;
-    for (const FlowBody& body : bodies)
-        particles.push_back({glm::dvec3(body.place)});
+    for (const FlowParticle& particle : computed)
+        particles.push_back({glm::dvec3(particle.position)});
     FlowOracle(bench.fluid).sweepDensity(particles);
     DensityErrors errors;
-    for (size_t i = 0; i < bodies.size(); ++i) {
-        const double error = std::abs(static_cast<double>(bodies[i].place.w) - particles[i].delta);
-        errors.mean += error / static_cast<double>(bodies.size());
+    for (size_t i = 0; i < computed.size(); ++i) {
+        const double error = std::abs(static_cast<double>(computed[i].density) - particles[i].delta);
+        errors.mean += error / static_cast<double>(computed.size());
         errors.most = std::max(errors.most, error);
     }
     return errors;

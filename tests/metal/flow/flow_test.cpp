@@ -91,14 +91,14 @@ TEST_CASE("the flow's sweeps do what their twin does") {
     for (int steps = 0; steps < 3; ++steps) {
         twin.step(particles, dt);
         scene.flow.step(dt, 1, nullptr);
-        const auto bodies = scene.flow.readBodies();
+        const auto computed = scene.flow.readParticles();
         const auto velocities = scene.state.velocity.read<vec4>(seeds.size());
         const auto positions = scene.state.position.read<vec4>(seeds.size());
         double delta = 0, gradient = 0, velocity = 0, position = 0;
         for (size_t i = 0; i < seeds.size(); ++i) {
             if (!particles[i].liquid) continue;
-            delta = std::max(delta, std::abs(double(bodies[i].place.w) - particles[i].delta));
-            gradient = std::max(gradient, glm::length(glm::dvec3(bodies[i].normal) - particles[i].gradient));
+            delta = std::max(delta, std::abs(double(computed[i].density) - particles[i].delta));
+            gradient = std::max(gradient, glm::length(glm::dvec3(computed[i].normal) - particles[i].gradient));
             velocity = std::max(velocity, glm::length(glm::dvec3(velocities[i]) - particles[i].velocity));
             position = std::max(position, glm::length(glm::dvec3(positions[i]) - particles[i].position));
         }

@@ -1,0 +1,73 @@
+// What acts on a liquid particle besides its neighbours, and what stops it. Included after common.glsl and pair_forces.glsl.
+
+/// Push of the arc on the metal that faces it, m/s²: Gaussian pressure on each area of surface (own derivation; its peak:
+/// arcPressurePeak()). `inward`: surface normal with the surface per volume as its length, 1/m.
+vec3 arcForce(vec3 place, vec3 inward) {
+    const vec3 off = place - fluid.arcCentre;
+    const float fromAxis2 = max(dot(off, off) - dot(off, fluid.arcAxis) * dot(off, fluid.arcAxis), 0);
+    const float facing = dot(inward, fluid.arcAxis);
+    if (facing <= 0) return vec3(0);
+    return fluid.arcPeak * exp(-fromAxis2 * fluid.arcInverseVariance) * facing * fluid.arcAxis;
+}
+
+/// What hot metal weighs less, m/s² (Boussinesq 1903).
+vec3 weightCorrection(float temperature) {
+    return fluid.expansion * (temperature - fluid.referenceTemperature) * metal.gravity;
+}
+
+/// Share of the velocity that mushy metal keeps over a substep: Carman-Kozeny drag (Voller and Prakash 1987), implicit.
+float mushyShare(float enthalpy) {
+    // Pure metal melts at one temperature: its two enthalpies are apart by the latent heat alone.
+    const float f = clamp((enthalpy - metal.solidusEnthalpy) / max(metal.liquidusEnthalpy - metal.solidusEnthalpy, 1), 0, 1);
+    return 1 / (1 + fluid.timeStep * fluid.mushyDrag * (1 - f) * (1 - f) / (f * f * f + 1e-3));
+}
+
+/// Density of solid metal beyond which liquid goes no further into it: 0.63 spacings before its outermost particles. At rest
+/// it keeps farther off. The soft pressure alone does not hold a single drop: inside wall metal it is as low as inside the
+/// pool.
+const float kSolidDensity = 0.5;
+
+/// Takes from a velocity, `change` away from that at the substep's start, what would carry the particle beyond kSolidDensity
+/// in this substep; a particle that is beyond already goes no deeper. Own derivation.
+vec3 stopAtSolid(SolidAround solids, vec3 change, vec3 velocity) {
+    const vec3 gradient = solids.gradient;
+    const float steepness2 = max(dot(gradient, gradient), 1e-4 * fluid.inverseSupport * fluid.inverseSupport);
+    const float most = max(kSolidDensity - solids.density, 0) / fluid.timeStep;
+    return velocity - max(solids.rising + dot(change, gradient) - most, 0) / steepness2 * gradient;
+}
+
+/// True where solid metal sits on the lattice.
+bool latticeFilled(vec3 place) {
+    const ivec3 cell = latticeCell(place);
+    return inLattice(cell) && latticeSlot[latticeIndex(cell)] != 0;
+}
+
+/// Nearest that a particle may come to the face of a solid lattice cell, in spacings; at rest it keeps about 0.4.
+const float kWallGap = 0.35;
+
+/// Stops a particle at the faces of solid lattice cells, for the same reason as stopAtSolid(). Own derivation.
+vec3 stopAtLattice(vec3 before, vec3 after, inout vec3 velocity) {
+    if (latticeFilled(before)) return after; // metal froze around it: let it out
+    vec3 place = before;
+    for (int axis = 1; axis < 4; ++axis) { // y first: most walls are floors
+        vec3 step = place;
+        step[axis % 3] = after[axis % 3];
+        vec3 probe = step;
+        probe[axis % 3] += kWallGap * metal.spacing * sign(after[axis % 3] - before[axis % 3]);
+        if (latticeFilled(probe))
+            velocity[axis % 3] = 0;
+        else
+            place = step;
+    }
+    return place;
+}
+
+/// Keeps a place inside space: around the seam where it repeats, else half a spacing off its end, where the particle stops.
+vec3 confine(vec3 place, inout vec3 velocity) {
+    const bvec3 repeats = greaterThan(fluid.period, vec3(0));
+    const vec3 around = place - fluid.period * floor((place - fluid.origin) * fluid.inversePeriod);
+    const vec3 inside = clamp(place, fluid.origin + fluid.halfSpacing, fluid.high - fluid.halfSpacing);
+    const vec3 confined = mix(inside, around, repeats);
+    if (any(notEqual(mix(inside, place, repeats), place))) velocity = vec3(0);
+    return confined;
+}

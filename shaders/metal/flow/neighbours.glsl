@@ -1,0 +1,134 @@
+// Lists what is near a position from the lists of the cells around it. Included after common.glsl.
+//
+// Distances are those of packed positions: their differences are whole numbers, so that two particles see the same distance,
+// and four fit a texel. Drivers that run on the CPU pay for each texel.
+
+/// The square of a way in steps of a 1024th of the cell is the sum of the axes' squares times these, m².
+vec3 squareOfStep() {
+    const vec3 step = 1 / (1024 * fluid.inverseCellSize);
+    return step * step;
+}
+
+/// The particles of a cell in quads of four: first moving metal, then wall metal.
+struct Quads {
+    uint moving, all; // number of quads
+    uvec2 counts;     // particles: x wall, y moving
+    uint cell;
+};
+
+Quads quadsOf(uint cell, bool withWalls) {
+    uvec2 counts = cellCounts(cell);
+    counts.x = withWalls ? min(counts.x, FLOW_CELL_CAPACITY) : 0u;
+    const uvec2 quads = (counts + 3) >> 2;
+    return Quads(quads.y, quads.x + quads.y, counts, cell);
+}
+
+/// Index of the first particle of a quad, and how many there are from it on.
+uint indexOfQuad(Quads quads, uint quad, out uint rest) {
+    const bool moves = quad < quads.moving;
+    const uint first = 4 * (moves ? quad : quad - quads.moving);
+    rest = (moves ? quads.counts.y : quads.counts.x) - first;
+    return (moves ? cellMovingBase(quads.cell) : cellWallBase(quads.cell)) + first;
+}
+
+/// Which particles of up to 8 quads from `first` on lie within the reach of neighbour lists around `origin`, given in steps
+/// of their cell: a bit each.
+uint nearInQuads(Quads quads, uint first, vec3 origin, vec3 square) {
+    const float reach = fluid.reach * fluid.reach;
+    uint near = 0;
+    const uint count = min(quads.all - first, 8u);
+    for (uint k = 0; k < count; ++k) {
+        uint rest;
+        const uint index = indexOfQuad(quads, first + k, rest);
+        const uvec4 words = texelFetch(cellPositionTexels, int(index >> 2));
+        const vec4 x = origin.x - vec4(words & 1023u);
+        const vec4 y = origin.y - vec4((words >> 10) & 1023u);
+        const vec4 z = origin.z - vec4(words >> 20);
+        const uvec4 within = uvec4(lessThan(x * x * square.x + y * y * square.y + z * z * square.z, vec4(reach)));
+        const uint quad = within.x | within.y << 1 | within.z << 2 | within.w << 3;
+        near |= (quad & ((1u << min(rest, 4u)) - 1)) << (4 * k);
+    }
+    return near;
+}
+
+/// Which of the 27 cells around `centre`, in the order of nextStep(), hold something that may be near: a bit each.
+uint nearCells(ivec3 centre, vec3 steps, vec3 square, bool withWalls) {
+    const float reach = fluid.reach * fluid.reach;
+    uint near = 0;
+    uint bit = 1;
+    for (ivec3 step = ivec3(-1); step.z <= 1; nextStep(step)) {
+        const vec3 sides = mix(1024 - steps, steps, lessThan(step, ivec3(0))); // to the cell's nearest face
+        const vec3 off = mix(sides, vec3(0), equal(step, ivec3(0)));
+        uint cell;
+        const bool within = neighbourCell(centre, step, cell) &&
+                            off.x * off.x * square.x + off.y * off.y * square.y + off.z * off.z * square.z < reach;
+        const uvec2 counts = cellCounts(within ? cell : 0);
+        near |= within && counts.y + (withWalls ? counts.x : 0u) > 0 ? bit : 0u;
+        bit <<= 1;
+    }
+    return near;
+}
+
+/// Step number `bit` (0 .. 26) of nextStep(). Division by 3 as a product: integer division is slow, on a CPU above all.
+ivec3 stepOf(int bit) {
+    const int row = bit * 11 >> 5;
+    const int layer = row * 11 >> 5;
+    return ivec3(bit - 3 * row, row - 3 * layer, layer) - 1;
+}
+
+/// Up to 32 near particles of one cell: a bit each, and where they stand.
+const uint kNearSpans = 32;
+struct NearSpan {
+    uint near;
+    uint place; // cell, quads of moving particles (4 bits), first quad over 8 (2 bits)
+};
+
+/// Index in the lists of cells of the particle that a bit of a span stands for; whether it is wall metal.
+uint indexOfBit(uint place, uint bit, out bool isWall) {
+    const uint moving = (place >> 2) & 15u;
+    const uint quad = 8 * (place & 3u) + (bit >> 2);
+    isWall = quad >= moving;
+    return cellMovingBase(place >> 6) + 4 * quad + (bit & 3u) + (isWall ? FLOW_CELL_CAPACITY - 4 * moving : 0);
+}
+
+/// Adds what is near `place`, except `slot` itself, to the list at `base`, which holds `found`; gives the number found then.
+/// A moving particle lists other moving ones only where both renew their lists; wall metal lists no wall metal. `unlisted`:
+/// there is wall metal among them that no search since the last full one has listed.
+///
+/// Looks at cells and particles first and then at what is near, in loops that go on in step for all invocations: drivers that
+/// run on the CPU go through every loop as often as the invocation side by side that needs it most.
+uint listNeighbours(uint slot, vec3 place, uint base, uint found, bool moves, out bool unlisted) {
+    const uint since = counters.fullSearch;
+    unlisted = false;
+    const ivec3 centre = cellAt(place);
+    const vec3 steps = stepsInside(place);
+    const vec3 square = squareOfStep();
+    NearSpan spans[kNearSpans];
+    uint cells = nearCells(centre, steps, square, moves);
+    while (cells != 0) {
+        uint count = 0;
+        for (; cells != 0 && count + FLOW_CELL_CAPACITY / 16 <= kNearSpans; cells &= cells - 1) {
+            const ivec3 step = stepOf(findLSB(cells));
+            uint cell;
+            neighbourCell(centre, step, cell);
+            const Quads quads = quadsOf(cell, moves);
+            const vec3 origin = steps - vec3(step) * 1024;
+            for (uint first = 0; first < quads.all; first += 8) {
+                const uint near = nearInQuads(quads, first, origin, square);
+                spans[count] = NearSpan(near, cell << 6 | quads.moving << 2 | first >> 3);
+                count += near != 0 ? 1u : 0u;
+            }
+        }
+        NearSpan span = NearSpan(0u, 0u);
+        for (uint k = 0; found < FLOW_NEIGHBOUR_CAPACITY && (span.near != 0 || k < count); span.near &= span.near - 1) {
+            if (span.near == 0) span = spans[k++];
+            bool isWall;
+            const uint other = cellSlotTexel(indexOfBit(span.place, uint(findLSB(span.near)), isWall));
+            unlisted = unlisted || (isWall && particles[other].listedSince != since);
+            if ((other & FLOW_SLOT) != slot && (!moves || isWall || (other & FLOW_RENEWS) != 0))
+                neighbours[base + GROUP_SIZE * found++] =
+                    isWall ? other | FLOW_SOLID | FLOW_WALL : other & ~FLOW_RENEWS;
+        }
+    }
+    return found;
+}
