@@ -8,11 +8,11 @@
 
 namespace meltpool::xr {
 
-/// Kept alive by whoever lives longer, the thread or its owner.
+/// Shared by the thread and its owner; destroyed with the last of them.
 struct CallThread::Shared {
     std::mutex mutex;
     std::condition_variable changed;
-    std::unique_ptr<Callee> callee;
+    std::unique_ptr<ThreadOwned> object;
     Call call = nullptr; ///< under way; nullptr: none
     std::exception_ptr fault;
     bool measured = false; ///< the call is part of a frame that is measured
@@ -21,8 +21,8 @@ struct CallThread::Shared {
     std::shared_ptr<std::atomic<bool>> gone = std::make_shared<std::atomic<bool>>(false);
 };
 
-CallThread::CallThread(std::unique_ptr<Callee> callee) : shared_(std::make_shared<Shared>()) {
-    shared_->callee = std::move(callee);
+CallThread::CallThread(std::unique_ptr<ThreadOwned> object) : shared_(std::make_shared<Shared>()) {
+    shared_->object = std::move(object);
     std::thread(run, shared_).detach();
 }
 
@@ -30,7 +30,7 @@ void CallThread::run(const std::shared_ptr<Shared>& shared) {
     std::unique_lock lock(shared->mutex);
     WorkMeter meter;
     while (true) {
-        meter.begin(); // sleeping takes no time of the processor, waking up does
+        meter.begin(); // sleeping costs no processor time, waking up does
         shared->changed.wait(lock, [&] { return shared->call != nullptr || shared->leaving; });
         if (shared->call == nullptr) break;
         const Call call = shared->call;
@@ -38,7 +38,7 @@ void CallThread::run(const std::shared_ptr<Shared>& shared) {
         lock.unlock();
         std::exception_ptr fault;
         try {
-            call(*shared->callee);
+            call(*shared->object);
         } catch (...) {
             fault = std::current_exception();
         }
@@ -47,13 +47,13 @@ void CallThread::run(const std::shared_ptr<Shared>& shared) {
         shared->work = shared->measured ? meter.forAnother() : WorkElsewhere{};
         shared->fault = fault;
         shared->call = nullptr;
-        lock.unlock(); // or who is woken would wait again, for the lock
+        lock.unlock(); // else the woken thread would wait for the lock
         shared->changed.notify_all();
         lock.lock();
     }
     meter.end();
     lock.unlock();
-    shared->callee.reset();
+    shared->object.reset();
     lock.lock();
     *shared->gone = true;
     shared->changed.notify_all();

@@ -1,4 +1,4 @@
-// A thread for calls that may never come back: whoever asked goes on without the answer.
+// A thread for calls that may never return: the thread that began a call can give it up and go on.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -10,43 +10,45 @@
 
 namespace meltpool::xr {
 
-/// The runtime has not answered for as long as anyone can wait.
+/// The runtime did not answer within the time that a frame allows.
 class Stalled : public RuntimeFault {
   public:
     Stalled() : RuntimeFault("the OpenXR runtime does not answer") {}
 };
 
-/// What a CallThread's calls work on. Belongs to the thread from then on: it is destroyed there, after the last call.
-class Callee {
+/// The object that a CallThread's calls work on. The thread owns it and destroys it after the last call.
+class ThreadOwned {
   public:
-    virtual ~Callee() = default;
+    virtual ~ThreadOwned() = default;
 };
 
-/// Runs one call at a time. All calls come from one other thread.
+/// Runs one call at a time. Only one other thread may begin calls.
 class CallThread {
   public:
-    explicit CallThread(std::unique_ptr<Callee> callee);
-    /// Has the callee destroyed and waits for that at most `kFarewell`; a thread that hangs by then is left behind and
-    /// ends itself when its call returns.
+    explicit CallThread(std::unique_ptr<ThreadOwned> object);
+    /// Has the thread destroy the object and waits for that at most `kFarewell`. A thread that still hangs then ends by
+    /// itself when its call returns.
     ~CallThread();
     CallThread(const CallThread&) = delete;
     CallThread& operator=(const CallThread&) = delete;
 
     static constexpr std::chrono::milliseconds kFarewell{3000};
 
-    using Call = void (*)(Callee&);
-    /// Begins a call; the last one must be over.
+    using Call = void (*)(ThreadOwned&);
+    /// Begins a call. Throws Stalled while the last one is not over.
     void begin(Call call);
     /// The call is over, or there was none.
     bool over() const;
-    /// Waits for its end at most so long; then as over().
+    /// Waits at most `patience` for the end of the call; answers over().
     bool wait(std::chrono::milliseconds patience) const;
-    /// Throws what the call that is over has thrown; once.
+    /// Throws the exception of the finished call, once.
     void rethrow();
-    /// What the call that is over took, from waking up for it on, where the thread that began it has a WorkMeter.
+    /// Processor time and allocations of the finished call, counted from when the thread woke up for it. Zero where the
+    /// beginning thread has no WorkMeter.
     WorkElsewhere work() const;
 
-    /// Lets go of thread and callee without waiting; only destroying is left. True from when both are gone.
+    /// Gives up thread and object without waiting; afterwards only the destructor may be called. The answer becomes
+    /// true when both are gone.
     std::shared_ptr<const std::atomic<bool>> leave();
 
   private:

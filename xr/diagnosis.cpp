@@ -1,8 +1,8 @@
-// The headset's part of `meltpool doctor`.
+// Opens a session for a moment and collects what the runtime says about itself.
 #include "xr/diagnosis.hpp"
 
 #include "xr/headset.hpp"
-#include "xr/link.hpp"
+#include "xr/headset_connection.hpp"
 #include "xr/session/platform.hpp"
 
 #include <array>
@@ -58,17 +58,17 @@ std::string decimal(double value, const char* unit) {
     return text.data();
 }
 
-void tellSystem(const Instance& instance, Diagnosis& told) {
-    told.facts.push_back({"OpenXR runtime", instance.info().runtime});
-    told.facts.push_back({"headset", instance.info().system});
+void addSystemFacts(const Instance& instance, Diagnosis& diagnosis) {
+    diagnosis.facts.push_back({"OpenXR runtime", instance.info().runtime});
+    diagnosis.facts.push_back({"headset", instance.info().system});
     std::string extensions;
     for (const std::string& name : instance.extensions())
         extensions += (extensions.empty() ? "" : ", ") + name;
-    told.facts.push_back({"extensions in use", extensions});
+    diagnosis.facts.push_back({"extensions in use", extensions});
 }
 
-/// Empty frames until the controllers are bound or three seconds are over; the display's period in seconds, 0: never
-/// asked for a frame.
+/// Submits empty frames until a controller is bound, for three seconds at most. Answers the display's period in
+/// seconds; 0 where the runtime asked for no frame.
 double watch(Headset& headset) {
     double period = 0;
     for (const auto end = Clock::now() + std::chrono::seconds(3); Clock::now() < end;) {
@@ -87,7 +87,7 @@ double watch(Headset& headset) {
     return period;
 }
 
-/// Hz: what the runtime says, else what its frames' period makes. 0: unknown.
+/// The display's rate in Hz: from the runtime's extension, else from the period of its frames. 0: unknown.
 double refreshRate(const Headset& headset, double period) {
     float rate = 0;
     const auto ask = headset.instance().function<PFN_xrGetDisplayRefreshRateFB>("xrGetDisplayRefreshRateFB");
@@ -97,44 +97,44 @@ double refreshRate(const Headset& headset, double period) {
     return period > 0 ? 1.0 / period : 0;
 }
 
-void tellHands(Headset& headset, Diagnosis& told) {
+void addHandsFacts(Headset& headset, Diagnosis& diagnosis) {
     const Input& input = headset.input();
     for (const Hand hand : {Hand::left, Hand::right}) {
         const std::string profile = input.profile(hand);
         const HandInput& now = input.hand(hand);
         const char* state = now.tracked ? ", tracked" : now.present ? ", not tracked" : ", off";
-        told.facts.push_back({hand == Hand::left ? "left controller" : "right controller",
-                              profile.empty() ? "none" : profile + state, now.present});
+        diagnosis.facts.push_back({hand == Hand::left ? "left controller" : "right controller",
+                                   profile.empty() ? "none" : profile + state, now.present});
     }
     for (const TrackerInput& tracker : input.trackers())
-        if (tracker.tracked) told.facts.push_back({"tracker", tracker.role});
+        if (tracker.tracked) diagnosis.facts.push_back({"tracker", tracker.role});
     for (const std::string& refused : input.refused())
-        told.facts.push_back({"unknown to the runtime", refused});
+        diagnosis.facts.push_back({"unknown to the runtime", refused});
 }
 
-void tellSession(std::unique_ptr<Instance> instance, Diagnosis& told) {
+void addSessionFacts(std::unique_ptr<Instance> instance, Diagnosis& diagnosis) {
     Headset headset(std::move(instance), {.resolutionScale = 1.0f, .samples = 1});
     headset.waitUntilOpened();
-    told.facts.push_back({"OpenGL handed over by", headset.bindingKind()});
-    told.facts.push_back(
+    diagnosis.facts.push_back({"OpenGL handed over by", headset.bindingKind()});
+    diagnosis.facts.push_back(
         {"pixels an eye", std::to_string(headset.eyes().width()) + " x " + std::to_string(headset.eyes().height())});
     std::string formats;
     for (const std::int64_t format : offeredFormats(headset.session()))
         formats += (formats.empty() ? "" : ", ") + formatName(format);
-    told.facts.push_back({"picture formats", formats});
-    told.facts.push_back({"depth layer", headset.hasDepthLayer() ? "yes" : "no"});
-    told.facts.push_back({"floor", headset.session().originOnFloor() ? "known (STAGE)" : "not known (LOCAL)"});
+    diagnosis.facts.push_back({"picture formats", formats});
+    diagnosis.facts.push_back({"depth layer", headset.hasDepthLayer() ? "yes" : "no"});
+    diagnosis.facts.push_back({"floor", headset.session().originOnFloor() ? "known (STAGE)" : "not known (LOCAL)"});
     const double period = watch(headset);
     if (period > 0)
-        told.facts.push_back({"refresh rate", decimal(refreshRate(headset, period), "Hz")});
+        diagnosis.facts.push_back({"refresh rate", decimal(refreshRate(headset, period), "Hz")});
     else
-        told.facts.push_back({"refresh rate", "unknown: the headset sleeps", false});
-    tellHands(headset, told);
+        diagnosis.facts.push_back({"refresh rate", "unknown: the headset sleeps", false});
+    addHandsFacts(headset, diagnosis);
     const bool hands = headset.input().hand(Hand::left).present || headset.input().hand(Hand::right).present;
     if (period <= 0)
-        told.advice = "Put the headset on: it sleeps as long as nobody wears it.";
+        diagnosis.advice = "Put the headset on: it sleeps as long as nobody wears it.";
     else if (!hands)
-        told.advice = "Switch a controller on; the torch is in the hand that holds it.";
+        diagnosis.advice = "Switch a controller on; the torch is in the hand that holds it.";
 }
 
 } // namespace
@@ -167,22 +167,22 @@ std::string activeRuntimeManifest() {
 
 Diagnosis diagnose(bool session) {
     quietLoader();
-    Diagnosis told;
+    Diagnosis diagnosis;
     const std::string manifest = activeRuntimeManifest();
-    told.facts.push_back({"active runtime", manifest.empty() ? "none is set" : manifest, !manifest.empty()});
+    diagnosis.facts.push_back({"active runtime", manifest.empty() ? "none is set" : manifest, !manifest.empty()});
     try {
         auto instance = std::make_unique<Instance>();
-        tellSystem(*instance, told);
-        if (session) tellSession(std::move(instance), told);
-        told.usable = true;
+        addSystemFacts(*instance, diagnosis);
+        if (session) addSessionFacts(std::move(instance), diagnosis);
+        diagnosis.usable = true;
     } catch (const XrFault& fault) {
-        told.facts.push_back({"headset", "none to be used (" + resultName(fault.result()) + ")", false});
-        told.advice = explain(fault);
+        diagnosis.facts.push_back({"headset", "none to be used (" + resultName(fault.result()) + ")", false});
+        diagnosis.advice = explain(fault);
     } catch (const std::exception& other) {
-        told.facts.push_back({"headset", "none to be used", false});
-        told.advice = other.what();
+        diagnosis.facts.push_back({"headset", "none to be used", false});
+        diagnosis.advice = other.what();
     }
-    return told;
+    return diagnosis;
 }
 
 } // namespace meltpool::xr

@@ -1,4 +1,4 @@
-// What a person is told about the headset: what is there, what is missing and how to get it.
+// The headset part of `meltpool doctor`: what is there, what is missing and how to get it.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@ namespace meltpool::xr {
 struct Fact {
     std::string name;  ///< "OpenXR runtime"
     std::string value; ///< "Monado 25.0.0"
-    bool good = true;  ///< false: this stands in the way
+    bool good = true;  ///< false: this prevents the use of the headset
 };
 
 struct Diagnosis {
     bool usable = false; ///< a headset could be used now
     std::vector<Fact> facts;
-    std::string advice; ///< what to do, in a teacher's words; empty where nothing is missing
+    std::string advice; ///< what to do, as a sentence for the person; empty where nothing is missing
 };
 
 /// Looks at loader, runtime, headset, extensions, formats, refresh rate and controllers. With `session` an OpenGL

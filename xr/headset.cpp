@@ -1,4 +1,4 @@
-// The headset as its frame loop sees it.
+// Hands the frame loop's calls to the worker's thread and limits how long they may take.
 #include "xr/headset.hpp"
 
 #include <algorithm>
@@ -10,22 +10,22 @@ namespace {
 
 constexpr std::chrono::milliseconds kOpening{10000};
 
-/// Even the last call of a slow frame gets this long.
+/// The least time that a call gets, however slow the frame was.
 constexpr std::chrono::steady_clock::duration kLeastPatience = std::chrono::milliseconds(50);
 
-/// A member function of the calls as a CallThread takes it.
-template <void (HeadsetCalls::*Member)()>
-void invoke(Callee& callee) {
-    (static_cast<HeadsetCalls&>(callee).*Member)();
+/// A member function of the worker as a call for a CallThread.
+template <void (RuntimeWorker::*Member)()>
+void invoke(ThreadOwned& callee) {
+    (static_cast<RuntimeWorker&>(callee).*Member)();
 }
 
 } // namespace
 
 Headset::Headset(std::unique_ptr<Instance> instance, const HeadsetSettings& settings) : settings_(settings) {
-    auto calls = std::make_unique<HeadsetCalls>(std::move(instance), settings, std::make_unique<SharedContext>());
-    calls_ = calls.get();
-    thread_ = std::make_unique<CallThread>(std::move(calls));
-    thread_->begin(invoke<&HeadsetCalls::open>);
+    auto worker = std::make_unique<RuntimeWorker>(std::move(instance), settings, std::make_unique<SharedContext>());
+    worker_ = worker.get();
+    thread_ = std::make_unique<CallThread>(std::move(worker));
+    thread_->begin(invoke<&RuntimeWorker::open>);
 }
 
 Headset::~Headset() = default;
@@ -44,17 +44,17 @@ void Headset::waitUntilOpened() {
 }
 
 void Headset::finishOpening() {
-    const GLenum depth = hasDepthLayer() ? calls_->depthFormat : GL_DEPTH_COMPONENT32F;
+    const GLenum depth = hasDepthLayer() ? worker_->depthFormat : GL_DEPTH_COMPONENT32F;
     targets_ =
-        std::make_unique<EyeTargets>(calls_->colourFormat, depth, calls_->width, calls_->height, settings_.samples);
-    panel_ = std::make_unique<Panel>(calls_->colourFormat, settings_.panel);
+        std::make_unique<EyeTargets>(worker_->colourFormat, depth, worker_->width, worker_->height, settings_.samples);
+    panel_ = std::make_unique<Panel>(worker_->colourFormat, settings_.panel);
     note();
 }
 
 void Headset::note() {
-    running_ = calls_->session->running();
-    mode_ = calls_->session->mode();
-    hapticCalls_ = calls_->input->hapticCalls();
+    running_ = worker_->session->running();
+    mode_ = worker_->session->mode();
+    hapticCalls_ = worker_->input->hapticCalls();
 }
 
 void Headset::call(CallThread::Call work, WorkPlace place) {
@@ -78,72 +78,72 @@ void Headset::poll() {
         if (!thread_->over()) throw Stalled();
         stalled_ = false;
         thread_->rethrow();
-        call(invoke<&HeadsetCalls::dropFrame>);
+        call(invoke<&RuntimeWorker::dropFrame>);
     }
-    // Each call that is handed over takes both threads' time.
-    if (!std::exchange(heard_, false)) call(invoke<&HeadsetCalls::poll>);
+    // Every call costs the time of both threads, so events that endFrame() has polled are not polled again.
+    if (!std::exchange(polled_, false)) call(invoke<&RuntimeWorker::poll>);
 }
 
 FrameTiming Headset::waitFrame() {
-    call(invoke<&HeadsetCalls::waitFrame>, WorkPlace::waiting);
-    return calls_->timing;
+    call(invoke<&RuntimeWorker::waitFrame>, WorkPlace::waiting);
+    return worker_->timing;
 }
 
 void Headset::beginFrame() {
-    call(invoke<&HeadsetCalls::beginFrame>);
-    calls_->order = {};
+    call(invoke<&RuntimeWorker::beginFrame>);
+    worker_->submission = {};
 }
 
 bool Headset::locateEyes(std::array<EyeView, 2>& eyes) {
-    call(invoke<&HeadsetCalls::locateEyes>);
-    if (calls_->headTracked) eyes = calls_->views;
-    return calls_->headTracked;
+    call(invoke<&RuntimeWorker::locateEyes>);
+    if (worker_->headTracked) eyes = worker_->views;
+    return worker_->headTracked;
 }
 
 bool Headset::drawEyes(FunctionRef<void(const BothEyes&)> draw) {
-    if (!calls_->headTracked) return false;
-    draw({calls_->views, targets_->framebuffer(), targets_->width(), targets_->height(), targets_->encodesSrgb(),
+    if (!worker_->headTracked) return false;
+    draw({worker_->views, targets_->framebuffer(), targets_->width(), targets_->height(), targets_->encodesSrgb(),
           settings_.nearZ, settings_.farZ});
-    // The last frame's pictures may still be on their way to the runtime.
-    if (calls_->copied != nullptr) {
-        glWaitSync(calls_->copied, 0, GL_TIMEOUT_IGNORED);
-        glDeleteSync(std::exchange(calls_->copied, nullptr));
+    // The worker may still be copying the last frame's pictures.
+    if (worker_->copied != nullptr) {
+        glWaitSync(worker_->copied, 0, GL_TIMEOUT_IGNORED);
+        glDeleteSync(std::exchange(worker_->copied, nullptr));
     }
     targets_->resolve();
-    calls_->order.eyes = true;
-    calls_->order.colour = targets_->finishedColour();
-    calls_->order.depth = targets_->finishedDepth();
+    worker_->submission.eyes = true;
+    worker_->submission.colour = targets_->finishedColour();
+    worker_->submission.depth = targets_->finishedDepth();
     return true;
 }
 
 void Headset::showPanel(const Pose& pose) {
-    calls_->order.panelShown = true;
-    calls_->order.panel = panel_->texture();
-    calls_->order.panelPose = pose;
+    worker_->submission.panelShown = true;
+    worker_->submission.panel = panel_->texture();
+    worker_->submission.panelPose = pose;
 }
 
 void Headset::play(Hand which, const HapticPulse& pulse) {
-    calls_->order.plays[size_t(which)] = true;
-    calls_->order.pulses[size_t(which)] = pulse;
+    worker_->submission.plays[size_t(which)] = true;
+    worker_->submission.pulses[size_t(which)] = pulse;
 }
 
 void Headset::playTracker(size_t which, const HapticPulse& pulse) {
-    calls_->order.trackerPlays = true;
-    calls_->order.tracker = which;
-    calls_->order.trackerPulse = pulse;
+    worker_->submission.trackerPlays = true;
+    worker_->submission.tracker = which;
+    worker_->submission.trackerPulse = pulse;
 }
 
 void Headset::endFrame() {
-    if (calls_->order.eyes || calls_->order.panelShown) {
-        calls_->order.drawn = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-        glFlush(); // or the other context would wait for commands that nobody has sent
+    if (worker_->submission.eyes || worker_->submission.panelShown) {
+        worker_->submission.drawn = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+        glFlush(); // else the worker's context would wait for commands that were never sent
     }
-    call(invoke<&HeadsetCalls::endFrame>);
-    heard_ = true;
+    call(invoke<&RuntimeWorker::endFrame>);
+    polled_ = true;
 }
 
 void Headset::requestExit() {
-    call(invoke<&HeadsetCalls::requestExit>);
+    call(invoke<&RuntimeWorker::requestExit>);
 }
 
 std::shared_ptr<const std::atomic<bool>> Headset::leave() {

@@ -1,9 +1,9 @@
-// A headset with a person in it: what a frame loop has to do, in the order in which it has to do it.
+// An open headset: the calls of a frame loop, in their order.
 #pragma once
 
 #include "core/base/function_ref.hpp"
 #include "core/base/work_meter.hpp"
-#include "xr/headset_calls.hpp"
+#include "xr/runtime_worker.hpp"
 #include "xr/session/eye_targets.hpp"
 #include "xr/session/panel.hpp"
 
@@ -11,14 +11,14 @@
 
 namespace meltpool::xr {
 
-/// Both eyes of one frame and what they are drawn into: side by side, left eye left, for one submission or two.
+/// Both eyes of one frame and the frame buffer that they are drawn into, side by side, the left eye at the left.
 struct BothEyes {
     std::array<EyeView, 2> views; ///< in the session's space
-    GLuint framebuffer = 0;       ///< colour and depth, perhaps multisampled, 2 * width wide
+    GLuint framebuffer = 0;       ///< colour and depth, 2 * width wide; multisampled where HeadsetSettings asks for it
     int width = 0;                ///< pixels, of one eye
     int height = 0;
     bool encodesSrgb = true; ///< the colour format is sRGB
-    float nearZ = 0;         ///< m, what the depth layer says of the projection
+    float nearZ = 0;         ///< m, of the projection; the depth layer states it
     float farZ = 0;
 };
 
@@ -26,41 +26,42 @@ struct BothEyes {
 ///
 ///     poll(); if (!running()) wait otherwise;
 ///     timing = waitFrame(); look at input(); simulate;
-///     beginFrame();                             // takes the head's pose: as late as can be
+///     beginFrame();                             // takes the head's pose, as late as possible
 ///     if (timing.shouldRender) drawEyes(...);
 ///     endFrame();
 ///
-/// The runtime is called on a thread of its own. Once the calls of a frame have taken kPatience in all, the one that is
-/// under way throws Stalled, and so does every other one until it is over; then poll() drops the frame that was given
-/// up and goes on. Between calls everything may be looked at; while stalled only what says so.
+/// The runtime is called on a thread of its own. When the calls of a frame have taken kPatience in all, the current
+/// call throws Stalled, and so does every further call until the runtime has answered; then poll() drops that frame and
+/// continues. While stalled only the functions marked so may be called.
 class Headset {
   public:
     static constexpr std::chrono::milliseconds kPatience{500};
 
-    /// Begins to open the session. The OpenGL context that is current now draws.
+    /// Begins to open the session. The eyes are drawn with the OpenGL context that is current now.
     Headset(std::unique_ptr<Instance> instance, const HeadsetSettings& settings);
     ~Headset();
 
-    /// The session is open. Throws XrFault or InputError (no usable format). Until then nothing else may be called.
+    /// True once the session is open; before that nothing else may be called. Throws XrFault or InputError (no usable
+    /// format).
     bool opened();
-    /// Waits for that; throws as opened(), or Stalled after ten seconds.
+    /// Waits until the session is open; throws as opened(), or Stalled after ten seconds.
     void waitUntilOpened();
 
-    const Instance& instance() const { return *calls_->instance; }
-    const Session& session() const { return *calls_->session; }
-    const Input& input() const { return *calls_->input; }
+    const Instance& instance() const { return *worker_->instance; }
+    const Session& session() const { return *worker_->session; }
+    const Input& input() const { return *worker_->input; }
     Panel& panel() { return *panel_; }
     const Panel& panel() const { return *panel_; }
     const EyeTargets& eyes() const { return *targets_; } ///< also while stalled
     const HeadsetSettings& settings() const { return settings_; }
-    bool hasDepthLayer() const { return calls_->depthFormat != GL_NONE; }
+    bool hasDepthLayer() const { return worker_->depthFormat != GL_NONE; }
     /// The binding's name: GLX, EGL, WGL.
-    const char* bindingKind() const { return calls_->bindingKind; }
+    const char* bindingKind() const { return worker_->bindingKind; }
 
     void poll();
     bool running() const { return running_; }  ///< also while stalled
     SessionMode mode() const { return mode_; } ///< also while stalled
-    bool stalled() const { return stalled_; }  ///< a call was given up and is not over yet, as far as known
+    bool stalled() const { return stalled_; }  ///< a call was given up and was not over at the last poll()
     /// Waits for the next frame and reads the hands for it.
     FrameTiming waitFrame();
     void beginFrame();
@@ -70,19 +71,20 @@ class Headset {
     bool drawEyes(FunctionRef<void(const BothEyes&)> draw);
     /// Shows the panel at this pose in this frame.
     void showPanel(const Pose& pose);
-    /// What a hand, or what is wired to a tracker, feels from the end of the frame on; a silent pulse stops it.
+    /// Vibration of a controller, or of what is wired to a tracker, from the end of the frame on; a silent pulse stops
+    /// it.
     void play(Hand which, const HapticPulse& pulse);
     void playTracker(size_t which, const HapticPulse& pulse);
     void endFrame();
     void requestExit();
 
-    /// Calls to the runtime's vibration so far; also while stalled.
+    /// How often the runtime's vibration was started and stopped so far; also while stalled.
     const Input::HapticCalls& hapticCalls() const { return hapticCalls_; }
     /// The views of the last drawEyes().
-    const std::array<EyeView, 2>& views() const { return calls_->views; }
+    const std::array<EyeView, 2>& views() const { return worker_->views; }
 
-    /// Lets go without waiting; only destroying is left. True from when the instance is gone: another one may be made
-    /// only then.
+    /// Gives up the session without waiting; afterwards only the destructor may be called. The answer becomes true when
+    /// the instance is gone; only then another one may be made.
     std::shared_ptr<const std::atomic<bool>> leave();
 
   private:
@@ -91,12 +93,12 @@ class Headset {
     void finishOpening();
 
     HeadsetSettings settings_;
-    HeadsetCalls* calls_; ///< belongs to the thread
+    RuntimeWorker* worker_; ///< belongs to the thread
     std::unique_ptr<CallThread> thread_;
     std::unique_ptr<EyeTargets> targets_;
     std::unique_ptr<Panel> panel_;
-    std::chrono::steady_clock::duration patience_ = kPatience; ///< left for this frame
-    bool heard_ = false; ///< what the runtime has to say, at the end of the last frame
+    std::chrono::steady_clock::duration patience_ = kPatience; ///< time left for the calls of this frame
+    bool polled_ = false;                                      ///< the end of the last frame has polled the events
     bool stalled_ = false;
     bool running_ = false;
     SessionMode mode_ = SessionMode::waiting;

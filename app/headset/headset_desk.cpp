@@ -58,7 +58,7 @@ bool HeadsetDesk::begin(float bottom, double elapsed) {
     time_ += elapsed;
     elapsed_ = elapsed;
     link_.use(settingsOf(parameters_)); // the settings file may have been read since
-    if (link_.update() != xr::LinkState::running) {
+    if (link_.update() != xr::ConnectionState::running) {
         torch_.lose();
         drawn_ = drawn_ && link_.headset() != nullptr;
         return false;
@@ -272,26 +272,26 @@ std::string HeadsetDesk::sessionMode() const {
 
 std::string HeadsetDesk::status() const {
     switch (link_.state()) {
-    case xr::LinkState::searching:
+    case xr::ConnectionState::searching:
         return link_.reason();
-    case xr::LinkState::asleep:
+    case xr::ConnectionState::asleep:
         return "the headset sleeps; put it on";
-    case xr::LinkState::running:
+    case xr::ConnectionState::running:
         return "the headset is in use";
-    case xr::LinkState::stalled:
-    case xr::LinkState::ended:
+    case xr::ConnectionState::stalled:
+    case xr::ConnectionState::ended:
         return link_.reason();
     }
     return {};
 }
 
 std::string_view HeadsetDesk::warning() const {
-    if (link_.state() == xr::LinkState::searching && link_.openings() > 0) return link_.reason();
-    if (link_.state() == xr::LinkState::stalled) return link_.reason();
-    if (link_.state() == xr::LinkState::running && link_.headset()->mode() != xr::SessionMode::focused)
+    if (link_.state() == xr::ConnectionState::searching && link_.openings() > 0) return link_.reason();
+    if (link_.state() == xr::ConnectionState::stalled) return link_.reason();
+    if (link_.state() == xr::ConnectionState::running && link_.headset()->mode() != xr::SessionMode::focused)
         return "The headset shows something else than the trainer, so the arc is out.";
-    if (link_.state() == xr::LinkState::running && !hold_.warning().empty()) return hold_.warning();
-    if (link_.state() == xr::LinkState::running && torch_.known() && !torch_.tracked())
+    if (link_.state() == xr::ConnectionState::running && !hold_.warning().empty()) return hold_.warning();
+    if (link_.state() == xr::ConnectionState::running && torch_.known() && !torch_.tracked())
         return "The torch is out of sight: the arc is out. Hold it where the headset sees it.";
     return {};
 }

@@ -10,7 +10,7 @@
 #include "app/headset/workshop_scene.hpp"
 #include "core/render/renderer.hpp"
 #include "core/training/feedback/haptics.hpp"
-#include "xr/link.hpp"
+#include "xr/headset_connection.hpp"
 
 #include <array>
 #include <chrono>
@@ -66,7 +66,7 @@ class HeadsetDesk {
     /// False while there is none.
     bool mirror(GLuint framebuffer, const Viewport& viewport) const;
 
-    xr::LinkState state() const { return link_.state(); }
+    xr::ConnectionState state() const { return link_.state(); }
     /// The session's mode in a word; empty while there is none.
     std::string sessionMode() const;
     /// For the desk: what the headset does, or why there is none.
@@ -112,7 +112,7 @@ class HeadsetDesk {
     std::array<CalibrationFile, 2> calibrations_; ///< by TorchHolder
     TipMeasuring measuring_;
     TorchHold hold_;
-    xr::HeadsetLink link_;
+    xr::HeadsetConnection link_;
     Workshop workshop_;
     WorkpiecePlace place_;
     HeldTorch torch_;

@@ -34,29 +34,29 @@ struct Gate {
     }
 };
 
-struct Caller : xr::Callee {
+struct Caller : xr::ThreadOwned {
     explicit Caller(Gate& theGate) : gate(theGate) {}
     ~Caller() override { gate.destroyed = true; }
     Gate& gate;
 };
 
-void count(xr::Callee& callee) {
-    Gate& gate = static_cast<Caller&>(callee).gate;
+void count(xr::ThreadOwned& object) {
+    Gate& gate = static_cast<Caller&>(object).gate;
     ++gate.calls;
     gate.thread = std::this_thread::get_id();
 }
 
-void hang(xr::Callee& callee) {
-    static_cast<Caller&>(callee).gate.pass();
-    ++static_cast<Caller&>(callee).gate.calls;
+void hang(xr::ThreadOwned& object) {
+    static_cast<Caller&>(object).gate.pass();
+    ++static_cast<Caller&>(object).gate.calls;
 }
 
-void fail(xr::Callee&) {
+void fail(xr::ThreadOwned&) {
     throw std::runtime_error("lost");
 }
 
 /// Keeps the processor for 20 ms of its time, of which a driver and a wait have 5 each.
-void work(xr::Callee&) {
+void work(xr::ThreadOwned&) {
     const auto keep = [](double seconds) {
         const auto now = [] {
             timespec time{};
@@ -79,7 +79,7 @@ void work(xr::Callee&) {
     keep(0.006);
 }
 
-void sleep(xr::Callee&) {
+void sleep(xr::ThreadOwned&) {
     std::this_thread::sleep_for(30ms);
 }
 

@@ -1,7 +1,7 @@
 // Losing the runtime for real (kill -9) and taking the headset again.
 #include "tests/support/catch.hpp"
 #include "tests/xr/bench.hpp"
-#include "xr/link.hpp"
+#include "xr/headset_connection.hpp"
 
 #include <chrono>
 #include <csignal>
@@ -15,9 +15,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// One turn of a front end's loop: frames while there is a headset. Answers how long it took.
-double turn(xr::HeadsetLink& link) {
+double turn(xr::HeadsetConnection& link) {
     const auto begin = Clock::now();
-    if (link.update() == xr::LinkState::running) {
+    if (link.update() == xr::ConnectionState::running) {
         try {
             stepFrame(*link.headset(), {});
         } catch (const xr::XrFault& fault) {
@@ -30,7 +30,7 @@ double turn(xr::HeadsetLink& link) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-bool turnUntil(xr::HeadsetLink& link, xr::LinkState state, double seconds, double& longest) {
+bool turnUntil(xr::HeadsetConnection& link, xr::ConnectionState state, double seconds, double& longest) {
     for (const auto end = Clock::now() + std::chrono::duration<double>(seconds); Clock::now() < end;) {
         longest = std::max(longest, turn(link));
         if (link.state() == state) return true;
@@ -44,25 +44,25 @@ TEST_CASE("the runtime is killed: the loop goes on within a second and the heads
     benchWindow();
     auto driver = std::make_unique<RemoteDriver>(benchPort());
     driver->send({});
-    xr::HeadsetLink link({.resolutionScale = 0.3f, .samples = 1});
+    xr::HeadsetConnection link({.resolutionScale = 0.3f, .samples = 1});
     double longest = 0;
-    REQUIRE(turnUntil(link, xr::LinkState::running, 10, longest));
+    REQUIRE(turnUntil(link, xr::ConnectionState::running, 10, longest));
     for (int i = 0; i < 20; ++i)
         turn(link);
-    REQUIRE(link.state() == xr::LinkState::running);
+    REQUIRE(link.state() == xr::ConnectionState::running);
     CHECK(link.openings() == 1);
 
     const int killed = servicePid();
     REQUIRE(kill(killed, SIGKILL) == 0);
     longest = 0;
-    REQUIRE(turnUntil(link, xr::LinkState::searching, 5, longest));
+    REQUIRE(turnUntil(link, xr::ConnectionState::searching, 5, longest));
     CHECK(longest < 1.0);
     CHECK_FALSE(link.reason().empty());
     CHECK(link.headset() == nullptr);
 
     // While it is away, no turn of the loop waits.
     longest = 0;
-    REQUIRE(turnUntil(link, xr::LinkState::running, 20, longest));
+    REQUIRE(turnUntil(link, xr::ConnectionState::running, 20, longest));
     CHECK(longest < 1.0);
     CHECK(servicePid() != killed);
     CHECK(link.openings() == 2);
@@ -70,5 +70,5 @@ TEST_CASE("the runtime is killed: the loop goes on within a second and the heads
     driver->send({});
     for (int i = 0; i < 20; ++i)
         turn(link);
-    CHECK(link.state() == xr::LinkState::running);
+    CHECK(link.state() == xr::ConnectionState::running);
 }

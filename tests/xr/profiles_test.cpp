@@ -17,10 +17,11 @@ TEST_CASE("every controller can hold, heat and be felt in either hand, once each
     for (const xr::InteractionProfile& profile : xr::interactionProfiles()) {
         INFO(profile.path);
         const std::vector<xr::HandBinding> bindings = xr::handBindings(profile);
-        for (const xr::Act act : {xr::Act::grip, xr::Act::trigger, xr::Act::haptic, xr::Act::aim, xr::Act::menu})
+        for (const xr::Action action :
+             {xr::Action::grip, xr::Action::trigger, xr::Action::haptic, xr::Action::aim, xr::Action::menu})
             for (const int hand : {0, 1})
                 CHECK(std::count_if(bindings.begin(), bindings.end(), [&](const xr::HandBinding& binding) {
-                          return binding.act == act && binding.hand == hand;
+                          return binding.action == action && binding.hand == hand;
                       }) == 1);
         std::set<std::string> paths;
         for (const xr::HandBinding& binding : bindings)

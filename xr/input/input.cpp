@@ -1,4 +1,4 @@
-// Action sets, bindings, and their reading frame by frame.
+// Makes the action sets, suggests bindings and reads the actions once a frame.
 #include "xr/input/input.hpp"
 
 #include <cstring>
@@ -64,7 +64,7 @@ XrAction Input::makeAction(XrActionSet set, XrActionType type, const char* name,
 void Input::makeActions() {
     actions_.grip = makeAction(weld_, XR_ACTION_TYPE_POSE_INPUT, "grip", "Torch in the hand", handPaths_);
     actions_.trigger = makeAction(weld_, XR_ACTION_TYPE_FLOAT_INPUT, "trigger", "Heat", handPaths_);
-    actions_.haptic = makeAction(weld_, XR_ACTION_TYPE_VIBRATION_OUTPUT, "feel", "What the tip feels", handPaths_);
+    actions_.haptic = makeAction(weld_, XR_ACTION_TYPE_VIBRATION_OUTPUT, "feel", "Vibration of the torch", handPaths_);
     actions_.aim = makeAction(menu_, XR_ACTION_TYPE_POSE_INPUT, "aim", "Pointer", handPaths_);
     actions_.squeeze = makeAction(menu_, XR_ACTION_TYPE_FLOAT_INPUT, "squeeze", "Grab", handPaths_);
     actions_.menu = makeAction(menu_, XR_ACTION_TYPE_BOOLEAN_INPUT, "panel", "Show the panel", handPaths_);
@@ -88,23 +88,23 @@ void Input::makeTrackerActions() {
     }
 }
 
-XrAction Input::actionOf(Act act) const {
-    switch (act) {
-    case Act::grip:
+XrAction Input::actionOf(Action action) const {
+    switch (action) {
+    case Action::grip:
         return actions_.grip;
-    case Act::trigger:
+    case Action::trigger:
         return actions_.trigger;
-    case Act::haptic:
+    case Action::haptic:
         return actions_.haptic;
-    case Act::aim:
+    case Action::aim:
         return actions_.aim;
-    case Act::squeeze:
+    case Action::squeeze:
         return actions_.squeeze;
-    case Act::menu:
+    case Action::menu:
         return actions_.menu;
-    case Act::recentre:
+    case Action::recentre:
         return actions_.recentre;
-    case Act::scroll:
+    case Action::scroll:
         return actions_.scroll;
     }
     return XR_NULL_HANDLE;
@@ -115,12 +115,12 @@ void Input::suggest() {
         if (profile.extension != nullptr && !instance_.has(profile.extension)) continue;
         std::vector<XrActionSuggestedBinding> bindings;
         for (const HandBinding& binding : handBindings(profile))
-            bindings.push_back({actionOf(binding.act), instance_.path(binding.path.c_str())});
+            bindings.push_back({actionOf(binding.action), instance_.path(binding.path.c_str())});
         XrInteractionProfileSuggestedBinding suggestion{XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING};
         suggestion.interactionProfile = instance_.path(profile.path);
         suggestion.countSuggestedBindings = uint32_t(bindings.size());
         suggestion.suggestedBindings = bindings.data();
-        // A runtime may not know a controller; the others work all the same.
+        // A runtime that does not know one controller still takes the others.
         if (const XrResult result = xrSuggestInteractionProfileBindings(instance_.handle(), &suggestion);
             XR_FAILED(result))
             refused_.push_back(std::string(profile.path) + " (" + resultName(result) + ")");
@@ -143,7 +143,7 @@ void Input::suggestTrackers() {
         suggestion.suggestedBindings = bindings.data();
         return xrSuggestInteractionProfileBindings(instance_.handle(), &suggestion);
     };
-    // A runtime that does not know the pins may know the pose all the same.
+    // A runtime that refuses the pins may still take the pose.
     if (XR_SUCCEEDED(suggestWith(true))) return;
     if (const XrResult result = suggestWith(false); XR_FAILED(result))
         refused_.push_back(std::string(kTrackerProfile) + " (" + resultName(result) + ")");
@@ -176,7 +176,7 @@ void Input::makeSpaces() {
         const std::string role = trackerRoles()[i];
         trackers_.push_back({role.substr(role.rfind('/') + 1), false, {}, 0});
     }
-    trackerFeelers_.resize(rolePaths_.size());
+    trackerOutputs_.resize(rolePaths_.size());
 }
 
 void Input::forget() {

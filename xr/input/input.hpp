@@ -1,4 +1,4 @@
-// Controllers and trackers: where they are, what is pressed, and what they are made to feel.
+// Controllers and trackers: poses, buttons and vibration.
 #pragma once
 
 #include "xr/input/haptic_pulse.hpp"
@@ -18,13 +18,13 @@ enum class Hand { left = 0, right = 1 };
 /// One hand in one frame.
 struct HandInput {
     bool present = false;  ///< a controller is switched on and bound
-    bool tracked = false;  ///< its pose is measured now; else `grip` is the last known one
+    bool tracked = false;  ///< its pose is measured in this frame; else `grip` is the last known one
     Pose grip;             ///< in the session's space
     Pose aim;              ///< ray along -Z
     float trigger = 0;     ///< 0..1
     float squeeze = 0;     ///< 0..1
-    bool menu = false;     ///< went down in this frame
-    bool recentre = false; ///< went down in this frame
+    bool menu = false;     ///< pressed since the last frame
+    bool recentre = false; ///< pressed since the last frame
     float scrollX = 0;     ///< -1..1
     float scrollY = 0;
 };
@@ -46,16 +46,16 @@ class Input {
     Input(const Input&) = delete;
     Input& operator=(const Input&) = delete;
 
-    /// Reads everything as it will be at `time`. Hands are absent while the session has no focus.
+    /// Reads all actions and the poses predicted for `time`. Hands are absent while the session has no focus.
     void read(XrTime time);
     const HandInput& hand(Hand which) const { return hands_[size_t(which)]; }
     const std::vector<TrackerInput>& trackers() const { return trackers_; }
 
-    /// Plays the pulse, or stops what plays where it is silent. At most once a hand and frame.
+    /// Plays the pulse; a silent one stops the vibration. At most once a hand and frame.
     void play(Hand which, const HapticPulse& pulse);
-    /// The same on what is wired to a tracker's pins; nothing where that is not bound.
+    /// The same for what is wired to a tracker's pins; does nothing where none is bound.
     void playTracker(size_t which, const HapticPulse& pulse);
-    /// Calls to the runtime's vibration so far: started and stopped.
+    /// How often the runtime's vibration was started and stopped so far.
     struct HapticCalls {
         unsigned applied = 0;
         unsigned stopped = 0;
@@ -64,7 +64,7 @@ class Input {
 
     /// The profile that the runtime has bound to a hand; empty: none.
     std::string profile(Hand which) const;
-    /// Profiles whose suggestion the runtime refused, with its answer: told by `meltpool doctor`.
+    /// Profiles whose suggested bindings the runtime refused, with its answer, for `meltpool doctor`.
     const std::vector<std::string>& refused() const { return refused_; }
 
   private:
@@ -81,8 +81,8 @@ class Input {
                  tracker = XR_NULL_HANDLE, trackerTrigger = XR_NULL_HANDLE, trackerHaptic = XR_NULL_HANDLE;
     };
 
-    /// Something that vibrates.
-    struct Feeler {
+    /// One vibrating device.
+    struct HapticOutput {
         bool vibrating = false;
         Wave wave;
     };
@@ -95,12 +95,12 @@ class Input {
     void makeSpaces();
     XrAction makeAction(XrActionSet set, XrActionType type, const char* name, const char* label,
                         std::span<const XrPath> paths);
-    XrAction actionOf(Act act) const;
+    XrAction actionOf(Action action) const;
     void readHand(size_t hand, XrTime time);
     void forget();
     float readFloat(XrAction action, XrPath hand) const;
     bool wentDown(XrAction action, XrPath hand) const;
-    void playOn(Feeler& feeler, const XrHapticActionInfo& target, const HapticPulse& pulse);
+    void playOn(HapticOutput& output, const XrHapticActionInfo& target, const HapticPulse& pulse);
     bool playPcm(Wave& wave, const XrHapticActionInfo& target, const HapticPulse& pulse);
 
     const Session& session_;
@@ -112,8 +112,8 @@ class Input {
     std::array<XrSpace, 2> gripSpaces_{};
     std::array<XrSpace, 2> aimSpaces_{};
     std::array<HandInput, 2> hands_;
-    std::array<Feeler, 2> feelers_{};
-    std::vector<Feeler> trackerFeelers_;
+    std::array<HapticOutput, 2> handOutputs_{};
+    std::vector<HapticOutput> trackerOutputs_;
     std::vector<XrPath> rolePaths_;
     std::vector<XrSpace> roleSpaces_;
     std::vector<TrackerInput> trackers_;

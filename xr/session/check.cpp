@@ -9,7 +9,7 @@ namespace meltpool::xr {
 
 namespace {
 
-/// The file's place from the source root on, whatever machine compiled it.
+/// The file's path from the source root on, independent of the machine that compiled it.
 std::string_view placeInSource(std::string_view file) {
     const size_t at = file.rfind("xr/");
     return at == std::string_view::npos ? file : file.substr(at);

@@ -1,4 +1,4 @@
-// Every OpenXR call goes through MELTPOOL_XR: a failure names the call, its place and what it means for the person.
+// Every OpenXR call goes through MELTPOOL_XR: a failure names the call, its result and its place in the source.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -28,7 +28,7 @@ XrResult check(XrResult result, const char* expression, const char* file, int li
 
 } // namespace meltpool::xr
 
-// While the call lasts the thread's time is the runtime's.
+// A WorkMeter counts the time of the call as the runtime's.
 #define MELTPOOL_XR(expression)                                                                                        \
     ::meltpool::xr::check((static_cast<void>(::meltpool::InWork(::meltpool::WorkPlace::runtime)), (expression)),       \
                           #expression, __FILE__, __LINE__)

@@ -1,4 +1,4 @@
-// The eyes' own pictures and their way to the runtime's.
+// The multisampled picture of both eyes and its resolved copy.
 #include "xr/session/eye_targets.hpp"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ EyeTargets::EyeTargets(GLenum colour, GLenum depth, int width, int height, int s
 }
 
 void EyeTargets::resolve() const {
-    // With sRGB on, the samples are averaged as light and not as codes.
+    // With GL_FRAMEBUFFER_SRGB the samples are averaged as light, not as encoded values.
     glEnable(GL_FRAMEBUFFER_SRGB);
     for (const GLbitfield what : {GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT})
         glBlitNamedFramebuffer(framebuffer(), resolved(), 0, 0, 2 * width_, height_, 0, 0, 2 * width_, height_, what,

@@ -1,5 +1,5 @@
-// What both eyes are drawn into: one wide multisampled picture of our own, left eye left, resolved and handed on to the
-// runtime's.
+// The frame buffer that both eyes are drawn into: one wide multisampled picture, left eye at the left, resolved before
+// it is copied to the runtime's swapchains.
 #pragma once
 
 #include "core/gl/texture.hpp"
@@ -24,7 +24,7 @@ class EyeTargets {
 
     /// Averages the samples into the finished picture, and takes the depth of one sample a pixel.
     void resolve() const;
-    /// The finished picture of both eyes, for the desk's mirror and tests.
+    /// The resolved picture of both eyes, for the window's mirror and tests.
     GLuint resolved() const { return finished_.name(); }
 
     /// The same as textures, 2 * width() wide.

@@ -187,7 +187,7 @@ SharedContext::~SharedContext() {
 
 void SharedContext::makeCurrent() {
     if (egl_) {
-        eglBindAPI(EGL_OPENGL_API); // a thread begins with another one
+        eglBindAPI(EGL_OPENGL_API); // a new thread is bound to OpenGL ES
         if (eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE) noSecondContext();
         return;
     }

@@ -1,4 +1,4 @@
-// What OpenXR has to know of the OpenGL context, and the guard that puts that context back after the runtime has run.
+// The current OpenGL context as OpenXR wants it, and a guard that restores the context after calls of the runtime.
 #pragma once
 
 #include <memory>
@@ -50,8 +50,8 @@ class SharedContext {
     bool egl_ = false;
 };
 
-/// Remembers the current context and drawables; its end makes them current again where the runtime changed them and
-/// drains the GL errors that the runtime left behind.
+/// Remembers the current context and drawables. Its destructor makes them current again where the runtime changed them,
+/// and clears the GL errors that the runtime left.
 class ContextGuard {
   public:
     ContextGuard();
@@ -59,7 +59,7 @@ class ContextGuard {
     ContextGuard(const ContextGuard&) = delete;
     ContextGuard& operator=(const ContextGuard&) = delete;
 
-    /// How often a guard of this process had to put a context back, and how many GL errors it drained.
+    /// How often guards of this process restored a context, and how many GL errors they cleared.
     struct Repairs {
         unsigned contexts = 0;
         unsigned errors = 0;

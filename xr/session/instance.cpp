@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kOpenGl = "XR_KHR_opengl_enable";
 
-/// What is used where the runtime has it; the interaction profiles name their own.
+/// Extensions that are enabled where the runtime offers them; interaction profiles name further ones.
 constexpr std::array kOptional{
     "XR_MNDX_egl_enable", "XR_KHR_composition_layer_depth", "XR_HTCX_vive_tracker_interaction",
     "XR_FB_haptic_pcm",   "XR_FB_display_refresh_rate",

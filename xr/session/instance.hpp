@@ -9,8 +9,8 @@
 
 namespace meltpool::xr {
 
-/// Keeps the loader's own words off the terminal unless the person asked for them (XR_LOADER_DEBUG); what fails is told
-/// in ours. To be called before other threads run.
+/// Keeps the loader's messages off the terminal unless XR_LOADER_DEBUG is set; the program reports failures itself. To
+/// be called before other threads run.
 void quietLoader();
 
 /// Names of the extensions that the active runtime (and enabled layers) offer; empty where no runtime answers.

@@ -1,4 +1,4 @@
-// A flat picture hung in space (a quad layer): the runtime draws it, sharper than anything drawn into the eyes.
+// A flat picture in space (a quad layer). The runtime draws it, so its text is sharper than text drawn into the eyes.
 #pragma once
 
 #include "core/gl/texture.hpp"
@@ -25,7 +25,7 @@ class Panel {
     Panel(GLenum format, const PanelShape& shape);
 
     const PanelShape& shape() const { return shape_; }
-    /// What to draw the picture into, top row at the top.
+    /// The frame buffer to draw into, top row at the top.
     GLuint framebuffer() const { return framebuffer_.name(); }
     GLuint texture() const { return colour_.name(); }
 

@@ -1,4 +1,4 @@
-// Poses and fields of view as the headset floor hands them out, and their way to and from OpenXR's own structs.
+// Poses and fields of view, and their conversion to and from OpenXR's structs.
 #pragma once
 
 #include <glm/gtc/quaternion.hpp>

@@ -7,7 +7,7 @@ namespace meltpool::xr {
 
 namespace {
 
-using enum Act;
+using enum Action;
 using enum Sides;
 
 // A float action bound to a click reads 0 or 1, so every controller has a trigger.
@@ -92,9 +92,9 @@ std::vector<HandBinding> handBindings(const InteractionProfile& profile) {
     std::vector<HandBinding> all;
     for (const SuggestedBinding& binding : profile.bindings) {
         if (binding.sides != right)
-            all.push_back({binding.act, 0, std::string("/user/hand/left/") + binding.component});
+            all.push_back({binding.action, 0, std::string("/user/hand/left/") + binding.component});
         if (binding.sides != left)
-            all.push_back({binding.act, 1, std::string("/user/hand/right/") + binding.component});
+            all.push_back({binding.action, 1, std::string("/user/hand/right/") + binding.component});
     }
     return all;
 }

@@ -8,7 +8,7 @@
 namespace meltpool::xr {
 
 /// What the person can do. The first three poses and values belong to the action set "weld", the others to "menu".
-enum class Act {
+enum class Action {
     grip,     ///< pose of the hand around the torch
     trigger,  ///< 0..1: heat
     haptic,   ///< output
@@ -22,7 +22,7 @@ enum class Act {
 enum class Sides { both, left, right };
 
 struct SuggestedBinding {
-    Act act;
+    Action action;
     Sides sides;
     const char* component; ///< below /user/hand/left or right
 };
@@ -36,9 +36,9 @@ struct InteractionProfile {
 /// Every controller that is known. The tracker has no hands and is bound apart (trackerRoles).
 std::span<const InteractionProfile> interactionProfiles();
 
-/// A profile's bindings with both hands written out: {act, hand 0 = left, full path}.
+/// A profile's bindings with both hands written out: {action, hand 0 = left, full path}.
 struct HandBinding {
-    Act act;
+    Action action;
     int hand;
     std::string path;
 };

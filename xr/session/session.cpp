@@ -1,4 +1,4 @@
-// The session's life from creation to the end, whichever way it ends.
+// Creates the session, follows its states, and ends it.
 #include "xr/session/platform.hpp"
 
 #include "xr/session/session.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 constexpr XrPosef kIdentity{{0, 0, 0, 1}, {0, 0, 0}};
 
-/// Runtimes refuse a session whose program did not ask for their OpenGL versions first.
+/// A runtime refuses to create a session before it was asked which OpenGL versions it supports.
 void askOpenGlRequirements(const Instance& instance) {
     const auto ask = instance.function<PFN_xrGetOpenGLGraphicsRequirementsKHR>("xrGetOpenGLGraphicsRequirementsKHR");
     if (ask == nullptr)
@@ -91,9 +91,9 @@ SessionMode Session::mode() const {
 void Session::onStateChanged(XrSessionState state) {
     state_ = state;
     switch (state) {
-    case XR_SESSION_STATE_IDLE: // made, or taken off: nothing to do until the runtime is ready
+    case XR_SESSION_STATE_IDLE: // created, or the headset was taken off: wait for READY
         break;
-    case XR_SESSION_STATE_READY: { // the headset is on somebody's head
+    case XR_SESSION_STATE_READY: { // somebody wears the headset
         XrSessionBeginInfo begin{XR_TYPE_SESSION_BEGIN_INFO};
         begin.primaryViewConfigurationType = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
         MELTPOOL_XR(xrBeginSession(session_, &begin));
@@ -104,7 +104,7 @@ void Session::onStateChanged(XrSessionState state) {
     case XR_SESSION_STATE_VISIBLE:      // and shown
     case XR_SESSION_STATE_FOCUSED:      // and controllers answer
         break;
-    case XR_SESSION_STATE_STOPPING: // taken off, or an end was asked for
+    case XR_SESSION_STATE_STOPPING: // the headset was taken off, or requestExit() was called
         running_ = false;
         MELTPOOL_XR(xrEndSession(session_));
         break;
@@ -112,7 +112,7 @@ void Session::onStateChanged(XrSessionState state) {
         running_ = false;
         lost_ = true;
         break;
-    case XR_SESSION_STATE_EXITING: // leave for good
+    case XR_SESSION_STATE_EXITING: // the runtime wants the program to end the session
         running_ = false;
         break;
     default:
@@ -144,7 +144,7 @@ void Session::leave() {
     try {
         dropFrame();
         requestExit();
-        // The runtime goes through its states only while frames come in, and may be too ill to answer at all.
+        // The runtime changes its state only while it gets frames; it may also not answer at all.
         for (const auto end = std::chrono::steady_clock::now() + 500ms; std::chrono::steady_clock::now() < end;) {
             poll();
             if (!running_) break;
@@ -157,7 +157,7 @@ void Session::leave() {
             std::this_thread::sleep_for(5ms);
         }
     } catch (const std::exception&) {
-        lost_ = true; // the end of a session that cannot end in order
+        lost_ = true; // the runtime failed; the session counts as lost
     }
 }
 

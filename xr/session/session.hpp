@@ -10,14 +10,14 @@
 
 namespace meltpool::xr {
 
-/// What the runtime wants of the session at the moment.
+/// The session's state as far as the program has to know it.
 enum class SessionMode {
-    waiting,      ///< not begun: the headset sleeps or another program has it
-    synchronized, ///< frames are asked for but not shown
+    waiting,      ///< not begun: nobody wears the headset, or another program uses it
+    synchronized, ///< the runtime asks for frames but does not show them
     visible,      ///< shown, without input (the runtime's own menu is over it)
     focused,      ///< shown, with input
     ended,        ///< the runtime asked the program to leave
-    lost,         ///< gone; has to be opened anew
+    lost,         ///< a new session has to be opened
 };
 
 /// One eye: where it is in the reference space and what it sees.
@@ -37,7 +37,8 @@ class Session {
   public:
     /// `instance` outlives the session; the binding's context is current and stays so. Throws XrFault.
     Session(const Instance& instance, const GraphicsBinding& binding);
-    /// Asks for the end, sees the runtime through it for a moment, and lets go. Never throws.
+    /// Requests the end, submits empty frames until the runtime has ended the session (half a second at most), and
+    /// destroys it. Never throws.
     ~Session();
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
@@ -50,15 +51,15 @@ class Session {
 
     SessionMode mode() const;
     bool running() const { return running_; }
-    /// Takes note of everything that the runtime has to say. `onOther` sees the events that are not the session's own.
+    /// Handles all pending events; those that do not concern the session's state go to `onOther`.
     void poll(FunctionRef<void(const XrEventDataBuffer&)> onOther = {});
-    /// The person wants to leave; the rest happens in poll().
+    /// Asks the runtime to end the session; poll() follows the states to its end.
     void requestExit();
 
     /// Blocks until the runtime wants the next frame. Only while running().
     FrameTiming waitFrame();
     void beginFrame();
-    /// Brings a frame that was given up in its middle to its end, showing nothing.
+    /// Ends a frame that was given up, without a picture.
     void dropFrame();
     /// Shows the layers (none: nothing) at the frame's time.
     void endFrame(XrTime displayTime, const XrCompositionLayerBaseHeader* const* layers, uint32_t count);

@@ -1,4 +1,4 @@
-// The pictures that the runtime shows, and which format they get.
+// The runtime's pictures for the headset, and the choice of their formats.
 #pragma once
 
 #include "core/gl/gl.hpp"
@@ -14,10 +14,10 @@ namespace meltpool::xr {
 /// Nothing where none can be written to.
 std::optional<GLenum> chooseColourFormat(std::span<const std::int64_t> offered);
 
-/// Likewise for depth; nothing: go without a depth layer.
+/// Likewise for depth; nothing: no depth layer is submitted.
 std::optional<GLenum> chooseDepthFormat(std::span<const std::int64_t> offered);
 
-/// What the eyes are drawn in.
+/// Formats of the eyes.
 struct PictureFormats {
     GLenum colour = GL_NONE;
     GLenum depth = GL_NONE; ///< GL_NONE: without a depth layer
@@ -26,10 +26,10 @@ struct PictureFormats {
 /// Throws InputError, naming what was offered, where no colour format will do.
 PictureFormats choosePictureFormats(std::span<const std::int64_t> offered, bool depthLayer);
 
-/// What this session's runtime offers, best first in its own opinion.
+/// The formats that the runtime offers, in its own order of preference.
 std::vector<std::int64_t> offeredFormats(const Session& session);
 
-/// A 2D picture of the runtime's, one sample, one layer. One a eye is what every runtime can do; arrays are not.
+/// A chain of 2D pictures of one sample and one layer. Every runtime supports one chain an eye; not all support arrays.
 class Swapchain {
   public:
     Swapchain(const Session& session, GLenum format, int width, int height, bool depth);

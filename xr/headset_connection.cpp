@@ -1,5 +1,5 @@
-// Finding, opening and losing the headset.
-#include "xr/link.hpp"
+// The search runs on a thread of its own, since making an instance may block for seconds.
+#include "xr/headset_connection.hpp"
 
 #include <algorithm>
 #include <thread>
@@ -10,8 +10,8 @@ namespace meltpool::xr {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-// A runtime that has just gone is often back at once; one that was never there is not worth a look (and its library's
-// words on the terminal) every second.
+// A runtime that has just gone is often back within a second. One that was never there is searched for less and less
+// often: each attempt costs time and writes its library's messages to the terminal.
 constexpr auto kFirstPause = std::chrono::milliseconds(1000);
 constexpr auto kLongestPause = std::chrono::milliseconds(8000);
 
@@ -21,15 +21,14 @@ std::string explain(const XrFault& fault) {
     switch (fault.result()) {
     case XR_ERROR_RUNTIME_UNAVAILABLE:
         return "no OpenXR runtime is active; install SteamVR, Meta Link, Monado or WiVRn and make it the active OpenXR "
-               "runtime "
-               "in its own settings";
+               "runtime in its own settings";
     case XR_ERROR_FORM_FACTOR_UNAVAILABLE:
         return "the OpenXR runtime runs but sees no headset; switch the headset on, plug it in or connect it to this "
                "computer";
     case XR_ERROR_INSTANCE_LOST:
-        return "the OpenXR runtime has gone away; it is taken again as soon as it is back";
+        return "the OpenXR runtime has stopped; it is used again as soon as it is back";
     case XR_ERROR_SESSION_LOST:
-        return "the headset has gone away; it is taken again as soon as it is back";
+        return "the headset is disconnected; it is used again as soon as it is back";
     case XR_ERROR_RUNTIME_FAILURE:
         return "the OpenXR runtime does not answer; start it (for Monado: monado-service) or restart it";
     case XR_ERROR_LIMIT_REACHED:
@@ -39,13 +38,14 @@ std::string explain(const XrFault& fault) {
     }
 }
 
-HeadsetLink::HeadsetLink(HeadsetSettings settings) : settings_(settings), nextLook_(Clock::now()), pause_(kFirstPause) {
+HeadsetConnection::HeadsetConnection(HeadsetSettings settings)
+    : settings_(settings), nextLook_(Clock::now()), pause_(kFirstPause) {
     quietLoader();
 }
 
-HeadsetLink::~HeadsetLink() = default;
+HeadsetConnection::~HeadsetConnection() = default;
 
-void HeadsetLink::look(Search& search) {
+void HeadsetConnection::look(Search& search) {
     try {
         search.instance = std::make_unique<Instance>();
     } catch (const XrFault& fault) {
@@ -56,11 +56,11 @@ void HeadsetLink::look(Search& search) {
     search.over = true;
 }
 
-LinkState HeadsetLink::update() {
-    if (state_ == LinkState::ended) return state_;
+ConnectionState HeadsetConnection::update() {
+    if (state_ == ConnectionState::ended) return state_;
     try {
         if (headset_ == nullptr) search();
-        if (headset_ == nullptr || !open()) return state_ = LinkState::searching;
+        if (headset_ == nullptr || !open()) return state_ = ConnectionState::searching;
         headset_->poll();
     } catch (const XrFault& fault) {
         onFault(fault);
@@ -71,19 +71,19 @@ LinkState HeadsetLink::update() {
     }
     switch (headset_->mode()) {
     case SessionMode::lost:
-        drop("the headset has gone away; it is taken again as soon as it is back");
+        lose("the headset is disconnected; it is used again as soon as it is back");
         break;
     case SessionMode::ended:
-        drop("the headset's own menu has closed the trainer");
-        state_ = LinkState::ended;
+        lose("the headset's own menu has closed the trainer");
+        state_ = ConnectionState::ended;
         break;
     default:
-        state_ = headset_->running() ? LinkState::running : LinkState::asleep;
+        state_ = headset_->running() ? ConnectionState::running : ConnectionState::asleep;
     }
     return state_;
 }
 
-void HeadsetLink::search() {
+void HeadsetConnection::search() {
     if (gone_ != nullptr && !*gone_) return;
     if (looking_ == nullptr) {
         if (Clock::now() < nextLook_) return;
@@ -103,49 +103,49 @@ void HeadsetLink::search() {
     }
 }
 
-/// Sees the opening of a session through; false: not yet, or it failed.
-bool HeadsetLink::open() {
+/// Continues the opening of the session; false while it is not open, or where it failed.
+bool HeadsetConnection::open() {
     const bool before = opened_;
     try {
         opened_ = headset_->opened();
     } catch (const std::exception& wrong) {
         const auto* fault = dynamic_cast<const XrFault*>(&wrong);
         reason_ = fault != nullptr ? explain(*fault) : wrong.what();
-        letGo();
+        release();
         return false;
     }
     if (opened_ && !before) ++openings_;
     return opened_;
 }
 
-void HeadsetLink::letGo() {
+void HeadsetConnection::release() {
     if (headset_ == nullptr) return;
     gone_ = headset_->leave();
     headset_.reset();
     opened_ = false;
 }
 
-void HeadsetLink::onStall() {
-    reason_ = "the OpenXR runtime does not answer: the arc is out; it is taken again as soon as it does";
-    state_ = LinkState::stalled;
+void HeadsetConnection::onStall() {
+    reason_ = "the OpenXR runtime does not answer: the arc is out; the headset is used again as soon as it does";
+    state_ = ConnectionState::stalled;
 }
 
-void HeadsetLink::onFault(const XrFault& fault) {
-    drop(explain(fault));
+void HeadsetConnection::onFault(const XrFault& fault) {
+    lose(explain(fault));
 }
 
-void HeadsetLink::drop(std::string reason) {
-    letGo();
+void HeadsetConnection::lose(std::string reason) {
+    release();
     reason_ = std::move(reason);
     pause_ = kFirstPause;
     nextLook_ = Clock::now() + pause_;
-    state_ = LinkState::searching;
+    state_ = ConnectionState::searching;
 }
 
-void HeadsetLink::close() {
-    headset_.reset(); // waits for the session's orderly end
+void HeadsetConnection::close() {
+    headset_.reset(); // waits for the session to end
     opened_ = false;
-    state_ = LinkState::ended;
+    state_ = ConnectionState::ended;
     reason_ = "the headset is not used";
 }
 

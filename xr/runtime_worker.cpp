@@ -1,4 +1,4 @@
-#include "xr/headset_calls.hpp"
+#include "xr/runtime_worker.hpp"
 
 #include "core/gl/context.hpp"
 
@@ -31,11 +31,11 @@ EyeSize eyeSize(const Instance& instance, float scale) {
             scaled(views[0].recommendedImageRectHeight, views[0].maxImageRectHeight)};
 }
 
-/// Holds back the driver, not this thread, until the other context has got there.
+/// Lets the driver, not this thread, wait until the other context has reached the fence.
 void waitFor(GLsync& fence, bool software) {
     if (fence == nullptr) return;
     glWaitSync(fence, 0, GL_TIMEOUT_IGNORED);
-    // Drivers that draw on the processor do not all hold themselves back; there is no graphics card to stall.
+    // Software drivers do not all wait by themselves. Waiting here stalls no graphics card then.
     constexpr GLuint64 kLongest = 1'000'000'000;
     if (software) glClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, kLongest);
     glDeleteSync(fence);
@@ -44,17 +44,17 @@ void waitFor(GLsync& fence, bool software) {
 
 } // namespace
 
-HeadsetCalls::HeadsetCalls(std::unique_ptr<Instance> theInstance, const HeadsetSettings& settings,
-                           std::unique_ptr<SharedContext> context)
+RuntimeWorker::RuntimeWorker(std::unique_ptr<Instance> theInstance, const HeadsetSettings& settings,
+                             std::unique_ptr<SharedContext> context)
     : instance(std::move(theInstance)), settings_(settings), context_(std::move(context)) {}
 
-HeadsetCalls::~HeadsetCalls() {
+RuntimeWorker::~RuntimeWorker() {
     panel_.reset();
     colour_ = {};
     depth_ = {};
     from_.reset();
     to_.reset();
-    for (GLsync& fence : {std::ref(copied), std::ref(order.drawn)})
+    for (GLsync& fence : {std::ref(copied), std::ref(submission.drawn)})
         if (fence != nullptr) glDeleteSync(fence);
     input.reset();
     session.reset();
@@ -62,7 +62,7 @@ HeadsetCalls::~HeadsetCalls() {
     if (current_) context_->release();
 }
 
-void HeadsetCalls::open() {
+void RuntimeWorker::open() {
     context_->makeCurrent();
     current_ = true;
     software_ = gl::drawnOnProcessor();
@@ -71,11 +71,11 @@ void HeadsetCalls::open() {
     session = std::make_unique<Session>(*instance, binding);
     input = std::make_unique<Input>(*session);
     makeSwapchains();
-    from_ = std::make_unique<gl::Framebuffer>("handover source");
-    to_ = std::make_unique<gl::Framebuffer>("handover target");
+    from_ = std::make_unique<gl::Framebuffer>("submission source");
+    to_ = std::make_unique<gl::Framebuffer>("submission target");
 }
 
-void HeadsetCalls::makeSwapchains() {
+void RuntimeWorker::makeSwapchains() {
     const PictureFormats formats =
         choosePictureFormats(offeredFormats(*session), instance->has("XR_KHR_composition_layer_depth"));
     colourFormat = formats.colour;
@@ -91,35 +91,35 @@ void HeadsetCalls::makeSwapchains() {
                                          settings_.panel.heightPixels, false);
 }
 
-void HeadsetCalls::poll() {
+void RuntimeWorker::poll() {
     session->poll();
 }
 
-void HeadsetCalls::waitFrame() {
+void RuntimeWorker::waitFrame() {
     timing = session->waitFrame();
     input->read(timing.displayTime);
 }
 
-void HeadsetCalls::beginFrame() {
+void RuntimeWorker::beginFrame() {
     session->beginFrame();
     if (timing.shouldRender) locateEyes();
 }
 
-void HeadsetCalls::locateEyes() {
+void RuntimeWorker::locateEyes() {
     headTracked = session->locateEyes(timing.displayTime, views);
 }
 
-void HeadsetCalls::dropFrame() {
+void RuntimeWorker::dropFrame() {
     session->dropFrame();
 }
 
-void HeadsetCalls::requestExit() {
+void RuntimeWorker::requestExit() {
     session->requestExit();
 }
 
-void HeadsetCalls::copy(GLuint from, int left, const Swapchain& to, GLuint texture, GLenum attachment,
-                        GLbitfield what) {
-    glDisable(GL_FRAMEBUFFER_SRGB); // codes are copied, not light
+void RuntimeWorker::copy(GLuint from, int left, const Swapchain& to, GLuint texture, GLenum attachment,
+                         GLbitfield what) {
+    glDisable(GL_FRAMEBUFFER_SRGB); // the encoded values are copied as they are
     glNamedFramebufferTexture(from_->name(), attachment, from, 0);
     glNamedFramebufferTexture(to_->name(), attachment, texture, 0);
     glBlitNamedFramebuffer(from_->name(), to_->name(), left, 0, left + to.width(), to.height(), 0, 0, to.width(),
@@ -128,20 +128,21 @@ void HeadsetCalls::copy(GLuint from, int left, const Swapchain& to, GLuint textu
     glNamedFramebufferTexture(to_->name(), attachment, 0, 0);
 }
 
-void HeadsetCalls::handOverEyes() {
+void RuntimeWorker::submitEyes() {
     for (size_t eye = 0; eye < colour_.size(); ++eye) {
         const int left = static_cast<int>(eye) * width;
-        copy(order.colour, left, *colour_[eye], colour_[eye]->acquire(), GL_COLOR_ATTACHMENT0, GL_COLOR_BUFFER_BIT);
+        copy(submission.colour, left, *colour_[eye], colour_[eye]->acquire(), GL_COLOR_ATTACHMENT0,
+             GL_COLOR_BUFFER_BIT);
         colour_[eye]->release();
         if (depth_[eye] == nullptr) continue;
-        copy(order.depth, left, *depth_[eye], depth_[eye]->acquire(), GL_DEPTH_ATTACHMENT, GL_DEPTH_BUFFER_BIT);
+        copy(submission.depth, left, *depth_[eye], depth_[eye]->acquire(), GL_DEPTH_ATTACHMENT, GL_DEPTH_BUFFER_BIT);
         depth_[eye]->release();
     }
     fillProjection();
     layers_[layerCount_++] = reinterpret_cast<const XrCompositionLayerBaseHeader*>(&projection_);
 }
 
-void HeadsetCalls::fillProjection() {
+void RuntimeWorker::fillProjection() {
     for (size_t eye = 0; eye < views.size(); ++eye) {
         XrCompositionLayerProjectionView& view = projectionViews_[eye];
         view = {XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW};
@@ -163,8 +164,8 @@ void HeadsetCalls::fillProjection() {
     projection_.views = projectionViews_.data();
 }
 
-void HeadsetCalls::handOverPanel() {
-    copy(order.panel, 0, *panel_, panel_->acquire(), GL_COLOR_ATTACHMENT0, GL_COLOR_BUFFER_BIT);
+void RuntimeWorker::submitPanel() {
+    copy(submission.panel, 0, *panel_, panel_->acquire(), GL_COLOR_ATTACHMENT0, GL_COLOR_BUFFER_BIT);
     panel_->release();
     const PanelShape& shape = settings_.panel;
     quad_.type = XR_TYPE_COMPOSITION_LAYER_QUAD;
@@ -172,23 +173,23 @@ void HeadsetCalls::handOverPanel() {
     quad_.space = session->space();
     quad_.eyeVisibility = XR_EYE_VISIBILITY_BOTH;
     quad_.subImage = panel_->subImage();
-    quad_.pose = toXr(order.panelPose);
+    quad_.pose = toXr(submission.panelPose);
     quad_.size = {shape.width,
                   shape.width * static_cast<float>(shape.heightPixels) / static_cast<float>(shape.widthPixels)};
     layers_[layerCount_++] = reinterpret_cast<const XrCompositionLayerBaseHeader*>(&quad_);
 }
 
-void HeadsetCalls::play() {
+void RuntimeWorker::play() {
     for (const Hand hand : {Hand::left, Hand::right})
-        if (order.plays[size_t(hand)]) input->play(hand, order.pulses[size_t(hand)]);
-    if (order.trackerPlays) input->playTracker(order.tracker, order.trackerPulse);
+        if (submission.plays[size_t(hand)]) input->play(hand, submission.pulses[size_t(hand)]);
+    if (submission.trackerPlays) input->playTracker(submission.tracker, submission.trackerPulse);
 }
 
-void HeadsetCalls::endFrame() {
+void RuntimeWorker::endFrame() {
     layerCount_ = 0;
-    waitFor(order.drawn, software_);
-    if (order.eyes) handOverEyes();
-    if (order.panelShown) handOverPanel();
+    waitFor(submission.drawn, software_);
+    if (submission.eyes) submitEyes();
+    if (submission.panelShown) submitPanel();
     if (layerCount_ > 0) {
         copied = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
         glFlush();

@@ -1,4 +1,4 @@
-// Sending what the hand feels to the controller: as a plain vibration, or as PCM samples where the runtime takes them.
+// Sends vibrations to controllers: as amplitude and frequency, or as PCM samples where the runtime takes them.
 #include "xr/input/input.hpp"
 
 #include <algorithm>
@@ -35,28 +35,28 @@ void Input::play(Hand which, const HapticPulse& pulse) {
     XrHapticActionInfo target{XR_TYPE_HAPTIC_ACTION_INFO};
     target.action = actions_.haptic;
     target.subactionPath = handPaths_[size_t(which)];
-    playOn(feelers_[size_t(which)], target, pulse);
+    playOn(handOutputs_[size_t(which)], target, pulse);
 }
 
 void Input::playTracker(size_t which, const HapticPulse& pulse) {
-    if (which >= trackerFeelers_.size()) return;
+    if (which >= trackerOutputs_.size()) return;
     XrHapticActionInfo target{XR_TYPE_HAPTIC_ACTION_INFO};
     target.action = actions_.trackerHaptic;
     target.subactionPath = rolePaths_[which];
-    playOn(trackerFeelers_[which], target, pulse);
+    playOn(trackerOutputs_[which], target, pulse);
 }
 
-void Input::playOn(Feeler& feeler, const XrHapticActionInfo& target, const HapticPulse& pulse) {
+void Input::playOn(HapticOutput& output, const XrHapticActionInfo& target, const HapticPulse& pulse) {
     if (pulse.silent()) {
-        if (!feeler.vibrating) return;
-        feeler.vibrating = false;
+        if (!output.vibrating) return;
+        output.vibrating = false;
         ++hapticCalls_.stopped;
         MELTPOOL_XR(xrStopHapticFeedback(session_.handle(), &target));
         return;
     }
-    feeler.vibrating = true;
+    output.vibrating = true;
     ++hapticCalls_.applied;
-    if (instance_.has("XR_FB_haptic_pcm") && playPcm(feeler.wave, target, pulse)) return;
+    if (instance_.has("XR_FB_haptic_pcm") && playPcm(output.wave, target, pulse)) return;
     XrHapticVibration vibration{XR_TYPE_HAPTIC_VIBRATION};
     vibration.amplitude = std::clamp(pulse.amplitude, 0.0f, 1.0f);
     vibration.frequency = pulse.frequency > 0 ? pulse.frequency : float(XR_FREQUENCY_UNSPECIFIED);
@@ -73,7 +73,7 @@ bool Input::playPcm(Wave& wave, const XrHapticActionInfo& target, const HapticPu
     if (XR_FAILED(sampleRateOf(session_.handle(), &target, &rate)) || rate.sampleRate <= 0) return false;
     std::array<float, kMostSamples> samples;
     const size_t count = std::min(kMostSamples, static_cast<size_t>(pulse.duration * rate.sampleRate));
-    // The next pulse cuts this one short, so the wave goes on from where time has got to, not from this pulse's end.
+    // The next pulse replaces this one before its end, so the phase follows the clock, not the samples.
     const auto now = std::chrono::steady_clock::now();
     const double elapsed = std::min(std::chrono::duration<double>(now - wave.start).count(), 1.0);
     wave.phase = std::fmod(wave.phase + 2.0 * std::numbers::pi * wave.frequency * elapsed, 2.0 * std::numbers::pi);

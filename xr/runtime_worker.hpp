@@ -1,4 +1,4 @@
-// Everything a headset asks of the runtime, as calls for one thread with an OpenGL context of its own.
+// All calls of the OpenXR runtime, made on one thread with an OpenGL context of its own.
 #pragma once
 
 #include "core/gl/texture.hpp"
@@ -20,8 +20,8 @@ struct HeadsetSettings {
     PanelShape panel{};
 };
 
-/// What the drawing side hands over for the end of a frame. Set between calls.
-struct FrameOrder {
+/// What the drawing thread submits at the end of a frame. Set between calls.
+struct FrameSubmission {
     bool eyes = false;                   ///< the textures below hold both eyes, left eye left
     GLuint colour = 0;                   ///< 2 eyes wide
     GLuint depth = 0;                    ///< likewise
@@ -36,25 +36,25 @@ struct FrameOrder {
     bool trackerPlays = false;
 };
 
-/// The public members are for the side that asks, between calls only.
-class HeadsetCalls : public Callee {
+/// The drawing thread may use the public members between calls only.
+class RuntimeWorker : public ThreadOwned {
   public:
-    /// `context` is made current by open() on the thread of the calls.
-    HeadsetCalls(std::unique_ptr<Instance> instance, const HeadsetSettings& settings,
-                 std::unique_ptr<SharedContext> context);
-    ~HeadsetCalls() override;
+    /// open() makes `context` current on the worker's thread.
+    RuntimeWorker(std::unique_ptr<Instance> instance, const HeadsetSettings& settings,
+                  std::unique_ptr<SharedContext> context);
+    ~RuntimeWorker() override;
 
     // The calls.
     void open();       ///< session, actions, swapchains
-    void poll();       ///< what the runtime has to say
-    void waitFrame();  ///< and reads the hands for it
-    void beginFrame(); ///< and finds the eyes where they are to be drawn
+    void poll();       ///< the runtime's events
+    void waitFrame();  ///< and reads the controllers for that frame
+    void beginFrame(); ///< and locates the eyes for it
     void locateEyes();
-    void endFrame();  ///< hands over what `order` says, and hears what the runtime has to say
-    void dropFrame(); ///< goes on after a call was given up
+    void endFrame();  ///< submits `submission` and polls the runtime's events
+    void dropFrame(); ///< ends a frame that was given up
     void requestExit();
 
-    // Answers.
+    // Results.
     std::unique_ptr<Instance> instance;
     std::unique_ptr<Session> session;
     std::unique_ptr<Input> input;
@@ -66,14 +66,14 @@ class HeadsetCalls : public Callee {
     FrameTiming timing;
     std::array<EyeView, 2> views;
     bool headTracked = false;
-    GLsync copied = nullptr; ///< reached when the textures of the order may be drawn into again
-    FrameOrder order;
+    GLsync copied = nullptr; ///< reached when the submission's textures may be drawn into again
+    FrameSubmission submission;
 
   private:
     void makeSwapchains();
     void copy(GLuint from, int left, const Swapchain& to, GLuint texture, GLenum attachment, GLbitfield what);
-    void handOverEyes();
-    void handOverPanel();
+    void submitEyes();
+    void submitPanel();
     void fillProjection();
     void play();
 
