@@ -2,7 +2,7 @@
 // apart, and rows say how often a frame asks the heap and waits for the GPU.
 #include "app/bench/bench.hpp"
 #include "app/bench/parts.hpp"
-#include "app/headset/headset_station.hpp"
+#include "app/headset/headset_front_end.hpp"
 #include "app/program/call_counters.hpp"
 #include "app/program/frame_meter.hpp"
 #include "core/base/function_ref.hpp"
@@ -42,7 +42,7 @@ struct Scene {
         session.fillFigures(figures);
     }
 
-    Session session;
+    LessonSession session;
     Controls controls;
     LessonFigures figures;
     double time = 0;
@@ -121,28 +121,28 @@ BenchRow measureWithoutRuntime(Scene& scene, bool counted) {
 }
 
 /// A frame in which the headset is there was begun.
-bool waitForHeadset(HeadsetStation& station, const Scene& scene) {
+bool waitForHeadset(HeadsetFrontEnd& headset, const Scene& scene) {
     const Clock::time_point start = Clock::now();
     while (secondsSince(start) < kPatience) {
-        if (station.begin(scene.session, kFrame)) return true;
+        if (headset.begin(scene.session, kFrame)) return true;
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
     return false;
 }
 
 /// Rows of the frames that a headset shows; false, and said so, where none is there, or no more.
-bool addHeadsetRows(Bench& bench, const std::string& what, bool counted, HeadsetStation& station, Scene& scene) {
+bool addHeadsetRows(Bench& bench, const std::string& what, bool counted, HeadsetFrontEnd& headset, Scene& scene) {
     const auto frame = [&] {
-        if (!waitForHeadset(station, scene)) return false;
+        if (!waitForHeadset(headset, scene)) return false;
         scene.advance();
-        station.draw(scene.session, scene.figures, kFrame, nullptr);
-        station.end();
+        headset.draw(scene.session, scene.figures, kFrame, nullptr);
+        headset.end();
         return true;
     };
     std::vector<BenchRow> rows = measureFrames(what, counted, frame);
     if (rows.empty())
         std::printf("%-10s no headset, so no frame of %s with a runtime: %s\n", "stereo", what.c_str(),
-                    station.desk().status().c_str());
+                    headset.sentence().c_str());
     for (BenchRow& row : rows)
         bench.add(std::move(row));
     return !rows.empty();
@@ -154,10 +154,10 @@ void benchHeadsetFrame(Bench& bench) {
     const bool counted = joinCallCounters();
     Scene classic(bench.shaders(), smallClassic());
     bench.add(measureWithoutRuntime(classic, counted));
-    HeadsetStation station({});
-    if (!addHeadsetRows(bench, "classic", counted, station, classic)) return;
+    HeadsetFrontEnd headset({});
+    if (!addHeadsetRows(bench, "classic", counted, headset, classic)) return;
     Scene weld(bench.shaders(), loadLesson("gmaw-bead"));
-    addHeadsetRows(bench, "gmaw-bead", counted, station, weld);
+    addHeadsetRows(bench, "gmaw-bead", counted, headset, weld);
 }
 
 } // namespace meltpool

@@ -58,7 +58,7 @@ void benchStereo(Bench& bench) {
     Renderer renderer(bench.shaders());
     const HeadsetParameters parameters;
     WorkshopScene workshop;
-    HandsInSight hands;
+    HandsView hands;
     hands.torch = true;
     hands.tip.position = {0.1f, 1.15f, 0.1f};
     hands.grip.position = {0.12f, 1.25f, 0.2f};

@@ -147,14 +147,13 @@ void DesktopApp::runFrame() {
 void DesktopApp::beginHeadset(double seconds) {
     headsetFrame_ = headset_ && headset_->begin(session_, seconds);
     if (!headset_) return;
-    const HeadsetDesk& desk = headset_->desk();
-    if (options_.headset == HeadsetUse::wanted && desk.openings() == 0 && now() > kHeadsetPatience)
-        throw InputError("there is no headset to use: " + desk.status());
+    if (options_.headset == HeadsetUse::wanted && headset_->openings() == 0 && now() > kHeadsetPatience)
+        throw InputError("there is no headset to use: " + headset_->sentence());
     window_.waitForDisplay(!headsetFrame_);
-    if (desk.warning().empty())
+    if (headset_->warning().empty())
         messages_.clear("headset");
     else
-        messages_.hold(desk.warning(), "headset");
+        messages_.hold(headset_->warning(), "headset");
     // Whoever puts the headset on finds the metal on the table.
     if (headsetFrame_ && !headsetStarted_ && !session_.running()) startLesson();
     headsetStarted_ = headsetStarted_ || headsetFrame_;
@@ -244,7 +243,7 @@ void DesktopApp::simulate(const InputFrame& input, double seconds) {
     if (!session_.running()) return;
     controls_.update(input, seconds);
     // The desk takes the torch over by catching the mouse.
-    const HeldTorchAt held = headsetFrame_ && !controls_.captured() ? headset_->torch() : HeldTorchAt{};
+    const TorchSource held = headsetFrame_ && !controls_.captured() ? headset_->torch() : TorchSource{};
     session_.advance(controls_, seconds, &profiler_, held);
     session_.fillFigures(figures_);
     if (!session_.fault().empty())

@@ -5,10 +5,10 @@
 #include "app/desktop/interface.hpp"
 #include "app/desktop/window.hpp"
 #include "app/desktop/window_telemetry.hpp"
-#include "app/headset/headset_station.hpp"
+#include "app/headset/headset_front_end.hpp"
 #include "app/program/frame_meter.hpp"
+#include "app/session/lesson_session.hpp"
 #include "app/session/messages.hpp"
-#include "app/session/session.hpp"
 #include "app/session/settings.hpp"
 
 #include <chrono>
@@ -74,8 +74,8 @@ class DesktopApp {
     Window window_;
     ui::Interface interface_;
     gl::ShaderLibrary shaders_;
-    Session session_;
-    std::optional<HeadsetStation> headset_;
+    LessonSession session_;
+    std::optional<HeadsetFrontEnd> headset_;
     gl::Profiler profiler_;
     FrameMeter meter_;
     bool callsCounted_ = false; ///< the meter knows of allocations, stalls and the driver

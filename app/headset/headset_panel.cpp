@@ -46,7 +46,7 @@ HeadsetPanel::~HeadsetPanel() {
     ImGui::DestroyContext(imgui_);
 }
 
-void HeadsetPanel::draw(GLuint framebuffer, const PanelPointer& pointer, double elapsed,
+void HeadsetPanel::draw(GLuint framebuffer, const PointerOnPanel& pointer, double elapsed,
                         FunctionRef<void(ui::Context&)> content) {
     const Current current(imgui_);
     ImGuiIO& io = ImGui::GetIO();

@@ -12,8 +12,8 @@ struct ImGuiContext;
 
 namespace meltpool {
 
-/// What the pointer does on the panel.
-struct PanelPointer {
+/// What the pointer does on the panel in this frame.
+struct PointerOnPanel {
     std::optional<glm::vec2> place; ///< pixels from the top left corner; nothing: it points elsewhere
     bool pressed = false;
     float scroll = 0; ///< lines, up is positive
@@ -28,7 +28,8 @@ class HeadsetPanel {
 
     /// Draws what `content` puts into one window that fills the panel, into `framebuffer`. Dear ImGui's current context
     /// is the window's again afterwards.
-    void draw(GLuint framebuffer, const PanelPointer& pointer, double elapsed, FunctionRef<void(ui::Context&)> content);
+    void draw(GLuint framebuffer, const PointerOnPanel& pointer, double elapsed,
+              FunctionRef<void(ui::Context&)> content);
     /// Where the controls are, in the panel's pixels.
     const ui::Context& context() const { return context_; }
 

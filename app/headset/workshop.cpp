@@ -22,7 +22,7 @@ void Workshop::recentre(const xr::Pose& head, const HeadsetParameters& parameter
     glm::vec3 eyes(0, head.position.y, kReach); // where the head has to come to
     if (parameters.posture == HeadsetParameters::kSeated || !floorKnown) eyes.y = parameters.tableHeight + kSeatedDrop;
     sessionToWorkshop_ = {back, eyes - back * head.position};
-    placed_ = true;
+    recentreRequested_ = false;
 }
 
 WorkpiecePlace::WorkpiecePlace(const HeadsetParameters& parameters, float bottom)

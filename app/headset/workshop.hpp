@@ -19,7 +19,9 @@ class Workshop {
     /// Puts the workshop in front of a head at `head` (session space): turned to where it looks, upright. Standing,
     /// with the floor known, the floor stays the floor; else the table comes to the person.
     void recentre(const xr::Pose& head, const HeadsetParameters& parameters, bool floorKnown);
-    bool placed() const { return placed_; }
+    /// The next recentre() is wished for: at first, and after requestRecentre().
+    bool recentreRequested() const { return recentreRequested_; }
+    void requestRecentre() { recentreRequested_ = true; }
 
     /// From the session's space into the workshop.
     xr::Pose toWorkshop(const xr::Pose& inSession) const { return sessionToWorkshop_ * inSession; }
@@ -27,7 +29,7 @@ class Workshop {
 
   private:
     xr::Pose sessionToWorkshop_;
-    bool placed_ = false;
+    bool recentreRequested_ = true;
 };
 
 /// The workpiece on the table: its own frame (m, origin where the lesson puts it) enlarged by the zoom.

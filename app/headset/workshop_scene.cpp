@@ -53,7 +53,7 @@ void WorkshopScene::addRoom(float tableHeight) {
                 kDarkSteel, 0.2f);
 }
 
-void WorkshopScene::addTorch(const HandsInSight& hands) {
+void WorkshopScene::addTorch(const HandsView& hands) {
     const xr::Pose& tip = hands.tip; // its +z runs back from the tip
     const auto along = [&](float z, float y) { return tip * glm::vec3(0, y, z); };
     add(SolidShape::cone, alongLine(along(0.012f, 0), along(0.0f, 0), 0.006f), kCopper, 0.7f);
@@ -72,7 +72,7 @@ void WorkshopScene::addTorch(const HandsInSight& hands) {
             hands.arcGlow.value_or(kHeatGlow * hands.heat));
 }
 
-std::span<const Solid> WorkshopScene::build(const HeadsetParameters& parameters, const HandsInSight& hands) {
+std::span<const Solid> WorkshopScene::build(const HeadsetParameters& parameters, const HandsView& hands) {
     solids_.clear();
     addRoom(parameters.tableHeight);
     if (hands.torch) addTorch(hands);

@@ -1,7 +1,7 @@
 // What is to be seen in the headset besides the metal: floor, table, torch, filler rod and pointer, as simple solids.
 #pragma once
 
-#include "app/headset/held_torch.hpp"
+#include "app/headset/tracked_torch.hpp"
 #include "core/render/solids.hpp"
 
 #include <optional>
@@ -11,7 +11,7 @@
 namespace meltpool {
 
 /// What the hands hold in this frame, in the workshop.
-struct HandsInSight {
+struct HandsView {
     bool torch = false;
     xr::Pose tip;
     xr::Pose grip;
@@ -30,11 +30,11 @@ class WorkshopScene {
     WorkshopScene();
     /// The solids of this frame, in the workshop's metres; valid until the next call. Makes no allocation after the
     /// first.
-    std::span<const Solid> build(const HeadsetParameters& parameters, const HandsInSight& hands);
+    std::span<const Solid> build(const HeadsetParameters& parameters, const HandsView& hands);
 
   private:
     void addRoom(float tableHeight);
-    void addTorch(const HandsInSight& hands);
+    void addTorch(const HandsView& hands);
     void add(SolidShape shape, const glm::mat4& toWorld, const glm::vec3& colour, float gloss,
              const glm::vec3& glow = glm::vec3(0.0f));
 

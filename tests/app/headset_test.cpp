@@ -1,7 +1,7 @@
 // The headset's workshop, held torch and visor: geometry and time without a runtime.
-#include "app/headset/held_torch.hpp"
 #include "app/headset/tip_measuring.hpp"
-#include "app/headset/torch_hold.hpp"
+#include "app/headset/torch_selector.hpp"
+#include "app/headset/tracked_torch.hpp"
 #include "app/headset/visor.hpp"
 #include "app/headset/workshop.hpp"
 #include "tests/support/catch.hpp"
@@ -72,7 +72,7 @@ TEST_CASE("the tip follows the calibration, and steps divide the frame's way eve
     const WorkpiecePlace place(parameters, 0.0f);
     xr::TipCalibration calibration;
     calibration.offset = {0, 0, -0.15f};
-    HeldTorch torch;
+    TrackedTorch torch;
     const Workshop workshop;
     torch.update(handAt({0, 1, 0}), calibration, workshop, 0.0);
     torch.update(handAt({0.04f, 1, 0}), calibration, workshop, 0.02);
@@ -87,7 +87,7 @@ TEST_CASE("the tip follows the calibration, and steps divide the frame's way eve
 TEST_CASE("losing the hand puts the arc out at once, and its return draws no line") {
     HeadsetParameters parameters;
     const WorkpiecePlace place(parameters, 0.0f);
-    HeldTorch torch;
+    TrackedTorch torch;
     const Workshop workshop;
     CHECK_FALSE(torch.known());
     torch.update(handAt({0, 1, 0}), {}, workshop, 0.02);
@@ -156,52 +156,52 @@ constexpr double kTick = 0.02;
 } // namespace
 
 TEST_CASE("a tracker that is wanted holds the torch as soon as it is seen, and no arc strikes by that") {
-    TorchHold hold;
+    TorchSelector selector;
     xr::HandInput hand = handAt({0, 1, 0});
     std::vector<xr::TrackerInput> trackers{trackerAt({1, 1, 1}, false), trackerAt({2, 1, 1}, false)};
-    hold.update(false, hand, trackers, kTick);
-    CHECK(hold.holder() == TorchHolder::hand);
-    CHECK(hold.torch().trigger == 1.0f);
-    CHECK(hold.warning().empty());
-    hold.update(true, hand, trackers, kTick);
-    CHECK(hold.holder() == TorchHolder::hand);
-    CHECK_THAT(std::string(hold.warning()), test::containsText("No tracker"));
+    selector.update(false, hand, trackers, kTick);
+    CHECK(selector.holder() == TorchHolder::hand);
+    CHECK(selector.torch().trigger == 1.0f);
+    CHECK(selector.warning().empty());
+    selector.update(true, hand, trackers, kTick);
+    CHECK(selector.holder() == TorchHolder::hand);
+    CHECK_THAT(std::string(selector.warning()), test::containsText("No tracker"));
     trackers[1].tracked = true;
-    hold.update(true, hand, trackers, kTick);
-    CHECK(hold.holder() == TorchHolder::tracker);
-    CHECK(hold.tracker() == 1);
-    CHECK(hold.changed());
-    CHECK(hold.torch().grip.position == glm::vec3(2, 1, 1));
-    CHECK(hold.torch().trigger == 0.0f); // it was pulled before
-    hold.update(true, hand, trackers, kTick);
-    CHECK_FALSE(hold.changed());
-    CHECK(hold.torch().trigger == 0.0f);
+    selector.update(true, hand, trackers, kTick);
+    CHECK(selector.holder() == TorchHolder::tracker);
+    CHECK(selector.tracker() == 1);
+    CHECK(selector.changed());
+    CHECK(selector.torch().grip.position == glm::vec3(2, 1, 1));
+    CHECK(selector.torch().trigger == 0.0f); // it was pulled before
+    selector.update(true, hand, trackers, kTick);
+    CHECK_FALSE(selector.changed());
+    CHECK(selector.torch().trigger == 0.0f);
     hand.trigger = 0;
-    hold.update(true, hand, trackers, kTick);
+    selector.update(true, hand, trackers, kTick);
     trackers[1].trigger = 0.6f; // a switch on its pins
     trackers[0].tracked = true; // a better role appears: the one in use stays
-    hold.update(true, hand, trackers, kTick);
-    CHECK(hold.torch().trigger == 0.6f);
-    CHECK(hold.tracker() == 1);
+    selector.update(true, hand, trackers, kTick);
+    CHECK(selector.torch().trigger == 0.6f);
+    CHECK(selector.tracker() == 1);
     hand.trigger = 1;
-    hold.update(true, hand, trackers, kTick);
-    CHECK(hold.torch().trigger == 1.0f);
-    hold.update(false, hand, trackers, kTick);
-    CHECK(hold.holder() == TorchHolder::hand);
-    CHECK(hold.torch().trigger == 0.0f);
+    selector.update(true, hand, trackers, kTick);
+    CHECK(selector.torch().trigger == 1.0f);
+    selector.update(false, hand, trackers, kTick);
+    CHECK(selector.holder() == TorchHolder::hand);
+    CHECK(selector.torch().trigger == 0.0f);
 }
 
 TEST_CASE("a tracker out of sight puts the arc out at once, and gives the torch to the hand after a while") {
-    TorchHold hold;
-    HeldTorch torch;
+    TorchSelector selector;
+    TrackedTorch torch;
     const Workshop workshop;
     xr::HandInput hand = handAt({0, 1, 0});
     hand.trigger = 0;
     std::vector<xr::TrackerInput> trackers{trackerAt({1, 1, 1})};
     const auto frame = [&](double elapsed = kTick) {
-        hold.update(true, hand, trackers, elapsed);
-        if (hold.changed()) torch.lose();
-        torch.update(hold.torch(), {}, workshop, elapsed);
+        selector.update(true, hand, trackers, elapsed);
+        if (selector.changed()) torch.lose();
+        torch.update(selector.torch(), {}, workshop, elapsed);
     };
     frame();
     hand.trigger = 1;
@@ -210,14 +210,14 @@ TEST_CASE("a tracker out of sight puts the arc out at once, and gives the torch 
     trackers[0].tracked = false;
     frame();
     CHECK(torch.trigger() == 0.0f);
-    CHECK(hold.holder() == TorchHolder::tracker);
-    CHECK_THAT(std::string(hold.warning()), test::containsText("arc is out"));
-    frame(TorchHold::kPatience);
-    CHECK(hold.holder() == TorchHolder::hand);
+    CHECK(selector.holder() == TorchHolder::tracker);
+    CHECK_THAT(std::string(selector.warning()), test::containsText("arc is out"));
+    frame(TorchSelector::kPatience);
+    CHECK(selector.holder() == TorchHolder::hand);
     CHECK(torch.tip().position.x == Approx(0));
     CHECK(torch.velocity() == glm::vec3(0.0f)); // no way is drawn from the tracker to the hand
     CHECK(torch.trigger() == 0.0f);
-    CHECK_THAT(std::string(hold.warning()), test::containsText("in the hand"));
+    CHECK_THAT(std::string(selector.warning()), test::containsText("in the hand"));
     hand.trigger = 0;
     frame();
     hand.trigger = 1;
@@ -225,7 +225,7 @@ TEST_CASE("a tracker out of sight puts the arc out at once, and gives the torch 
     CHECK(torch.trigger() == 1.0f);
     trackers[0].tracked = true;
     frame();
-    CHECK(hold.holder() == TorchHolder::tracker);
+    CHECK(selector.holder() == TorchHolder::tracker);
     CHECK(torch.trigger() == 0.0f);
     CHECK(torch.tip().position.x == Approx(1));
 }

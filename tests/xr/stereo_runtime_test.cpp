@@ -40,7 +40,7 @@ struct Lesson {
         SceneView scene;
         scene.mesh = surface.mesh();
         scene.modelToWorld = place.modelToWorkshop(0.04f);
-        HandsInSight hands;
+        HandsView hands;
         hands.torch = true;
         hands.tip = {glm::angleAxis(-0.7f, glm::vec3(1, 0, 0)), place.toWorkshop({0.03f, 0.03f, 0.03f})};
         hands.grip = hands.tip * xr::Pose{{1, 0, 0, 0}, {0, 0.03f, 0.15f}};

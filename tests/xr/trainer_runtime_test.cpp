@@ -125,7 +125,7 @@ TEST_CASE("the runtime is killed in mid-weld: the window goes on, the headset is
     REQUIRE(kill(servicePid(), SIGKILL) == 0);
     REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["state"] == "searching"; }, 3));
     const json lost = trainer.now();
-    CHECK_THAT(lost["headset"]["warning"].get<std::string>(), containsText("gone"));
+    CHECK_THAT(lost["headset"]["warning"].get<std::string>(), containsText("has stopped"));
     REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["state"] == "running"; }, 20));
     CHECK(trainer.now()["headset"]["openings"] == 2);
     CHECK(trainer.now()["metal"]["time"] > lost["metal"]["time"]);

@@ -13,7 +13,7 @@ enum class TorchHolder { hand, tracker };
 /// A tracker that is wanted holds the torch from when it is first seen. Out of sight its arc is out; after kPatience
 /// the hand has the torch until the tracker is back. Whenever the holder changes, the arc stays out until the trigger
 /// was let go once: no arc strikes where nobody meant it to.
-class TorchHold {
+class TorchSelector {
   public:
     static constexpr double kPatience = 2; ///< s
 

@@ -1,4 +1,4 @@
-#include "app/headset/torch_hold.hpp"
+#include "app/headset/torch_selector.hpp"
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@ constexpr float kLetGo = 0.05f; // of the trigger's way
 
 } // namespace
 
-void TorchHold::choose(bool wanted, std::span<const xr::TrackerInput> trackers, double elapsed) {
+void TorchSelector::choose(bool wanted, std::span<const xr::TrackerInput> trackers, double elapsed) {
     wanted_ = wanted;
     // The tracker in use stays the one as long as it is seen.
     if (tracker_ >= trackers.size() || !trackers[tracker_].tracked)
@@ -24,8 +24,8 @@ void TorchHold::choose(bool wanted, std::span<const xr::TrackerInput> trackers, 
     holder_ = now;
 }
 
-void TorchHold::update(bool wanted, const xr::HandInput& hand, std::span<const xr::TrackerInput> trackers,
-                       double elapsed) {
+void TorchSelector::update(bool wanted, const xr::HandInput& hand, std::span<const xr::TrackerInput> trackers,
+                           double elapsed) {
     choose(wanted, trackers, elapsed);
     torch_ = hand;
     if (holder_ == TorchHolder::tracker) {
@@ -39,7 +39,7 @@ void TorchHold::update(bool wanted, const xr::HandInput& hand, std::span<const x
     if (blocked_) torch_.trigger = 0;
 }
 
-std::string_view TorchHold::warning() const {
+std::string_view TorchSelector::warning() const {
     if (!wanted_ || inSight_) return {};
     if (!seen_) return "No tracker is to be seen: the torch is in the hand.";
     if (holder_ == TorchHolder::tracker) return "The torch's tracker is out of sight: the arc is out.";

@@ -1,9 +1,9 @@
-#include "app/headset/held_torch.hpp"
+#include "app/headset/tracked_torch.hpp"
 
 namespace meltpool {
 
-void HeldTorch::update(const xr::HandInput& hand, const xr::TipCalibration& calibration, const Workshop& workshop,
-                       double elapsed) {
+void TrackedTorch::update(const xr::HandInput& hand, const xr::TipCalibration& calibration, const Workshop& workshop,
+                          double elapsed) {
     const bool continues = tracked_;
     tracked_ = hand.tracked;
     before_ = now_;
@@ -18,7 +18,7 @@ void HeldTorch::update(const xr::HandInput& hand, const xr::TipCalibration& cali
     if (elapsed > 0) velocity_ = (now_.position - before_.position) / static_cast<float>(elapsed);
 }
 
-TorchSample HeldTorch::sample(const WorkpiecePlace& place, int step, int steps) const {
+TorchSample TrackedTorch::sample(const WorkpiecePlace& place, int step, int steps) const {
     const float t = static_cast<float>(step + 1) / static_cast<float>(steps > 0 ? steps : 1);
     const xr::Pose tip = xr::interpolate(before_, now_, t);
     TorchSample sample;

@@ -1,4 +1,4 @@
-#include "app/session/session.hpp"
+#include "app/session/lesson_session.hpp"
 
 #include "core/base/error.hpp"
 #include "core/base/resources.hpp"
@@ -60,10 +60,10 @@ void LessonSections::restoreDefaults() {
             setParameter(each->parameters, key, text, each->name);
 }
 
-Session::Session(gl::ShaderLibrary& shaders, Lesson lesson)
+LessonSession::LessonSession(gl::ShaderLibrary& shaders, Lesson lesson)
     : shaders_(shaders), lesson_(std::move(lesson)), sections_(lesson_), renderer_(shaders) {}
 
-void Session::begin(Controls& controls) {
+void LessonSession::begin(Controls& controls) {
     controls.restart();
     controls.source().setCold(lesson_.source.kind == 1);
     const CameraParameters& camera = lesson_.camera;
@@ -77,12 +77,12 @@ void Session::begin(Controls& controls) {
     surfaceIsOld_ = true;
 }
 
-void Session::record(const std::filesystem::path& file) {
+void LessonSession::record(const std::filesystem::path& file) {
     record_ = file;
     if (running()) trainer_->record(record_);
 }
 
-void Session::reset(Controls& controls) {
+void LessonSession::reset(Controls& controls) {
     if (!running()) return;
     controls.reset();
     trainer_->reset();
@@ -91,7 +91,7 @@ void Session::reset(Controls& controls) {
     surfaceIsOld_ = true;
 }
 
-bool Session::takeOverChanges(const Controls& controls) {
+bool LessonSession::takeOverChanges(const Controls& controls) {
     lesson_.source.kind = controls.source().cold() ? 1 : 0;
     Lesson& running = trainer_->lesson();
     running.metal = lesson_.metal;
@@ -103,7 +103,7 @@ bool Session::takeOverChanges(const Controls& controls) {
     return changed;
 }
 
-void Session::advance(const Controls& controls, double seconds, gl::Profiler* profiler, const HeldTorchAt& held) {
+void LessonSession::advance(const Controls& controls, double seconds, gl::Profiler* profiler, const TorchSource& held) {
     if (!running()) return;
     surfaceIsOld_ |= takeOverChanges(controls);
     held_ = static_cast<bool>(held);
@@ -122,13 +122,13 @@ void Session::advance(const Controls& controls, double seconds, gl::Profiler* pr
     }
 }
 
-void Session::sound(const TorchSample& torch) {
+void LessonSession::sound(const TorchSample& torch) {
     if (!running()) return;
     if (const auto fresh = trainer_->pollSounding()) sounding_ = *fresh;
     trainer_->requestSounding(torch);
 }
 
-SceneView Session::scene(gl::Profiler* profiler) {
+SceneView LessonSession::scene(gl::Profiler* profiler) {
     if (!running()) return {};
     // A hand feels the surface whether it is shown or not.
     if (surfaceIsOld_ && (held_ || lesson_.look.mode != kPointsMode)) {
@@ -138,17 +138,17 @@ SceneView Session::scene(gl::Profiler* profiler) {
     return trainer_->scene();
 }
 
-float Session::unit() const {
+float LessonSession::unit() const {
     return kClassicUnit;
 }
 
-float Session::bottom() const {
+float LessonSession::bottom() const {
     if (!running()) return 0.0f;
     const SceneView scene = trainer_->scene();
     return (scene.modelToWorld * glm::vec4(0, scene.boxMin.y, 0, 1)).y * unit();
 }
 
-void Session::draw(const Controls& controls, glm::ivec2 pixels, float shift, gl::Profiler* profiler) {
+void LessonSession::draw(const Controls& controls, glm::ivec2 pixels, float shift, gl::Profiler* profiler) {
     SceneView scene = this->scene(profiler);
     if (!held_) {
         const SteeredSource& source = controls.source();
@@ -162,7 +162,7 @@ void Session::draw(const Controls& controls, glm::ivec2 pixels, float shift, gl:
     renderer_.draw(scene, lesson_.look, views, {0, {0, 0, pixels.x, pixels.y}}, profiler);
 }
 
-void Session::fillFigures(LessonFigures& figures) const {
+void LessonSession::fillFigures(LessonFigures& figures) const {
     if (!running()) return;
     const MetalStatistics& metal = trainer_->figures();
     figures.time = trainer_->time();

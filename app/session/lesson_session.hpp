@@ -34,14 +34,14 @@ struct LessonSections {
 Lesson loadLesson(const std::string& name);
 
 /// The torch that something else than the mouse leads: the sample for step `step` (from 0) of the `steps` of a frame.
-using HeldTorchAt = std::function<TorchSample(int step, int steps)>;
+using TorchSource = std::function<TorchSample(int step, int steps)>;
 
-class Session {
+class LessonSession {
   public:
     /// Throws InputError when the shaders cannot be used.
-    Session(gl::ShaderLibrary& shaders, Lesson lesson);
-    Session(const Session&) = delete;
-    Session& operator=(const Session&) = delete;
+    LessonSession(gl::ShaderLibrary& shaders, Lesson lesson);
+    LessonSession(const LessonSession&) = delete;
+    LessonSession& operator=(const LessonSession&) = delete;
 
     /// Makes fresh metal from the start values. Throws InputError or RuntimeFault when the machine cannot hold it.
     void begin(Controls& controls);
@@ -56,7 +56,7 @@ class Session {
 
     /// Runs the steps that `seconds` of real time ask for. With `held` that leads the torch; else the controls do, and
     /// nothing runs while the person looks around.
-    void advance(const Controls& controls, double seconds, gl::Profiler* profiler, const HeldTorchAt& held = {});
+    void advance(const Controls& controls, double seconds, gl::Profiler* profiler, const TorchSource& held = {});
     /// `shift`: how far right of the window's middle the picture's middle is, as a share of half its width.
     void draw(const Controls& controls, glm::ivec2 pixels, float shift, gl::Profiler* profiler);
 

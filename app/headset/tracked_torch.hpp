@@ -11,7 +11,7 @@
 
 namespace meltpool {
 
-class HeldTorch {
+class TrackedTorch {
   public:
     /// Takes the frame's hand. Where it is not tracked the arc goes out at once and the torch stays where it was last
     /// seen. `elapsed`: real seconds since the last frame, for the tip's speed.

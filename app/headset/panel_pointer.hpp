@@ -1,0 +1,44 @@
+// The panel in the workshop: whether it is open, where it hangs, and which hand points at it.
+#pragma once
+
+#include "app/headset/headset_panel.hpp"
+#include "app/headset/headset_parameters.hpp"
+#include "app/headset/workshop.hpp"
+#include "xr/input/input.hpp"
+#include "xr/session/panel.hpp"
+
+#include <optional>
+
+namespace meltpool {
+
+class PanelPointer {
+  public:
+    explicit PanelPointer(const HeadsetParameters& parameters) : parameters_(parameters) {}
+
+    /// Takes the frame's hands. The menu button of a hand opens and closes the panel, and that hand points; the other
+    /// one takes over when it pulls its trigger at the panel.
+    void update(const xr::Input& input, const Workshop& workshop, const xr::PanelShape& shape, xr::Hand torchHand);
+
+    bool open() const { return open_; }
+    /// Of the panel, in the workshop.
+    xr::Pose pose() const;
+    const PointerOnPanel& pointer() const { return pointer_; }
+    /// The hand that points at the panel now; nothing: none does.
+    std::optional<xr::Hand> pointingHand() const;
+    /// The pointer's ray in the workshop, from the hand to the panel. Only while a hand points at it.
+    const glm::vec3& rayStart() const { return ray_.position; }
+    const glm::vec3& rayEnd() const { return rayEnd_; }
+
+  private:
+    bool pointWith(xr::Hand which, const xr::Input& input, const Workshop& workshop, const xr::PanelShape& shape);
+
+    const HeadsetParameters& parameters_;
+    xr::Hand torchHand_ = xr::Hand::right;
+    xr::Hand hand_ = xr::Hand::right; ///< opened the panel, or pulled its trigger at it last
+    bool open_ = false;
+    PointerOnPanel pointer_;
+    xr::Pose ray_; ///< of the pointing hand, in the workshop
+    glm::vec3 rayEnd_{0.0f};
+};
+
+} // namespace meltpool

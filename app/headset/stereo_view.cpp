@@ -1,0 +1,56 @@
+#include "app/headset/stereo_view.hpp"
+
+#include <array>
+#include <numbers>
+#include <optional>
+
+namespace meltpool {
+
+namespace {
+
+std::optional<ViewSubmission> wantedSubmission(const HeadsetParameters& parameters) {
+    if (parameters.bothEyes == HeadsetParameters::kAutomatic) return std::nullopt;
+    return kViewSubmissions[static_cast<size_t>(parameters.bothEyes - HeadsetParameters::kViewports)];
+}
+
+View viewOf(const Workshop& workshop, const xr::EyeView& eye, const xr::BothEyes& eyes) {
+    const xr::Pose pose = workshop.toWorkshop(eye.pose);
+    return {pose.inverse().matrix(), xr::projection(eye.fov, eyes.nearZ, eyes.farZ), pose.position};
+}
+
+} // namespace
+
+void StereoView::takeHands(const HeadsetHands& hands, const PanelPointer& panel) {
+    const TrackedTorch& torch = hands.torch();
+    hands_ = {};
+    hands_.torch = torch.known();
+    hands_.tip = torch.tip();
+    hands_.grip = torch.grip();
+    hands_.heat = torch.trigger();
+    if (!panel.open()) hands_.rod = hands.rod();
+    if (panel.pointingHand()) {
+        hands_.rayStart = panel.rayStart();
+        hands_.rayEnd = panel.rayEnd();
+    }
+}
+
+void StereoView::draw(LessonSession& session, const SceneView& lesson, const WorkpiecePlace& place,
+                      const Workshop& workshop, const xr::BothEyes& eyes, gl::Profiler* profiler) {
+    SceneView scene = lesson;
+    hands_.arcGlow.reset();
+    if (scene.arc.intensity.g > 0)
+        hands_.arcGlow = scene.arc.intensity / (std::numbers::pi_v<float> * scene.arc.radius * scene.arc.radius);
+    scene.modelToWorld = place.modelToWorkshop(session.unit()) * scene.modelToWorld;
+    scene.solids = scene_.build(parameters_, hands_);
+    scene.source.shown = false; // the drawn torch takes its place
+    LookParameters look = session.lesson().look;
+    look.showBox = false;
+    visor_.wear(parameters_, scene.temperature.kelvin, look);
+    Renderer& renderer = session.renderer();
+    renderer.submitBy(wantedSubmission(parameters_));
+    const std::array<View, 2> views{viewOf(workshop, eyes.views[0], eyes), viewOf(workshop, eyes.views[1], eyes)};
+    renderer.draw(scene, look, views, {eyes.framebuffer, {0, 0, 2 * eyes.width, eyes.height}, eyes.encodesSrgb},
+                  profiler);
+}
+
+} // namespace meltpool

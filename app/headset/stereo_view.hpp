@@ -1,0 +1,33 @@
+// What both eyes see: the lesson's metal on the table, the workshop around it, and the visor before it.
+#pragma once
+
+#include "app/headset/headset_hands.hpp"
+#include "app/headset/panel_pointer.hpp"
+#include "app/headset/visor.hpp"
+#include "app/headset/workshop_scene.hpp"
+#include "app/session/lesson_session.hpp"
+#include "xr/headset.hpp"
+
+namespace meltpool {
+
+class StereoView {
+  public:
+    explicit StereoView(const HeadsetParameters& parameters) : parameters_(parameters) {}
+
+    /// Darkens the visor with the heat of the torch. `elapsed`: real seconds since the last frame.
+    void update(const TrackedTorch& torch, double elapsed) { visor_.update(torch.trigger() > 0, elapsed); }
+
+    /// Sets what draw() shows besides the metal.
+    void takeHands(const HeadsetHands& hands, const PanelPointer& panel);
+    /// Draws both eyes. `lesson` is the lesson's scene of this frame, `place` where its workpiece lies.
+    void draw(LessonSession& session, const SceneView& lesson, const WorkpiecePlace& place, const Workshop& workshop,
+              const xr::BothEyes& eyes, gl::Profiler* profiler);
+
+  private:
+    const HeadsetParameters& parameters_;
+    WorkshopScene scene_;
+    HandsView hands_;
+    Visor visor_;
+};
+
+} // namespace meltpool
