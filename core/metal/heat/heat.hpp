@@ -5,46 +5,19 @@
 #include "core/gl/buffer_view.hpp"
 #include "core/gl/profiler.hpp"
 #include "core/gl/program.hpp"
+#include "core/metal/heat/heat_source.hpp"
 #include "core/metal/state/metal_state.hpp"
 #include "shaders/shared/dispatch.h"
 #include "shaders/shared/heat.h"
-
-#include <glm/vec3.hpp>
 
 #include <vector>
 
 namespace meltpool {
 
-/// Something that heats metal. The factories state what each needs; power in W goes in exactly, whatever metal is
-/// there, and not at all where there is none.
-struct HeatSource {
-    int kind = SOURCE_SPHERE;
-    glm::vec3 place{0};
-    glm::vec3 axis{0, -1, 0}; ///< unit vector into the metal
-    glm::vec3 ahead{1, 0, 0}; ///< unit vector of travel
-    float power = 0;          ///< W
-    float size = 0;           ///< radius, sigma or front half-axis, m
-    glm::vec4 shape{0};       ///< see HeatSourceData
-
-    /// Volume source 1 - d²/R² of the classic model.
-    static HeatSource sphere(glm::vec3 centre, float radius, float power);
-    /// Gaussian flux exp(-r²/(2 sigma²)) around `axis`, on surface that faces it.
-    static HeatSource gaussian(glm::vec3 place, glm::vec3 axis, float sigma, float power);
-    /// Goldak's double ellipsoid. Half-axes in m; the front takes `frontFraction`/2 of the power.
-    static HeatSource ellipsoid(glm::vec3 place, glm::vec3 axis, glm::vec3 ahead, float halfWidth, float depth,
-                                float front, float rear, float frontFraction, float power);
-    /// A tool at `temperature` (K) that touches all surface within `radius`; gives coefficient (W/(m² K)) times area
-    /// times difference, and never more than `power`.
-    static HeatSource hotTip(glm::vec3 place, float radius, float temperature, float coefficient, float power);
-
-    /// Distance from `place` beyond which the source gives nothing that counts, m.
-    float reach() const;
-};
-
 /// The surroundings and the method.
 struct HeatSettings {
     double ambient = 293.15;     ///< K
-    double tableHeight = 0;      ///< m, y of the table that fallen metal lies on
+    double tableHeight = 0;      ///< m, y of the welding table that fallen metal lies on
     double tableConductance = 0; ///< W/(m² K) from metal that lies on the table, at ambient temperature; 0: none
     double convection = 0;       ///< W/(m² K); 0 together with `radiation` false: insulated
     bool radiation = false;      ///< with the material's emissivity at the liquidus
@@ -89,7 +62,7 @@ class HeatSolver {
     /// Throws RuntimeFault for more than HEAT_SOURCES sources.
     void step(double seconds, std::span<const HeatSource> sources, gl::Profiler* profiler = nullptr);
 
-    /// After particles were added to or taken off the lattice by others: reads it anew and wakes every tile.
+    /// After others added particles to the lattice or took some off: reads the whole lattice and wakes every tile.
     void refresh();
 
     OffLatticeList offLattice() const;
@@ -111,25 +84,26 @@ class HeatSolver {
     void writeTable();
     void prepareBlock();
     void writeBlock(double seconds, std::span<const HeatSource> sources);
+    void writeSource(HeatSourceData& data, const HeatSource& source, int firstTileSum) const;
     void bind() const;
     void indirect(const gl::Program& program, size_t groups) const;
-    void findLoose();
+    void depositOffLattice();
     void listTiles();
-    void weighSources();
-    void conduct();
-    void advance();
+    void normaliseSources();
+    void stepMixedCells();
+    void stepLatticeMetal();
 
     MetalState& state_;
     const Material material_;
     HeatSettings settings_;
     HeatBlock block_{};
-    size_t looked_ = 0; ///< slots that were looked at for loose metal
+    size_t searched_ = 0; ///< slots that were searched for metal off the lattice
     unsigned regroupings_ = 0;
     double time_ = 0; ///< s
-    const gl::Program *refresh_, *collect_, *deposit_, *tiles_, *mean_, *weigh_, *total_, *spread_, *conduct_,
-        *advanceLoose_, *advance_;
-    gl::Buffer blockBuffer_, table_, cellTheta_, cellWeight_, cellPower_, cellArea_, cellSums_, tileState_, tileStamps_,
-        lists_, control_, homes_, partial_, ledger_;
+    const gl::Program *refresh_, *listOffLattice_, *deposit_, *listTiles_, *averageCells_, *sourceWeights_,
+        *normaliseSources_, *conductMixed_, *advanceOffLattice_, *conductPlain_, *advanceMixed_;
+    gl::Buffer blockBuffer_, table_, cellTheta_, cellWeight_, cellSums_, tiles_, tileStamps_, lists_, control_,
+        knownCells_, sourceSums_, ledger_;
     std::vector<Texels> texels_;
 };
 

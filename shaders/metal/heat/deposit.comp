@@ -1,17 +1,17 @@
 #version 450 core
-// Adds each loose particle's share to the sums of the eight cells around it.
+// Adds the shares of each particle off the lattice to the sums of the eight cells around it.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/dispatch.h"
 layout(local_size_x = GROUP_SIZE) in;
 #include "metal/heat/common.glsl"
-#include "metal/heat/loose.glsl"
-layout(std430, binding = HEAT_CELL_SUMS) restrict buffer CellSums { HeatSum cellSums[]; };
+#include "metal/heat/off_lattice.glsl"
+layout(std430, binding = HEAT_CELL_SUMS) restrict buffer CellSums { CellSum cellSums[]; };
 layout(std430, binding = HEAT_CONTROL) restrict readonly buffer Control { HeatControl control; };
 
 void main() {
     uint entry = linearInvocation();
-    if (entry >= control.loose.w) return;
-    uint slot = looseSlot(entry);
+    if (entry >= control.offLatticeCount) return;
+    uint slot = offLatticeSlot(entry);
     if ((texelFetch(phaseTexels, int(slot)).x & PHASE_ALIVE) == 0u) return;
     float theta = thermalState(texelFetch(heatTexels, int(slot)).x).y;
     Shares shares = sharesOf(texelFetch(positionTexels, int(slot)).xyz);
@@ -19,9 +19,9 @@ void main() {
         float weight;
         int cell = shareCell(shares, corner, weight);
         if (cell < 0 || weight == 0.0) continue;
-        atomicAdd(cellSums[cell].weight, uint(weight * LOOSE_UNIT));
-        atomicAdd(cellSums[cell].theta, uint(weight * theta / heatBlock.loose.x + 0.5));
+        atomicAdd(cellSums[cell].weight, uint(weight * SHARE_UNIT));
+        atomicAdd(cellSums[cell].theta, uint(weight * theta / heatBlock.thetaUnit + 0.5));
         int tile = cell / TILE_CELLS;
-        if (notesOf(tile).y != heatBlock.step.x) tiles[tile].lastLoose = heatBlock.step.x;
+        if (notesOf(tile).lastOffLattice != heatBlock.stepNumber) tiles[tile].lastOffLattice = heatBlock.stepNumber;
     }
 }

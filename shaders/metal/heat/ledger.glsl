@@ -1,4 +1,4 @@
-// Books every joule in and out, where LEDGER is defined. Included after heat_common.glsl.
+// Books every joule in and out, where LEDGER is defined. Included after common.glsl.
 #ifdef LEDGER
 layout(std430, binding = HEAT_LEDGER) restrict buffer Ledger { vec4 ledger[]; };
 
@@ -11,11 +11,11 @@ vec2 carried(vec2 sum, float added) {
     return vec2(total, rest);
 }
 
-/// `place`: a cell, or the number of cells plus a slot.
-void book(int place, float gained, float lost) {
-    vec4 entry = ledger[place];
-    ledger[place] = vec4(carried(entry.xy, gained), carried(entry.zw, lost));
+/// `account`: a cell, or the number of cells plus a slot.
+void book(int account, float gained, float lost) {
+    vec4 entry = ledger[account];
+    ledger[account] = vec4(carried(entry.xy, gained), carried(entry.zw, lost));
 }
 #else
-void book(int place, float gained, float lost) {}
+void book(int account, float gained, float lost) {}
 #endif

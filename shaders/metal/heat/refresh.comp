@@ -4,11 +4,11 @@
 #include "shared/dispatch.h"
 layout(local_size_x = GROUP_SIZE) in;
 #include "metal/heat/common.glsl"
-layout(std430, binding = HEAT_HOMES) restrict writeonly buffer Homes { uint homes[]; };
+layout(std430, binding = HEAT_KNOWN_CELLS) restrict writeonly buffer KnownCells { uint knownCell[]; };
 
 void main() {
     uint cell = linearInvocation();
-    uint cells = uint(heatBlock.step.w) * TILE_CELLS;
+    uint cells = uint(heatBlock.tileCount) * TILE_CELLS;
     if (cell >= cells) return;
     uint entry = latticeSlot[cell];
     float theta = kEmpty;
@@ -17,15 +17,15 @@ void main() {
         vec2 state = thermalState(heat[slot].x);
         theta = (phase[slot] & PHASE_HELD) != 0u ? markHeld(state.y) : state.y;
         position[slot].w = state.x;
-        homes[slot] = cell + 1u;
+        knownCell[slot] = cell + 1u;
     }
     cellTheta[cell] = theta;
     cellTheta[cells + cell] = theta;
     cellWeight[cell] = entry != 0u ? 1.0 : 0.0;
     if (cell % TILE_CELLS != 0u) return;
-    int now = heatBlock.step.x;
+    int now = heatBlock.stepNumber;
     int never = now - 1000;
-    tiles[cell / TILE_CELLS] = HeatTile(now, never, never, now, 0.0, heatBlock.clock.x, uint[2](0u, 0u));
+    tiles[cell / TILE_CELLS] = HeatTile(now, never, never, now, 0.0, heatBlock.endTime, uint[2](0u, 0u));
     bool filled = false;
     for (uint inside = 0u; inside < TILE_CELLS; ++inside) filled = filled || latticeSlot[cell + inside] != 0u;
     tileStamp[cell / TILE_CELLS] = filled ? now << TILE_STEP_SHIFT : TILE_NO_METAL;

@@ -72,7 +72,7 @@ std::vector<double> twinStep(const MetalLattice& lattice, const std::vector<Meta
         power[i] -= area * settings.convection * (t - settings.ambient);
         if (settings.radiation)
             power[i] -= area * m.emissivity.at(0) * 5.670374e-8 * (std::pow(t, 4) - std::pow(settings.ambient, 4));
-        const glm::dvec3 d = glm::dvec3(seeds[i].position) - glm::dvec3(source.place);
+        const glm::dvec3 d = glm::dvec3(seeds[i].position) - glm::dvec3(source.position);
         const glm::dvec3 axis(source.axis);
         const double depth = glm::dot(d, axis);
         const double size = glm::length(normal);

@@ -1,4 +1,4 @@
-// How heat changes one particle. Included after heat_common.glsl.
+// How heat changes one particle. Included after common.glsl.
 
 const float kCoolingFrom = 1073.15; // 800 degrees C
 const float kCoolingTo = 773.15;    // 500 degrees C

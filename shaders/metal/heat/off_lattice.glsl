@@ -1,6 +1,6 @@
-// Loose metal (off the lattice) and the cells: where a particle's eight shares go. Included after heat_common.glsl.
+// Metal off the lattice and the cells: where a particle's eight shares go (cloud in cell). Included after common.glsl.
 //
-// A loose particle belongs to the eight cells around it with trilinear weights; a particle of the lattice to its own cell
+// A particle off the lattice belongs to the eight cells around it with trilinear weights; a particle of the lattice to its own cell
 // with weight 1. A cell has the weighted mean of the Kirchhoff variable, cells exchange heat as they do on the lattice, and
 // what a cell gets goes back to its particles by the same weights. Every exchange is between two cells or between a cell and
 // its own particles, so nothing is gained or lost.
@@ -8,10 +8,10 @@
 /// What particles that share a cell exchange with it, in conductances of two neighbouring cells: evens out what the cells
 /// themselves cannot see. It also spreads heat, where the cells' unevenness hinders it: with 1.1 the two are even, and liquid
 /// conducts within 3 % of what it should, at rest or flowing; with 2 it would conduct 14 % too much.
-const float kWithin = 1.1;
+const float kCellExchange = 1.1;
 
-/// Slot number `entry` of the list of loose ones.
-uint looseSlot(uint entry) { return texelFetch(listTexels, 3 * heatBlock.step.w + int(entry)).x; }
+/// Slot number `entry` of the list of those off the lattice.
+uint offLatticeSlot(uint entry) { return texelFetch(listTexels, 3 * heatBlock.tileCount + int(entry)).x; }
 
 struct Shares {
     ivec3 base;    // lowest of the eight cells
@@ -24,12 +24,12 @@ Shares sharesOf(vec3 place) {
     return Shares(ivec3(low), q - low);
 }
 
-/// Cell `corner` (0 .. 7) of the shares and its weight, a whole number of 1/LOOSE_UNIT; -1 where it lies off the lattice.
+/// Cell `corner` (0 .. 7) of the shares and its weight, a whole number of 1/SHARE_UNIT; -1 where it lies off the lattice.
 int shareCell(Shares s, int corner, out float weight) {
     ivec3 bit = ivec3(corner & 1, (corner >> 1) & 1, corner >> 2);
     ivec3 cell = s.base + bit;
     vec3 w = mix(1.0 - s.fraction, s.fraction, vec3(bit));
-    weight = floor(w.x * w.y * w.z * LOOSE_UNIT) / LOOSE_UNIT;
+    weight = floor(w.x * w.y * w.z * SHARE_UNIT) / SHARE_UNIT;
     if (any(lessThan(cell, ivec3(0))) || any(greaterThanEqual(cell, metal.tiles * TILE_EDGE))) return -1;
     ivec3 tile = cell / TILE_EDGE;
     ivec3 inside = cell - tile * TILE_EDGE;

@@ -5,8 +5,7 @@
 #include "shared/dispatch.h"
 layout(local_size_x = GROUP_SIZE) in;
 #include "metal/heat/common.glsl"
-#include "metal/heat/source.glsl"
-layout(std430, binding = HEAT_PARTIAL) restrict buffer Partial { float partial[]; };
+layout(std430, binding = HEAT_SOURCE_SUMS) restrict buffer SourceSums { float sourceSum[]; };
 
 shared float sums[GROUP_SIZE];
 
@@ -15,11 +14,11 @@ void main() {
     int lane = int(gl_LocalInvocationIndex);
     HeatSourceData s = heatBlock.sources[source];
     float sum = 0.0;
-    for (int i = lane; i < s.tileCount.w; i += GROUP_SIZE)
-        if (tookPart(stampOf(tileIndex(sourceTile(s, i))), heatBlock.step.x)) sum += partial[s.lowTile.w + i];
+    for (int i = lane; i < s.tileCount; i += GROUP_SIZE)
+        if (tookPart(stampOf(tileIndex(sourceTile(s, i))), heatBlock.stepNumber)) sum += sourceSum[s.firstTileSum + i];
     sums[lane] = sum;
     barrier();
     if (lane != 0) return;
     for (int i = 1; i < GROUP_SIZE; ++i) sum += sums[i];
-    partial[source] = sum;
+    sourceSum[source] = sum;
 }

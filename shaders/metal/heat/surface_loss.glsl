@@ -1,32 +1,32 @@
-// What a free surface loses: convection, radiation and, where the material says how, evaporation. After heat_common.glsl.
+// What a free surface loses: convection, radiation and, where the material says how, evaporation. Included after common.glsl.
 
 /// Watts that `area` (m²) at `temperature` (K) loses to the air and by radiation.
 float surfaceLoss(float temperature, float area) {
-    float ambient = heatBlock.time.z;
+    float ambient = heatBlock.ambient;
     float t2 = temperature * temperature;
     float a2 = ambient * ambient;
-    return area * (heatBlock.time.y * (temperature - ambient) + heatBlock.time.w * (t2 * t2 - a2 * a2));
+    return area * (heatBlock.convection * (temperature - ambient) + heatBlock.radiation * (t2 * t2 - a2 * a2));
 }
 
-/// Watts a square metre loses by evaporation at `temperature`, after Hertz, Knudsen and Langmuir with the vapour pressure of
-/// Clausius and Clapeyron.
+/// Watts a square metre loses by evaporation at `temperature`, after Hertz (1882), Knudsen (1915) and Langmuir (1913), with the
+/// vapour pressure of Clausius and Clapeyron.
 float evaporationFlux(float temperature) {
-    float exponent = heatBlock.evaporation.y * (1.0 / heatBlock.evaporation.x - 1.0 / temperature);
-    return heatBlock.evaporation.z * inversesqrt(temperature) * exp(exponent);
+    float exponent = heatBlock.evaporationExponent * (1.0 / heatBlock.boilingPoint - 1.0 / temperature);
+    return heatBlock.evaporationFactor * inversesqrt(temperature) * exp(exponent);
 }
 
 /// Whether metal is so hot that its evaporation counts.
-bool evaporates(float temperature) { return temperature > 0.5 * heatBlock.evaporation.x; }
+bool evaporates(float temperature) { return temperature > 0.5 * heatBlock.boilingPoint; }
 
 /// Temperature after a step in which a surface that would have reached `hot` also evaporates. The flux rises so steeply that
 /// it is taken at the end of the step: Newton's method for T + area dt q(T)/(m c) = hot, which comes down from above.
 float afterEvaporation(float hot, float area) {
-    float cooling = area * heatBlock.time.x / (metal.particleMass * heatBlock.evaporation.w);
+    float cooling = area * heatBlock.timeStep / (metal.particleMass * heatBlock.liquidSpecificHeat);
     float t = hot;
     bool boils = area > 0.0 && evaporates(hot);
     for (int i = 0; i < 20 && boils; ++i) {
         float flux = evaporationFlux(t);
-        float change = (t + cooling * flux - hot) / (1.0 + cooling * flux * heatBlock.evaporation.y / (t * t));
+        float change = (t + cooling * flux - hot) / (1.0 + cooling * flux * heatBlock.evaporationExponent / (t * t));
         t -= change;
         boils = abs(change) > 0.01;
     }
@@ -39,7 +39,7 @@ float particleLoss(float enthalpy, float temperature, float joules, float area, 
     float lost = surfaceLoss(temperature, area) * due;
 #ifdef EVAPORATION
     float hot = thermalState(enthalpy + (joules - lost) / metal.particleMass).x;
-    lost += (hot - afterEvaporation(hot, area)) * heatBlock.evaporation.w * metal.particleMass;
+    lost += (hot - afterEvaporation(hot, area)) * heatBlock.liquidSpecificHeat * metal.particleMass;
 #endif
     return lost;
 }

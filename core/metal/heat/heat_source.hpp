@@ -1,0 +1,40 @@
+// Sources of heat on the metal: volumes, a Gaussian flux, a hot tool.
+#pragma once
+
+#include "shaders/shared/heat.h"
+
+#include <glm/vec3.hpp>
+
+namespace meltpool {
+
+/// Something that heats metal. The factories state what each needs; power in W goes in exactly, whatever metal is
+/// there, and not at all where there is none.
+struct HeatSource {
+    int kind = SOURCE_SPHERE;
+    glm::vec3 position{0};                    ///< m
+    glm::vec3 axis{0, -1, 0};                 ///< unit vector into the metal
+    glm::vec3 travel{1, 0, 0};                ///< unit vector of travel
+    float power = 0;                          ///< W
+    float size = 0;                           ///< radius, sigma or front half-axis, m
+    float halfWidth = 0, depth = 0, rear = 0; ///< other half-axes of the ellipsoid, m
+    float frontFraction = 0;                  ///< twice the share of the ellipsoid's power in front
+    float tipTemperature = 0;                 ///< K
+    float tipConductance = 0;                 ///< W/(m² K)
+
+    /// Volume source 1 - d²/R² of the classic model.
+    static HeatSource sphere(glm::vec3 centre, float radius, float power);
+    /// Gaussian flux exp(-r²/(2 sigma²)) around `axis`, on surface that faces it.
+    static HeatSource gaussian(glm::vec3 position, glm::vec3 axis, float sigma, float power);
+    /// Double ellipsoid of Goldak, Chakravarti and Bibby (1984). Half-axes in m; the front takes `frontFraction`/2 of
+    /// the power.
+    static HeatSource ellipsoid(glm::vec3 position, glm::vec3 axis, glm::vec3 travel, float halfWidth, float depth,
+                                float front, float rear, float frontFraction, float power);
+    /// A tool at `temperature` (K) that touches all surface within `radius`; gives `conductance` (W/(m² K)) times area
+    /// times difference, and never more than `power`.
+    static HeatSource hotTip(glm::vec3 position, float radius, float temperature, float conductance, float power);
+
+    /// Distance from `position` beyond which the source gives nothing that counts, m.
+    float reach() const;
+};
+
+} // namespace meltpool

@@ -1,0 +1,48 @@
+#version 450 core
+// Gives the particles on the lattice of the mixed tiles their shares of what their cells took up, lets them lose heat, and
+// clears the cells' sums for the next step. One group a tile.
+#extension GL_GOOGLE_include_directive : require
+#include "shared/dispatch.h"
+#include "shared/metal.h"
+layout(local_size_x = TILE_CELLS) in;
+#include "metal/heat/common.glsl"
+#include "metal/heat/off_lattice.glsl"
+#include "metal/heat/add_heat.glsl"
+#include "metal/heat/surface_loss.glsl"
+#include "metal/heat/ledger.glsl"
+#include "metal/heat/leave_lattice.glsl"
+layout(std430, binding = HEAT_CELL_FLOWS) restrict buffer CellFlows { CellFlow cellFlow[]; };
+
+void main() {
+    int tile = int(texelFetch(listTexels, heatBlock.tileCount + int(gl_WorkGroupID.x)).x);
+    int inside = int(gl_LocalInvocationIndex);
+    int cell = tile * TILE_CELLS + inside;
+    int index = thetaBase(stampOf(tile), tile) + inside;
+    uint entry = texelFetch(latticeTexels, cell).x;
+    float mean = texelFetch(thetaTexels, index).x;
+    CellFlow flow = cellFlow[cell];
+    cellFlow[cell] = CellFlow(0.0, 0.0); // as integers these are zero sums
+    if (entry == 0u) {
+        cellTheta[index] = kEmpty;
+        cellWeight[cell] = 0.0;
+    }
+    if (entry == 0u || mean < 0.0) return;
+    uint slot = entry - 1u;
+    vec4 h = texelFetch(heatTexels, int(slot));
+    vec2 own = thermalState(h.x);
+    float weight = texelFetch(weightTexels, cell).x;
+    float exchanged = weight > 1.0 ? kCellExchange * metal.spacing * (mean - own.y) : 0.0;
+    float joules = (flow.power / weight + exchanged) * heatBlock.timeStep;
+    float elapsed = elapsedOf(tile);
+    float lost = particleLoss(h.x, own.x, joules, flow.area / weight, elapsed);
+    book(cell, 0.0, lost);
+    Heated heated = addHeat(slot, h, own.x, joules - lost, elapsed);
+    cellTheta[index] = heated.theta;
+    cellWeight[cell] = 1.0;
+    writePhase(slot, cell, index, heated.enthalpy);
+#ifdef EVAPORATION
+    if (evaporates(heated.temperature)) tiles[tile].lastEvaporating = heatBlock.stepNumber;
+#endif
+    bool warm = lost != 0.0 && abs(own.x - heatBlock.ambient) > heatBlock.warmAboveAmbient;
+    if (warm) tiles[tile].lastWarm = heatBlock.stepNumber;
+}

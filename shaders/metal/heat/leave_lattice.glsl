@@ -1,0 +1,42 @@
+// How a particle that melts leaves the lattice for the list of slots off the lattice, and the list of phase changes that the flow follows.
+// Included after common.glsl.
+layout(std430, binding = HEAT_CHANGES) restrict buffer Changes { uint changes[]; };
+layout(std430, binding = HEAT_LISTS) restrict buffer Lists { uint lists[]; };
+layout(std430, binding = HEAT_CONTROL) restrict buffer Control { HeatControl control; };
+layout(std430, binding = HEAT_KNOWN_CELLS) restrict buffer KnownCells { uint knownCell[]; };
+
+/// Notes a slot whose phase bits changed.
+void noteChange(uint slot) {
+    uint entry = atomicAdd(changes[0], 1u);
+    if (entry < uint(metal.capacity)) changes[entry + 1u] = slot;
+}
+
+/// Appends a slot to the list of those off the lattice. Called once a slot.
+void listOffLattice(uint slot) {
+    knownCell[slot] = HEAT_OFF_LATTICE;
+    uint entry = atomicAdd(control.offLatticeCount, 1u);
+    if (entry % GROUP_SIZE == 0u) atomicAdd(control.offLatticeGroups.x, 1u);
+    lists[3 * heatBlock.tileCount + int(entry)] = slot;
+}
+
+/// Empties the cell of a particle that left the lattice; `index`: where its neighbours will read its theta.
+void emptyCell(int cell, int index) {
+    cellTheta[index] = kEmpty;
+    cellWeight[cell] = 0.0;
+    tiles[cell / TILE_CELLS].lastActive = heatBlock.stepNumber;
+}
+
+/// Writes the phase that a particle of the lattice has at its enthalpy. Where melt leaves the lattice, so does a particle that
+/// melts.
+void writePhase(uint slot, int cell, int index, float enthalpy) {
+    uint before = texelFetch(phaseTexels, int(slot)).x;
+    uint after = nextPhase(before, enthalpy);
+    if (after == before) return;
+    bool leaves = (after & PHASE_LIQUID) != 0u && heatBlock.meltLeavesLattice != 0;
+    phase[slot] = leaves ? after & ~PHASE_LATTICE : after;
+    noteChange(slot);
+    if (!leaves) return;
+    latticeSlot[cell] = 0u;
+    emptyCell(cell, index);
+    listOffLattice(slot);
+}

@@ -1,0 +1,75 @@
+#version 450 core
+// Lists the tiles that take part in this step: those where something happens, their neighbours, those that a source reaches and
+// those with metal off the lattice. A sleeping tile with a warm surface takes part every TILE_LOSS_INTERVAL steps.
+#extension GL_GOOGLE_include_directive : require
+#include "shared/dispatch.h"
+layout(local_size_x = GROUP_SIZE) in;
+#include "metal/heat/common.glsl"
+layout(std430, binding = HEAT_LISTS) restrict writeonly buffer Lists { uint lists[]; };
+layout(std430, binding = HEAT_CONTROL) restrict buffer Control { HeatControl control; };
+
+bool isAwake(TileNotes notes) { return heatBlock.stepNumber - notes.lastActive <= TILE_AWAKE_STEPS; }
+bool holdsOffLattice(TileNotes notes) { return notes.lastOffLattice == heatBlock.stepNumber; }
+
+bool underSource(ivec3 place) {
+    bool under = false;
+    for (int i = 0; i < heatBlock.sourceCount; ++i) under = under || reaches(heatBlock.sources[i], place);
+    return under;
+}
+
+/// Whether something happens in a tile's neighbours, and whether they hold metal off the lattice.
+struct Neighbourhood {
+    bool awake, offLattice;
+};
+
+Neighbourhood neighbourhoodOf(int tile, ivec3 place) {
+    Neighbourhood found = Neighbourhood(false, false);
+    ivec3 stride = ivec3(1, metal.tiles.x, metal.tiles.x * metal.tiles.y);
+    for (int axis = 0; axis < 3; ++axis)
+        for (int side = -1; side <= 1; side += 2) {
+            int there = place[axis] + side;
+            if (there < 0 || there >= metal.tiles[axis]) continue;
+            TileNotes notes = notesOf(tile + side * stride[axis]);
+            found.awake = found.awake || isAwake(notes);
+            found.offLattice = found.offLattice || holdsOffLattice(notes);
+        }
+    return found;
+}
+
+/// Simulated time since a tile last took part, this step included, s.
+float elapsedSinceStep(int tile, int stamp) {
+    if (tookPart(stamp, heatBlock.stepNumber - 1)) return heatBlock.timeStep;
+    return float(heatBlock.endTime - tiles[tile].endTime) * 1e-6;
+}
+
+void main() {
+    int tile = int(linearInvocation());
+    if (tile >= heatBlock.tileCount) return;
+    int stamp = stampOf(tile);
+    TileNotes notes = notesOf(tile);
+    bool offLattice = holdsOffLattice(notes);
+    if (stamp <= TILE_NO_METAL && !offLattice) return;
+    ivec3 place = tileCoordinate(tile);
+    Neighbourhood neighbours = neighbourhoodOf(tile, place);
+    bool source = underSource(place);
+    bool warm = (stamp >> TILE_STEP_SHIFT) - notes.lastWarm < TILE_NOTE_INTERVAL;
+    bool losesHeat = warm && (heatBlock.stepNumber + tile) % TILE_LOSS_INTERVAL == 0;
+    int half_ = (stamp ^ (stamp >> 1)) & TILE_HALF; // a plain step changed halves
+    bool awake = isAwake(notes) || neighbours.awake || neighbours.offLattice;
+    if (!(losesHeat || offLattice || source || awake)) {
+        if ((stamp & TILE_PLAIN) != 0) tileStamp[tile] = (stamp & ~3) | half_;
+        return;
+    }
+    bool mixed = offLattice || neighbours.offLattice || source;
+#ifdef EVAPORATION
+    mixed = mixed || heatBlock.stepNumber - notes.lastEvaporating <= TILE_AWAKE_STEPS;
+#endif
+    tiles[tile].elapsed = elapsedSinceStep(tile, stamp);
+    tiles[tile].endTime = heatBlock.endTime;
+    tileStamp[tile] = heatBlock.stepNumber << TILE_STEP_SHIFT | (mixed ? 0 : TILE_PLAIN) | half_;
+    if (mixed)
+        lists[heatBlock.tileCount + int(atomicAdd(control.mixedTiles.x, 1u))] = uint(tile);
+    else
+        lists[atomicAdd(control.plainTiles.x, 1u)] = uint(tile);
+    if (offLattice) lists[2 * heatBlock.tileCount + int(atomicAdd(control.offLatticeTiles.x, 1u))] = uint(tile);
+}
