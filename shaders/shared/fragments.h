@@ -24,7 +24,7 @@
 #define FRAGMENT_CONTROL 12    // FragmentControl
 #define FRAGMENT_MOTIONS 13    // FragmentMotion per fragment number
 #define FRAGMENT_FREE_SLOTS 14 // uint: slots of free fragments in ascending order
-#define FRAGMENT_CONTACTS 15   // FragmentContact per entry of the list of free slots
+#define FRAGMENT_CONTACTS 15   // FragmentContact for the first entries of the list of free slots
 
 #define FRAGMENT_BLOCK 1 // uniform buffer
 
@@ -42,7 +42,8 @@ struct FragmentBlock {
     float timeStep;    // s
     float floorHeight; // m
     float friction;    // Coulomb's coefficient, no unit
-    vec2 reserved;
+    uint contactRoom;  // entries of the list of free slots whose contacts are kept
+    float reserved;
 };
 
 struct FragmentControl {
@@ -59,9 +60,9 @@ struct FragmentControl {
 
 struct FragmentMotion {
     vec3 centre; // of mass, m
-    float members;
+    uint fixedContacts; // of its particles, in all
     vec3 velocity; // m/s
-    float contacts;
+    float reserved2;
     vec3 angularVelocity; // rad/s, over this step
     float reserved0;
     vec3 endAngularVelocity; // rad/s, at the step's end: the axis moves, the angular momentum does not

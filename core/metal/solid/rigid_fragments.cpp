@@ -26,7 +26,7 @@ RigidFragments::RigidFragments(gl::ShaderLibrary& shaders, MetalState& state, co
       control_("fragment control", sizeof(FragmentControl)),
       motions_("fragment motions", (FRAGMENT_MAX_COUNT + 1) * sizeof(FragmentMotion)),
       freeSlots_("fragment free slots", state.capacity() * sizeof(uint)),
-      contacts_("fragment contacts", state.capacity() * sizeof(FragmentContact)),
+      contacts_("fragment contacts", std::min<size_t>(state.capacity(), setup.contactRoom) * sizeof(FragmentContact)),
       labelTexels_("fragment labels", labels_, GL_R32UI, sizeof(uint)),
       nextLabelTexels_("fragment next labels", nextLabels_, GL_R32UI, sizeof(uint)),
       latticeTexels_("fragment lattice", state.latticeSlots, GL_R32UI, sizeof(uint)),
@@ -48,6 +48,7 @@ RigidFragments::RigidFragments(gl::ShaderLibrary& shaders, MetalState& state, co
     block_.coarseCells = state.lattice().cells() / 2;
     block_.floorHeight = setup.floorHeight;
     block_.friction = setup.friction;
+    block_.contactRoom = static_cast<uint>(contacts_.bytes() / sizeof(FragmentContact));
     blockBuffer_.writeValue(block_);
 }
 
@@ -162,7 +163,7 @@ void RigidFragments::move(float dt, int steps, gl::Profiler* profiler) {
 }
 
 void RigidFragments::moveOnce() const {
-    indirect(clearCells_, offsetof(FragmentControl, cellGroups));       // -> coarse cells
+    indirect(clearCells_, offsetof(FragmentControl, cellGroups));       // -> coarse cells and contacts, empty
     indirect(linkCells_, offsetof(FragmentControl, slotGroups));        // positions -> lists of the coarse cells
     indirect(contactsPass_, offsetof(FragmentControl, particleGroups)); // positions, velocities -> contacts
     indirect(rigidMotion_, offsetof(FragmentControl, fragmentGroups));  // contacts -> motions

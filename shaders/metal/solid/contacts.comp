@@ -1,78 +1,20 @@
-// Sums up what each particle of a free fragment touches: fixed metal, the floor, other free fragments. Penalty contacts after
-// the discrete element method of Cundall and Strack (1979).
+// Sums up the contacts of each particle of a free fragment and counts those of each fragment. The sums of particles beyond the
+// room for them are not kept: rigid_motion.comp makes them again.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "metal/solid/common.glsl"
+#include "metal/solid/contact_sums.glsl"
 
 layout(local_size_x = FRAGMENT_GROUP) in;
 layout(std430, binding = FRAGMENT_FREE_SLOTS) readonly buffer FreeSlots { uint freeSlots[]; };
 layout(std430, binding = FRAGMENT_CONTACTS) writeonly buffer Contacts { FragmentContact contact[]; };
-
-// A spring that turns an overlap around in a few steps, and its damper: stable for a lone particle with five neighbours.
-const float kSpring = 0.2;
-const float kDamper = 0.2;
-
-/// Adds a contact with a particle that is `displacement` (m) away and moves with `relativeVelocity` (m/s), fixed or free.
-void addContact(vec3 displacement, vec3 relativeVelocity, bool fixed_, inout FragmentContact sum) {
-    float reach = metal.spacing;
-    float distance = length(displacement);
-    if (distance >= reach || distance < 1e-3 * reach) return;
-    vec3 normal = displacement / distance;
-    float overlap = reach - distance;
-    float approach = dot(relativeVelocity, normal);
-    if (fixed_) {
-        sum.overlap += ivec3(round(overlap * normal * 1e9));
-        ++sum.fixedContacts;
-        sum.normalVelocity += ivec3(round(approach * normal * 1e6));
-        sum.slipVelocity += ivec3(round((relativeVelocity - approach * normal) * 1e6));
-    } else {
-        float dt = fragmentBlock.timeStep;
-        vec3 acceleration = (kSpring * overlap / dt - kDamper * approach) / dt * normal;
-        sum.impact += ivec3(round(clamp(acceleration, -1e5, 1e5) * 1e3));
-    }
-}
-
-void addLatticeContacts(vec3 place, vec3 own, inout FragmentContact sum) {
-    ivec3 centre = latticeCell(place);
-    for (int z = -1; z <= 1; ++z)
-        for (int y = -1; y <= 1; ++y)
-            for (int x = -1; x <= 1; ++x) {
-                ivec3 cell = centre + ivec3(x, y, z);
-                if (!inLattice(cell)) continue;
-                uint other = latticeSlot[latticeIndex(cell)];
-                if (other != 0 && isSolid(phase[other - 1])) addContact(place - position[other - 1].xyz, own, true, sum);
-            }
-}
-
-void addOffLatticeContacts(vec3 place, vec3 own, uint fragment, inout FragmentContact sum) {
-    ivec3 centre = coarseCell(place);
-    ivec3 low = max(centre - 1, ivec3(0));
-    ivec3 high = min(centre + 1, fragmentBlock.coarseCells - 1);
-    for (int z = low.z; z <= high.z; ++z)
-        for (int y = low.y; y <= high.y; ++y)
-            for (int x = low.x; x <= high.x; ++x)
-                for (uint other = head[coarseIndex(ivec3(x, y, z))]; other != 0; other = next[other - 1]) {
-                    uint otherFragment = fragmentOf(phase[other - 1]);
-                    if (otherFragment == fragment) continue;
-                    vec3 relative = own - (otherFragment == 0 ? vec3(0) : velocity[other - 1].xyz);
-                    addContact(place - position[other - 1].xyz, relative, otherFragment == 0, sum);
-                }
-}
+layout(std430, binding = FRAGMENT_MOTIONS) buffer Motions { FragmentMotion motion[]; };
 
 void main() {
     uint entry = linearInvocation();
     if (entry >= control.particles) return;
     uint slot = freeSlots[entry];
-    FragmentContact sum = FragmentContact(ivec3(0), 0, ivec3(0), 0, ivec3(0), 0, ivec3(0), 0);
-    uint bits = phase[slot];
-    if (isSolid(bits)) {
-        vec3 place = position[slot].xyz;
-        vec3 own = velocity[slot].xyz;
-        addLatticeContacts(place, own, sum);
-        addOffLatticeContacts(place, own, fragmentOf(bits), sum);
-        // The particle's rim touches the floor: half a spacing from its centre.
-        float height = place.y - fragmentBlock.floorHeight + 0.5 * metal.spacing;
-        addContact(vec3(0, max(height, 0.01 * metal.spacing), 0), own, true, sum);
-    }
-    contact[entry] = sum;
+    FragmentContact sum = contactsOf(slot);
+    if (sum.fixedContacts != 0) atomicAdd(motion[fragmentOf(phase[slot])].fixedContacts, uint(sum.fixedContacts));
+    if (entry < fragmentBlock.contactRoom) contact[entry] = sum;
 }

@@ -3,12 +3,13 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "metal/solid/common.glsl"
+#include "metal/solid/contact_sums.glsl"
 #include "metal/solid/rotation.glsl"
 
 layout(local_size_x = FRAGMENT_GROUP) in;
 layout(std430, binding = FRAGMENT_FREE_SLOTS) readonly buffer FreeSlots { uint freeSlots[]; };
 layout(std430, binding = FRAGMENT_CONTACTS) readonly buffer Contacts { FragmentContact contact[]; };
-layout(std430, binding = FRAGMENT_MOTIONS) writeonly buffer Motions { FragmentMotion motion[]; };
+layout(std430, binding = FRAGMENT_MOTIONS) buffer Motions { FragmentMotion motion[]; };
 
 // The spring is shared out over the contacts so that the whole fragment turns around in the same few steps, whatever its size.
 const float kSpring = 0.2;
@@ -34,10 +35,15 @@ bool isMember(uint entry, uint fragment) {
     return isSolid(bits) && fragmentOf(bits) == fragment;
 }
 
+FragmentContact contactAt(uint entry) {
+    if (entry < fragmentBlock.contactRoom) return contact[entry];
+    return contactsOf(freeSlots[entry]);
+}
+
 /// Acceleration of a particle by what it touches, for its share of the fragment's stiffness.
 vec3 contactForce(uint entry, float share) {
     float dt = fragmentBlock.timeStep;
-    FragmentContact c = contact[entry];
+    FragmentContact c = contactAt(entry);
     vec3 spring = kSpring * share / (dt * dt) * vec3(c.overlap) * 1e-9;
     vec3 normal = spring - kDamper * share / dt * vec3(c.normalVelocity) * 1e-6;
     if (dot(normal, spring) < 0) normal = vec3(0); // contacts do not pull
@@ -52,19 +58,19 @@ void main() {
     uint fragment = gl_WorkGroupID.x + 1;
     uint lane = gl_LocalInvocationID.x;
     vec4 place = vec4(0); // sum of positions, number of members
-    vec4 speed = vec4(0); // sum of velocities, number of contacts
+    vec4 speed = vec4(0); // sum of velocities
     vec3 middle = metal.origin + 0.5 * TILE_EDGE * vec3(metal.tiles) * metal.spacing; // keeps the sums small
     for (uint entry = lane; entry < control.particles; entry += FRAGMENT_GROUP) {
         if (!isMember(entry, fragment)) continue;
         place += vec4(position[freeSlots[entry]].xyz - middle, 1);
-        speed += vec4(velocity[freeSlots[entry]].xyz, float(contact[entry].fixedContacts));
+        speed += vec4(velocity[freeSlots[entry]].xyz, 0);
     }
     place = total(place);
     speed = total(speed);
     float members = place.w;
     if (members == 0) return;
     vec3 centre = middle + place.xyz / members;
-    float share = members / max(speed.w, 1.0);
+    float share = members / max(float(motion[fragment].fixedContacts), 1.0);
 
     // Angular momentum and torque over the particle mass; moments and products of inertia likewise.
     vec3 angularMomentum = vec3(0), force = vec3(0), torque = vec3(0), diagonal = vec3(0), mixed = vec3(0);
@@ -95,6 +101,8 @@ void main() {
     vec3 angularVelocity = inverse(inertia) * angularMomentum;
     // In the rotated fragment's own frame.
     vec3 atEnd = rotated(inverse(inertia) * rotated(angularMomentum, -angularVelocity * dt), angularVelocity * dt);
-    motion[fragment] =
-        FragmentMotion(centre, members, velocityNow, speed.w, angularVelocity, 0, atEnd, 0);
+    motion[fragment].centre = centre;
+    motion[fragment].velocity = velocityNow;
+    motion[fragment].angularVelocity = angularVelocity;
+    motion[fragment].endAngularVelocity = atEnd;
 }

@@ -1,0 +1,68 @@
+// What a particle of a free fragment touches: fixed metal, the floor, other free fragments. Penalty contacts after the discrete
+// element method of Cundall and Strack (1979). Included after common.glsl.
+
+// A spring that turns an overlap around in a few steps, and its damper: stable for a lone particle with five neighbours.
+const float kImpactSpring = 0.2;
+const float kImpactDamper = 0.2;
+
+/// Adds a contact with a particle that is `displacement` (m) away and moves with `relativeVelocity` (m/s), fixed or free.
+void addContact(vec3 displacement, vec3 relativeVelocity, bool fixed_, inout FragmentContact sum) {
+    float reach = metal.spacing;
+    float distance = length(displacement);
+    if (distance >= reach || distance < 1e-3 * reach) return;
+    vec3 normal = displacement / distance;
+    float overlap = reach - distance;
+    float approach = dot(relativeVelocity, normal);
+    if (fixed_) {
+        sum.overlap += ivec3(round(overlap * normal * 1e9));
+        ++sum.fixedContacts;
+        sum.normalVelocity += ivec3(round(approach * normal * 1e6));
+        sum.slipVelocity += ivec3(round((relativeVelocity - approach * normal) * 1e6));
+    } else {
+        float dt = fragmentBlock.timeStep;
+        vec3 acceleration = (kImpactSpring * overlap / dt - kImpactDamper * approach) / dt * normal;
+        sum.impact += ivec3(round(clamp(acceleration, -1e5, 1e5) * 1e3));
+    }
+}
+
+void addLatticeContacts(vec3 place, vec3 own, inout FragmentContact sum) {
+    ivec3 centre = latticeCell(place);
+    for (int z = -1; z <= 1; ++z)
+        for (int y = -1; y <= 1; ++y)
+            for (int x = -1; x <= 1; ++x) {
+                ivec3 cell = centre + ivec3(x, y, z);
+                if (!inLattice(cell)) continue;
+                uint other = latticeSlot[latticeIndex(cell)];
+                if (other != 0 && isSolid(phase[other - 1])) addContact(place - position[other - 1].xyz, own, true, sum);
+            }
+}
+
+void addOffLatticeContacts(vec3 place, vec3 own, uint fragment, inout FragmentContact sum) {
+    ivec3 centre = coarseCell(place);
+    ivec3 low = max(centre - 1, ivec3(0));
+    ivec3 high = min(centre + 1, fragmentBlock.coarseCells - 1);
+    for (int z = low.z; z <= high.z; ++z)
+        for (int y = low.y; y <= high.y; ++y)
+            for (int x = low.x; x <= high.x; ++x)
+                for (uint other = head[coarseIndex(ivec3(x, y, z))]; other != 0; other = next[other - 1]) {
+                    uint otherFragment = fragmentOf(phase[other - 1]);
+                    if (otherFragment == fragment) continue;
+                    vec3 relative = own - (otherFragment == 0 ? vec3(0) : velocity[other - 1].xyz);
+                    addContact(place - position[other - 1].xyz, relative, otherFragment == 0, sum);
+                }
+}
+
+/// Sums over the contacts of the particle in `slot`; nothing once it melted.
+FragmentContact contactsOf(uint slot) {
+    FragmentContact sum = FragmentContact(ivec3(0), 0, ivec3(0), 0, ivec3(0), 0, ivec3(0), 0);
+    uint bits = phase[slot];
+    if (!isSolid(bits)) return sum;
+    vec3 place = position[slot].xyz;
+    vec3 own = velocity[slot].xyz;
+    addLatticeContacts(place, own, sum);
+    addOffLatticeContacts(place, own, fragmentOf(bits), sum);
+    // The particle's rim touches the floor: half a spacing from its centre.
+    float height = place.y - fragmentBlock.floorHeight + 0.5 * metal.spacing;
+    addContact(vec3(0, max(height, 0.01 * metal.spacing), 0), own, true, sum);
+    return sum;
+}
