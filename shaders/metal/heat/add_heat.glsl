@@ -34,7 +34,8 @@ Heated addHeat(uint slot, vec4 h, float before, float joules, float duration) {
     return Heated(state.x, state.y, sum);
 }
 
-/// Phase bits after a step: liquid above one fraction, solid below another, so that a particle at the brink does not flutter.
+/// Phase bits after a step: liquid above one fraction, solid below another, so that a particle near the limit does not change
+/// back and forth.
 uint nextPhase(uint bits, float enthalpy) {
     float f = liquidFraction(enthalpy);
     if (f > metal.meltsAbove) return bits | PHASE_LIQUID;

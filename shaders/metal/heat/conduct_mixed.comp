@@ -1,7 +1,7 @@
 #version 450 core
 // Net power into each cell of the mixed tiles: conduction with its six neighbours through the Kirchhoff variable, and what
-// the sources give. One group a tile. Metal off the lattice shares cells here: a face conducts as the lesser filled of its cells
-// allows. The particles themselves lose heat through the free surface later.
+// the sources give. One group a tile. Metal off the lattice shares cells here: a face conducts as the lesser filled of its
+// cells allows. The particles themselves lose heat through the free surface later.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/metal.h"
 layout(local_size_x = TILE_CELLS) in;

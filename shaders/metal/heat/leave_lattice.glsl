@@ -1,4 +1,5 @@
-// How a particle that melts leaves the lattice for the list of slots off the lattice, and the list of phase changes that the flow follows.
+// How a particle that melts leaves the lattice for the list of slots off the lattice, and the list of phase changes that the
+// flow follows.
 // Included after common.glsl.
 layout(std430, binding = HEAT_CHANGES) restrict buffer Changes { uint changes[]; };
 layout(std430, binding = HEAT_LISTS) restrict buffer Lists { uint lists[]; };

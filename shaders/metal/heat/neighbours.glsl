@@ -37,7 +37,7 @@ Neighbours readNeighbours(int tile, int stamp, int inside, NeighbourOffsets offs
     others = mix(others, ivec3(tile), bvec3(ivec3(offsets.endLow) | ivec3(offsets.endHigh)));
     ivec3 stamps = ivec3(stampOf(others.x), stampOf(others.y), stampOf(others.z));
     bvec3 open = equal(stamps >> TILE_STEP_SHIFT, ivec3(heatBlock.stepNumber));
-    // A resting tile that was plain in its last step has had its halves changed, and its bit taken away, by then.
+    // The stamp of a sleeping tile whose last step was plain names the right half: list_tiles.comp corrected it.
     ivec3 own = ivec3(thetaBase(stamp, tile) + inside);
     ivec3 shift = ((stamps & TILE_HALF) - (stamp & TILE_HALF)) * (heatBlock.tileCount * TILE_CELLS);
     ivec3 low = own + offsets.low + mix(ivec3(0), shift, offsets.edgeLow);

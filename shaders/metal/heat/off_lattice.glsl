@@ -1,7 +1,7 @@
 // Metal off the lattice and the cells: where a particle's eight shares go (cloud in cell). Included after common.glsl.
 //
-// A particle off the lattice belongs to the eight cells around it with trilinear weights; a particle of the lattice to its own cell
-// with weight 1. A cell has the weighted mean of the Kirchhoff variable, cells exchange heat as they do on the lattice, and
+// A particle off the lattice belongs to the eight cells around it with trilinear weights; a particle of the lattice to its own
+// cell with weight 1. A cell has the weighted mean of the Kirchhoff variable, cells exchange heat as they do on the lattice, and
 // what a cell gets goes back to its particles by the same weights. Every exchange is between two cells or between a cell and
 // its own particles, so nothing is gained or lost.
 

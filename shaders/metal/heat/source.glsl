@@ -1,6 +1,7 @@
 // How much of a heat source a place on the metal sees. Included after free_surface.glsl.
 
-/// Share of source `s` that goes to metal at `place` with the given volume (m³), free surface and temperature (K), before normalisation. The tip's weight is in W.
+/// Share of source `s` that goes to metal at `place` with the given volume (m³), free surface and temperature
+/// (K), before normalisation. The tip's weight is in W.
 float sourceWeight(HeatSourceData s, vec3 place, float volume, FreeSurface surface, float temperature) {
     vec3 d = place - s.position;
     float size = s.size;

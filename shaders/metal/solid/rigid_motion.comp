@@ -1,5 +1,5 @@
-// The motion of each free fragment as a rigid body: linear and angular momentum of its particles, then gravity, contacts and friction
-// over one step. One group a fragment; sums in the fixed order of the list of free slots.
+// The motion of each free fragment as a rigid body: linear and angular momentum of its particles, then gravity, contacts and
+// friction over one step. One group a fragment; sums in the fixed order of the list of free slots.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "metal/solid/common.glsl"
