@@ -4,6 +4,7 @@
 namespace meltpool {
 
 class Bench;
+struct BenchRow;
 
 void benchClassicMetal(Bench& bench);
 void benchClassicThesis(Bench& bench);
@@ -11,7 +12,12 @@ void benchClassicFrame(Bench& bench);
 void benchClassicSurface(Bench& bench);
 void benchWeldMetal(Bench& bench);
 void benchWeldSurface(Bench& bench);
+void benchEmptyDispatches(Bench& bench);
+void benchLesson(Bench& bench);
 void benchStereo(Bench& bench);
 void benchHeadsetFrame(Bench& bench);
+
+/// The row of benchEmptyDispatches(): wall time of all of them, and by the GPU timer under `passes`.
+BenchRow measureEmptyDispatches(Bench& bench);
 
 } // namespace meltpool

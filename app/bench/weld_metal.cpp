@@ -36,6 +36,22 @@ struct FrameTimes {
     }
 };
 
+/// Dispatches of each step.
+class DispatchCount {
+  public:
+    void measure(const std::function<void()>& work) {
+        const std::uint64_t before = gl::dispatchCount();
+        work();
+        sum_ += static_cast<double>(gl::dispatchCount() - before);
+        ++steps_;
+    }
+    double mean() const { return sum_ / steps_; }
+
+  private:
+    double sum_ = 0;
+    int steps_ = 0;
+};
+
 double least(const std::vector<double>& values) {
     return *std::min_element(values.begin(), values.end());
 }
@@ -121,7 +137,7 @@ BenchRow passes(Bench& bench, std::string what, Weld& weld) {
 }
 
 /// What the metal of a weld costs, without the surface.
-BenchRow physicsRow(BenchRow row, const Weld& weld, const FrameTimes& physics) {
+BenchRow physicsRow(BenchRow row, const Weld& weld, const FrameTimes& physics, const DispatchCount& dispatches) {
     const double frame = weld.timeStep() * 1e3;
     const PhysicalMetal& metal = weld.model().metal();
     row = weld.row(std::move(row));
@@ -133,6 +149,7 @@ BenchRow physicsRow(BenchRow row, const Weld& weld, const FrameTimes& physics) {
                    {"simulated_over_wall", frame / mean(physics.wall)},
                    {"simulated_over_wall_least", frame / least(physics.wall)},
                    {"simulated_over_cpu_of_two_cores", 2 * frame / mean(physics.processor)},
+                   {"dispatches", dispatches.mean()},
                    {"moving_particles", metal.flow().readMoving()},
                    {"active_tiles", metal.heat().readActiveTiles()},
                    {"tiles", static_cast<double>(metal.state().lattice().tileCount())},
@@ -172,16 +189,17 @@ void benchWeldMetal(Bench& bench) {
         }
     // In turns, so that whatever else the machine does disturbs both alike.
     FrameTimes physics, physicsLarge, figures, figuresLarge, surface, surfaceLarge;
+    DispatchCount dispatches, dispatchesLarge;
     for (int i = 0; i < kMeasuredFrames; ++i) {
-        physics.measure([&] { plate.step(nullptr); });
-        physicsLarge.measure([&] { large.step(nullptr); });
+        physics.measure([&] { dispatches.measure([&] { plate.step(nullptr); }); });
+        physicsLarge.measure([&] { dispatchesLarge.measure([&] { large.step(nullptr); }); });
         figures.measure([&] { plate.updateFigures(); });
         figuresLarge.measure([&] { large.updateFigures(); });
         surface.measure([&] { plate.updateSurface(nullptr); });
         surfaceLarge.measure([&] { large.updateSurface(nullptr); });
     }
-    bench.add(physicsRow(passes(bench, "GMAW bead, frame", plate), plate, physics));
-    BenchRow row = physicsRow(passes(bench, "GMAW bead, area x4", large), large, physicsLarge);
+    bench.add(physicsRow(passes(bench, "GMAW bead, frame", plate), plate, physics, dispatches));
+    BenchRow row = physicsRow(passes(bench, "GMAW bead, area x4", large), large, physicsLarge, dispatchesLarge);
     row.further.emplace_back("over_plate", least(physicsLarge.wall) / least(physics.wall));
     row.further.emplace_back("over_plate_median", medianRatio(physicsLarge.wall, physics.wall));
     row.further.emplace_back("over_plate_cpu", mean(physicsLarge.processor) / mean(physics.processor));

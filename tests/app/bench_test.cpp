@@ -1,5 +1,8 @@
 // The benchmark's frame: what a measurement keeps, and the report that other programs read.
 #include "app/bench/bench.hpp"
+#include "app/bench/lesson.hpp"
+#include "app/bench/parts.hpp"
+#include "core/base/resources.hpp"
 #include "core/gl/buffer.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
@@ -7,6 +10,25 @@
 #include <nlohmann/json.hpp>
 
 using namespace meltpool;
+
+namespace {
+
+double further(const BenchRow& row, const std::string& name) {
+    for (const auto& [key, value] : row.further)
+        if (key == name) return value;
+    FAIL("the row has no number '" + name + "'");
+    return 0;
+}
+
+/// A bead on a plate so small and coarse that a second of it is quick.
+Lesson smallBead() {
+    Lesson lesson = findLesson("gmaw-bead", resourceFolder() / "data" / "lessons");
+    for (const auto& [key, value] : {std::pair{"length_mm", "30"}, {"width_mm", "20"}, {"spacing_mm", "2"}})
+        lesson.set(key, value, "test");
+    return lesson;
+}
+
+} // namespace
 
 TEST_CASE("a measurement keeps the least time and the passes of its own suite", "[app]") {
     Bench bench(test::shaders(), "suite");
@@ -51,4 +73,38 @@ TEST_CASE("the report names the machine once and each row with its fields", "[ap
     CHECK(first.at("passes").at("density") == 0.75);
     CHECK(first.at("bytes_per_particle") == 120);
     CHECK(first.at("times_all_pairs") == 30);
+}
+
+TEST_CASE("a measured lesson tells its speed and the share of each part", "[app]") {
+    Bench bench(test::shaders(), "lesson");
+    const LessonMeasurement measurement{0.1, 1, 10, 160, 90};
+    const BenchRow row = measureLesson(bench, smallBead(), measurement);
+    CHECK(row.suite == "lesson");
+    CHECK(row.particles > 100);
+    CHECK(row.bytesPerParticle > 50);
+    CHECK(further(row, "pictures") == 10);
+    CHECK(further(row, "steps") >= 90); // a step is a 90th of a second at most
+    CHECK(further(row, "dispatches") > further(row, "steps"));
+    CHECK(further(row, "simulated_over_wall") == Approx(1e3 / row.stepMs)); // one second was measured
+    double shares = 0;
+    for (const char* part : {"physics_share", "surface_share", "picture_share", "rest_share"}) {
+        INFO(part);
+        CHECK(further(row, part) > 0);
+        CHECK(further(row, part) < 1);
+        shares += further(row, part);
+    }
+    CHECK(shares == Approx(1));
+}
+
+TEST_CASE("empty dispatches are 200 and timed on the GPU and by the clock", "[app]") {
+    Bench bench(test::shaders(), "weld");
+    const std::uint64_t before = gl::dispatchCount();
+    const BenchRow row = measureEmptyDispatches(bench);
+    const std::uint64_t dispatches = gl::dispatchCount() - before;
+    CHECK(dispatches % 200 == 0);
+    CHECK(dispatches >= 5 * 200); // two to warm up, three at least
+    CHECK(row.stepMs > 0);
+    CHECK(further(row, "us_per_dispatch") == Approx(row.stepMs * 1e3 / 200));
+    REQUIRE(row.passes.size() == 1);
+    CHECK(row.passes[0].second > 0);
 }
