@@ -13,3 +13,6 @@ fi
 meltpoolInstall build test
 meltpoolBuild release -DMELTPOOL_TESTS=ON
 ctest --test-dir build/release --output-on-failure "${configuration[@]}" "$@"
+
+known=$(sed 's/#.*//' tests/validation/known_failures.txt | grep -v '^[[:space:]]*$' || true)
+[ -z "$known" ] || printf 'Known failures of "meltpool validate" (tests/validation/known_failures.txt):\n%s\n' "$known"

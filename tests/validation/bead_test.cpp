@@ -1,6 +1,5 @@
-// Beads: wire metal lies on the plate and not in it, and a measured bead is met.
+// Wire metal lies on the plate and not in it.
 #include "core/metal/physical_metal.hpp"
-#include "core/validation/validation.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
@@ -43,11 +42,4 @@ TEST_CASE("A drop that falls on a cold plate stays on it", "[physical]") {
     CHECK(place.y < 1.2F * kSpacing);
     CHECK(place.w < 1700); // the plate has taken its heat
     CHECK((metal.state().phase.read<uint>(1, slot * sizeof(uint))[0] & PHASE_LIQUID) == 0);
-}
-
-TEST_CASE("A measured bead is met", "[validation]") {
-    const auto file = test::testFolder() / "validation" / "cases" / "bead_32_5v_325a_15.toml";
-    const ValidationResult result = runValidationCase(readValidationCase(file), test::shaders());
-    INFO(validationText(result));
-    CHECK(result.passed());
 }

@@ -1,4 +1,4 @@
-// The shipped validation cases, and that fronts and fields converge as the spacing shrinks.
+// Fronts and fields converge as the spacing shrinks, and closed forms hold for other materials and sizes than shipped.
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/validation/validation.hpp"
@@ -12,11 +12,6 @@ using namespace meltpool;
 
 namespace {
 
-ValidationResult runShipped(const std::string& name) {
-    const auto file = test::testFolder() / "validation" / "cases" / (name + ".toml");
-    return runValidationCase(readValidationCase(file), test::shaders());
-}
-
 ValidationCase shipped(const std::string& name, double spacing) {
     ValidationCase result = readValidationCase(test::testFolder() / "validation" / "cases" / (name + ".toml"));
     result.spacing = spacing;
@@ -24,23 +19,6 @@ ValidationCase shipped(const std::string& name, double spacing) {
 }
 
 } // namespace
-
-TEST_CASE("Shipped heat cases pass", "[validation]") {
-    const std::string name = GENERATE("conduction_step", "conduction_flux", "stefan_one_phase", "stefan_two_phase",
-                                      "energy", "energy_insulated", "energy_weld");
-    const ValidationResult result = runShipped(name);
-    INFO(validationText(result));
-    CHECK(result.passed());
-    CHECK(result.steps > 0);
-    CHECK_FALSE(result.numbers.empty());
-}
-
-TEST_CASE("Moving sources and convection pass", "[validation][long]") {
-    const std::string name = GENERATE("rosenthal_thick", "rosenthal_thin", "rosenthal_thick_fine", "cavity_gallium");
-    const ValidationResult result = runShipped(name);
-    INFO(validationText(result));
-    CHECK(result.passed());
-}
 
 TEST_CASE("A moving source's field is right beyond three coarse cells too", "[validation]") {
     const ValidationResult result = runValidationCase(shipped("rosenthal_thick", 2e-3), test::shaders());
