@@ -1,4 +1,5 @@
 // The installed program and the Debian package run from anywhere, without the source tree.
+#include "tests/app/handbook.hpp"
 #include "tests/app/program.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
@@ -37,6 +38,14 @@ void checkRuns(const fs::path& program) {
     CHECK(fs::exists(folder / "result.json"));
 }
 
+/// The installed README and handbook have their pages and pictures beside them.
+void checkHandbook(const fs::path& documents) {
+    const auto pages = test::readPages(documents);
+    CHECK(pages.size() >= 8);
+    for (const std::string& broken : test::brokenLinks(pages))
+        FAIL_CHECK(broken);
+}
+
 } // namespace
 
 TEST_CASE("the installed program runs from anywhere", "[app]") {
@@ -44,6 +53,7 @@ TEST_CASE("the installed program runs from anywhere", "[app]") {
     REQUIRE(
         succeeds("cmake --install '" + std::string(MELTPOOL_BINARY_FOLDER) + "' --prefix '" + prefix.string() + "'"));
     checkRuns(prefix / "bin" / "meltpool");
+    checkHandbook(prefix / "share" / "doc" / "meltpool");
 }
 
 TEST_CASE("the Debian package holds a program that runs", "[app]") {
@@ -53,4 +63,5 @@ TEST_CASE("the Debian package holds a program that runs", "[app]") {
                      folder.string() + "'"));
     REQUIRE(succeeds("dpkg-deb -x '" + folder.string() + "'/meltpool_*.deb '" + (folder / "root").string() + "'"));
     checkRuns(folder / "root" / "usr" / "bin" / "meltpool");
+    checkHandbook(folder / "root" / "usr" / "share" / "doc" / "meltpool");
 }

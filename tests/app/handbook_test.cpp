@@ -1,0 +1,343 @@
+// README and handbook tell the truth: their commands run, their files are read, their names and links exist.
+#include "app/bench/bench.hpp"
+#include "core/base/text.hpp"
+#include "core/training/lesson.hpp"
+#include "core/validation/validation_case.hpp"
+#include "core/weld/torch/torch_csv.hpp"
+#include "tests/app/handbook.hpp"
+#include "tests/app/program.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <functional>
+#include <regex>
+#include <sstream>
+
+using namespace meltpool;
+using namespace meltpool::test;
+
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::set<std::string>;
+
+constexpr size_t kMostReadmeLines = 139;
+
+fs::path sourceFolder() {
+    return testFolder().parent_path();
+}
+
+const std::vector<Page>& pages() {
+    static const std::vector<Page> all = readPages(sourceFolder());
+    return all;
+}
+
+std::string place(const fs::path& page, size_t line) {
+    return page.filename().string() + ":" + std::to_string(line);
+}
+
+std::vector<ShownCommand> allCommands() {
+    std::vector<ShownCommand> all;
+    for (const Page& page : pages())
+        all.insert(all.end(), page.commands.begin(), page.commands.end());
+    return all;
+}
+
+/// Tables whose first head, or whose head at `column`, begins with `head`.
+std::vector<ShownTable> tablesOf(const std::string& head, size_t column = 0) {
+    std::vector<ShownTable> found;
+    for (const Page& page : pages())
+        for (const ShownTable& table : page.tables)
+            if (column < table.heads.size() && table.heads[column].starts_with(head)) found.push_back(table);
+    return found;
+}
+
+std::string joined(const Names& names) {
+    std::string text;
+    for (const std::string& name : names)
+        text += (text.empty() ? "" : ", ") + name;
+    return text;
+}
+
+Names without(const Names& from, const Names& other) {
+    Names rest;
+    std::set_difference(from.begin(), from.end(), other.begin(), other.end(), std::inserter(rest, rest.end()));
+    return rest;
+}
+
+/// A folder in which the pages' relative paths lead where they do at the root of the source tree.
+fs::path workingFolder() {
+    const fs::path folder = scratchFolder("handbook");
+    for (const char* name : {"app", "tests"})
+        fs::create_directory_symlink(sourceFolder() / name, folder / name);
+    return folder;
+}
+
+/// The arguments that are run for those that a page shows. Words in capitals stand for something: a case, a folder. A
+/// run is shortened to kShortRun and its pictures are small; nothing else is changed.
+std::string runnable(std::string arguments) {
+    const std::vector<std::pair<std::string, std::string>> kStandFor{
+        {"COMMAND", "run"},
+        {"LESSON", "classic"},
+        {"CASE.toml", "tests/validation/cases/conduction_step.toml"},
+        {"DIR", "out"},
+        {"FILE", "file.json"}};
+    for (const auto& [word, stands] : kStandFor)
+        arguments = std::regex_replace(arguments, std::regex("\\b" + word + "\\b"), stands);
+    if (!arguments.starts_with("run ") || arguments.find("--help") != std::string::npos) return arguments;
+    arguments = std::regex_replace(arguments, std::regex(" --(seconds|size) \\S+"), "");
+    return arguments + " --seconds 0.05 --size 64x36";
+}
+
+Names keysOf(const std::string& lessonName, bool withChoices) {
+    Lesson lesson = findLesson(lessonName, sourceFolder() / "app" / "data" / "lessons");
+    Names names;
+    for (const Parameter& parameter : lesson.parameters()) {
+        names.emplace(parameter.key);
+        if (withChoices) names.insert(parameter.choices.begin(), parameter.choices.end());
+    }
+    return names;
+}
+
+/// Every key of an object and of the objects in it.
+void addKeys(const nlohmann::json& json, Names& names) {
+    if (json.is_object())
+        for (const auto& [key, value] : json.items()) {
+            names.insert(key);
+            addKeys(value, names);
+        }
+}
+
+Names commaNames(std::string_view text) {
+    Names names;
+    for (const std::string_view piece : splitText(text, ','))
+        names.emplace(trimText(piece));
+    return names;
+}
+
+} // namespace
+
+TEST_CASE("the pages are read as written", "[app][handbook]") {
+    const fs::path file = scratchFolder("page") / "page.md";
+    writeTextFileAtomically(file,
+                            "# A page, and more\n\nSay `meltpool doctor` or `meltpool`. [Link](#a-page-and-more)\n"
+                            "`meltpool bench` <!-- not run: slow -->\n\n"
+                            "<!-- not run: never -->\n\n```sh\nmeltpool lessons  # all\n./run.sh run x\nls\n```\n"
+                            "\n<!-- read as: lesson -->\n```toml\na = 1\n```\n\n```sh\nmeltpool last\n```\n\n"
+                            "| keys | b |\n|---|---|\n| `one`, `two` | c |\n\n[gone](gone.md) [no](#heading)\n");
+    const Page page = readPage(file);
+    REQUIRE(page.commands.size() == 5);
+    CHECK(page.commands[0].arguments == "doctor");
+    CHECK(page.commands[0].notRun.empty());
+    CHECK(page.commands[1].notRun == "slow");
+    CHECK(page.commands[2].arguments == "lessons");
+    CHECK(page.commands[2].notRun == "never");
+    CHECK(page.commands[3].arguments == "run x");
+    CHECK(page.commands[4].arguments == "last");
+    CHECK(page.commands[4].notRun.empty());
+    REQUIRE(page.files.size() == 1);
+    CHECK(page.files[0].kind == "lesson");
+    CHECK(page.files[0].text == "a = 1\n");
+    REQUIRE(page.tables.size() == 1);
+    CHECK(page.tables[0].column(0) == Names{"one", "two"});
+    CHECK(brokenLinks({page}).size() == 2);
+}
+
+TEST_CASE("the README stays a page, and the handbook's links and pictures exist", "[app][handbook]") {
+    CHECK(pages().front().lines.size() <= kMostReadmeLines);
+    CHECK(pages().size() >= 8);
+    for (const std::string& broken : brokenLinks(pages()))
+        FAIL_CHECK(broken);
+    Names shown;
+    for (const Page& page : pages())
+        for (const ShownLink& link : page.links)
+            shown.insert(fs::path(link.target.substr(0, link.target.find('#'))).filename().string());
+    for (const auto& entry : fs::directory_iterator(sourceFolder() / "app" / "handbook")) {
+        INFO(entry.path());
+        CHECK(shown.contains(entry.path().filename().string())); // no page and no picture that nobody reaches
+    }
+}
+
+TEST_CASE("files and folders that the handbook names exist", "[app][handbook]") {
+    const std::regex kPath(R"((app|core|xr|shaders|tests)/[a-z0-9_/.-]*)");
+    size_t named = 0;
+    for (const Page& page : pages())
+        for (const std::string& span : page.code)
+            if (std::regex_match(span, kPath)) {
+                INFO(page.file.filename() << ": " << span);
+                CHECK(fs::exists(sourceFolder() / span));
+                ++named;
+            }
+    CHECK(named > 30);
+}
+
+TEST_CASE("commands that the handbook shows run", "[app][handbook]") {
+    const fs::path folder = workingFolder();
+    size_t runs = 0;
+    for (const ShownCommand& command : allCommands()) {
+        if (!command.notRun.empty()) continue;
+        const std::string arguments = runnable(command.arguments);
+        INFO(place(command.page, command.line) << ": meltpool " << command.arguments << ", run as " << arguments);
+        const Outcome outcome =
+            runMeltpool(arguments, "cd '" + folder.string() + "' && env -u DISPLAY -u WAYLAND_DISPLAY");
+        INFO(outcome.errors);
+        CHECK(outcome.code == 0);
+        ++runs;
+    }
+    CHECK(runs > 10);
+    // What the user guide says of its second run: the record repeats the first.
+    const auto hash = [&](const char* name) {
+        return nlohmann::json::parse(readTextFile(folder / name / "result.json")).at("state_hash");
+    };
+    CHECK(hash("bead") == hash("again"));
+}
+
+TEST_CASE("suites and options that the handbook shows exist", "[app][handbook]") {
+    Names options;
+    for (const char* command : {"", "run ", "bench ", "validate ", "lessons ", "doctor "}) {
+        const std::string help = runMeltpool(std::string(command) + "--help").output;
+        const std::regex kOption("--[a-z-]+");
+        for (std::sregex_iterator option(help.begin(), help.end(), kOption), end; option != end; ++option)
+            options.insert(option->str());
+    }
+    Names suites{"SUITE"};
+    for (const BenchPart& part : benchParts())
+        suites.emplace(part.suite);
+    const auto checkOptions = [&](const std::string& text) {
+        std::istringstream words(text);
+        for (std::string word; words >> word;)
+            if (word.starts_with("--")) CHECK(options.contains(word));
+    };
+    for (const ShownCommand& command : allCommands()) {
+        INFO(place(command.page, command.line) << ": meltpool " << command.arguments);
+        checkOptions(command.arguments);
+        std::istringstream words(command.arguments);
+        std::string name, suite;
+        words >> name >> suite;
+        if (name == "bench" && !suite.empty() && !suite.starts_with("--")) CHECK(suites.contains(suite));
+    }
+    const auto tables = tablesOf("option");
+    CHECK(tables.size() == 2);
+    for (const ShownTable& table : tables)
+        for (const std::string& span : table.column(0)) {
+            INFO(place(table.page, table.line) << ": " << span);
+            checkOptions(span);
+        }
+}
+
+TEST_CASE("files that the handbook shows are read", "[app][handbook]") {
+    const fs::path folder = scratchFolder("handbook-files");
+    fs::create_directory_symlink(sourceFolder() / "app" / "data" / "paths", folder / "paths");
+    fs::create_directory(folder / "lessons");
+    const std::map<std::string, std::pair<std::string, std::function<void(const fs::path&)>>> readers{
+        {"lesson", {"lesson.toml", [](const fs::path& file) { readLesson(file); }}},
+        {"torch.csv", {"torch.csv", [](const fs::path& file) { TorchPath::read(file); }}},
+        {"torch.toml", {"torch.toml", [](const fs::path& file) { TorchPath::read(file); }}},
+        {"material", {"material.toml", [](const fs::path& file) { readMaterial(file); }}},
+        {"validation case", {"case.toml", [](const fs::path& file) { readValidationCase(file); }}}};
+    Names kinds;
+    for (const Page& page : pages())
+        for (const ShownFile& shown : page.files) {
+            INFO(place(page.file, shown.line) << ": " << shown.kind);
+            const auto reader = readers.find(shown.kind);
+            REQUIRE(reader != readers.end());
+            const fs::path file = folder / "lessons" / reader->second.first;
+            writeTextFileAtomically(file, shown.text);
+            CHECK_NOTHROW(reader->second.second(file));
+            kinds.insert(shown.kind);
+        }
+    CHECK(kinds.size() == readers.size());
+}
+
+TEST_CASE("keys in the handbook's tables of lessons are the program's", "[app][handbook]") {
+    const Names classic = keysOf("classic", true), weld = keysOf("gmaw-bead", true);
+    Names both;
+    std::set_intersection(classic.begin(), classic.end(), weld.begin(), weld.end(), std::inserter(both, both.end()));
+    const std::map<std::string, Names> known{{"table of every lesson", both},
+                                             {"table of a lesson of the classic model", classic},
+                                             {"table of a weld lesson", weld}};
+    for (const auto& [head, keys] : known) {
+        const auto tables = tablesOf(head);
+        INFO(head);
+        REQUIRE(tables.size() == 1);
+        CHECK(joined(without(tables[0].column(1), keys)) == "");
+    }
+    for (const ShownTable& table : tablesOf("parameter")) {
+        INFO(place(table.page, table.line));
+        CHECK(joined(without(table.column(0), keysOf("classic", false))) == "");
+    }
+}
+
+TEST_CASE("the handbook names every lesson", "[app][handbook]") {
+    const auto tables = tablesOf("what it practises", 1);
+    REQUIRE(tables.size() == 1);
+    const auto names = lessonNames(sourceFolder() / "app" / "data" / "lessons");
+    CHECK(joined(tables[0].column(0)) == joined(Names(names.begin(), names.end())));
+}
+
+TEST_CASE("the handbook names every kind of validation case, its keys and its results", "[app][handbook]") {
+    const auto tables = tablesOf("keys of `[case]`", 1);
+    REQUIRE(tables.size() == 1);
+    std::map<std::string, Names> shown;
+    for (size_t row = 0; row < tables[0].rows.size(); ++row) {
+        const auto keys = tables[0].code(row, 1);
+        shown[tables[0].code(row, 0).at(0)] = Names(keys.begin(), keys.end());
+    }
+    Names results;
+    for (const CaseKind& kind : caseKinds()) {
+        INFO(kind.name);
+        Names all, needed;
+        for (const CaseKey& key : kind.keys) {
+            all.emplace(key.key);
+            if (!key.fallback) needed.emplace(key.key);
+        }
+        const Names& own = shown[std::string(kind.name)];
+        CHECK(joined(without(own, all)) == "");
+        CHECK(joined(without(needed, own)) == "");
+        results.merge(commaNames(kind.results));
+    }
+    CHECK(shown.size() == caseKinds().size());
+    Names told;
+    for (const size_t column : {0, 1})
+        for (const ShownTable& table : tablesOf("result", column))
+            told.merge(table.column(column));
+    CHECK(joined(without(told, results)) == "");
+    CHECK(joined(without(results, told)) == "");
+}
+
+TEST_CASE("the handbook names what the program writes", "[app][handbook]") {
+    const auto told = [](const std::string& head) {
+        const auto tables = tablesOf(head);
+        REQUIRE(tables.size() == 1);
+        return tables[0];
+    };
+    const auto& required = torchColumns();
+    const Names columns(required.begin(), required.end());
+    CHECK(told("columns of a torch path").column(0) == columns);
+
+    // A weld whose pictures cut it: the run with everything in its result.
+    const fs::path folder = scratchFolder("handbook-run");
+    REQUIRE(
+        runMeltpool("run gmaw-bead --seconds 0.05 --pictures 0 --size 64x36 --out '" + folder.string() + "'").code ==
+        0);
+    const std::string telemetry = readTextFile(folder / "telemetry.csv");
+    CHECK(told("columns of telemetry.csv").column(0) ==
+          without(commaNames(telemetry.substr(0, telemetry.find('\n'))), columns));
+    const auto result = nlohmann::json::parse(readTextFile(folder / "result.json"));
+    Names all{"error"}, top{"error"};
+    addKeys(result, all);
+    for (const auto& [key, value] : result.items())
+        top.insert(key);
+    CHECK(joined(without(told("entries of result.json").column(0), top)) == "");
+    CHECK(joined(without(top, told("entries of result.json").column(0))) == "");
+    CHECK(joined(without(told("entries of result.json").column(1), all)) == "");
+
+    Names bench;
+    const auto json = nlohmann::json::parse(benchJson(context().info(), {BenchRow{}}));
+    addKeys(json, bench);
+    addKeys(json.at("rows").at(0), bench);
+    CHECK(told("entries of the benchmark").column(0) == bench);
+}

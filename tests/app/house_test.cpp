@@ -1,0 +1,125 @@
+// The house is as the README's table of folders says: includes lead downward, folders stay small.
+#include "core/base/text.hpp"
+#include "tests/app/handbook.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <regex>
+
+using namespace meltpool;
+using namespace meltpool::test;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr size_t kMostUnits = 15;
+
+fs::path sourceFolder() {
+    return testFolder().parent_path();
+}
+
+/// An include of one folder by another.
+struct Include {
+    std::string from, to; ///< folders, with a slash at their end
+    std::string file, included;
+};
+
+struct House {
+    std::vector<Include> includes;                      ///< between different folders
+    std::map<std::string, std::set<std::string>> units; ///< of each folder: file names without their ending
+};
+
+House readHouse() {
+    static const std::regex kInclude("#include \"((?:core|xr|app|shaders|tests)/[^\"]*)\"");
+    House house;
+    for (const char* top : {"core", "xr", "app"})
+        for (const auto& entry : fs::recursive_directory_iterator(sourceFolder() / top)) {
+            if (entry.path().extension() != ".hpp" && entry.path().extension() != ".cpp") continue;
+            const std::string file = fs::relative(entry.path(), sourceFolder()).generic_string();
+            const std::string folder = file.substr(0, file.rfind('/') + 1);
+            house.units[folder].insert(entry.path().stem().string());
+            const std::string text = readTextFile(entry.path());
+            for (std::sregex_iterator found(text.begin(), text.end(), kInclude), end; found != end; ++found) {
+                const std::string included = (*found)[1];
+                const std::string other = included.substr(0, included.rfind('/') + 1);
+                if (other != folder) house.includes.push_back({folder, other, file, included});
+            }
+        }
+    return house;
+}
+
+/// The folders of the README's table, from the top down.
+std::vector<std::string> tableOfFolders() {
+    for (const ShownTable& table : readPage(sourceFolder() / "README.md").tables)
+        if (table.heads.front() == "folder") {
+            std::vector<std::string> folders;
+            for (size_t row = 0; row < table.rows.size(); ++row)
+                folders.push_back(table.code(row, 0).at(0));
+            return folders;
+        }
+    return {};
+}
+
+/// The row of the table for a folder: its own, or that of the nearest folder around it; the table's size for none.
+size_t rowOf(const std::vector<std::string>& table, const std::string& folder) {
+    size_t best = table.size();
+    for (size_t row = 0; row < table.size(); ++row)
+        if (folder.starts_with(table[row]) && (best == table.size() || table[row].size() > table[best].size()))
+            best = row;
+    return best;
+}
+
+} // namespace
+
+TEST_CASE("includes lead down the README's table of folders", "[app][house]") {
+    const std::vector<std::string> table = tableOfFolders();
+    REQUIRE(table.size() > 20);
+    for (const std::string& folder : table) {
+        INFO(folder);
+        CHECK(fs::is_directory(sourceFolder() / folder));
+    }
+    const House house = readHouse();
+    CHECK(house.includes.size() > 200);
+    for (const Include& include : house.includes) {
+        if (include.from == "app/") continue; // main.cpp stands above the table
+        INFO(include.file << " includes " << include.included);
+        REQUIRE(rowOf(table, include.from) < table.size());
+        REQUIRE(rowOf(table, include.to) < table.size());
+        CHECK(rowOf(table, include.from) <= rowOf(table, include.to));
+        CHECK_FALSE(include.to.starts_with("tests/"));
+        if (include.from.starts_with("xr/") && !include.to.starts_with("xr/"))
+            CHECK((include.to == "core/gl/" || include.to == "core/base/"));
+    }
+}
+
+TEST_CASE("no folders include each other, not even a folder and its own subfolder", "[app][house]") {
+    std::map<std::string, std::set<std::string>> below;
+    for (const Include& include : readHouse().includes)
+        below[include.from].insert(include.to);
+    std::set<std::string> done, open;
+    const std::function<void(const std::string&)> visit = [&](const std::string& folder) {
+        if (done.contains(folder)) return;
+        INFO(folder);
+        if (!open.insert(folder).second) {
+            FAIL_CHECK("the folder is reached from itself");
+            return;
+        }
+        for (const std::string& other : below[folder])
+            visit(other);
+        open.erase(folder);
+        done.insert(folder);
+    };
+    for (const auto& [folder, others] : std::map(below))
+        visit(folder);
+}
+
+TEST_CASE("no folder holds more units than can be looked over", "[app][house]") {
+    for (const auto& [folder, units] : readHouse().units) {
+        INFO(folder);
+        CHECK(units.size() <= kMostUnits);
+    }
+}
