@@ -18,7 +18,7 @@ constexpr int kDone = 0;
 constexpr int kFailed = 1;
 constexpr int kBadInput = 2;
 
-/// What the words of the command line ask for.
+/// The parsed command line.
 struct Words {
     RunRequest run;
     DesktopOptions desktop;

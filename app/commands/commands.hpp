@@ -1,4 +1,4 @@
-// The program's commands, without the words by which a person chooses them.
+// The program's commands, independent of the command line's syntax.
 #pragma once
 
 #include "app/desktop/desktop.hpp"
@@ -42,7 +42,7 @@ void listLessons();
 /// Prints every value of a lesson that --set takes, with what it is there, unit, range and meaning.
 void listParameters(const std::string& lesson);
 
-/// Prints what the machine has and what is missing. Returns false when something that every run needs is missing.
+/// Prints what the machine has and what is missing. Returns false where something is missing that every run needs.
 bool runDoctor();
 
 } // namespace meltpool

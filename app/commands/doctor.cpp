@@ -25,7 +25,7 @@ namespace {
 
 using State = Finding::State;
 
-/// Numbers a full-size lesson needs of the driver; what the OpenGL standard guarantees may be less.
+/// Limits of the driver that a lesson of full size needs; OpenGL itself may guarantee less.
 struct Limit {
     const char* name;
     GLenum query;

@@ -12,7 +12,7 @@ void inspectHeadset(std::vector<Finding>& findings) {
     try {
         context = std::make_unique<gl::HeadlessContext>(false);
     } catch (const std::exception&) {
-        // What is wrong with OpenGL stands further up in the list.
+        // inspectDriver() has reported it already.
     }
     const xr::Diagnosis told = xr::diagnose(context != nullptr);
     for (const xr::Fact& fact : told.facts)

@@ -14,7 +14,7 @@ extern "C" void askToStop(int) {
     stopAsked = 1;
 }
 
-/// Ctrl+C and a polite kill close the window as its cross does; the old handlers come back afterwards.
+/// While it lives SIGINT and SIGTERM close the window as its close button does.
 class StopSignals {
   public:
     StopSignals() : interrupt_(std::signal(SIGINT, askToStop)), terminate_(std::signal(SIGTERM, askToStop)) {

@@ -6,17 +6,15 @@
 #include "core/base/resources.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
-#include <thread>
+#include <span>
 
 namespace meltpool {
 
 namespace {
 
-/// No display shows more, and a driver that does not wait for the display must not eat the processor.
-constexpr double kShortestFrame = 1.0 / 125;
-constexpr double kShaderLookEvery = 0.5;
-constexpr double kPatienceMinimised = 0.1;
+constexpr double kPatienceMinimised = 0.1; ///< s that a minimised window sleeps between looks at its input
 /// How long a headset that was asked for may take to appear, s.
 constexpr double kHeadsetPatience = 15;
 
@@ -26,65 +24,33 @@ std::string driverText(const gl::ContextInfo& info) {
 
 } // namespace
 
-ParameterList describe(WindowParameters& w) {
-    return {
-        {"width", "Width", "points", &w.width, 640, 16384, "of the window at the next start"},
-        {"height", "Height", "points", &w.height, 480, 16384, "of the window at the next start"},
-        {"maximised", "Maximised", "", &w.maximised, 0, 1, "at the next start"},
-        {"interface_size", "Size of text and menus", "", &w.interfaceSize, 0.7, 2,
-         "On top of what the desktop asks for; large menus cover more of the picture."},
-    };
-}
-
 DesktopApp::DesktopApp(const DesktopOptions& options)
     : options_(options),
       telemetry_(options.telemetry),
       window_(Window::Options{}),
       interface_(window_),
+      menus_(window_, interface_),
       shaders_(resourceFolder() / "shaders"),
       session_(shaders_, loadLesson(options.lesson)),
       windowSection_("window", describe(windowParameters_)),
       controlSection_("controls", describe(controls_.parameters)),
-      panelSection_("panels", describe(panels_)),
-      settingsFile_(options.settings.empty() ? settingsFolder() / "settings.toml" : options.settings),
+      panelSection_("panels", describe(menus_.panels)),
+      settings_(options.settings, options.lesson),
       driver_(driverText(window_.driver())) {
-    if (options_.lesson != kDefaultLesson) {
-        keptLesson_.emplace(loadLesson(std::string(kDefaultLesson)));
-        keptSections_.emplace(*keptLesson_);
-    }
     if (options_.headset != HeadsetUse::off) headset_.emplace(settingsFolder());
     session_.record(options_.record);
     if (telemetry_.enabled()) callsCounted_ = joinCallCounters();
-    readSettings();
+    for (std::string& fault : settings_.load(session_.sections(), ownSections()))
+        messages_.warn(std::move(fault), now());
     window_.resize({windowParameters_.width, windowParameters_.height}, windowParameters_.maximised);
     window_.show();
     lastFrame_ = now();
 }
 
-std::vector<SettingsSection> DesktopApp::settingsSections() {
-    LessonSections& lesson = keptSections_ ? *keptSections_ : session_.sections();
-    std::vector<ParameterSection*> all = lesson.all();
-    all.insert(all.end(), {&windowSection_, &controlSection_, &panelSection_});
-    if (headset_) all.push_back(&headset_->section());
-    std::vector<SettingsSection> sections;
-    ParameterList kept;
-    for (const ParameterSection* each : all) {
-        sections.push_back({each->name, {}});
-        for (const Parameter& p : each->parameters) {
-            // A value that stands in two menus is kept once, where it was named first.
-            const bool known =
-                std::any_of(kept.begin(), kept.end(), [&p](const Parameter& k) { return k.value == p.value; });
-            if (known) continue;
-            kept.push_back(p);
-            sections.back().parameters.push_back(p);
-        }
-    }
+std::vector<ParameterSection*> DesktopApp::ownSections() {
+    std::vector<ParameterSection*> sections{&windowSection_, &controlSection_, &panelSection_};
+    if (headset_) sections.push_back(&headset_->section());
     return sections;
-}
-
-void DesktopApp::readSettings() {
-    for (std::string& fault : loadSettings(settingsFile_, settingsSections()))
-        messages_.warn(std::move(fault), now());
 }
 
 void DesktopApp::finish() {
@@ -93,7 +59,7 @@ void DesktopApp::finish() {
     windowParameters_.height = std::clamp(size.y, 480, 16384);
     windowParameters_.maximised = window_.maximised();
     try {
-        saveSettings(settingsFile_, settingsSections());
+        settings_.save(session_.sections(), ownSections());
     } catch (const std::exception& fault) {
         std::fprintf(stderr, "the settings were not kept: %s\n", fault.what());
     }
@@ -118,12 +84,12 @@ void DesktopApp::runFrame() {
     if (window_.minimised() && !headsetFrame_) return;
 
     messages_.expire(time);
-    watchShaders();
+    if (gl::debugBuild() || options_.watchShaders) shaderWatch_.update(shaders_, messages_, time);
     const bool captured = session_.running() && controls_.captured();
     interface_.begin(windowParameters_.interfaceSize, captured, !session_.running());
     interface_.takeInput(input, captured);
     handleKeys(input);
-    const bool timed = panels_.timings && !panels_.hidden;
+    const bool timed = menus_.panels.timings && !menus_.panels.hidden;
     if (timed) profiler_.beginFrame();
     simulate(input, seconds);
     drawHeadset(seconds);
@@ -131,17 +97,18 @@ void DesktopApp::runFrame() {
     MenuRequest request = MenuRequest::none;
     {
         const gl::Scope scope(&profiler_, "interface");
-        request = drawInterface();
+        request = drawMenus();
         interface_.end();
     }
     if (timed) profiler_.endFrame();
     if (pictureAsked_) takePicture();
-    countFrame(seconds);
-    tellTelemetry();
+    pacer_.count(seconds);
+    figures_.framesPerSecond = pacer_.framesPerSecond();
+    writeTelemetry();
     window_.swap();
     act(request);
     window_.captureMouse(session_.running() && controls_.captured());
-    if (!headsetFrame_) pace(begin);
+    if (!headsetFrame_) pacer_.pace(begin);
 }
 
 void DesktopApp::beginHeadset(double seconds) {
@@ -171,22 +138,22 @@ void DesktopApp::handleKeys(const InputFrame& input) {
     for (const Key key : input.struck) {
         switch (key) {
         case Key::escape:
-            panels_.help = false;
+            menus_.panels.help = false;
             break;
         case Key::tab:
-            panels_.hidden = session_.running() && !panels_.hidden;
+            menus_.panels.hidden = session_.running() && !menus_.panels.hidden;
             break;
         case Key::f1:
-            panels_.help = !panels_.help;
+            menus_.panels.help = !menus_.panels.help;
             break;
         case Key::f2:
-            panels_.view = !panels_.view;
+            menus_.panels.view = !menus_.panels.view;
             break;
         case Key::f3:
-            panels_.simulation = !panels_.simulation;
+            menus_.panels.simulation = !menus_.panels.simulation;
             break;
         case Key::f4:
-            panels_.timings = !panels_.timings;
+            menus_.panels.timings = !menus_.panels.timings;
             break;
         case Key::f5:
             session_.reset(controls_);
@@ -219,7 +186,7 @@ void DesktopApp::act(MenuRequest request) {
     case MenuRequest::restart:
         session_.end();
         controls_.restart();
-        panels_.help = false;
+        menus_.panels.help = false;
         profiler_.reset();
         messages_.clear("metal");
         break;
@@ -231,7 +198,7 @@ void DesktopApp::act(MenuRequest request) {
 void DesktopApp::startLesson() {
     try {
         session_.begin(controls_);
-        panels_.hidden = false;
+        menus_.panels.hidden = false;
         profiler_.reset();
     } catch (const std::exception& fault) {
         session_.end();
@@ -257,24 +224,13 @@ void DesktopApp::simulate(const InputFrame& input, double seconds) {
         messages_.clear("metal");
 }
 
-float DesktopApp::coveredLeft() {
-    const int panels = static_cast<int>(panels_.view) + static_cast<int>(panels_.timings);
-    return panels_.hidden ? 0 : static_cast<float>(panels) * ui::panelReach(interface_.context());
-}
-
-float DesktopApp::coveredRight() {
-    return panels_.simulation && !panels_.hidden ? ui::panelReach(interface_.context()) : 0;
-}
-
 void DesktopApp::drawPicture(double seconds) {
     const glm::ivec2 pixels = window_.pixels();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     if (session_.running()) {
-        // The metal stays in the middle of what the panels leave free, and glides there.
-        const float width = static_cast<float>(std::max(window_.size().x, 1));
-        const float wanted = (coveredLeft() - coveredRight()) / width;
         if (headsetFrame_ && headset_->mirror(pixels)) return;
-        shift_ += (wanted - shift_) * std::min(1.0f, static_cast<float>(seconds) * 10);
+        // The metal moves smoothly to the middle of what the panels leave free.
+        shift_ += (menus_.middleOfPicture() - shift_) * std::min(1.0f, static_cast<float>(seconds) * 10);
         session_.draw(controls_, pixels, shift_, &profiler_);
         return;
     }
@@ -283,72 +239,12 @@ void DesktopApp::drawPicture(double seconds) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-MenuRequest DesktopApp::drawInterface() {
-    ui::Context& context = interface_.context();
-    MenuRequest request = MenuRequest::none;
-    if (!session_.running())
-        request = ui::startMenu(context, session_.sections().start, session_.lesson().text, driver_);
-    else if (!panels_.hidden)
-        request = drawPanels();
-    if (panels_.help) ui::helpOverlay(context, panels_.help);
-    const bool running = session_.running();
-    ui::messageStack(context, messages_, running ? coveredLeft() : 0, running ? coveredRight() : 0);
-    return request;
-}
-
-MenuRequest DesktopApp::drawPanels() {
-    ui::Context& context = interface_.context();
-    const LessonSections& lesson = session_.sections();
-    const MenuRequest request = ui::topBar(context, panels_, controls_, session_.lesson().title);
-    ui::statusBar(context, figures_, controls_);
-    ui::temperatureScale(context, session_.lesson().look.colours, session_.temperature(), coveredLeft());
-    makeRoom();
-    if (panels_.view) {
-        const std::array<const ParameterSection*, 5> sections{&lesson.view, &lesson.surface, &controlSection_,
-                                                              &windowSection_,
-                                                              headset_ ? &headset_->section() : nullptr};
-        ui::viewMenu(context, std::span(sections).first(headset_ ? 5 : 4));
-    }
-    if (panels_.simulation) ui::simulationMenu(context, lesson.simulation, controls_);
-    if (panels_.timings) ui::timingsPanel(context, profiler_, figures_, frameSeconds_ * 1000, driver_, panels_.view);
-    return request;
-}
-
-void DesktopApp::makeRoom() {
-    // In a small window the newer of the two panels at the left replaces the older.
-    const bool both = panels_.view && panels_.timings;
-    if (both && static_cast<float>(window_.size().x) < 4.5f * ui::panelReach(interface_.context()))
-        (timingsAreNewer_ ? panels_.view : panels_.timings) = false;
-    timingsAreNewer_ = panels_.view;
-}
-
-void DesktopApp::watchShaders() {
-    if ((!gl::debugBuild() && !options_.watchShaders) || now() < nextShaderLook_) return;
-    nextShaderLook_ = now() + kShaderLookEvery;
-    shaders_.reloadChanged();
-    std::string faults;
-    for (const std::string& fault : shaders_.standingFaults())
-        faults += "\n" + fault;
-    if (faults.empty())
-        messages_.clear("shader");
-    else
-        messages_.hold("The old shader runs on; the changed one was refused:" + faults, "shader");
-}
-
-void DesktopApp::countFrame(double seconds) {
-    ++frames_;
-    // Averaged over about half a second, so that the figure can be read.
-    const double share = std::clamp(seconds * 2, 0.02, 1.0);
-    frameSeconds_ += (seconds - frameSeconds_) * share;
-    figures_.framesPerSecond = frameSeconds_ > 0 ? 1 / frameSeconds_ : 0;
-}
-
-void DesktopApp::pace(Clock::time_point begin) const {
-    const auto shortest = std::chrono::duration<double>(kShortestFrame);
-    const auto rest = shortest - (Clock::now() - begin);
-    if (rest <= rest.zero()) return;
-    const InWork waiting(WorkPlace::waiting);
-    std::this_thread::sleep_for(rest);
+MenuRequest DesktopApp::drawMenus() {
+    LessonSections& lesson = session_.sections();
+    const std::array<const ParameterSection*, 5> view{&lesson.view, &lesson.surface, &controlSection_, &windowSection_,
+                                                      headset_ ? &headset_->section() : nullptr};
+    return menus_.draw({session_, controls_, messages_, figures_, profiler_, pacer_.frameSeconds() * 1000, driver_,
+                        std::span(view).first(headset_ ? 5 : 4)});
 }
 
 void DesktopApp::takePicture() {
@@ -361,7 +257,7 @@ void DesktopApp::takePicture() {
     }
 }
 
-void DesktopApp::tellTelemetry() {
+void DesktopApp::writeTelemetry() {
     if (!telemetry_.due(now())) return;
     meter_.pause();
     const LessonSections& lesson = session_.sections();
@@ -371,9 +267,9 @@ void DesktopApp::tellTelemetry() {
     std::vector<std::string> passes;
     for (const gl::PassTime& pass : profiler_.passes())
         passes.push_back(pass.name);
-    telemetry_.write({session_.running() ? "running" : "start", now(), frames_, session_.steps(),
-                      session_.running() ? session_.torch() : TorchSample{}, controls_, panels_, figures_, sections,
-                      passes, messages_, interface_.context(), window_.size(), window_.pixels(), screenshot_,
+    telemetry_.write({session_.running() ? "running" : "start", now(), pacer_.frames(), session_.steps(),
+                      session_.running() ? session_.torch() : TorchSample{}, controls_, menus_.panels, figures_,
+                      sections, passes, messages_, interface_.context(), window_.size(), window_.pixels(), screenshot_,
                       headset_ ? headset_->status() : HeadsetStatus{}, meter_, callsCounted_});
     meter_.resume();
 }

@@ -10,7 +10,7 @@ Interface::Interface(Window& window) : window_(window) {
     context_.scale = 0;
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr; // what the program remembers stands in its own settings file
+    io.IniFilename = nullptr; // the program has its own settings file
     io.LogFilename = nullptr;
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
     ImGui_ImplOpenGL3_Init("#version 450 core");
@@ -35,7 +35,7 @@ void Interface::rebuildFonts(float scale, float pixelScale) {
 
 void Interface::begin(float size, bool captured, bool byKeyboard) {
     const float scale = std::clamp(window_.interfaceScale() * size, 0.5f, 4.0f);
-    // A slider that is being pulled would run away under the hand if the sizes changed with it.
+    // While a slider is dragged the sizes must not change, or it would move away from the mouse.
     const bool settled = context_.scale <= 0 || !ImGui::IsMouseDown(0);
     if (settled && (scale != context_.scale || window_.pixelScale() != pixelScale_))
         rebuildFonts(scale, window_.pixelScale());
@@ -46,7 +46,7 @@ void Interface::begin(float size, bool captured, bool byKeyboard) {
     flag(ImGuiConfigFlags_NoMouse, captured);
     flag(ImGuiConfigFlags_NavEnableKeyboard, byKeyboard);
     ImGui_ImplOpenGL3_NewFrame();
-    // It asks the display where mouse and focus are, and that takes longer than all the menus.
+    // This asks the display for mouse and focus, which takes longer than drawing all menus.
     if (window_.stirred()) ImGui_ImplGlfw_NewFrame();
     const Clock::time_point now = Clock::now();
     io.DeltaTime = std::max(std::chrono::duration<float>(now - lastBegin_).count(), 1e-4f);
@@ -76,7 +76,7 @@ void Interface::end() {
     const glm::ivec2 pixels = window_.pixels();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, pixels.x, pixels.y);
-    const InWork driver(WorkPlace::driver); // Dear ImGui loads the functions of OpenGL by itself
+    const InWork driver(WorkPlace::driver); // Dear ImGui's own OpenGL calls
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 

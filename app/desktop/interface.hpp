@@ -16,8 +16,8 @@ class Interface {
     Interface(const Interface&) = delete;
     Interface& operator=(const Interface&) = delete;
 
-    /// Begins a frame. `size`: the person's factor on what the desktop asks for. `captured`: the mouse is not for the
-    /// interface. `byKeyboard`: keys walk through the controls.
+    /// Begins a frame. `size`: the person's factor on the desktop's scale. `captured`: the interface ignores the mouse.
+    /// `byKeyboard`: keys move between the controls.
     void begin(float size, bool captured, bool byKeyboard);
     /// Takes out of `input` what belongs to the interface. Between begin() and end().
     void takeInput(InputFrame& input, bool captured) const;

@@ -90,7 +90,7 @@ Window::Window(const Options& options) : normalSize_(options.width, options.heig
         open(options);
         driver_ = gl::useCurrentContext(gl::debugBuild());
         if (driver_.software && options.samples > 0) {
-            // Drawn on the CPU, four samples a pixel cost more than they are worth.
+            // A software driver takes too long for four samples a pixel.
             glfwDestroyWindow(std::exchange(window_, nullptr));
             Options plain = options;
             plain.samples = 0;
@@ -172,7 +172,7 @@ InputFrame Window::poll(double patience) {
         glfwWaitEventsTimeout(patience);
     else
         glfwPollEvents();
-    // A key or button that went down and up again between two frames still counts for one.
+    // A key or button that was pressed and released between two frames is held in one frame.
     gathering_.held |= down_;
     gathering_.leftHeld |= leftDown_;
     gathering_.rightHeld |= rightDown_;
@@ -239,7 +239,8 @@ void Window::captureMouse(bool captured) {
     if (captured == captured_) return;
     captured_ = captured;
     glfwSetInputMode(window_, GLFW_CURSOR, captured ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
-    glfwGetCursorPos(window_, &mouse_.x, &mouse_.y); // it jumps at the change; that is no movement of the hand
+    glfwGetCursorPos(window_, &mouse_.x,
+                     &mouse_.y); // the position jumps at the change without any movement of the mouse
 }
 
 void Window::toggleFullScreen() {
@@ -279,7 +280,7 @@ float Window::pixelScale() const {
 float Window::interfaceScale() const {
     glm::vec2 content{1};
     glfwGetWindowContentScale(window_, &content.x, &content.y);
-    // Where points are larger than pixels already (macOS, Wayland), the system has done the enlarging.
+    // Where a point is larger than a pixel (macOS, Wayland), the system scales already.
     return std::clamp(content.x / std::max(pixelScale(), 1e-3f), 0.5f, 4.0f);
 }
 

@@ -1,4 +1,4 @@
-// The operating system's window with an OpenGL 4.5 context, and what keyboard and mouse did in it.
+// A window with an OpenGL 4.5 context, and the input of keyboard and mouse.
 #pragma once
 
 #include "app/session/input.hpp"
@@ -28,7 +28,7 @@ class Window {
     Window& operator=(const Window&) = delete;
 
     void resize(glm::ivec2 size, bool maximised);
-    /// swap() waits for the display (as at first), or not: while something else paces the frames.
+    /// Whether swap() waits for the display. It does at first; not to be used while the headset paces the frames.
     void waitForDisplay(bool wait);
     void show();
     void swap();
@@ -43,7 +43,7 @@ class Window {
     void toggleFullScreen();
     void setTitle(const std::string& title);
 
-    // As of the last poll(): asking the display each time takes longer than most of a frame's work.
+    // Values of the last poll(): asking the display each time would take longer than most of a frame's work.
     glm::ivec2 size() const { return size_; }     ///< screen points
     glm::ivec2 pixels() const { return pixels_; } ///< of the frame buffer
     bool minimised() const;
@@ -69,7 +69,8 @@ class Window {
     void onSize(glm::ivec2 size);
     void onPixels(glm::ivec2 pixels);
 
-    /// A click is told as pressed and then as released, and may change the pointer's shape after that.
+    /// A click comes as press and release and may then change the pointer's shape, so the interface needs some more
+    /// polls.
     static constexpr int kSettlingPolls = 4;
 
     GLFWwindow* window_ = nullptr;

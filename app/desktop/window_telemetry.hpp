@@ -1,4 +1,4 @@
-// What the window tells a test or an observer: one JSON object a line, the newest last.
+// The state of the window for tests and observers: a file with one JSON object a line, the newest last.
 #pragma once
 
 #include "app/headset/headset_status.hpp"

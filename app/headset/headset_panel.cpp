@@ -70,7 +70,7 @@ void HeadsetPanel::draw(GLuint framebuffer, const PointerOnPanel& pointer, doubl
         top->AddCircleFilled(io.MousePos, 6, io.MouseDown[0] ? ui::colour::kAccent : ui::colour::kText, 24);
     }
     ImGui::Render();
-    glDisable(GL_FRAMEBUFFER_SRGB); // the interface's colours are finished
+    glDisable(GL_FRAMEBUFFER_SRGB); // Dear ImGui's colours are sRGB-encoded already
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, width_, height_);
     glClearColor(0.086f, 0.098f, 0.122f, 0.96f);

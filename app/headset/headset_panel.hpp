@@ -1,4 +1,4 @@
-// The desk's menus in the headset: a Dear ImGui of its own, drawn into the panel in space and used by a pointer's ray.
+// A Dear ImGui context of its own for the panel in the headset, used with a pointer.
 #pragma once
 
 #include "app/session/ui/panels.hpp"

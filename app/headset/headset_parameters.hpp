@@ -1,4 +1,4 @@
-// What a person can choose about working in the headset.
+// The parameters of working in the headset.
 #pragma once
 
 #include "core/base/parameter.hpp"
@@ -22,7 +22,7 @@ struct HeadsetParameters {
     int bothEyes = kAutomatic;    ///< BothEyes: how one frame gets to two eyes
     bool visor = true;            ///< darkens while the heat is on
     float visorShade = 10;        ///< EN 169 number of the dark visor over an arc
-    float visorShare = 0.25f;     ///< share of the light that it lets through where the heat does not shine
+    float visorShare = 0.25f;     ///< share of the light that it transmits where the source gives none
     int deskView = kTrainee;      ///< DeskView: what the window shows while the headset is in use
     float hapticStrength = 1.0f;  ///< factor on every vibration
 };

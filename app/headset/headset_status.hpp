@@ -8,7 +8,7 @@
 
 namespace meltpool {
 
-/// What happens at the tip of the torch in the hand, and what the hand feels.
+/// What happens at the tip of the torch in the hand, and its vibration.
 struct TipStatus {
     std::string action = "idle"; ///< "burning", "shorting", "stubbed", "breaking"
     double aheadMm = 0;          ///< to the metal along the torch's axis; infinite (null): none
@@ -21,7 +21,7 @@ struct TipStatus {
     unsigned pulses = 0;  ///< sent to the controller since the headset was opened
 };
 
-/// What the headset does; as at first where none is looked for.
+/// The state of the headset; the defaults hold where none is searched for.
 struct HeadsetStatus {
     std::string state = "off"; ///< "searching", "asleep", "running", "stalled", "ended"
     std::string mode; ///< of the session: "waiting", "synchronized", "visible", "focused"; empty: there is none

@@ -13,9 +13,9 @@ namespace {
 
 constexpr double kPivotSeconds = 12;
 constexpr double kAxisSeconds = 3;
-constexpr double kGettingReady = 5;  ///< s before the first pose counts: the hand that pressed has to get there
-constexpr size_t kWishedPoses = 120; ///< a slow headset swings on for them ...
-constexpr double kLongest = 35;      ///< ... no longer than this, s
+constexpr double kGettingReady = 5;  ///< s before the first pose counts, to bring the torch into place
+constexpr size_t kWishedPoses = 120; ///< measuring goes on until there are so many ...
+constexpr double kLongest = 35;      ///< ... for this long at most, s
 
 std::string decimals(float value, int digits) {
     std::array<char, 32> text{};

@@ -1,4 +1,4 @@
-// Measuring the torch in the hand: where its tip is and which way it points, and the file that remembers it.
+// Measures the position of the tip and the direction of the torch in the hand, and keeps them in a file.
 #pragma once
 
 #include "xr/input/input.hpp"
@@ -18,7 +18,7 @@ class CalibrationFile {
     explicit CalibrationFile(std::filesystem::path file);
 
     const xr::TipCalibration& tip() const { return tip_; }
-    /// Takes it over and writes it. Answers what went wrong with the file; empty: nothing.
+    /// Uses `tip` from now on and writes the file. Answers what failed with the file; empty: nothing.
     std::string keep(const xr::TipCalibration& tip);
 
   private:
@@ -36,10 +36,10 @@ class TipMeasuring {
     void begin(Task task);
     bool underWay() const { return left_ > 0; }
 
-    /// Takes the pose of a frame. When time is over, the calibration as it is now with what was found put in; nothing
-    /// where that was refused. `elapsed`: real seconds since the last frame.
+    /// Takes the pose of a frame. When the time is over, answers the calibration `now` with the measured part replaced;
+    /// nothing before that, and where the measurement was refused. `elapsed`: real seconds since the last frame.
     std::optional<xr::TipCalibration> gather(const xr::HandInput& torch, const xr::TipCalibration& now, double elapsed);
-    /// What to add to the report about keeping it.
+    /// Adds to the report that the file could not be written; an empty `fault` adds nothing.
     void kept(const std::string& fault);
 
     /// What to do and for how long, then what was found, as a sentence for the person.

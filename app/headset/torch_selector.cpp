@@ -6,20 +6,20 @@ namespace meltpool {
 
 namespace {
 
-constexpr float kLetGo = 0.05f; // of the trigger's way
+constexpr float kLetGo = 0.05f; // share of the trigger's travel
 
 } // namespace
 
 void TorchSelector::choose(bool wanted, std::span<const xr::TrackerInput> trackers, double elapsed) {
     wanted_ = wanted;
-    // The tracker in use stays the one as long as it is seen.
+    // The tracker in use is kept as long as it is tracked.
     if (tracker_ >= trackers.size() || !trackers[tracker_].tracked)
         for (size_t i = trackers.size(); i-- > 0;)
             if (trackers[i].tracked) tracker_ = i;
-    inSight_ = wanted && tracker_ < trackers.size() && trackers[tracker_].tracked;
-    lost_ = inSight_ ? 0 : lost_ + elapsed;
-    seen_ = wanted && (seen_ || inSight_);
-    const TorchHolder now = inSight_ || (seen_ && lost_ < kPatience) ? TorchHolder::tracker : TorchHolder::hand;
+    visible_ = wanted && tracker_ < trackers.size() && trackers[tracker_].tracked;
+    lost_ = visible_ ? 0 : lost_ + elapsed;
+    seen_ = wanted && (seen_ || visible_);
+    const TorchHolder now = visible_ || (seen_ && lost_ < kPatience) ? TorchHolder::tracker : TorchHolder::hand;
     changed_ = now != holder_;
     holder_ = now;
 }
@@ -40,10 +40,10 @@ void TorchSelector::update(bool wanted, const xr::HandInput& hand, std::span<con
 }
 
 std::string_view TorchSelector::warning() const {
-    if (!wanted_ || inSight_) return {};
-    if (!seen_) return "No tracker is to be seen: the torch is in the hand.";
+    if (!wanted_ || visible_) return {};
+    if (!seen_) return "No tracker is visible: the controller is the torch.";
     if (holder_ == TorchHolder::tracker) return "The torch's tracker is out of sight: the arc is out.";
-    return "The torch's tracker is out of sight: the torch is in the hand until it is back.";
+    return "The torch's tracker is out of sight: the controller is the torch until it is back.";
 }
 
 } // namespace meltpool

@@ -1,4 +1,4 @@
-// What the lesson's torch is fixed to: the controller in the hand, or a tracker on a real torch.
+// Selects what carries the lesson's torch: the controller in the hand, or a tracker on a real torch.
 #pragma once
 
 #include "xr/input/input.hpp"
@@ -10,9 +10,9 @@ namespace meltpool {
 
 enum class TorchHolder { hand, tracker };
 
-/// A tracker that is wanted holds the torch from when it is first seen. Out of sight its arc is out; after kPatience
-/// the hand has the torch until the tracker is back. Whenever the holder changes, the arc stays out until the trigger
-/// was let go once: no arc strikes where nobody meant it to.
+/// Where a tracker is wanted it holds the torch once it is tracked. While it is not, the arc is out, and after
+/// kPatience the hand holds the torch until the tracker is back. When the holder changes the arc stays out until the
+/// trigger has been released, so that no arc strikes unintended.
 class TorchSelector {
   public:
     static constexpr double kPatience = 2; ///< s
@@ -21,14 +21,13 @@ class TorchSelector {
     void update(bool wanted, const xr::HandInput& hand, std::span<const xr::TrackerInput> trackers, double elapsed);
 
     TorchHolder holder() const { return holder_; }
-    /// The holder changed in this update: no way leads from the old place to the new.
+    /// The holder changed in this update, so the torch jumps to another place.
     bool changed() const { return changed_; }
-    /// Pose and trigger of the holder. A tracker's trigger is the one wired to it or the hand's, whichever is pulled
-    /// more.
+    /// Pose and trigger of the holder. With a tracker the trigger is the larger value of its wired one and the hand's.
     const xr::HandInput& torch() const { return torch_; }
-    /// Number of the tracker among those of the runtime; that of the last one where the hand holds the torch.
+    /// The tracker's number in xr::Input::trackers(); of the last one used where the hand holds the torch.
     size_t tracker() const { return tracker_; }
-    /// A tracker is wanted and not there: what to tell; else empty.
+    /// A sentence for the person where a wanted tracker is not tracked; else empty.
     std::string_view warning() const;
 
   private:
@@ -36,12 +35,12 @@ class TorchSelector {
 
     TorchHolder holder_ = TorchHolder::hand;
     bool wanted_ = false;
-    bool seen_ = false; ///< a tracker was there since it is wanted
-    bool inSight_ = false;
+    bool seen_ = false; ///< a tracker has been tracked since it is wanted
+    bool visible_ = false;
     double lost_ = 0; ///< s
     size_t tracker_ = 0;
     bool changed_ = false;
-    bool blocked_ = false; ///< until the trigger is let go
+    bool blocked_ = false; ///< until the trigger is released
     xr::HandInput torch_;
 };
 

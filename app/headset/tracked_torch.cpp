@@ -13,7 +13,7 @@ void TrackedTorch::update(const xr::HandInput& hand, const xr::TipCalibration& c
     now_ = calibration.tip(grip_);
     trigger_ = hand.trigger;
     known_ = true;
-    // A hand that comes back may be anywhere else: no way is drawn from where it was lost.
+    // A torch that is tracked again starts at its new place; it does not travel there from where it was lost.
     if (!continues) before_ = now_;
     if (elapsed > 0) velocity_ = (now_.position - before_.position) / static_cast<float>(elapsed);
 }

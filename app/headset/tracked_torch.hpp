@@ -1,5 +1,4 @@
-// The torch in the tracked hand: from the controller's poses, frame by frame, to torch samples for fixed simulation
-// steps.
+// Turns a controller's or tracker's pose of each frame into torch samples for simulation steps of fixed length.
 #pragma once
 
 #include "app/headset/workshop.hpp"
@@ -13,17 +12,17 @@ namespace meltpool {
 
 class TrackedTorch {
   public:
-    /// Takes the frame's hand. Where it is not tracked the arc goes out at once and the torch stays where it was last
-    /// seen. `elapsed`: real seconds since the last frame, for the tip's speed.
+    /// Takes the frame's pose and trigger. While it is not tracked the trigger is 0 and the torch stays at its last
+    /// known pose. `elapsed`: real seconds since the last frame, for the tip's speed.
     void update(const xr::HandInput& hand, const xr::TipCalibration& calibration, const Workshop& workshop,
                 double elapsed);
-    /// The headset is gone: as a lost hand.
+    /// The pose is no longer known, as in a frame that is not tracked.
     void lose() { tracked_ = false; }
-    /// The trigger is for something else in this frame.
+    /// The trigger counts as released in this frame.
     void release() { trigger_ = 0; }
 
     bool tracked() const { return tracked_; }
-    /// It was held at least once.
+    /// It was tracked at least once.
     bool known() const { return known_; }
     /// The tip in the workshop, for drawing.
     const xr::Pose& tip() const { return now_; }
@@ -33,8 +32,8 @@ class TrackedTorch {
     /// m/s, in the workshop.
     const glm::vec3& velocity() const { return velocity_; }
 
-    /// The torch in the workpiece's frame for step `step` (from 0) of the `steps` that this frame runs: the way between
-    /// the last frame's place and this one's in even parts. The time is left to the caller.
+    /// The torch in the workpiece's frame for step `step` (from 0) of this frame's `steps`: poses at equal intervals
+    /// between the last frame's pose and this one's. The caller sets the sample's time.
     TorchSample sample(const WorkpiecePlace& place, int step, int steps) const;
 
   private:

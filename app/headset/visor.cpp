@@ -8,7 +8,7 @@ void Visor::wear(const HeadsetParameters& parameters, bool kelvin, LookParameter
     const float dark = darkness(parameters);
     if (dark <= 0) return;
     if (kelvin) {
-        constexpr float kClearShade = 3; // of a visor that waits for the arc (EN 379)
+        constexpr float kClearShade = 3; // light state of an auto-darkening visor (EN 379)
         look.visorShade = kClearShade + (parameters.visorShade - kClearShade) * dark;
     } else {
         look.exposure *= 1 + (parameters.visorShare - 1) * dark;

@@ -1,4 +1,4 @@
-// An auto-darkening welder's visor: dark with the arc, clear again a moment after it.
+// An auto-darkening welder's visor: dark while the arc burns, clear again a moment later.
 #pragma once
 
 #include "app/headset/headset_parameters.hpp"
@@ -12,11 +12,12 @@ class Visor {
     static constexpr double kHold = 0.15;
     static constexpr double kClearing = 0.25;
 
-    /// Goes on by `elapsed` seconds; real visors darken within 0.1 ms, so the first frame with heat is dark.
+    /// `elapsed`: real seconds since the last frame. Real visors darken within 0.1 ms, so the first frame with heat is
+    /// dark.
     void update(bool heat, double elapsed) { sinceHeat_ = heat ? 0.0 : sinceHeat_ + elapsed; }
 
-    /// Puts the visor before the eye. Metal in kelvin shines as it does, so the visor is the real filter; the classic
-    /// lesson's source gives no light, and the view is only dimmed.
+    /// Sets the visor in `look`. With temperatures in kelvin the metal radiates physically and the visor is a filter of
+    /// its shade; in the classic lesson, whose source gives no light, the picture is only dimmed.
     void wear(const HeadsetParameters& parameters, bool kelvin, LookParameters& look) const;
 
     /// 1 dark .. 0 clear.

@@ -19,7 +19,7 @@ float yawOf(const glm::quat& orientation) {
 
 void Workshop::recentre(const xr::Pose& head, const HeadsetParameters& parameters, bool floorKnown) {
     const glm::quat back = glm::angleAxis(-yawOf(head.orientation), glm::vec3(0, 1, 0));
-    glm::vec3 eyes(0, head.position.y, kReach); // where the head has to come to
+    glm::vec3 eyes(0, head.position.y, kReach); // where the head shall be in the workshop
     if (parameters.posture == HeadsetParameters::kSeated || !floorKnown) eyes.y = parameters.tableHeight + kSeatedDrop;
     sessionToWorkshop_ = {back, eyes - back * head.position};
     recentreRequested_ = false;

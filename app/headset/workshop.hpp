@@ -7,8 +7,7 @@
 namespace meltpool {
 
 /// The workshop is a right-handed frame in metres, y up, its origin on the floor under the middle of the workpiece, the
-/// welder on the side of +z looking along -z. It stays where it is in the room until the person asks for it (recentre):
-/// nothing moves that the head did not move.
+/// welder on the side of +z looking along -z. It keeps its place in the room until the person asks for a recentre.
 class Workshop {
   public:
     /// Where the person's eyes stand after a recentre: this far behind the workpiece's middle, m.
@@ -17,9 +16,9 @@ class Workshop {
     static constexpr float kSeatedDrop = 0.45f;
 
     /// Puts the workshop in front of a head at `head` (session space): turned to where it looks, upright. Standing,
-    /// with the floor known, the floor stays the floor; else the table comes to the person.
+    /// with a known floor, the workshop's floor is the real one; else the table is put before the person.
     void recentre(const xr::Pose& head, const HeadsetParameters& parameters, bool floorKnown);
-    /// The next recentre() is wished for: at first, and after requestRecentre().
+    /// recentre() is to be called: true at first and after requestRecentre().
     bool recentreRequested() const { return recentreRequested_; }
     void requestRecentre() { recentreRequested_ = true; }
 

@@ -37,7 +37,7 @@ void WorkshopScene::addRoom(float tableHeight) {
     constexpr float kWidth = 1.2f, kDepth = 0.75f, kThickness = 0.03f, kLeg = 0.05f;
     add(SolidShape::box, boxAt({0, -0.01f, 0.2f}, {2.6f, 0.02f, 2.2f}), kMat, 0.1f);
     add(SolidShape::box, boxAt({0, tableHeight - kThickness / 2, 0}, {kWidth, kThickness, kDepth}), kTableSteel, 0.3f);
-    // Slots as clamping tables have them: they let the eyes judge distances on the plate.
+    // The slots of a clamping table help to judge distances on it.
     constexpr float kSlot = 0.006f, kSpacing = 0.15f, kRaise = 0.0004f;
     for (int i = -3; i <= 3; ++i)
         add(SolidShape::box, boxAt({float(i) * kSpacing, tableHeight, 0}, {kSlot, kRaise, kDepth - 0.06f}), kSlotBlack,
@@ -54,7 +54,7 @@ void WorkshopScene::addRoom(float tableHeight) {
 }
 
 void WorkshopScene::addTorch(const HandsView& hands) {
-    const xr::Pose& tip = hands.tip; // its +z runs back from the tip
+    const xr::Pose& tip = hands.tip; // its +z points from the tip back along the torch
     const auto along = [&](float z, float y) { return tip * glm::vec3(0, y, z); };
     add(SolidShape::cone, alongLine(along(0.012f, 0), along(0.0f, 0), 0.006f), kCopper, 0.7f);
     add(SolidShape::cylinder, alongLine(along(0.05f, 0), along(0.012f, 0), 0.016f), kBrass, 0.6f);

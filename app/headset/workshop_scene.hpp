@@ -1,4 +1,4 @@
-// What is to be seen in the headset besides the metal: floor, table, torch, filler rod and pointer, as simple solids.
+// What the headset shows besides the metal: floor, table, torch, filler rod and pointer, as simple solids.
 #pragma once
 
 #include "app/headset/tracked_torch.hpp"
@@ -28,8 +28,7 @@ class WorkshopScene {
     static constexpr float kRodReach = 0.30f;
 
     WorkshopScene();
-    /// The solids of this frame, in the workshop's metres; valid until the next call. Makes no allocation after the
-    /// first.
+    /// The solids of this frame, in the workshop, m; valid until the next call. Allocates nothing after the first.
     std::span<const Solid> build(const HeadsetParameters& parameters, const HandsView& hands);
 
   private:

@@ -12,7 +12,7 @@ struct CallListener {
     /// WorkMeter measures the thread.
     int (*enterDriver)();
     void (*leaveDriver)(int before);
-    /// The call has to wait until the GPU has got somewhere.
+    /// The call waits for the GPU.
     void (*stalled)(const char* call);
 };
 

@@ -1,5 +1,5 @@
-// What a frame of the running trainer costs the processor. Where the tests' call counters are loaded also how often it
-// asks the heap and waits for the GPU, and the graphics driver's share.
+// What a frame of the running trainer costs the processor. With the tests' call counters loaded also how often it
+// allocates and waits for the GPU, and the graphics driver's share.
 #pragma once
 
 #include "core/base/work_meter.hpp"
@@ -29,7 +29,7 @@ class FrameMeter {
     };
 
     void begin();
-    /// What happens between these is not the frame's: writing down what it cost.
+    /// Work between these two does not count as the frame's, such as writing the telemetry.
     void pause();
     void resume();
     void end();

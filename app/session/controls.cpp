@@ -12,7 +12,7 @@ constexpr float kApproachSpeed = 1.0f; ///< nearer or farther by a factor e in a
 constexpr float kFlySpeed = 1.5f;      ///< box units a second
 constexpr float kLookSpeed = 0.0035f;  ///< rad a point of mouse travel
 constexpr float kNotch = 0.12f;        ///< logarithm of the factor of a wheel notch
-constexpr double kLongestFrame = 0.1;  ///< s; a frame that hung must not throw the camera away
+constexpr double kLongestFrame = 0.1;  ///< s; longer frames move the camera no farther
 
 /// 1, -1 or 0 for a pair of keys.
 float axis(const InputFrame& input, Key positive, Key negative) {

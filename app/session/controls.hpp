@@ -1,4 +1,4 @@
-// Modes, cameras and heat source of the desktop trainer: what keys and mouse do, without a window.
+// What keys and mouse do in the window: modes, cameras and the heat source. Knows no window library.
 #pragma once
 
 #include "app/session/heat_source.hpp"
@@ -20,9 +20,9 @@ class Controls {
     /// moves the source (or looks); a free one does so while a button is held on the picture.
     void update(const InputFrame& input, double seconds);
 
-    /// Source home and off; cameras and mode stay.
+    /// Puts the source back and switches it off; cameras and mode stay.
     void reset() { source_.reset(); }
-    /// Interact mode, mouse free, source home, cameras as at first.
+    /// Interact mode, mouse free, source and cameras as at the start.
     void restart();
     /// Where the orbiting camera begins.
     void placeCamera(const OrbitCamera& camera) { orbit_ = camera; }

@@ -1,4 +1,4 @@
-// The heat source in the trainee's hand: where it stands, whether it burns, how keys and mouse move it.
+// The heat source that keys and mouse move: its position, and whether it is on.
 #pragma once
 
 #include "app/session/input.hpp"

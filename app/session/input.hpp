@@ -8,7 +8,7 @@
 
 namespace meltpool {
 
-/// The keys that mean something to the trainer.
+/// The keys that the trainer uses.
 enum class Key {
     a,
     c,

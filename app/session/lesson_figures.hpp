@@ -13,9 +13,9 @@ struct LessonFigures {
     size_t molten = 0;
     double hottest = 0;   ///< 0..1, or K
     bool kelvin = false;  ///< which of the two
-    size_t lost = 0;      ///< particles that left the box or became no number
-    size_t refused = 0;   ///< new particle states that were no number and were refused, since the reset
-    bool stopped = false; ///< the state is no longer finite and the simulation stands still
+    size_t lost = 0;      ///< particles that left the box or whose state became non-finite
+    size_t refused = 0;   ///< non-finite new particle states that were not taken over, since the reset
+    bool stopped = false; ///< a fault has stopped the simulation
 };
 
 } // namespace meltpool

@@ -130,7 +130,7 @@ void LessonSession::sound(const TorchSample& torch) {
 
 SceneView LessonSession::scene(gl::Profiler* profiler) {
     if (!running()) return {};
-    // A hand feels the surface whether it is shown or not.
+    // The vibration needs the surface also while the particles are shown.
     if (surfaceIsOld_ && (held_ || lesson_.look.mode != kPointsMode)) {
         trainer_->updateSurface(profiler);
         surfaceIsOld_ = false;

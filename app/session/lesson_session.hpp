@@ -1,4 +1,4 @@
-// The lesson on the desktop: what is set at its start and while it runs, and the Trainer that runs it.
+// The lesson that window and headset share: its values, and the Trainer that runs it.
 #pragma once
 
 #include "app/session/controls.hpp"
@@ -33,7 +33,7 @@ struct LessonSections {
 /// The lesson of a catalogue name or TOML file. Throws InputError when it cannot be used.
 Lesson loadLesson(const std::string& name);
 
-/// The torch that something else than the mouse leads: the sample for step `step` (from 0) of the `steps` of a frame.
+/// A torch that the mouse does not lead: answers the sample for step `step` (from 0) of the `steps` of a frame.
 using TorchSource = std::function<TorchSample(int step, int steps)>;
 
 class LessonSession {
@@ -43,30 +43,30 @@ class LessonSession {
     LessonSession(const LessonSession&) = delete;
     LessonSession& operator=(const LessonSession&) = delete;
 
-    /// Makes fresh metal from the start values. Throws InputError or RuntimeFault when the machine cannot hold it.
+    /// Makes the metal from the start values. Throws InputError or RuntimeFault when memory or driver do not suffice.
     void begin(Controls& controls);
-    /// Puts metal and source back.
+    /// Puts metal and source back to their start.
     void reset(Controls& controls);
-    /// Gives the metal back.
+    /// Ends the lesson and frees the metal.
     void end() {
         trainer_.reset();
         sounding_ = {};
     }
     bool running() const { return trainer_ != nullptr; }
 
-    /// Runs the steps that `seconds` of real time ask for. With `held` that leads the torch; else the controls do, and
-    /// nothing runs while the person looks around.
+    /// Runs the steps that fit into `seconds` of real time. The torch follows `held`, or the controls where that is
+    /// empty; then nothing runs in view mode.
     void advance(const Controls& controls, double seconds, gl::Profiler* profiler, const TorchSource& held = {});
     /// `shift`: how far right of the window's middle the picture's middle is, as a share of half its width.
     void draw(const Controls& controls, glm::ivec2 pixels, float shift, gl::Profiler* profiler);
 
-    /// Asks where the metal lies under the torch in the hand; the answer comes frames later. Nothing waits.
+    /// Asks where the metal lies under the torch in the hand. The answer comes frames later; nothing waits for it.
     void sound(const TorchSample& torch);
     /// The newest answer; no metal anywhere before the first.
     const TipSounding& sounding() const { return sounding_; }
     TipGap gap() const { return running() ? trainer_->gap() : TipGap{}; }
 
-    /// The world as it is now, the surface brought up to date; without a running lesson an empty one.
+    /// The scene with the current surface; empty without a running lesson.
     SceneView scene(gl::Profiler* profiler);
     Renderer& renderer() { return renderer_; }
     /// Metres of a unit of the scene's world, and the lowest place of the workpiece in its own frame, m.
@@ -75,10 +75,10 @@ class LessonSession {
     /// From the next start on, and from now on where a lesson runs, every step is written to `file`.
     void record(const std::filesystem::path& file);
 
-    /// The last steps' torch was not the mouse's.
+    /// The torch of the last steps came from `held`, not from the controls.
     bool held() const { return held_; }
 
-    /// The fault that stopped the metal; empty while all is well.
+    /// The fault that stopped the simulation; empty while it runs.
     const std::string& fault() const { return fault_; }
     void fillFigures(LessonFigures& figures) const;
     /// The torch of the last step. Only while running().
@@ -102,7 +102,7 @@ class LessonSession {
     std::string fault_;
     bool surfaceIsOld_ = true;
     TipSounding sounding_;
-    bool held_ = false; ///< the last step's torch was not the mouse's
+    bool held_ = false; ///< the torch of the last step came from a TorchSource
     std::filesystem::path record_;
 };
 

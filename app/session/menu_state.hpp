@@ -11,7 +11,7 @@ struct PanelState {
     bool simulation = true;
     bool timings = false;
     bool help = false;
-    bool hidden = false; ///< everything out of the way of the picture
+    bool hidden = false; ///< no panel is shown
 };
 ParameterList describe(PanelState& panels);
 

@@ -12,7 +12,7 @@ struct Message {
     enum class Kind { note, warning };
     Kind kind = Kind::note;
     std::string text;
-    double until = 0;  ///< seconds on the program's clock; infinite for one that stays until it is taken back
+    double until = 0;  ///< seconds on the program's clock; infinite: until clear() or dismiss()
     std::string topic; ///< a newer message of the same topic replaces the older; "" never replaces
 };
 
@@ -21,13 +21,13 @@ class Messages {
     /// `now` in seconds on the program's clock.
     void note(std::string text, double now, std::string topic = {});
     void warn(std::string text, double now, std::string topic = {});
-    /// A warning that stands until clear(topic): the fault is still there.
+    /// A warning that is shown until clear(topic), for a fault that persists.
     void hold(std::string_view text, std::string_view topic);
     void clear(std::string_view topic);
-    /// Takes away one of shown(); a held one stays away until its text changes or it was cleared.
+    /// Hides one of shown(). A held one stays hidden until its text changes or clear() was called.
     void dismiss(const Message& message);
 
-    /// Drops what has been shown long enough.
+    /// Removes messages whose time is over.
     void expire(double now);
     const std::deque<Message>& shown() const { return shown_; }
 

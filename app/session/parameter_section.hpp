@@ -8,7 +8,7 @@
 
 namespace meltpool {
 
-/// A parameter's values before anyone touched them, as text by key, so that a control can offer the way back.
+/// A parameter's values before anyone touched them, as text by key, so that a control can restore them.
 using DefaultTexts = std::map<std::string, std::string, std::less<>>;
 
 struct ParameterSection {

@@ -18,7 +18,7 @@ std::string place(const fs::path& file, const toml::node& node) {
     return file.string() + ":" + std::to_string(node.source().begin.line);
 }
 
-/// The value as the text that setParameter() reads; "" for what no parameter can be.
+/// The value as the text that setParameter() reads; "" for a type that no parameter has.
 std::string valueText(const toml::node& node) {
     if (const auto* text = node.as_string()) return text->get();
     if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
@@ -31,7 +31,7 @@ std::string valueText(const toml::node& node) {
     return joined;
 }
 
-/// A name beside `file` that is not taken.
+/// The name of a new file beside `file`.
 fs::path asideName(const fs::path& file) {
     for (int i = 1;; ++i) {
         fs::path name = file;
@@ -40,7 +40,7 @@ fs::path asideName(const fs::path& file) {
     }
 }
 
-/// `whole`: nothing of it could be used, so it goes; else a copy is kept, and the good values stay in place.
+/// Keeps the faulty file under another name. `whole`: nothing in it is usable, so it is renamed; else it is copied.
 std::string setAside(const fs::path& file, bool whole) {
     const fs::path aside = asideName(file);
     std::error_code failed;
@@ -118,7 +118,8 @@ std::vector<std::string> loadSettings(const fs::path& file, const std::vector<Se
         readSections(file, root, sections, faults);
     } catch (const toml::parse_error& fault) {
         faults.push_back(file.string() + ":" + std::to_string(fault.source().begin.line) +
-                         ": the settings are no TOML: " + std::string(fault.description()) + "; defaults are used");
+                         ": the settings file is not valid TOML: " + std::string(fault.description()) +
+                         "; defaults are used");
         broken = true;
     } catch (const std::exception& fault) {
         faults.emplace_back(fault.what());

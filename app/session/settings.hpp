@@ -15,10 +15,9 @@ struct SettingsSection {
     ParameterList parameters;
 };
 
-/// Reads what `file` holds into `sections` and returns what has to be told to the person, one sentence each with file
-/// and line. A missing file is no fault. A file that is no TOML, or holds unknown keys or values out of range, is set
-/// aside beside itself (renamed or copied to settings.broken-N.toml); good values of it are still taken. Never throws
-/// for what is in the file.
+/// Reads `file` into `sections` and returns one sentence with file and line for each fault in it. A missing file is no
+/// fault. A file that is not TOML, or has unknown keys or values out of range, is kept as settings.broken-N.toml beside
+/// it; its valid values are still used. Never throws for the contents of the file.
 std::vector<std::string> loadSettings(const std::filesystem::path& file, const std::vector<SettingsSection>& sections);
 
 /// The file's text, every value with its label, unit and range as a comment.

@@ -5,8 +5,8 @@
 
 namespace meltpool {
 
-/// Steps are of fixed length and independent of the frame rate. A frame runs at most two; time that does not fit is let
-/// go, so that a slow machine shows a slower simulation instead of ever longer frames.
+/// Steps have a fixed length whatever the frame rate. A frame runs at most two; further time is dropped, so that a slow
+/// machine simulates more slowly instead of taking ever longer frames.
 class StepClock {
   public:
     static constexpr int kMostSteps = 2;
@@ -20,7 +20,7 @@ class StepClock {
         return steps;
     }
 
-    /// Forgets time owed, after a pause.
+    /// Drops the time that has not been simulated yet, after a pause.
     void restart() { owed_ = 0; }
 
     /// Simulated over real time, smoothed over about a second; 1 when the machine keeps up.

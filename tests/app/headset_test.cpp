@@ -217,7 +217,7 @@ TEST_CASE("a tracker out of sight puts the arc out at once, and gives the torch 
     CHECK(torch.tip().position.x == Approx(0));
     CHECK(torch.velocity() == glm::vec3(0.0f)); // no way is drawn from the tracker to the hand
     CHECK(torch.trigger() == 0.0f);
-    CHECK_THAT(std::string(selector.warning()), test::containsText("in the hand"));
+    CHECK_THAT(std::string(selector.warning()), test::containsText("the controller is the torch"));
     hand.trigger = 0;
     frame();
     hand.trigger = 1;

@@ -49,13 +49,13 @@ const bool layerAsked = [] {
 std::string misuses() {
     const std::filesystem::path file = benchFolder() / "validation.txt";
     if (!layerAsked || !std::filesystem::exists(file)) throw RuntimeFault("the OpenXR validation layer did not run");
-    static size_t told = 0; // bytes of the file that an earlier call has answered
+    static size_t answered = 0; // bytes of the file that earlier calls have read
     const std::string text = readTextFile(file);
     std::string found;
-    for (const std::string_view line : splitText(std::string_view(text).substr(told), '\n'))
+    for (const std::string_view line : splitText(std::string_view(text).substr(answered), '\n'))
         if (line.find("VALID_ERROR") != line.npos || line.find("VALID_WARNING") != line.npos)
             found += std::string(line) + "\n";
-    told = text.size();
+    answered = text.size();
     return found;
 }
 
@@ -140,7 +140,7 @@ Image windowPicture(const std::string& title) {
     XRaiseWindow(display, window);
     XSync(display, 0);
     XCloseDisplay(display);
-    std::this_thread::sleep_for(std::chrono::milliseconds(700)); // frames that fill what was uncovered
+    std::this_thread::sleep_for(std::chrono::milliseconds(700)); // until frames have filled the uncovered part
     const Image screen = screenshot();
     Image cut{shape.width, shape.height, {}};
     for (int y = 0; y < shape.height; ++y) {

@@ -1,4 +1,4 @@
-// What tests of the headset stand on: a window's GL context, the scripted devices, and the compositor's screen.
+// For tests on a real runtime: a window's GL context, the test run's folder, and pictures of the compositor.
 #pragma once
 
 #include "core/base/image.hpp"
@@ -22,7 +22,7 @@ int servicePid();
 /// A hidden window with a current OpenGL 4.5 core context; one for the whole test program.
 GLFWwindow* benchWindow();
 
-/// The X display as it is shown now: what the compositor makes of both eyes.
+/// The X display as it is shown now, with both eyes as the compositor shows them.
 Image screenshot();
 
 /// The program's window of that title as it is shown now, moved to the screen's lower right corner and raised. Throws
@@ -32,11 +32,11 @@ Image windowPicture(const std::string& title);
 /// Where the compositor shows an eye (0 left, 1 right) on that screen, cut out.
 Image shownEye(const Image& screen, int eye);
 
-/// Writes the picture into the folder $MELTPOOL_XR_PICTURES where that is set, to be looked at.
+/// Writes the picture into the folder $MELTPOOL_XR_PICTURES where that is set.
 void keepPicture(const Image& image, const std::string& name);
 
-/// The validation layer's complaints since the last call, one a line; the layer watches every instance of a test
-/// program that links this. Throws RuntimeFault when the layer did not run.
+/// The validation layer's errors and warnings since the last call, one a line; the layer checks every instance of a
+/// test program that links this. Throws RuntimeFault when the layer did not run.
 std::string misuses();
 
 /// Steps frames of a headset: poll, wait, input, draw. `draw` may be empty: an empty frame. Answers the frame's timing.

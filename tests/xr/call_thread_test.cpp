@@ -1,4 +1,4 @@
-// Calls that hang hold nobody up, and what they work on lives until they are over.
+// A call that hangs does not block the thread that began it, and its object lives until the call is over.
 #include "tests/support/catch.hpp"
 #include "xr/call_thread.hpp"
 

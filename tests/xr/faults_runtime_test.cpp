@@ -1,4 +1,4 @@
-// The whole program while the real runtime hangs, dies of it, or shows somebody else.
+// The whole program while the real runtime hangs, is killed, or shows another program.
 #include "core/weld/torch/torch_csv.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/xr/trainee.hpp"
@@ -76,7 +76,7 @@ TEST_CASE("the runtime hangs in mid-weld: the desk goes on, the arc is out, and 
     CHECK(pause < 1.0);
     CHECK(trainer.misuses() == "");
 
-    // It hangs again and is killed: as any other loss.
+    // It hangs again and is killed, which counts as any other loss.
     const double again = trainer.now()["seconds"];
     REQUIRE(kill(servicePid(), SIGSTOP) == 0);
     REQUIRE(trainer.waitFor(stateIs("stalled"), 5));

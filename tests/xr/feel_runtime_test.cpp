@@ -1,4 +1,4 @@
-// What the hand feels in the whole program: from the metal at the tip and never from the button.
+// Vibration in the whole program: it depends on the metal at the tip, never on the button alone.
 #include "tests/support/catch.hpp"
 #include "tests/xr/trainee.hpp"
 

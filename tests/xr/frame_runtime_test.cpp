@@ -12,7 +12,7 @@ using nlohmann::json;
 
 namespace {
 
-/// Welds on for this many frames and checks what they cost.
+/// Welds for `count` further frames and checks that none allocates or waits for the GPU.
 void checkFrames(TrainerProcess& trainer, const std::string& when, int count) {
     const json before = trainer.now()["frame_costs"];
     passFrames(trainer, count);
@@ -54,7 +54,7 @@ TEST_CASE("a frame in the headset allocates nothing and never waits for the GPU"
     REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["tracked"] == true; }, 5));
     trainee.lookDown();
     trainee.aim(glm::vec3(0.018f), 1.0f);
-    sleepFor(1.5); // the first second may fill what is kept
+    sleepFor(1.5); // the first second may allocate buffers that are kept
     passFrames(trainer, 10);
     checkFrames(trainer, "welding", 30);
     trainee.aim(glm::vec3(0.08f), 0.0f);

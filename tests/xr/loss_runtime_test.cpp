@@ -1,4 +1,4 @@
-// Losing the runtime for real (kill -9) and taking the headset again.
+// The runtime is killed (kill -9), and the headset is used again when it is back.
 #include "tests/support/catch.hpp"
 #include "tests/xr/bench.hpp"
 #include "xr/headset_connection.hpp"
@@ -40,7 +40,7 @@ bool turnUntil(xr::HeadsetConnection& link, xr::ConnectionState state, double se
 
 } // namespace
 
-TEST_CASE("the runtime is killed: the loop goes on within a second and the headset is taken again", "[runtime]") {
+TEST_CASE("the runtime is killed: the loop goes on within a second and the headset is used again", "[runtime]") {
     benchWindow();
     auto driver = std::make_unique<RemoteDriver>(benchPort());
     driver->send({});

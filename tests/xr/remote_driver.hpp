@@ -1,4 +1,4 @@
-// The hand that moves the scripted headset and controllers: a client of Monado's remote driver.
+// Moves the scripted headset and controllers: a client of Monado's remote driver.
 #pragma once
 
 #include "xr/session/pose.hpp"

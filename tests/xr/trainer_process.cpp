@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A program's file and arguments behind the words that the bench says come before them.
+/// The program's file and arguments, preceded by the launcher that tests/xr/bench.sh asks for.
 std::vector<std::string> launched(const fs::path& program, const std::vector<std::string>& arguments) {
     std::vector<std::string> words;
     if (const char* launch = std::getenv("MELTPOOL_XR_LAUNCH"))

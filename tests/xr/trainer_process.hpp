@@ -1,4 +1,4 @@
-// The real program in a process of its own on the test bench, watched through the telemetry that its window writes.
+// Runs the real program in a process of its own and reads the telemetry that its window writes.
 #pragma once
 
 #include "tests/xr/bench.hpp"

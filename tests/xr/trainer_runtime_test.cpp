@@ -112,7 +112,7 @@ TEST_CASE("the torch's controller goes off in mid-weld: the arc is out, it is sa
     CHECK(edges >= 1);
 }
 
-TEST_CASE("the runtime is killed in mid-weld: the window goes on, the headset is taken again", "[runtime]") {
+TEST_CASE("the runtime is killed in mid-weld: the window goes on, the headset is used again", "[runtime]") {
     handGeometry();
     const fs::path folder = benchFolder() / "killed";
     const fs::path record = folder / "telemetry.csv";

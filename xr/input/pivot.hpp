@@ -1,4 +1,4 @@
-// Finding a torch's tip: the tip is held on one point, the torch is turned about it, least squares gives the offset.
+// Pivot calibration of a torch's tip: the torch is turned about its resting tip, and least squares gives the offset.
 #pragma once
 
 #include "xr/session/pose.hpp"
@@ -16,14 +16,14 @@ struct PivotResult {
     glm::vec3 point{0};    ///< m, where the tip was held
     float residualMm = 0;  ///< root mean square distance of the tips from that point
     float errorMm = 0;     ///< standard error of the offset (its length in space), estimated from the residual
-    float turnDegrees = 0; ///< how far the torch was turned about its least turned axis
+    float turnDegrees = 0; ///< angle about the axis about which the torch was turned least
 };
 
 /// Solves R_i * offset + p_i = point for all poses in the least-squares sense (6 unknowns, 3 equations a pose). Refuses
-/// fewer than 20 poses, a torch that was not turned by some 15 degrees about two axes (the offset along a common axis
-/// would be free), a residual above 5 mm (the tip slid), and an offset that its own residual leaves uncertain by more
-/// than kPivotError (too few poses or too little turned for that much noise). For noise that is the same in all
-/// directions and from pose to pose, no other estimate from the same poses is better.
+/// fewer than 20 poses; a torch that was not turned by about 15 degrees about two axes, since the offset along a common
+/// axis is undetermined; a residual above 5 mm, since the tip slid; and an offset whose standard error exceeds
+/// kPivotError. For independent noise of equal variance in all directions this is the best linear unbiased estimate
+/// (Gauss-Markov theorem).
 PivotResult solvePivot(std::span<const Pose> poses);
 
 constexpr float kPivotError = 0.3f; ///< mm
@@ -35,18 +35,17 @@ struct AxisResult {
     float spreadDegrees = 0;       ///< root mean square angle of the single poses from it
 };
 
-/// The way a torch points, from poses while it is held with its tip straight down: the mean of `down` (a unit vector in
-/// the poses' space) in the grip's frame. Refuses fewer than 20 poses, and a hand that trembled by more than 3 degrees.
+/// The direction of a torch that is held with its tip straight down: the mean of `down` (a unit vector in the poses'
+/// space) in the grip's frame. Refuses fewer than 20 poses and a spread of more than 3 degrees.
 AxisResult solveAxis(std::span<const Pose> poses, const glm::vec3& down = {0, -1, 0});
 
-/// The tip's place on a torch: the offset and the direction the torch's axis (-Z of the tip pose) takes in the grip's
-/// frame.
+/// The pose of a torch's tip in the grip's frame; its -Z is the torch's axis.
 struct TipCalibration {
     glm::vec3 offset{0.0f, 0.0f, -0.12f}; ///< m, in the grip's frame
     glm::quat orientation{1, 0, 0, 0};    ///< of the tip pose in the grip's frame
     float residualMm = 0;
 
-    /// Lets the torch point along this unit vector of the grip's frame, turned no more about itself than that takes.
+    /// Turns the torch's axis to this unit vector of the grip's frame by the smallest rotation.
     void pointAlong(const glm::vec3& direction);
 
     /// The tip pose of a grip pose.

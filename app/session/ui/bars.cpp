@@ -156,7 +156,7 @@ void statusBar(Context& context, const LessonFigures& figures, const Controls& c
 void messageStack(Context& context, Messages& messages, float left, float right) {
     if (messages.shown().empty()) return;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    // Where panels leave no room, over them.
+    // Where the panels leave too little room, messages lie over them.
     if (screen.x - left - right < context.points(260)) left = right = 0;
     const float width = std::min(context.points(620), screen.x - left - right - context.points(40));
     ImGui::SetNextWindowPos({(left + screen.x - right) / 2, barHeight(context) + context.points(10)}, ImGuiCond_Always,

@@ -37,7 +37,7 @@ void panelTitle(Context& context, const char* title, const char* what) {
 struct Group {
     const char* section;
     const char* title;
-    std::array<std::string_view, 6> keys; ///< empty ones fill up
+    std::array<std::string_view, 6> keys; ///< unused ones are empty
     bool openAtFirst;
 };
 
@@ -47,12 +47,12 @@ const ParameterSection* findSection(std::span<const ParameterSection* const> sec
     return nullptr;
 }
 
-/// Whether a section's parameter stands under this heading. What only takes effect at the start stands nowhere.
+/// Whether the parameter belongs to the group. Parameters of the start alone belong to none.
 bool stands(const Parameter& parameter, const Group& group) {
     return !parameter.onlyAtStart && std::find(group.keys.begin(), group.keys.end(), parameter.key) != group.keys.end();
 }
 
-/// Under a heading of its own whatever parameters of a section `belongs` says yes to; nothing where there are none.
+/// Draws a heading and the parameters for which `belongs` is true; nothing where there are none.
 template <class Belongs>
 void drawGroup(Context& context, const ParameterSection& section, const char* title, bool openAtFirst,
                const Belongs& belongs) {
@@ -74,7 +74,7 @@ void drawGroup(Context& context, const ParameterSection& section, const Group& g
 
 /// The groups in order, then under "More" whatever no group names.
 void drawGroups(Context& context, std::span<const ParameterSection* const> sections, std::span<const Group> groups) {
-    // The sections' keys are distinct where it matters: a value that stands in two menus has one key.
+    // A value that stands in two menus has the same key in both.
     const auto named = [&](const Parameter& p) {
         return std::any_of(groups.begin(), groups.end(), [&](const Group& group) {
             return stands(p, group) && findSection(sections, group.section) != nullptr;
@@ -89,7 +89,7 @@ void drawGroups(Context& context, std::span<const ParameterSection* const> secti
         drawGroup(context, *section, group);
     }
     for (const ParameterSection* section : sections) {
-        // A lesson of which no group knows any value shows them all.
+        // Where no group names any value of the lesson, all of them are shown.
         const ShortText title = anyNamed ? ShortText{"More: ", section->name} : ShortText("Process");
         drawGroup(context, *section, title.c_str(), !anyNamed,
                   [&](const Parameter& p) { return !p.onlyAtStart && !named(p); });

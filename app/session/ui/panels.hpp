@@ -1,4 +1,4 @@
-// The screens and panels of the desktop trainer. Each draws itself and says what the person asked for.
+// The screens and panels of the window. Each function draws one and answers what the person asked for.
 #pragma once
 
 #include "app/session/controls.hpp"
@@ -30,13 +30,13 @@ void simulationMenu(Context& context, const ParameterSection& section, Controls&
 void timingsPanel(Context& context, const gl::Profiler& profiler, const LessonFigures& figures, double frameMs,
                   const std::string& driver, bool besideView);
 void helpOverlay(Context& context, bool& open);
-/// Messages at the top, between what panels cover at the left and right (points); a click takes one away.
+/// Messages at the top. `left`, `right`: what panels cover there, points. A click hides a message.
 void messageStack(Context& context, Messages& messages, float left, float right);
 /// The colour scale of the temperature displays; `colours` is LookParameters::colours.
 /// `left`: what panels cover at the left, points.
 void temperatureScale(Context& context, int colours, const TemperatureMeaning& meaning, float left);
 
-/// The metal cube with its molten corner, the program's sign. `size` in points.
+/// The program's logo, a metal cube with a molten corner. `size` in points.
 void drawSign(ImDrawList& draw, ImVec2 centre, float size);
 /// The dark workshop glow behind the start menu.
 void drawBackdrop(float width, float height);

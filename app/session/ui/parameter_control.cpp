@@ -11,12 +11,12 @@ namespace meltpool::ui {
 
 namespace {
 
-/// Where values stand along a slider. Where the range reaches far beyond the usual value, the value's neighbourhood
-/// gets most of the way: even at first, by ratio above.
+/// Maps values to positions along a slider. Where the range is much wider than the usual value, the scale is linear up
+/// to `even` and logarithmic above, so that values near the usual one can be set finely.
 struct Scale {
     double low;
     double high;
-    double even = 0; ///< extent of the even part; 0: even throughout
+    double even = 0; ///< length of the linear part; 0: linear throughout
 
     Scale(const Parameter& p, std::string_view usual) : low(p.minimum), high(p.maximum) {
         const auto value = parseDouble(usual);
@@ -31,7 +31,7 @@ struct Scale {
     double fromShare(double share) const {
         return low + (even > 0 ? even * std::expm1(share * std::log1p((high - low) / even)) : share * (high - low));
     }
-    /// Rounded to what a hand on the slider can mean: three digits of the value, or of the range where it is even.
+    /// Rounds to three digits of the value, or of the range where the scale is linear.
     double rounded(double value, bool whole) const {
         const double size = even > 0 ? std::max(std::abs(value), even) : high - low;
         const double step = std::pow(10.0, std::floor(std::log10(std::max(size, 1e-12))) - 2);
@@ -163,7 +163,7 @@ struct Draw {
     bool number(double& value, bool whole) const {
         if (labelLine(context, name, p, valueWithUnit(p, value), original)) {
             setParameter({p}, p.key, original, p.key);
-            return false; // written already, at full precision
+            return false; // typed values are set at full precision
         }
         return slider(context, name, Scale(p, original), whole, value);
     }

@@ -1,4 +1,4 @@
-// Text that lives for a frame and asks nothing of the heap.
+// Text of bounded length that allocates nothing, for labels made anew in every frame.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace meltpool::ui {
 
-/// What is longer than the room for it is cut.
+/// Longer text is cut.
 class ShortText {
   public:
     ShortText() = default;

@@ -103,8 +103,7 @@ void introduction(Context& context, const std::string& task) {
     ImGui::EndGroup();
 }
 
-/// The values, in a part of their own that scrolls where there are more than the window has room for: the buttons below
-/// stay in sight.
+/// The values, in an area that scrolls where the window is too small for all, so that the buttons below stay visible.
 void values(Context& context, const ParameterSection& start, float screenHeight) {
     const float room = std::max(context.points(120), screenHeight - context.points(350));
     const float height = std::min(context.startValuesHeight, room);

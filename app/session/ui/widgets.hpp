@@ -1,4 +1,4 @@
-// The interface's own controls, made from parameter descriptions: sliders, switches, choices, buttons.
+// The controls of the menus, made from parameter descriptions: sliders, switches, choices, buttons.
 #pragma once
 
 #include "app/session/parameter_section.hpp"
@@ -13,7 +13,7 @@
 
 namespace meltpool::ui {
 
-/// A place on the screen in points, for tests and for help that points at things.
+/// A control's place on the screen in points, for tests.
 struct Place {
     float x = 0;
     float y = 0;
@@ -28,7 +28,7 @@ struct Context {
     float scale = 1;
     float startValuesHeight = 0; ///< what the start menu's values took in the last frame; 0: not drawn yet
     /// Where each control was drawn last, by name such as "simulation.viscosity". Kept from frame to frame, so that
-    /// noting a place asks nothing of the heap.
+    /// noting a place allocates nothing.
     std::map<std::string, Place, std::less<>> places;
     unsigned frame = 0;
 
@@ -54,7 +54,7 @@ bool button(Context& context, std::string_view name, const char* text, ButtonKin
             float width = 0, const char* tooltip = nullptr);
 
 /// A switch with its label.
-/// `hovered` is answered where it is asked for, so that a long tooltip is only made when it is read.
+/// `hovered` may be null; with it the caller makes a long tooltip only while it is shown.
 bool toggle(Context& context, std::string_view name, std::string_view label, bool& value, const char* tooltip = nullptr,
             bool* hovered = nullptr);
 

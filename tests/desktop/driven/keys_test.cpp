@@ -47,15 +47,9 @@ void mouseBy(const TrainerWindow& window, int x, int y) {
     window.xdotool({"mousemove_relative", "--", std::to_string(x), std::to_string(y)});
 }
 
-} // namespace
-
-TEST_CASE("camera keys, modes, mouse capture and the shortcuts of panels") {
-    TrainerWindow window("camera-keys", {});
-    window.start();
+/// In interact mode, the mouse free.
+void checkOrbitKeys(TrainerWindow& window) {
     json s = window.state();
-    CHECK(s.at("mode") == "interact");
-    CHECK(s.at("captured") == false);
-
     const double azimuth = cameraValue(s, "azimuth");
     window.holdKey("d", "D to go around", [&](const json& t) { return cameraValue(t, "azimuth") > azimuth + 0.05; });
     window.holdKey("a", "A to go back around",
@@ -74,9 +68,12 @@ TEST_CASE("camera keys, modes, mouse capture and the shortcuts of panels") {
     window.xdotool({"click", "5"});
     window.waitFor("the wheel to go farther",
                    [&](const json& t) { return cameraValue(t, "distance") > cameraValue(s, "distance") * 1.05; });
+}
 
+/// Changes to view mode.
+void checkFlyKeys(TrainerWindow& window) {
     window.key("v");
-    s = window.waitFor("view mode", [](const json& t) { return t.at("mode") == "view"; });
+    const json s = window.waitFor("view mode", [](const json& t) { return t.at("mode") == "view"; });
     const auto steps = window.settle().at("metal").at("steps");
     const auto eye = s.at("camera").at("eye").get<std::array<double, 3>>();
     const auto forward = s.at("camera").at("forward").get<std::array<double, 3>>();
@@ -95,9 +92,13 @@ TEST_CASE("camera keys, modes, mouse capture and the shortcuts of panels") {
     const auto height = [](const json& t) { return t.at("camera").at("eye").at(1).get<double>(); };
     window.holdKey("e", "E to rise", [&](const json& t) { return height(t) > eye[1] + 0.1; });
     window.holdKey("q", "Q to sink", [&](const json& t) { return height(t) < eye[1] - 0.1; });
+    CHECK(window.settle().at("metal").at("steps") == steps);
+}
 
+/// In view mode; captures the mouse.
+void checkCapturedLook(TrainerWindow& window) {
     window.key("c");
-    s = window.waitFor("the mouse to be captured", [](const json& t) { return t.at("captured") == true; });
+    const json s = window.waitFor("the mouse to be captured", [](const json& t) { return t.at("captured") == true; });
     window.settle();
     mouseBy(window, 60, 0);
     window.waitFor("the mouse to look right",
@@ -109,17 +110,19 @@ TEST_CASE("camera keys, modes, mouse capture and the shortcuts of panels") {
     CHECK(window.settle().at("source").at("on") == false);
     window.xdotool({"mouseup", "1"});
     CHECK(atHome(window.settle()));
-    CHECK(window.state().at("metal").at("steps") == steps); // the simulation stood still all the while
+}
+
+/// With the mouse captured at first.
+void checkCaptureKeys(TrainerWindow& window) {
     window.key("c");
     window.waitFor("the mouse to be free", [](const json& t) { return t.at("captured") == false; });
     window.key("c");
     window.waitFor("the mouse to be captured", [](const json& t) { return t.at("captured") == true; });
     window.key("Escape");
     window.waitFor("Escape to free the mouse", [](const json& t) { return t.at("captured") == false; });
-    window.key("v");
-    window.waitFor("the metal to go on",
-                   [&](const json& t) { return t.at("mode") == "interact" && t.at("metal").at("steps") > steps; });
+}
 
+void checkPanelKeys(TrainerWindow& window) {
     const std::array<std::pair<const char*, const char*>, 5> panels{
         {{"F1", "help"}, {"F2", "view"}, {"F3", "simulation"}, {"F4", "timings"}, {"Tab", "hidden"}}};
     for (const auto& [name, panel] : panels) {
@@ -133,12 +136,10 @@ TEST_CASE("camera keys, modes, mouse capture and the shortcuts of panels") {
     }
 }
 
-TEST_CASE("keys and mouse move the source, the button heats, the cold source freezes, reset puts all back") {
-    TrainerWindow window("source", {});
-    window.start();
+/// From the start, where the source stands in a corner of the box.
+void checkSourceKeys(TrainerWindow& window) {
     json s = window.state();
-    CHECK(atHome(s));
-    // From the corner everything can only go inwards: first to the middle of the box.
+    // Away from the corner first, so that a step in every direction is possible.
     const double step = std::stod(parameterIn(s, "controls", "source_step"));
     for (int i = 0; i < 12; ++i)
         window.key("Next");
@@ -159,11 +160,14 @@ TEST_CASE("keys and mouse move the source, the button heats, the cold source fre
         for (size_t i = 0; i < 3; ++i)
             CHECK(way[i] == Approx(expected[i]).margin(1e-4));
     }
+}
 
+/// Captures the mouse.
+void checkCapturedMouse(TrainerWindow& window) {
     window.moveMouse(300, 320);
     window.key("c");
     window.waitFor("the mouse to be captured", [](const json& t) { return t.at("captured") == true; });
-    s = window.settle();
+    json s = window.settle();
     mouseBy(window, 50, 0);
     auto way = movedAfter(window, s);
     CHECK(way[1] == Approx(0.1).margin(0.01));
@@ -183,8 +187,11 @@ TEST_CASE("keys and mouse move the source, the button heats, the cold source fre
         mouseBy(window, x, y);
     for (const double c : sourceOf(window.settle()))
         CHECK(std::abs(c) <= 1);
+}
 
-    // Back home by the reset key, then to the metal's corner, which melts.
+/// With the mouse captured; frees it.
+void checkHeatAndCold(TrainerWindow& window) {
+    // The reset key puts the source home; from there to the metal's corner, which melts.
     window.key("F5");
     window.waitFor("reset", [](const json& t) { return atHome(t) && t.at("metal").at("time") < 2; });
     for (int i = 0; i < 8; ++i)
@@ -209,15 +216,17 @@ TEST_CASE("keys and mouse move the source, the button heats, the cold source fre
     window.waitFor("the hot source", [](const json& t) { return t.at("source").at("cold") == false; });
     window.key("Escape");
     window.waitFor("a free mouse", [](const json& t) { return t.at("captured") == false; });
+}
 
-    // A free mouse: only a drag on the picture moves and heats, a click on a panel does not.
-    s = window.settle();
+/// A free mouse moves the source and heats by a drag on the picture only, not by a click on a panel.
+void checkFreeMouse(TrainerWindow& window) {
+    json s = window.settle();
     window.moveMouse(320, 340);
     CHECK(sourceOf(window.settle()) == sourceOf(s));
     window.xdotool({"mousedown", "1"});
     window.waitFor("the source to burn", [](const json& t) { return t.at("source").at("on") == true; });
     mouseBy(window, -50, 0);
-    way = movedAfter(window, s);
+    const auto way = movedAfter(window, s);
     CHECK(way[1] < -0.05);
     window.xdotool({"mouseup", "1"});
     s = window.settle();
@@ -229,6 +238,35 @@ TEST_CASE("keys and mouse move the source, the button heats, the cold source fre
     window.waitFor("reset", [](const json& t) {
         return atHome(t) && t.at("metal").at("molten") == 0 && t.at("metal").at("time") < 2;
     });
+}
+
+} // namespace
+
+TEST_CASE("camera keys, modes, mouse capture and the shortcuts of panels") {
+    TrainerWindow window("camera-keys", {});
+    window.start();
+    CHECK(window.state().at("mode") == "interact");
+    CHECK(window.state().at("captured") == false);
+    checkOrbitKeys(window);
+    checkFlyKeys(window);
+    const auto steps = window.settle().at("metal").at("steps");
+    checkCapturedLook(window);
+    CHECK(window.state().at("metal").at("steps") == steps); // nothing runs in view mode
+    checkCaptureKeys(window);
+    window.key("v");
+    window.waitFor("the metal to go on",
+                   [&](const json& t) { return t.at("mode") == "interact" && t.at("metal").at("steps") > steps; });
+    checkPanelKeys(window);
+}
+
+TEST_CASE("keys and mouse move the source, the button heats, the cold source freezes, reset puts all back") {
+    TrainerWindow window("source", {});
+    window.start();
+    CHECK(atHome(window.state()));
+    checkSourceKeys(window);
+    checkCapturedMouse(window);
+    checkHeatAndCold(window);
+    checkFreeMouse(window);
 }
 
 TEST_CASE("simulated time never outruns real time and no frame makes more than two steps") {

@@ -106,7 +106,7 @@ TEST_CASE("a file that is no TOML is set aside whole and the defaults stand") {
     Values values;
     const auto faults = loadSettings(file, values.sections());
     REQUIRE(faults.size() == 2);
-    CHECK_THAT(faults[0], test::containsText(file.string() + ":2: the settings are no TOML"));
+    CHECK_THAT(faults[0], test::containsText(file.string() + ":2: the settings file is not valid TOML"));
     CHECK_THAT(faults[1], test::containsText("settings.broken-2.toml"));
     CHECK_FALSE(fs::exists(file));
     CHECK(readTextFile(file.parent_path() / "settings.broken-2.toml") == "[first]\nspeed = = 3\n");

@@ -1,0 +1,56 @@
+#include "app/desktop/desktop_menus.hpp"
+
+#include <algorithm>
+
+namespace meltpool {
+
+float DesktopMenus::coveredLeft() {
+    const int open = static_cast<int>(panels.view) + static_cast<int>(panels.timings);
+    return panels.hidden ? 0 : static_cast<float>(open) * ui::panelReach(interface_.context());
+}
+
+float DesktopMenus::coveredRight() {
+    return panels.simulation && !panels.hidden ? ui::panelReach(interface_.context()) : 0;
+}
+
+float DesktopMenus::middleOfPicture() {
+    return (coveredLeft() - coveredRight()) / static_cast<float>(std::max(window_.size().x, 1));
+}
+
+MenuRequest DesktopMenus::draw(const DesktopMenuContent& content) {
+    ui::Context& context = interface_.context();
+    LessonSession& session = content.session;
+    MenuRequest request = MenuRequest::none;
+    if (!session.running())
+        request = ui::startMenu(context, session.sections().start, session.lesson().text, content.driver);
+    else if (!panels.hidden)
+        request = drawPanels(content);
+    if (panels.help) ui::helpOverlay(context, panels.help);
+    const bool running = session.running();
+    ui::messageStack(context, content.messages, running ? coveredLeft() : 0, running ? coveredRight() : 0);
+    return request;
+}
+
+MenuRequest DesktopMenus::drawPanels(const DesktopMenuContent& content) {
+    ui::Context& context = interface_.context();
+    const Lesson& lesson = content.session.lesson();
+    const MenuRequest request = ui::topBar(context, panels, content.controls, lesson.title);
+    ui::statusBar(context, content.figures, content.controls);
+    ui::temperatureScale(context, lesson.look.colours, content.session.temperature(), coveredLeft());
+    makeRoom();
+    if (panels.view) ui::viewMenu(context, content.viewSections);
+    if (panels.simulation) ui::simulationMenu(context, content.session.sections().simulation, content.controls);
+    if (panels.timings)
+        ui::timingsPanel(context, content.profiler, content.figures, content.frameMs, content.driver, panels.view);
+    return request;
+}
+
+void DesktopMenus::makeRoom() {
+    // In a small window the newer of the two panels at the left replaces the older.
+    const bool both = panels.view && panels.timings;
+    if (both && static_cast<float>(window_.size().x) < 4.5f * ui::panelReach(interface_.context()))
+        (timingsAreNewer_ ? panels.view : panels.timings) = false;
+    timingsAreNewer_ = panels.view;
+}
+
+} // namespace meltpool

@@ -1,0 +1,50 @@
+// The window's menus: start menu, bars, panels and messages, and how much of the picture they cover.
+#pragma once
+
+#include "app/desktop/interface.hpp"
+#include "app/session/lesson_session.hpp"
+#include "app/session/menu_state.hpp"
+#include "app/session/ui/panels.hpp"
+
+#include <span>
+#include <string>
+
+namespace meltpool {
+
+/// What the menus show and change; borrowed for the call.
+struct DesktopMenuContent {
+    LessonSession& session;
+    Controls& controls;
+    Messages& messages;
+    const LessonFigures& figures;
+    const gl::Profiler& profiler;
+    double frameMs = 0;
+    const std::string& driver;                             ///< name of the graphics driver
+    std::span<const ParameterSection* const> viewSections; ///< for the view menu
+};
+
+class DesktopMenus {
+  public:
+    DesktopMenus(const Window& window, ui::Interface& theInterface) : window_(window), interface_(theInterface) {}
+
+    PanelState panels;
+
+    /// Draws all that is open. Answers what the person asked for.
+    MenuRequest draw(const DesktopMenuContent& content);
+
+    /// How far the middle of the uncovered part of the window is right of the window's middle, as a share of half the
+    /// window's width.
+    float middleOfPicture();
+
+  private:
+    MenuRequest drawPanels(const DesktopMenuContent& content);
+    void makeRoom();
+    float coveredLeft();
+    float coveredRight();
+
+    const Window& window_;
+    ui::Interface& interface_;
+    bool timingsAreNewer_ = false; ///< if both panels at the left are open in the next frame
+};
+
+} // namespace meltpool

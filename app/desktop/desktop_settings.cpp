@@ -1,0 +1,54 @@
+#include "app/desktop/desktop_settings.hpp"
+
+#include "core/base/resources.hpp"
+
+#include <algorithm>
+
+namespace meltpool {
+
+ParameterList describe(WindowParameters& w) {
+    return {
+        {"width", "Width", "points", &w.width, 640, 16384, "of the window at the next start"},
+        {"height", "Height", "points", &w.height, 480, 16384, "of the window at the next start"},
+        {"maximised", "Maximised", "", &w.maximised, 0, 1, "at the next start"},
+        {"interface_size", "Size of text and menus", "", &w.interfaceSize, 0.7, 2,
+         "On top of what the desktop asks for; large menus cover more of the picture."},
+    };
+}
+
+DesktopSettings::DesktopSettings(const std::filesystem::path& file, const std::string& lesson)
+    : file_(file.empty() ? settingsFolder() / "settings.toml" : file) {
+    if (lesson == kDefaultLesson) return;
+    lesson_.emplace(loadLesson(std::string(kDefaultLesson)));
+    lessonSections_.emplace(*lesson_);
+}
+
+std::vector<SettingsSection> DesktopSettings::sections(LessonSections& running,
+                                                       const std::vector<ParameterSection*>& others) {
+    std::vector<ParameterSection*> all = (lessonSections_ ? *lessonSections_ : running).all();
+    all.insert(all.end(), others.begin(), others.end());
+    std::vector<SettingsSection> made;
+    ParameterList kept;
+    for (const ParameterSection* each : all) {
+        made.push_back({each->name, {}});
+        for (const Parameter& p : each->parameters) {
+            // A value that stands in two menus is kept in the first of their sections only.
+            const bool known =
+                std::any_of(kept.begin(), kept.end(), [&p](const Parameter& k) { return k.value == p.value; });
+            if (known) continue;
+            kept.push_back(p);
+            made.back().parameters.push_back(p);
+        }
+    }
+    return made;
+}
+
+std::vector<std::string> DesktopSettings::load(LessonSections& running, const std::vector<ParameterSection*>& others) {
+    return loadSettings(file_, sections(running, others));
+}
+
+void DesktopSettings::save(LessonSections& running, const std::vector<ParameterSection*>& others) {
+    saveSettings(file_, sections(running, others));
+}
+
+} // namespace meltpool

@@ -1,0 +1,19 @@
+// Reloads changed shaders while the program runs, and shows why one was refused.
+#pragma once
+
+#include "app/session/messages.hpp"
+#include "core/gl/program.hpp"
+
+namespace meltpool {
+
+class ShaderWatch {
+  public:
+    /// Looks at the files twice a second. `now`: s on the program's clock. A refused shader's message stands until the
+    /// shader is mended; its old version runs on.
+    void update(gl::ShaderLibrary& shaders, Messages& messages, double now);
+
+  private:
+    double next_ = 0; ///< s
+};
+
+} // namespace meltpool
