@@ -6,14 +6,15 @@
 
 namespace meltpool::gl {
 
-Buffer::Buffer(std::string_view label, size_t bytes) : bytes_(std::max<size_t>(bytes, 4)) {
+Buffer::Buffer(std::string_view label, size_t bytes, GLbitfield storageFlags)
+    : bytes_(std::max<size_t>(bytes, 4)), writable_((storageFlags & GL_DYNAMIC_STORAGE_BIT) != 0) {
     GLuint name = 0;
     glCreateBuffers(1, &name);
     handle_ = Handle<destroy>(name);
     labelObject(GL_BUFFER, name, label);
     while (glGetError() != GL_NO_ERROR) {
     }
-    glNamedBufferStorage(name, static_cast<GLsizeiptr>(bytes_), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    glNamedBufferStorage(name, static_cast<GLsizeiptr>(bytes_), nullptr, storageFlags);
     if (glGetError() == GL_OUT_OF_MEMORY)
         throw RuntimeFault("the graphics driver has no room for " + std::to_string(bytes_ >> 20) + " MiB ('" +
                            std::string(label) + "'); use fewer particles or a coarser grid");
@@ -35,6 +36,7 @@ void Buffer::copyTo(const Buffer& target, size_t bytes, size_t from, size_t to) 
 
 void Buffer::writeBytes(const void* data, size_t bytes, size_t offset) {
     if (bytes == 0) return;
+    if (!writable_) throw RuntimeFault("a write to a GPU buffer that only the GPU writes was refused");
     if (offset + bytes > bytes_) throw RuntimeFault("a write past the end of a GPU buffer was refused");
     glNamedBufferSubData(name(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
 }

@@ -14,7 +14,11 @@ class Buffer {
 
     /// Zero-filled memory of `bytes` (at least 4 are taken so that an empty list can still be bound).
     /// Throws RuntimeFault when the driver has no room.
-    Buffer(std::string_view label, size_t bytes);
+    Buffer(std::string_view label, size_t bytes) : Buffer(label, bytes, GL_DYNAMIC_STORAGE_BIT) {}
+
+    /// The same for memory that only the GPU writes, by shaders, clear(), fill() or copyTo(); write() throws
+    /// RuntimeFault. Drivers can place it where the GPU reaches it fastest.
+    static Buffer gpuOnly(std::string_view label, size_t bytes) { return Buffer(label, bytes, 0); }
 
     /// Memory holding a copy of `values`.
     template <class T>
@@ -56,12 +60,14 @@ class Buffer {
     void bindUniform(GLuint binding) const { glBindBufferBase(GL_UNIFORM_BUFFER, binding, name()); }
 
   private:
+    Buffer(std::string_view label, size_t bytes, GLbitfield storageFlags);
     void writeBytes(const void* data, size_t bytes, size_t offset);
     void readBytes(void* data, size_t bytes, size_t offset) const;
 
     static void destroy(GLuint name) { glDeleteBuffers(1, &name); }
     Handle<destroy> handle_;
     size_t bytes_ = 0;
+    bool writable_ = true; ///< by the CPU
 };
 
 } // namespace meltpool::gl

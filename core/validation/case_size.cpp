@@ -17,8 +17,8 @@ namespace {
 // Bytes that buffers and their staging copies take, rounded up.
 constexpr double kHeatCell = 80;
 constexpr double kParticle = 300;
-constexpr double kFlowParticle = 9.0 * FLOW_NEIGHBOUR_CAPACITY + 400;
-constexpr double kFlowCell = 24.0 * FLOW_CELL_CAPACITY + 100; // of (2.4 spacings)³
+constexpr double kFlowParticle = 4.0 * (FLOW_NEIGHBOUR_CAPACITY + 2) + 400;
+constexpr double kFlowCell = 4.0 * FLOW_PAGE_WORDS + 100; // of (2.4 spacings)³
 constexpr double kFlowCellVolume = 2.4 * 2.4 * 2.4;
 constexpr double kShare = 0.8; // of what is free, that a case may take
 
@@ -32,7 +32,7 @@ std::string figure(double value) {
 double mostListed() {
     GLint texels = 0;
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
-    return texels / (2.0 * FLOW_NEIGHBOUR_CAPACITY);
+    return texels / (FLOW_NEIGHBOUR_CAPACITY + 2.0);
 }
 
 } // namespace

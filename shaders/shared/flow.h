@@ -7,7 +7,10 @@
 // Space is cut into cells at least one kernel support wide, so that a particle's neighbours lie in its own cell and the
 // 26 around it. Each cell lists its wall particles, which change only where the phase changes, and its moving particles,
 // which the move pass puts into cells again in every substep. Both lists are ordered by slot, so that sums over
-// neighbours have one order and the same run gives the same bits.
+// neighbours have one order and the same run gives the same bits. Only cells that ever held metal have room for lists.
+//
+// Boundary particles are solid ones, of walls or fragments, within the reach of liquid. Only liquid and boundary particles
+// have neighbour lists.
 #ifndef MELTPOOL_SHARED_FLOW_H
 #define MELTPOOL_SHARED_FLOW_H
 
@@ -19,10 +22,10 @@
 // Storage buffers
 #define FLOW_PARTICLES 6     // FlowParticle for each slot
 #define FLOW_CELLS 7         // FlowCell for each cell
-#define FLOW_CELL_LISTS 8    // for each cell the packed positions of its moving particles, then of its wall particles; then all slots likewise
-#define FLOW_BINNED 9        // for each cell the slots of its moving particles in no order
-#define FLOW_LISTS 10        // lists of slots, see flow/common.glsl
-#define FLOW_NEIGHBOURS 11   // neighbour lists; entry k of the particles of a work group lie side by side
+#define FLOW_PAGES 8         // a page for each cell that ever held metal, FLOW_PAGE_WORDS each: the packed positions of moving and of wall particles, then their slots likewise; page 0 is unused
+#define FLOW_NEXT_IN_CELL 9  // for each slot the next one of its cell: of moving particles, and of new wall particles, in no order
+#define FLOW_LISTS 10        // moving slots, see flow/common.glsl
+#define FLOW_NEIGHBOURS 11   // neighbour lists, see flow/common.glsl
 #define FLOW_COUNTERS 12     // FlowCounters
 #define FLOW_CHANGED 13      // cells whose wall particles changed; then FLOW_WALL_CHANGES slots that became or ceased to be wall
 #define FLOW_WALL_SUMS 14    // ivec4 for each wall slot: what other wall metal adds to its gradient (xyz) and density (w), in 1/FLOW_WALL_SUM_UNIT
@@ -35,10 +38,12 @@
 #define FLOW_TEXELS_PARTICLES 1 // FLOW_PARTICLE_TEXELS for each slot
 #define FLOW_TEXELS_NEIGHBOURS 2
 #define FLOW_TEXELS_CELLS 3
-#define FLOW_TEXELS_CELL_SLOTS 4
-#define FLOW_TEXELS_CELL_POSITIONS 5 // four packed positions in a texel
+#define FLOW_TEXELS_PAGE_SLOTS 4
+#define FLOW_TEXELS_PAGE_POSITIONS 5 // four packed positions in a texel
 
 #define FLOW_PARTICLE_TEXELS 4 // of a FlowParticle
+#define FLOW_CELL_TEXELS 2     // of a FlowCell
+#define FLOW_PAGE_WORDS (4 * FLOW_CELL_CAPACITY)
 
 // FlowParticle.group
 #define FLOW_GROUP_NONE 0u
@@ -98,9 +103,10 @@ struct FlowBlock {
     float inverseWettingRange; // 1/(temperature from which wall metal is hot - coldBelow), 1/K
     float expansion;    // of the volume over temperature, 1/K
     float referenceTemperature; // at which metal has its whole weight, K
-    uint listCapacity;  // moving particles, and wall particles beside them
+    uint rowCapacity;   // neighbour lists that there is room for, a multiple of GROUP_SIZE
+    uint pageCapacity;  // pages that there is room for
     uint cellCount;
-    uint reserved0, reserved1;
+    uint reserved;
 };
 
 struct FlowParticle {
@@ -112,26 +118,30 @@ struct FlowParticle {
     uint renews;       // of moving metal: 1 where the search in progress makes its neighbour list anew
     uint cell;         // that it is listed in
     uint group;        // FLOW_GROUP_...
-    uint listedSince;  // of wall metal: FlowCounters.fullSearch at the time when it was last listed beside moving metal
+    uint listedSince;  // of solid metal: FlowCounters.fullSearch at the time when it last became a boundary particle
     uint wallSumGeneration; // of wall metal: FlowCounters.wallSumGeneration at the time when its wall sums were made
 };
 
 struct FlowCell {
-    uint walls;
-    uint moving;
+    uint walls;  // number of wall particles
+    uint moving; // number of moving particles
+    uint page;   // with the cell's lists; 0: none yet
     uint changed; // 1 between the passes that find and compact changed cells
+    uint firstMoving;  // slot of the last moving particle put into the cell; the others follow in FLOW_NEXT_IN_CELL
+    uint firstNewWall; // slot + 1 of the last new wall particle between these two passes, 0 for none; the others follow
+    uint hasPage;      // 1: a page was asked for
     uint reserved;
 };
 
 struct FlowCounters {
-    uvec3 movingGroups; // indirect dispatch over the moving list
-    uint moving;        // length of the moving list
-    uvec3 searchGroups; // over the moving list and the wall list; no groups where the neighbour lists still hold
+    uvec3 movingGroups; // indirect dispatch over moving metal
+    uint liquids;       // moving particles that are liquid; from classify.comp to compact.comp also what began to move
+    uvec3 searchGroups; // over moving metal and boundary particles; no groups where the neighbour lists still hold
     uint moveGroupsDone;
-    uvec3 boundaryGroups; // over wall metal that this search has newly found beside moving metal
+    uvec3 boundaryGroups; // over the boundary particles that this search has found
     uint wallSumGeneration; // of the wall sums that hold
-    uvec3 densityGroups;    // over the moving list and the wall list
-    uint walls;             // length of the wall list
+    uvec3 densityGroups;    // over moving metal and boundary particles
+    uint boundary;          // boundary particles
     uint cellsOverfull;     // faults so far
     uint neighboursOverfull;
     uint notFinite;
@@ -140,19 +150,22 @@ struct FlowCounters {
     uint frame;
     uint searches;   // made so far
     uint stale;      // moving particles whose neighbours went nearly too far; beyond FLOW_STALE_CAPACITY all
-    uint wallsBefore; // length of the wall list before this search
+    uint boundaryBefore; // boundary particles before this search
     uint fullSearch; // number of the last search that renewed all lists
     uint searchDue;  // 1: a neighbour went too far, so that the next substep must search
-    uint compacted;  // length of the moving list that is being compacted
+    uint fragments;  // moving particles that are part of fragments
+    uint compactedLiquids; // of the moving list that is being compacted
+    uint compactedFragments;
     uint changedCells;
-    uint reserved0, reserved1;
+    uint pages; // handed out so far
+    uint reserved0, reserved1, reserved2;
 };
 
 #ifdef __cplusplus
 static_assert(sizeof(FlowBlock) == 224);
 static_assert(sizeof(FlowParticle) == 64);
-static_assert(sizeof(FlowCell) == 16);
-static_assert(sizeof(FlowCounters) == 128);
+static_assert(sizeof(FlowCell) == 32);
+static_assert(sizeof(FlowCounters) == 144);
 } // namespace meltpool
 #endif
 

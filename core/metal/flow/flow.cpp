@@ -21,6 +21,9 @@ constexpr GLbitfield kBarrier = GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH
 constexpr unsigned kChangeGroups =
     8; // of passes over what changed, whose number the CPU does not know: each invocation does several
 constexpr unsigned kMostChangeGroups = 1024;
+/// Substeps after which a step that is not over looks for room again, and waits for the GPU. Steps of a frame have
+/// fewer.
+constexpr unsigned kSubstepsInRoom = 64;
 
 size_t cellCount(const FlowBlock& block) {
     return static_cast<size_t>(block.cells.x) * static_cast<size_t>(block.cells.y) * static_cast<size_t>(block.cells.z);
@@ -45,8 +48,7 @@ void setLiquid(FlowBlock& block, const FlowConstants& constants, const FlowFluid
     block.referenceTemperature = static_cast<float>(fluid.referenceTemperature);
 }
 
-FlowBlock makeBlock(const FlowConstants& constants, const FlowFluid& fluid, const FlowSpace& space, size_t capacity,
-                    size_t listCapacity) {
+FlowBlock makeBlock(const FlowConstants& constants, const FlowFluid& fluid, const FlowSpace& space, size_t capacity) {
     FlowBlock block{};
     const auto reach = static_cast<float>(constants.support + kSkin * fluid.spacing);
     const glm::vec3 size = space.high - space.low;
@@ -64,7 +66,6 @@ FlowBlock makeBlock(const FlowConstants& constants, const FlowFluid& fluid, cons
     block.high = space.high;
     block.halfSpacing = static_cast<float>(0.5 * fluid.spacing);
     block.capacity = static_cast<int>(capacity);
-    block.listCapacity = static_cast<uint>(listCapacity);
     block.cellCount = static_cast<uint>(cellCount(block));
     block.acceleration = space.acceleration;
     block.reach = reach;
@@ -85,23 +86,17 @@ gl::Defines definesOf(const FlowFluid& fluid, const FlowSpace& space) {
     return defines;
 }
 
-size_t neighbourEntries(size_t room) {
-    return (2 * room + GROUP_SIZE - 1) / GROUP_SIZE * GROUP_SIZE * FLOW_NEIGHBOUR_CAPACITY;
-}
-
 unsigned groupsOf(size_t invocations) {
     return static_cast<unsigned>((invocations + GROUP_SIZE - 1) / GROUP_SIZE);
 }
 
 } // namespace
 
-Flow::Flow(gl::ShaderLibrary& shaders, MetalState& state, const FlowFluid& fluid, const FlowSpace& space,
-           size_t mostMoving)
+Flow::Flow(gl::ShaderLibrary& shaders, MetalState& state, const FlowFluid& fluid, const FlowSpace& space)
     : state_(state),
       constants_(FlowConstants::of(fluid)),
       restDensity_(fluid.density),
-      block_(makeBlock(constants_, fluid, space, state.capacity(),
-                       mostMoving == 0 ? state.capacity() : std::min(mostMoving, state.capacity()))),
+      block_(makeBlock(constants_, fluid, space, state.capacity())),
       classify_(shaders.compute("metal/flow/classify.comp", definesOf(space))),
       compact_(shaders.compute("metal/flow/compact.comp", definesOf(space))),
       bin_(shaders.compute("metal/flow/bin.comp", definesOf(space))),
@@ -111,29 +106,64 @@ Flow::Flow(gl::ShaderLibrary& shaders, MetalState& state, const FlowFluid& fluid
       density_(shaders.compute("metal/flow/density.comp", definesOf(space))),
       move_(shaders.compute("metal/flow/move.comp", definesOf(fluid, space))),
       blockBuffer_("flow block", sizeof(FlowBlock)),
-      particles_("flow particles", state.capacity() * sizeof(FlowParticle)),
-      cells_("flow cells", cellCount(block_) * sizeof(FlowCell)),
-      cellLists_("flow cell lists", cellCount(block_) * 4 * FLOW_CELL_CAPACITY * sizeof(uint)),
-      binned_("flow binned slots", cellCount(block_) * FLOW_CELL_CAPACITY * sizeof(uint)),
-      lists_("flow lists", (size_t(5) * block_.listCapacity + FLOW_STALE_CAPACITY) * sizeof(uint)),
-      neighbours_("flow neighbours", neighbourEntries(block_.listCapacity) * sizeof(uint)),
-      counters_("flow counters", sizeof(FlowCounters)),
-      changed_("flow changed cells, slots", (cellCount(block_) + FLOW_WALL_CHANGES) * sizeof(uint)),
-      wallSums_("flow wall sums", state.capacity() * sizeof(ivec4)),
+      particles_(gl::Buffer::gpuOnly("flow particles", state.capacity() * sizeof(FlowParticle))),
+      cells_(gl::Buffer::gpuOnly("flow cells", block_.cellCount * sizeof(FlowCell))),
+      nextInCell_(gl::Buffer::gpuOnly("flow next in cell", state.capacity() * sizeof(uint))),
+      lists_(gl::Buffer::gpuOnly("flow lists", (2 * state.capacity() + FLOW_STALE_CAPACITY) * sizeof(uint))),
+      counters_(gl::Buffer::gpuOnly("flow counters", sizeof(FlowCounters))),
+      changed_(gl::Buffer::gpuOnly("flow changed cells, slots", (block_.cellCount + FLOW_WALL_CHANGES) * sizeof(uint))),
+      wallSums_(gl::Buffer::gpuOnly("flow wall sums", state.capacity() * sizeof(ivec4))),
       positionTexels_("flow position texels", state.position, GL_RGBA32F, sizeof(vec4)),
       particleTexels_("flow particle texels", particles_, GL_RGBA32F, sizeof(vec4)),
-      neighbourTexels_("flow neighbour texels", neighbours_, GL_R32UI, sizeof(uint)),
-      cellTexels_("flow cell texels", cells_, GL_RGBA32UI, sizeof(FlowCell)),
-      cellSlotTexels_("flow cell slot texels", cellLists_, GL_R32UI, sizeof(uint)),
-      cellPositionTexels_("flow cell position texels", cellLists_, GL_RGBA32UI, sizeof(uvec4)) {}
+      cellTexels_("flow cell texels", cells_, GL_RGBA32UI, sizeof(uvec4)) {}
+
+void Flow::makeNeighbourLists() {
+    const size_t old = block_.rowCapacity * sizeof(uint), row = room_.rows() * sizeof(uint);
+    auto rows = gl::Buffer::gpuOnly("flow neighbours", (FLOW_NEIGHBOUR_CAPACITY + 2) * row);
+    if (neighbours_) {
+        glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+        neighbours_.copyTo(rows, FLOW_NEIGHBOUR_CAPACITY * old);
+        for (const size_t part : {FLOW_NEIGHBOUR_CAPACITY, FLOW_NEIGHBOUR_CAPACITY + 1})
+            neighbours_.copyTo(rows, old, part * old, part * row);
+    }
+    neighbours_ = std::move(rows);
+    neighbourTexels_ = gl::BufferView("flow neighbour texels", neighbours_, GL_R32UI, sizeof(uint));
+    block_.rowCapacity = static_cast<uint>(room_.rows());
+    blockChanged_ = true;
+}
+
+void Flow::makePages() {
+    block_.pageCapacity = static_cast<uint>(room_.pages());
+    auto pages = gl::Buffer::gpuOnly("flow pages", (1 + room_.pages()) * FLOW_PAGE_WORDS * sizeof(uint));
+    if (pages_) {
+        glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+        pages_.copyTo(pages, pages_.bytes());
+    }
+    pages_ = std::move(pages);
+    pageSlotTexels_ = gl::BufferView("flow page slot texels", pages_, GL_R32UI, sizeof(uint));
+    pagePositionTexels_ = gl::BufferView("flow page position texels", pages_, GL_RGBA32UI, sizeof(uvec4));
+    blockChanged_ = true;
+}
+
+/// `waits`: for what is in use now, instead of what was some steps ago.
+void Flow::makeRoom(bool waits) {
+    if (known_ == 0) room_.start(state_, block_);
+    if (waits) room_.readNow(state_.particles(), counters_);
+    room_.update(state_.particles(), counters_);
+    if (room_.rows() != block_.rowCapacity) makeNeighbourLists();
+    if (room_.pages() != block_.pageCapacity) makePages();
+    if (blockChanged_) blockBuffer_.writeValue(block_);
+    blockChanged_ = false;
+    bind();
+}
 
 void Flow::bind() const {
     state_.bind();
     blockBuffer_.bindUniform(FLOW_BLOCK);
     particles_.bindStorage(FLOW_PARTICLES);
     cells_.bindStorage(FLOW_CELLS);
-    cellLists_.bindStorage(FLOW_CELL_LISTS);
-    binned_.bindStorage(FLOW_BINNED);
+    pages_.bindStorage(FLOW_PAGES);
+    nextInCell_.bindStorage(FLOW_NEXT_IN_CELL);
     lists_.bindStorage(FLOW_LISTS);
     neighbours_.bindStorage(FLOW_NEIGHBOURS);
     counters_.bindStorage(FLOW_COUNTERS);
@@ -144,8 +174,8 @@ void Flow::bind() const {
     particleTexels_.bind(FLOW_TEXELS_PARTICLES);
     neighbourTexels_.bind(FLOW_TEXELS_NEIGHBOURS);
     cellTexels_.bind(FLOW_TEXELS_CELLS);
-    cellSlotTexels_.bind(FLOW_TEXELS_CELL_SLOTS);
-    cellPositionTexels_.bind(FLOW_TEXELS_CELL_POSITIONS);
+    pageSlotTexels_.bind(FLOW_TEXELS_PAGE_SLOTS);
+    pagePositionTexels_.bind(FLOW_TEXELS_PAGE_POSITIONS);
     glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, counters_.name());
 }
 
@@ -169,18 +199,18 @@ void Flow::step(double seconds, gl::Profiler* profiler) {
 void Flow::step(double seconds, unsigned substeps, gl::Profiler* profiler) {
     const gl::Scope scope(profiler, "flow");
     const double dt = seconds / substeps;
-    const auto stepLength = static_cast<float>(dt);
-    if (blockChanged_ || block_.timeStep != stepLength) {
-        block_.timeStep = stepLength;
+    if (block_.timeStep != static_cast<float>(dt)) {
+        block_.timeStep = static_cast<float>(dt);
         // Nothing may cross more than a third of a support in a substep: faster metal would pass through walls.
         block_.speedLimit = static_cast<float>(constants_.support / (3 * dt));
-        blockBuffer_.writeValue(block_);
-        blockChanged_ = false;
+        blockChanged_ = true;
     }
-    bind();
-    updateGroups(profiler);
-    for (unsigned i = 0; i < substeps; ++i)
+    for (unsigned done = 0; done < substeps; ++done) {
+        if (done % kSubstepsInRoom == 0) makeRoom(done > 0);
+        if (done == 0) updateGroups(profiler);
         substep(profiler);
+    }
+    room_.request(state_.particles(), counters_);
 }
 
 void Flow::updateGroups(gl::Profiler* profiler) {
@@ -218,7 +248,8 @@ FlowFaults Flow::readFaults() const {
 }
 
 unsigned Flow::readMoving() const {
-    return counters_.read<FlowCounters>(1)[0].moving;
+    const FlowCounters counters = counters_.read<FlowCounters>(1)[0];
+    return counters.liquids + counters.fragments;
 }
 
 unsigned Flow::readSearches() const {
@@ -231,7 +262,7 @@ std::vector<FlowParticle> Flow::readParticles() const {
 
 size_t Flow::bytes() const {
     size_t sum = 0;
-    for (const gl::Buffer* buffer : {&blockBuffer_, &particles_, &cells_, &cellLists_, &binned_, &lists_, &neighbours_,
+    for (const gl::Buffer* buffer : {&blockBuffer_, &particles_, &cells_, &pages_, &nextInCell_, &lists_, &neighbours_,
                                      &counters_, &changed_, &wallSums_})
         sum += buffer->bytes();
     return sum;

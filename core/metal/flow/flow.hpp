@@ -5,8 +5,7 @@
 #include "core/gl/profiler.hpp"
 #include "core/gl/program.hpp"
 #include "core/metal/flow/flow_constants.hpp"
-#include "core/metal/state/metal_state.hpp"
-#include "shaders/shared/flow.h"
+#include "core/metal/flow/flow_room.hpp"
 
 namespace meltpool {
 
@@ -36,9 +35,8 @@ struct FlowFaults {
 /// 2012). A substep touches the moving metal and the wall metal beside it only.
 class Flow {
   public:
-    /// `mostMoving`: most particles that move or lie beside moving ones at a time; 0 makes room for all.
-    Flow(gl::ShaderLibrary& shaders, MetalState& state, const FlowFluid& fluid, const FlowSpace& space,
-         size_t mostMoving = 0);
+    /// `state` must outlive the flow. Throws RuntimeFault where `space` repeats after less than three supports.
+    Flow(gl::ShaderLibrary& shaders, MetalState& state, const FlowFluid& fluid, const FlowSpace& space);
 
     /// Moves all liquid on by `seconds` in as many equal substeps as stability needs. First finds which slots melted,
     /// froze or are new.
@@ -59,6 +57,9 @@ class Flow {
     size_t bytes() const;
 
   private:
+    void makeRoom(bool waits);
+    void makeNeighbourLists();
+    void makePages();
     void bind() const;
     void updateGroups(gl::Profiler* profiler);
     void substep(gl::Profiler* profiler);
@@ -78,10 +79,11 @@ class Flow {
     const gl::Program& boundary_;
     const gl::Program& density_;
     const gl::Program& move_;
-    gl::Buffer blockBuffer_, particles_, cells_, cellLists_, binned_, lists_, neighbours_, counters_, changed_,
+    FlowRoom room_;
+    gl::Buffer blockBuffer_, particles_, cells_, pages_, nextInCell_, lists_, neighbours_, counters_, changed_,
         wallSums_;
-    gl::BufferView positionTexels_, particleTexels_, neighbourTexels_, cellTexels_, cellSlotTexels_,
-        cellPositionTexels_;
+    gl::BufferView positionTexels_, particleTexels_, neighbourTexels_, cellTexels_, pageSlotTexels_,
+        pagePositionTexels_;
 };
 
 } // namespace meltpool

@@ -14,9 +14,9 @@ void updateWallSums(uint change) {
     for (ivec3 step = ivec3(-1); step.z <= 1; nextStep(step)) {
         uint cell;
         if (!neighbourCell(centre, step, cell)) continue;
-        const uint count = cellCounts(cell).x;
-        for (uint entry = 0; entry < count; ++entry) {
-            const uint other = cellSlotTexel(cellWallBase(cell) + entry);
+        const uvec3 listed = readCell(cell);
+        for (uint k = 0; k < listed.x; ++k) {
+            const uint other = pageSlotTexel(wallBase(listed.z) + k);
             if (particles[other].wallSumGeneration != counters.wallSumGeneration || other == slot) continue;
             ivec4 share = wallShare(displacement(positionTexel(other), place));
             if (share == ivec4(0)) continue;
@@ -29,17 +29,19 @@ void updateWallSums(uint change) {
     }
 }
 
-void setCounters(uint moving) {
-    const uvec3 groups = uvec3((moving + GROUP_SIZE - 1) / GROUP_SIZE, 1, 1);
+void setCounters(uint liquids, uint fragments) {
+    const uvec3 groups = uvec3((liquids + fragments + GROUP_SIZE - 1) / GROUP_SIZE, 1, 1);
     counters.movingGroups = groups;
-    counters.moving = moving;
+    counters.liquids = liquids;
+    counters.fragments = fragments;
+    if (liquids > fluid.rowCapacity) counters.listsOverfull += liquids - fluid.rowCapacity;
     counters.searchGroups = groups;
     counters.moveGroupsDone = 0;
     counters.boundaryGroups = uvec3(0, 1, 1);
     counters.densityGroups = groups;
-    counters.walls = 0;
+    counters.boundary = 0;
     counters.stale = FLOW_STALE_ALL;
-    counters.wallsBefore = 0;
+    counters.boundaryBefore = 0;
     counters.fullSearch = 0;
     counters.searchDue = 0;
     counters.changedCells = 0;
@@ -47,15 +49,16 @@ void setCounters(uint moving) {
 
 void main() {
     const uint stride = gl_NumWorkGroups.x * GROUP_SIZE;
-    const uint moving = counters.compacted;
-    if (gl_GlobalInvocationID.x == 0) setCounters(moving);
+    const uint liquids = counters.compactedLiquids, fragments = counters.compactedFragments;
+    if (gl_GlobalInvocationID.x == 0) setCounters(liquids, fragments);
     const uint changes = counters.wallChanges[(counters.frame - 1) & 1u]; // compact.comp has begun the next frame
     if (changes <= FLOW_WALL_CHANGES)
-        for (uint entry = gl_GlobalInvocationID.x; entry < changes; entry += stride)
-            updateWallSums(changed[fluid.cellCount + entry]);
-    for (uint entry = gl_GlobalInvocationID.x; entry < moving; entry += stride) {
-        const uint slot = lists[compactedIndex(entry)];
-        lists[entry] = slot;
+        for (uint k = gl_GlobalInvocationID.x; k < changes; k += stride)
+            updateWallSums(changed[fluid.cellCount + k]);
+    for (uint k = gl_GlobalInvocationID.x; k < liquids + fragments; k += stride) {
+        const uint index = k < liquids ? liquidIndex(k) : fragmentIndex(k - liquids);
+        const uint slot = lists[compactedIndex(index)];
+        lists[index] = slot;
         binParticle(slot, position[slot].xyz);
     }
 }

@@ -1,7 +1,7 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-// Lists the moving neighbours of wall metal that the search before has found beside moving metal; makes its wall sums where
-// there are none.
+// Lists the neighbours of the boundary particles that the search before has found; makes the sums of wall metal among them
+// where there are none.
 #include "metal/flow/common.glsl"
 layout(local_size_x = GROUP_SIZE) in;
 #include "metal/flow/neighbours.glsl"
@@ -14,27 +14,31 @@ ivec4 sumWalls(uint slot, vec3 place) {
     for (ivec3 step = ivec3(-1); step.z <= 1; nextStep(step)) {
         uint cell;
         if (!neighbourCell(centre, step, cell)) continue;
-        const uint count = cellCounts(cell).x;
-        for (uint entry = 0; entry < count; ++entry) {
-            const uint other = cellSlotTexel(cellWallBase(cell) + entry);
+        const uvec3 listed = readCell(cell);
+        for (uint k = 0; k < listed.x; ++k) {
+            const uint other = pageSlotTexel(wallBase(listed.z) + k);
             if (other != slot) sum += wallShare(displacement(place, positionTexel(other)));
         }
     }
     return sum;
 }
 
-void main() {
-    const uint wall = counters.wallsBefore + gl_GlobalInvocationID.x;
-    if (wall >= min(counters.walls, fluid.listCapacity)) return;
-    const uint slot = lists[wallIndex(wall)];
-    const vec3 place = positionTexel(slot);
+void updateSums(uint slot, vec3 place) {
     const uint generation = counters.wallSumGeneration;
-    if (particles[slot].wallSumGeneration != generation) {
-        particles[slot].wallSumGeneration = generation;
-        wallSums[slot] = sumWalls(slot, place);
-    }
-    const uint entry = counters.moving + wall;
+    if (particles[slot].wallSumGeneration == generation) return;
+    particles[slot].wallSumGeneration = generation;
+    wallSums[slot] = sumWalls(slot, place);
+}
+
+void main() {
+    const uint k = counters.boundaryBefore + gl_GlobalInvocationID.x;
+    const uint row = counters.liquids + k;
+    if (k >= counters.boundary || row >= fluid.rowCapacity) return;
+    const uint slot = neighbours[boundaryIndex(k)];
+    const vec3 place = positionTexel(slot);
+    const bool isWall = particles[slot].group == FLOW_GROUP_WALL;
+    if (isWall) updateSums(slot, place);
     bool unlisted;
-    lists[neighbourCountIndex(entry)] = listNeighbours(slot, place, neighbourBase(entry), 0, false, unlisted);
-    particles[slot].velocity = vec3(0);
+    const uint found = listNeighbours(slot, place, neighbourBase(row), 0, !isWall, false, unlisted);
+    neighbours[neighbourCountIndex(row)] = found;
 }

@@ -1,7 +1,7 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 // Finds the slots that became or ceased to be moving or wall metal since the last frame: puts them into the moving list and
-// the cells' lists of wall metal, and notes what compact.comp and bin.comp have to do for them.
+// among the new wall metal of their cells, and notes what compact.comp and bin.comp have to do for them.
 #include "metal/flow/common.glsl"
 layout(local_size_x = GROUP_SIZE) in;
 
@@ -23,11 +23,8 @@ void noteWallChange(uint slot) {
 void becomeWall(uint slot) {
     const vec3 place = position[slot].xyz;
     const uint cell = cellIndex(cellAt(place));
-    const uint entry = atomicAdd(cells[cell].walls, 1u);
-    if (entry < FLOW_CELL_CAPACITY)
-        writeCellEntry(cellWallBase(cell) + entry, packPosition(place), slot);
-    else
-        atomicAdd(counters.cellsOverfull, 1u);
+    nextInCell[slot] = atomicExchange(cells[cell].firstNewWall, slot + 1);
+    needPage(cell);
     particles[slot].position = place;
     particles[slot].density = 0;
     particles[slot].cell = cell;
@@ -44,11 +41,7 @@ void ceaseToBeWall(uint slot) {
 }
 
 void becomeMoving(uint slot) {
-    const uint entry = atomicAdd(counters.moving, 1u);
-    if (entry < fluid.listCapacity)
-        lists[entry] = slot;
-    else
-        atomicAdd(counters.listsOverfull, 1u);
+    lists[liquidIndex(atomicAdd(counters.liquids, 1u))] = slot;
     particles[slot].cell = cellIndex(cellAt(position[slot].xyz));
 }
 
@@ -71,7 +64,10 @@ void classify(uint slot) {
 
 void main() {
     const uint stride = gl_NumWorkGroups.x * GROUP_SIZE;
-    if (gl_GlobalInvocationID.x == 0) counters.compacted = 0;
+    if (gl_GlobalInvocationID.x == 0) {
+        counters.compactedLiquids = 0;
+        counters.compactedFragments = 0;
+    }
     const uint listed = phaseChanges[0];
     const bool complete = listed <= uint(fluid.capacity);
     for (uint slot = (complete ? known : 0) + gl_GlobalInvocationID.x; slot < slots; slot += stride)

@@ -6,8 +6,8 @@
 layout(std140, binding = FLOW_BLOCK) uniform FlowUniform { FlowBlock fluid; };
 layout(std430, binding = FLOW_PARTICLES) buffer Particles { FlowParticle particles[]; };
 layout(std430, binding = FLOW_CELLS) buffer Cells { FlowCell cells[]; };
-layout(std430, binding = FLOW_CELL_LISTS) buffer CellLists { uint cellLists[]; };
-layout(std430, binding = FLOW_BINNED) buffer Binned { uint binned[]; };
+layout(std430, binding = FLOW_PAGES) buffer Pages { uint pages[]; };
+layout(std430, binding = FLOW_NEXT_IN_CELL) buffer NextInCell { uint nextInCell[]; };
 layout(std430, binding = FLOW_LISTS) buffer Lists { uint lists[]; };
 layout(std430, binding = FLOW_NEIGHBOURS) buffer Neighbours { uint neighbours[]; };
 layout(std430, binding = FLOW_COUNTERS) buffer Counters { FlowCounters counters; };
@@ -20,26 +20,42 @@ layout(binding = FLOW_TEXELS_POSITIONS) uniform samplerBuffer positionTexels;
 layout(binding = FLOW_TEXELS_PARTICLES) uniform samplerBuffer particleTexels;
 layout(binding = FLOW_TEXELS_NEIGHBOURS) uniform usamplerBuffer neighbourTexels;
 layout(binding = FLOW_TEXELS_CELLS) uniform usamplerBuffer cellTexels;
-layout(binding = FLOW_TEXELS_CELL_SLOTS) uniform usamplerBuffer cellSlotTexels;
-layout(binding = FLOW_TEXELS_CELL_POSITIONS) uniform usamplerBuffer cellPositionTexels;
+layout(binding = FLOW_TEXELS_PAGE_SLOTS) uniform usamplerBuffer pageSlotTexels;
+layout(binding = FLOW_TEXELS_PAGE_POSITIONS) uniform usamplerBuffer pagePositionTexels;
 
-// `lists` holds, one behind the other: the moving slots; the same while they are compacted; the wall slots beside moving
-// metal (listCapacity each); the number of neighbours of each entry of the moving list and then of the wall list
-// (2 listCapacity); the slots with stale neighbour lists.
-uint compactedIndex(uint k) { return fluid.listCapacity + k; }
-uint wallIndex(uint k) { return 2 * fluid.listCapacity + k; }
-uint neighbourCountIndex(uint entry) { return 3 * fluid.listCapacity + entry; }
-uint staleIndex(uint k) { return 5 * fluid.listCapacity + k; }
+// `lists` holds the moving slots, liquid ones from the front on and those of fragments from the end back (capacity in all);
+// the same while they are compacted (likewise); the slots with stale neighbour lists.
+uint liquidIndex(uint k) { return k; }
+uint fragmentIndex(uint k) { return uint(fluid.capacity) - 1 - k; }
+uint compactedIndex(uint index) { return uint(fluid.capacity) + index; }
+uint staleIndex(uint k) { return 2 * uint(fluid.capacity) + k; }
 
-/// Slot of an entry: the moving list comes first, then the wall list.
-uint slotOf(uint entry) {
-    const uint moving = counters.moving;
-    return lists[entry < moving ? entry : wallIndex(entry - moving)];
+/// Slot of moving metal; the liquid comes first.
+uint movingSlot(uint k) {
+    const uint liquids = counters.liquids;
+    return lists[k < liquids ? liquidIndex(k) : fragmentIndex(k - liquids)];
 }
 
-/// Place of the first neighbour of an entry in `neighbours`; the next ones follow GROUP_SIZE apart.
-uint neighbourBase(uint entry) {
-    return entry / GROUP_SIZE * (GROUP_SIZE * FLOW_NEIGHBOUR_CAPACITY) + entry % GROUP_SIZE;
+// `neighbours` holds the neighbour lists, row by row (liquid particles come first, then boundary particles): entry k of the
+// lists of a work group lie side by side; then the slots of boundary particles; then the length of each row.
+uint boundaryIndex(uint k) { return FLOW_NEIGHBOUR_CAPACITY * fluid.rowCapacity + k; }
+uint neighbourCountIndex(uint row) { return (FLOW_NEIGHBOUR_CAPACITY + 1) * fluid.rowCapacity + row; }
+
+/// Rows in use.
+uint rowCount() { return min(counters.liquids + counters.boundary, fluid.rowCapacity); }
+
+/// Slot of a row.
+uint slotOf(uint row) {
+    const uint liquids = counters.liquids;
+    return row < liquids ? lists[liquidIndex(row)] : neighbours[boundaryIndex(row - liquids)];
+}
+
+/// Length of a row; 0 where there is no room for it.
+uint neighbourCount(uint row) { return row < fluid.rowCapacity ? neighbours[neighbourCountIndex(row)] : 0u; }
+
+/// Place of the first neighbour of a row in `neighbours`; the next ones follow GROUP_SIZE apart.
+uint neighbourBase(uint row) {
+    return row / GROUP_SIZE * (GROUP_SIZE * FLOW_NEIGHBOUR_CAPACITY) + row % GROUP_SIZE;
 }
 
 /// Neighbour `k` of the list that begins at `base`.
@@ -53,25 +69,35 @@ float wettingAt(float temperature) {
     return mix(fluid.coldWetting, fluid.hotWetting, clamp((temperature - fluid.coldBelow) * fluid.inverseWettingRange, 0, 1));
 }
 
-/// Number of particles of a cell: x wall, y moving.
-uvec2 cellCounts(uint cell) {
-    const uvec2 counts = texelFetch(cellTexels, int(cell)).xy;
-    return uvec2(counts.x, min(counts.y, FLOW_CELL_CAPACITY));
+/// Number of listed particles of a cell: x wall, y moving; z its page.
+uvec3 readCell(uint cell) {
+    const uvec3 read = texelFetch(cellTexels, FLOW_CELL_TEXELS * int(cell)).xyz;
+    return read.z == 0 ? uvec3(0) : uvec3(read.x, min(read.y, FLOW_CELL_CAPACITY), read.z);
 }
 
-/// Index of the first moving particle, and of the first wall particle, of a cell in the lists of cells.
-uint cellMovingBase(uint cell) { return 2 * FLOW_CELL_CAPACITY * cell; }
-uint cellWallBase(uint cell) { return cellMovingBase(cell) + FLOW_CELL_CAPACITY; }
+/// Index in `pages` of the first moving particle, and of the first wall particle, of a page.
+uint movingBase(uint page) { return FLOW_PAGE_WORDS * page; }
+uint wallBase(uint page) { return movingBase(page) + FLOW_CELL_CAPACITY; }
 
-/// Where the slot that belongs to a packed position stands.
-uint cellSlotIndex(uint index) { return 2 * FLOW_CELL_CAPACITY * fluid.cellCount + index; }
+/// Index of the slot that belongs to a packed position.
+uint pageSlotIndex(uint index) { return index + 2 * FLOW_CELL_CAPACITY; }
 
-void writeCellEntry(uint index, uint packedPosition, uint slot) {
-    cellLists[index] = packedPosition;
-    cellLists[cellSlotIndex(index)] = slot;
+void writePageEntry(uint index, uint packedPosition, uint slot) {
+    pages[index] = packedPosition;
+    pages[pageSlotIndex(index)] = slot;
 }
 
-uint cellSlotTexel(uint index) { return texelFetch(cellSlotTexels, int(cellSlotIndex(index))).x; }
+uint pageSlotTexel(uint index) { return texelFetch(pageSlotTexels, int(pageSlotIndex(index))).x; }
+
+/// Gives a cell its page, which following passes find.
+void needPage(uint cell) {
+    if (cells[cell].hasPage != 0 || atomicExchange(cells[cell].hasPage, 1u) != 0) return;
+    const uint page = atomicAdd(counters.pages, 1u) + 1;
+    if (page <= fluid.pageCapacity)
+        cells[cell].page = page;
+    else
+        atomicAdd(counters.cellsOverfull, 1u);
+}
 
 /// The cell of a position. Precise, so that every pass comes to the same one.
 ivec3 cellAt(vec3 position) {
@@ -145,13 +171,11 @@ bool nearStale(vec3 position) {
     return near;
 }
 
-/// Lists a moving slot in the cell that the next search finds it in.
+/// Puts a moving slot into the cell that the next search finds it in.
 void binParticle(uint slot, vec3 position) {
     const uint cell = cellIndex(cellAt(position));
-    const uint entry = atomicAdd(cells[cell].moving, 1u);
-    if (entry < FLOW_CELL_CAPACITY)
-        binned[cell * FLOW_CELL_CAPACITY + entry] = slot;
-    else
-        atomicAdd(counters.cellsOverfull, 1u);
+    if (atomicAdd(cells[cell].moving, 1u) >= FLOW_CELL_CAPACITY) atomicAdd(counters.cellsOverfull, 1u);
+    nextInCell[slot] = atomicExchange(cells[cell].firstMoving, slot);
+    needPage(cell);
     particles[slot].cell = cell;
 }

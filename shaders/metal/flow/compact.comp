@@ -1,28 +1,43 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-// Takes what ceased to be wall out of the cells' lists and what ceased to move out of the moving list; orders the lists of
-// the changed cells by slot; empties the cells of moving metal.
+// Brings the changed cells' lists of wall metal up to date; takes what ceased to move out of the moving list and parts liquid
+// from fragments there; empties the cells of moving metal.
 #include "metal/flow/common.glsl"
 layout(local_size_x = GROUP_SIZE) in;
 
 layout(std430, binding = FLOW_PHASE_CHANGES) writeonly buffer PhaseChanges { uint phaseChanges[]; };
 
-/// Keeps the wall particles that still belong to the cell. Few cells change, so an insertion sort is fast enough.
+/// Puts a wall particle among the `kept` ones before it by slot. Few cells change, so an insertion sort is fast enough.
+void insertWall(uint base, uint kept, uint packedPosition, uint slot) {
+    uint place = kept;
+    for (; place > 0 && pages[pageSlotIndex(base + place - 1)] > slot; --place)
+        writePageEntry(base + place, pages[base + place - 1], pages[pageSlotIndex(base + place - 1)]);
+    writePageEntry(base + place, packedPosition, slot);
+}
+
+bool isWallOf(uint slot, uint cell) { return particles[slot].group == FLOW_GROUP_WALL && particles[slot].cell == cell; }
+
+/// Keeps the wall particles that still belong to the cell and adds the new ones.
 void compactCell(uint cell) {
-    const uint base = cellWallBase(cell);
-    const uint count = min(cells[cell].walls, FLOW_CELL_CAPACITY);
+    const uint base = wallBase(cells[cell].page);
+    const uint count = cells[cell].walls;
     uint kept = 0;
-    for (uint entry = 0; entry < count; ++entry) {
-        const uint packedPosition = cellLists[base + entry];
-        const uint slot = cellLists[cellSlotIndex(base + entry)];
-        if (particles[slot].group != FLOW_GROUP_WALL || particles[slot].cell != cell) continue;
-        uint place = kept;
-        for (; place > 0 && cellLists[cellSlotIndex(base + place - 1)] > slot; --place)
-            writeCellEntry(base + place, cellLists[base + place - 1], cellLists[cellSlotIndex(base + place - 1)]);
-        writeCellEntry(base + place, packedPosition, slot);
+    for (uint k = 0; k < count; ++k) {
+        const uint packedPosition = pages[base + k];
+        const uint slot = pages[pageSlotIndex(base + k)];
+        if (!isWallOf(slot, cell)) continue;
+        insertWall(base, kept, packedPosition, slot);
         ++kept;
     }
+    for (uint next = cells[cell].firstNewWall; next != 0; next = nextInCell[next - 1]) {
+        const uint slot = next - 1;
+        if (kept < FLOW_CELL_CAPACITY)
+            insertWall(base, kept++, packPosition(particles[slot].position), slot);
+        else
+            atomicAdd(counters.cellsOverfull, 1u);
+    }
     cells[cell].walls = kept;
+    cells[cell].firstNewWall = 0;
     cells[cell].changed = 0;
 }
 
@@ -34,17 +49,22 @@ void finishFrame() {
     counters.frame += 1;
 }
 
+void compactMoving(uint slot) {
+    if (particles[slot].group != FLOW_GROUP_MOVING) return;
+    cells[particles[slot].cell].moving = 0;
+    const uint index = (phase[slot] & PHASE_LIQUID) != 0
+                           ? liquidIndex(atomicAdd(counters.compactedLiquids, 1u))
+                           : fragmentIndex(atomicAdd(counters.compactedFragments, 1u));
+    lists[compactedIndex(index)] = slot;
+}
+
 void main() {
     const uint stride = gl_NumWorkGroups.x * GROUP_SIZE;
     if (gl_GlobalInvocationID.x == 0) finishFrame();
     const uint changedCells = counters.changedCells;
-    for (uint entry = gl_GlobalInvocationID.x; entry < changedCells; entry += stride)
-        compactCell(changed[entry]);
-    const uint moving = min(counters.moving, fluid.listCapacity);
-    for (uint entry = gl_GlobalInvocationID.x; entry < moving; entry += stride) {
-        const uint slot = lists[entry];
-        if (particles[slot].group != FLOW_GROUP_MOVING) continue;
-        cells[particles[slot].cell].moving = 0;
-        lists[compactedIndex(atomicAdd(counters.compacted, 1u))] = slot;
-    }
+    for (uint k = gl_GlobalInvocationID.x; k < changedCells; k += stride)
+        compactCell(changed[k]);
+    const uint moving = counters.liquids + counters.fragments;
+    for (uint k = gl_GlobalInvocationID.x; k < moving; k += stride)
+        compactMoving(movingSlot(k));
 }

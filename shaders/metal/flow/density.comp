@@ -1,6 +1,6 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-// Sweep 1: density and surface normal of moving metal and of the wall metal beside it.
+// Sweep 1: density and surface normal of liquid and boundary particles.
 #include "metal/flow/common.glsl"
 layout(local_size_x = GROUP_SIZE) in;
 
@@ -11,27 +11,22 @@ void endSearch() {
 }
 
 /// What a particle's sums of gradient (xyz) and density (w) are before its listed neighbours are added.
-vec4 startSums(uint slot, bool moves, float temperature) {
-    if (moves) return vec4(0, 0, 0, 1);
+vec4 startSums(uint slot, bool isWall, float temperature) {
+    if (!isWall) return vec4(0, 0, 0, 1);
     const float unit = 1 / FLOW_WALL_SUM_UNIT;
     return vec4(wallSums[slot]) * vec4(vec3(unit * wettingAt(temperature) * fluid.support), unit) + vec4(0, 0, 0, 1);
 }
 
 /// The density (Monaghan 1992) and the kernel's gradient, which is the surface normal of Akinci et al. 2013, summed with the
 /// kernel (1 - q²)⁴ of flow_constants.hpp.
-void main() {
-    const uint entry = gl_GlobalInvocationID.x;
-    const uint moving = counters.moving;
-    if (entry == 0) endSearch();
-    if (entry >= moving + min(counters.walls, fluid.listCapacity)) return;
-    const bool moves = entry < moving;
-    const uint slot = slotOf(entry);
+void sumDensity(uint row) {
+    const uint slot = slotOf(row);
+    const bool isWall = row >= counters.liquids && particles[slot].group == FLOW_GROUP_WALL;
     const vec4 place = position[slot];
-    if (moves) cells[particles[slot].cell].moving = 0; // the move pass bins the particles again
-    vec4 sum = startSums(slot, moves, place.w);
-    const uint found = lists[neighbourCountIndex(entry)];
+    vec4 sum = startSums(slot, isWall, place.w);
+    const uint found = neighbourCount(row);
     const float inverse = fluid.inverseSupport * fluid.inverseSupport;
-    const uint base = neighbourBase(entry);
+    const uint base = neighbourBase(row);
     for (uint k = 0; k < found; ++k) {
         const uint neighbour = neighbourTexel(base, k);
         const vec4 other = texelFetch(positionTexels, int(neighbour & FLOW_SLOT));
@@ -43,5 +38,13 @@ void main() {
     particles[slot].density = fluid.kernelSelf * sum.w;
     particles[slot].normal = -8 * fluid.kernelSelf * inverse * sum.xyz;
     particles[slot].temperature = place.w;
-    if (moves) particles[slot].velocity = velocity[slot].xyz;
+    particles[slot].velocity = isWall ? vec3(0) : velocity[slot].xyz;
+}
+
+void main() {
+    const uint row = gl_GlobalInvocationID.x;
+    if (row == 0) endSearch();
+    // The move pass bins the moving particles again.
+    if (row < counters.liquids + counters.fragments) cells[particles[movingSlot(row)].cell].moving = 0;
+    if (row < max(rowCount(), counters.liquids)) sumDensity(row);
 }

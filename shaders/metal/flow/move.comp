@@ -43,7 +43,7 @@ Pair readPair(FlowParticle own, uint neighbour, out float density, out vec3 norm
     return pair;
 }
 
-PairSums sumPairs(uint entry, FlowParticle own, uint found) {
+PairSums sumPairs(uint row, FlowParticle own, uint found) {
     PairSums sums;
     sums.acceleration = vec3(0);
     sums.fastest2 = 0;
@@ -51,7 +51,7 @@ PairSums sumPairs(uint entry, FlowParticle own, uint found) {
 #ifdef MARANGONI
     sums.warming = Warming(vec3(0), 0);
 #endif
-    const uint base = neighbourBase(entry);
+    const uint base = neighbourBase(row);
     const float ownPressure = pressureTerm(own.density);
     const float slower = 2 * dot(own.velocity, own.velocity);
     for (uint k = 0; k < found; ++k) {
@@ -73,10 +73,10 @@ PairSums sumPairs(uint entry, FlowParticle own, uint found) {
 }
 
 /// Acceleration by all neighbours, the arc and the buoyancy, and the fastest that a neighbour goes against the particle, m/s.
-vec3 acceleration(uint entry, uint slot, out float fastest, out SolidAround solids) {
+vec3 acceleration(uint row, uint slot, out float fastest, out SolidAround solids) {
     const FlowParticle own = particles[slot];
-    const uint found = lists[neighbourCountIndex(entry)];
-    const PairSums sums = sumPairs(entry, own, found);
+    const uint found = neighbourCount(row);
+    const PairSums sums = sumPairs(row, own, found);
     solids = sums.solids;
     vec3 sum = sums.acceleration;
     // The particle's surface per volume, 1/m; half of the gradient lies outside, where no particle feels it.
@@ -116,17 +116,12 @@ void noteStale(uint slot, float way) {
     if (k < FLOW_STALE_CAPACITY) lists[staleIndex(k)] = slot;
 }
 
-void moveParticle(uint entry) {
-    const uint slot = lists[entry];
+void moveLiquid(uint row, uint slot) {
     const vec4 before = position[slot];
-    if ((phase[slot] & PHASE_LIQUID) == 0) { // fragments are moved by others
-        binParticle(slot, before.xyz);
-        return;
-    }
     const float dt = fluid.timeStep;
     float fastest;
     SolidAround solids;
-    const vec3 forces = acceleration(entry, slot, fastest, solids);
+    const vec3 forces = acceleration(row, slot, fastest, solids);
     vec3 newVelocity = velocity[slot].xyz + dt * (forces + (metal.gravity + fluid.acceleration));
     newVelocity *= mushyShare(heat[slot].x);
     newVelocity = stopAtSolid(solids, newVelocity - velocity[slot].xyz, newVelocity);
@@ -141,8 +136,11 @@ void moveParticle(uint entry) {
 }
 
 void main() {
-    const uint entry = gl_GlobalInvocationID.x;
-    if (entry < counters.moving) moveParticle(entry);
+    const uint k = gl_GlobalInvocationID.x;
+    if (k < counters.liquids)
+        moveLiquid(k, movingSlot(k));
+    else if (k < counters.liquids + counters.fragments)
+        binParticle(movingSlot(k), position[movingSlot(k)].xyz); // fragments are moved by others
     memoryBarrierBuffer();
     barrier();
     if (gl_LocalInvocationIndex != 0) return;

@@ -13,14 +13,14 @@ vec3 squareOfStep() {
 struct Quads {
     uint moving, all; // number of quads
     uvec2 counts;     // particles: x wall, y moving
-    uint cell;
+    uint page;
 };
 
 Quads quadsOf(uint cell, bool withWalls) {
-    uvec2 counts = cellCounts(cell);
-    counts.x = withWalls ? min(counts.x, FLOW_CELL_CAPACITY) : 0u;
+    const uvec3 listed = readCell(cell);
+    const uvec2 counts = uvec2(withWalls ? listed.x : 0u, listed.y);
     const uvec2 quads = (counts + 3) >> 2;
-    return Quads(quads.y, quads.x + quads.y, counts, cell);
+    return Quads(quads.y, quads.x + quads.y, counts, listed.z);
 }
 
 /// Index of the first particle of a quad, and how many there are from it on.
@@ -28,7 +28,7 @@ uint indexOfQuad(Quads quads, uint quad, out uint rest) {
     const bool moves = quad < quads.moving;
     const uint first = 4 * (moves ? quad : quad - quads.moving);
     rest = (moves ? quads.counts.y : quads.counts.x) - first;
-    return (moves ? cellMovingBase(quads.cell) : cellWallBase(quads.cell)) + first;
+    return (moves ? movingBase(quads.page) : wallBase(quads.page)) + first;
 }
 
 /// Which particles of up to 8 quads from `first` on lie within the reach of neighbour lists around `origin`, given in steps
@@ -40,7 +40,7 @@ uint nearInQuads(Quads quads, uint first, vec3 origin, vec3 square) {
     for (uint k = 0; k < count; ++k) {
         uint rest;
         const uint index = indexOfQuad(quads, first + k, rest);
-        const uvec4 words = texelFetch(cellPositionTexels, int(index >> 2));
+        const uvec4 words = texelFetch(pagePositionTexels, int(index >> 2));
         const vec4 x = origin.x - vec4(words & 1023u);
         const vec4 y = origin.y - vec4((words >> 10) & 1023u);
         const vec4 z = origin.z - vec4(words >> 20);
@@ -62,7 +62,7 @@ uint nearCells(ivec3 centre, vec3 steps, vec3 square, bool withWalls) {
         uint cell;
         const bool within = neighbourCell(centre, step, cell) &&
                             off.x * off.x * square.x + off.y * off.y * square.y + off.z * off.z * square.z < reach;
-        const uvec2 counts = cellCounts(within ? cell : 0);
+        const uvec3 counts = readCell(within ? cell : 0);
         near |= within && counts.y + (withWalls ? counts.x : 0u) > 0 ? bit : 0u;
         bit <<= 1;
     }
@@ -80,7 +80,7 @@ ivec3 stepOf(int bit) {
 const uint kNearSpans = 32;
 struct NearSpan {
     uint near;
-    uint place; // cell, quads of moving particles (4 bits), first quad over 8 (2 bits)
+    uint place; // page, quads of moving particles (4 bits), first quad over 8 (2 bits)
 };
 
 /// Index in the lists of cells of the particle that a bit of a span stands for; whether it is wall metal.
@@ -88,34 +88,34 @@ uint indexOfBit(uint place, uint bit, out bool isWall) {
     const uint moving = (place >> 2) & 15u;
     const uint quad = 8 * (place & 3u) + (bit >> 2);
     isWall = quad >= moving;
-    return cellMovingBase(place >> 6) + 4 * quad + (bit & 3u) + (isWall ? FLOW_CELL_CAPACITY - 4 * moving : 0);
+    return movingBase(place >> 6) + 4 * quad + (bit & 3u) + (isWall ? FLOW_CELL_CAPACITY - 4 * moving : 0);
 }
 
 /// Adds what is near `place`, except `slot` itself, to the list at `base`, which holds `found`; gives the number found then.
-/// A moving particle lists other moving ones only where both renew their lists; wall metal lists no wall metal. `unlisted`:
-/// there is wall metal among them that no search since the last full one has listed.
+/// Wall metal lists no wall metal: `withWalls` is false for it. `renewing`: of moving metal lists only what renews its list
+/// too. `unlisted`: there is solid metal among them that is no boundary particle yet.
 ///
 /// Looks at cells and particles first and then at what is near, in loops that go on in step for all invocations: drivers that
 /// run on the CPU go through every loop as often as the invocation side by side that needs it most.
-uint listNeighbours(uint slot, vec3 place, uint base, uint found, bool moves, out bool unlisted) {
+uint listNeighbours(uint slot, vec3 place, uint base, uint found, bool withWalls, bool renewing, out bool unlisted) {
     const uint since = counters.fullSearch;
     unlisted = false;
     const ivec3 centre = cellAt(place);
     const vec3 steps = stepsInside(place);
     const vec3 square = squareOfStep();
     NearSpan spans[kNearSpans];
-    uint cells = nearCells(centre, steps, square, moves);
+    uint cells = nearCells(centre, steps, square, withWalls);
     while (cells != 0) {
         uint count = 0;
         for (; cells != 0 && count + FLOW_CELL_CAPACITY / 16 <= kNearSpans; cells &= cells - 1) {
             const ivec3 step = stepOf(findLSB(cells));
             uint cell;
             neighbourCell(centre, step, cell);
-            const Quads quads = quadsOf(cell, moves);
+            const Quads quads = quadsOf(cell, withWalls);
             const vec3 origin = steps - vec3(step) * 1024;
             for (uint first = 0; first < quads.all; first += 8) {
                 const uint near = nearInQuads(quads, first, origin, square);
-                spans[count] = NearSpan(near, cell << 6 | quads.moving << 2 | first >> 3);
+                spans[count] = NearSpan(near, quads.page << 6 | quads.moving << 2 | first >> 3);
                 count += near != 0 ? 1u : 0u;
             }
         }
@@ -123,9 +123,10 @@ uint listNeighbours(uint slot, vec3 place, uint base, uint found, bool moves, ou
         for (uint k = 0; found < FLOW_NEIGHBOUR_CAPACITY && (span.near != 0 || k < count); span.near &= span.near - 1) {
             if (span.near == 0) span = spans[k++];
             bool isWall;
-            const uint other = cellSlotTexel(indexOfBit(span.place, uint(findLSB(span.near)), isWall));
-            unlisted = unlisted || (isWall && particles[other].listedSince != since);
-            if ((other & FLOW_SLOT) != slot && (!moves || isWall || (other & FLOW_RENEWS) != 0))
+            const uint other = pageSlotTexel(indexOfBit(span.place, uint(findLSB(span.near)), isWall));
+            const bool isSolid = isWall || (other & FLOW_SOLID) != 0;
+            unlisted = unlisted || (isSolid && particles[other & FLOW_SLOT].listedSince != since);
+            if ((other & FLOW_SLOT) != slot && (!renewing || isWall || (other & FLOW_RENEWS) != 0))
                 neighbours[base + GROUP_SIZE * found++] =
                     isWall ? other | FLOW_SOLID | FLOW_WALL : other & ~FLOW_RENEWS;
         }

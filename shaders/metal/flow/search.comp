@@ -1,39 +1,39 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-// Lists the neighbours of moving metal, a little beyond the support, and the wall metal among them; and the moving
-// neighbours of wall metal that was listed before.
+// Lists the neighbours of liquid, a little beyond the support, and the solid metal among them as boundary particles; and the
+// neighbours of boundary particles that were listed before.
 #include "metal/flow/common.glsl"
 layout(local_size_x = GROUP_SIZE) in;
 #include "metal/flow/choose.glsl"
 #include "metal/flow/neighbours.glsl"
 
-/// Lists wall metal that has come to lie beside moving metal, each slot once.
-void listWall(uint slot) {
+/// Lists solid metal that has come to lie beside liquid, each slot once.
+void listBoundary(uint slot) {
     const uint since = counters.fullSearch;
     if (atomicExchange(particles[slot].listedSince, since) == since) return;
-    const uint wall = atomicAdd(counters.walls, 1u);
-    if (wall >= fluid.listCapacity) {
+    const uint k = atomicAdd(counters.boundary, 1u);
+    const uint row = counters.liquids + k;
+    if (row >= fluid.rowCapacity) {
         atomicAdd(counters.listsOverfull, 1u);
         return;
     }
-    lists[wallIndex(wall)] = slot;
-    const uint added = wall - counters.wallsBefore;
+    neighbours[boundaryIndex(k)] = slot;
+    const uint added = k - counters.boundaryBefore;
     if (added % GROUP_SIZE == 0) atomicMax(counters.boundaryGroups.x, added / GROUP_SIZE + 1);
-    const uint entry = counters.moving + wall;
-    if (entry % GROUP_SIZE == 0) atomicMax(counters.densityGroups.x, entry / GROUP_SIZE + 1);
+    if (row % GROUP_SIZE == 0) atomicMax(counters.densityGroups.x, row / GROUP_SIZE + 1);
 }
 
-/// Lists the wall metal among the neighbours that is not listed yet. First looks for it, so that most particles do no more.
-void listWalls(uint base, uint found) {
+/// Lists the solid metal among the neighbours that is not listed yet. First looks for it, so that most particles do no more.
+void listSolids(uint base, uint found) {
     for (uint first = 0; first < found; first += 32) {
         uint unlisted = 0;
         for (uint k = first; k < min(found, first + 32); ++k) {
             const uint neighbour = neighbours[base + GROUP_SIZE * k];
-            if ((neighbour & FLOW_WALL) != 0 && particles[neighbour & FLOW_SLOT].listedSince != counters.fullSearch)
+            if ((neighbour & FLOW_SOLID) != 0 && particles[neighbour & FLOW_SLOT].listedSince != counters.fullSearch)
                 unlisted |= 1u << (k - first);
         }
         for (; unlisted != 0; unlisted &= unlisted - 1)
-            listWall(neighbours[base + GROUP_SIZE * (first + uint(findLSB(unlisted)))] & FLOW_SLOT);
+            listBoundary(neighbours[base + GROUP_SIZE * (first + uint(findLSB(unlisted)))] & FLOW_SLOT);
     }
 }
 
@@ -51,27 +51,27 @@ uint keepOthers(uint base, uint found) {
     return kept;
 }
 
-/// Whether an entry must list its neighbours anew.
-bool isWanted(uint entry) {
-    const uint moving = counters.moving;
-    if (entry >= moving + counters.wallsBefore) return false;
-    const uint slot = slotOf(entry);
-    return entry < moving ? renews(slot) : nearStale(positionTexel(slot));
+/// Whether a row must be made anew.
+bool isWanted(uint row) {
+    if (row >= min(counters.liquids + counters.boundaryBefore, fluid.rowCapacity)) return false;
+    const uint slot = slotOf(row);
+    return row < counters.liquids ? renews(slot) : nearStale(positionTexel(slot));
 }
 
 void main() {
-    uint entry = gl_GlobalInvocationID.x;
-    if (!choose(isWanted(entry), entry)) return;
-    const bool moves = entry < counters.moving;
-    const uint slot = slotOf(entry);
-    const uint base = neighbourBase(entry);
+    uint row = gl_GlobalInvocationID.x;
+    if (!choose(isWanted(row), row)) return;
+    const bool liquid = row < counters.liquids;
+    const uint slot = slotOf(row);
+    const bool moves = liquid || particles[slot].group == FLOW_GROUP_MOVING;
+    const uint base = neighbourBase(row);
     const bool all = counters.stale > FLOW_STALE_CAPACITY;
-    const uint kept = moves && !all ? keepOthers(base, lists[neighbourCountIndex(entry)]) : 0;
+    const uint kept = moves && !all ? keepOthers(base, neighbourCount(row)) : 0;
     bool unlisted;
-    const uint found = listNeighbours(slot, positionTexel(slot), base, kept, moves, unlisted);
-    lists[neighbourCountIndex(entry)] = found;
+    const uint found = listNeighbours(slot, positionTexel(slot), base, kept, moves, moves, unlisted);
+    neighbours[neighbourCountIndex(row)] = found;
     if (found == FLOW_NEIGHBOUR_CAPACITY) atomicAdd(counters.neighboursOverfull, 1u);
-    if (!moves) return;
-    if (unlisted) listWalls(base, found);
+    if (!liquid) return;
+    if (unlisted) listSolids(base, found);
     velocity[slot].w = 0; // way that neighbours may have gone since the search
 }

@@ -8,27 +8,37 @@ void beginSearch() {
     counters.searches += 1;
     if (counters.stale > FLOW_STALE_CAPACITY) {
         counters.densityGroups = uvec3(counters.movingGroups.x, 1, 1);
-        counters.walls = 0;
+        counters.boundary = 0;
         counters.fullSearch = counters.searches;
     }
-    counters.wallsBefore = min(counters.walls, fluid.listCapacity);
+    counters.boundaryBefore = counters.boundary;
     counters.boundaryGroups.x = 0;
 }
 
-void main() {
-    const uint entry = gl_GlobalInvocationID.x;
-    if (entry == 0) beginSearch();
-    if (entry >= counters.moving) return;
-    const uint slot = lists[entry];
-    const uint cell = particles[slot].cell;
-    const uint count = min(cells[cell].moving, FLOW_CELL_CAPACITY);
+/// How many moving particles of a cell have a lower slot.
+uint rankInCell(uint slot, uint cell) {
+    const uint count = cells[cell].moving;
     uint rank = 0;
-    for (uint k = 0; k < count; ++k)
-        rank += binned[cell * FLOW_CELL_CAPACITY + k] < slot ? 1u : 0u;
-    const uint solid = (phase[slot] & PHASE_LIQUID) != 0 ? 0u : FLOW_SOLID;
+    uint other = cells[cell].firstMoving;
+    for (uint k = 0; k < count; ++k) {
+        rank += other < slot ? 1u : 0u;
+        other = nextInCell[other];
+    }
+    return rank;
+}
+
+void main() {
+    const uint k = gl_GlobalInvocationID.x;
+    if (k == 0) beginSearch();
+    if (k >= counters.liquids + counters.fragments) return;
+    const uint slot = movingSlot(k);
+    const uint cell = particles[slot].cell;
+    const uint rank = rankInCell(slot, cell);
+    const uint solid = k < counters.liquids ? 0u : FLOW_SOLID;
     const vec3 place = position[slot].xyz;
     const bool renews = nearStale(place);
     particles[slot].renews = renews ? 1 : 0;
     if (rank < FLOW_CELL_CAPACITY)
-        writeCellEntry(cellMovingBase(cell) + rank, packPosition(place), slot | solid | (renews ? FLOW_RENEWS : 0u));
+        writePageEntry(movingBase(cells[cell].page) + rank, packPosition(place),
+                       slot | solid | (renews ? FLOW_RENEWS : 0u));
 }

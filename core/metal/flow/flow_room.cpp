@@ -1,0 +1,93 @@
+#include "core/metal/flow/flow_room.hpp"
+
+#include "shaders/shared/dispatch.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+
+namespace meltpool {
+
+namespace {
+
+constexpr size_t kLeastRows = 2048;
+constexpr size_t kRowsEach =
+    4; ///< of a new liquid particle: its own, and of the solid metal that it comes to lie beside
+constexpr size_t kLeastPages = 128;
+
+size_t wholeGroups(size_t rows) {
+    return (rows + GROUP_SIZE - 1) / GROUP_SIZE * GROUP_SIZE;
+}
+
+/// Cells that hold metal.
+size_t filledCells(const std::vector<vec4>& positions, const FlowBlock& block) {
+    std::vector<bool> filled(block.cellCount);
+    size_t count = 0;
+    for (const vec4& position : positions) {
+        const glm::vec3 inCells = (glm::vec3(position) - block.origin) * block.inverseCellSize;
+        const glm::ivec3 cell = glm::clamp(glm::ivec3(glm::floor(inCells)), glm::ivec3(0), block.cells - 1);
+        const auto index = static_cast<size_t>((cell.z * block.cells.y + cell.y) * block.cells.x + cell.x);
+        if (!filled[index]) ++count;
+        filled[index] = true;
+    }
+    return count;
+}
+
+} // namespace
+
+FlowRoom::FlowRoom() : readback_("flow counters", sizeof(FlowCounters)) {}
+
+void FlowRoom::start(const MetalState& state, const FlowBlock& block) {
+    mostRows_ = wholeGroups(state.capacity());
+    mostPages_ = block.cellCount;
+    use_.particles = state.particles();
+    const auto phases = state.phase.read<uint>(use_.particles);
+    const auto liquid = [](uint bits) { return (bits & PHASE_LIQUID) != 0; };
+    use_.rows = kRowsEach / 2 * static_cast<size_t>(std::count_if(phases.begin(), phases.end(), liquid));
+    use_.pages = filledCells(state.position.read<vec4>(use_.particles), block);
+    rows_ = std::min(mostRows_, wholeGroups(std::max(kLeastRows, 2 * use_.rows)));
+    growPages(use_.pages);
+}
+
+void FlowRoom::readNow(size_t particles, const gl::Buffer& counters) {
+    readback_.forget();
+    requested_ = false;
+    const FlowCounters now = counters.read<FlowCounters>(1).front();
+    use_ = {now.liquids + now.boundary, now.pages, particles};
+}
+
+void FlowRoom::update(size_t particles, const gl::Buffer& counters) {
+    if (requested_) {
+        const auto answer = readback_.poll<FlowCounters>();
+        if (answer) {
+            use_ = {answer->liquids + answer->boundary, answer->pages, requestedFor_};
+            requested_ = false;
+        } else if (++stepsBehind_ >= kMostStepsBehind) {
+            readNow(use_.particles, counters); // slots that came since may not have been in a step yet
+        }
+    }
+    const size_t added = particles - use_.particles;
+    growRows(use_.rows + kRowsEach * added);
+    growPages(use_.pages + added);
+}
+
+void FlowRoom::request(size_t particles, const gl::Buffer& counters) {
+    if (requested_) return;
+    readback_.request(counters);
+    requested_ = true;
+    requestedFor_ = particles;
+    stepsBehind_ = 0;
+}
+
+void FlowRoom::growRows(size_t need) {
+    if (2 * need <= rows_) return;
+    rows_ = std::min(mostRows_, wholeGroups(std::max(2 * rows_, 3 * need)));
+}
+
+/// Only metal that moves comes into new cells, a small part of it in a frame.
+void FlowRoom::growPages(size_t need) {
+    if (need + need / 8 + use_.rows / 2 + kLeastPages / 2 <= pages_) return;
+    pages_ = std::min(mostPages_, need + need / 4 + use_.rows + kLeastPages);
+}
+
+} // namespace meltpool
