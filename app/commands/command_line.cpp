@@ -19,7 +19,7 @@ constexpr int kFailed = 1;
 constexpr int kBadInput = 2;
 
 /// The parsed command line.
-struct Words {
+struct Arguments {
     RunRequest run;
     DesktopOptions desktop;
     bool headset = false;
@@ -30,21 +30,22 @@ struct Words {
     std::string listed; ///< lesson whose values are listed; empty: the catalogue
 };
 
-void addDesktop(CLI::App& app, Words& words) {
-    app.add_option("--lesson", words.desktop.lesson, "The window's lesson: a name of the catalogue or a TOML file");
-    app.add_option("--telemetry", words.desktop.telemetry, "The window writes what it does here, JSON a line")
+void addDesktop(CLI::App& app, Arguments& arguments) {
+    app.add_option("--lesson", arguments.desktop.lesson, "The window's lesson: a name of the catalogue or a TOML file");
+    app.add_option("--telemetry", arguments.desktop.telemetry,
+                   "Write the state of the window here, one JSON object a line")
         ->type_name("FILE");
-    app.add_option("--record", words.desktop.record, "Write every step of the lesson here, as a torch path")
+    app.add_option("--record", arguments.desktop.record, "Write every step of the lesson here, as a torch path")
         ->type_name("FILE");
-    CLI::Option* wanted =
-        app.add_flag("--headset", words.headset, "Use the headset; end with the reason where there is none");
-    app.add_flag("--desktop", words.desktopOnly, "Look for no headset")->excludes(wanted);
-    app.add_flag("--watch-shaders", words.desktop.watchShaders, "Reload changed shaders while the window is open");
+    CLI::Option* wanted = app.add_flag("--headset", arguments.headset,
+                                       "Use the headset; without one the program ends and names the reason");
+    app.add_flag("--desktop", arguments.desktopOnly, "Do not search for a headset")->excludes(wanted);
+    app.add_flag("--watch-shaders", arguments.desktop.watchShaders, "Reload changed shaders while the window is open");
 }
 
-void addRun(CLI::App& app, Words& words) {
+void addRun(CLI::App& app, Arguments& arguments) {
     CLI::App* run = app.add_subcommand("run", "Run a lesson's demonstration without a screen");
-    RunRequest& r = words.run;
+    RunRequest& r = arguments.run;
     run->add_option("LESSON", r.lesson, "Name of a lesson (meltpool lessons) or a TOML file")->required();
     run->add_option("--out", r.folder, "Folder for result.json, telemetry.csv and pictures")
         ->required()
@@ -58,41 +59,41 @@ void addRun(CLI::App& app, Words& words) {
         ->allow_extra_args(false);
 }
 
-void addOthers(CLI::App& app, Words& words) {
+void addOthers(CLI::App& app, Arguments& arguments) {
     CLI::App* bench = app.add_subcommand("bench", "Measure the speed of this machine");
     std::string suites = "Suite; all where none is named";
     for (const BenchPart& part : benchParts())
         suites += "\n" + std::string(part.suite) + ": " + std::string(part.note);
-    bench->add_option("SUITE", words.suite, suites);
-    bench->add_option("--json", words.benchJson, "Keep the rows in this file")->type_name("FILE");
+    bench->add_option("SUITE", arguments.suite, suites);
+    bench->add_option("--json", arguments.benchJson, "Write the rows into this file")->type_name("FILE");
     CLI::App* validate = app.add_subcommand("validate", "Hold the metal against exact solutions and experiments");
-    validate->add_option("CASE", words.validation.cases, "Case files, .toml; all that ship where none is named");
-    validate->add_option("--json", words.validation.json, "Keep the numbers in this file")->type_name("FILE");
+    validate->add_option("CASE", arguments.validation.cases, "Case files, .toml; all that ship where none is named");
+    validate->add_option("--json", arguments.validation.json, "Write the numbers into this file")->type_name("FILE");
     app.add_subcommand("doctor", "Tell what this machine has and what is missing");
     CLI::App* lessons = app.add_subcommand("lessons", "List the lessons, or the values of one");
-    lessons->add_option("LESSON", words.listed, "List what --set can set in this lesson");
+    lessons->add_option("LESSON", arguments.listed, "List the parameters of this lesson that --set takes");
 }
 
-DesktopOptions trainerOptions(const Words& words) {
-    DesktopOptions options = words.desktop;
-    if (words.headset) options.headset = HeadsetUse::wanted;
-    if (words.desktopOnly) options.headset = HeadsetUse::off;
+DesktopOptions trainerOptions(const Arguments& arguments) {
+    DesktopOptions options = arguments.desktop;
+    if (arguments.headset) options.headset = HeadsetUse::wanted;
+    if (arguments.desktopOnly) options.headset = HeadsetUse::off;
     return options;
 }
 
-int dispatch(const CLI::App& app, const Words& words) {
+int dispatch(const CLI::App& app, const Arguments& arguments) {
     if (app.got_subcommand("run"))
-        runLesson(words.run);
+        runLesson(arguments.run);
     else if (app.got_subcommand("bench"))
-        runBench(words.suite, words.benchJson);
+        runBench(arguments.suite, arguments.benchJson);
     else if (app.got_subcommand("validate"))
-        return runValidation(words.validation) ? kDone : kFailed;
+        return runValidation(arguments.validation) ? kDone : kFailed;
     else if (app.got_subcommand("doctor"))
         return runDoctor() ? kDone : kFailed;
     else if (app.got_subcommand("lessons"))
-        words.listed.empty() ? listLessons() : listParameters(words.listed);
+        arguments.listed.empty() ? listLessons() : listParameters(arguments.listed);
     else
-        runTrainer(trainerOptions(words));
+        runTrainer(trainerOptions(arguments));
     return kDone;
 }
 
@@ -107,10 +108,10 @@ int parseAndRun(int argc, char** argv) {
     app.set_version_flag("--version",
                          "meltpool " + std::string(programVersion()) + " (" + std::string(programCommit()) + ")");
     app.require_subcommand(0, 1);
-    Words words;
-    addDesktop(app, words);
-    addRun(app, words);
-    addOthers(app, words);
+    Arguments arguments;
+    addDesktop(app, arguments);
+    addRun(app, arguments);
+    addOthers(app, arguments);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {
@@ -119,7 +120,7 @@ int parseAndRun(int argc, char** argv) {
         complain(std::string(error.what()) + "; expected what 'meltpool --help' shows");
         return kBadInput;
     }
-    return dispatch(app, words);
+    return dispatch(app, arguments);
 }
 
 } // namespace

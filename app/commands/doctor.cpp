@@ -1,4 +1,4 @@
-// `meltpool doctor`: what the machine has, in words, and how to get what it lacks.
+// `meltpool doctor`: what the machine has, what is missing, and how to get it.
 #include "app/commands/doctor.hpp"
 
 #include "app/commands/commands.hpp"

@@ -1,4 +1,4 @@
-// What `meltpool doctor` finds, so that every part of the program can report in the same words.
+// A finding of `meltpool doctor`; every part of the program reports in this form.
 #pragma once
 
 #include <string>

@@ -14,10 +14,10 @@ void inspectHeadset(std::vector<Finding>& findings) {
     } catch (const std::exception&) {
         // inspectDriver() has reported it already.
     }
-    const xr::Diagnosis told = xr::diagnose(context != nullptr);
-    for (const xr::Fact& fact : told.facts)
+    const xr::Diagnosis diagnosis = xr::diagnose(context != nullptr);
+    for (const xr::Fact& fact : diagnosis.facts)
         findings.push_back({fact.name, fact.good ? Finding::State::good : Finding::State::note, fact.value, ""});
-    if (!told.advice.empty()) findings.back().remedy = told.advice;
+    if (!diagnosis.advice.empty()) findings.back().remedy = diagnosis.advice;
 }
 
 } // namespace meltpool

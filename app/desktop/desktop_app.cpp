@@ -61,7 +61,7 @@ void DesktopApp::finish() {
     try {
         settings_.save(session_.sections(), ownSections());
     } catch (const std::exception& fault) {
-        std::fprintf(stderr, "the settings were not kept: %s\n", fault.what());
+        std::fprintf(stderr, "the settings were not saved: %s\n", fault.what());
     }
 }
 
@@ -71,7 +71,7 @@ void DesktopApp::frame() {
     meter_.begin();
     runFrame();
     meter_.end();
-    if (headset != headsetFrame_) meter_.restart(); // frames of another kind begin
+    if (headset != headsetFrame_) meter_.restart(); // frames with and without headset are not comparable
 }
 
 void DesktopApp::runFrame() {
@@ -121,7 +121,7 @@ void DesktopApp::beginHeadset(double seconds) {
         messages_.clear("headset");
     else
         messages_.hold(headset_->warning(), "headset");
-    // Whoever puts the headset on finds the metal on the table.
+    // The lesson starts when somebody first puts the headset on.
     if (headsetFrame_ && !headsetStarted_ && !session_.running()) startLesson();
     headsetStarted_ = headsetStarted_ || headsetFrame_;
 }
@@ -209,16 +209,16 @@ void DesktopApp::startLesson() {
 void DesktopApp::simulate(const InputFrame& input, double seconds) {
     if (!session_.running()) return;
     controls_.update(input, seconds);
-    // The desk takes the torch over by catching the mouse.
+    // While the mouse is captured it leads the torch, even with a headset in use.
     const TorchSource held = headsetFrame_ && !controls_.captured() ? headset_->torch() : TorchSource{};
     session_.advance(controls_, seconds, &profiler_, held);
     session_.fillFigures(figures_);
     if (!session_.fault().empty())
-        messages_.hold("The simulation stands still: " + session_.fault() + ". Reset begins again.", "metal");
+        messages_.hold("The simulation has stopped: " + session_.fault() + ". Reset starts it again.", "metal");
     else if (figures_.refused > 0)
         messages_.hold(
-            "The metal became unstable: some particles got a state that is no number and kept their old one. "
-            "A smaller time step, heat or stiffness helps; Reset begins again.",
+            "The metal became unstable: the new state of some particles was not finite, and they kept their old one. "
+            "Reduce the time step, the heat or the stiffness; Reset starts again.",
             "metal");
     else
         messages_.clear("metal");

@@ -27,9 +27,9 @@ json camera(const Controls& controls) {
 
 /// Of the last step, mm in the workpiece's frame.
 json torch(const TorchSample& torch) {
-    json told{{"tip_mm", numbers(torch.tip * 1000.0f)}, {"axis", numbers(torch.axis())}, {"trigger", torch.trigger}};
-    if (torch.rod) told["rod_mm"] = numbers(torch.rod->tip * 1000.0f);
-    return told;
+    json object{{"tip_mm", numbers(torch.tip * 1000.0f)}, {"axis", numbers(torch.axis())}, {"trigger", torch.trigger}};
+    if (torch.rod) object["rod_mm"] = numbers(torch.rod->tip * 1000.0f);
+    return object;
 }
 
 json metal(const TelemetryRow& row) {
@@ -54,20 +54,20 @@ json places(const ui::Context& context) {
     return all;
 }
 
-json tip(const TipStatus& told) {
-    return {{"action", told.action},       {"ahead_mm", told.aheadMm},  {"nearest_mm", told.nearestMm},
-            {"liquid", told.liquid},       {"touching", told.touching}, {"amplitude", told.amplitude},
-            {"frequency", told.frequency}, {"touches", told.touches},   {"pulses", told.pulses}};
+json tip(const TipStatus& status) {
+    return {{"action", status.action},       {"ahead_mm", status.aheadMm},  {"nearest_mm", status.nearestMm},
+            {"liquid", status.liquid},       {"touching", status.touching}, {"amplitude", status.amplitude},
+            {"frequency", status.frequency}, {"touches", status.touches},   {"pulses", status.pulses}};
 }
 
-json headset(const HeadsetStatus& told) {
+json headset(const HeadsetStatus& status) {
     json places = json::object();
-    for (const auto& [name, place] : told.places)
+    for (const auto& [name, place] : status.places)
         places[name] = {place.x, place.y, place.width, place.height};
-    return {{"state", told.state},          {"mode", told.mode},       {"mirrored", told.mirrored},
-            {"tip_report", told.tipReport}, {"warning", told.warning}, {"openings", told.openings},
-            {"tracked", told.tracked},      {"panel", told.panel},     {"tip", tip(told.tip)},
-            {"busy_ms", told.busyMs},       {"places", places}};
+    return {{"state", status.state},          {"mode", status.mode},       {"mirrored", status.mirrored},
+            {"tip_report", status.tipReport}, {"warning", status.warning}, {"openings", status.openings},
+            {"tracked", status.tracked},      {"panel", status.panel},     {"tip", tip(status.tip)},
+            {"busy_ms", status.busyMs},       {"places", places}};
 }
 
 /// The processor's time, ms.

@@ -24,7 +24,7 @@ HeadsetFrontEnd::HeadsetFrontEnd(const std::filesystem::path& folder)
       panel_(parameters_),
       view_(parameters_) {}
 
-/// Where a call on the headset fails or is given up, the frame ends and the window goes on.
+/// Ends the headset's frame where a call on it fails or is given up; the window continues without it.
 void HeadsetFrontEnd::guarded(FunctionRef<void()> work) {
     try {
         work();

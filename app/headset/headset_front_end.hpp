@@ -29,8 +29,8 @@ class HeadsetFrontEnd {
     const ParameterSection& section() const { return section_; }
     ParameterSection& section() { return section_; }
 
-    /// Waits for the headset's next frame and reads the hands. False: there is none now, the window goes on alone.
-    /// `session` may be without a running lesson. `elapsed`: real seconds since the last call.
+    /// Waits for the headset's next frame and reads the hands. False: there is none now, and the window continues
+    /// without it. `session` may be without a running lesson. `elapsed`: real seconds since the last call.
     bool begin(const LessonSession& session, double elapsed);
     /// The torch for the lesson's steps where the hand leads it; empty: the mouse does.
     TorchSource torch() const;

@@ -1,5 +1,5 @@
 // The program's side of a counting library that tests load before it (LD_PRELOAD): the library sees every OpenGL call
-// and every request to the heap, and this program's WorkMeters are told of them. The program itself counts neither.
+// and every allocation and reports them to this program's WorkMeters. The program itself counts neither.
 #pragma once
 
 #include <cstdint>

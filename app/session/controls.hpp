@@ -8,7 +8,7 @@ namespace meltpool {
 
 enum class Mode {
     interact, ///< the simulation runs, the camera orbits the metal, the mouse holds the source
-    view      ///< the simulation stands still, the camera flies, the mouse looks
+    view      ///< the simulation is paused, the camera flies, the mouse turns it
 };
 
 class Controls {

@@ -1,4 +1,4 @@
-// Text of bounded length that allocates nothing, for labels made anew in every frame.
+// Text of bounded length that allocates nothing, for labels that are built in every frame.
 #pragma once
 
 #include <algorithm>
