@@ -9,18 +9,19 @@
 
 // Storage buffers of the heat passes beside the particle buffers. A pass binds only what it reads: the same place may
 // mean something else in another pass.
-#define HEAT_CHANGES 6    // the metal's list of slots whose phase changed
-#define HEAT_CELL_THETA 7 // float a cell, twice: Kirchhoff variable of the metal there, negative in an empty cell
-#define HEAT_CELL_SUMS 1  // CellSum a cell (replaces the velocities), from deposit to mean; all zero between two steps
-#define HEAT_CELL_FLOWS 1 // the same memory after that: CellFlow a cell of mixed tiles
+#define HEAT_CHANGES 6 // the metal's list of slots whose phase changed
+#define HEAT_CELL_THETA                                                                                                \
+    7 // float a cell, twice: Kirchhoff variable of the metal there, negative in an empty cell; see TILE_HALF
+#define HEAT_CELL_SUMS                                                                                                 \
+    1 // uint a cell (replaces the velocities): sum of weight times theta, in HeatBlock.thetaUnit; 0 between steps
+#define HEAT_CELL_POWER 1 // the same memory after the means are made: float a cell of mixed tiles, net power into it, W
 #define HEAT_TILES 9      // HeatTile a tile
 #define HEAT_LISTS 10     // uint: three lists of tiles, one after the other, then the list of slots off the lattice
 #define HEAT_CONTROL 11   // HeatControl
 #define HEAT_SOURCE_SUMS 12 // float: sum of weights of each source, then of each tile that a source reaches
 #define HEAT_LEDGER 13      // vec4 a cell, then a particle: joules gained, their residual, joules lost, their residual
 #define HEAT_TILE_STAMPS 14 // int a tile: TILE_... below
-#define HEAT_CELL_WEIGHT                                                                                               \
-    5 // float a cell: how many particles share it (replaces the counters, which no heat pass needs)
+#define HEAT_CELL_WEIGHT 5  // uint a cell (replaces the counters): how many particles share it, in 1/SHARE_UNIT
 #define HEAT_KNOWN_CELLS 12 // uint a slot: lattice cell + 1 that heat knows it in, or (not beside the sums of sources)
 #define HEAT_OFF_LATTICE 0xffffffffu // it is in the list of slots off the lattice
 
@@ -54,7 +55,7 @@
 
 // A tile's stamp: the last step it took part in above, and below two bits. A plain tile's step reads theta from one
 // half of the buffer, as its neighbours do, and writes the other half; the next step changes halves. A mixed tile takes
-// its step in place, when all have read.
+// its step in place, when all have read, and keeps its free surface in m² in the other half during the step.
 #define TILE_STEP_SHIFT 2
 #define TILE_PLAIN 2                // it took its last step as a plain tile: theta is in the other half by now
 #define TILE_HALF 1                 // where theta was during that step
@@ -62,7 +63,7 @@
 
 // A particle off the lattice shares out its weight over the eight cells around it, in whole numbers of 1/SHARE_UNIT:
 // sums of integers do not depend on their order.
-#define SHARE_UNIT 65536.0
+#define SHARE_UNIT 65536u
 
 #ifdef __cplusplus
 namespace meltpool {
@@ -117,16 +118,6 @@ struct HeatBlock {
     HeatSourceData sources[HEAT_SOURCES];
 };
 
-struct CellSum {
-    uint weight; // of particles off the lattice, in 1/SHARE_UNIT
-    uint theta;  // weight times theta, in units of HeatBlock.thetaUnit
-};
-
-struct CellFlow {
-    float power; // net power into the cell, W
-    float area;  // its free surface, m²
-};
-
 /// Groups of the indirect dispatches; the fourth number of the first three is unused.
 struct HeatControl {
     uvec4 plainTiles;       // metal on the lattice conducts and loses heat to the air, and no more
@@ -149,7 +140,6 @@ struct HeatTile {
 #ifdef __cplusplus
 static_assert(sizeof(HeatSourceData) == 112);
 static_assert(sizeof(HeatBlock) == 112 + HEAT_SOURCES * 112);
-static_assert(sizeof(CellSum) == sizeof(CellFlow));
 static_assert(sizeof(HeatControl) == 64);
 static_assert(sizeof(HeatTile) == 32);
 } // namespace meltpool

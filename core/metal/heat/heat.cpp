@@ -77,8 +77,8 @@ void HeatSolver::makeBuffers() {
     const size_t slots = state_.capacity();
     blockBuffer_ = gl::Buffer("heat block", sizeof(HeatBlock));
     cellTheta_ = gl::Buffer("heat cell theta", 2 * cells * sizeof(float));
-    cellWeight_ = gl::Buffer("heat cell weight", cells * sizeof(float));
-    cellSums_ = gl::Buffer("heat cell sums", cells * sizeof(CellSum));
+    cellWeight_ = gl::Buffer("heat cell weight", cells * sizeof(uint));
+    cellSums_ = gl::Buffer("heat cell sums", cells * sizeof(uint));
     tiles_ = gl::Buffer("heat tiles", tiles * sizeof(HeatTile));
     tileStamps_ = gl::Buffer("heat tile stamps", tiles * sizeof(int));
     lists_ = gl::Buffer("heat lists", (3 * tiles + slots) * sizeof(uint));
@@ -109,7 +109,7 @@ void HeatSolver::makeTexels() {
     };
     see(table_, GL_RGBA32F, sizeof(vec4), HEAT_TEXELS_TABLE);
     see(cellTheta_, GL_R32F, sizeof(float), HEAT_TEXELS_THETA);
-    see(cellWeight_, GL_R32F, sizeof(float), HEAT_TEXELS_WEIGHT);
+    see(cellWeight_, GL_R32UI, sizeof(uint), HEAT_TEXELS_WEIGHT);
     see(tileStamps_, GL_R32I, sizeof(int), HEAT_TEXELS_STAMPS);
     see(tiles_, GL_RGBA32I, sizeof(ivec4), HEAT_TEXELS_TILES);
     see(lists_, GL_R32UI, sizeof(uint), HEAT_TEXELS_LISTS);
@@ -239,7 +239,8 @@ void HeatSolver::depositOffLattice() {
         listOffLattice_->dispatch(searched_ - first, GROUP_SIZE); // phases -> list of slots off the lattice
         indirectBarrier();
     }
-    indirect(*deposit_, kOffLatticeDispatch); // enthalpies, positions -> cell sums, tiles with metal off the lattice
+    indirect(*deposit_,
+             kOffLatticeDispatch); // enthalpies, positions -> cell sums, weights, tiles with metal off the lattice
     storageBarrier();
 }
 
@@ -247,7 +248,7 @@ void HeatSolver::listTiles() {
     control_.writeValue(std::array{kNoGroups, kNoGroups, kNoGroups}); // the list of slots off the lattice is kept
     listTiles_->dispatch(state_.lattice().tileCount(), GROUP_SIZE);   // tiles -> lists of tiles
     indirectBarrier();
-    indirect(*averageCells_, offsetof(HeatControl, offLatticeTiles)); // cell sums -> cell theta, weight
+    indirect(*averageCells_, offsetof(HeatControl, offLatticeTiles)); // cell sums, weights -> cell theta
     storageBarrier();
 }
 
@@ -262,10 +263,11 @@ void HeatSolver::normaliseSources() {
 }
 
 void HeatSolver::stepMixedCells() {
-    indirect(*conductMixed_, offsetof(HeatControl, mixedTiles)); // cell theta, weight, sums of sources -> cell flows
+    indirect(*conductMixed_,
+             offsetof(HeatControl, mixedTiles)); // cell theta, weight, sums of sources -> cell power, area
     storageBarrier();
     knownCells_.bindStorage(HEAT_KNOWN_CELLS);
-    indirect(*advanceOffLattice_, kOffLatticeDispatch); // cell flows, theta -> enthalpy of metal off the lattice
+    indirect(*advanceOffLattice_, kOffLatticeDispatch); // cell power, area, theta -> enthalpy of metal off the lattice
     storageBarrier();
 }
 
@@ -274,7 +276,7 @@ void HeatSolver::stepMixedCells() {
 void HeatSolver::stepLatticeMetal() {
     indirect(*conductPlain_, offsetof(HeatControl, plainTiles)); // cell theta -> enthalpy, theta in the other half
     storageBarrier();
-    // Cell flows -> enthalpy of the lattice, cell theta; cell sums cleared.
+    // Cell power, area -> enthalpy of the lattice, cell theta; cell sums cleared.
     indirect(*advanceMixed_, offsetof(HeatControl, mixedTiles));
     indirectBarrier();
 }

@@ -11,34 +11,33 @@ layout(local_size_x = TILE_CELLS) in;
 #include "metal/heat/surface_loss.glsl"
 #include "metal/heat/ledger.glsl"
 #include "metal/heat/leave_lattice.glsl"
-layout(std430, binding = HEAT_CELL_FLOWS) restrict buffer CellFlows { CellFlow cellFlow[]; };
+layout(std430, binding = HEAT_CELL_POWER) restrict buffer CellPower { float cellPower[]; };
 
 void main() {
     int tile = int(texelFetch(listTexels, heatBlock.tileCount + int(gl_WorkGroupID.x)).x);
     int inside = int(gl_LocalInvocationIndex);
     int cell = tile * TILE_CELLS + inside;
-    int index = thetaBase(stampOf(tile), tile) + inside;
+    int stamp = stampOf(tile);
+    int index = thetaBase(stamp, tile) + inside;
     uint entry = texelFetch(latticeTexels, cell).x;
     float mean = texelFetch(thetaTexels, index).x;
-    CellFlow flow = cellFlow[cell];
-    cellFlow[cell] = CellFlow(0.0, 0.0); // as integers these are zero sums
-    if (entry == 0u) {
-        cellTheta[index] = kEmpty;
-        cellWeight[cell] = 0.0;
-    }
+    float power = cellPower[cell];
+    cellPower[cell] = 0.0; // as an integer this is an empty sum
+    if (entry == 0u) cellTheta[index] = kEmpty;
+    float weight = weightOf(cell);
+    cellWeight[cell] = entry == 0u ? 0u : SHARE_UNIT;
     if (entry == 0u || mean < 0.0) return;
     uint slot = entry - 1u;
+    float area = texelFetch(thetaTexels, thetaBase(stamp ^ TILE_HALF, tile) + inside).x;
     vec4 h = texelFetch(heatTexels, int(slot));
     vec2 own = thermalState(h.x);
-    float weight = texelFetch(weightTexels, cell).x;
     float exchanged = weight > 1.0 ? kCellExchange * metal.spacing * (mean - own.y) : 0.0;
-    float joules = (flow.power / weight + exchanged) * heatBlock.timeStep;
+    float joules = (power / weight + exchanged) * heatBlock.timeStep;
     float elapsed = elapsedOf(tile);
-    float lost = particleLoss(h.x, own.x, joules, flow.area / weight, elapsed);
+    float lost = particleLoss(h.x, own.x, joules, area / weight, elapsed);
     book(cell, 0.0, lost);
     Heated heated = addHeat(slot, h, own.x, joules - lost, elapsed);
     cellTheta[index] = heated.theta;
-    cellWeight[cell] = 1.0;
     writePhase(slot, cell, index, heated.enthalpy);
 #ifdef EVAPORATION
     if (evaporates(heated.temperature)) tiles[tile].lastEvaporating = heatBlock.stepNumber;

@@ -10,7 +10,7 @@ layout(local_size_x = GROUP_SIZE) in;
 #include "metal/heat/surface_loss.glsl"
 #include "metal/heat/ledger.glsl"
 #include "metal/heat/leave_lattice.glsl"
-layout(std430, binding = HEAT_CELL_FLOWS) restrict readonly buffer CellFlows { CellFlow cellFlow[]; };
+layout(std430, binding = HEAT_CELL_POWER) restrict readonly buffer CellPower { float cellPower[]; };
 
 /// Watts that a particle gives to the welding table that it lies on. What is clamped or still on the lattice stands on its
 /// fixture and does not touch the table.
@@ -37,11 +37,14 @@ void main() {
         float weight;
         int cell = shareCell(shares, corner, weight);
         if (cell < 0 || weight == 0.0) continue;
-        float share = weight / texelFetch(weightTexels, cell).x;
-        float mean = texelFetch(thetaTexels, thetaIndex(cell)).x;
+        float share = weight / weightOf(cell);
+        int tile = cell / TILE_CELLS;
+        int stamp = stampOf(tile);
+        int inside = cell - tile * TILE_CELLS;
+        float mean = texelFetch(thetaTexels, thetaBase(stamp, tile) + inside).x;
         if (isHeld(mean)) continue;
-        power += share * cellFlow[cell].power + weight * kCellExchange * metal.spacing * (mean - own.y);
-        area += share * cellFlow[cell].area;
+        power += share * cellPower[cell] + weight * kCellExchange * metal.spacing * (mean - own.y);
+        area += share * texelFetch(thetaTexels, thetaBase(stamp ^ TILE_HALF, tile) + inside).x;
         missing -= weight;
     }
     // The share of a particle outside the lattice is all surface; 1e-3 leaves out what the whole-numbered weights lack.

@@ -5,14 +5,14 @@
 layout(std140, binding = HEAT_BLOCK) uniform Heat { HeatBlock heatBlock; };
 
 layout(std430, binding = HEAT_CELL_THETA) restrict buffer CellTheta { float cellTheta[]; };
-layout(std430, binding = HEAT_CELL_WEIGHT) restrict buffer CellWeights { float cellWeight[]; };
+layout(std430, binding = HEAT_CELL_WEIGHT) restrict buffer CellWeights { uint cellWeight[]; };
 layout(std430, binding = HEAT_TILES) restrict buffer Tiles { HeatTile tiles[]; };
 layout(std430, binding = HEAT_TILE_STAMPS) restrict buffer TileStamps { int tileStamp[]; };
 
 // What a pass only reads, it reads here.
 layout(binding = HEAT_TEXELS_TABLE) uniform samplerBuffer table;
 layout(binding = HEAT_TEXELS_THETA) uniform samplerBuffer thetaTexels;
-layout(binding = HEAT_TEXELS_WEIGHT) uniform samplerBuffer weightTexels;
+layout(binding = HEAT_TEXELS_WEIGHT) uniform usamplerBuffer weightTexels;
 layout(binding = HEAT_TEXELS_STAMPS) uniform isamplerBuffer stampTexels;
 layout(binding = HEAT_TEXELS_TILES) uniform isamplerBuffer tileTexels;
 layout(binding = HEAT_TEXELS_LISTS) uniform usamplerBuffer listTexels;
@@ -62,6 +62,9 @@ bool tookPart(int stamp, int stepNumber) { return (stamp >> TILE_STEP_SHIFT) == 
 
 /// Where theta of a tile's cell 0 stands during the step that its stamp is of.
 int thetaBase(int stamp, int tile) { return ((stamp & TILE_HALF) * heatBlock.tileCount + tile) * TILE_CELLS; }
+
+/// How many particles share a cell.
+float weightOf(int cell) { return float(texelFetch(weightTexels, cell).x) / float(SHARE_UNIT); }
 
 /// Where theta of a cell stands during its tile's step.
 int thetaIndex(int cell) { return (stampOf(cell / TILE_CELLS) & TILE_HALF) * heatBlock.tileCount * TILE_CELLS + cell; }

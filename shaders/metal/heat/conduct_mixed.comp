@@ -10,7 +10,7 @@ layout(local_size_x = TILE_CELLS) in;
 #include "metal/heat/free_surface.glsl"
 #include "metal/heat/source.glsl"
 #include "metal/heat/ledger.glsl"
-layout(std430, binding = HEAT_CELL_FLOWS) restrict writeonly buffer CellFlows { CellFlow cellFlow[]; };
+layout(std430, binding = HEAT_CELL_POWER) restrict writeonly buffer CellPower { float cellPower[]; };
 layout(std430, binding = HEAT_SOURCE_SUMS) restrict readonly buffer SourceSums { float sourceSum[]; };
 
 void main() {
@@ -25,7 +25,7 @@ void main() {
     Neighbours n = readNeighbours(tile, stamp, inside, offsets);
     Inflow inflow = inflowOf(n, theta);
     bool awake = keepsAwake(inflow);
-    float weight = texelFetch(weightTexels, cell).x;
+    float weight = weightOf(cell);
     Weights weights = readWeights(cell, offsets);
     inflow.low *= min(vec3(1), min(vec3(weight), weights.low));
     inflow.high *= min(vec3(1), min(vec3(weight), weights.high));
@@ -38,6 +38,7 @@ void main() {
             given += cellWeightIn(s, tilePlace, inside, weight, surface, theta) * sourceScale(s, sourceSum[i]);
     }
     if (awake || given != 0.0) noteActivity(tile, notesOf(tile));
-    cellFlow[cell] = CellFlow(power.fromMetal + power.fromWalls + given, surface.area);
+    cellPower[cell] = power.fromMetal + power.fromWalls + given;
+    cellTheta[thetaBase(stamp ^ TILE_HALF, tile) + inside] = surface.area;
     book(cell, (power.fromWalls + given) * heatBlock.timeStep, 0.0);
 }

@@ -1,11 +1,11 @@
 #version 450 core
-// Adds the shares of each particle off the lattice to the sums of the eight cells around it.
+// Adds the shares of each particle off the lattice to the weights and sums of the eight cells around it.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/dispatch.h"
 layout(local_size_x = GROUP_SIZE) in;
 #include "metal/heat/common.glsl"
 #include "metal/heat/off_lattice.glsl"
-layout(std430, binding = HEAT_CELL_SUMS) restrict buffer CellSums { CellSum cellSums[]; };
+layout(std430, binding = HEAT_CELL_SUMS) restrict buffer CellSums { uint cellSum[]; };
 layout(std430, binding = HEAT_CONTROL) restrict readonly buffer Control { HeatControl control; };
 
 void main() {
@@ -19,8 +19,8 @@ void main() {
         float weight;
         int cell = shareCell(shares, corner, weight);
         if (cell < 0 || weight == 0.0) continue;
-        atomicAdd(cellSums[cell].weight, uint(weight * SHARE_UNIT));
-        atomicAdd(cellSums[cell].theta, uint(weight * theta / heatBlock.thetaUnit + 0.5));
+        atomicAdd(cellWeight[cell], uint(weight * float(SHARE_UNIT)));
+        atomicAdd(cellSum[cell], uint(weight * theta / heatBlock.thetaUnit + 0.5));
         int tile = cell / TILE_CELLS;
         if (notesOf(tile).lastOffLattice != heatBlock.stepNumber) tiles[tile].lastOffLattice = heatBlock.stepNumber;
     }

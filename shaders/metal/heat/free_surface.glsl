@@ -12,8 +12,8 @@ Weights readWeights(int cell, NeighbourOffsets offsets) {
     Weights w;
     ivec3 low = ivec3(cell) + offsets.low;
     ivec3 high = ivec3(cell) + offsets.high;
-    w.low = vec3(texelFetch(weightTexels, low.x).x, texelFetch(weightTexels, low.y).x, texelFetch(weightTexels, low.z).x);
-    w.high = vec3(texelFetch(weightTexels, high.x).x, texelFetch(weightTexels, high.y).x, texelFetch(weightTexels, high.z).x);
+    w.low = vec3(weightOf(low.x), weightOf(low.y), weightOf(low.z));
+    w.high = vec3(weightOf(high.x), weightOf(high.y), weightOf(high.z));
     w.low = mix(w.low, vec3(0), offsets.endLow);
     w.high = mix(w.high, vec3(0), offsets.endHigh);
     return w;

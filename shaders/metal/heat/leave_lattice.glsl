@@ -23,7 +23,7 @@ void listOffLattice(uint slot) {
 /// Empties the cell of a particle that left the lattice; `index`: where its neighbours will read its theta.
 void emptyCell(int cell, int index) {
     cellTheta[index] = kEmpty;
-    cellWeight[cell] = 0.0;
+    cellWeight[cell] = 0u;
     tiles[cell / TILE_CELLS].lastActive = heatBlock.stepNumber;
 }
 

@@ -29,7 +29,7 @@ int shareCell(Shares s, int corner, out float weight) {
     ivec3 bit = ivec3(corner & 1, (corner >> 1) & 1, corner >> 2);
     ivec3 cell = s.base + bit;
     vec3 w = mix(1.0 - s.fraction, s.fraction, vec3(bit));
-    weight = floor(w.x * w.y * w.z * SHARE_UNIT) / SHARE_UNIT;
+    weight = floor(w.x * w.y * w.z * float(SHARE_UNIT)) / float(SHARE_UNIT);
     if (any(lessThan(cell, ivec3(0))) || any(greaterThanEqual(cell, metal.tiles * TILE_EDGE))) return -1;
     ivec3 tile = cell / TILE_EDGE;
     ivec3 inside = cell - tile * TILE_EDGE;

@@ -21,7 +21,7 @@ void main() {
     }
     cellTheta[cell] = theta;
     cellTheta[cells + cell] = theta;
-    cellWeight[cell] = entry != 0u ? 1.0 : 0.0;
+    cellWeight[cell] = entry != 0u ? SHARE_UNIT : 0u;
     if (cell % TILE_CELLS != 0u) return;
     int now = heatBlock.stepNumber;
     int never = now - 1000;

@@ -17,7 +17,7 @@ void main() {
     int inside = int(gl_LocalInvocationIndex);
     int cell = tile * TILE_CELLS + inside;
     float theta = texelFetch(thetaTexels, thetaBase(stampOf(tile), tile) + inside).x;
-    float own = texelFetch(weightTexels, cell).x;
+    float own = weightOf(cell);
     FreeSurface surface = freeSurface(own, readWeights(cell, neighbourOffsets(tilePlace, inside)));
     for (int i = 0; i < heatBlock.sourceCount; ++i) {
         HeatSourceData s = heatBlock.sources[i];
