@@ -42,8 +42,6 @@ class Photographer {
           folder_(std::move(folder)),
           every_(static_cast<double>(run.picturesEvery)) {}
 
-    const std::optional<SectionFigures>& section() const { return section_; }
-
     void takeDue(Trainer& trainer, bool last) {
         const double half = trainer.timeStep() / 2;
         const bool due = every_ > 0 && trainer.time() + half >= static_cast<double>(taken_) * every_;
@@ -60,13 +58,13 @@ class Photographer {
         const View view = viewOf(picture.camera, aspect);
         SceneView scene = trainer.scene();
         if (!picture.look.showSource) scene.solids = {}; // the torch is the source of a weld
+        std::optional<WeldSection> section;
         if (picture.sectionAt) {
-            scene.section.shown = true;
-            scene.section.point = {*picture.sectionAt, 0, 0};
+            section = trainer.section(static_cast<double>(*picture.sectionAt));
+            scene.section = {true, *picture.sectionAt, section ? &section->map : nullptr};
             scene.solids = {};
         }
         renderer_.draw(scene, picture.look, {&view, 1}, target_.target(), nullptr);
-        if (picture.sectionAt) measure(scene);
         try {
             writePng(folder_ / runPictureName(trainer.time(), picture.name), target_.read());
         } catch (const InputError& error) {
@@ -75,22 +73,11 @@ class Photographer {
         }
     }
 
-    /// Sizes of the zones in the section that was drawn last.
-    void measure(const SceneView& scene) {
-        const auto solidus = static_cast<double>(scene.temperature.solidus);
-        SectionFigures figures;
-        figures.at = static_cast<double>(scene.section.point.x);
-        figures.fusion = renderer_.measureSection(solidus, 0);
-        if (solidus > kSteelTransformation) figures.heatAffected = renderer_.measureSection(kSteelTransformation, 0);
-        section_ = figures;
-    }
-
     Renderer renderer_;
     PictureTarget target_;
     std::filesystem::path folder_;
     double every_;
     size_t taken_ = 0;
-    std::optional<SectionFigures> section_;
 };
 
 void requireFinite(const Trainer& trainer) {
@@ -134,7 +121,6 @@ class Run {
             trainer_.advance(trainer_.demonstration(), nullptr);
             requireFinite(trainer_);
             photographer.takeDue(trainer_, step == whole);
-            section_ = photographer.section();
             bar.show(static_cast<double>(step), static_cast<double>(whole));
         }
     }
@@ -142,8 +128,12 @@ class Run {
     LessonResult keepResult(const std::string& error) {
         const LessonResult result = trainer_.result();
         const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-        const ResultContext context{
-            std::string(programVersion()), std::string(programCommit()), driver_.renderer, wall, section_, error};
+        const ResultContext context{std::string(programVersion()),
+                                    std::string(programCommit()),
+                                    driver_.renderer,
+                                    wall,
+                                    trainer_.section(),
+                                    error};
         writeResult(folder_ / "result.json", trainer_.lesson(), result, context);
         return result;
     }
@@ -163,7 +153,6 @@ class Run {
     const gl::ContextInfo& driver_;
     Trainer& trainer_;
     std::filesystem::path folder_;
-    std::optional<SectionFigures> section_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

@@ -16,8 +16,8 @@ void addSection(FrameData& frame, const SceneView& scene) {
     // away.
     frame.cutOffset = 1;
     if (!scene.section.shown) return;
-    const glm::vec3 point = scene.modelToWorld * glm::vec4(scene.section.point, 1.0f);
-    frame.cutNormal = glm::normalize(glm::mat3(scene.modelToWorld) * scene.section.normal);
+    const glm::vec3 point = scene.modelToWorld * glm::vec4(scene.section.at, 0.0f, 0.0f, 1.0f);
+    frame.cutNormal = glm::normalize(glm::vec3(scene.modelToWorld[0]));
     frame.cutOffset = glm::dot(frame.cutNormal, point);
 }
 

@@ -245,10 +245,6 @@ const SubmissionChoice& Renderer::submitBy(std::optional<ViewSubmission> wanted)
     return parts_->choose(wanted);
 }
 
-SectionZone Renderer::measureSection(double peak, double level) const {
-    return parts_->section.measure(peak, level);
-}
-
 void Renderer::draw(const SceneView& scene, const LookParameters& look, std::span<const View> views,
                     const RenderTarget& target, gl::Profiler* profiler) {
     if (views.empty() || views.size() > kMostViews)
@@ -258,8 +254,8 @@ void Renderer::draw(const SceneView& scene, const LookParameters& look, std::spa
     const ViewSubmission submission = parts_->submissionFor(views.size());
     parts_->prepare(scene, look, views, target);
     if (scene.section.shown) {
-        const gl::Scope gathering(profiler, "gather section");
-        parts_->section.gather(scene.section, scene.particles, scene.boxMin, scene.boxMax);
+        const gl::Scope uploading(profiler, "upload section");
+        parts_->section.upload(scene.section);
     }
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
     setSwitch(GL_FRAMEBUFFER_SRGB, target.encodesSrgb);

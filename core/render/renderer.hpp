@@ -33,10 +33,6 @@ class Renderer {
     void draw(const SceneView& scene, const LookParameters& look, std::span<const View> views,
               const RenderTarget& target, gl::Profiler* profiler);
 
-    /// Sizes of the zone whose peak temperature reached `peak` (K) in the section that was last drawn, model units;
-    /// `level` is the height of the plate's surface along the section's upward axis. Waits for the GPU.
-    SectionZone measureSection(double peak, double level) const;
-
     static constexpr size_t kMostViews = 4;
 
   private:

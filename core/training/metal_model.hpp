@@ -6,6 +6,7 @@
 #include "core/metal/state/statistics.hpp"
 #include "core/render/scene.hpp"
 #include "core/surface/surface.hpp"
+#include "core/weld/gauge/weld_section.hpp"
 #include "core/weld/process/tip_state.hpp"
 #include "core/weld/torch/torch_sample.hpp"
 
@@ -39,6 +40,10 @@ class MetalModel {
     virtual TipGap gap() const = 0;
     /// Box of the particles, their temperatures' meaning and the source under this torch; without a mesh.
     virtual SceneView scene(const TorchSample& torch) const = 0;
+
+    /// The weld cut across at `place` (m along the seam), by default in the middle of what was welded; nothing where
+    /// there is no weld to cut. Waits for the GPU.
+    virtual std::optional<WeldSection> section(std::optional<double> /*place*/) const { return std::nullopt; }
 
     /// Sets what the surface must know of this metal; called before each of its updates, when it holds the lesson's
     /// values.

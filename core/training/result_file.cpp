@@ -40,19 +40,39 @@ Json valueOf(const Parameter& p) {
     return parameterText(p);
 }
 
-/// Heights and depths are from the workpiece's origin.
-Json zoneOf(const SectionZone& zone) {
-    return {{"width_mm", number(zone.width * 1e3)},
-            {"height_mm", number(zone.height * 1e3)},
-            {"depth_mm", number(zone.depth * 1e3)},
-            {"area_mm2", number(zone.area * 1e6)}};
+double millimetres(double metres) {
+    return metres * 1e3;
 }
 
-Json sectionOf(const SectionFigures& section) {
+double squareMillimetres(double area) {
+    return area * 1e6;
+}
+
+Json boxOf(const SectionBox& box) {
+    return {{"width_mm", number(millimetres(box.width))},
+            {"height_mm", number(millimetres(box.height))},
+            {"depth_mm", number(millimetres(box.depth))},
+            {"area_mm2", number(squareMillimetres(box.area))}};
+}
+
+/// The figures that do not apply to this workpiece or metal are left out.
+Json sectionOf(const WeldSection& section) {
+    const Section& figures = section.figures;
     Json json;
-    json["at_mm"] = number(section.at * 1e3);
-    json["fusion"] = zoneOf(section.fusion);
-    if (section.heatAffected) json["heat_affected"] = zoneOf(*section.heatAffected);
+    json["at_mm"] = number(millimetres(section.cut.at()));
+    json["length_mm"] = number(millimetres(section.cut.to - section.cut.from));
+    json["layers"] = figures.layers;
+    json["width_mm"] = number(millimetres(figures.fusion.width));
+    json["penetration_mm"] = number(millimetres(figures.fusion.depth));
+    if (figures.height) json["height_mm"] = number(millimetres(*figures.height));
+    json["deposited_mm2"] = number(squareMillimetres(figures.deposited));
+    json["fused_plate_mm2"] = number(squareMillimetres(figures.fusion.area));
+    if (figures.heatAffected) {
+        json["heat_affected_width_mm"] = number(millimetres(figures.heatAffected->width));
+        json["heat_affected_depth_mm"] = number(millimetres(figures.heatAffected->depth));
+    }
+    json["fusion"] = boxOf(figures.fusion.box);
+    if (figures.heatAffected) json["heat_affected"] = boxOf(figures.heatAffected->box);
     return json;
 }
 

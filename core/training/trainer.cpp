@@ -95,4 +95,11 @@ LessonResult Trainer::result() const {
     return {time_, steps_, metal_->statistics(), metal_->stateHash(), metal_->bytes(), surface_->bytes()};
 }
 
+std::optional<WeldSection> Trainer::section(std::optional<double> place) const {
+    if (!place)
+        for (const PictureLook& picture : lesson_.pictures)
+            if (picture.sectionAt) place = static_cast<double>(*picture.sectionAt);
+    return metal_->section(place);
+}
+
 } // namespace meltpool

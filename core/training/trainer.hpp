@@ -85,6 +85,10 @@ class Trainer {
     /// Waits for the GPU.
     LessonResult result() const;
 
+    /// The weld cut across at `place` (m along the seam); without one where the last of the lesson's pictures cuts it,
+    /// else in the middle of what was welded. Nothing in the classic model. Waits for the GPU.
+    std::optional<WeldSection> section(std::optional<double> place = {}) const;
+
   private:
     void updateFigures();
 

@@ -64,6 +64,14 @@ void WeldModel::step(const TorchSample& torch, gl::Profiler* profiler) {
     metal_.step(process_.sources(torch), filler, profiler);
 }
 
+std::optional<WeldSection> WeldModel::section(std::optional<double> place) const {
+    SectionCut cut = sectionCut(material_, 0, 0);
+    const double at = place ? *place : middleOfWeld(metal_.state(), workpiece_.seeds, cut.fusion);
+    cut.from = at - kSectionLength / 2;
+    cut.to = at + kSectionLength / 2;
+    return cutWeld(metal_.state(), workpiece_.seeds, cut);
+}
+
 SceneView WeldModel::scene(const TorchSample& torch) const {
     SceneView scene;
     scene.particles = metal_.particles();
@@ -74,8 +82,6 @@ SceneView WeldModel::scene(const TorchSample& torch) const {
     buildTorchSolids(torchSolids_, torch, process_.parameters, scene.modelToWorld);
     scene.arc = torchArc(torch, process_.parameters);
     scene.solids = torchSolids_;
-    scene.section.heat = &metal_.state().heat;
-    scene.section.spacing = workpiece_.lattice.spacing;
     scene.temperature = {kRoomTemperature, colourTop(material_), true, static_cast<float>(material_.solidus),
                          static_cast<float>(material_.liquidus)};
     scene.looks = &material_.looks;

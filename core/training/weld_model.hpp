@@ -22,6 +22,7 @@ class WeldModel : public MetalModel {
     TipGap gap() const override { return tipGap(process_.parameters); }
     /// The torch's solids in it are lent until the next call.
     SceneView scene(const TorchSample& torch) const override;
+    std::optional<WeldSection> section(std::optional<double> place) const override;
     void prepare(Surface& surface) const override;
     MetalStatistics statistics() override { return metal_.statistics(); }
     void requestStatistics() override { metal_.requestStatistics(); }

@@ -9,8 +9,9 @@ layout(location = 0) in vec2 inPicture;
 layout(location = 1) in vec3 world;
 layout(location = 0) out vec4 colour;
 
-layout(location = 4) uniform vec4 corner;
-layout(location = 5) uniform float spacing;
+layout(location = 2) uniform vec2 corner;
+layout(location = 3) uniform vec2 size;
+layout(location = 4) uniform float spacing;
 
 layout(binding = SECTION_UNIT) uniform sampler2D sums;
 layout(binding = NOISE_UNIT) uniform sampler3D noise;
@@ -35,8 +36,8 @@ void main() {
         colour = finishExact(scaleColour(temperature) * min(frame.exposure, 1.0), 1.0);
         return;
     }
-    vec2 place = corner.xy + inPicture * corner.zw;
-    vec2 texel = 2.0 * spacing / corner.zw;
+    vec2 place = corner + inPicture * size;
+    vec2 texel = 2.0 * spacing / size;
     vec2 slope = vec2(peakAt(inPicture + vec2(texel.x, 0.0)) - peakAt(inPicture - vec2(texel.x, 0.0)),
                       peakAt(inPicture + vec2(0.0, texel.y)) - peakAt(inPicture - vec2(0.0, texel.y))) / (4.0 * spacing);
     vec2 inwards = slope / max(length(slope), 1e-6);

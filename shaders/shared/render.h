@@ -15,7 +15,7 @@
 #define BACK_UNIT 3    // back faces of all views side by side: normal and distance from the eye
 #define NOISE_UNIT 4   // smooth random values in space, repeating
 #define HEAT_UNIT 5    // glow and tint over temperature
-#define SECTION_UNIT 6 // sums over the particles on the section's plane
+#define SECTION_UNIT 6 // the map of the section
 
 // Vertex attributes of the metal's surface (SurfaceVertex) and of particles drawn as points.
 #define POSITION_ATTRIBUTE 0
@@ -46,10 +46,8 @@
 #define HEAT_COLDEST 300.0
 #define HEAT_HOTTEST 4300.0
 
-// The section: reach of a particle in spacings, and the sum of weights (1 - r²)² at half of the full density, which is
-// 0.957 reach³ (4 pi times the integral of (1 - r²)² r² over 0..1, times the density).
-#define SECTION_REACH 1.5f
-#define SECTION_INSIDE (0.5f * 0.957f * SECTION_REACH * SECTION_REACH * SECTION_REACH)
+// The section: weight of the metal (1 inside solid metal) at its outline.
+#define SECTION_INSIDE 0.5
 
 #ifdef __cplusplus
 namespace meltpool {

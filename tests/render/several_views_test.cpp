@@ -146,12 +146,13 @@ TEST_CASE("large points at a view's border do not reach into its neighbour") {
 TEST_CASE("hot metal, its section and the far view of an open mesh look the same in each eye") {
     test::context();
     const test::SyntheticWeld weld;
+    const SectionMap map = weld.map();
     SceneView scene = weld.view();
     const Lens lens{.nearest = 0.002f};
     const std::array<View, 2> eyes{FreeCamera({0.016f, 0.010f, 0.007f}, {-0.01f, -0.0015f, 0.0f}).view(lens, 1),
                                    FreeCamera({0.017f, 0.010f, 0.004f}, {-0.01f, -0.0015f, 0.0f}).view(lens, 1)};
     for (const bool cut : {false, true}) {
-        scene.section = {.shown = cut, .point = {-0.01f, 0, 0}, .heat = &weld.heat(), .spacing = 0.0005f};
+        scene.section = {.shown = cut, .at = -0.01f, .map = &map};
         for (const int mode : {int(kSurfaceMode), int(kPointsMode), int(kWireframeMode)}) {
             LookParameters look;
             look.mode = mode;

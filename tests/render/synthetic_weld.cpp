@@ -33,6 +33,21 @@ glm::dvec3 surfacePoint(double x, double z) {
     return {x, beadHeight(x, z), z};
 }
 
+constexpr int kLayers = 12; ///< of the slab that is cut
+
+/// Particles only where the section cuts: a slab across the seam, behind the pool. w: temperature.
+std::vector<glm::vec4> particlesOfSlab() {
+    std::vector<glm::vec4> particles;
+    for (int i = -kLayers / 2; i < kLayers / 2; ++i)
+        for (int j = 0; j <= kAcross; ++j)
+            for (int k = -4; k <= kDown; ++k) {
+                const double x = -0.01 + (i + 0.5) * kSpacing, z = j * kSpacing - kWidth / 2, y = -(k + 0.5) * kSpacing;
+                if (y > beadHeight(x, z)) continue;
+                particles.emplace_back(x, y, z, weldTemperature({x - kSourceX, std::max(-y, 0.0), z}));
+            }
+    return particles;
+}
+
 } // namespace
 
 double weldTemperature(const glm::dvec3& at) {
@@ -69,17 +84,7 @@ SyntheticWeld::SyntheticWeld() {
             const GLuint a = i * row + j;
             indices.insert(indices.end(), {a, a + 1, a + row + 1, a, a + row + 1, a + row});
         }
-    // Particles only where the section cuts: a slab across the seam, behind the pool.
-    std::vector<glm::vec4> particles, heat;
-    for (int i = -6; i <= 6; ++i)
-        for (int j = 0; j <= kAcross; ++j)
-            for (int k = -4; k <= kDown; ++k) {
-                const double x = -0.01 + (i + 0.5) * kSpacing, z = j * kSpacing - kWidth / 2, y = -(k + 0.5) * kSpacing;
-                if (y > beadHeight(x, z)) continue;
-                const double deep = std::max(-y, 0.0);
-                particles.emplace_back(x, y, z, weldTemperature({x - kSourceX, deep, z}));
-                heat.emplace_back(0.0f, 0.0f, weldPeak(kSourceX - x, z, deep), 0.0f);
-            }
+    const std::vector<glm::vec4> particles = particlesOfSlab();
     const SurfaceDraw draw{static_cast<uint>(indices.size()), 1, 0, 0, 0};
     vertices_ = gl::Buffer("weld vertices", std::span<const SurfaceVertex>(vertices));
     indices_ = gl::Buffer("weld indices", std::span<const GLuint>(indices));
@@ -87,9 +92,17 @@ SyntheticWeld::SyntheticWeld() {
     command_ = gl::Buffer("weld draw command", sizeof draw);
     command_.writeValue(draw);
     particles_ = gl::Buffer("weld particles", std::span<const glm::vec4>(particles));
-    heat_ = gl::Buffer("weld heat", std::span<const glm::vec4>(heat));
     particleCount_ = particles.size();
     looks_.heatTint = 1;
+}
+
+SectionMap SyntheticWeld::map() const {
+    std::vector<MapParticle> all;
+    for (const glm::vec4& p : particlesOfSlab()) {
+        const double peak = weldPeak(kSourceX - double(p.x), double(p.z), std::max(-double(p.y), 0.0));
+        all.push_back({{p.z, p.y}, static_cast<float>(peak), p.w});
+    }
+    return makeSectionMap({-0.02f, -0.008f}, {0.04f, 0.018f}, static_cast<float>(kSpacing), kLayers, all);
 }
 
 SceneView SyntheticWeld::view() const {

@@ -17,10 +17,11 @@ class SyntheticWeld {
   public:
     SyntheticWeld();
     SceneView view() const;
-    const gl::Buffer& heat() const { return heat_; }
+    /// The cut across the seam at x = -10 mm, of 6 mm around it.
+    SectionMap map() const;
 
   private:
-    gl::Buffer vertices_, indices_, command_, peaks_, particles_, heat_;
+    gl::Buffer vertices_, indices_, command_, peaks_, particles_;
     size_t particleCount_ = 0;
     MaterialLooks looks_;
 };

@@ -1,5 +1,7 @@
 #include "core/weld/gauge/section_slice.hpp"
 
+#include "core/base/function_ref.hpp"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -15,35 +17,48 @@ namespace {
 
 constexpr std::array<glm::ivec2, 4> kWays{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
 
+/// Highest temperatures as the zone's measures see them: of cells, or of their faces.
+using Peaks = FunctionRef<double(glm::ivec2)>;
+
 /// Where the zone ends on the way out of a hot cell whose neighbour on that way is colder or air, in cells from the hot
 /// cell's centre.
-double edgeFrom(const SectionSlice& slice, glm::ivec2 hot, glm::ivec2 way, double level) {
-    if (!slice.held(hot + way)) return 0.5;
-    const double inside = slice.peak(hot), first = slice.peak(hot + way);
+double edgeFrom(Peaks peak, glm::ivec2 hot, glm::ivec2 way, double level) {
+    const double inside = peak(hot), first = peak(hot + way);
+    if (first == SectionSlice::kAir) return 0.5;
     if (std::isfinite(inside)) return 1 - (level - first) / (inside - first);
     // The hotter cell is gone: go on towards its centre with a slope that grows as it did over the three before it.
-    const double second = slice.peak(hot + 2 * way), third = slice.peak(hot + 3 * way);
+    const double second = peak(hot + 2 * way), third = peak(hot + 3 * way);
     const double slope = std::isfinite(second) ? first - second : 0;
     const double before = std::isfinite(second) && std::isfinite(third) ? second - third : 0;
     const double steeper = before > 0 ? std::max(slope, slope * slope / before) : slope;
     return 1 - (slope > 0 ? std::min(1.0, (level - first) / steeper) : 0.5);
 }
 
+/// How much hotter a cell has been than the next one under its face, 0 where it was not or where that is not known.
+double slopeUnderFace(const SectionSlice& slice, glm::ivec2 cell, glm::ivec2 side) {
+    const double slope = slice.peak(cell) - slice.peak(cell - side);
+    return std::isfinite(slope) ? std::max(slope, 0.0) : 0;
+}
+
+/// Depth of a zone that ends above the centre of a colder face cell, cells; 0 where there is none.
+double shallowDepth(const SectionSlice& slice, glm::ivec2 cell, glm::ivec2 side, double level) {
+    const double slope = slopeUnderFace(slice, cell, side);
+    return slope > 0 ? std::max(0.5 - (level - slice.peak(cell)) / slope, 0.0) : 0;
+}
+
 /// Length of the hot surface from the centre of a hot face cell along `way`, in cells.
-double surfaceReach(const SectionSlice& slice, glm::ivec2 hot, glm::ivec2 way, glm::ivec2 side, double level) {
+double surfaceReach(const SectionSlice& slice, Peaks peak, glm::ivec2 hot, glm::ivec2 way, glm::ivec2 side,
+                    double level) {
     double reach = 0;
     for (;;) {
         glm::ivec2 next = hot + way;
         const bool gap = !slice.held(next);
-        const auto inside = [&] {
-            return next.x >= 0 && next.y >= 0 && next.x < slice.cells().x && next.y < slice.cells().y;
-        };
-        while (inside() && !slice.held(next))
+        while (slice.inside(next) && !slice.held(next))
             next += way;
         const bool face = slice.isFace(next, side);
-        if (!face || slice.peak(next) < level) {
+        if (!face || peak(next) < level) {
             // A corner ends the surface in the middle between two cells, as air does.
-            return reach + (face && !gap ? edgeFrom(slice, hot, way, level) : 0.5);
+            return reach + (face && !gap ? edgeFrom(peak, hot, way, level) : 0.5);
         }
         reach += std::abs(next.x - hot.x) + std::abs(next.y - hot.y);
         hot = next;
@@ -51,32 +66,44 @@ double surfaceReach(const SectionSlice& slice, glm::ivec2 hot, glm::ivec2 way, g
 }
 
 /// Width of the hot surface on all faces that look to `side`, each plane of faces for itself.
-double surfaceWidth(const SectionSlice& slice, glm::ivec2 side, double level) {
+double surfaceWidth(const SectionSlice& slice, Peaks peak, glm::ivec2 side, double level) {
     const glm::ivec2 along(std::abs(side.y), std::abs(side.x));
     std::map<int, glm::ivec2> hottest; // by the plane's place
     for (int y = 0; y < slice.cells().y; ++y)
         for (int x = 0; x < slice.cells().x; ++x) {
             const glm::ivec2 cell(x, y);
-            if (!slice.isFace(cell, side) || slice.peak(cell) < level) continue;
+            if (!slice.isFace(cell, side) || peak(cell) < level) continue;
             const auto [place, isNew] = hottest.try_emplace(side.y != 0 ? y : x, cell);
-            if (!isNew && slice.peak(cell) > slice.peak(place->second)) place->second = cell;
+            if (!isNew && peak(cell) > peak(place->second)) place->second = cell;
         }
     double width = 0;
     for (const auto& [plane, cell] : hottest)
-        width += surfaceReach(slice, cell, along, side, level) + surfaceReach(slice, cell, -along, side, level);
+        for (const glm::ivec2 way : {along, -along})
+            width += surfaceReach(slice, peak, cell, way, side, level);
     return width;
 }
 
-/// Area by strips of cells along `way`; their ends lie between cells.
-double areaAlong(const SectionSlice& slice, glm::ivec2 way, double level) {
+/// Area by strips of cells along `side`; their ends lie between cells.
+double areaAlong(const SectionSlice& slice, glm::ivec2 side, double level) {
+    const auto peak = [&](glm::ivec2 cell) { return slice.peak(cell); };
     double area = 0;
     for (int y = 0; y < slice.cells().y; ++y)
         for (int x = 0; x < slice.cells().x; ++x) {
             const glm::ivec2 cell(x, y);
             if (slice.peak(cell) < level) continue;
-            for (const glm::ivec2 each : {way, -way})
-                area += slice.peak(cell + each) < level ? edgeFrom(slice, cell, each, level) : 0.5;
+            for (const glm::ivec2 way : {side, -side})
+                area += slice.peak(cell + way) < level ? edgeFrom(peak, cell, way, level) : 0.5;
         }
+    return area;
+}
+
+/// Area of the parts of the zone that end above the centres of the faces' cells.
+double shallowArea(const SectionSlice& slice, glm::ivec2 side, double level) {
+    double area = 0;
+    for (int y = 0; y < slice.cells().y; ++y)
+        for (int x = 0; x < slice.cells().x; ++x)
+            if (slice.isFace({x, y}, side) && slice.peak({x, y}) < level)
+                area += shallowDepth(slice, {x, y}, side, level);
     return area;
 }
 
@@ -104,13 +131,34 @@ double distanceTo(const std::vector<Face>& faces, glm::dvec2 place) {
     return std::isfinite(least) ? least : 0;
 }
 
+/// Places around a cell where the zone ends, from the grid's corner.
+std::vector<glm::dvec2> edgesOf(const SectionSlice& slice, glm::ivec2 cell, std::span<const glm::ivec2> sides,
+                                double level) {
+    std::vector<glm::dvec2> edges;
+    const glm::dvec2 centre = glm::dvec2(cell) + 0.5;
+    if (slice.peak(cell) >= level) {
+        const auto peak = [&](glm::ivec2 at) { return slice.peak(at); };
+        for (const glm::ivec2 way : kWays)
+            if (slice.peak(cell + way) < level)
+                edges.push_back(centre + glm::dvec2(way) * edgeFrom(peak, cell, way, level));
+        return edges;
+    }
+    for (const glm::ivec2 side : sides) {
+        const double depth = slice.isFace(cell, side) ? shallowDepth(slice, cell, side, level) : 0;
+        if (depth <= 0) continue;
+        edges.push_back(centre + glm::dvec2(side) * 0.5);
+        edges.push_back(centre + glm::dvec2(side) * (0.5 - depth));
+    }
+    return edges;
+}
+
 } // namespace
 
 SectionSlice::SectionSlice(glm::ivec2 cells)
     : cells_(cells), peaks_(static_cast<size_t>(cells.x) * static_cast<size_t>(cells.y), kAir) {}
 
 double SectionSlice::peak(glm::ivec2 cell) const {
-    if (cell.x < 0 || cell.y < 0 || cell.x >= cells_.x || cell.y >= cells_.y) return kAir;
+    if (!inside(cell)) return kAir;
     return peaks_[static_cast<size_t>(cell.y) * static_cast<size_t>(cells_.x) + static_cast<size_t>(cell.x)];
 }
 
@@ -118,24 +166,29 @@ void SectionSlice::setPeak(glm::ivec2 cell, double kelvin) {
     peaks_[static_cast<size_t>(cell.y) * static_cast<size_t>(cells_.x) + static_cast<size_t>(cell.x)] = kelvin;
 }
 
+bool SectionSlice::inside(glm::ivec2 cell) const {
+    return cell.x >= 0 && cell.y >= 0 && cell.x < cells_.x && cell.y < cells_.y;
+}
+
 SliceZone measureZone(const SectionSlice& slice, std::span<const glm::ivec2> sides, double level) {
     SliceZone zone;
     const std::vector<Face> faces = facesOf(slice, sides);
+    const auto peak = [&](glm::ivec2 cell) { return slice.peak(cell); };
     for (int y = 0; y < slice.cells().y; ++y)
-        for (int x = 0; x < slice.cells().x; ++x) {
-            const glm::ivec2 cell(x, y);
-            if (slice.peak(cell) < level) continue;
-            for (const glm::ivec2 way : kWays) {
-                if (slice.peak(cell + way) >= level) continue;
-                const glm::dvec2 edge = glm::dvec2(cell) + 0.5 + glm::dvec2(way) * edgeFrom(slice, cell, way, level);
+        for (int x = 0; x < slice.cells().x; ++x)
+            for (const glm::dvec2 edge : edgesOf(slice, {x, y}, sides, level)) {
                 zone.depth = std::max(zone.depth, distanceTo(faces, edge));
                 zone.low = glm::min(zone.low, edge);
                 zone.high = glm::max(zone.high, edge);
             }
-        }
+    const bool corner = sides.size() > 1;
     for (const glm::ivec2 side : sides) {
-        zone.width += surfaceWidth(slice, side, level);
+        const auto facePeak = [&](glm::ivec2 cell) {
+            return slice.peak(cell) + (slice.isFace(cell, side) ? 0.5 * slopeUnderFace(slice, cell, side) : 0);
+        };
+        zone.width += surfaceWidth(slice, corner ? Peaks(facePeak) : Peaks(peak), side, level);
         zone.area += areaAlong(slice, side, level) / static_cast<double>(sides.size());
+        if (corner) zone.area += shallowArea(slice, side, level);
     }
     return zone;
 }

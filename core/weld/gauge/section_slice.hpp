@@ -19,6 +19,7 @@ class SectionSlice {
     explicit SectionSlice(glm::ivec2 cells);
 
     glm::ivec2 cells() const { return cells_; }
+    bool inside(glm::ivec2 cell) const;
     /// kAir outside the grid.
     double peak(glm::ivec2 cell) const;
     /// The cell must lie inside the grid.
@@ -34,7 +35,7 @@ class SectionSlice {
 
 /// The part of a slice that was at least as hot as some temperature; lengths in cells, places from the grid's corner.
 struct SliceZone {
-    double width = 0; ///< of the workpiece's surface that it takes, along the surface and half a cell below it
+    double width = 0; ///< of the workpiece's surface that it takes, along the surface
     double depth = 0; ///< greatest distance from the workpiece's surface
     double area = 0;  ///< cells
     glm::dvec2 low{std::numeric_limits<double>::infinity()};   ///< of the box around it; above `high` when it is empty
@@ -42,9 +43,15 @@ struct SliceZone {
 };
 
 /// Measures the zone above `level` (K). `sides`: the outward directions of the faces that are welded on, as unit steps.
+///
 /// Edges of the zone lie where the highest temperature crosses the level, linear between the cells' centres; where the
-/// hotter cell is gone they follow from the slope on the colder side. The width of each plane of faces is that of the
-/// hot stretch around its hottest cell; planes add up, and a gap between two hot edges belongs to the stretch.
+/// hotter cell is gone they follow from the slope on the colder side. Between the centre of a face cell and its face
+/// the temperature goes on with the slope under that cell, so that a zone less deep than half a cell is found too.
+///
+/// The width of each plane of faces is that of the hot stretch around its hottest cell; planes add up, and a gap
+/// between two hot edges belongs to the stretch. The area is summed in strips of cells inwards from the faces. With one
+/// side both are taken by the cells whose centres, half a cell below the faces, are hot; with several, in a corner that
+/// is often only just fused, at the faces themselves.
 SliceZone measureZone(const SectionSlice& slice, std::span<const glm::ivec2> sides, double level);
 
 } // namespace meltpool

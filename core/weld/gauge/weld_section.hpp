@@ -41,8 +41,9 @@ struct SectionBox {
 
 /// A part of the workpiece that was hot.
 struct WeldZone {
-    /// m, of the workpiece's surface that it takes. In a plate or a butt joint its breadth from toe to toe; in the
-    /// corner of a tee or a lap joint the stretches on both plates together, measured along them.
+    /// m, of the workpiece's surface that it takes. In a plate or a butt joint its breadth from toe to toe, half a
+    /// lattice cell below the surface; in the corner of a tee or a lap joint the stretches on both plates together,
+    /// measured along them.
     double width = 0;
     double depth = 0; ///< m, greatest distance from the workpiece's own surface: of the fused zone the penetration
     double area = 0;  ///< m², of the workpiece's own metal
