@@ -50,7 +50,7 @@ json parameters(const TelemetryRow& row) {
 json places(const ui::Context& context) {
     json all = json::object();
     for (const auto& [name, place] : context.places)
-        if (context.inSight(place)) all[name] = {place.x, place.y, place.width, place.height};
+        if (context.shown(place)) all[name] = {place.x, place.y, place.width, place.height};
     return all;
 }
 

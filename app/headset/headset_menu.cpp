@@ -78,7 +78,7 @@ std::map<std::string, ui::Place> HeadsetMenu::places() const {
     std::map<std::string, ui::Place> shown;
     if (panel_ == nullptr) return shown;
     for (const auto& [name, place] : panel_->context().places)
-        if (panel_->context().inSight(place)) shown.emplace(name, place);
+        if (panel_->context().shown(place)) shown.emplace(name, place);
     return shown;
 }
 

@@ -33,7 +33,7 @@ struct Context {
     unsigned frame = 0;
 
     void beginFrame() { ++frame; }
-    bool inSight(const Place& place) const { return place.frame == frame; }
+    bool shown(const Place& place) const { return place.frame == frame; }
     float points(float size) const { return size * scale; }
 };
 
