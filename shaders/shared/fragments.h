@@ -10,7 +10,7 @@
 
 #define FRAGMENT_GROUP 256
 #define FRAGMENT_MAX_COUNT 255   // free fragments that have a number; what comes beyond stands still until a number is free
-#define FRAGMENT_LABEL_ROUNDS 24 // of a cycle; a cycle whose labels still change in the last one is dropped and begun anew
+#define FRAGMENT_LABEL_ROUNDS 24 // of a cycle; a cycle whose labels still change in the last one has no effect
 #define FRAGMENT_BOND_LENGTH 1.3 // spacings
 #define FRAGMENT_NO_LABEL 0xFFFFFFFFu
 #define FRAGMENT_CLAMPED 0x80000000u // set in the number of members at a root: one of them is clamped

@@ -38,7 +38,7 @@ PhysicalSetup plate() {
 }
 
 /// One bead of `seconds`: struck and held at one end, drawn to the other with wire, left to cool; then its middle is
-/// melted anew without wire and left to cool again.
+/// melted again without wire and left to cool again.
 class Beads {
   public:
     explicit Beads(double seconds) : metal_(test::shaders(), plate()), seconds_(seconds) {

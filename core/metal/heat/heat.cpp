@@ -76,16 +76,16 @@ void HeatSolver::makeBuffers() {
     const size_t tiles = state_.lattice().tileCount();
     const size_t slots = state_.capacity();
     blockBuffer_ = gl::Buffer("heat block", sizeof(HeatBlock));
-    cellTheta_ = gl::Buffer("heat cell theta", 2 * cells * sizeof(float));
-    cellWeight_ = gl::Buffer("heat cell weight", cells * sizeof(uint));
-    cellSums_ = gl::Buffer("heat cell sums", cells * sizeof(uint));
-    tiles_ = gl::Buffer("heat tiles", tiles * sizeof(HeatTile));
-    tileStamps_ = gl::Buffer("heat tile stamps", tiles * sizeof(int));
-    lists_ = gl::Buffer("heat lists", (3 * tiles + slots) * sizeof(uint));
+    cellTheta_ = gl::Buffer::gpuOnly("heat cell theta", 2 * cells * sizeof(float));
+    cellWeight_ = gl::Buffer::gpuOnly("heat cell weight", cells * sizeof(uint));
+    cellSums_ = gl::Buffer::gpuOnly("heat cell sums", cells * sizeof(uint));
+    tiles_ = gl::Buffer::gpuOnly("heat tiles", tiles * sizeof(HeatTile));
+    tileStamps_ = gl::Buffer::gpuOnly("heat tile stamps", tiles * sizeof(int));
+    lists_ = gl::Buffer::gpuOnly("heat lists", (3 * tiles + slots) * sizeof(uint));
     control_ = gl::Buffer("heat control", sizeof(HeatControl));
-    knownCells_ = gl::Buffer("heat known cells", slots * sizeof(uint));
-    sourceSums_ = gl::Buffer("heat source sums", HEAT_SOURCES * (tiles + 1) * sizeof(float));
-    ledger_ = gl::Buffer("heat ledger", settings_.ledger ? (cells + slots) * sizeof(vec4) : 4);
+    knownCells_ = gl::Buffer::gpuOnly("heat known cells", slots * sizeof(uint));
+    sourceSums_ = gl::Buffer::gpuOnly("heat source sums", HEAT_SOURCES * (tiles + 1) * sizeof(float));
+    ledger_ = gl::Buffer::gpuOnly("heat ledger", settings_.ledger ? (cells + slots) * sizeof(vec4) : 4);
 }
 
 void HeatSolver::writeTable() {

@@ -19,14 +19,15 @@ RigidFragments::RigidFragments(gl::ShaderLibrary& shaders, MetalState& state, co
     : state_(state),
       freeParticles_("number of free particles", sizeof(uint)),
       blockBuffer_("fragment block", sizeof(FragmentBlock)),
-      cellHeads_("fragment cell heads", state.lattice().cellCount() / 8 * sizeof(uint)),
-      cellNext_("fragment cell lists", state.capacity() * sizeof(uint)),
-      labels_("fragment labels", state.capacity() * sizeof(uint)),
-      nextLabels_("fragment next labels", state.capacity() * sizeof(uint)),
-      control_("fragment control", sizeof(FragmentControl)),
-      motions_("fragment motions", (FRAGMENT_MAX_COUNT + 1) * sizeof(FragmentMotion)),
-      freeSlots_("fragment free slots", state.capacity() * sizeof(uint)),
-      contacts_("fragment contacts", std::min<size_t>(state.capacity(), setup.contactRoom) * sizeof(FragmentContact)),
+      cellHeads_(gl::Buffer::gpuOnly("fragment cell heads", state.lattice().cellCount() / 8 * sizeof(uint))),
+      cellNext_(gl::Buffer::gpuOnly("fragment cell lists", state.capacity() * sizeof(uint))),
+      labels_(gl::Buffer::gpuOnly("fragment labels", state.capacity() * sizeof(uint))),
+      nextLabels_(gl::Buffer::gpuOnly("fragment next labels", state.capacity() * sizeof(uint))),
+      control_(gl::Buffer::gpuOnly("fragment control", sizeof(FragmentControl))),
+      motions_(gl::Buffer::gpuOnly("fragment motions", (FRAGMENT_MAX_COUNT + 1) * sizeof(FragmentMotion))),
+      freeSlots_(gl::Buffer::gpuOnly("fragment free slots", state.capacity() * sizeof(uint))),
+      contacts_(gl::Buffer::gpuOnly("fragment contacts",
+                                    std::min<size_t>(state.capacity(), setup.contactRoom) * sizeof(FragmentContact))),
       labelTexels_("fragment labels", labels_, GL_R32UI, sizeof(uint)),
       nextLabelTexels_("fragment next labels", nextLabels_, GL_R32UI, sizeof(uint)),
       latticeTexels_("fragment lattice", state.latticeSlots, GL_R32UI, sizeof(uint)),
@@ -119,7 +120,7 @@ void RigidFragments::partOfRound(unsigned round) {
 void RigidFragments::finish() {
     done_ = slots_;
     const size_t particles = state_.particles();
-    // No round follows: the next labels' memory counts members. The next cycle labels all these slots anew.
+    // No round follows: the next labels' memory counts members. The next cycle labels all these slots again.
     constexpr GLuint kNone = 0;
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     glClearNamedBufferSubData(nextLabels_.name(), GL_R32UI, 0, static_cast<GLsizeiptr>(particles * sizeof(uint)),

@@ -70,8 +70,8 @@ class MetalState {
     /// Sum of m H over the living particles with their residuals, J. Waits for the GPU.
     double readEnergy() const;
 
-    /// Goes up whenever phase bits may have changed that `changes` does not list: pieces were told apart, or the CPU
-    /// wrote phases, who must say so by noteRegrouping().
+    /// Goes up whenever phase bits may have changed that `changes` does not list: after fragments were labelled, or
+    /// after the CPU wrote phases, which calls noteRegrouping().
     unsigned regroupings() const { return regroupings_; }
     void noteRegrouping() { ++regroupings_; }
 

@@ -28,7 +28,7 @@ Material simpleMetal() {
 }
 
 /// Takes seeds off the lattice and shakes each by up to `shake` spacings along every axis.
-void loosen(std::vector<MetalSeed>& seeds, float from, float shake) {
+void takeOffLattice(std::vector<MetalSeed>& seeds, float from, float shake) {
     std::mt19937 random(3);
     std::uniform_real_distribution<float> offset(-shake * kSpacing, shake * kSpacing);
     for (MetalSeed& seed : seeds) {
@@ -40,7 +40,7 @@ void loosen(std::vector<MetalSeed>& seeds, float from, float shake) {
 
 } // namespace
 
-TEST_CASE("Loose metal keeps every joule", "[heat][loose]") {
+TEST_CASE("Metal off the lattice keeps every joule", "[heat][off-lattice]") {
     const Material m = simpleMetal();
     const glm::vec3 low(2 * kSpacing), high(0.014F, 0.01F, 0.012F);
     const MetalLattice lattice = MetalLattice::covering(glm::vec3(0), high + 3 * kSpacing, kSpacing);
@@ -48,7 +48,7 @@ TEST_CASE("Loose metal keeps every joule", "[heat][loose]") {
     std::mt19937 random(5);
     for (MetalSeed& seed : seeds)
         seed.temperature = 300 + static_cast<float>(random() % 3000);
-    loosen(seeds, 0.007F, 0.4F);
+    takeOffLattice(seeds, 0.007F, 0.4F);
     HeatSettings settings;
     settings.ledger = true;
     const bool loses = GENERATE(false, true);
@@ -66,7 +66,7 @@ TEST_CASE("Loose metal keeps every joule", "[heat][loose]") {
     CHECK(std::abs(change - balance.gained + balance.lost) < 1e-5 * balance.gained);
 }
 
-TEST_CASE("Loose metal conducts as the lattice does", "[heat][loose]") {
+TEST_CASE("Metal off the lattice conducts as metal on it does", "[heat][off-lattice]") {
     const Material m = simpleMetal();
     // A long bar whose end is held hot; part or all of it is shaken off the lattice.
     const float depth = 0.032F;
@@ -80,7 +80,7 @@ TEST_CASE("Loose metal conducts as the lattice does", "[heat][loose]") {
         }
     const float shake = GENERATE(0.0F, 0.3F);
     const float from = GENERATE(0.0F, 0.004F);
-    loosen(seeds, from, shake);
+    takeOffLattice(seeds, from, shake);
     for (MetalSeed& seed : seeds)
         seed.position = glm::clamp(seed.position, glm::vec3(-1), glm::vec3(1, side, side));
     HeatSettings settings;
@@ -104,7 +104,7 @@ TEST_CASE("Loose metal conducts as the lattice does", "[heat][loose]") {
     CHECK(most / 1207 < 0.05);
 }
 
-TEST_CASE("A loose piece conducts where it touches and not where it does not", "[heat][loose]") {
+TEST_CASE("A free fragment conducts where it touches and not where it does not", "[heat][off-lattice]") {
     const Material m = simpleMetal();
     const float side = 8 * kSpacing;
     const MetalLattice lattice = MetalLattice::covering(glm::vec3(0), {side, 0.016F, side}, kSpacing);
@@ -126,7 +126,7 @@ TEST_CASE("A loose piece conducts where it touches and not where it does not", "
     CHECK(mean == Approx(gap > 0 ? 300 : 800).margin(2));
 }
 
-TEST_CASE("Metal taken off the lattice by others is found, and its old cell is free", "[heat][loose]") {
+TEST_CASE("Metal taken off the lattice by others is found, and its old cell is free", "[heat][off-lattice]") {
     const Material m = simpleMetal();
     const float side = 4 * kSpacing;
     const MetalLattice lattice = MetalLattice::covering(glm::vec3(0), {side, 3 * side, side}, kSpacing);
@@ -135,7 +135,7 @@ TEST_CASE("Metal taken off the lattice by others is found, and its old cell is f
     settings.ledger = true;
     HeatBench bench(test::shaders(), lattice, m, seeds, settings);
     bench.solver.step(1e-3, {});
-    // The upper half is lifted by a tile, as a loose piece would be.
+    // The upper half is lifted by a tile, as a free fragment would be.
     auto positions = bench.state.position.read<vec4>(seeds.size());
     auto phases = bench.state.phase.read<uint>(seeds.size());
     auto cells = bench.state.latticeSlots.read<uint>(lattice.cellCount());
@@ -159,12 +159,12 @@ TEST_CASE("Metal taken off the lattice by others is found, and its old cell is f
     CHECK(temperatures.back() > 320);
 }
 
-TEST_CASE("Other passes find every slot off the lattice in the solver's list", "[heat][loose]") {
+TEST_CASE("Other passes find every slot off the lattice in the solver's list", "[heat][off-lattice]") {
     const Material m = simpleMetal();
     const glm::vec3 high(0.008F, 0.008F, 0.008F);
     const MetalLattice lattice = MetalLattice::covering(glm::vec3(0), high, kSpacing);
     auto seeds = latticeSeeds(lattice, glm::vec3(0), high, 300);
-    loosen(seeds, 0.005F, 0.4F);
+    takeOffLattice(seeds, 0.005F, 0.4F);
     HeatSettings settings;
     settings.meltedLeaves = true;
     HeatBench bench(test::shaders(), lattice, m, seeds, settings);
@@ -194,13 +194,13 @@ TEST_CASE("Other passes find every slot off the lattice in the solver's list", "
     CHECK(listed() == offLattice());
 }
 
-TEST_CASE("Loose metal gives the same bits twice", "[heat][loose]") {
+TEST_CASE("Metal off the lattice gives the same bits twice", "[heat][off-lattice]") {
     const Material m = simpleMetal();
     const glm::vec3 high(0.012F, 0.008F, 0.012F);
     const MetalLattice lattice = MetalLattice::covering(glm::vec3(0), high, kSpacing);
     const auto run = [&] {
         auto seeds = latticeSeeds(lattice, glm::vec3(0), high, 300);
-        loosen(seeds, 0.005F, 0.4F);
+        takeOffLattice(seeds, 0.005F, 0.4F);
         HeatSettings settings;
         settings.convection = 20;
         HeatBench bench(test::shaders(), lattice, m, seeds, settings);
@@ -212,12 +212,13 @@ TEST_CASE("Loose metal gives the same bits twice", "[heat][loose]") {
     CHECK(run() == run());
 }
 
-TEST_CASE("Metal that lies on the table cools as one lump does, metal above it does not", "[heat][loose]") {
+TEST_CASE("Metal that lies on the welding table cools as one lump does, metal above it does not",
+          "[heat][off-lattice]") {
     const Material m = simpleMetal();
     const glm::vec3 low(2 * kSpacing), high(0.006F, 0.003F, 0.006F); // one layer
     const MetalLattice lattice = MetalLattice::covering(glm::vec3(0), high + 6 * kSpacing, kSpacing);
     auto seeds = latticeSeeds(lattice, low, high, 900);
-    loosen(seeds, 0, 0);
+    takeOffLattice(seeds, 0, 0);
     HeatSettings settings;
     settings.ambient = 300;
     settings.tableConductance = 2000;

@@ -242,7 +242,7 @@ TEST_CASE("A particle remembers its peak and how long it cooled from 800 to 500 
     CHECK(heat.z == Approx(1300).margin(0.1));
     CHECK(heat.w == Approx(expected).epsilon(0.02));
     bench.run(0, 1, 2000, [&](double) { return std::vector{HeatSource::sphere(glm::vec3(0), 0.01F, 5)}; });
-    CHECK(bench.state.heat.read<vec4>(1)[0].w == 0); // hot again: the count begins anew
+    CHECK(bench.state.heat.read<vec4>(1)[0].w == 0); // hot again: the count starts again
 }
 
 TEST_CASE("Melting and freezing wait for their fractions", "[heat]") {

@@ -1,5 +1,5 @@
-// Solid fragments: told apart as a CPU flood fill does, falling as Galilei says, resting, tipping over, keeping shape
-// and momentum.
+// Solid fragments: labelled as a CPU flood fill does, falling with constant acceleration, resting, tipping over,
+// keeping shape and momentum.
 #include "core/metal/solid/rigid_fragments.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
@@ -107,7 +107,7 @@ float largestStretch(const std::vector<vec4>& before, const std::vector<vec4>& a
 
 } // namespace
 
-TEST_CASE("fragments are told apart as a flood fill does, with metal missing at random") {
+TEST_CASE("fragments are labelled as a flood fill does, with metal missing at random") {
     for (const unsigned seed : {1U, 2U, 3U}) {
         const MetalLattice lattice = smallLattice();
         auto seeds = box(lattice, {0, 0, 0}, {32, 1, 16}, PHASE_CLAMPED) + box(lattice, {0, 1, 0}, {32, 12, 16});
