@@ -8,7 +8,7 @@
 #define NEWER_GL_CALLS(W) \
     W(glAttachShader) W(glBindBuffer) W(glBindBufferBase) W(glBindFramebuffer) W(glBindImageTexture) \
     W(glBindSampler) W(glBindTextureUnit) W(glBindVertexArray) W(glBlitNamedFramebuffer) \
-    W(glCheckNamedFramebufferStatus) W(glClearBufferfv) W(glClearNamedBufferData) W(glClientWaitSync) \
+    W(glCheckNamedFramebufferStatus) W(glClearBufferfv) W(glClearNamedBufferData) W(glClearNamedBufferSubData) W(glClientWaitSync) \
     W(glCompileShader) W(glCopyNamedBufferSubData) W(glCreateBuffers) W(glCreateFramebuffers) W(glCreateProgram) \
     W(glCreateQueries) W(glCreateSamplers) W(glCreateShader) W(glCreateTextures) W(glCreateVertexArrays) \
     W(glDebugMessageCallback) W(glDeleteBuffers) W(glDeleteFramebuffers) W(glDeleteProgram) W(glDeleteQueries) \
