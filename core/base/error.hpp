@@ -1,4 +1,4 @@
-// The two ways a request can fail: the input was wrong (exit code 2), or the machine could not do it (exit code 1).
+// The two kinds of failure: wrong input (exit code 2), or a fault of the machine (exit code 1).
 #pragma once
 
 #include <filesystem>
@@ -8,8 +8,8 @@
 
 namespace meltpool {
 
-/// The person gave something that cannot be used: a file, an argument, a driver that is too old. `what()` is one
-/// sentence that names the place and says what was expected. The program ends with exit code 2.
+/// Input that cannot be used: a file, an argument, a driver that is too old. `what()` is one sentence that names the
+/// place and what was expected. The program ends with exit code 2.
 class InputError : public std::runtime_error {
   public:
     explicit InputError(const std::string& sentence) : std::runtime_error(sentence) {}
@@ -18,7 +18,8 @@ class InputError : public std::runtime_error {
     InputError(const std::filesystem::path& file, int line, std::string_view sentence);
 };
 
-/// Something failed that the input does not explain: a full disk, a lost GPU, a state that is no longer finite.
+/// A failure that the input does not explain: a full disk, a lost GPU, a state that is no longer finite. The program
+/// ends with exit code 1.
 class RuntimeFault : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;

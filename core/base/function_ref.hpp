@@ -1,4 +1,4 @@
-// A callable that is lent for the length of a call: std::function without its allocation.
+// A reference to a callable, for parameters: like std::function, but allocates nothing and does not own the callable.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// A number that stands for the bits of a whole state.
+// A hash over the bits of a simulation state.
 #pragma once
 
 #include <cstdint>

@@ -17,13 +17,13 @@ struct Image {
 /// Throws InputError when the file cannot be written.
 void writePng(const std::filesystem::path& file, const Image& image);
 
-/// Throws InputError when the file is missing or is no picture.
+/// Throws InputError when the file is missing or not a picture.
 Image readPng(const std::filesystem::path& file);
 
 /// How two pictures of the same size differ.
 struct ImageDifference {
     double mean = 0;      ///< mean absolute difference of all channels, 0..255
-    double farPixels = 0; ///< share of pixels of which a channel is off by more than `threshold`
+    double farPixels = 0; ///< share of pixels with a channel that differs by more than `threshold`
     int largest = 0;      ///< largest difference of a channel
 };
 

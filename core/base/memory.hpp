@@ -1,4 +1,4 @@
-// What the machine has left.
+// Free memory of the machine.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,7 @@
 
 namespace meltpool {
 
-/// Memory in bytes that programs may take without swapping (Linux: MemAvailable); nothing where that is not known.
+/// Bytes of memory available without swapping (Linux: MemAvailable); nothing where the system does not tell.
 std::optional<std::size_t> availableMemory();
 
 } // namespace meltpool

@@ -1,4 +1,4 @@
-// One description of every adjustable value: menus, TOML files, `--set` and the printed help are all made from it.
+// Descriptions of adjustable values, from which menus, TOML files, `--set` and the printed help are made.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -11,8 +11,8 @@
 
 namespace meltpool {
 
-/// A value of a parameter struct together with what a person must know to change it. The default of a value is what a
-/// default-constructed struct holds.
+/// A value of a parameter struct with all that a person needs to change it. Its default is the value in a
+/// default-constructed struct.
 struct Parameter {
     std::string_view key;   ///< name in files and on the command line, snake_case
     std::string_view label; ///< name in menus
@@ -38,7 +38,7 @@ void setParameter(const ParameterList& list, std::string_view key, std::string_v
 /// The value as the text that setParameter() reads back to the same bits.
 std::string parameterText(const Parameter& parameter);
 
-/// Sentence fragment for messages and help: "a number from 0 to 1 (m)", "one of metal, ice".
+/// What the parameter accepts, for messages and help: "a number from 0 to 1 (m)", "one of metal, ice".
 std::string expectation(const Parameter& parameter);
 
 } // namespace meltpool

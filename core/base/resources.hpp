@@ -1,4 +1,4 @@
-// Where the program's own files are (shaders, data), found relative to the program so that it runs from anywhere.
+// Folders of the program's own files (shaders, data) and of the user's settings.
 #pragma once
 
 #include <filesystem>
@@ -8,12 +8,12 @@ namespace meltpool {
 /// The folder that holds the running program.
 std::filesystem::path programFolder();
 
-/// The folder with `shaders/` and `data/`: $MELTPOOL_DATA where set, else ../share/meltpool beside the program's
-/// folder. Throws InputError when it is not there.
+/// The folder with `shaders/` and `data/`: $MELTPOOL_DATA where set, else ../share/meltpool relative to the program's
+/// folder. Throws InputError when there is no such folder.
 std::filesystem::path resourceFolder();
 
-/// The user's own settings folder for this program ($XDG_CONFIG_HOME/meltpool, ~/.config/meltpool, %APPDATA%/meltpool).
-/// Not created here.
+/// The user's settings folder for this program ($XDG_CONFIG_HOME/meltpool, ~/.config/meltpool, %APPDATA%/meltpool).
+/// Does not create it.
 std::filesystem::path settingsFolder();
 
 } // namespace meltpool

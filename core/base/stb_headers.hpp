@@ -1,4 +1,4 @@
-// The stb image headers, whose place differs between distributions.
+// The stb image headers, whose folder differs between distributions.
 #pragma once
 
 #if __has_include(<stb/stb_image.h>)

@@ -1,4 +1,4 @@
-// The one place where stb's functions are compiled.
+// Compiles the functions of stb.
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #if defined(__GNUC__)

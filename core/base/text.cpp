@@ -89,7 +89,7 @@ std::string readTextFile(const std::filesystem::path& file) {
 }
 
 void writeTextFileAtomically(const std::filesystem::path& file, std::string_view text) {
-    // A pipe or device is written to; renaming over it would put a plain file in its place.
+    // Pipes and devices are written directly: renaming would replace them by a regular file.
     std::error_code failure;
     const bool plain = std::filesystem::is_regular_file(file, failure) || !std::filesystem::exists(file, failure);
     std::filesystem::path draft = file;

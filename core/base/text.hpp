@@ -1,4 +1,4 @@
-// Numbers and files as text, independent of the user's locale.
+// Numbers as text, independent of the user's locale, and text files.
 #pragma once
 
 #include <cstdint>
@@ -17,19 +17,19 @@ std::optional<long long> parseInteger(std::string_view text);
 /// Shortest text that reads back to the same value.
 std::string formatNumber(float value);
 std::string formatNumber(double value);
-/// Puts it behind `text`, which asks the heap for nothing once it has had room for as much.
+/// Appends that text; allocates nothing when the capacity of `text` suffices.
 void appendNumber(std::string& text, float value);
 void appendNumber(std::string& text, double value);
 void appendNumber(std::string& text, std::uint64_t value);
 
-/// Pieces between separators; an empty text gives one empty piece. The views point into `text`.
+/// Parts between separators; an empty text gives one empty part. The views point into `text`.
 std::vector<std::string_view> splitText(std::string_view text, char separator);
 std::string_view trimText(std::string_view text);
 
 /// The whole file. Throws InputError when it cannot be read.
 std::string readTextFile(const std::filesystem::path& file);
 
-/// Writes beside the file and renames over it, so that a crash leaves the old or the new file, never half of one.
+/// Writes a temporary file beside it and renames that, so that a crash leaves the old or the new file, never a part.
 /// Throws InputError when the folder or file cannot be written.
 void writeTextFileAtomically(const std::filesystem::path& file, std::string_view text);
 

@@ -1,5 +1,4 @@
-// A strict view of a TOML table: every fault is an InputError with file and line, and a key that nobody asked for is
-// one too.
+// A strict view of a TOML table: every fault, an unknown key too, is an InputError with file and line.
 #pragma once
 
 #include <toml++/toml.h>
@@ -20,10 +19,10 @@ struct NumberRange {
     double maximum = std::numeric_limits<double>::infinity();
 };
 
-/// Reads a TOML file whole. Throws InputError with the line of the first syntax fault, or when it cannot be read.
+/// Reads a TOML file. Throws InputError with the line of the first syntax error, or when it cannot be read.
 toml::table parseTomlFile(const std::filesystem::path& file);
 
-/// One table of a file. Ask for every key that may stand there, then call finish().
+/// One table of a file. Read every key that is allowed, then call finish().
 class TomlTable {
   public:
     /// `table` must outlive this view. `where` names the table in messages, such as "[case]"; empty for the whole file.
@@ -33,10 +32,10 @@ class TomlTable {
     bool isFlag(std::string_view key) const { return has(key) && table_.get(key)->is_boolean(); }
     bool isList(std::string_view key) const { return has(key) && table_.get(key)->is_array(); }
 
-    /// Says that a key may stand here without reading it now.
+    /// Allows a key without reading it.
     void allow(std::string_view key) { asked_.emplace(key); }
 
-    /// A number inside the range. Without a fallback the key must be there.
+    /// A number inside the range. Without a fallback the key is required.
     double number(std::string_view key, NumberRange range = {});
     double number(std::string_view key, NumberRange range, double fallback);
     bool flag(std::string_view key, bool fallback);
@@ -49,10 +48,10 @@ class TomlTable {
     /// A list of at least `least` rows of exactly `width` numbers.
     std::vector<std::vector<double>> rows(std::string_view key, std::size_t width, std::size_t least = 1);
 
-    /// The table under `key`; it must be there. Call finish() on the result too.
+    /// The table `key`; it is required. Call finish() on the result too.
     TomlTable table(std::string_view key);
 
-    /// The tables of the list written as [[key]]; none when the key is not there. Call finish() on each.
+    /// The tables written as [[key]]; none when the key is missing. Call finish() on each.
     std::vector<TomlTable> tables(std::string_view key);
 
     /// A text, number, flag or list of numbers as the text that setParameter() reads.
@@ -61,7 +60,7 @@ class TomlTable {
     /// Every key of this table, in the file's order of names.
     std::vector<std::string> keys() const;
 
-    /// Line of a key's value, or of the table itself when the key is not there.
+    /// Line of a key's value, or of the table itself when the key is missing.
     int lineOf(std::string_view key) const;
     int line() const;
     const std::filesystem::path& file() const { return file_; }
@@ -69,7 +68,7 @@ class TomlTable {
     /// Throws InputError at the key's line with "[where] key: sentence".
     [[noreturn]] void fail(std::string_view key, std::string_view sentence) const;
 
-    /// Throws InputError for the first key that was never asked for; the message lists the keys that may stand here.
+    /// Throws InputError for the first key that was neither read nor allowed; the message lists the allowed keys.
     void finish() const;
 
   private:

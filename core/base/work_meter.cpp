@@ -7,7 +7,7 @@ namespace meltpool {
 
 namespace {
 
-/// The processor's time of this thread, s.
+/// Processor time of this thread, s.
 double threadSeconds() {
 #if defined(CLOCK_THREAD_CPUTIME_ID)
     timespec now{};
@@ -18,7 +18,7 @@ double threadSeconds() {
 #endif
 }
 
-/// What a look at the clock takes, s.
+/// Cost of reading the clock, s.
 double lookSeconds() {
     using Clock = std::chrono::steady_clock;
     constexpr int kLooks = 100, kTries = 20;
@@ -32,7 +32,7 @@ double lookSeconds() {
     return std::chrono::duration<double>(least).count() / kLooks;
 }
 
-/// A thread that is here may be asleep.
+/// Whether the thread may sleep there.
 bool sleeps(WorkPlace place) {
     return place == WorkPlace::runtime || place == WorkPlace::waiting;
 }
@@ -83,7 +83,7 @@ void WorkMeter::closeWindow() {
         cpu_[place] += std::min(window_[place], now - windowCpuSince_);
     window_ = {};
     windowCpuSince_ = now;
-    windowSince_ = since_ = Clock::now(); // what asking took is nobody's
+    windowSince_ = since_ = Clock::now(); // the cost of asking counts for no place
 }
 
 double WorkMeter::cpuSeconds(WorkPlace place) const {

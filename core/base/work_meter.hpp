@@ -1,5 +1,6 @@
-// Where a frame's time goes on its threads: into our own work, the graphics driver, the headset's runtime, or waiting.
-// Whoever calls into a driver or runtime says so; without a meter that costs one look at a pointer.
+// Measures where a frame's time goes on a thread: the program's own work, the graphics driver, the headset's runtime,
+// or waiting. Code that calls a driver or runtime marks the call with InWork; without a meter that costs one test of a
+// pointer.
 #pragma once
 
 #include <array>
@@ -12,42 +13,42 @@ namespace meltpool {
 enum class WorkPlace { own, driver, runtime, waiting };
 constexpr size_t kWorkPlaces = 4;
 
-/// What another thread did for the one that is measured.
+/// Work of another thread for the measured one.
 struct WorkElsewhere {
-    double cpuSeconds = 0; ///< the processor's time, without drivers and without waiting
+    double cpuSeconds = 0; ///< processor time, without drivers and waiting
     std::uint64_t allocations = 0;
 };
 
-/// Begun and ended on one thread; one at a time.
+/// begin() and end() are called on one thread, which has one meter at a time.
 ///
-/// The processor's time is known only from the system, and asking it takes longer than most calls of a driver. So the
-/// system is asked once in a kWindow and wherever runtime or waiting begin or end; in between the clock tells who had
-/// the time, of which no place gets more than the processor spent in that window. A place is never told too little; too
-/// much by at most one window each time another program interrupts.
+/// Only the system knows a thread's processor time, and asking takes longer than most driver calls. So the meter asks
+/// once in a kWindow, and wherever the runtime's work or waiting begins or ends. In between it measures wall time for
+/// each place; no place gets more than the processor time of that window. The result is never too small, and too large
+/// by at most one window for each interruption by another program.
 class WorkMeter {
   public:
     ~WorkMeter() { end(); }
 
-    /// From here on this thread's time is counted, from zero.
+    /// Starts measuring this thread, from zero.
     void begin();
     void end();
     bool running() const { return current_ == this; }
-    /// Time since begin(), s. Of the clock, so that what other programs took from us counts too.
+    /// Wall time since begin(), s; includes time that other programs took.
     double seconds(WorkPlace place) const { return spent_[static_cast<size_t>(place)]; }
-    /// The processor's time since begin(), s, less what measuring it took. Where the system does not tell a thread's
-    /// time, as seconds().
+    /// Processor time since begin(), s, without the cost of measuring. Wall time where the system does not tell a
+    /// thread's processor time.
     double cpuSeconds(WorkPlace place) const;
     /// Requests to the heap since begin() by work of our own, not by drivers and runtimes; 0 where nothing counts them.
     std::uint64_t ownAllocations() const { return ownAllocations_; }
-    /// Calls since begin() after which the thread stood still until the GPU had got somewhere, and the last one's name.
+    /// Calls since begin() that made the thread wait for the GPU, and the name of the last one.
     unsigned stalls() const { return stalls_; }
     const char* lastStall() const { return lastStall_; }
 
     WorkPlace place() const { return place_; }
 
-    /// What this thread did since begin(), for the meter of the thread that it worked for.
+    /// Work of this thread since begin(), for the meter of the thread that it works for.
     WorkElsewhere forAnother() const;
-    /// Adds what another thread did for this one since begin().
+    /// Adds work that another thread did for this one since begin().
     void add(const WorkElsewhere& other);
     const WorkElsewhere& elsewhere() const { return elsewhere_; }
 
@@ -84,8 +85,8 @@ class WorkMeter {
     static inline std::uint64_t (*countAllocations_)() = [] { return std::uint64_t{0}; };
     Shares spent_{};
     Shares cpu_{};
-    Shares window_{};                           ///< of the clock, in the window that is open
-    std::array<unsigned, kWorkPlaces> looks_{}; ///< at the clock, each of which made its place's time longer
+    Shares window_{};                           ///< wall time in the current window
+    std::array<unsigned, kWorkPlaces> looks_{}; ///< readings of the clock, whose cost is subtracted
     WorkPlace place_ = WorkPlace::own;
     Clock::time_point since_;
     Clock::time_point windowSince_;
@@ -97,7 +98,7 @@ class WorkMeter {
     const char* lastStall_ = "";
 };
 
-/// While it lives the thread's time belongs to `place`; what is called while waiting counts as waiting.
+/// While it exists, the thread's time counts for `place`; inside of waiting everything counts as waiting.
 class InWork {
   public:
     explicit InWork(WorkPlace place) : meter_(WorkMeter::current()) {

@@ -1,4 +1,4 @@
-// A buffer read as a one-dimensional texture, texel by texel.
+// A buffer texture: a buffer that shaders read as texels.
 #pragma once
 
 #include "core/gl/buffer.hpp"
@@ -9,7 +9,7 @@ class BufferView {
   public:
     BufferView() = default;
 
-    /// Sees all of `buffer`, which must outlive it, as texels of the sized `format` (GL_RGBA32F, ...). Throws
+    /// Makes all of `buffer`, which must outlive it, readable as texels of the sized `format` (GL_RGBA32F, ...). Throws
     /// RuntimeFault when the driver's buffer textures are too small for it.
     BufferView(std::string_view label, const Buffer& buffer, GLenum format, size_t texelBytes);
 

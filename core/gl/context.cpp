@@ -35,7 +35,7 @@ bool drawnOnProcessor() {
 ContextInfo useCurrentContext(bool debug) {
     glewExperimental = GL_TRUE;
     const GLenum status = glewInit();
-    // With an EGL context GLEW misses its GLX display after having loaded every function: no error here.
+    // With an EGL context GLEW has loaded every function when it reports the missing GLX display: not an error.
     if (status != GLEW_OK && status != GLEW_ERROR_NO_GLX_DISPLAY)
         throw InputError(std::string("the OpenGL functions cannot be loaded: ") +
                          reinterpret_cast<const char*>(glewGetErrorString(status)));

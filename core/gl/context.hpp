@@ -1,4 +1,4 @@
-// What the driver is, whether it is enough, and a context of our own that needs no window.
+// The current OpenGL context: its driver and whether that suffices; and a context without a window.
 #pragma once
 
 #include "core/gl/gl.hpp"
@@ -16,15 +16,14 @@ struct ContextInfo {
     bool software = false; ///< a driver that draws on the CPU
 };
 
-/// Loads the functions of the context that is current and reads who it is. Throws InputError naming what was found and
-/// what is needed when it is less than OpenGL 4.5 core. `debug`: the driver's errors and warnings go to standard error
-/// from here on.
+/// Loads the functions of the current context and reads its names and version. Throws InputError with the version found
+/// when it is less than OpenGL 4.5 core. `debug`: from now on the driver's errors and warnings go to standard error.
 ContextInfo useCurrentContext(bool debug);
 
-/// The driver of the context that is current draws on the CPU.
+/// Whether the driver of the current context draws on the CPU.
 bool drawnOnProcessor();
 
-/// True in builds that want the driver's debug output.
+/// Whether this build asks for the driver's debug output.
 constexpr bool debugBuild() {
 #ifdef NDEBUG
     return false;
@@ -36,7 +35,7 @@ constexpr bool debugBuild() {
 /// An OpenGL 4.5 core context on EGL without any display: a GPU where there is one, else Mesa's software driver.
 class HeadlessContext {
   public:
-    /// Makes it and makes it current. Throws InputError saying what is missing and how to get it.
+    /// Creates the context and makes it current. Throws InputError that names the packages to install.
     explicit HeadlessContext(bool debug = debugBuild());
     ~HeadlessContext();
     HeadlessContext(const HeadlessContext&) = delete;

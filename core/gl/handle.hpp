@@ -1,4 +1,4 @@
-// A GL object's name that only one owner holds and that deletes itself.
+// Unique ownership of GL objects.
 #pragma once
 
 #include "core/gl/gl.hpp"
@@ -12,7 +12,7 @@ inline void labelObject(GLenum identifier, GLuint name, std::string_view label) 
     glObjectLabel(identifier, name, static_cast<GLsizei>(label.size()), label.data());
 }
 
-/// Move-only owner of a GL name; `Delete` is called with it at the end of its life.
+/// Move-only owner of a GL name; its destructor calls `Delete`.
 template <void (*Delete)(GLuint)>
 class Handle {
   public:

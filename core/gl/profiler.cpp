@@ -15,7 +15,7 @@ Profiler::~Profiler() {
 
 void Profiler::beginFrame() {
     current_ = (current_ + 1) % frames_.size();
-    collect(frames_[current_], true); // four frames old: its result is there
+    collect(frames_[current_], true); // four frames old: its result has arrived
     inFrame_ = true;
 }
 

@@ -1,4 +1,4 @@
-// GPU time of named passes, read frames later so that nothing waits.
+// GPU time of named passes, read frames later so that the CPU does not wait.
 #pragma once
 
 #include "core/gl/gl.hpp"
@@ -14,7 +14,7 @@ struct PassTime {
     int depth = 0;      ///< nesting: 0 = top
     double lastMs = 0;  ///< the newest frame that was read
     double leastMs = 0; ///< over all frames since reset()
-    double totalMs = 0; ///< sum over all frames since reset(); a pass entered several times in a frame counts whole
+    double totalMs = 0; ///< over all frames since reset(), with every execution of the pass
     int frames = 0;
 };
 
@@ -27,7 +27,7 @@ class Profiler {
 
     void beginFrame();
     void endFrame();
-    /// Reads every frame still under way, waiting for it.
+    /// Waits for the pending frames and reads them.
     void finish();
     void reset();
 
@@ -62,7 +62,7 @@ class Profiler {
     std::vector<double> frameMs_;
 };
 
-/// A debug group and the timing of what happens while it lives. A null profiler only groups.
+/// A debug group, and with a profiler the timing, of the commands issued while it exists.
 class Scope {
   public:
     Scope(Profiler* profiler, std::string_view name);

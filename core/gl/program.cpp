@@ -24,7 +24,7 @@ GLenum stageOf(const std::string& file) {
     if (ending == ".vert") return GL_VERTEX_SHADER;
     if (ending == ".frag") return GL_FRAGMENT_SHADER;
     if (ending == ".geom") return GL_GEOMETRY_SHADER;
-    throw InputError(file, 0, "is no shader; expected the ending .comp, .vert, .frag or .geom");
+    throw InputError(file, 0, "is not a shader; expected the ending .comp, .vert, .frag or .geom");
 }
 
 std::string compileLog(GLuint shader) {
@@ -58,7 +58,7 @@ Shader compile(const std::string& file, const ShaderSource& source) {
 
 fs::file_time_type newestTime(const std::vector<fs::path>& files) {
     fs::file_time_type newest = fs::file_time_type::min();
-    std::error_code missing; // a file being saved may be away for a moment
+    std::error_code missing; // a file may be missing for a moment while it is saved
     for (const fs::path& file : files) {
         const auto time = fs::last_write_time(file, missing);
         if (!missing) newest = std::max(newest, time);
@@ -79,7 +79,7 @@ void Program::listUniforms() {
         glGetActiveUniform(name(), static_cast<GLuint>(i), longest + 1, nullptr, &size, &type, text.data());
         Uniform uniform{text.c_str(), glGetUniformLocation(name(), text.c_str())};
         if (uniform.name.ends_with("[0]")) uniform.name.resize(uniform.name.size() - 3);
-        if (uniform.location >= 0) uniforms_.push_back(std::move(uniform)); // else it lies in a block
+        if (uniform.location >= 0) uniforms_.push_back(std::move(uniform)); // else it belongs to a block
     }
 }
 

@@ -1,4 +1,4 @@
-// Linked GLSL programs and the library that loads them by file name and reloads them while running.
+// GLSL programs, and the library that loads them by file name and reloads changed ones while the program runs.
 #pragma once
 
 #include "core/gl/handle.hpp"
@@ -25,7 +25,7 @@ class Program {
     GLuint name() const { return handle_.name(); }
     void use() const { glUseProgram(name()); }
 
-    /// Runs a compute program with enough groups of `groupSize` for `count` invocations; nothing for 0.
+    /// Runs a compute program with enough groups of `groupSize` for `count` invocations; none for 0.
     /// Counts beyond one dispatch dimension are folded into y: shaders take their index from `linearInvocation()` in
     /// shaders/shared/dispatch.h.
     void dispatch(size_t count, unsigned groupSize) const;
@@ -33,7 +33,7 @@ class Program {
     /// Runs a compute program with the group counts at byte `offset` of the bound GL_DISPATCH_INDIRECT_BUFFER.
     void dispatchIndirect(size_t offset) const;
 
-    /// Sets a plain uniform by name; a name the compiler dropped is ignored.
+    /// Sets a uniform outside of blocks by name; ignores names that the compiler removed.
     void set(const char* uniform, int value) const { glProgramUniform1i(name(), find(uniform), value); }
     void set(const char* uniform, unsigned value) const { glProgramUniform1ui(name(), find(uniform), value); }
     void set(const char* uniform, float value) const { glProgramUniform1f(name(), find(uniform), value); }
@@ -46,7 +46,7 @@ class Program {
 
   private:
     friend class ShaderLibrary;
-    /// Asked of the driver once, when the program was linked: frames set hundreds of uniforms.
+    /// Locations are read once after linking: frames set hundreds of uniforms.
     struct Uniform {
         std::string name;
         GLint location = -1;
@@ -58,24 +58,24 @@ class Program {
     std::vector<Uniform> uniforms_;
 };
 
-/// Loads programs from a shader folder. The programs belong to the library and live as long as it; a reload swaps what
-/// is inside them.
+/// Loads programs from a shader folder. The library owns the programs and keeps them as long as it exists; a reload
+/// replaces what is inside them.
 class ShaderLibrary {
   public:
     explicit ShaderLibrary(std::filesystem::path root) : root_(std::move(root)) {}
 
     /// Files relative to the root; the stage follows from the ending (.comp, .vert, .frag, .geom).
-    /// Throws InputError with the driver's words when one does not compile or link.
+    /// Throws InputError with the driver's message when one does not compile or link.
     const Program& load(std::vector<std::string> files, Defines defines = {});
     const Program& compute(std::string file, Defines defines = {}) {
         return load({std::move(file)}, std::move(defines));
     }
 
-    /// Rebuilds the programs of which a file changed. One that fails keeps its old program; the driver's words come
-    /// back to be shown. Nothing changed: an empty list.
+    /// Rebuilds the programs of which a file changed. One that fails keeps its old version. Returns the messages of
+    /// those that failed.
     std::vector<std::string> reloadChanged();
 
-    /// The driver's words about every program that runs on with an old version because its files do not build.
+    /// The messages of all programs that still run an old version because their files do not build.
     std::vector<std::string> standingFaults() const;
 
     const std::filesystem::path& root() const { return root_; }

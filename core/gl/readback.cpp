@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 
 #include <cstring>
+#include <string>
 
 namespace meltpool::gl {
 
@@ -28,7 +29,9 @@ void Readback::forget() {
 
 void Readback::request(const Buffer& source, size_t offset) {
     if (fence_ != nullptr) return;
-    if (offset + bytes_ > source.bytes()) throw RuntimeFault("a read past the end of a GPU buffer was refused");
+    if (offset + bytes_ > source.bytes())
+        throw RuntimeFault("a read of " + std::to_string(bytes_) + " bytes from byte " + std::to_string(offset) +
+                           " on reaches past the end of a GPU buffer of " + std::to_string(source.bytes()) + " bytes");
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
     glCopyNamedBufferSubData(source.name(), handle_.name(), static_cast<GLintptr>(offset), 0,
                              static_cast<GLsizeiptr>(bytes_));
@@ -37,7 +40,7 @@ void Readback::request(const Buffer& source, size_t offset) {
 
 const void* Readback::pollInPlace() {
     if (fence_ == nullptr) return nullptr;
-    // The flush makes sure that the commands get going even if nothing else is drawn.
+    // Without the flush the commands might not start while nothing else is drawn.
     const GLenum state = glClientWaitSync(fence_, GL_SYNC_FLUSH_COMMANDS_BIT, 0);
     if (state != GL_ALREADY_SIGNALED && state != GL_CONDITION_SATISFIED) return nullptr;
     forget();

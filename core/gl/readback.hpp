@@ -1,4 +1,4 @@
-// Small results that come back from the GPU frames later, without a wait.
+// Reads small results from the GPU frames later, without waiting.
 #pragma once
 
 #include "core/gl/buffer.hpp"
@@ -7,8 +7,8 @@
 
 namespace meltpool::gl {
 
-/// Copies bytes of a buffer aside on the GPU and hands them over once the GPU has got there. One request at a time; a
-/// request while one is under way is dropped, as its answer would be older than the caller thinks.
+/// Copies bytes of a buffer on the GPU and gives them to the caller once the GPU has executed the copy. One request at
+/// a time; a request while one is pending is ignored.
 class Readback {
   public:
     Readback(std::string_view label, size_t bytes);
@@ -16,19 +16,20 @@ class Readback {
     Readback(const Readback&) = delete;
     Readback& operator=(const Readback&) = delete;
 
-    /// Asks for the bytes of `source` from byte `offset` on, as the commands so far leave them.
+    /// Requests the bytes of `source` from byte `offset` on, as they are after the commands issued so far. Throws
+    /// RuntimeFault when they reach past the end of the buffer.
     void request(const Buffer& source, size_t offset = 0);
 
-    /// The answer, once; nothing while there is none. Never waits.
+    /// The answer when it has arrived, once. Never waits.
     template <class T>
     std::optional<T> poll() {
         T value{};
         return sizeof(T) <= bytes_ && take(&value, sizeof(T)) ? std::optional<T>(value) : std::nullopt;
     }
 
-    /// The answer where it lies, once; nullptr while there is none. Valid until the next request. Never waits.
+    /// The same without copying: nullptr while there is none; valid until the next request.
     const void* pollInPlace();
-    /// Drops what is on its way.
+    /// Discards a pending request.
     void forget();
 
   private:

@@ -32,9 +32,9 @@ class Assembler {
                     source_.text += "#define " + name + " " + value + "\n";
                 appendLineMark(lineNumber + 1, number);
             } else if (code.starts_with("#extension GL_GOOGLE_include_directive")) {
-                source_.text += "\n"; // only the offline compiler needs to be told
+                source_.text += "\n"; // only glslangValidator needs it
             } else if (code.starts_with("#include <")) {
-                source_.text += "\n"; // for the C++ half of a shared header
+                source_.text += "\n"; // a C++ header in a shared header
             } else if (code.starts_with("#include")) {
                 include(file, code, lineNumber);
                 appendLineMark(lineNumber + 1, number);

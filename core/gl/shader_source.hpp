@@ -1,4 +1,4 @@
-// GLSL text with its includes resolved, so that the same files serve C++, glslangValidator and the driver.
+// GLSL text with resolved includes, so that C++, glslangValidator and the driver use the same files.
 #pragma once
 
 #include <filesystem>
@@ -8,17 +8,17 @@
 
 namespace meltpool::gl {
 
-/// Replacements for macros that a shader leaves open: name -> value.
+/// Macros to define for a shader: name -> value.
 using Defines = std::map<std::string, std::string>;
 
 struct ShaderSource {
     std::string text;
-    /// Files in the order of the numbers that #line uses; [0] is the shader itself.
+    /// Files by their number in #line directives; [0] is the shader itself.
     std::vector<std::filesystem::path> files;
 };
 
-/// Reads `root/name`, puts `defines` behind its #version line and every `#include "path"` (relative to the including
-/// file, else to `root`) in place, each file once. Throws InputError naming file and line where a file is missing.
+/// Reads `root/name`, inserts `defines` behind its #version line and replaces every `#include "path"` (relative to the
+/// including file, else to `root`) by the file, each file once. Throws InputError with file and line of a missing file.
 ShaderSource loadShaderSource(const std::filesystem::path& root, const std::string& name, const Defines& defines);
 
 /// The driver's log with "number(line)" and "number:line" turned into file names.

@@ -55,8 +55,8 @@ void Framebuffer::attachLayer(GLenum attachment, const Texture& texture, int lay
 void Framebuffer::requireComplete() const {
     const GLenum status = glCheckNamedFramebufferStatus(name(), GL_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE)
-        throw RuntimeFault("the graphics driver cannot draw into this kind of picture (status " +
-                           std::to_string(status) + ")");
+        throw RuntimeFault("the graphics driver cannot draw into this frame buffer (status " + std::to_string(status) +
+                           ")");
 }
 
 VertexArray::VertexArray(std::string_view label) {

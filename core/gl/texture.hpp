@@ -1,4 +1,4 @@
-// Textures and the frame buffers made of them.
+// Textures, frame buffers and vertex arrays.
 #pragma once
 
 #include "core/base/image.hpp"

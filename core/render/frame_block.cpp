@@ -27,7 +27,7 @@ FrameData makeFrame(const SceneView& scene, const LookParameters& look) {
     const float unit = glm::length(glm::vec3(scene.modelToWorld[0]));
     const TemperatureMeaning& meaning = scene.temperature;
     const float range = std::max(meaning.hottest - meaning.coldest, 1e-6f);
-    const float mushy = std::max(meaning.liquidus - meaning.solidus, 1.0f); // a pure metal still fades over 1 K
+    const float mushy = std::max(meaning.liquidus - meaning.solidus, 1.0f); // a pure metal changes its look over 1 K
     FrameData frame{};
     frame.modelToWorld = scene.modelToWorld;
     frame.modelUnit = unit;

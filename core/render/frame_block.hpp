@@ -1,4 +1,4 @@
-// The uniform block of a frame from what a person chose and what there is to see.
+// The uniform block of a frame, from look parameters and scene.
 #pragma once
 
 #include "core/render/look/look.hpp"
@@ -8,10 +8,10 @@
 
 namespace meltpool {
 
-/// Everything but the views.
+/// Everything except the views.
 FrameData makeFrame(const SceneView& scene, const LookParameters& look);
 
-/// `viewport`: the pixels of this view alone.
+/// `viewport`: the pixels of this view only.
 ViewData makeViewData(const View& view, const Viewport& viewport);
 
 } // namespace meltpool

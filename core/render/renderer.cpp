@@ -20,8 +20,8 @@ namespace meltpool {
 
 namespace {
 
-/// Uniform blocks are written into one buffer after the other, so that a frame under way keeps its own.
-constexpr size_t kFramesUnderWay = 3;
+/// Frames use their uniform buffers in turn, so that writing one does not wait for frames that the GPU still draws.
+constexpr size_t kFramesInFlight = 3;
 
 void setSwitch(GLenum capability, bool on) {
     (on ? glEnable : glDisable)(capability);
@@ -73,11 +73,11 @@ struct Renderer::Parts {
     TonedProgram box;
     gl::VertexArray pointLayout{"points"};
     gl::VertexArray empty{"no vertices"};
-    std::array<gl::Buffer, kFramesUnderWay> frames;
-    std::array<gl::Buffer, kFramesUnderWay> materials;
+    std::array<gl::Buffer, kFramesInFlight> frames;
+    std::array<gl::Buffer, kFramesInFlight> materials;
     size_t current = 0;
-    std::optional<SubmissionChoice> choice; ///< for several views; its programs are loaded
-    std::optional<ViewSubmission> wanted;   ///< what `choice` answers
+    std::optional<SubmissionChoice> choice; ///< how several views are submitted; its programs are loaded
+    std::optional<ViewSubmission> wanted;   ///< the wish that `choice` was made for
 };
 
 Renderer::Parts::Parts(gl::ShaderLibrary& shaders)
@@ -135,7 +135,7 @@ ViewSubmission Renderer::Parts::submissionFor(size_t views) {
 
 void Renderer::Parts::prepare(const SceneView& scene, const LookParameters& look, std::span<const View> views,
                               const RenderTarget& target) {
-    current = (current + 1) % kFramesUnderWay;
+    current = (current + 1) % kFramesInFlight;
     FrameData frame = makeFrame(scene, look);
     const auto count = static_cast<int>(views.size());
     frame.viewCount = static_cast<float>(count);
@@ -155,9 +155,9 @@ void Renderer::Parts::prepare(const SceneView& scene, const LookParameters& look
 void Renderer::Parts::drawBatch(const SceneView& scene, const LookParameters& look, const ViewBatch& views, int count,
                                 const RenderTarget& target, gl::Profiler* profiler) {
     aim(views, target.viewport, count);
-    const bool squeezed = views.submission == ViewSubmission::clipping;
-    setSwitch(GL_CLIP_DISTANCE0, squeezed);
-    setSwitch(GL_CLIP_DISTANCE1, squeezed);
+    const bool clipped = views.submission == ViewSubmission::clipping;
+    setSwitch(GL_CLIP_DISTANCE0, clipped);
+    setSwitch(GL_CLIP_DISTANCE1, clipped);
     const GLenum cut = cutPlane(views.submission);
     const bool meshThere = scene.mesh.vertices != nullptr;
     const bool surfaceShown = look.mode == kSurfaceMode && meshThere;
@@ -248,8 +248,8 @@ const SubmissionChoice& Renderer::submitBy(std::optional<ViewSubmission> wanted)
 void Renderer::draw(const SceneView& scene, const LookParameters& look, std::span<const View> views,
                     const RenderTarget& target, gl::Profiler* profiler) {
     if (views.empty() || views.size() > kMostViews)
-        throw RuntimeFault("the renderer draws 1 to " + std::to_string(kMostViews) + " views at once, not " +
-                           std::to_string(views.size()));
+        throw RuntimeFault("the renderer was given " + std::to_string(views.size()) + " views; expected 1 to " +
+                           std::to_string(kMostViews));
     const gl::Scope scope(profiler, "draw");
     const ViewSubmission submission = parts_->submissionFor(views.size());
     parts_->prepare(scene, look, views, target);

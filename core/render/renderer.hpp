@@ -22,14 +22,14 @@ class Renderer {
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    /// Chooses how several views are submitted from now on, `wanted` or the best, and loads the programs for it. Where
-    /// the driver cannot, the next plainer way is taken. Cheap where nothing changes. Without a call draw() takes the
-    /// best when it has to.
+    /// Chooses how draw() submits several views, `wanted` or the best, and loads the programs for it. Where the driver
+    /// does not support it, the next simpler way is chosen. Costs nothing when nothing changes. Without a call draw()
+    /// chooses the best when it first needs it.
     const SubmissionChoice& submitBy(std::optional<ViewSubmission> wanted);
 
     /// Clears the target's viewport and draws the scene for each view, side by side in equal columns. Leaves depth
-    /// test, scissor test, blending and culling off and the target's frame buffer bound. `profiler` may be null. At
-    /// most kMostViews.
+    /// test, scissor test, blending and culling off and the target's frame buffer bound. `profiler` may be null. Throws
+    /// RuntimeFault for no view or more than kMostViews.
     void draw(const SceneView& scene, const LookParameters& look, std::span<const View> views,
               const RenderTarget& target, gl::Profiler* profiler);
 

@@ -1,4 +1,4 @@
-// What the renderer needs to know about the world in one frame.
+// The scene of one frame as the renderer needs it.
 #pragma once
 
 #include "core/metal/material/materials.hpp"
@@ -14,8 +14,7 @@
 
 namespace meltpool {
 
-/// The heat or cold source of the classic lesson, drawn as a small cube: blue, red while it heats, white while it
-/// cools.
+/// Heat or cold source of the classic lesson, drawn as a small cube: blue, red while it heats, white while it cools.
 struct SourceView {
     bool shown = false;
     glm::vec3 position{0.0f}; ///< model units
@@ -24,30 +23,30 @@ struct SourceView {
     bool cold = false;
 };
 
-/// What a vertex's and particle's temperature number means to the eye.
+/// How the temperatures of vertices and particles are shown.
 struct TemperatureMeaning {
     float coldest = 0.0f;  ///< lower end of the temperature colours
     float hottest = 1.0f;  ///< upper end of the temperature colours
-    bool kelvin = false;   ///< false: the classic model's 0..1, whose look follows the temperature itself
+    bool kelvin = false;   ///< false: the classic model's 0..1, whose look depends on the temperature itself
     float solidus = 0.0f;  ///< K: dull below
     float liquidus = 0.0f; ///< K: fully liquid and glossy above
 };
 
-/// A welding arc: a lamp so small and bright that it outshines the workshop within arm's length.
+/// Light of a welding arc.
 struct ArcLight {
     glm::vec3 position{0.0f};  ///< model units
     glm::vec3 intensity{0.0f}; ///< luminous intensity in kPaperLuminance times square model units; 0: no arc
-    float radius = 1e-3f;      ///< model units; nearer than that nothing is lit more brightly
+    float radius = 1e-3f;      ///< model units; nearer surfaces are lit as from this distance
 };
 
 struct SceneView {
     SurfaceMesh mesh;             ///< null buffers: no surface is drawn
-    bool meshIsOpen = false;      ///< caps are off: the inside is seen too
+    bool meshIsOpen = false;      ///< without caps: the inside is visible
     ParticleView particles;       ///< for the points mode; null: none
     glm::mat4 modelToWorld{1.0f}; ///< rotation, one scale, translation
     glm::vec3 boxMin{-1.0f};      ///< model units
     glm::vec3 boxMax{1.0f};
-    float cubeWidth = 1.0f; ///< model units that frost, clouds and depth of colour of ice and wax are made for
+    float cubeWidth = 1.0f; ///< model units; frost, clouds and absorption of ice and wax scale with it
     SourceView source;
     TemperatureMeaning temperature;
     const MaterialLooks* looks = nullptr; ///< physical material; null: LookParameters::material

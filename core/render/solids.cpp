@@ -45,7 +45,7 @@ glm::vec2 onCircle(int step) {
     return {std::cos(angle), std::sin(angle)};
 }
 
-/// A body of revolution about z: rings of radius and height from +z to -z, each with its own slope of the normal.
+/// A ring of a solid of revolution about z.
 struct Ring {
     float radius;
     float z;
@@ -120,7 +120,8 @@ void SolidPainter::draw(std::span<const Solid> solids, const ViewBatch& views, c
     for (const Solid& solid : solids) {
         const Range range = shapes_[static_cast<size_t>(solid.shape)];
         program.set("solidToWorld", solid.toWorld);
-        program.set("paint", glm::vec4(solid.colour, solid.gloss));
+        program.set("paint", solid.colour);
+        program.set("gloss", solid.gloss);
         program.set("glow", solid.glow);
         glDrawArraysInstanced(GL_TRIANGLES, range.first, range.count, views.count);
     }

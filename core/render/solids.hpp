@@ -13,7 +13,7 @@
 
 namespace meltpool {
 
-/// All fit into the cube -0.5..0.5; cylinder and cone stand along z, the cone's tip at -z.
+/// All fit into the cube -0.5..0.5; the axis of cylinder and cone is z, the tip of the cone lies at -z.
 enum class SolidShape { box, cylinder, cone, sphere };
 
 struct Solid {
@@ -21,7 +21,7 @@ struct Solid {
     glm::mat4 toWorld{1.0f};
     glm::vec3 colour{0.5f}; ///< linear sRGB reflectance
     float gloss = 0.2f;     ///< 0 dull .. 1 polished
-    glm::vec3 glow{0.0f};   ///< light that it gives by itself
+    glm::vec3 glow{0.0f};   ///< emitted light
 };
 
 /// The transform of a solid that reaches from `from` to `to` with the given width; its -z end lies at `to`.
@@ -35,7 +35,7 @@ class SolidPainter {
     /// Loads the program's form for one way of submission. Throws InputError when the driver does not compile it.
     void load(ViewSubmission submission) { program_.load(submission); }
 
-    /// Draws with the frame's uniforms and state as they are.
+    /// Expects the frame's uniform blocks bound and its state set.
     void draw(std::span<const Solid> solids, const ViewBatch& views, const RenderTarget& target) const;
 
   private:

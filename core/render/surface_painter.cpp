@@ -48,7 +48,7 @@ void SurfacePainter::load(ViewSubmission submission) {
 
 void SurfacePainter::prepare(const SurfaceMesh& mesh, int instances) {
     if (instances < 2 || mesh.drawCommand == nullptr) return;
-    // The mesh knows nothing of views, and how large it is stands on the GPU alone.
+    // The draw command of the mesh has one instance, and only the GPU knows its size.
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     mesh.drawCommand->copyTo(command_, sizeof(SurfaceDraw));
     counts_.copyTo(command_, sizeof(GLuint), static_cast<size_t>(instances) * sizeof(GLuint),
@@ -82,8 +82,8 @@ void SurfacePainter::drawWireframe(const SurfaceMesh& mesh, const ViewBatch& vie
     mesh.vertices->bindStorage(PULL_VERTICES_BINDING);
     mesh.indices->bindStorage(PULL_INDICES_BINDING);
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commandFor(mesh, views).name());
-    // The command for indexed drawing begins like one for plain drawing: count, instances, first; baseVertex, which is
-    // 0, stands where the first instance is read.
+    // The command of indexed drawing serves unindexed drawing: count, instances and first are the same, and baseVertex,
+    // which is 0, is read as the first instance.
     glDrawArraysIndirect(GL_TRIANGLES, nullptr);
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
 }

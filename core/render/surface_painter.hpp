@@ -20,11 +20,11 @@ class SurfacePainter {
     /// Loads the programs' forms for one way of submission. Throws InputError when the driver does not compile one.
     void load(ViewSubmission submission);
 
-    /// Before the first draw of a frame whose batches hold `instances` views.
+    /// Call before the first draw of a frame whose batches have `instances` views.
     void prepare(const SurfaceMesh& mesh, int instances);
 
-    /// Draws with the frame's uniforms as they are; `views` of the target are `count` in all. Translucent materials
-    /// first draw their far side into a picture of the target's size.
+    /// Expects the frame's uniform blocks bound. `count`: number of all views of the target. Translucent materials
+    /// first draw their far side into a texture of the target's size.
     void draw(const SceneView& scene, const LookParameters& look, const ViewBatch& views, int count,
               const RenderTarget& target);
     void drawWireframe(const SurfaceMesh& mesh, const ViewBatch& views, const RenderTarget& target) const;
@@ -52,7 +52,7 @@ class SurfacePainter {
     gl::VertexArray layout_;
     gl::VertexArray empty_;
     std::optional<FarSide> farSide_;
-    /// The mesh's draw command with an instance a view, and the counts that are put into it without the CPU.
+    /// The mesh's draw command with an instance a view, and the instance counts that the GPU copies into it.
     gl::Buffer command_;
     gl::Buffer counts_;
 };

@@ -1,5 +1,4 @@
-// Drawing programs in all their forms: for each way in which views are submitted, and for targets that encode sRGB by
-// themselves and those that do not.
+// Drawing programs in their variants: for each way of submitting views, and for targets that do or do not encode sRGB.
 #pragma once
 
 #include "core/gl/program.hpp"
@@ -14,24 +13,24 @@ namespace meltpool {
 /// A program whose vertex shader includes render/view.glsl.
 class ViewProgram {
   public:
-    /// Files relative to the shader folder. Loads the form for single views; throws InputError when it does not
+    /// Files relative to the shader folder. Loads the variant for single views; throws InputError when it does not
     /// compile.
     ViewProgram(gl::ShaderLibrary& shaders, std::string vertex, std::string fragment, gl::Defines defines = {})
         : shaders_(shaders), vertex_(std::move(vertex)), fragment_(std::move(fragment)), defines_(std::move(defines)) {
         load(ViewSubmission::passes);
     }
 
-    /// Loads the form for one way of submission. Throws InputError when the driver does not compile it.
+    /// Loads the variant for one way of submission. Throws InputError when the driver does not compile it.
     void load(ViewSubmission submission) {
         gl::Defines defines = defines_;
         if (submission == ViewSubmission::viewports) defines["VIEWS_BY_VIEWPORT"] = "1";
         if (submission == ViewSubmission::clipping) defines["VIEWS_BY_CLIPPING"] = "1";
-        forms_[static_cast<size_t>(submission)] = &shaders_.load({vertex_, fragment_}, std::move(defines));
+        variants_[static_cast<size_t>(submission)] = &shaders_.load({vertex_, fragment_}, std::move(defines));
     }
 
-    /// Makes the form for these views current and returns it.
+    /// Makes the variant for these views current and returns it.
     const gl::Program& use(const ViewBatch& views) const {
-        const gl::Program& program = *forms_[static_cast<size_t>(views.submission)];
+        const gl::Program& program = *variants_[static_cast<size_t>(views.submission)];
         program.use();
         program.set("firstView", views.first);
         return program;
@@ -42,9 +41,10 @@ class ViewProgram {
     std::string vertex_;
     std::string fragment_;
     gl::Defines defines_;
-    std::array<const gl::Program*, kViewSubmissions.size()> forms_{};
+    std::array<const gl::Program*, kViewSubmissions.size()> variants_{};
 };
 
+/// A ViewProgram whose fragment shader includes render/tone.glsl.
 class TonedProgram {
   public:
     /// As ViewProgram.
@@ -56,7 +56,7 @@ class TonedProgram {
         shown_.load(submission);
     }
 
-    /// Makes the form for `target` and these views current and returns it.
+    /// Makes the variant for `target` and these views current and returns it.
     const gl::Program& use(const RenderTarget& target, const ViewBatch& views) const {
         return (target.encodesSrgb ? light_ : shown_).use(views);
     }

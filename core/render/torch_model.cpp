@@ -18,16 +18,16 @@ constexpr glm::vec3 kTungsten(0.35F, 0.35F, 0.36F);
 constexpr glm::vec3 kArcColour(0.93F, 1.0F, 1.25F);
 constexpr float kLumenPerWatt = 5;
 
-/// The drawn arc: a ball beyond the tip.
+/// The drawn arc: a ball in front of the tip.
 struct ArcBall {
-    float beyond;   ///< m
+    float distance; ///< of its centre from the tip, m
     float diameter; ///< m
 };
 constexpr ArcBall kGmawArc{0.0010F, 0.0028F};
 constexpr ArcBall kTigArc{0.0008F, 0.0030F};
 constexpr glm::vec3 kFlameGlow(0.5F, 1.2F, 3.0F);
 
-/// Adds solids along the torch's axis. Distances in m from the tip, towards the handle positive.
+/// Adds solids along the torch's axis. Distances from the tip in m, positive towards the handle.
 class Builder {
   public:
     Builder(std::vector<Solid>& solids, const TorchSample& torch, const glm::mat4& toWorld)
@@ -38,7 +38,7 @@ class Builder {
         solids_.push_back({shape, toWorld_ * alongLine(at(from), at(to), width), colour, gloss, glow});
     }
 
-    /// A ball that shines evenly over its disc with the arc's whole light.
+    /// A ball whose disc emits all light of the arc evenly.
     void arc(const ArcBall& ball, const ArcLight& light) {
         const glm::mat4 place = glm::scale(glm::translate(glm::mat4(1.0F), light.position), glm::vec3(ball.diameter));
         const float disc = std::numbers::pi_v<float> / 4 * ball.diameter * ball.diameter;
@@ -53,7 +53,7 @@ class Builder {
     const glm::mat4& toWorld_;
 };
 
-/// The pose's tip is the wire's end, where the arc begins.
+/// The tip of the pose is the end of the wire.
 void addGmaw(Builder& add, const ArcLight& light) {
     constexpr float kStickOut = 0.010F;
     add.part(SolidShape::cylinder, kStickOut, 0.0F, 0.0012F, kCopper, 0.8F);
@@ -63,7 +63,7 @@ void addGmaw(Builder& add, const ArcLight& light) {
     if (light.intensity.g > 0) add.arc(kGmawArc, light);
 }
 
-/// The pose's tip is the electrode's.
+/// The tip of the pose is that of the electrode.
 void addTig(Builder& add, const ArcLight& light) {
     add.part(SolidShape::cone, 0.004F, 0.0F, 0.0024F, kTungsten, 0.7F);
     add.part(SolidShape::cylinder, 0.010F, 0.004F, 0.0024F, kTungsten, 0.7F);
@@ -72,12 +72,12 @@ void addTig(Builder& add, const ArcLight& light) {
     if (light.intensity.g > 0) add.arc(kTigArc, light);
 }
 
-/// The burner's mouth stands back from the pose's tip, which is where the flame is hottest.
+/// The tip of the pose is where the flame is hottest, in front of the burner's nozzle.
 void addFlame(Builder& add, float trigger) {
-    constexpr float kMouth = 0.012F;
-    add.part(SolidShape::cylinder, kMouth + 0.03F, kMouth, 0.009F, kBrass, 0.6F);
-    add.part(SolidShape::cylinder, kMouth + 0.08F, kMouth + 0.028F, 0.006F, kDarkSteel, 0.4F);
-    if (trigger > 0) add.part(SolidShape::cone, kMouth, 0.0F, 0.005F, glm::vec3(0.0F), 0.0F, kFlameGlow * trigger);
+    constexpr float kNozzle = 0.012F;
+    add.part(SolidShape::cylinder, kNozzle + 0.03F, kNozzle, 0.009F, kBrass, 0.6F);
+    add.part(SolidShape::cylinder, kNozzle + 0.08F, kNozzle + 0.028F, 0.006F, kDarkSteel, 0.4F);
+    if (trigger > 0) add.part(SolidShape::cone, kNozzle, 0.0F, 0.005F, glm::vec3(0.0F), 0.0F, kFlameGlow * trigger);
 }
 
 void addIron(Builder& add) {
@@ -88,25 +88,25 @@ void addIron(Builder& add) {
 
 } // namespace
 
-ArcLight torchArc(const TorchSample& torch, const ProcessParameters& process) {
+ArcLight torchArcLight(const TorchSample& torch, const ProcessParameters& process) {
     const auto kind = static_cast<ProcessKind>(process.kind);
     if (torch.trigger <= 0 || (kind != ProcessKind::Gmaw && kind != ProcessKind::Tig)) return {};
     const ArcBall& ball = kind == ProcessKind::Gmaw ? kGmawArc : kTigArc;
     const float candela =
         kLumenPerWatt * process.voltage * process.current * torch.trigger / (4 * std::numbers::pi_v<float>);
-    return {torch.tip + torch.axis() * ball.beyond, kArcColour * (candela / static_cast<float>(kPaperLuminance)),
+    return {torch.tip + torch.axis() * ball.distance, kArcColour * (candela / static_cast<float>(kPaperLuminance)),
             ball.diameter / 2};
 }
 
-void buildTorchSolids(std::vector<Solid>& solids, const TorchSample& torch, const ProcessParameters& process,
-                      const glm::mat4& workpieceToWorld) {
+void buildTorchModel(std::vector<Solid>& solids, const TorchSample& torch, const ProcessParameters& process,
+                     const glm::mat4& workpieceToWorld) {
     solids.clear();
     Builder add(solids, torch, workpieceToWorld);
     switch (static_cast<ProcessKind>(process.kind)) {
     case ProcessKind::Gmaw:
-        return addGmaw(add, torchArc(torch, process));
+        return addGmaw(add, torchArcLight(torch, process));
     case ProcessKind::Tig:
-        return addTig(add, torchArc(torch, process));
+        return addTig(add, torchArcLight(torch, process));
     case ProcessKind::Flame:
         return addFlame(add, torch.trigger);
     case ProcessKind::Iron:

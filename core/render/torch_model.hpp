@@ -1,4 +1,4 @@
-// The torch as it is drawn: a few painted solids for each welding process.
+// The drawn torch: a few painted solids for each welding process, and the light of its arc.
 #pragma once
 
 #include "core/render/scene.hpp"
@@ -9,14 +9,13 @@
 
 namespace meltpool {
 
-/// Replaces `solids` by the torch of this process at this pose; with the trigger pulled its arc or flame glows.
+/// Replaces `solids` by the torch of this process at this pose, with its arc or flame while the trigger is pulled.
 /// `workpieceToWorld`: rotation, one scale, translation.
-void buildTorchSolids(std::vector<Solid>& solids, const TorchSample& torch, const ProcessParameters& process,
-                      const glm::mat4& workpieceToWorld);
+void buildTorchModel(std::vector<Solid>& solids, const TorchSample& torch, const ProcessParameters& process,
+                     const glm::mat4& workpieceToWorld);
 
-/// The light of this torch's arc in the workpiece's frame (m); none for processes without an arc or with the trigger
-/// released. Its luminous flux is taken as 5 lm for each watt of V I, which gives some 6 klx at half a metre for
-/// 200 A: an estimate, as no two arcs shine alike.
-ArcLight torchArc(const TorchSample& torch, const ProcessParameters& process);
+/// Light of the torch's arc in the workpiece's frame (m); intensity 0 for processes without an arc or with the trigger
+/// released. The luminous flux is estimated as 5 lm per watt of V I: about 6 klx at half a metre for 200 A.
+ArcLight torchArcLight(const TorchSample& torch, const ProcessParameters& process);
 
 } // namespace meltpool

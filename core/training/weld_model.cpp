@@ -79,8 +79,8 @@ SceneView WeldModel::scene(const TorchSample& torch) const {
     scene.boxMin = workpiece_.low;
     scene.boxMax = workpiece_.high;
     scene.cubeWidth = kWorldUnit;
-    buildTorchSolids(torchSolids_, torch, process_.parameters, scene.modelToWorld);
-    scene.arc = torchArc(torch, process_.parameters);
+    buildTorchModel(torchSolids_, torch, process_.parameters, scene.modelToWorld);
+    scene.arc = torchArcLight(torch, process_.parameters);
     scene.solids = torchSolids_;
     scene.temperature = {kRoomTemperature, colourTop(material_), true, static_cast<float>(material_.solidus),
                          static_cast<float>(material_.liquidus)};

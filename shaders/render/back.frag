@@ -1,4 +1,4 @@
-// The far side of translucent stuff: which way it faces and how far away it is.
+// The far side of translucent materials: normal and distance from the eye.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 

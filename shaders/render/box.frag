@@ -1,4 +1,4 @@
-// White lines with smooth borders.
+// White lines with smooth edges.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/tone.glsl"

@@ -1,11 +1,11 @@
-// An edge of the box as a thin strip across the screen: two triangles a line, twelve lines.
+// Twelve edges of the box, each a thin strip of two triangles on the screen.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/view.glsl"
 
-layout(location = 0) out float across; // pixels from the line's middle
+layout(location = 0) out float across; // pixels from the line's centre
 
-const float kHalfWidth = 1.5; // pixels, including the smooth border
+const float kHalfWidth = 1.5; // pixels, including the smooth edge
 
 void main() {
     int line = gl_VertexID / 6;
@@ -18,7 +18,7 @@ void main() {
     other[axis] = 1.0;
     vec4 from = toClip(toWorld(mix(frame.boxMin, frame.boxMax, share)));
     vec4 to = toClip(toWorld(mix(frame.boxMin, frame.boxMax, other)));
-    // What lies behind the eye cannot be divided by w: cut the line at the near plane first.
+    // Points behind the eye cannot be projected: the line is clipped at the near plane first.
     float nearFrom = from.z + from.w;
     float nearTo = to.z + to.w;
     if (nearFrom < 0.0 && nearTo < 0.0) {

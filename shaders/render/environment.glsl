@@ -4,7 +4,7 @@
 
 #include "shared/render.h"
 
-// Direction of a place -1..1 on a face of a cube map, as OpenGL lays faces out.
+// Direction of a position -1..1 on a face of a cube map, in OpenGL's layout of faces.
 vec3 faceDirection(int face, vec2 place) {
     float s = place.x;
     float t = place.y;
@@ -20,7 +20,7 @@ vec3 decodeEnvironment(vec3 stored) {
     return stored * stored * ENVIRONMENT_RANGE;
 }
 
-// With half a step of ordered noise, so that slow gradients show no bands.
+// Adds ordered noise of up to half a step, so that gradients show no bands.
 vec3 encodeEnvironment(vec3 light, vec2 pixel) {
     float noise = fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
     return sqrt(clamp(light / ENVIRONMENT_RANGE, 0.0, 1.0)) + (noise - 0.5) / 1023.0;

@@ -1,4 +1,4 @@
-// The uniforms of a frame and of the material.
+// The uniform blocks of the frame and of the material.
 #ifndef MELTPOOL_RENDER_FRAME_GLSL
 #define MELTPOOL_RENDER_FRAME_GLSL
 

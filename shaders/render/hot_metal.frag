@@ -1,4 +1,4 @@
-// Metal with a temperature in kelvin: mirrors and glows.
+// Metal with a temperature in kelvin: mirrors its surroundings and glows.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/arc.glsl"
@@ -8,7 +8,8 @@
 
 layout(location = 0) in vec3 mirrored;
 layout(location = 1) in vec3 body;
-layout(location = 2) in vec2 surface;
+layout(location = 2) in float mirrorBrightness;
+layout(location = 6) in float dullness;
 layout(location = 3) in vec3 mirrorTint;
 layout(location = 4) in float temperature;
 layout(location = 5) in vec3 toArc;
@@ -23,14 +24,13 @@ const float kLiquidLobe = 600.0;
 const float kSolidLobe = 8.0;
 
 void main() {
-    float dull = surface.y;
     vec3 seen = decodeEnvironment(
-        textureLod(roughEnvironment, mirrored, kLiquidLevel + (kSolidLevel - kLiquidLevel) * dull).rgb);
+        textureLod(roughEnvironment, mirrored, kLiquidLevel + (kSolidLevel - kLiquidLevel) * dullness).rgb);
     float towardsLamp = max(dot(normalize(mirrored), frame.lampDirection), 0.0);
-    float glint = frame.specular * (1.0 - 0.65 * dull) * pow(towardsLamp, frame.shininess * (1.0 - 0.8 * dull));
+    float glint = frame.specular * (1.0 - 0.65 * dullness) * pow(towardsLamp, frame.shininess * (1.0 - 0.8 * dullness));
     vec3 glow = material.emissivity * glowOf(temperature);
-    vec3 light = body + surface.x * mirrorTint * seen + glint * material.highlight + glow;
+    vec3 light = body + mirrorBrightness * mirrorTint * seen + glint * material.highlight + glow;
     if (frame.arcLight.g > 0.0)
-        light += surface.x * mirrorTint * arcMirrored(toArc, mirrored, kLiquidLobe * pow(kSolidLobe / kLiquidLobe, dull));
+        light += mirrorBrightness * mirrorTint * arcMirrored(toArc, mirrored, kLiquidLobe * pow(kSolidLobe / kLiquidLobe, dullness));
     colour = finish(light, 1.0);
 }

@@ -6,19 +6,20 @@
 
 layout(location = 0) in vec3 mirrored;
 layout(location = 1) in vec3 body;
-layout(location = 2) in vec2 surface; // x: brightness of the mirror image, y: dullness
+layout(location = 2) in float mirrorBrightness;
+layout(location = 6) in float dullness;
 layout(location = 0) out vec4 colour;
 
 layout(binding = ROUGH_UNIT) uniform samplerCube roughEnvironment;
 
-// Levels of the environment. Even the liquid's is not 0: what sharpens the mirror image further shows the mesh.
+// Levels of the environment. Not 0 even for the liquid: a sharper mirror image would show the triangles.
 const float kLiquidLevel = 1.0;
 const float kSolidLevel = 3.0;
 
 void main() {
-    float dull = surface.y;
-    vec3 seen = decodeEnvironment(textureLod(roughEnvironment, mirrored, kLiquidLevel + (kSolidLevel - kLiquidLevel) * dull).rgb);
+    float level = kLiquidLevel + (kSolidLevel - kLiquidLevel) * dullness;
+    vec3 seen = decodeEnvironment(textureLod(roughEnvironment, mirrored, level).rgb);
     float towardsLamp = max(dot(normalize(mirrored), frame.lampDirection), 0.0);
-    float glint = frame.specular * (1.0 - 0.65 * dull) * pow(towardsLamp, frame.shininess * (1.0 - 0.8 * dull));
-    colour = finish(body + surface.x * material.mirrorColour * seen + glint * material.highlight, 1.0);
+    float glint = frame.specular * (1.0 - 0.65 * dullness) * pow(towardsLamp, frame.shininess * (1.0 - 0.8 * dullness));
+    colour = finish(body + mirrorBrightness * material.mirrorColour * seen + glint * material.highlight, 1.0);
 }

@@ -1,5 +1,5 @@
-// A vertex of opaque metal. Everything that is smooth over a triangle is worked out here: the triangles are small, and
-// software drivers pay dearly for each pixel.
+// A vertex of opaque metal. Everything that varies smoothly over a triangle is computed here: the triangles are small, and
+// software drivers are slow per pixel.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/view.glsl"
@@ -9,20 +9,22 @@ layout(location = POSITION_ATTRIBUTE) in vec3 position; // model units
 layout(location = NORMAL_ATTRIBUTE) in vec3 outward;   // unit, model
 layout(location = TEMPERATURE_ATTRIBUTE) in float vertexTemperature;
 
-// Few and narrow varyings: each number costs as much per pixel as the shading of it.
+// Few and narrow varyings: interpolating one costs as much per pixel as shading with it.
 layout(location = 0) out vec3 mirrored; // world direction that the eye sees in the metal, not unit
 layout(location = 1) out vec3 body;     // light of the material itself
-layout(location = 2) out vec2 surface;  // x: brightness of the mirror image, y: dullness
+layout(location = 2) out float mirrorBrightness;
+layout(location = 6) out float dullness;
 
 void main() {
     vec3 world = toWorld(position);
     vec3 n = normalize(mat3(frame.modelToWorld) * outward);
     mirrored = reflect(world - frame.views[viewIndex()].eye, n);
 
-    vec2 share = meltShares(vertexTemperature);
+    MeltShares share = meltShares(vertexTemperature);
     float light = frame.ambient + frame.diffuse * max(dot(n, normalize(frame.lamp - world)), 0.0);
-    float mirror = mix(material.solidMirror, material.liquidMirror, share.y);
-    body = light * (1.0 - mirror) * materialColour(share.x);
-    surface = vec2(light * mirror, frame.dullness * (1.0 - share.y));
+    float mirror = mix(material.solidMirror, material.liquidMirror, share.mirror);
+    body = light * (1.0 - mirror) * materialColour(share.colour);
+    mirrorBrightness = light * mirror;
+    dullness = frame.dullness * (1.0 - share.mirror);
     showCut(world);
 }

@@ -1,6 +1,6 @@
-// One face of a level of the rough environment: what a surface of this roughness mirrors, after the split-sum
-// approximation with the GGX lobe (Karis 2013, "Real shading in Unreal Engine 4"), view along the normal. Roughness 0
-// only brings the painted light into the stored form.
+// One face of a level of the environment: the mirror image in a surface of this roughness, by the split-sum approximation
+// with the GGX lobe (Karis 2013, "Real shading in Unreal Engine 4"), view along the normal. Roughness 0 only encodes the
+// painted light.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/environment.glsl"
@@ -29,7 +29,7 @@ void main() {
     vec3 across = normalize(cross(up, normal));
     vec3 along = cross(normal, across);
     float a = roughness * roughness;
-    int samples = int(mix(12.0, float(kMostSamples), min(2.0 * roughness, 1.0))); // a narrow lobe needs few
+    int samples = int(mix(12.0, float(kMostSamples), min(2.0 * roughness, 1.0))); // a narrow lobe needs fewer
     vec3 sum = vec3(0.0);
     float weights = 0.0;
     for (int i = 0; i < samples; ++i) {

@@ -1,4 +1,4 @@
-// Temperature as colour.
+// Temperature as a colour.
 #ifndef MELTPOOL_RENDER_SCALE_GLSL
 #define MELTPOOL_RENDER_SCALE_GLSL
 

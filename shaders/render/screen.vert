@@ -1,4 +1,4 @@
-// One triangle over the whole viewport, at the far end of the depth range.
+// One triangle that covers the whole viewport, at the far end of the depth range.
 #version 450 core
 
 layout(location = 0) out vec2 place; // -1..1

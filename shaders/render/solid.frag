@@ -1,4 +1,4 @@
-// A painted solid that mirrors a little and may glow by itself.
+// A painted solid: mirrors a little and may emit light.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/arc.glsl"
@@ -11,8 +11,9 @@ layout(location = 2) in vec3 toLamp;
 layout(location = 3) in vec3 toArc;
 layout(location = 0) out vec4 colour;
 
-layout(location = 5) uniform vec4 paint; // rgb: linear colour, w: gloss 0..1
-layout(location = 6) uniform vec3 glow;  // light it gives by itself
+layout(location = 5) uniform vec3 paint;  // linear colour
+layout(location = 6) uniform vec3 glow;   // emitted light
+layout(location = 7) uniform float gloss; // 0..1
 
 layout(binding = ROUGH_UNIT) uniform samplerCube roughEnvironment;
 
@@ -20,14 +21,14 @@ void main() {
     vec3 n = normalize(normal);
     vec3 lamp = normalize(toLamp);
     vec3 mirrored = reflect(normalize(way), n);
-    vec3 image = decodeEnvironment(textureLod(roughEnvironment, mirrored, mix(5.0, 0.0, paint.w)).rgb);
+    vec3 image = decodeEnvironment(textureLod(roughEnvironment, mirrored, mix(5.0, 0.0, gloss)).rgb);
     float glance = pow(clamp(1.0 - dot(mirrored, n), 0.0, 1.0), 5.0);
     float light = frame.ambient + frame.diffuse * max(dot(n, lamp), 0.0);
-    float highlight = frame.specular * paint.w * pow(max(dot(mirrored, lamp), 0.0), mix(8.0, 80.0, paint.w));
-    vec3 seen = light * paint.rgb + image * paint.w * mix(0.12, 0.9, glance) + highlight + glow;
+    float highlight = frame.specular * gloss * pow(max(dot(mirrored, lamp), 0.0), mix(8.0, 80.0, gloss));
+    vec3 seen = light * paint + image * gloss * mix(0.12, 0.9, glance) + highlight + glow;
     if (frame.arcLight.g > 0.0) {
-        seen += arcDiffuse(toArc, n) * paint.rgb;
-        seen += arcMirrored(toArc, mirrored, mix(8.0, 80.0, paint.w)) * paint.w * mix(0.12, 0.9, glance);
+        seen += arcDiffuse(toArc, n) * paint;
+        seen += arcMirrored(toArc, mirrored, mix(8.0, 80.0, gloss)) * gloss * mix(0.12, 0.9, glance);
     }
     colour = finish(seen, 1.0);
 }

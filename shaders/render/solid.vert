@@ -1,4 +1,4 @@
-// A simple solid: the heat source, a torch, a table.
+// A vertex of a painted solid: heat source, torch, table.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/view.glsl"

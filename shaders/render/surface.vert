@@ -8,7 +8,7 @@ layout(location = NORMAL_ATTRIBUTE) in vec3 outward;   // unit, model
 layout(location = TEMPERATURE_ATTRIBUTE) in float vertexTemperature;
 
 layout(location = 0) out vec3 normal; // world, not unit
-layout(location = 1) out vec3 way;    // world, from the eye to here
+layout(location = 1) out vec3 way;    // world, from the eye to the vertex
 layout(location = 2) out vec3 place;  // model units
 layout(location = 3) out float temperature;
 layout(location = 4) out vec3 toLamp;

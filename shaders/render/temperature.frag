@@ -1,4 +1,4 @@
-// The surface in temperature colours, lit so that its shape shows; no mirror image and a faint highlight, so that the
+// The surface in temperature colours, lit so that its shape is visible; no mirror image and a faint highlight, so that the
 // colour stays readable.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require

@@ -1,4 +1,4 @@
-// From light to what the screen shows.
+// From light to displayed colours.
 #ifndef MELTPOOL_RENDER_TONE_GLSL
 #define MELTPOOL_RENDER_TONE_GLSL
 
@@ -6,8 +6,8 @@
 
 const float kKnee = 0.6;
 
-// Leaves everything below the knee as it is, so that a grey stays that grey, and bends what is brighter towards 1 with a
-// continuous slope.
+// Keeps light below the knee, so that a grey stays that grey, and compresses brighter light towards 1 with a continuous
+// slope.
 vec3 toneCurve(vec3 light) {
     vec3 over = max(light - kKnee, 0.0) / (1.0 - kKnee);
     return min(light, kKnee) + (1.0 - kKnee) * over / (1.0 + over);
@@ -25,7 +25,7 @@ vec3 toShown(vec3 light) {
     return clamp(0.662002687 * a + 0.684122060 * b - 0.323583601 * c - 0.0225411470 * light, 0.0, 1.0);
 }
 
-// What is written: a target that encodes takes light, a plain one takes shown values.
+// The value to write: light for a target that encodes sRGB, displayed values for one that does not.
 vec4 encoded(vec3 light, float cover) {
 #ifdef ENCODE_SRGB
     return vec4(toShown(light), cover);
@@ -40,7 +40,7 @@ vec4 finish(vec3 light, float cover) {
     return encoded(toned, cover);
 }
 
-// For colours that stand for a number and must arrive as they are.
+// Without tone curve and exposure: for colours that encode a number.
 vec4 finishExact(vec3 light, float cover) {
     return encoded(light, cover);
 }

@@ -1,4 +1,4 @@
-// What ice and wax share: the way of light through the body, from the front surface to where it leaves again.
+// What ice and wax share: refraction of light through the body.
 #ifndef MELTPOOL_RENDER_TRANSLUCENT_GLSL
 #define MELTPOOL_RENDER_TRANSLUCENT_GLSL
 
@@ -18,41 +18,47 @@ layout(binding = BACK_UNIT) uniform sampler2D backSide;
 layout(binding = NOISE_UNIT) uniform sampler3D noise;
 
 struct Passage {
-    vec3 exitWay;   // world direction behind the body
-    float distance; // inside, in widths of the classic cube
-    vec3 inside;    // world direction inside, unit
+    vec3 exitDirection; // world, behind the body
+    float distance;     // inside the body, in widths of the classic cube
+    vec3 inside;        // world direction inside the body, unit
 };
 
-// Share of light mirrored by a surface of refractive index `index` (Schlick 1994).
+// Share of light reflected by a surface of refractive index `index` (Schlick 1994).
 float mirrorShare(float cosine, float index) {
     float straight = (index - 1.0) / (index + 1.0);
     straight *= straight;
     return straight + (1.0 - straight) * pow(clamp(1.0 - cosine, 0.0, 1.0), 5.0);
 }
 
-// The far side that this eye sees at a place 0..1 of its view: the views lie side by side, and none looks into its
-// neighbour's column.
-vec4 farSide(vec2 inView) {
+struct FarSide {
+    vec3 normal;    // world, unit
+    float distance; // from the eye; 0: no far side here
+};
+
+// The far side of the body at a position 0..1 of this view. The views lie side by side in one texture; clamping keeps the
+// lookup out of the neighbour's column.
+FarSide farSide(vec2 inView) {
     vec2 border = 0.5 / frame.views[view].size;
     inView = clamp(inView, border, 1.0 - border);
-    return texture(backSide, vec2((float(view) + inView.x) / frame.viewCount, inView.y));
+    vec4 texel = texture(backSide, vec2((float(view) + inView.x) / frame.viewCount, inView.y));
+    return FarSide(texel.xyz, texel.w);
 }
 
-// Two refractions, at this pixel and where the bent ray leaves through the far side that this eye sees (Wyman 2005, "An
-// approximate image-space approach for interactive refraction"): the distance inside is that of the straight ray,
-// the far normal is looked up where the bent ray's end is projected to.
+// Two refractions, at this pixel and where the refracted ray leaves through the far side (Wyman 2005, "An approximate
+// image-space approach for interactive refraction"): the distance inside is that of the straight ray, the far normal is
+// looked up where the end of the refracted ray is projected.
 Passage passThrough(vec3 along, vec3 n, float index) {
     ViewData eye = frame.views[view];
     vec2 here = (gl_FragCoord.xy - eye.corner) / eye.size;
-    float straight = max(farSide(here).w - length(way), 0.0);
+    float straight = max(farSide(here).distance - length(way), 0.0);
     Passage p;
     p.inside = refract(along, n, 1.0 / index);
     vec4 end = eye.worldToClip * vec4(eye.eye + way + p.inside * straight, 1.0);
-    vec4 far4 = farSide(end.xy / end.w * 0.5 + 0.5);
-    vec3 farNormal = far4.w > 0.0 ? normalize(far4.xyz) : -n;
+    FarSide exit = farSide(end.xy / end.w * 0.5 + 0.5);
+    vec3 farNormal = exit.distance > 0.0 ? normalize(exit.normal) : -n;
     p.distance = straight / frame.modelUnit * frame.perCubeWidth;
-    p.exitWay = refract(p.inside, -farNormal, index);
-    if (dot(p.exitWay, p.exitWay) < 0.5) p.exitWay = reflect(p.inside, -farNormal); // total reflection
+    p.exitDirection = refract(p.inside, -farNormal, index);
+    if (dot(p.exitDirection, p.exitDirection) < 0.5) p.exitDirection = reflect(p.inside, -farNormal); // total reflection
     return p;
 }
 
@@ -60,7 +66,7 @@ vec3 environmentAt(vec3 direction, float level) {
     return decodeEnvironment(textureLod(roughEnvironment, direction, level).rgb);
 }
 
-// Light from all around on a surface that faces `n`.
+// Mean light from all directions on a surface with normal `n`.
 vec3 skyLight(vec3 n) {
     return environmentAt(n, float(ENVIRONMENT_LEVELS - 1));
 }

@@ -1,6 +1,6 @@
-// Which view a vertex is drawn for and where that view lies: the one place that knows how several views reach the
-// pipeline. VIEWS_BY_VIEWPORT: an instance a view, each sent to a viewport of its own. VIEWS_BY_CLIPPING: an instance a
-// view, squeezed into its column of one viewport and cut off at the column's sides. Neither: one view at a time.
+// The view that a vertex belongs to, and its position there; the only shader code that depends on how several views are
+// drawn. VIEWS_BY_VIEWPORT: an instance a view, each in a viewport of its own. VIEWS_BY_CLIPPING: an instance a view,
+// squeezed into its column of one viewport and clipped at the column's sides. Neither: one view at a time.
 #ifndef MELTPOOL_RENDER_VIEW_GLSL
 #define MELTPOOL_RENDER_VIEW_GLSL
 
@@ -11,7 +11,7 @@
 #include "render/frame.glsl"
 
 #ifdef VIEWS_BY_CLIPPING
-const int kCutPlane = 2; // 0 and 1 are the column's sides
+const int kCutPlane = 2; // clip distances 0 and 1 are the column's sides
 #else
 const int kCutPlane = 0;
 #endif
@@ -30,7 +30,7 @@ vec4 toClip(vec3 world) {
     return frame.views[viewIndex()].worldToClip * vec4(world, 1.0);
 }
 
-// Puts the vertex to this place of its own view's clip space. The last thing that a vertex shader does.
+// Sets the position of the vertex in the clip space of its view. Vertex shaders call it last.
 void showAt(vec4 clip) {
     gl_Position = clip;
 #ifdef VIEWS_BY_VIEWPORT
@@ -45,7 +45,7 @@ void showAt(vec4 clip) {
 #endif
 }
 
-// As showAt() for the metal's surface, of which the section takes a part away.
+// As showAt(), for the metal's surface, which the section cuts.
 void showCut(vec3 world) {
     gl_ClipDistance[kCutPlane] = frame.cutOffset - dot(frame.cutNormal, world);
     showAt(toClip(world));

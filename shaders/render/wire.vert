@@ -1,4 +1,5 @@
-// A corner of a triangle of the metal's surface, pulled from its buffers so that each corner knows which one it is.
+// A corner of a triangle of the metal's surface, read from the buffers by index, so that its barycentric coordinates are
+// known.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/view.glsl"
@@ -13,7 +14,7 @@ layout(std430, binding = PULL_INDICES_BINDING) readonly buffer Indices {
 
 layout(location = 0) out vec3 corner; // barycentric
 layout(location = 1) out float temperature;
-layout(location = 2) out float facing; // cosine between the normal and the way to the eye
+layout(location = 2) out float facing; // cosine between the normal and the direction to the eye
 
 void main() {
     SurfaceVertex v = vertices[indices[gl_VertexID]];

@@ -1,6 +1,6 @@
-// The room that the metal mirrors: a workshop with windows, ceiling lamps, a soft box, benches and gas bottles. Distances
-// in metres, the metal at the origin; everything is a box or an upright cylinder, lit by the lamps without shadows but
-// darkened where things meet.
+// The room around the metal: a workshop with windows, ceiling lamps, a soft box, benches and gas bottles. Distances in
+// metres, the metal at the origin. Everything is a box or an upright cylinder, lit by the lamps without shadows but
+// darkened near edges between objects.
 #ifndef MELTPOOL_RENDER_WORKSHOP_GLSL
 #define MELTPOOL_RENDER_WORKSHOP_GLSL
 
@@ -39,13 +39,14 @@ const Thing kThings[kThingCount] = Thing[](
     Thing(vec3(-4.2, -0.42, 0.2), vec3(-3.3, -0.34, 2.6), vec3(0.30, 0.24, 0.18), 0.15),
     Thing(vec3(-4.15, -1.25, 0.4), vec3(-3.5, -0.42, 0.9), vec3(0.08, 0.09, 0.10), 0.2));
 
-// Gas bottles: foot and radius; height and colour follow.
+// Gas bottles: axis (x and z), radius, height of the top, colour.
 const int kBottleCount = 3;
-const vec3 kBottles[kBottleCount] = vec3[](vec3(2.5, 0.13, -3.2), vec3(2.85, 0.13, -3.15), vec3(3.2, 0.10, -3.25));
+const vec2 kBottleAxis[kBottleCount] = vec2[](vec2(2.5, -3.2), vec2(2.85, -3.15), vec2(3.2, -3.25));
+const float kBottleRadius[kBottleCount] = float[](0.13, 0.13, 0.10);
 const vec3 kBottleColours[kBottleCount] = vec3[](vec3(0.03, 0.12, 0.06), vec3(0.12, 0.13, 0.14), vec3(0.30, 0.05, 0.03));
 const float kBottleTop[kBottleCount] = float[](0.25, 0.25, -0.2);
 
-// Lamps: a rectangle each, `across` and `along` its half edges.
+// A rectangular lamp; `across` and `along` are its half edges.
 struct Lamp {
     vec3 centre;
     vec3 across;
@@ -95,8 +96,8 @@ void hitThing(vec3 from, vec3 way, int i, inout Hit hit) {
 }
 
 void hitBottle(vec3 from, vec3 way, int i, inout Hit hit) {
-    vec2 centre = kBottles[i].xz;
-    float radius = kBottles[i].y;
+    vec2 centre = kBottleAxis[i];
+    float radius = kBottleRadius[i];
     vec2 d = from.xz - centre;
     float a = dot(way.xz, way.xz);
     float b = dot(d, way.xz);
@@ -124,7 +125,7 @@ Hit trace(vec3 from, vec3 way) {
     return hit;
 }
 
-// The light that a lamp sends towards the room from the place where the ray meets it, or nothing.
+// Light of the lamp that the ray meets within the distance `nearest`; false where it meets none.
 bool seesLamp(vec3 from, vec3 way, float nearest, out vec3 light) {
     light = vec3(0.0);
     for (int i = 0; i < kLampCount; ++i) {
@@ -181,7 +182,7 @@ vec3 lampLight(vec3 at, vec3 normal) {
     return sum;
 }
 
-// Darkening where walls meet and where things stand.
+// Ambient occlusion near corners of the room and near objects, 0..1.
 float nearness(vec3 at, vec3 normal) {
     vec3 toLo = at - kRoomMin;
     vec3 toHi = kRoomMax - at;
@@ -195,7 +196,7 @@ float nearness(vec3 at, vec3 normal) {
         open *= 1.0 - 0.7 * exp(-max(away, 0.0) * 5.0) * step(0.001, away);
     }
     for (int i = 0; i < kBottleCount; ++i) {
-        float away = length(at.xz - kBottles[i].xz) - kBottles[i].y;
+        float away = length(at.xz - kBottleAxis[i]) - kBottleRadius[i];
         if (at.y < kBottleTop[i]) open *= 1.0 - 0.5 * exp(-max(away, 0.0) * 8.0) * step(0.001, away);
     }
     return open;
@@ -282,7 +283,7 @@ vec3 shadeRoom(vec3 at, vec3 normal, int thing) {
     return colour * lampLight(at, normal) * nearness(at, normal);
 }
 
-// What paint and floor mirror: the lamps as they are, of everything else no more than its height lets guess.
+// Mirror image in paint and floor: exact lamps, but only a rough colour by height for everything else.
 vec3 mirroredRoom(vec3 from, vec3 way) {
     Hit hit = trace(from, way);
     vec3 light;
@@ -291,7 +292,7 @@ vec3 mirroredRoom(vec3 from, vec3 way) {
     return hit.thing > 0 ? vec3(0.05) : mix(vec3(0.02, 0.03, 0.04), vec3(0.15, 0.15, 0.145), step(0.0, high));
 }
 
-// Light that comes from direction `way` to the origin; white paper under the lamps is about 1.
+// Light that reaches the origin from direction `way`; white paper under the lamps is about 1.
 vec3 workshop(vec3 way) {
     Hit hit = trace(vec3(0.0), way);
     vec3 light;
@@ -302,7 +303,7 @@ vec3 workshop(vec3 way) {
                   : hit.normal.y > 0.5    ? 0.22
                                           : 0.0;
     if (shine > 0.0) {
-        // sealed floor and paint mirror a little, more at a glance
+        // sealed floor and paint mirror a little, more at grazing angles
         vec3 at = way * hit.distance;
         vec3 bent = hit.normal;
         if (hit.normal.y > 0.5) bent = normalize(bent + 0.02 * vec3(grain(at.xz * 3.0) - 0.5, 0.0, grain(at.zx * 3.0) - 0.5));

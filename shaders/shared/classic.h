@@ -1,18 +1,19 @@
-// What C++ and GLSL share of the classic model: one step's numbers, bindings, group sizes, what statistics come back.
+// What C++ and GLSL share of the classic model: uniform block of a step, bindings, group sizes, partial statistics.
 #ifndef MELTPOOL_SHARED_CLASSIC_H
 #define MELTPOOL_SHARED_CLASSIC_H
 
 #include "glsl_types.h"
 
-/// Cells whose counts one group sums, and the invocations that share them.
+/// Invocations of a group of the prefix sum, and cells whose counts it sums.
 #define CLASSIC_SCAN_GROUP 64
 #define CLASSIC_SCAN_CELLS 4096
-/// Particles that one group of the statistics looks at.
+/// Particles whose statistics one group sums.
 #define CLASSIC_STATISTICS_CHUNK 2048
 
 // Uniform block.
 #define CLASSIC_STEP 0
-// Storage blocks. "Moved" is the state after a step, "sorted" the same in the order of the next step's cells.
+// Storage blocks. "Moved": the state after a step; "sorted": the same in the order of the grid cells, which the next
+// step reads. A position is a vec4 with the temperature behind it, a sorted velocity one with 1 / density.
 #define CLASSIC_MOVED_POSITIONS 0
 #define CLASSIC_MOVED_VELOCITIES 1
 #define CLASSIC_MOVED_NUMBERS 2
@@ -26,7 +27,7 @@
 #define CLASSIC_CELL_NUMBERS 10
 #define CLASSIC_REFUSED 11
 #define CLASSIC_STATISTICS 12
-// Texture units of what is read as buffer textures: the sorted state, the cells' starts and counts.
+// Texture units of the buffer textures: the sorted state, starts and counts of the cells.
 #define CLASSIC_POSITION_TEXELS 0
 #define CLASSIC_VELOCITY_TEXELS 1
 #define CLASSIC_START_TEXELS 2
@@ -36,11 +37,12 @@
 namespace meltpool {
 #endif
 
-/// Numbers of one step; box units, seconds, temperature 0 .. 1.
+/// Uniform block of one step; box units, seconds, temperature 0 .. 1.
 struct ClassicStep {
-    vec4 gravity;            // xyz
-    vec4 source;             // xyz; w = heat radius, a squared length
+    vec3 gravity;
     float heat;              // temperature a step at the source's centre; negative for a cold source, 0 when off
+    vec3 source;             // centre of the heat or cold source
+    float heatRadiusSquared; // the source reaches as far as the root of this
     float solidifyRate;      // temperature lost a step
     float restDensity;
     float gasStiffness;
@@ -56,9 +58,10 @@ struct ClassicStep {
     uint cellsPerAxis;
     uint wallSlip;           // 1: a wall reverses only the velocity across it
     uint reserved;
+    uint reserved2;
 };
 
-/// What one chunk of particles adds to the statistics.
+/// Statistics of one chunk of particles.
 struct ClassicChunk {
     float temperatureSum;
     float minTemperature;

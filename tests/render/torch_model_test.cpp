@@ -31,7 +31,7 @@ TEST_CASE("every process draws a torch that reaches from its tip to the handle",
     for (const ProcessKind process : {ProcessKind::Flame, ProcessKind::Tig, ProcessKind::Gmaw, ProcessKind::Iron}) {
         std::vector<Solid> solids;
         torch.trigger = 0;
-        buildTorchSolids(solids, torch, with(process), world);
+        buildTorchModel(solids, torch, with(process), world);
         REQUIRE(solids.size() >= 2);
         CHECK_FALSE(anyGlow(solids));
         float nearest = 1e9f, farthest = -1e9f;
@@ -47,7 +47,7 @@ TEST_CASE("every process draws a torch that reaches from its tip to the handle",
         CHECK(nearest < 0.02f);
         CHECK(farthest > 0.05f);
         torch.trigger = 1;
-        buildTorchSolids(solids, torch, with(process), world);
+        buildTorchModel(solids, torch, with(process), world);
         CHECK(anyGlow(solids) == (process != ProcessKind::Iron));
     }
 }
@@ -59,15 +59,15 @@ TEST_CASE("an arc lights what is around it as much as its power says; flames and
     ProcessParameters gmaw = with(ProcessKind::Gmaw);
     gmaw.voltage = 20;
     gmaw.current = 200;
-    const ArcLight light = torchArc(torch, gmaw);
+    const ArcLight light = torchArcLight(torch, gmaw);
     CHECK(glm::length(light.position - torch.tip) < 0.002f);
     // 4 kW of arc give about 1600 cd: 6.4 klx at half a metre.
     CHECK(light.intensity.g * 160 == Approx(1592.0).epsilon(0.01));
     torch.trigger = 0.5f;
-    CHECK(torchArc(torch, gmaw).intensity.g == Approx(light.intensity.g / 2));
+    CHECK(torchArcLight(torch, gmaw).intensity.g == Approx(light.intensity.g / 2));
     torch.trigger = 0;
-    CHECK(torchArc(torch, gmaw).intensity.g == 0);
+    CHECK(torchArcLight(torch, gmaw).intensity.g == 0);
     torch.trigger = 1;
-    CHECK(torchArc(torch, with(ProcessKind::Flame)).intensity.g == 0);
-    CHECK(torchArc(torch, with(ProcessKind::Iron)).intensity.g == 0);
+    CHECK(torchArcLight(torch, with(ProcessKind::Flame)).intensity.g == 0);
+    CHECK(torchArcLight(torch, with(ProcessKind::Iron)).intensity.g == 0);
 }

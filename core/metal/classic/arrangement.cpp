@@ -9,8 +9,8 @@ namespace meltpool {
 
 namespace {
 
-/// Uniform numbers that are the same on every machine (the standard library's distributions are not): SplitMix64,
-/// Steele, Lea and Flood 2014.
+/// SplitMix64, Steele, Lea and Flood 2014. Unlike the distributions of the standard library it gives the same numbers
+/// with every compiler.
 class Random {
   public:
     explicit Random(std::uint64_t seed) : state_(seed) {}
@@ -35,7 +35,7 @@ class Random {
 
 size_t latticeEdge(size_t particles) {
     auto edge = static_cast<size_t>(std::cbrt(static_cast<double>(particles)));
-    while ((edge + 1) * (edge + 1) * (edge + 1) <= particles) // cbrt of a cube may fall short of the whole number
+    while ((edge + 1) * (edge + 1) * (edge + 1) <= particles) // cbrt may round a cube down
         ++edge;
     while (edge * edge * edge > particles)
         --edge;

@@ -1,4 +1,4 @@
-// Where the classic model's particles are at the start.
+// Initial positions of the classic model's particles.
 #pragma once
 
 #include "core/metal/classic/classic_parameters.hpp"
@@ -9,10 +9,10 @@
 
 namespace meltpool {
 
-/// One vec4 a particle, by particle number: xyz in [-0.5, 0.5]³ box units, w = 0 (solid). Ordered: n = floor(cbrt(N))
-/// per axis at the middles of n³ equal cells, x fastest, then y, then z; the N - n³ left over at random in
-/// [-0.25, 0.25]³. Random: uniform in [-0.5, 0.5]³. The same setup gives the same bits on every machine.
-/// Throws InputError for fewer than one particle.
+/// One vec4 a particle, in the order of their numbers: position in [-0.5, 0.5]³ box units and temperature 0 (solid).
+/// Ordered: n = floor(cbrt(N)) per axis at the centres of n³ equal cells, x fastest, then y, then z; the remaining N -
+/// n³ at random in [-0.25, 0.25]³. Random: uniform in [-0.5, 0.5]³. The same setup gives the same bits on every
+/// machine. Throws InputError for fewer than one particle.
 std::vector<glm::vec4> arrangeParticles(const ClassicSetup& setup);
 
 } // namespace meltpool

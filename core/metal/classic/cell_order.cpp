@@ -9,7 +9,7 @@
 namespace meltpool {
 
 CellGrid CellGrid::forRadius(float supportRadius, size_t particles) {
-    // A little more than h, so that rounding in the cell's number never puts two neighbours two cells apart.
+    // Slightly more than h, so that rounding of the cell index never puts two neighbours two cells apart.
     const double edge = static_cast<double>(supportRadius) * 1.0001;
     const double most = std::floor(std::cbrt(8.0 * static_cast<double>(particles)) + 1e-9);
     const double perAxis = std::clamp(std::ceil(2.0 / edge), 1.0, std::max(most, 1.0));
@@ -31,7 +31,7 @@ CellOrder::CellOrder(gl::ShaderLibrary& library, size_t particles)
 void CellOrder::setGrid(const CellGrid& grid) {
     grid_ = grid;
     counted_ = false;
-    const unsigned chunks = grid.cells() / CLASSIC_SCAN_CELLS + 1; // room for the start behind the last cell
+    const unsigned chunks = grid.cells() / CLASSIC_SCAN_CELLS + 1; // with room for the end of the last cell
     if (chunks == chunks_) return;
     chunks_ = chunks;
     const size_t padded = static_cast<size_t>(chunks) * CLASSIC_SCAN_CELLS;

@@ -1,5 +1,5 @@
-// Puts the classic model's particles in the order of a uniform grid's cells, so that neighbours are found in short
-// runs.
+// Sorts the particles of the classic model by the cells of a uniform grid, so that neighbours are found in short
+// ranges.
 #pragma once
 
 #include "core/gl/buffer_view.hpp"
@@ -15,27 +15,28 @@ struct CellGrid {
     unsigned cells() const { return perAxis * perAxis * perAxis; }
     bool operator==(const CellGrid&) const = default;
 
-    /// Cells with the support radius as edge; larger where that would be more than 8 cells a particle.
+    /// Cells with the support radius as edge; larger where there would be more than 8 cells a particle.
     static CellGrid forRadius(float supportRadius, size_t particles);
 };
 
-/// A counting sort in passes: count, sums of chunks of cells, starts of cells, numbers by cell, copy in order.
+/// A counting sort in five passes: count particles of cells, sum chunks of cells, start of each cell, particle numbers
+/// by cell, copy of the state in order.
 class CellOrder {
   public:
     CellOrder(gl::ShaderLibrary& library, size_t particles);
 
-    /// Takes another grid; what was counted is void.
+    /// Uses another grid and discards the counts.
     void setGrid(const CellGrid& grid);
     const CellGrid& grid() const { return grid_; }
 
-    /// The cells that particles were counted into no longer fit them.
-    void forgetCounts() { counted_ = false; }
+    /// The next sort() counts the particles of the cells again: they have moved since.
+    void discardCounts() { counted_ = false; }
 
-    /// Binds its buffers for the passes that walk over neighbours and that count.
+    /// Binds its buffers for the passes that visit neighbours and count particles.
     void bind() const;
 
-    /// Sorts what is bound as moved state into what is bound as sorted state. Counts first unless the pass that moved
-    /// the particles has. Afterwards the counts are zero, to be filled by the pass that moves the particles next.
+    /// Sorts the bound moved state into the bound sorted state. Counts first unless the pass that moved the particles
+    /// counted them. Afterwards the counts are zero, ready for the pass that moves the particles next.
     void sort(gl::Profiler* profiler);
 
     const gl::Buffer& cellStarts() const { return cellStarts_; }
@@ -49,10 +50,10 @@ class CellOrder {
     CellGrid grid_;
     unsigned chunks_ = 0;
     bool counted_ = false;
-    gl::Buffer slots_;                         // a uvec2 a particle: cell, arrival in it
-    gl::Buffer cellNumbers_;                   // a uint a particle: particle numbers by cell
-    gl::Buffer cellCounts_;                    // a uint a cell
-    gl::Buffer cellStarts_;                    // a uint a cell, and one behind the last
+    gl::Buffer slots_;       // a uvec2 a particle: its cell, and how many were counted there before it
+    gl::Buffer cellNumbers_; // a uint a particle: particle numbers by cell
+    gl::Buffer cellCounts_;  // a uint a cell
+    gl::Buffer cellStarts_;  // a uint a cell, and one behind the last
     gl::BufferView countTexels_, startTexels_; // of the two above
     gl::Buffer chunkSums_;                     // a uint a chunk of cells
     const gl::Program& count_;

@@ -8,6 +8,7 @@
 #include "shaders/shared/dispatch.h"
 
 #include <numeric>
+#include <string>
 
 namespace meltpool {
 
@@ -48,19 +49,21 @@ ClassicMetal::ClassicMetal(gl::ShaderLibrary& library, const ClassicSetup& setup
 void ClassicMetal::reset() {
     restore({arrangeParticles(setup_), std::vector<glm::vec4>(count_, glm::vec4(0))});
     refused_.clear();
-    reader_.forget();
-    writeStep({}); // statistics may be asked for before the first step
+    reader_.discard();
+    writeStep({}); // statistics() can be called before the first step
 }
 
 void ClassicMetal::restore(const Snapshot& state) {
     if (state.positions.size() != count_ || state.velocities.size() != count_)
-        throw RuntimeFault("a state of another number of particles was refused");
+        throw RuntimeFault("the state has " + std::to_string(state.positions.size()) + " positions and " +
+                           std::to_string(state.velocities.size()) + " velocities; expected " + std::to_string(count_) +
+                           " of each");
     std::vector<uint> numbers(count_);
     std::iota(numbers.begin(), numbers.end(), 0U);
     movedPositions_.write(std::span<const glm::vec4>(state.positions));
     movedVelocities_.write(std::span<const glm::vec4>(state.velocities));
     movedNumbers_.write(std::span<const uint>(numbers));
-    order_.forgetCounts();
+    order_.discardCounts();
 }
 
 ClassicMetal::Snapshot ClassicMetal::snapshot() const {
@@ -80,8 +83,9 @@ void ClassicMetal::writeStep(const ClassicSource& source) {
     const ClassicKernels kernels(p.supportRadius);
     const CellGrid& grid = order_.grid();
     ClassicStep step{};
-    step.gravity = {p.gravity, 0};
-    step.source = {source.position, p.heatRadius};
+    step.gravity = p.gravity;
+    step.source = source.position;
+    step.heatRadiusSquared = p.heatRadius;
     step.heat = source.strength * p.heatTemperature * (source.cold ? -1.0F : 1.0F);
     step.solidifyRate = p.solidifyRate;
     step.restDensity = p.restDensity;
@@ -89,7 +93,7 @@ void ClassicMetal::writeStep(const ClassicSource& source) {
     step.supportRadius = p.supportRadius;
     step.poly6 = static_cast<float>(static_cast<double>(p.particleMass) * kernels.poly6Factor);
     step.spiky = static_cast<float>(static_cast<double>(p.particleMass) * kernels.spikyFactor);
-    step.viscosity = p.viscosity * step.spiky; // both kernels' factors are 45 / (pi h^6)
+    step.viscosity = p.viscosity * step.spiky; // both kernels have the factor 45 / (pi h^6)
     step.timeStep = p.timeStep;
     step.wallRestitution = p.wallRestitution;
     step.accelerationLimit = p.accelerationLimit;
@@ -131,17 +135,17 @@ void ClassicMetal::step(const ClassicSource& source, gl::Profiler* profiler) {
 /// Reads the moved state, writes the sorted one.
 void ClassicMetal::sortByCell(gl::Profiler* profiler) {
     order_.sort(profiler);
-    std::swap(movedNumbers_, sortedNumbers_); // particles stay in their slots until the next sort
+    std::swap(movedNumbers_, sortedNumbers_); // moving does not change the order
 }
 
 void ClassicMetal::keepOrder() {
     movedPositions_.copyTo(sortedPositions_, count_ * sizeof(vec4));
     movedVelocities_.copyTo(sortedVelocities_, count_ * sizeof(vec4));
-    order_.forgetCounts();
+    order_.discardCounts();
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
-/// Reads sorted positions, writes the density beside the sorted velocities.
+/// Reads sorted positions, writes 1 / density into the fourth component of the sorted velocities.
 void ClassicMetal::computeDensity(gl::Profiler* profiler) {
     const gl::Scope scope(profiler, "classic density");
     (allPairs_ ? pairs_ : grid_).density.dispatch(count_, GROUP_SIZE);

@@ -1,4 +1,4 @@
-// The classic model: melting particles of one substance, stepped on the GPU.
+// The classic model of the founding thesis: melting SPH particles of one substance, stepped on the GPU.
 #pragma once
 
 #include "core/gl/buffer_view.hpp"
@@ -16,11 +16,11 @@
 
 namespace meltpool {
 
-/// What heats, or with `cold` freezes, the metal.
+/// The source that heats or cools the metal.
 struct ClassicSource {
     glm::vec3 position{0.9F}; ///< box units
     float strength = 0;       ///< 0 off .. 1 fully on
-    bool cold = false;        ///< takes the temperature away instead of giving it
+    bool cold = false;        ///< cools instead of heating
 };
 
 class ClassicMetal {
@@ -37,33 +37,34 @@ class ClassicMetal {
     /// One time step. `profiler` may be null.
     void step(const ClassicSource& source, gl::Profiler* profiler);
 
-    /// The places and temperatures after the last step, valid as long as this object. The order of the particles
-    /// changes from step to step.
+    /// Positions and temperatures after the last step, valid as long as this object. The order of the particles changes
+    /// from step to step.
     ParticleView particles() const { return {&movedPositions_, count_}; }
 
     /// Counts and temperatures of this moment; waits for the GPU.
     MetalStatistics statistics() const;
-    /// Asks for them without waiting; a request made while all slots are on their way is dropped.
+    /// Requests them without waiting; a request while all slots are pending is dropped.
     void requestStatistics();
-    /// The newest that have arrived since the last call, else nothing; never waits.
+    /// The newest that arrived since the last call, or nothing; never waits.
     std::optional<MetalStatistics> pollStatistics() { return reader_.poll(); }
 
-    /// Of position, velocity and temperature of every particle by number, bit by bit; waits for the GPU.
+    /// Hash of the bits of position, temperature and velocity of every particle, in the order of their numbers; waits
+    /// for the GPU.
     std::uint64_t stateHash() const;
 
-    /// GPU memory in all.
+    /// Bytes of GPU memory in use.
     size_t bytes() const;
 
-    /// The thesis's loop over all pairs instead of the grid: slow, kept to check the grid against.
+    /// Loop over all pairs, as in the thesis, instead of the grid: slow; tests compare the grid with it.
     void useAllPairs(bool allPairs) { allPairs_ = allPairs; }
 
-    /// Everything about every particle by number, for tests and records; waits for the GPU.
+    /// State of every particle in the order of their numbers, for tests and recordings; waits for the GPU.
     struct Snapshot {
-        std::vector<glm::vec4> positions;  ///< w = temperature
-        std::vector<glm::vec4> velocities; ///< w = density in the last step
+        std::vector<glm::vec4> positions;  ///< and temperature
+        std::vector<glm::vec4> velocities; ///< and density in the last step
     };
     Snapshot snapshot() const;
-    /// Takes over such a state; both lists have a row for each particle.
+    /// Sets such a state. Throws RuntimeFault unless both lists have an entry a particle.
     void restore(const Snapshot& state);
 
   private:
@@ -80,7 +81,7 @@ class ClassicMetal {
     gl::Buffer stepBlock_;
     gl::Buffer movedPositions_, movedVelocities_, movedNumbers_;
     gl::Buffer sortedPositions_, sortedVelocities_, sortedNumbers_;
-    gl::Buffer refused_;                             // one uint: new states since the reset that were no numbers
+    gl::Buffer refused_; // one uint: states since the reset that were not finite and therefore not stored
     gl::BufferView positionTexels_, velocityTexels_; // of the sorted state
     CellOrder order_;
     StatisticsReader reader_;

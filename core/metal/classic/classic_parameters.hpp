@@ -1,4 +1,4 @@
-// The classic model's adjustable values: what can be changed while it runs, and what is chosen at its start.
+// Parameters of the classic model: those that can change while it runs, and those of its start.
 #pragma once
 
 #include "core/base/parameter.hpp"
@@ -7,7 +7,7 @@
 
 namespace meltpool {
 
-/// Live values, in box units (one box unit stands for 40 mm), seconds and the classic temperature 0 .. 1.
+/// Parameters that can change while it runs; box units (one stands for 40 mm), seconds, temperature 0 .. 1.
 struct ClassicParameters {
     float restDensity = 70.0F;
     float particleMass = 0.02F;
@@ -20,23 +20,23 @@ struct ClassicParameters {
     bool wallSlip = false;
     float accelerationLimit = 100.0F;
     float solidifyRate = 0.002F;
-    float heatRadius = 0.1F; ///< compared with the squared distance, so a squared length
+    float heatRadius = 0.1F; ///< a squared length: compared with the squared distance
     float heatTemperature = 0.02F;
 };
 
-/// The one description that menus, files and `--set` are made from; it points into `parameters`.
+/// Description for menus, files and `--set`; it points into `parameters`.
 ParameterList describe(ClassicParameters& parameters);
 
-/// What a fresh classic metal is made of.
+/// Parameters of the start.
 struct ClassicSetup {
     enum Arrangement { kOrdered, kRandom };
 
     int particles = 20032;
     int arrangement = kOrdered;
-    int seed = 1; ///< of the random places
+    int seed = 1; ///< of the random positions
 };
 
-/// As above; every entry takes effect at the next start.
+/// As above; changes take effect at the next start.
 ParameterList describe(ClassicSetup& setup);
 
 } // namespace meltpool

@@ -19,10 +19,10 @@ StatisticsReader::StatisticsReader(gl::ShaderLibrary& library, size_t particles)
     }
 }
 
-void StatisticsReader::forget() {
+void StatisticsReader::discard() {
     for (Slot& slot : slots_) {
         slot.answer->forget();
-        slot.asked = false;
+        slot.pending = false;
     }
     oldest_ = 0;
 }
@@ -58,10 +58,10 @@ MetalStatistics StatisticsReader::sum(const void* answer) const {
 void StatisticsReader::request(const gl::Buffer& refused) {
     for (size_t age = 0; age < slots_.size(); ++age) {
         Slot& slot = slots_[(oldest_ + age) % slots_.size()];
-        if (slot.asked) continue;
+        if (slot.pending) continue;
         reduce(refused, slot.buffer);
         slot.answer->request(slot.buffer);
-        slot.asked = true;
+        slot.pending = true;
         return;
     }
 }
@@ -70,10 +70,10 @@ std::optional<MetalStatistics> StatisticsReader::poll() {
     std::optional<MetalStatistics> newest;
     for (size_t age = 0; age < slots_.size(); ++age) {
         Slot& slot = slots_[oldest_];
-        if (!slot.asked) break;
+        if (!slot.pending) break;
         const void* answer = slot.answer->pollInPlace();
         if (answer == nullptr) break;
-        slot.asked = false;
+        slot.pending = false;
         newest = sum(answer);
         oldest_ = (oldest_ + 1) % slots_.size();
     }

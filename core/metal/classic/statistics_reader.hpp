@@ -1,4 +1,4 @@
-// Statistics over the classic model's particles, summed on the GPU and fetched when they are ready.
+// Statistics of the classic model's particles: summed on the GPU, read back without waiting.
 #pragma once
 
 #include "core/gl/buffer.hpp"
@@ -11,21 +11,21 @@
 
 namespace meltpool {
 
-/// Expects positions, step block and counter of refused states bound as shaders/shared/classic.h says.
+/// Expects positions and step block bound as in shaders/shared/classic.h.
 class StatisticsReader {
   public:
     StatisticsReader(gl::ShaderLibrary& library, size_t particles);
     StatisticsReader(const StatisticsReader&) = delete;
     StatisticsReader& operator=(const StatisticsReader&) = delete;
 
-    /// Starts a reduction; dropped while all slots are on their way. `refused` holds one uint.
+    /// Starts a reduction, unless all slots are pending. `refused` holds one uint: the number of refused states.
     void request(const gl::Buffer& refused);
     /// The newest that arrived since the last call; never waits.
     std::optional<MetalStatistics> poll();
-    /// A reduction now, waited for.
+    /// Reduces and waits for the result.
     MetalStatistics now(const gl::Buffer& refused) const;
-    /// Drops what is on its way.
-    void forget();
+    /// Discards pending results.
+    void discard();
 
     size_t bytes() const;
 
@@ -33,11 +33,11 @@ class StatisticsReader {
     struct Slot {
         gl::Buffer buffer;
         std::optional<gl::Readback> answer;
-        bool asked = false;
+        bool pending = false;
     };
 
     void reduce(const gl::Buffer& refused, const gl::Buffer& target) const;
-    /// Of the chunks and the count of refused states behind them.
+    /// Statistics from the chunks and the number of refused states behind them.
     MetalStatistics sum(const void* answer) const;
 
     size_t particles_;

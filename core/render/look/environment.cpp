@@ -21,7 +21,7 @@ int levelsOf(int size) {
     return levels;
 }
 
-/// Draws one triangle over each face of a level; `program` takes the face's number at uniform location 0.
+/// Draws one triangle over each face of a level; the uniform at location 0 of `program` is the face's index.
 void paintFaces(const gl::Program& program, const gl::Texture& cube, int level) {
     const gl::Framebuffer framebuffer("environment face");
     const gl::VertexArray none("environment face");
@@ -42,7 +42,7 @@ gl::Texture paintWorkshop(gl::ShaderLibrary& shaders, int size) {
     gl::Texture light = makeCube("workshop light", GL_RGBA16F, size, levelsOf(size));
     const gl::Program& paint = shaders.load({"render/screen.vert", "render/workshop.frag"});
     paint.set("texel", 2.0f / static_cast<float>(size));
-    paint.set("rays", 2); // the shader places them for two
+    paint.set("rays", 2); // workshop.frag places them for two
     paintFaces(paint, light, 0);
     glGenerateTextureMipmap(light.name());
     return light;
@@ -53,7 +53,7 @@ gl::Texture paintWorkshop(gl::ShaderLibrary& shaders, int size) {
 Environment::Environment(gl::ShaderLibrary& shaders, int faceSize)
     : room_(makeCube("environment", GL_RGB10_A2, faceSize, ENVIRONMENT_LEVELS)) {
     glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-    glBindSampler(SHARP_UNIT, 0); // another environment's may stand there, which would hide the levels
+    glBindSampler(SHARP_UNIT, 0); // the sampler of another environment may be bound there; it would hide the levels
     const gl::Texture light = paintWorkshop(shaders, faceSize);
     const gl::Program& roughen = shaders.load({"render/screen.vert", "render/roughen.frag"});
     light.bind(SHARP_UNIT);

@@ -1,4 +1,4 @@
-// The workshop that is seen behind the metal and mirrored by it, painted once by our own shaders.
+// The workshop: background and mirror image of the metal, painted once by shaders.
 #pragma once
 
 #include "core/gl/program.hpp"
@@ -8,10 +8,10 @@ namespace meltpool {
 
 class Environment {
   public:
-    /// Paints the room and what rough surfaces mirror of it. `faceSize`: pixels of a cube face, a power of two.
+    /// Paints the room and its mirror images in rough surfaces. `faceSize`: pixels along a cube face, a power of two.
     explicit Environment(gl::ShaderLibrary& shaders, int faceSize = 512);
 
-    /// Binds the room to SHARP_UNIT and ROUGH_UNIT, stored as shaders/render/environment.glsl reads it.
+    /// Binds the environment to SHARP_UNIT and ROUGH_UNIT, encoded as shaders/render/environment.glsl reads it.
     void bind() const;
 
     const gl::Texture& texture() const { return room_; }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kKelvinAtZero = 273.15;
 
-/// A bell with two widths.
+/// A Gaussian with different widths on its two sides.
 double lobe(double nm, double middle, double below, double above) {
     const double t = (nm - middle) / (nm < middle ? below : above);
     return std::exp(-0.5 * t * t);
@@ -96,7 +96,7 @@ gl::Texture makeHeatTexture() {
     const auto kelvin = [](int column) {
         return HEAT_COLDEST + (HEAT_HOTTEST - HEAT_COLDEST) * column / double(HEAT_COLUMNS - 1);
     };
-    // The fourth root keeps nine decades of light inside half precision and linear filtering smooth.
+    // The fourth root fits nine decades of light into half precision and keeps linear filtering smooth.
     for (int column = 0; column < HEAT_COLUMNS; ++column)
         texels.emplace_back(glm::pow(blackBodyLight(kelvin(column)), glm::vec3(0.25f)), 1.0f);
     for (int column = 0; column < HEAT_COLUMNS; ++column)

@@ -1,4 +1,4 @@
-// The light of hot metal and the colours that heat leaves on steel.
+// Light of hot metal and temper colours of steel.
 #pragma once
 
 #include "core/gl/texture.hpp"
@@ -7,7 +7,7 @@
 
 namespace meltpool {
 
-/// Luminance that white paper has in the workshop's light, cd/m² (about 500 lx): what the renderer calls 1.
+/// Luminance of white paper in the workshop's light (about 500 lx), cd/m²: the renderer's unit of light.
 constexpr double kPaperLuminance = 160;
 
 /// CIE 1931 tristimulus values of a black body at `temperature` (K): Planck's law, weighted with the colour matching
@@ -15,19 +15,19 @@ constexpr double kPaperLuminance = 160;
 /// functions"). Scaled so that Y is the luminance in cd/m².
 glm::dvec3 blackBodyTristimulus(double temperature);
 
-/// Its light in linear sRGB, 1 = paper white; parts that no screen can show are cut off.
+/// The same in linear sRGB, 1 = white paper; negative components, outside the gamut, become 0.
 glm::vec3 blackBodyLight(double temperature);
 
-/// What oxide grown at a peak temperature (K) does to steel's reflectance: factors of linear sRGB, 1 where it never got
-/// hot. Straw, brown, purple, blue, grey as in the workshop's table of temper colours, mill scale above; metal that has
-/// been molten shows its own surface again.
+/// Factors on the reflectance of steel (linear sRGB) from the oxide that grows at a peak temperature (K); 1 where it
+/// never was hot. Straw, brown, purple, blue, grey as in workshop tables of temper colours, mill scale above; metal
+/// that was molten has no oxide of before.
 glm::vec3 temperTint(double peakTemperature);
 
-/// The share of light that a welding filter of this shade number lets through: 10^(-3 (shade - 1) / 7) (EN 169). Shade
-/// 0 stands for no filter.
+/// Luminous transmittance of a welding filter of this shade number: 10^(-3 (shade - 1) / 7) (EN 169). Shade 0: no
+/// filter.
 float filterShare(float shade);
 
-/// Both as a texture over temperature, read by shaders/render/hot.glsl.
+/// blackBodyLight() and temperTint() as rows of a texture over temperature, read by shaders/render/hot.glsl.
 gl::Texture makeHeatTexture();
 
 } // namespace meltpool

@@ -1,4 +1,4 @@
-// Everything about the picture that a person can choose.
+// Parameters of the picture that a person can choose.
 #pragma once
 
 #include "core/base/parameter.hpp"
@@ -19,18 +19,18 @@ struct LookParameters {
     float diffuse = 0.6f;
     float specular = 0.6f;
     float shininess = 60.0f;
-    float dullness = 0.8f; ///< 0: solid metal mirrors as sharply as liquid, 1: as brushed metal does
+    float dullness = 0.8f;                     ///< 0: solid metal mirrors as sharply as liquid, 1: like brushed metal
     glm::vec3 lightPosition{1.2f, 2.6f, 2.4f}; ///< model units, from the model's origin
     bool showBox = true;
     bool showSky = true;
     bool showSource = true;
     float pointSize = 0.02f; ///< radius of a drawn particle, model units
     float exposure = 1.0f;   ///< factor on all light
-    float arcLight = 5e-5f;  ///< share of an arc's light that is let onto things while there is no visor
-    float visorShade = 0.0f; ///< shade number of the welding filter before the eye; 0: none
+    float arcLight = 5e-5f;  ///< share of an arc's light that is drawn without a visor
+    float visorShade = 0.0f; ///< shade number of the welding filter; 0: none
 };
 
-/// The description that menus, files and the command line use. The list points into `look`.
+/// Description for menus, files and `--set`; it points into `look`.
 ParameterList describe(LookParameters& look);
 
 } // namespace meltpool

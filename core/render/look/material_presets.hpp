@@ -1,4 +1,4 @@
-// The optical numbers of the materials that the classic model can wear.
+// Optical properties of the preset materials of the classic model and of physical materials.
 #pragma once
 
 #include "core/metal/material/materials.hpp"
@@ -7,10 +7,10 @@
 
 namespace meltpool {
 
-/// The preset. Solder is the founding thesis's metal: grey 0.7 with mirror share 0.3 solid, 0.2 and 0.6 liquid.
+/// A preset material. Solder is the founding thesis's metal: grey 0.7 with mirror share 0.3 solid, 0.2 and 0.6 liquid.
 MaterialData presetMaterial(MaterialLook look);
 
-/// The same numbers from a physical material's looks.
+/// The same properties from the looks of a physical material.
 MaterialData physicalMaterial(const MaterialLooks& looks);
 
 /// Which program draws a material.

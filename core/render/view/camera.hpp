@@ -7,10 +7,10 @@
 
 namespace meltpool {
 
-/// Pitch and elevation stay inside ±(90° - this), rad, so that up never turns over.
+/// Pitch and elevation stay inside ±(90° - this), rad, so that the camera never turns upside down.
 constexpr float kPoleMargin = 0.01f;
 
-/// View mode: the mouse looks, keys move. Never rolls.
+/// View mode: the mouse turns the camera, keys move it. It never rolls.
 class FreeCamera {
   public:
     FreeCamera() = default;

@@ -1,4 +1,4 @@
-// A picture to draw into that needs no window.
+// A picture to draw into without a window.
 #pragma once
 
 #include "core/base/image.hpp"

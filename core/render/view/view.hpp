@@ -1,4 +1,4 @@
-// From where a picture is seen and into what it is drawn: the renderer knows nothing else of windows, files or eyes.
+// Views and targets: all that the renderer knows of windows, files and eyes.
 #pragma once
 
 #include "core/gl/gl.hpp"
@@ -24,11 +24,11 @@ struct Viewport {
     int height = 0;
 };
 
-/// A column of a viewport that is laid out in `columns` equal ones, the first one left.
+/// A column of a viewport that is divided into `columns` equal ones, counted from the left.
 Viewport columnOf(const Viewport& whole, int column, int columns);
 
-/// Where to draw: a frame buffer with colour and depth. Several views are laid side by side in equal columns of the
-/// viewport, the first one left.
+/// A frame buffer with colour and depth. Several views lie side by side in equal columns of the viewport, from the
+/// left.
 struct RenderTarget {
     GLuint framebuffer = 0; ///< 0: the window's
     Viewport viewport;
@@ -37,7 +37,7 @@ struct RenderTarget {
     bool encodesSrgb = false;
 };
 
-/// How a camera images: a symmetric perspective.
+/// A symmetric perspective projection.
 struct Lens {
     float fieldOfView = 0.7854f; ///< of the picture's height, rad
     float nearest = 0.02f;       ///< closest distance drawn, world units

@@ -1,4 +1,4 @@
-// How several views reach the pipeline: all with one draw call where the driver can, else one after the other.
+// How several views are drawn: all with one draw call where the driver supports that, else one after the other.
 #pragma once
 
 #include "core/render/view/view.hpp"
@@ -10,11 +10,11 @@
 
 namespace meltpool {
 
-/// From the best to the plainest; all give the same picture.
+/// From the fastest to the simplest; all give the same picture.
 enum class ViewSubmission {
     viewports, ///< an instance a view, sent to its viewport by the vertex shader (GL_ARB_shader_viewport_layer_array)
-    clipping,  ///< an instance a view, squeezed into its column and cut off there by clip distances
-    passes,    ///< everything anew for each view
+    clipping,  ///< an instance a view, squeezed into its column and clipped at its sides
+    passes,    ///< everything is drawn again for each view
 };
 
 constexpr std::array<ViewSubmission, 3> kViewSubmissions{ViewSubmission::viewports, ViewSubmission::clipping,
@@ -23,7 +23,7 @@ constexpr std::array<ViewSubmission, 3> kViewSubmissions{ViewSubmission::viewpor
 /// "viewports", "clip distances", "passes".
 std::string_view submissionName(ViewSubmission submission);
 
-/// What a driver has for drawing several views at once.
+/// What the driver supports for drawing several views at once.
 struct SubmissionOffer {
     bool viewportInVertexShader = false; ///< GL_ARB_shader_viewport_layer_array
     int viewports = 1;
@@ -33,16 +33,16 @@ struct SubmissionOffer {
 /// Of the current context.
 SubmissionOffer submissionOffer();
 
-/// Why a driver with this offer cannot draw `views` views so; empty: it can.
+/// Why a driver with this offer cannot draw `views` views in this way; empty: it can.
 std::string submissionObstacle(ViewSubmission submission, const SubmissionOffer& offer, int views);
 
-/// What was chosen, and in words what a person should know about it.
+/// The chosen way, and a sentence about it for people.
 struct SubmissionChoice {
     ViewSubmission submission = ViewSubmission::passes;
     std::string sentence;
 };
 
-/// The wanted one, or the best, where the driver can; else the next one down the list, saying why.
+/// The wanted way, or the best, where the driver supports it; else the next simpler one, with the reason.
 SubmissionChoice chooseSubmission(std::optional<ViewSubmission> wanted, const SubmissionOffer& offer, int views);
 
 /// The views that one draw call fills.
@@ -52,11 +52,11 @@ struct ViewBatch {
     ViewSubmission submission = ViewSubmission::passes;
 };
 
-/// Sends what is drawn for these views, of `views` side by side in `whole`, to where they belong; no point that is
-/// larger than a pixel reaches over into a neighbour. Leaves the scissor test on.
+/// Sets viewports and scissor boxes for a batch of the `views` views side by side in `whole`; without the scissor boxes
+/// large points would reach into a neighbouring view. Leaves the scissor test on.
 void aim(const ViewBatch& batch, const Viewport& whole, int views);
 
-/// The clip distance by which shaders/render/view.glsl cuts the metal open.
+/// The clip distance with which shaders/render/view.glsl cuts the metal at the section.
 constexpr GLenum cutPlane(ViewSubmission submission) {
     return submission == ViewSubmission::clipping ? GL_CLIP_DISTANCE2 : GL_CLIP_DISTANCE0;
 }

@@ -1,4 +1,4 @@
-// First half of the prefix sum over the cells: how many particles each chunk of cells holds.
+// First pass of the prefix sum over the cells: particles in each chunk of cells.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "metal/classic/scan.glsl"

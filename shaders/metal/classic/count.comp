@@ -1,5 +1,5 @@
-// Counts the particles of each cell; each particle remembers its cell and when it came. Only after a reset or a change
-// of the grid: while running, the pass that moves the particles counts them as well.
+// Counts the particles of each cell and stores for each particle its cell and how many were counted there before it.
+// Needed only after a reset or a change of the grid: in other steps the pass that moves the particles counts them.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "metal/classic/step.glsl"

@@ -1,4 +1,4 @@
-// One over the density of each particle: rho_i = sum over neighbours of m W_poly6(r_ij, h), Müller, Charypar, Gross 2003.
+// 1 / density of each particle: rho_i = sum over neighbours of m W_poly6(r_ij, h), Müller, Charypar, Gross 2003.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "metal/classic/neighbours.glsl"
@@ -16,8 +16,8 @@ void main() {
     for (int row = 0; row < kRows; ++row) {
         const uvec2 range = rangeOfRow(cell, row);
         for (uint j = range.x; j < range.y; ++j) {
-            const vec3 apart = place - texelFetch(positionTexels, int(j)).xyz;
-            const float inside = max(reach - dot(apart, apart), 0.0);
+            const vec3 displacement = place - texelFetch(positionTexels, int(j)).xyz;
+            const float inside = max(reach - dot(displacement, displacement), 0.0);
             sum += inside * inside * inside;
         }
     }

@@ -4,7 +4,7 @@
 #include "metal/classic/neighbours.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
-layout(binding = CLASSIC_VELOCITY_TEXELS) uniform samplerBuffer velocityTexels; // w = 1 / density
+layout(binding = CLASSIC_VELOCITY_TEXELS) uniform samplerBuffer velocityTexels; // and 1 / density
 layout(std430, binding = CLASSIC_MOVED_POSITIONS) writeonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = CLASSIC_MOVED_VELOCITIES) writeonly buffer Velocities { vec4 velocities[]; };
 layout(std430, binding = CLASSIC_REFUSED) buffer Refused { uint refused; };
@@ -14,33 +14,34 @@ layout(std430, binding = CLASSIC_CELL_COUNTS) buffer Counts { uint counts[]; };
 #endif
 
 float heated(vec3 place, float temperature) {
-    const vec3 apart = place - now.source.xyz;
-    const float squared = dot(apart, apart);
-    if (squared >= now.source.w) return temperature;
-    return clamp(temperature + now.heat * (1.0 - squared / now.source.w), 0.0, 1.0);
+    const vec3 displacement = place - now.source;
+    const float squared = dot(displacement, displacement);
+    if (squared >= now.heatRadiusSquared) return temperature;
+    return clamp(temperature + now.heat * (1.0 - squared / now.heatRadiusSquared), 0.0, 1.0);
 }
 
 /// Pressure and viscosity force on a particle over its density; Müller, Charypar, Gross 2003, with the viscosity force
 /// along v_j - v_i. With a = 1/rho_j the pressure's factor (p_i + p_j)/(2 rho_j), p = k (rho - rho0), is
-/// ((p_i - k rho0) a + k)/2: no division for a neighbour. A particle itself, and one in the same place, has no direction.
-vec3 accelerationByNeighbours(vec3 place, vec4 velocity) {
+/// ((p_i - k rho0) a + k)/2: no division for a neighbour. The particle itself, and one in the same place, has no direction.
+vec3 accelerationByNeighbours(vec3 place, vec3 velocity, float inverseDensity) {
     const float h = now.supportRadius;
     const ivec3 cell = cellOf(place);
-    const float own = now.gasStiffness * (1.0 / velocity.w - 2.0 * now.restDensity);
-    vec3 push = vec3(0), drag = vec3(0);
+    const float own = now.gasStiffness * (1.0 / inverseDensity - 2.0 * now.restDensity);
+    vec3 pressure = vec3(0), viscosity = vec3(0);
     for (int row = 0; row < kRows; ++row) {
         const uvec2 range = rangeOfRow(cell, row);
         for (uint j = range.x; j < range.y; ++j) {
-            const vec3 apart = place - texelFetch(positionTexels, int(j)).xyz;
-            const vec4 other = texelFetch(velocityTexels, int(j));
-            const float squared = dot(apart, apart);
+            const vec3 displacement = place - texelFetch(positionTexels, int(j)).xyz;
+            const vec4 neighbour = texelFetch(velocityTexels, int(j));
+            const float neighbourInverseDensity = neighbour.w;
+            const float squared = dot(displacement, displacement);
             const float inverse = squared > 0.0 ? inversesqrt(squared) : 0.0;
             const float inside = max(h - squared * inverse, 0.0);
-            push += ((own * other.w + now.gasStiffness) * inside * inside * inverse) * apart;
-            drag += (other.xyz - velocity.xyz) * (inside * other.w);
+            pressure += ((own * neighbourInverseDensity + now.gasStiffness) * inside * inside * inverse) * displacement;
+            viscosity += (neighbour.xyz - velocity) * (inside * neighbourInverseDensity);
         }
     }
-    return (0.5 * now.spiky * push + now.viscosity * drag) * velocity.w;
+    return (0.5 * now.spiky * pressure + now.viscosity * viscosity) * inverseDensity;
 }
 
 vec3 limited(vec3 acceleration) {
@@ -48,7 +49,7 @@ vec3 limited(vec3 acceleration) {
     return size > now.accelerationLimit ? acceleration * (now.accelerationLimit / size) : acceleration;
 }
 
-/// Puts a particle that left the box back on the wall and throws it back.
+/// Moves a particle that left the box back to the wall and reverses its velocity.
 void bounce(inout vec3 place, inout vec3 velocity) {
     const bvec3 beyond = greaterThan(abs(place), vec3(1));
     if (!any(beyond)) return;
@@ -64,25 +65,27 @@ bool isFinite(vec4 v) {
 void main() {
     const uint i = linearInvocation();
     if (i >= now.particles) return;
-    const vec4 position = texelFetch(positionTexels, int(i));
-    const vec4 velocity = texelFetch(velocityTexels, int(i));
-    vec4 newPosition = vec4(position.xyz, heated(position.xyz, position.w));
-    vec3 newVelocity = velocity.xyz;
-    if (newPosition.w > 0.0) {
-        const vec3 acceleration = limited(accelerationByNeighbours(position.xyz, velocity) + now.gravity.xyz);
-        newVelocity = (velocity.xyz + acceleration * now.timeStep) * newPosition.w;
-        newPosition.xyz += newVelocity * now.timeStep;
-        bounce(newPosition.xyz, newVelocity);
-        newPosition.w = max(newPosition.w - now.solidifyRate, 0.0);
+    const vec4 positionBefore = texelFetch(positionTexels, int(i));
+    const vec4 velocityBefore = texelFetch(velocityTexels, int(i));
+    const float inverseDensity = velocityBefore.w;
+    vec3 position = positionBefore.xyz, velocity = velocityBefore.xyz;
+    float temperature = heated(position, positionBefore.w);
+    if (temperature > 0.0) {
+        const vec3 acceleration = limited(accelerationByNeighbours(position, velocity, inverseDensity) + now.gravity);
+        velocity = (velocity + acceleration * now.timeStep) * temperature;
+        position += velocity * now.timeStep;
+        bounce(position, velocity);
+        temperature = max(temperature - now.solidifyRate, 0.0);
     }
-    if (newPosition.w == 0.0) newVelocity = vec3(0); // solid: at rest, so that it drags nobody along
-    if (!isFinite(newPosition) || !isFinite(vec4(newVelocity, 0))) {
+    if (temperature == 0.0) velocity = vec3(0); // solid: at rest, without viscous drag on its neighbours
+    vec4 newPosition = vec4(position, temperature);
+    if (!isFinite(newPosition) || !isFinite(vec4(velocity, 0))) {
         atomicAdd(refused, 1u);
-        newPosition = position;
-        newVelocity = vec3(0);
+        newPosition = positionBefore;
+        velocity = vec3(0);
     }
     positions[i] = newPosition;
-    velocities[i] = vec4(newVelocity, 1.0 / velocity.w);
+    velocities[i] = vec4(velocity, 1.0 / inverseDensity);
 #ifndef ALL_PAIRS
     const uint cell = cellIndex(cellOf(newPosition.xyz));
     slots[i] = uvec2(cell, atomicAdd(counts[cell], 1u));

@@ -1,13 +1,14 @@
-// Walks over all particles that may be near: the 27 cells around a place, or with ALL_PAIRS simply everyone.
+// Ranges of particles that may be neighbours: the 27 cells around a position, or with ALL_PAIRS all particles.
 #include "metal/classic/step.glsl"
 
-// Texels rather than storage: some drivers fetch a whole texel at once but storage number by number.
+// Buffer textures rather than storage: some drivers fetch a whole texel at once but storage component by component.
 layout(binding = CLASSIC_POSITION_TEXELS) uniform samplerBuffer positionTexels;
 #ifndef ALL_PAIRS
 layout(binding = CLASSIC_START_TEXELS) uniform usamplerBuffer startTexels;
 #endif
 
-/// Particles of the three cells in row `row` (0 .. 8) around `cell`, as [x, y) in cell order. Empty outside the box.
+/// Particles of the three cells in row `row` (0 .. 8) around `cell`: first index in cell order, and the one after the
+/// last. Empty outside the box.
 uvec2 rangeOfRow(ivec3 cell, int row) {
 #ifdef ALL_PAIRS
     return uvec2(0u, now.particles);

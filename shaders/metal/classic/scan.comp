@@ -1,4 +1,4 @@
-// Second half of the prefix sum over the cells: where each cell's particles begin in cell order.
+// Second pass of the prefix sum over the cells: index of each cell's first particle in cell order.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "metal/classic/scan.glsl"
@@ -26,7 +26,7 @@ void main() {
     if (self == 0) chunkStart = 0;
     const uint own = sumOfOwnCells();
     const uint upToHere = sumUpTo(self, own);
-    uint before = 0; // a share of the particles in the chunks before
+    uint before = 0; // particles in the earlier chunks that this invocation adds
     for (uint chunk = self; chunk < gl_WorkGroupID.x; chunk += CLASSIC_SCAN_GROUP)
         before += chunkSums[chunk];
     if (before > 0) atomicAdd(chunkStart, before);

@@ -1,4 +1,4 @@
-// A group's chunk of cells in the prefix sum over all cells, some cells to each invocation.
+// Prefix sum over the cells: each work group sums one chunk, each invocation some cells of it.
 #include "shared/classic.h"
 
 layout(local_size_x = CLASSIC_SCAN_GROUP) in;

@@ -1,4 +1,4 @@
-// Lists the particle numbers of each cell, inside a cell still in the order of arrival.
+// Lists the particle numbers of each cell, within a cell in the order in which they were counted.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "metal/classic/step.glsl"

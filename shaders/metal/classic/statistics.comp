@@ -1,4 +1,4 @@
-// Counts and temperatures over chunks of particles; the few results are added up in order where they are read.
+// Statistics of chunks of particles. The reader adds the chunks in order, so that sums have the same bits in every run.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "metal/classic/step.glsl"
@@ -23,8 +23,9 @@ void main() {
     ClassicChunk sum = ClassicChunk(0.0, 3.4e38, -3.4e38, 0u, 0u);
     for (uint i = first + self; i < min(first + CLASSIC_STATISTICS_CHUNK, now.particles); i += GROUP_SIZE) {
         const vec4 p = positions[i];
-        const bool inside = all(lessThanEqual(abs(p.xyz), vec3(1))); // false for what is no number, too
-        add(sum, ClassicChunk(p.w, p.w, p.w, p.w > 0.0 ? 1u : 0u, inside ? 0u : 1u));
+        const bool inside = all(lessThanEqual(abs(p.xyz), vec3(1))); // also false for positions that are not a number
+        const float temperature = p.w;
+        add(sum, ClassicChunk(temperature, temperature, temperature, temperature > 0.0 ? 1u : 0u, inside ? 0u : 1u));
     }
     parts[self] = sum;
     barrier();

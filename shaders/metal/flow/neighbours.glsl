@@ -11,8 +11,8 @@ vec3 squareOfStep() {
 
 /// The particles of a cell in quads of four: first moving metal, then wall metal.
 struct Quads {
-    uint moving, all; // number of quads
-    uvec2 counts;     // particles: x wall, y moving
+    uint moving, all;                    // number of quads
+    uint wallParticles, movingParticles; // number of particles
     uint page;
 };
 
@@ -20,14 +20,14 @@ Quads quadsOf(uint cell, bool withWalls) {
     const uvec3 listed = readCell(cell);
     const uvec2 counts = uvec2(withWalls ? listed.x : 0u, listed.y);
     const uvec2 quads = (counts + 3) >> 2;
-    return Quads(quads.y, quads.x + quads.y, counts, listed.z);
+    return Quads(quads.y, quads.x + quads.y, counts.x, counts.y, listed.z);
 }
 
 /// Index of the first particle of a quad, and how many there are from it on.
 uint indexOfQuad(Quads quads, uint quad, out uint rest) {
     const bool moves = quad < quads.moving;
     const uint first = 4 * (moves ? quad : quad - quads.moving);
-    rest = (moves ? quads.counts.y : quads.counts.x) - first;
+    rest = (moves ? quads.movingParticles : quads.wallParticles) - first;
     return (moves ? movingBase(quads.page) : wallBase(quads.page)) + first;
 }
 

@@ -1,0 +1,231 @@
+// The order of the source tree: who may include whom, how many units a folder holds, how long a function is, and that
+// blocks shared by C++ and GLSL name their members.
+#include "tests/house/source_scan.hpp"
+#include "tests/support/catch.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace meltpool {
+
+namespace {
+
+using test::SourceFile;
+
+constexpr int kMostUnits = 15;
+constexpr int kMostLines = 70;
+
+const std::vector<SourceFile>& programSources() {
+    static const std::vector<SourceFile> files =
+        test::readSources(MELTPOOL_SOURCE_FOLDER, {"core", "xr", "app"}, {".cpp", ".hpp"});
+    return files;
+}
+
+const std::vector<SourceFile>& shaderSources() {
+    static const std::vector<SourceFile> files =
+        test::readSources(MELTPOOL_SOURCE_FOLDER, {"shaders"}, {".comp", ".vert", ".frag", ".geom", ".glsl", ".h"});
+    return files;
+}
+
+/// "core/metal" of "core/metal/heat/x.cpp", "app" of "app/desktop/x.cpp".
+std::string floorOf(const std::string& path) {
+    const size_t first = path.find('/');
+    if (first == std::string::npos || path.compare(0, 5, "core/") != 0) return path.substr(0, first);
+    return path.substr(0, path.find('/', first + 1));
+}
+
+/// The floors that each floor may include besides itself; app may include all.
+const std::map<std::string, std::set<std::string>>& floorsBelow() {
+    static const std::map<std::string, std::set<std::string>> below{
+        {"core/base", {}},
+        {"core/gl", {"core/base"}},
+        {"core/metal", {"core/base", "core/gl"}},
+        {"core/weld", {"core/base", "core/gl", "core/metal"}},
+        {"core/validation", {"core/base", "core/gl", "core/metal", "core/weld"}},
+        {"core/surface", {"core/base", "core/gl", "core/metal"}},
+        {"core/render", {"core/base", "core/gl", "core/metal", "core/weld", "core/surface"}},
+        {"core/training", {"core/base", "core/gl", "core/metal", "core/weld", "core/surface", "core/render"}},
+        {"xr", {"core/base", "core/gl"}}};
+    return below;
+}
+
+bool mayInclude(const std::string& from, const std::string& included) {
+    if (from == included || from == "app" || included == "shaders") return true;
+    const auto below = floorsBelow().find(from);
+    return below != floorsBelow().end() && below->second.count(included) > 0;
+}
+
+std::string place(const SourceFile& file, int line) {
+    return file.path.generic_string() + ":" + std::to_string(line);
+}
+
+/// Which folder includes which, with the file and line of one such include.
+using FolderGraph = std::map<std::string, std::map<std::string, std::string>>;
+
+FolderGraph folderGraph(const std::vector<SourceFile>& files) {
+    FolderGraph graph;
+    for (const SourceFile& file : files)
+        for (const test::Include& include : test::findIncludes(file.text)) {
+            const std::string from = file.path.parent_path().generic_string();
+            const std::string to = std::filesystem::path(include.path).parent_path().generic_string();
+            if (from != to) graph[from].emplace(to, place(file, include.line) + " includes \"" + include.path + "\"");
+        }
+    return graph;
+}
+
+/// The includes of a circle of folders that begins at `folder`; empty where there is none. Searches depth first.
+class CircleSearch {
+  public:
+    explicit CircleSearch(const FolderGraph& graph) : graph_(graph) {}
+
+    std::vector<std::string> from(const std::string& folder) {
+        visited_.clear();
+        way_.clear();
+        start_ = folder;
+        return reaches(folder) ? way_ : std::vector<std::string>();
+    }
+
+  private:
+    bool reaches(const std::string& folder) {
+        const auto node = graph_.find(folder);
+        if (node == graph_.end()) return false;
+        for (const auto& [next, include] : node->second) {
+            way_.push_back(include);
+            if (next == start_) return true;
+            if (visited_.insert(next).second && reaches(next)) return true;
+            way_.pop_back();
+        }
+        return false;
+    }
+
+    const FolderGraph& graph_;
+    std::string start_;
+    std::set<std::string> visited_;
+    std::vector<std::string> way_;
+};
+
+std::string joined(const std::vector<std::string>& lines) {
+    std::string text;
+    for (const std::string& line : lines)
+        text += "\n    " + line;
+    return text;
+}
+
+} // namespace
+
+TEST_CASE("the scanner finds includes with their lines") {
+    const auto includes = test::findIncludes("#pragma once\n#include <a.hpp>\n  # include \"core/x.hpp\" // why\n");
+    REQUIRE(includes.size() == 1);
+    CHECK(includes[0].line == 3);
+    CHECK(includes[0].path == "core/x.hpp");
+}
+
+TEST_CASE("the scanner measures functions of C++ and GLSL") {
+    const auto lines = [](std::string_view text) {
+        std::vector<int> lengths;
+        for (const auto& function : test::findFunctions(text))
+            lengths.push_back(function.lines);
+        return lengths;
+    };
+    CHECK(lines("int f() {\n    return 1;\n}\n") == std::vector{3});
+    CHECK(lines("int f();\nint x = g();\n").empty());
+    CHECK(lines("namespace a {\nstruct B {\n    int g() const { return 1; }\n    int h;\n};\n}\n") == std::vector{1});
+    CHECK(lines("std::string\nlong_(int a,\n      int b = 2) {\n    if (a) {\n    }\n}\n") == std::vector{6});
+    CHECK(lines("A::A() : a{1}, b(2), c{} {\n    f();\n}\nint g() {\n}\n") == std::vector{3, 2});
+    CHECK(lines("bool operator==(A a, B b) {\n    return true;\n}\n") == std::vector{3});
+    CHECK(lines("void f() {\n    auto g = [](int i) {\n        return i;\n    };\n}\n") == std::vector{5});
+    CHECK(lines("const std::array<int, 2> a{\n    f(1), f(2)};\n").empty());
+    CHECK(lines("const A a = {\n    f(1), {f(2)}};\n").empty());
+    CHECK(lines("template <class T = int>\nvoid f(T t) {\n}\n") == std::vector{3});
+    CHECK(lines("layout(std430, binding = 1) buffer A { uint a[]; };\nvoid main() {\n}\n") == std::vector{2});
+    CHECK(lines("// f() {\n/* g() {\n*/ #define X {\nconst char* a = \"h() {\"; char b = '{';\n").empty());
+    CHECK(lines("#define F() {\\\n  {\nint f() {\n    int i = 1'000;\n}\n") == std::vector{3});
+    CHECK(lines("const char* a = R\"x(f() {\")x\";\nint f() {\n}\n") == std::vector{2});
+    CHECK(lines("for_each(int i) noexcept -> std::vector<int> {\n}\n") == std::vector{2});
+
+    std::string text = "// why\n\nvoid tooLong(int i) {\n";
+    for (int line = 0; line < kMostLines; ++line)
+        text += "    if (i) { f(); }\n";
+    const auto functions = test::findFunctions(text + "}\n");
+    REQUIRE(functions.size() == 1);
+    CHECK(functions[0].line == 3);
+    CHECK(functions[0].lines == kMostLines + 2);
+    CHECK(functions[0].head == "void tooLong(int i) ");
+}
+
+TEST_CASE("the scanner finds vectors whose components mean different things") {
+    CHECK(test::findMixedVectors("vec4 origin; // xyz position, w spacing\nvec3 a; // metres\n") == std::vector{1});
+    CHECK(test::findMixedVectors("\nuniform vec2 still; ///< x: cells, y: share\n") == std::vector{2});
+    CHECK(test::findMixedVectors("layout(location = 1) out vec2 s; // x shine, y dullness\n") == std::vector{1});
+    CHECK(test::findMixedVectors("vec3 origin; ///< low corner, x along the seam\n").empty());
+    CHECK(test::findMixedVectors("ivec3 tiles; // 4 x 4 cells each\nfloat w; // x and y\n").empty());
+}
+
+TEST_CASE("the search finds circles of folders of any length") {
+    FolderGraph graph{{"a", {{"b", "1"}}}, {"b", {{"c", "2"}, {"d", "3"}}}, {"d", {{"a", "4"}}}};
+    CircleSearch search(graph);
+    CHECK(search.from("a") == std::vector<std::string>{"1", "3", "4"});
+    CHECK(search.from("c").empty());
+    graph.at("d").clear();
+    CHECK(search.from("a").empty());
+}
+
+TEST_CASE("nothing includes upward") {
+    CHECK_FALSE(mayInclude("core/metal", "core/weld"));
+    CHECK_FALSE(mayInclude("core/training", "xr"));
+    CHECK_FALSE(mayInclude("xr", "core/weld"));
+    REQUIRE(programSources().size() > 100);
+    for (const SourceFile& file : programSources())
+        for (const test::Include& include : test::findIncludes(file.text)) {
+            const std::string from = floorOf(file.path.generic_string()), to = floorOf(include.path);
+            INFO(place(file, include.line) << ": " << from << " includes " << to);
+            CHECK(mayInclude(from, to));
+        }
+}
+
+TEST_CASE("no folders include each other") {
+    const FolderGraph graph = folderGraph(programSources());
+    CircleSearch search(graph);
+    for (const auto& [folder, included] : graph) {
+        const std::vector<std::string> circle = search.from(folder);
+        INFO(folder << " is part of a circle of includes:" << joined(circle));
+        CHECK(circle.empty());
+    }
+}
+
+TEST_CASE("no folder holds more than 15 units") {
+    std::map<std::string, std::set<std::string>> units;
+    for (const SourceFile& file : programSources())
+        units[file.path.parent_path().generic_string()].insert(file.path.stem().string());
+    for (const auto& [folder, names] : units) {
+        INFO(folder << " holds " << names.size() << " units");
+        CHECK(names.size() <= kMostUnits);
+    }
+}
+
+TEST_CASE("no function is longer than 70 lines") {
+    std::vector<SourceFile> files = programSources();
+    files.insert(files.end(), shaderSources().begin(), shaderSources().end());
+    const auto tests = test::readSources(MELTPOOL_SOURCE_FOLDER, {"tests"}, {".cpp", ".hpp"});
+    files.insert(files.end(), tests.begin(), tests.end());
+    size_t functions = 0;
+    for (const SourceFile& file : files)
+        for (const test::FunctionLength& function : test::findFunctions(file.text)) {
+            if (function.head.rfind("TEST_CASE", 0) == 0) continue; // a list of checks
+            ++functions;
+            INFO(place(file, function.line) << ": " << function.head << "has " << function.lines << " lines");
+            CHECK(function.lines <= kMostLines);
+        }
+    CHECK(functions > 1000);
+}
+
+TEST_CASE("shared blocks and shaders name their quantities instead of giving components meanings") {
+    for (const SourceFile& file : shaderSources())
+        for (const int line : test::findMixedVectors(file.text)) {
+            INFO(place(file, line) << ": one vector carries different quantities");
+            CHECK(line == 0);
+        }
+}
+
+} // namespace meltpool
