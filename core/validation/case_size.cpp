@@ -18,7 +18,7 @@ namespace {
 constexpr double kHeatCell = 80;
 constexpr double kParticle = 300;
 constexpr double kFlowParticle = 4.0 * (FLOW_NEIGHBOUR_CAPACITY + 2) + 400;
-constexpr double kFlowCell = 4.0 * FLOW_PAGE_WORDS + 100; // of (2.4 spacings)³
+constexpr double kFlowCell = 8.0 * FLOW_PAGE_WORDS + 100; // of (2.4 spacings)³
 constexpr double kFlowCellVolume = 2.4 * 2.4 * 2.4;
 constexpr double kShare = 0.8; // of what is free, that a case may take
 

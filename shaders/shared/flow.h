@@ -7,7 +7,7 @@
 // Space is cut into cells at least one kernel support wide, so that a particle's neighbours lie in its own cell and the
 // 26 around it. Each cell lists its wall particles, which change only where the phase changes, and its moving particles,
 // which the move pass puts into cells again in every substep. Both lists are ordered by slot, so that sums over
-// neighbours have one order and the same run gives the same bits. Only cells that ever held metal have room for lists.
+// neighbours have one order and the same run gives the same bits. Only cells that hold metal have room for lists.
 //
 // Boundary particles are solid ones, of walls or fragments, within the reach of liquid. Only liquid and boundary particles
 // have neighbour lists.
@@ -22,7 +22,7 @@
 // Storage buffers
 #define FLOW_PARTICLES 6     // FlowParticle for each slot
 #define FLOW_CELLS 7         // FlowCell for each cell
-#define FLOW_PAGES 8         // a page for each cell that ever held metal, FLOW_PAGE_WORDS each: the packed positions of moving and of wall particles, then their slots likewise; page 0 is unused
+#define FLOW_PAGES 8         // lists of cells, FLOW_PAGE_WORDS each: pages of wall metal, which cells keep, then pages of moving metal, handed out in every substep; page 0 of both is unused
 #define FLOW_NEXT_IN_CELL 9  // for each slot the next one of its cell: of moving particles, and of new wall particles, in no order
 #define FLOW_LISTS 10        // moving slots, see flow/common.glsl
 #define FLOW_NEIGHBOURS 11   // neighbour lists, see flow/common.glsl
@@ -43,7 +43,7 @@
 
 #define FLOW_PARTICLE_TEXELS 4 // of a FlowParticle
 #define FLOW_CELL_TEXELS 2     // of a FlowCell
-#define FLOW_PAGE_WORDS (4 * FLOW_CELL_CAPACITY)
+#define FLOW_PAGE_WORDS (2 * FLOW_CELL_CAPACITY) // packed positions, then slots
 
 // FlowParticle.group
 #define FLOW_GROUP_NONE 0u
@@ -104,9 +104,9 @@ struct FlowBlock {
     float expansion;    // of the volume over temperature, 1/K
     float referenceTemperature; // at which metal has its whole weight, K
     uint rowCapacity;   // neighbour lists that there is room for, a multiple of GROUP_SIZE
-    uint pageCapacity;  // pages that there is room for
+    uint wallPageCapacity; // pages of wall metal, with the unused one
+    uint movingPageCapacity; // pages of moving metal, with the unused one
     uint cellCount;
-    uint reserved;
 };
 
 struct FlowParticle {
@@ -125,12 +125,12 @@ struct FlowParticle {
 struct FlowCell {
     uint walls;  // number of wall particles
     uint moving; // number of moving particles
-    uint page;   // with the cell's lists; 0: none yet
-    uint changed; // 1 between the passes that find and compact changed cells
+    uint wallPage;   // with the list of wall particles; 0: none yet
+    uint movingPage; // with the list of moving particles, where there are any
     uint firstMoving;  // slot of the last moving particle put into the cell; the others follow in FLOW_NEXT_IN_CELL
     uint firstNewWall; // slot + 1 of the last new wall particle between these two passes, 0 for none; the others follow
-    uint hasPage;      // 1: a page was asked for
-    uint reserved;
+    uint hasWallPage;  // 1: a page was asked for
+    uint changed;      // 1 between the passes that find and compact changed cells
 };
 
 struct FlowCounters {
@@ -157,8 +157,9 @@ struct FlowCounters {
     uint compactedLiquids; // of the moving list that is being compacted
     uint compactedFragments;
     uint changedCells;
-    uint pages; // handed out so far
-    uint reserved0, reserved1, reserved2;
+    uint wallPages;   // handed out so far
+    uint movingPages; // handed out for the next search
+    uint reserved0, reserved1;
 };
 
 #ifdef __cplusplus

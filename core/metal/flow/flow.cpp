@@ -90,6 +90,14 @@ unsigned groupsOf(size_t invocations) {
     return static_cast<unsigned>((invocations + GROUP_SIZE - 1) / GROUP_SIZE);
 }
 
+/// Pages of moving metal that may be needed: each liquid particle may be alone in its cell, and fragments are where
+/// wall metal was. Liquid takes half the rows at most, as long as there can be more.
+size_t movingPages(const FlowRoom& room, const FlowBlock& block) {
+    const auto slots = static_cast<size_t>(block.capacity);
+    const size_t liquids = room.rows() < slots ? room.rows() / 2 : slots;
+    return std::min<size_t>(block.cellCount, liquids + room.wallPages());
+}
+
 } // namespace
 
 Flow::Flow(gl::ShaderLibrary& shaders, MetalState& state, const FlowFluid& fluid, const FlowSpace& space)
@@ -133,11 +141,14 @@ void Flow::makeNeighbourLists() {
 }
 
 void Flow::makePages() {
-    block_.pageCapacity = static_cast<uint>(room_.pages());
-    auto pages = gl::Buffer::gpuOnly("flow pages", (1 + room_.pages()) * FLOW_PAGE_WORDS * sizeof(uint));
+    block_.wallPageCapacity = static_cast<uint>(1 + room_.wallPages());
+    block_.movingPageCapacity = static_cast<uint>(1 + movingPages(room_, block_));
+    const size_t count = block_.wallPageCapacity + block_.movingPageCapacity;
+    auto pages = gl::Buffer::gpuOnly("flow pages", count * FLOW_PAGE_WORDS * sizeof(uint));
     if (pages_) {
+        // Those of wall metal; the others hold for one search only.
         glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-        pages_.copyTo(pages, pages_.bytes());
+        pages_.copyTo(pages, std::min(pages.bytes(), pages_.bytes()));
     }
     pages_ = std::move(pages);
     pageSlotTexels_ = gl::BufferView("flow page slot texels", pages_, GL_R32UI, sizeof(uint));
@@ -151,7 +162,8 @@ void Flow::makeRoom(bool waits) {
     if (waits) room_.readNow(state_.particles(), counters_);
     room_.update(state_.particles(), counters_);
     if (room_.rows() != block_.rowCapacity) makeNeighbourLists();
-    if (room_.pages() != block_.pageCapacity) makePages();
+    if (1 + room_.wallPages() != block_.wallPageCapacity || 1 + movingPages(room_, block_) != block_.movingPageCapacity)
+        makePages();
     if (blockChanged_) blockBuffer_.writeValue(block_);
     blockChanged_ = false;
     bind();

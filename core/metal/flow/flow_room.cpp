@@ -53,14 +53,14 @@ void FlowRoom::readNow(size_t particles, const gl::Buffer& counters) {
     readback_.forget();
     requested_ = false;
     const FlowCounters now = counters.read<FlowCounters>(1).front();
-    use_ = {now.liquids + now.boundary, now.pages, particles};
+    use_ = {now.liquids + now.boundary, now.wallPages, particles};
 }
 
 void FlowRoom::update(size_t particles, const gl::Buffer& counters) {
     if (requested_) {
         const auto answer = readback_.poll<FlowCounters>();
         if (answer) {
-            use_ = {answer->liquids + answer->boundary, answer->pages, requestedFor_};
+            use_ = {answer->liquids + answer->boundary, answer->wallPages, requestedFor_};
             requested_ = false;
         } else if (++stepsBehind_ >= kMostStepsBehind) {
             readNow(use_.particles, counters); // slots that came since may not have been in a step yet
@@ -84,10 +84,10 @@ void FlowRoom::growRows(size_t need) {
     rows_ = std::min(mostRows_, wholeGroups(std::max(2 * rows_, 3 * need)));
 }
 
-/// Only metal that moves comes into new cells, a small part of it in a frame.
+/// Wall metal appears in new cells by freezing there, so that little need be spare.
 void FlowRoom::growPages(size_t need) {
-    if (need + need / 8 + use_.rows / 2 + kLeastPages / 2 <= pages_) return;
-    pages_ = std::min(mostPages_, need + need / 4 + use_.rows + kLeastPages);
+    if (need + need / 8 + kLeastPages / 2 <= pages_) return;
+    pages_ = std::min(mostPages_, need + need / 4 + kLeastPages);
 }
 
 } // namespace meltpool

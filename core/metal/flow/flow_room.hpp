@@ -7,7 +7,7 @@
 
 namespace meltpool {
 
-/// Sizes the neighbour lists and the pages of the cells' lists. Grows both long before they are full, by what the GPU's
+/// Sizes the neighbour lists and the pages of wall metal. Grows both long before they are full, by what the GPU's
 /// counters say a few steps later; nothing waits in a frame. Room that is larger than needed changes no result.
 class FlowRoom {
   public:
@@ -26,15 +26,15 @@ class FlowRoom {
     /// Asks how much of the room is in use now, for a later update().
     void request(size_t particles, const gl::Buffer& counters);
 
-    size_t rows() const { return rows_; }   ///< neighbour lists, a multiple of GROUP_SIZE
-    size_t pages() const { return pages_; } ///< pages of cells' lists, besides the unused one
+    size_t rows() const { return rows_; }       ///< neighbour lists, a multiple of GROUP_SIZE
+    size_t wallPages() const { return pages_; } ///< lists of cells of wall metal
 
   private:
     static constexpr int kMostStepsBehind = 8;
 
     struct Use {
-        size_t rows = 0, pages = 0;
-        size_t particles = 0; ///< slots handed out at that time
+        size_t rows = 0, pages = 0; ///< of wall metal
+        size_t particles = 0;       ///< slots handed out at that time
     };
 
     void growRows(size_t need);

@@ -14,7 +14,7 @@ void updateWallSums(uint change) {
     for (ivec3 step = ivec3(-1); step.z <= 1; nextStep(step)) {
         uint cell;
         if (!neighbourCell(centre, step, cell)) continue;
-        const uvec3 listed = readCell(cell);
+        const uvec4 listed = readCell(cell);
         for (uint k = 0; k < listed.x; ++k) {
             const uint other = pageSlotTexel(wallBase(listed.z) + k);
             if (particles[other].wallSumGeneration != counters.wallSumGeneration || other == slot) continue;

@@ -14,7 +14,7 @@ ivec4 sumWalls(uint slot, vec3 place) {
     for (ivec3 step = ivec3(-1); step.z <= 1; nextStep(step)) {
         uint cell;
         if (!neighbourCell(centre, step, cell)) continue;
-        const uvec3 listed = readCell(cell);
+        const uvec4 listed = readCell(cell);
         for (uint k = 0; k < listed.x; ++k) {
             const uint other = pageSlotTexel(wallBase(listed.z) + k);
             if (other != slot) sum += wallShare(displacement(place, positionTexel(other)));

@@ -24,7 +24,7 @@ void becomeWall(uint slot) {
     const vec3 place = position[slot].xyz;
     const uint cell = cellIndex(cellAt(place));
     nextInCell[slot] = atomicExchange(cells[cell].firstNewWall, slot + 1);
-    needPage(cell);
+    needWallPage(cell);
     particles[slot].position = place;
     particles[slot].density = 0;
     particles[slot].cell = cell;

@@ -69,18 +69,18 @@ float wettingAt(float temperature) {
     return mix(fluid.coldWetting, fluid.hotWetting, clamp((temperature - fluid.coldBelow) * fluid.inverseWettingRange, 0, 1));
 }
 
-/// Number of listed particles of a cell: x wall, y moving; z its page.
-uvec3 readCell(uint cell) {
-    const uvec3 read = texelFetch(cellTexels, FLOW_CELL_TEXELS * int(cell)).xyz;
-    return read.z == 0 ? uvec3(0) : uvec3(read.x, min(read.y, FLOW_CELL_CAPACITY), read.z);
+/// Number of listed particles of a cell: x wall, y moving; their pages: z wall, w moving.
+uvec4 readCell(uint cell) {
+    const uvec4 read = texelFetch(cellTexels, FLOW_CELL_TEXELS * int(cell));
+    return uvec4(read.z == 0 ? 0u : read.x, read.w == 0 ? 0u : min(read.y, FLOW_CELL_CAPACITY), read.zw);
 }
 
-/// Index in `pages` of the first moving particle, and of the first wall particle, of a page.
-uint movingBase(uint page) { return FLOW_PAGE_WORDS * page; }
-uint wallBase(uint page) { return movingBase(page) + FLOW_CELL_CAPACITY; }
+/// Index in `pages` of the first particle of a page.
+uint wallBase(uint page) { return FLOW_PAGE_WORDS * page; }
+uint movingBase(uint page) { return FLOW_PAGE_WORDS * (fluid.wallPageCapacity + page); }
 
 /// Index of the slot that belongs to a packed position.
-uint pageSlotIndex(uint index) { return index + 2 * FLOW_CELL_CAPACITY; }
+uint pageSlotIndex(uint index) { return index + FLOW_CELL_CAPACITY; }
 
 void writePageEntry(uint index, uint packedPosition, uint slot) {
     pages[index] = packedPosition;
@@ -89,14 +89,17 @@ void writePageEntry(uint index, uint packedPosition, uint slot) {
 
 uint pageSlotTexel(uint index) { return texelFetch(pageSlotTexels, int(pageSlotIndex(index))).x; }
 
-/// Gives a cell its page, which following passes find.
-void needPage(uint cell) {
-    if (cells[cell].hasPage != 0 || atomicExchange(cells[cell].hasPage, 1u) != 0) return;
-    const uint page = atomicAdd(counters.pages, 1u) + 1;
-    if (page <= fluid.pageCapacity)
-        cells[cell].page = page;
-    else
-        atomicAdd(counters.cellsOverfull, 1u);
+/// Page number `page`, 0 where there is no room for it.
+uint checkedPage(uint page, uint capacity) {
+    if (page < capacity) return page;
+    atomicAdd(counters.cellsOverfull, 1u);
+    return 0;
+}
+
+/// Gives a cell its page of wall metal, which following passes find.
+void needWallPage(uint cell) {
+    if (cells[cell].hasWallPage != 0 || atomicExchange(cells[cell].hasWallPage, 1u) != 0) return;
+    cells[cell].wallPage = checkedPage(atomicAdd(counters.wallPages, 1u) + 1, fluid.wallPageCapacity);
 }
 
 /// The cell of a position. Precise, so that every pass comes to the same one.
@@ -174,8 +177,10 @@ bool nearStale(vec3 position) {
 /// Puts a moving slot into the cell that the next search finds it in.
 void binParticle(uint slot, vec3 position) {
     const uint cell = cellIndex(cellAt(position));
-    if (atomicAdd(cells[cell].moving, 1u) >= FLOW_CELL_CAPACITY) atomicAdd(counters.cellsOverfull, 1u);
+    const uint before = atomicAdd(cells[cell].moving, 1u);
+    if (before == 0)
+        cells[cell].movingPage = checkedPage(atomicAdd(counters.movingPages, 1u) + 1, fluid.movingPageCapacity);
+    if (before >= FLOW_CELL_CAPACITY) atomicAdd(counters.cellsOverfull, 1u);
     nextInCell[slot] = atomicExchange(cells[cell].firstMoving, slot);
-    needPage(cell);
     particles[slot].cell = cell;
 }

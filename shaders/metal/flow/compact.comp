@@ -19,7 +19,7 @@ bool isWallOf(uint slot, uint cell) { return particles[slot].group == FLOW_GROUP
 
 /// Keeps the wall particles that still belong to the cell and adds the new ones.
 void compactCell(uint cell) {
-    const uint base = wallBase(cells[cell].page);
+    const uint base = wallBase(cells[cell].wallPage);
     const uint count = cells[cell].walls;
     uint kept = 0;
     for (uint k = 0; k < count; ++k) {
@@ -47,6 +47,7 @@ void finishFrame() {
     if (counters.wallChanges[parity] > FLOW_WALL_CHANGES) counters.wallSumGeneration += 1;
     counters.wallChanges[1 - parity] = 0; // for the next frame
     counters.frame += 1;
+    counters.movingPages = 0;
 }
 
 void compactMoving(uint slot) {

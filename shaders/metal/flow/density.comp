@@ -8,6 +8,7 @@ void endSearch() {
     counters.boundaryGroups.x = 0;
     counters.stale = 0;
     counters.searchDue = 0;
+    counters.movingPages = 0;
 }
 
 /// What a particle's sums of gradient (xyz) and density (w) are before its listed neighbours are added.

@@ -11,16 +11,16 @@ vec3 squareOfStep() {
 
 /// The particles of a cell in quads of four: first moving metal, then wall metal.
 struct Quads {
-    uint moving, all;                    // number of quads
+    uint moving, all; // number of quads
     uint wallParticles, movingParticles; // number of particles
-    uint page;
+    uint wallBase, movingBase; // where its lists begin
 };
 
 Quads quadsOf(uint cell, bool withWalls) {
-    const uvec3 listed = readCell(cell);
+    const uvec4 listed = readCell(cell);
     const uvec2 counts = uvec2(withWalls ? listed.x : 0u, listed.y);
     const uvec2 quads = (counts + 3) >> 2;
-    return Quads(quads.y, quads.x + quads.y, counts.x, counts.y, listed.z);
+    return Quads(quads.y, quads.x + quads.y, counts.x, counts.y, wallBase(listed.z), movingBase(listed.w));
 }
 
 /// Index of the first particle of a quad, and how many there are from it on.
@@ -28,7 +28,7 @@ uint indexOfQuad(Quads quads, uint quad, out uint rest) {
     const bool moves = quad < quads.moving;
     const uint first = 4 * (moves ? quad : quad - quads.moving);
     rest = (moves ? quads.movingParticles : quads.wallParticles) - first;
-    return (moves ? movingBase(quads.page) : wallBase(quads.page)) + first;
+    return (moves ? quads.movingBase : quads.wallBase) + first;
 }
 
 /// Which particles of up to 8 quads from `first` on lie within the reach of neighbour lists around `origin`, given in steps
@@ -62,7 +62,7 @@ uint nearCells(ivec3 centre, vec3 steps, vec3 square, bool withWalls) {
         uint cell;
         const bool within = neighbourCell(centre, step, cell) &&
                             off.x * off.x * square.x + off.y * off.y * square.y + off.z * off.z * square.z < reach;
-        const uvec3 counts = readCell(within ? cell : 0);
+        const uvec4 counts = readCell(within ? cell : 0);
         near |= within && counts.y + (withWalls ? counts.x : 0u) > 0 ? bit : 0u;
         bit <<= 1;
     }
@@ -80,15 +80,20 @@ ivec3 stepOf(int bit) {
 const uint kNearSpans = 32;
 struct NearSpan {
     uint near;
-    uint place; // page, quads of moving particles (4 bits), first quad over 8 (2 bits)
+    uint movingEnd;  // bit after those of moving particles
+    uint movingBase; // index in `pages` of what bit 0 stands for, if that moves
+    uint wallBase;   // the same if that is wall metal
 };
 
-/// Index in the lists of cells of the particle that a bit of a span stands for; whether it is wall metal.
-uint indexOfBit(uint place, uint bit, out bool isWall) {
-    const uint moving = (place >> 2) & 15u;
-    const uint quad = 8 * (place & 3u) + (bit >> 2);
-    isWall = quad >= moving;
-    return movingBase(place >> 6) + 4 * quad + (bit & 3u) + (isWall ? FLOW_CELL_CAPACITY - 4 * moving : 0);
+NearSpan spanOf(Quads quads, uint firstQuad, uint near) {
+    const uint first = 4 * firstQuad, moving = 4 * quads.moving;
+    return NearSpan(near, max(moving, first) - first, quads.movingBase + first, quads.wallBase + first - moving);
+}
+
+/// Index in `pages` of the particle that a bit of a span stands for; whether it is wall metal.
+uint indexOfBit(NearSpan span, uint bit, out bool isWall) {
+    isWall = bit >= span.movingEnd;
+    return (isWall ? span.wallBase : span.movingBase) + bit;
 }
 
 /// Adds what is near `place`, except `slot` itself, to the list at `base`, which holds `found`; gives the number found then.
@@ -115,15 +120,15 @@ uint listNeighbours(uint slot, vec3 place, uint base, uint found, bool withWalls
             const vec3 origin = steps - vec3(step) * 1024;
             for (uint first = 0; first < quads.all; first += 8) {
                 const uint near = nearInQuads(quads, first, origin, square);
-                spans[count] = NearSpan(near, quads.page << 6 | quads.moving << 2 | first >> 3);
+                spans[count] = spanOf(quads, first, near);
                 count += near != 0 ? 1u : 0u;
             }
         }
-        NearSpan span = NearSpan(0u, 0u);
+        NearSpan span = NearSpan(0u, 0u, 0u, 0u);
         for (uint k = 0; found < FLOW_NEIGHBOUR_CAPACITY && (span.near != 0 || k < count); span.near &= span.near - 1) {
             if (span.near == 0) span = spans[k++];
             bool isWall;
-            const uint other = pageSlotTexel(indexOfBit(span.place, uint(findLSB(span.near)), isWall));
+            const uint other = pageSlotTexel(indexOfBit(span, uint(findLSB(span.near)), isWall));
             const bool isSolid = isWall || (other & FLOW_SOLID) != 0;
             unlisted = unlisted || (isSolid && particles[other & FLOW_SLOT].listedSince != since);
             if ((other & FLOW_SLOT) != slot && (!renewing || isWall || (other & FLOW_RENEWS) != 0))

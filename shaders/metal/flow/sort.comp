@@ -39,6 +39,6 @@ void main() {
     const bool renews = nearStale(place);
     particles[slot].renews = renews ? 1 : 0;
     if (rank < FLOW_CELL_CAPACITY)
-        writePageEntry(movingBase(cells[cell].page) + rank, packPosition(place),
+        writePageEntry(movingBase(cells[cell].movingPage) + rank, packPosition(place),
                        slot | solid | (renews ? FLOW_RENEWS : 0u));
 }

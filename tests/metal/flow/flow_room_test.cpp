@@ -84,4 +84,21 @@ TEST_CASE("a fragment that comes loose at once needs no neighbour lists") {
     CHECK(densityError(bench) < 1e-3);
 }
 
+TEST_CASE("liquid that spreads into new cells finds room in them") {
+    test::context();
+    std::vector<MetalSeed> seeds;
+    addBlock(seeds, glm::vec3(-5e-3F), glm::vec3(5e-3F), kSpacing, true);
+    for (MetalSeed& seed : seeds)
+        seed.velocity = 100.0F * seed.position; // 0.5 m/s at the faces
+    FlowFluid fluid;
+    fluid.spacing = kSpacing;
+    fluid.tension = 0.01;
+    fluid.fastest = 1;
+    FlowBench bench(test::shaders(), fluid, {glm::vec3(-0.05F), glm::vec3(0.05F)}, glm::vec3(0), seeds);
+    bench.run(kFrame / 4, kFrame / 4);
+    bench.run(4 * kFrame, kFrame / 4);
+    CHECK_FALSE(bench.flow.readFaults().any());
+    CHECK(densityError(bench) < 1e-3);
+}
+
 } // namespace meltpool
