@@ -1,4 +1,4 @@
-// The meter of a thread's work: what takes the processor's time is counted where it belongs, sleeping is not.
+// The meter of a thread's work: processor time counts for the right place, sleeping does not count.
 #include "core/base/work_meter.hpp"
 #include "tests/support/catch.hpp"
 
@@ -84,7 +84,7 @@ TEST_CASE("work between a thousand short calls of a driver is counted, and the c
 
 #endif
 
-TEST_CASE("what another thread did is told beside, and from zero with every begin") {
+TEST_CASE("work of another thread is reported separately, from zero after every begin") {
     WorkMeter meter;
     meter.begin();
     meter.add({0.5, 3});

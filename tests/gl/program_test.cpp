@@ -1,4 +1,4 @@
-// The GL floor: memory survives the round trip, dispatches cover every index, shader errors name file and line.
+// core/gl: buffers keep their contents, dispatches cover every index, shader errors name file and line.
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/gl/buffer.hpp"

@@ -21,7 +21,7 @@ TEST_CASE("a black body shines as the definitions say") {
     const glm::dvec3 c = blackBodyTristimulus(2856);
     CHECK(c.x / (c.x + c.y + c.z) == Approx(0.4476).margin(0.004));
     CHECK(c.y / (c.x + c.y + c.z) == Approx(0.4074).margin(0.004));
-    // The Draper point, 798 K: what just begins to glow; in a lit room nothing of it is seen.
+    // The Draper point, 798 K: metal just begins to glow; in a lit room that is not visible.
     CHECK(blackBodyLight(798).r < 1e-3f);
     CHECK(blackBodyTristimulus(0) == glm::dvec3(0.0));
 }

@@ -1,4 +1,4 @@
-// The picture that the program is for: the solder cube of the classic model, its front corner liquid and glossy, the
+// Picture of the solder cube of the classic model, its front corner liquid and glossy, the
 // rest solid and dull; from the real simulation and the real surface.
 #include "core/metal/classic/classic_metal.hpp"
 #include "core/render/renderer.hpp"

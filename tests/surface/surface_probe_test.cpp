@@ -1,4 +1,5 @@
-// Looks for the surface: against a twin that walks the same volumes in tiny steps on the CPU, and against flat metal.
+// Queries of the surface: compared with a CPU twin that marches through the same volumes in tiny steps, and with flat
+// metal.
 #include "core/surface/surface_level.hpp"
 #include "core/surface/surface_probe.hpp"
 #include "tests/support/catch.hpp"
@@ -34,7 +35,7 @@ class Field {
     bool inside(dvec3 place) const { return at(place, density_) >= iso_; }
     double temperature(dvec3 place) const { return at(place, heat_) / at(place, density_); }
 
-    /// Where the inside begins or ends along the way, in steps of a fiftieth of a cell; `reach` where it does not.
+    /// Distance at which the inside begins or ends, in steps of a fiftieth of a cell; `reach` where it does not.
     double change(dvec3 from, dvec3 way, double reach) const {
         const double step = double(grid_.boxMax.x - grid_.boxMin.x) / double(grid_.cells.x) / 50;
         const bool start = inside(from);
@@ -100,7 +101,7 @@ vec3 randomDirection(std::mt19937& random) {
 
 } // namespace
 
-TEST_CASE("a look from anywhere finds what a walk in tiny steps finds") {
+TEST_CASE("a query from anywhere finds what marching in tiny steps finds") {
     test::context();
     Surface surface(test::shaders(), {27, 2, 1.0f, true, 0}, vec3(-1), vec3(1, 1.1f, 0.9f));
     update(surface, ball());
@@ -119,7 +120,8 @@ TEST_CASE("a look from anywhere finds what a walk in tiny steps finds") {
         const bool inside = field.inside(aim.point);
         const double ahead = field.change(aim.point, inside ? -aim.axis : aim.axis, 2);
         INFO("look " << i << " from " << aim.point.x << ' ' << aim.point.y << ' ' << aim.point.z);
-        // A graze may be met by one and missed by the other: then the walk finds metal a hair beside the ray.
+        // At grazing incidence one may hit the metal and the other miss it: then the twin finds metal close beside the
+        // ray.
         if (std::abs(std::abs(double(found.ahead)) - ahead) > 0.1 * cell) {
             const double other = field.change(dvec3(aim.point) + 0.05 * cell * dvec3(randomDirection(random)),
                                               inside ? -aim.axis : aim.axis, 2);
@@ -143,7 +145,7 @@ TEST_CASE("a look from anywhere finds what a walk in tiny steps finds") {
     CHECK(insides > 10);
 }
 
-TEST_CASE("over flat metal the look tells height, length along a leaning axis, and upright") {
+TEST_CASE("over flat metal a query gives the height, the length along an inclined axis, and the normal") {
     test::context();
     const float spacing = 0.05f, top = 0.1f;
     Surface surface(test::shaders(), {46, 2, 1.0f, true, 0}, vec3(-1), vec3(1));

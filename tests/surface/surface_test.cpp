@@ -280,12 +280,12 @@ TEST_CASE("a mesh too large for its buffers is cut, counted and flagged") {
     CHECK(drawn == std::min<size_t>(statistics.triangles, surface.grid().mostTriangles()));
     CHECK(*std::max_element(mesh.indices.begin(), mesh.indices.end()) < most);
 
-    updateWith(surface, {vec4(0.0f)}); // and what fits again is whole again
+    updateWith(surface, {vec4(0.0f)}); // a mesh that fits again is complete again
     CHECK_FALSE(surface.statistics().overflow);
     CHECK(test::unmatchedSides(test::readMesh(surface)).empty());
 }
 
-TEST_CASE("no particles, no surface; the old one does not linger") {
+TEST_CASE("without particles there is no surface, not even that of the update before") {
     Surface surface(test::shaders(), {12, 2}, vec3(-1), vec3(1));
     updateWith(surface, scattered(3000, vec3(-0.5f), vec3(0.5f), 1));
     CHECK(surface.statistics().triangles > 0);
@@ -294,7 +294,7 @@ TEST_CASE("no particles, no surface; the old one does not linger") {
     CHECK(surface.mesh().drawCommand->read<SurfaceDraw>(1).front().count == 0);
 }
 
-TEST_CASE("the counts come back without waiting") {
+TEST_CASE("the statistics arrive without waiting") {
     Surface surface(test::shaders(), {12, 2}, vec3(-1), vec3(1));
     CHECK_FALSE(surface.pollStatistics().has_value());
     updateWith(surface, scattered(3000, vec3(-0.5f), vec3(0.5f), 1));

@@ -1,4 +1,4 @@
-// The surface computed on the CPU in the plainest way, and measures of triangle meshes.
+// The surface computed on the CPU in the simplest way, and measures of triangle meshes.
 #pragma once
 
 #include "core/surface/surface.hpp"
@@ -28,7 +28,7 @@ struct Mesh {
 Mesh twinMesh(const SurfaceGrid& grid, const Volumes& volumes, const SurfaceParameters& parameters, float coldest,
               float hottest);
 
-/// What the GPU drew last, without the triangles that were made empty.
+/// The mesh of the last update, without empty triangles.
 Mesh readMesh(const Surface& surface);
 
 /// The sides that are not shared by exactly two triangles in opposite directions, as pairs of vertex numbers.

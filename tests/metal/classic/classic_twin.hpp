@@ -1,5 +1,5 @@
-// The classic model once more, in double precision on the CPU and written straight from its description: what the GPU's
-// passes are checked against.
+// The classic model in double precision on the CPU, written directly from its description: the reference for the GPU's
+// passes.
 #pragma once
 
 #include "core/metal/classic/classic_metal.hpp"
