@@ -75,9 +75,9 @@ double medianRatio(const std::vector<double>& above, const std::vector<double>& 
 }
 
 /// The lesson's bead on its plate, or on one `edge` times as long and wide. The torch's way is the same.
-class Weld {
+class BenchWeld {
   public:
-    Weld(gl::ShaderLibrary& shaders, int edge) : lesson_(lessonOf(edge)), model_(shaders, lesson_) {
+    BenchWeld(gl::ShaderLibrary& shaders, int edge) : lesson_(lessonOf(edge)), model_(shaders, lesson_) {
         const SceneView scene = model_.scene({});
         surface_ = std::make_unique<Surface>(shaders, lesson_.surface, scene.boxMin, scene.boxMax);
         model_.prepare(*surface_);
@@ -125,7 +125,7 @@ class Weld {
 };
 
 /// Times of the passes, in a run of its own: asking for them costs time itself.
-BenchRow passes(Bench& bench, std::string what, Weld& weld) {
+BenchRow passes(Bench& bench, std::string what, BenchWeld& weld) {
     return bench.measure(
         std::move(what),
         [&](gl::Profiler& profiler) {
@@ -137,7 +137,7 @@ BenchRow passes(Bench& bench, std::string what, Weld& weld) {
 }
 
 /// What the metal of a weld costs, without the surface.
-BenchRow physicsRow(BenchRow row, const Weld& weld, const FrameTimes& physics, const DispatchCount& dispatches) {
+BenchRow physicsRow(BenchRow row, const BenchWeld& weld, const FrameTimes& physics, const DispatchCount& dispatches) {
     const double frame = weld.timeStep() * 1e3;
     const PhysicalMetal& metal = weld.model().metal();
     row = weld.row(std::move(row));
@@ -158,8 +158,8 @@ BenchRow physicsRow(BenchRow row, const Weld& weld, const FrameTimes& physics, c
 }
 
 /// What follows each step in the trainer, for both plates.
-void addPair(Bench& bench, const std::string& what, const Weld& plate, const FrameTimes& times, const Weld& large,
-             const FrameTimes& timesLarge) {
+void addPair(Bench& bench, const std::string& what, const BenchWeld& plate, const FrameTimes& times,
+             const BenchWeld& large, const FrameTimes& timesLarge) {
     for (const bool isLarge : {false, true}) {
         const FrameTimes& own = isLarge ? timesLarge : times;
         BenchRow row;
@@ -180,9 +180,9 @@ void addPair(Bench& bench, const std::string& what, const Weld& plate, const Fra
 } // namespace
 
 void benchWeldMetal(Bench& bench) {
-    Weld plate(bench.shaders(), 1), large(bench.shaders(), 2);
+    BenchWeld plate(bench.shaders(), 1), large(bench.shaders(), 2);
     for (int i = 0; i < static_cast<int>(kWarmUpSeconds / plate.timeStep()); ++i)
-        for (Weld* weld : {&plate, &large}) {
+        for (BenchWeld* weld : {&plate, &large}) {
             weld->step(nullptr);
             weld->updateFigures();
             weld->updateSurface(nullptr);

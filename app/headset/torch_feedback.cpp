@@ -1,20 +1,17 @@
 #include "app/headset/torch_feedback.hpp"
 
-#include <array>
-
 namespace meltpool {
 
 void TorchFeedback::update(const LessonSession& session, const TrackedTorch& torch, float strength, double elapsed) {
     time_ += elapsed;
-    sounding_ = session.sounding();
-    const TipGap gap = session.gap();
+    surface_ = session.surfaceDistance();
     if (torch.tracked())
-        touch_.update(gap, sounding_, torch.velocity(), elapsed);
+        touch_.update(session.touchRadius(), surface_, torch.velocity(), elapsed);
     else
         touch_.forget();
-    const float trigger = session.held() ? torch.trigger() : 0.0f;
-    feel_ = {time_, tipState(gap, trigger, sounding_), touch_.since(), touch_.speed()};
-    feel_.state.liquid = sounding_.liquid;
+    const bool welds = session.held() && torch.trigger() > 0;
+    feel_ = {time_, welds ? session.arc() : ArcState{}, touch_.since(), touch_.speed()};
+    feel_.arc.liquid = surface_.liquid;
     vibration_ = feel(feel_);
     vibration_.amplitude *= strength;
 }
@@ -36,12 +33,11 @@ void TorchFeedback::send(xr::Headset& headset, size_t tracker, const Vibration& 
 }
 
 TipStatus TorchFeedback::status(unsigned pulses) const {
-    static constexpr std::array<const char*, 5> kActions{"idle", "burning", "shorting", "stubbed", "breaking"};
     TipStatus status;
-    status.action = kActions[static_cast<size_t>(feel_.state.action)];
-    status.aheadMm = 1000.0 * static_cast<double>(sounding_.ahead);
-    status.nearestMm = 1000.0 * static_cast<double>(sounding_.nearest);
-    status.liquid = static_cast<double>(sounding_.liquid);
+    status.action = arcActionName(feel_.arc.action);
+    status.aheadMm = 1000.0 * static_cast<double>(surface_.ahead);
+    status.nearestMm = 1000.0 * static_cast<double>(surface_.nearest);
+    status.liquid = static_cast<double>(surface_.liquid);
     status.touching = touch_.touching();
     status.touches = touch_.count();
     status.amplitude = static_cast<double>(vibration_.amplitude);

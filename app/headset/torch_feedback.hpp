@@ -5,6 +5,7 @@
 #include "app/headset/headset_status.hpp"
 #include "app/session/lesson_session.hpp"
 #include "core/training/feedback/haptics.hpp"
+#include "core/weld/process/tip_touch.hpp"
 #include "xr/headset.hpp"
 
 namespace meltpool {
@@ -24,7 +25,7 @@ class TorchFeedback {
     void send(xr::Headset& headset, size_t tracker, const Vibration& vibration) const;
 
     double time_ = 0; ///< s
-    TipSounding sounding_;
+    SurfaceDistance surface_;
     TipTouch touch_;
     TipFeel feel_;
     Vibration vibration_;

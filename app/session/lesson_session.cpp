@@ -71,7 +71,7 @@ void LessonSession::begin(Controls& controls) {
     controls.lens.fieldOfView = glm::radians(camera.fieldOfView);
     trainer_ = std::make_unique<Trainer>(shaders_, lesson_);
     if (!record_.empty()) trainer_->record(record_);
-    sounding_ = {};
+    surfaceDistance_ = {};
     clock_.restart();
     fault_.clear();
     surfaceIsOld_ = true;
@@ -124,8 +124,11 @@ void LessonSession::advance(const Controls& controls, double seconds, gl::Profil
 
 void LessonSession::sound(const TorchSample& torch) {
     if (!running()) return;
-    if (const auto fresh = trainer_->pollSounding()) sounding_ = *fresh;
-    trainer_->requestSounding(torch);
+    if (const auto fresh = trainer_->pollDistance()) {
+        surfaceDistance_ = *fresh;
+        trainer_->setSurfaceDistance(surfaceDistance_);
+    }
+    trainer_->requestDistance(torch);
 }
 
 SceneView LessonSession::scene(gl::Profiler* profiler) {

@@ -50,7 +50,7 @@ class LessonSession {
     /// Ends the lesson and frees the metal.
     void end() {
         trainer_.reset();
-        sounding_ = {};
+        surfaceDistance_ = {};
     }
     bool running() const { return trainer_ != nullptr; }
 
@@ -63,8 +63,11 @@ class LessonSession {
     /// Asks where the metal lies under the torch in the hand. The answer comes frames later; nothing waits for it.
     void sound(const TorchSample& torch);
     /// The newest answer; no metal anywhere before the first.
-    const TipSounding& sounding() const { return sounding_; }
-    TipGap gap() const { return running() ? trainer_->gap() : TipGap{}; }
+    const SurfaceDistance& surfaceDistance() const { return surfaceDistance_; }
+    /// The arc of the last step; out without a running lesson.
+    ArcState arc() const { return running() ? trainer_->arc() : ArcState{}; }
+    /// Radius (m) of what touches the metal first.
+    float touchRadius() const { return running() ? trainer_->touchRadius() : 0; }
 
     /// The scene with the current surface; empty without a running lesson.
     SceneView scene(gl::Profiler* profiler);
@@ -101,7 +104,7 @@ class LessonSession {
     StepClock clock_;
     std::string fault_;
     bool surfaceIsOld_ = true;
-    TipSounding sounding_;
+    SurfaceDistance surfaceDistance_;
     bool held_ = false; ///< the torch of the last step came from a TorchSource
     std::filesystem::path record_;
 };

@@ -47,6 +47,12 @@ const void* Readback::pollInPlace() {
     return mapped_;
 }
 
+void Readback::wait() const {
+    constexpr GLuint64 kPatience = 1'000'000'000; // ns
+    while (fence_ != nullptr && glClientWaitSync(fence_, GL_SYNC_FLUSH_COMMANDS_BIT, kPatience) == GL_TIMEOUT_EXPIRED) {
+    }
+}
+
 bool Readback::take(void* target, size_t bytes) {
     const void* answer = pollInPlace();
     if (answer == nullptr) return false;

@@ -27,6 +27,13 @@ class Readback {
         return sizeof(T) <= bytes_ && take(&value, sizeof(T)) ? std::optional<T>(value) : std::nullopt;
     }
 
+    /// The answer, once, waiting for the GPU to get there; nothing where none was asked for.
+    template <class T>
+    std::optional<T> await() {
+        wait();
+        return poll<T>();
+    }
+
     /// The same without copying: nullptr while there is none; valid until the next request.
     const void* pollInPlace();
     /// Discards a pending request.
@@ -34,6 +41,7 @@ class Readback {
 
   private:
     bool take(void* target, size_t bytes);
+    void wait() const;
 
     static void destroy(GLuint name) { glDeleteBuffers(1, &name); }
     Handle<destroy> handle_;

@@ -4,6 +4,7 @@
 
 #include <glm/ext/matrix_transform.hpp>
 
+#include <algorithm>
 #include <numbers>
 
 namespace meltpool {
@@ -18,16 +19,13 @@ constexpr glm::vec3 kTungsten(0.35F, 0.35F, 0.36F);
 constexpr glm::vec3 kArcColour(0.93F, 1.0F, 1.25F);
 constexpr float kLumenPerWatt = 5;
 
-/// The drawn arc: a ball in front of the tip.
-struct ArcBall {
-    float distance; ///< of its centre from the tip, m
-    float diameter; ///< m
-};
-constexpr ArcBall kGmawArc{0.0010F, 0.0028F};
-constexpr ArcBall kTigArc{0.0008F, 0.0030F};
+/// Diameter (m) of the drawn arc's core, a ball in the middle of the arc.
+constexpr float kArcDiameter = 0.0029F;
+/// m; an arc shorter than this is drawn in a gap of this length, as the wire's end is a drop.
+constexpr float kShortestShown = 0.0016F;
 constexpr glm::vec3 kFlameGlow(0.5F, 1.2F, 3.0F);
 
-/// Adds solids along the torch's axis. Distances from the tip in m, positive towards the handle.
+/// Adds solids along the torch's axis. Distances in m from the tip, towards the handle positive.
 class Builder {
   public:
     Builder(std::vector<Solid>& solids, const TorchSample& torch, const glm::mat4& toWorld)
@@ -38,10 +36,11 @@ class Builder {
         solids_.push_back({shape, toWorld_ * alongLine(at(from), at(to), width), colour, gloss, glow});
     }
 
-    /// A ball whose disc emits all light of the arc evenly.
-    void arc(const ArcBall& ball, const ArcLight& light) {
-        const glm::mat4 place = glm::scale(glm::translate(glm::mat4(1.0F), light.position), glm::vec3(ball.diameter));
-        const float disc = std::numbers::pi_v<float> / 4 * ball.diameter * ball.diameter;
+    /// A ball that shines evenly over its disc with the arc's whole light.
+    void arc(const ArcLight& light) {
+        if (light.intensity.g <= 0) return;
+        const glm::mat4 place = glm::scale(glm::translate(glm::mat4(1.0F), light.position), glm::vec3(kArcDiameter));
+        const float disc = std::numbers::pi_v<float> / 4 * kArcDiameter * kArcDiameter;
         solids_.push_back({SolidShape::sphere, toWorld_ * place, glm::vec3(0.0F), 0.0F, light.intensity / disc});
     }
 
@@ -53,31 +52,30 @@ class Builder {
     const glm::mat4& toWorld_;
 };
 
-/// The tip of the pose is the end of the wire.
-void addGmaw(Builder& add, const ArcLight& light) {
-    constexpr float kStickOut = 0.010F;
-    add.part(SolidShape::cylinder, kStickOut, 0.0F, 0.0012F, kCopper, 0.8F);
-    add.part(SolidShape::cylinder, kStickOut + 0.012F, kStickOut, 0.006F, kCopper, 0.7F);
-    add.part(SolidShape::cylinder, kStickOut + 0.05F, kStickOut + 0.003F, 0.014F, kBrass, 0.85F);
-    add.part(SolidShape::cylinder, kStickOut + 0.10F, kStickOut + 0.048F, 0.012F, kDarkSteel, 0.4F);
-    if (light.intensity.g > 0) add.arc(kGmawArc, light);
+/// The contact tip stands the set stick-out behind the pose's tip; the wire reaches as far as it does.
+void addGmaw(Builder& add, float stickOut, float extension, float diameter, const ArcLight& light) {
+    add.part(SolidShape::cylinder, stickOut, stickOut - extension, diameter, kCopper, 0.8F);
+    add.part(SolidShape::cylinder, stickOut + 0.012F, stickOut, 0.006F, kCopper, 0.7F);
+    add.part(SolidShape::cylinder, stickOut + 0.05F, stickOut + 0.003F, 0.014F, kBrass, 0.85F);
+    add.part(SolidShape::cylinder, stickOut + 0.10F, stickOut + 0.048F, 0.012F, kDarkSteel, 0.4F);
+    add.arc(light);
 }
 
 /// The tip of the pose is that of the electrode.
-void addTig(Builder& add, const ArcLight& light) {
+void addGtaw(Builder& add, const ArcLight& light) {
     add.part(SolidShape::cone, 0.004F, 0.0F, 0.0024F, kTungsten, 0.7F);
     add.part(SolidShape::cylinder, 0.010F, 0.004F, 0.0024F, kTungsten, 0.7F);
     add.part(SolidShape::cylinder, 0.038F, 0.006F, 0.012F, kCeramic, 0.3F);
     add.part(SolidShape::cylinder, 0.09F, 0.036F, 0.016F, kDarkSteel, 0.4F);
-    if (light.intensity.g > 0) add.arc(kTigArc, light);
+    add.arc(light);
 }
 
 /// The tip of the pose is where the flame is hottest, in front of the burner's nozzle.
-void addFlame(Builder& add, float trigger) {
+void addFlame(Builder& add, float share) {
     constexpr float kNozzle = 0.012F;
     add.part(SolidShape::cylinder, kNozzle + 0.03F, kNozzle, 0.009F, kBrass, 0.6F);
     add.part(SolidShape::cylinder, kNozzle + 0.08F, kNozzle + 0.028F, 0.006F, kDarkSteel, 0.4F);
-    if (trigger > 0) add.part(SolidShape::cone, kNozzle, 0.0F, 0.005F, glm::vec3(0.0F), 0.0F, kFlameGlow * trigger);
+    if (share > 0) add.part(SolidShape::cone, kNozzle, 0.0F, 0.005F, glm::vec3(0.0F), 0.0F, kFlameGlow * share);
 }
 
 void addIron(Builder& add) {
@@ -88,30 +86,30 @@ void addIron(Builder& add) {
 
 } // namespace
 
-ArcLight torchArcLight(const TorchSample& torch, const ProcessParameters& process) {
-    const auto kind = static_cast<ProcessKind>(process.kind);
-    if (torch.trigger <= 0 || (kind != ProcessKind::Gmaw && kind != ProcessKind::Tig)) return {};
-    const ArcBall& ball = kind == ProcessKind::Gmaw ? kGmawArc : kTigArc;
-    const float candela =
-        kLumenPerWatt * process.voltage * process.current * torch.trigger / (4 * std::numbers::pi_v<float>);
-    return {torch.tip + torch.axis() * ball.distance, kArcColour * (candela / static_cast<float>(kPaperLuminance)),
-            ball.diameter / 2};
+ArcLight torchArcLight(const TorchSample& torch, const ProcessSettings& process, const ArcState& arc) {
+    if (!arc.burns() || arc.current <= 0) return {};
+    const float candela = kLumenPerWatt * arc.voltage * arc.current / (4 * std::numbers::pi_v<float>);
+    // The arc hangs between the wire's or electrode's end and the metal.
+    const float back = process.is<Gmaw>() ? process.of<Gmaw>().stickOutMm * 1e-3F : 0.0F;
+    const float middle = arc.distance - std::max(arc.length, kShortestShown) / 2;
+    return {torch.tip + torch.axis() * (middle - back), kArcColour * (candela / static_cast<float>(kPaperLuminance)),
+            kArcDiameter / 2};
 }
 
-void buildTorchModel(std::vector<Solid>& solids, const TorchSample& torch, const ProcessParameters& process,
-                     const glm::mat4& workpieceToWorld) {
+void buildTorchModel(std::vector<Solid>& solids, const TorchSample& torch, const ProcessSettings& process,
+                     const ArcState& arc, const glm::mat4& workpieceToWorld) {
     solids.clear();
     Builder add(solids, torch, workpieceToWorld);
-    switch (static_cast<ProcessKind>(process.kind)) {
-    case ProcessKind::Gmaw:
-        return addGmaw(add, torchArcLight(torch, process));
-    case ProcessKind::Tig:
-        return addTig(add, torchArcLight(torch, process));
-    case ProcessKind::Flame:
-        return addFlame(add, torch.trigger);
-    case ProcessKind::Iron:
-        return addIron(add);
+    const ArcLight light = torchArcLight(torch, process, arc);
+    if (process.is<Gmaw>()) {
+        const GmawSettings& gmaw = process.of<Gmaw>();
+        const float stickOut = gmaw.stickOutMm * 1e-3F;
+        // Before the first step nothing is known of the wire: it is as long as it is set.
+        return addGmaw(add, stickOut, arc.extension > 0 ? arc.extension : stickOut, gmaw.wireDiameterMm * 1e-3F, light);
     }
+    if (process.is<Gtaw>()) return addGtaw(add, light);
+    if (process.is<Flame>()) return addFlame(add, arc.burns() ? arc.share : 0);
+    addIron(add);
 }
 
 } // namespace meltpool

@@ -23,6 +23,7 @@ void ClassicModel::apply(const Lesson& lesson) {
 }
 
 void ClassicModel::step(const TorchSample& torch, gl::Profiler* profiler) {
+    trigger_ = torch.trigger;
     metal_.step({classicSourcePosition(torch.tip), torch.trigger, cold_}, profiler);
 }
 
@@ -30,8 +31,15 @@ float ClassicModel::liquidShare(float temperature) const {
     return std::clamp(temperature, 0.0f, 1.0f);
 }
 
-TipGap ClassicModel::gap() const {
-    return {0, 0, 0, std::sqrt(metal_.parameters.heatRadius) * kClassicUnit};
+ArcState ClassicModel::arc(const SurfaceDistance& surface) const {
+    ArcState state;
+    state.distance = surface.ahead;
+    state.liquid = surface.liquid;
+    const float reach = std::sqrt(metal_.parameters.heatRadius) * kClassicUnit;
+    if (trigger_ <= 0 || !(surface.nearest < reach)) return state;
+    state.action = ArcAction::burning;
+    state.share = std::min(trigger_, 1.0F) * (1 - std::max(surface.nearest, 0.0F) / reach);
+    return state;
 }
 
 SceneView ClassicModel::scene(const TorchSample& torch) const {

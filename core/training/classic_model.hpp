@@ -23,7 +23,8 @@ class ClassicModel : public MetalModel {
     ParticleView particles() const override { return metal_.particles(); }
     float unit() const override { return kClassicUnit; }
     float liquidShare(float temperature) const override;
-    TipGap gap() const override;
+    /// A source that gives the more the nearer it is.
+    ArcState arc(const SurfaceDistance& surface) const override;
     SceneView scene(const TorchSample& torch) const override;
     MetalStatistics statistics() override { return metal_.statistics(); }
     void requestStatistics() override { metal_.requestStatistics(); }
@@ -34,6 +35,7 @@ class ClassicModel : public MetalModel {
   private:
     ClassicMetal metal_;
     bool cold_ = false;
+    float trigger_ = 0; ///< of the last step
 };
 
 } // namespace meltpool

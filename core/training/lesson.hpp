@@ -5,7 +5,7 @@
 #include "core/metal/classic/classic_parameters.hpp"
 #include "core/render/look/look.hpp"
 #include "core/surface/surface_parameters.hpp"
-#include "core/weld/process/process.hpp"
+#include "core/weld/process/processes.hpp"
 #include "core/weld/torch/torch_path.hpp"
 #include "core/weld/workpiece.hpp"
 
@@ -69,7 +69,7 @@ struct Lesson {
     ClassicParameters metal;       ///< classic
     SourceParameters source;       ///< classic
     WorkpieceParameters workpiece; ///< weld
-    ProcessParameters process;     ///< weld
+    ProcessSettings process;       ///< weld
     SurfaceParameters surface;
     CameraParameters camera;
     LookParameters look;

@@ -31,6 +31,31 @@ void readGroup(TomlTable& root, std::string_view name, const ParameterList& list
     group.finish();
 }
 
+/// Reads [process]: the kind first, as it decides which settings there are. A setting that the process no longer has is
+/// refused with what took its place.
+void readProcess(TomlTable& root, ProcessSettings& settings) {
+    root.allow("process");
+    if (!root.has("process")) return;
+    TomlTable group = root.table("process");
+    const std::string where = group.file().string() + ":" + std::to_string(group.lineOf("process"));
+    if (group.has("process")) {
+        const std::string kind = group.text("process");
+        // Lessons of earlier editions call GTAW by its other name.
+        setParameter(describe(settings), "process", kind == "tig" ? "gtaw" : kind, where);
+    }
+    const ParameterList list = describe(settings);
+    for (const Parameter& parameter : list)
+        if (parameter.key != "process" && group.has(parameter.key))
+            setParameter(list, parameter.key, group.valueText(parameter.key),
+                         group.file().string() + ":" + std::to_string(group.lineOf(parameter.key)));
+    for (const std::string& key : group.keys())
+        if (const std::string_view successor = successorOf(settings, key); !successor.empty())
+            group.fail(key, "is no setting of this process any more; " + std::string(successor));
+    for (const Parameter& parameter : list)
+        group.allow(parameter.key);
+    group.finish();
+}
+
 bool isFileNamePart(const std::string& name) {
     return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
@@ -81,7 +106,7 @@ Lesson readLesson(const std::filesystem::path& file) {
         readGroup(root, "source", describe(lesson.source));
     } else {
         readGroup(root, "workpiece", describe(lesson.workpiece));
-        readGroup(root, "process", describe(lesson.process));
+        readProcess(root, lesson.process);
         // Metal on a lattice, one particle a cell or more: its flat faces are to look flat.
         lesson.surface.kernel = static_cast<int>(SurfaceKernel::smooth);
         lesson.surface.influence = 3;

@@ -7,7 +7,9 @@
 #include "core/render/scene.hpp"
 #include "core/surface/surface.hpp"
 #include "core/weld/gauge/weld_section.hpp"
-#include "core/weld/process/tip_state.hpp"
+#include "core/weld/process/arc.hpp"
+#include "core/weld/process/process.hpp"
+#include "core/weld/process/tip_touch.hpp"
 #include "core/weld/torch/torch_sample.hpp"
 
 #include <cstdint>
@@ -36,8 +38,13 @@ class MetalModel {
     virtual float unit() const = 0;
     /// 0 solid .. 1 liquid, of a temperature of this metal.
     virtual float liquidShare(float temperature) const = 0;
-    /// How near the process wants its tip.
-    virtual TipGap gap() const = 0;
+    /// The arc of the last step. `surface`: the shown metal under the torch, for metals whose process has no arc of its
+    /// own.
+    virtual ArcState arc(const SurfaceDistance& surface) const = 0;
+    /// Radius (m) of what touches the metal first: wire, electrode, soldering tip.
+    virtual float touchRadius() const { return 0; }
+    /// Where the wire has gone; nothing for processes without.
+    virtual WireAccount wire() const { return {}; }
     /// Box of the particles, their temperatures' meaning and the source under this torch; without a mesh.
     virtual SceneView scene(const TorchSample& torch) const = 0;
 

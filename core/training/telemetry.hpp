@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/metal/state/statistics.hpp"
+#include "core/weld/process/arc.hpp"
 #include "core/weld/torch/torch_sample.hpp"
 
 #include <cstddef>
@@ -12,11 +13,13 @@ namespace meltpool {
 
 class Telemetry {
   public:
-    /// Begins the file with its header. Throws InputError when it cannot be written.
-    explicit Telemetry(const std::filesystem::path& file);
+    /// Begins the file with its header, with columns for the arc where it has one. Throws InputError when it cannot be
+    /// written.
+    explicit Telemetry(const std::filesystem::path& file, bool withArc = false);
 
-    /// Adds one row. Throws RuntimeFault when the disk takes no more.
-    void add(const TorchSample& torch, const MetalStatistics& metal);
+    /// Adds one row; `arc` where there are columns for it, else nullptr. Throws RuntimeFault when the disk takes no
+    /// more.
+    void add(const TorchSample& torch, const MetalStatistics& metal, const ArcState* arc = nullptr);
 
     /// Brings every row to the disk. Throws RuntimeFault when it takes no more.
     void flush();

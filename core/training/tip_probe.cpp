@@ -14,13 +14,13 @@ float distanceOf(float found, const MetalModel& metal) {
     return metres < TipProbe::kReach * 0.999F ? metres : std::numeric_limits<float>::infinity();
 }
 
-TipSounding soundingOf(const SurfaceProbeAnswer& found, const MetalModel& metal) {
-    TipSounding sounding;
-    sounding.ahead = distanceOf(found.ahead, metal);
-    sounding.nearest = distanceOf(found.nearest, metal);
-    sounding.normal = found.normal;
-    if (sounding.ahead < TipProbe::kReach) sounding.liquid = metal.liquidShare(found.temperature);
-    return sounding;
+SurfaceDistance surfaceDistance(const SurfaceProbeAnswer& found, const MetalModel& metal) {
+    SurfaceDistance surface;
+    surface.ahead = distanceOf(found.ahead, metal);
+    surface.nearest = distanceOf(found.nearest, metal);
+    surface.normal = found.normal;
+    if (surface.ahead < TipProbe::kReach) surface.liquid = metal.liquidShare(found.temperature);
+    return surface;
 }
 
 } // namespace
@@ -29,13 +29,13 @@ void TipProbe::request(const Surface& surface, const MetalModel& metal, const To
     probe_.request(surface, aimOf(metal, torch));
 }
 
-std::optional<TipSounding> TipProbe::poll(const MetalModel& metal) {
+std::optional<SurfaceDistance> TipProbe::poll(const MetalModel& metal) {
     const auto found = probe_.poll();
-    return found ? std::optional(soundingOf(*found, metal)) : std::nullopt;
+    return found ? std::optional(surfaceDistance(*found, metal)) : std::nullopt;
 }
 
-TipSounding TipProbe::now(const Surface& surface, const MetalModel& metal, const TorchSample& torch) {
-    return soundingOf(probe_.now(surface, aimOf(metal, torch)), metal);
+SurfaceDistance TipProbe::now(const Surface& surface, const MetalModel& metal, const TorchSample& torch) {
+    return surfaceDistance(probe_.now(surface, aimOf(metal, torch)), metal);
 }
 
 } // namespace meltpool

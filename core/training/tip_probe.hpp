@@ -3,7 +3,7 @@
 
 #include "core/surface/surface_probe.hpp"
 #include "core/training/metal_model.hpp"
-#include "core/weld/process/tip_state.hpp"
+#include "core/weld/process/tip_touch.hpp"
 
 namespace meltpool {
 
@@ -17,9 +17,9 @@ class TipProbe {
     /// Asks where `surface` of `metal` lies under this torch; dropped while an answer is under way.
     void request(const Surface& surface, const MetalModel& metal, const TorchSample& torch);
     /// The answer, once, frames later; never waits.
-    std::optional<TipSounding> poll(const MetalModel& metal);
+    std::optional<SurfaceDistance> poll(const MetalModel& metal);
     /// Waits for the GPU.
-    TipSounding now(const Surface& surface, const MetalModel& metal, const TorchSample& torch);
+    SurfaceDistance now(const Surface& surface, const MetalModel& metal, const TorchSample& torch);
 
   private:
     SurfaceProbe probe_;

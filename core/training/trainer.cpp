@@ -31,6 +31,8 @@ void Trainer::reset() {
     asked_ = false;
     nextFigures_ = 0;
     figures_ = metal_->statistics();
+    arc_ = {};
+    surfaceDistance_ = {};
 }
 
 double Trainer::timeStep() const {
@@ -43,9 +45,10 @@ void Trainer::advance(const TorchSample& torch, gl::Profiler* profiler) {
     torch_ = torch;
     torch_.time = time_;
     metal_->step(torch_, profiler);
+    arc_ = metal_->arc(surfaceDistance_);
     ++steps_;
     updateFigures();
-    if (telemetry_) telemetry_->add(torch_, figures_);
+    if (telemetry_) telemetry_->add(torch_, figures_, hasArc() ? &arc_ : nullptr);
 }
 
 void Trainer::updateFigures() {
@@ -83,7 +86,7 @@ SceneView Trainer::scene() const {
 
 void Trainer::record(const std::filesystem::path& file) {
     stopRecord();
-    telemetry_ = std::make_unique<Telemetry>(file);
+    telemetry_ = std::make_unique<Telemetry>(file, hasArc());
 }
 
 void Trainer::stopRecord() {

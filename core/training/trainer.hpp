@@ -57,13 +57,20 @@ class Trainer {
     void updateSurface(gl::Profiler* profiler);
 
     /// Asks where the metal lies under this torch, on the surface of the last updateSurface(); never waits.
-    void requestSounding(const TorchSample& torch) { probe_.request(*surface_, *metal_, torch); }
+    void requestDistance(const TorchSample& torch) { probe_.request(*surface_, *metal_, torch); }
     /// The answer, once, frames later.
-    std::optional<TipSounding> pollSounding() { return probe_.poll(*metal_); }
+    std::optional<SurfaceDistance> pollDistance() { return probe_.poll(*metal_); }
     /// Waits for the GPU.
-    TipSounding soundingNow(const TorchSample& torch) { return probe_.now(*surface_, *metal_, torch); }
-    /// How near the process wants its tip.
-    TipGap gap() const { return metal_->gap(); }
+    SurfaceDistance distanceNow(const TorchSample& torch) { return probe_.now(*surface_, *metal_, torch); }
+    /// The arc of the last step: one state for hand, eye, score and record.
+    const ArcState& arc() const { return arc_; }
+    /// Tells models without an arc of their own where the shown metal lies from the tip.
+    void setSurfaceDistance(const SurfaceDistance& surface) { surfaceDistance_ = surface; }
+    /// Radius (m) of what touches the metal first.
+    float touchRadius() const { return metal_->touchRadius(); }
+    WireAccount wire() const { return metal_->wire(); }
+    /// The lesson's metal has an arc, whose figures stand in the record.
+    bool hasArc() const { return lesson_.model == LessonModel::Weld; }
 
     /// The world under the last torch, with the surface of the last updateSurface().
     SceneView scene() const;
@@ -99,6 +106,8 @@ class Trainer {
     std::unique_ptr<Telemetry> telemetry_;
     TorchSample torch_;
     MetalStatistics figures_;
+    ArcState arc_;
+    SurfaceDistance surfaceDistance_;
     double time_ = 0;
     size_t steps_ = 0;
     bool wait_ = false;

@@ -16,23 +16,6 @@ namespace {
 constexpr float kWorldUnit = 0.04F;
 constexpr float kRoomTemperature = 293.15F;
 
-PhysicalSetup setupOf(const Material& material, const Workpiece& workpiece) {
-    PhysicalSetup setup;
-    setup.material = material;
-    setup.lattice = workpiece.lattice;
-    setup.seeds = workpiece.seeds;
-    setup.space.low = workpiece.low;
-    setup.space.high = workpiece.high;
-    setup.fragments.floorHeight = workpiece.floorHeight;
-    setup.heat.ambient = static_cast<double>(kRoomTemperature);
-    setup.heat.tableHeight = static_cast<double>(workpiece.floorHeight);
-    setup.heat.tableConductance = 2000; // liquid metal on a cold plate: 1000 to 10000 in the casting trade
-    setup.heat.convection = 15;         // still air over hot plate, W/(m² K)
-    setup.heat.radiation = true;
-    setup.heat.evaporation = material.boilingPoint > 0;
-    return setup;
-}
-
 /// Upper end of the temperature colours, K: the melt's share of the scale is a third for solder and steel alike.
 float colourTop(const Material& material) {
     const auto liquidus = static_cast<float>(material.liquidus);
@@ -44,43 +27,41 @@ float colourTop(const Material& material) {
 WeldModel::WeldModel(gl::ShaderLibrary& shaders, const Lesson& lesson)
     : material_(workpieceMaterial(lesson.workpiece)),
       workpiece_(makeWorkpiece(lesson.workpiece)),
-      metal_(shaders, setupOf(material_, workpiece_)),
-      process_(metal_.table(), metal_.state().density(), workpiece_.lattice.spacing, kRoomTemperature) {
-    apply(lesson);
-}
+      process_(lesson.process),
+      weld_(shaders, material_, workpiece_, lesson.process) {}
 
 void WeldModel::reset() {
-    metal_.reset();
-    process_.reset();
+    weld_.reset();
 }
 
 void WeldModel::apply(const Lesson& lesson) {
-    process_.parameters = lesson.process;
+    const int kind = process_.kind;
+    process_ = lesson.process;
+    process_.kind = kind; // another process waits for the next start
+    weld_.apply(process_);
 }
 
 void WeldModel::step(const TorchSample& torch, gl::Profiler* profiler) {
-    const std::span<const MetalSeed> filler = process_.feed(torch, timeStep());
-    metal_.setArc(process_.pressure(torch));
-    metal_.step(process_.sources(torch), filler, profiler);
+    weld_.step(torch, profiler);
 }
 
 std::optional<WeldSection> WeldModel::section(std::optional<double> place) const {
     SectionCut cut = sectionCut(material_, 0, 0);
-    const double at = place ? *place : middleOfWeld(metal_.state(), workpiece_.seeds, cut.fusion);
+    const double at = place ? *place : middleOfWeld(weld_.metal().state(), workpiece_.seeds, cut.fusion);
     cut.from = at - kSectionLength / 2;
     cut.to = at + kSectionLength / 2;
-    return cutWeld(metal_.state(), workpiece_.seeds, cut);
+    return cutWeld(weld_.metal().state(), workpiece_.seeds, cut);
 }
 
 SceneView WeldModel::scene(const TorchSample& torch) const {
     SceneView scene;
-    scene.particles = metal_.particles();
+    scene.particles = weld_.metal().particles();
     scene.modelToWorld = glm::scale(glm::mat4(1.0F), glm::vec3(1 / kWorldUnit));
     scene.boxMin = workpiece_.low;
     scene.boxMax = workpiece_.high;
     scene.cubeWidth = kWorldUnit;
-    buildTorchModel(torchSolids_, torch, process_.parameters, scene.modelToWorld);
-    scene.arc = torchArcLight(torch, process_.parameters);
+    buildTorchModel(torchSolids_, torch, process_, weld_.arc(), scene.modelToWorld);
+    scene.arc = torchArcLight(torch, process_, weld_.arc());
     scene.solids = torchSolids_;
     scene.temperature = {kRoomTemperature, colourTop(material_), true, static_cast<float>(material_.solidus),
                          static_cast<float>(material_.liquidus)};

@@ -1,10 +1,8 @@
 // The physical metal as a Trainer sees it: a workpiece of some material under a welding process.
 #pragma once
 
-#include "core/metal/physical_metal.hpp"
 #include "core/training/metal_model.hpp"
-#include "core/weld/process/process.hpp"
-#include "core/weld/workpiece.hpp"
+#include "core/weld/weld.hpp"
 
 namespace meltpool {
 
@@ -15,28 +13,31 @@ class WeldModel : public MetalModel {
     void reset() override;
     void apply(const Lesson& lesson) override;
     void step(const TorchSample& torch, gl::Profiler* profiler) override;
-    double timeStep() const override { return static_cast<double>(metal_.timeStep()); }
-    ParticleView particles() const override { return metal_.particles(); }
+    double timeStep() const override { return weld_.timeStep(); }
+    ParticleView particles() const override { return weld_.metal().particles(); }
     float unit() const override { return 1; }
     float liquidShare(float temperature) const override;
-    TipGap gap() const override { return tipGap(process_.parameters); }
+    ArcState arc(const SurfaceDistance&) const override { return weld_.arc(); }
+    float touchRadius() const override { return weld_.process().touchRadius(); }
+    WireAccount wire() const override { return weld_.process().wire(); }
     /// The torch's solids in it are lent until the next call.
     SceneView scene(const TorchSample& torch) const override;
     std::optional<WeldSection> section(std::optional<double> place) const override;
     void prepare(Surface& surface) const override;
-    MetalStatistics statistics() override { return metal_.statistics(); }
-    void requestStatistics() override { metal_.requestStatistics(); }
-    std::optional<MetalStatistics> pollStatistics() override { return metal_.pollStatistics(); }
-    std::uint64_t stateHash() const override { return metal_.stateHash(); }
-    size_t bytes() const override { return metal_.bytes(); }
+    MetalStatistics statistics() override { return weld_.metal().statistics(); }
+    void requestStatistics() override { weld_.metal().requestStatistics(); }
+    std::optional<MetalStatistics> pollStatistics() override { return weld_.metal().pollStatistics(); }
+    std::uint64_t stateHash() const override { return weld_.metal().stateHash(); }
+    size_t bytes() const override { return weld_.bytes(); }
 
-    const PhysicalMetal& metal() const { return metal_; }
+    const PhysicalMetal& metal() const { return weld_.metal(); }
+    const Workpiece& workpiece() const { return workpiece_; }
 
   private:
     Material material_;
     Workpiece workpiece_;
-    PhysicalMetal metal_;
-    WeldProcess process_;
+    ProcessSettings process_;
+    Weld weld_;
     mutable std::vector<Solid> torchSolids_; ///< those that the last scene() lends
 };
 

@@ -84,6 +84,9 @@ struct ValidationCase {
 std::string temperatureName(double depth);
 std::string temperatureName(double xi, double y, double z);
 
+/// Whether the keys of a bead or energy case ask for wire.
+bool hasWire(const ValidationCase& from);
+
 /// The names that this case's results can carry, which are those that [measured] may give.
 std::vector<std::string> resultNames(const ValidationCase& from);
 

@@ -140,40 +140,76 @@ TEST_CASE("the tip is told how far the metal is and whether it is liquid, in met
     over.tip = {0, 0.03f, 0};
     over.orientation = glm::angleAxis(-1.5707963f, glm::vec3(1, 0, 0)); // straight down
     // The cube reaches to 20 mm, and what is shown of it at this iso level a grid cell of 1.25 mm farther.
-    TipSounding sounding = trainer.soundingNow(over);
-    CHECK(sounding.ahead == Approx(0.009).margin(0.0015));
-    CHECK(sounding.nearest == Approx(sounding.ahead).epsilon(0.1));
-    CHECK(sounding.liquid == 0);
-    CHECK(sounding.normal.y > 0.9f);
+    SurfaceDistance metal = trainer.distanceNow(over);
+    CHECK(metal.ahead == Approx(0.009).margin(0.0015));
+    CHECK(metal.nearest == Approx(metal.ahead).epsilon(0.1));
+    CHECK(metal.liquid == 0);
+    CHECK(metal.normal.y > 0.9f);
     over.tip = {0, 0.2f, 0};
-    CHECK(trainer.soundingNow(over).ahead == std::numeric_limits<float>::infinity());
+    CHECK(trainer.distanceNow(over).ahead == std::numeric_limits<float>::infinity());
     repeat(trainer, flameAt(21, 1), 60);
     trainer.updateSurface(nullptr);
     over.tip = {0.017f, 0.03f, 0.017f};
-    sounding = trainer.soundingNow(over);
-    CHECK(sounding.liquid > 0.2f);
-    CHECK(tipState(trainer.gap(), 1, sounding).action == TipAction::burning);
+    metal = trainer.distanceNow(over);
+    CHECK(metal.liquid > 0.2f);
+    trainer.setSurfaceDistance(metal);
+    repeat(trainer, flameAt(21, 1), 1);
+    CHECK(trainer.arc().action == ArcAction::burning);
+    CHECK(trainer.arc().liquid == metal.liquid);
 }
 
-TEST_CASE("over a steel plate the wire's arc is as long as it is held", "[training]") {
+TEST_CASE("over a steel plate the shown surface is as far as the torch is held", "[training]") {
     Lesson lesson = findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
     lesson.workpiece.lengthMm = 24;
     lesson.workpiece.widthMm = 20;
     lesson.surface.cells = 32;
     Trainer trainer(test::shaders(), lesson);
     trainer.updateSurface(nullptr);
-    const auto actionAt = [&](float mm) {
+    for (const float mm : {3.0f, -1.0f, 9.0f}) {
         TorchSample torch;
         torch.tip = {0.001f, mm * 1e-3f, 0.002f};
         torch.orientation = glm::angleAxis(-1.5707963f, glm::vec3(1, 0, 0));
-        const TipSounding sounding = trainer.soundingNow(torch);
-        INFO("held at " << mm << " mm, " << sounding.ahead * 1000 << " mm found");
-        CHECK(sounding.ahead * 1000 == Approx(mm).margin(0.3));
-        CHECK(sounding.liquid == 0);
-        return tipState(trainer.gap(), 1, sounding).action;
+        const SurfaceDistance metal = trainer.distanceNow(torch);
+        INFO("held at " << mm << " mm, " << metal.ahead * 1000 << " mm found");
+        CHECK(metal.ahead * 1000 == Approx(mm).margin(0.3));
+        CHECK(metal.liquid == 0);
+    }
+}
+
+TEST_CASE("a weld's record has the arc of each step", "[training]") {
+    Lesson lesson = findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
+    lesson.workpiece.lengthMm = 24;
+    lesson.workpiece.widthMm = 20;
+    lesson.surface.cells = 32;
+    Trainer trainer(test::shaders(), lesson);
+    const auto file = test::scratchFolder("arc-record") / "telemetry.csv";
+    trainer.record(file);
+    TorchSample torch;
+    torch.tip = {0, 0.003f, 0};
+    torch.orientation = glm::angleAxis(-1.5707963f, glm::vec3(1, 0, 0));
+    torch.trigger = 1;
+    std::vector<ArcState> arcs;
+    for (int i = 0; i < 40; ++i) {
+        trainer.advance(torch, nullptr);
+        arcs.push_back(trainer.arc());
+    }
+    trainer.stopRecord();
+    CHECK(arcs.back().burns());
+    const TorchRecording recording = readTorchCsv(file);
+    REQUIRE(recording.samples.size() == arcs.size());
+    const auto column = [&](std::string_view name) {
+        const auto& names = recording.furtherColumns;
+        const auto found = std::find(names.begin(), names.end(), name);
+        REQUIRE(found != names.end());
+        return static_cast<size_t>(found - names.begin());
     };
-    CHECK(actionAt(3) == TipAction::burning);
-    CHECK(actionAt(-1) == TipAction::stubbed);
-    CHECK(actionAt(9) == TipAction::breaking);
-    CHECK(actionAt(12) == TipAction::breaking);
+    const size_t length = column("arc_length_mm"), current = column("current_a"), voltage = column("voltage_v"),
+                 state = column("arc_state");
+    for (size_t i = 0; i < arcs.size(); ++i) {
+        const auto& cells = recording.furtherCells[i];
+        CHECK(std::stod(cells[length]) == Approx(double(arcs[i].length) * 1e3));
+        CHECK(std::stod(cells[current]) == Approx(double(arcs[i].current)));
+        CHECK(std::stod(cells[voltage]) == Approx(double(arcs[i].voltage)));
+        CHECK(cells[state] == arcActionName(arcs[i].action));
+    }
 }

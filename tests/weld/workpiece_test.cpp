@@ -1,7 +1,7 @@
 // Workpieces have the metal their measures promise, clamps where they belong, and machines put in the power and wire
 // they state.
 #include "core/base/error.hpp"
-#include "core/weld/process/process.hpp"
+#include "core/weld/process/filler.hpp"
 #include "core/weld/workpiece.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
@@ -18,10 +18,6 @@ namespace {
 size_t clampedIn(const Workpiece& piece) {
     return static_cast<size_t>(std::count_if(piece.seeds.begin(), piece.seeds.end(),
                                              [](const MetalSeed& s) { return (s.phase & PHASE_CLAMPED) != 0; }));
-}
-
-Material steel() {
-    return readMaterial(test::testFolder().parent_path() / "app" / "data" / "materials" / "s235.toml");
 }
 
 } // namespace
@@ -86,47 +82,4 @@ TEST_CASE("filler is exact to one particle over any division of time") {
     REQUIRE(row.size() >= 3);
     CHECK(glm::distance(row[0].position, row[1].position) == Approx(1e-3F));
     CHECK((row[0].phase & PHASE_LIQUID) != 0);
-}
-
-TEST_CASE("arc and wire together bring efficiency V I") {
-    const HeatTable table(steel());
-    WeldProcess process(table, 7850, 1e-3F, 293.15F);
-    process.parameters.kind = static_cast<int>(ProcessKind::Gmaw);
-    process.parameters.voltage = 21;
-    process.parameters.current = 234;
-    process.parameters.efficiency = 0.8F;
-    process.parameters.wireFeedMPerMin = 9.5F;
-    TorchSample torch;
-    CHECK(process.sources(torch).empty());
-    CHECK(process.feed(torch, 1).empty());
-    torch.trigger = 1;
-    const double power = 0.8 * 21 * 234;
-    CHECK(processPower(process.parameters) == Approx(power));
-    CHECK(wireRate(process.parameters) * 1e9 == Approx(100.7).epsilon(0.01)); // mm³/s, as welders compute it
-    REQUIRE(process.sources(torch).size() == 1);
-    const double full = double(process.sources(torch)[0].power);
-    double seconds = 0, wire = 0;
-    for (; seconds < 10; seconds += 0.01)
-        for (const MetalSeed& seed : process.feed(torch, 0.01))
-            wire += 7850e-9 * (table.enthalpyAt(double(seed.temperature)) - table.enthalpyAt(293.15));
-    CHECK(full + wire / seconds == Approx(power).epsilon(0.002));
-    torch.trigger = 0.5F;
-    CHECK(process.sources(torch)[0].power == Approx(full / 2));
-}
-
-TEST_CASE("an arc presses by its current, a flame does not") {
-    const HeatTable table(steel());
-    WeldProcess process(table, 7850, 1e-3F, 293.15F);
-    process.parameters.kind = static_cast<int>(ProcessKind::Tig);
-    process.parameters.current = 200;
-    process.parameters.sigmaMm = 2;
-    TorchSample torch;
-    CHECK(process.pressure(torch).peak == 0);
-    torch.trigger = 1;
-    const ArcPressure pressure = process.pressure(torch);
-    CHECK(double(pressure.peak) * 2 * 3.14159265 * 4e-6 == Approx(4e-3)); // 1e-7 V s/(A m) times 200 A squared
-    torch.trigger = 0.5F;
-    CHECK(process.pressure(torch).peak == Approx(pressure.peak / 4));
-    process.parameters.kind = static_cast<int>(ProcessKind::Flame);
-    CHECK(process.pressure(torch).peak == 0);
 }

@@ -62,7 +62,7 @@ fs::path plateLesson(const fs::path& folder) {
                                       paths.string() +
                                       "\"\n[workpiece]\nworkpiece = \"plate\"\nmetal = \"s235\"\nlength_mm = 24\n"
                                       "width_mm = 20\nthickness_mm = 4\nspacing_mm = 1\n[process]\nprocess = \"gmaw\"\n"
-                                      "voltage = 20\ncurrent = 190\nefficiency = 0.8\nwire_diameter_mm = 1.2\n"
+                                      "voltage = 20\nwire_diameter_mm = 1.2\n"
                                       "wire_feed_m_min = 4.5\n[surface]\ncells = 28\n[[picture]]\nname = \"metal\"\n");
     return file;
 }

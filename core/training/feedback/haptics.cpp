@@ -21,15 +21,15 @@ constexpr float kBuzzAmplitude = 0.8f;
 
 Vibration knock(const TipFeel& tip) {
     const float hardness = std::clamp(tip.touchSpeed / kHardKnock, 0.0f, 1.0f);
-    const float liquid = tip.state.liquid;
+    const float liquid = tip.arc.liquid;
     return {(0.4f + 0.6f * hardness) * (1.0f - kDullness * liquid),
             kKnockFrequency + (kDullFrequency - kKnockFrequency) * liquid,
             static_cast<float>(kKnockDuration - tip.sinceTouch)};
 }
 
-Vibration hum(const TipState& state) {
-    return {(0.15f + 0.45f * state.power) * (1.0f - 0.6f * state.stretch),
-            kHumFrequency + (kLongArcFrequency - kHumFrequency) * state.stretch - kPoolDrop * state.liquid, kRenewal};
+Vibration hum(const ArcState& arc) {
+    return {(0.15f + 0.45f * arc.share) * (1.0f - 0.6f * arc.stretch),
+            kHumFrequency + (kLongArcFrequency - kHumFrequency) * arc.stretch - kPoolDrop * arc.liquid, kRenewal};
 }
 
 /// The pulse for the first half of each beat, silence for the second.
@@ -41,16 +41,17 @@ Vibration stutter(const Vibration& pulse, double time, double rate) {
 
 Vibration feel(const TipFeel& tip) {
     if (tip.sinceTouch < kKnockDuration) return knock(tip);
-    switch (tip.state.action) {
-    case TipAction::idle:
+    switch (tip.arc.action) {
+    case ArcAction::out:
         break;
-    case TipAction::burning:
-        return hum(tip.state);
-    case TipAction::shorting:
-        return stutter(hum(tip.state), tip.time, kShortRate);
-    case TipAction::breaking:
-        return stutter(hum(tip.state), tip.time, kBreakRate);
-    case TipAction::stubbed:
+    case ArcAction::striking:
+    case ArcAction::burning:
+        return hum(tip.arc);
+    case ArcAction::shorting:
+        return stutter(hum(tip.arc), tip.time, kShortRate);
+    case ArcAction::breaking:
+        return stutter(hum(tip.arc), tip.time, kBreakRate);
+    case ArcAction::stubbed:
         return {kBuzzAmplitude, kBuzzFrequency, kRenewal};
     }
     return {};

@@ -1,7 +1,7 @@
 // What the hand feels: vibration as a pure function of what happens at the torch's tip, never of the button.
 #pragma once
 
-#include "core/weld/process/tip_state.hpp"
+#include "core/weld/process/arc.hpp"
 
 #include <limits>
 
@@ -10,7 +10,7 @@ namespace meltpool {
 /// What happens at the tip in this frame.
 struct TipFeel {
     double time = 0; ///< seconds; carries the rhythm
-    TipState state;
+    ArcState arc;
     double sinceTouch = std::numeric_limits<double>::infinity(); ///< seconds since the tip met the metal
     float touchSpeed = 0;                                        ///< m/s, at that moment
 };

@@ -1,9 +1,11 @@
-// What the torch does to the metal: the heat it puts in and the filler it feeds, for each welding process.
+// What every welding process has in common: it turns the torch's pose and the distance of the metal into heat, drops
+// and pressure, and tells the state of its arc.
 #pragma once
 
 #include "core/base/parameter.hpp"
 #include "core/metal/flow/flow.hpp"
 #include "core/metal/heat/heat.hpp"
+#include "core/weld/process/arc.hpp"
 #include "core/weld/process/filler.hpp"
 #include "core/weld/torch/torch_sample.hpp"
 
@@ -11,62 +13,86 @@
 
 namespace meltpool {
 
-enum class ProcessKind { Flame, Tig, Gmaw, Iron };
+struct ProcessSettings;
 
-/// Settings of the machine, as a welder names them.
-struct ProcessParameters {
-    int kind = 1;                  ///< ProcessKind
-    float voltage = 11;            ///< V, arcs
-    float current = 130;           ///< A, arcs
-    float efficiency = 0.6F;       ///< share of V I that reaches the metal: TIG 0.6, GMAW 0.8
-    float flamePower = 1500;       ///< W into the metal, flame
-    float sigmaMm = 2;             ///< spread of the heat on the surface
-    float wireDiameterMm = 0.9F;   ///< GMAW
-    float wireFeedMPerMin = 5.8F;  ///< GMAW
-    float dropTemperatureC = 2200; ///< at which wire arrives in the pool
-    float dropSpeed = 0.3F;        ///< m/s
-    float tipTemperatureC = 380;   ///< soldering iron
-    float tipRadiusMm = 2;         ///< soldering iron
-    float arcLengthMm = 3;         ///< that the machine's settings want, arcs
+/// What a process must know of the metal that it works on.
+struct ProcessMetal {
+    const HeatTable& table;
+    double density; ///< kg/m³, that particle masses are made from
+    float spacing;  ///< m
+    double ambient; ///< K, of wire and rod before they melt
 };
 
-ParameterList describe(ProcessParameters& parameters);
+/// A half line from the torch into the metal.
+struct TorchRay {
+    glm::vec3 origin{0};      ///< m
+    glm::vec3 axis{0, -1, 0}; ///< unit vector
+    float reach = 0.05F;      ///< m, how far metal is looked for
+};
 
-/// Heat input of an arc: efficiency V I, W; of a flame its power.
-double processPower(const ProcessParameters& parameters);
+/// The metal under the torch's axis.
+struct MetalAhead {
+    float distance = std::numeric_limits<float>::infinity(); ///< m from the ray's origin; infinite: none in reach
+    float liquid = 0;                                        ///< 0..1, share of liquid there
+};
 
-/// Volume of wire per second, m³/s; 0 for processes without.
-double wireRate(const ProcessParameters& parameters);
+/// Where the wire has gone since the start, m of wire. fed = melted + change of the extension.
+struct WireAccount {
+    double fed = 0;      ///< through the contact tip
+    double melted = 0;   ///< into drops
+    double standing = 0; ///< beyond the contact tip now
+    double area = 0;     ///< m², cross-section; 0: this process has no wire
+};
 
-class WeldProcess {
+class Process {
   public:
-    WeldProcess(const HeatTable& table, double density, float spacing, float ambient);
+    explicit Process(const ProcessMetal& metal) : metal_(metal), filler_(metal.spacing) {}
+    virtual ~Process() = default;
 
-    /// Live settings.
-    ProcessParameters parameters;
+    /// Takes over the live settings of this process.
+    virtual void apply(const ProcessSettings& settings) = 0;
 
-    /// The heat sources under this torch; none with the trigger released. An arc's power less what melts the wire goes
-    /// into the surface, so that source and filler together bring efficiency V I. Stays until the next call.
-    std::span<const HeatSource> sources(const TorchSample& torch);
+    /// Where the metal is looked for under this torch.
+    virtual TorchRay ray(const TorchSample& torch) const { return {torch.tip, torch.axis()}; }
 
-    /// How an arc presses on the metal under this torch, by its current (see arcPressurePeak()) and as wide as its
-    /// heat; peak 0 without an arc. The current follows the trigger.
-    ArcPressure pressure(const TorchSample& torch) const;
+    /// Goes on by `seconds` under this torch and makes sources(), drops(), pressure() and arc() anew. What `ahead` says
+    /// was found along ray().
+    void step(const TorchSample& torch, const MetalAhead& ahead, double seconds);
 
-    /// The filler that `seconds` of this torch bring, as particles to add. Exact over time.
-    std::span<const MetalSeed> feed(const TorchSample& torch, double seconds);
-
+    std::span<const HeatSource> sources() const { return {&source_, source_.power > 0 ? 1U : 0U}; }
+    std::span<const MetalSeed> drops() const { return drops_; }
+    ArcPressure pressure() const;
+    const ArcState& arc() const { return arc_; }
+    virtual WireAccount wire() const { return {}; }
+    /// The particles that were fed.
     const Filler& filler() const { return filler_; }
-    void reset() { filler_.reset(); }
 
-  private:
-    double wirePower() const;
+    /// Times the metal's own conductivity that its liquid conducts while this process stirs it.
+    virtual double stirring() const { return 1; }
 
-    const HeatTable& table_;
-    double density_;
-    float ambient_;
+    /// Radius of what touches the metal first (wire, electrode, soldering tip), m.
+    virtual float touchRadius() const { return 0; }
+
+    /// Back to how it began; the settings stay.
+    virtual void reset();
+
+  protected:
+    /// Sets arc_ and, where there is heat, source_ and drops_.
+    virtual void advance(const TorchSample& torch, const MetalAhead& ahead, double seconds) = 0;
+
+    /// Heat of `power` W on the surface that the axis meets, as wide as the arc.
+    void heatSurface(const TorchRay& ray, double power);
+    /// Melts `volume` (m³) of wire in `seconds` into drops that leave `place` with `velocity`; gives the W that they
+    /// bring, which are at most `available`: an arc too weak for hot drops makes colder ones.
+    double meltWire(double volume, double seconds, const glm::vec3& place, const glm::vec3& velocity, double available);
+
+    const ProcessMetal metal_;
+    ArcState arc_;
     HeatSource source_;
     Filler filler_;
+
+  private:
+    std::span<const MetalSeed> drops_;
 };
 
 } // namespace meltpool

@@ -8,7 +8,10 @@ namespace {
 
 TipFeel burning(float power, float stretch = 0, float liquid = 0) {
     TipFeel tip;
-    tip.state = {TipAction::burning, power, stretch, liquid};
+    tip.arc.action = ArcAction::burning;
+    tip.arc.share = power;
+    tip.arc.stretch = stretch;
+    tip.arc.liquid = liquid;
     return tip;
 }
 
@@ -16,7 +19,7 @@ TipFeel touched(float speed, float liquid = 0) {
     TipFeel tip;
     tip.sinceTouch = 0;
     tip.touchSpeed = speed;
-    tip.state.liquid = liquid;
+    tip.arc.liquid = liquid;
     return tip;
 }
 
@@ -61,15 +64,15 @@ TEST_CASE("the hum grows with power and sinks with a long arc and over a pool") 
 
 TEST_CASE("an arc about to break stutters nine times a second, one bridged by drops twenty times") {
     TipFeel tip = burning(1, 1);
-    tip.state.action = TipAction::breaking;
+    tip.arc.action = ArcAction::breaking;
     CHECK(changesInSecond(tip) == 17); // nine halves on, nine off, starting with on and ending with off
-    tip.state.action = TipAction::shorting;
+    tip.arc.action = ArcAction::shorting;
     CHECK(changesInSecond(tip) == 39);
 }
 
 TEST_CASE("a stubbed wire buzzes, lower and stronger than any hum") {
     TipFeel tip = burning(1);
-    tip.state.action = TipAction::stubbed;
+    tip.arc.action = ArcAction::stubbed;
     CHECK(feel(tip).amplitude > feel(burning(1)).amplitude);
     CHECK(feel(tip).frequency < feel(burning(1, 1, 1)).frequency);
 }

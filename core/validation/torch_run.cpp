@@ -1,0 +1,101 @@
+#include "core/validation/torch_run.hpp"
+
+#include "core/base/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace meltpool {
+
+namespace {
+
+constexpr float kMm = 1e-3F;
+constexpr double kArcOfPower = 3e-3; // m, of an arc that is given by its power alone
+
+/// Extension (m) that a wire of this current leaves between contact tip and arc.
+double extensionAt(const WireFeed& feed, double ctwd, double current) {
+    const double length = std::max(feed.voltage - kArcFallVoltage - kWireResistance * current, 0.0) / kArcField;
+    return std::max(ctwd - length, 0.0);
+}
+
+/// The feed (m/s) that melts at `current` on this machine.
+double feedAt(WireFeed feed, double ctwd, double current) {
+    return feed.melting.speed(current, extensionAt(feed, ctwd, current));
+}
+
+/// V that make `power` (W) with this feed: power over the current, which itself follows from the voltage by little.
+double voltageOfPower(WireFeed feed, double ctwd, double power) {
+    feed.voltage = 20;
+    for (int i = 0; i < 20; ++i) {
+        const double current = feed.melting.current(feed.speed, 0.8 * ctwd);
+        feed.voltage = power / std::max(current, 1.0);
+    }
+    return feed.voltage;
+}
+
+void setWire(const ValidationCase& from, GmawSettings& gmaw) {
+    const double diameter = from.number("wire_diameter_mm") * 1e-3;
+    const double ctwd = from.number("ctwd_mm") * 1e-3;
+    WireFeed feed{from.number("voltage"), from.number("wire_feed_m_min") / 60, WireMelting::steel(diameter)};
+    if (feed.voltage <= 0 && from.number("power_w") > 0 && from.number("current_a") > 0)
+        feed.voltage = from.number("power_w") / from.number("current_a");
+    if (feed.speed <= 0) feed.speed = feedAt(feed, ctwd, from.number("current_a"));
+    if (feed.voltage <= 0) feed.voltage = voltageOfPower(feed, ctwd, from.number("power_w"));
+    gmaw.voltage = static_cast<float>(feed.voltage);
+    gmaw.wireFeedMPerMin = static_cast<float>(feed.speed * 60);
+    gmaw.wireDiameterMm = static_cast<float>(diameter * 1e3);
+    gmaw.stickOutMm = std::min(gmaw.stickOutMm, static_cast<float>(ctwd * 1e3));
+}
+
+/// A of an argon arc whose voltage times current is `power`: U = a + b I.
+double currentOfPower(double power) {
+    const double base = gtawVoltage(kArcOfPower, 0), slope = gtawVoltage(kArcOfPower, 1) - base;
+    return (std::sqrt(base * base + 4 * slope * power) - base) / (2 * slope);
+}
+
+} // namespace
+
+ProcessSettings caseProcess(const ValidationCase& from) {
+    ProcessSettings settings;
+    if (hasWire(from)) {
+        setWire(from, settings.choose<Gmaw>());
+        return settings;
+    }
+    GtawSettings& gtaw = settings.choose<Gtaw>();
+    const double current =
+        from.number("current_a") > 0 ? from.number("current_a") : currentOfPower(from.number("power_w"));
+    gtaw.current = static_cast<float>(current);
+    return settings;
+}
+
+float caseTorchHeight(const ValidationCase& from, const ProcessSettings& settings) {
+    if (!settings.is<Gmaw>()) return static_cast<float>(from.number("arc_length_mm")) * kMm;
+    return static_cast<float>(from.number("ctwd_mm")) * kMm - settings.of<Gmaw>().stickOutMm * kMm;
+}
+
+TorchPath straightRun(float start, float end, float height, double seconds) {
+    TorchMove run;
+    run.duration = seconds;
+    run.from = {start, height, 0};
+    run.to = {end, height, 0};
+    run.fromOrientation = run.toOrientation = heldOrientation(std::numbers::pi / 2, 0, {1, 0, 0});
+    run.trigger = 1;
+    return TorchPath(std::vector{run});
+}
+
+Workpiece casePlate(const ValidationCase& from, float length, float thickness, float width, double temperature) {
+    WorkpieceParameters plate;
+    plate.kind = static_cast<int>(WorkpieceKind::Plate);
+    plate.spacingMm = static_cast<float>(from.spacing * 1e3);
+    const auto whole = [&](float metres) {
+        return std::max(std::round(metres * 1e3F / plate.spacingMm), 1.0F) * plate.spacingMm;
+    };
+    plate.lengthMm = whole(length);
+    plate.thicknessMm = whole(thickness);
+    plate.widthMm = whole(width / 2) * 2;
+    plate.temperatureC = static_cast<float>(temperature - 273.15);
+    return makeWorkpiece(plate);
+}
+
+} // namespace meltpool

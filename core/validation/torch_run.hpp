@@ -1,0 +1,26 @@
+// A torch that welds straight over a plate: what the bead and the energy cases have in common with a lesson.
+#pragma once
+
+#include "core/validation/validation_case.hpp"
+#include "core/weld/torch/torch_path.hpp"
+#include "core/weld/weld.hpp"
+
+namespace meltpool {
+
+/// The process that a case's keys `process`, `voltage`, `current_a`, `wire_diameter_mm`, `wire_feed_m_min`, `ctwd_mm`
+/// and `arc_length_mm` ask for. A machine with wire that is given a current is given the feed that melts at it. A case
+/// that only says `power_w` gets a machine of that electric power: voltage over the computed current with wire, an arc
+/// of 3 mm without. Throws InputError where the keys do not make a process.
+ProcessSettings caseProcess(const ValidationCase& from);
+
+/// Distance (m) from the plate to the torch's pose, which is the electrode's tip or the wire's end at its stick-out.
+float caseTorchHeight(const ValidationCase& from, const ProcessSettings& settings);
+
+/// An upright torch that moves from x = `start` to `end` (m) at height `height` over y = 0 with the trigger pulled, in
+/// `seconds`, and then stands there with the trigger released.
+TorchPath straightRun(float start, float end, float height, double seconds);
+
+/// A plate of length x thickness x width (m) with its upper face at y = 0, as lessons make it.
+Workpiece casePlate(const ValidationCase& from, float length, float thickness, float width, double temperature);
+
+} // namespace meltpool

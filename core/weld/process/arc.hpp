@@ -1,0 +1,61 @@
+// The arc (or flame, or iron) at one moment: computed once a step by the process, and read by metal, hand, ear, eye,
+// score and record.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include <limits>
+#include <string_view>
+
+namespace meltpool {
+
+enum class ArcAction {
+    out,      ///< no heat
+    striking, ///< the first step of an arc
+    burning,  ///< an open arc; a flame or an iron at work
+    shorting, ///< the wire's end touches the pool again and again (dip transfer)
+    stubbed,  ///< the wire pushes against the metal faster than it melts
+    breaking, ///< so long that the arc is about to go out
+};
+
+/// The word for an action in records and results: "out", "striking" ...
+std::string_view arcActionName(ArcAction action);
+
+/// All lengths in m, in SI.
+struct ArcState {
+    ArcAction action = ArcAction::out;
+    float distance = std::numeric_limits<float>::infinity(); ///< from the torch's contact tip, electrode or nozzle
+                                                             ///< along its axis to the metal; infinite: none in reach
+    float extension = 0; ///< of the wire beyond the contact tip, or 0
+    float length = 0;    ///< of the arc; 0 without one and while the wire touches
+    float current = 0;   ///< A, mean over the step
+    float voltage = 0;   ///< V between torch and workpiece, mean over the step
+    double power = 0;    ///< W into the metal, with what the drops bring
+    float radius = 0;    ///< sigma of the heat on the surface
+    float pressure = 0;  ///< Pa on the axis
+    float shorts = 0;    ///< 1/s, short circuits of the wire
+    float share = 0;     ///< 0..1 of what the process can give: what arrives in the metal
+    float stretch = 0;   ///< 0 the length that the settings give .. 1 about to go out
+    float liquid = 0;    ///< 0..1, share of liquid in the metal under the axis
+
+    bool burns() const { return action != ArcAction::out; }
+};
+
+/// Standard deviation (m) of the heat flux of an arc of `length` (m) and `current` (A) on the surface:
+/// 0.53 mm (L/mm)^0.29 (I/A)^0.30 as measured on copper anodes with GTAW, times a factor fitted to one GMAW bead (see
+/// the definition). Arcs shorter than 1 mm count as 1 mm.
+double arcHeatRadius(double length, double current);
+
+/// Share of the electric power that reaches the metal, by measurement: GTAW 0.77, GMAW 0.85 (calorimetry of several
+/// authors, 0.73-0.82 and 0.84-0.85). Not the factors of EN 1011-1, which are for procedure sheets.
+inline constexpr double kGtawEfficiency = 0.77;
+inline constexpr double kGmawEfficiency = 0.85;
+
+/// Times the metal's own conductivity that its liquid conducts under an arc: the stirring by drops, pressure and
+/// surface tension that particles of a millimetre do not resolve. Fitted to Park's bead; the same for every arc weld.
+inline constexpr double kArcStirring = 4;
+
+/// Temperature (K) at which drops leave the wire. 2200 °C; measured ones lie between 2000 and 2600 °C.
+inline constexpr double kDropTemperature = 2473.15;
+
+} // namespace meltpool

@@ -1,0 +1,116 @@
+#include "core/weld/process/gmaw.hpp"
+
+#include "core/weld/process/processes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace meltpool {
+
+namespace {
+
+constexpr std::array<std::string_view, 3> kInductances{"low", "medium", "high"};
+constexpr std::array<float, 3> kInductanceRates{1.4F, 1.0F, 0.7F}; // of the shorts; none: chosen
+constexpr float kMm = 1e-3F;
+constexpr float kMetresPerMinute = 1.0F / 60;
+constexpr float kPulled = 0.05F;     // of a trigger that is a switch
+constexpr float kDropSpeed = 0.3F;   // m/s of drops that leave the wire; dip and globular transfer, high-speed films
+constexpr float kFreeWay = 3;        // spacings that a drop falls at least: metal is not put into metal
+constexpr float kLookBeyond = 0.03F; // m that metal is looked for beyond the wire's end
+/// Shorts a second of a wire that just touches; 20 to 200 are seen.
+constexpr float kMostShorts = 120;
+/// m of arc over which the shorts become fewer; none: chosen.
+constexpr float kShortingLength = 1e-3F;
+
+} // namespace
+
+ParameterList describe(GmawSettings& s) {
+    return {
+        {"voltage", "Voltage", "V", &s.voltage, 5, 60, "more makes the arc longer and the bead wider"},
+        {"wire_feed_m_min", "Wire feed", "m/min", &s.wireFeedMPerMin, 0, 30, "more wire takes more current"},
+        {"wire_diameter_mm", "Wire diameter", "mm", &s.wireDiameterMm, 0.5, 2.4, "thicker wire takes more current"},
+        {"inductance", "Inductance", "", &s.inductance, 0, 2, "more makes fewer and softer shorts", kInductances},
+        {"stick_out_mm", "Stick-out", "mm", &s.stickOutMm, 3, 40,
+         "of the wire whose end the torch's pose is: contact tip to work distance less the arc"},
+    };
+}
+
+Gmaw::Gmaw(const ProcessMetal& metal) : Process(metal), wire_(settings_.stickOutMm * kMm) {}
+
+void Gmaw::apply(const ProcessSettings& settings) {
+    const GmawSettings& wanted = settings.of<Gmaw>();
+    const bool untouched = fed_ == 0;
+    settings_ = wanted;
+    if (untouched) wire_ = WireArc(static_cast<double>(settings_.stickOutMm * kMm));
+}
+
+void Gmaw::reset() {
+    Process::reset();
+    wire_ = WireArc(static_cast<double>(settings_.stickOutMm * kMm));
+    fed_ = melted_ = 0;
+}
+
+WireFeed Gmaw::feed() const {
+    return {static_cast<double>(settings_.voltage), static_cast<double>(settings_.wireFeedMPerMin * kMetresPerMinute),
+            WireMelting::steel(static_cast<double>(settings_.wireDiameterMm * kMm))};
+}
+
+double Gmaw::wireArea() const {
+    const auto diameter = static_cast<double>(settings_.wireDiameterMm * kMm);
+    return std::numbers::pi / 4 * diameter * diameter;
+}
+
+WireAccount Gmaw::wire() const {
+    return {fed_, melted_, wire_.extension(), wireArea()};
+}
+
+TorchRay Gmaw::ray(const TorchSample& torch) const {
+    const glm::vec3 axis = torch.axis();
+    return {torch.tip - axis * (settings_.stickOutMm * kMm), axis,
+            std::max(settings_.stickOutMm * kMm, static_cast<float>(wire_.extension())) + kLookBeyond};
+}
+
+void Gmaw::advance(const TorchSample& torch, const MetalAhead& ahead, double seconds) {
+    const WireFeed fed = feed();
+    if (torch.trigger < kPulled || fed.speed <= 0) {
+        wire_.release();
+        arc_.extension = static_cast<float>(wire_.extension());
+        return;
+    }
+    wire_.step(fed, static_cast<double>(ahead.distance), seconds);
+    fed_ += fed.speed * seconds;
+    melted_ += wire_.melted();
+    takeOver();
+    if (arc_.burns()) transferHeat(torch, seconds);
+}
+
+/// The circuit's numbers become the arc's state.
+void Gmaw::takeOver() {
+    arc_.action = wire_.action();
+    arc_.extension = static_cast<float>(wire_.extension());
+    arc_.length = static_cast<float>(wire_.length());
+    arc_.current = static_cast<float>(wire_.current());
+    arc_.voltage = static_cast<float>(wire_.voltage());
+    arc_.stretch = static_cast<float>(wire_.stretch());
+    arc_.share = arc_.burns() ? 1.0F : 0.0F;
+    if (arc_.burns())
+        arc_.shorts = kMostShorts * kInductanceRates[static_cast<size_t>(settings_.inductance)] *
+                      std::exp(-arc_.length / kShortingLength);
+}
+
+/// Efficiency times U I goes into the metal: a part with the drops, the rest onto the surface.
+void Gmaw::transferHeat(const TorchSample& torch, double seconds) {
+    const auto current = static_cast<double>(arc_.current);
+    arc_.radius = static_cast<float>(arcHeatRadius(wire_.length(), current));
+    arc_.pressure = static_cast<float>(arcPressurePeak(current, static_cast<double>(arc_.radius)));
+    arc_.power = kGmawEfficiency * static_cast<double>(arc_.voltage) * current;
+    const TorchRay from = ray(torch);
+    const float end = std::max(std::min(arc_.extension, arc_.distance - kFreeWay * metal_.spacing), 0.0F);
+    const double brought = meltWire(wire_.melted() * wireArea(), seconds, from.origin + from.axis * end,
+                                    from.axis * kDropSpeed, arc_.power);
+    heatSurface(from, arc_.power - brought);
+}
+
+} // namespace meltpool

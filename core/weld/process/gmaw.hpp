@@ -1,0 +1,48 @@
+// GMAW (MIG/MAG): a wire that is fed at constant speed and melts in the arc of a constant-voltage machine.
+#pragma once
+
+#include "core/weld/process/process.hpp"
+#include "core/weld/process/wire_arc.hpp"
+
+namespace meltpool {
+
+/// What is set on the machine's panel, and the wire in it. The current is not set: it follows.
+struct GmawSettings {
+    float voltage = 19; ///< V at the torch
+    float wireFeedMPerMin = 5.8F;
+    float wireDiameterMm = 0.9F;
+    int inductance = 1; ///< 0 low, 1 medium, 2 high
+    /// The torch's pose is that of the end of a wire that stands out so far from the contact tip.
+    float stickOutMm = 12;
+};
+ParameterList describe(GmawSettings& settings);
+
+class Gmaw : public Process {
+  public:
+    using Settings = GmawSettings;
+    static constexpr std::string_view kName = "gmaw";
+
+    explicit Gmaw(const ProcessMetal& metal);
+    void apply(const ProcessSettings& settings) override;
+    /// From the contact tip; longer where much wire stands out.
+    TorchRay ray(const TorchSample& torch) const override;
+    WireAccount wire() const override;
+    float touchRadius() const override { return settings_.wireDiameterMm * 0.5e-3F; }
+    double stirring() const override { return kArcStirring; }
+    void reset() override;
+
+  protected:
+    void advance(const TorchSample& torch, const MetalAhead& ahead, double seconds) override;
+
+  private:
+    WireFeed feed() const;
+    double wireArea() const;
+    void takeOver();
+    void transferHeat(const TorchSample& torch, double seconds);
+
+    GmawSettings settings_;
+    WireArc wire_;
+    double fed_ = 0, melted_ = 0; ///< m of wire since the start
+};
+
+} // namespace meltpool

@@ -1,0 +1,87 @@
+#include "core/weld/process/gtaw.hpp"
+
+#include "core/weld/process/processes.hpp"
+
+#include <algorithm>
+
+namespace meltpool {
+
+namespace {
+
+constexpr double kMm = 1e-3;
+constexpr double kFallVoltage = 9;    // V
+constexpr double kVoltagePerMm = 0.9; // V/mm
+constexpr double kVoltagePerAmpere = 0.01;
+constexpr double kLoadLineVoltage = 10;  // V, IEC 60974-1
+constexpr double kLoadLineSlope = 0.04;  // V/A
+constexpr double kMachineReserve = 1.35; // of the load line, where the arc goes out
+constexpr float kStrikeGap = 4e-3F;      // m that the high-frequency spark jumps; trade knowledge, no document checked
+constexpr float kTouch = 0.25e-3F;       // m: the surface is known to within about that
+
+double loadLine(double current) {
+    return kLoadLineVoltage + kLoadLineSlope * current;
+}
+
+} // namespace
+
+ParameterList describe(GtawSettings& s) {
+    return {
+        {"current", "Current", "A", &s.current, 5, 500, "the machine holds it; more melts deeper"},
+        {"electrode_diameter_mm", "Electrode", "mm", &s.electrodeDiameterMm, 0.5, 6.4, "tungsten"},
+    };
+}
+
+double gtawVoltage(double length, double current) {
+    return kFallVoltage + kVoltagePerMm * std::max(length, 0.0) / kMm + kVoltagePerAmpere * current;
+}
+
+double gtawLongestArc(double current) {
+    const double left = kMachineReserve * loadLine(current) - gtawVoltage(0, current);
+    return std::max(left, 0.0) / kVoltagePerMm * kMm;
+}
+
+void Gtaw::apply(const ProcessSettings& settings) {
+    settings_ = settings.of<Gtaw>();
+}
+
+void Gtaw::reset() {
+    Process::reset();
+    lit_ = false;
+    released_ = true;
+    spoiled_ = false;
+}
+
+bool Gtaw::mayStrike(const MetalAhead& ahead) const {
+    return released_ && ahead.distance > kTouch && ahead.distance <= kStrikeGap;
+}
+
+void Gtaw::advance(const TorchSample& torch, const MetalAhead& ahead, double) {
+    if (torch.trigger <= 0) {
+        lit_ = false;
+        released_ = true;
+        return;
+    }
+    const bool strikes = !lit_ && mayStrike(ahead);
+    const double current = static_cast<double>(settings_.current * std::min(torch.trigger, 1.0F));
+    const bool touches = ahead.distance <= kTouch;
+    if (lit_ && touches) spoiled_ = true;
+    lit_ = (lit_ || strikes) && !touches && static_cast<double>(ahead.distance) <= gtawLongestArc(current);
+    if (!lit_) return;
+    released_ = false;
+    const auto length = static_cast<double>(ahead.distance);
+    const double voltage = gtawVoltage(length, current);
+    const double breaking = loadLine(current);
+    arc_.action = strikes ? ArcAction::striking : voltage > breaking ? ArcAction::breaking : ArcAction::burning;
+    arc_.length = ahead.distance;
+    arc_.current = static_cast<float>(current);
+    arc_.voltage = static_cast<float>(voltage);
+    arc_.power = kGtawEfficiency * voltage * current;
+    arc_.radius = static_cast<float>(arcHeatRadius(length, current));
+    arc_.pressure = static_cast<float>(arcPressurePeak(current, static_cast<double>(arc_.radius)));
+    arc_.share = std::min(torch.trigger, 1.0F);
+    const double atRest = gtawVoltage(2 * kMm, current);
+    arc_.stretch = static_cast<float>(std::clamp((voltage - atRest) / std::max(breaking - atRest, 0.1), 0.0, 1.0));
+    heatSurface(ray(torch), arc_.power);
+}
+
+} // namespace meltpool

@@ -1,0 +1,49 @@
+// GTAW (TIG): a tungsten electrode on a machine that holds the current; the arc's voltage follows its length.
+#pragma once
+
+#include "core/weld/process/process.hpp"
+
+namespace meltpool {
+
+struct GtawSettings {
+    float current = 130; ///< A with the trigger or pedal pulled through; less pulled, less current
+    float electrodeDiameterMm = 2.4F;
+};
+ParameterList describe(GtawSettings& settings);
+
+/// V of an argon arc of `length` (m) and `current` (A): 9 V + 0.9 V/mm + 0.01 V/A. Start values from handbooks that
+/// give 0.8 to 1 V/mm; no document was checked.
+double gtawVoltage(double length, double current);
+
+/// Length (m) beyond which an arc of `current` (A) goes out: it would need 1.35 times the machine's load line, 10 V +
+/// 0.04 V/A (IEC 60974-1). The load line is where it begins to break. The factor has no source: it puts the end of a
+/// 130 A arc at 11 mm.
+double gtawLongestArc(double current);
+
+class Gtaw : public Process {
+  public:
+    using Settings = GtawSettings;
+    static constexpr std::string_view kName = "gtaw";
+
+    using Process::Process;
+    void apply(const ProcessSettings& settings) override;
+    float touchRadius() const override { return settings_.electrodeDiameterMm * 0.5e-3F; }
+    double stirring() const override { return kArcStirring; }
+    void reset() override;
+
+    /// The electrode touched the metal while its arc burned, and is spoiled until it is ground.
+    bool electrodeSpoiled() const { return spoiled_; }
+
+  protected:
+    void advance(const TorchSample& torch, const MetalAhead& ahead, double seconds) override;
+
+  private:
+    bool mayStrike(const MetalAhead& ahead) const;
+
+    GtawSettings settings_;
+    bool lit_ = false;
+    bool released_ = true; ///< the trigger was let go since the arc last went out
+    bool spoiled_ = false;
+};
+
+} // namespace meltpool

@@ -1,0 +1,84 @@
+// The electric circuit of a GMAW torch on a constant-voltage machine: wire extension, arc length and current, which
+// regulate each other. No welding here beyond the wire: pure numbers in SI units.
+#pragma once
+
+#include "core/weld/process/arc.hpp"
+
+namespace meltpool {
+
+/// How fast a wire melts: alpha I + beta s I² (m/s) with the extension s. The first term is the arc's heat, the second
+/// the resistance of the wire (Lesnewich 1958; Halmoy 1979). alpha and beta are for steel, scaled from 1.2 mm by the
+/// cross-section: 0.30 mm/(A s) and 5e-5 1/(A² s). For 1.0 mm they give 0.432 and 1.04e-4, against 0.410 and 1.05e-4 in
+/// 30 logged beads.
+struct WireMelting {
+    double alpha = 0; ///< m/(A s)
+    double beta = 0;  ///< 1/(A² s)
+
+    static WireMelting steel(double diameter); ///< of the wire, m
+    /// Speed (m/s) at which a current (A) melts a wire of this extension (m).
+    double speed(double current, double extension) const;
+    /// The current (A) that melts the wire at `speed`; the inverse of speed().
+    double current(double speed, double extension) const;
+};
+
+/// What the machine's panel is set to.
+struct WireFeed {
+    double voltage = 20; ///< V at the terminals, which the machine holds
+    double speed = 0.1;  ///< m/s of wire
+    WireMelting melting;
+};
+
+/// V0 of an arc: the falls at its ends. Control literature for 1.0 mm steel wire; no document was checked.
+inline constexpr double kArcFallVoltage = 15.7;
+/// V/m along the column of the arc; same origin.
+inline constexpr double kArcField = 640;
+/// Ohm of the wire's extension and its contact; same origin.
+inline constexpr double kWireResistance = 0.026;
+/// A, most that the machine gives into a short circuit. A machine of the 350 A class; no document was checked.
+inline constexpr double kShortCircuitCurrent = 450;
+/// A below which an arc between steel and a thin wire does not hold. Trade knowledge; no document was checked.
+inline constexpr double kLeastArcCurrent = 20;
+/// Share of the arc's own voltage, on average, below which the wire stays in the metal. None: chosen so that 4 V less
+/// than the shortest open arc needs stub.
+inline constexpr double kStubShare = 0.75;
+
+/// One wire on one machine. Between steps it keeps the extension and whether an arc burns.
+class WireArc {
+  public:
+    explicit WireArc(double extension = 0) : extension_(extension) {}
+
+    /// Goes on by `seconds` with the metal `distance` (m) from the contact tip, infinite where there is none, while the
+    /// wire is fed. The current follows from arc = distance - extension = (U - V0 - R I)/E and d(extension)/dt = feed -
+    /// melting, solved implicitly at the step's end, as their time constants are as short as the step.
+    void step(const WireFeed& feed, double distance, double seconds);
+    /// The wire stands still and the arc is out.
+    void release();
+
+    ArcAction action() const { return action_; }
+    double extension() const { return extension_; } ///< m; more than the distance: the wire is bent
+    double length() const { return length_; }       ///< m, of the arc
+    double current() const { return current_; }     ///< A
+    double voltage() const { return voltage_; }     ///< V at the terminals
+    double melted() const { return melted_; }       ///< m of wire that melted in the last step
+    double stretch() const { return stretch_; }     ///< 0..1, see ArcState
+
+  private:
+    void feedInAir(const WireFeed& feed, double distance, double seconds);
+    void burn(const WireFeed& feed, double distance, double seconds);
+    void shortCircuit(const WireFeed& feed, double distance, double seconds);
+    void goOut(const WireFeed& feed);
+
+    double extension_;
+    bool lit_ = false;
+    ArcAction action_ = ArcAction::out;
+    double length_ = 0, current_ = 0, voltage_ = 0, melted_ = 0, stretch_ = 0;
+};
+
+/// A that an open arc takes where the wire's end is `length` (m) from the metal: (U - V0 - E length)/R, not below 0 nor
+/// above the machine's short circuit.
+double openArcCurrent(const WireFeed& feed, double length);
+
+/// Length (m) at which an open arc goes out.
+double longestWireArc(const WireFeed& feed);
+
+} // namespace meltpool

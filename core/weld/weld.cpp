@@ -1,0 +1,77 @@
+#include "core/weld/weld.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+
+namespace meltpool {
+
+namespace {
+
+/// W/(m² K) from metal to a cold plate that it lies on: 1000 to 10000 in the casting trade.
+constexpr double kTableConductance = 2000;
+
+/// The metal as it conducts while this process stirs its pool.
+Material stirred(const Material& material, const ProcessSettings& settings) {
+    const HeatTable unused(material);
+    const double factor = makeProcess(settings, {unused, 1, 1e-3F, 293.15})->stirring();
+    Material made = material;
+    for (Property::Point& point : made.liquidConductivity.points)
+        point.value *= factor;
+    return made;
+}
+
+PhysicalSetup setupOf(const Material& material, const Workpiece& workpiece, const WeldSurroundings& around) {
+    PhysicalSetup setup;
+    setup.material = material;
+    setup.lattice = workpiece.lattice;
+    setup.seeds = workpiece.seeds;
+    setup.fillerRoom = around.fillerRoom;
+    setup.space.low = workpiece.low;
+    setup.space.high = workpiece.high;
+    setup.fragments.floorHeight = workpiece.floorHeight;
+    setup.heat.ambient = around.ambient;
+    setup.heat.ledger = around.ledger;
+    setup.heat.tableHeight = static_cast<double>(workpiece.floorHeight);
+    if (around.lossless) return setup;
+    setup.heat.tableConductance = kTableConductance;
+    setup.heat.convection = around.convection;
+    setup.heat.radiation = true;
+    setup.heat.evaporation = material.boilingPoint > 0;
+    return setup;
+}
+
+} // namespace
+
+Weld::Weld(gl::ShaderLibrary& shaders, const Material& material, const Workpiece& workpiece,
+           const ProcessSettings& settings, const WeldSurroundings& surroundings)
+    : shaders_(shaders),
+      metal_(shaders, setupOf(stirred(material, settings), workpiece, surroundings)),
+      process_(makeProcess(
+          settings, {metal_.table(), metal_.state().density(), workpiece.lattice.spacing, surroundings.ambient})),
+      probe_(std::make_unique<AxisProbe>(shaders, metal_.state(), metal_.heat())) {}
+
+void Weld::reset() {
+    metal_.reset();
+    process_->reset();
+    probe_ = std::make_unique<AxisProbe>(shaders_, metal_.state(), metal_.heat());
+}
+
+/// The place that was found stays where it is while the torch moves on: its distance along the axis is measured from
+/// where the torch is now.
+MetalAhead Weld::metalAhead(const TorchRay& ray) {
+    const auto found = probe_->answer();
+    if (!found || !found->distance) return {};
+    const glm::vec3 place = found->ray.origin + found->ray.axis * *found->distance;
+    return {std::max(glm::dot(place - ray.origin, ray.axis), 0.0F), found->liquid};
+}
+
+void Weld::step(const TorchSample& torch, gl::Profiler* profiler) {
+    process_->step(torch, metalAhead(process_->ray(torch)), timeStep());
+    metal_.setArc(process_->pressure());
+    metal_.step(process_->sources(), process_->drops(), profiler);
+    const TorchRay next = process_->ray(torch);
+    probe_->look({next.origin, next.axis, next.reach}, profiler);
+}
+
+} // namespace meltpool

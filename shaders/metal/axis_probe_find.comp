@@ -1,0 +1,45 @@
+#version 450 core
+// Finds where metal begins along the axis: where the count reaches half of that inside metal, linear between the bins'
+// middles. Empties the bins for the next look.
+#extension GL_GOOGLE_include_directive : require
+#include "shared/axis_probe.h"
+layout(local_size_x = AXIS_PROBE_BINS) in;
+layout(std140, binding = AXIS_PROBE_BLOCK) uniform Probe { AxisProbeBlock probe; };
+layout(std430, binding = AXIS_PROBE_SUMS) restrict buffer Sums { AxisProbeBin bins[]; };
+layout(std430, binding = AXIS_PROBE_ANSWER) restrict writeonly buffer Answer { AxisProbeAnswer answer; };
+
+shared AxisProbeBin counted[AXIS_PROBE_BINS];
+shared int first;
+
+float shareOf(int bin) { return bin < 0 ? 0.0 : float(counted[bin].weight) / (AXIS_PROBE_UNIT * probe.full); }
+
+/// Share of liquid over the spacing behind the surface.
+float liquidFrom(int bin, int count) {
+    int weight = 0, liquid = 0;
+    for (int i = bin; i < min(bin + count, AXIS_PROBE_BINS); ++i) {
+        weight += counted[i].weight >> 4; // so that the sums fit
+        liquid += counted[i].liquid >> 4;
+    }
+    return weight > 0 ? float(liquid) / float(weight) : 0.0;
+}
+
+void main() {
+    int bin = int(gl_LocalInvocationIndex);
+    if (bin == 0) first = AXIS_PROBE_BINS;
+    counted[bin] = bins[bin];
+    bins[bin] = AxisProbeBin(0, 0);
+    barrier();
+    if (shareOf(bin) >= 0.5) atomicMin(first, bin);
+    barrier();
+    if (bin != 0) return;
+    answer.reserved[0] = answer.reserved[1] = 0.0;
+    if (first == AXIS_PROBE_BINS) {
+        answer.distance = -1.0;
+        answer.liquid = 0.0;
+        return;
+    }
+    float before = shareOf(first - 1);
+    float part = (0.5 - before) / max(shareOf(first) - before, 1e-6);
+    answer.distance = first == 0 ? 0.0 : (float(first) - 0.5 + part) * probe.binLength;
+    answer.liquid = liquidFrom(first, 8);
+}

@@ -1,0 +1,53 @@
+// What the passes that look for metal along an axis share with C++.
+#ifndef MELTPOOL_SHARED_AXIS_PROBE_H
+#define MELTPOOL_SHARED_AXIS_PROBE_H
+
+#include "glsl_types.h"
+
+#define AXIS_PROBE_GROUP 64
+#define AXIS_PROBE_BINS 256       // lengths of the ray that metal is counted in
+#define AXIS_PROBE_UNIT 65536.0   // of the integer sums, whose order does not matter
+#define AXIS_PROBE_RADIUS 2.0     // spacings from the axis within which metal counts
+#define AXIS_PROBE_LATTICE_GROUPS 128 // groups that look through the lattice around the ray; the others take the list of slots
+
+#define AXIS_PROBE_BLOCK 1 // uniform buffer
+
+// Storage buffers behind those of the metal itself.
+#define AXIS_PROBE_SUMS 6    // AxisProbeBin a bin
+#define AXIS_PROBE_ANSWER 7  // AxisProbeAnswer
+#define AXIS_PROBE_SLOTS 8   // list of slots off the lattice
+#define AXIS_PROBE_CONTROL 9 // uint: whatever holds their number, see AxisProbeBlock.countWord
+
+#ifdef __cplusplus
+namespace meltpool {
+#endif
+
+struct AxisProbeBlock {
+    vec3 origin;     // m
+    float binLength; // m
+    vec3 axis;       // unit vector
+    float full;      // sum of a bin that lies wholly inside metal at rest density
+    ivec3 low;       // first lattice cell of the box around the ray
+    uint firstSlot;  // place of the first slot in the list
+    ivec3 cells;     // size of that box
+    uint countWord;  // place of the list's length in its control buffer
+};
+
+struct AxisProbeBin {
+    int weight; // of metal, in 1/AXIS_PROBE_UNIT
+    int liquid; // weight times fraction of liquid
+};
+
+struct AxisProbeAnswer {
+    float distance; // m, from the origin to the surface; negative: none
+    float liquid;   // 0..1, share of liquid there
+    float reserved[2];
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(AxisProbeBlock) == 64);
+static_assert(sizeof(AxisProbeAnswer) == 16);
+} // namespace meltpool
+#endif
+
+#endif

@@ -1,0 +1,181 @@
+// Each process as lessons use it: what it takes from the settings, when it burns, and that its heat and wire add up.
+#include "core/weld/process/processes.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+#include <algorithm>
+
+using namespace meltpool;
+
+namespace {
+
+constexpr double kStep = 1.0 / 109;
+
+Material steel() {
+    return readMaterial(test::testFolder().parent_path() / "app" / "data" / "materials" / "s235.toml");
+}
+
+const HeatTable& table() {
+    static const HeatTable made(steel());
+    return made;
+}
+
+std::unique_ptr<Process> made(const ProcessSettings& settings) {
+    return makeProcess(settings, {table(), 7850, 1e-3F, 293.15});
+}
+
+TorchSample pulled(float trigger = 1) {
+    TorchSample torch;
+    torch.tip = {0, 0.002F, 0};
+    torch.orientation = glm::angleAxis(-1.5707963F, glm::vec3(1, 0, 0));
+    torch.trigger = trigger;
+    return torch;
+}
+
+MetalAhead metalAt(double mm, float liquid = 0) {
+    return {static_cast<float>(mm * 1e-3), liquid};
+}
+
+ArcAction after(Process& process, double mm, float trigger = 1) {
+    process.step(pulled(trigger), metalAt(mm), kStep);
+    return process.arc().action;
+}
+
+} // namespace
+
+TEST_CASE("only the settings of the chosen process are described, and each is in its range") {
+    ProcessSettings settings;
+    for (size_t kind = 0; kind < AllProcesses::kCount; ++kind) {
+        settings.kind = static_cast<int>(kind);
+        const ParameterList list = describe(settings);
+        CHECK(list.front().key == "process");
+        CHECK(parameterText(list.front()) == AllProcesses::kNames[kind]);
+        CHECK((findParameter(list, "wire_feed_m_min") != nullptr) == settings.is<Gmaw>());
+        CHECK((findParameter(list, "current") != nullptr) == settings.is<Gtaw>());
+        CHECK((findParameter(list, "flame_power") != nullptr) == settings.is<Flame>());
+        for (const Parameter& parameter : list) // what a default says must be allowed
+            CHECK_NOTHROW(setParameter(list, parameter.key, parameterText(parameter), "default"));
+    }
+}
+
+TEST_CASE("a setting that a process had once is named with its successor") {
+    ProcessSettings settings;
+    settings.choose<Gmaw>();
+    CHECK(successorOf(settings, "current").find("wire_feed_m_min") != std::string_view::npos);
+    CHECK(successorOf(settings, "voltage").empty());
+    settings.choose<Gtaw>();
+    CHECK_FALSE(successorOf(settings, "voltage").empty());
+    CHECK(successorOf(settings, "nonsense").empty());
+}
+
+TEST_CASE("without the trigger no process gives heat, wire or pressure") {
+    ProcessSettings settings;
+    for (size_t kind = 0; kind < AllProcesses::kCount; ++kind) {
+        settings.kind = static_cast<int>(kind);
+        const auto process = made(settings);
+        CHECK(after(*process, 2, 0) == ArcAction::out);
+        CHECK(process->sources().empty());
+        CHECK(process->drops().empty());
+        CHECK(process->pressure().peak == 0);
+    }
+}
+
+TEST_CASE("a GTAW arc strikes near the metal, follows its length and goes out when it is too long") {
+    ProcessSettings settings;
+    settings.choose<Gtaw>().current = 130;
+    const auto process = made(settings);
+    CHECK(after(*process, 8) == ArcAction::out); // too far for the spark
+    CHECK(after(*process, 3) == ArcAction::striking);
+    CHECK(process->arc().voltage == Approx(gtawVoltage(3e-3, 130)));
+    double power = process->arc().power;
+    for (const double mm : {3.0, 4.0, 5.0}) {
+        CHECK(after(*process, mm) == ArcAction::burning);
+        CHECK(process->arc().current == 130);
+        CHECK(process->arc().power >= power);
+        CHECK(double(process->sources()[0].power) == Approx(process->arc().power));
+        power = process->arc().power;
+    }
+    CHECK(after(*process, 7) == ArcAction::breaking);
+    CHECK(after(*process, 1e3 * gtawLongestArc(130) + 0.5) == ArcAction::out);
+    CHECK(process->sources().empty());
+    CHECK(after(*process, 3) == ArcAction::out); // the trigger was not let go
+    CHECK(after(*process, 3, 0) == ArcAction::out);
+    CHECK(after(*process, 3) == ArcAction::striking);
+    CHECK(after(*process, 3, 0.5F) == ArcAction::burning);
+    CHECK(process->arc().current == 65);
+}
+
+TEST_CASE("a GTAW electrode that dips in is out and spoiled") {
+    ProcessSettings settings;
+    settings.choose<Gtaw>();
+    const auto process = made(settings);
+    after(*process, 2);
+    CHECK(after(*process, 0.1) == ArcAction::out);
+    CHECK(process->sources().empty());
+    CHECK(dynamic_cast<const Gtaw&>(*process).electrodeSpoiled());
+    process->reset();
+    CHECK_FALSE(dynamic_cast<const Gtaw&>(*process).electrodeSpoiled());
+}
+
+TEST_CASE("a GMAW arc and its drops together bring efficiency U I, and every millimetre of wire is found again") {
+    ProcessSettings settings;
+    GmawSettings& gmaw = settings.choose<Gmaw>();
+    gmaw.voltage = GENERATE(18.0F, 22.0F, 28.0F);
+    const auto process = made(settings);
+    double brought = 0, expected = 0, fedParticles = 0;
+    for (int i = 0; i < 1000; ++i) {
+        process->step(pulled(), metalAt(15 + 2 * std::sin(0.05 * i)), kStep);
+        for (const HeatSource& source : process->sources())
+            brought += double(source.power) * kStep;
+        for (const MetalSeed& drop : process->drops())
+            brought += 7850e-9 * (table().enthalpyAt(double(drop.temperature)) - table().enthalpyAt(293.15));
+        const ArcState& arc = process->arc();
+        expected += kGmawEfficiency * double(arc.voltage) * double(arc.current) * kStep;
+        fedParticles += double(process->drops().size());
+    }
+    CHECK(process->arc().burns());
+    CHECK(brought == Approx(expected).epsilon(0.002));
+    const WireAccount wire = process->wire();
+    CHECK(wire.fed == Approx(1000 * kStep * 5.8 / 60).epsilon(1e-6));
+    CHECK(wire.melted + wire.standing == Approx(wire.fed + 12e-3).epsilon(1e-6));
+    CHECK(fedParticles == Approx(wire.melted * wire.area / 1e-9).margin(1));
+}
+
+TEST_CASE("an arc too weak to make hot drops makes colder ones, and no heat out of nothing") {
+    ProcessSettings settings;
+    GmawSettings& gmaw = settings.choose<Gmaw>();
+    gmaw.voltage = 5;
+    gmaw.wireFeedMPerMin = 20;
+    const auto process = made(settings);
+    double brought = 0, electric = 0;
+    for (int i = 0; i < 300; ++i) {
+        process->step(pulled(), metalAt(12), kStep);
+        for (const MetalSeed& drop : process->drops())
+            brought += 7850e-9 * (table().enthalpyAt(double(drop.temperature)) - table().enthalpyAt(293.15));
+        for (const HeatSource& source : process->sources())
+            brought += double(source.power) * kStep;
+        electric += double(process->arc().voltage) * double(process->arc().current) * kStep;
+    }
+    CHECK(brought <= electric * 1.01);
+}
+
+TEST_CASE("an arc presses by its current, a flame does not") {
+    ProcessSettings settings;
+    settings.choose<Gtaw>().current = 200;
+    const auto arc = made(settings);
+    after(*arc, 3);
+    const ArcPressure pressure = arc->pressure();
+    const double sigma = double(pressure.sigma);
+    CHECK(double(pressure.peak) * 2 * 3.14159265 * sigma * sigma == Approx(4e-3)); // 1e-7 V s/(A m) times 200 A squared
+    settings.choose<Flame>();
+    const auto flame = made(settings);
+    CHECK(after(*flame, 3) == ArcAction::burning);
+    CHECK(flame->pressure().peak == 0);
+}
+
+TEST_CASE("an arc's heat is the wider the longer and stronger the arc is") {
+    CHECK(arcHeatRadius(3e-3, 200) > arcHeatRadius(1e-3, 200));
+    CHECK(arcHeatRadius(3e-3, 300) > arcHeatRadius(3e-3, 200));
+    CHECK(arcHeatRadius(0, 200) == arcHeatRadius(1e-3, 200));
+    CHECK(arcHeatRadius(5e-3, 190) == Approx(1.6e-3).epsilon(0.02)); // Park's bead, which it was fitted on
+}

@@ -1,0 +1,137 @@
+// The circuit of a GMAW torch: what current melts the wire, when the arc is open, short, long or out.
+#include "core/weld/process/wire_arc.hpp"
+#include "tests/support/catch.hpp"
+
+#include <cmath>
+
+using namespace meltpool;
+
+namespace {
+
+constexpr double kStep = 1.0 / 109;
+constexpr double kMm = 1e-3;
+
+WireFeed machine(double voltage, double diameterMm = 0.9, double feedMPerMin = 5.8) {
+    return {voltage, feedMPerMin / 60, WireMelting::steel(diameterMm * kMm)};
+}
+
+/// A wire that has burned at one distance until nothing changes any more.
+WireArc settled(const WireFeed& feed, double ctwd) {
+    WireArc wire(ctwd - 1 * kMm);
+    for (int i = 0; i < 300; ++i)
+        wire.step(feed, ctwd, kStep);
+    return wire;
+}
+
+} // namespace
+
+TEST_CASE("0.9 mm wire at 5.8 m/min takes 140, 125 and 115 A at 7, 12 and 17 mm of extension") {
+    const WireMelting wire = WireMelting::steel(0.9 * kMm);
+    CHECK(wire.alpha == Approx(0.533e-3).epsilon(0.002));
+    CHECK(wire.beta == Approx(1.58e-4).epsilon(0.002));
+    const double feed = 5.8 / 60;
+    CHECK(wire.current(feed, 7 * kMm) == Approx(140).epsilon(0.01));
+    CHECK(wire.current(feed, 12 * kMm) == Approx(125).epsilon(0.01));
+    CHECK(wire.current(feed, 17 * kMm) == Approx(115).epsilon(0.01));
+    for (const double extension : {0.0, 3e-3, 40e-3})
+        CHECK(wire.speed(wire.current(feed, extension), extension) == Approx(feed));
+}
+
+TEST_CASE("at each distance the arc settles where the wire melts as fast as it comes") {
+    const double voltage = GENERATE(18.0, 20.0, 24.0, 30.0);
+    const double ctwd = GENERATE(12e-3, 15e-3, 20e-3, 30e-3);
+    const WireFeed feed = machine(voltage);
+    const WireArc wire = settled(feed, ctwd);
+    INFO(voltage << " V at " << ctwd * 1e3 << " mm: " << wire.current() << " A, arc " << wire.length() * 1e3 << " mm");
+    CHECK(wire.melted() == Approx(feed.speed * kStep).epsilon(1e-6));
+    CHECK(wire.current() == Approx(feed.melting.current(feed.speed, wire.extension())).epsilon(1e-6));
+    CHECK(wire.length() + wire.extension() == Approx(ctwd));
+    // Open above V0 + R I, shorting below.
+    const double left = voltage - kArcFallVoltage - kWireResistance * wire.current();
+    if (left > 0) {
+        CHECK(wire.action() == ArcAction::burning);
+        CHECK(wire.length() * kArcField == Approx(left).epsilon(1e-4));
+    } else {
+        CHECK(wire.action() == ArcAction::shorting);
+        CHECK(wire.length() == 0);
+    }
+}
+
+TEST_CASE("a torch that is lifted by a few millimetres finds back to its arc, one that is torn off loses it") {
+    const WireFeed feed = machine(22);
+    WireArc wire = settled(feed, 14 * kMm);
+    const double before = wire.length();
+    for (int i = 0; i < 50; ++i)
+        wire.step(feed, (14 + 0.1 * i) * kMm, kStep); // 11 mm/s
+    CHECK(wire.action() == ArcAction::burning);
+    for (int i = 0; i < 200; ++i)
+        wire.step(feed, 19 * kMm, kStep);
+    CHECK(wire.length() == Approx(before).margin(0.7 * kMm));
+    CHECK(wire.extension() > 15 * kMm);
+    wire.step(feed, 19 * kMm + 1.2 * longestWireArc(feed), kStep);
+    CHECK(wire.action() == ArcAction::out);
+    CHECK(wire.current() == 0);
+}
+
+TEST_CASE("the longer the arc is pulled, the more it is stretched, until it breaks and goes out") {
+    const WireFeed feed = machine(22);
+    WireArc wire = settled(feed, 14 * kMm);
+    double stretch = wire.stretch();
+    bool broke = false, out = false;
+    for (double ctwd = 14; ctwd < 30 && !out; ctwd += 3) { // faster than the wire follows
+        wire.step(feed, ctwd * kMm, kStep);
+        out = wire.action() == ArcAction::out;
+        broke = broke || wire.action() == ArcAction::breaking;
+        if (!out) CHECK(wire.stretch() >= stretch);
+        stretch = wire.stretch();
+    }
+    CHECK(broke);
+    CHECK(out);
+}
+
+TEST_CASE("wire that is fed into the air stands out as far as it was fed, and strikes when it touches") {
+    const WireFeed feed = machine(20);
+    WireArc wire(10 * kMm);
+    for (int i = 0; i < 109; ++i)
+        wire.step(feed, INFINITY, kStep);
+    CHECK(wire.action() == ArcAction::out);
+    CHECK(wire.extension() == Approx(10 * kMm + feed.speed));
+    double melted = 0, fed = feed.speed;
+    bool struck = false;
+    for (int i = 0; i < 200; ++i) {
+        wire.step(feed, 15 * kMm, kStep);
+        melted += wire.melted();
+        fed += feed.speed * kStep;
+        struck = struck || wire.action() == ArcAction::striking;
+    }
+    CHECK(struck);
+    CHECK(wire.action() == ArcAction::burning);
+    CHECK(melted + wire.extension() == Approx(10 * kMm + fed)); // nothing is lost or made
+    CHECK(wire.extension() < 15 * kMm);
+}
+
+TEST_CASE("too little voltage stubs") {
+    CHECK(settled(machine(11), 12 * kMm).action() == ArcAction::stubbed);
+    CHECK(settled(machine(16), 12 * kMm).action() == ArcAction::shorting);
+    // More wire than the machine's short circuit melts piles up.
+    const WireFeed feed = machine(20, 1.6, 30);
+    WireArc wire(12 * kMm);
+    for (int i = 0; i < 30; ++i)
+        wire.step(feed, 12 * kMm, kStep);
+    CHECK(wire.action() == ArcAction::stubbed);
+    CHECK(wire.current() == Approx(kShortCircuitCurrent));
+    CHECK(wire.extension() > 12 * kMm);
+}
+
+TEST_CASE("a contact tip that lies on the metal or in it gives finite numbers") {
+    const WireFeed feed = machine(20);
+    for (const double distance : {0.0, -3e-3, 1e-6}) {
+        WireArc wire(5 * kMm);
+        for (int i = 0; i < 100; ++i)
+            wire.step(feed, distance, kStep);
+        CHECK(std::isfinite(wire.current()));
+        CHECK(wire.current() >= 0);
+        CHECK(wire.current() <= kShortCircuitCurrent);
+        CHECK(wire.extension() >= 0);
+    }
+}

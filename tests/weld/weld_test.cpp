@@ -1,0 +1,159 @@
+// A weld on the real metal: how far the metal is, what the arc makes of it, and that live and replayed are the same.
+#include "core/weld/torch/torch_moves.hpp"
+#include "core/weld/weld.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+#include <cmath>
+#include <numbers>
+
+using namespace meltpool;
+
+namespace {
+
+constexpr float kMm = 1e-3F;
+
+Material steel() {
+    return readMaterial(test::testFolder().parent_path() / "app" / "data" / "materials" / "s235.toml");
+}
+
+Workpiece smallPlate() {
+    WorkpieceParameters parameters;
+    parameters.lengthMm = 30;
+    parameters.widthMm = 20;
+    parameters.thicknessMm = 4;
+    parameters.roomAboveMm = 10;
+    return makeWorkpiece(parameters);
+}
+
+ProcessSettings wireSettings() {
+    ProcessSettings settings;
+    GmawSettings& gmaw = settings.choose<Gmaw>();
+    gmaw.voltage = 19;
+    gmaw.wireFeedMPerMin = 5.8F;
+    gmaw.wireDiameterMm = 0.9F;
+    return settings;
+}
+
+/// An upright torch whose pose is `mm` over the plate's upper face.
+TorchSample over(float mm, float trigger = 1, float x = 0.3F) {
+    TorchSample torch;
+    torch.tip = {x * kMm, mm * kMm, 0.2F * kMm};
+    torch.orientation = heldOrientation(std::numbers::pi / 2, 0, {1, 0, 0});
+    torch.trigger = trigger;
+    return torch;
+}
+
+float distanceSeen(Weld& weld, const TorchSample& torch) {
+    for (int i = 0; i < 4; ++i)
+        weld.step(torch, nullptr);
+    return weld.arc().distance / kMm;
+}
+
+} // namespace
+
+TEST_CASE("the metal on the torch's axis is found to a tenth of a spacing, upright and slanted", "[weld]") {
+    ProcessSettings settings;
+    settings.choose<Gtaw>();
+    Weld weld(test::shaders(), steel(), smallPlate(), settings);
+    for (const float mm : {0.5F, 2.0F, 3.7F, 10.0F, 30.0F})
+        for (const float x : {0.0F, 0.3F, 0.5F}) {
+            INFO(mm << " mm over the plate at " << x);
+            CHECK(distanceSeen(weld, over(mm, 0, x)) == Approx(mm).margin(0.12));
+        }
+    for (const double degrees : {15.0, 30.0, 45.0}) {
+        TorchSample torch = over(3, 0);
+        torch.orientation = heldOrientation(std::numbers::pi / 2, degrees * std::numbers::pi / 180, {1, 0, 0});
+        INFO(degrees << " degrees");
+        CHECK(distanceSeen(weld, torch) == Approx(3 / std::cos(degrees * std::numbers::pi / 180)).margin(0.2));
+    }
+    TorchSample beside = over(3, 0);
+    beside.tip.z = 40 * kMm;
+    CHECK(std::isinf(distanceSeen(weld, beside)));
+    CHECK(std::isinf(distanceSeen(weld, over(80, 0))));
+}
+
+TEST_CASE("the computed current follows the distance from contact tip to plate", "[weld]") {
+    for (const float ctwd : {12.0F, 20.0F, 30.0F}) {
+        ProcessSettings settings = wireSettings();
+        settings.of<Gmaw>().stickOutMm = ctwd - 1;
+        Weld weld(test::shaders(), steel(), smallPlate(), settings);
+        double sum = 0, extension = 0;
+        int count = 0;
+        for (int i = 0; i < 60; ++i) {
+            weld.step(over(1), nullptr);
+            if (i < 20) continue;
+            sum += double(weld.arc().current);
+            extension += double(weld.arc().extension);
+            ++count;
+        }
+        const WireMelting wire = WireMelting::steel(0.9e-3);
+        INFO(ctwd << " mm: " << sum / count << " A at " << extension / count * 1e3 << " mm of extension");
+        CHECK(weld.arc().burns());
+        CHECK(sum / count == Approx(wire.current(5.8 / 60, extension / count)).epsilon(0.1));
+    }
+}
+
+TEST_CASE("a torch that is lifted while it welds takes its power along, and loses its arc at the limit", "[weld]") {
+    ProcessSettings settings;
+    settings.choose<Gtaw>().current = 120;
+    Weld weld(test::shaders(), steel(), smallPlate(), settings);
+    weld.step(over(2, 0), nullptr);
+    double lastLength = 0, burned = 0;
+    bool out = false;
+    for (int i = 0; i < 160 && !out; ++i) {
+        const float mm = 2 + 0.1F * static_cast<float>(i);
+        weld.step(over(mm), nullptr);
+        const ArcState& arc = weld.arc();
+        if (i < 5) continue;
+        out = !arc.burns();
+        if (out) {
+            CHECK(double(arc.distance) > gtawLongestArc(120));
+            CHECK(weld.process().sources().empty());
+            continue;
+        }
+        burned += weld.timeStep();
+        CHECK(double(arc.voltage) == Approx(gtawVoltage(double(arc.length), 120)).epsilon(1e-4));
+        CHECK(double(arc.length) >= lastLength - 0.3e-3);
+        lastLength = double(arc.length);
+    }
+    CHECK(out);
+    CHECK(burned > 0.5);
+    CHECK(lastLength == Approx(gtawLongestArc(120)).margin(1e-3));
+}
+
+TEST_CASE("wire that is fed in the air for a second is found again when it melts", "[weld]") {
+    Weld weld(test::shaders(), steel(), smallPlate(), wireSettings());
+    const auto second = static_cast<int>(std::lround(1 / weld.timeStep()));
+    for (int i = 0; i < second; ++i)
+        weld.step(over(200), nullptr);
+    WireAccount wire = weld.process().wire();
+    CHECK(wire.melted == 0);
+    CHECK(wire.fed == Approx(5.8 / 60).epsilon(0.01));
+    CHECK(wire.standing == Approx(wire.fed + 12e-3));
+    CHECK(weld.process().filler().fed() == 0);
+    const double mass = wire.fed * wire.area * 7850;
+    CHECK(mass == Approx(0.483e-3).epsilon(0.02)); // kg
+    for (int i = 0; i < second; ++i)
+        weld.step(over(2), nullptr);
+    wire = weld.process().wire();
+    CHECK(weld.arc().burns());
+    CHECK(wire.melted + wire.standing == Approx(wire.fed + 12e-3));
+    CHECK(double(weld.process().filler().fed()) == Approx(wire.melted * wire.area / 1e-9).margin(1));
+    CHECK(wire.standing < 16e-3);
+}
+
+TEST_CASE("the same torch gives the same bits after a reset and in another weld", "[weld]") {
+    std::uint64_t hashes[3];
+    Weld first(test::shaders(), steel(), smallPlate(), wireSettings());
+    Weld second(test::shaders(), steel(), smallPlate(), wireSettings());
+    for (int run = 0; run < 3; ++run) {
+        Weld& weld = run == 2 ? second : first;
+        for (int i = 0; i < 50; ++i)
+            weld.step(over(3 - 0.02F * static_cast<float>(i)), nullptr);
+        hashes[run] = weld.metal().stateHash();
+        if (run == 0) first.reset();
+    }
+    CHECK(hashes[0] == hashes[1]);
+    CHECK(hashes[0] == hashes[2]);
+}
