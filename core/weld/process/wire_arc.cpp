@@ -124,7 +124,7 @@ void WireArc::shortCircuit(const WireFeed& feed, double distance, double seconds
     const double wanted = feed.melting.current(std::max(arriving, 0.0), distance);
     current_ = std::min(wanted, kShortCircuitCurrent);
     const double bearable = wanted > kShortCircuitCurrent ? feed.melting.speed(current_, distance) : arriving;
-    extension_ = before + seconds * (feed.speed - bearable);
+    extension_ = std::max(before + seconds * (feed.speed - bearable), 0.0);
     melted_ = seconds * bearable;
     length_ = stretch_ = 0;
     voltage_ = terminalVoltage(feed, current_);
