@@ -265,6 +265,22 @@ TEST_CASE("keys in the handbook's tables of lessons are the program's", "[app][h
         REQUIRE(tables.size() == 1);
         CHECK(joined(without(tables[0].column(1), keys)) == "");
     }
+    const auto processes = tablesOf("settings", 1);
+    REQUIRE(processes.size() == 1);
+    Names kinds;
+    for (size_t row = 0; row < processes[0].rows.size(); ++row) {
+        const std::string kind = processes[0].code(row, 0).at(0);
+        INFO(kind);
+        kinds.insert(kind);
+        ProcessSettings settings;
+        setParameter(describe(settings), "process", kind, "the handbook");
+        Names own;
+        for (const Parameter& parameter : describe(settings))
+            if (parameter.key != "process") own.emplace(parameter.key);
+        const auto shown = processes[0].code(row, 1);
+        CHECK(joined(Names(shown.begin(), shown.end())) == joined(own));
+    }
+    CHECK(kinds.size() == AllProcesses::kCount);
     for (const ShownTable& table : tablesOf("parameter")) {
         INFO(place(table.page, table.line));
         CHECK(joined(without(table.column(0), keysOf("classic", false))) == "");
