@@ -45,7 +45,8 @@ void setWire(const ValidationCase& from, GmawSettings& gmaw) {
     gmaw.voltage = static_cast<float>(feed.voltage);
     gmaw.wireFeedMPerMin = static_cast<float>(feed.speed * 60);
     gmaw.wireDiameterMm = static_cast<float>(diameter * 1e3);
-    gmaw.stickOutMm = std::min(gmaw.stickOutMm, static_cast<float>(ctwd * 1e3));
+    // The wire stands out nearly to the plate, so that the arc strikes at once.
+    gmaw.stickOutMm = std::max(static_cast<float>(ctwd * 1e3) - 1, 0.5F * static_cast<float>(ctwd * 1e3));
 }
 
 /// A of an argon arc whose voltage times current is `power`: U = a + b I.

@@ -34,8 +34,8 @@ inline constexpr double kArcFallVoltage = 15.7;
 inline constexpr double kArcField = 640;
 /// Ohm of the wire's extension and its contact; same origin.
 inline constexpr double kWireResistance = 0.026;
-/// A, most that the machine gives into a short circuit. A machine of the 350 A class; no document was checked.
-inline constexpr double kShortCircuitCurrent = 450;
+/// A, most that the machine gives into a short circuit. A machine of the 500 A class; no document was checked.
+inline constexpr double kShortCircuitCurrent = 600;
 /// A below which an arc between steel and a thin wire does not hold. Trade knowledge; no document was checked.
 inline constexpr double kLeastArcCurrent = 20;
 /// Share of the arc's own voltage, on average, below which the wire stays in the metal. None: chosen so that 4 V less
