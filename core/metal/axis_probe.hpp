@@ -31,7 +31,7 @@ struct MetalOnAxis {
 
 /// A look counts particles within two spacings of the axis, with a weight that falls to the side, in bins along it; the
 /// surface is where half of the count inside solid metal is reached. On a flat surface that is its place to a tenth of
-/// a spacing, upright or slanted; single drops that fall through the ray are not taken for it. Sums are integers: the
+/// a spacing, upright or slanted; drops that fly along the axis are not taken for it. Sums are integers: the
 /// same metal gives the same answer.
 class AxisProbe {
   public:

@@ -88,7 +88,10 @@ void compareDeposit(const ValidationCase& from, const Bead& b, const Weld& weld,
     const SectionCut whole = sectionCut(from.material, -half, half);
     const double volume =
         measureSection(weld.metal().state(), plate.seeds, whole).deposited * static_cast<double>(b.length);
-    result.compareExact(withinThree(from), "deposited_mm2", b.wireRate() / static_cast<double>(b.speed) * 1e6,
+    // What melted, which is what was fed and what the wire became shorter by.
+    const WireAccount wire = weld.process().wire();
+    result.compareExact(withinThree(from), "deposited_mm2",
+                        wire.melted * wire.area / static_cast<double>(b.end - b.start) * 1e6,
                         volume / static_cast<double>(b.end - b.start) * 1e6);
 }
 

@@ -62,6 +62,8 @@ void main() {
     uint first = gl_GlobalInvocationID.x - AXIS_PROBE_LATTICE_GROUPS * AXIS_PROBE_GROUP;
     for (uint i = first; i < control[probe.countWord]; i += stride) {
         uint slot = slots[probe.firstSlot + i];
-        if ((phase[slot] & PHASE_ALIVE) != 0u) countAt(slot, position[slot].xyz);
+        uint bits = phase[slot];
+        bool flies = (bits & PHASE_LIQUID) != 0u && dot(velocity[slot].xyz, probe.axis) > AXIS_PROBE_DROP_SPEED;
+        if ((bits & PHASE_ALIVE) != 0u && !flies) countAt(slot, position[slot].xyz);
     }
 }

@@ -8,6 +8,7 @@
 #define AXIS_PROBE_BINS 256       // lengths of the ray that metal is counted in
 #define AXIS_PROBE_UNIT 65536.0   // of the integer sums, whose order does not matter
 #define AXIS_PROBE_RADIUS 2.0     // spacings from the axis within which metal counts
+#define AXIS_PROBE_DROP_SPEED 0.2 // m/s along the axis from which liquid is a drop on its way and no surface
 #define AXIS_PROBE_LATTICE_GROUPS 128 // groups that look through the lattice around the ray; the others take the list of slots
 
 #define AXIS_PROBE_BLOCK 1 // uniform buffer

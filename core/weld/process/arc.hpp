@@ -53,7 +53,7 @@ inline constexpr double kGmawEfficiency = 0.85;
 
 /// Times the metal's own conductivity that its liquid conducts under an arc: the stirring by drops, pressure and
 /// surface tension that particles of a millimetre do not resolve. Fitted to Park's bead; the same for every arc weld.
-inline constexpr double kArcStirring = 4;
+inline constexpr double kArcStirring = 3;
 
 /// Temperature (K) at which drops leave the wire. 2200 °C; measured ones lie between 2000 and 2600 °C.
 inline constexpr double kDropTemperature = 2473.15;
