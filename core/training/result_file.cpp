@@ -76,6 +76,15 @@ Json sectionOf(const WeldSection& section) {
     return json;
 }
 
+/// Wire that was fed is found again: in drops, or standing out of the contact tip.
+Json wireOf(const WireAccount& wire) {
+    return {{"fed_mm", number(wire.fed * 1e3)},
+            {"melted_mm", number(wire.melted * 1e3)},
+            {"standing_out_mm", number(wire.standing * 1e3)},
+            {"fed_g", number(wire.fed * wire.area * wire.density * 1e3)},
+            {"melted_g", number(wire.melted * wire.area * wire.density * 1e3)}};
+}
+
 } // namespace
 
 void writeResult(const std::filesystem::path& file, Lesson& lesson, const LessonResult& result,
@@ -94,6 +103,7 @@ void writeResult(const std::filesystem::path& file, Lesson& lesson, const Lesson
     json["lost"] = result.metal.lost;
     json["non_finite"] = result.metal.nonFinite;
     if (context.section) json["section"] = sectionOf(*context.section);
+    if (result.wire.area > 0) json["wire"] = wireOf(result.wire);
     json["state_hash"] = hexadecimal(result.stateHash);
     json["wall_seconds"] = number(context.wallSeconds);
     json["metal_bytes"] = result.metalBytes;

@@ -95,7 +95,8 @@ void Trainer::stopRecord() {
 }
 
 LessonResult Trainer::result() const {
-    return {time_, steps_, metal_->statistics(), metal_->stateHash(), metal_->bytes(), surface_->bytes()};
+    return {time_,         steps_, metal_->statistics(), metal_->stateHash(), metal_->bytes(), surface_->bytes(),
+            metal_->wire()};
 }
 
 std::optional<WeldSection> Trainer::section(std::optional<double> place) const {

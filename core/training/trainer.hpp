@@ -24,6 +24,7 @@ struct LessonResult {
     std::uint64_t stateHash = 0;
     size_t metalBytes = 0;   ///< GPU memory of the metal
     size_t surfaceBytes = 0; ///< GPU memory of the surface
+    WireAccount wire;        ///< where the wire has gone; area 0 without wire
 };
 
 class Trainer {

@@ -38,7 +38,7 @@ Json written(Lesson& lesson, const std::optional<WeldSection>& section) {
 TEST_CASE("result.json and validation measure the same section of the same metal", "[training]") {
     Lesson lesson = smallBead();
     WeldModel model(test::shaders(), lesson);
-    const TorchSample torch{0, {0, 0.003F, 0}, {1, 0, 0, 0}, 1};
+    const TorchSample torch{0, {0, 0.003F, 0}, glm::angleAxis(-1.5707963F, glm::vec3(1, 0, 0)), 1};
     for (double time = 0; time < 0.5; time += model.timeStep())
         model.step(torch, nullptr);
     const Json json = written(lesson, model.section(0.0)).at("section");

@@ -63,7 +63,7 @@ double Gmaw::wireArea() const {
 }
 
 WireAccount Gmaw::wire() const {
-    return {fed_, melted_, wire_.extension(), wireArea()};
+    return {fed_, melted_, wire_.extension(), wireArea(), metal_.density};
 }
 
 TorchRay Gmaw::ray(const TorchSample& torch) const {

@@ -42,6 +42,7 @@ struct WireAccount {
     double melted = 0;   ///< into drops
     double standing = 0; ///< beyond the contact tip now
     double area = 0;     ///< m², cross-section; 0: this process has no wire
+    double density = 0;  ///< kg/m³
 };
 
 class Process {
