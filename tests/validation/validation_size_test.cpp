@@ -5,6 +5,8 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
+#include <algorithm>
+
 using namespace meltpool;
 
 namespace {
@@ -60,6 +62,9 @@ TEST_CASE("A bead's deposit is its wire's metal on a short plate too", "[validat
     const ValidationResult result = runValidationCase(bead, test::shaders());
     INFO(validationText(result));
     CHECK(result.passed());
-    CHECK(result.numbers[1].name == "deposited_mm2");
-    CHECK(result.numbers[1].reference == Approx(9.163).epsilon(1e-3));
+    const auto deposited = std::find_if(result.numbers.begin(), result.numbers.end(),
+                                        [](const ValidationNumber& n) { return n.name == "deposited_mm2"; });
+    REQUIRE(deposited != result.numbers.end());
+    CHECK(deposited->origin == "exact");
+    CHECK(deposited->reference == Approx(9.163).epsilon(0.03)); // of the feed; the wire burns back by a few millimetres
 }
