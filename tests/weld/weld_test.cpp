@@ -74,7 +74,7 @@ TEST_CASE("the metal on the torch's axis is found to a tenth of a spacing, uprig
 }
 
 TEST_CASE("the computed current follows the distance from contact tip to plate", "[weld]") {
-    for (const float ctwd : {12.0F, 20.0F, 30.0F}) {
+    for (const float ctwd : {3.0F, 12.0F, 20.0F, 30.0F}) {
         ProcessSettings settings = wireSettings();
         settings.of<Gmaw>().stickOutMm = ctwd - 1;
         Weld weld(test::shaders(), steel(), smallPlate(), settings);
