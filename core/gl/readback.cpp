@@ -49,6 +49,7 @@ const void* Readback::pollInPlace() {
 
 void Readback::wait() const {
     constexpr GLuint64 kPatience = 1'000'000'000; // ns
+    if (fence_ == nullptr || glClientWaitSync(fence_, GL_SYNC_FLUSH_COMMANDS_BIT, 0) != GL_TIMEOUT_EXPIRED) return;
     while (fence_ != nullptr && glClientWaitSync(fence_, GL_SYNC_FLUSH_COMMANDS_BIT, kPatience) == GL_TIMEOUT_EXPIRED) {
     }
 }

@@ -37,7 +37,7 @@ class AxisProbe {
   public:
     /// Steps between a look and its answer, so that the answer is the same whether the GPU is fast or slow, and hardly
     /// ever waited for.
-    static constexpr size_t kDelay = 2;
+    static constexpr size_t kDelay = 4;
 
     AxisProbe(gl::ShaderLibrary& shaders, const MetalState& state, const HeatSolver& heat);
 

@@ -28,8 +28,8 @@ class Weld {
     void apply(const ProcessSettings& settings) { process_->apply(settings); }
 
     /// One time step of the metal under this torch: the distance of the metal on the torch's axis, as AxisProbe found
-    /// it two steps ago and corrected by the torch's own way since -> process -> metal -> the next look. Waits for the
-    /// GPU only where it is more than two steps behind.
+    /// it four steps ago and corrected by the torch's own way since -> process -> metal -> the next look. Waits for the
+    /// GPU only where it is more than four steps behind.
     void step(const TorchSample& torch, gl::Profiler* profiler);
 
     /// The arc of the last step.
