@@ -1,5 +1,6 @@
 #include "app/commands/commands.hpp"
 
+#include "app/headset/headset_front_end.hpp"
 #include "core/training/lesson.hpp"
 
 #include <cstdio>
@@ -9,7 +10,11 @@ namespace meltpool {
 void runTrainer(const DesktopOptions& options) {
     const std::string missing = missingDisplay();
     if (missing.empty()) {
-        runDesktop(options);
+        DesktopOptions complete = options;
+        complete.makeHeadset = [](const std::filesystem::path& folder) {
+            return std::make_unique<HeadsetFrontEnd>(folder);
+        };
+        runDesktop(complete);
         return;
     }
     RunRequest demonstration;

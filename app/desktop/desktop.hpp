@@ -1,6 +1,8 @@
 // The desktop trainer: a window with menus in which the mouse holds the torch.
 #pragma once
 
+#include "app/session/window_headset.hpp"
+
 #include <filesystem>
 #include <string>
 
@@ -19,6 +21,7 @@ struct DesktopOptions {
     std::filesystem::path settings;  ///< empty: settings.toml in the user's settings folder
     std::filesystem::path record;    ///< where every step of the lesson goes as a torch path; empty: nowhere
     HeadsetUse headset = HeadsetUse::automatic;
+    HeadsetMaker makeHeadset;  ///< of the headset beside the window, unless `headset` is off
     bool watchShaders = false; ///< reload changed shaders in release builds too
 };
 

@@ -37,7 +37,7 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
       panelSection_("panels", describe(menus_.panels)),
       settings_(options.settings, options.lesson),
       driver_(driverText(window_.driver())) {
-    if (options_.headset != HeadsetUse::off) headset_.emplace(settingsFolder());
+    if (options_.headset != HeadsetUse::off && options_.makeHeadset) headset_ = options_.makeHeadset(settingsFolder());
     session_.record(options_.record);
     if (telemetry_.enabled()) callsCounted_ = joinCallCounters();
     for (std::string& fault : settings_.load(session_.sections(), ownSections()))

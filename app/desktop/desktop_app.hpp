@@ -9,13 +9,13 @@
 #include "app/desktop/shader_watch.hpp"
 #include "app/desktop/window.hpp"
 #include "app/desktop/window_telemetry.hpp"
-#include "app/headset/headset_front_end.hpp"
 #include "app/program/frame_meter.hpp"
 #include "app/session/lesson_session.hpp"
 #include "app/session/messages.hpp"
+#include "app/session/window_headset.hpp"
 
 #include <chrono>
-#include <optional>
+#include <memory>
 
 namespace meltpool {
 
@@ -62,7 +62,7 @@ class DesktopApp {
     DesktopMenus menus_;
     gl::ShaderLibrary shaders_;
     LessonSession session_;
-    std::optional<HeadsetFrontEnd> headset_;
+    std::unique_ptr<WindowHeadset> headset_;
     gl::Profiler profiler_;
     FrameMeter meter_;
     bool callsCounted_ = false; ///< the meter knows of allocations, stalls and the driver

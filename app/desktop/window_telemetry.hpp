@@ -1,9 +1,9 @@
 // The state of the window for tests and observers: a file with one JSON object a line, the newest last.
 #pragma once
 
-#include "app/headset/headset_status.hpp"
 #include "app/program/frame_meter.hpp"
 #include "app/session/controls.hpp"
+#include "app/session/headset_status.hpp"
 #include "app/session/lesson_figures.hpp"
 #include "app/session/menu_state.hpp"
 #include "app/session/messages.hpp"

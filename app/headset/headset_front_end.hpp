@@ -4,11 +4,11 @@
 
 #include "app/headset/headset_hands.hpp"
 #include "app/headset/headset_menu.hpp"
-#include "app/headset/headset_status.hpp"
 #include "app/headset/panel_pointer.hpp"
 #include "app/headset/stereo_view.hpp"
 #include "app/headset/torch_feedback.hpp"
 #include "app/session/lesson_session.hpp"
+#include "app/session/window_headset.hpp"
 #include "xr/headset_connection.hpp"
 
 #include <chrono>
@@ -18,40 +18,22 @@
 
 namespace meltpool {
 
-/// A frame is begin(), the lesson's steps with torch(), draw(), end(). While the headset wants no frame, begin()
-/// answers false and the others do nothing.
-class HeadsetFrontEnd {
+class HeadsetFrontEnd final : public WindowHeadset {
   public:
     /// Looks for a headset from the first begin() on. `folder`: where the torch's calibrations are kept.
     explicit HeadsetFrontEnd(const std::filesystem::path& folder);
 
-    /// The headset's own values, for menus and the settings file.
-    const ParameterSection& section() const { return section_; }
-    ParameterSection& section() { return section_; }
-
-    /// Waits for the headset's next frame and reads the hands. False: there is none now, and the window continues
-    /// without it. `session` may be without a running lesson. `elapsed`: real seconds since the last call.
-    bool begin(const LessonSession& session, double elapsed);
-    /// The torch for the lesson's steps where the hand leads it; empty: the mouse does.
-    TorchSource torch() const;
-    /// Draws both eyes, and the panel where it is open, and sets the vibration. Answers what was asked for on the
-    /// panel.
-    MenuRequest draw(LessonSession& session, const LessonFigures& figures, double elapsed, gl::Profiler* profiler);
-    /// Submits the frame to the runtime.
-    void end();
-
-    /// Fills the window's frame buffer of `pixels` with the left eye's picture, cut to the window's shape. False where
-    /// the person does not want it or there is no picture.
-    bool mirror(glm::ivec2 pixels);
-
-    /// How often a headset was opened.
-    int openings() const { return connection_.openings(); }
-    /// What the headset does, or why there is none, as a sentence.
-    std::string sentence() const;
-    /// A warning for the trainee and the teacher; empty while all is well.
-    std::string_view warning() const;
-    /// For the window's telemetry.
-    HeadsetStatus status() const;
+    ParameterSection& section() override { return section_; }
+    bool begin(const LessonSession& session, double elapsed) override;
+    TorchSource torch() const override;
+    MenuRequest draw(LessonSession& session, const LessonFigures& figures, double elapsed,
+                     gl::Profiler* profiler) override;
+    void end() override;
+    bool mirror(glm::ivec2 pixels) override;
+    int openings() const override { return connection_.openings(); }
+    std::string sentence() const override;
+    std::string_view warning() const override;
+    HeadsetStatus status() const override;
 
   private:
     using Clock = std::chrono::steady_clock;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/headset/headset_hands.hpp"
-#include "app/headset/headset_status.hpp"
+#include "app/session/headset_status.hpp"
 #include "app/session/lesson_session.hpp"
 #include "core/training/feedback/haptics.hpp"
 #include "core/weld/process/tip_touch.hpp"

@@ -15,6 +15,19 @@ struct PanelState {
 };
 ParameterList describe(PanelState& panels);
 
+namespace ui {
+
+/// A control's place on the screen in points, for tests.
+struct Place {
+    float x = 0;
+    float y = 0;
+    float width = 0;
+    float height = 0;
+    unsigned frame = 0; ///< in which it was last drawn there
+};
+
+} // namespace ui
+
 /// What a person asked for with a button.
 enum class MenuRequest { none, start, startWithDefaults, reset, restart };
 

@@ -171,6 +171,16 @@ TEST_CASE("the search finds circles of folders of any length") {
     CHECK(search.from("a").empty());
 }
 
+TEST_CASE("window and headset meet in app/session only") {
+    for (const SourceFile& file : programSources())
+        for (const test::Include& include : test::findIncludes(file.text)) {
+            const std::string path = file.path.generic_string();
+            INFO(place(file, include.line) << " includes \"" << include.path << "\"");
+            CHECK_FALSE((path.starts_with("app/desktop/") && include.path.starts_with("app/headset/")));
+            CHECK_FALSE((path.starts_with("app/headset/") && include.path.starts_with("app/desktop/")));
+        }
+}
+
 TEST_CASE("nothing includes upward") {
     CHECK_FALSE(mayInclude("core/metal", "core/weld"));
     CHECK_FALSE(mayInclude("core/training", "xr"));

@@ -1,6 +1,7 @@
 // The controls of the menus, made from parameter descriptions: sliders, switches, choices, buttons.
 #pragma once
 
+#include "app/session/menu_state.hpp"
 #include "app/session/parameter_section.hpp"
 #include "app/session/ui/short_text.hpp"
 #include "app/session/ui/theme.hpp"
@@ -12,15 +13,6 @@
 #include <vector>
 
 namespace meltpool::ui {
-
-/// A control's place on the screen in points, for tests.
-struct Place {
-    float x = 0;
-    float y = 0;
-    float width = 0;
-    float height = 0;
-    unsigned frame = 0; ///< in which it was last drawn there
-};
 
 /// What every panel needs while it is drawn.
 struct Context {

@@ -1,7 +1,7 @@
 // What the window's telemetry says about the headset.
 #pragma once
 
-#include "app/session/ui/widgets.hpp"
+#include "app/session/menu_state.hpp"
 
 #include <map>
 #include <string>
@@ -10,8 +10,8 @@ namespace meltpool {
 
 /// What happens at the tip of the torch in the hand, and its vibration.
 struct TipStatus {
-    std::string action = "idle"; ///< "burning", "shorting", "stubbed", "breaking"
-    double aheadMm = 0;          ///< to the metal along the torch's axis; infinite (null): none
+    std::string action = "out"; ///< see arcActionName()
+    double aheadMm = 0;         ///< to the metal along the torch's axis; infinite (null): none
     double nearestMm = 0;
     double liquid = 0;
     bool touching = false;

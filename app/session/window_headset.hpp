@@ -1,0 +1,54 @@
+// The headset as the window's frame drives it: what window and headset know of each other.
+#pragma once
+
+#include "app/session/headset_status.hpp"
+#include "app/session/lesson_session.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace meltpool {
+
+/// A frame is begin(), the lesson's steps with torch(), draw(), end(). While the headset wants no frame, begin()
+/// answers false and the others do nothing.
+class WindowHeadset {
+  public:
+    virtual ~WindowHeadset() = default;
+
+    /// The headset's own values, for menus and the settings file.
+    virtual ParameterSection& section() = 0;
+
+    /// Waits for the headset's next frame and reads the hands. False: there is none now, and the window continues
+    /// without it. `session` may be without a running lesson. `elapsed`: real seconds since the last call.
+    virtual bool begin(const LessonSession& session, double elapsed) = 0;
+    /// The torch for the lesson's steps where the hand leads it; empty: the mouse does.
+    virtual TorchSource torch() const = 0;
+    /// Draws both eyes, and the panel where it is open, and sets the vibration. Answers what was asked for on the
+    /// panel.
+    virtual MenuRequest draw(LessonSession& session, const LessonFigures& figures, double elapsed,
+                             gl::Profiler* profiler) = 0;
+    /// Submits the frame to the runtime.
+    virtual void end() = 0;
+
+    /// Fills the window's frame buffer of `pixels` with the left eye's picture, cut to the window's shape. False where
+    /// the person does not want it or there is no picture.
+    virtual bool mirror(glm::ivec2 pixels) = 0;
+
+    /// How often a headset was opened.
+    virtual int openings() const = 0;
+    /// What the headset does, or why there is none, as a sentence.
+    virtual std::string sentence() const = 0;
+    /// A warning for the trainee and the teacher; empty while all is well.
+    virtual std::string_view warning() const = 0;
+    /// For the window's telemetry.
+    virtual HeadsetStatus status() const = 0;
+};
+
+/// Makes the headset of a window whose OpenGL context is current. The argument is the folder where the torch's
+/// calibrations are kept. Empty: no headset is looked for.
+using HeadsetMaker = std::function<std::unique_ptr<WindowHeadset>(const std::filesystem::path& folder)>;
+
+} // namespace meltpool
