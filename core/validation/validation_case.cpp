@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace meltpool {
 
@@ -43,10 +44,17 @@ constexpr std::array kRosenthal{
     CaseKey{"field_rms_percent", number, 0, 1000, 0.0, "most that the field's error may be; 0: only told"},
     CaseKey{"field_max_percent", number, 0, 1000, 0.0, "same, at its worst place"},
 };
-constexpr std::array kEnergy{
-    CaseKey{"on_s", number, 0, 1e5, kNeeded, "how long the trigger is pulled"},
-    CaseKey{"loss", lossRate, 0, 1e6, 0.0, "heat lost from the surface: true, false or W/(m² K)"},
-    CaseKey{"speed_mm_s", number, 0, 1000, 0.0, "of travel"},
+/// One list of the keys of two, for the compiler.
+template <size_t M, size_t N>
+constexpr std::array<CaseKey, M + N> joined(const std::array<CaseKey, M>& first, const std::array<CaseKey, N>& second) {
+    return [&]<size_t... I, size_t... J>(std::index_sequence<I...>, std::index_sequence<J...>) {
+        return std::array<CaseKey, M + N>{first[I]..., second[J]...};
+    }
+    (std::make_index_sequence<M>(), std::make_index_sequence<N>());
+}
+
+/// The process of every weld, see caseProcess().
+constexpr std::array kArc{
     CaseKey{"power_w", number, 0, 1e6, 0.0, "electric, where voltage and current are not given"},
     CaseKey{"voltage", number, 0, 60, 0.0, "of the wire's machine"},
     CaseKey{"current_a", number, 0, 2000, 0.0, "of an arc without wire, or of a machine that finds its feed by it"},
@@ -55,6 +63,13 @@ constexpr std::array kEnergy{
     CaseKey{"ctwd_mm", number, 1, 60, 15.0, "contact tip to work distance, with wire"},
     CaseKey{"arc_length_mm", number, 0.3, 30, 3.0, "from tungsten"},
 };
+constexpr std::array kEnergy = joined(
+    std::array{
+        CaseKey{"on_s", number, 0, 1e5, kNeeded, "how long the trigger is pulled"},
+        CaseKey{"loss", lossRate, 0, 1e6, 0.0, "heat lost from the surface: true, false or W/(m² K)"},
+        CaseKey{"speed_mm_s", number, 0, 1000, 0.0, "of travel"},
+    },
+    kArc);
 constexpr std::array kHydrostatic{CaseKey{"height_mm", number, 0.1, 1000, kNeeded, "of the column"}};
 constexpr std::array kDamBreak{CaseKey{"width_mm", number, 0.1, 1000, kNeeded, "of the column, twice as high"}};
 constexpr std::array kDroplet{CaseKey{"radius_mm", number, 0.01, 100, kNeeded, "of the drop"}};
@@ -74,23 +89,18 @@ constexpr std::array kCavity{
     CaseKey{"initial_k", number, 1, kHot, kNeeded, "metal at the start"},
     CaseKey{"times_s", list, 0.001, 1e6, kNeeded, "when to compare, rising"},
 };
-constexpr std::array kBead{
-    CaseKey{"speed_mm_s", number, 0.01, 1000, kNeeded, "of travel"},
-    CaseKey{"plate_mm", triple, 0.1, 1000, kNeeded,
-            "along the seam first; of the other two the smaller is the thickness"},
-    CaseKey{"ambient_k", number, 1, kHot, kNeeded, "plate and air"},
-    CaseKey{"voltage", number, 0, 60, 0.0, "of the wire's machine"},
-    CaseKey{"current_a", number, 0, 2000, 0.0, "of an arc without wire, or of a machine that finds its feed by it"},
-    CaseKey{"wire_diameter_mm", number, 0, 10, 0.0, "0: no wire, an arc from tungsten"},
-    CaseKey{"wire_feed_m_min", number, 0, 100, 0.0, "of the wire"},
-    CaseKey{"ctwd_mm", number, 1, 60, 15.0, "contact tip to work distance, with wire"},
-    CaseKey{"arc_length_mm", number, 0.3, 30, 3.0, "from tungsten"},
-    CaseKey{"power_w", number, 0, 1e6, 0.0, "electric, where voltage and current are not given"},
-    // Of earlier editions: read, and not used, as all welds have one set of constants.
-    CaseKey{"efficiency", number, 0.01, 1, 1.0, "not used: a constant of the process"},
-    CaseKey{"arc_sigma_mm", number, 0.1, 50, 1.0, "not used: follows from the arc's length and current"},
-    CaseKey{"liquid_conductivity_factor", number, 0.1, 20, 1.0, "not used: a constant of all arc welds"},
-};
+constexpr std::array kBead = joined(
+    std::array{
+        CaseKey{"speed_mm_s", number, 0.01, 1000, kNeeded, "of travel"},
+        CaseKey{"plate_mm", triple, 0.1, 1000, kNeeded,
+                "along the seam first; of the other two the smaller is the thickness"},
+        CaseKey{"ambient_k", number, 1, kHot, kNeeded, "plate and air"},
+        // Of earlier editions: read, and not used, as all welds have one set of constants.
+        CaseKey{"efficiency", number, 0.01, 1, 1.0, "not used: a constant of the process"},
+        CaseKey{"arc_sigma_mm", number, 0.1, 50, 1.0, "not used: follows from the arc's length and current"},
+        CaseKey{"liquid_conductivity_factor", number, 0.1, 20, 1.0, "not used: a constant of all arc welds"},
+    },
+    kArc);
 
 constexpr std::string_view kDepthResults = "temperature_at_Xmm_k";
 constexpr std::string_view kFrontResults = "front_mm, melted_mm, frozen_mm";

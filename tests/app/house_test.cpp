@@ -1,12 +1,10 @@
-// The house is as the README's table of folders says: includes lead downward, folders stay small.
+// The README's table of folders is the order of the tree; tests/house checks what does not need the README.
 #include "core/base/text.hpp"
 #include "tests/app/handbook.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
 #include <algorithm>
-#include <functional>
-#include <map>
 #include <regex>
 
 using namespace meltpool;
@@ -15,8 +13,6 @@ using namespace meltpool::test;
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr size_t kMostUnits = 15;
 
 fs::path sourceFolder() {
     return testFolder().parent_path();
@@ -28,28 +24,23 @@ struct Include {
     std::string file, included;
 };
 
-struct House {
-    std::vector<Include> includes;                      ///< between different folders
-    std::map<std::string, std::set<std::string>> units; ///< of each folder: file names without their ending
-};
-
-House readHouse() {
+/// Every include of core, xr and app by another folder.
+std::vector<Include> readIncludes() {
     static const std::regex kInclude("#include \"((?:core|xr|app|shaders|tests)/[^\"]*)\"");
-    House house;
+    std::vector<Include> includes;
     for (const char* top : {"core", "xr", "app"})
         for (const auto& entry : fs::recursive_directory_iterator(sourceFolder() / top)) {
             if (entry.path().extension() != ".hpp" && entry.path().extension() != ".cpp") continue;
             const std::string file = fs::relative(entry.path(), sourceFolder()).generic_string();
             const std::string folder = file.substr(0, file.rfind('/') + 1);
-            house.units[folder].insert(entry.path().stem().string());
             const std::string text = readTextFile(entry.path());
             for (std::sregex_iterator found(text.begin(), text.end(), kInclude), end; found != end; ++found) {
                 const std::string included = (*found)[1];
                 const std::string other = included.substr(0, included.rfind('/') + 1);
-                if (other != folder) house.includes.push_back({folder, other, file, included});
+                if (other != folder) includes.push_back({folder, other, file, included});
             }
         }
-    return house;
+    return includes;
 }
 
 /// The folders of the README's table, from the top down.
@@ -82,44 +73,14 @@ TEST_CASE("includes lead down the README's table of folders", "[app][house]") {
         INFO(folder);
         CHECK(fs::is_directory(sourceFolder() / folder));
     }
-    const House house = readHouse();
-    CHECK(house.includes.size() > 200);
-    for (const Include& include : house.includes) {
+    const std::vector<Include> includes = readIncludes();
+    CHECK(includes.size() > 200);
+    for (const Include& include : includes) {
         if (include.from == "app/") continue; // main.cpp stands above the table
         INFO(include.file << " includes " << include.included);
         REQUIRE(rowOf(table, include.from) < table.size());
         REQUIRE(rowOf(table, include.to) < table.size());
         CHECK(rowOf(table, include.from) <= rowOf(table, include.to));
         CHECK_FALSE(include.to.starts_with("tests/"));
-        if (include.from.starts_with("xr/") && !include.to.starts_with("xr/"))
-            CHECK((include.to == "core/gl/" || include.to == "core/base/"));
-    }
-}
-
-TEST_CASE("no folders include each other, not even a folder and its own subfolder", "[app][house]") {
-    std::map<std::string, std::set<std::string>> below;
-    for (const Include& include : readHouse().includes)
-        below[include.from].insert(include.to);
-    std::set<std::string> done, open;
-    const std::function<void(const std::string&)> visit = [&](const std::string& folder) {
-        if (done.contains(folder)) return;
-        INFO(folder);
-        if (!open.insert(folder).second) {
-            FAIL_CHECK("the folder is reached from itself");
-            return;
-        }
-        for (const std::string& other : below[folder])
-            visit(other);
-        open.erase(folder);
-        done.insert(folder);
-    };
-    for (const auto& [folder, others] : std::map(below))
-        visit(folder);
-}
-
-TEST_CASE("no folder holds more units than can be looked over", "[app][house]") {
-    for (const auto& [folder, units] : readHouse().units) {
-        INFO(folder);
-        CHECK(units.size() <= kMostUnits);
     }
 }

@@ -40,6 +40,23 @@ float hottestNear(const Trainer& trainer, float side) {
     return hottest;
 }
 
+/// A torch that points straight down.
+TorchSample upright(const glm::vec3& tip) {
+    TorchSample torch;
+    torch.tip = tip;
+    torch.orientation = glm::angleAxis(-1.5707963f, glm::vec3(1, 0, 0));
+    return torch;
+}
+
+/// The GMAW lesson on a plate of 24x20 mm.
+Lesson smallBead() {
+    Lesson lesson = findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
+    lesson.workpiece.lengthMm = 24;
+    lesson.workpiece.widthMm = 20;
+    lesson.surface.cells = 32;
+    return lesson;
+}
+
 } // namespace
 
 TEST_CASE("the flame melts the corner under it, the opposite corner stays cold, and it freezes again", "[training]") {
@@ -136,9 +153,7 @@ TEST_CASE("the tip is told how far the metal is and whether it is liquid, in met
     lesson.surface.cells = 64;
     Trainer trainer(test::shaders(), lesson);
     trainer.updateSurface(nullptr);
-    TorchSample over;
-    over.tip = {0, 0.03f, 0};
-    over.orientation = glm::angleAxis(-1.5707963f, glm::vec3(1, 0, 0)); // straight down
+    TorchSample over = upright({0, 0.03f, 0});
     // The cube reaches to 20 mm, and what is shown of it at this iso level a grid cell of 1.25 mm farther.
     SurfaceDistance metal = trainer.distanceNow(over);
     CHECK(metal.ahead == Approx(0.009).margin(0.0015));
@@ -159,16 +174,10 @@ TEST_CASE("the tip is told how far the metal is and whether it is liquid, in met
 }
 
 TEST_CASE("over a steel plate the shown surface is as far as the torch is held", "[training]") {
-    Lesson lesson = findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
-    lesson.workpiece.lengthMm = 24;
-    lesson.workpiece.widthMm = 20;
-    lesson.surface.cells = 32;
-    Trainer trainer(test::shaders(), lesson);
+    Trainer trainer(test::shaders(), smallBead());
     trainer.updateSurface(nullptr);
     for (const float mm : {3.0f, -1.0f, 9.0f}) {
-        TorchSample torch;
-        torch.tip = {0.001f, mm * 1e-3f, 0.002f};
-        torch.orientation = glm::angleAxis(-1.5707963f, glm::vec3(1, 0, 0));
+        const TorchSample torch = upright({0.001f, mm * 1e-3f, 0.002f});
         const SurfaceDistance metal = trainer.distanceNow(torch);
         INFO("held at " << mm << " mm, " << metal.ahead * 1000 << " mm found");
         CHECK(metal.ahead * 1000 == Approx(mm).margin(0.3));
@@ -177,16 +186,10 @@ TEST_CASE("over a steel plate the shown surface is as far as the torch is held",
 }
 
 TEST_CASE("a weld's record has the arc of each step", "[training]") {
-    Lesson lesson = findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
-    lesson.workpiece.lengthMm = 24;
-    lesson.workpiece.widthMm = 20;
-    lesson.surface.cells = 32;
-    Trainer trainer(test::shaders(), lesson);
+    Trainer trainer(test::shaders(), smallBead());
     const auto file = test::scratchFolder("arc-record") / "telemetry.csv";
     trainer.record(file);
-    TorchSample torch;
-    torch.tip = {0, 0.003f, 0};
-    torch.orientation = glm::angleAxis(-1.5707963f, glm::vec3(1, 0, 0));
+    TorchSample torch = upright({0, 0.003f, 0});
     torch.trigger = 1;
     std::vector<ArcState> arcs;
     for (int i = 0; i < 40; ++i) {
