@@ -2,6 +2,7 @@
 # The headset test bench: runs PROGRAM against a real OpenXR runtime (Monado) with a scripted head and two scripted controllers.
 #
 #   tests/xr/bench.sh PROGRAM [ARGUMENT...]      run PROGRAM with the runtime up, answer its exit status
+#   tests/xr/bench.sh --display PROGRAM [ARG...] run PROGRAM with the X server up and no runtime
 #   tests/xr/bench.sh --prepare                  only see that a runtime is there (fetch it where it is not)
 #
 # The machine's own monado-service is used where there is one. Elsewhere the packages of Debian 13 are unpacked once into the user's cache and
@@ -84,7 +85,8 @@ freePort() {
 startDisplay() {
     command -v Xvfb >/dev/null || noRuntime "no Xvfb on this machine"
     local number
-    setpriv --pdeathsig KILL Xvfb -displayfd 8 -screen 0 "${MELTPOOL_XR_SCREEN:-1280x720x24}" -nolisten tcp 8>"$run/display" >"$run/xvfb.log" 2>&1 </dev/null &
+    # -noreset: a server that resets when its last client leaves refuses the clients that come while it does so.
+    setpriv --pdeathsig KILL Xvfb -displayfd 8 -screen 0 "${MELTPOOL_XR_SCREEN:-1280x720x24}" -noreset -nolisten tcp 8>"$run/display" >"$run/xvfb.log" 2>&1 </dev/null &
     display_pid=$!
     for _ in $(seq 100); do
         read -r number <"$run/display" 2>/dev/null && [ -n "$number" ] && break
@@ -125,12 +127,18 @@ cleanUp() {
     rm -rf "$run"
 }
 
-[ $# -ge 1 ] || { say "usage: bench.sh PROGRAM [ARGUMENT...] | --prepare"; exit 2; }
+[ $# -ge 1 ] || { say "usage: bench.sh [--display] PROGRAM [ARGUMENT...] | --prepare"; exit 2; }
 run=$(mktemp -d "${TMPDIR:-/tmp}/meltpool-xr.XXXXXX")
 trap cleanUp EXIT
 trap 'exit 129' HUP
 trap 'exit 130' INT
 trap 'exit 143' TERM
+if [ "$1" = --display ]; then
+    shift
+    startDisplay
+    "$@" </dev/null
+    exit
+fi
 findRuntime
 [ "$1" = --prepare ] && exit 0
 

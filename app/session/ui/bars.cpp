@@ -69,8 +69,8 @@ void keyHint(Context& context, const char* key, const char* what) {
     const ImVec2 size = ImGui::CalcTextSize(key);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float pad = context.points(5);
-    draw->AddRectFilled({at.x, at.y - context.points(1)}, {at.x + size.x + 2 * pad, at.y + size.y + context.points(1)},
-                        colour::kTrack, context.points(4));
+    fillRounded(*draw, {at.x, at.y - context.points(1)}, {at.x + size.x + 2 * pad, at.y + size.y + context.points(1)},
+                colour::kTrack, context.points(4));
     draw->AddText({at.x + pad, at.y}, colour::kText, key);
     ImGui::Dummy({size.x + 2 * pad, size.y});
     ImGui::SameLine(0, context.points(6));
@@ -179,10 +179,10 @@ void messageStack(Context& context, Messages& messages, float left, float right)
         if (ImGui::InvisibleButton("message", {width, size.y + 2 * pad})) dismissed = &message;
         ImGui::PopID();
         const ImVec2 end{at.x + width, at.y + size.y + 2 * pad};
-        draw->AddRectFilled(at, end, IM_COL32(38, 43, 53, 252), context.points(8));
-        draw->AddRect(at, end, IM_COL32(255, 255, 255, 30), context.points(8));
-        draw->AddRectFilled(at, {at.x + context.points(5), end.y}, warning ? colour::kWarning : colour::kAccent,
-                            context.points(8), ImDrawFlags_RoundCornersLeft);
+        fillRounded(*draw, at, end, IM_COL32(38, 43, 53, 252), context.points(8));
+        outlineRounded(*draw, at, end, IM_COL32(255, 255, 255, 30), context.points(8));
+        fillRounded(*draw, at, {at.x + context.points(5), end.y}, warning ? colour::kWarning : colour::kAccent,
+                    context.points(8), ImDrawFlags_RoundCornersLeft);
         draw->AddText(nullptr, 0, {at.x + 2 * pad, at.y + pad}, colour::kText, message.text.c_str(), nullptr, inner);
     }
     ImGui::End();
@@ -202,9 +202,9 @@ void temperatureScale(Context& context, int colours, const TemperatureMeaning& m
         const glm::vec3 c = temperatureColour(static_cast<ColourMode>(colours), static_cast<float>(step) / kParts);
         return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 1});
     };
-    draw->AddRectFilled({x - context.points(10), y - context.points(34)},
-                        {x + width + context.points(64), y + height + context.points(14)}, IM_COL32(22, 25, 31, 190),
-                        context.points(8));
+    fillRounded(*draw, {x - context.points(10), y - context.points(34)},
+                {x + width + context.points(64), y + height + context.points(14)}, IM_COL32(22, 25, 31, 190),
+                context.points(8));
     for (int i = 0; i < kParts; ++i) {
         const float top = y + part * static_cast<float>(kParts - 1 - i);
         const ImU32 lower = tint(i);

@@ -104,9 +104,8 @@ void passRow(Context& context, std::string_view name, double ms, double whole, i
     const float width = ImGui::GetContentRegionAvail().x;
     const float height = ImGui::GetTextLineHeight();
     const float share = whole > 0 ? static_cast<float>(std::min(ms / whole, 1.0)) : 0.0f;
-    ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y}, {at.x + width * share, at.y + height},
-                                              depth == 0 ? IM_COL32(255, 138, 61, 60) : IM_COL32(255, 255, 255, 20),
-                                              context.points(3));
+    fillRounded(*ImGui::GetWindowDrawList(), {at.x, at.y}, {at.x + width * share, at.y + height},
+                depth == 0 ? IM_COL32(255, 138, 61, 60) : IM_COL32(255, 255, 255, 20), context.points(3));
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + context.points(6 + 12 * static_cast<float>(depth)));
     ImGui::PushStyleColor(ImGuiCol_Text, depth == 0 ? colour::kText : colour::kQuiet);
     ImGui::TextUnformatted(readableName(name).c_str());

@@ -103,8 +103,8 @@ bool slider(Context& context, std::string_view name, const Scale& scale, bool wh
     const float middle = corner.y + height / 2;
     const float thick = context.points(2);
     const float at = corner.x + radius + length * static_cast<float>(scale.toShare(value));
-    draw->AddRectFilled({corner.x, middle - thick}, {corner.x + width, middle + thick}, colour::kTrack, thick);
-    draw->AddRectFilled({corner.x, middle - thick}, {at, middle + thick}, colour::kAccent, thick);
+    fillRounded(*draw, {corner.x, middle - thick}, {corner.x + width, middle + thick}, colour::kTrack, thick);
+    fillRounded(*draw, {corner.x, middle - thick}, {at, middle + thick}, colour::kAccent, thick);
     draw->AddCircleFilled({at, middle}, radius, held ? colour::kAccent : IM_COL32(245, 247, 250, 255), 24);
     if (hovered || held) draw->AddCircle({at, middle}, radius + context.points(2), IM_COL32(255, 138, 61, 150), 24, 2);
     return changed;

@@ -17,6 +17,25 @@ void markItem(Context& context, std::string_view name) {
     known->second = {low.x, low.y, high.x - low.x, high.y - low.y, context.frame};
 }
 
+namespace {
+
+/// The radius, or 0 where the rectangle is too small for it or has a side that is not a number.
+float drawableRadius(ImVec2 low, ImVec2 high, float radius) {
+    // Dear ImGui leaves side/2 - 1 of the radius, of an edge (side - 1)/2 - 1.
+    const bool room = std::abs(high.x - low.x) >= 3.5f && std::abs(high.y - low.y) >= 3.5f;
+    return room && radius >= 0.5f ? radius : 0.0f;
+}
+
+} // namespace
+
+void fillRounded(ImDrawList& draw, ImVec2 low, ImVec2 high, ImU32 tint, float radius, ImDrawFlags corners) {
+    draw.AddRectFilled(low, high, tint, drawableRadius(low, high, radius), corners);
+}
+
+void outlineRounded(ImDrawList& draw, ImVec2 low, ImVec2 high, ImU32 tint, float radius) {
+    draw.AddRect(low, high, tint, drawableRadius(low, high, radius));
+}
+
 void tooltip(Context& context, std::string_view text) {
     if (text.empty() || !ImGui::IsItemHovered()) return;
     ImGui::BeginTooltip();
@@ -112,7 +131,7 @@ bool toggle(Context& context, std::string_view name, std::string_view label, boo
     const float wide = context.points(36);
     const ImVec2 track{corner.x + width - wide, corner.y + (height - thick) / 2};
     const ImU32 fill = value ? colour::kAccent : (hovered ? colour::kFieldHot : colour::kTrack);
-    draw->AddRectFilled(track, {track.x + wide, track.y + thick}, fill, thick / 2);
+    fillRounded(*draw, track, {track.x + wide, track.y + thick}, fill, thick / 2);
     const float knob = thick / 2 - context.points(3);
     const float x = value ? track.x + wide - thick / 2 : track.x + thick / 2;
     draw->AddCircleFilled({x, track.y + thick / 2}, knob, value ? IM_COL32_WHITE : IM_COL32(190, 197, 208, 255), 24);

@@ -53,6 +53,13 @@ bool toggle(Context& context, std::string_view name, std::string_view label, boo
 /// Buttons of which one is chosen, wrapped into rows.
 bool choiceRow(Context& context, std::string_view name, std::span<const std::string_view> choices, int& value);
 
+/// Draw a rectangle with rounded corners, `radius` in pixels: its inside, its edge. Every rectangle of the interface is
+/// drawn by these two: Dear ImGui 1.86 divides by zero when the radius that it finds room for is between 0 and 1e-6
+/// pixels, as with a side of 2.000001 pixels. Rectangles with a side below 3.5 pixels get sharp corners.
+void fillRounded(ImDrawList& draw, ImVec2 low, ImVec2 high, ImU32 tint, float radius,
+                 ImDrawFlags corners = ImDrawFlags_RoundCornersAll);
+void outlineRounded(ImDrawList& draw, ImVec2 low, ImVec2 high, ImU32 tint, float radius);
+
 void quietText(Context& context, std::string_view text);
 void strongText(Context& context, std::string_view text);
 /// The tooltip of the last item, wrapped to a readable width.
