@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 
 namespace meltpool {
@@ -103,6 +104,15 @@ void complain(std::string sentence) {
     std::fprintf(stderr, "meltpool: %s\n", sentence.c_str());
 }
 
+/// A file beyond the size limit and a pipe without a reader are faults of the write that meets them: their signals
+/// would end the program and lose what it holds.
+void tellWritesOfTheirFaults() {
+#ifndef _WIN32
+    std::signal(SIGXFSZ, SIG_IGN);
+    std::signal(SIGPIPE, SIG_IGN);
+#endif
+}
+
 int parseAndRun(int argc, char** argv) {
     CLI::App app("Meltpool, a virtual welding trainer. Without a command it opens the trainer's window.", "meltpool");
     app.set_version_flag("--version",
@@ -126,6 +136,7 @@ int parseAndRun(int argc, char** argv) {
 } // namespace
 
 int runProgram(int argc, char** argv) {
+    tellWritesOfTheirFaults();
     try {
         return parseAndRun(argc, argv);
     } catch (const InputError& error) {

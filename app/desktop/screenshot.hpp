@@ -13,8 +13,8 @@ std::filesystem::path picturesFolder();
 /// A name in `folder` made of the local time that no file has yet, such as meltpool-2031-05-04-13.45.10.png.
 std::filesystem::path pictureName(const std::filesystem::path& folder);
 
-/// Saves what has been drawn into the window (not yet swapped), `pixels` large. Waits for the GPU. Throws InputError
-/// when the file cannot be written.
+/// Saves what has been drawn into the window (not yet swapped), `pixels` large. Waits for the GPU. Throws what
+/// writeFile() throws; no part of a picture is left then.
 std::filesystem::path saveScreenshot(glm::ivec2 pixels);
 
 } // namespace meltpool

@@ -1,6 +1,7 @@
 #include "core/base/image.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/output_file.hpp"
 #include "core/base/stb_headers.hpp"
 
 #include <algorithm>
@@ -10,9 +11,14 @@
 namespace meltpool {
 
 void writePng(const std::filesystem::path& file, const Image& image) {
-    const int stride = image.width * 3;
-    if (stbi_write_png(file.string().c_str(), image.width, image.height, 3, image.rgb.data(), stride) == 0)
-        throw InputError(file, 0, "cannot be written; expected a folder with write permission and free space");
+    // stb tells no fault of a file that it writes itself.
+    std::string bytes;
+    const auto append = [](void* to, void* data, int size) {
+        static_cast<std::string*>(to)->append(static_cast<const char*>(data), static_cast<size_t>(size));
+    };
+    if (stbi_write_png_to_func(append, &bytes, image.width, image.height, 3, image.rgb.data(), image.width * 3) == 0)
+        throw RuntimeFault(file.string() + ": there is not enough memory to make the picture's file");
+    writeFile(file, bytes);
 }
 
 Image readPng(const std::filesystem::path& file) {

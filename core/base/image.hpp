@@ -14,7 +14,7 @@ struct Image {
     std::vector<std::uint8_t> rgb;
 };
 
-/// Throws InputError when the file cannot be written.
+/// Writes the whole picture or nothing; throws what writeFile() throws.
 void writePng(const std::filesystem::path& file, const Image& image);
 
 /// Throws InputError when the file is missing or not a picture.

@@ -1,6 +1,7 @@
 #include "core/base/text.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/output_file.hpp"
 
 #include <array>
 #include <charconv>
@@ -89,20 +90,7 @@ std::string readTextFile(const std::filesystem::path& file) {
 }
 
 void writeTextFileAtomically(const std::filesystem::path& file, std::string_view text) {
-    // Pipes and devices are written directly: renaming would replace them by a regular file.
-    std::error_code failure;
-    const bool plain = std::filesystem::is_regular_file(file, failure) || !std::filesystem::exists(file, failure);
-    std::filesystem::path draft = file;
-    if (plain) draft += ".tmp";
-    std::ofstream stream(draft, std::ios::binary | std::ios::trunc);
-    stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-    stream.close();
-    failure.clear();
-    if (stream && plain) std::filesystem::rename(draft, file, failure);
-    if (!stream || failure) {
-        if (plain) std::filesystem::remove(draft, failure);
-        throw InputError(file, 0, "cannot be written; expected a folder with write permission and free space");
-    }
+    writeFile(file, text);
 }
 
 } // namespace meltpool

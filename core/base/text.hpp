@@ -29,8 +29,7 @@ std::string_view trimText(std::string_view text);
 /// The whole file. Throws InputError when it cannot be read.
 std::string readTextFile(const std::filesystem::path& file);
 
-/// Writes a temporary file beside it and renames that, so that a crash leaves the old or the new file, never a part.
-/// Throws InputError when the folder or file cannot be written.
+/// writeFile() of a text.
 void writeTextFileAtomically(const std::filesystem::path& file, std::string_view text);
 
 } // namespace meltpool

@@ -165,3 +165,17 @@ TEST_CASE("a weld lesson melts steel, tells its section, and repeats bit by bit"
     CHECK(second.at("state_hash") == first.at("state_hash"));
     CHECK(second.at("section") == section);
 }
+
+TEST_CASE("a size limit on files ends a run with a sentence and without a cut picture", "[app]") {
+    const auto folder = test::scratchFolder("limit");
+    // In KiB: enough for the record's rows, too little for a picture.
+    const test::Outcome outcome =
+        runMeltpool("run classic --size 640x480 --set cells=24 --set particles=512 --seconds 0.1 "
+                    "--pictures 0 --out '" +
+                        folder.string() + "'",
+                    "ulimit -f 8;");
+    CHECK(outcome.code == 1);
+    CHECK_THAT(outcome.errors, containsText("-metal.png: cannot be written to its end"));
+    for (const auto& entry : fs::directory_iterator(folder))
+        CHECK(entry.path().extension() != ".png");
+}

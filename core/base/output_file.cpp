@@ -1,0 +1,191 @@
+#include "core/base/output_file.hpp"
+
+#include "core/base/error.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#ifdef _WIN32
+#include <io.h>
+#include <process.h>
+#else
+#include <unistd.h>
+#endif
+
+namespace meltpool {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kMostLinks = 32; ///< a longer chain of symbolic links is a circle
+
+/// The disk or the system fails; everything else that prevents a file is the choice of its place.
+bool isMachineFault(int code) {
+    return code == ENOSPC || code == EIO || code == EMFILE || code == ENFILE || code == ENOMEM
+#ifdef EDQUOT
+           || code == EDQUOT
+#endif
+        ;
+}
+
+[[noreturn]] void failToOpen(const fs::path& file, int code) {
+    const std::string reason = std::string("cannot be written: ") + std::strerror(code);
+    if (isMachineFault(code)) throw RuntimeFault(file.string() + ": " + reason);
+    throw InputError(file, 0, reason + "; expected a folder with write permission");
+}
+
+/// A file that is written; it closes itself.
+class Stream {
+  public:
+    Stream(const fs::path& file, const char* mode) {
+#ifdef _WIN32
+        stream_ = _wfopen(file.c_str(), std::wstring(mode, mode + std::strlen(mode)).c_str());
+#else
+        stream_ = std::fopen(file.c_str(), mode);
+#endif
+        code_ = stream_ == nullptr ? errno : 0;
+        if (stream_ != nullptr) std::setvbuf(stream_, nullptr, _IONBF, 0);
+    }
+    ~Stream() {
+        close();
+    }
+    Stream(const Stream&) = delete;
+    Stream& operator=(const Stream&) = delete;
+
+    bool open() const {
+        return stream_ != nullptr;
+    }
+    /// Why it is not open, or what failed last; 0: nothing.
+    int code() const {
+        return code_;
+    }
+
+    bool write(std::string_view bytes) {
+        return note(std::fwrite(bytes.data(), 1, bytes.size(), stream_) == bytes.size());
+    }
+    /// Brings all to the disk. Pipes and some devices have none.
+    bool sync() {
+#ifdef _WIN32
+        return note(_commit(_fileno(stream_)) == 0);
+#else
+        return note(fsync(fileno(stream_)) == 0 || errno == EINVAL || errno == EROFS);
+#endif
+    }
+    bool close() {
+        std::FILE* open = std::exchange(stream_, nullptr);
+        return open == nullptr || note(std::fclose(open) == 0);
+    }
+
+  private:
+    bool note(bool good) {
+        if (!good) code_ = errno;
+        return good;
+    }
+
+    std::FILE* stream_ = nullptr;
+    int code_ = 0;
+};
+
+/// Where a chain of symbolic links ends; the renamed file must take the place of that, not of the link.
+fs::path endOfLinks(fs::path file) {
+    std::error_code unreadable;
+    for (int i = 0; i < kMostLinks && fs::is_symlink(file, unreadable); ++i) {
+        const fs::path next = fs::read_symlink(file, unreadable);
+        if (unreadable) break;
+        file = next.is_absolute() ? next : file.parent_path() / next;
+    }
+    return file;
+}
+
+/// A name beside `file` that no other process uses.
+fs::path draftName(const fs::path& file) {
+#ifdef _WIN32
+    const int process = _getpid();
+#else
+    const int process = getpid();
+#endif
+    fs::path name = file;
+    name += "." + std::to_string(process) + ".tmp";
+    return name;
+}
+
+[[noreturn]] void failToWrite(const fs::path& file, int code) {
+    throw RuntimeFault(file.string() + ": cannot be written to its end: " + std::strerror(code) +
+                       "; expected free space");
+}
+
+void writeDirectly(const fs::path& file, std::string_view bytes) {
+    Stream stream(file, "wb");
+    if (!stream.open()) failToOpen(file, stream.code());
+    const bool written = stream.write(bytes) && stream.sync();
+    if (!stream.close() || !written) failToWrite(file, stream.code());
+}
+
+/// Throws where an existing file must not be changed, which renaming would not notice.
+void requirePermission(const fs::path& file) {
+    std::error_code unreadable;
+    if (!fs::exists(file, unreadable)) return;
+    const Stream stream(file, "r+b");
+    if (!stream.open()) failToOpen(file, stream.code());
+}
+
+void requireNoFolder(const fs::path& file) {
+    std::error_code unreadable;
+    if (fs::is_directory(file, unreadable)) throw InputError(file, 0, "this is a folder; expected the name of a file");
+}
+
+/// Removes the temporary file unless it has got its own name.
+struct Draft {
+    fs::path name;
+    bool renamed = false;
+    ~Draft() {
+        std::error_code ignored;
+        if (!renamed) fs::remove(name, ignored);
+    }
+};
+
+} // namespace
+
+bool isPlainFile(const fs::path& file) {
+    std::error_code unreadable;
+    const fs::file_status status = fs::status(file, unreadable);
+    return fs::is_regular_file(status) || !fs::exists(status);
+}
+
+void writeFile(const fs::path& file, std::string_view bytes) {
+    requireNoFolder(file);
+    if (!isPlainFile(file)) return writeDirectly(file, bytes);
+    const fs::path target = endOfLinks(file);
+    requirePermission(target);
+    std::error_code failure;
+    Draft draft{draftName(target)};
+    fs::remove(draft.name, failure); // left by a crash of a process with the same number
+    Stream stream(draft.name, "wbx");
+    if (!stream.open()) failToOpen(file, stream.code());
+    const fs::file_status before = fs::status(target, failure);
+    if (fs::exists(before)) fs::permissions(draft.name, before.permissions(), failure);
+    const bool written = stream.write(bytes) && stream.sync();
+    if (!stream.close() || !written) failToWrite(file, stream.code());
+    fs::rename(draft.name, target, failure);
+    if (failure) throw RuntimeFault(file.string() + ": cannot be given its name: " + failure.message());
+    draft.renamed = true;
+}
+
+void requireWritable(const fs::path& file) {
+    requireNoFolder(file);
+    if (!isPlainFile(file)) return; // opening a pipe would wait for its reader
+    const fs::path target = endOfLinks(file);
+    requirePermission(target);
+    std::error_code failure;
+    const Draft draft{draftName(target)};
+    fs::remove(draft.name, failure);
+    const Stream stream(draft.name, "wbx");
+    if (!stream.open()) failToOpen(file, stream.code());
+}
+
+} // namespace meltpool
