@@ -2,6 +2,8 @@
 
 #include "app/program/program_info.hpp"
 #include "core/base/error.hpp"
+#include "core/base/file_lock.hpp"
+#include "core/base/output_file.hpp"
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"
 
@@ -13,6 +15,7 @@
 #include <ctime>
 #include <fstream>
 #include <limits>
+#include <optional>
 #include <thread>
 
 namespace meltpool {
@@ -95,8 +98,9 @@ void Bench::add(BenchRow row) {
     rows_.push_back(std::move(row));
 }
 
-std::string benchJson(const gl::ContextInfo& driver, const std::vector<BenchRow>& rows) {
+std::string benchJson(const gl::ContextInfo& driver, const std::vector<BenchRow>& rows, bool complete) {
     nlohmann::ordered_json json;
+    json["complete"] = complete;
     json["renderer"] = driver.renderer;
     json["driver"] = driver.version;
     json["processor"] = processorName();
@@ -132,21 +136,25 @@ void runBench(const std::string& suite, const std::filesystem::path& jsonFile) {
         if (known.find(part.suite) == std::string::npos) known += (known.empty() ? "" : ", ") + std::string(part.suite);
     }
     if (chosen.empty()) throw InputError("bench suite '" + suite + "' is unknown; expected one of " + known);
-    // A report that cannot be kept is found out before the minutes that it takes.
-    if (!jsonFile.empty()) writeTextFileAtomically(jsonFile, "");
     const gl::HeadlessContext context(false);
+    const bool keeps = !jsonFile.empty() && isPlainFile(jsonFile);
+    std::optional<FileLock> lock;
+    if (keeps) lock.emplace(jsonFile.string() + ".lock", jsonFile);
+    std::vector<BenchRow> rows;
+    // A report that cannot be kept is found out before the minutes that it takes.
+    if (keeps) writeTextFileAtomically(jsonFile, benchJson(context.info(), rows, false));
     gl::ShaderLibrary shaders(resourceFolder() / "shaders");
     std::printf("%s, %s; %s, %u threads; meltpool %s (%s)\n", context.info().renderer.c_str(),
                 context.info().version.c_str(), processorName().c_str(), std::thread::hardware_concurrency(),
                 std::string(programVersion()).c_str(), std::string(programCommit()).c_str());
     std::printf("%-10s %-40s %9s %11s %9s %10s\n", "suite", "what / pass", "particles", "ms (least)", "B/part.", "MiB");
-    std::vector<BenchRow> rows;
     for (const BenchPart& part : chosen) {
         Bench bench(shaders, std::string(part.suite));
         part.run(bench);
         rows.insert(rows.end(), bench.rows().begin(), bench.rows().end());
+        if (keeps) writeTextFileAtomically(jsonFile, benchJson(context.info(), rows, false));
     }
-    if (!jsonFile.empty()) writeTextFileAtomically(jsonFile, benchJson(context.info(), rows));
+    if (!jsonFile.empty()) writeTextFileAtomically(jsonFile, benchJson(context.info(), rows, true));
 }
 
 } // namespace meltpool

@@ -63,10 +63,11 @@ struct BenchPart {
 std::span<const BenchPart> benchParts();
 
 /// The report of some rows: renderer, driver, processor, version, commit and date once at the top, then one object a
-/// row.
-std::string benchJson(const gl::ContextInfo& driver, const std::vector<BenchRow>& rows);
+/// row. `complete`: no row is to come.
+std::string benchJson(const gl::ContextInfo& driver, const std::vector<BenchRow>& rows, bool complete);
 
-/// `meltpool bench`: runs one suite, or all for "". Prints the table and writes the JSON where a file is named. Throws
+/// `meltpool bench`: runs one suite, or all for "". Prints the table and writes the JSON where a file is named, anew
+/// after each part. Throws
 /// InputError, listing the suites, for an unknown one.
 void runBench(const std::string& suite, const std::filesystem::path& jsonFile);
 

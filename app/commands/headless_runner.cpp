@@ -13,6 +13,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 namespace meltpool {
 
@@ -91,10 +92,19 @@ void requireFinite(const Trainer& trainer) {
     throw RuntimeFault(sentence);
 }
 
+ResultContext contextOf(const gl::ContextInfo& driver, const std::string& error) {
+    ResultContext context;
+    context.version = programVersion();
+    context.commit = programCommit();
+    context.renderer = driver.renderer;
+    context.error = error;
+    return context;
+}
+
 class Run {
   public:
-    Run(const gl::ContextInfo& driver, Trainer& trainer, std::filesystem::path folder)
-        : driver_(driver), trainer_(trainer), folder_(std::move(folder)) {}
+    Run(const gl::ContextInfo& driver, Trainer& trainer, const RunPlaces& places)
+        : driver_(driver), trainer_(trainer), places_(places) {}
 
     LessonResult toTheEnd(gl::ShaderLibrary& shaders, const StopFlag& stop) {
         try {
@@ -110,10 +120,10 @@ class Run {
   private:
     void steps(gl::ShaderLibrary& shaders, const StopFlag& stop) {
         trainer_.waitForFigures(true);
-        trainer_.record(folder_ / "telemetry.csv");
+        trainer_.record(places_.telemetry);
         const RunParameters& run = trainer_.lesson().run;
         const size_t whole = stepsFor(static_cast<double>(run.seconds), trainer_.timeStep());
-        Photographer photographer(shaders, run, folder_);
+        Photographer photographer(shaders, run, places_.pictures);
         ProgressBar bar(trainer_.lesson().key);
         photographer.takeDue(trainer_, whole == 0);
         for (size_t step = 1; step <= whole; ++step) {
@@ -128,13 +138,10 @@ class Run {
     LessonResult keepResult(const std::string& error) {
         const LessonResult result = trainer_.result();
         const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-        const ResultContext context{std::string(programVersion()),
-                                    std::string(programCommit()),
-                                    driver_.renderer,
-                                    wall,
-                                    trainer_.section(),
-                                    error};
-        writeResult(folder_ / "result.json", trainer_.lesson(), result, context);
+        ResultContext context = contextOf(driver_, error);
+        context.wallSeconds = wall;
+        context.section = trainer_.section();
+        writeResult(places_.result, trainer_.lesson(), result, context);
         return result;
     }
 
@@ -152,23 +159,25 @@ class Run {
 
     const gl::ContextInfo& driver_;
     Trainer& trainer_;
-    std::filesystem::path folder_;
+    RunPlaces places_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 } // namespace
 
-void prepareOutputFolder(const std::filesystem::path& folder) {
-    std::error_code failure;
-    std::filesystem::create_directories(folder, failure);
-    if (failure || !std::filesystem::is_directory(folder, failure))
-        throw InputError(folder, 0, "cannot be made; expected a place where a folder may be made and written");
-}
-
 LessonResult runHeadless(const gl::ContextInfo& driver, gl::ShaderLibrary& shaders, const Lesson& lesson,
-                         const std::filesystem::path& folder, const StopFlag& stop) {
-    Trainer trainer(shaders, lesson);
-    return Run(driver, trainer, folder).toTheEnd(shaders, stop);
+                         const RunPlaces& places, const StopFlag& stop) {
+    Lesson copy = lesson;
+    writeUnfinishedResult(places.result, copy,
+                          contextOf(driver, "the run has not ended; if it is over, it was killed"));
+    std::optional<Trainer> trainer;
+    try {
+        trainer.emplace(shaders, lesson);
+    } catch (const std::exception& fault) {
+        writeUnfinishedResult(places.result, copy, contextOf(driver, fault.what()));
+        throw;
+    }
+    return Run(driver, *trainer, places).toTheEnd(shaders, stop);
 }
 
 size_t stepsFor(double seconds, double timeStep) {

@@ -13,14 +13,19 @@ namespace meltpool {
 /// Set from a signal or another thread to end a run early; what it had is kept.
 using StopFlag = std::atomic<bool>;
 
-/// Makes the folder where it is missing. Throws InputError when that cannot be done.
-void prepareOutputFolder(const std::filesystem::path& folder);
+/// Where a run writes.
+struct RunPlaces {
+    std::filesystem::path result;
+    std::filesystem::path telemetry;
+    std::filesystem::path pictures; ///< a folder
+};
 
-/// Runs the lesson to its end. When it fails midway the record is flushed and result.json says why under "error"; the
-/// failure is then thrown on: InputError when the folder cannot be written at all, RuntimeFault for a full disk, a
-/// metal that is no longer finite or a run that was stopped.
+/// Runs the lesson to its end. From the first moment on the result says that the run is not finished. When it fails,
+/// the record is flushed and the result says why under "error"; the failure is then thrown on: InputError when the
+/// folder cannot be written at all, RuntimeFault for a full disk, a metal that is no longer finite or a run that was
+/// stopped.
 LessonResult runHeadless(const gl::ContextInfo& driver, gl::ShaderLibrary& shaders, const Lesson& lesson,
-                         const std::filesystem::path& folder, const StopFlag& stop);
+                         const RunPlaces& places, const StopFlag& stop);
 
 /// How many fixed steps make `seconds`: the smallest number that reaches them.
 size_t stepsFor(double seconds, double timeStep);

@@ -1,6 +1,7 @@
 #include "app/commands/commands.hpp"
 
 #include "app/commands/headless_runner.hpp"
+#include "app/commands/run_folder.hpp"
 #include "core/base/error.hpp"
 #include "core/base/resources.hpp"
 #include "core/training/lesson.hpp"
@@ -61,12 +62,15 @@ Lesson requestedLesson(const RunRequest& request) {
 
 void runLesson(const RunRequest& request) {
     const Lesson lesson = requestedLesson(request);
-    prepareOutputFolder(request.folder);
+    RunFolder folder(request.folder, lessonSources(lesson));
     std::signal(SIGINT, askToStop);
     std::signal(SIGTERM, askToStop);
     const gl::HeadlessContext context;
     gl::ShaderLibrary shaders(resourceFolder() / "shaders");
-    const LessonResult result = runHeadless(context.info(), shaders, lesson, request.folder, stopAsked);
+    if (const size_t removed = folder.clear(); removed > 0)
+        std::printf("%s held an earlier run; its %zu files are removed.\n", request.folder.string().c_str(), removed);
+    const LessonResult result =
+        runHeadless(context.info(), shaders, lesson, {folder.result(), folder.telemetry(), folder.path()}, stopAsked);
     std::printf(
         "%s: %.2f s in %zu steps, %zu of %zu particles molten, temperature %.3g to %.3g, %zu lost; pictures and "
         "result are in %s\n",

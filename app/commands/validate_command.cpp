@@ -2,6 +2,8 @@
 #include "app/commands/commands.hpp"
 #include "app/program/program_info.hpp"
 #include "core/base/error.hpp"
+#include "core/base/file_lock.hpp"
+#include "core/base/output_file.hpp"
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"
 #include "core/gl/context.hpp"
@@ -12,6 +14,7 @@
 #include <cmath>
 #include <cstdio>
 #include <new>
+#include <optional>
 
 namespace meltpool {
 
@@ -56,6 +59,7 @@ Json resultJson(const ValidationResult& result) {
 class Record {
   public:
     Record(std::filesystem::path file, const gl::HeadlessContext& context) : file_(std::move(file)) {
+        if (!file_.empty() && isPlainFile(file_)) lock_.emplace(lockName(file_), file_);
         json_ = {{"renderer", context.info().renderer}, {"version", programVersion()}, {"commit", programCommit()}};
         json_["complete"] = false;
         json_["passed"] = false;
@@ -78,15 +82,24 @@ class Record {
   private:
     void keep() const {
         // A pipe or device gets the whole once, at the end.
-        std::error_code fault;
-        const bool plain = std::filesystem::is_regular_file(file_, fault) || !std::filesystem::exists(file_, fault);
-        if (!file_.empty() && plain)
-            writeTextFileAtomically(file_, json_.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+        if (lock_) writeTextFileAtomically(file_, json_.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
     }
 
+    static std::filesystem::path lockName(std::filesystem::path file) { return file += ".lock"; }
+
     std::filesystem::path file_;
+    std::optional<FileLock> lock_;
     Json json_;
 };
+
+/// The file of --json must be none that is read.
+void requireNoSource(const std::filesystem::path& json, const std::vector<std::filesystem::path>& sources) {
+    for (const auto& source : sources) {
+        std::error_code missing;
+        if (!json.empty() && std::filesystem::equivalent(json, source, missing))
+            throw InputError(json, 0, "--json names a case that is read; expected another file");
+    }
+}
 
 /// What ended a case early: the person's input (exit code 2) or the machine (1).
 struct Ends {
@@ -114,6 +127,7 @@ struct Ends {
 bool runValidation(const ValidationRequest& request) {
     const auto files = request.cases.empty() ? validationCaseFiles(resourceFolder() / "validation") : request.cases;
     // Every file is read before the first is run: a fault in the last must not cost the time of the others.
+    requireNoSource(request.json, files);
     std::vector<ValidationCase> cases;
     for (const auto& file : files)
         cases.push_back(readValidationCase(file));

@@ -57,9 +57,10 @@ struct PictureLook {
 };
 
 struct Lesson {
-    std::string key;   ///< name in the catalogue; of a lesson from elsewhere the file's name without ".toml"
-    std::string title; ///< one line for lists
-    std::string text;  ///< what the trainee is asked to do
+    std::string key;            ///< name in the catalogue; of a lesson from elsewhere the file's name without ".toml"
+    std::string title;          ///< one line for lists
+    std::string text;           ///< what the trainee is asked to do
+    std::filesystem::path file; ///< where it was read
     std::filesystem::path torchFile;
     TorchPath torch; ///< the demonstration; empty: the torch rests with its trigger released
 
@@ -82,6 +83,9 @@ struct Lesson {
     /// with `where`, for an unknown key or a value that does not fit; the lesson is then unchanged.
     void set(std::string_view name, std::string_view value, std::string_view where);
 };
+
+/// The files that a run of this lesson reads: its own, the torch path's, a metal's of its own.
+std::vector<std::filesystem::path> lessonSources(const Lesson& lesson);
 
 /// Reads and checks a lesson's file. Throws InputError naming file and line for anything unknown, missing or out of
 /// range, in the torch path's file too.

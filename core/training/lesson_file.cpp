@@ -93,6 +93,7 @@ Lesson readLesson(const std::filesystem::path& file) {
     const toml::table parsed = parseTomlFile(file);
     TomlTable root(parsed, file);
     Lesson lesson;
+    lesson.file = file;
     lesson.key = file.stem().string();
     lesson.title = root.text("title", lesson.key);
     lesson.text = root.text("text", "");
@@ -122,6 +123,13 @@ Lesson readLesson(const std::filesystem::path& file) {
     }
     root.finish();
     return lesson;
+}
+
+std::vector<std::filesystem::path> lessonSources(const Lesson& lesson) {
+    std::vector<std::filesystem::path> files{lesson.file};
+    if (!lesson.torchFile.empty()) files.push_back(lesson.torchFile);
+    if (lesson.workpiece.metal.ends_with(".toml")) files.emplace_back(lesson.workpiece.metal);
+    return files;
 }
 
 std::vector<std::string> lessonNames(const std::filesystem::path& folder) {

@@ -85,14 +85,36 @@ Json wireOf(const WireAccount& wire) {
             {"melted_g", number(wire.melted * wire.area * wire.density * 1e3)}};
 }
 
+/// The entries before the figures of a run.
+Json beginning(const Lesson& lesson, const ResultContext& context) {
+    Json json;
+    json["lesson"] = lesson.key;
+    json["finished"] = context.error.empty();
+    if (!context.error.empty()) json["error"] = context.error;
+    json["renderer"] = context.renderer;
+    return json;
+}
+
+/// Adds the entries behind the figures and writes the file.
+void finish(const std::filesystem::path& file, Json json, Lesson& lesson, const ResultContext& context) {
+    json["torch"] = lesson.torchFile.filename().string();
+    json["version"] = context.version;
+    json["commit"] = context.commit;
+    Json& parameters = json["parameters"];
+    for (const Parameter& parameter : lesson.parameters())
+        parameters[std::string(parameter.key)] = valueOf(parameter);
+    writeTextFileAtomically(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
 } // namespace
+
+void writeUnfinishedResult(const std::filesystem::path& file, Lesson& lesson, const ResultContext& context) {
+    finish(file, beginning(lesson, context), lesson, context);
+}
 
 void writeResult(const std::filesystem::path& file, Lesson& lesson, const LessonResult& result,
                  const ResultContext& context) {
-    Json json;
-    json["lesson"] = lesson.key;
-    if (!context.error.empty()) json["error"] = context.error;
-    json["renderer"] = context.renderer;
+    Json json = beginning(lesson, context);
     json["seconds"] = number(result.seconds);
     json["steps"] = result.steps;
     json["particles"] = result.metal.particles;
@@ -108,13 +130,7 @@ void writeResult(const std::filesystem::path& file, Lesson& lesson, const Lesson
     json["wall_seconds"] = number(context.wallSeconds);
     json["metal_bytes"] = result.metalBytes;
     json["surface_bytes"] = result.surfaceBytes;
-    json["torch"] = lesson.torchFile.filename().string();
-    json["version"] = context.version;
-    json["commit"] = context.commit;
-    Json& parameters = json["parameters"];
-    for (const Parameter& parameter : lesson.parameters())
-        parameters[std::string(parameter.key)] = valueOf(parameter);
-    writeTextFileAtomically(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    finish(file, std::move(json), lesson, context);
 }
 
 } // namespace meltpool

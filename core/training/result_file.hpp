@@ -20,7 +20,12 @@ struct ResultContext {
     std::string error = {};                  ///< why the run ended early; empty when it did not
 };
 
-/// Writes the figures of a run together with every parameter it had. Throws InputError when the file cannot be written.
+/// Writes what a run is about to do, marked as not finished: what stands in the folder of a run that was killed.
+/// `context.error` says so in a sentence. Throws what writeFile() throws.
+void writeUnfinishedResult(const std::filesystem::path& file, Lesson& lesson, const ResultContext& context);
+
+/// Writes the figures of a run together with every parameter it had. It is finished where the context has no error.
+/// Throws what writeFile() throws.
 void writeResult(const std::filesystem::path& file, Lesson& lesson, const LessonResult& result,
                  const ResultContext& context);
 

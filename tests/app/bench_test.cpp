@@ -61,8 +61,8 @@ TEST_CASE("the report names the machine once and each row with its fields", "[ap
     row.bytesPerParticle = 120;
     row.bytes = 983040;
     row.further = {{"times_all_pairs", 30}};
-    const nlohmann::json json = nlohmann::json::parse(benchJson(test::context().info(), {row, row}));
-    for (const char* field : {"renderer", "driver", "processor", "threads", "version", "commit", "date"})
+    const nlohmann::json json = nlohmann::json::parse(benchJson(test::context().info(), {row, row}, true));
+    for (const char* field : {"complete", "renderer", "driver", "processor", "threads", "version", "commit", "date"})
         CHECK(json.contains(field));
     CHECK(json.at("renderer") == test::context().info().renderer);
     REQUIRE(json.at("rows").size() == 2);

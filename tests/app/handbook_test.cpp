@@ -361,7 +361,7 @@ TEST_CASE("the handbook names what the program writes", "[app][handbook]") {
     CHECK(joined(without(section, shown)) == "");
 
     Names bench;
-    const auto json = nlohmann::json::parse(benchJson(context().info(), {BenchRow{}}));
+    const auto json = nlohmann::json::parse(benchJson(context().info(), {BenchRow{}}, true));
     addKeys(json, bench);
     addKeys(json.at("rows").at(0), bench);
     CHECK(told("entries of the benchmark").column(0) == bench);

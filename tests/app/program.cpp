@@ -37,4 +37,24 @@ Outcome runUntilRecorded(const std::string& arguments, const std::filesystem::pa
     return runMeltpool(arguments, before + " RECORD='" + telemetry.string() + "' sh '" + script.string() + "'");
 }
 
+Outcome runBeside(const std::string& first, const std::string& signal, const std::filesystem::path& telemetry,
+                  const std::string& second) {
+    const std::filesystem::path built = std::filesystem::path(MELTPOOL_BINARY_FOLDER) / "bin" / "meltpool";
+    const std::filesystem::path script = scratchFolder("beside") / "beside.sh";
+    writeTextFileAtomically(script, "rm -f '" + telemetry.string() + "'\n" + built.string() + " " + first +
+                                        " >/dev/null 2>&1 & pid=$!\n"
+                                        "tries=0\n"
+                                        "while [ $tries -lt 1200 ]; do\n"
+                                        "  rows=$(cat '" +
+                                        telemetry.string() +
+                                        "' 2>/dev/null | wc -l)\n"
+                                        "  [ \"$rows\" -gt 50 ] && break\n"
+                                        "  sleep 0.1; tries=$((tries + 1))\n"
+                                        "done\n"
+                                        "\"$@\"; code=$?\n"
+                                        "kill -" +
+                                        signal + " $pid; wait $pid 2>/dev/null\nexit $code\n");
+    return runMeltpool(second, "sh '" + script.string() + "'");
+}
+
 } // namespace meltpool::test

@@ -21,4 +21,9 @@ Outcome runMeltpool(const std::string& arguments, const std::string& before = ""
 Outcome runUntilRecorded(const std::string& arguments, const std::filesystem::path& telemetry,
                          const std::string& before = "");
 
+/// Runs `first` until the record `telemetry`, written anew by it, has more than 50 rows, then `second` beside it, then
+/// sends `first` the signal ("KILL", "TERM") and waits for its end. Answers what `second` gave.
+Outcome runBeside(const std::string& first, const std::string& signal, const std::filesystem::path& telemetry,
+                  const std::string& second);
+
 } // namespace meltpool::test

@@ -64,6 +64,7 @@ TEST_CASE("a run leaves result, telemetry and pictures, and the same run gives t
     CHECK(first["molten"] < 8191);
     CHECK(first["min_temperature"] == 0);
     CHECK_FALSE(first.contains("error"));
+    CHECK(first["finished"] == true);
     CHECK(picturesIn(folder / "first") == 6); // 0, 0.5 and 1 s in two looks
     CHECK(readTorchCsv(folder / "first" / "telemetry.csv").samples.size() == 60);
 
@@ -178,4 +179,51 @@ TEST_CASE("a size limit on files ends a run with a sentence and without a cut pi
     CHECK_THAT(outcome.errors, containsText("-metal.png: cannot be written to its end"));
     for (const auto& entry : fs::directory_iterator(folder))
         CHECK(entry.path().extension() != ".png");
+}
+
+TEST_CASE("a run never writes over the torch path that it reads", "[app]") {
+    const auto folder = test::scratchFolder("source");
+    runInto(folder, kQuick + "--pictures 0 --seconds 0.1 --set particles=64");
+    const std::string record = readTextFile(folder / "telemetry.csv");
+    fs::create_hard_link(folder / "telemetry.csv", folder / "other-name.csv");
+    for (const char* name : {"telemetry.csv", "other-name.csv"}) {
+        const test::Outcome outcome = runMeltpool(kQuick + "--seconds 0.1 --torch '" + (folder / name).string() +
+                                                  "' --out '" + folder.string() + "'");
+        CHECK(outcome.code == 2);
+        CHECK_THAT(outcome.errors, containsText(std::string(name) + ": the run would write over this file"));
+    }
+    CHECK(readTextFile(folder / "telemetry.csv") == record);
+    CHECK(resultIn(folder).at("finished") == true);
+}
+
+TEST_CASE("a folder in which a run writes is closed to a second one, and a killed run is marked as unfinished",
+          "[app]") {
+    const auto folder = test::scratchFolder("twice");
+    const std::string into = " --out '" + folder.string() + "'";
+    runInto(folder, kQuick + "--pictures 0.05 --seconds 0.2 --set particles=64");
+    const test::Outcome second =
+        test::runBeside(kQuick + "--pictures 0 --seconds 3600 --set particles=512" + into, "KILL",
+                        folder / "telemetry.csv", kQuick + "--seconds 0.1 --set particles=64" + into);
+    CHECK(second.code == 2);
+    CHECK_THAT(second.errors, containsText("twice: another program is writing here") && containsText("expected"));
+    const Json killed = resultIn(folder);
+    CHECK(killed.at("finished") == false);
+    CHECK_THAT(killed.at("error").get<std::string>(), containsText("has not ended"));
+    CHECK_FALSE(killed.contains("state_hash"));
+    CHECK(picturesIn(folder) == 0); // those of the first run are gone
+    // The dead process locks nothing.
+    const test::Outcome third = runMeltpool(kQuick + "--pictures 0 --seconds 0.1 --set particles=64" + into);
+    CHECK(third.code == 0);
+    CHECK_THAT(third.output, containsText("held an earlier run; its 2 files are removed"));
+    CHECK(resultIn(folder).at("finished") == true);
+    CHECK_FALSE(fs::exists(folder / "meltpool.lock"));
+}
+
+TEST_CASE("a run that cannot begin says so in its result", "[app]") {
+    const auto folder = test::scratchFolder("beginning");
+    const test::Outcome outcome = runMeltpool(
+        "run gmaw-bead --set length_mm=400 --set width_mm=400 --set spacing_mm=0.2 --out '" + folder.string() + "'");
+    CHECK(outcome.code == 2);
+    CHECK(resultIn(folder).at("finished") == false);
+    CHECK_THAT(resultIn(folder).at("error").get<std::string>(), containsText("spacing_mm"));
 }

@@ -1,0 +1,35 @@
+// The folder that a run writes into: locked, never over what the run reads, never mixed with an earlier run.
+#pragma once
+
+#include "core/base/file_lock.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace meltpool {
+
+class RunFolder {
+  public:
+    /// Makes the folder where it is missing and locks it. Throws InputError when that cannot be done, when another run
+    /// writes there, or when the run would write over one of its `sources`. Nothing in the folder is changed yet.
+    RunFolder(std::filesystem::path folder, std::span<const std::filesystem::path> sources);
+
+    const std::filesystem::path& path() const { return folder_; }
+    std::filesystem::path result() const { return folder_ / "result.json"; }
+    std::filesystem::path telemetry() const { return folder_ / "telemetry.csv"; }
+
+    /// Removes the files that an earlier run left; links, devices and folders stay. Answers how many they were. Throws
+    /// InputError for one that cannot be removed.
+    size_t clear();
+
+  private:
+    std::filesystem::path folder_;
+    std::optional<FileLock> lock_;
+};
+
+/// Whether a run writes files of this name: result, telemetry, pictures, and what a killed run left of them.
+bool isRunFile(std::string_view name);
+
+} // namespace meltpool
