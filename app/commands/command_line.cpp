@@ -94,7 +94,7 @@ int dispatch(const CLI::App& app, const Arguments& arguments) {
     else if (app.got_subcommand("lessons"))
         arguments.listed.empty() ? listLessons() : listParameters(arguments.listed);
     else
-        runTrainer(trainerOptions(arguments));
+        return runTrainer(trainerOptions(arguments)) ? kDone : kFailed;
     return kDone;
 }
 

@@ -24,7 +24,7 @@ struct RunRequest {
 void runLesson(const RunRequest& request);
 
 /// The desktop trainer; without a display the default lesson's demonstration, headless.
-void runTrainer(const DesktopOptions& options);
+bool runTrainer(const DesktopOptions& options);
 
 /// `meltpool validate`.
 struct ValidationRequest {

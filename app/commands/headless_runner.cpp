@@ -110,6 +110,7 @@ class Run {
         try {
             steps(shaders, stop);
             trainer_.stopRecord();
+            requireRecorded();
             return keepResult("");
         } catch (const std::exception& error) {
             keepWhatThereIs(error.what());
@@ -120,19 +121,28 @@ class Run {
   private:
     void steps(gl::ShaderLibrary& shaders, const StopFlag& stop) {
         trainer_.waitForFigures(true);
-        trainer_.record(places_.telemetry);
+        RecordContext context;
+        context.program = std::string(programVersion()) + " " + std::string(programCommit());
+        context.driver = driver_.renderer;
+        trainer_.record(places_.telemetry, context);
         const RunParameters& run = trainer_.lesson().run;
-        const size_t whole = stepsFor(static_cast<double>(run.seconds), trainer_.timeStep());
+        const size_t recorded = trainer_.lesson().recordedSteps;
+        const size_t whole = recorded > 0 ? recorded : stepsFor(static_cast<double>(run.seconds), trainer_.timeStep());
         Photographer photographer(shaders, run, places_.pictures);
         ProgressBar bar(trainer_.lesson().key);
         photographer.takeDue(trainer_, whole == 0);
         for (size_t step = 1; step <= whole; ++step) {
             if (stop) throw RuntimeFault("the run was stopped before its end");
-            trainer_.advance(trainer_.demonstration(), nullptr);
+            trainer_.advanceDemonstration(nullptr);
+            requireRecorded();
             requireFinite(trainer_);
             photographer.takeDue(trainer_, step == whole);
             bar.show(static_cast<double>(step), static_cast<double>(whole));
         }
+    }
+
+    void requireRecorded() const {
+        if (!trainer_.recordFault().empty()) throw RuntimeFault(trainer_.recordFault());
     }
 
     LessonResult keepResult(const std::string& error) {
@@ -148,7 +158,7 @@ class Run {
     /// After a failure; a second one must not hide the first.
     void keepWhatThereIs(const std::string& error) {
         try {
-            trainer_.stopRecord();
+            trainer_.stopRecord(error);
         } catch (const std::exception&) {
         }
         try {

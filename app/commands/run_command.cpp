@@ -40,8 +40,23 @@ void setSize(Lesson& lesson, const std::string& size) {
     lesson.set("height", size.substr(cross + 1), "--size " + size);
 }
 
+/// The torch of another file; of a record also the values, changes and length of its attempt.
+void takeTorch(Lesson& lesson, const RunRequest& request) {
+    lesson.torchFile = request.torch;
+    lesson.torch = TorchPath::read(request.torch);
+    if (lesson.torchFile.extension() != ".csv") return;
+    const auto attempt = readRecordedAttempt(lesson.torchFile);
+    if (!attempt) return;
+    repeatAttempt(lesson, *attempt);
+    if (request.seconds.empty())
+        lesson.run.seconds = static_cast<float>(lesson.torch.duration());
+    else
+        lesson.recordedSteps = 0; // as long as was asked for
+}
+
 Lesson requestedLesson(const RunRequest& request) {
     Lesson lesson = findLesson(request.lesson, lessonFolder());
+    if (!request.torch.empty()) takeTorch(lesson, request);
     for (const std::string& pair : request.sets) {
         const size_t equals = pair.find('=');
         if (equals == std::string::npos || equals == 0)
@@ -51,10 +66,6 @@ Lesson requestedLesson(const RunRequest& request) {
     if (!request.seconds.empty()) lesson.set("seconds", request.seconds, "--seconds");
     if (!request.picturesEvery.empty()) lesson.set("pictures_every", request.picturesEvery, "--pictures");
     if (!request.size.empty()) setSize(lesson, request.size);
-    if (!request.torch.empty()) {
-        lesson.torchFile = request.torch;
-        lesson.torch = TorchPath::read(request.torch);
-    }
     return lesson;
 }
 

@@ -7,15 +7,14 @@
 
 namespace meltpool {
 
-void runTrainer(const DesktopOptions& options) {
+bool runTrainer(const DesktopOptions& options) {
     const std::string missing = missingDisplay();
     if (missing.empty()) {
         DesktopOptions complete = options;
         complete.makeHeadset = [](const std::filesystem::path& folder) {
             return std::make_unique<HeadsetFrontEnd>(folder);
         };
-        runDesktop(complete);
-        return;
+        return runDesktop(complete) == 0;
     }
     RunRequest demonstration;
     demonstration.lesson = kDefaultLesson;
@@ -24,6 +23,7 @@ void runTrainer(const DesktopOptions& options) {
                 missing.c_str(), demonstration.lesson.c_str());
     std::fflush(stdout);
     runLesson(demonstration);
+    return true;
 }
 
 } // namespace meltpool

@@ -56,9 +56,9 @@ Json resultJson(const ValidationResult& result) {
 }
 
 /// The file of --json. Written anew after every case, so that a run that is stopped keeps what it had.
-class Record {
+class NumbersFile {
   public:
-    Record(std::filesystem::path file, const gl::HeadlessContext& context) : file_(std::move(file)) {
+    NumbersFile(std::filesystem::path file, const gl::HeadlessContext& context) : file_(std::move(file)) {
         if (!file_.empty() && isPlainFile(file_)) lock_.emplace(lockName(file_), file_);
         json_ = {{"renderer", context.info().renderer}, {"version", programVersion()}, {"commit", programCommit()}};
         json_["complete"] = false;
@@ -134,7 +134,7 @@ bool runValidation(const ValidationRequest& request) {
 
     const gl::HeadlessContext context(false);
     gl::ShaderLibrary shaders(resourceFolder() / "shaders");
-    Record record(request.json, context);
+    NumbersFile numbers(request.json, context);
     Ends ends;
     std::vector<std::string> failed;
     std::fputs(validationHeads().c_str(), stdout);
@@ -143,14 +143,14 @@ bool runValidation(const ValidationRequest& request) {
         ends.run(one, shaders, result);
         std::fputs(validationText(result).c_str(), stdout);
         std::fflush(stdout);
-        record.add(result);
+        numbers.add(result);
         if (!result.passed()) failed.push_back(result.name);
     }
     std::printf("%zu of %zu cases passed\n", cases.size() - failed.size(), cases.size());
     for (const std::string& name : failed)
         std::printf("failed: %s\n", name.c_str());
     std::fflush(stdout);
-    record.finish(failed.empty());
+    numbers.finish(failed.empty());
     if (!ends.input.empty()) throw InputError(ends.input);
     if (!ends.machine.empty()) throw RuntimeFault(ends.machine);
     return failed.empty();

@@ -39,8 +39,7 @@ int runDesktop(const DesktopOptions& options) {
     DesktopApp app(options);
     while (!app.closing() && stopAsked == 0)
         app.frame();
-    app.finish();
-    return 0;
+    return app.finish() ? 0 : 1;
 }
 
 } // namespace meltpool

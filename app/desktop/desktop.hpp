@@ -28,7 +28,8 @@ struct DesktopOptions {
 /// Why no window can be opened here, as a sentence; empty when one can.
 std::string missingDisplay();
 
-/// Opens the window and returns when it is closed or SIGINT or SIGTERM came; 0. Throws InputError when there is no
+/// Opens the window and returns when it is closed or SIGINT or SIGTERM came: 0, or 1 where a record that was wanted is
+/// not whole. Throws InputError when there is no
 /// display or too little OpenGL, or the lesson or telemetry file cannot be used.
 int runDesktop(const DesktopOptions& options);
 

@@ -2,6 +2,7 @@
 
 #include "app/desktop/screenshot.hpp"
 #include "app/program/call_counters.hpp"
+#include "app/program/program_info.hpp"
 #include "core/base/error.hpp"
 #include "core/base/resources.hpp"
 
@@ -38,7 +39,8 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
       settings_(options.settings, options.lesson),
       driver_(driverText(window_.driver())) {
     if (options_.headset != HeadsetUse::off && options_.makeHeadset) headset_ = options_.makeHeadset(settingsFolder());
-    session_.record(options_.record);
+    session_.records().use(options_.record, std::string(programVersion()) + " " + std::string(programCommit()),
+                           window_.driver().renderer);
     if (telemetry_.enabled()) callsCounted_ = joinCallCounters();
     for (std::string& fault : settings_.load(session_.sections(), ownSections()))
         messages_.warn(std::move(fault), now());
@@ -53,7 +55,8 @@ std::vector<ParameterSection*> DesktopApp::ownSections() {
     return sections;
 }
 
-void DesktopApp::finish() {
+bool DesktopApp::finish() {
+    session_.end("the program ended");
     const glm::ivec2 size = window_.normalSize();
     windowParameters_.width = std::clamp(size.x, 640, 16384);
     windowParameters_.height = std::clamp(size.y, 480, 16384);
@@ -63,6 +66,10 @@ void DesktopApp::finish() {
     } catch (const std::exception& fault) {
         std::fprintf(stderr, "the settings were not saved: %s\n", fault.what());
     }
+    if (session_.records().lost())
+        std::fprintf(stderr, "meltpool: an attempt was not recorded to its end, as the window told; expected %s\n",
+                     "a place for --record that can be written, with free space");
+    return !session_.records().lost();
 }
 
 void DesktopApp::frame() {
@@ -107,6 +114,7 @@ void DesktopApp::runFrame() {
     writeTelemetry();
     window_.swap();
     act(request);
+    session_.settle(controls_);
     window_.captureMouse(session_.running() && controls_.captured());
     if (!headsetFrame_) pacer_.pace(begin);
 }
@@ -184,7 +192,7 @@ void DesktopApp::act(MenuRequest request) {
         session_.reset(controls_);
         break;
     case MenuRequest::restart:
-        session_.end();
+        session_.end("start menu");
         controls_.restart();
         menus_.panels.help = false;
         profiler_.reset();
@@ -201,7 +209,7 @@ void DesktopApp::startLesson() {
         menus_.panels.hidden = false;
         profiler_.reset();
     } catch (const std::exception& fault) {
-        session_.end();
+        session_.end("it could not begin");
         messages_.warn(fault.what(), now(), "start");
     }
 }
@@ -213,6 +221,10 @@ void DesktopApp::simulate(const InputFrame& input, double seconds) {
     const TorchSource held = headsetFrame_ && !controls_.captured() ? headset_->torch() : TorchSource{};
     session_.advance(controls_, seconds, &profiler_, held);
     session_.fillFigures(figures_);
+    if (session_.recordFault().empty())
+        messages_.clear("record");
+    else
+        messages_.hold("The record of this attempt has stopped: " + session_.recordFault(), "record");
     if (!session_.fault().empty())
         messages_.hold("The simulation has stopped: " + session_.fault() + ". Reset starts it again.", "metal");
     else if (figures_.refused > 0)

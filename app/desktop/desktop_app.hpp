@@ -28,8 +28,9 @@ class DesktopApp {
     void frame();
     /// What the frames cost; measured where telemetry is asked for.
     const FrameMeter& meter() const { return meter_; }
-    /// Writes the settings file; a failure goes to standard error.
-    void finish();
+    /// Ends the lesson and writes the settings file. False, and a sentence on standard error, where something that was
+    /// to be kept is lost.
+    bool finish();
 
   private:
     using Clock = std::chrono::steady_clock;

@@ -34,7 +34,7 @@ HeadsetMenuAnswer HeadsetMenu::draw(const xr::Panel& panel, const PointerOnPanel
     return answer_;
 }
 
-void HeadsetMenu::lessonPart(ui::Context& context, const LessonSession& session, const HeadsetMenuContent& content) {
+void HeadsetMenu::lessonPart(ui::Context& context, LessonSession& session, const HeadsetMenuContent& content) {
     ui::strongText(context, session.lesson().title);
     if (session.running())
         ui::quietText(context, figuresText(content.figures));
@@ -42,6 +42,7 @@ void HeadsetMenu::lessonPart(ui::Context& context, const LessonSession& session,
         ui::quietText(context, session.lesson().text);
     if (!content.warning.empty()) ui::quietText(context, content.warning);
     ImGui::Dummy({0, context.points(4)});
+    if (session.question().asked()) return ui::questionPart(context, session.question());
     if (!session.running()) {
         if (ui::button(context, "headset.start", "Start the lesson", ui::ButtonKind::main))
             answer_.request = MenuRequest::start;

@@ -39,7 +39,7 @@ class HeadsetMenu {
     std::map<std::string, ui::Place> places() const;
 
   private:
-    void lessonPart(ui::Context& context, const LessonSession& session, const HeadsetMenuContent& content);
+    void lessonPart(ui::Context& context, LessonSession& session, const HeadsetMenuContent& content);
     void pagePart(ui::Context& context, LessonSession& session, const HeadsetMenuContent& content);
 
     std::unique_ptr<HeadsetPanel> panel_; ///< made when it is first drawn

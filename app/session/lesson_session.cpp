@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <utility>
 
 namespace meltpool {
@@ -64,22 +65,17 @@ LessonSession::LessonSession(gl::ShaderLibrary& shaders, Lesson lesson)
     : shaders_(shaders), lesson_(std::move(lesson)), sections_(lesson_), renderer_(shaders) {}
 
 void LessonSession::begin(Controls& controls) {
+    end("another attempt began");
     controls.restart();
     controls.source().setCold(lesson_.source.kind == 1);
     const CameraParameters& camera = lesson_.camera;
     controls.placeCamera(OrbitCamera(glm::radians(camera.azimuth), glm::radians(camera.elevation), camera.distance));
     controls.lens.fieldOfView = glm::radians(camera.fieldOfView);
     trainer_ = std::make_unique<Trainer>(shaders_, lesson_);
-    if (!record_.empty()) trainer_->record(record_);
-    surfaceDistance_ = {};
-    clock_.restart();
-    fault_.clear();
-    surfaceIsOld_ = true;
-}
-
-void LessonSession::record(const std::filesystem::path& file) {
-    record_ = file;
-    if (running()) trainer_->record(record_);
+    wanted_ = liveParameters(lesson_.metalParameters());
+    running_ = liveParameters(trainer_->lesson().metalParameters());
+    clock_.reset();
+    beginAttempt();
 }
 
 void LessonSession::reset(Controls& controls) {
@@ -87,39 +83,107 @@ void LessonSession::reset(Controls& controls) {
     controls.reset();
     trainer_->reset();
     clock_.restart();
+    beginAttempt();
+}
+
+void LessonSession::beginAttempt() {
+    surfaceDistance_ = {};
     fault_.clear();
     surfaceIsOld_ = true;
+    paused_ = false;
+    question_ = {};
+    try {
+        records_.begin(*trainer_);
+    } catch (const std::runtime_error& fault) { // no such place, or no room for even its head
+        question_ = {std::string("This attempt cannot be recorded: ") + fault.what(),
+                     {"Weld without a record", "Start menu"}};
+    }
+}
+
+void LessonSession::settle(Controls& controls) {
+    const int answer = std::exchange(question_.answered, -1);
+    if (answer < 0 || !question_.asked()) return;
+    question_ = {};
+    if (answer == 0) {
+        records_.renounce();
+        return;
+    }
+    end("start menu");
+    controls.restart();
+}
+
+void LessonSession::end(std::string_view reason) noexcept {
+    question_ = {};
+    wanted_.clear();
+    running_.clear();
+    surfaceDistance_ = {};
+    if (!running()) return;
+    try {
+        trainer_->stopRecord(reason);
+        records_.check(*trainer_);
+    } catch (const std::exception&) {
+        records_.renounce(); // the metal cannot even be read any more
+    }
+    trainer_.reset();
+}
+
+void LessonSession::event(std::string_view name, std::string_view value) {
+    if (running()) trainer_->event(name, value);
+}
+
+const std::string& LessonSession::recordFault() const {
+    static const std::string kNone;
+    return running() ? trainer_->recordFault() : kNone;
 }
 
 bool LessonSession::takeOverChanges(const Controls& controls) {
     lesson_.source.kind = controls.source().cold() ? 1 : 0;
+    for (size_t i = 0; i < wanted_.size(); ++i)
+        if (!sameValue(wanted_[i], running_[i]))
+            trainer_->change(wanted_[i].key, parameterText(wanted_[i]), "the menu");
     Lesson& running = trainer_->lesson();
-    running.metal = lesson_.metal;
-    running.process = lesson_.process;
-    running.source = lesson_.source;
     const bool changed = !same(shownSurface_, lesson_.surface);
     running.surface = lesson_.surface;
     shownSurface_ = lesson_.surface;
     return changed;
 }
 
+/// No steps are made in view mode, after a fault and before a question is answered.
+bool LessonSession::waits(const Controls& controls) {
+    const bool pause = controls.mode() == Mode::view && !held_;
+    if (pause != paused_) event(pause ? "paused" : "resumed");
+    paused_ = pause;
+    return pause || !fault_.empty() || question_.asked();
+}
+
 void LessonSession::advance(const Controls& controls, double seconds, gl::Profiler* profiler, const TorchSource& held) {
     if (!running()) return;
     surfaceIsOld_ |= takeOverChanges(controls);
     held_ = static_cast<bool>(held);
-    if ((controls.mode() == Mode::view && !held_) || !fault_.empty()) {
+    if (waits(controls)) {
         clock_.restart();
         return;
     }
     try {
-        const int due = clock_.due(seconds, trainer_->timeStep());
-        for (int step = 0; step < due; ++step) {
-            trainer_->advance(held_ ? held(step, due) : torchOf(controls.source()), profiler);
-            surfaceIsOld_ = true;
-        }
+        makeSteps(controls, seconds, profiler, held);
     } catch (const RuntimeFault& fault) {
         fault_ = fault.what();
+        event("fault", fault_);
     }
+    records_.check(*trainer_);
+}
+
+void LessonSession::makeSteps(const Controls& controls, double seconds, gl::Profiler* profiler,
+                              const TorchSource& held) {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point begin = Clock::now();
+    const int due = clock_.due(seconds, trainer_->timeStep());
+    trainer_->setRealTime(clock_.speed());
+    for (int step = 0; step < due; ++step) {
+        trainer_->advance(held_ ? held(step, due) : torchOf(controls.source()), profiler);
+        surfaceIsOld_ = true;
+    }
+    clock_.took(std::chrono::duration<double>(Clock::now() - begin).count(), due);
 }
 
 void LessonSession::sound(const TorchSample& torch) {

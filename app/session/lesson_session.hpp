@@ -1,10 +1,12 @@
 // The lesson that window and headset share: its values, and the Trainer that runs it.
 #pragma once
 
+#include "app/session/attempt/attempt_records.hpp"
+#include "app/session/attempt/question.hpp"
+#include "app/session/attempt/step_clock.hpp"
 #include "app/session/controls.hpp"
 #include "app/session/lesson_figures.hpp"
 #include "app/session/parameter_section.hpp"
-#include "app/session/step_clock.hpp"
 #include "core/render/renderer.hpp"
 #include "core/training/trainer.hpp"
 
@@ -42,16 +44,15 @@ class LessonSession {
     LessonSession(gl::ShaderLibrary& shaders, Lesson lesson);
     LessonSession(const LessonSession&) = delete;
     LessonSession& operator=(const LessonSession&) = delete;
+    ~LessonSession() { end("the program ended"); }
 
-    /// Makes the metal from the start values. Throws InputError or RuntimeFault when memory or driver do not suffice.
+    /// Makes the metal from the start values: another attempt. Throws InputError or RuntimeFault when memory or driver
+    /// do not suffice. What the person must decide first stands in question().
     void begin(Controls& controls);
-    /// Puts metal and source back to their start.
+    /// Puts metal and source back to their start: another attempt.
     void reset(Controls& controls);
-    /// Ends the lesson and frees the metal.
-    void end() {
-        trainer_.reset();
-        surfaceDistance_ = {};
-    }
+    /// Ends the lesson and frees the metal. `reason` stands in the attempt's record.
+    void end(std::string_view reason) noexcept;
     bool running() const { return trainer_ != nullptr; }
 
     /// Runs the steps that fit into `seconds` of real time. The torch follows `held`, or the controls where that is
@@ -75,8 +76,20 @@ class LessonSession {
     /// Metres of a unit of the scene's world, and the lowest place of the workpiece in its own frame, m.
     float unit() const;
     float bottom() const;
-    /// From the next start on, and from now on where a lesson runs, every step is written to `file`.
-    void record(const std::filesystem::path& file);
+    /// From the next start on each attempt has a record; see AttemptRecords.
+    AttemptRecords& records() { return records_; }
+    const AttemptRecords& records() const { return records_; }
+    /// Notes in the attempt's record what happened after the last step: `recentred`, `torch_lost`, `zoom 2`. Nothing
+    /// without a running lesson.
+    void event(std::string_view name, std::string_view value = {});
+    /// Why the attempt's record was cut short; empty while it is whole or none is wanted.
+    const std::string& recordFault() const;
+
+    /// What the person must answer first; until then no step is made. Menus show it and set `answered`.
+    Question& question() { return question_; }
+    const Question& question() const { return question_; }
+    /// Does what the person answered.
+    void settle(Controls& controls);
 
     /// The torch of the last steps came from `held`, not from the controls.
     bool held() const { return held_; }
@@ -94,6 +107,9 @@ class LessonSession {
 
   private:
     bool takeOverChanges(const Controls& controls);
+    void beginAttempt();
+    bool waits(const Controls& controls);
+    void makeSteps(const Controls& controls, double seconds, gl::Profiler* profiler, const TorchSource& held);
 
     gl::ShaderLibrary& shaders_;
     Lesson lesson_;
@@ -106,7 +122,11 @@ class LessonSession {
     bool surfaceIsOld_ = true;
     SurfaceDistance surfaceDistance_;
     bool held_ = false; ///< the torch of the last step came from a TorchSource
-    std::filesystem::path record_;
+    bool paused_ = false;
+    ParameterList wanted_;  ///< the live values of metal and process as the menus have them
+    ParameterList running_; ///< the same as the running metal has them
+    AttemptRecords records_;
+    Question question_;
 };
 
 } // namespace meltpool

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace meltpool {
 
@@ -101,6 +102,17 @@ void setParameter(const ParameterList& list, std::string_view key, std::string_v
 
 std::string parameterText(const Parameter& parameter) {
     return std::visit(Print{parameter}, parameter.value);
+}
+
+bool sameValue(const Parameter& a, const Parameter& b) {
+    return std::visit(
+        [](const auto* x, const auto* y) {
+            if constexpr (std::is_same_v<decltype(x), decltype(y)>)
+                return *x == *y;
+            else
+                return false;
+        },
+        a.value, b.value);
 }
 
 std::string expectation(const Parameter& p) {

@@ -38,6 +38,9 @@ void setParameter(const ParameterList& list, std::string_view key, std::string_v
 /// The value as the text that setParameter() reads back to the same bits.
 std::string parameterText(const Parameter& parameter);
 
+/// Both hold the same value of the same type. Allocates nothing but for texts.
+bool sameValue(const Parameter& a, const Parameter& b);
+
 /// What the parameter accepts, for messages and help: "a number from 0 to 1 (m)", "one of metal, ice".
 std::string expectation(const Parameter& parameter);
 

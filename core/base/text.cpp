@@ -61,6 +61,14 @@ void appendNumber(std::string& text, std::uint64_t value) {
     appendShortest(text, value);
 }
 
+std::string formatHexadecimal(std::uint64_t value) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    std::string text;
+    for (int shift = 60; shift >= 0; shift -= 4)
+        text += kDigits[(value >> shift) & 15U];
+    return text;
+}
+
 std::vector<std::string_view> splitText(std::string_view text, char separator) {
     std::vector<std::string_view> parts;
     size_t start = 0;

@@ -21,6 +21,8 @@ std::string formatNumber(double value);
 void appendNumber(std::string& text, float value);
 void appendNumber(std::string& text, double value);
 void appendNumber(std::string& text, std::uint64_t value);
+/// 64 bits as 16 hexadecimal digits: JSON readers keep only 53 bits of a number.
+std::string formatHexadecimal(std::uint64_t value);
 
 /// Parts between separators; an empty text gives one empty part. The views point into `text`.
 std::vector<std::string_view> splitText(std::string_view text, char separator);

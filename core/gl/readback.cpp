@@ -61,4 +61,36 @@ bool Readback::take(void* target, size_t bytes) {
     return true;
 }
 
+ReadbackQueue::ReadbackQueue(std::string_view label, size_t bytes, size_t depth) : bytes_(bytes * depth) {
+    for (size_t i = 0; i < depth; ++i)
+        slots_.push_back(std::make_unique<Readback>(label, bytes));
+}
+
+void ReadbackQueue::request(const Buffer& source) {
+    if (full())
+        throw RuntimeFault("more than " + std::to_string(slots_.size()) + " reads of a GPU buffer are under way");
+    slots_[(oldest_ + pending_) % slots_.size()]->request(source);
+    ++pending_;
+}
+
+const void* ReadbackQueue::pollInPlace() {
+    if (pending_ == 0) return nullptr;
+    const void* answer = slots_[oldest_]->pollInPlace();
+    if (answer == nullptr) return nullptr;
+    oldest_ = (oldest_ + 1) % slots_.size();
+    --pending_;
+    return answer;
+}
+
+const void* ReadbackQueue::awaitInPlace() {
+    if (pending_ > 0) slots_[oldest_]->wait();
+    return pollInPlace();
+}
+
+void ReadbackQueue::forget() {
+    for (const auto& slot : slots_)
+        slot->forget();
+    pending_ = 0;
+}
+
 } // namespace meltpool::gl

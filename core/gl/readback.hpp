@@ -3,7 +3,10 @@
 
 #include "core/gl/buffer.hpp"
 
+#include <memory>
 #include <optional>
+#include <string_view>
+#include <vector>
 
 namespace meltpool::gl {
 
@@ -38,16 +41,45 @@ class Readback {
     const void* pollInPlace();
     /// Discards a pending request.
     void forget();
+    /// Waits until the answer is there; returns at once where none was asked for.
+    void wait() const;
 
   private:
     bool take(void* target, size_t bytes);
-    void wait() const;
 
     static void destroy(GLuint name) { glDeleteBuffers(1, &name); }
     Handle<destroy> handle_;
     const void* mapped_ = nullptr;
     GLsync fence_ = nullptr;
     size_t bytes_ = 0;
+};
+
+/// Several reads under way, answered in the order in which they were asked for.
+class ReadbackQueue {
+  public:
+    /// `depth`: reads that may be under way at a time.
+    ReadbackQueue(std::string_view label, size_t bytes, size_t depth);
+
+    size_t pending() const { return pending_; }
+    bool full() const { return pending_ == slots_.size(); }
+
+    /// As Readback::request(). Throws RuntimeFault when full().
+    void request(const Buffer& source);
+    /// The oldest answer that has not been given, where it has arrived; else nullptr. Never waits. Valid until the next
+    /// request.
+    const void* pollInPlace();
+    /// The same, waiting for the GPU; nullptr only where nothing is pending.
+    const void* awaitInPlace();
+    /// Drops what is pending.
+    void forget();
+
+    size_t bytes() const { return bytes_; }
+
+  private:
+    std::vector<std::unique_ptr<Readback>> slots_;
+    size_t bytes_;
+    size_t oldest_ = 0;
+    size_t pending_ = 0;
 };
 
 } // namespace meltpool::gl

@@ -65,12 +65,13 @@ PhysicalMetal::PhysicalMetal(gl::ShaderLibrary& shaders, const PhysicalSetup& se
       table_(setup.material),
       count_(shaders.compute("metal/statistics.comp")),
       parts_("metal statistics", sizeof(Parts)),
-      readback_("metal statistics", sizeof(Parts)) {
+      answers_("metal statistics", sizeof(Parts), kStatisticsInFlight) {
     setup_.heat.meltedLeaves = true;
     reset();
 }
 
 void PhysicalMetal::reset() {
+    answers_.forget();
     fragments_.reset();
     flow_.reset();
     heat_.reset();
@@ -150,12 +151,17 @@ MetalStatistics PhysicalMetal::statistics() {
 
 void PhysicalMetal::requestStatistics() {
     gatherStatistics();
-    readback_.request(parts_);
+    answers_.request(parts_);
 }
 
 std::optional<MetalStatistics> PhysicalMetal::pollStatistics() {
-    const auto parts = readback_.poll<Parts>();
-    return parts ? std::optional(joined(*parts)) : std::nullopt;
+    const auto* parts = static_cast<const Parts*>(answers_.pollInPlace());
+    return parts == nullptr ? std::nullopt : std::optional(joined(*parts));
+}
+
+std::optional<MetalStatistics> PhysicalMetal::awaitStatistics() {
+    const auto* parts = static_cast<const Parts*>(answers_.awaitInPlace());
+    return parts == nullptr ? std::nullopt : std::optional(joined(*parts));
 }
 
 std::uint64_t PhysicalMetal::stateHash() const {

@@ -55,8 +55,11 @@ class PhysicalMetal {
     size_t refusedFiller() const { return refused_; }
 
     MetalStatistics statistics(); ///< waits for the GPU
-    void requestStatistics();     ///< never waits
+    /// Never waits. Throws RuntimeFault when kStatisticsInFlight answers are pending.
+    void requestStatistics();
+    /// The oldest answer that was not given yet; awaitStatistics() waits for it.
     std::optional<MetalStatistics> pollStatistics();
+    std::optional<MetalStatistics> awaitStatistics();
 
     std::uint64_t stateHash() const; ///< waits for the GPU
     size_t bytes() const;
@@ -73,7 +76,7 @@ class PhysicalMetal {
     HeatTable table_;
     const gl::Program& count_;
     gl::Buffer parts_;
-    gl::Readback readback_;
+    gl::ReadbackQueue answers_;
     std::unique_ptr<MetalState> state_;
     std::unique_ptr<HeatSolver> heat_;
     std::unique_ptr<Flow> flow_;

@@ -29,6 +29,7 @@ class ClassicModel : public MetalModel {
     MetalStatistics statistics() override { return metal_.statistics(); }
     void requestStatistics() override { metal_.requestStatistics(); }
     std::optional<MetalStatistics> pollStatistics() override { return metal_.pollStatistics(); }
+    std::optional<MetalStatistics> awaitStatistics() override { return metal_.awaitStatistics(); }
     std::uint64_t stateHash() const override { return metal_.stateHash(); }
     size_t bytes() const override { return metal_.bytes(); }
 

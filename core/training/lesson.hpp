@@ -5,6 +5,7 @@
 #include "core/metal/classic/classic_parameters.hpp"
 #include "core/render/look/look.hpp"
 #include "core/surface/surface_parameters.hpp"
+#include "core/training/recorded_attempt.hpp"
 #include "core/weld/process/processes.hpp"
 #include "core/weld/torch/torch_path.hpp"
 #include "core/weld/workpiece.hpp"
@@ -62,7 +63,9 @@ struct Lesson {
     std::string text;           ///< what the trainee is asked to do
     std::filesystem::path file; ///< where it was read
     std::filesystem::path torchFile;
-    TorchPath torch; ///< the demonstration; empty: the torch rests with its trigger released
+    TorchPath torch;                     ///< the demonstration; empty: the torch rests with its trigger released
+    std::vector<RecordedChange> changes; ///< of values, where the demonstration is a recorded attempt
+    size_t recordedSteps = 0;            ///< of the recorded attempt; 0 for other demonstrations
 
     RunParameters run;
     LessonModel model = LessonModel::Classic;
@@ -78,6 +81,8 @@ struct Lesson {
 
     /// Every adjustable value of this lesson's model. The list points into this lesson, which must outlive it unmoved.
     ParameterList parameters();
+    /// Those of them that decide what the metal does.
+    ParameterList metalParameters();
 
     /// Sets one value from text, in the pictures' looks too where it is one of the look. Throws InputError, beginning
     /// with `where`, for an unknown key or a value that does not fit; the lesson is then unchanged.

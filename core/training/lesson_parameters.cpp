@@ -44,8 +44,8 @@ ParameterList PictureLook::parameters() {
     return list;
 }
 
-ParameterList Lesson::parameters() {
-    ParameterList list = describe(run);
+ParameterList Lesson::metalParameters() {
+    ParameterList list;
     if (model == LessonModel::Classic) {
         append(list, describe(setup));
         append(list, describe(metal));
@@ -54,6 +54,12 @@ ParameterList Lesson::parameters() {
         append(list, describe(workpiece));
         append(list, describe(process));
     }
+    return list;
+}
+
+ParameterList Lesson::parameters() {
+    ParameterList list = describe(run);
+    append(list, metalParameters());
     append(list, describe(surface));
     append(list, describe(camera));
     append(list, describe(look));

@@ -58,9 +58,13 @@ class MetalModel {
 
     /// Waits for the GPU.
     virtual MetalStatistics statistics() = 0;
-    /// Never waits: ask, then look in later frames.
+    /// Never waits: ask for the figures of the metal as it is now, then look in later frames. Throws RuntimeFault when
+    /// kStatisticsInFlight answers are pending.
     virtual void requestStatistics() = 0;
+    /// The oldest answer that was not given yet, where it has arrived.
     virtual std::optional<MetalStatistics> pollStatistics() = 0;
+    /// The same, waiting for the GPU; nothing only where none is pending.
+    virtual std::optional<MetalStatistics> awaitStatistics() = 0;
 
     /// Number that the whole state gives; equal states give equal numbers. Waits for the GPU.
     virtual std::uint64_t stateHash() const = 0;

@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <cstdio>
 
 namespace meltpool {
 
@@ -21,13 +20,6 @@ Json number(double value) {
 /// A float as the shortest decimal that reads back to it, not as the long double that it converts to.
 Json shortNumber(float value) {
     return number(parseDouble(formatNumber(value)).value_or(NAN));
-}
-
-/// 64 bits as text: JSON readers keep only 53 of a number.
-std::string hexadecimal(std::uint64_t value) {
-    char text[17];
-    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
-    return text;
 }
 
 Json valueOf(const Parameter& p) {
@@ -126,7 +118,7 @@ void writeResult(const std::filesystem::path& file, Lesson& lesson, const Lesson
     json["non_finite"] = result.metal.nonFinite;
     if (context.section) json["section"] = sectionOf(*context.section);
     if (result.wire.area > 0) json["wire"] = wireOf(result.wire);
-    json["state_hash"] = hexadecimal(result.stateHash);
+    json["state_hash"] = formatHexadecimal(result.stateHash);
     json["wall_seconds"] = number(context.wallSeconds);
     json["metal_bytes"] = result.metalBytes;
     json["surface_bytes"] = result.surfaceBytes;

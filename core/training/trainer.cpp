@@ -1,5 +1,7 @@
 #include "core/training/trainer.hpp"
 
+#include "core/base/error.hpp"
+
 #include <utility>
 
 namespace meltpool {
@@ -24,12 +26,13 @@ Trainer::Trainer(gl::ShaderLibrary& shaders, Lesson lesson)
 Trainer::~Trainer() = default;
 
 void Trainer::reset() {
-    stopRecord();
+    stopRecord("reset");
+    awaitFigures();
     metal_->reset();
     time_ = 0;
     steps_ = 0;
-    asked_ = false;
     nextFigures_ = 0;
+    nextChange_ = 0;
     figures_ = metal_->statistics();
     arc_ = {};
     surfaceDistance_ = {};
@@ -37,6 +40,15 @@ void Trainer::reset() {
 
 double Trainer::timeStep() const {
     return metal_->timeStep();
+}
+
+void Trainer::change(std::string_view key, std::string_view value, std::string_view where) {
+    lesson_.set(key, value, where);
+    if (record_) record_->change(key, value);
+}
+
+void Trainer::event(std::string_view name, std::string_view value) {
+    if (record_) record_->event(name, value);
 }
 
 void Trainer::advance(const TorchSample& torch, gl::Profiler* profiler) {
@@ -47,25 +59,56 @@ void Trainer::advance(const TorchSample& torch, gl::Profiler* profiler) {
     metal_->step(torch_, profiler);
     arc_ = metal_->arc(surfaceDistance_);
     ++steps_;
+    if (record_) record_->add({torch_, arc_, realTime_});
     updateFigures();
-    if (telemetry_) telemetry_->add(torch_, figures_, hasArc() ? &arc_ : nullptr);
+}
+
+void Trainer::advanceDemonstration(gl::Profiler* profiler) {
+    for (; nextChange_ < lesson_.changes.size() && lesson_.changes[nextChange_].steps <= steps_; ++nextChange_) {
+        const RecordedChange& due = lesson_.changes[nextChange_];
+        change(due.key, due.value, "recorded change of '" + due.key + "'");
+    }
+    metal_->apply(lesson_); // the step's length may be among the changes
+    advance(demonstration(), profiler);
 }
 
 void Trainer::updateFigures() {
     if (wait_) {
-        figures_ = metal_->statistics();
+        awaitFigures();
+        takeFigures(metal_->statistics());
         return;
     }
-    if (asked_) {
-        if (const auto fresh = metal_->pollStatistics()) {
-            figures_ = *fresh;
-            asked_ = false;
-        }
+    while (const auto fresh = asked_ > 0 ? metal_->pollStatistics() : std::nullopt) {
+        --asked_;
+        takeFigures(*fresh);
     }
-    if (!asked_ && (telemetry_ || time_ >= nextFigures_)) {
-        metal_->requestStatistics();
-        nextFigures_ = time_ + kFiguresPeriod;
-        asked_ = true;
+    if (record_)
+        awaitFigures(kStatisticsInFlight - 1); // each of its rows has its own look at the metal
+    else if (asked_ > 0 || time_ < nextFigures_)
+        return;
+    metal_->requestStatistics();
+    ++asked_;
+    nextFigures_ = time_ + kFiguresPeriod;
+}
+
+void Trainer::takeFigures(const MetalStatistics& figures) {
+    figures_ = figures;
+    if (record_ && record_->waiting() > 0) guardRecord([&] { record_->complete(figures_); });
+}
+
+/// Takes answers until no more than `left` are to come.
+void Trainer::awaitFigures(size_t left) {
+    for (; asked_ > left; --asked_)
+        takeFigures(*metal_->awaitStatistics());
+}
+
+/// A record that cannot be written on ends; the weld goes on, and whoever shows it tells of the fault.
+void Trainer::guardRecord(FunctionRef<void()> write) {
+    try {
+        write();
+    } catch (const RuntimeFault& fault) {
+        recordFault_ = fault.what();
+        record_ = nullptr;
     }
 }
 
@@ -84,14 +127,30 @@ SceneView Trainer::scene() const {
     return scene;
 }
 
-void Trainer::record(const std::filesystem::path& file) {
-    stopRecord();
-    telemetry_ = std::make_unique<Telemetry>(file, hasArc());
+RecordHead Trainer::recordHead(const RecordContext& context) {
+    RecordHead head;
+    head.lesson = lesson_.key;
+    head.attempt = context.attempt;
+    head.program = context.program;
+    head.driver = context.driver;
+    for (const Parameter& parameter : lesson_.metalParameters())
+        head.values.emplace_back(parameter.key, parameterText(parameter));
+    head.arc = hasArc();
+    head.paced = context.paced;
+    return head;
 }
 
-void Trainer::stopRecord() {
-    const auto ended = std::exchange(telemetry_, nullptr);
-    if (ended) ended->flush();
+void Trainer::record(const std::filesystem::path& file, const RecordContext& context) {
+    stopRecord("another record began");
+    awaitFigures(); // from here on each answer belongs to a row
+    recordFault_.clear();
+    record_ = std::make_unique<Record>(file, recordHead(context), context.replace);
+}
+
+void Trainer::stopRecord(std::string_view reason) {
+    awaitFigures();
+    if (record_) guardRecord([&] { record_->end(reason, metal_->stateHash()); });
+    record_ = nullptr;
 }
 
 LessonResult Trainer::result() const {

@@ -2,13 +2,14 @@
 // scripts and replays all drive this and only this.
 #pragma once
 
+#include "core/base/function_ref.hpp"
 #include "core/gl/profiler.hpp"
 #include "core/gl/program.hpp"
 #include "core/render/scene.hpp"
 #include "core/surface/surface.hpp"
 #include "core/training/lesson.hpp"
 #include "core/training/metal_model.hpp"
-#include "core/training/telemetry.hpp"
+#include "core/training/record.hpp"
 #include "core/training/tip_probe.hpp"
 
 #include <memory>
@@ -27,6 +28,15 @@ struct LessonResult {
     WireAccount wire;        ///< where the wire has gone; area 0 without wire
 };
 
+/// What a record says of its attempt beside the lesson.
+struct RecordContext {
+    int attempt = 1;
+    std::string program;
+    std::string driver;
+    bool paced = false;  ///< a person welds by the clock
+    bool replace = true; ///< a file of this name may be replaced
+};
+
 class Trainer {
   public:
     /// Makes metal and surface. Throws InputError when the lesson's values are impossible here.
@@ -35,16 +45,22 @@ class Trainer {
     Trainer(const Trainer&) = delete;
     Trainer& operator=(const Trainer&) = delete;
 
-    /// Values may be changed at any time; those marked onlyAtStart wait for the next Trainer.
+    /// Values may be changed at any time; those marked onlyAtStart wait for the next Trainer. What metal and process
+    /// are changed to while an attempt runs goes through change(), which records it.
     Lesson& lesson() { return lesson_; }
     const Lesson& lesson() const { return lesson_; }
+    /// Sets a value from the next step on, in the record too. Throws InputError, beginning with `where`, as
+    /// Lesson::set() does.
+    void change(std::string_view key, std::string_view value, std::string_view where);
 
-    /// Metal and clock back to the start. A record in progress ends.
+    /// Metal and clock back to the start. A record in progress ends as "reset".
     void reset();
 
-    /// One fixed step under this torch, whose time is taken to be that of the step's end. Throws RuntimeFault when the
-    /// record cannot be written on. Whether the metal is still finite stands in figures().
+    /// One fixed step under this torch, whose time is taken to be that of the step's end. Whether the metal is still
+    /// finite stands in figures(), whether the record could be written on in recordFault().
     void advance(const TorchSample& torch, gl::Profiler* profiler);
+    /// One step of the demonstration, with the changes of a recorded one.
+    void advanceDemonstration(gl::Profiler* profiler);
 
     /// Simulated time, s, and steps since the start.
     double time() const { return time_; }
@@ -78,15 +94,21 @@ class Trainer {
     const TorchSample& torch() const { return torch_; }
     Surface& surface() { return *surface_; }
 
-    /// Writes every following step to `file`, a torch path with the metal's figures behind. Throws InputError when it
-    /// cannot be written.
-    void record(const std::filesystem::path& file);
-    /// Ends the record. Throws RuntimeFault when the disk takes no more.
-    void stopRecord();
-    bool recording() const { return telemetry_ != nullptr; }
+    /// Writes every following step to `file`; see Record. Throws InputError when it cannot be written.
+    void record(const std::filesystem::path& file, const RecordContext& context = {});
+    /// Ends the record; `reason` stands in it. Waits for the GPU.
+    void stopRecord(std::string_view reason = "finished");
+    bool recording() const { return record_ != nullptr; }
+    /// Why a record ended before it was stopped, as a sentence; empty while none did.
+    const std::string& recordFault() const { return recordFault_; }
+    /// Notes in the record what happened after the last step, such as `zoom 2` or `torch_lost`.
+    void event(std::string_view name, std::string_view value = {});
+    /// Simulated over real time about the next steps, for records of people.
+    void setRealTime(double ratio) { realTime_ = ratio; }
 
     /// True: every step waits for its own figures, as a run without a screen may. False (the default): the figures are
-    /// the newest that came back without waiting, asked for ten times a second, in every step while it is recorded.
+    /// the newest that came back without waiting, asked for ten times a second, in every step while it is recorded. The
+    /// record's rows hold the figures of their own step either way.
     void waitForFigures(bool wait) { wait_ = wait; }
     const MetalStatistics& figures() const { return figures_; }
 
@@ -99,12 +121,19 @@ class Trainer {
 
   private:
     void updateFigures();
+    void takeFigures(const MetalStatistics& figures);
+    void awaitFigures(size_t left = 0);
+    void guardRecord(FunctionRef<void()> write);
+    RecordHead recordHead(const RecordContext& context);
 
     Lesson lesson_;
     std::unique_ptr<MetalModel> metal_;
     std::unique_ptr<Surface> surface_;
     TipProbe probe_;
-    std::unique_ptr<Telemetry> telemetry_;
+    std::unique_ptr<Record> record_;
+    std::string recordFault_;
+    double realTime_ = 1;
+    size_t nextChange_ = 0; ///< of the demonstration's
     TorchSample torch_;
     MetalStatistics figures_;
     ArcState arc_;
@@ -112,7 +141,7 @@ class Trainer {
     double time_ = 0;
     size_t steps_ = 0;
     bool wait_ = false;
-    bool asked_ = false;
+    size_t asked_ = 0;       ///< answers about the metal's figures that are still to come
     double nextFigures_ = 0; ///< simulated time from which they are asked for again, s
 };
 

@@ -27,6 +27,7 @@ class WeldModel : public MetalModel {
     MetalStatistics statistics() override { return weld_.metal().statistics(); }
     void requestStatistics() override { weld_.metal().requestStatistics(); }
     std::optional<MetalStatistics> pollStatistics() override { return weld_.metal().pollStatistics(); }
+    std::optional<MetalStatistics> awaitStatistics() override { return weld_.metal().awaitStatistics(); }
     std::uint64_t stateHash() const override { return weld_.metal().stateHash(); }
     size_t bytes() const override { return weld_.bytes(); }
 

@@ -1,4 +1,6 @@
 // The Trainer on the classic lesson: a corner melts and freezes again, nothing else does, and runs repeat bit by bit.
+#include "core/base/error.hpp"
+#include "core/base/text.hpp"
 #include "core/training/classic_model.hpp"
 #include "core/training/trainer.hpp"
 #include "core/weld/torch/torch_csv.hpp"
@@ -129,6 +131,69 @@ TEST_CASE("reset, a second trainer and a replay of the record all give the same 
     CHECK(run(replay) == first);
     replay.advance(flameAt(21, 1), nullptr);
     CHECK(replay.result().stateHash != first);
+}
+
+TEST_CASE("each row of a record has the figures of its own step", "[training]") {
+    const auto file = test::scratchFolder("figures") / "record.csv";
+    Trainer trainer(test::shaders(), smallLesson());
+    trainer.record(file);
+    std::vector<std::string> means;
+    for (int i = 0; i < 60; ++i) {
+        trainer.advance(flameAt(21, 1), nullptr);
+        means.push_back(formatNumber(trainer.result().metal.meanTemperature));
+    }
+    trainer.stopRecord();
+    const TorchRecording recording = readTorchCsv(file);
+    REQUIRE(recording.furtherColumns[2] == "mean_temperature");
+    REQUIRE(recording.samples.size() == means.size());
+    for (size_t i = 0; i < means.size(); ++i)
+        CHECK(recording.furtherCells[i][2] == means[i]);
+    CHECK(means.back() != means[means.size() - 2]); // figures that lag would be seen
+}
+
+TEST_CASE("an attempt whose values changed on the way is repeated from its record to the same bits", "[training]") {
+    const auto file = test::scratchFolder("changes") / "record.csv";
+    Trainer trainer(test::shaders(), smallLesson());
+    trainer.change("solidify_rate", "0", "a menu"); // before the record: a value at its start
+    trainer.record(file);
+    for (int i = 0; i < 60; ++i) {
+        if (i == 20) trainer.change("heat_temperature", "0.2", "a menu");
+        if (i == 30) trainer.event("recentred");
+        if (i == 40) trainer.change("time_step", "0.01", "a menu");
+        trainer.advance(flameAt(21, 1), nullptr);
+    }
+    trainer.stopRecord("reset");
+    const auto attempt = readRecordedAttempt(file);
+    REQUIRE(attempt);
+    CHECK(attempt->changes.size() == 2);
+    CHECK(attempt->ended == "reset");
+
+    Lesson again = smallLesson();
+    again.torch = TorchPath::read(file);
+    repeatAttempt(again, *attempt);
+    Trainer replay(test::shaders(), again);
+    for (size_t i = 0; i < again.recordedSteps; ++i)
+        replay.advanceDemonstration(nullptr);
+    CHECK(replay.time() == trainer.time());
+    CHECK(replay.result().stateHash == trainer.result().stateHash);
+    CHECK(formatHexadecimal(replay.result().stateHash) == attempt->stateHash);
+
+    Lesson without = again;
+    without.changes.clear();
+    Trainer other(test::shaders(), without);
+    for (size_t i = 0; i < again.recordedSteps; ++i)
+        other.advanceDemonstration(nullptr);
+    CHECK(other.result().stateHash != trainer.result().stateHash);
+}
+
+TEST_CASE("a disk that is full in mid-attempt ends the record, not the weld", "[training]") {
+    const char* full = "/dev/full";
+    if (!std::filesystem::exists(full)) return;
+    Trainer trainer(test::shaders(), smallLesson());
+    CHECK_THROWS_AS(trainer.record(full), RuntimeFault);
+    CHECK_FALSE(trainer.recording());
+    repeat(trainer, flameAt(21, 1), 3);
+    CHECK(trainer.steps() == 3);
 }
 
 TEST_CASE("the classic source stays inside its box", "[training]") {

@@ -22,10 +22,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The cells of the last row; what stands behind it are comments.
 std::vector<std::string> lastRow(const fs::path& csv) {
     const std::string text = readTextFile(csv);
+    std::vector<std::string_view> lines = splitText(trimText(text), '\n');
+    while (lines.size() > 1 && lines.back().starts_with('#'))
+        lines.pop_back();
     std::vector<std::string> cells;
-    const std::vector<std::string_view> lines = splitText(trimText(text), '\n');
     for (const std::string_view cell : splitText(lines.back(), ','))
         cells.emplace_back(cell);
     return cells;
@@ -74,9 +77,8 @@ TEST_CASE("a tracked torch melts the cube's corner, and its record melts it agai
     const auto number = [](const std::string& text) { return parseDouble(text).value(); };
     WARN("molten " << row[9] << " in the headset, " << headless[9] << " headless; hottest " << row[12] << ", "
                    << headless[12] << "; mean " << row[11] << ", " << headless[11]);
-    CHECK(number(headless[9]) == Approx(number(row[9])).epsilon(0.02));
-    for (const size_t column : {10u, 11u, 12u})
-        CHECK(number(headless[column]) == Approx(number(row[column])).epsilon(0.02).margin(1e-6));
+    for (const size_t column : {9u, 10u, 11u, 12u})
+        CHECK(headless[column] == row[column]);
     CHECK(number(row[9]) > 100);
 }
 

@@ -1,6 +1,7 @@
 // The screens and panels of the window. Each function draws one and answers what the person asked for.
 #pragma once
 
+#include "app/session/attempt/question.hpp"
 #include "app/session/controls.hpp"
 #include "app/session/lesson_figures.hpp"
 #include "app/session/menu_state.hpp"
@@ -29,6 +30,10 @@ void viewMenu(Context& context, std::span<const ParameterSection* const> section
 void simulationMenu(Context& context, const ParameterSection& section, Controls& controls);
 void timingsPanel(Context& context, const gl::Profiler& profiler, const LessonFigures& figures, double frameMs,
                   const std::string& driver, bool besideView);
+/// A question over all other panels, a button for each answer. Nothing where none is asked.
+void questionOverlay(Context& context, Question& question);
+/// The same inside the current window, for the headset's panel.
+void questionPart(Context& context, Question& question);
 void helpOverlay(Context& context, bool& open);
 /// Messages at the top. `left`, `right`: what panels cover there, points. A click hides a message.
 void messageStack(Context& context, Messages& messages, float left, float right);

@@ -47,6 +47,8 @@ class ClassicMetal {
     void requestStatistics();
     /// The newest that arrived since the last call, or nothing; never waits.
     std::optional<MetalStatistics> pollStatistics() { return reader_.poll(); }
+    /// The same, waiting for the GPU.
+    std::optional<MetalStatistics> awaitStatistics() { return reader_.await(); }
 
     /// Hash of the bits of position, temperature and velocity of every particle, in the order of their numbers; waits
     /// for the GPU.

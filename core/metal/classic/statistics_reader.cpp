@@ -12,26 +12,14 @@ StatisticsReader::StatisticsReader(gl::ShaderLibrary& library, size_t particles)
     : particles_(particles),
       chunks_((particles + CLASSIC_STATISTICS_CHUNK - 1) / CLASSIC_STATISTICS_CHUNK),
       program_(library.compute("metal/classic/statistics.comp")),
-      waited_("classic statistics", chunks_ * sizeof(ClassicChunk) + sizeof(uint)) {
-    for (Slot& slot : slots_) {
-        slot.buffer = gl::Buffer("classic statistics", waited_.bytes());
-        slot.answer.emplace("classic statistics", waited_.bytes());
-    }
-}
+      sums_("classic statistics", chunks_ * sizeof(ClassicChunk) + sizeof(uint)),
+      answers_("classic statistics", sums_.bytes(), kStatisticsInFlight) {}
 
-void StatisticsReader::discard() {
-    for (Slot& slot : slots_) {
-        slot.answer->forget();
-        slot.pending = false;
-    }
-    oldest_ = 0;
-}
-
-void StatisticsReader::reduce(const gl::Buffer& refused, const gl::Buffer& target) const {
-    target.bindStorage(CLASSIC_STATISTICS);
+void StatisticsReader::reduce(const gl::Buffer& refused) const {
+    sums_.bindStorage(CLASSIC_STATISTICS);
     program_.dispatchGroups(static_cast<unsigned>(chunks_));
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    refused.copyTo(target, sizeof(uint), 0, chunks_ * sizeof(ClassicChunk));
+    refused.copyTo(sums_, sizeof(uint), 0, chunks_ * sizeof(ClassicChunk));
 }
 
 MetalStatistics StatisticsReader::sum(const void* answer) const {
@@ -56,37 +44,27 @@ MetalStatistics StatisticsReader::sum(const void* answer) const {
 }
 
 void StatisticsReader::request(const gl::Buffer& refused) {
-    for (size_t age = 0; age < slots_.size(); ++age) {
-        Slot& slot = slots_[(oldest_ + age) % slots_.size()];
-        if (slot.pending) continue;
-        reduce(refused, slot.buffer);
-        slot.answer->request(slot.buffer);
-        slot.pending = true;
-        return;
-    }
+    reduce(refused);
+    answers_.request(sums_);
 }
 
 std::optional<MetalStatistics> StatisticsReader::poll() {
-    std::optional<MetalStatistics> newest;
-    for (size_t age = 0; age < slots_.size(); ++age) {
-        Slot& slot = slots_[oldest_];
-        if (!slot.pending) break;
-        const void* answer = slot.answer->pollInPlace();
-        if (answer == nullptr) break;
-        slot.pending = false;
-        newest = sum(answer);
-        oldest_ = (oldest_ + 1) % slots_.size();
-    }
-    return newest;
+    const void* answer = answers_.pollInPlace();
+    return answer == nullptr ? std::nullopt : std::optional(sum(answer));
+}
+
+std::optional<MetalStatistics> StatisticsReader::await() {
+    const void* answer = answers_.awaitInPlace();
+    return answer == nullptr ? std::nullopt : std::optional(sum(answer));
 }
 
 MetalStatistics StatisticsReader::now(const gl::Buffer& refused) const {
-    reduce(refused, waited_);
-    return sum(waited_.read<std::byte>(waited_.bytes()).data());
+    reduce(refused);
+    return sum(sums_.read<std::byte>(sums_.bytes()).data());
 }
 
 size_t StatisticsReader::bytes() const {
-    return 2 * slots_.size() * waited_.bytes() + waited_.bytes();
+    return sums_.bytes() + answers_.bytes();
 }
 
 } // namespace meltpool

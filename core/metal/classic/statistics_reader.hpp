@@ -6,7 +6,6 @@
 #include "core/gl/readback.hpp"
 #include "core/metal/state/statistics.hpp"
 
-#include <array>
 #include <optional>
 
 namespace meltpool {
@@ -18,34 +17,30 @@ class StatisticsReader {
     StatisticsReader(const StatisticsReader&) = delete;
     StatisticsReader& operator=(const StatisticsReader&) = delete;
 
-    /// Starts a reduction, unless all slots are pending. `refused` holds one uint: the number of refused states.
+    /// Starts a reduction. `refused` holds one uint: the number of refused states. Throws RuntimeFault when
+    /// kStatisticsInFlight are pending.
     void request(const gl::Buffer& refused);
-    /// The newest that arrived since the last call; never waits.
+    /// The oldest that has arrived and was not given yet; never waits.
     std::optional<MetalStatistics> poll();
+    /// The same, waiting for the GPU; nothing only where none is pending.
+    std::optional<MetalStatistics> await();
     /// Reduces and waits for the result.
     MetalStatistics now(const gl::Buffer& refused) const;
     /// Discards pending results.
-    void discard();
+    void discard() { answers_.forget(); }
 
     size_t bytes() const;
 
   private:
-    struct Slot {
-        gl::Buffer buffer;
-        std::optional<gl::Readback> answer;
-        bool pending = false;
-    };
-
-    void reduce(const gl::Buffer& refused, const gl::Buffer& target) const;
+    void reduce(const gl::Buffer& refused) const;
     /// Statistics from the chunks and the number of refused states behind them.
     MetalStatistics sum(const void* answer) const;
 
     size_t particles_;
     size_t chunks_;
     const gl::Program& program_;
-    std::array<Slot, 3> slots_;
-    gl::Buffer waited_; // for now()
-    size_t oldest_ = 0;
+    gl::Buffer sums_;
+    gl::ReadbackQueue answers_;
 };
 
 } // namespace meltpool

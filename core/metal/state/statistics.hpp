@@ -16,4 +16,7 @@ struct MetalStatistics {
     double maxTemperature = 0;
 };
 
+/// Looks at a metal that may be under way at a time without waiting for the GPU.
+inline constexpr size_t kStatisticsInFlight = 4;
+
 } // namespace meltpool

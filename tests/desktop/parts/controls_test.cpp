@@ -1,6 +1,5 @@
 // What keys and mouse do to modes, cameras and heat source, without a window.
 #include "app/session/controls.hpp"
-#include "app/session/step_clock.hpp"
 #include "tests/support/catch.hpp"
 
 #include <glm/geometric.hpp>
@@ -215,29 +214,6 @@ TEST_CASE("a frame that hung for seconds does not throw the camera away") {
     slow.update(held(Key::d), 30);
     quick.update(held(Key::d), 0.1);
     CHECK(slow.orbitCamera().azimuth() == quick.orbitCamera().azimuth());
-}
-
-TEST_CASE("steps follow real time, at most two a frame, and time that does not fit is let go") {
-    const double step = 1.0 / 60;
-    SECTION("the same steps at any frame rate that keeps up") {
-        for (const double rate : {31.0, 60.0, 144.0, 500.0}) {
-            StepClock clock;
-            int steps = 0;
-            for (int i = 0; i < static_cast<int>(rate * 10); ++i)
-                steps += clock.due(1 / rate, step);
-            CHECK(steps >= 597);
-            CHECK(steps <= 600);
-            CHECK(clock.speed() == Approx(1).margin(0.05));
-        }
-    }
-    SECTION("a slow machine shows a slower simulation") {
-        StepClock clock;
-        for (int i = 0; i < 50; ++i)
-            CHECK(clock.due(0.2, step) == 2);
-        CHECK(clock.speed() == Approx(2 * step / 0.2).epsilon(0.05));
-        CHECK(clock.due(0, step) <= 1); // no debt was kept
-        CHECK(clock.due(0, step) == 0);
-    }
 }
 
 } // namespace meltpool

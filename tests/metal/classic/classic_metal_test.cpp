@@ -1,5 +1,6 @@
 // The classic model as a whole: solid stays put, the same run gives the same bits, nothing is lost, trouble is
 // reported.
+#include "core/base/error.hpp"
 #include "tests/metal/classic/classic_twin.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
@@ -162,13 +163,17 @@ TEST_CASE("statistics agree with the particles, waited for or not") {
         };
         check(metal.statistics());
         CHECK_FALSE(metal.pollStatistics());
-        for (int i = 0; i < 10; ++i) // more than there are slots: the rest is dropped
+        for (size_t i = 0; i < kStatisticsInFlight; ++i)
             metal.requestStatistics();
+        CHECK_THROWS_AS(metal.requestStatistics(), RuntimeFault);
         glFinish();
-        const auto polled = metal.pollStatistics();
-        REQUIRE(polled);
-        check(*polled);
+        for (size_t i = 0; i < kStatisticsInFlight; ++i) {
+            const auto polled = metal.pollStatistics();
+            REQUIRE(polled);
+            check(*polled);
+        }
         CHECK_FALSE(metal.pollStatistics());
+        CHECK_FALSE(metal.awaitStatistics());
     }
 }
 

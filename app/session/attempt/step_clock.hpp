@@ -1,0 +1,69 @@
+// Turns the real time of frames into whole simulation steps, so that the metal's time is the hand's time.
+#pragma once
+
+#include <algorithm>
+
+namespace meltpool {
+
+/// Steps have a fixed length whatever the frame rate, and follow the clock as long as the machine can: a frame takes as
+/// many as its time is worth, unless they would keep it busy for longer than kBusy. Time beyond that is dropped, so
+/// that a slow machine simulates more slowly instead of taking ever longer frames; speed() tells.
+class StepClock {
+  public:
+    static constexpr double kBusy = 0.08;    ///< s that a frame may spend on steps
+    static constexpr double kLongest = 0.25; ///< s of real time that a frame may make good
+    static constexpr int kFewest = 2;        ///< steps that a frame may take however slow they are
+
+    /// Steps due after another `elapsed` seconds of real time with steps of `step` seconds. The first call after a
+    /// restart only starts the clock.
+    int due(double elapsed, double step) {
+        if (!started_) {
+            started_ = true;
+            return 0;
+        }
+        owed_ += std::max(0.0, elapsed);
+        const int steps = std::min(mostSteps(step), static_cast<int>(owed_ / step + 1e-9));
+        owed_ = std::min(owed_ - steps * step, step);
+        smooth(elapsed, steps * step);
+        return steps;
+    }
+
+    /// What `steps` steps kept the frame waiting for, s.
+    void took(double seconds, int steps) {
+        if (steps <= 0) return;
+        const double each = seconds / steps;
+        cost_ += (each - cost_) * (cost_ > 0 ? 0.2 : 1.0);
+    }
+
+    /// Drops the time that has not been simulated yet, after a pause.
+    void restart() {
+        owed_ = 0;
+        started_ = false;
+    }
+    /// As at first: what was measured is forgotten too.
+    void reset() { *this = {}; }
+
+    /// Simulated over real time, smoothed over about a second; 1 when the machine keeps up.
+    double speed() const { return real_ > 0 ? simulated_ / real_ : 1; }
+
+  private:
+    int mostSteps(double step) const {
+        const double most = kLongest / step;
+        const double bearable = cost_ > 0 ? kBusy / cost_ : most;
+        return std::max(kFewest, static_cast<int>(std::min(bearable, most)));
+    }
+
+    void smooth(double real, double simulated) {
+        const double keep = 1 / (1 + std::max(0.0, real));
+        real_ = real_ * keep + real;
+        simulated_ = simulated_ * keep + simulated;
+    }
+
+    double owed_ = 0;
+    double real_ = 0;
+    double simulated_ = 0;
+    double cost_ = 0; ///< s of a step
+    bool started_ = false;
+};
+
+} // namespace meltpool

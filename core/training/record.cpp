@@ -1,0 +1,137 @@
+#include "core/training/record.hpp"
+
+#include "core/base/error.hpp"
+#include "core/base/text.hpp"
+#include "core/weld/torch/torch_csv.hpp"
+
+#include <algorithm>
+
+namespace meltpool {
+
+namespace {
+
+/// 23 cells of no more than 24 characters each.
+constexpr size_t kLongestRow = 660;
+/// Below this the metal stands still, and a ratio of times says nothing.
+constexpr double kLeastPace = 1e-3;
+
+std::string columns(const RecordHead& head) {
+    std::string names;
+    for (const std::string_view name : torchColumns())
+        names += (names.empty() ? "" : ",") + std::string(name);
+    names += ",molten,min_temperature,mean_temperature,max_temperature,lost,non_finite";
+    if (head.arc) names += ",arc_length_mm,current_a,voltage_v,arc_state,ctwd_mm,extension_mm,power_w";
+    if (head.paced) names += ",real_time";
+    return names + "\n";
+}
+
+/// A comment holds one line, whatever a file or a person has put into the text.
+void appendPlain(std::string& text, std::string_view part) {
+    for (const char c : part)
+        text += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? ' ' : c;
+}
+
+void appendComment(std::string& text, std::string_view word, std::string_view name, std::string_view value) {
+    text += "# ";
+    text += word;
+    for (const std::string_view part : {name, value}) {
+        if (part.empty()) continue;
+        text += ' ';
+        appendPlain(text, part);
+    }
+    text += '\n';
+}
+
+void appendCell(std::string& text, auto value) {
+    text += ',';
+    appendNumber(text, value);
+}
+
+} // namespace
+
+Record::Record(const std::filesystem::path& file, const RecordHead& head, bool replace)
+    : file_(file), arc_(head.arc), paced_(head.paced) {
+    std::error_code failure;
+    if (!replace && std::filesystem::is_regular_file(file, failure))
+        throw InputError(file, 0, "is there already; expected a name that no file has, as a record replaces nothing");
+    stream_.open(file, std::ios::binary | std::ios::trunc);
+    if (!stream_) throw InputError(file, 0, "cannot be written; expected a folder with write permission");
+    std::string text;
+    appendComment(text, "meltpool record 1", {}, {});
+    appendComment(text, "lesson", head.lesson, {});
+    appendComment(text, "attempt", std::to_string(head.attempt), {});
+    appendComment(text, "program", head.program, {});
+    appendComment(text, "driver", head.driver, {});
+    for (const auto& [key, value] : head.values)
+        appendComment(text, "value", key, value);
+    text += columns(head);
+    write(text);
+    row_.reserve(kLongestRow);
+}
+
+void Record::write(std::string_view text) {
+    stream_.write(text.data(), static_cast<std::streamsize>(text.size()));
+    stream_.flush();
+    if (!stream_) throw RuntimeFault(file_.string() + ": the record cannot be written on; expected free space");
+}
+
+void Record::event(std::string_view name, std::string_view value) {
+    appendComment(before_, "event", name, value);
+}
+
+void Record::change(std::string_view key, std::string_view value) {
+    appendComment(before_, "set", key, value);
+}
+
+void Record::add(const RecordStep& step) {
+    Waiting& next = steps_[(oldest_ + waiting_) % kWaiting];
+    next.step = step;
+    next.before.swap(before_);
+    before_.clear();
+    ++waiting_;
+    realSteps_ += 1 / std::max(step.realTime, kLeastPace);
+    leastPace_ = std::min(leastPace_, step.realTime);
+}
+
+void Record::complete(const MetalStatistics& metal) {
+    const Waiting& oldest = steps_[oldest_];
+    oldest_ = (oldest_ + 1) % kWaiting;
+    --waiting_;
+    row_ = oldest.before;
+    appendTorchRow(row_, oldest.step.torch);
+    appendCell(row_, std::uint64_t{metal.molten});
+    appendCell(row_, metal.minTemperature);
+    appendCell(row_, metal.meanTemperature);
+    appendCell(row_, metal.maxTemperature);
+    appendCell(row_, std::uint64_t{metal.lost});
+    appendCell(row_, std::uint64_t{metal.nonFinite});
+    if (arc_) appendArc(oldest.step.arc);
+    if (paced_) appendCell(row_, static_cast<float>(oldest.step.realTime));
+    row_ += '\n';
+    ++rows_;
+    write(row_);
+}
+
+void Record::appendArc(const ArcState& arc) {
+    appendCell(row_, static_cast<double>(arc.length) * 1e3);
+    appendCell(row_, static_cast<double>(arc.current));
+    appendCell(row_, static_cast<double>(arc.voltage));
+    row_ += ',';
+    row_ += arcActionName(arc.action);
+    appendCell(row_, static_cast<double>(arc.distance) * 1e3);
+    appendCell(row_, static_cast<double>(arc.extension) * 1e3);
+    appendCell(row_, arc.power);
+}
+
+void Record::end(std::string_view reason, std::uint64_t stateHash) {
+    std::string text = std::move(before_);
+    appendComment(text, "ended", reason, {});
+    appendComment(text, "state_hash", formatHexadecimal(stateHash), {});
+    if (paced_ && rows_ > 0) {
+        appendComment(text, "real_time", formatNumber(static_cast<float>(static_cast<double>(rows_) / realSteps_)), {});
+        appendComment(text, "least_real_time", formatNumber(static_cast<float>(leastPace_)), {});
+    }
+    write(text);
+}
+
+} // namespace meltpool

@@ -1,0 +1,93 @@
+// The record of an attempt: torch, metal and arc of every step, and what happened between the steps, as a CSV that is a
+// torch path again.
+#pragma once
+
+#include "core/metal/state/statistics.hpp"
+#include "core/weld/process/arc.hpp"
+#include "core/weld/torch/torch_sample.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace meltpool {
+
+/// What stands at the head of a record: enough to repeat the attempt.
+struct RecordHead {
+    std::string lesson;                                      ///< key
+    int attempt = 1;                                         ///< counted from the program's start
+    std::string program;                                     ///< version and commit
+    std::string driver;                                      ///< of the graphics: another may round otherwise
+    std::vector<std::pair<std::string, std::string>> values; ///< of the metal and the process, at the start
+    bool arc = false;                                        ///< the metal has an arc, whose figures have columns
+    bool paced = false;                                      ///< a person welds by the clock: column `real_time`
+};
+
+/// What is known of a step when it has been asked for.
+struct RecordStep {
+    TorchSample torch;
+    ArcState arc;
+    double realTime = 1; ///< simulated over real time about this step
+};
+
+/// A row is written when the figures of its own step have come from the GPU; until then it waits, in the order of the
+/// steps. Each row reaches the operating system as soon as it is complete, so that an end without warning loses the
+/// waiting rows and no more.
+class Record {
+  public:
+    /// Rows that may wait for their figures.
+    static constexpr size_t kWaiting = kStatisticsInFlight + 1;
+
+    /// Begins the file, which may not be there yet unless `replace`. Throws InputError when it cannot be written.
+    Record(const std::filesystem::path& file, const RecordHead& head, bool replace);
+
+    /// Notes something that happened after the last step: a line `# event NAME VALUE`.
+    void event(std::string_view name, std::string_view value);
+    /// A value that is another one from the next step on: a line `# set KEY VALUE`.
+    void change(std::string_view key, std::string_view value);
+
+    /// Adds a step, whose figures come with complete(). Expects fewer than kWaiting waiting ones.
+    void add(const RecordStep& step);
+    size_t waiting() const { return waiting_; }
+    /// Writes the oldest waiting step with its figures. Throws RuntimeFault when the disk takes no more.
+    void complete(const MetalStatistics& metal);
+
+    /// Ends the record: lines `# ended REASON`, the state's hash, and for a paced one its real-time ratio. Expects no
+    /// waiting step. Throws RuntimeFault when the disk takes no more.
+    void end(std::string_view reason, std::uint64_t stateHash);
+
+    const std::filesystem::path& file() const { return file_; }
+    size_t rows() const { return rows_; }
+
+  private:
+    void line(std::string_view word, std::string_view name, std::string_view value);
+    void write(std::string_view text);
+    void appendArc(const ArcState& arc);
+
+    struct Waiting {
+        RecordStep step;
+        std::string before; ///< lines that stand before its row
+    };
+
+    std::filesystem::path file_;
+    std::ofstream stream_;
+    bool arc_;
+    bool paced_;
+    std::array<Waiting, kWaiting> steps_;
+    size_t oldest_ = 0;
+    size_t waiting_ = 0;
+    std::string before_; ///< lines for the next step
+    std::string row_;    ///< keeps its room from row to row
+    size_t rows_ = 0;
+    double realSteps_ = 0; ///< sum of the steps' real over simulated time
+    double leastPace_ = 1;
+};
+
+} // namespace meltpool

@@ -1,0 +1,42 @@
+// What a record says beside its torch path: which lesson with which values it was, and what was changed on the way.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace meltpool {
+
+struct Lesson;
+
+/// A value that became another one between two steps.
+struct RecordedChange {
+    size_t steps = 0; ///< that had been made before
+    std::string key;
+    std::string value;
+    int line = 0; ///< in the record
+};
+
+struct RecordedAttempt {
+    std::filesystem::path file;
+    std::string lesson;
+    std::vector<RecordedChange> values;  ///< at the start
+    std::vector<RecordedChange> changes; ///< in the order of the steps
+    std::string ended;                   ///< why; empty where the program ended without warning
+    std::string stateHash;               ///< of the metal at the end; empty as above
+    std::optional<double> realTime;      ///< simulated over real time; nothing where no person welded
+    size_t rows = 0;
+};
+
+/// The record's own lines of a torch path in the recorded form; nothing where it is no record of this program. Throws
+/// InputError naming file and line for a line of the record that cannot be understood, or a file that cannot be read.
+std::optional<RecordedAttempt> readRecordedAttempt(const std::filesystem::path& file);
+
+/// Makes `lesson` the recorded one: its values at the start, its changes, and its length. Throws InputError naming file
+/// and line where the lesson is another one or a value does not fit.
+void repeatAttempt(Lesson& lesson, const RecordedAttempt& attempt);
+
+} // namespace meltpool

@@ -1,0 +1,65 @@
+// The metal's time against the hand's time at different frame rates and on machines of different speed.
+#include "app/session/attempt/step_clock.hpp"
+#include "tests/support/catch.hpp"
+
+namespace meltpool {
+
+namespace {
+
+constexpr double kStep = 0.01; // s, of the metal
+
+/// Frames of a machine that needs `cost` s for a step and `picture` s for the rest, on a display that waits until
+/// `shortest` s have passed. Answers simulated over real time of the last of ten seconds.
+double paceOf(double cost, double picture, double shortest) {
+    StepClock clock;
+    double elapsed = shortest, real = 0, simulated = 0;
+    while (real < 10) {
+        const int due = clock.due(elapsed, kStep);
+        clock.took(due * cost, due);
+        elapsed = std::max(shortest, due * cost + picture);
+        real += elapsed;
+        simulated += due * kStep;
+    }
+    INFO("speed " << clock.speed() << ", real " << real << ", simulated " << simulated);
+    CHECK(clock.speed() == Approx(simulated / real).margin(0.12));
+    return simulated / real;
+}
+
+} // namespace
+
+TEST_CASE("steps follow the clock at any frame rate that leaves time for them") {
+    for (const double rate : {10.0, 12.0, 30.0, 45.0, 60.0, 90.0, 144.0, 500.0}) {
+        INFO(rate << " frames a second");
+        CHECK(paceOf(0.001, 0.001, 1 / rate) == Approx(1).margin(0.03));
+    }
+}
+
+TEST_CASE("a machine that is just fast enough keeps up, though its frames become few") {
+    CHECK(paceOf(0.006, 0.02, 1.0 / 60) == Approx(1).margin(0.03));
+}
+
+TEST_CASE("a machine that is too slow is slow by as much as its steps are, and its frames stay short") {
+    StepClock clock;
+    clock.due(0, kStep);
+    clock.took(0.02, 1);
+    for (int i = 0; i < 100; ++i)
+        CHECK(clock.due(0.5, kStep) == 4); // 80 ms of steps
+    CHECK(clock.speed() == Approx(4 * kStep / 0.5).epsilon(0.05));
+    CHECK(clock.due(0, kStep) <= 1); // no debt was kept
+    CHECK(clock.due(0, kStep) == 0);
+    CHECK(paceOf(0.02, 0.02, 1.0 / 60) == Approx(0.4).margin(0.02));
+    CHECK(paceOf(0.2, 0.02, 1.0 / 60) == Approx(2 * kStep / 0.42).margin(0.02)); // two steps a frame at least
+}
+
+TEST_CASE("after a pause no time is made good, and one long frame is") {
+    StepClock clock;
+    clock.due(5, kStep);
+    CHECK(clock.due(0.02, kStep) == 2);
+    CHECK(clock.due(0.2, kStep) == 20);
+    clock.restart();
+    CHECK(clock.due(9, kStep) == 0);
+    CHECK(clock.due(0.01, kStep) == 1);
+    CHECK(clock.speed() == Approx(1).margin(0.01));
+}
+
+} // namespace meltpool
