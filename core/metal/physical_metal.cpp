@@ -3,6 +3,8 @@
 #include "core/base/hash.hpp"
 #include "core/gl/buffer_view.hpp"
 
+#include <glm/vector_relational.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -90,11 +92,22 @@ void PhysicalMetal::reset() {
     refused_ = 0;
 }
 
+/// What lies outside the space would be moved to its end by the flow, so it is refused.
+void PhysicalMetal::addFiller(std::span<const MetalSeed> filler) {
+    const size_t room = state_->capacity() - state_->particles();
+    accepted_.clear();
+    for (const MetalSeed& seed : filler) {
+        const bool inside = glm::all(glm::greaterThanEqual(seed.position, setup_.space.low)) &&
+                            glm::all(glm::lessThanEqual(seed.position, setup_.space.high));
+        if (inside && accepted_.size() < room) accepted_.push_back(seed);
+    }
+    state_->add(accepted_);
+    refused_ += filler.size() - accepted_.size();
+}
+
 void PhysicalMetal::step(std::span<const HeatSource> sources, std::span<const MetalSeed> filler,
                          gl::Profiler* profiler) {
-    const size_t room = std::min(filler.size(), state_->capacity() - state_->particles());
-    state_->add(filler.first(room));
-    refused_ += filler.size() - room;
+    addFiller(filler);
 
     const auto frame = static_cast<double>(timeStep_);
     const double heatSteps = std::max(1.0, std::ceil(frame / heat_->longestStep(kHottest)));
@@ -123,6 +136,7 @@ void PhysicalMetal::gatherStatistics() {
 
 MetalStatistics PhysicalMetal::joined(const Parts& parts) const {
     MetalStatistics sum;
+    sum.lost = refused_;
     double temperatures = 0, least = 1e30, most = 0;
     for (const MetalPart& part : parts) {
         if (part.alive == 0) continue;

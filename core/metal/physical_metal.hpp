@@ -37,7 +37,8 @@ class PhysicalMetal {
     void reset();
 
     /// One time step: filler enters, heat spreads in as many steps as conduction allows, liquid flows in as many as
-    /// surface tension needs, free fragments move. Nothing is read back. Filler beyond the room is refused and counted.
+    /// surface tension needs, free fragments move. Nothing is read back. Filler beyond the room or outside the
+    /// space is refused and counted.
     void step(std::span<const HeatSource> sources, std::span<const MetalSeed> filler, gl::Profiler* profiler);
 
     /// Pressure of the arc from the next step on; none with a peak of 0.
@@ -52,7 +53,7 @@ class PhysicalMetal {
     const HeatSolver& heat() const { return *heat_; }
     const Flow& flow() const { return *flow_; }
     const RigidFragments& fragments() const { return *fragments_; }
-    size_t refusedFiller() const { return refused_; }
+    size_t refusedFiller() const { return refused_; } ///< particles since the reset
 
     MetalStatistics statistics(); ///< waits for the GPU
     /// Never waits. Throws RuntimeFault when kStatisticsInFlight answers are pending.
@@ -67,6 +68,7 @@ class PhysicalMetal {
   private:
     using Parts = std::array<MetalPart, METAL_STATISTICS_PARTS>;
 
+    void addFiller(std::span<const MetalSeed> filler);
     void gatherStatistics();
     MetalStatistics joined(const Parts& parts) const;
 
@@ -81,6 +83,7 @@ class PhysicalMetal {
     std::unique_ptr<HeatSolver> heat_;
     std::unique_ptr<Flow> flow_;
     std::unique_ptr<RigidFragments> fragments_;
+    std::vector<MetalSeed> accepted_; ///< kept so that filler costs no allocation
     size_t refused_ = 0;
 };
 

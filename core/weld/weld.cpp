@@ -11,6 +11,10 @@ namespace {
 /// W/(m² K) from metal to a cold plate that it lies on: 1000 to 10000 in the casting trade.
 constexpr double kTableConductance = 2000;
 
+/// m that the torch's axis may move in the steps that the probe's answer takes and still point at the place it found.
+/// None: chosen; 300 mm/s of hand.
+constexpr float kLeavesPlace = 0.01F;
+
 /// The metal as it conducts while this process stirs its pool.
 Material stirred(const Material& material, const ProcessSettings& settings) {
     const HeatTable unused(material);
@@ -19,6 +23,10 @@ Material stirred(const Material& material, const ProcessSettings& settings) {
     for (Property::Point& point : made.liquidConductivity.points)
         point.value *= factor;
     return made;
+}
+
+double boilingPointOf(const Material& material) {
+    return material.boilingPoint > 0 ? material.boilingPoint : std::numeric_limits<double>::infinity();
 }
 
 PhysicalSetup setupOf(const Material& material, const Workpiece& workpiece, const WeldSurroundings& around) {
@@ -47,8 +55,8 @@ Weld::Weld(gl::ShaderLibrary& shaders, const Material& material, const Workpiece
            const ProcessSettings& settings, const WeldSurroundings& surroundings)
     : shaders_(shaders),
       metal_(shaders, setupOf(stirred(material, settings), workpiece, surroundings)),
-      process_(makeProcess(
-          settings, {metal_.table(), metal_.state().density(), workpiece.lattice.spacing, surroundings.ambient})),
+      process_(makeProcess(settings, {metal_.table(), metal_.state().density(), workpiece.lattice.spacing,
+                                      surroundings.ambient, boilingPointOf(material)})),
       probe_(std::make_unique<AxisProbe>(shaders, metal_.state(), metal_.heat())) {}
 
 void Weld::reset() {
@@ -58,12 +66,14 @@ void Weld::reset() {
 }
 
 /// The place that was found stays where it is while the torch moves on: its distance along the axis is measured from
-/// where the torch is now.
+/// where the torch is now. A torch that has gone farther has left it.
 MetalAhead Weld::metalAhead(const TorchRay& ray) {
     const auto found = probe_->answer();
     if (!found || !found->distance) return {};
     const glm::vec3 place = found->ray.origin + found->ray.axis * *found->distance;
-    return {std::max(glm::dot(place - ray.origin, ray.axis), 0.0F), found->liquid};
+    const float distance = glm::dot(place - ray.origin, ray.axis);
+    if (glm::distance(place, ray.origin + ray.axis * distance) > kLeavesPlace || distance < -kLeavesPlace) return {};
+    return {std::max(distance, 0.0F), found->liquid};
 }
 
 void Weld::step(const TorchSample& torch, gl::Profiler* profiler) {

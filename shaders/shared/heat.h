@@ -15,6 +15,8 @@
 #define HEAT_CELL_SUMS                                                                                                 \
     1 // uint a cell (replaces the velocities): sum of weight times theta, in HeatBlock.thetaUnit; 0 between steps
 #define HEAT_CELL_POWER 1 // the same memory after the means are made: float a cell of mixed tiles, net power into it, W
+#define HEAT_CELL_RANGE                                                                                                \
+    8 // uvec2 a cell that metal off the lattice shares: see CellRange in cell_range.glsl; 0 between steps
 #define HEAT_TILES 9      // HeatTile a tile
 #define HEAT_LISTS 10     // uint: three lists of tiles, one after the other, then the list of slots off the lattice
 #define HEAT_CONTROL 11   // HeatControl
@@ -87,7 +89,13 @@ struct HeatSourceData {
     int tileCount;        // and in all
     float tipTemperature; // K
     float tipConductance; // W/(m² K)
-    vec2 reserved;
+    // Of the Gaussian: the stretch of its axis that it heats, and the sum of weights at which it gives its whole power.
+    float before;     // m, from the torch to the position: metal farther back is behind the torch
+    float beyond;     // m, from the position to where the first surface keeps the heat off others; see source.glsl
+    float fullWeight; // m²; 0: the whole power goes to whatever metal there is
+    float reserved0;
+    float reserved1;
+    float reserved2;
 };
 
 struct HeatBlock {
@@ -112,9 +120,9 @@ struct HeatBlock {
     vec3 tableScale;               // samples per J/kg in the three parts
     float weldingTableHeight;      // m, of the table that fallen metal lies on
     float weldingTableConductance; // to metal that lies on it, W/(m² K)
+    float evaporatesFrom;          // K
     float reserved0;
     float reserved1;
-    float reserved2;
     HeatSourceData sources[HEAT_SOURCES];
 };
 
@@ -138,8 +146,8 @@ struct HeatTile {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(HeatSourceData) == 112);
-static_assert(sizeof(HeatBlock) == 112 + HEAT_SOURCES * 112);
+static_assert(sizeof(HeatSourceData) == 128);
+static_assert(sizeof(HeatBlock) == 112 + HEAT_SOURCES * 128);
 static_assert(sizeof(HeatControl) == 64);
 static_assert(sizeof(HeatTile) == 32);
 } // namespace meltpool

@@ -74,6 +74,25 @@ TEST_CASE("an arc's pool takes exactly the arc's energy, flows, is fed and freez
     CHECK(metal.flow().readMoving() < mostMoving / 2);
 }
 
+TEST_CASE("wire that is fed outside the space or beyond the room is refused and counted", "[physical]") {
+    test::context();
+    PhysicalMetal metal(test::shaders(), plate());
+    const size_t before = metal.state().particles();
+    const std::vector<MetalSeed> drops{{glm::vec3(0, 4, 0) * kMm, 2200, PHASE_ALIVE | PHASE_LIQUID, {}},
+                                       {glm::vec3(0, 4, 1000) * kMm, 2200, PHASE_ALIVE | PHASE_LIQUID, {}},
+                                       {glm::vec3(0, 9, 0) * kMm, 2200, PHASE_ALIVE | PHASE_LIQUID, {}}};
+    metal.step({}, drops, nullptr);
+    CHECK(metal.state().particles() == before + 1);
+    CHECK(metal.refusedFiller() == 2);
+    CHECK(metal.statistics().lost == 2);
+    for (int i = 0; i < 70; ++i) // three a step
+        metal.step({}, std::vector<MetalSeed>(3, drops[0]), nullptr);
+    CHECK(metal.state().particles() == before + 200);
+    CHECK(metal.refusedFiller() == 2 + 11);
+    metal.reset();
+    CHECK(metal.statistics().lost == 0);
+}
+
 TEST_CASE("two welds alike give the same bits", "[physical]") {
     test::context();
     PhysicalMetal metal(test::shaders(), plate());

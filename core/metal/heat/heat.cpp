@@ -17,6 +17,7 @@ constexpr double kGasConstant = 8.314462;        // J/(mol K)
 constexpr double kPressure = 101325;             // Pa
 /// Share of the evaporated metal that does not fall back (Knight 1979: about 18 % does).
 constexpr double kEvaporationShare = 0.82;
+constexpr double kEvaporates = 0.5; ///< of the boiling point: far below any flux that counts
 
 /// Flux q = Lv m', m' = share p sqrt(M/(2 pi R T)), p = 1 bar exp(exponent (1/Tb - 1/T)).
 void writeEvaporation(HeatBlock& block, const Material& material) {
@@ -24,6 +25,8 @@ void writeEvaporation(HeatBlock& block, const Material& material) {
     const double factor = material.vaporisationHeat * kEvaporationShare * kPressure *
                           std::sqrt(material.molarMass / (2 * std::numbers::pi * kGasConstant));
     block.boilingPoint = static_cast<float>(material.boilingPoint);
+    block.evaporatesFrom =
+        static_cast<float>(material.evaporatesFrom > 0 ? material.evaporatesFrom : kEvaporates * material.boilingPoint);
     block.evaporationExponent = static_cast<float>(exponent);
     block.evaporationFactor = static_cast<float>(factor);
     block.liquidSpecificHeat = static_cast<float>(material.liquidSpecificHeat.at(material.boilingPoint));
@@ -79,6 +82,7 @@ void HeatSolver::makeBuffers() {
     cellTheta_ = gl::Buffer::gpuOnly("heat cell theta", 2 * cells * sizeof(float));
     cellWeight_ = gl::Buffer::gpuOnly("heat cell weight", cells * sizeof(uint));
     cellSums_ = gl::Buffer::gpuOnly("heat cell sums", cells * sizeof(uint));
+    cellRanges_ = gl::Buffer::gpuOnly("heat cell ranges", cells * sizeof(uvec2));
     tiles_ = gl::Buffer::gpuOnly("heat tiles", tiles * sizeof(HeatTile));
     tileStamps_ = gl::Buffer::gpuOnly("heat tile stamps", tiles * sizeof(int));
     lists_ = gl::Buffer::gpuOnly("heat lists", (3 * tiles + slots) * sizeof(uint));
@@ -136,11 +140,12 @@ void HeatSolver::prepareBlock() {
     block_.wakingLoss = static_cast<float>(kSleepingChange * capacity);
     block_.meltLeavesLattice = settings_.meltedLeaves ? 1 : 0;
     block_.tileCount = static_cast<int>(state_.lattice().tileCount());
-    // Eight particles' worth of the hottest metal fit into one sum of 32 bits.
+    // So many particles' worth of the hottest metal fit into one sum of 32 bits: drops may be fed in one place.
+    constexpr double kMostInCell = 32;
     constexpr double kHottest = 8000;
     constexpr double kWholeSum = 4294967295.0;
     const double most = state_.table().kirchhoffAt(state_.table().enthalpyAt(kHottest));
-    block_.thetaUnit = static_cast<float>(8 * most / kWholeSum);
+    block_.thetaUnit = static_cast<float>(kMostInCell * most / kWholeSum);
     block_.weldingTableHeight = static_cast<float>(settings_.tableHeight);
     block_.weldingTableConductance = static_cast<float>(settings_.tableConductance);
 }
@@ -161,6 +166,7 @@ void HeatSolver::bind() const {
     cellWeight_.bindStorage(HEAT_CELL_WEIGHT);
     cellSums_.bindStorage(HEAT_CELL_SUMS);
     tiles_.bindStorage(HEAT_TILES);
+    cellRanges_.bindStorage(HEAT_CELL_RANGE);
     tileStamps_.bindStorage(HEAT_TILE_STAMPS);
     lists_.bindStorage(HEAT_LISTS);
     control_.bindStorage(HEAT_CONTROL);
@@ -193,6 +199,9 @@ void HeatSolver::writeSource(HeatSourceData& data, const HeatSource& source, int
     data.frontFraction = source.frontFraction;
     data.tipTemperature = source.tipTemperature;
     data.tipConductance = source.tipConductance;
+    data.before = source.before;
+    data.beyond = source.beyond;
+    data.fullWeight = source.fullWeight;
     const glm::ivec3 lastTile = lattice.tiles - 1;
     const glm::ivec3 cellLimit = lattice.cells();
     // Clamped before the division, which rounds towards zero, and against sources that reach beyond every number.
@@ -319,8 +328,8 @@ HeatBalance HeatSolver::readBalance() const {
 
 size_t HeatSolver::bytes() const {
     size_t sum = 0;
-    for (const gl::Buffer* buffer : {&blockBuffer_, &table_, &cellTheta_, &cellWeight_, &cellSums_, &tiles_,
-                                     &tileStamps_, &lists_, &control_, &knownCells_, &sourceSums_, &ledger_})
+    for (const gl::Buffer* buffer : {&blockBuffer_, &table_, &cellTheta_, &cellWeight_, &cellSums_, &cellRanges_,
+                                     &tiles_, &tileStamps_, &lists_, &control_, &knownCells_, &sourceSums_, &ledger_})
         sum += buffer->bytes();
     return sum;
 }

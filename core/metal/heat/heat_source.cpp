@@ -1,6 +1,7 @@
 #include "core/metal/heat/heat_source.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 namespace meltpool {
 
@@ -20,6 +21,19 @@ HeatSource HeatSource::gaussian(glm::vec3 position, glm::vec3 axis, float sigma,
     s.axis = axis;
     s.size = sigma;
     s.power = power;
+    return s;
+}
+
+HeatSource HeatSource::inFront(float torchBefore, float shadowBeyond) const {
+    HeatSource s = *this;
+    s.before = torchBefore;
+    s.beyond = shadowBeyond;
+    return s;
+}
+
+HeatSource HeatSource::catching(float share) const {
+    HeatSource s = *this;
+    s.fullWeight = share * 2 * std::numbers::pi_v<float> * size * size;
     return s;
 }
 

@@ -20,11 +20,23 @@ struct HeatSource {
     float frontFraction = 0;                  ///< twice the share of the ellipsoid's power in front
     float tipTemperature = 0;                 ///< K
     float tipConductance = 0;                 ///< W/(m² K)
+    float before = kUnlimited;                ///< m, of the Gaussian: from the torch to the position
+    float beyond = kUnlimited;                ///< m, from the position to where surfaces lie in shadow
+    float fullWeight = 0;                     ///< m², see catching()
+
+    static constexpr float kUnlimited = 1e6F; ///< m
 
     /// Volume source 1 - d²/R² of the classic model.
     static HeatSource sphere(glm::vec3 centre, float radius, float power);
     /// Gaussian flux exp(-r²/(2 sigma²)) around `axis`, on surface that faces it.
     static HeatSource gaussian(glm::vec3 position, glm::vec3 axis, float sigma, float power);
+    /// The same Gaussian from a torch `before` (m) in front of the position, on the surface that the axis meets there:
+    /// what is behind the torch, or more than `beyond` (m) and twice its distance from the axis behind the position,
+    /// gets nothing.
+    HeatSource inFront(float before, float beyond) const;
+    /// The same Gaussian whose power goes in only as far as metal catches it: in proportion to the part of its
+    /// cross-section 2 pi sigma² that surface fills, and wholly from `share` of it on.
+    HeatSource catching(float share) const;
     /// Double ellipsoid of Goldak, Chakravarti and Bibby (1984). Half-axes in m; the front takes `frontFraction`/2 of
     /// the power.
     static HeatSource ellipsoid(glm::vec3 position, glm::vec3 axis, glm::vec3 travel, float halfWidth, float depth,

@@ -63,6 +63,7 @@ struct Material {
     double boilingPoint = 0;     ///< K at 1 bar; 0 where not given: no evaporation
     double vaporisationHeat = 0; ///< J/kg
     double molarMass = 0;        ///< kg/mol of the vapour
+    double evaporatesFrom = 0;   ///< K, below which evaporation is left out; 0: half the boiling point
     std::string boilingSource;
 
     MaterialLooks looks;

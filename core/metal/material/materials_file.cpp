@@ -92,6 +92,11 @@ void readBoiling(TomlTable& file, Material& material) {
     material.molarMass = readValue(boiling, "molar_mass", {1e-3, 1}, massSource);
     if (material.boilingPoint <= material.liquidus) boiling.fail("point", "must lie above the liquidus");
     material.boilingSource = "point: " + pointSource + "; heat: " + heatSource + "; molar mass: " + massSource;
+    if (boiling.has("evaporates_from")) {
+        std::string fromSource;
+        material.evaporatesFrom = readValue(boiling, "evaporates_from", {1, material.boilingPoint}, fromSource);
+        material.boilingSource += "; evaporates from: " + fromSource;
+    }
     boiling.finish();
 }
 

@@ -9,7 +9,7 @@ namespace meltpool {
 struct MetalStatistics {
     size_t particles = 0;
     size_t molten = 0;    ///< classic: temperature above 0, so free to move
-    size_t lost = 0;      ///< outside the box, or at a place that is no number
+    size_t lost = 0;      ///< outside the box, at a place that is no number, or wire that was fed there and refused
     size_t nonFinite = 0; ///< times since the reset that a particle's new state was no number and was refused
     double minTemperature = 0;
     double meanTemperature = 0;

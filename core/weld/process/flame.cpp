@@ -3,14 +3,25 @@
 #include "core/weld/process/processes.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace meltpool {
 
+namespace {
+
+constexpr float kMm = 1e-3F;
+/// Spacings that heated metal lies deeper beside the axis than on it.
+constexpr float kRelief = 3;
+
+} // namespace
+
 ParameterList describe(FlameSettings& s) {
     return {
-        {"flame_power", "Flame", "W", &s.power, 0, 50000, "heat that reaches the metal"},
+        {"flame_power", "Flame", "W", &s.power, 0, 50000, "heat that reaches metal which catches the whole flame"},
         {"sigma_mm", "Spread of the flame", "mm", &s.sigmaMm, 0.5, 20,
          "below 1.5 particle spacings the spot is coarse"},
+        {"flame_length_mm", "Length of the flame", "mm", &s.lengthMm, 5, 200,
+         "from the tip; the second half of it heats less and less"},
     };
 }
 
@@ -18,15 +29,31 @@ void Flame::apply(const ProcessSettings& settings) {
     settings_ = settings.of<Flame>();
 }
 
-/// The whole power goes to the surface around the axis, whatever its distance: hot gas follows the metal.
-void Flame::advance(const TorchSample& torch, const MetalAhead&, double) {
+TorchRay Flame::ray(const TorchSample& torch) const {
+    return {torch.tip, torch.axis(), settings_.lengthMm * kMm};
+}
+
+/// Share of the flame's heat that is left at a distance (m): all over the first half of its length, none at its end.
+float Flame::shareAt(float distance) const {
+    return std::clamp(2 - 2 * distance / (settings_.lengthMm * kMm), 0.0F, 1.0F);
+}
+
+/// What the axis meets is heated, and what lies beside the axis in front of the tip where it meets nothing, each as far
+/// as it catches the flame.
+void Flame::advance(const TorchSample& torch, const MetalAhead& ahead, double) {
     if (torch.trigger <= 0) return;
+    const bool meets = std::isfinite(ahead.distance);
+    const float distance = meets ? ahead.distance : 0;
     const float trigger = std::min(torch.trigger, 1.0F);
     arc_.action = ArcAction::burning;
-    arc_.share = trigger;
-    arc_.radius = settings_.sigmaMm * 1e-3F;
-    arc_.power = static_cast<double>(settings_.power * trigger);
-    source_ = HeatSource::gaussian(torch.tip, torch.axis(), arc_.radius, static_cast<float>(arc_.power));
+    arc_.radius = settings_.sigmaMm * kMm;
+    arc_.share = trigger * shareAt(distance);
+    arc_.power = static_cast<double>(settings_.power * arc_.share);
+    const float shadow = meets ? 2 * arc_.radius + kRelief * metal_.spacing : settings_.lengthMm * kMm;
+    source_ = HeatSource::gaussian(torch.tip + torch.axis() * distance, torch.axis(), arc_.radius,
+                                   static_cast<float>(arc_.power))
+                  .inFront(distance, shadow)
+                  .catching(1);
 }
 
 } // namespace meltpool

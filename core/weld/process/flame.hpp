@@ -6,8 +6,9 @@
 namespace meltpool {
 
 struct FlameSettings {
-    float power = 1500; ///< W into the metal
-    float sigmaMm = 2;  ///< spread of the heat on the surface
+    float power = 1500;  ///< W into metal that catches the whole flame
+    float sigmaMm = 2;   ///< spread of the heat on the surface
+    float lengthMm = 60; ///< from the tip, beyond which nothing is heated
 };
 ParameterList describe(FlameSettings& settings);
 
@@ -18,11 +19,14 @@ class Flame : public Process {
 
     using Process::Process;
     void apply(const ProcessSettings& settings) override;
+    TorchRay ray(const TorchSample& torch) const override;
 
   protected:
     void advance(const TorchSample& torch, const MetalAhead& ahead, double seconds) override;
 
   private:
+    float shareAt(float distance) const;
+
     FlameSettings settings_;
 };
 

@@ -19,6 +19,8 @@ constexpr float kPulled = 0.05F;     // of a trigger that is a switch
 constexpr float kDropSpeed = 0.3F;   // m/s of drops that leave the wire; dip and globular transfer, high-speed films
 constexpr float kFreeWay = 3;        // spacings that a drop falls at least: metal is not put into metal
 constexpr float kLookBeyond = 0.03F; // m that metal is looked for beyond the wire's end
+/// m of wire that stand out straight at most; what is longer hangs down and finds no metal on the axis. None: chosen.
+constexpr float kStraightWire = 0.06F;
 /// Shorts a second of a wire that just touches; 20 to 200 are seen.
 constexpr float kMostShorts = 120;
 /// m of arc over which the shorts become fewer; none: chosen.
@@ -53,8 +55,10 @@ void Gmaw::reset() {
 }
 
 WireFeed Gmaw::feed() const {
+    const double heat = metal_.table.liquidusEnthalpy() - metal_.table.enthalpyAt(metal_.ambient);
     return {static_cast<double>(settings_.voltage), static_cast<double>(settings_.wireFeedMPerMin * kMetresPerMinute),
-            WireMelting::steel(static_cast<double>(settings_.wireDiameterMm * kMm))};
+            WireMelting::steel(static_cast<double>(settings_.wireDiameterMm * kMm)),
+            wireArea() * metal_.density * heat / kGmawEfficiency};
 }
 
 double Gmaw::wireArea() const {
@@ -69,7 +73,7 @@ WireAccount Gmaw::wire() const {
 TorchRay Gmaw::ray(const TorchSample& torch) const {
     const glm::vec3 axis = torch.axis();
     return {torch.tip - axis * (settings_.stickOutMm * kMm), axis,
-            std::max(settings_.stickOutMm * kMm, static_cast<float>(wire_.extension())) + kLookBeyond};
+            std::clamp(static_cast<float>(wire_.extension()), settings_.stickOutMm * kMm, kStraightWire) + kLookBeyond};
 }
 
 void Gmaw::advance(const TorchSample& torch, const MetalAhead& ahead, double seconds) {
@@ -80,10 +84,10 @@ void Gmaw::advance(const TorchSample& torch, const MetalAhead& ahead, double sec
         return;
     }
     wire_.step(fed, static_cast<double>(ahead.distance), seconds);
-    fed_ += fed.speed * seconds;
+    fed_ += wire_.fed();
     melted_ += wire_.melted();
     takeOver();
-    if (arc_.burns()) transferHeat(torch, seconds);
+    if (arc_.burns() && wire_.fed() > 0) transferHeat(torch, seconds);
 }
 
 /// The circuit's numbers become the arc's state.

@@ -4,6 +4,16 @@
 
 namespace meltpool {
 
+namespace {
+
+/// Spacings that a pool's surface lies deeper beside the axis than on it.
+constexpr float kPoolDepth = 3;
+/// Share of its cross-section on which an arc burns with its whole power, as it stays on the metal at an edge. None:
+/// chosen.
+constexpr float kLeastCatch = 0.25F;
+
+} // namespace
+
 void Process::step(const TorchSample& torch, const MetalAhead& ahead, double seconds) {
     arc_ = {};
     arc_.distance = ahead.distance;
@@ -26,8 +36,11 @@ ArcPressure Process::pressure() const {
 }
 
 void Process::heatSurface(const TorchRay& ray, double power) {
+    const float shadow = 2 * arc_.radius + kPoolDepth * metal_.spacing;
     source_ = HeatSource::gaussian(ray.origin + ray.axis * arc_.distance, ray.axis, arc_.radius,
-                                   static_cast<float>(std::max(power, 0.0)));
+                                   static_cast<float>(std::max(power, 0.0)))
+                  .inFront(arc_.distance, shadow)
+                  .catching(kLeastCatch);
 }
 
 double Process::meltWire(double volume, double seconds, const glm::vec3& place, const glm::vec3& velocity,
@@ -35,7 +48,7 @@ double Process::meltWire(double volume, double seconds, const glm::vec3& place, 
     const double cold = metal_.table.enthalpyAt(metal_.ambient);
     const double rate = volume * metal_.density / seconds; // kg/s
     if (!(rate > 0)) return 0;
-    const double wanted = metal_.table.enthalpyAt(kDropTemperature) - cold;
+    const double wanted = metal_.table.enthalpyAt(std::min(kDropTemperature, metal_.boilingPoint)) - cold;
     const double gained = std::clamp(available / rate, 0.0, std::max(wanted, 0.0));
     drops_ = filler_.feed(volume, place, velocity, static_cast<float>(metal_.table.temperatureAt(cold + gained)));
     return rate * gained;

@@ -18,9 +18,10 @@ struct ProcessSettings;
 /// What a process must know of the metal that it works on.
 struct ProcessMetal {
     const HeatTable& table;
-    double density; ///< kg/m³, that particle masses are made from
-    float spacing;  ///< m
-    double ambient; ///< K, of wire and rod before they melt
+    double density;                                                ///< kg/m³, that particle masses are made from
+    float spacing;                                                 ///< m
+    double ambient;                                                ///< K, of wire and rod before they melt
+    double boilingPoint = std::numeric_limits<double>::infinity(); ///< K
 };
 
 /// A half line from the torch into the metal.
@@ -81,7 +82,8 @@ class Process {
     /// Sets arc_ and, where there is heat, source_ and drops_.
     virtual void advance(const TorchSample& torch, const MetalAhead& ahead, double seconds) = 0;
 
-    /// Heat of `power` W on the surface that the axis meets, as wide as the arc.
+    /// Heat of `power` W on the surface that the axis meets at the arc's distance, as wide as the arc. Nothing behind
+    /// the ray's origin or far beyond that surface is heated.
     void heatSurface(const TorchRay& ray, double power);
     /// Melts `volume` (m³) of wire in `seconds` into drops that leave `place` with `velocity`; gives the W that they
     /// bring, which are at most `available`: an arc too weak for hot drops makes colder ones.

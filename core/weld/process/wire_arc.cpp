@@ -18,6 +18,17 @@ double terminalVoltage(const WireFeed& feed, double current) {
     return current < kShortCircuitCurrent ? feed.voltage : std::min(feed.voltage, kWireResistance * current);
 }
 
+/// A that the machine gives into a wire that touches.
+double shortCurrent(const WireFeed& feed) {
+    return std::min(kShortCircuitCurrent, feed.voltage / kWireResistance);
+}
+
+/// m/s of wire that a current melts at a voltage: as measured, but no more than the electric power can melt.
+double meltingSpeed(const WireFeed& feed, double current, double voltage, double extension) {
+    const double measured = feed.melting.speed(current, extension);
+    return feed.meltingEnergy > 0 ? std::min(measured, voltage * current / feed.meltingEnergy) : measured;
+}
+
 /// Length (m) of the open arc in which a wire of this extension melts as fast as it is fed; 0 where it shorts.
 double balancedLength(const WireFeed& feed, double extension) {
     const double current = feed.melting.current(feed.speed, extension);
@@ -53,7 +64,7 @@ double longestWireArc(const WireFeed& feed) {
 void WireArc::release() {
     lit_ = false;
     action_ = ArcAction::out;
-    length_ = current_ = voltage_ = melted_ = stretch_ = 0;
+    length_ = current_ = voltage_ = fed_ = melted_ = stretch_ = 0;
 }
 
 /// The machine holds its open-circuit voltage, which here is the set one.
@@ -64,21 +75,31 @@ void WireArc::goOut(const WireFeed& feed) {
 
 void WireArc::step(const WireFeed& feed, double distance, double seconds) {
     const bool wasLit = lit_;
-    const double metal = std::max(distance, 0.0); // a contact tip inside the metal is at its surface
-    if (!lit_) feedInAir(feed, metal, seconds);
+    if (distance < kBlockedTip) return block(feed);
+    fed_ = feed.speed * seconds;
+    if (!lit_) feedInAir(feed, distance, seconds);
     if (!lit_) return;
     // A wire that touches in this step has used its time up: it begins to melt in the next one.
     if (!wasLit) {
         action_ = ArcAction::striking;
-        current_ = std::min(kShortCircuitCurrent, feed.voltage / kWireResistance);
+        current_ = shortCurrent(feed);
         voltage_ = terminalVoltage(feed, current_);
         return;
     }
-    burn(feed, metal, seconds);
+    burn(feed, distance, seconds);
+}
+
+/// The current goes through the contact tip, and the feeder's rolls slip.
+void WireArc::block(const WireFeed& feed) {
+    release();
+    action_ = ArcAction::stubbed;
+    current_ = shortCurrent(feed);
+    voltage_ = terminalVoltage(feed, current_);
 }
 
 void WireArc::feedInAir(const WireFeed& feed, double distance, double seconds) {
     goOut(feed);
+    fed_ = feed.speed * seconds;
     extension_ += feed.speed * seconds;
     lit_ = extension_ >= distance;
 }
@@ -88,11 +109,12 @@ void WireArc::burn(const WireFeed& feed, double distance, double seconds) {
     // Rises with the extension: the longer the wire, the shorter the arc and the more it melts.
     const auto excess = [&](double extension) {
         const double current = openArcCurrent(feed, distance - extension);
-        return extension - before - seconds * (feed.speed - feed.melting.speed(current, extension));
+        return extension - before - seconds * (feed.speed - meltingSpeed(feed, current, feed.voltage, extension));
     };
     if (!std::isfinite(distance)) {
         goOut(feed);
-        extension_ = before + feed.speed * seconds;
+        fed_ = feed.speed * seconds;
+        extension_ = before + fed_;
         return;
     }
     if (excess(distance) < 0) return shortCircuit(feed, distance, seconds);
@@ -106,7 +128,8 @@ void WireArc::burn(const WireFeed& feed, double distance, double seconds) {
     current_ = openArcCurrent(feed, length_);
     if (current_ < kLeastArcCurrent) {
         goOut(feed);
-        extension_ = before + feed.speed * seconds;
+        fed_ = feed.speed * seconds;
+        extension_ = before + fed_;
         return;
     }
     melted_ = before + feed.speed * seconds - extension_;
@@ -122,14 +145,16 @@ void WireArc::shortCircuit(const WireFeed& feed, double distance, double seconds
     const double before = extension_;
     const double arriving = feed.speed - (distance - before) / seconds;
     const double wanted = feed.melting.current(std::max(arriving, 0.0), distance);
-    current_ = std::min(wanted, kShortCircuitCurrent);
-    const double bearable = wanted > kShortCircuitCurrent ? feed.melting.speed(current_, distance) : arriving;
+    const double most = shortCurrent(feed);
+    current_ = std::min(wanted, most);
+    voltage_ = terminalVoltage(feed, current_);
+    const double melting = meltingSpeed(feed, current_, voltage_, distance);
+    const double bearable = std::min(std::max(arriving, 0.0), melting);
     extension_ = std::max(before + seconds * (feed.speed - bearable), 0.0);
     melted_ = seconds * bearable;
     length_ = stretch_ = 0;
-    voltage_ = terminalVoltage(feed, current_);
     const double arcShare = (feed.voltage - kWireResistance * current_) / kArcFallVoltage;
-    action_ = wanted > kShortCircuitCurrent || arcShare < kStubShare ? ArcAction::stubbed : ArcAction::shorting;
+    action_ = bearable < arriving - 1e-9 || arcShare < kStubShare ? ArcAction::stubbed : ArcAction::shorting;
 }
 
 } // namespace meltpool

@@ -26,6 +26,8 @@ struct WireFeed {
     double voltage = 20; ///< V at the terminals, which the machine holds
     double speed = 0.1;  ///< m/s of wire
     WireMelting melting;
+    double meltingEnergy =
+        0; ///< J of electric energy that melt a metre of wire, heat that is lost included; 0: unknown
 };
 
 /// V0 of an arc: the falls at its ends. Control literature for 1.0 mm steel wire; no document was checked.
@@ -36,6 +38,8 @@ inline constexpr double kArcField = 640;
 inline constexpr double kWireResistance = 0.026;
 /// A, most that the machine gives into a short circuit. A machine of the 500 A class; no document was checked.
 inline constexpr double kShortCircuitCurrent = 600;
+/// m from the contact tip to the metal below which the wire cannot come out. None: chosen.
+inline constexpr double kBlockedTip = 1e-3;
 /// A below which an arc between steel and a thin wire does not hold. Trade knowledge; no document was checked.
 inline constexpr double kLeastArcCurrent = 20;
 /// Share of the arc's own voltage, on average, below which the wire stays in the metal. None: chosen so that 4 V less
@@ -49,7 +53,8 @@ class WireArc {
 
     /// Goes on by `seconds` with the metal `distance` (m) from the contact tip, infinite where there is none, while the
     /// wire is fed. The current follows from arc = distance - extension = (U - V0 - R I)/E and d(extension)/dt = feed -
-    /// melting, solved implicitly at the step's end, as their time constants are as short as the step.
+    /// melting, solved implicitly at the step's end, as their time constants are as short as the step. No more wire
+    /// melts than the electric power can melt; the rest stands out. A contact tip on the metal lets no wire through.
     void step(const WireFeed& feed, double distance, double seconds);
     /// The wire stands still and the arc is out.
     void release();
@@ -59,6 +64,7 @@ class WireArc {
     double length() const { return length_; }       ///< m, of the arc
     double current() const { return current_; }     ///< A
     double voltage() const { return voltage_; }     ///< V at the terminals
+    double fed() const { return fed_; }             ///< m of wire that came through the contact tip in the last step
     double melted() const { return melted_; }       ///< m of wire that melted in the last step
     double stretch() const { return stretch_; }     ///< 0..1, see ArcState
 
@@ -67,11 +73,12 @@ class WireArc {
     void burn(const WireFeed& feed, double distance, double seconds);
     void shortCircuit(const WireFeed& feed, double distance, double seconds);
     void goOut(const WireFeed& feed);
+    void block(const WireFeed& feed);
 
     double extension_;
     bool lit_ = false;
     ArcAction action_ = ArcAction::out;
-    double length_ = 0, current_ = 0, voltage_ = 0, melted_ = 0, stretch_ = 0;
+    double length_ = 0, current_ = 0, voltage_ = 0, fed_ = 0, melted_ = 0, stretch_ = 0;
 };
 
 /// A that an open arc takes where the wire's end is `length` (m) from the metal: (U - V0 - E length)/R, not below 0 nor

@@ -6,7 +6,7 @@
 #include "shared/metal.h"
 layout(local_size_x = TILE_CELLS) in;
 #include "metal/heat/common.glsl"
-#include "metal/heat/off_lattice.glsl"
+#include "metal/heat/cell_range.glsl"
 #include "metal/heat/add_heat.glsl"
 #include "metal/heat/surface_loss.glsl"
 #include "metal/heat/ledger.glsl"
@@ -25,14 +25,17 @@ void main() {
     cellPower[cell] = 0.0; // as an integer this is an empty sum
     if (entry == 0u) cellTheta[index] = kEmpty;
     float weight = weightOf(cell);
+    bool sharesCell = isShared(cell);
+    float exchange = exchangeOf(cell);
+    if (sharesCell) clearRange(cell);
     cellWeight[cell] = entry == 0u ? 0u : SHARE_UNIT;
     if (entry == 0u || mean < 0.0) return;
     uint slot = entry - 1u;
     float area = texelFetch(thetaTexels, thetaBase(stamp ^ TILE_HALF, tile) + inside).x;
     vec4 h = texelFetch(heatTexels, int(slot));
     vec2 own = thermalState(h.x);
-    float exchanged = weight > 1.0 ? kCellExchange * metal.spacing * (mean - own.y) : 0.0;
-    float joules = (power / weight + exchanged) * heatBlock.timeStep;
+    float exchanged = sharesCell ? exchange * metal.spacing * (mean - own.y) : 0.0;
+    float joules = (power + exchanged) / weight * heatBlock.timeStep;
     float elapsed = elapsedOf(tile);
     float lost = particleLoss(h.x, own.x, joules, area / weight, elapsed);
     book(cell, 0.0, lost);

@@ -6,6 +6,7 @@
 layout(local_size_x = GROUP_SIZE) in;
 #include "metal/heat/common.glsl"
 #include "metal/heat/off_lattice.glsl"
+#include "metal/heat/cell_range.glsl"
 #include "metal/heat/add_heat.glsl"
 #include "metal/heat/surface_loss.glsl"
 #include "metal/heat/ledger.glsl"
@@ -43,7 +44,7 @@ void main() {
         int inside = cell - tile * TILE_CELLS;
         float mean = texelFetch(thetaTexels, thetaBase(stamp, tile) + inside).x;
         if (isHeld(mean)) continue;
-        power += share * cellPower[cell] + weight * kCellExchange * metal.spacing * (mean - own.y);
+        power += share * (cellPower[cell] + exchangeOf(cell) * metal.spacing * (mean - own.y));
         area += share * texelFetch(thetaTexels, thetaBase(stamp ^ TILE_HALF, tile) + inside).x;
         missing -= weight;
     }

@@ -4,6 +4,7 @@
 #include "shared/metal.h"
 layout(local_size_x = TILE_CELLS) in;
 #include "metal/heat/common.glsl"
+#include "metal/heat/cell_range.glsl"
 layout(std430, binding = HEAT_CELL_SUMS) restrict readonly buffer CellSums { uint cellSum[]; };
 
 void main() {
@@ -14,6 +15,7 @@ void main() {
     uint weight = cellWeight[cell];
     uint own = isEmpty(theta) ? 0u : SHARE_UNIT;
     if (weight == own || isHeld(theta)) return;
+    if (own != 0u) addToRange(cell, theta);
     float sum = float(cellSum[cell]) * heatBlock.thetaUnit;
     cellTheta[index] = (sum + float(own / SHARE_UNIT) * theta) / (float(weight) / float(SHARE_UNIT));
 }

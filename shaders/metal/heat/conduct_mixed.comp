@@ -7,11 +7,25 @@
 layout(local_size_x = TILE_CELLS) in;
 #include "metal/heat/common.glsl"
 #include "metal/heat/neighbours.glsl"
+#include "metal/heat/cell_range.glsl"
 #include "metal/heat/free_surface.glsl"
 #include "metal/heat/source.glsl"
 #include "metal/heat/ledger.glsl"
 layout(std430, binding = HEAT_CELL_POWER) restrict writeonly buffer CellPower { float cellPower[]; };
 layout(std430, binding = HEAT_SOURCE_SUMS) restrict readonly buffer SourceSums { float sourceSum[]; };
+
+/// The exchange that keeps the particles of a cell with mean `theta`, which fills `weight` cells and takes in `flow` (W/m), within
+/// the range of their cell and its surroundings. A particle takes flow + exchange (theta - own) by its share of the weight. With
+/// the surroundings' whole conductance as exchange that is what it would conduct itself, so no more is ever needed: a particle
+/// with `own` at one end of the range of its cell then moves away from that end, or towards the end of the surroundings by no
+/// more than what explicit steps bear.
+float exchangeFor(CellRange range, float theta, float weight, float flow, Surroundings around) {
+    float gives = -flow - around.conductance * max(0.0, range.low - around.coldest);
+    float takes = flow - around.conductance * max(0.0, around.hottest - range.high);
+    float forColdest = gives > 0.0 ? gives / max(theta - range.low, 1e-6 * theta) : 0.0;
+    float forHottest = takes > 0.0 ? takes / max(range.high - theta, 1e-6 * theta) : 0.0;
+    return max(kCellExchange * weight, min(max(forColdest, forHottest), around.conductance));
+}
 
 void main() {
     int tile = int(texelFetch(listTexels, heatBlock.tileCount + int(gl_WorkGroupID.x)).x);
@@ -27,9 +41,14 @@ void main() {
     bool awake = keepsAwake(inflow);
     float weight = weightOf(cell);
     Weights weights = readWeights(cell, offsets);
-    inflow.low *= min(vec3(1), min(vec3(weight), weights.low));
-    inflow.high *= min(vec3(1), min(vec3(weight), weights.high));
+    vec3 fillLow = min(vec3(1), min(vec3(weight), weights.low));
+    vec3 fillHigh = min(vec3(1), min(vec3(weight), weights.high));
+    inflow.low *= fillLow;
+    inflow.high *= fillHigh;
     Power power = powerOf(inflow, n);
+    float flow = (power.fromMetal + power.fromWalls) / metal.spacing;
+    if (isShared(cell))
+        writeExchange(cell, exchangeFor(rangeOf(cell), theta, weight, flow, surroundingsOf(inflow, n, fillLow, fillHigh)));
     FreeSurface surface = freeSurface(weight, weights);
     float given = 0.0;
     for (int i = 0; i < heatBlock.sourceCount; ++i) {

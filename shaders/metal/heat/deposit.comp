@@ -1,10 +1,11 @@
 #version 450 core
-// Adds the shares of each particle off the lattice to the weights and sums of the eight cells around it.
+// Adds the shares of each particle off the lattice to the weights, sums and ranges of the eight cells around it.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/dispatch.h"
 layout(local_size_x = GROUP_SIZE) in;
 #include "metal/heat/common.glsl"
 #include "metal/heat/off_lattice.glsl"
+#include "metal/heat/cell_range.glsl"
 layout(std430, binding = HEAT_CELL_SUMS) restrict buffer CellSums { uint cellSum[]; };
 layout(std430, binding = HEAT_CONTROL) restrict readonly buffer Control { HeatControl control; };
 
@@ -21,6 +22,7 @@ void main() {
         if (cell < 0 || weight == 0.0) continue;
         atomicAdd(cellWeight[cell], uint(weight * float(SHARE_UNIT)));
         atomicAdd(cellSum[cell], uint(weight * theta / heatBlock.thetaUnit + 0.5));
+        addToRange(cell, theta);
         int tile = cell / TILE_CELLS;
         if (notesOf(tile).lastOffLattice != heatBlock.stepNumber) tiles[tile].lastOffLattice = heatBlock.stepNumber;
     }

@@ -86,3 +86,23 @@ Power powerOf(Inflow f, Neighbours n) {
     vec3 metal_ = f.low * vec3(n.openLow) * vec3(not(f.wallLow)) + f.high * vec3(n.openHigh) * vec3(not(f.wallHigh));
     return Power(metal.spacing * (metal_.x + metal_.y + metal_.z), metal.spacing * (walls.x + walls.y + walls.z));
 }
+
+/// What a cell conducts to: the sum of the conductances of its faces, in those of two full neighbouring cells, and the range of
+/// theta behind them.
+struct Surroundings {
+    float conductance;
+    float coldest, hottest;
+};
+
+/// `fillLow` and `fillHigh`: share of a full face that conducts, as in the inflow.
+Surroundings surroundingsOf(Inflow f, Neighbours n, vec3 fillLow, vec3 fillHigh) {
+    vec3 low = mix(n.low, -2.0 - n.low, f.wallLow);
+    vec3 high = mix(n.high, -2.0 - n.high, f.wallHigh);
+    vec3 countLow = fillLow * mix(vec3(n.openLow) * vec3(notEqual(n.low, vec3(kEmpty))), vec3(2), f.wallLow);
+    vec3 countHigh = fillHigh * mix(vec3(n.openHigh) * vec3(notEqual(n.high, vec3(kEmpty))), vec3(2), f.wallHigh);
+    bvec3 nothingLow = equal(countLow, vec3(0)), nothingHigh = equal(countHigh, vec3(0));
+    vec3 coldest = min(mix(low, vec3(3.4e38), nothingLow), mix(high, vec3(3.4e38), nothingHigh));
+    vec3 hottest = max(mix(low, vec3(0), nothingLow), mix(high, vec3(0), nothingHigh));
+    return Surroundings(dot(countLow + countHigh, vec3(1)), min(min(coldest.x, coldest.y), coldest.z),
+                        max(max(hottest.x, hottest.y), hottest.z));
+}

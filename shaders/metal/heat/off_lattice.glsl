@@ -5,11 +5,6 @@
 // what a cell gets goes back to its particles by the same weights. Every exchange is between two cells or between a cell and
 // its own particles, so nothing is gained or lost.
 
-/// What particles that share a cell exchange with it, in conductances of two neighbouring cells: evens out what the cells
-/// themselves cannot see. It also spreads heat, where the cells' unevenness hinders it: with 1.1 the two are even, and liquid
-/// conducts within 3 % of what it should, at rest or flowing; with 2 it would conduct 14 % too much.
-const float kCellExchange = 1.1;
-
 /// Slot number `entry` of the list of those off the lattice.
 uint offLatticeSlot(uint entry) { return texelFetch(listTexels, 3 * heatBlock.tileCount + int(entry)).x; }
 

@@ -1,5 +1,16 @@
 // How much of a heat source a place on the metal sees. Included after free_surface.glsl.
 
+/// Slope against the source's axis up to which a surface keeps no heat off itself: 63 degrees.
+const float kSteepestSurface = 2.0;
+
+/// 1 on the stretch of a Gaussian's axis that it heats, 0 off it; the ends are a spacing wide. Metal before that stretch is behind
+/// the torch, metal beyond it in the shadow of the surface that the axis meets first. That surface may slope.
+float shareInFront(HeatSourceData s, float depth, float off) {
+    float before = (depth + s.before) / metal.spacing;
+    float beyond = (s.beyond + kSteepestSurface * off - depth) / metal.spacing;
+    return clamp(before + 0.5, 0.0, 1.0) * clamp(beyond + 0.5, 0.0, 1.0);
+}
+
 /// Share of source `s` that goes to metal at `place` with the given volume (m³), free surface and temperature
 /// (K), before normalisation. The tip's weight is in W.
 float sourceWeight(HeatSourceData s, vec3 place, float volume, FreeSurface surface, float temperature) {
@@ -10,7 +21,8 @@ float sourceWeight(HeatSourceData s, vec3 place, float volume, FreeSurface surfa
     float depth = dot(d, s.axis);
     if (kind == SOURCE_GAUSSIAN) {
         float r2 = max(0.0, dot(d, d) - depth * depth);
-        return surface.area * max(0.0, -dot(surface.normal, s.axis)) * exp(-r2 / (2.0 * size * size));
+        return surface.area * max(0.0, -dot(surface.normal, s.axis)) * exp(-r2 / (2.0 * size * size)) *
+               shareInFront(s, depth, sqrt(r2));
     }
     if (kind == SOURCE_TIP) {
         float reach = dot(d, d) <= size * size ? surface.area : 0.0;
@@ -26,10 +38,10 @@ float sourceWeight(HeatSourceData s, vec3 place, float volume, FreeSurface surfa
     return volume * peak * exp(-3.0 * dot(q, q));
 }
 
-/// Watts a unit of weight is worth, from the sum of all weights.
+/// Watts a unit of weight is worth, from the sum of all weights. What misses the metal heats nothing.
 float sourceScale(HeatSourceData s, float total) {
     if (total <= 0.0) return 0.0;
-    float scale = s.power / total;
+    float scale = s.power / max(total, s.fullWeight);
     return s.kind == SOURCE_TIP ? min(1.0, scale) : scale;
 }
 

@@ -16,7 +16,7 @@ float evaporationFlux(float temperature) {
 }
 
 /// Whether metal is so hot that its evaporation counts.
-bool evaporates(float temperature) { return temperature > 0.5 * heatBlock.boilingPoint; }
+bool evaporates(float temperature) { return temperature > heatBlock.evaporatesFrom; }
 
 /// Temperature after a step in which a surface that would have reached `hot` also evaporates. The flux rises so steeply that
 /// it is taken at the end of the step: Newton's method for T + area dt q(T)/(m c) = hot, which comes down from above.
@@ -30,7 +30,7 @@ float afterEvaporation(float hot, float area) {
         t -= change;
         boils = abs(change) > 0.01;
     }
-    return t;
+    return area > 0.0 ? max(t, min(hot, heatBlock.evaporatesFrom)) : hot;
 }
 
 /// Joules that a particle of the given enthalpy and temperature with `area` of free surface loses in this step, in which it

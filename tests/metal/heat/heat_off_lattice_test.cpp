@@ -66,6 +66,37 @@ TEST_CASE("Metal off the lattice keeps every joule", "[heat][off-lattice]") {
     CHECK(std::abs(change - balance.gained + balance.lost) < 1e-5 * balance.gained);
 }
 
+TEST_CASE("No metal gets colder than the coldest or hotter than the hottest was", "[heat][off-lattice]") {
+    const Material m = simpleMetal();
+    const glm::vec3 low(2 * kSpacing), high(0.01F, 0.01F, 0.01F);
+    const MetalLattice lattice = MetalLattice::covering(glm::vec3(0), high + 3 * kSpacing, kSpacing);
+    auto seeds = latticeSeeds(lattice, low, high, 293);
+    const bool hotDrops = GENERATE(true, false);
+    for (MetalSeed& seed : seeds)
+        seed.temperature = hotDrops ? 293 : 2500;
+    takeOffLattice(seeds, 0.007F, 0.4F);
+    // Drops buried in the metal, as a wire that burns in it would leave them.
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> place(low.x, high.x);
+    for (int i = 0; i < 40; ++i)
+        seeds.push_back({{place(random), place(random), place(random)}, hotDrops ? 2500.0F : 293.0F, PHASE_ALIVE, {}});
+    for (int i = 0; i < 20; ++i)
+        seeds.push_back({{0.0051F, 0.0052F, 0.0053F}, hotDrops ? 2500.0F : 293.0F, PHASE_ALIVE, {}});
+    HeatBench bench(test::shaders(), lattice, m, seeds, HeatSettings{});
+    const double before = bench.state.readEnergy();
+    double coldest = 1e9, hottest = 0;
+    for (int i = 0; i < 60; ++i) {
+        bench.solver.step(bench.solver.longestStep(2500), {});
+        for (const double t : bench.readTemperatures()) {
+            coldest = std::min(coldest, t);
+            hottest = std::max(hottest, t);
+        }
+    }
+    CHECK(coldest > 293 - 0.05);
+    CHECK(hottest < 2500 + 0.05);
+    CHECK(bench.state.readEnergy() == Approx(before).epsilon(1e-5));
+}
+
 TEST_CASE("Metal off the lattice conducts as metal on it does", "[heat][off-lattice]") {
     const Material m = simpleMetal();
     // A long bar whose end is held hot; part or all of it is shaken off the lattice.

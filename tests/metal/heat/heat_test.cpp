@@ -275,6 +275,32 @@ TEST_CASE("Melting and freezing wait for their fractions", "[heat]") {
     }
 }
 
+TEST_CASE("A torch's Gaussian heats what it faces in front of it and what catches it", "[heat]") {
+    const Material m = steelLike();
+    const float h = 1e-3F;
+    const glm::vec3 low(0, 0.01F, 0), high(0.02F, 0.016F, 0.02F);
+    const MetalLattice lattice = MetalLattice::covering(glm::vec3(0), {high.x, 0.03F, high.z}, h);
+    HeatSettings settings;
+    settings.ledger = true;
+    const auto joules = [&](const HeatSource& source) {
+        HeatBench bench(test::shaders(), lattice, m, latticeSeeds(lattice, low, high, 300), settings);
+        bench.solver.step(1e-3, std::vector{source});
+        return bench.solver.readBalance().gained;
+    };
+    const glm::vec3 down(0, -1, 0), top(0.01F, high.y, 0.01F), edge(0.02F, high.y, 0.01F);
+    const auto at = [&](glm::vec3 place, glm::vec3 axis) { return HeatSource::gaussian(place, axis, 2 * h, 1000); };
+    CHECK(joules(at(top, down).inFront(0.01F, 4 * h)) == Approx(1));
+    // The same place, seen from a torch that has passed it, and from one that is kept off by a nearer surface.
+    CHECK(joules(at(top - glm::vec3(0, 0.012F, 0), down).inFront(0, 0.04F)) == 0);
+    CHECK(joules(at(top + glm::vec3(0, 10 * h, 0), down).inFront(0.01F, 2 * h).catching(1)) < 0.2);
+    CHECK(joules(at(top, -down).inFront(0, 4 * h)) == 0);
+    // Whole on the plate, half on its edge, nothing beside it.
+    CHECK(joules(at(top, down).catching(1)) == Approx(1).epsilon(0.01));
+    CHECK(joules(at(edge, down).catching(1)) == Approx(0.5).epsilon(0.03));
+    CHECK(joules(at(edge, down).catching(0.25F)) == Approx(1));
+    CHECK(joules(at(edge + glm::vec3(8 * h, 0, 0), down).catching(1)) < 1e-3);
+}
+
 TEST_CASE("Evaporation holds an overheated surface near its boiling point", "[heat]") {
     Material m = steelLike();
     m.boilingPoint = 3100;

@@ -36,6 +36,11 @@ MetalAhead metalAt(double mm, float liquid = 0) {
     return {static_cast<float>(mm * 1e-3), liquid};
 }
 
+/// J that a drop brings, above wire at room temperature.
+double dropHeat(const MetalSeed& drop) {
+    return 7850e-9 * (table().enthalpyAt(double(drop.temperature)) - table().enthalpyAt(293.15));
+}
+
 ArcAction after(Process& process, double mm, float trigger = 1) {
     process.step(pulled(trigger), metalAt(mm), kStep);
     return process.arc().action;
@@ -141,22 +146,55 @@ TEST_CASE("a GMAW arc and its drops together bring efficiency U I, and every mil
     CHECK(fedParticles == Approx(wire.melted * wire.area / 1e-9).margin(1));
 }
 
-TEST_CASE("an arc too weak to make hot drops makes colder ones, and no heat out of nothing") {
+TEST_CASE("an arc too weak for its wire melts less of it, and makes no heat and no cold drops out of nothing") {
     ProcessSettings settings;
     GmawSettings& gmaw = settings.choose<Gmaw>();
-    gmaw.voltage = 5;
+    gmaw.voltage = GENERATE(5.0F, 8.0F);
     gmaw.wireFeedMPerMin = 20;
     const auto process = made(settings);
-    double brought = 0, electric = 0;
+    double brought = 0, electric = 0, coldest = 1e9;
     for (int i = 0; i < 300; ++i) {
         process->step(pulled(), metalAt(12), kStep);
         for (const MetalSeed& drop : process->drops())
-            brought += 7850e-9 * (table().enthalpyAt(double(drop.temperature)) - table().enthalpyAt(293.15));
+            brought += dropHeat(drop);
+        for (const MetalSeed& drop : process->drops())
+            coldest = std::min(coldest, double(drop.temperature));
         for (const HeatSource& source : process->sources())
             brought += double(source.power) * kStep;
-        electric += double(process->arc().voltage) * double(process->arc().current) * kStep;
+        electric += kGmawEfficiency * double(process->arc().voltage) * double(process->arc().current) * kStep;
     }
-    CHECK(brought <= electric * 1.01);
+    CHECK(brought <= electric + dropHeat({{}, 2500}));
+    CHECK(coldest > steel().liquidus - 1);
+    const WireAccount wire = process->wire();
+    CHECK(wire.fed == Approx(300 * kStep * 20 / 60));
+    CHECK(wire.melted < 0.97 * wire.fed);
+    CHECK(wire.melted + wire.standing == Approx(wire.fed + 12e-3));
+    CHECK(process->arc().action == ArcAction::stubbed);
+}
+
+TEST_CASE("a contact tip on the metal lets no wire through and heats nothing") {
+    ProcessSettings settings;
+    settings.choose<Gmaw>();
+    const auto process = made(settings);
+    for (int i = 0; i < 100; ++i) {
+        CHECK(after(*process, 0.5 - 0.1 * i) == ArcAction::stubbed);
+        CHECK(process->sources().empty());
+        CHECK(process->drops().empty());
+    }
+    CHECK(process->wire().fed == 0);
+}
+
+TEST_CASE("a flame heats less and less from half its length on") {
+    ProcessSettings settings;
+    FlameSettings& flame = settings.choose<Flame>();
+    flame.power = 1000;
+    flame.lengthMm = 40;
+    const auto process = made(settings);
+    for (const auto& [mm, watts] : {std::pair(0.0, 1000.0), {20.0, 1000.0}, {30.0, 500.0}, {41.0, 0.0}, {45.0, 0.0}}) {
+        after(*process, mm);
+        CHECK(process->arc().power == Approx(watts).margin(0.1));
+        CHECK(process->sources().size() == (watts > 0 ? 1 : 0));
+    }
 }
 
 TEST_CASE("an arc presses by its current, a flame does not") {
