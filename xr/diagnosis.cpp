@@ -3,13 +3,11 @@
 
 #include "xr/headset.hpp"
 #include "xr/headset_connection.hpp"
-#include "xr/session/platform.hpp"
+#include "xr/runtime_manifest.hpp"
 
 #include <array>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
-#include <filesystem>
 #include <optional>
 #include <thread>
 
@@ -17,7 +15,6 @@ namespace meltpool::xr {
 
 namespace {
 
-namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 std::string formatName(std::int64_t format) {
@@ -139,37 +136,17 @@ void addSessionFacts(std::unique_ptr<Instance> instance, Diagnosis& diagnosis) {
 
 } // namespace
 
-std::string activeRuntimeManifest() {
-    if (const char* file = std::getenv("XR_RUNTIME_JSON"); file != nullptr && *file != 0) return file;
-#ifdef _WIN32
-    std::array<char, 1024> value{};
-    DWORD size = DWORD(value.size());
-    if (RegGetValueA(HKEY_LOCAL_MACHINE, "SOFTWARE\\Khronos\\OpenXR\\1", "ActiveRuntime", RRF_RT_REG_SZ, nullptr,
-                     value.data(), &size) == ERROR_SUCCESS)
-        return value.data();
-    return {};
-#else
-    std::vector<fs::path> folders;
-    if (const char* config = std::getenv("XDG_CONFIG_HOME"); config != nullptr && *config != 0)
-        folders.emplace_back(config);
-    else if (const char* home = std::getenv("HOME"))
-        folders.emplace_back(fs::path(home) / ".config");
-    for (const char* folder : {"/etc/xdg", "/usr/local/etc", "/etc"})
-        folders.emplace_back(folder);
-    for (const fs::path& folder : folders) {
-        const fs::path file = folder / "openxr" / "1" / "active_runtime.json";
-        std::error_code ignored;
-        if (fs::exists(file, ignored)) return file.string();
-    }
-    return {};
-#endif
-}
-
 Diagnosis diagnose(bool session) {
     quietLoader();
     Diagnosis diagnosis;
-    const std::string manifest = activeRuntimeManifest();
-    diagnosis.facts.push_back({"active runtime", manifest.empty() ? "none is set" : manifest, !manifest.empty()});
+    const RuntimeManifest manifest = findRuntimeManifest();
+    const std::string named = manifest.file.empty() ? "none is set" : manifest.file;
+    diagnosis.facts.push_back({"active runtime", named, !manifest.file.empty() && manifest.fault.empty()});
+    if (!manifest.fault.empty()) {
+        diagnosis.facts.push_back({"headset", "none to be used", false});
+        diagnosis.advice = manifest.fault;
+        return diagnosis;
+    }
     try {
         auto instance = std::make_unique<Instance>();
         addSystemFacts(*instance, diagnosis);

@@ -22,7 +22,4 @@ struct Diagnosis {
 /// context must be current: a session is opened for up to 3 seconds to see formats and controllers. Throws nothing.
 Diagnosis diagnose(bool session);
 
-/// The manifest file of the active runtime, or empty where none is set.
-std::string activeRuntimeManifest();
-
 } // namespace meltpool::xr

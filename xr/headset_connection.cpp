@@ -1,6 +1,8 @@
 // The search runs on a thread of its own, since making an instance may block for seconds.
 #include "xr/headset_connection.hpp"
 
+#include "xr/runtime_manifest.hpp"
+
 #include <algorithm>
 #include <thread>
 #include <utility>
@@ -15,13 +17,21 @@ using Clock = std::chrono::steady_clock;
 constexpr auto kFirstPause = std::chrono::milliseconds(1000);
 constexpr auto kLongestPause = std::chrono::milliseconds(8000);
 
+std::string unavailable(const RuntimeManifest& manifest) {
+    if (!manifest.fault.empty()) return manifest.fault;
+    if (!manifest.file.empty())
+        return "the OpenXR runtime that " + manifest.file + " names (" + manifest.library +
+               ") cannot be loaded; install it again or make another one active";
+    return "no OpenXR runtime is active; install SteamVR, Meta Link, Monado or WiVRn and make it the active OpenXR "
+           "runtime in its own settings";
+}
+
 } // namespace
 
 std::string explain(const XrFault& fault) {
     switch (fault.result()) {
     case XR_ERROR_RUNTIME_UNAVAILABLE:
-        return "no OpenXR runtime is active; install SteamVR, Meta Link, Monado or WiVRn and make it the active OpenXR "
-               "runtime in its own settings";
+        return unavailable(findRuntimeManifest());
     case XR_ERROR_FORM_FACTOR_UNAVAILABLE:
         return "the OpenXR runtime runs but sees no headset; switch the headset on, plug it in or connect it to this "
                "computer";
@@ -47,9 +57,16 @@ HeadsetConnection::~HeadsetConnection() = default;
 
 void HeadsetConnection::look(Search& search) {
     try {
-        search.instance = std::make_unique<Instance>();
+        const RuntimeManifest manifest = findRuntimeManifest();
+        search.manifestAtFault = !manifest.fault.empty();
+        // The loader would only say that there is no runtime.
+        if (search.manifestAtFault)
+            search.reason = unavailable(manifest);
+        else
+            search.instance = std::make_unique<Instance>();
     } catch (const XrFault& fault) {
         search.reason = explain(fault);
+        search.noRuntime = fault.result() == XR_ERROR_RUNTIME_UNAVAILABLE;
     } catch (const std::exception& other) {
         search.reason = other.what();
     }
@@ -95,6 +112,8 @@ void HeadsetConnection::search() {
     nextLook_ = Clock::now() + pause_;
     pause_ = std::min(2 * pause_, kLongestPause);
     reason_ = found->reason;
+    manifestAtFault_ = found->manifestAtFault;
+    noRuntime_ = found->noRuntime;
     if (found->instance == nullptr) return;
     try {
         headset_ = std::make_unique<Headset>(std::move(found->instance), settings_);

@@ -45,6 +45,10 @@ class HeadsetConnection {
     ConnectionState state() const { return state_; }
     /// Why there is no headset at the moment, as a sentence for the person; empty while there is one.
     const std::string& reason() const { return reason_; }
+    /// The file that names the runtime is at fault.
+    bool manifestAtFault() const { return manifestAtFault_; }
+    /// No runtime can be loaded: until somebody changes the machine's settings no headset is found.
+    bool hopeless() const { return manifestAtFault_ || noRuntime_; }
     /// How often a headset was opened.
     int openings() const { return openings_; }
 
@@ -54,6 +58,8 @@ class HeadsetConnection {
         std::atomic<bool> over = false;
         std::unique_ptr<Instance> instance;
         std::string reason;
+        bool manifestAtFault = false;
+        bool noRuntime = false;
     };
 
     static void look(Search& search);
@@ -71,6 +77,8 @@ class HeadsetConnection {
     std::chrono::steady_clock::time_point nextLook_;
     std::chrono::milliseconds pause_;
     bool opened_ = false;
+    bool manifestAtFault_ = false;
+    bool noRuntime_ = false;
     int openings_ = 0;
 };
 

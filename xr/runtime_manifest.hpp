@@ -1,0 +1,27 @@
+// The file by which the OpenXR loader finds the active runtime, and what is wrong with it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace meltpool::xr {
+
+struct RuntimeManifest {
+    std::string file;    ///< empty: none is set
+    std::string library; ///< of the runtime, as the file names it
+    std::string fault;   ///< a sentence's end for the person, with file and what is wrong; empty: the file is in order
+};
+
+/// Looks where the loader looks: $XR_RUNTIME_JSON, else openxr/1/active_runtime.json in $XDG_CONFIG_HOME (or
+/// ~/.config), $XDG_CONFIG_DIRS (or /etc/xdg), /usr/local/etc and /etc; in Windows' registry there. Loads no library.
+/// Throws nothing.
+RuntimeManifest findRuntimeManifest();
+
+/// Reads one file. A library that is named without a folder is looked for by the system and not checked here.
+RuntimeManifest readRuntimeManifest(const std::filesystem::path& file);
+
+/// The places of active_runtime.json, in the loader's order; empty under Windows.
+std::vector<std::filesystem::path> activeRuntimePlaces();
+
+} // namespace meltpool::xr
