@@ -48,6 +48,7 @@ void Headset::finishOpening() {
     targets_ =
         std::make_unique<EyeTargets>(worker_->colourFormat, depth, worker_->width, worker_->height, settings_.samples);
     panel_ = std::make_unique<Panel>(worker_->colourFormat, settings_.panel);
+    notice_ = std::make_unique<Panel>(worker_->colourFormat, settings_.notice);
     note();
 }
 
@@ -116,10 +117,16 @@ bool Headset::drawEyes(FunctionRef<void(const BothEyes&)> draw) {
     return true;
 }
 
+void Headset::show(Quad quad, const Panel& picture, const Pose& pose, bool fresh) {
+    worker_->submission.quads[size_t(quad)] = {true, fresh, picture.texture(), pose};
+}
+
 void Headset::showPanel(const Pose& pose) {
-    worker_->submission.panelShown = true;
-    worker_->submission.panel = panel_->texture();
-    worker_->submission.panelPose = pose;
+    show(Quad::panel, *panel_, pose, true);
+}
+
+void Headset::showNotice(const Pose& pose, bool fresh) {
+    show(Quad::notice, *notice_, pose, fresh);
 }
 
 void Headset::play(Hand which, const HapticPulse& pulse) {
@@ -134,7 +141,9 @@ void Headset::playTracker(size_t which, const HapticPulse& pulse) {
 }
 
 void Headset::endFrame() {
-    if (worker_->submission.eyes || worker_->submission.panelShown) {
+    const auto& quads = worker_->submission.quads;
+    const bool copies = std::any_of(quads.begin(), quads.end(), [](const QuadSubmission& quad) { return quad.fresh; });
+    if (worker_->submission.eyes || copies) {
         worker_->submission.drawn = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
         glFlush(); // else the worker's context would wait for commands that were never sent
     }

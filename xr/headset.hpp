@@ -52,6 +52,7 @@ class Headset {
     const Input& input() const { return *worker_->input; }
     Panel& panel() { return *panel_; }
     const Panel& panel() const { return *panel_; }
+    const Panel& notice() const { return *notice_; }
     const EyeTargets& eyes() const { return *targets_; } ///< also while stalled
     const HeadsetSettings& settings() const { return settings_; }
     bool hasDepthLayer() const { return worker_->depthFormat != GL_NONE; }
@@ -71,6 +72,8 @@ class Headset {
     bool drawEyes(FunctionRef<void(const BothEyes&)> draw);
     /// Shows the panel at this pose in this frame.
     void showPanel(const Pose& pose);
+    /// The same for the notice. `fresh`: its picture has been drawn anew; else the last one is shown.
+    void showNotice(const Pose& pose, bool fresh);
     /// Vibration of a controller, or of what is wired to a tracker, from the end of the frame on; a silent pulse stops
     /// it.
     void play(Hand which, const HapticPulse& pulse);
@@ -91,12 +94,14 @@ class Headset {
     void call(CallThread::Call work, WorkPlace place = WorkPlace::runtime);
     void note();
     void finishOpening();
+    void show(Quad quad, const Panel& picture, const Pose& pose, bool fresh);
 
     HeadsetSettings settings_;
     RuntimeWorker* worker_; ///< belongs to the thread
     std::unique_ptr<CallThread> thread_;
     std::unique_ptr<EyeTargets> targets_;
     std::unique_ptr<Panel> panel_;
+    std::unique_ptr<Panel> notice_;
     std::chrono::steady_clock::duration patience_ = kPatience; ///< time left for the calls of this frame
     bool polled_ = false;                                      ///< the end of the last frame has polled the events
     bool stalled_ = false;

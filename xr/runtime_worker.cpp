@@ -49,7 +49,7 @@ RuntimeWorker::RuntimeWorker(std::unique_ptr<Instance> theInstance, const Headse
     : instance(std::move(theInstance)), settings_(settings), context_(std::move(context)) {}
 
 RuntimeWorker::~RuntimeWorker() {
-    panel_.reset();
+    quads_ = {};
     colour_ = {};
     depth_ = {};
     from_.reset();
@@ -87,8 +87,10 @@ void RuntimeWorker::makeSwapchains() {
         colour_[i] = std::make_unique<Swapchain>(*session, colourFormat, width, height, false);
         if (depthFormat != GL_NONE) depth_[i] = std::make_unique<Swapchain>(*session, depthFormat, width, height, true);
     }
-    panel_ = std::make_unique<Swapchain>(*session, colourFormat, settings_.panel.widthPixels,
-                                         settings_.panel.heightPixels, false);
+    for (size_t i = 0; i < kQuads; ++i) {
+        const PanelShape& shape = i == size_t(Quad::panel) ? settings_.panel : settings_.notice;
+        quads_[i] = std::make_unique<Swapchain>(*session, colourFormat, shape.widthPixels, shape.heightPixels, false);
+    }
 }
 
 void RuntimeWorker::poll() {
@@ -164,19 +166,26 @@ void RuntimeWorker::fillProjection() {
     projection_.views = projectionViews_.data();
 }
 
-void RuntimeWorker::submitPanel() {
-    copy(submission.panel, 0, *panel_, panel_->acquire(), GL_COLOR_ATTACHMENT0, GL_COLOR_BUFFER_BIT);
-    panel_->release();
-    const PanelShape& shape = settings_.panel;
-    quad_.type = XR_TYPE_COMPOSITION_LAYER_QUAD;
-    quad_.layerFlags = XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT;
-    quad_.space = session->space();
-    quad_.eyeVisibility = XR_EYE_VISIBILITY_BOTH;
-    quad_.subImage = panel_->subImage();
-    quad_.pose = toXr(submission.panelPose);
-    quad_.size = {shape.width,
-                  shape.width * static_cast<float>(shape.heightPixels) / static_cast<float>(shape.widthPixels)};
-    layers_[layerCount_++] = reinterpret_cast<const XrCompositionLayerBaseHeader*>(&quad_);
+void RuntimeWorker::submitQuad(size_t which) {
+    const QuadSubmission& shown = submission.quads[which];
+    Swapchain& chain = *quads_[which];
+    if (shown.fresh) {
+        copy(shown.texture, 0, chain, chain.acquire(), GL_COLOR_ATTACHMENT0, GL_COLOR_BUFFER_BIT);
+        chain.release();
+        filled_[which] = true;
+    }
+    if (!filled_[which]) return; // a layer needs a picture
+    const PanelShape& shape = which == size_t(Quad::panel) ? settings_.panel : settings_.notice;
+    XrCompositionLayerQuad& quad = quadLayers_[which];
+    quad.type = XR_TYPE_COMPOSITION_LAYER_QUAD;
+    quad.layerFlags = XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT;
+    quad.space = session->space();
+    quad.eyeVisibility = XR_EYE_VISIBILITY_BOTH;
+    quad.subImage = chain.subImage();
+    quad.pose = toXr(shown.pose);
+    quad.size = {shape.width,
+                 shape.width * static_cast<float>(shape.heightPixels) / static_cast<float>(shape.widthPixels)};
+    layers_[layerCount_++] = reinterpret_cast<const XrCompositionLayerBaseHeader*>(&quad);
 }
 
 void RuntimeWorker::play() {
@@ -189,7 +198,8 @@ void RuntimeWorker::endFrame() {
     layerCount_ = 0;
     waitFor(submission.drawn, software_);
     if (submission.eyes) submitEyes();
-    if (submission.panelShown) submitPanel();
+    for (size_t i = 0; i < kQuads; ++i)
+        if (submission.quads[i].shown) submitQuad(i);
     if (layerCount_ > 0) {
         copied = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
         glFlush();

@@ -18,16 +18,27 @@ struct HeadsetSettings {
     float nearZ = 0.02f;          ///< m
     float farZ = 50.0f;           ///< m
     PanelShape panel{};
+    PanelShape notice{900, 400, 0.30f};
+};
+
+/// Flat pictures in space, from the back to the front.
+enum class Quad { panel, notice };
+constexpr size_t kQuads = 2;
+
+/// A flat picture in this frame.
+struct QuadSubmission {
+    bool shown = false;
+    bool fresh = false; ///< the texture has a new picture; else the last one stays
+    GLuint texture = 0;
+    Pose pose; ///< in the session's space
 };
 
 /// What the drawing thread submits at the end of a frame. Set between calls.
 struct FrameSubmission {
-    bool eyes = false;                   ///< the textures below hold both eyes, left eye left
-    GLuint colour = 0;                   ///< 2 eyes wide
-    GLuint depth = 0;                    ///< likewise
-    bool panelShown = false;             ///< with the picture below
-    GLuint panel = 0;                    ///< texture
-    Pose panelPose;                      ///< in the session's space
+    bool eyes = false; ///< the textures below hold both eyes, left eye left
+    GLuint colour = 0; ///< 2 eyes wide
+    GLuint depth = 0;  ///< likewise
+    std::array<QuadSubmission, kQuads> quads;
     GLsync drawn = nullptr;              ///< reached when all of them are drawn
     std::array<HapticPulse, 2> pulses{}; ///< for the hands
     std::array<bool, 2> plays{};
@@ -73,7 +84,7 @@ class RuntimeWorker : public ThreadOwned {
     void makeSwapchains();
     void copy(GLuint from, int left, const Swapchain& to, GLuint texture, GLenum attachment, GLbitfield what);
     void submitEyes();
-    void submitPanel();
+    void submitQuad(size_t which);
     void fillProjection();
     void play();
 
@@ -83,13 +94,14 @@ class RuntimeWorker : public ThreadOwned {
     bool software_ = false;
     std::array<std::unique_ptr<Swapchain>, 2> colour_;
     std::array<std::unique_ptr<Swapchain>, 2> depth_;
-    std::unique_ptr<Swapchain> panel_;
+    std::array<std::unique_ptr<Swapchain>, kQuads> quads_;
+    std::array<bool, kQuads> filled_{}; ///< a picture was released into the swapchain
     std::unique_ptr<gl::Framebuffer> from_, to_;
     std::array<XrCompositionLayerProjectionView, 2> projectionViews_{};
     std::array<XrCompositionLayerDepthInfoKHR, 2> depthInfos_{};
     XrCompositionLayerProjection projection_{};
-    XrCompositionLayerQuad quad_{};
-    std::array<const XrCompositionLayerBaseHeader*, 2> layers_{};
+    std::array<XrCompositionLayerQuad, kQuads> quadLayers_{};
+    std::array<const XrCompositionLayerBaseHeader*, 1 + kQuads> layers_{};
     uint32_t layerCount_ = 0;
 };
 

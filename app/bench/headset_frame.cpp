@@ -121,7 +121,7 @@ BenchRow measureWithoutRuntime(Scene& scene, bool counted) {
 }
 
 /// A frame in which the headset is there was begun.
-bool waitForHeadset(HeadsetFrontEnd& headset, const Scene& scene) {
+bool waitForHeadset(HeadsetFrontEnd& headset, Scene& scene) {
     const Clock::time_point start = Clock::now();
     while (secondsSince(start) < kPatience) {
         if (headset.begin(scene.session, kFrame)) return true;
@@ -135,7 +135,7 @@ bool addHeadsetRows(Bench& bench, const std::string& what, bool counted, Headset
     const auto frame = [&] {
         if (!waitForHeadset(headset, scene)) return false;
         scene.advance();
-        headset.draw(scene.session, scene.figures, kFrame, nullptr);
+        headset.draw(scene.session, scene.figures, {}, kFrame, nullptr);
         headset.end();
         return true;
     };

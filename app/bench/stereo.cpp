@@ -63,7 +63,9 @@ void benchStereo(Bench& bench) {
     hands.tip.position = {0.1f, 1.15f, 0.1f};
     hands.grip.position = {0.12f, 1.25f, 0.2f};
     SceneView scene = trainer.scene();
-    scene.modelToWorld = WorkpiecePlace(parameters, -kWorldUnit).modelToWorkshop(kWorldUnit) * scene.modelToWorld;
+    scene.modelToWorld =
+        WorkpiecePlace(parameters.tableHeight, parameters.zoom, -kWorldUnit).modelToWorkshop(kWorldUnit) *
+        scene.modelToWorld;
     scene.solids = workshop.build(parameters, hands);
     const std::array<View, 2> eyes{eyeAt(-kBetweenEyes / 2), eyeAt(kBetweenEyes / 2)};
     const PictureTarget one(kEyeWidth, kEyeHeight, kSamples), two(2 * kEyeWidth, kEyeHeight, kSamples);

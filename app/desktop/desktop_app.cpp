@@ -122,7 +122,8 @@ void DesktopApp::runFrame() {
 void DesktopApp::beginHeadset(double seconds) {
     headsetFrame_ = headset_ && headset_->begin(session_, seconds);
     if (!headset_) return;
-    if (options_.headset == HeadsetUse::wanted && headset_->openings() == 0 && now() > kHeadsetPatience)
+    if (options_.headset == HeadsetUse::wanted && headset_->openings() == 0 &&
+        (headset_->hopeless() || now() > kHeadsetPatience))
         throw InputError("there is no headset to use: " + headset_->sentence());
     window_.waitForDisplay(!headsetFrame_);
     if (headset_->warning().empty())
@@ -137,7 +138,7 @@ void DesktopApp::beginHeadset(double seconds) {
 void DesktopApp::drawHeadset(double seconds) {
     if (!headsetFrame_) return;
     const gl::Scope scope(&profiler_, "headset");
-    const MenuRequest request = headset_->draw(session_, figures_, seconds, &profiler_);
+    const MenuRequest request = headset_->draw(session_, figures_, messages_, seconds, &profiler_);
     headset_->end();
     act(request);
 }
@@ -219,12 +220,14 @@ void DesktopApp::simulate(const InputFrame& input, double seconds) {
     controls_.update(input, seconds);
     // While the mouse is captured it leads the torch, even with a headset in use.
     const TorchSource held = headsetFrame_ && !controls_.captured() ? headset_->torch() : TorchSource{};
+    if (held) controls_.putOut(ArcOut::takenOver);
     session_.advance(controls_, seconds, &profiler_, held);
     session_.fillFigures(figures_);
     if (session_.recordFault().empty())
         messages_.clear("record");
     else
         messages_.hold("The record of this attempt has stopped: " + session_.recordFault(), "record");
+    notices_.update(session_, figures_, held ? headset_->triggerLock() : controls_.triggerLock(), seconds, messages_);
     if (!session_.fault().empty())
         messages_.hold("The simulation has stopped: " + session_.fault() + ". Reset starts it again.", "metal");
     else if (figures_.refused > 0)

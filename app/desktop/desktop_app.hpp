@@ -12,6 +12,7 @@
 #include "app/program/frame_meter.hpp"
 #include "app/session/lesson_session.hpp"
 #include "app/session/messages.hpp"
+#include "app/session/notices.hpp"
 #include "app/session/window_headset.hpp"
 
 #include <chrono>
@@ -57,6 +58,7 @@ class DesktopApp {
     WindowParameters windowParameters_;
     Controls controls_;
     LessonFigures figures_;
+    Notices notices_;
 
     Window window_;
     ui::Interface interface_;

@@ -64,10 +64,19 @@ json headset(const HeadsetStatus& status) {
     json places = json::object();
     for (const auto& [name, place] : status.places)
         places[name] = {place.x, place.y, place.width, place.height};
-    return {{"state", status.state},          {"mode", status.mode},       {"mirrored", status.mirrored},
-            {"tip_report", status.tipReport}, {"warning", status.warning}, {"openings", status.openings},
-            {"tracked", status.tracked},      {"panel", status.panel},     {"tip", tip(status.tip)},
-            {"busy_ms", status.busyMs},       {"places", places}};
+    return {{"state", status.state},
+            {"mode", status.mode},
+            {"mirrored", status.mirrored},
+            {"tip_report", status.tipReport},
+            {"warning", status.warning},
+            {"notice", status.notice},
+            {"openings", status.openings},
+            {"tracked", status.tracked},
+            {"panel", status.panel},
+            {"tip", tip(status.tip)},
+            {"trigger_locked", status.triggerLocked},
+            {"busy_ms", status.busyMs},
+            {"places", places}};
 }
 
 /// The processor's time, ms.

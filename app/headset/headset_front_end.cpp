@@ -11,6 +11,7 @@ xr::HeadsetSettings settingsOf(const HeadsetParameters& parameters) {
     xr::HeadsetSettings settings;
     settings.resolutionScale = parameters.resolutionScale;
     settings.samples = parameters.samples;
+    settings.notice = HeadsetNotice::kShape;
     return settings;
 }
 
@@ -19,7 +20,7 @@ xr::HeadsetSettings settingsOf(const HeadsetParameters& parameters) {
 HeadsetFrontEnd::HeadsetFrontEnd(const std::filesystem::path& folder)
     : section_("headset", describe(parameters_)),
       connection_(settingsOf(parameters_)),
-      place_(parameters_, 0.0f),
+      place_(parameters_.tableHeight, 1.0f, 0.0f),
       hands_(parameters_, folder),
       panel_(parameters_),
       view_(parameters_) {}
@@ -30,71 +31,91 @@ void HeadsetFrontEnd::guarded(FunctionRef<void()> work) {
         work();
     } catch (const xr::XrFault& fault) {
         inFrame_ = false;
-        hands_.lose();
+        hands_.lose(ArcOut::runtimeLost);
         connection_.onFault(fault);
     } catch (const xr::Stalled&) {
         inFrame_ = false;
-        hands_.lose();
+        hands_.lose(ArcOut::runtimeLost);
         connection_.onStall();
     }
 }
 
-bool HeadsetFrontEnd::begin(const LessonSession& session, double elapsed) {
+bool HeadsetFrontEnd::begin(LessonSession& session, double elapsed) {
     inFrame_ = false;
     mirrored_ = false;
-    place_ = WorkpiecePlace(parameters_, session.bottom());
+    if (changes_.lessonBegan(session)) {
+        hands_.forgetSteps();
+        hands_.putOut(ArcOut::lessonBegan);
+    }
+    const bool weld = session.lesson().model == LessonModel::Weld;
+    if (weld && changes_.lessonStarted()) parameters_.weldZoom = 1;
+    section_.idle = idleParameters(weld);
+    place_ = WorkpiecePlace(parameters_.tableHeight, shownZoom(parameters_, weld), session.bottom());
     connection_.use(settingsOf(parameters_)); // the settings file may have been read since the start
     const bool runs = connection_.update() == xr::ConnectionState::running;
     drawn_ = drawn_ && connection_.headset() != nullptr;
-    if (!runs) {
-        hands_.lose();
-        return false;
-    }
+    changes_.takeConnection(
+        runs, hands_, connection_.state() == xr::ConnectionState::asleep ? ArcOut::notFocused : ArcOut::runtimeLost,
+        session);
+    if (!runs) return false;
     guarded([&] {
         timing_ = connection_.headset()->waitFrame();
         const Clock::time_point start = Clock::now();
         inFrame_ = true;
-        readHands(elapsed);
+        readHands(session, elapsed);
         busy_ = std::chrono::duration<double>(Clock::now() - start).count();
     });
     return inFrame_;
 }
 
-void HeadsetFrontEnd::readHands(double elapsed) {
+void HeadsetFrontEnd::readHands(LessonSession& session, double elapsed) {
     xr::Headset& headset = *connection_.headset();
     const xr::Input& input = headset.input();
     if (input.hand(xr::Hand::left).recentre || input.hand(xr::Hand::right).recentre) workshop_.requestRecentre();
-    placeWorkshop();
+    placeWorkshop(session);
     panel_.update(input, workshop_, headset.panel().shape(), hands_.torchHand());
+    if (session.question().asked()) panel_.show();
+    if (headset.mode() == xr::SessionMode::focused)
+        focusedOpening_ = connection_.openings();
+    else
+        hands_.lose(ArcOut::notFocused);
+    if (session.running() && session.steps() > 0 && !session.held()) {
+        hands_.putOut(ArcOut::takenOver);
+        hands_.forgetSteps();
+    }
+    changes_.takeParameters(parameters_, place_.zoom, hands_, session);
     hands_.update(input, workshop_, elapsed);
-    if (panel_.pointingHand() == hands_.torchHand()) hands_.releaseTrigger();
+    if (panel_.pointingHand() == hands_.torchHand()) hands_.putOut(ArcOut::panel);
+    changes_.takeTorch(hands_, session);
     view_.update(hands_.torch(), elapsed);
 }
 
-void HeadsetFrontEnd::placeWorkshop() {
+void HeadsetFrontEnd::placeWorkshop(LessonSession& session) {
     if (!workshop_.recentreRequested()) return;
     xr::Headset& headset = *connection_.headset();
     std::array<xr::EyeView, 2> eyes;
     if (!headset.locateEyes(eyes)) return;
     const xr::Pose head = xr::interpolate(eyes[0].pose, eyes[1].pose, 0.5f);
     workshop_.recentre(head, parameters_, headset.session().originOnFloor());
+    changes_.recentred(hands_, session);
 }
 
-TorchSource HeadsetFrontEnd::torch() const {
+TorchSource HeadsetFrontEnd::torch() {
     if (!leadsTorch()) return {};
-    return [this](int step, int steps) { return hands_.sample(place_, step, steps); };
+    return [this](int step, int steps) { return hands_.next(place_, step, steps); };
 }
 
-MenuRequest HeadsetFrontEnd::draw(LessonSession& session, const LessonFigures& figures, double elapsed,
-                                  gl::Profiler* profiler) {
+MenuRequest HeadsetFrontEnd::draw(LessonSession& session, const LessonFigures& figures, const Messages& messages,
+                                  double elapsed, gl::Profiler* profiler) {
     if (!inFrame_) return MenuRequest::none;
     drawEyes(session, elapsed, profiler);
+    if (inFrame_) drawNotice(figures, messages, elapsed);
     return inFrame_ && panel_.open() ? drawMenu(session, figures, elapsed) : MenuRequest::none;
 }
 
 void HeadsetFrontEnd::drawEyes(LessonSession& session, double elapsed, gl::Profiler* profiler) {
     const SceneView scene = session.scene(profiler);
-    if (leadsTorch()) session.sound(hands_.sample(place_, 0, 1));
+    if (leadsTorch()) session.sound(hands_.sample(place_));
     const Clock::time_point start = Clock::now();
     guarded([&] {
         xr::Headset& headset = *connection_.headset();
@@ -108,6 +129,22 @@ void HeadsetFrontEnd::drawEyes(LessonSession& session, double elapsed, gl::Profi
         feedback_.play(headset, hands_);
     });
     busy_ += std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void HeadsetFrontEnd::drawNotice(const LessonFigures& figures, const Messages& messages, double elapsed) {
+    notice_.text.compose(messages, figures, place_.zoom);
+    if (!drawn_ || notice_.text.text().empty()) return;
+    guarded([&] {
+        xr::Headset& headset = *connection_.headset();
+        const std::array<xr::EyeView, 2>& eyes = headset.views();
+        const xr::Pose head = workshop_.toWorkshop(xr::interpolate(eyes[0].pose, eyes[1].pose, 0.5f));
+        const TrackedTorch& torch = hands_.torch();
+        notice_.place.update(!notice_.text.warnings().empty(), head,
+                             torch.tracked() ? std::optional(torch.tip().position) : std::nullopt,
+                             parameters_.tableHeight, elapsed);
+        const bool fresh = notice_.draw(headset.notice(), connection_.openings(), elapsed);
+        headset.showNotice(workshop_.toSession(notice_.place.pose()), fresh);
+    });
 }
 
 MenuRequest HeadsetFrontEnd::drawMenu(LessonSession& session, const LessonFigures& figures, double elapsed) {
@@ -167,11 +204,14 @@ std::string HeadsetFrontEnd::sentence() const {
 std::string_view HeadsetFrontEnd::warning() const {
     switch (connection_.state()) {
     case xr::ConnectionState::searching:
-        return connection_.openings() > 0 ? std::string_view(connection_.reason()) : std::string_view();
+        // Most desks have no runtime; a file that should name one but does not is worth a word.
+        return connection_.openings() > 0 || connection_.manifestAtFault() ? std::string_view(connection_.reason())
+                                                                           : std::string_view();
     case xr::ConnectionState::stalled:
         return connection_.reason();
     case xr::ConnectionState::running:
-        if (connection_.headset()->mode() != xr::SessionMode::focused)
+        // At the start the runtime gives the input a few frames after the picture.
+        if (connection_.headset()->mode() != xr::SessionMode::focused && focusedOpening_ == connection_.openings())
             return "The headset shows something else than the trainer, so the arc is out.";
         return hands_.warning();
     case xr::ConnectionState::asleep:
@@ -192,8 +232,10 @@ HeadsetStatus HeadsetFrontEnd::status() const {
     status.mirrored = mirrored_;
     status.tipReport = hands_.tipReport();
     status.warning = warning();
+    if (drawn_) status.notice = notice_.text.text();
     status.openings = connection_.openings();
     status.tracked = hands_.torch().tracked();
+    status.triggerLocked = hands_.torch().triggerLock().locked() || !changes_.lessonRuns();
     status.panel = panel_.open();
     status.tip = feedback_.status(headset == nullptr ? 0 : headset->hapticCalls().applied);
     status.busyMs = busy_ * 1000;

@@ -2,8 +2,9 @@
 // in use.
 #pragma once
 
-#include "app/headset/headset_hands.hpp"
+#include "app/headset/headset_changes.hpp"
 #include "app/headset/headset_menu.hpp"
+#include "app/headset/headset_notice.hpp"
 #include "app/headset/panel_pointer.hpp"
 #include "app/headset/stereo_view.hpp"
 #include "app/headset/torch_feedback.hpp"
@@ -24,12 +25,14 @@ class HeadsetFrontEnd final : public WindowHeadset {
     explicit HeadsetFrontEnd(const std::filesystem::path& folder);
 
     ParameterSection& section() override { return section_; }
-    bool begin(const LessonSession& session, double elapsed) override;
-    TorchSource torch() const override;
-    MenuRequest draw(LessonSession& session, const LessonFigures& figures, double elapsed,
+    bool begin(LessonSession& session, double elapsed) override;
+    TorchSource torch() override;
+    const TriggerLock& triggerLock() const override { return hands_.torch().triggerLock(); }
+    MenuRequest draw(LessonSession& session, const LessonFigures& figures, const Messages& messages, double elapsed,
                      gl::Profiler* profiler) override;
     void end() override;
     bool mirror(glm::ivec2 pixels) override;
+    bool hopeless() const override { return connection_.hopeless(); }
     int openings() const override { return connection_.openings(); }
     std::string sentence() const override;
     std::string_view warning() const override;
@@ -39,10 +42,11 @@ class HeadsetFrontEnd final : public WindowHeadset {
     using Clock = std::chrono::steady_clock;
 
     void guarded(FunctionRef<void()> work);
-    void readHands(double elapsed);
-    void placeWorkshop();
-    bool leadsTorch() const { return inFrame_ && hands_.torch().known(); }
+    void readHands(LessonSession& session, double elapsed);
+    void placeWorkshop(LessonSession& session);
+    bool leadsTorch() const { return inFrame_ && changes_.lessonRuns() && hands_.torch().known(); }
     void drawEyes(LessonSession& session, double elapsed, gl::Profiler* profiler);
+    void drawNotice(const LessonFigures& figures, const Messages& messages, double elapsed);
     MenuRequest drawMenu(LessonSession& session, const LessonFigures& figures, double elapsed);
     bool blitLeftEye(glm::ivec2 pixels) const;
 
@@ -52,15 +56,18 @@ class HeadsetFrontEnd final : public WindowHeadset {
     Workshop workshop_;
     WorkpiecePlace place_;
     HeadsetHands hands_;
+    HeadsetChanges changes_;
     PanelPointer panel_;
     StereoView view_;
     TorchFeedback feedback_;
     HeadsetMenu menu_;
+    HeadsetNotice notice_;
     xr::FrameTiming timing_;
     bool inFrame_ = false;
-    bool drawn_ = false;    ///< the eyes hold a picture that the runtime shows
-    bool mirrored_ = false; ///< the window shows it too
-    double busy_ = 0;       ///< s, of the last frame's begin() and draw() without waiting for the runtime
+    int focusedOpening_ = 0; ///< the opening in which the runtime first gave the trainer its input
+    bool drawn_ = false;     ///< the eyes hold a picture that the runtime shows
+    bool mirrored_ = false;  ///< the window shows it too
+    double busy_ = 0;        ///< s, of the last frame's begin() and draw() without waiting for the runtime
 };
 
 } // namespace meltpool

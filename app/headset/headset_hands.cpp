@@ -16,21 +16,28 @@ void HeadsetHands::update(const xr::Input& input, const Workshop& workshop, doub
     updateTorch(input, workshop, elapsed);
     const xr::HandInput& other = input.hand(torchHand() == xr::Hand::right ? xr::Hand::left : xr::Hand::right);
     rod_ = other.tracked ? std::optional(workshop.toWorkshop(other.grip)) : std::nullopt;
-    if (measuring_.underWay()) releaseTrigger();
+    if (measuring_.underWay()) putOut(ArcOut::measuring);
 }
 
 void HeadsetHands::updateTorch(const xr::Input& input, const Workshop& workshop, double elapsed) {
     const bool onTracker = parameters_.torchOn == HeadsetParameters::kTracker;
     selector_.update(onTracker, input.hand(torchHand()), input.trackers(), elapsed);
-    if (selector_.changed()) torch_.lose();
+    if (selector_.changed()) putOut(ArcOut::holderChanged);
     CalibrationFile& calibration = calibrations_[size_t(selector_.holder())];
     torch_.update(selector_.torch(), calibration.tip(), workshop, elapsed);
     if (const auto measured = measuring_.gather(selector_.torch(), calibration.tip(), elapsed))
         measuring_.kept(calibration.keep(*measured));
 }
 
-TorchSample HeadsetHands::sample(const WorkpiecePlace& place, int step, int steps) const {
-    TorchSample sample = torch_.sample(place, step, steps);
+TorchSample HeadsetHands::sample(const WorkpiecePlace& place) const {
+    return withRod(torch_.sample(place), place);
+}
+
+TorchSample HeadsetHands::next(const WorkpiecePlace& place, int step, int steps) {
+    return withRod(torch_.next(place, step, steps), place);
+}
+
+TorchSample HeadsetHands::withRod(TorchSample sample, const WorkpiecePlace& place) const {
     if (rod_) {
         const glm::vec3 tip = *rod_ * glm::vec3(0, 0, -WorkshopScene::kRodReach);
         sample.rod = RodSample{place.toWorkpiece(tip), glm::normalize(rod_->orientation)};

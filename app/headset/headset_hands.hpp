@@ -1,10 +1,10 @@
 // Both hands of the welder: one holds the torch (or a tracker does), the other the filler rod.
 #pragma once
 
-#include "app/headset/headset_parameters.hpp"
-#include "app/headset/tip_measuring.hpp"
-#include "app/headset/torch_selector.hpp"
-#include "app/headset/tracked_torch.hpp"
+#include "app/headset/torch/headset_parameters.hpp"
+#include "app/headset/torch/tip_measuring.hpp"
+#include "app/headset/torch/torch_selector.hpp"
+#include "app/headset/torch/tracked_torch.hpp"
 
 #include <array>
 #include <filesystem>
@@ -22,10 +22,12 @@ class HeadsetHands {
 
     /// Takes the frame's controllers and trackers. `elapsed`: real seconds since the last frame.
     void update(const xr::Input& input, const Workshop& workshop, double elapsed);
-    /// The trigger is used for something else in this frame.
-    void releaseTrigger() { torch_.release(); }
-    /// No controller is known any more: the arc goes out.
-    void lose() { torch_.lose(); }
+    /// The arc is out until the trigger has been let go.
+    void putOut(ArcOut reason) { torch_.putOut(reason); }
+    /// No controller is known any more: the arc is out.
+    void lose(ArcOut reason) { torch_.lose(reason); }
+    /// No step has been made yet: a lesson begins.
+    void forgetSteps() { torch_.forgetSample(); }
 
     const TrackedTorch& torch() const { return torch_; }
     /// The hand that holds the torch, by the person's choice.
@@ -34,8 +36,10 @@ class HeadsetHands {
     const TorchSelector& selector() const { return selector_; }
     /// Grip of the other hand in the workshop, where the filler rod is; nothing while it is not tracked.
     const std::optional<xr::Pose>& rod() const { return rod_; }
-    /// Torch and rod in the workpiece's frame for step `step` (from 0) of the `steps` of this frame.
-    TorchSample sample(const WorkpiecePlace& place, int step, int steps) const;
+    /// Torch and rod in the workpiece's frame as they are now.
+    TorchSample sample(const WorkpiecePlace& place) const;
+    /// The same for step `step` (from 0) of the `steps` of this frame; to be called in the order of the steps.
+    TorchSample next(const WorkpiecePlace& place, int step, int steps);
 
     void measureTip() { measuring_.begin(TipMeasuring::Task::pivot); }
     void measureAxis() { measuring_.begin(TipMeasuring::Task::axis); }
@@ -46,6 +50,7 @@ class HeadsetHands {
 
   private:
     void updateTorch(const xr::Input& input, const Workshop& workshop, double elapsed);
+    TorchSample withRod(TorchSample sample, const WorkpiecePlace& place) const;
 
     const HeadsetParameters& parameters_;
     std::array<CalibrationFile, 2> calibrations_; ///< by TorchHolder

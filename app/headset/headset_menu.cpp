@@ -10,14 +10,15 @@ namespace {
 ui::ShortText figuresText(const LessonFigures& figures) {
     std::array<char, 128> text{};
     const double share = figures.particles > 0 ? 100.0 * double(figures.molten) / double(figures.particles) : 0;
-    std::snprintf(text.data(), text.size(), "%.1f s   \xC2\xB7   %.1f %% molten   \xC2\xB7   hottest %.2f",
-                  figures.time, share, figures.hottest);
-    return text.data();
+    std::snprintf(text.data(), text.size(), "%.1f s   \xC2\xB7   %.1f %% molten   \xC2\xB7   hottest ", figures.time,
+                  share);
+    return {text.data(), ui::hottestText(figures)};
 }
 
 void drawParameters(ui::Context& context, const ParameterSection& section) {
     for (const Parameter& parameter : section.parameters)
-        if (!parameter.onlyAtStart) ui::parameterControl(context, section.name, parameter, section.defaults);
+        if (!parameter.onlyAtStart && section.shows(parameter))
+            ui::parameterControl(context, section.name, parameter, section.defaults);
 }
 
 } // namespace

@@ -26,7 +26,8 @@ constexpr float kScale = 2.2f; // text that can be read at arm's length
 
 } // namespace
 
-HeadsetPanel::HeadsetPanel(int width, int height) : width_(width), height_(height), imgui_(ImGui::CreateContext()) {
+HeadsetPanel::HeadsetPanel(int width, int height, Ground ground)
+    : width_(width), height_(height), ground_(ground), imgui_(ImGui::CreateContext()) {
     const Current current(imgui_);
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
@@ -61,7 +62,8 @@ void HeadsetPanel::draw(GLuint framebuffer, const PointerOnPanel& pointer, doubl
     ImGui::SetNextWindowSize(io.DisplaySize);
     ImGui::Begin("headset panel", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoSavedSettings);
+                     ImGuiWindowFlags_NoSavedSettings |
+                     (ground_ == Ground::clear ? ImGuiWindowFlags_NoBackground : ImGuiWindowFlags_None));
     content(context_);
     ImGui::End();
     if (pointer.place) {
@@ -73,7 +75,10 @@ void HeadsetPanel::draw(GLuint framebuffer, const PointerOnPanel& pointer, doubl
     glDisable(GL_FRAMEBUFFER_SRGB); // Dear ImGui's colours are sRGB-encoded already
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, width_, height_);
-    glClearColor(0.086f, 0.098f, 0.122f, 0.96f);
+    if (ground_ == Ground::clear)
+        glClearColor(0, 0, 0, 0);
+    else
+        glClearColor(0.086f, 0.098f, 0.122f, 0.96f);
     glClear(GL_COLOR_BUFFER_BIT);
     const InWork driver(WorkPlace::driver);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());

@@ -21,7 +21,10 @@ struct PointerOnPanel {
 
 class HeadsetPanel {
   public:
-    HeadsetPanel(int width, int height);
+    /// What lies behind the content.
+    enum class Ground { dark, clear };
+
+    HeadsetPanel(int width, int height, Ground ground = Ground::dark);
     ~HeadsetPanel();
     HeadsetPanel(const HeadsetPanel&) = delete;
     HeadsetPanel& operator=(const HeadsetPanel&) = delete;
@@ -36,6 +39,7 @@ class HeadsetPanel {
   private:
     int width_;
     int height_;
+    Ground ground_;
     ImGuiContext* imgui_ = nullptr;
     ui::Context context_;
 };

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/headset/headset_panel.hpp"
-#include "app/headset/headset_parameters.hpp"
-#include "app/headset/workshop.hpp"
+#include "app/headset/torch/headset_parameters.hpp"
+#include "app/headset/torch/workshop.hpp"
 #include "xr/input/input.hpp"
 #include "xr/session/panel.hpp"
 
@@ -20,6 +20,8 @@ class PanelPointer {
     void update(const xr::Input& input, const Workshop& workshop, const xr::PanelShape& shape, xr::Hand torchHand);
 
     bool open() const { return open_; }
+    /// Something on the panel must be answered.
+    void show() { open_ = true; }
     /// Of the panel, in the workshop.
     xr::Pose pose() const;
     const PointerOnPanel& pointer() const { return pointer_; }

@@ -1,7 +1,7 @@
 // An auto-darkening welder's visor: dark while the arc burns, clear again a moment later.
 #pragma once
 
-#include "app/headset/headset_parameters.hpp"
+#include "app/headset/torch/headset_parameters.hpp"
 #include "core/render/look/look.hpp"
 
 namespace meltpool {

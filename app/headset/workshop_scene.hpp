@@ -1,7 +1,7 @@
 // What the headset shows besides the metal: floor, table, torch, filler rod and pointer, as simple solids.
 #pragma once
 
-#include "app/headset/tracked_torch.hpp"
+#include "app/headset/torch/tracked_torch.hpp"
 #include "core/render/solids.hpp"
 
 #include <optional>

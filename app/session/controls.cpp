@@ -26,8 +26,8 @@ void Controls::update(const InputFrame& frame, double seconds) {
     if (!captured_) input.mouseMove = frame.dragMove;
     for (const Key key : input.struck) {
         if (key == Key::v) setMode(mode_ == Mode::interact ? Mode::view : Mode::interact);
-        if (key == Key::c) captured_ = !captured_;
-        if (key == Key::escape) captured_ = false;
+        if (key == Key::c) capture(!captured_);
+        if (key == Key::escape) capture(false);
         if (key == Key::f) source_.setCold(!source_.cold());
     }
     const float time = static_cast<float>(std::clamp(seconds, 0.0, kLongestFrame));
@@ -44,10 +44,11 @@ void Controls::work(const InputFrame& input, float seconds) {
     orbit_.approach(std::exp(away - input.scroll * kNotch));
 
     source_.move(input, orbit_.forward(), parameters);
-    source_.setOn(input.leftHeld);
+    source_.setOn(lock_.pass(input.leftHeld ? 1.0f : 0.0f) > 0);
 }
 
 void Controls::look(const InputFrame& input, float seconds) {
+    lock_.pass(input.leftHeld ? 1.0f : 0.0f);
     source_.setOn(false);
     const float turn = kLookSpeed * parameters.lookSpeed;
     const float upwards = parameters.invertLook ? 1.0f : -1.0f;
@@ -62,7 +63,13 @@ void Controls::setMode(Mode mode) {
     // The free camera takes over where the orbit stands, so that the picture does not jump.
     if (mode == Mode::view) free_ = FreeCamera(orbit_.position(), glm::vec3(0));
     mode_ = mode;
-    source_.setOn(false);
+    putOut(ArcOut::paused);
+}
+
+void Controls::capture(bool captured) {
+    if (captured == captured_) return;
+    captured_ = captured;
+    putOut(ArcOut::takenOver);
 }
 
 void Controls::restart() {
@@ -71,6 +78,7 @@ void Controls::restart() {
     free_ = FreeCamera();
     orbit_ = OrbitCamera();
     source_ = SteeredSource();
+    putOut(ArcOut::lessonBegan);
 }
 
 View Controls::view(float aspect) const {

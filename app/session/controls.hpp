@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/session/heat_source.hpp"
+#include "app/session/trigger_lock.hpp"
 #include "core/render/view/camera.hpp"
 
 namespace meltpool {
@@ -17,21 +18,31 @@ class Controls {
     Lens lens;
 
     /// Applies `seconds` of input. V changes the mode, C captures or frees the mouse, Escape frees it. A captured mouse
-    /// moves the source (or looks); a free one does so while a button is held on the picture.
+    /// moves the source (or looks); a free one does so while a button is held on the picture. After a change of the
+    /// mode, of who has the mouse, and after a reset the left button heats only when it has been let go.
     void update(const InputFrame& input, double seconds);
 
     /// Puts the source back and switches it off; cameras and mode stay.
-    void reset() { source_.reset(); }
+    void reset() {
+        putOut(ArcOut::lessonBegan);
+        source_.reset();
+    }
     /// Interact mode, mouse free, source and cameras as at the start.
     void restart();
     /// Where the orbiting camera begins.
     void placeCamera(const OrbitCamera& camera) { orbit_ = camera; }
-    void releaseMouse() { captured_ = false; }
-    void captureMouse() { captured_ = true; }
+    void releaseMouse() { capture(false); }
+    void captureMouse() { capture(true); }
     void setMode(Mode mode);
+    /// Switches the source off until the left button has been let go.
+    void putOut(ArcOut reason) {
+        lock_.lock(reason);
+        source_.setOn(false);
+    }
 
     Mode mode() const { return mode_; }
     bool captured() const { return captured_; }
+    const TriggerLock& triggerLock() const { return lock_; }
     SteeredSource& source() { return source_; }
     const SteeredSource& source() const { return source_; }
 
@@ -42,6 +53,7 @@ class Controls {
     const OrbitCamera& orbitCamera() const { return orbit_; }
 
   private:
+    void capture(bool captured);
     void work(const InputFrame& input, float seconds);
     void look(const InputFrame& input, float seconds);
 
@@ -50,6 +62,7 @@ class Controls {
     FreeCamera free_;
     OrbitCamera orbit_;
     SteeredSource source_;
+    TriggerLock lock_;
 };
 
 } // namespace meltpool

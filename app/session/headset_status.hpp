@@ -26,10 +26,12 @@ struct HeadsetStatus {
     std::string state = "off"; ///< "searching", "asleep", "running", "stalled", "ended"
     std::string mode; ///< of the session: "waiting", "synchronized", "visible", "focused"; empty: there is none
     std::string warning;
+    std::string notice;    ///< what stands before the person's eyes, a line each
     std::string tipReport; ///< what measuring the torch's tip wants or has found
     bool mirrored = false; ///< the window shows the trainee's eye
     int openings = 0;
-    bool tracked = false; ///< the torch's hand
+    bool tracked = false;       ///< the torch's hand
+    bool triggerLocked = false; ///< until it is let go
     bool panel = false;
     TipStatus tip;
     double busyMs = 0;                       ///< CPU time of the last headset frame without the runtime's waiting

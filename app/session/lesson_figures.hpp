@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstddef>
+#include <string_view>
 
 namespace meltpool {
 
 struct LessonFigures {
-    double time = 0;  ///< simulated seconds
-    double speed = 1; ///< simulated over real time
+    double time = 0;            ///< simulated seconds
+    double speed = 1;           ///< simulated over real time
+    std::string_view slow = {}; ///< that the metal runs slowly, for the person; empty: it keeps up
     double framesPerSecond = 0;
     size_t particles = 0;
     size_t molten = 0;

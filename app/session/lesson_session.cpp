@@ -30,6 +30,14 @@ ParameterList liveParameters(ParameterList list) {
     return list;
 }
 
+/// Keys of the look that change nothing in this lesson.
+std::span<const std::string_view> idleLook(const Lesson& lesson) {
+    static constexpr std::array<std::string_view, 3> kIdle{"arc_light", "material", "show_source"};
+    const std::span<const std::string_view> all(kIdle);
+    if (lesson.model == LessonModel::Classic) return all.first(1); // no arc
+    return lesson.process.is<Gmaw>() || lesson.process.is<Gtaw>() ? all.last(2) : all;
+}
+
 bool same(const SurfaceParameters& a, const SurfaceParameters& b) {
     return a.influence == b.influence && a.isoLevel == b.isoLevel && a.caps == b.caps;
 }
@@ -53,7 +61,9 @@ LessonSections::LessonSections(Lesson& lesson)
       view("view", describe(lesson.look)),
       surface("surface", liveParameters(describe(lesson.surface))),
       simulation("simulation", liveParameters(lesson.model == LessonModel::Weld ? describe(lesson.process)
-                                                                                : describe(lesson.metal))) {}
+                                                                                : describe(lesson.metal))) {
+    view.idle = idleLook(lesson);
+}
 
 void LessonSections::restoreDefaults() {
     for (const ParameterSection* each : all())
@@ -173,6 +183,16 @@ void LessonSession::advance(const Controls& controls, double seconds, gl::Profil
     records_.check(*trainer_);
 }
 
+/// Where another one leads the torch than in the last step, the arc goes out before the torch is elsewhere.
+TorchSample LessonSession::nextTorch(const Controls& controls, const TorchSource& held, int step, int due) {
+    if (std::exchange(handLed_, held_) != held_ && trainer_->torch().trigger > 0) {
+        TorchSample out = trainer_->torch();
+        out.trigger = 0;
+        return out;
+    }
+    return held_ ? held(step, due) : torchOf(controls.source());
+}
+
 void LessonSession::makeSteps(const Controls& controls, double seconds, gl::Profiler* profiler,
                               const TorchSource& held) {
     using Clock = std::chrono::steady_clock;
@@ -180,7 +200,7 @@ void LessonSession::makeSteps(const Controls& controls, double seconds, gl::Prof
     const int due = clock_.due(seconds, trainer_->timeStep());
     trainer_->setRealTime(clock_.speed());
     for (int step = 0; step < due; ++step) {
-        trainer_->advance(held_ ? held(step, due) : torchOf(controls.source()), profiler);
+        trainer_->advance(nextTorch(controls, held, step, due), profiler);
         surfaceIsOld_ = true;
     }
     clock_.took(std::chrono::duration<double>(Clock::now() - begin).count(), due);

@@ -109,6 +109,7 @@ class LessonSession {
     bool takeOverChanges(const Controls& controls);
     void beginAttempt();
     bool waits(const Controls& controls);
+    TorchSample nextTorch(const Controls& controls, const TorchSource& held, int step, int due);
     void makeSteps(const Controls& controls, double seconds, gl::Profiler* profiler, const TorchSource& held);
 
     gl::ShaderLibrary& shaders_;
@@ -121,7 +122,8 @@ class LessonSession {
     std::string fault_;
     bool surfaceIsOld_ = true;
     SurfaceDistance surfaceDistance_;
-    bool held_ = false; ///< the torch of the last step came from a TorchSource
+    bool handLed_ = false; ///< the torch of the last step
+    bool held_ = false;    ///< the torch of the last step came from a TorchSource
     bool paused_ = false;
     ParameterList wanted_;  ///< the live values of metal and process as the menus have them
     ParameterList running_; ///< the same as the running metal has them

@@ -1,5 +1,6 @@
 #include "app/session/parameter_section.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace meltpool {
@@ -8,6 +9,10 @@ ParameterSection::ParameterSection(std::string theName, ParameterList list)
     : name(std::move(theName)), parameters(std::move(list)) {
     for (const Parameter& p : parameters)
         defaults[std::string(p.key)] = parameterText(p);
+}
+
+bool ParameterSection::shows(const Parameter& parameter) const {
+    return std::find(idle.begin(), idle.end(), parameter.key) == idle.end();
 }
 
 } // namespace meltpool

@@ -4,7 +4,9 @@
 #include "core/base/parameter.hpp"
 
 #include <map>
+#include <span>
 #include <string>
+#include <string_view>
 
 namespace meltpool {
 
@@ -18,6 +20,11 @@ struct ParameterSection {
     std::string name; ///< begins the names of its controls, and is its table in the settings file
     ParameterList parameters;
     DefaultTexts defaults;
+    /// Keys that menus leave out, since they do nothing in the lesson at hand. Files and `--set` take them.
+    std::span<const std::string_view> idle;
+
+    /// Menus show the parameter.
+    bool shows(const Parameter& parameter) const;
 };
 
 } // namespace meltpool

@@ -3,6 +3,8 @@
 
 #include "app/session/headset_status.hpp"
 #include "app/session/lesson_session.hpp"
+#include "app/session/messages.hpp"
+#include "app/session/trigger_lock.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -23,13 +25,15 @@ class WindowHeadset {
 
     /// Waits for the headset's next frame and reads the hands. False: there is none now, and the window continues
     /// without it. `session` may be without a running lesson. `elapsed`: real seconds since the last call.
-    virtual bool begin(const LessonSession& session, double elapsed) = 0;
+    virtual bool begin(LessonSession& session, double elapsed) = 0;
     /// The torch for the lesson's steps where the hand leads it; empty: the mouse does.
-    virtual TorchSource torch() const = 0;
-    /// Draws both eyes, and the panel where it is open, and sets the vibration. Answers what was asked for on the
-    /// panel.
-    virtual MenuRequest draw(LessonSession& session, const LessonFigures& figures, double elapsed,
-                             gl::Profiler* profiler) = 0;
+    virtual TorchSource torch() = 0;
+    /// Of the hand that leads the torch.
+    virtual const TriggerLock& triggerLock() const = 0;
+    /// Draws both eyes with the warnings of `messages`, and the panel where it is open, and sets the vibration. Answers
+    /// what was asked for on the panel.
+    virtual MenuRequest draw(LessonSession& session, const LessonFigures& figures, const Messages& messages,
+                             double elapsed, gl::Profiler* profiler) = 0;
     /// Submits the frame to the runtime.
     virtual void end() = 0;
 
@@ -37,6 +41,8 @@ class WindowHeadset {
     /// the person does not want it or there is no picture.
     virtual bool mirror(glm::ivec2 pixels) = 0;
 
+    /// No headset will be found before somebody changes the machine's settings; see sentence().
+    virtual bool hopeless() const = 0;
     /// How often a headset was opened.
     virtual int openings() const = 0;
     /// What the headset does, or why there is none, as a sentence.

@@ -51,7 +51,7 @@ TEST_CASE("the runtime hangs in mid-weld: the desk goes on, the arc is out, and 
     const fs::path folder = benchFolder() / "hang", record = folder / "telemetry.csv";
     auto trainee = std::make_unique<Trainee>();
     TrainerProcess trainer(folder, {"--lesson", smallLesson(folder).string(), "--record", record.string()});
-    REQUIRE(trainer.waitFor(running, 30));
+    REQUIRE(trainer.waitFor(ready, 30));
     trainee->aim(glm::vec3(0.018f), 1.0f);
     REQUIRE(trainer.waitFor([](const json& row) { return row["metal"]["hottest"] > 0.05; }, 10));
 
@@ -70,6 +70,10 @@ TEST_CASE("the runtime hangs in mid-weld: the desk goes on, the arc is out, and 
     CHECK(trainer.waitFor(running, 10));
     CHECK(trainer.waitFor([](const json& row) { return row["headset"]["tracked"] == true; }, 5));
     CHECK(trainer.now()["headset"]["openings"] == 1); // the same session goes on
+    passFrames(trainer, 5);
+    CHECK(trainer.now()["torch"]["trigger"] == 0); // the trigger has not been let go
+    trainee->letGo(trainer);
+    trainee->aim(glm::vec3(0.018f), 1.0f);
     CHECK(trainer.waitFor([](const json& row) { return row["headset"]["tip"]["action"] == "burning"; }, 5));
     const double pause = longestPause(trainer, before);
     WARN("longest pause of the window while the runtime hung and came back: " << pause << " s");
@@ -106,7 +110,7 @@ TEST_CASE("another program comes before the trainee's eyes: input and arc are go
     const fs::path folder = benchFolder() / "behind";
     Trainee trainee;
     TrainerProcess trainer(folder, {"--headset", "--lesson", smallLesson(folder).string()});
-    REQUIRE(trainer.waitFor(running, 30));
+    REQUIRE(trainer.waitFor(ready, 30));
     REQUIRE(trainer.waitFor(modeIs("focused"), 5));
     trainee.aim(glm::vec3(0.018f), 1.0f);
     REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["mirrored"] == true; }, 10));
@@ -125,6 +129,11 @@ TEST_CASE("another program comes before the trainee's eyes: input and arc are go
         CHECK(trainer.now()["headset"]["state"] == "running");
     }
     CHECK(trainer.waitFor(modeIs("focused"), 10));
+    CHECK(trainer.waitFor([](const json& row) { return row["headset"]["tracked"] == true; }, 5));
+    passFrames(trainer, 5);
+    CHECK(trainer.now()["torch"]["trigger"] == 0); // the trigger has not been let go
+    trainee.letGo(trainer);
+    trainee.aim(glm::vec3(0.018f), 1.0f);
     CHECK(trainer.waitFor([](const json& row) { return row["headset"]["tip"]["action"] == "burning"; }, 5));
     CHECK(trainer.waitFor([](const json& row) { return row["headset"]["mirrored"] == true; }, 5));
     CHECK(trainer.now()["headset"]["openings"] == 1);

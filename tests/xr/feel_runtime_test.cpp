@@ -24,7 +24,7 @@ TEST_CASE("a touch knocks without heat, the flame hums where metal takes its hea
     const std::filesystem::path folder = benchFolder() / "feel";
     Trainee trainee;
     TrainerProcess trainer(folder, {"--headset", "--lesson", smallLesson(folder).string()});
-    REQUIRE(trainer.waitFor(running, 30));
+    REQUIRE(trainer.waitFor(ready, 30));
 
     // The trigger far from the metal: nothing.
     trainee.aim({0.0f, 0.06f, 0.02f}, 1.0f);

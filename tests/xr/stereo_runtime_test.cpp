@@ -22,7 +22,7 @@ namespace {
 struct Lesson {
     gl::ShaderLibrary shaders{std::filesystem::path(MELTPOOL_SOURCE_FOLDER) / "shaders"};
     HeadsetParameters parameters;
-    WorkpiecePlace place{parameters, -0.04f};
+    WorkpiecePlace place{parameters.tableHeight, parameters.zoom, -0.04f};
     Renderer renderer{shaders};
     ClassicMetal metal{shaders, ClassicSetup{}};
     Surface surface{shaders, {}, glm::vec3(-1), glm::vec3(1)};

@@ -147,8 +147,18 @@ void Trainee::showPanel(TrainerProcess& trainer, bool open) {
     passFrames(trainer, 2);
 }
 
+void Trainee::letGo(TrainerProcess& trainer) {
+    state.hands[hand].trigger = 0;
+    send();
+    REQUIRE(trainer.waitFor(ready, 20));
+}
+
 bool running(const json& row) {
     return row["headset"]["state"] == "running" && row["page"] == "running";
+}
+
+bool ready(const json& row) {
+    return running(row) && row["headset"]["tracked"] == true && row["headset"]["trigger_locked"] == false;
 }
 
 void passFrames(TrainerProcess& trainer, long long count) {

@@ -49,11 +49,15 @@ struct Trainee {
     void press(TrainerProcess& trainer, const std::string& name);
     /// Presses the torch's hand's menu button and waits until the panel is open (or closed).
     void showPanel(TrainerProcess& trainer, bool open);
+    /// Lets the trigger go until the program has seen it.
+    void letGo(TrainerProcess& trainer);
     void send() { driver.send(state); }
 };
 
 /// The headset is in use and the lesson runs.
 bool running(const nlohmann::json& row);
+/// The same, and a pulled trigger counts.
+bool ready(const nlohmann::json& row);
 
 /// Waits until the window has gone on by so many frames, however slow this machine draws them.
 void passFrames(TrainerProcess& trainer, long long count);

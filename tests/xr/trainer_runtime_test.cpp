@@ -49,7 +49,7 @@ TEST_CASE("a tracked torch melts the cube's corner, and its record melts it agai
     const fs::path lesson = smallLesson(folder), record = folder / "telemetry.csv";
     Trainee trainee;
     TrainerProcess trainer(folder, {"--headset", "--lesson", lesson.string(), "--record", record.string()});
-    REQUIRE(trainer.waitFor(running, 30));
+    REQUIRE(trainer.waitFor(ready, 30));
     REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["tracked"] == true; }, 5));
     trainee.lookDown();
 
@@ -88,7 +88,7 @@ TEST_CASE("the torch's controller goes off in mid-weld: the arc is out, it is sa
     Trainee trainee;
     TrainerProcess trainer(folder, {"--headset", "--lesson", smallLesson(folder).string(), "--record",
                                     (folder / "telemetry.csv").string()});
-    REQUIRE(trainer.waitFor(running, 30));
+    REQUIRE(trainer.waitFor(ready, 30));
     trainee.aim(glm::vec3(0.018f), 1.0f);
     REQUIRE(trainer.waitFor([](const json& row) { return row["metal"]["hottest"] > 0.05; }, 10));
     trainee.state.hands[1].active = false;
@@ -120,7 +120,7 @@ TEST_CASE("the runtime is killed in mid-weld: the window goes on, the headset is
     const fs::path record = folder / "telemetry.csv";
     auto trainee = std::make_unique<Trainee>();
     TrainerProcess trainer(folder, {"--lesson", smallLesson(folder).string(), "--record", record.string()});
-    REQUIRE(trainer.waitFor(running, 30));
+    REQUIRE(trainer.waitFor(ready, 30));
     trainee->aim(glm::vec3(0.018f), 1.0f);
     REQUIRE(trainer.waitFor([](const json& row) { return row["metal"]["hottest"] > 0.05; }, 10));
     const double before = trainer.now()["seconds"];
@@ -144,6 +144,7 @@ TEST_CASE("the runtime is killed in mid-weld: the window goes on, the headset is
 
     const double molten = trainer.now()["metal"]["molten"];
     trainee = std::make_unique<Trainee>();
+    trainee->letGo(trainer);
     trainee->aim({-0.018f, 0.018f, 0.018f}, 1.0f); // the other upper corner, still solid
     CHECK(trainer.waitFor([](const json& row) { return row["headset"]["tracked"] == true; }, 5));
     const bool melts = trainer.waitFor([&](const json& row) { return row["metal"]["molten"] > molten + 10; }, 40);
@@ -166,7 +167,7 @@ TEST_CASE("the panel opens and its buttons are pressed with the pointer's ray: r
     const fs::path folder = benchFolder() / "panel";
     Trainee trainee;
     TrainerProcess trainer(folder, {"--headset", "--lesson", smallLesson(folder).string()});
-    REQUIRE(trainer.waitFor(running, 30));
+    REQUIRE(trainer.waitFor(ready, 30));
     trainee.aim(glm::vec3(0.018f), 1.0f);
     REQUIRE(trainer.waitFor([](const json& row) { return row["metal"]["steps"] > 20; }, 10));
     trainee.aim(glm::vec3(0.05f), 0.0f);
@@ -259,7 +260,7 @@ TEST_CASE("a minute of welding with panel, recentre, loss and return holds no mi
     const fs::path folder = benchFolder() / "minute";
     auto trainee = std::make_unique<Trainee>();
     TrainerProcess trainer(folder, {"--headset", "--lesson", smallLesson(folder).string()});
-    REQUIRE(trainer.waitFor(running, 30));
+    REQUIRE(trainer.waitFor(ready, 30));
     double worst = 0;
     const auto weld = [&](double seconds) {
         const auto begin = std::chrono::steady_clock::now();
@@ -285,6 +286,7 @@ TEST_CASE("a minute of welding with panel, recentre, loss and return holds no mi
     REQUIRE(kill(servicePid(), SIGKILL) == 0);
     REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["openings"] == 2; }, 30));
     trainee = std::make_unique<Trainee>();
+    trainee->letGo(trainer);
     weld(3);
     const json after = trainer.now();
     CHECK(trainer.stop() == 0);

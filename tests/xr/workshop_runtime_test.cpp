@@ -82,7 +82,7 @@ TEST_CASE(
     trainee.tableTop = 1.6f - 0.45f; // seated: under the eyes, whatever the floor says
     TrainerProcess trainer(folder, {"--headset", "--lesson", smallLesson(folder).string()},
                            "hand = \"left\"\nposture = \"seated\"\nzoom = 2\ntable_height = 0.7\n");
-    REQUIRE(trainer.waitFor(running, 30));
+    REQUIRE(trainer.waitFor(ready, 30));
     const glm::vec3 corner(0.018f);
     trainee.aim(corner, 1.0f);
     CHECK(trainer.waitFor(torchAt(corner * 1000.0f), 5));
@@ -116,9 +116,10 @@ TEST_CASE(
     const fs::path file = plateLesson(folder), record = folder / "telemetry.csv";
     Trainee trainee;
     trainee.bottom = makeWorkpiece(readLesson(file).workpiece).low.y;
+    trainee.zoom = 1;
     trainee.held = glm::angleAxis(-1.4f, glm::vec3(1, 0, 0)); // nearly straight down
     TrainerProcess trainer(folder, {"--headset", "--lesson", file.string(), "--record", record.string()});
-    REQUIRE(trainer.waitFor(running, 60));
+    REQUIRE(trainer.waitFor(ready, 60));
     trainee.aim({0, 0.003f, 0}, 0.0f); // before wire lies there
     REQUIRE(trainer.waitFor(torchAt({0, 3, 0}), 5));
     passFrames(trainer, 4);

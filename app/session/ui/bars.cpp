@@ -47,8 +47,7 @@ void modeSign(Context& context, const Controls& controls, float left, float righ
 
 ShortText figuresText(const LessonFigures& f) {
     const double share = f.particles > 0 ? 100.0 * static_cast<double>(f.molten) / static_cast<double>(f.particles) : 0;
-    const ShortText hottest = f.kelvin ? ShortText{niceNumber(std::round(f.hottest - 273.15)), " \xC2\xB0", "C"}
-                                       : niceNumber(std::round(f.hottest * 100) / 100);
+    const ShortText hottest = hottestText(f);
     char text[160];
     std::snprintf(text, sizeof text,
                   "%.1f s   \xC2\xB7   %zu particles   \xC2\xB7   %.1f %% molten   \xC2\xB7   hottest ", f.time,
@@ -56,9 +55,9 @@ ShortText figuresText(const LessonFigures& f) {
     ShortText all{text, hottest};
     if (f.stopped) {
         all += "   \xC2\xB7   stopped";
-    } else if (f.speed < 0.97) {
-        std::snprintf(text, sizeof text, "   \xC2\xB7   runs at %.0f %% of real time", std::max(1.0, f.speed * 100));
-        all += text;
+    } else if (!f.slow.empty()) {
+        all += "   \xC2\xB7   ";
+        all += f.slow;
     }
     return all;
 }
@@ -86,6 +85,11 @@ struct Hint {
 };
 
 } // namespace
+
+ShortText hottestText(const LessonFigures& figures) {
+    if (!figures.kelvin) return niceNumber(std::round(figures.hottest * 100) / 100);
+    return {niceNumber(std::round(figures.hottest - 273.15)), " \xC2\xB0", "C"};
+}
 
 float barHeight(const Context& context) {
     return context.points(48);

@@ -56,19 +56,20 @@ bool stands(const Parameter& parameter, const Group& group) {
 template <class Belongs>
 void drawGroup(Context& context, const ParameterSection& section, const char* title, bool openAtFirst,
                const Belongs& belongs) {
-    if (std::none_of(section.parameters.begin(), section.parameters.end(), belongs)) return;
+    const auto drawn = [&](const Parameter& p) { return section.shows(p) && belongs(p); };
+    if (std::none_of(section.parameters.begin(), section.parameters.end(), drawn)) return;
     if (!groupHeading(context, section.name, title, openAtFirst)) return;
     for (const Parameter& parameter : section.parameters)
-        if (belongs(parameter)) parameterControl(context, section.name, parameter, section.defaults);
+        if (drawn(parameter)) parameterControl(context, section.name, parameter, section.defaults);
 }
 
 /// A group's parameters in the group's order.
 void drawGroup(Context& context, const ParameterSection& section, const Group& group) {
-    const auto belongs = [&group](const Parameter& p) { return stands(p, group); };
+    const auto belongs = [&](const Parameter& p) { return section.shows(p) && stands(p, group); };
     if (std::none_of(section.parameters.begin(), section.parameters.end(), belongs)) return;
     if (!groupHeading(context, section.name, group.title, group.openAtFirst)) return;
     for (const std::string_view key : group.keys)
-        if (const Parameter* p = findParameter(section.parameters, key); p != nullptr && !p->onlyAtStart)
+        if (const Parameter* p = findParameter(section.parameters, key); p != nullptr && belongs(*p))
             parameterControl(context, section.name, *p, section.defaults);
 }
 
@@ -161,7 +162,9 @@ void simulationMenu(Context& context, const ParameterSection& section, Controls&
     beginPanel(context, "simulation menu", Side::right);
     panelTitle(context, "Simulation", "How the metal behaves. Everything takes effect at once.");
     bool cold = controls.source().cold();
-    if (toggle(context, "simulation.cold", "Cold source", cold, "Freezes what it touches instead of melting it (F)"))
+    // Only the source of the classic lesson cools.
+    if (findParameter(section.parameters, "heat_temperature") != nullptr &&
+        toggle(context, "simulation.cold", "Cold source", cold, "Freezes what it touches instead of melting it (F)"))
         controls.source().setCold(cold);
     static constexpr std::array<Group, 3> kGroups{
         {{"simulation", "Heat", {"heat_radius", "heat_temperature", "solidify_rate"}, true},

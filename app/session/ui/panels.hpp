@@ -22,6 +22,9 @@ float panelReach(const Context& context);
 /// Height of the bars at the top and bottom, points.
 float barHeight(const Context& context);
 
+/// The highest temperature: "1530 °C"; of the classic metal, whose scale has no unit, "0.53".
+ShortText hottestText(const LessonFigures& figures);
+
 MenuRequest startMenu(Context& context, const ParameterSection& start, const std::string& task,
                       const std::string& driver);
 MenuRequest topBar(Context& context, PanelState& panels, const Controls& controls, const std::string& lesson);

@@ -109,6 +109,7 @@ void values(Context& context, const ParameterSection& start, float screenHeight)
     const float height = std::min(context.startValuesHeight, room);
     ImGui::BeginChild("values", {0, height > 0 ? height : room});
     for (const Parameter& parameter : start.parameters) {
+        if (!start.shows(parameter)) continue;
         parameterControl(context, start.name, parameter, start.defaults);
         quietText(context, sentence(parameter.note));
         ImGui::Dummy({0, context.points(3)});

@@ -1,4 +1,4 @@
-#include "app/headset/workshop.hpp"
+#include "app/headset/torch/workshop.hpp"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -25,8 +25,8 @@ void Workshop::recentre(const xr::Pose& head, const HeadsetParameters& parameter
     recentreRequested_ = false;
 }
 
-WorkpiecePlace::WorkpiecePlace(const HeadsetParameters& parameters, float bottom)
-    : origin(0, parameters.tableHeight - bottom * parameters.zoom, 0), zoom(parameters.zoom) {}
+WorkpiecePlace::WorkpiecePlace(float tableHeight, float theZoom, float bottom)
+    : origin(0, tableHeight - bottom * theZoom, 0), zoom(theZoom) {}
 
 glm::mat4 WorkpiecePlace::modelToWorkshop(float unit) const {
     return glm::scale(glm::translate(glm::mat4(1.0f), origin), glm::vec3(unit * zoom));

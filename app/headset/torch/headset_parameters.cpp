@@ -1,4 +1,4 @@
-#include "app/headset/headset_parameters.hpp"
+#include "app/headset/torch/headset_parameters.hpp"
 
 #include <array>
 
@@ -14,6 +14,12 @@ constexpr std::array<std::string_view, 2> kPostures{"standing", "seated"};
 
 } // namespace
 
+std::span<const std::string_view> idleParameters(bool weld) {
+    static constexpr std::array<std::string_view, 2> kInWelds{"zoom", "visor_share"};
+    static constexpr std::array<std::string_view, 2> kInClassic{"weld_zoom", "visor_shade"};
+    return weld ? kInWelds : kInClassic;
+}
+
 ParameterList describe(HeadsetParameters& p) {
     return {
         {"hand", "Torch in the hand", "", &p.hand, 0, 1, "the other hand holds the filler rod and the pointer", kHands},
@@ -22,7 +28,10 @@ ParameterList describe(HeadsetParameters& p) {
         {"posture", "Posture", "", &p.posture, 0, 1,
          "seated: the table is put before the person, whatever the height of the floor", kPostures},
         {"table_height", "Table height", "m", &p.tableHeight, 0.4, 1.4, "seated: ignored"},
-        {"zoom", "Zoom", "", &p.zoom, 1, 10, "factor on the workpiece's size; the torch keeps its own"},
+        {"zoom", "Zoom of the classic lesson", "", &p.zoom, 1, 10,
+         "factor on the size of the metal, and so on ways and speeds; torch and hands keep their own"},
+        {"weld_zoom", "Zoom of a weld", "", &p.weldZoom, 1, 10,
+         "1 is real size, and how every weld lesson starts; at 4 the hand makes 4 mm for 1 mm of weld and of arc"},
         {"resolution_scale", "Resolution", "", &p.resolutionScale, 0.3, 2, "the work grows with its square", {}, true},
         {"samples",
          "Samples a pixel",

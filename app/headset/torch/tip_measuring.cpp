@@ -1,4 +1,4 @@
-#include "app/headset/tip_measuring.hpp"
+#include "app/headset/torch/tip_measuring.hpp"
 
 #include <glm/geometric.hpp>
 

@@ -1,7 +1,7 @@
 // Where things stand in the headset: the room, the table, the workpiece on it, and the person before it.
 #pragma once
 
-#include "app/headset/headset_parameters.hpp"
+#include "app/headset/torch/headset_parameters.hpp"
 #include "xr/session/pose.hpp"
 
 namespace meltpool {
@@ -36,8 +36,8 @@ struct WorkpiecePlace {
     glm::vec3 origin{0.0f}; ///< of the workpiece's frame, in the workshop
     float zoom = 1.0f;
 
-    /// `bottom`: lowest place of the workpiece in its own frame, m; it rests on the table.
-    WorkpiecePlace(const HeadsetParameters& parameters, float bottom);
+    /// `bottom`: lowest place of the workpiece in its own frame, m; it rests on the table, whose height is in m.
+    WorkpiecePlace(float tableHeight, float theZoom, float bottom);
 
     glm::vec3 toWorkpiece(const glm::vec3& inWorkshop) const { return (inWorkshop - origin) / zoom; }
     glm::vec3 toWorkshop(const glm::vec3& inWorkpiece) const { return origin + inWorkpiece * zoom; }

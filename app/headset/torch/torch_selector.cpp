@@ -1,17 +1,12 @@
-#include "app/headset/torch_selector.hpp"
+#include "app/headset/torch/torch_selector.hpp"
 
 #include <algorithm>
 
 namespace meltpool {
 
-namespace {
-
-constexpr float kLetGo = 0.05f; // share of the trigger's travel
-
-} // namespace
-
 void TorchSelector::choose(bool wanted, std::span<const xr::TrackerInput> trackers, double elapsed) {
     wanted_ = wanted;
+    const size_t before = tracker_;
     // The tracker in use is kept as long as it is tracked.
     if (tracker_ >= trackers.size() || !trackers[tracker_].tracked)
         for (size_t i = trackers.size(); i-- > 0;)
@@ -20,7 +15,7 @@ void TorchSelector::choose(bool wanted, std::span<const xr::TrackerInput> tracke
     lost_ = visible_ ? 0 : lost_ + elapsed;
     seen_ = wanted && (seen_ || visible_);
     const TorchHolder now = visible_ || (seen_ && lost_ < kPatience) ? TorchHolder::tracker : TorchHolder::hand;
-    changed_ = now != holder_;
+    changed_ = now != holder_ || (now == TorchHolder::tracker && tracker_ != before);
     holder_ = now;
 }
 
@@ -35,8 +30,6 @@ void TorchSelector::update(bool wanted, const xr::HandInput& hand, std::span<con
         torch_.grip = tracker.pose;
         torch_.trigger = std::max(tracker.trigger, hand.trigger);
     }
-    blocked_ = (blocked_ || changed_) && torch_.trigger > kLetGo;
-    if (blocked_) torch_.trigger = 0;
 }
 
 std::string_view TorchSelector::warning() const {

@@ -3,6 +3,9 @@
 
 #include "core/base/parameter.hpp"
 
+#include <span>
+#include <string_view>
+
 namespace meltpool {
 
 struct HeadsetParameters {
@@ -16,7 +19,8 @@ struct HeadsetParameters {
     int torchOn = kController;    ///< TorchOn: what carries the torch's pose
     int posture = kStanding;      ///< Posture
     float tableHeight = 0.90f;    ///< m above the floor (standing)
-    float zoom = 4.0f;            ///< the workpiece is shown this many times its size
+    float zoom = 4.0f;            ///< the classic lesson's box is shown this many times its size
+    float weldZoom = 1.0f;        ///< the same of a weld's workpiece; 1 again at each start of a weld lesson
     float resolutionScale = 1.0f; ///< times the runtime's recommended size a side
     int samples = 4;              ///< for each pixel
     int bothEyes = kAutomatic;    ///< BothEyes: how one frame gets to two eyes
@@ -26,6 +30,14 @@ struct HeadsetParameters {
     int deskView = kTrainee;      ///< DeskView: what the window shows while the headset is in use
     float hapticStrength = 1.0f;  ///< factor on every vibration
 };
+
+/// The zoom of a lesson, by whether it is a weld.
+inline float shownZoom(const HeadsetParameters& parameters, bool weld) {
+    return weld ? parameters.weldZoom : parameters.zoom;
+}
+
+/// Keys that change nothing in such a lesson.
+std::span<const std::string_view> idleParameters(bool weld);
 
 /// The list points into `parameters`.
 ParameterList describe(HeadsetParameters& parameters);

@@ -11,8 +11,7 @@ namespace meltpool {
 enum class TorchHolder { hand, tracker };
 
 /// Where a tracker is wanted it holds the torch once it is tracked. While it is not, the arc is out, and after
-/// kPatience the hand holds the torch until the tracker is back. When the holder changes the arc stays out until the
-/// trigger has been released, so that no arc strikes unintended.
+/// kPatience the hand holds the torch until the tracker is back.
 class TorchSelector {
   public:
     static constexpr double kPatience = 2; ///< s
@@ -21,7 +20,7 @@ class TorchSelector {
     void update(bool wanted, const xr::HandInput& hand, std::span<const xr::TrackerInput> trackers, double elapsed);
 
     TorchHolder holder() const { return holder_; }
-    /// The holder changed in this update, so the torch jumps to another place.
+    /// The holder changed in this update, or the tracker that is used, so the torch jumps to another place.
     bool changed() const { return changed_; }
     /// Pose and trigger of the holder. With a tracker the trigger is the larger value of its wired one and the hand's.
     const xr::HandInput& torch() const { return torch_; }
@@ -40,7 +39,6 @@ class TorchSelector {
     double lost_ = 0; ///< s
     size_t tracker_ = 0;
     bool changed_ = false;
-    bool blocked_ = false; ///< until the trigger is released
     xr::HandInput torch_;
 };
 

@@ -1,0 +1,103 @@
+#include "app/headset/headset_notice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+
+namespace meltpool {
+
+namespace {
+
+constexpr size_t kMostWarnings = 3;
+constexpr size_t kLongestLine = 240; // bytes; longer messages are whole in the window
+constexpr float kLooksThere = 0.85f; // cosine: within 32 degrees of where the head points
+constexpr float kAhead = 0.6f;       // m before the eyes, where the torch is not in sight
+constexpr float kAboveTip = 0.03f;   // m from the tip to the notice's lower edge
+constexpr double kFollowing = 0.15;  // s
+
+float heightOf(const xr::PanelShape& shape) {
+    return shape.width * static_cast<float>(shape.heightPixels) / static_cast<float>(shape.widthPixels);
+}
+
+} // namespace
+
+void NoticeText::addLine(std::string_view line) {
+    const size_t fits = std::min(line.size(), kLongestLine);
+    if (length_ + fits + 1 > text_.size()) return;
+    std::memcpy(text_.data() + length_, line.data(), fits);
+    length_ += fits;
+    text_[length_++] = '\n';
+}
+
+void NoticeText::compose(const Messages& messages, const LessonFigures& figures, float zoom) {
+    length_ = 0;
+    size_t left = 0;
+    for (const Message& message : messages.shown())
+        left += message.kind == Message::Kind::warning ? 1 : 0;
+    for (const Message& message : messages.shown())
+        if (message.kind == Message::Kind::warning && left-- <= kMostWarnings) addLine(message.text);
+    if (!figures.slow.empty()) addLine(figures.slow);
+    quietFrom_ = length_;
+    if (zoom == 1) return;
+    std::array<char, 96> line{};
+    std::snprintf(line.data(), line.size(),
+                  "Zoom %.3g: the metal is shown %.3g times its size, and so are ways and speeds",
+                  static_cast<double>(zoom), static_cast<double>(zoom));
+    addLine(line.data());
+}
+
+void NoticePlace::update(bool warns, const xr::Pose& head, const std::optional<glm::vec3>& tip, float tableHeight,
+                         double elapsed) {
+    if (!warns) {
+        pose_ = {glm::angleAxis(-1.0f, glm::vec3(1, 0, 0)), {0, tableHeight + 0.06f, 0.22f}};
+        known_ = false;
+        return;
+    }
+    const bool seen = tip && glm::dot(glm::normalize(*tip - head.position), head.forward()) > kLooksThere;
+    const glm::vec3 target = seen ? *tip : head.position + head.forward() * kAhead;
+    const glm::vec3 back = glm::normalize(head.position - target);
+    const glm::vec3 right = glm::normalize(glm::cross(head.orientation * glm::vec3(0, 1, 0), back));
+    const glm::vec3 up = glm::cross(back, right);
+    const float raise = seen ? kAboveTip + heightOf(HeadsetNotice::kShape) / 2 : -0.1f;
+    const glm::vec3 there = target + up * raise;
+    const auto share = static_cast<float>(known_ ? 1 - std::exp(-elapsed / kFollowing) : 1.0);
+    position_ += (there - position_) * share;
+    known_ = true;
+    pose_ = {glm::quat_cast(glm::mat3(right, up, back)), position_};
+}
+
+bool HeadsetNotice::draw(const xr::Panel& picture, int opening, double elapsed) {
+    if (opening_ == opening && drawn_.text() == text.text()) return false;
+    drawn_ = text;
+    opening_ = opening;
+    if (panel_ == nullptr)
+        panel_ = std::make_unique<HeadsetPanel>(kShape.widthPixels, kShape.heightPixels, HeadsetPanel::Ground::clear);
+    panel_->draw(picture.framebuffer(), {}, elapsed, [&](ui::Context& context) { drawText(context); });
+    return true;
+}
+
+/// At the picture's lower edge, in a box as high as the text.
+void HeadsetNotice::drawText(ui::Context& context) const {
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float pad = context.points(8), inner = screen.x - 4 * pad;
+    const auto height = [&](std::string_view part) {
+        if (part.empty()) return 0.0f;
+        return ImGui::CalcTextSize(part.data(), part.data() + part.size() - 1, false, inner).y;
+    };
+    const std::string_view warnings = drawn_.warnings(), quiet = drawn_.quiet();
+    const float first = height(warnings), second = height(quiet);
+    const float top = std::max(screen.y - first - second - 3 * pad, 0.0f);
+    const ImVec2 corner{pad, top}, end{screen.x - pad, screen.y - pad / 2};
+    const auto add = [&](std::string_view part, float y, ImU32 colour) {
+        if (!part.empty())
+            draw->AddText(nullptr, 0, {2 * pad, y}, colour, part.data(), part.data() + part.size() - 1, inner);
+    };
+    ui::fillRounded(*draw, corner, end, IM_COL32(22, 25, 31, warnings.empty() ? 150 : 225), context.points(6));
+    if (!warnings.empty()) ui::fillRounded(*draw, corner, {corner.x + pad / 2, end.y}, ui::colour::kWarning, 0);
+    add(warnings, top + pad, ui::colour::kText);
+    add(quiet, top + pad + first, ui::colour::kQuiet);
+}
+
+} // namespace meltpool

@@ -1,0 +1,63 @@
+// What a person must be told while they weld, in one sentence each for window and headset: why there is no arc, and
+// that the metal is slow.
+#pragma once
+
+#include "app/session/lesson_figures.hpp"
+#include "app/session/lesson_session.hpp"
+#include "app/session/messages.hpp"
+#include "app/session/trigger_lock.hpp"
+
+#include <array>
+#include <string_view>
+
+namespace meltpool {
+
+/// Why an arc that the trigger asks for does not burn; empty: it does, or nobody asks.
+class ArcNotice {
+  public:
+    /// s that an arc may take to strike, and a wire may stub, before a word is said.
+    static constexpr double kPatience = 0.5;
+
+    /// Takes the state of the last step. `elapsed`: real seconds since the last call.
+    std::string_view update(const ProcessSettings& process, const ArcState& arc, bool pulled, double elapsed);
+    /// The arc went out in the last update: the word for records, else empty.
+    std::string_view wentOut() const { return wentOut_; }
+
+  private:
+    std::string_view reasonOut(bool wire, float distance);
+
+    bool burnt_ = false; ///< since the trigger was pulled
+    bool burns_ = false;
+    double waiting_ = 0; ///< s without an arc, or with a stubbed wire
+    std::string_view wentOut_;
+    std::string_view reason_; ///< why it went out
+};
+
+/// Whether the metal runs slower than the person's hand; empty or a sentence's text.
+class SlowNotice {
+  public:
+    static constexpr double kSlow = 0.95, kKeepsUp = 0.97; ///< of real time
+    static constexpr double kPatience = 0.5;               ///< s
+
+    /// `speed`: of the metal over real time.
+    std::string_view update(double speed, double elapsed);
+
+  private:
+    std::array<char, 48> text_{};
+    double slowFor_ = 0; ///< s
+    bool told_ = false;
+};
+
+class Notices {
+  public:
+    /// Holds or clears the message "arc", and sets figures.slow. `lock`: of what leads the torch. Allocates nothing
+    /// while nothing changes.
+    void update(LessonSession& session, LessonFigures& figures, const TriggerLock& lock, double elapsed,
+                Messages& messages);
+
+  private:
+    ArcNotice arc_;
+    SlowNotice slow_;
+};
+
+} // namespace meltpool

@@ -1,0 +1,115 @@
+// What the person is told while they weld: why the arc is out, that the metal is slow, and how the headset shows it.
+#include "app/headset/headset_notice.hpp"
+#include "app/session/notices.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+using namespace meltpool;
+
+namespace {
+
+constexpr double kFrame = 0.1;
+
+ArcState arcOf(ArcAction action, float distance) {
+    ArcState arc;
+    arc.action = action;
+    arc.distance = distance;
+    return arc;
+}
+
+} // namespace
+
+TEST_CASE("an arc that goes out with the trigger pulled says why, until it burns or the trigger is let go", "[app]") {
+    ProcessSettings process;
+    ArcNotice notice;
+    process.choose<Gtaw>();
+    const auto told = [&](ArcAction action, float distance, bool pulled = true) {
+        return std::string(notice.update(process, arcOf(action, distance), pulled, kFrame));
+    };
+    CHECK(told(ArcAction::out, 0.003f) == ""); // it may still strike
+    CHECK(told(ArcAction::burning, 0.003f) == "");
+    CHECK_THAT(told(ArcAction::out, 0.012f), test::containsText("too long"));
+    CHECK(notice.wentOut() == "too_long");
+    CHECK_THAT(told(ArcAction::out, 0.003f), test::containsText("too long")); // the reason stays
+    CHECK(notice.wentOut().empty());
+    CHECK(told(ArcAction::out, 0.003f, false) == "");
+    CHECK(told(ArcAction::burning, 0.003f) == "");
+    CHECK_THAT(told(ArcAction::out, 0.0002f), test::containsText("spoiled"));
+    CHECK(notice.wentOut() == "touched");
+    CHECK(told(ArcAction::out, 0.003f, false) == "");
+    for (int i = 0; i < 5; ++i)
+        CHECK(told(ArcAction::out, 0.02f) == "");
+    CHECK_THAT(told(ArcAction::out, 0.02f), test::containsText("too far"));
+    process.choose<Gmaw>();
+    CHECK(told(ArcAction::out, 0.02f, false) == "");
+    CHECK(told(ArcAction::shorting, 0.012f) == "");
+    for (int i = 0; i < 5; ++i)
+        CHECK(told(ArcAction::stubbed, 0.012f) == "");
+    CHECK_THAT(told(ArcAction::stubbed, 0.012f), test::containsText("stubs"));
+    CHECK(told(ArcAction::burning, 0.012f) == "");
+    CHECK_THAT(told(ArcAction::out, 0.05f), test::containsText("Bring the torch nearer"));
+    process.choose<Flame>();
+    CHECK(told(ArcAction::out, 0.05f) == ""); // a flame is no arc
+}
+
+TEST_CASE("slow metal is told after half a second and until it keeps up", "[app]") {
+    SlowNotice notice;
+    CHECK(notice.update(0.96, 10).empty());
+    for (int i = 0; i < 4; ++i)
+        CHECK(notice.update(0.45, kFrame).empty());
+    notice.update(0.45, kFrame);
+    CHECK(notice.update(0.45, kFrame) == "metal runs at 45 % of real time");
+    CHECK(notice.update(0.063, kFrame) == "metal runs at 6 % of real time");
+    CHECK(notice.update(0.96, kFrame) == "metal runs at 95 % of real time");
+    CHECK(notice.update(0.98, kFrame).empty());
+    CHECK(notice.update(0.96, kFrame).empty());
+}
+
+TEST_CASE("the headset's notice has the window's warnings, the newest last, and the zoom below them", "[app]") {
+    Messages messages;
+    LessonFigures figures;
+    NoticeText notice;
+    notice.compose(messages, figures, 1.0f);
+    CHECK(notice.text().empty());
+    messages.note("Picture saved as a.png", 0);
+    messages.warn("one", 0);
+    messages.hold("two", "headset");
+    messages.hold("three", "arc");
+    messages.hold("four", "record");
+    figures.slow = "metal runs at 45 % of real time";
+    notice.compose(messages, figures, 4.0f);
+    CHECK(notice.warnings() == "two\nthree\nfour\nmetal runs at 45 % of real time\n");
+    CHECK_THAT(std::string(notice.quiet()), test::containsText("Zoom 4"));
+    messages.clear("arc");
+    messages.clear("headset");
+    figures.slow = {};
+    notice.compose(messages, figures, 1.0f);
+    CHECK(notice.text() == "one\nfour\n");
+    messages.hold(std::string(5000, 'x'), "arc");
+    notice.compose(messages, figures, 4.0f);
+    CHECK(notice.text().size() < 600);
+    CHECK_THAT(std::string(notice.quiet()), test::containsText("Zoom 4"));
+}
+
+TEST_CASE("the notice hangs above the torch where the person looks there, else before their eyes", "[app]") {
+    NoticePlace place;
+    const xr::Pose head{glm::angleAxis(-0.7f, glm::vec3(1, 0, 0)), {0, 1.4f, 0.45f}};
+    const glm::vec3 tip(0, 0.95f, 0);
+    place.update(true, head, tip, 0.9f, 0.01);
+    const auto angle = [&](const glm::vec3& point) {
+        return glm::degrees(std::acos(glm::dot(glm::normalize(point - head.position), head.forward())));
+    };
+    CHECK(glm::distance(place.pose().position, tip) < 0.15f);
+    CHECK(place.pose().position.y > tip.y);
+    CHECK(angle(place.pose().position) < 20);
+    // It faces the eyes.
+    const glm::vec3 normal = place.pose().orientation * glm::vec3(0, 0, 1);
+    CHECK(glm::dot(normal, glm::normalize(head.position - tip)) > 0.99f);
+    for (int i = 0; i < 200; ++i)
+        place.update(true, head, std::nullopt, 0.9f, 0.01);
+    CHECK(angle(place.pose().position) < 15);
+    CHECK(glm::distance(place.pose().position, head.position) == Approx(0.6).margin(0.1));
+    place.update(false, head, tip, 0.9f, 0.01); // only the zoom: on the table, before the workpiece
+    CHECK(place.pose().position.y < 1.0f);
+    CHECK(place.pose().position.z > 0.1f);
+}

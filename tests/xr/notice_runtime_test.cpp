@@ -1,0 +1,101 @@
+// The whole program on a real runtime: warnings stand before the eyes, welds start at real size, another zoom is shown.
+#include "core/base/text.hpp"
+#include "core/training/lesson.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/xr/trainee.hpp"
+
+using namespace meltpool;
+using namespace meltpool::test;
+using nlohmann::json;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+auto notice(const std::string& part) {
+    return
+        [part](const json& row) { return row["headset"]["notice"].get<std::string>().find(part) != std::string::npos; };
+}
+
+auto noNotice(const std::string& part) {
+    return
+        [part](const json& row) { return row["headset"]["notice"].get<std::string>().find(part) == std::string::npos; };
+}
+
+/// Both eyes as they are shown some frames later.
+Image leftEye(TrainerProcess& trainer) {
+    passFrames(trainer, 8);
+    return shownEye(screenshot(), 0);
+}
+
+} // namespace
+
+TEST_CASE("a lost torch and a locked trigger are told before the eyes and in the window, in the same words",
+          "[runtime]") {
+    handGeometry();
+    const fs::path folder = benchFolder() / "notices";
+    Trainee trainee;
+    TrainerProcess trainer(folder, {"--headset", "--lesson", smallLesson(folder).string()});
+    REQUIRE(trainer.waitFor(ready, 60));
+    for (const json& row : trainer.rows()) // the runtime shows the trainer before it gives it the controllers
+        CHECK(row["messages"].dump().find("something else") == std::string::npos);
+    trainee.aim({0.03f, 0.04f, 0.03f}, 0.0f);
+    trainee.lookDown();
+    REQUIRE(trainer.waitFor(notice("Zoom 4"), 20));
+    CHECK(noNotice("arc")(trainer.now()));
+    const Image without = leftEye(trainer);
+
+    trainee.state.hands[1].active = false;
+    trainee.send();
+    REQUIRE(trainer.waitFor(notice("out of sight"), 20));
+    CHECK_THAT(trainer.now()["messages"].dump(), containsText("out of sight"));
+    const Image with = leftEye(trainer);
+    keepPicture(with, "notice.png");
+    CHECK(compareImages(without, with, 24).farPixels > 0.005);
+
+    trainee.state.hands[1].active = true;
+    trainee.state.hands[1].trigger = 1;
+    trainee.send();
+    REQUIRE(trainer.waitFor(notice("Let the trigger go"), 20));
+    CHECK_THAT(trainer.now()["messages"].dump(), containsText("Let the trigger go"));
+    keepPicture(leftEye(trainer), "notice-locked.png");
+    trainee.letGo(trainer);
+    CHECK(trainer.waitFor(noNotice("arc"), 20));
+    CHECK(trainer.now()["messages"].dump().find("trigger") == std::string::npos);
+    CHECK(trainer.stop() == 0);
+    CHECK(trainer.misuses() == "");
+}
+
+TEST_CASE("a weld starts at real size whatever the settings say; another zoom puts the arc out and is shown",
+          "[runtime]") {
+    handGeometry();
+    const fs::path folder = benchFolder() / "zoom";
+    const fs::path file = plateLesson(folder), record = folder / "telemetry.csv";
+    Trainee trainee;
+    trainee.zoom = 1;
+    trainee.bottom = makeWorkpiece(readLesson(file).workpiece).low.y;
+    trainee.held = glm::angleAxis(-1.4f, glm::vec3(1, 0, 0));
+    TrainerProcess trainer(folder, {"--headset", "--lesson", file.string(), "--record", record.string()},
+                           "weld_zoom = 3\n");
+    REQUIRE(trainer.waitFor(ready, 60));
+    trainee.aim({0.005f, 0.02f, 0}, 0.0f);
+    const auto torchAt = [](const glm::vec3& mm) {
+        return [mm](const json& row) {
+            const json& tip = row["torch"]["tip_mm"];
+            return glm::distance(glm::vec3(tip[0].get<float>(), tip[1].get<float>(), tip[2].get<float>()), mm) < 1;
+        };
+    };
+    CHECK(trainer.waitFor(torchAt({5, 20, 0}), 20));
+    CHECK(noNotice("Zoom")(trainer.now()));
+    trainee.showPanel(trainer, true);
+    trainee.press(trainer, "headset.weld_zoom"); // the middle of the slider
+    REQUIRE(trainer.waitFor(notice("Zoom 5.5"), 20));
+    trainee.showPanel(trainer, false);
+    trainee.zoom = 5.5f;
+    trainee.aim({0.005f, 0.02f, 0}, 0.0f);
+    CHECK(trainer.waitFor(torchAt({5, 20, 0}), 20));
+    keepPicture(leftEye(trainer), "notice-zoom.png");
+    CHECK(trainer.stop() == 0);
+    CHECK_THAT(readTextFile(record), containsText("# event zoom 1\n") && containsText("# event zoom 5.5\n"));
+    CHECK(trainer.misuses() == "");
+}

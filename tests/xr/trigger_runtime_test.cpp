@@ -1,0 +1,120 @@
+// The whole program on a real runtime: whatever moves the torch otherwise than the hand does puts the arc out first,
+// and it strikes again only when the trigger was let go.
+#include "core/base/text.hpp"
+#include "core/weld/torch/torch_csv.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/xr/trainee.hpp"
+
+#include <algorithm>
+
+using namespace meltpool;
+using namespace meltpool::test;
+using nlohmann::json;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool burns(const json& row) {
+    return row["torch"]["trigger"] > 0;
+}
+
+bool isOut(const json& row) {
+    return row["torch"]["trigger"] == 0 && row["headset"]["trigger_locked"] == true;
+}
+
+/// The arc is out, stays so for a while with the trigger pulled, and strikes again once it was let go.
+void checkOutUntilLetGo(TrainerProcess& trainer, Trainee& trainee) {
+    REQUIRE(trainer.waitFor([](const json& row) { return isOut(row) && row["headset"]["tracked"] == true; }, 20));
+    passFrames(trainer, 6);
+    CHECK(isOut(trainer.now()));
+    trainee.letGo(trainer);
+    trainee.state.hands[trainee.hand].trigger = 1;
+    trainee.send();
+    CHECK(trainer.waitFor(burns, 20));
+}
+
+/// Longest way (m, workpiece's frame) between two steps of the record of which one at least has the trigger pulled.
+float longestWayWithHeat(const TorchRecording& record) {
+    float longest = 0;
+    for (size_t i = 1; i < record.samples.size(); ++i) {
+        const TorchSample &last = record.samples[i - 1], &now = record.samples[i];
+        if (last.trigger > 0 || now.trigger > 0) longest = std::max(longest, glm::distance(last.tip, now.tip));
+    }
+    return longest;
+}
+
+} // namespace
+
+TEST_CASE("recentre, zoom, other hand, lost controller: the arc is out first and until the trigger was let go",
+          "[runtime]") {
+    handGeometry();
+    const fs::path folder = benchFolder() / "trigger", record = folder / "telemetry.csv";
+    Trainee trainee;
+    TrainerProcess trainer(folder,
+                           {"--headset", "--lesson", smallLesson(folder).string(), "--record", record.string()});
+    REQUIRE(trainer.waitFor(ready, 60));
+    const glm::vec3 place(0.018f);
+    trainee.aim(place, 0.0f);
+    passFrames(trainer, 4);
+    trainee.aim(place, 1.0f);
+    REQUIRE(trainer.waitFor(burns, 20));
+    const json before = trainer.now();
+
+    // Brought before another place of the head, half a metre away, with the trigger pulled.
+    trainee.state.head = {glm::angleAxis(0.5f, glm::vec3(0, 1, 0)), {0.4f, 1.6f, 0.2f}};
+    trainee.state.hands[0].thumbstickClick = true;
+    trainee.send();
+    REQUIRE(trainer.waitFor(isOut, 20));
+    trainee.state.hands[0].thumbstickClick = false;
+    checkOutUntilLetGo(trainer, trainee);
+    const auto moved = [&](const json& row) {
+        return std::abs(row["torch"]["tip_mm"][0].get<float>() - before["torch"]["tip_mm"][0].get<float>()) > 20;
+    };
+    CHECK(moved(trainer.now()));
+
+    // The controller goes off and comes back with its trigger pulled.
+    trainee.state.hands[1].active = false;
+    trainee.send();
+    REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["tracked"] == false; }, 20));
+    trainee.state.hands[1].active = true;
+    trainee.send();
+    checkOutUntilLetGo(trainer, trainee);
+
+    // Thrown: no hand is so fast.
+    trainee.state.hands[1].pose.position += glm::vec3(-0.3f, 0.2f, 0);
+    trainee.send();
+    checkOutUntilLetGo(trainer, trainee);
+
+    // Zoom and hand by the panel, pointed at with the torch's hand.
+    trainee.state.hands[1].trigger = 0;
+    trainee.state.head = {{1, 0, 0, 0}, {0, 1.6f, 0}};
+    trainee.state.hands[0].thumbstickClick = true;
+    trainee.send();
+    passFrames(trainer, 4);
+    trainee.state.hands[0].thumbstickClick = false;
+    trainee.send();
+    trainee.showPanel(trainer, true);
+    trainee.press(trainer, "headset.hand.left");
+    trainee.hand = 0;
+    trainee.aim(place, 0.0f);
+    passFrames(trainer, 4);
+    trainee.showPanel(trainer, false);
+    trainee.aim(place, 1.0f);
+    REQUIRE(trainer.waitFor(burns, 20));
+    CHECK(trainer.stop() == 0);
+    CHECK(trainer.misuses() == "");
+    const std::string text = readTextFile(record);
+    for (const char* event :
+         {"# event zoom 4", "# event hand right", "# event torch_on controller", "# event recentred",
+          "# event arc_out recentred", "# event torch lost", "# event arc_out torch_lost", "# event torch seen",
+          "# event arc_out jump", "# event hand left"}) {
+        INFO(event);
+        CHECK_THAT(text, containsText(event));
+    }
+    const TorchRecording whole = readTorchCsv(record);
+    const float longest = longestWayWithHeat(whole);
+    WARN("longest way between two steps with heat: " << 1000 * longest << " mm of " << whole.samples.size()
+                                                     << " steps");
+    CHECK(longest < 0.02f); // a hand's way in the workpiece's frame at zoom 4: 4.8 m/s
+}
