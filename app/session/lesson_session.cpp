@@ -16,8 +16,8 @@ namespace meltpool {
 
 namespace {
 
-ParameterList startParameters(Lesson& lesson) {
-    ParameterList list;
+ParameterList startParameters(Lesson& lesson, AttemptParameters& attempt) {
+    ParameterList list = describe(attempt);
     for (const Parameter& p : lesson.model == LessonModel::Weld ? describe(lesson.workpiece) : describe(lesson.setup))
         if (p.key != "seed") list.push_back(p);
     for (const Parameter& p : describe(lesson.surface))
@@ -56,8 +56,20 @@ Lesson loadLesson(const std::string& name) {
     return findLesson(name, resourceFolder() / "data" / "lessons");
 }
 
+ParameterList describe(AttemptParameters& a) {
+    return {{"for_score",
+             "For score",
+             "",
+             &a.forScore,
+             0,
+             1,
+             "the lesson starts only where this machine keeps up with the clock; measured before each start",
+             {},
+             true}};
+}
+
 LessonSections::LessonSections(Lesson& lesson)
-    : start("start", startParameters(lesson)),
+    : start("start", startParameters(lesson, attempt)),
       view("view", describe(lesson.look)),
       surface("surface", liveParameters(describe(lesson.surface))),
       simulation("simulation", liveParameters(lesson.model == LessonModel::Weld ? describe(lesson.process)
@@ -81,11 +93,82 @@ void LessonSession::begin(Controls& controls) {
     const CameraParameters& camera = lesson_.camera;
     controls.placeCamera(OrbitCamera(glm::radians(camera.azimuth), glm::radians(camera.elevation), camera.distance));
     controls.lens.fieldOfView = glm::radians(camera.fieldOfView);
-    trainer_ = std::make_unique<Trainer>(shaders_, lesson_);
+    if (sections_.attempt.forScore) {
+        trial_.begin(lesson_);
+        beginTrial();
+        return;
+    }
+    makeTrainer();
+    beginAttempt();
+}
+
+void LessonSession::makeTrainer() {
+    trainer_.reset(); // its memory may be needed for the next
+    Lesson lesson = lesson_;
+    if (trial_.running())
+        for (const auto& [key, value] : trial_.current().values)
+            lesson.set(key, value, "a value that was offered");
+    trainer_ = std::make_unique<Trainer>(shaders_, std::move(lesson));
     wanted_ = liveParameters(lesson_.metalParameters());
     running_ = liveParameters(trainer_->lesson().metalParameters());
     clock_.reset();
+}
+
+/// Makes the metal of the trial's current offer, and finds where its demonstration begins to heat.
+void LessonSession::beginTrial() {
+    constexpr double kLook = 0.05; // s
+    makeTrainer();
+    fault_.clear();
+    surfaceIsOld_ = true;
+    question_ = {};
+    question_.text = "Measuring whether this machine keeps up with the clock";
+    question_.text += trial_.current().label.empty() ? " ..." : ", with " + trial_.current().label + " ...";
+    trialTime_ = 0;
+    const double last = lesson_.torch.duration();
+    while (trialTime_ < last && lesson_.torch.sample(trialTime_).trigger <= 0)
+        trialTime_ += kLook;
+    if (trialTime_ >= last) trialTime_ = 0;
+}
+
+void LessonSession::measureSpeed(double seconds, gl::Profiler* profiler) {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point begin = Clock::now();
+    const int due = clock_.due(seconds, trainer_->timeStep());
+    for (int step = 0; step < due; ++step)
+        trainer_->advance(lesson_.torch.sample(trialTime_ += trainer_->timeStep()), profiler);
+    surfaceIsOld_ = true;
+    clock_.took(std::chrono::duration<double>(Clock::now() - begin).count(), due);
+    nextTrial(trial_.count(seconds, due * trainer_->timeStep()));
+}
+
+void LessonSession::nextTrial(SpeedTrial::Verdict verdict) {
+    while (verdict == SpeedTrial::Verdict::another) {
+        try {
+            return beginTrial();
+        } catch (const InputError&) { // a workpiece may have no room for such coarse particles
+            verdict = trial_.skip();
+        }
+    }
+    if (verdict == SpeedTrial::Verdict::tooSlow) question_ = trial_.question();
+    if (verdict != SpeedTrial::Verdict::fastEnough) return;
+    makeTrainer();
     beginAttempt();
+}
+
+void LessonSession::settleTrial(int answer, Controls& controls) {
+    const std::vector<SpeedOffer> offers = trial_.offers();
+    trial_.stop();
+    if (static_cast<size_t>(answer) + 1 < offers.size()) {
+        for (const auto& [key, value] : offers[static_cast<size_t>(answer) + 1].values)
+            lesson_.set(key, value, "a value that was offered");
+        begin(controls);
+    } else if (static_cast<size_t>(answer) + 1 == offers.size()) {
+        sections_.attempt.forScore = false;
+        begin(controls);
+    } else {
+        end("start menu");
+        controls.restart();
+    }
 }
 
 void LessonSession::reset(Controls& controls) {
@@ -104,6 +187,7 @@ void LessonSession::beginAttempt() {
     question_ = {};
     try {
         records_.begin(*trainer_);
+        if (sections_.attempt.forScore) event("for_score", "yes");
     } catch (const std::runtime_error& fault) { // no such place, or no room for even its head
         question_ = {std::string("This attempt cannot be recorded: ") + fault.what(),
                      {"Weld without a record", "Start menu"}};
@@ -114,6 +198,7 @@ void LessonSession::settle(Controls& controls) {
     const int answer = std::exchange(question_.answered, -1);
     if (answer < 0 || !question_.asked()) return;
     question_ = {};
+    if (!trial_.offers().empty()) return settleTrial(answer, controls);
     if (answer == 0) {
         records_.renounce();
         return;
@@ -124,6 +209,7 @@ void LessonSession::settle(Controls& controls) {
 
 void LessonSession::end(std::string_view reason) noexcept {
     question_ = {};
+    trial_.stop();
     wanted_.clear();
     running_.clear();
     surfaceDistance_ = {};
@@ -168,6 +254,7 @@ bool LessonSession::waits(const Controls& controls) {
 
 void LessonSession::advance(const Controls& controls, double seconds, gl::Profiler* profiler, const TorchSource& held) {
     if (!running()) return;
+    if (trial_.running()) return measureSpeed(seconds, profiler);
     surfaceIsOld_ |= takeOverChanges(controls);
     held_ = static_cast<bool>(held);
     if (waits(controls)) {

@@ -3,6 +3,7 @@
 
 #include "app/session/attempt/attempt_records.hpp"
 #include "app/session/attempt/question.hpp"
+#include "app/session/attempt/speed_trial.hpp"
 #include "app/session/attempt/step_clock.hpp"
 #include "app/session/controls.hpp"
 #include "app/session/lesson_figures.hpp"
@@ -18,12 +19,19 @@
 
 namespace meltpool {
 
+/// How an attempt is made.
+struct AttemptParameters {
+    bool forScore = false; ///< it starts only where the machine keeps up with the clock
+};
+ParameterList describe(AttemptParameters& parameters);
+
 /// A lesson's values as the menus group them. They point into the lesson, which must outlive them unmoved; the defaults
 /// are what the lesson held when this was made.
 struct LessonSections {
     explicit LessonSections(Lesson& lesson);
 
-    ParameterSection start; ///< what is chosen before the metal is made
+    AttemptParameters attempt; ///< shown with the start values
+    ParameterSection start;    ///< what is chosen before the metal is made
     ParameterSection view;
     ParameterSection surface;
     ParameterSection simulation;
@@ -107,7 +115,12 @@ class LessonSession {
 
   private:
     bool takeOverChanges(const Controls& controls);
+    void makeTrainer();
     void beginAttempt();
+    void beginTrial();
+    void nextTrial(SpeedTrial::Verdict verdict);
+    void measureSpeed(double seconds, gl::Profiler* profiler);
+    void settleTrial(int answer, Controls& controls);
     bool waits(const Controls& controls);
     TorchSample nextTorch(const Controls& controls, const TorchSource& held, int step, int due);
     void makeSteps(const Controls& controls, double seconds, gl::Profiler* profiler, const TorchSource& held);
@@ -129,6 +142,8 @@ class LessonSession {
     ParameterList running_; ///< the same as the running metal has them
     AttemptRecords records_;
     Question question_;
+    SpeedTrial trial_;
+    double trialTime_ = 0; ///< s in the demonstration
 };
 
 } // namespace meltpool

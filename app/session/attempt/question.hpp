@@ -7,11 +7,11 @@
 namespace meltpool {
 
 struct Question {
-    std::string text;
-    std::vector<std::string> answers;
-    int answered = -1; ///< number of the chosen answer; below 0 while there is none
+    std::string text;                 ///< empty: nothing is asked
+    std::vector<std::string> answers; ///< empty: the person is told to wait
+    int answered = -1;                ///< number of the chosen answer; below 0 while there is none
 
-    bool asked() const { return !answers.empty(); }
+    bool asked() const { return !text.empty(); }
 };
 
 } // namespace meltpool

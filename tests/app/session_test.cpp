@@ -1,0 +1,223 @@
+// The lesson that window and headset share: attempts and their records, changes on the way, questions, and time.
+#include "app/session/lesson_session.hpp"
+#include "core/base/error.hpp"
+#include "core/base/text.hpp"
+#include "core/training/recorded_attempt.hpp"
+#include "core/weld/torch/torch_csv.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+using namespace meltpool;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+Lesson smallLesson() {
+    Lesson lesson = findLesson("classic", test::testFolder().parent_path() / "app" / "data" / "lessons");
+    lesson.setup.particles = 1728;
+    lesson.metal.supportRadius = 0.12f;
+    lesson.surface.cells = 32;
+    return lesson;
+}
+
+class Person {
+  public:
+    explicit Person(const fs::path& record = {}) : session(test::shaders(), smallLesson()) {
+        session.records().use(record, "program", "driver");
+    }
+
+    /// Frames of 1/45 s with the flame at the corner.
+    void weld(int frames) { frame(frames, 1.0 / 45); }
+
+    void frame(int frames, double seconds) {
+        const TorchSource torch = [](int, int) { return TorchSample{0, glm::vec3(0.021f), {1, 0, 0, 0}, 1}; };
+        for (int i = 0; i < frames; ++i) {
+            session.advance(controls, seconds, nullptr, torch);
+            session.settle(controls);
+        }
+    }
+
+    void answer(const std::string& wanted) {
+        auto& answers = session.question().answers;
+        const auto found = std::find_if(answers.begin(), answers.end(),
+                                        [&](const std::string& text) { return text.find(wanted) == 0; });
+        REQUIRE(found != answers.end());
+        session.question().answered = static_cast<int>(found - answers.begin());
+        session.settle(controls);
+    }
+
+    Controls controls;
+    LessonSession session;
+};
+
+RecordedAttempt attemptIn(const fs::path& file) {
+    const auto attempt = readRecordedAttempt(file);
+    REQUIRE(attempt);
+    return *attempt;
+}
+
+std::string hashOfRepeat(const fs::path& file) {
+    Lesson lesson = smallLesson();
+    lesson.torch = TorchPath::read(file);
+    repeatAttempt(lesson, attemptIn(file));
+    Trainer trainer(test::shaders(), lesson);
+    for (size_t i = 0; i < lesson.recordedSteps; ++i)
+        trainer.advanceDemonstration(nullptr);
+    return formatHexadecimal(trainer.result().stateHash);
+}
+
+} // namespace
+
+TEST_CASE("no button ends or cuts a record: each attempt has its own file, which says why it ended", "[app]") {
+    const fs::path folder = test::scratchFolder("attempts"), first = folder / "weld.csv";
+    {
+        Person person(first);
+        person.session.begin(person.controls);
+        person.weld(20);
+        person.session.reset(person.controls);
+        person.weld(30);
+        person.session.end("start menu");
+        person.session.begin(person.controls);
+        person.weld(10);
+        CHECK(person.session.records().attempt() == 3);
+        CHECK_FALSE(person.session.records().lost());
+    }
+    const RecordedAttempt one = attemptIn(first), two = attemptIn(folder / "weld-2.csv"),
+                          three = attemptIn(folder / "weld-3.csv");
+    CHECK(one.ended == "reset");
+    CHECK(two.ended == "start menu");
+    CHECK(three.ended == "the program ended");
+    CHECK(one.rows > 20);
+    CHECK(two.rows > one.rows);
+    CHECK(readTorchCsv(folder / "weld-2.csv").samples.front().time < 0.02);
+    const std::string before = readTextFile(first);
+    {
+        Person another(first); // another start of the program with the same name
+        another.session.begin(another.controls);
+        another.weld(5);
+    }
+    CHECK(readTextFile(first) == before);
+    CHECK(attemptIn(folder / "weld-4.csv").rows > 0);
+}
+
+TEST_CASE("every attempt replays to the same bits, whatever was changed while it ran", "[app]") {
+    const fs::path folder = test::scratchFolder("attempt-changes"), file = folder / "weld.csv";
+    Person person(file);
+    person.session.begin(person.controls);
+    const auto& live = person.session.sections().simulation.parameters;
+    person.weld(10);
+    setParameter(live, "heat_temperature", "0.3", "test");
+    person.weld(10);
+    setParameter(live, "viscosity", "4", "test");
+    person.session.event("zoom", "2");
+    person.weld(10);
+    person.session.reset(person.controls);
+    person.weld(15);
+    setParameter(live, "heat_temperature", "0.1", "test");
+    person.weld(15);
+    person.session.end("start menu");
+    for (const char* name : {"weld.csv", "weld-2.csv"}) {
+        INFO(name);
+        CHECK(hashOfRepeat(folder / name) == attemptIn(folder / name).stateHash);
+    }
+    CHECK(attemptIn(file).changes.size() == 2);
+    CHECK(readTextFile(file).find("# event zoom 2\n") != std::string::npos);
+    // The second attempt begins with what the first was changed to.
+    const RecordedAttempt second = attemptIn(folder / "weld-2.csv");
+    const auto value = std::find_if(second.values.begin(), second.values.end(),
+                                    [](const RecordedChange& c) { return c.key == "heat_temperature"; });
+    REQUIRE(value != second.values.end());
+    CHECK(value->value == "0.3");
+}
+
+TEST_CASE("a record that cannot be written is asked about before the first step, and told in the end", "[app]") {
+    for (const char* place : {"/proc/nowhere/weld.csv", "/dev/full"}) {
+        if (std::string(place) == "/dev/full" && !fs::exists(place)) continue;
+        INFO(place);
+        Person person(place);
+        person.session.begin(person.controls);
+        REQUIRE(person.session.question().asked());
+        CHECK(person.session.question().text.find(place) != std::string::npos);
+        person.weld(10);
+        CHECK(person.session.steps() == 0);
+        CHECK_FALSE(person.session.records().lost());
+        SECTION("the person agrees") {
+            person.answer("Weld without a record");
+            person.weld(10);
+            CHECK(person.session.steps() > 5);
+            CHECK(person.session.records().lost());
+        }
+        SECTION("the person does not") {
+            person.answer("Start menu");
+            CHECK_FALSE(person.session.running());
+            CHECK_FALSE(person.session.records().lost());
+        }
+    }
+}
+
+TEST_CASE("steps follow the clock at 45 frames a second and at 12", "[app]") {
+    for (const double rate : {45.0, 12.0}) {
+        Person person;
+        person.session.begin(person.controls);
+        person.frame(1, 0);
+        person.frame(static_cast<int>(2 * rate), 1 / rate);
+        INFO(rate << " frames a second");
+        LessonFigures figures;
+        person.session.fillFigures(figures);
+        CHECK(figures.time == Approx(2).margin(0.05));
+        CHECK(figures.speed == Approx(1).margin(0.05));
+    }
+}
+
+TEST_CASE("the record tells how much slower than the clock the metal was", "[app]") {
+    const fs::path file = test::scratchFolder("slow") / "weld.csv";
+    Person person(file);
+    person.session.begin(person.controls);
+    person.frame(40, 1.0); // frames of a second: more than can be made good
+    person.session.end("start menu");
+    const RecordedAttempt attempt = attemptIn(file);
+    REQUIRE(attempt.realTime);
+    CHECK(*attempt.realTime < 0.5);
+    const TorchRecording rows = readTorchCsv(file);
+    CHECK(std::stod(rows.furtherCells.back().back()) < 0.5);
+}
+
+TEST_CASE("an attempt for score starts where the machine keeps up, and else says what would help", "[app]") {
+    const fs::path file = test::scratchFolder("score") / "weld.csv";
+    Person person(file);
+    person.session.sections().attempt.forScore = true;
+    person.session.begin(person.controls);
+    CHECK(person.session.question().asked());
+    CHECK(person.session.question().answers.empty()); // it is being measured
+    SECTION("it keeps up") {
+        person.frame(100, 1.0 / 45);
+        CHECK_FALSE(person.session.question().asked());
+        CHECK(attemptIn(file).values.size() > 5);
+        const size_t steps = person.session.steps();
+        person.frame(10, 1.0 / 45);
+        CHECK(person.session.steps() > steps);
+        person.session.end("start menu");
+        CHECK(readTextFile(file).find("# event for_score yes\n") != std::string::npos);
+        CHECK(hashOfRepeat(file) == attemptIn(file).stateHash); // nothing of the measuring is left in the metal
+    }
+    SECTION("it does not") {
+        person.frame(20, 1.0);
+        REQUIRE(person.session.question().answers.size() >= 3);
+        CHECK_FALSE(fs::exists(file));
+        const int particles = person.session.lesson().setup.particles;
+        SECTION("fewer particles") {
+            person.answer("With " + std::to_string(particles / 2) + " particles");
+            CHECK(person.session.lesson().setup.particles == particles / 2);
+            CHECK(person.session.question().answers.empty()); // measured again
+            CHECK(person.session.running());
+        }
+        SECTION("practice") {
+            person.answer("Practise");
+            CHECK_FALSE(person.session.question().asked());
+            person.frame(10, 1.0 / 45);
+            CHECK(person.session.steps() > 0);
+            CHECK(fs::exists(file));
+        }
+    }
+}

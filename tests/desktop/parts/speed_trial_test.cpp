@@ -1,0 +1,83 @@
+// What is offered where a machine is too slow for an attempt for score.
+#include "app/session/attempt/speed_trial.hpp"
+#include "tests/support/catch.hpp"
+
+namespace meltpool {
+
+namespace {
+
+Lesson plate() {
+    Lesson lesson;
+    lesson.model = LessonModel::Weld;
+    lesson.workpiece.spacingMm = 0.5f;
+    lesson.surface.cells = 96;
+    return lesson;
+}
+
+/// Frames of 50 ms at this ratio until the trial wants something else.
+SpeedTrial::Verdict measure(SpeedTrial& trial, double ratio) {
+    SpeedTrial::Verdict verdict = SpeedTrial::Verdict::more;
+    int frames = 0;
+    while (verdict == SpeedTrial::Verdict::more) {
+        // What happens while shaders are still being compiled does not count.
+        const bool settling = frames * 0.05 < SpeedTrial::kSettling - 0.06;
+        verdict = trial.count(0.05, settling ? 0 : 0.05 * ratio);
+        ++frames;
+    }
+    CHECK(frames * 0.05 < 2.5);
+    return verdict;
+}
+
+} // namespace
+
+TEST_CASE("a machine that keeps up is asked nothing") {
+    SpeedTrial trial;
+    trial.begin(plate());
+    CHECK(trial.current().label.empty());
+    CHECK(measure(trial, 0.97) == SpeedTrial::Verdict::fastEnough);
+    CHECK_FALSE(trial.running());
+    CHECK(trial.offers().empty());
+}
+
+TEST_CASE("one that is too slow is measured with fewer particles, a coarser surface and both") {
+    SpeedTrial trial;
+    trial.begin(plate());
+    CHECK(measure(trial, 0.43) == SpeedTrial::Verdict::another);
+    CHECK(trial.current().values == decltype(SpeedOffer::values){{"cells", "48"}});
+    CHECK(measure(trial, 0.5) == SpeedTrial::Verdict::another);
+    CHECK(trial.current().values == decltype(SpeedOffer::values){{"spacing_mm", "0.75"}});
+    CHECK(measure(trial, 0.9) == SpeedTrial::Verdict::another);
+    CHECK(trial.current().values.size() == 2);
+    CHECK(measure(trial, 1.02) == SpeedTrial::Verdict::tooSlow);
+    const Question question = trial.question();
+    INFO(question.text);
+    CHECK(question.text.find("43 % of real time") != std::string::npos);
+    REQUIRE(question.answers.size() == 5);
+    CHECK(question.answers[0] == "With a surface of 48 cells: 50 %");
+    CHECK(question.answers[1] == "With a particle spacing of 0.75 mm: 90 %");
+    CHECK(question.answers[2] == "With a surface of 48 cells and a particle spacing of 0.75 mm: 102 %");
+}
+
+TEST_CASE("an offer that the workpiece has no room for is left out") {
+    SpeedTrial trial;
+    trial.begin(plate());
+    measure(trial, 0.4);
+    CHECK(trial.skip() == SpeedTrial::Verdict::another);
+    CHECK(trial.current().values.front().first == "spacing_mm");
+    CHECK(trial.skip() == SpeedTrial::Verdict::another);
+    CHECK(trial.skip() == SpeedTrial::Verdict::tooSlow);
+    CHECK(trial.question().answers.size() == 2);
+}
+
+TEST_CASE("the classic lesson is offered fewer particles; nothing is offered where there is nothing left to save") {
+    Lesson lesson;
+    lesson.setup.particles = 8192;
+    lesson.surface.cells = 16;
+    const auto offers = cheaperValues(lesson);
+    REQUIRE(offers.size() == 1);
+    CHECK(offers[0].values == decltype(SpeedOffer::values){{"particles", "4096"}});
+    lesson.setup.particles = 600;
+    CHECK(cheaperValues(lesson).empty());
+}
+
+} // namespace meltpool
