@@ -101,6 +101,14 @@ ResultContext contextOf(const gl::ContextInfo& driver, const std::string& error)
     return context;
 }
 
+/// Steps of the whole run: those of the recorded attempt where it is repeated to its end.
+size_t stepsOf(const Trainer& trainer) {
+    const Lesson& lesson = trainer.lesson();
+    if (lesson.recorded && lesson.run.seconds == static_cast<float>(lesson.torch.duration()))
+        return lesson.recorded->rows;
+    return stepsFor(static_cast<double>(lesson.run.seconds), trainer.timeStep());
+}
+
 class Run {
   public:
     Run(const gl::ContextInfo& driver, Trainer& trainer, const RunPlaces& places)
@@ -126,8 +134,7 @@ class Run {
         context.driver = driver_.renderer;
         trainer_.record(places_.telemetry, context);
         const RunParameters& run = trainer_.lesson().run;
-        const size_t recorded = trainer_.lesson().recordedSteps;
-        const size_t whole = recorded > 0 ? recorded : stepsFor(static_cast<double>(run.seconds), trainer_.timeStep());
+        const size_t whole = stepsOf(trainer_);
         Photographer photographer(shaders, run, places_.pictures);
         ProgressBar bar(trainer_.lesson().key);
         photographer.takeDue(trainer_, whole == 0);

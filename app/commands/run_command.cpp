@@ -48,10 +48,7 @@ void takeTorch(Lesson& lesson, const RunRequest& request) {
     const auto attempt = readRecordedAttempt(lesson.torchFile);
     if (!attempt) return;
     repeatAttempt(lesson, *attempt);
-    if (request.seconds.empty())
-        lesson.run.seconds = static_cast<float>(lesson.torch.duration());
-    else
-        lesson.recordedSteps = 0; // as long as was asked for
+    lesson.run.seconds = static_cast<float>(lesson.torch.duration());
 }
 
 Lesson requestedLesson(const RunRequest& request) {
@@ -67,6 +64,19 @@ Lesson requestedLesson(const RunRequest& request) {
     if (!request.picturesEvery.empty()) lesson.set("pictures_every", request.picturesEvery, "--pictures");
     if (!request.size.empty()) setSize(lesson, request.size);
     return lesson;
+}
+
+/// Says whether the attempt was repeated to the same bits, and what may be the reason where it was not.
+void tellRepetition(const RecordedAttempt& attempt, const LessonResult& result, const std::string& driver) {
+    const auto same = sameEnd(attempt, result.steps, result.stateHash);
+    if (!same) return;
+    if (*same)
+        std::printf("The metal ended in the same bits as in the record.\n");
+    else
+        std::printf(
+            "The metal did not end in the bits of the record: this is a simulation of the recording. It was made "
+            "with '%s'; this is '%s'.\n",
+            attempt.driver.c_str(), driver.c_str());
 }
 
 } // namespace
@@ -87,6 +97,7 @@ void runLesson(const RunRequest& request) {
         "result are in %s\n",
         lesson.key.c_str(), result.seconds, result.steps, result.metal.molten, result.metal.particles,
         result.metal.minTemperature, result.metal.maxTemperature, result.metal.lost, request.folder.string().c_str());
+    if (lesson.recorded) tellRepetition(*lesson.recorded, result, context.info().renderer);
 }
 
 void listLessons() {

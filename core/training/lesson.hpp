@@ -63,9 +63,8 @@ struct Lesson {
     std::string text;           ///< what the trainee is asked to do
     std::filesystem::path file; ///< where it was read
     std::filesystem::path torchFile;
-    TorchPath torch;                     ///< the demonstration; empty: the torch rests with its trigger released
-    std::vector<RecordedChange> changes; ///< of values, where the demonstration is a recorded attempt
-    size_t recordedSteps = 0;            ///< of the recorded attempt; 0 for other demonstrations
+    TorchPath torch;                         ///< the demonstration; empty: the torch rests with its trigger released
+    std::optional<RecordedAttempt> recorded; ///< the attempt that the demonstration repeats, where it does
 
     RunParameters run;
     LessonModel model = LessonModel::Classic;

@@ -44,6 +44,7 @@ class Reader {
     void readComment(std::string_view text) {
         const std::string_view word = takeWord(text);
         if (word == "lesson") attempt_.lesson = text;
+        if (word == "driver") attempt_.driver = text;
         if (word == "value") attempt_.values.push_back(assignment(text));
         if (word == "set") attempt_.changes.push_back(assignment(text));
         if (word == "ended") attempt_.ended = text;
@@ -84,6 +85,11 @@ std::optional<RecordedAttempt> readRecordedAttempt(const std::filesystem::path& 
     return Reader(file).read();
 }
 
+std::optional<bool> sameEnd(const RecordedAttempt& attempt, size_t steps, std::uint64_t stateHash) {
+    if (attempt.stateHash.empty() || steps != attempt.rows) return std::nullopt;
+    return attempt.stateHash == formatHexadecimal(stateHash);
+}
+
 void repeatAttempt(Lesson& lesson, const RecordedAttempt& attempt) {
     if (attempt.lesson != lesson.key)
         throw InputError(attempt.file, 2,
@@ -95,8 +101,7 @@ void repeatAttempt(Lesson& lesson, const RecordedAttempt& attempt) {
     Lesson later = checked;
     for (const RecordedChange& change : attempt.changes)
         later.set(change.key, change.value, placeOf(attempt, change));
-    checked.changes = attempt.changes;
-    checked.recordedSteps = attempt.rows;
+    checked.recorded = attempt;
     lesson = std::move(checked);
 }
 

@@ -23,6 +23,7 @@ struct RecordedChange {
 struct RecordedAttempt {
     std::filesystem::path file;
     std::string lesson;
+    std::string driver;
     std::vector<RecordedChange> values;  ///< at the start
     std::vector<RecordedChange> changes; ///< in the order of the steps
     std::string ended;                   ///< why; empty where the program ended without warning
@@ -34,6 +35,10 @@ struct RecordedAttempt {
 /// The record's own lines of a torch path in the recorded form; nothing where it is no record of this program. Throws
 /// InputError naming file and line for a line of the record that cannot be understood, or a file that cannot be read.
 std::optional<RecordedAttempt> readRecordedAttempt(const std::filesystem::path& file);
+
+/// Whether a repetition of `steps` steps that ended in this state has the attempt's bits; nothing where it is of
+/// another length, or the attempt ended without warning.
+std::optional<bool> sameEnd(const RecordedAttempt& attempt, size_t steps, std::uint64_t stateHash);
 
 /// Makes `lesson` the recorded one: its values at the start, its changes, and its length. Throws InputError naming file
 /// and line where the lesson is another one or a value does not fit.

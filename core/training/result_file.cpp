@@ -77,6 +77,14 @@ Json wireOf(const WireAccount& wire) {
             {"melted_g", number(wire.melted * wire.area * wire.density * 1e3)}};
 }
 
+/// The attempt that the run repeats, and whether the metal ended in the same bits.
+Json recordedOf(const RecordedAttempt& attempt, const LessonResult& result) {
+    Json json{{"record", attempt.file.filename().string()}, {"ended", attempt.ended}, {"steps", attempt.rows}};
+    if (attempt.realTime) json["real_time"] = number(*attempt.realTime);
+    if (const auto same = sameEnd(attempt, result.steps, result.stateHash)) json["same"] = *same;
+    return json;
+}
+
 /// The entries before the figures of a run.
 Json beginning(const Lesson& lesson, const ResultContext& context) {
     Json json;
@@ -119,6 +127,7 @@ void writeResult(const std::filesystem::path& file, Lesson& lesson, const Lesson
     if (context.section) json["section"] = sectionOf(*context.section);
     if (result.wire.area > 0) json["wire"] = wireOf(result.wire);
     json["state_hash"] = formatHexadecimal(result.stateHash);
+    if (lesson.recorded) json["recorded"] = recordedOf(*lesson.recorded, result);
     json["wall_seconds"] = number(context.wallSeconds);
     json["metal_bytes"] = result.metalBytes;
     json["surface_bytes"] = result.surfaceBytes;

@@ -64,11 +64,12 @@ void Trainer::advance(const TorchSample& torch, gl::Profiler* profiler) {
 }
 
 void Trainer::advanceDemonstration(gl::Profiler* profiler) {
-    for (; nextChange_ < lesson_.changes.size() && lesson_.changes[nextChange_].steps <= steps_; ++nextChange_) {
-        const RecordedChange& due = lesson_.changes[nextChange_];
-        change(due.key, due.value, "recorded change of '" + due.key + "'");
+    if (lesson_.recorded) {
+        const std::vector<RecordedChange>& changes = lesson_.recorded->changes;
+        for (; nextChange_ < changes.size() && changes[nextChange_].steps <= steps_; ++nextChange_)
+            change(changes[nextChange_].key, changes[nextChange_].value, "a recorded change");
+        metal_->apply(lesson_); // the step's length may be among the changes
     }
-    metal_->apply(lesson_); // the step's length may be among the changes
     advance(demonstration(), profiler);
 }
 

@@ -62,7 +62,7 @@ std::string hashOfRepeat(const fs::path& file) {
     lesson.torch = TorchPath::read(file);
     repeatAttempt(lesson, attemptIn(file));
     Trainer trainer(test::shaders(), lesson);
-    for (size_t i = 0; i < lesson.recordedSteps; ++i)
+    for (size_t i = 0; i < lesson.recorded->rows; ++i)
         trainer.advanceDemonstration(nullptr);
     return formatHexadecimal(trainer.result().stateHash);
 }

@@ -130,7 +130,7 @@ TEST_CASE("a recorded attempt is repeated only on its own lesson, and its faults
     CHECK(lesson.metal.solidifyRate == ClassicParameters{}.solidifyRate);
     repeatAttempt(lesson, *write("# value solidify_rate 0.5\n"));
     CHECK(lesson.metal.solidifyRate == 0.5f);
-    CHECK(lesson.recordedSteps == 1);
+    CHECK(lesson.recorded->rows == 1);
     writeTextFileAtomically(folder / "plain.csv", "time_s\n");
     CHECK_FALSE(readRecordedAttempt(folder / "plain.csv"));
 }

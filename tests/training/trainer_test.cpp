@@ -172,16 +172,16 @@ TEST_CASE("an attempt whose values changed on the way is repeated from its recor
     again.torch = TorchPath::read(file);
     repeatAttempt(again, *attempt);
     Trainer replay(test::shaders(), again);
-    for (size_t i = 0; i < again.recordedSteps; ++i)
+    for (size_t i = 0; i < again.recorded->rows; ++i)
         replay.advanceDemonstration(nullptr);
     CHECK(replay.time() == trainer.time());
     CHECK(replay.result().stateHash == trainer.result().stateHash);
     CHECK(formatHexadecimal(replay.result().stateHash) == attempt->stateHash);
 
     Lesson without = again;
-    without.changes.clear();
+    without.recorded->changes.clear();
     Trainer other(test::shaders(), without);
-    for (size_t i = 0; i < again.recordedSteps; ++i)
+    for (size_t i = 0; i < again.recorded->rows; ++i)
         other.advanceDemonstration(nullptr);
     CHECK(other.result().stateHash != trainer.result().stateHash);
 }

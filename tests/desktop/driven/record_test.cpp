@@ -1,0 +1,126 @@
+// Records over resets and restarts, without a place to write, and the pace of a program that gets too little processor.
+#include "core/base/text.hpp"
+#include "core/training/recorded_attempt.hpp"
+#include "tests/desktop/driven/driver.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+namespace meltpool::test {
+
+using nlohmann::json;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+auto stepsPast(long long count) {
+    return [count](const json& s) { return s.at("metal").at("steps") > count; };
+}
+
+std::string endOf(const fs::path& record) {
+    const auto attempt = readRecordedAttempt(record);
+    REQUIRE(attempt);
+    CHECK(attempt->rows > 5);
+    return attempt->ended;
+}
+
+/// Stops the process for `stopped` of every `period` s while it lives: a machine with little time for it.
+class LittleTime {
+  public:
+    LittleTime(Process& process, double period, double stopped)
+        : process_(process), thread_([=, this] { work(period, stopped); }) {}
+    ~LittleTime() {
+        done_ = true;
+        thread_.join();
+    }
+    LittleTime(const LittleTime&) = delete;
+    LittleTime& operator=(const LittleTime&) = delete;
+
+  private:
+    void work(double period, double stopped) {
+        const auto nap = [](double s) { std::this_thread::sleep_for(std::chrono::duration<double>(s)); };
+        while (!done_) {
+            process_.signal(SIGSTOP);
+            nap(stopped);
+            process_.signal(SIGCONT);
+            nap(period - stopped);
+        }
+    }
+
+    Process& process_;
+    std::atomic<bool> done_ = false;
+    std::thread thread_;
+};
+
+} // namespace
+
+TEST_CASE("Reset, Restart and the window's cross leave a whole record of each attempt") {
+    const fs::path folder = scratchFolder("desk-records");
+    TrainerWindow window("desk-records-window", {.arguments = {"--record", (folder / "weld.csv").string()}});
+    window.start();
+    window.waitFor("some steps", stepsPast(20));
+    window.key("F5");
+    window.waitFor("the reset", [](const json& s) { return s.at("metal").at("steps") < 20; });
+    window.waitFor("some steps", stepsPast(20));
+    window.click("bar.restart");
+    window.waitFor("the start menu", [](const json& s) { return s.at("page") == "start"; });
+    window.start();
+    window.waitFor("some steps", stepsPast(20));
+    window.closeWindow();
+    CHECK(window.finish() == 0);
+    CHECK(endOf(folder / "weld.csv") == "reset");
+    CHECK(endOf(folder / "weld-2.csv") == "start menu");
+    CHECK(endOf(folder / "weld-3.csv") == "the program ended");
+}
+
+TEST_CASE("a record that cannot be written is asked about; the exit code tells of the attempt without one") {
+    TrainerWindow window("no-record", {.arguments = {"--record", "/proc/nowhere/weld.csv"}});
+    window.click("start.start");
+    window.waitFor("the question", [](const json& s) { return s.at("places").contains("question.1"); });
+    window.takePicture("question");
+    CHECK(window.settle().at("metal").at("steps") == 0);
+    SECTION("without a record") {
+        window.click("question.0");
+        window.waitFor("some steps", stepsPast(5));
+        window.closeWindow();
+        CHECK(window.finish() == 1);
+        CHECK(window.output().find("was not recorded") != std::string::npos);
+    }
+    SECTION("not at all") {
+        window.click("question.1");
+        window.waitFor("the start menu", [](const json& s) { return s.at("page") == "start"; });
+        window.closeWindow();
+        CHECK(window.finish() == 0);
+    }
+}
+
+TEST_CASE("at twelve frames a second the metal keeps the clock; on a machine that is too slow the record says so") {
+    const fs::path folder = scratchFolder("desk-pace");
+    TrainerWindow window("desk-pace-window", {.arguments = {"--record", (folder / "weld.csv").string()}});
+    window.start();
+    window.waitFor("some steps", stepsPast(20));
+    {
+        const LittleTime fewFrames(window.process(), 0.085, 0.06);
+        window.waitFor("few frames at full pace", [](const json& s) {
+            return s.at("frames_per_second") < 25 && s.at("metal").at("speed") > 0.95;
+        });
+    }
+    {
+        const LittleTime slow(window.process(), 1.2, 1.0);
+        window.waitFor("a slow metal", [](const json& s) { return s.at("metal").at("speed") < 0.8; });
+    }
+    window.closeWindow();
+    CHECK(window.finish() == 0);
+    const auto attempt = readRecordedAttempt(folder / "weld.csv");
+    REQUIRE(attempt);
+    REQUIRE(attempt->realTime);
+    CHECK(*attempt->realTime < 1);
+    CHECK(readTextFile(folder / "weld.csv").find("# least_real_time 0.") != std::string::npos);
+}
+
+} // namespace meltpool::test
