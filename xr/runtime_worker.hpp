@@ -18,7 +18,7 @@ struct HeadsetSettings {
     float nearZ = 0.02f;          ///< m
     float farZ = 50.0f;           ///< m
     PanelShape panel{};
-    PanelShape notice{900, 400, 0.30f};
+    PanelShape notice{900, 400, 0.36f};
 };
 
 /// Flat pictures in space, from the back to the front.

@@ -51,7 +51,7 @@ class NoticePlace {
 class HeadsetNotice {
   public:
     /// Shape of the picture; a text of three sentences fits.
-    static constexpr xr::PanelShape kShape{900, 400, 0.30f};
+    static constexpr xr::PanelShape kShape{900, 400, 0.36f};
 
     NoticeText text;
     NoticePlace place;

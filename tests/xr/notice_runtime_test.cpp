@@ -99,3 +99,25 @@ TEST_CASE("a weld starts at real size whatever the settings say; another zoom pu
     CHECK_THAT(readTextFile(record), containsText("# event zoom 1\n") && containsText("# event zoom 5.5\n"));
     CHECK(trainer.misuses() == "");
 }
+
+TEST_CASE("a question is answered in the headset: the panel opens by itself, and no step is made before", "[runtime]") {
+    handGeometry();
+    const fs::path folder = benchFolder() / "question";
+    const fs::path lesson = smallLesson(folder);
+    Trainee trainee;
+    // A record below a file cannot be written.
+    TrainerProcess trainer(folder,
+                           {"--headset", "--lesson", lesson.string(), "--record", (lesson / "record.csv").string()});
+    REQUIRE(trainer.waitFor(
+        [](const json& row) {
+            return row["headset"]["panel"] == true && row["headset"]["places"].contains("question.0");
+        },
+        60));
+    CHECK(trainer.now()["metal"]["steps"] == 0);
+    trainee.lookDown();
+    keepPicture(leftEye(trainer), "question.png");
+    trainee.press(trainer, "question.0");
+    CHECK(trainer.waitFor([](const json& row) { return row["metal"]["steps"] > 5; }, 20));
+    trainer.stop();
+    CHECK(trainer.misuses() == "");
+}

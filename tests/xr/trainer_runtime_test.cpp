@@ -250,7 +250,7 @@ TEST_CASE("the panel opens and its buttons are pressed with the pointer's ray: r
     CHECK(compareImages(first, moved, 24).farPixels > 0.1);
     const ImageDifference back = compareImages(first, recentred, 24);
     INFO("mean " << back.mean << ", far " << back.farPixels);
-    CHECK(back.farPixels < 0.01);
+    CHECK(back.farPixels < 0.03); // the notice may say another speed of the metal
     CHECK(trainer.stop() == 0);
     CHECK(trainer.misuses() == "");
 }
@@ -303,5 +303,6 @@ TEST_CASE("without a headset the program says so when one was asked for", "[runt
     setenv("XR_RUNTIME_JSON", manifest.c_str(), 1);
     trainer.waitFor([](const json&) { return false; }, 25);
     CHECK(trainer.stop() == 2);
-    CHECK_THAT(readTextFile(benchFolder() / "program.log"), containsText("no headset to use"));
+    CHECK_THAT(readTextFile(benchFolder() / "program.log"),
+               containsText("no headset to use") && containsText("/nowhere/runtime.json does not exist"));
 }
