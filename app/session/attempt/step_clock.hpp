@@ -12,7 +12,7 @@ class StepClock {
   public:
     static constexpr double kBusy = 0.08;    ///< s that a frame may spend on steps
     static constexpr double kLongest = 0.25; ///< s of real time that a frame may make good
-    static constexpr int kFewest = 2;        ///< steps that a frame may take however slow they are
+    static constexpr int kFewest = 1;        ///< steps that a frame may take however slow they are
 
     /// Steps due after another `elapsed` seconds of real time with steps of `step` seconds. The first call after a
     /// restart only starts the clock.
