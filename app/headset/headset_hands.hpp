@@ -34,8 +34,6 @@ class HeadsetHands {
     xr::Hand torchHand() const;
     /// What carries the torch's pose now.
     const TorchSelector& selector() const { return selector_; }
-    /// Grip of the other hand in the workshop, where the filler rod is; nothing while it is not tracked.
-    const std::optional<xr::Pose>& rod() const { return rod_; }
     /// Torch and rod in the workpiece's frame as they are now.
     TorchSample sample(const WorkpiecePlace& place) const;
     /// The same for step `step` (from 0) of the `steps` of this frame; to be called in the order of the steps.
@@ -57,7 +55,7 @@ class HeadsetHands {
     TipMeasuring measuring_;
     TorchSelector selector_;
     TrackedTorch torch_;
-    std::optional<xr::Pose> rod_;
+    std::optional<xr::Pose> rod_; ///< grip of the other hand in the workshop, nothing while it is not tracked
 };
 
 } // namespace meltpool

@@ -27,7 +27,6 @@ void StereoView::takeHands(const HeadsetHands& hands, const PanelPointer& panel)
     hands_.tip = torch.tip();
     hands_.grip = torch.grip();
     hands_.heat = torch.trigger();
-    if (!panel.open()) hands_.rod = hands.rod();
     if (panel.pointingHand()) {
         hands_.rayStart = panel.rayStart();
         hands_.rayEnd = panel.rayEnd();

@@ -7,7 +7,6 @@ namespace meltpool {
 namespace {
 
 constexpr size_t kMostSolids = 40;
-constexpr glm::vec3 kSteel(0.30f, 0.31f, 0.33f);
 constexpr glm::vec3 kDarkSteel(0.10f, 0.105f, 0.11f);
 constexpr glm::vec3 kMat(0.035f, 0.035f, 0.04f);
 constexpr glm::vec3 kTableSteel(0.12f, 0.12f, 0.125f);
@@ -76,10 +75,6 @@ std::span<const Solid> WorkshopScene::build(const HeadsetParameters& parameters,
     solids_.clear();
     addRoom(parameters.tableHeight);
     if (hands.torch) addTorch(hands);
-    if (hands.rod) {
-        const glm::vec3 from = *hands.rod * glm::vec3(0, 0, 0.08f), to = *hands.rod * glm::vec3(0, 0, -kRodReach);
-        add(SolidShape::cylinder, alongLine(from, to, 0.0024f), kSteel, 0.8f);
-    }
     if (hands.rayStart)
         add(SolidShape::cylinder, alongLine(*hands.rayStart, hands.rayEnd, 0.002f), {0.1f, 0.3f, 0.5f}, 0,
             {0.05f, 0.35f, 0.6f});

@@ -1,4 +1,4 @@
-// What the headset shows besides the metal: floor, table, torch, filler rod and pointer, as simple solids.
+// What the headset shows besides the metal: floor, table, torch and pointer, as simple solids.
 #pragma once
 
 #include "app/headset/torch/tracked_torch.hpp"
@@ -17,14 +17,13 @@ struct HandsView {
     xr::Pose grip;
     float heat = 0;                        ///< 0..1: how bright the tip glows
     std::optional<glm::vec3> arcGlow = {}; ///< light of its arc; none: a small glow that follows the heat
-    std::optional<xr::Pose> rod;           ///< grip of the hand with the filler rod
     std::optional<glm::vec3> rayStart;     ///< of the pointer
     glm::vec3 rayEnd{0.0f};
 };
 
 class WorkshopScene {
   public:
-    /// How far a filler rod reaches out of the hand, m.
+    /// How far a filler rod reaches out of the hand, m. It is not shown, as it does not melt yet.
     static constexpr float kRodReach = 0.30f;
 
     WorkshopScene();

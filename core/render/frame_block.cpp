@@ -21,6 +21,23 @@ void addSection(FrameData& frame, const SceneView& scene) {
     frame.cutOffset = glm::dot(frame.cutNormal, point);
 }
 
+/// An arc burns in a hollow of the metal's surface: the outer part of a block gives no shadow.
+void addShadowBoxes(FrameData& frame, const SceneView& scene) {
+    constexpr float kHollow = 0.2f, kDeepestHollow = 1e-3f; // of the block's thickness; m
+    constexpr float kSoft = 0.4f, kLongestSoft = 3e-3f;     // likewise
+    const size_t count = std::min<size_t>(scene.blocks.size(), MOST_SHADOW_BOXES);
+    frame.shadowBoxCount = static_cast<int>(count);
+    for (size_t i = 0; i < count; ++i) {
+        const WorkpieceBlock& block = scene.blocks[i];
+        const glm::vec3 size = block.high - block.low;
+        const float thickness = std::min({size.x, size.y, size.z});
+        const float hollow = std::min(kHollow * thickness, kDeepestHollow);
+        frame.shadowBoxes[i].low = block.low + hollow;
+        frame.shadowBoxes[i].high = block.high - hollow;
+        frame.shadowBoxes[i].fullDepth = std::min(kSoft * thickness, kLongestSoft);
+    }
+}
+
 } // namespace
 
 FrameData makeFrame(const SceneView& scene, const LookParameters& look) {
@@ -54,6 +71,7 @@ FrameData makeFrame(const SceneView& scene, const LookParameters& look) {
     frame.boxMin = scene.boxMin;
     frame.boxMax = scene.boxMax;
     addSection(frame, scene);
+    addShadowBoxes(frame, scene);
     frame.arc = scene.modelToWorld * glm::vec4(scene.arc.position, 1.0f);
     frame.arcMinDistanceSquared = scene.arc.radius * scene.arc.radius;
     frame.arcLight = scene.arc.intensity * (look.visorShade > 0 ? 1.0f : look.arcLight);

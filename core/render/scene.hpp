@@ -6,6 +6,7 @@
 #include "core/render/section.hpp"
 #include "core/render/solids.hpp"
 #include "core/surface/surface_mesh.hpp"
+#include "core/weld/workpiece.hpp"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
@@ -52,6 +53,7 @@ struct SceneView {
     const MaterialLooks* looks = nullptr; ///< physical material; null: LookParameters::material
     SectionView section;
     ArcLight arc;
+    std::span<const WorkpieceBlock> blocks; ///< model units; they keep the arc's light off the solids behind them
     std::span<const Solid> solids; ///< torch, table, clamps
 };
 

@@ -63,6 +63,7 @@ SceneView WeldModel::scene(const TorchSample& torch) const {
     buildTorchModel(torchSolids_, torch, process_, weld_.arc(), scene.modelToWorld);
     scene.arc = torchArcLight(torch, process_, weld_.arc());
     scene.solids = torchSolids_;
+    scene.blocks = workpiece_.blocks;
     scene.temperature = {kRoomTemperature, colourTop(material_), true, static_cast<float>(material_.solidus),
                          static_cast<float>(material_.liquidus)};
     scene.looks = &material_.looks;

@@ -97,6 +97,8 @@ Workpiece makeWorkpiece(const WorkpieceParameters& p) {
     Workpiece piece;
     piece.lattice = MetalLattice::covering(spaceLow * kMm, spaceHigh * kMm, p.spacingMm * kMm);
     for (const Block& block : blocks)
+        piece.blocks.push_back({block.low * kMm, block.high * kMm});
+    for (const Block& block : blocks)
         for (MetalSeed& seed :
              latticeSeeds(piece.lattice, block.low * kMm, block.high * kMm, p.temperatureC + 273.15F)) {
             if (clamped(p, seed.position / kMm, low)) seed.phase |= PHASE_CLAMPED;

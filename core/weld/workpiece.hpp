@@ -28,14 +28,21 @@ struct WorkpieceParameters {
 
 ParameterList describe(WorkpieceParameters& parameters);
 
+/// A block of metal along the axes, m.
+struct WorkpieceBlock {
+    glm::vec3 low{0};
+    glm::vec3 high{0};
+};
+
 struct Workpiece {
     MetalLattice lattice;
     std::vector<MetalSeed> seeds;
-    glm::vec3 low{0};      ///< m, the space that metal may be in
-    glm::vec3 high{0};     ///< m
-    glm::vec3 bodyLow{0};  ///< m, box around the workpiece itself
-    glm::vec3 bodyHigh{0}; ///< m
-    float floorHeight = 0; ///< m, of the table
+    glm::vec3 low{0};                   ///< m, the space that metal may be in
+    glm::vec3 high{0};                  ///< m
+    glm::vec3 bodyLow{0};               ///< m, box around the workpiece itself
+    glm::vec3 bodyHigh{0};              ///< m
+    float floorHeight = 0;              ///< m, of the table
+    std::vector<WorkpieceBlock> blocks; ///< that it is made of
 };
 
 /// The material a workpiece is made of. Throws InputError for one that is not there or not whole.

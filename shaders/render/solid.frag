@@ -27,8 +27,9 @@ void main() {
     float highlight = frame.specular * gloss * pow(max(dot(mirrored, lamp), 0.0), mix(8.0, 80.0, gloss));
     vec3 seen = light * paint + image * gloss * mix(0.12, 0.9, glance) + highlight + glow;
     if (frame.arcLight.g > 0.0) {
-        seen += arcDiffuse(toArc, n) * paint;
-        seen += arcMirrored(toArc, mirrored, mix(8.0, 80.0, gloss)) * gloss * mix(0.12, 0.9, glance);
+        vec3 lit = arcDiffuse(toArc, n) * paint;
+        lit += arcMirrored(toArc, mirrored, mix(8.0, 80.0, gloss)) * gloss * mix(0.12, 0.9, glance);
+        seen += lit * arcBesideWorkpiece(toArc);
     }
     colour = finish(seen, 1.0);
 }

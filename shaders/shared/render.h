@@ -29,6 +29,7 @@
 
 // Most views of a frame.
 #define MOST_VIEWS 4
+#define MOST_SHADOW_BOXES 3 // blocks of a workpiece: a bridge has three
 
 // The environment is stored as sqrt(light / ENVIRONMENT_RANGE) in ten bits: fine steps in the dark, room for lamps
 // brighter than white, and the filtering cost of an ordinary texture.
@@ -63,6 +64,14 @@ struct ViewData {
     vec2 corner;          // lower left corner in the frame buffer, pixels
 };
 
+/// A block of the workpiece, which keeps the arc's light off what lies behind it.
+struct ShadowBox {
+    vec3 low;        // model units
+    float fullDepth; // model units of way through it at which no light comes through any more
+    vec3 high;
+    float reserved;
+};
+
 struct FrameData {
     ViewData views[MOST_VIEWS];
     mat4 modelToWorld;
@@ -91,8 +100,9 @@ struct FrameData {
     vec3 arcLight;                // luminous intensity, 1 = white paper's luminance times a square model unit; 0: no arc
     float colourMode;             // ColourMode
     float scaleRow;               // row of the temperature colour texture
-    float reserved;
+    int shadowBoxCount;
     vec2 reserved2;
+    ShadowBox shadowBoxes[MOST_SHADOW_BOXES];
 };
 
 struct MaterialData {
@@ -113,7 +123,7 @@ struct MaterialData {
 
 #ifdef __cplusplus
 static_assert(sizeof(ViewData) == 224);
-static_assert(sizeof(FrameData) == 4 * 224 + 64 + 11 * 16);
+static_assert(sizeof(FrameData) == 4 * 224 + 64 + (11 + 2 * MOST_SHADOW_BOXES) * 16);
 static_assert(sizeof(MaterialData) == 6 * 16);
 } // namespace meltpool
 #endif

@@ -22,7 +22,7 @@ std::span<const std::string_view> idleParameters(bool weld) {
 
 ParameterList describe(HeadsetParameters& p) {
     return {
-        {"hand", "Torch in the hand", "", &p.hand, 0, 1, "the other hand holds the filler rod and the pointer", kHands},
+        {"hand", "Torch in the hand", "", &p.hand, 0, 1, "the other hand holds the pointer", kHands},
         {"torch", "Torch on", "", &p.torchOn, 0, 1,
          "tracker: a Vive tracker fixed to a real torch, with its own trigger or the hand's", kTorchOn},
         {"posture", "Posture", "", &p.posture, 0, 1,
