@@ -52,7 +52,7 @@ TEST_CASE("every arc lesson's demonstration welds with the arc that its machine 
         Lesson lesson = findLesson(name, dataFolder() / "lessons");
         if (lesson.model != LessonModel::Weld || !lesson.process.is<Gmaw>()) continue;
         ++arcs;
-        auto states = statesOf(lesson, 3.5);
+        auto states = statesOf(lesson, 2.2);
         INFO(name << ": " << states[ArcAction::burning] << " burning, " << states[ArcAction::shorting] << " shorting");
         CHECK(states[ArcAction::stubbed] == 0);
         CHECK(states[ArcAction::out] == 0);
