@@ -135,7 +135,7 @@ void runBench(const std::string& suite, const std::filesystem::path& jsonFile) {
         if (suite.empty() || part.suite == suite) chosen.push_back(part);
         if (known.find(part.suite) == std::string::npos) known += (known.empty() ? "" : ", ") + std::string(part.suite);
     }
-    if (chosen.empty()) throw InputError("bench suite '" + suite + "' is unknown; expected one of " + known);
+    if (chosen.empty()) throw InputError("bench suite " + quote(suite) + " is unknown; expected one of " + known);
     const gl::HeadlessContext context(false);
     const bool keeps = !jsonFile.empty() && isPlainFile(jsonFile);
     std::optional<FileLock> lock;

@@ -4,12 +4,15 @@
 #include "app/commands/commands.hpp"
 #include "app/program/program_info.hpp"
 #include "core/base/error.hpp"
+#include "core/base/text.hpp"
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
+#include <iostream>
 
 namespace meltpool {
 
@@ -99,9 +102,9 @@ int dispatch(const CLI::App& app, const Arguments& arguments) {
 }
 
 /// One line on standard error.
-void complain(std::string sentence) {
-    std::replace(sentence.begin(), sentence.end(), '\n', ' ');
-    std::fprintf(stderr, "meltpool: %s\n", sentence.c_str());
+void complain(const std::string& sentence) {
+    constexpr size_t kMostBytes = 3000;
+    std::fprintf(stderr, "meltpool: %s\n", printable(sentence, kMostBytes).c_str());
 }
 
 /// A file beyond the size limit and a pipe without a reader are faults of the write that meets them: their signals
@@ -111,6 +114,28 @@ void tellWritesOfTheirFaults() {
     std::signal(SIGXFSZ, SIG_IGN);
     std::signal(SIGPIPE, SIG_IGN);
 #endif
+}
+
+/// Throws for an option of the trainer's window before another command, which would leave it out.
+void refuseForeignOptions(const CLI::App& app) {
+    const auto commands = app.get_subcommands();
+    if (commands.empty()) return;
+    for (const CLI::Option* option : app.get_options())
+        if (option->count() > 0)
+            throw InputError(option->get_name() + " is an option of the trainer's window, which '" +
+                             commands.front()->get_name() + "' does not open; expected what 'meltpool " +
+                             commands.front()->get_name() + " --help' shows");
+}
+
+/// Throws RuntimeFault where standard output did not take everything.
+void requireOutput() {
+    errno = 0;
+    std::cout.flush();
+    const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good();
+    if (!written)
+        throw RuntimeFault(std::string("standard output cannot be written to its end") +
+                           (errno != 0 ? std::string(": ") + std::strerror(errno) : std::string()) +
+                           "; expected free space, or a reader that reads to the end");
 }
 
 int parseAndRun(int argc, char** argv) {
@@ -125,12 +150,17 @@ int parseAndRun(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {
-        return app.exit(help);
+        app.exit(help);
+        requireOutput();
+        return kDone;
     } catch (const CLI::ParseError& error) {
-        complain(std::string(error.what()) + "; expected what 'meltpool --help' shows");
+        complain(printable(error.what(), 400) + "; expected what 'meltpool --help' shows");
         return kBadInput;
     }
-    return dispatch(app, arguments);
+    refuseForeignOptions(app);
+    const int code = dispatch(app, arguments);
+    requireOutput();
+    return code;
 }
 
 } // namespace

@@ -18,12 +18,14 @@ struct RunRequest {
     std::string picturesEvery;
     std::string size;              ///< "WIDTHxHEIGHT"
     std::vector<std::string> sets; ///< "key=value"
+    std::filesystem::path record;  ///< where telemetry.csv goes; empty: into the folder
 };
 
 /// Runs a lesson without a screen and says where its results are. Throws what runHeadless() throws.
 void runLesson(const RunRequest& request);
 
-/// The desktop trainer; without a display the default lesson's demonstration, headless.
+/// The desktop trainer; without a display the lesson's demonstration, headless. Returns false where something that was
+/// to be kept is lost. Throws InputError for what only a window can do.
 bool runTrainer(const DesktopOptions& options);
 
 /// `meltpool validate`.

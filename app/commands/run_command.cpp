@@ -3,8 +3,11 @@
 #include "app/commands/headless_runner.hpp"
 #include "app/commands/run_folder.hpp"
 #include "core/base/error.hpp"
+#include "core/base/output_file.hpp"
 #include "core/base/resources.hpp"
+#include "core/base/text.hpp"
 #include "core/training/lesson.hpp"
+#include "core/training/lesson_room.hpp"
 
 #include <csignal>
 #include <cstdio>
@@ -28,6 +31,12 @@ std::string asSentence(std::string_view note) {
     return text;
 }
 
+/// What a file or a person wrote, as the terminal gets it.
+std::string shown(const std::string& text) {
+    constexpr size_t kMostBytes = 1000;
+    return printable(text, kMostBytes);
+}
+
 std::filesystem::path lessonFolder() {
     return resourceFolder() / "data" / "lessons";
 }
@@ -35,7 +44,7 @@ std::filesystem::path lessonFolder() {
 void setSize(Lesson& lesson, const std::string& size) {
     const size_t cross = size.find('x');
     if (cross == std::string::npos)
-        throw InputError("--size is '" + size + "'; expected WIDTHxHEIGHT in pixels, such as 1280x720");
+        throw InputError("--size is " + quote(size) + "; expected WIDTHxHEIGHT in pixels, such as 1280x720");
     lesson.set("width", size.substr(0, cross), "--size " + size);
     lesson.set("height", size.substr(cross + 1), "--size " + size);
 }
@@ -57,12 +66,13 @@ Lesson requestedLesson(const RunRequest& request) {
     for (const std::string& pair : request.sets) {
         const size_t equals = pair.find('=');
         if (equals == std::string::npos || equals == 0)
-            throw InputError("--set is '" + pair + "'; expected KEY=VALUE, such as particles=8192");
-        lesson.set(pair.substr(0, equals), pair.substr(equals + 1), "--set " + pair);
+            throw InputError("--set is " + quote(pair) + "; expected KEY=VALUE, such as particles=8192");
+        lesson.set(pair.substr(0, equals), pair.substr(equals + 1), "--set " + printable(pair, 80));
     }
     if (!request.seconds.empty()) lesson.set("seconds", request.seconds, "--seconds");
     if (!request.picturesEvery.empty()) lesson.set("pictures_every", request.picturesEvery, "--pictures");
     if (!request.size.empty()) setSize(lesson, request.size);
+    if (lesson.model == LessonModel::Weld) workpieceMaterial(lesson.workpiece); // throws for a metal that is not there
     return lesson;
 }
 
@@ -76,41 +86,57 @@ void tellRepetition(const RecordedAttempt& attempt, const LessonResult& result, 
         std::printf(
             "The metal did not end in the bits of the record: this is a simulation of the recording. It was made "
             "with '%s'; this is '%s'.\n",
-            attempt.driver.c_str(), driver.c_str());
+            shown(attempt.driver).c_str(), driver.c_str());
+}
+
+/// The record must be no file that the run reads.
+void requireNoSource(const std::filesystem::path& record, const std::vector<std::filesystem::path>& sources) {
+    for (const auto& source : sources) {
+        std::error_code missing;
+        if (!record.empty() && std::filesystem::equivalent(record, source, missing))
+            throw InputError(record, 0, "--record names a file that the run reads; expected another file");
+    }
 }
 
 } // namespace
 
 void runLesson(const RunRequest& request) {
     const Lesson lesson = requestedLesson(request);
+    requireNoSource(request.record, lessonSources(lesson));
+    if (!request.record.empty()) requireWritable(request.record);
     RunFolder folder(request.folder, lessonSources(lesson));
     std::signal(SIGINT, askToStop);
     std::signal(SIGTERM, askToStop);
     const gl::HeadlessContext context;
     gl::ShaderLibrary shaders(resourceFolder() / "shaders");
+    requireRoom(lesson);
     if (const size_t removed = folder.clear(); removed > 0)
-        std::printf("%s held an earlier run; its %zu files are removed.\n", request.folder.string().c_str(), removed);
+        std::printf("%s held an earlier run; its %zu files are removed.\n", shown(request.folder.string()).c_str(),
+                    removed);
+    const auto& telemetry = request.record.empty() ? folder.telemetry() : request.record;
     const LessonResult result =
-        runHeadless(context.info(), shaders, lesson, {folder.result(), folder.telemetry(), folder.path()}, stopAsked);
+        runHeadless(context.info(), shaders, lesson, {folder.result(), telemetry, folder.path()}, stopAsked);
     std::printf(
         "%s: %.2f s in %zu steps, %zu of %zu particles molten, temperature %.3g to %.3g, %zu lost; pictures and "
         "result are in %s\n",
-        lesson.key.c_str(), result.seconds, result.steps, result.metal.molten, result.metal.particles,
-        result.metal.minTemperature, result.metal.maxTemperature, result.metal.lost, request.folder.string().c_str());
+        shown(lesson.key).c_str(), result.seconds, result.steps, result.metal.molten, result.metal.particles,
+        result.metal.minTemperature, result.metal.maxTemperature, result.metal.lost,
+        shown(request.folder.string()).c_str());
     if (lesson.recorded) tellRepetition(*lesson.recorded, result, context.info().renderer);
 }
 
 void listLessons() {
     for (const std::string& name : lessonNames(lessonFolder())) {
         const Lesson lesson = findLesson(name, lessonFolder());
-        std::printf("%-20s %5.0f s  %s\n", name.c_str(), static_cast<double>(lesson.run.seconds), lesson.title.c_str());
+        std::printf("%-20s %5.0f s  %s\n", shown(name).c_str(), static_cast<double>(lesson.run.seconds),
+                    shown(lesson.title).c_str());
     }
 }
 
 void listParameters(const std::string& name) {
     Lesson lesson = findLesson(name, lessonFolder());
     for (const Parameter& p : lesson.parameters())
-        std::printf("%-20s %-12s %s%s. %s\n", std::string(p.key).c_str(), parameterText(p).c_str(),
+        std::printf("%-20s %-12s %s%s. %s\n", std::string(p.key).c_str(), shown(parameterText(p)).c_str(),
                     expectation(p).c_str(), p.onlyAtStart ? ", at the start only" : "", asSentence(p.note).c_str());
 }
 

@@ -1,11 +1,28 @@
 #include "app/commands/commands.hpp"
 
 #include "app/headset/headset_front_end.hpp"
+#include "core/base/error.hpp"
+#include "core/base/text.hpp"
 #include "core/training/lesson.hpp"
 
 #include <cstdio>
 
 namespace meltpool {
+
+namespace {
+
+/// What only a window or a headset can do must not be left out in silence.
+void refuseWithoutDisplay(const DesktopOptions& options, const std::string& missing) {
+    const char* option = nullptr;
+    if (options.headset == HeadsetUse::wanted) option = "--headset";
+    if (!options.telemetry.empty()) option = "--telemetry";
+    if (options.watchShaders) option = "--watch-shaders";
+    if (option != nullptr)
+        throw InputError("there is no display (" + missing + "), and " + option +
+                         " needs the trainer's window; expected a desktop session, or no " + option);
+}
+
+} // namespace
 
 bool runTrainer(const DesktopOptions& options) {
     const std::string missing = missingDisplay();
@@ -16,11 +33,13 @@ bool runTrainer(const DesktopOptions& options) {
         };
         return runDesktop(complete) == 0;
     }
+    refuseWithoutDisplay(options, missing);
     RunRequest demonstration;
-    demonstration.lesson = kDefaultLesson;
-    demonstration.folder = std::filesystem::path("out") / kDefaultLesson;
+    demonstration.lesson = options.lesson;
+    demonstration.folder = std::filesystem::path("out") / std::filesystem::path(options.lesson).stem();
+    demonstration.record = options.record;
     std::printf("There is no display (%s); the demonstration of lesson '%s' runs without one instead.\n",
-                missing.c_str(), demonstration.lesson.c_str());
+                missing.c_str(), printable(demonstration.lesson, 200).c_str());
     std::fflush(stdout);
     runLesson(demonstration);
     return true;

@@ -61,15 +61,17 @@ bool DesktopApp::finish() {
     windowParameters_.width = std::clamp(size.x, 640, 16384);
     windowParameters_.height = std::clamp(size.y, 480, 16384);
     windowParameters_.maximised = window_.maximised();
+    bool kept = true;
     try {
         settings_.save(session_.sections(), ownSections());
     } catch (const std::exception& fault) {
-        std::fprintf(stderr, "the settings were not saved: %s\n", fault.what());
+        std::fprintf(stderr, "meltpool: the settings were not saved: %s\n", fault.what());
+        kept = false;
     }
     if (session_.records().lost())
         std::fprintf(stderr, "meltpool: an attempt was not recorded to its end, as the window told; expected %s\n",
                      "a place for --record that can be written, with free space");
-    return !session_.records().lost();
+    return kept && !session_.records().lost();
 }
 
 void DesktopApp::frame() {

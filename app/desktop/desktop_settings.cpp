@@ -44,7 +44,13 @@ std::vector<SettingsSection> DesktopSettings::sections(LessonSections& running,
 }
 
 std::vector<std::string> DesktopSettings::load(LessonSections& running, const std::vector<ParameterSection*>& others) {
-    return loadSettings(file_, sections(running, others));
+    std::vector<std::string> faults = loadSettings(file_, sections(running, others));
+    try {
+        requireSavableSettings(file_);
+    } catch (const std::exception& fault) {
+        faults.push_back("The settings of this session cannot be saved: " + std::string(fault.what()));
+    }
+    return faults;
 }
 
 void DesktopSettings::save(LessonSections& running, const std::vector<ParameterSection*>& others) {

@@ -28,7 +28,7 @@ class DesktopSettings {
     DesktopSettings(const std::filesystem::path& file, const std::string& lesson);
 
     /// Reads the file into `running` (or the default lesson's own copy) and `others`. Answers one sentence for each
-    /// fault in the file.
+    /// fault in the file, and one where save() will fail.
     std::vector<std::string> load(LessonSections& running, const std::vector<ParameterSection*>& others);
     /// Writes the file. Throws InputError when that fails.
     void save(LessonSections& running, const std::vector<ParameterSection*>& others);

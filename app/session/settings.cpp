@@ -1,9 +1,9 @@
 #include "app/session/settings.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/output_file.hpp"
 #include "core/base/text.hpp"
-
-#include <toml++/toml.h>
+#include "core/base/toml_table.hpp"
 
 #include <algorithm>
 #include <system_error>
@@ -75,12 +75,11 @@ void readSections(const fs::path& file, const toml::table& root, const std::vect
         std::string names;
         for (const SettingsSection& s : sections)
             names += (names.empty() ? "[" : ", [") + s.name + "]";
-        faults.push_back(place(file, node) + ": unknown entry '" + std::string(key.str()) + "'; expected a table of " +
-                         names);
+        faults.push_back(place(file, node) + ": unknown entry " + quote(key.str()) + "; expected a table of " + names);
     }
 }
 
-std::string quoted(const std::string& text) {
+std::string tomlText(const std::string& text) {
     std::string out = "\"";
     for (const char c : text) {
         if (c == '"' || c == '\\') out += '\\';
@@ -96,7 +95,7 @@ std::string realText(float value) {
 }
 
 std::string tomlValue(const Parameter& p) {
-    if (!p.choices.empty() || std::holds_alternative<std::string*>(p.value)) return quoted(parameterText(p));
+    if (!p.choices.empty() || std::holds_alternative<std::string*>(p.value)) return tomlText(parameterText(p));
     if (const auto* number = std::get_if<float*>(&p.value)) return realText(**number);
     if (const auto* vector = std::get_if<glm::vec3*>(&p.value)) {
         const glm::vec3 v = **vector;
@@ -113,17 +112,12 @@ std::vector<std::string> loadSettings(const fs::path& file, const std::vector<Se
     if (!fs::exists(file, unreadable)) return faults;
     bool broken = false;
     try {
-        const std::string text = readTextFile(file);
-        const toml::table root = toml::parse(text, file.string());
-        readSections(file, root, sections, faults);
-    } catch (const toml::parse_error& fault) {
-        faults.push_back(file.string() + ":" + std::to_string(fault.source().begin.line) +
-                         ": the settings file is not valid TOML: " + std::string(fault.description()) +
-                         "; defaults are used");
-        broken = true;
+        // Opening a pipe would wait for its writer.
+        if (!isPlainFile(file)) throw InputError(file, 0, "is no settings file; expected a text file");
+        readSections(file, parseTomlFile(file), sections, faults);
     } catch (const std::exception& fault) {
-        faults.emplace_back(fault.what());
-        return faults;
+        faults.push_back(fault.what() + std::string("; the settings file is not used, the defaults are"));
+        broken = true;
     }
     if (!faults.empty()) faults.push_back(setAside(file, broken));
     return faults;
@@ -140,10 +134,18 @@ std::string settingsText(const std::vector<SettingsSection>& sections) {
     return text;
 }
 
-void saveSettings(const fs::path& file, const std::vector<SettingsSection>& sections) {
+void requireSavableSettings(const fs::path& file) {
     std::error_code failed;
     fs::create_directories(file.parent_path(), failed);
-    if (failed) throw InputError(file.parent_path(), 0, "the settings folder cannot be made: " + failed.message());
+    if (failed)
+        throw InputError(file.parent_path(), 0,
+                         "the settings folder cannot be made: " + failed.message() +
+                             "; expected a place where a folder may be made");
+    requireWritable(file);
+}
+
+void saveSettings(const fs::path& file, const std::vector<SettingsSection>& sections) {
+    requireSavableSettings(file);
     writeTextFileAtomically(file, settingsText(sections));
 }
 

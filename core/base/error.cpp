@@ -1,8 +1,12 @@
 #include "core/base/error.hpp"
 
+#include "core/base/text.hpp"
+
 namespace meltpool {
 
 namespace {
+
+constexpr size_t kLongestSentence = 2000; ///< bytes; the longest of our own lists all keys of a lesson
 
 std::string located(const std::filesystem::path& file, int line, std::string_view sentence) {
     std::string text = file.string();
@@ -13,6 +17,10 @@ std::string located(const std::filesystem::path& file, int line, std::string_vie
 } // namespace
 
 InputError::InputError(const std::filesystem::path& file, int line, std::string_view sentence)
-    : std::runtime_error(located(file, line, sentence)) {}
+    : InputError(located(file, line, sentence)) {}
+
+InputError::InputError(std::string_view sentence) : std::runtime_error(printable(sentence, kLongestSentence)) {}
+
+RuntimeFault::RuntimeFault(std::string_view sentence) : std::runtime_error(printable(sentence, kLongestSentence)) {}
 
 } // namespace meltpool

@@ -1,4 +1,5 @@
-// The two kinds of failure: wrong input (exit code 2), or a fault of the machine (exit code 1).
+// The two kinds of failure: wrong input (exit code 2), or a fault of the machine (exit code 1). Their sentences are fit
+// for a terminal whatever a file or a driver put into them: see printable().
 #pragma once
 
 #include <filesystem>
@@ -12,7 +13,7 @@ namespace meltpool {
 /// place and what was expected. The program ends with exit code 2.
 class InputError : public std::runtime_error {
   public:
-    explicit InputError(const std::string& sentence) : std::runtime_error(sentence) {}
+    explicit InputError(std::string_view sentence);
 
     /// A fault in a text file; the sentence starts with "FILE:LINE: ". `line` counts from 1; 0 leaves the line out.
     InputError(const std::filesystem::path& file, int line, std::string_view sentence);
@@ -22,7 +23,7 @@ class InputError : public std::runtime_error {
 /// ends with exit code 1.
 class RuntimeFault : public std::runtime_error {
   public:
-    using std::runtime_error::runtime_error;
+    explicit RuntimeFault(std::string_view sentence);
 };
 
 } // namespace meltpool

@@ -93,10 +93,9 @@ const Parameter* findParameter(const ParameterList& list, std::string_view key) 
 void setParameter(const ParameterList& list, std::string_view key, std::string_view text, std::string_view where) {
     const Parameter* p = findParameter(list, key);
     if (p == nullptr)
-        throw InputError(std::string(where) + ": unknown key '" + std::string(key) + "'; expected one of " +
-                         knownKeys(list));
+        throw InputError(std::string(where) + ": unknown key " + quote(key) + "; expected one of " + knownKeys(list));
     if (!std::visit(Assign{*p, text}, p->value))
-        throw InputError(std::string(where) + ": '" + std::string(key) + "' is '" + std::string(text) + "'; expected " +
+        throw InputError(std::string(where) + ": '" + std::string(key) + "' is " + quote(text) + "; expected " +
                          expectation(*p));
 }
 

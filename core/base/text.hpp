@@ -1,6 +1,7 @@
 // Numbers as text, independent of the user's locale, and text files.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -24,12 +25,24 @@ void appendNumber(std::string& text, std::uint64_t value);
 /// 64 bits as 16 hexadecimal digits: JSON readers keep only 53 bits of a number.
 std::string formatHexadecimal(std::uint64_t value);
 
+/// `text` as a terminal may show it, in at most about `mostBytes`: control characters, bytes that are no UTF-8 and
+/// characters that turn the direction of writing are escaped, ends of line are blanks, and the middle of a longer text
+/// is left out. A text that has been through this comes out unchanged.
+std::string printable(std::string_view text, std::size_t mostBytes);
+
+/// What a person wrote, for messages: printable(), short, in single quotes.
+std::string quote(std::string_view text);
+
 /// Parts between separators; an empty text gives one empty part. The views point into `text`.
 std::vector<std::string_view> splitText(std::string_view text, char separator);
 std::string_view trimText(std::string_view text);
 
-/// The whole file. Throws InputError when it cannot be read.
-std::string readTextFile(const std::filesystem::path& file);
+/// More than any file that the program reads should have: three hours of a torch recording.
+inline constexpr std::size_t kLargestTextFile = std::size_t(256) << 20;
+
+/// The whole file, pipes and devices too. Throws InputError when it cannot be read to its end, or has more than
+/// `mostBytes`, which are all that is read of it.
+std::string readTextFile(const std::filesystem::path& file, std::size_t mostBytes = kLargestTextFile);
 
 /// writeFile() of a text.
 void writeTextFileAtomically(const std::filesystem::path& file, std::string_view text);

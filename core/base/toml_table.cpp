@@ -3,12 +3,15 @@
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
 namespace meltpool {
 
 namespace {
+
+constexpr size_t kLongestKey = 60; ///< bytes, in messages
 
 int lineAt(const toml::node& node) {
     return static_cast<int>(node.source().begin.line);
@@ -23,12 +26,84 @@ std::string rangeText(NumberRange range) {
     return "a number";
 }
 
+/// Looks for keys of too many parts and values in too many brackets before the parser makes a table in a table for
+/// each: parser and tables call themselves for every level.
+class DepthScan {
+  public:
+    DepthScan(std::string_view text, const std::filesystem::path& file) : text_(text), file_(file) {}
+
+    /// Up to the first syntax error this sees strings and comments where the parser sees them.
+    void check() {
+        while (at_ < text_.size()) {
+            const char c = text_[at_];
+            if (c == '"' || c == '\'')
+                skipString(c);
+            else if (c == '#')
+                at_ = std::min(text_.find('\n', at_), text_.size());
+            else
+                take(c);
+        }
+    }
+
+  private:
+    void take(char c) {
+        ++at_;
+        if (c == '.') ++dots_;
+        if (c == '[' || c == '{') ++brackets_;
+        if (c == ']' || c == '}') brackets_ = std::max(brackets_ - 1, 0);
+        if (c == '\n') ++line_;
+        if (c == '\n' || c == '=' || c == ',' || c == '[' || c == ']' || c == '{' || c == '}') dots_ = 0;
+        if (dots_ >= kMostParts)
+            throw InputError(file_, line_,
+                             "the key has too many parts; expected at most " + std::to_string(kMostParts) +
+                                 " between its dots");
+        if (brackets_ > kMostBrackets)
+            throw InputError(file_, line_,
+                             "the brackets are nested too deeply; expected at most " + std::to_string(kMostBrackets) +
+                                 " levels");
+    }
+
+    void skipString(char mark) {
+        const std::string three(3, mark);
+        const bool several = text_.substr(at_, 3) == three;
+        at_ += several ? 3 : 1;
+        while (at_ < text_.size()) {
+            const char c = text_[at_];
+            if (several && text_.substr(at_, 3) == three) {
+                at_ += 3;
+                // One or two marks more belong to the string.
+                for (int i = 0; i < 2 && at_ < text_.size() && text_[at_] == mark; ++i)
+                    ++at_;
+                return;
+            }
+            if (c == '\n' && !several) return; // a syntax error
+            if (c == '\n') ++line_;
+            at_ += c == '\\' && mark == '"' && at_ + 1 < text_.size() && text_[at_ + 1] != '\n' ? 2 : 1;
+            if (c == mark && !several) return;
+        }
+    }
+
+    static constexpr int kMostParts = 16;
+    static constexpr int kMostBrackets = 32;
+
+    std::string_view text_;
+    const std::filesystem::path& file_;
+    size_t at_ = 0;
+    int line_ = 1;
+    int dots_ = 0; ///< since the last sign that ends a key
+    int brackets_ = 0;
+};
+
 } // namespace
 
 toml::table parseTomlFile(const std::filesystem::path& file) {
-    const std::string content = readTextFile(file);
+    return parseToml(readTextFile(file, kLargestTomlFile), file);
+}
+
+toml::table parseToml(std::string_view text, const std::filesystem::path& file) {
+    DepthScan(text, file).check();
     try {
-        return toml::parse(content, file.string());
+        return toml::parse(text, file.string());
     } catch (const toml::parse_error& error) {
         throw InputError(file, static_cast<int>(error.source().begin.line), error.description());
     }
@@ -49,7 +124,7 @@ int TomlTable::lineOf(std::string_view key) const {
 void TomlTable::failAt(int line, std::string_view key, std::string_view sentence) const {
     std::string text = where_;
     if (!text.empty()) text += " ";
-    throw InputError(file_, line, text + std::string(key) + ": " + std::string(sentence));
+    throw InputError(file_, line, text + printable(key, kLongestKey) + ": " + std::string(sentence));
 }
 
 void TomlTable::fail(std::string_view key, std::string_view sentence) const {

@@ -19,8 +19,15 @@ struct NumberRange {
     double maximum = std::numeric_limits<double>::infinity();
 };
 
-/// Reads a TOML file. Throws InputError with the line of the first syntax error, or when it cannot be read.
+/// More than any TOML file of this program should have.
+inline constexpr std::size_t kLargestTomlFile = std::size_t(1) << 20;
+
+/// Reads a TOML file. Throws InputError with the line of the first syntax error, when it cannot be read, or when it is
+/// larger than kLargestTomlFile or nested so deeply that tables in tables would exhaust the stack.
 toml::table parseTomlFile(const std::filesystem::path& file);
+
+/// The same of a text that was read from `file`.
+toml::table parseToml(std::string_view text, const std::filesystem::path& file);
 
 /// One table of a file. Read every key that is allowed, then call finish().
 class TomlTable {

@@ -1,6 +1,7 @@
 #include "core/training/lesson.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/text.hpp"
 #include "core/base/toml_table.hpp"
 
 #include <algorithm>
@@ -56,6 +57,27 @@ void readProcess(TomlTable& root, ProcessSettings& settings) {
     group.finish();
 }
 
+/// Calls `read` for what `key` names; a fault in that is told with this file's line too.
+template <class Read>
+void readNamed(const TomlTable& table, std::string_view key, const Read& read) {
+    try {
+        read();
+    } catch (const InputError& fault) {
+        table.fail(key, fault.what());
+    }
+}
+
+/// Reads [workpiece]. A metal of its own is a file beside the lesson's; it is read once here to find its faults.
+void readWorkpiece(TomlTable& root, WorkpieceParameters& workpiece) {
+    readGroup(root, "workpiece", describe(workpiece));
+    if (!root.has("workpiece")) return;
+    const TomlTable group = root.table("workpiece");
+    if (!group.has("metal")) return;
+    if (workpiece.metal.ends_with(".toml"))
+        workpiece.metal = (group.file().parent_path() / workpiece.metal).lexically_normal().string();
+    readNamed(group, "metal", [&] { workpieceMaterial(workpiece); });
+}
+
 bool isFileNamePart(const std::string& name) {
     return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
@@ -98,7 +120,7 @@ Lesson readLesson(const std::filesystem::path& file) {
     lesson.title = root.text("title", lesson.key);
     lesson.text = root.text("text", "");
     const std::string model = root.text("model", "classic");
-    if (model != "classic" && model != "weld") root.fail("model", "is '" + model + "'; expected classic or weld");
+    if (model != "classic" && model != "weld") root.fail("model", "is " + quote(model) + "; expected classic or weld");
     lesson.model = model == "weld" ? LessonModel::Weld : LessonModel::Classic;
     readGroup(root, "run", describe(lesson.run));
     if (lesson.model == LessonModel::Classic) {
@@ -106,7 +128,7 @@ Lesson readLesson(const std::filesystem::path& file) {
         readGroup(root, "metal", describe(lesson.metal));
         readGroup(root, "source", describe(lesson.source));
     } else {
-        readGroup(root, "workpiece", describe(lesson.workpiece));
+        readWorkpiece(root, lesson.workpiece);
         readProcess(root, lesson.process);
         // Metal on a lattice, one particle a cell or more: its flat faces are to look flat.
         lesson.surface.kernel = static_cast<int>(SurfaceKernel::smooth);
@@ -119,7 +141,7 @@ Lesson readLesson(const std::filesystem::path& file) {
     root.allow("torch");
     if (root.has("torch")) {
         lesson.torchFile = file.parent_path() / root.text("torch");
-        lesson.torch = TorchPath::read(lesson.torchFile);
+        readNamed(root, "torch", [&] { lesson.torch = TorchPath::read(lesson.torchFile); });
     }
     root.finish();
     return lesson;
@@ -149,7 +171,7 @@ Lesson findLesson(const std::string& name, const std::filesystem::path& folder) 
     std::string known;
     for (const std::string& each : names)
         known += (known.empty() ? "" : ", ") + each;
-    throw InputError("lesson '" + name + "' is not in the catalogue; expected one of " + known +
+    throw InputError("lesson " + quote(name) + " is not in the catalogue; expected one of " + known +
                      ", or a file that ends in .toml");
 }
 

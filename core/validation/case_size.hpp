@@ -1,20 +1,13 @@
 // Whether a case fits its spacing and this machine, told before anything is made of it.
 #pragma once
 
+#include "core/metal/metal_room.hpp"
 #include "core/validation/validation_case.hpp"
 
 namespace meltpool {
 
-/// How much of what a case will make.
-struct CaseSize {
-    double heatCells = 0;     ///< of the lattice that conducts
-    double particles = 0;     ///< with heat
-    double flowParticles = 0; ///< that may move, and walls beside them
-    double flowVolume = 0;    ///< of the space they may move in, in spacings cubed
-};
-
 /// Throws InputError in a sentence where the memory that is free now, or the driver's buffers, could not hold it.
-void requireRoom(const ValidationCase& from, const CaseSize& size);
+void requireRoom(const ValidationCase& from, const MetalSize& size);
 
 /// Throws InputError where the case would take so many steps of heat or flow that nobody waits for them.
 void requireSteps(const ValidationCase& from, double steps);

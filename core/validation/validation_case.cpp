@@ -140,7 +140,7 @@ const CaseKind& findKind(TomlTable& file) {
         if (kind.name == name) return kind;
         known += (known.empty() ? "" : ", ") + std::string(kind.name);
     }
-    file.fail("kind", "unknown kind '" + name + "'; expected one of " + known);
+    file.fail("kind", "unknown kind " + quote(name) + "; expected one of " + known);
 }
 
 /// Solid and liquid: each of its own key, of the key for both, of the other phase's, or of the shipped material.

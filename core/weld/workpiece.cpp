@@ -1,10 +1,12 @@
 #include "core/weld/workpiece.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/text.hpp"
 
 #include <glm/common.hpp>
 
 #include <array>
+#include <cmath>
 
 namespace meltpool {
 
@@ -46,6 +48,23 @@ bool clamped(const WorkpieceParameters& p, glm::vec3 placeMm, glm::vec3 bodyLow)
     const auto kind = static_cast<WorkpieceKind>(p.kind);
     if (kind == WorkpieceKind::Cube || kind == WorkpieceKind::Bridge) return placeMm.y < bodyLow.y + p.spacingMm;
     return std::abs(placeMm.x) > p.lengthMm / 2 - std::min(kClampMm, p.lengthMm / 8);
+}
+
+/// mm³
+double volumeOf(const std::vector<Block>& blocks) {
+    double volume = 0;
+    for (const Block& block : blocks) {
+        const glm::dvec3 size = block.high - block.low;
+        volume += size.x * size.y * size.z;
+    }
+    return volume;
+}
+
+/// Asked before the particles are made, too: far too many would not even fit the memory.
+void requireCount(double particles) {
+    if (particles >= 0.5 && particles <= static_cast<double>(kMostWorkpieceParticles)) return;
+    throw InputError("the workpiece has " + formatNumber(std::floor(particles)) + " particles; expected 1 to " +
+                     std::to_string(kMostWorkpieceParticles) + ": change its size or spacing_mm");
 }
 
 } // namespace
@@ -94,6 +113,7 @@ Workpiece makeWorkpiece(const WorkpieceParameters& p) {
     const glm::vec3 cells = (spaceHigh - spaceLow) / p.spacingMm;
     if (cells.x * cells.y * cells.z > 64e6F)
         throw InputError("the workpiece is too large for its spacing_mm; expected fewer than 64 million lattice cells");
+    requireCount(volumeOf(blocks) / static_cast<double>(p.spacingMm * p.spacingMm * p.spacingMm));
     Workpiece piece;
     piece.lattice = MetalLattice::covering(spaceLow * kMm, spaceHigh * kMm, p.spacingMm * kMm);
     for (const Block& block : blocks)
@@ -104,9 +124,7 @@ Workpiece makeWorkpiece(const WorkpieceParameters& p) {
             if (clamped(p, seed.position / kMm, low)) seed.phase |= PHASE_CLAMPED;
             piece.seeds.push_back(seed);
         }
-    if (piece.seeds.empty() || piece.seeds.size() > kMostWorkpieceParticles)
-        throw InputError("the workpiece has " + std::to_string(piece.seeds.size()) + " particles; expected 1 to " +
-                         std::to_string(kMostWorkpieceParticles) + ": change its size or spacing_mm");
+    requireCount(static_cast<double>(piece.seeds.size()));
     piece.low = piece.lattice.low;
     piece.high = piece.lattice.low + glm::vec3(piece.lattice.cells()) * piece.lattice.spacing;
     piece.bodyLow = low * kMm;

@@ -13,7 +13,7 @@ enum class WorkpieceKind { Plate, Cube, Bridge, Tee, Lap, Butt };
 /// standing plate, which lies behind, and the lying one. Lap: corner between the upper plate's edge and the lower
 /// plate's face. Butt: middle of the gap, at the upper faces.
 struct WorkpieceParameters {
-    std::string metal = "s235"; ///< a shipped material, or a file that ends in .toml
+    std::string metal = "s235"; ///< a shipped material, or a file that ends in .toml (of a lesson: beside its file)
     int kind = 0;               ///< WorkpieceKind
     float lengthMm = 100;       ///< along the seam; of a cube its edge
     float widthMm = 50;         ///< across

@@ -53,6 +53,10 @@ TEST_CASE("bad command lines are refused", "[app]") {
              {"run classic --size 640" + out, "'640'", "expected WIDTHxHEIGHT"},
              {"run classic --size 0x480" + out, "0x480", "expected a whole number from 16"},
              {"bench nonsense", "'nonsense'", "expected one of classic"},
+             {"--headset run classic" + out, "--headset is an option of the trainer's window", "run --help"},
+             {"--lesson x bench classic", "--lesson is an option of the trainer's window", "bench --help"},
+             {"--record x lessons", "--record is an option of the trainer's window", "lessons --help"},
+             {"run gmaw-bead --set metal=cheese" + out, "unknown material 'cheese'", "expected one of 304"},
          })
         checkRefusal(bad);
 }
@@ -95,4 +99,68 @@ TEST_CASE("a folder that cannot be written is refused before anything is compute
     checkRefusal({"run classic --out '" + (folder / "file" / "out").string() + "'", "file/out", "expected a place"});
     checkRefusal({"run classic --out '" + (folder / "file").string() + "'", "file", "expected a place"});
     checkRefusal({"run classic --seconds 0.1 --set particles=64 --out /proc", "/proc", "expected"});
+}
+
+TEST_CASE("a fault in a file that a lesson names is told with the lines of both", "[app]") {
+    const auto folder = test::scratchFolder("named");
+    const std::string file = "'" + (folder / "mine.toml").string() + "'";
+    const std::string out = " --out '" + (folder / "out").string() + "'";
+    const auto lesson = [&](const std::string& text) { writeTextFileAtomically(folder / "mine.toml", text); };
+    writeTextFileAtomically(folder / "bad.csv", kHeader + "0,1,two,3,0,0,0,1,1\n");
+    writeTextFileAtomically(folder / "bad-metal.toml", "name = 'x'\n[melting]\n");
+
+    lesson("title = 'x'\ntorch = 'bad.csv'\n");
+    for (const std::string& command : {"run " + file + out, "lessons " + file}) {
+        checkRefusal({command, "mine.toml:2: torch: ", "bad.csv:2: y_mm is 'two'"});
+    }
+    lesson("title = 'x'\ntorch = 'none.csv'\n");
+    checkRefusal({"lessons " + file, "mine.toml:2: torch: ", "none.csv: cannot be opened"});
+    lesson("model = 'weld'\n[workpiece]\nmetal = 'bad-metal.toml'\n");
+    checkRefusal({"lessons " + file, "mine.toml:3: [workpiece] metal: ", "bad-metal.toml:2: "});
+    lesson("model = 'weld'\n[workpiece]\nmetal = 'cheese'\n");
+    checkRefusal(
+        {"lessons " + file, "mine.toml:3: [workpiece] metal: unknown material 'cheese'", "expected one of 304"});
+}
+
+TEST_CASE("a lesson's own metal lies beside the lesson, wherever the program is started", "[app]") {
+    const auto folder = test::scratchFolder("own-metal");
+    std::filesystem::copy_file(test::testFolder().parent_path() / "app/data/materials/s235.toml", folder / "mine.toml");
+    writeTextFileAtomically(folder / "lesson.toml", "model = 'weld'\n[workpiece]\nmetal = 'mine.toml'\n");
+    const test::Outcome outcome = runMeltpool("lessons '" + (folder / "lesson.toml").string() + "'", "cd / &&");
+    INFO(outcome.errors);
+    CHECK(outcome.code == 0);
+    CHECK_THAT(outcome.output, containsText((folder / "mine.toml").string()));
+}
+
+TEST_CASE("no control character of a file or argument reaches the terminal, and no message is endless", "[app]") {
+    const auto folder = test::scratchFolder("controls");
+    const std::string escape = "\x1b[31m\xff";
+    const std::string file = "'" + (folder / "l.toml").string() + "'";
+    writeTextFileAtomically(folder / "l.toml", "model = \"\\u001b[31m" + std::string(5000, 'x') + "\"\n");
+    writeTextFileAtomically(folder / "k.toml", std::string(5000, 'k') + " = 1\n");
+    const std::string out = " --out '" + (folder / "out").string() + "'";
+    for (const std::string& arguments :
+         {"run " + file + out, "lessons " + file, "lessons '" + (folder / "k.toml").string() + "'",
+          "run '" + escape + "'" + out, "run classic --set '" + escape + std::string(5000, 'x') + "=1'" + out,
+          "run classic --set 'material=" + escape + "'" + out, "'" + escape + std::string(5000, 'x') + "'",
+          "run classic --torch '" + escape + ".csv'" + out}) {
+        const test::Outcome outcome = runMeltpool(arguments);
+        INFO(outcome.errors);
+        CHECK(outcome.code == 2);
+        CHECK(outcome.errors.find('\x1b') == std::string::npos);
+        CHECK(outcome.errors.find('\xff') == std::string::npos);
+        CHECK(outcome.errors.size() < 1500);
+    }
+    writeTextFileAtomically(folder / "good.toml", "model = 'weld'\n[workpiece]\nmetal = \"s\\u001b235\"\n");
+    CHECK(runMeltpool("lessons '" + (folder / "good.toml").string() + "'").output.find('\x1b') == std::string::npos);
+}
+
+TEST_CASE("output that cannot be written is a fault with a sentence", "[app]") {
+    if (!std::filesystem::exists("/dev/full")) return;
+    for (const char* arguments : {"lessons", "lessons classic", "--help", "--version", "run --help"}) {
+        INFO(arguments);
+        const test::Outcome outcome = runMeltpool(arguments, "sh -c '\"$@\" >/dev/full' sh");
+        CHECK(outcome.code == 1);
+        CHECK_THAT(outcome.errors, containsText("standard output cannot be written to its end"));
+    }
 }

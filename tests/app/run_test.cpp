@@ -221,9 +221,50 @@ TEST_CASE("a folder in which a run writes is closed to a second one, and a kille
 
 TEST_CASE("a run that cannot begin says so in its result", "[app]") {
     const auto folder = test::scratchFolder("beginning");
-    const test::Outcome outcome = runMeltpool(
-        "run gmaw-bead --set length_mm=400 --set width_mm=400 --set spacing_mm=0.2 --out '" + folder.string() + "'");
-    CHECK(outcome.code == 2);
-    CHECK(resultIn(folder).at("finished") == false);
-    CHECK_THAT(resultIn(folder).at("error").get<std::string>(), containsText("spacing_mm"));
+    const fs::path data = folder / "data";
+    fs::create_directories(data);
+    fs::copy(test::testFolder().parent_path() / "shaders", data / "shaders", fs::copy_options::recursive);
+    fs::create_directory_symlink(test::testFolder().parent_path() / "app" / "data", data / "data");
+    for (const auto& entry : fs::recursive_directory_iterator(data / "shaders" / "metal" / "classic"))
+        if (entry.path().extension() == ".comp") writeTextFileAtomically(entry.path(), "no shader");
+    const test::Outcome outcome = runMeltpool(kQuick + "--set particles=64 --out '" + (folder / "out").string() + "'",
+                                              "env MELTPOOL_DATA='" + data.string() + "'");
+    CHECK(outcome.code != 0);
+    CHECK(resultIn(folder / "out").at("finished") == false);
+    CHECK_THAT(resultIn(folder / "out").at("error").get<std::string>(), containsText(".comp"));
+}
+
+TEST_CASE("a run that this machine cannot hold is refused before its folder is touched", "[app]") {
+    const auto folder = test::scratchFolder("room");
+    runInto(folder, kQuick + "--pictures 0 --seconds 0.1 --set particles=64");
+    const std::string result = readTextFile(folder / "result.json");
+    for (const char* size : {"--set spacing_mm=0.2 --set length_mm=400 --set width_mm=400 --set thickness_mm=50",
+                             "--set spacing_mm=0.5 --set length_mm=400 --set width_mm=400 --set thickness_mm=50"}) {
+        INFO(size);
+        const test::Outcome outcome =
+            runMeltpool(std::string("run gmaw-bead ") + size + " --out '" + folder.string() + "'");
+        CHECK(outcome.code == 2);
+        CHECK_THAT(outcome.errors, containsText("spacing_mm") && containsText("expected"));
+    }
+    CHECK(readTextFile(folder / "result.json") == result);
+}
+
+TEST_CASE("without a display lesson and record are honoured, and what needs a window is refused", "[app]") {
+    const auto folder = test::scratchFolder("options");
+    const std::string before = "cd '" + folder.string() + "' && env -u DISPLAY -u WAYLAND_DISPLAY";
+    for (const char* option : {"--headset", "--telemetry rows.json", "--watch-shaders"}) {
+        INFO(option);
+        const test::Outcome outcome = runMeltpool(option, before);
+        CHECK(outcome.code == 2);
+        CHECK_THAT(outcome.errors, containsText(std::string(option).substr(0, 8)) && containsText("expected"));
+        CHECK_FALSE(fs::exists(folder / "out"));
+    }
+    CHECK(runMeltpool("--lesson missing.toml", before).code == 2);
+    const test::Outcome outcome =
+        test::runUntilRecorded("--lesson solder-cube --record mine.csv", folder / "mine.csv", before);
+    CHECK(outcome.code == 1); // stopped before its end
+    CHECK_THAT(outcome.output, containsText("lesson 'solder-cube' runs"));
+    CHECK(resultIn(folder / "out" / "solder-cube").at("lesson") == "solder-cube");
+    CHECK(readTorchCsv(folder / "mine.csv").samples.size() > 40);
+    CHECK(runMeltpool("--record /no/such/folder/mine.csv", before).code == 2);
 }

@@ -92,6 +92,11 @@ TEST_CASE("a calibration survives its file, and a broken file is told by line") 
     CHECK_THROWS_WITH(xr::readCalibration(file), test::containsText(":2: "));
     writeTextFileAtomically(file, "x_mm = 1\n");
     CHECK_THROWS_WITH(xr::readCalibration(file), test::containsText("y_mm"));
+    for (const char* far : {"x_mm = 1e300", "x_mm = -2001", "qx = 7", "residual_mm = -1"}) {
+        writeTextFileAtomically(file, std::string("# a tip\n") + far + "\n");
+        CHECK_THROWS_WITH(xr::readCalibration(file), test::containsText(":2: ") && test::containsText("out of range") &&
+                                                         test::containsText("expected a number from"));
+    }
 }
 
 TEST_CASE("the standard error that is told is the error that is made") {

@@ -141,12 +141,26 @@ void TipCalibration::pointAlong(const glm::vec3& direction) {
 namespace {
 
 constexpr std::array<const char*, 8> kKeys{"x_mm", "y_mm", "z_mm", "qx", "qy", "qz", "qw", "residual_mm"};
+constexpr size_t kLargestFile = 65536;    ///< bytes
+constexpr double kFarthest = 2000;        ///< mm; no tip is farther from the hand
+constexpr double kLargestResidual = 1000; ///< mm
+
+/// Throws InputError for a number that no measurement gives.
+void checkRange(const std::filesystem::path& file, int line, const std::string& key, double value) {
+    const bool place = key.ends_with("_mm") && key != "residual_mm";
+    const double least = key == "residual_mm" ? 0 : place ? -kFarthest : -1.01;
+    const double most = key == "residual_mm" ? kLargestResidual : -least;
+    if (value < least || value > most)
+        throw InputError(file, line,
+                         key + " is out of range; expected a number from " + formatNumber(least) + " to " +
+                             formatNumber(most));
+}
 
 } // namespace
 
 TipCalibration readCalibration(const std::filesystem::path& file) {
     std::map<std::string, double, std::less<>> values;
-    const std::string text = readTextFile(file);
+    const std::string text = readTextFile(file, kLargestFile);
     int line = 0;
     for (const std::string_view raw : splitText(text, '\n')) {
         ++line;
@@ -160,6 +174,7 @@ TipCalibration readCalibration(const std::filesystem::path& file) {
         if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end() || !std::isfinite(value))
             throw InputError(file, line,
                              "expected one of x_mm, y_mm, z_mm, qx, qy, qz, qw, residual_mm, '=' and a number");
+        checkRange(file, line, key, value);
         values[key] = value;
     }
     for (const char* key : kKeys)

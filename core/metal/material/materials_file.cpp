@@ -1,6 +1,7 @@
 // Reads material files: TOML in SI in which every value names its source.
 #include "core/base/error.hpp"
 #include "core/base/resources.hpp"
+#include "core/base/text.hpp"
 #include "core/base/toml_table.hpp"
 #include "core/metal/material/materials.hpp"
 
@@ -170,7 +171,7 @@ Material shippedMaterial(const std::string& key) {
         if (plainKey(stem) == plainKey(key)) return readMaterial(path);
         known += (known.empty() ? "" : ", ") + stem;
     }
-    throw InputError("unknown material '" + key + "'; expected one of " + known);
+    throw InputError("unknown material " + quote(key) + "; expected one of " + known);
 }
 
 } // namespace meltpool

@@ -28,6 +28,8 @@ constexpr Range kTriggers{0, 1, "a number from 0 to 1"};
 /// Recorders round; farther from 1 than this the four numbers are no orientation.
 constexpr double kQuaternionSlack = 0.1;
 
+constexpr size_t kLongestLine = 65536; ///< bytes
+
 const Range& rangeOf(size_t column) {
     if (column == 0) return kTimes;
     if (column <= 3) return kPlaces;
@@ -43,20 +45,17 @@ struct Header {
 
 class Reader {
   public:
-    explicit Reader(const std::filesystem::path& file) : file_(file) {}
+    Reader(const std::filesystem::path& file, FurtherColumns further)
+        : file_(file), keepsFurther_(further == FurtherColumns::kept) {}
 
     TorchRecording read() {
         const std::string text = readTextFile(file_);
         std::string_view rest = text;
         if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3); // the mark that some spreadsheets put first
-        for (const std::string_view row : splitText(rest, '\n')) {
-            ++line_;
-            const std::string_view content = trimText(row.substr(0, row.find('#')));
-            if (content.empty()) continue;
-            if (header_.width == 0)
-                readHeader(content);
-            else
-                readRow(content);
+        while (!rest.empty()) {
+            const std::string_view row = rest.substr(0, rest.find('\n'));
+            rest.remove_prefix(std::min(row.size() + 1, rest.size()));
+            readLine(row);
         }
         if (header_.width == 0) fail(0, "is empty; expected a header row with the columns " + columnList());
         if (recording_.samples.empty()) fail(0, "has a header but no rows; expected at least one");
@@ -73,6 +72,18 @@ class Reader {
         return list;
     }
 
+    void readLine(std::string_view row) {
+        ++line_;
+        if (row.size() > kLongestLine)
+            fail(line_, "the line is too long; expected at most " + std::to_string(kLongestLine) + " bytes");
+        const std::string_view content = trimText(row.substr(0, row.find('#')));
+        if (content.empty()) return;
+        if (header_.width == 0)
+            readHeader(content);
+        else
+            readRow(content);
+    }
+
     void readHeader(std::string_view content) {
         const auto names = splitText(content, ',');
         std::set<std::string_view> seen;
@@ -80,7 +91,7 @@ class Reader {
             const std::string_view name = trimText(names[i]);
             if (name.empty()) fail(line_, "column " + std::to_string(i + 1) + " has no name; expected one");
             if (!seen.insert(name).second)
-                fail(line_, "the column '" + std::string(name) + "' stands twice; expected each name once");
+                fail(line_, "the column " + quote(name) + " stands twice; expected each name once");
             const auto required = std::find(kColumns.begin(), kColumns.end(), name);
             if (required != kColumns.end()) {
                 header_.places[static_cast<size_t>(required - kColumns.begin())] = i;
@@ -100,8 +111,7 @@ class Reader {
         const Range& range = rangeOf(column);
         const auto value = parseDouble(cell);
         if (!value || !std::isfinite(*value) || *value < range.minimum || *value > range.maximum)
-            fail(line_, std::string(kColumns[column]) + " is '" + std::string(cell) + "'; expected " +
-                            std::string(range.text));
+            fail(line_, std::string(kColumns[column]) + " is " + quote(cell) + "; expected " + std::string(range.text));
         return *value;
     }
 
@@ -130,12 +140,14 @@ class Reader {
         const auto metres = [](double mm) { return static_cast<float>(mm * 1e-3); };
         recording_.samples.push_back(
             {v[0], {metres(v[1]), metres(v[2]), metres(v[3])}, orientation(v), static_cast<float>(v[8])});
+        if (!keepsFurther_) return;
         auto& further = recording_.furtherCells.emplace_back();
         for (const size_t place : header_.further)
             further.emplace_back(trimText(cells[place]));
     }
 
     std::filesystem::path file_;
+    bool keepsFurther_;
     int line_ = 0;
     Header header_;
     TorchRecording recording_;
@@ -152,8 +164,8 @@ std::span<const std::string_view> torchColumns() {
     return kColumns;
 }
 
-TorchRecording readTorchCsv(const std::filesystem::path& file) {
-    return Reader(file).read();
+TorchRecording readTorchCsv(const std::filesystem::path& file, FurtherColumns further) {
+    return Reader(file, further).read();
 }
 
 void appendTorchRow(std::string& text, const TorchSample& s) {

@@ -20,10 +20,14 @@ struct TorchRecording {
     std::vector<std::vector<std::string>> furtherCells; ///< one row a sample, one cell a further column, as written
 };
 
+/// What readTorchCsv() does with columns that a torch path does not need. They take many times the memory of the rest.
+enum class FurtherColumns { kept, dropped };
+
 /// Reads `time_s,x_mm,y_mm,z_mm,qx,qy,qz,qw,trigger` and whatever further columns there are, in any order; `#` starts a
 /// comment. Throws InputError naming file and line for a missing column or cell, anything that is not a finite number
-/// in its range, a time before the row above, or a quaternion whose length is not near 1.
-TorchRecording readTorchCsv(const std::filesystem::path& file);
+/// in its range, a time before the row above, a quaternion whose length is not near 1, a line of more than 64 KiB, or
+/// more than kLargestTextFile.
+TorchRecording readTorchCsv(const std::filesystem::path& file, FurtherColumns further = FurtherColumns::kept);
 
 /// Puts the required cells of one row behind `text` as readTorchCsv() reads them back to the same bits, without an end
 /// of line.

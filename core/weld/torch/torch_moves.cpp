@@ -1,6 +1,7 @@
 #include "core/weld/torch/torch_moves.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/text.hpp"
 #include "core/base/toml_table.hpp"
 
 #include <glm/gtc/constants.hpp>
@@ -83,7 +84,7 @@ class Author {
             add(0, tip_);
             return;
         }
-        table.fail("kind", "is '" + kind + "'; expected one of hold, line, weave, arc_on, arc_off");
+        table.fail("kind", "is " + quote(kind) + "; expected one of hold, line, weave, arc_on, arc_off");
     }
 
     void readHold(TomlTable& table) {

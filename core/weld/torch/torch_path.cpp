@@ -7,7 +7,7 @@
 namespace meltpool {
 
 TorchPath TorchPath::read(const std::filesystem::path& file) {
-    if (file.extension() == ".csv") return TorchPath(readTorchCsv(file).samples);
+    if (file.extension() == ".csv") return TorchPath(readTorchCsv(file, FurtherColumns::dropped).samples);
     if (file.extension() == ".toml") return TorchPath(readTorchMoves(file));
     throw InputError(file, 0, "is no torch path; expected a file that ends in .csv (recorded) or .toml (authored)");
 }

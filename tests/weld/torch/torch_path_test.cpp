@@ -218,3 +218,32 @@ TEST_CASE("a path that is neither CSV nor TOML, or not there, is refused by name
     CHECK_THROWS_WITH(TorchPath::read("nowhere/path.csv"), containsText("nowhere/path.csv: "));
     CHECK_THROWS_AS(TorchPath::read("nowhere/path.toml"), InputError);
 }
+
+TEST_CASE("a torch path's line without end is refused, and what it quotes is short and fit for a terminal", "[weld]") {
+    const auto folder = test::scratchFolder("torch-attacks");
+    const std::string header = "time_s,x_mm,y_mm,z_mm,qx,qy,qz,qw,trigger";
+    const auto refusal = [&](const std::string& text) {
+        writeTextFileAtomically(folder / "path.csv", text);
+        try {
+            TorchPath::read(folder / "path.csv");
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string("taken");
+    };
+    CHECK_THAT(refusal(header + "\n" + std::string(70000, '1')),
+               test::containsText("path.csv:2: the line is too long"));
+    CHECK_THAT(refusal(header + std::string(70000, ',')), test::containsText("path.csv:1: the line is too long"));
+    const std::string escape = refusal(header + "\n\x1b[31m" + std::string(5000, 'x') + ",0,0,0,0,0,0,1,1\n");
+    CHECK_THAT(escape,
+               test::containsText("path.csv:2: time_s is '\\x1b[31mxxx") && test::containsText("expected a time"));
+    CHECK(escape.size() < 400);
+    CHECK_THAT(refusal(header + ",\xff,\xff\n"), test::containsText("path.csv:1: the column '\\xff' stands twice"));
+}
+
+TEST_CASE("a torch path is the same with and without the columns that it does not need", "[weld]") {
+    const auto file = test::testFolder() / "paths" / "recorded.csv";
+    const TorchRecording bare = readTorchCsv(file, FurtherColumns::dropped);
+    CHECK(bare.furtherCells.empty());
+    CHECK(bare.samples.size() == readTorchCsv(file).samples.size());
+}
