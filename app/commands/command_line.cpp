@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <cstring>
 #include <iostream>
+#include <vector>
 
 namespace meltpool {
 
@@ -138,27 +139,42 @@ void requireOutput() {
                            "; expected free space, or a reader that reads to the end");
 }
 
-int parseAndRun(int argc, char** argv) {
-    CLI::App app("Meltpool, a virtual welding trainer. Without a command it opens the trainer's window.", "meltpool");
+/// The program's options and commands, which write what they are given into `arguments`.
+void declare(CLI::App& app, Arguments& arguments) {
     app.set_version_flag("--version",
                          "meltpool " + std::string(programVersion()) + " (" + std::string(programCommit()) + ")");
     app.require_subcommand(0, 1);
-    Arguments arguments;
     addDesktop(app, arguments);
     addRun(app, arguments);
     addOthers(app, arguments);
+}
+
+/// Throws CLI::Success for a wish for help or version, InputError for what cannot be understood.
+void parse(CLI::App& app, int argc, const char* const* argv) {
     try {
         app.parse(argc, argv);
-    } catch (const CLI::Success& help) {
-        app.exit(help);
-        requireOutput();
-        return kDone;
+    } catch (const CLI::Success&) {
+        throw;
     } catch (const CLI::ParseError& error) {
-        complain(printable(error.what(), 400) + "; expected what 'meltpool --help' shows");
-        return kBadInput;
+        throw InputError(printable(error.what(), 400) + "; expected what 'meltpool --help' shows");
     }
     refuseForeignOptions(app);
-    const int code = dispatch(app, arguments);
+}
+
+constexpr const char* kDescription =
+    "Meltpool, a virtual welding trainer. Without a command it opens the trainer's window.";
+
+int parseAndRun(int argc, char** argv) {
+    CLI::App app(kDescription, "meltpool");
+    Arguments arguments;
+    declare(app, arguments);
+    int code = kDone;
+    try {
+        parse(app, argc, argv);
+        code = dispatch(app, arguments);
+    } catch (const CLI::Success& help) {
+        app.exit(help);
+    }
     requireOutput();
     return code;
 }
@@ -176,6 +192,21 @@ int runProgram(int argc, char** argv) {
         complain(error.what());
         return kFailed;
     }
+}
+
+void checkCommandLine(std::span<const std::string> words) {
+    CLI::App app(kDescription, "meltpool");
+    Arguments arguments;
+    declare(app, arguments);
+    std::vector<const char*> pointers{"meltpool"};
+    for (const std::string& word : words)
+        pointers.push_back(word.c_str());
+    try {
+        parse(app, static_cast<int>(pointers.size()), pointers.data());
+    } catch (const CLI::Success&) {
+        return;
+    }
+    if (app.got_subcommand("run")) requestedLesson(arguments.run);
 }
 
 } // namespace meltpool

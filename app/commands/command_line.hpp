@@ -1,9 +1,16 @@
 // The command line: which command, with what, and how the program ends.
 #pragma once
 
+#include <span>
+#include <string>
+
 namespace meltpool {
 
 /// Runs the program. Returns its exit code: 0 done, 2 bad input, 1 anything else; a failure prints one sentence.
 int runProgram(int argc, char** argv);
+
+/// Reads the words behind the program's name as runProgram() does, and what `run` would run, but runs nothing. Throws
+/// InputError for everything that is refused before a command begins.
+void checkCommandLine(std::span<const std::string> words);
 
 } // namespace meltpool

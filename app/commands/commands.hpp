@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/desktop/desktop.hpp"
+#include "core/training/lesson.hpp"
 
 #include <filesystem>
 #include <string>
@@ -20,6 +21,9 @@ struct RunRequest {
     std::vector<std::string> sets; ///< "key=value"
     std::filesystem::path record;  ///< where telemetry.csv goes; empty: into the folder
 };
+
+/// The lesson with all that the request changes. Throws InputError for what is not there or does not fit.
+Lesson requestedLesson(const RunRequest& request);
 
 /// Runs a lesson without a screen and says where its results are. Throws what runHeadless() throws.
 void runLesson(const RunRequest& request);

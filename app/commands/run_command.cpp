@@ -60,22 +60,6 @@ void takeTorch(Lesson& lesson, const RunRequest& request) {
     lesson.run.seconds = static_cast<float>(lesson.torch.duration());
 }
 
-Lesson requestedLesson(const RunRequest& request) {
-    Lesson lesson = findLesson(request.lesson, lessonFolder());
-    if (!request.torch.empty()) takeTorch(lesson, request);
-    for (const std::string& pair : request.sets) {
-        const size_t equals = pair.find('=');
-        if (equals == std::string::npos || equals == 0)
-            throw InputError("--set is " + quote(pair) + "; expected KEY=VALUE, such as particles=8192");
-        lesson.set(pair.substr(0, equals), pair.substr(equals + 1), "--set " + printable(pair, 80));
-    }
-    if (!request.seconds.empty()) lesson.set("seconds", request.seconds, "--seconds");
-    if (!request.picturesEvery.empty()) lesson.set("pictures_every", request.picturesEvery, "--pictures");
-    if (!request.size.empty()) setSize(lesson, request.size);
-    if (lesson.model == LessonModel::Weld) workpieceMaterial(lesson.workpiece); // throws for a metal that is not there
-    return lesson;
-}
-
 /// Says whether the attempt was repeated to the same bits, and what may be the reason where it was not.
 void tellRepetition(const RecordedAttempt& attempt, const LessonResult& result, const std::string& driver) {
     const auto same = sameEnd(attempt, result.steps, result.stateHash);
@@ -99,6 +83,22 @@ void requireNoSource(const std::filesystem::path& record, const std::vector<std:
 }
 
 } // namespace
+
+Lesson requestedLesson(const RunRequest& request) {
+    Lesson lesson = findLesson(request.lesson, lessonFolder());
+    if (!request.torch.empty()) takeTorch(lesson, request);
+    for (const std::string& pair : request.sets) {
+        const size_t equals = pair.find('=');
+        if (equals == std::string::npos || equals == 0)
+            throw InputError("--set is " + quote(pair) + "; expected KEY=VALUE, such as particles=8192");
+        lesson.set(pair.substr(0, equals), pair.substr(equals + 1), "--set " + printable(pair, 80));
+    }
+    if (!request.seconds.empty()) lesson.set("seconds", request.seconds, "--seconds");
+    if (!request.picturesEvery.empty()) lesson.set("pictures_every", request.picturesEvery, "--pictures");
+    if (!request.size.empty()) setSize(lesson, request.size);
+    if (lesson.model == LessonModel::Weld) workpieceMaterial(lesson.workpiece); // throws for a metal that is not there
+    return lesson;
+}
 
 void runLesson(const RunRequest& request) {
     const Lesson lesson = requestedLesson(request);

@@ -1,0 +1,171 @@
+#include "tests/fuzz/formats.hpp"
+
+#include "app/commands/command_line.hpp"
+#include "app/session/lesson_session.hpp"
+#include "app/session/settings.hpp"
+#include "core/base/text.hpp"
+#include "core/metal/material/materials.hpp"
+#include "core/training/lesson.hpp"
+#include "core/validation/validation_case.hpp"
+#include "core/weld/torch/torch_path.hpp"
+#include "tests/support/gl_fixture.hpp"
+#include "xr/input/pivot.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+namespace meltpool::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Texts = std::vector<std::string>;
+
+void require(bool sound, const std::string& what) {
+    if (!sound) throw std::logic_error("taken, but " + what);
+}
+
+void addFolder(Texts& texts, const fs::path& folder) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (entry.is_regular_file()) files.push_back(entry.path());
+    std::sort(files.begin(), files.end()); // the order of a folder differs between machines
+    for (const fs::path& file : files)
+        texts.push_back(readTextFile(file));
+}
+
+/// The texts that are kept for this format, and those of a folder of the source tree.
+Texts corpusOf(const char* name, const char* shipped) {
+    Texts texts;
+    addFolder(texts, testFolder() / "fuzz" / "corpus" / name);
+    if (shipped != nullptr) addFolder(texts, testFolder().parent_path() / shipped);
+    return texts;
+}
+
+/// Every value reads back from its own text, so it lies in its range.
+void requireInRange(const ParameterList& list) {
+    for (const Parameter& p : list)
+        setParameter(list, p.key, parameterText(p), "taken, but out of range");
+}
+
+Texts lessonTexts() {
+    Texts texts = corpusOf("lesson", "app/data/lessons");
+    const std::string paths = (testFolder().parent_path() / "app" / "data" / "paths").string();
+    for (std::string& text : texts)
+        if (const size_t at = text.find("../paths"); at != std::string::npos) text.replace(at, 8, paths);
+    return texts;
+}
+
+Answer readLessonFile(const fs::path& file) {
+    Lesson lesson = readLesson(file);
+    requireInRange(lesson.parameters());
+    require(!lesson.pictures.empty(), "a lesson has no picture");
+    return Answer::taken;
+}
+
+void requireSound(const Property& property) {
+    for (const double kelvin : {0.0, 300.0, 1800.0, 1e5})
+        require(std::isfinite(property.at(kelvin)), "a property is not finite");
+    require(std::isfinite(property.integral(0, 1e4)), "a property's integral is not finite");
+}
+
+Answer readMaterialFile(const fs::path& file) {
+    const Material m = readMaterial(file);
+    for (const Property* property :
+         {&m.solidDensity, &m.liquidDensity, &m.solidConductivity, &m.liquidConductivity, &m.solidSpecificHeat,
+          &m.liquidSpecificHeat, &m.viscosity, &m.expansion, &m.surfaceTension, &m.emissivity})
+        requireSound(*property);
+    require(m.solidus > 0 && m.liquidus >= m.solidus && m.latentHeat >= 0, "it does not melt");
+    require(m.boilingPoint == 0 || m.boilingPoint > m.liquidus, "it boils before it melts");
+    return Answer::taken;
+}
+
+Answer readCaseFile(const fs::path& file) {
+    const ValidationCase one = readValidationCase(file);
+    require(one.kind != nullptr && one.spacing > 0 && std::isfinite(one.time), "a case has no size");
+    for (const auto& [name, value] : one.numbers)
+        require(std::isfinite(value), name + " is not finite");
+    for (const auto& [name, values] : one.lists)
+        for (const double value : values)
+            require(std::isfinite(value), name + " is not finite");
+    return Answer::taken;
+}
+
+Answer readPath(const fs::path& file) {
+    const TorchPath path = TorchPath::read(file);
+    require(std::isfinite(path.duration()), "a path's time is not finite");
+    for (int i = -1; i <= 21; ++i) {
+        const TorchSample s = path.sample(path.duration() * i / 20);
+        require(std::isfinite(s.tip.x + s.tip.y + s.tip.z), "a place is not finite");
+        require(std::abs(glm::length(s.orientation) - 1) < 1e-3F, "an orientation is not of length 1");
+        require(s.trigger >= 0 && s.trigger <= 1, "a trigger is out of range");
+    }
+    return Answer::taken;
+}
+
+Texts settingsTexts() {
+    Texts texts = corpusOf("settings", nullptr);
+    Lesson lesson = loadLesson(std::string(kDefaultLesson));
+    LessonSections sections(lesson);
+    std::vector<SettingsSection> list;
+    for (const ParameterSection* each : sections.all())
+        list.push_back({each->name, each->parameters});
+    texts.push_back(settingsText(list));
+    return texts;
+}
+
+Answer readSettings(const fs::path& file) {
+    static const Lesson standard = loadLesson(std::string(kDefaultLesson));
+    Lesson lesson = standard;
+    LessonSections sections(lesson);
+    std::vector<SettingsSection> list;
+    for (const ParameterSection* each : sections.all())
+        list.push_back({each->name, each->parameters});
+    const std::vector<std::string> faults = loadSettings(file, list);
+    for (const std::string& fault : faults)
+        require(fault == printable(fault, 3000), "a fault is not printable: " + printable(fault, 300));
+    for (const auto& entry : fs::directory_iterator(file.parent_path()))
+        fs::remove(entry.path());
+    for (const SettingsSection& section : list)
+        requireInRange(section.parameters);
+    return faults.empty() ? Answer::taken : Answer::refused;
+}
+
+Answer readTip(const fs::path& file) {
+    const xr::TipCalibration tip = xr::readCalibration(file);
+    require(glm::length(tip.offset) < 4, "the tip is metres from the hand");
+    require(std::abs(glm::length(tip.orientation) - 1) < 1e-3F, "the orientation is not of length 1");
+    require(tip.residualMm >= 0, "a residual is negative");
+    return Answer::taken;
+}
+
+/// A word a line.
+Answer readWords(const fs::path& file) {
+    std::vector<std::string> words;
+    const std::string text = readTextFile(file);
+    for (const std::string_view word : splitText(text, '\n'))
+        if (!word.empty()) words.emplace_back(word);
+    checkCommandLine(words);
+    return Answer::taken;
+}
+
+const std::array<Format, 8> kFormats{{
+    {"lesson", "lesson.toml", lessonTexts, readLessonFile},
+    {"material", "material.toml", [] { return corpusOf("material", "app/data/materials"); }, readMaterialFile},
+    {"validation case", "case.toml", [] { return corpusOf("case", "tests/validation/cases"); }, readCaseFile},
+    {"recorded torch path", "path.csv", [] { return corpusOf("torch-csv", nullptr); }, readPath},
+    {"authored torch path", "path.toml", [] { return corpusOf("torch-toml", "app/data/paths"); }, readPath},
+    {"settings", "settings.toml", settingsTexts, readSettings},
+    {"torch tip", "torch-tip.txt", [] { return corpusOf("torch-tip", nullptr); }, readTip},
+    {"command line", "words.txt", [] { return corpusOf("command-line", nullptr); }, readWords},
+}};
+
+} // namespace
+
+std::span<const Format> formats() {
+    return kFormats;
+}
+
+} // namespace meltpool::test

@@ -1,0 +1,39 @@
+// Random damage to texts that knows their structure: lines, keys, numbers, strings and brackets.
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace meltpool::test {
+
+/// Makes inputs out of a corpus. The same corpus, seed and index give the same text on every machine.
+class Mutator {
+  public:
+    /// `corpus`: at least one text; words of all of them are put into each other's places.
+    explicit Mutator(std::vector<std::string> corpus);
+
+    /// Input number `index`: a text of the corpus with one to eight wounds.
+    std::string input(std::uint64_t index);
+
+  private:
+    size_t below(size_t limit) { return limit == 0 ? 0 : static_cast<size_t>(random_() % limit); }
+    const std::string& anyText() { return corpus_[below(corpus_.size())]; }
+    std::string anyWord();
+    /// Where a word of `text` begins and ends.
+    std::pair<size_t, size_t> wordIn(const std::string& text);
+    std::pair<size_t, size_t> lineIn(const std::string& text);
+
+    void wound(std::string& text);
+    void woundBytes(std::string& text);
+    void woundLines(std::string& text);
+    void woundWords(std::string& text);
+    void woundStructure(std::string& text);
+
+    std::vector<std::string> corpus_;
+    std::vector<std::string> words_;
+    std::mt19937_64 random_;
+};
+
+} // namespace meltpool::test
