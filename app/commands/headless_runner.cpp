@@ -114,20 +114,22 @@ class Run {
     Run(const gl::ContextInfo& driver, Trainer& trainer, const RunPlaces& places)
         : driver_(driver), trainer_(trainer), places_(places) {}
 
-    LessonResult toTheEnd(gl::ShaderLibrary& shaders, const StopFlag& stop) {
+    LessonResult toTheEnd(gl::ShaderLibrary& shaders, const RunStop& stop) {
         try {
             steps(shaders, stop);
             trainer_.stopRecord();
             requireRecorded();
+            stop.grant();
             return keepResult("");
         } catch (const std::exception& error) {
+            stop.grant();
             keepWhatThereIs(error.what());
             throw;
         }
     }
 
   private:
-    void steps(gl::ShaderLibrary& shaders, const StopFlag& stop) {
+    void steps(gl::ShaderLibrary& shaders, const RunStop& stop) {
         trainer_.waitForFigures(true);
         RecordContext context;
         context.program = std::string(programVersion()) + " " + std::string(programCommit());
@@ -139,7 +141,7 @@ class Run {
         ProgressBar bar(trainer_.lesson().key);
         photographer.takeDue(trainer_, whole == 0);
         for (size_t step = 1; step <= whole; ++step) {
-            if (stop) throw RuntimeFault("the run was stopped before its end");
+            if (stop.asked()) throw RuntimeFault("the run was stopped before its end");
             trainer_.advanceDemonstration(nullptr);
             requireRecorded();
             requireFinite(trainer_);
@@ -183,14 +185,22 @@ class Run {
 } // namespace
 
 LessonResult runHeadless(const gl::ContextInfo& driver, gl::ShaderLibrary& shaders, const Lesson& lesson,
-                         const RunPlaces& places, const StopFlag& stop) {
+                         const RunPlaces& places, const RunStop& stop) {
     Lesson copy = lesson;
     writeUnfinishedResult(places.result, copy,
                           contextOf(driver, "the run has not ended; if it is over, it was killed"));
+    stop.endAfter([&] {
+        try {
+            writeUnfinishedResult(places.result, copy,
+                                  contextOf(driver, "the run was stopped in the middle of a long step"));
+        } catch (const std::exception&) {
+        }
+    });
     std::optional<Trainer> trainer;
     try {
         trainer.emplace(shaders, lesson);
     } catch (const std::exception& fault) {
+        stop.grant();
         writeUnfinishedResult(places.result, copy, contextOf(driver, fault.what()));
         throw;
     }

@@ -5,13 +5,19 @@
 #include "core/gl/program.hpp"
 #include "core/training/trainer.hpp"
 
-#include <atomic>
 #include <filesystem>
+#include <functional>
 
 namespace meltpool {
 
-/// Set from a signal or another thread to end a run early; what it had is kept.
-using StopFlag = std::atomic<bool>;
+/// How a run learns that it shall end early; what it had is kept.
+struct RunStop {
+    std::function<bool()> asked;
+    /// The run is about to end in order.
+    std::function<void()> grant;
+    /// Sets what is done, on another thread, before a run that was asked but does not come to its next step is ended.
+    std::function<void(const std::function<void()>& last)> endAfter;
+};
 
 /// Where a run writes.
 struct RunPlaces {
@@ -25,7 +31,7 @@ struct RunPlaces {
 /// folder cannot be written at all, RuntimeFault for a full disk, a metal that is no longer finite or a run that was
 /// stopped.
 LessonResult runHeadless(const gl::ContextInfo& driver, gl::ShaderLibrary& shaders, const Lesson& lesson,
-                         const RunPlaces& places, const StopFlag& stop);
+                         const RunPlaces& places, const RunStop& stop);
 
 /// How many fixed steps make `seconds`: the smallest number that reaches them.
 size_t stepsFor(double seconds, double timeStep);

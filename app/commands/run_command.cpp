@@ -2,6 +2,7 @@
 
 #include "app/commands/headless_runner.hpp"
 #include "app/commands/run_folder.hpp"
+#include "app/program/stop_signals.hpp"
 #include "core/base/error.hpp"
 #include "core/base/output_file.hpp"
 #include "core/base/resources.hpp"
@@ -9,18 +10,15 @@
 #include "core/training/lesson.hpp"
 #include "core/training/lesson_room.hpp"
 
-#include <csignal>
+#include <chrono>
 #include <cstdio>
 
 namespace meltpool {
 
 namespace {
 
-StopFlag stopAsked{false};
-
-void askToStop(int) {
-    stopAsked = true;
-}
+/// A run that was asked to stop, but is in the middle of something long, is ended after this time.
+constexpr std::chrono::seconds kPatience(2);
 
 /// Notes are written as fragments or sentences; in a list they read as sentences.
 std::string asSentence(std::string_view note) {
@@ -101,21 +99,25 @@ Lesson requestedLesson(const RunRequest& request) {
 }
 
 void runLesson(const RunRequest& request) {
+    StopSignals signals;
+    signals.endAfter(kPatience, {});
     const Lesson lesson = requestedLesson(request);
     requireNoSource(request.record, lessonSources(lesson));
     if (!request.record.empty()) requireWritable(request.record);
     RunFolder folder(request.folder, lessonSources(lesson));
-    std::signal(SIGINT, askToStop);
-    std::signal(SIGTERM, askToStop);
     const gl::HeadlessContext context;
     gl::ShaderLibrary shaders(resourceFolder() / "shaders");
     requireRoom(lesson);
     if (const size_t removed = folder.clear(); removed > 0)
         std::printf("%s held an earlier run; its %zu files are removed.\n", shown(request.folder.string()).c_str(),
                     removed);
+    RunStop stop;
+    stop.asked = StopSignals::asked;
+    stop.grant = [&signals] { signals.grantStop(); };
+    stop.endAfter = [&signals](const std::function<void()>& last) { signals.endAfter(kPatience, last); };
     const auto& telemetry = request.record.empty() ? folder.telemetry() : request.record;
     const LessonResult result =
-        runHeadless(context.info(), shaders, lesson, {folder.result(), telemetry, folder.path()}, stopAsked);
+        runHeadless(context.info(), shaders, lesson, {folder.result(), telemetry, folder.path()}, stop);
     std::printf(
         "%s: %.2f s in %zu steps, %zu of %zu particles molten, temperature %.3g to %.3g, %zu lost; pictures and "
         "result are in %s\n",

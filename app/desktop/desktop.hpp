@@ -28,9 +28,10 @@ struct DesktopOptions {
 /// Why no window can be opened here, as a sentence; empty when one can.
 std::string missingDisplay();
 
-/// Opens the window and returns when it is closed or SIGINT or SIGTERM came: 0, or 1 where a record that was wanted is
-/// not whole. Throws InputError when there is no
-/// display or too little OpenGL, or the lesson or telemetry file cannot be used.
+/// Opens the window and returns when it is closed or SIGINT, SIGTERM or SIGHUP came: 0, or 1 where a record that was
+/// wanted is not whole or the settings cannot be saved. Where the display goes away it keeps what they would keep, and
+/// the process ends with exit code 1. Throws InputError when there is no display or too little OpenGL, or the lesson or
+/// telemetry file cannot be used.
 int runDesktop(const DesktopOptions& options);
 
 } // namespace meltpool

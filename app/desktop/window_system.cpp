@@ -3,9 +3,23 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#ifdef __linux__
+#include <X11/Xlib.h>
+
+/// As GLFW/glfw3native.h declares it, which needs headers of other extensions too.
+extern "C" Display* glfwGetX11Display(void);
+#endif
+
+#include <atomic>
 #include <cstdlib>
 
 namespace meltpool {
+
+namespace {
+
+std::atomic<bool> lost{false};
+
+} // namespace
 
 bool startWindowSystem() {
 #ifdef GLFW_PLATFORM_X11 // since GLFW 3.4
@@ -17,6 +31,21 @@ bool startWindowSystem() {
     }
 #endif
     return glfwInit() == GLFW_TRUE;
+}
+
+void surviveLostDisplay() {
+    lost = false;
+#ifdef __linux__
+    Display* display = glfwGetX11Display();
+    if (display == nullptr) return;
+    // Xlib would end the process when this returns, without it.
+    XSetIOErrorExitHandler(
+        display, [](Display*, void*) { lost = true; }, nullptr);
+#endif
+}
+
+bool displayLost() {
+    return lost;
 }
 
 } // namespace meltpool

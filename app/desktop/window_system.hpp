@@ -8,4 +8,10 @@ namespace meltpool {
 /// opened; glfwGetError() then says why.
 bool startWindowSystem();
 
+/// From now on a connection to the X display that breaks does not end the program: displayLost() tells it, and what is
+/// asked of the display gives nothing. Needs an open window. Without effect where the window system is another one,
+/// whose broken connection closes the window.
+void surviveLostDisplay();
+bool displayLost();
+
 } // namespace meltpool

@@ -265,6 +265,6 @@ TEST_CASE("without a display lesson and record are honoured, and what needs a wi
     CHECK(outcome.code == 1); // stopped before its end
     CHECK_THAT(outcome.output, containsText("lesson 'solder-cube' runs"));
     CHECK(resultIn(folder / "out" / "solder-cube").at("lesson") == "solder-cube");
-    CHECK(readTorchCsv(folder / "mine.csv").samples.size() > 40);
+    CHECK_FALSE(readTorchCsv(folder / "mine.csv").samples.empty());
     CHECK(runMeltpool("--record /no/such/folder/mine.csv", before).code == 2);
 }
