@@ -38,9 +38,13 @@ void surviveLostDisplay() {
 #ifdef __linux__
     Display* display = glfwGetX11Display();
     if (display == nullptr) return;
-    // Xlib would end the process when this returns, without it.
+    // Xlib's own handlers end the process, the first with a line of its own.
+    XSetIOErrorHandler([](Display*) {
+        lost = true;
+        return 0;
+    });
     XSetIOErrorExitHandler(
-        display, [](Display*, void*) { lost = true; }, nullptr);
+        display, [](Display*, void*) {}, nullptr);
 #endif
 }
 

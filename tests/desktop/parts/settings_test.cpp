@@ -1,4 +1,5 @@
 // The settings file: round trip, faults named with their line, broken files set aside; and the messages on the screen.
+#include "app/desktop/desktop_settings.hpp"
 #include "app/desktop/screenshot.hpp"
 #include "app/session/messages.hpp"
 #include "app/session/settings.hpp"
@@ -138,6 +139,18 @@ TEST_CASE("a settings file of a key with 40,000 parts is set aside, not parsed")
     REQUIRE(faults.size() == 2);
     CHECK_THAT(faults[0], test::containsText(":2: the key has too many parts; expected at most 16"));
     CHECK_FALSE(fs::exists(file));
+}
+
+TEST_CASE("settings that will not be saved are told at the start") {
+    Lesson lesson = loadLesson(std::string(kDefaultLesson));
+    LessonSections sections(lesson);
+    DesktopSettings lost("/proc/nowhere/settings.toml", lesson.key);
+    const auto faults = lost.load(sections, {});
+    REQUIRE(faults.size() == 1);
+    CHECK_THAT(faults[0], test::containsText("The settings of this session cannot be saved: /proc/nowhere"));
+    CHECK_THROWS_AS(lost.save(sections, {}), InputError);
+    DesktopSettings kept(test::scratchFolder("settings-savable") / "new" / "settings.toml", lesson.key);
+    CHECK(kept.load(sections, {}).empty());
 }
 
 TEST_CASE("messages go after their time; held ones stay until their fault is gone or they are put away") {
