@@ -10,6 +10,9 @@ namespace {
 
 constexpr std::chrono::milliseconds kOpening{10000};
 
+/// Far beyond what a software driver takes to draw a frame.
+constexpr std::chrono::milliseconds kDrawing{60000};
+
 /// The least time that a call gets, however slow the frame was.
 constexpr std::chrono::steady_clock::duration kLeastPatience = std::chrono::milliseconds(50);
 
@@ -140,12 +143,25 @@ void Headset::playTracker(size_t which, const HapticPulse& pulse) {
     worker_->submission.trackerPulse = pulse;
 }
 
+void Headset::awaitDrawing() {
+    const InWork driver(WorkPlace::driver);
+    // However long the processor draws, the runtime is not what takes the time.
+    thread_->begin(invoke<&RuntimeWorker::awaitDrawing>);
+    if (!thread_->wait(kDrawing)) {
+        stalled_ = true;
+        throw Stalled();
+    }
+    if (WorkMeter* meter = WorkMeter::current()) meter->add(thread_->work());
+    thread_->rethrow();
+}
+
 void Headset::endFrame() {
     const auto& quads = worker_->submission.quads;
     const bool copies = std::any_of(quads.begin(), quads.end(), [](const QuadSubmission& quad) { return quad.fresh; });
     if (worker_->submission.eyes || copies) {
         worker_->submission.drawn = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
         glFlush(); // else the worker's context would wait for commands that were never sent
+        if (worker_->drawsOnProcessor()) awaitDrawing();
     }
     call(invoke<&RuntimeWorker::endFrame>);
     polled_ = true;

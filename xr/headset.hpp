@@ -93,6 +93,7 @@ class Headset {
   private:
     void call(CallThread::Call work, WorkPlace place = WorkPlace::runtime);
     void note();
+    void awaitDrawing();
     void finishOpening();
     void show(Quad quad, const Panel& picture, const Pose& pose, bool fresh);
 

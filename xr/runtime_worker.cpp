@@ -32,12 +32,9 @@ EyeSize eyeSize(const Instance& instance, float scale) {
 }
 
 /// Lets the driver, not this thread, wait until the other context has reached the fence.
-void waitFor(GLsync& fence, bool software) {
+void waitFor(GLsync& fence) {
     if (fence == nullptr) return;
     glWaitSync(fence, 0, GL_TIMEOUT_IGNORED);
-    // Software drivers do not all wait by themselves. Waiting here stalls no graphics card then.
-    constexpr GLuint64 kLongest = 1'000'000'000;
-    if (software) glClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, kLongest);
     glDeleteSync(fence);
     fence = nullptr;
 }
@@ -194,9 +191,15 @@ void RuntimeWorker::play() {
     if (submission.trackerPlays) input->playTracker(submission.tracker, submission.trackerPulse);
 }
 
+void RuntimeWorker::awaitDrawing() {
+    constexpr GLuint64 kTurn = 1'000'000'000; // ns
+    while (glClientWaitSync(submission.drawn, GL_SYNC_FLUSH_COMMANDS_BIT, kTurn) == GL_TIMEOUT_EXPIRED) {
+    }
+}
+
 void RuntimeWorker::endFrame() {
     layerCount_ = 0;
-    waitFor(submission.drawn, software_);
+    waitFor(submission.drawn);
     if (submission.eyes) submitEyes();
     for (size_t i = 0; i < kQuads; ++i)
         if (submission.quads[i].shown) submitQuad(i);

@@ -61,9 +61,13 @@ class RuntimeWorker : public ThreadOwned {
     void waitFrame();  ///< and reads the controllers for that frame
     void beginFrame(); ///< and locates the eyes for it
     void locateEyes();
-    void endFrame();  ///< submits `submission` and polls the runtime's events
-    void dropFrame(); ///< ends a frame that was given up
+    void awaitDrawing(); ///< waits until the submission's pictures are drawn
+    void endFrame();     ///< submits `submission` and polls the runtime's events
+    void dropFrame();    ///< ends a frame that was given up
     void requestExit();
+
+    /// Software drivers do not all wait by themselves for another context: awaitDrawing() is needed before endFrame().
+    bool drawsOnProcessor() const { return software_; }
 
     // Results.
     std::unique_ptr<Instance> instance;

@@ -31,9 +31,10 @@ class SurfacePainter {
 
   private:
     struct FarSide {
+        FarSide() : framebuffer("far side") {}
         gl::Texture side;
         gl::Texture depth;
-        gl::Framebuffer framebuffer{"far side"};
+        gl::Framebuffer framebuffer;
     };
 
     void addVertexAttribute(GLuint attribute, GLint components, size_t offset);

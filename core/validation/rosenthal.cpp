@@ -82,7 +82,7 @@ MovingPlate plan(const ValidationCase& from, const Material& m) {
 class Field {
   public:
     Field(const MetalLattice& lattice, const MetalState& state, int top)
-        : lattice_(lattice), top_(top), values_(lattice.cellCount(), NAN) {
+        : lattice_(lattice), top_(top), values_(lattice.cellCount(), std::nan("")) {
         for (const vec4& p : state.position.read<vec4>(state.particles()))
             values_[lattice.index(lattice.cellAt(glm::vec3(p)))] = static_cast<double>(p.w);
     }

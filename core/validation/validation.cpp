@@ -83,7 +83,7 @@ void ValidationResult::compareMeasured(const ValidationCase& from, const std::st
 
 void ValidationResult::compareLeftMeasured(const ValidationCase& from) {
     for (const auto& [measuredName, measured] : from.measured) {
-        const auto isOne = [&](const ValidationNumber& number) { return number.name == measuredName; };
+        const auto isOne = [&name = measuredName](const ValidationNumber& number) { return number.name == name; };
         const auto found = std::find_if(numbers.begin(), numbers.end(), isOne);
         const bool missing = found == numbers.end();
         if (!missing && found->origin == "measured") continue;

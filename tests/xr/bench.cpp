@@ -126,9 +126,13 @@ Window windowOf(Display* display, const std::string& title) {
     return found;
 }
 
-} // namespace
+/// Where a window goes in the screen's lower right corner.
+struct Corner {
+    int left = 0, top = 0, width = 0, height = 0;
+};
 
-Image windowPicture(const std::string& title) {
+/// The corner for the window of that title; moves it there where asked.
+Corner cornerOf(const std::string& title, bool move) {
     Display* display = XOpenDisplay(nullptr);
     if (display == nullptr) throw RuntimeFault("no X display for the window's picture");
     const Window window = windowOf(display, title);
@@ -136,16 +140,28 @@ Image windowPicture(const std::string& title) {
     XGetWindowAttributes(display, window, &shape);
     const int left = DisplayWidth(display, DefaultScreen(display)) - shape.width;
     const int top = DisplayHeight(display, DefaultScreen(display)) - shape.height;
-    XMoveWindow(display, window, left, top);
-    XRaiseWindow(display, window);
-    XSync(display, 0);
+    if (move) {
+        XMoveWindow(display, window, left, top);
+        XRaiseWindow(display, window);
+        XSync(display, 0);
+    }
     XCloseDisplay(display);
-    std::this_thread::sleep_for(std::chrono::milliseconds(700)); // until frames have filled the uncovered part
+    return {left, top, shape.width, shape.height};
+}
+
+} // namespace
+
+void showWindow(const std::string& title) {
+    cornerOf(title, true);
+}
+
+Image windowPicture(const std::string& title) {
+    const Corner corner = cornerOf(title, false);
     const Image screen = screenshot();
-    Image cut{shape.width, shape.height, {}};
-    for (int y = 0; y < shape.height; ++y) {
-        const auto row = screen.rgb.begin() + (std::ptrdiff_t(top + y) * screen.width + left) * 3;
-        cut.rgb.insert(cut.rgb.end(), row, row + shape.width * 3);
+    Image cut{corner.width, corner.height, {}};
+    for (int y = 0; y < corner.height; ++y) {
+        const auto row = screen.rgb.begin() + (std::ptrdiff_t(corner.top + y) * screen.width + corner.left) * 3;
+        cut.rgb.insert(cut.rgb.end(), row, row + corner.width * 3);
     }
     return cut;
 }
@@ -167,28 +183,68 @@ void keepPicture(const Image& image, const std::string& name) {
 
 xr::FrameTiming stepFrame(xr::Headset& headset, const std::function<void(const xr::BothEyes&)>& draw,
                           const std::function<void()>& beforeEnd) {
-    headset.poll();
-    if (!headset.running()) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-        return {};
+    try {
+        headset.poll();
+        if (headset.running()) {
+            const xr::FrameTiming timing = headset.waitFrame();
+            headset.beginFrame();
+            if (timing.shouldRender && draw) headset.drawEyes(draw);
+            if (beforeEnd) beforeEnd();
+            headset.endFrame();
+            return timing;
+        }
+    } catch (const xr::Stalled&) {
+        // A busy machine; poll() goes on when the runtime has answered.
     }
-    const xr::FrameTiming timing = headset.waitFrame();
-    headset.beginFrame();
-    if (timing.shouldRender && draw) headset.drawEyes(draw);
-    if (beforeEnd) beforeEnd();
-    headset.endFrame();
-    return timing;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    return {};
 }
 
-bool reach(xr::Headset& headset, xr::SessionMode mode, double seconds) {
+namespace {
+
+/// Repeats `turn` until it answers true; false after kPatience.
+template <class Turn>
+bool repeatUntil(const Turn& turn) {
     using Clock = std::chrono::steady_clock;
-    headset.waitUntilOpened();
-    const auto end = Clock::now() + std::chrono::duration<double>(seconds);
-    while (headset.mode() != mode) {
-        if (Clock::now() > end) return false;
-        stepFrame(headset, {});
-    }
-    return true;
+    for (const auto end = Clock::now() + std::chrono::duration<double>(kPatience); Clock::now() < end;)
+        if (turn()) return true;
+    return false;
+}
+
+} // namespace
+
+bool waitUntil(const std::function<bool()>& done) {
+    return repeatUntil([&] {
+        if (done()) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        return false;
+    });
+}
+
+bool stepFrames(xr::Headset& headset, int count, const std::function<void(const xr::BothEyes&)>& draw,
+                const std::function<void()>& beforeEnd) {
+    int whole = 0;
+    return repeatUntil([&] {
+        if (whole < count && stepFrame(headset, draw, beforeEnd).displayTime != 0) ++whole;
+        return whole >= count;
+    });
+}
+
+bool stepUntil(xr::Headset& headset, const std::function<bool()>& done,
+               const std::function<void(const xr::BothEyes&)>& draw) {
+    return repeatUntil([&] {
+        if (done()) return true;
+        stepFrame(headset, draw);
+        return false;
+    });
+}
+
+bool waitUntilOpen(xr::Headset& headset) {
+    return waitUntil([&] { return headset.opened(); });
+}
+
+bool reach(xr::Headset& headset, xr::SessionMode mode) {
+    return waitUntilOpen(headset) && stepUntil(headset, [&] { return headset.mode() == mode; });
 }
 
 } // namespace meltpool::test

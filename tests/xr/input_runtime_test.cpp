@@ -14,6 +14,7 @@ struct Hands {
     RemoteDriver driver{benchPort()};
     RemoteState state;
     std::unique_ptr<xr::Headset> headset;
+    float mark = 0;
 
     Hands() {
         benchWindow();
@@ -23,14 +24,21 @@ struct Hands {
         headset = std::make_unique<xr::Headset>(std::make_unique<xr::Instance>(),
                                                 xr::HeadsetSettings{.resolutionScale = 0.3f, .samples = 1});
         REQUIRE(reach(*headset, xr::SessionMode::focused));
-        step(5);
+        step();
     }
 
-    /// Sends the state and lets it arrive.
-    void step(int frames = 4) {
+    /// Sends the state, marked by the left thumbstick, without stepping a frame.
+    void send() {
+        mark = mark > 0.8f ? 0.1f : mark + 0.1f;
+        state.hands[0].thumbstickX = mark;
         driver.send(state);
-        for (int i = 0; i < frames; ++i)
-            stepFrame(*headset, {});
+    }
+    /// The state that was sent last has arrived.
+    bool arrived() { return std::abs(hand(Hand::left).scrollX - mark) < 0.01f; }
+    /// Sends the state and steps frames until it has arrived.
+    void step() {
+        send();
+        REQUIRE(stepUntil(*headset, [this] { return arrived(); }));
     }
     const xr::HandInput& hand(Hand which) { return headset->input().hand(which); }
 };
@@ -65,13 +73,12 @@ TEST_CASE("a controller's grip pose, trigger and buttons arrive", "[runtime]") {
     CHECK(glm::distance(after.position, hands.state.hands[1].pose.position) < 0.2f);
 
     hands.state.hands[1].b = true;
-    bool menu = false;
-    hands.driver.send(hands.state);
+    hands.send();
     int edges = 0;
-    for (int i = 0; i < 6; ++i) {
-        stepFrame(*hands.headset, {});
-        menu = hands.hand(Hand::right).menu;
-        edges += menu ? 1 : 0;
+    const auto countEdges = [&] { edges += hands.hand(Hand::right).menu ? 1 : 0; };
+    for (int held = 0; held < 6; held += hands.arrived() ? 1 : 0) {
+        REQUIRE(stepFrames(*hands.headset, 1));
+        countEdges();
     }
     CHECK(edges == 1); // once, when it went down, however long it is held
     CHECK(misuses() == "");
@@ -85,13 +92,11 @@ TEST_CASE("a controller that is switched off is told at once and comes back", "[
     const glm::vec3 last = hands.hand(Hand::right).grip.position;
 
     hands.state.hands[1].active = false;
-    hands.driver.send(hands.state);
-    int frames = 0;
-    while (hands.hand(Hand::right).tracked && frames < 10) {
-        stepFrame(*hands.headset, {});
-        ++frames;
-    }
-    CHECK(frames <= 3);
+    hands.step();
+    int frames = 0; // after the one in which the controller's silence arrived
+    for (; hands.hand(Hand::right).tracked && frames < 10; ++frames)
+        REQUIRE(stepFrames(*hands.headset, 1));
+    CHECK(frames <= 2);
     CHECK(glm::distance(hands.hand(Hand::right).grip.position, last) < 0.01f); // the last known place
     CHECK(hands.hand(Hand::left).tracked);
 
@@ -104,15 +109,13 @@ TEST_CASE("a controller that is switched off is told at once and comes back", "[
 TEST_CASE("the controller vibrates once a frame and is stopped once", "[runtime]") {
     Hands hands;
     xr::Headset& headset = *hands.headset;
-    for (int i = 0; i < 5; ++i)
-        stepFrame(headset, {}, [&] {
-            headset.play(Hand::right, {0.1f, 100.0f, 0.05f});
-            headset.play(Hand::right, {0.5f, 170.0f, 0.05f}); // the last word of the frame
-        });
+    REQUIRE(stepFrames(headset, 5, {}, [&] {
+        headset.play(Hand::right, {0.1f, 100.0f, 0.05f});
+        headset.play(Hand::right, {0.5f, 170.0f, 0.05f}); // the last word of the frame
+    }));
     CHECK(headset.hapticCalls().applied == 5);
     CHECK(headset.hapticCalls().stopped == 0);
-    for (int i = 0; i < 5; ++i)
-        stepFrame(headset, {}, [&] { headset.play(Hand::right, {}); });
+    REQUIRE(stepFrames(headset, 5, {}, [&] { headset.play(Hand::right, {}); }));
     CHECK(headset.hapticCalls().applied == 5);
     CHECK(headset.hapticCalls().stopped == 1);
     headset.playTracker(0, {0.5f, 170.0f, 0.05f}); // none is bound: nothing happens
@@ -143,7 +146,7 @@ TEST_CASE("a torch path held by the controller is read back along its whole way"
         const TorchSample wanted = path.sample(time);
         hands.state.hands[1].pose = xr::Pose{wanted.orientation, wanted.tip} * gripInDevice.inverse();
         hands.state.hands[1].trigger = wanted.trigger;
-        hands.step(3);
+        hands.step();
         INFO("time " << time);
         CHECK(glm::distance(hands.hand(Hand::right).grip.position, wanted.tip) < 1e-4f);
         CHECK(std::abs(glm::dot(hands.hand(Hand::right).grip.orientation, wanted.orientation)) > 0.99999f);

@@ -36,18 +36,18 @@ TEST_CASE("a lost torch and a locked trigger are told before the eyes and in the
     const fs::path folder = benchFolder() / "notices";
     Trainee trainee;
     TrainerProcess trainer(folder, {"--headset", "--lesson", smallLesson(folder).string()});
-    REQUIRE(trainer.waitFor(ready, 60));
+    REQUIRE(trainer.waitFor(ready));
     for (const json& row : trainer.rows()) // the runtime shows the trainer before it gives it the controllers
         CHECK(row["messages"].dump().find("something else") == std::string::npos);
     trainee.aim({0.03f, 0.04f, 0.03f}, 0.0f);
     trainee.lookDown();
-    REQUIRE(trainer.waitFor(notice("Zoom 4"), 20));
+    REQUIRE(trainer.waitFor(notice("Zoom 4")));
     CHECK(noNotice("arc")(trainer.now()));
     const Image without = leftEye(trainer);
 
     trainee.state.hands[1].active = false;
     trainee.send();
-    REQUIRE(trainer.waitFor(notice("out of sight"), 20));
+    REQUIRE(trainer.waitFor(notice("out of sight")));
     CHECK_THAT(trainer.now()["messages"].dump(), containsText("out of sight"));
     const Image with = leftEye(trainer);
     keepPicture(with, "notice.png");
@@ -56,11 +56,11 @@ TEST_CASE("a lost torch and a locked trigger are told before the eyes and in the
     trainee.state.hands[1].active = true;
     trainee.state.hands[1].trigger = 1;
     trainee.send();
-    REQUIRE(trainer.waitFor(notice("Let the trigger go"), 20));
+    REQUIRE(trainer.waitFor(notice("Let the trigger go")));
     CHECK_THAT(trainer.now()["messages"].dump(), containsText("Let the trigger go"));
     keepPicture(leftEye(trainer), "notice-locked.png");
     trainee.letGo(trainer);
-    CHECK(trainer.waitFor(noNotice("arc"), 20));
+    CHECK(trainer.waitFor(noNotice("arc")));
     CHECK(trainer.now()["messages"].dump().find("trigger") == std::string::npos);
     CHECK(trainer.stop() == 0);
     CHECK(trainer.misuses() == "");
@@ -77,7 +77,7 @@ TEST_CASE("a weld starts at real size whatever the settings say; another zoom pu
     trainee.held = glm::angleAxis(-1.4f, glm::vec3(1, 0, 0));
     TrainerProcess trainer(folder, {"--headset", "--lesson", file.string(), "--record", record.string()},
                            "weld_zoom = 3\n");
-    REQUIRE(trainer.waitFor(ready, 60));
+    REQUIRE(trainer.waitFor(ready));
     trainee.aim({0.005f, 0.02f, 0}, 0.0f);
     const auto torchAt = [](const glm::vec3& mm) {
         return [mm](const json& row) {
@@ -85,15 +85,15 @@ TEST_CASE("a weld starts at real size whatever the settings say; another zoom pu
             return glm::distance(glm::vec3(tip[0].get<float>(), tip[1].get<float>(), tip[2].get<float>()), mm) < 1;
         };
     };
-    CHECK(trainer.waitFor(torchAt({5, 20, 0}), 20));
+    CHECK(trainer.waitFor(torchAt({5, 20, 0})));
     CHECK(noNotice("Zoom")(trainer.now()));
     trainee.showPanel(trainer, true);
     trainee.press(trainer, "headset.weld_zoom"); // the middle of the slider
-    REQUIRE(trainer.waitFor(notice("Zoom 5.5"), 20));
+    REQUIRE(trainer.waitFor(notice("Zoom 5.5")));
     trainee.showPanel(trainer, false);
     trainee.zoom = 5.5f;
     trainee.aim({0.005f, 0.02f, 0}, 0.0f);
-    CHECK(trainer.waitFor(torchAt({5, 20, 0}), 20));
+    CHECK(trainer.waitFor(torchAt({5, 20, 0})));
     keepPicture(leftEye(trainer), "notice-zoom.png");
     CHECK(trainer.stop() == 0);
     CHECK_THAT(readTextFile(record), containsText("# event zoom 1\n") && containsText("# event zoom 5.5\n"));
@@ -108,16 +108,14 @@ TEST_CASE("a question is answered in the headset: the panel opens by itself, and
     // A record below a file cannot be written.
     TrainerProcess trainer(folder,
                            {"--headset", "--lesson", lesson.string(), "--record", (lesson / "record.csv").string()});
-    REQUIRE(trainer.waitFor(
-        [](const json& row) {
-            return row["headset"]["panel"] == true && row["headset"]["places"].contains("question.0");
-        },
-        60));
+    REQUIRE(trainer.waitFor([](const json& row) {
+        return row["headset"]["panel"] == true && row["headset"]["places"].contains("question.0");
+    }));
     CHECK(trainer.now()["metal"]["steps"] == 0);
     trainee.lookDown();
     keepPicture(leftEye(trainer), "question.png");
     trainee.press(trainer, "question.0");
-    CHECK(trainer.waitFor([](const json& row) { return row["metal"]["steps"] > 5; }, 20));
+    CHECK(trainer.waitFor([](const json& row) { return row["metal"]["steps"] > 5; }));
     trainer.stop();
     CHECK(trainer.misuses() == "");
 }

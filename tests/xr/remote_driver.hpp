@@ -39,7 +39,7 @@ std::vector<std::uint8_t> encode(const RemoteState& state);
 
 class RemoteDriver {
   public:
-    /// Connects to the driver on this machine. Throws RuntimeFault when nothing listens for 5 seconds.
+    /// Connects to the driver on this machine. Throws RuntimeFault when nothing listens within a minute.
     explicit RemoteDriver(int port);
     ~RemoteDriver();
     RemoteDriver(const RemoteDriver&) = delete;

@@ -87,12 +87,10 @@ TEST_CASE("each eye shows what one view from its place shows, whichever way the 
         const std::string name(submissionName(submission));
         // Where the driver of this machine cannot, the next plainer way is what it shows.
         const SubmissionChoice chosen = lesson.renderer.submitBy(submission);
-        for (int i = 0; i < 4; ++i)
-            stepFrame(headset, draw);
+        REQUIRE(stepFrames(headset, 4, draw));
         const Image both = gl::readPixels(headset.eyes().resolved(), 2 * last.width, last.height);
         // A few frames more, so that the compositor has shown this very picture.
-        for (int i = 0; i < 4; ++i)
-            stepFrame(headset, draw);
+        REQUIRE(stepFrames(headset, 4, draw));
         keepPicture(screenshot(), "workshop_composited_" + name + ".png");
         keepPicture(both, "workshop_eyes_" + name + ".png");
 

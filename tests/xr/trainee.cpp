@@ -21,10 +21,11 @@ HandGeometry measureHand() {
     driver.send(state);
     xr::Headset headset(std::make_unique<xr::Instance>(), {.resolutionScale = 0.3f, .samples = 1});
     reach(headset, xr::SessionMode::focused);
-    for (int i = 0; i < 5; ++i)
-        stepFrame(headset, {});
+    const auto tracked = [&] { return headset.input().hand(xr::Hand::right).tracked; };
+    REQUIRE(stepUntil(headset, tracked));
+    REQUIRE(stepFrames(headset, 5));
+    REQUIRE(tracked());
     const xr::HandInput& hand = headset.input().hand(xr::Hand::right);
-    REQUIRE(hand.tracked);
     return {hand.grip, hand.aim};
 }
 
@@ -121,7 +122,14 @@ void Trainee::scrollTo(TrainerProcess& trainer, const std::string& name) {
         passFrames(trainer, 2);
         state.hands[hand].thumbstickY = inSight(trainer.now()) ? 0.0f : way;
         send();
-        const bool there = trainer.waitFor(inSight, 4);
+        // A panel whose controls stand still for many frames is at its end.
+        json last;
+        long long moved = trainer.now()["frame"];
+        const bool there = trainer.waitFor([&](const json& row) {
+            if (row["headset"]["places"] != last) moved = row["frame"];
+            last = row["headset"]["places"];
+            return inSight(row) || row["frame"] > moved + 40;
+        });
         state.hands[hand].thumbstickY = 0;
         send();
         passFrames(trainer, 3);
@@ -141,7 +149,7 @@ void Trainee::press(TrainerProcess& trainer, const std::string& name) {
 void Trainee::showPanel(TrainerProcess& trainer, bool open) {
     state.hands[hand].b = true;
     send();
-    REQUIRE(trainer.waitFor([&](const json& row) { return row["headset"]["panel"] == open; }, 5));
+    REQUIRE(trainer.waitFor([&](const json& row) { return row["headset"]["panel"] == open; }));
     state.hands[hand].b = false;
     send();
     passFrames(trainer, 2);
@@ -150,7 +158,7 @@ void Trainee::showPanel(TrainerProcess& trainer, bool open) {
 void Trainee::letGo(TrainerProcess& trainer) {
     state.hands[hand].trigger = 0;
     send();
-    REQUIRE(trainer.waitFor(ready, 20));
+    REQUIRE(trainer.waitFor(ready));
 }
 
 bool running(const json& row) {
@@ -163,7 +171,39 @@ bool ready(const json& row) {
 
 void passFrames(TrainerProcess& trainer, long long count) {
     const long long from = trainer.now()["frame"];
-    CHECK(trainer.waitFor([&](const json& row) { return row["frame"] >= from + count; }, 20));
+    CHECK(trainer.waitFor([&](const json& row) { return row["frame"] >= from + count; }));
+}
+
+namespace {
+
+/// Takes pictures a few frames apart until two are alike.
+Image settled(TrainerProcess& trainer, const std::function<Image()>& take) {
+    Image last, now = take();
+    const bool same = waitUntil([&] {
+        last = std::move(now);
+        passFrames(trainer, 6);
+        now = take();
+        return compareImages(last, now, 24).farPixels < 1e-3;
+    });
+    CHECK(same);
+    return now;
+}
+
+} // namespace
+
+Image settledEye(TrainerProcess& trainer, int eye) {
+    return settled(trainer, [eye] { return shownEye(screenshot(), eye); });
+}
+
+Image settledWindow(TrainerProcess& trainer) {
+    return settled(trainer, [] { return windowPicture("Meltpool"); });
+}
+
+bool eyeComesTo(TrainerProcess& trainer, int eye, const Image& other, const std::function<bool(double)>& wanted) {
+    return waitUntil([&] {
+        passFrames(trainer, 2);
+        return wanted(compareImages(other, shownEye(screenshot(), eye), 24).farPixels);
+    });
 }
 
 void sleepFor(double seconds) {

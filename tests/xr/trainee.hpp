@@ -62,6 +62,14 @@ bool ready(const nlohmann::json& row);
 /// Waits until the window has gone on by so many frames, however slow this machine draws them.
 void passFrames(TrainerProcess& trainer, long long count);
 
+/// The eye (0 left, 1 right) as the compositor shows it once its picture no longer changes from frame to frame.
+Image settledEye(TrainerProcess& trainer, int eye);
+/// The same of the program's own window.
+Image settledWindow(TrainerProcess& trainer);
+
+/// Whether the share of pixels in which an eye differs from `other` fulfils `wanted(share)`, now or within kPatience.
+bool eyeComesTo(TrainerProcess& trainer, int eye, const Image& other, const std::function<bool(double)>& wanted);
+
 void sleepFor(double seconds);
 
 } // namespace meltpool::test

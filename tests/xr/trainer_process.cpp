@@ -6,11 +6,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
-#include <thread>
 
 namespace meltpool::test {
 
@@ -106,24 +104,34 @@ nlohmann::json TrainerProcess::now() {
     return nlohmann::json::parse(text.substr(begin, end - begin));
 }
 
-bool TrainerProcess::waitFor(const std::function<bool(const nlohmann::json&)>& done, double seconds,
+bool TrainerProcess::waitFor(const std::function<bool(const nlohmann::json&)>& done,
                              const std::function<void()>& meanwhile) {
-    using Clock = std::chrono::steady_clock;
-    for (const auto end = Clock::now() + std::chrono::duration<double>(seconds); Clock::now() < end && alive();) {
+    bool came = false;
+    waitUntil([&] {
         if (meanwhile) meanwhile();
         const nlohmann::json row = now();
-        if (!row.empty() && done(row)) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        came = !row.empty() && done(row);
+        return came || !alive();
+    });
+    return came;
+}
+
+void TrainerProcess::signal(int number) const {
+    if (pid_ >= 0) kill(pid_, number);
+}
+
+int TrainerProcess::finish() {
+    if (!waitUntil([this] { return !alive(); })) {
+        kill(pid_, SIGKILL);
+        status_ = waitForEnd(pid_);
+        pid_ = -1;
     }
-    return false;
+    return status_;
 }
 
 int TrainerProcess::stop() {
-    if (!alive()) return status_;
-    kill(pid_, SIGTERM);
-    status_ = waitForEnd(pid_);
-    pid_ = -1;
-    return status_;
+    if (alive()) signal(SIGTERM);
+    return finish();
 }
 
 std::string TrainerProcess::misuses() const {

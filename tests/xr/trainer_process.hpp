@@ -26,11 +26,15 @@ class TrainerProcess {
     nlohmann::json now();
     /// Every row so far.
     std::vector<nlohmann::json> rows();
-    /// Looks 20 times a second until `done(row)`, for at most `seconds`; `meanwhile` runs before each look.
-    bool waitFor(const std::function<bool(const nlohmann::json&)>& done, double seconds,
-                 const std::function<void()>& meanwhile = {});
+    /// Looks 20 times a second until `done(row)`; `meanwhile` runs before each look. False when the program has ended,
+    /// or after kPatience.
+    bool waitFor(const std::function<bool(const nlohmann::json&)>& done, const std::function<void()>& meanwhile = {});
     /// Asks the program to end as Ctrl+C does; its exit status.
     int stop();
+    /// Sends it a signal.
+    void signal(int number) const;
+    /// Waits until the program has ended by itself; its exit status. After kPatience it is killed: 137.
+    int finish();
     bool alive();
     /// What the validation layer wrote about the program.
     std::string misuses() const;

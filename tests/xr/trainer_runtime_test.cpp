@@ -49,8 +49,8 @@ TEST_CASE("a tracked torch melts the cube's corner, and its record melts it agai
     const fs::path lesson = smallLesson(folder), record = folder / "telemetry.csv";
     Trainee trainee;
     TrainerProcess trainer(folder, {"--headset", "--lesson", lesson.string(), "--record", record.string()});
-    REQUIRE(trainer.waitFor(ready, 30));
-    REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["tracked"] == true; }, 5));
+    REQUIRE(trainer.waitFor(ready));
+    REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["tracked"] == true; }));
     trainee.lookDown();
 
     // From beside the cube to its front upper corner, heating on the way in.
@@ -58,12 +58,12 @@ TEST_CASE("a tracked torch melts the cube's corner, and its record melts it agai
         trainee.aim(glm::mix(glm::vec3(0.04f), glm::vec3(0.018f), float(i) / 20), i > 10 ? 1.0f : 0.0f);
         sleepFor(0.03);
     }
-    CHECK(trainer.waitFor([](const json& row) { return row["metal"]["molten"] > 100; }, 40));
+    CHECK(trainer.waitFor([](const json& row) { return row["metal"]["molten"] > 100; }));
     keepPicture(screenshot(), "melting.png");
     trainee.aim(glm::vec3(0.018f), 0.0f);
     sleepFor(0.1);
     const long long steps = trainer.now()["metal"]["steps"];
-    CHECK(trainer.waitFor([&](const json& row) { return row["metal"]["steps"] > steps + 6; }, 10));
+    CHECK(trainer.waitFor([&](const json& row) { return row["metal"]["steps"] > steps + 6; }));
     CHECK(trainer.stop() == 0);
     CHECK(trainer.misuses() == "");
 
@@ -88,22 +88,23 @@ TEST_CASE("the torch's controller goes off in mid-weld: the arc is out, it is sa
     Trainee trainee;
     TrainerProcess trainer(folder, {"--headset", "--lesson", smallLesson(folder).string(), "--record",
                                     (folder / "telemetry.csv").string()});
-    REQUIRE(trainer.waitFor(ready, 30));
+    REQUIRE(trainer.waitFor(ready));
     trainee.aim(glm::vec3(0.018f), 1.0f);
-    REQUIRE(trainer.waitFor([](const json& row) { return row["metal"]["hottest"] > 0.05; }, 10));
+    REQUIRE(trainer.waitFor([](const json& row) { return row["metal"]["hottest"] > 0.05; }));
     trainee.state.hands[1].active = false;
     trainee.driver.send(trainee.state);
-    REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["tracked"] == false; }, 2));
+    REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["tracked"] == false; }));
     const json lost = trainer.now();
     CHECK_THAT(lost["headset"]["warning"].get<std::string>(), containsText("arc is out"));
     CHECK_THAT(lost["messages"].dump(), containsText("arc is out"));
-    sleepFor(0.5);
-    const json later = trainer.now();
-    CHECK(later["metal"]["steps"] > lost["metal"]["steps"]); // the lesson goes on
+    // The lesson goes on.
+    CHECK(trainer.waitFor(
+        [&](const json& row) { return row["metal"]["steps"] > lost["metal"]["steps"].get<int>() + 10; }));
+    CHECK(trainer.now()["headset"]["tracked"] == false);
     trainee.state.hands[1].active = true;
     trainee.driver.send(trainee.state);
-    CHECK(trainer.waitFor([](const json& row) { return row["headset"]["tracked"] == true; }, 2));
-    CHECK(trainer.waitFor([](const json& row) { return row["headset"]["warning"] == ""; }, 2));
+    CHECK(trainer.waitFor([](const json& row) { return row["headset"]["tracked"] == true; }));
+    CHECK(trainer.waitFor([](const json& row) { return row["headset"]["warning"] == ""; }));
     CHECK(trainer.stop() == 0);
     CHECK(trainer.misuses() == "");
     // In the record the trigger is released while the hand was lost.
@@ -120,34 +121,38 @@ TEST_CASE("the runtime is killed in mid-weld: the window goes on, the headset is
     const fs::path record = folder / "telemetry.csv";
     auto trainee = std::make_unique<Trainee>();
     TrainerProcess trainer(folder, {"--lesson", smallLesson(folder).string(), "--record", record.string()});
-    REQUIRE(trainer.waitFor(ready, 30));
+    REQUIRE(trainer.waitFor(ready));
     trainee->aim(glm::vec3(0.018f), 1.0f);
-    REQUIRE(trainer.waitFor([](const json& row) { return row["metal"]["hottest"] > 0.05; }, 10));
+    REQUIRE(trainer.waitFor([](const json& row) { return row["metal"]["hottest"] > 0.05; }));
     const double before = trainer.now()["seconds"];
     REQUIRE(kill(servicePid(), SIGKILL) == 0);
-    REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["state"] == "searching"; }, 3));
+    REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["state"] == "searching"; }));
     const json lost = trainer.now();
     CHECK_THAT(lost["headset"]["warning"].get<std::string>(), containsText("has stopped"));
-    REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["state"] == "running"; }, 20));
+    REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["state"] == "running"; }));
     CHECK(trainer.now()["headset"]["openings"] == 2);
     CHECK(trainer.now()["metal"]["time"] > lost["metal"]["time"]);
 
-    // No gap in the window's rows (one every 0.05 s where frames come) of a second or more.
+    // The window goes on while the runtime is away, for two seconds at least.
     double longest = 0, last = before;
+    long long framesAlone = 0;
     for (const json& row : trainer.rows()) {
         if (row["seconds"] < before) continue;
         longest = std::max(longest, row["seconds"].get<double>() - last);
         last = row["seconds"];
+        if (row["headset"]["state"] == "searching")
+            framesAlone = row["frame"].get<long long>() - lost["frame"].get<long long>();
     }
-    WARN("longest pause of the window around the loss and the return: " << longest << " s");
-    CHECK(longest < 1.0);
+    WARN("longest pause of the window around the loss and the return: " << longest << " s; " << framesAlone
+                                                                        << " frames without a runtime");
+    CHECK(framesAlone > 5);
 
     const double molten = trainer.now()["metal"]["molten"];
     trainee = std::make_unique<Trainee>();
     trainee->letGo(trainer);
     trainee->aim({-0.018f, 0.018f, 0.018f}, 1.0f); // the other upper corner, still solid
-    CHECK(trainer.waitFor([](const json& row) { return row["headset"]["tracked"] == true; }, 5));
-    const bool melts = trainer.waitFor([&](const json& row) { return row["metal"]["molten"] > molten + 10; }, 40);
+    CHECK(trainer.waitFor([](const json& row) { return row["headset"]["tracked"] == true; }));
+    const bool melts = trainer.waitFor([&](const json& row) { return row["metal"]["molten"] > molten + 10; });
     const json then = trainer.now();
     CHECK(trainer.stop() == 0);
     const std::vector<std::string> row = lastRow(record);
@@ -167,46 +172,45 @@ TEST_CASE("the panel opens and its buttons are pressed with the pointer's ray: r
     const fs::path folder = benchFolder() / "panel";
     Trainee trainee;
     TrainerProcess trainer(folder, {"--headset", "--lesson", smallLesson(folder).string()});
-    REQUIRE(trainer.waitFor(ready, 30));
+    REQUIRE(trainer.waitFor(ready));
     trainee.aim(glm::vec3(0.018f), 1.0f);
-    REQUIRE(trainer.waitFor([](const json& row) { return row["metal"]["steps"] > 20; }, 10));
+    REQUIRE(trainer.waitFor([](const json& row) { return row["metal"]["steps"] > 20; }));
     trainee.aim(glm::vec3(0.05f), 0.0f);
 
     trainee.showPanel(trainer, true);
-    REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["places"].contains("headset.reset"); }, 3));
+    REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["places"].contains("headset.reset"); }));
     trainee.pointAtControl(trainer, "headset.reset", 0.0f);
     passFrames(trainer, 4);
     keepPicture(screenshot(), "panel.png");
     trainee.press(trainer, "headset.reset");
-    CHECK(trainer.waitFor([&](const json&) { return wasReset(trainer.rows()); }, 8));
+    CHECK(trainer.waitFor([&](const json&) { return wasReset(trainer.rows()); }));
 
     // The window shows the trainee's eye and follows the head, then a camera of its own that does not.
+    showWindow("Meltpool");
     const auto turned = [&] {
         trainee.state.head = {glm::angleAxis(-0.3f, glm::vec3(1, 0, 0)), {0, 1.6f, 0}};
         trainee.send();
-        passFrames(trainer, 4);
-        const Image before = windowPicture("Meltpool");
+        passFrames(trainer, 8);
+        const Image before = settledWindow(trainer);
         trainee.state.head = {glm::angleAxis(0.25f, glm::vec3(0, 1, 0)), {0.2f, 1.6f, 0}};
         trainee.send();
-        passFrames(trainer, 4);
-        const Image after = windowPicture("Meltpool");
+        passFrames(trainer, 8);
+        const Image after = settledWindow(trainer);
         keepPicture(after, trainer.now()["headset"]["mirrored"] == true ? "mirror.png" : "camera.png");
         return compareImages(before, after, 24).farPixels;
     };
     CHECK(trainer.now()["headset"]["mirrored"] == true);
     CHECK(turned() > 0.1);
     trainee.press(trainer, "headset.desk_view.camera");
-    REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["mirrored"] == false; }, 5));
+    REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["mirrored"] == false; }));
     CHECK(turned() < 0.02);
 
     // A controller fixed to a real torch, 0.3 mm of noise: the tip is found, and kept.
     const glm::vec3 offset(0.012f, -0.03f, -0.18f), dent(0.2f, 1.0f, -0.3f);
     trainee.press(trainer, "headset.tip");
-    REQUIRE(trainer.waitFor(
-        [](const json& row) {
-            return row["headset"]["tip_report"].get<std::string>().find("Rest the tip") != std::string::npos;
-        },
-        5));
+    REQUIRE(trainer.waitFor([](const json& row) {
+        return row["headset"]["tip_report"].get<std::string>().find("Rest the tip") != std::string::npos;
+    }));
     std::mt19937 random(11);
     std::normal_distribution<float> noise(0.0f, 0.0003f);
     const auto begin = std::chrono::steady_clock::now();
@@ -220,10 +224,13 @@ TEST_CASE("the panel opens and its buttons are pressed with the pointer's ray: r
         trainee.state.hands[1].pose = grip * handGeometry().grip.inverse();
         trainee.send();
     };
-    for (int i = 0; i < 8000 && !fs::exists(kept); ++i) {
-        swing();
-        sleepFor(0.01);
-    }
+    waitUntil([&] {
+        for (int i = 0; i < 100 && !fs::exists(kept); ++i) {
+            swing();
+            sleepFor(0.01);
+        }
+        return fs::exists(kept);
+    });
     INFO(trainer.now()["headset"]["tip_report"]);
     REQUIRE(fs::exists(kept));
     const xr::TipCalibration tip = xr::readCalibration(kept);
@@ -235,22 +242,17 @@ TEST_CASE("the panel opens and its buttons are pressed with the pointer's ray: r
     trainee.state.hands[1].active = false;
     trainee.state.head = {glm::angleAxis(-0.3f, glm::vec3(1, 0, 0)), {0, 1.6f, 0}};
     trainee.send();
-    passFrames(trainer, 6);
-    const Image first = shownEye(screenshot(), 0);
+    passFrames(trainer, 8);
+    const Image first = settledEye(trainer, 0);
     trainee.state.head = {glm::angleAxis(0.7f, glm::vec3(0, 1, 0)) * glm::angleAxis(-0.3f, glm::vec3(1, 0, 0)),
                           {0.5f, 1.6f, 0.3f}};
     trainee.send();
-    passFrames(trainer, 6);
-    const Image moved = shownEye(screenshot(), 0);
+    CHECK(eyeComesTo(trainer, 0, first, [](double share) { return share > 0.1; }));
     trainee.state.hands[0].thumbstickClick = true;
     trainee.send();
-    passFrames(trainer, 6);
-    const Image recentred = shownEye(screenshot(), 0);
-    keepPicture(recentred, "recentred.png");
-    CHECK(compareImages(first, moved, 24).farPixels > 0.1);
-    const ImageDifference back = compareImages(first, recentred, 24);
-    INFO("mean " << back.mean << ", far " << back.farPixels);
-    CHECK(back.farPixels < 0.03); // the notice may say another speed of the metal
+    // The notice may say another speed of the metal.
+    CHECK(eyeComesTo(trainer, 0, first, [](double share) { return share < 0.03; }));
+    keepPicture(shownEye(screenshot(), 0), "recentred.png");
     CHECK(trainer.stop() == 0);
     CHECK(trainer.misuses() == "");
 }
@@ -260,7 +262,7 @@ TEST_CASE("a minute of welding with panel, recentre, loss and return holds no mi
     const fs::path folder = benchFolder() / "minute";
     auto trainee = std::make_unique<Trainee>();
     TrainerProcess trainer(folder, {"--headset", "--lesson", smallLesson(folder).string()});
-    REQUIRE(trainer.waitFor(ready, 30));
+    REQUIRE(trainer.waitFor(ready));
     double worst = 0;
     const auto weld = [&](double seconds) {
         const auto begin = std::chrono::steady_clock::now();
@@ -277,14 +279,14 @@ TEST_CASE("a minute of welding with panel, recentre, loss and return holds no mi
     weld(60);
     trainee->state.hands[1].b = true;
     trainee->driver.send(trainee->state);
-    CHECK(trainer.waitFor([](const json& row) { return row["headset"]["panel"] == true; }, 10));
+    CHECK(trainer.waitFor([](const json& row) { return row["headset"]["panel"] == true; }));
     trainee->state.hands[1].b = false;
     trainee->state.hands[0].thumbstickClick = true;
     trainee->driver.send(trainee->state);
     passFrames(trainer, 5);
     const json before = trainer.now();
     REQUIRE(kill(servicePid(), SIGKILL) == 0);
-    REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["openings"] == 2; }, 30));
+    REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["openings"] == 2; }));
     trainee = std::make_unique<Trainee>();
     trainee->letGo(trainer);
     weld(3);
@@ -301,8 +303,7 @@ TEST_CASE("without a headset the program says so when one was asked for", "[runt
     setenv("XR_RUNTIME_JSON", "/nowhere/runtime.json", 1);
     TrainerProcess trainer(benchFolder() / "absent", {"--headset"});
     setenv("XR_RUNTIME_JSON", manifest.c_str(), 1);
-    trainer.waitFor([](const json&) { return false; }, 25);
-    CHECK(trainer.stop() == 2);
+    CHECK(trainer.finish() == 2);
     CHECK_THAT(readTextFile(benchFolder() / "program.log"),
                containsText("no headset to use") && containsText("/nowhere/runtime.json does not exist"));
 }

@@ -25,13 +25,13 @@ bool isOut(const json& row) {
 
 /// The arc is out, stays so for a while with the trigger pulled, and strikes again once it was let go.
 void checkOutUntilLetGo(TrainerProcess& trainer, Trainee& trainee) {
-    REQUIRE(trainer.waitFor([](const json& row) { return isOut(row) && row["headset"]["tracked"] == true; }, 20));
+    REQUIRE(trainer.waitFor([](const json& row) { return isOut(row) && row["headset"]["tracked"] == true; }));
     passFrames(trainer, 6);
     CHECK(isOut(trainer.now()));
     trainee.letGo(trainer);
     trainee.state.hands[trainee.hand].trigger = 1;
     trainee.send();
-    CHECK(trainer.waitFor(burns, 20));
+    CHECK(trainer.waitFor(burns));
 }
 
 /// Longest way (m, workpiece's frame) between two steps of the record of which one at least has the trigger pulled.
@@ -53,19 +53,19 @@ TEST_CASE("recentre, zoom, other hand, lost controller: the arc is out first and
     Trainee trainee;
     TrainerProcess trainer(folder,
                            {"--headset", "--lesson", smallLesson(folder).string(), "--record", record.string()});
-    REQUIRE(trainer.waitFor(ready, 60));
+    REQUIRE(trainer.waitFor(ready));
     const glm::vec3 place(0.018f);
     trainee.aim(place, 0.0f);
     passFrames(trainer, 4);
     trainee.aim(place, 1.0f);
-    REQUIRE(trainer.waitFor(burns, 20));
+    REQUIRE(trainer.waitFor(burns));
     const json before = trainer.now();
 
     // Brought before another place of the head, half a metre away, with the trigger pulled.
     trainee.state.head = {glm::angleAxis(0.5f, glm::vec3(0, 1, 0)), {0.4f, 1.6f, 0.2f}};
     trainee.state.hands[0].thumbstickClick = true;
     trainee.send();
-    REQUIRE(trainer.waitFor(isOut, 20));
+    REQUIRE(trainer.waitFor(isOut));
     trainee.state.hands[0].thumbstickClick = false;
     checkOutUntilLetGo(trainer, trainee);
     const auto moved = [&](const json& row) {
@@ -76,7 +76,7 @@ TEST_CASE("recentre, zoom, other hand, lost controller: the arc is out first and
     // The controller goes off and comes back with its trigger pulled.
     trainee.state.hands[1].active = false;
     trainee.send();
-    REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["tracked"] == false; }, 20));
+    REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["tracked"] == false; }));
     trainee.state.hands[1].active = true;
     trainee.send();
     checkOutUntilLetGo(trainer, trainee);
@@ -101,7 +101,7 @@ TEST_CASE("recentre, zoom, other hand, lost controller: the arc is out first and
     passFrames(trainer, 4);
     trainee.showPanel(trainer, false);
     trainee.aim(place, 1.0f);
-    REQUIRE(trainer.waitFor(burns, 20));
+    REQUIRE(trainer.waitFor(burns));
     CHECK(trainer.stop() == 0);
     CHECK(trainer.misuses() == "");
     const std::string text = readTextFile(record);

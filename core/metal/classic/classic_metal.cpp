@@ -80,7 +80,7 @@ ClassicMetal::Snapshot ClassicMetal::snapshot() const {
 
 void ClassicMetal::writeStep(const ClassicSource& source) {
     const ClassicParameters& p = parameters;
-    const ClassicKernels kernels(p.supportRadius);
+    const ClassicKernels kernels(static_cast<double>(p.supportRadius));
     const CellGrid& grid = order_.grid();
     ClassicStep step{};
     step.gravity = p.gravity;

@@ -39,7 +39,7 @@ ParameterList describe(GmawSettings& s) {
     };
 }
 
-Gmaw::Gmaw(const ProcessMetal& metal) : Process(metal), wire_(settings_.stickOutMm * kMm) {}
+Gmaw::Gmaw(const ProcessMetal& metal) : Process(metal), wire_(static_cast<double>(settings_.stickOutMm * kMm)) {}
 
 void Gmaw::apply(const ProcessSettings& settings) {
     const GmawSettings& wanted = settings.of<Gmaw>();

@@ -13,7 +13,7 @@ SurfaceDistance metalAt(float mm) {
 }
 
 constexpr float kRadius = 1.2e-3f; // m, of a tungsten electrode
-constexpr float kFrame = 1.0f / 90;
+constexpr double kFrame = 1.0 / 90;
 
 } // namespace
 

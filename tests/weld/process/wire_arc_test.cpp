@@ -3,6 +3,7 @@
 #include "tests/support/catch.hpp"
 
 #include <cmath>
+#include <limits>
 
 using namespace meltpool;
 
@@ -94,7 +95,7 @@ TEST_CASE("wire that is fed into the air stands out as far as it was fed, and st
     const WireFeed feed = machine(20);
     WireArc wire(10 * kMm);
     for (int i = 0; i < 109; ++i)
-        wire.step(feed, INFINITY, kStep);
+        wire.step(feed, std::numeric_limits<double>::infinity(), kStep);
     CHECK(wire.action() == ArcAction::out);
     CHECK(wire.extension() == Approx(10 * kMm + feed.speed));
     double melted = 0, fed = feed.speed;
