@@ -114,12 +114,21 @@ void HeadsetConnection::search() {
     reason_ = found->reason;
     manifestAtFault_ = found->manifestAtFault;
     noRuntime_ = found->noRuntime;
-    if (found->instance == nullptr) return;
+    if (found->instance == nullptr) return noteFailure();
     try {
         headset_ = std::make_unique<Headset>(std::move(found->instance), settings_);
     } catch (const std::exception& wrong) {
         reason_ = wrong.what();
+        noteFailure();
     }
+}
+
+void HeadsetConnection::noteFailure() {
+    if (!failedSince_) failedSince_ = Clock::now();
+}
+
+bool HeadsetConnection::hopeless() const {
+    return manifestAtFault_ || noRuntime_ || (failedSince_ && Clock::now() - *failedSince_ > kPatience);
 }
 
 /// Continues the opening of the session; false while it is not open, or where it failed.
@@ -131,8 +140,10 @@ bool HeadsetConnection::open() {
         const auto* fault = dynamic_cast<const XrFault*>(&wrong);
         reason_ = fault != nullptr ? explain(*fault) : wrong.what();
         release();
+        noteFailure();
         return false;
     }
+    if (opened_) failedSince_.reset();
     if (opened_ && !before) ++openings_;
     return opened_;
 }

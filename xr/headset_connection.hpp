@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace meltpool::xr {
@@ -47,8 +48,12 @@ class HeadsetConnection {
     const std::string& reason() const { return reason_; }
     /// The file that names the runtime is at fault.
     bool manifestAtFault() const { return manifestAtFault_; }
-    /// No runtime can be loaded: until somebody changes the machine's settings no headset is found.
-    bool hopeless() const { return manifestAtFault_ || noRuntime_; }
+    /// How long a runtime may answer that it has no headset before there is none to be hoped for. A machine that is too
+    /// busy to answer is not counted.
+    static constexpr std::chrono::seconds kPatience{15};
+    /// No runtime can be loaded, so that no headset is found until somebody changes the machine's settings; or searches
+    /// have found none for kPatience.
+    bool hopeless() const;
     /// How often a headset was opened.
     int openings() const { return openings_; }
 
@@ -64,6 +69,7 @@ class HeadsetConnection {
 
     static void look(Search& search);
     void search();
+    void noteFailure();
     bool open();
     void lose(std::string reason);
     void release();
@@ -75,6 +81,8 @@ class HeadsetConnection {
     std::shared_ptr<Search> looking_;
     std::shared_ptr<const std::atomic<bool>> gone_; ///< the last instance is destroyed; before that none may be made
     std::chrono::steady_clock::time_point nextLook_;
+    /// The first failed search since the last opening.
+    std::optional<std::chrono::steady_clock::time_point> failedSince_;
     std::chrono::milliseconds pause_;
     bool opened_ = false;
     bool manifestAtFault_ = false;

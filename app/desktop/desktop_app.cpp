@@ -16,8 +16,8 @@ namespace meltpool {
 namespace {
 
 constexpr double kPatienceMinimised = 0.1; ///< s that a minimised window sleeps between looks at its input
-/// How long a headset that was asked for may take to appear, s.
-constexpr double kHeadsetPatience = 15;
+/// How long a headset that was asked for may take to open, s: far beyond what it takes on a busy machine.
+constexpr double kHeadsetPatience = 120;
 
 std::string driverText(const gl::ContextInfo& info) {
     return info.renderer + (info.software ? " \xE2\x80\x93 drawn on the processor, without a graphics card" : "");

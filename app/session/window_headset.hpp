@@ -41,7 +41,7 @@ class WindowHeadset {
     /// the person does not want it or there is no picture.
     virtual bool mirror(glm::ivec2 pixels) = 0;
 
-    /// No headset will be found before somebody changes the machine's settings; see sentence().
+    /// There is no headset to be hoped for; see sentence().
     virtual bool hopeless() const = 0;
     /// How often a headset was opened.
     virtual int openings() const = 0;

@@ -24,7 +24,7 @@ using Clock = std::chrono::steady_clock;
 namespace {
 
 /// Far beyond what anything here takes: only a hang gets there.
-constexpr double kPatience = 120;
+constexpr double kPatience = 300;
 
 void nap(double seconds) {
     std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
@@ -134,11 +134,14 @@ json TrainerWindow::waitFor(const std::string& what, const std::function<bool(co
     return last;
 }
 
-bool TrainerWindow::comesTrue(double seconds, const std::function<bool(const json&)>& condition) {
-    const auto end = Clock::now() + std::chrono::duration<double>(seconds);
-    for (; Clock::now() < end; nap(0.01))
-        if (const json now = state(); now.is_object() && condition(now)) return true;
-    return false;
+bool TrainerWindow::comesTrue(int frames, const std::function<bool(const json&)>& condition) {
+    const long long last = state().at("frame").get<long long>() + frames;
+    bool came = false;
+    waitFor("frames to pass", [&](const json& now) {
+        came = condition(now);
+        return came || now.at("frame").get<long long>() > last;
+    });
+    return came;
 }
 
 json TrainerWindow::settle() {

@@ -41,8 +41,8 @@ class TrainerWindow {
     /// Starts the program in the scratch folder `name` and waits for its first telemetry.
     TrainerWindow(const std::string& name, const Options& options);
 
-    /// Whether the condition comes true within `seconds`.
-    bool comesTrue(double seconds, const std::function<bool(const nlohmann::json&)>& condition);
+    /// Whether the condition comes true within so many frames.
+    bool comesTrue(int frames, const std::function<bool(const nlohmann::json&)>& condition);
 
     /// The newest telemetry.
     nlohmann::json state() const;

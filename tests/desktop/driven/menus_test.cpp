@@ -54,7 +54,7 @@ void changes(TrainerWindow& window, const std::string& name, const std::function
     const auto changed = [&](const json& s) { return valueOf(s, name) != before; };
     for (int attempt = 0; attempt < 3; ++attempt) {
         act();
-        if (window.comesTrue(3, changed)) return;
+        if (window.comesTrue(60, changed)) return;
     }
     window.waitFor(name + " to change", changed);
 }

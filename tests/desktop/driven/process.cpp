@@ -80,7 +80,7 @@ int Process::wait(double seconds) {
 
 int runCommand(const std::vector<std::string>& command, const std::map<std::string, std::string>& environment) {
     Process process({.command = command, .environment = environment});
-    return process.wait(60);
+    return process.wait(300);
 }
 
 } // namespace meltpool::test

@@ -24,6 +24,7 @@ class Process {
     Process& operator=(const Process&) = delete;
 
     bool running();
+    int pid() const { return pid_; }
     void signal(int number) const;
     /// Waits for the end, at most `seconds`; its exit code, 128 + N when signal N ended it, -1 when it still runs.
     int wait(double seconds);

@@ -133,7 +133,7 @@ TEST_CASE("too little OpenGL is refused in one sentence, a telemetry file that c
         environment["XDG_CONFIG_HOME"] = folder.string();
         Process process(
             {.command = arguments, .environment = environment, .output = folder / "output.txt", .folder = folder});
-        CHECK(process.wait(120) == 2);
+        CHECK(process.wait(300) == 2);
         return readTextFile(folder / "output.txt");
     };
     const std::string old = refuse({}, {{"MESA_GL_VERSION_OVERRIDE", "3.1"}});

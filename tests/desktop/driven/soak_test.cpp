@@ -1,0 +1,115 @@
+// A person works for a long time with every panel open: the window lives, and its memory does not grow.
+#include "core/base/text.hpp"
+#include "tests/desktop/driven/driver.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/record_check.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+
+namespace meltpool::test {
+
+using nlohmann::json;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// Memory that a process holds now, KiB.
+double residentKib(int pid) {
+    const std::string status = readTextFile("/proc/" + std::to_string(pid) + "/status");
+    const size_t at = status.find("VmRSS:");
+    REQUIRE(at != std::string::npos);
+    return std::strtod(status.c_str() + at + 6, nullptr);
+}
+
+void openEveryPanel(TrainerWindow& window) {
+    for (const auto& [key, panel] : {std::pair{"F2", "view"}, {"F3", "simulation"}, {"F4", "timings"}}) {
+        if (window.state().at("panels").at(panel) == true) continue;
+        window.key(key);
+        window.waitFor(panel, [panel](const json& s) { return s.at("panels").at(panel) == true; });
+    }
+}
+
+/// What a person does in a turn: heats along a way, looks at help and from elsewhere, freezes, starts again.
+void work(TrainerWindow& window, int turn) {
+    window.moveMouse(480, 300);
+    window.xdotool({"mousedown", "1"});
+    for (int i = 0; i < 20; ++i) {
+        window.moveMouse(480 + 6 * (i % 5), 300 + 3 * i);
+        window.settle();
+    }
+    window.xdotool({"mouseup", "1"});
+    for (const char* key : {"F1", "F1", "v", "v", "f", "f", "Tab", "Tab"}) {
+        window.key(key);
+        window.settle();
+    }
+    if (turn % 5 == 4) window.key("F5");
+    window.settle();
+}
+
+/// Memory in the course of a soak.
+struct Soak {
+    std::vector<double> seconds;
+    std::vector<double> kib;
+
+    /// Median of the samples between two moments.
+    double median(double from, double to) const {
+        std::vector<double> chosen;
+        for (size_t i = 0; i < kib.size(); ++i)
+            if (seconds[i] >= from && seconds[i] <= to) chosen.push_back(kib[i]);
+        REQUIRE_FALSE(chosen.empty());
+        std::nth_element(chosen.begin(), chosen.begin() + std::ptrdiff_t(chosen.size() / 2), chosen.end());
+        return chosen[chosen.size() / 2];
+    }
+};
+
+/// Works for `length` seconds, at least `turns` turns, with a record.
+Soak soak(const std::string& name, double length, int turns) {
+    TrainerWindow window(name,
+                         {.settings = "[start]\nparticles = 1000\ncells = 16\n[window]\nwidth = 960\nheight = 640\n",
+                          .arguments = {"--record", "record.csv"}});
+    window.start();
+    openEveryPanel(window);
+    Soak memory;
+    const auto begin = Clock::now();
+    for (int turn = 0; turn < turns || since(begin) < length; ++turn) {
+        work(window, turn);
+        memory.seconds.push_back(since(begin));
+        memory.kib.push_back(residentKib(window.process().pid()));
+    }
+    openEveryPanel(window); // all are still there
+    window.process().signal(SIGTERM);
+    CHECK(window.finish() == 0);
+    CHECK(checkRecord(window.folder() / "record.csv").whole());
+    return memory;
+}
+
+} // namespace
+
+TEST_CASE("the window bears all panels open while a person works") {
+    const Soak memory = soak("short-soak", 0, 3);
+    CHECK(memory.kib.size() == 3);
+}
+
+TEST_CASE("the window's memory stays within 1 % while a person works for long", "[long]") {
+    const char* asked = std::getenv("MELTPOOL_SOAK_SECONDS");
+    const double length = asked != nullptr ? std::strtod(asked, nullptr) : 600;
+    REQUIRE(length >= 120);
+    const Soak memory = soak("soak", length, 1);
+    // What happens in the first minute fills buffers that are kept; then a tenth of the time is held against the last.
+    const double tenth = (memory.seconds.back() - 60) / 10;
+    const double first = memory.median(60, 60 + tenth);
+    const double last = memory.median(memory.seconds.back() - tenth, memory.seconds.back());
+    WARN(memory.kib.size() << " turns in " << memory.seconds.back() << " s; " << first << " KiB after a minute, "
+                           << last << " KiB at the end");
+    CHECK(last < first * 1.01);
+}
+
+} // namespace meltpool::test
