@@ -10,14 +10,16 @@ meltpoolBuildPackages=(
 meltpoolTestPackages=(
     dpkg-dev file xvfb xauth xdotool libx11-dev x11-apps x11-utils imagemagick mmdebstrap
 )
+# Used where the distribution has them.
+meltpoolOptionalTestPackages=(clang)
 
 # meltpoolInstall KIND...: installs the missing packages of the kinds build and test; asks for sudo only when something is missing.
 meltpoolInstall() {
-    local wanted=() missing=() kind package
+    local wanted=() optional=() missing=() kind package
     for kind in "$@"; do
         case $kind in
         build) wanted+=("${meltpoolBuildPackages[@]}") ;;
-        test) wanted+=("${meltpoolTestPackages[@]}") ;;
+        test) wanted+=("${meltpoolTestPackages[@]}") optional+=("${meltpoolOptionalTestPackages[@]}") ;;
         esac
     done
     if ! command -v apt-get >/dev/null; then
@@ -25,10 +27,9 @@ meltpoolInstall() {
         return
     fi
     for package in "${wanted[@]}"; do
-        dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
+        meltpoolInstalled "$package" || missing+=("$package")
     done
-    [ ${#missing[@]} -eq 0 ] && return
-    echo "Installing: ${missing[*]}"
+    [ ${#missing[@]} -eq 0 ] && ! meltpoolOffers "${optional[@]}" >/dev/null && return
     local asRoot=()
     if [ "$(id -u)" -ne 0 ]; then
         command -v sudo >/dev/null || {
@@ -38,7 +39,25 @@ meltpoolInstall() {
         asRoot=(sudo)
     fi
     "${asRoot[@]}" apt-get update -qq
+    mapfile -t -O ${#missing[@]} missing < <(meltpoolOffers "${optional[@]}")
+    echo "Installing: ${missing[*]}"
     "${asRoot[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}"
+}
+
+meltpoolInstalled() {
+    dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q 'ok installed'
+}
+
+# meltpoolOffers PACKAGE...: prints those that the distribution has and this machine has not; fails where there is none.
+meltpoolOffers() {
+    local package any=1
+    for package in "$@"; do
+        meltpoolInstalled "$package" && continue
+        apt-cache policy "$package" 2>/dev/null | grep -q 'Candidate: [0-9]' || continue
+        echo "$package"
+        any=0
+    done
+    return $any
 }
 
 # Without apt nothing is installed for the user; a missing tool is named before CMake stumbles over it.
@@ -53,9 +72,22 @@ meltpoolListNeeds() {
     exit 2
 }
 
-# meltpoolBuild PRESET [CMAKE CACHE OPTIONS] [--target NAME]: configures and builds, quietly unless it fails.
+# meltpoolConfigure PRESET [CMAKE CACHE OPTIONS]: configures, quietly unless it fails.
+meltpoolConfigure() {
+    local preset=$1 log
+    shift
+    log=$(mktemp)
+    if ! { cmake --preset "$preset" "$@" >"$log" 2>&1; }; then
+        cat "$log" >&2
+        rm -f "$log"
+        exit 1
+    fi
+    rm -f "$log"
+}
+
+# meltpoolBuild PRESET [CMAKE CACHE OPTIONS] [--target NAME]: configures and builds.
 meltpoolBuild() {
-    local preset=$1 options=() target=() log
+    local preset=$1 options=() target=()
     shift
     while [ $# -gt 0 ]; do
         if [ "$1" = --target ]; then
@@ -66,12 +98,6 @@ meltpoolBuild() {
             shift
         fi
     done
-    log=$(mktemp)
-    if ! { cmake --preset "$preset" "${options[@]}" >"$log" 2>&1; }; then
-        cat "$log" >&2
-        rm -f "$log"
-        exit 1
-    fi
-    rm -f "$log"
+    meltpoolConfigure "$preset" "${options[@]}"
     cmake --build "build/$preset" "${target[@]}"
 }
