@@ -3,6 +3,7 @@
 #include "core/base/hash.hpp"
 #include "core/gl/buffer_view.hpp"
 
+#include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
 #include <algorithm>
@@ -15,6 +16,7 @@ namespace {
 constexpr int kFragmentSteps = 8; ///< of free fragments a frame: keeps what rests within 0.1 mm of the floor
 constexpr double kHottest = 3500; ///< K, above which no metal here stays liquid: what the heat step is made for
 constexpr double kRoomTemperature = 293.15;
+constexpr float kLongestFlight = 0.03F; ///< m that a drop may fly outside the space before it enters
 
 // Liquid that reaches cold metal of its own kind freezes at the line of contact, which stops at about a right angle
 // (Schiaffino and Sonin 1997); it runs on where the metal is so hot that it does not freeze there: above the
@@ -58,6 +60,22 @@ double chooseTimeStep(double most, double heatStep, double flowStep) {
     return 1 / std::ceil(1 / wanted); // a whole number a second
 }
 
+/// Moves a drop outside the space along its velocity to where it enters; false where it does not within kLongestFlight.
+bool fliesIn(MetalSeed& seed, const FlowSpace& space) {
+    const auto inside = [&](glm::vec3 place) {
+        return glm::all(glm::greaterThanEqual(place, space.low)) && glm::all(glm::lessThanEqual(place, space.high));
+    };
+    const float speed = glm::length(seed.velocity);
+    constexpr float kPart = 0.5e-3F; // m
+    for (float way = 0; way <= kLongestFlight; way += kPart) {
+        const glm::vec3 place = speed > 0 ? seed.position + seed.velocity * (way / speed) : seed.position;
+        if (!inside(place)) continue;
+        seed.position = place;
+        return true;
+    }
+    return false;
+}
+
 } // namespace
 
 PhysicalMetal::PhysicalMetal(gl::ShaderLibrary& shaders, const PhysicalSetup& setup)
@@ -92,15 +110,13 @@ void PhysicalMetal::reset() {
     refused_ = 0;
 }
 
-/// What lies outside the space would be moved to its end by the flow, so it is refused.
+/// What lies outside the space flies straight into it where it is near; the rest is refused, as the flow would move it
+/// to the end of the space from anywhere.
 void PhysicalMetal::addFiller(std::span<const MetalSeed> filler) {
     const size_t room = state_->capacity() - state_->particles();
     accepted_.clear();
-    for (const MetalSeed& seed : filler) {
-        const bool inside = glm::all(glm::greaterThanEqual(seed.position, setup_.space.low)) &&
-                            glm::all(glm::lessThanEqual(seed.position, setup_.space.high));
-        if (inside && accepted_.size() < room) accepted_.push_back(seed);
-    }
+    for (MetalSeed seed : filler)
+        if (fliesIn(seed, setup_.space) && accepted_.size() < room) accepted_.push_back(seed);
     state_->add(accepted_);
     refused_ += filler.size() - accepted_.size();
 }

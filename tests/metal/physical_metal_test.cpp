@@ -91,6 +91,12 @@ TEST_CASE("wire that is fed outside the space or beyond the room is refused and 
     CHECK(metal.refusedFiller() == 2 + 11);
     metal.reset();
     CHECK(metal.statistics().lost == 0);
+    // A drop that leaves the wire's end a little over the space falls into it.
+    MetalSeed above = drops[2];
+    above.velocity = {0, -0.3F, 0};
+    metal.step({}, std::vector{above}, nullptr);
+    CHECK(metal.refusedFiller() == 0);
+    CHECK(metal.state().particles() == before + 1);
 }
 
 TEST_CASE("two welds alike give the same bits", "[physical]") {
