@@ -27,9 +27,11 @@ class Reader {
     std::optional<RecordedAttempt> read() {
         const std::string text = readTextFile(attempt_.file);
         if (!text.starts_with(kFirstLine)) return std::nullopt;
-        for (const std::string_view each : splitText(text, '\n')) {
+        for (size_t start = 0; start < text.size();) { // line by line: a record of hours is large
+            const size_t end = std::min(text.find('\n', start), text.size());
+            const std::string_view content = trimText(std::string_view(text).substr(start, end - start));
+            start = end + 1;
             ++line_;
-            std::string_view content = trimText(each);
             if (content.empty()) continue;
             if (!content.starts_with('#'))
                 ++rows_;

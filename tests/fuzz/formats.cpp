@@ -6,6 +6,7 @@
 #include "core/base/text.hpp"
 #include "core/metal/material/materials.hpp"
 #include "core/training/lesson.hpp"
+#include "core/training/recorded_attempt.hpp"
 #include "core/validation/validation_case.hpp"
 #include "core/weld/torch/torch_path.hpp"
 #include "tests/support/gl_fixture.hpp"
@@ -105,6 +106,19 @@ Answer readPath(const fs::path& file) {
     return Answer::taken;
 }
 
+/// Its own lines, on the lesson that it is of.
+Answer readRecord(const fs::path& file) {
+    static const Lesson standard = loadLesson(std::string(kDefaultLesson));
+    const auto attempt = readRecordedAttempt(file);
+    if (!attempt) return Answer::refused;
+    for (const RecordedChange& change : attempt->changes)
+        require(change.steps <= attempt->rows && change.line > 0, "a change stands behind the end");
+    Lesson lesson = standard;
+    repeatAttempt(lesson, *attempt);
+    requireInRange(lesson.metalParameters());
+    return readPath(file);
+}
+
 Texts settingsTexts() {
     Texts texts = corpusOf("settings", nullptr);
     Lesson lesson = loadLesson(std::string(kDefaultLesson));
@@ -151,11 +165,12 @@ Answer readWords(const fs::path& file) {
     return Answer::taken;
 }
 
-const std::array<Format, 8> kFormats{{
+const std::array<Format, 9> kFormats{{
     {"lesson", "lesson.toml", lessonTexts, readLessonFile},
     {"material", "material.toml", [] { return corpusOf("material", "app/data/materials"); }, readMaterialFile},
     {"validation case", "case.toml", [] { return corpusOf("case", "tests/validation/cases"); }, readCaseFile},
     {"recorded torch path", "path.csv", [] { return corpusOf("torch-csv", nullptr); }, readPath},
+    {"record", "record.csv", [] { return corpusOf("record", nullptr); }, readRecord},
     {"authored torch path", "path.toml", [] { return corpusOf("torch-toml", "app/data/paths"); }, readPath},
     {"settings", "settings.toml", settingsTexts, readSettings},
     {"torch tip", "torch-tip.txt", [] { return corpusOf("torch-tip", nullptr); }, readTip},

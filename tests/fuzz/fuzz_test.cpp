@@ -123,7 +123,7 @@ TEST_CASE("inputs depend on their number alone", "[fuzz]") {
 }
 
 TEST_CASE("no damage to a text makes a reader crash, hang, or take what is unsound", "[fuzz]") {
-    fuzzAll(environmentNumber("MELTPOOL_FUZZ_SECONDS", 25));
+    fuzzAll(environmentNumber("MELTPOOL_FUZZ_SECONDS", 30));
 }
 
 TEST_CASE("ten minutes of damage to every text", "[fuzz][long]") {
