@@ -32,11 +32,11 @@ void NoticeText::addLine(std::string_view line) {
 
 void NoticeText::compose(const Messages& messages, const LessonFigures& figures, float zoom) {
     length_ = 0;
-    size_t left = 0;
+    // That the metal is slow has a line of its own, which no other warning displaces.
+    const auto warns = [](const Message& m) { return m.kind == Message::Kind::warning && m.topic != kSlowTopic; };
+    auto left = static_cast<size_t>(std::count_if(messages.shown().begin(), messages.shown().end(), warns));
     for (const Message& message : messages.shown())
-        left += message.kind == Message::Kind::warning ? 1 : 0;
-    for (const Message& message : messages.shown())
-        if (message.kind == Message::Kind::warning && left-- <= kMostWarnings) addLine(message.text);
+        if (warns(message) && left-- <= kMostWarnings) addLine(message.text);
     if (!figures.slow.empty()) addLine(figures.slow);
     quietFrom_ = length_;
     if (zoom == 1) return;

@@ -25,8 +25,11 @@ void Messages::warn(std::string text, double now, std::string topic) {
 void Messages::hold(std::string_view text, std::string_view topic) {
     const auto dismissed = dismissed_.find(topic);
     if (dismissed != dismissed_.end() && dismissed->second == text) return;
-    const auto stands = [&](const Message& m) { return m.topic == topic && m.text == text && std::isinf(m.until); };
-    if (std::any_of(shown_.begin(), shown_.end(), stands)) return;
+    for (Message& m : shown_) {
+        if (m.topic != topic || !std::isinf(m.until)) continue;
+        if (m.text != text) m.text.assign(text); // in its place, and within its room where it fits
+        return;
+    }
     add({Message::Kind::warning, std::string(text), std::numeric_limits<double>::infinity(), std::string(topic)});
 }
 

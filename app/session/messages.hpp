@@ -16,6 +16,9 @@ struct Message {
     std::string topic; ///< a newer message of the same topic replaces the older; "" never replaces
 };
 
+/// The topic of the message that the metal is slower than the clock.
+inline constexpr std::string_view kSlowTopic = "slow";
+
 class Messages {
   public:
     /// `now` in seconds on the program's clock.

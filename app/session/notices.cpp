@@ -61,6 +61,14 @@ std::string_view SlowNotice::update(double speed, double elapsed) {
     return {text_.data(), static_cast<size_t>(length)};
 }
 
+void Notices::tellSlow(std::string_view slow, Messages& messages) {
+    if (slow.empty()) return messages.clear(kSlowTopic);
+    const int length = std::snprintf(slowSentence_.data(), slowSentence_.size(),
+                                     "The %.*s: this weld is not the one that your hand makes.",
+                                     static_cast<int>(slow.size()), slow.data());
+    messages.hold({slowSentence_.data(), static_cast<size_t>(length)}, kSlowTopic);
+}
+
 void Notices::update(LessonSession& session, LessonFigures& figures, const TriggerLock& lock, double elapsed,
                      Messages& messages) {
     figures.slow = {};
@@ -72,6 +80,7 @@ void Notices::update(LessonSession& session, LessonFigures& figures, const Trigg
         if (!arc_.wentOut().empty()) session.event("arc_out", arc_.wentOut());
         if (lock.holdsBack()) sentence = arcOutSentence(lock.reason());
     }
+    tellSlow(figures.slow, messages);
     if (sentence.empty())
         messages.clear("arc");
     else

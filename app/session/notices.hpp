@@ -50,12 +50,15 @@ class SlowNotice {
 
 class Notices {
   public:
-    /// Holds or clears the message "arc", and sets figures.slow. `lock`: of what leads the torch. Allocates nothing
-    /// while nothing changes.
+    /// Holds or clears the messages "arc" and kSlowTopic, and sets figures.slow. `lock`: of what leads the torch.
+    /// Allocates nothing while nothing changes.
     void update(LessonSession& session, LessonFigures& figures, const TriggerLock& lock, double elapsed,
                 Messages& messages);
 
   private:
+    void tellSlow(std::string_view slow, Messages& messages);
+
+    std::array<char, 160> slowSentence_{};
     ArcNotice arc_;
     SlowNotice slow_;
 };

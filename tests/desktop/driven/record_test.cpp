@@ -112,7 +112,11 @@ TEST_CASE("at twelve frames a second the metal keeps the clock; on a machine tha
     }
     {
         const LittleTime slow(window.process(), 1.2, 1.0);
-        window.waitFor("a slow metal", [](const json& s) { return s.at("metal").at("speed") < 0.8; });
+        window.waitFor("a slow metal, and a sentence about it over the picture", [](const json& s) {
+            for (const std::string text : s.at("messages"))
+                if (text.find("% of real time") != std::string::npos) return s.at("metal").at("speed") < 0.8;
+            return false;
+        });
     }
     window.closeWindow();
     CHECK(window.finish() == 0);
