@@ -16,7 +16,8 @@ namespace {
 struct Round {
     int allocating = 0; ///< frames
     int stalls = 0;
-    bool clean() const { return allocating == 0 && stalls == 0; }
+    bool inUse = false; ///< the headset, in every frame
+    bool clean() const { return inUse && allocating == 0 && stalls == 0; }
 };
 
 Round costOf(TrainerProcess& trainer, const std::string& when, int count) {
@@ -40,17 +41,18 @@ Round costOf(TrainerProcess& trainer, const std::string& when, int count) {
     INFO(after.dump());
     CHECK(frames >= count);
     CHECK(after["driver_ms"] > 0);
-    CHECK(after["runtime_cpu_ms"]["least"] > 0);
-    CHECK(after["outside_ms"]["least"] > after["own_ms"]["least"]);
-    return {allocating, stalls};
+    const bool inUse = after["runtime_cpu_ms"]["least"] > 0;
+    if (inUse) CHECK(after["outside_ms"]["least"] > after["own_ms"]["least"]);
+    return {allocating, stalls, inUse};
 }
 
 /// Checks that frames neither allocate nor wait for the GPU. On a busy machine the runtime is too slow for a frame now
-/// and then, which takes memory for an exception; so two clean rounds of `count` frames in a row are waited for. What
-/// a frame does every time, or once in `count` frames, leaves none clean.
+/// and then, which takes memory for an exception, or does not answer for seconds, in which the window goes on alone; so
+/// two clean rounds of `count` frames in a row with the headset are waited for. What a frame does every time, or once
+/// in `count` frames, leaves none clean.
 void checkFrames(TrainerProcess& trainer, const std::string& when, int count) {
     int cleanInARow = 0;
-    for (int round = 0; round < 8 && cleanInARow < 2; ++round)
+    for (int round = 0; round < 40 && cleanInARow < 2; ++round)
         cleanInARow = costOf(trainer, when, count).clean() ? cleanInARow + 1 : 0;
     CHECK(cleanInARow == 2);
 }
