@@ -54,7 +54,7 @@ struct SceneView {
     SectionView section;
     ArcLight arc;
     std::span<const WorkpieceBlock> blocks; ///< model units; they keep the arc's light off the solids behind them
-    std::span<const Solid> solids; ///< torch, table, clamps
+    std::span<const Solid> solids;          ///< torch, table, clamps
 };
 
 } // namespace meltpool
