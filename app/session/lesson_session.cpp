@@ -172,9 +172,10 @@ void LessonSession::settleTrial(int answer, Controls& controls) {
 }
 
 void LessonSession::reset(Controls& controls) {
-    if (!running()) return;
+    if (!running() || !trial_.offers().empty()) return; // an attempt for score has not begun yet
     controls.reset();
     trainer_->reset();
+    records_.check(*trainer_); // the last lines of the record that ended
     clock_.restart();
     beginAttempt();
 }

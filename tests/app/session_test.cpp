@@ -190,6 +190,10 @@ TEST_CASE("an attempt for score starts where the machine keeps up, and else says
     person.session.begin(person.controls);
     CHECK(person.session.question().asked());
     CHECK(person.session.question().answers.empty()); // it is being measured
+    person.frame(2, 1.0 / 45);
+    person.session.reset(person.controls); // no attempt to reset yet, so the measuring goes on
+    CHECK(person.session.question().asked());
+    CHECK_FALSE(fs::exists(file));
     SECTION("it keeps up") {
         person.frame(100, 1.0 / 45);
         CHECK_FALSE(person.session.question().asked());
