@@ -144,9 +144,9 @@ void runBench(const std::string& suite, const std::filesystem::path& jsonFile) {
     // A report that cannot be kept is found out before the minutes that it takes.
     if (keeps) writeTextFileAtomically(jsonFile, benchJson(context.info(), rows, false));
     gl::ShaderLibrary shaders(resourceFolder() / "shaders");
-    std::printf("%s, %s; %s, %u threads; meltpool %s (%s)\n", context.info().renderer.c_str(),
+    std::printf("%s, %s; %s, %u threads; meltpool %s\n", context.info().renderer.c_str(),
                 context.info().version.c_str(), processorName().c_str(), std::thread::hardware_concurrency(),
-                std::string(programVersion()).c_str(), std::string(programCommit()).c_str());
+                programBuild().c_str());
     std::printf("%-10s %-40s %9s %11s %9s %10s\n", "suite", "what / pass", "particles", "ms (least)", "B/part.", "MiB");
     for (const BenchPart& part : chosen) {
         Bench bench(shaders, std::string(part.suite));

@@ -141,8 +141,7 @@ void requireOutput() {
 
 /// The program's options and commands, which write what they are given into `arguments`.
 void declare(CLI::App& app, Arguments& arguments) {
-    app.set_version_flag("--version",
-                         "meltpool " + std::string(programVersion()) + " (" + std::string(programCommit()) + ")");
+    app.set_version_flag("--version", "meltpool " + programBuild());
     app.require_subcommand(0, 1);
     addDesktop(app, arguments);
     addRun(app, arguments);

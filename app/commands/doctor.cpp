@@ -125,7 +125,7 @@ bool printFindings(const std::vector<Finding>& findings) {
 }
 
 bool runDoctor() {
-    std::printf("meltpool %s (%s)\n", std::string(programVersion()).c_str(), std::string(programCommit()).c_str());
+    std::printf("meltpool %s\n", programBuild().c_str());
     std::vector<Finding> findings;
     inspectDriver(findings);
     inspectDisplay(findings);

@@ -132,7 +132,7 @@ class Run {
     void steps(gl::ShaderLibrary& shaders, const RunStop& stop) {
         trainer_.waitForFigures(true);
         RecordContext context;
-        context.program = std::string(programVersion()) + " " + std::string(programCommit());
+        context.program = programBuild();
         context.driver = driver_.renderer;
         trainer_.record(places_.telemetry, context);
         const RunParameters& run = trainer_.lesson().run;

@@ -39,8 +39,7 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
       settings_(options.settings, options.lesson),
       driver_(driverText(window_.driver())) {
     if (options_.headset != HeadsetUse::off && options_.makeHeadset) headset_ = options_.makeHeadset(settingsFolder());
-    session_.records().use(options_.record, std::string(programVersion()) + " " + std::string(programCommit()),
-                           window_.driver().renderer);
+    session_.records().use(options_.record, programBuild(), window_.driver().renderer);
     if (telemetry_.enabled()) callsCounted_ = joinCallCounters();
     for (std::string& fault : settings_.load(session_.sections(), ownSections()))
         messages_.warn(std::move(fault), now());

@@ -12,4 +12,8 @@ std::string_view programCommit() {
         ;
 }
 
+std::string programBuild() {
+    return std::string(programVersion()) + " (" + std::string(programCommit()) + ")";
+}
+
 } // namespace meltpool
