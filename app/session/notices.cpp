@@ -7,47 +7,36 @@ namespace meltpool {
 
 namespace {
 
-/// m; arcs that became too long are longer, tips that have touched are nearer.
-constexpr float kTouched = 1e-3f;
+/// In the order of NoArc; empty: nothing to tell.
+constexpr std::array<std::string_view, 10> kSentences{
+    "",
+    "",
+    "The arc became too long: it is out. Let the trigger go, then strike nearer.",
+    "The electrode has touched the metal and is spoiled: the arc is out. Let the trigger go, then strike again.",
+    "No metal lies before the torch any more: the arc is out. Let the trigger go, then strike over the metal.",
+    "There is no arc: no metal lies before the torch.",
+    "There is no arc: the electrode is too far from the metal. Strike nearer.",
+    "There is no arc: the electrode touches the metal. Lift it, then strike.",
+    "",
+    "There is no arc: no wire is fed. Set the wire feed above 0.",
+};
+static_assert(kSentences.size() == static_cast<size_t>(NoArc::noWire) + 1);
+
+/// A wire strikes again by itself when it reaches the metal.
+std::string_view sentenceOf(NoArc reason, bool wire) {
+    if (wire && reason == NoArc::tooLong) return "The arc became too long: it is out. Bring the torch nearer.";
+    if (wire && reason == NoArc::metalLeft) return "No metal lies before the torch any more: the arc is out.";
+    return kSentences[static_cast<size_t>(reason)];
+}
 
 } // namespace
 
-std::string_view ArcNotice::reasonOut(bool wire, float distance) {
-    if (!wire && distance < kTouched) {
-        wentOut_ = "touched";
-        return "The electrode has touched the metal and is spoiled: the arc is out. Let the trigger go, then strike "
-               "again.";
-    }
-    wentOut_ = "too_long";
-    if (wire) return "The arc became too long: it is out. Bring the torch nearer.";
-    return "The arc became too long: it is out. Let the trigger go, then strike nearer.";
-}
-
-std::string_view ArcNotice::update(const ProcessSettings& process, const ArcState& arc, bool pulled, double elapsed) {
-    wentOut_ = {};
-    const bool wire = process.is<Gmaw>();
-    if (!pulled || !(wire || process.is<Gtaw>())) {
-        *this = {};
-        return {};
-    }
-    const bool burnt = burns_;
-    burns_ = arc.burns();
-    if (burns_) {
-        burnt_ = true;
-        reason_ = {};
-        waiting_ = arc.action == ArcAction::stubbed ? waiting_ + elapsed : 0;
-        return waiting_ > kPatience ? "The wire stubs: it comes faster than the arc melts it." : std::string_view();
-    }
-    if (burnt) {
-        waiting_ = 0;
-        reason_ = reasonOut(wire, arc.distance);
-    }
-    waiting_ += elapsed;
-    if (burnt_ || waiting_ <= kPatience) return reason_;
-    if (std::isinf(arc.distance)) return "There is no arc: no metal lies before the torch.";
-    if (wire) return {}; // it is on its way to the metal
-    return arc.distance < kTouched ? "There is no arc: the electrode touches the metal. Lift it, then strike."
-                                   : "There is no arc: the electrode is too far from the metal. Strike nearer.";
+std::string_view ArcNotice::update(const ArcState& arc, bool wire, double elapsed) {
+    const bool stubs = wire && arc.action == ArcAction::stubbed;
+    const std::string_view sentence =
+        stubs ? "The wire stubs: it comes faster than the arc melts it." : sentenceOf(arc.noArc, wire);
+    waiting_ = sentence.empty() ? 0 : waiting_ + elapsed;
+    return waiting_ > kPatience || wentOut(arc.noArc) ? sentence : std::string_view();
 }
 
 std::string_view SlowNotice::update(double speed, double elapsed) {
@@ -75,9 +64,7 @@ void Notices::update(LessonSession& session, LessonFigures& figures, const Trigg
     std::string_view sentence;
     if (session.running()) {
         figures.slow = slow_.update(figures.speed, elapsed);
-        const bool weld = session.lesson().model == LessonModel::Weld;
-        sentence = arc_.update(session.lesson().process, session.arc(), weld && session.torch().trigger > 0, elapsed);
-        if (!arc_.wentOut().empty()) session.event("arc_out", arc_.wentOut());
+        sentence = arc_.update(session.arc(), session.lesson().process.is<Gmaw>(), elapsed);
         if (lock.holdsBack()) sentence = arcOutSentence(lock.reason());
     }
     tellSlow(figures.slow, messages);

@@ -18,19 +18,12 @@ class ArcNotice {
     /// s that an arc may take to strike, and a wire may stub, before a word is said.
     static constexpr double kPatience = 0.5;
 
-    /// Takes the state of the last step. `elapsed`: real seconds since the last call.
-    std::string_view update(const ProcessSettings& process, const ArcState& arc, bool pulled, double elapsed);
-    /// The arc went out in the last update: the word for records, else empty.
-    std::string_view wentOut() const { return wentOut_; }
+    /// Takes the state of the last step. `wire`: of a wire that strikes by itself when it reaches the metal. `elapsed`:
+    /// real seconds since the last call.
+    std::string_view update(const ArcState& arc, bool wire, double elapsed);
 
   private:
-    std::string_view reasonOut(bool wire, float distance);
-
-    bool burnt_ = false; ///< since the trigger was pulled
-    bool burns_ = false;
-    double waiting_ = 0; ///< s without an arc, or with a stubbed wire
-    std::string_view wentOut_;
-    std::string_view reason_; ///< why it went out
+    double waiting_ = 0; ///< s that the arc has not struck, or the wire has stubbed
 };
 
 /// Whether the metal runs slower than the person's hand; empty or a sentence's text.

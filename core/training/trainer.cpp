@@ -57,9 +57,11 @@ void Trainer::advance(const TorchSample& torch, gl::Profiler* profiler) {
     torch_ = torch;
     torch_.time = time_;
     metal_->step(torch_, profiler);
+    const bool burned = arc_.burns();
     arc_ = metal_->arc(surfaceDistance_);
     ++steps_;
     if (record_) record_->add({torch_, arc_, realTime_});
+    if (burned && wentOut(arc_.noArc)) event("arc_out", noArcName(arc_.noArc));
     updateFigures();
 }
 

@@ -10,46 +10,48 @@ namespace {
 
 constexpr double kFrame = 0.1;
 
-ArcState arcOf(ArcAction action, float distance) {
+ArcState arcOf(ArcAction action, NoArc noArc = NoArc::burns) {
     ArcState arc;
     arc.action = action;
-    arc.distance = distance;
+    arc.noArc = noArc;
+    arc.distance = 0.0002F; // what it is says nothing about why there is no arc
     return arc;
 }
 
 } // namespace
 
-TEST_CASE("an arc that goes out with the trigger pulled says why, until it burns or the trigger is let go", "[app]") {
-    ProcessSettings process;
+TEST_CASE("why there is no arc is told as the process says it, until it burns or the trigger is let go", "[app]") {
     ArcNotice notice;
-    process.choose<Gtaw>();
-    const auto told = [&](ArcAction action, float distance, bool pulled = true) {
-        return std::string(notice.update(process, arcOf(action, distance), pulled, kFrame));
+    bool wire = false;
+    const auto told = [&](ArcState arc, int frames = 1) {
+        std::string sentence;
+        for (int i = 0; i < frames; ++i)
+            sentence = notice.update(arc, wire, kFrame);
+        return sentence;
     };
-    CHECK(told(ArcAction::out, 0.003f) == ""); // it may still strike
-    CHECK(told(ArcAction::burning, 0.003f) == "");
-    CHECK_THAT(told(ArcAction::out, 0.012f), test::containsText("too long"));
-    CHECK(notice.wentOut() == "too_long");
-    CHECK_THAT(told(ArcAction::out, 0.003f), test::containsText("too long")); // the reason stays
-    CHECK(notice.wentOut().empty());
-    CHECK(told(ArcAction::out, 0.003f, false) == "");
-    CHECK(told(ArcAction::burning, 0.003f) == "");
-    CHECK_THAT(told(ArcAction::out, 0.0002f), test::containsText("spoiled"));
-    CHECK(notice.wentOut() == "touched");
-    CHECK(told(ArcAction::out, 0.003f, false) == "");
-    for (int i = 0; i < 5; ++i)
-        CHECK(told(ArcAction::out, 0.02f) == "");
-    CHECK_THAT(told(ArcAction::out, 0.02f), test::containsText("too far"));
-    process.choose<Gmaw>();
-    CHECK(told(ArcAction::out, 0.02f, false) == "");
-    CHECK(told(ArcAction::shorting, 0.012f) == "");
-    for (int i = 0; i < 5; ++i)
-        CHECK(told(ArcAction::stubbed, 0.012f) == "");
-    CHECK_THAT(told(ArcAction::stubbed, 0.012f), test::containsText("stubs"));
-    CHECK(told(ArcAction::burning, 0.012f) == "");
-    CHECK_THAT(told(ArcAction::out, 0.05f), test::containsText("Bring the torch nearer"));
-    process.choose<Flame>();
-    CHECK(told(ArcAction::out, 0.05f) == ""); // a flame is no arc
+    const auto out = [](NoArc reason) { return arcOf(ArcAction::out, reason); };
+    const auto contains = [](const char* text) { return test::containsText(text); };
+    CHECK(told(out(NoArc::tooFar)).empty()); // it may still strike
+    CHECK(told(arcOf(ArcAction::burning)).empty());
+    CHECK_THAT(told(out(NoArc::tooLong)), contains("too long"));
+    CHECK_THAT(told(out(NoArc::tooLong), 20), contains("too long"));
+    CHECK(told(out(NoArc::released)).empty());
+    CHECK_THAT(told(out(NoArc::touched)), contains("spoiled"));
+    CHECK(told(out(NoArc::released)).empty());
+    CHECK_THAT(told(out(NoArc::metalLeft)), contains("any more"));
+    CHECK(told(out(NoArc::released)).empty());
+    CHECK(told(out(NoArc::tooFar), 5).empty());
+    CHECK_THAT(told(out(NoArc::tooFar)), contains("too far"));
+    CHECK_THAT(told(out(NoArc::touching), 6), contains("Lift it"));
+    CHECK_THAT(told(out(NoArc::noMetal), 6), contains("no metal"));
+    CHECK_THAT(told(out(NoArc::noWire), 6), contains("wire feed"));
+    wire = true;
+    CHECK(told(out(NoArc::feeding), 20).empty());
+    CHECK(told(arcOf(ArcAction::shorting), 20).empty());
+    CHECK(told(arcOf(ArcAction::stubbed), 5).empty());
+    CHECK_THAT(told(arcOf(ArcAction::stubbed)), contains("stubs"));
+    CHECK(told(arcOf(ArcAction::burning)).empty());
+    CHECK_THAT(told(out(NoArc::tooLong)), contains("Bring the torch nearer"));
 }
 
 TEST_CASE("slow metal is told after half a second and until it keeps up", "[app]") {

@@ -250,6 +250,37 @@ TEST_CASE("over a steel plate the shown surface is as far as the torch is held",
     }
 }
 
+TEST_CASE("an arc that goes out stands in the record with the process's reason, before the next step", "[training]") {
+    Lesson lesson = smallBead();
+    lesson.process.choose<Gtaw>().current = 130;
+    Trainer trainer(test::shaders(), lesson);
+    const auto file = test::scratchFolder("arc-out-record") / "telemetry.csv";
+    trainer.record(file);
+    const auto hold = [&](float mm, float trigger, int steps) {
+        TorchSample torch = upright({0, mm * 1e-3f, 0});
+        torch.trigger = trigger;
+        repeat(trainer, torch, steps);
+    };
+    hold(3, 1, 20);
+    REQUIRE(trainer.arc().burns());
+    hold(3, 0, 5); // let go: that is no news
+    hold(3, 1, 5);
+    hold(20, 1, 10);
+    CHECK(trainer.arc().noArc == NoArc::tooLong);
+    hold(3, 0, 5);
+    hold(3, 1, 5);
+    hold(0, 1, 10);
+    trainer.stopRecord();
+    const std::string text = readTextFile(file);
+    const size_t tooLong = text.find("# event arc_out too_long\n"), touched = text.find("# event arc_out touched\n");
+    REQUIRE(tooLong < touched);
+    REQUIRE(touched != std::string::npos);
+    CHECK(text.find("# event arc_out", touched + 1) == std::string::npos);
+    // The row before the event is the first without an arc.
+    CHECK(text.rfind(",out,", tooLong) > text.rfind("burning", tooLong));
+    CHECK(text.rfind('\n', text.rfind(",out,", tooLong)) > text.rfind("burning", tooLong));
+}
+
 TEST_CASE("a weld's record has the arc of each step", "[training]") {
     Trainer trainer(test::shaders(), smallBead());
     const auto file = test::scratchFolder("arc-record") / "telemetry.csv";

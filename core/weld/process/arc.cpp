@@ -22,6 +22,13 @@ std::string_view arcActionName(ArcAction action) {
     return kNames[static_cast<size_t>(action)];
 }
 
+std::string_view noArcName(NoArc reason) {
+    constexpr std::array<std::string_view, 10> kNames{"burns",    "released", "too_long", "touched", "metal_left",
+                                                      "no_metal", "too_far",  "touching", "feeding", "no_wire"};
+    static_assert(kNames.size() == static_cast<size_t>(NoArc::noWire) + 1);
+    return kNames[static_cast<size_t>(reason)];
+}
+
 double arcHeatRadius(double length, double current) {
     const double millimetres = std::max(length / kMm, 1.0);
     return kFittedSpread * 0.53 * kMm * std::pow(millimetres, 0.29) * std::pow(std::max(current, 1.0), 0.30);

@@ -21,22 +21,46 @@ enum class ArcAction {
 /// The word for an action in records and results: "out", "striking" ...
 std::string_view arcActionName(ArcAction action);
 
+/// Why a GMAW or GTAW torch has no arc.
+enum class NoArc {
+    burns,     ///< it has one; also every process that is no arc
+    released,  ///< the trigger is let go
+    tooLong,   ///< it went out: the machine could not hold an arc of this length
+    touched,   ///< it went out: the electrode met the metal under it and is spoiled
+    metalLeft, ///< it went out: no metal lies before the torch any more
+    noMetal,   ///< it does not strike: no metal lies before the torch
+    tooFar,    ///< it does not strike: the spark does not jump so far
+    touching,  ///< it does not strike: the electrode stands on the metal
+    feeding,   ///< it does not strike yet: the wire is on its way to the metal
+    noWire,    ///< it does not strike: no wire is fed
+};
+
+/// The word for records: "too_long", "touched" ...
+std::string_view noArcName(NoArc reason);
+
+/// An arc burned and went out by itself, the trigger pulled; the reason stays until it strikes again or the trigger is
+/// let go.
+constexpr bool wentOut(NoArc reason) {
+    return reason == NoArc::tooLong || reason == NoArc::touched || reason == NoArc::metalLeft;
+}
+
 /// All lengths in m, in SI.
 struct ArcState {
     ArcAction action = ArcAction::out;
+    NoArc noArc = NoArc::burns;                              ///< why action is `out`
     float distance = std::numeric_limits<float>::infinity(); ///< from the torch's contact tip, electrode or nozzle
                                                              ///< along its axis to the metal; infinite: none in reach
-    float extension = 0; ///< of the wire beyond the contact tip, or 0
-    float length = 0;    ///< of the arc; 0 without one and while the wire touches
-    float current = 0;   ///< A, mean over the step
-    float voltage = 0;   ///< V between torch and workpiece, mean over the step
-    double power = 0;    ///< W into the metal, with what the drops bring
-    float radius = 0;    ///< sigma of the heat on the surface
-    float pressure = 0;  ///< Pa on the axis
-    float shorts = 0;    ///< 1/s, short circuits of the wire
-    float share = 0;     ///< 0..1 of what the process can give: what arrives in the metal
-    float stretch = 0;   ///< 0 the length that the settings give .. 1 about to go out
-    float liquid = 0;    ///< 0..1, share of liquid in the metal under the axis
+    float extension = 0;                                     ///< of the wire beyond the contact tip, or 0
+    float length = 0;                                        ///< of the arc; 0 without one and while the wire touches
+    float current = 0;                                       ///< A, mean over the step
+    float voltage = 0;                                       ///< V between torch and workpiece, mean over the step
+    double power = 0;                                        ///< W into the metal, with what the drops bring
+    float radius = 0;                                        ///< sigma of the heat on the surface
+    float pressure = 0;                                      ///< Pa on the axis
+    float shorts = 0;                                        ///< 1/s, short circuits of the wire
+    float share = 0;   ///< 0..1 of what the process can give: what arrives in the metal
+    float stretch = 0; ///< 0 the length that the settings give .. 1 about to go out
+    float liquid = 0;  ///< 0..1, share of liquid in the metal under the axis
 
     bool burns() const { return action != ArcAction::out; }
 };

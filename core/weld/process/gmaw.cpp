@@ -80,6 +80,7 @@ void Gmaw::advance(const TorchSample& torch, const MetalAhead& ahead, double sec
     const WireFeed fed = feed();
     if (torch.trigger < kPulled || fed.speed <= 0) {
         wire_.release();
+        arc_.noArc = torch.trigger < kPulled ? NoArc::released : NoArc::noWire;
         arc_.extension = static_cast<float>(wire_.extension());
         return;
     }
@@ -93,6 +94,7 @@ void Gmaw::advance(const TorchSample& torch, const MetalAhead& ahead, double sec
 /// The circuit's numbers become the arc's state.
 void Gmaw::takeOver() {
     arc_.action = wire_.action();
+    arc_.noArc = wire_.noArc();
     arc_.extension = static_cast<float>(wire_.extension());
     arc_.length = static_cast<float>(wire_.length());
     arc_.current = static_cast<float>(wire_.current());

@@ -3,6 +3,7 @@
 #include "core/weld/process/processes.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace meltpool {
 
@@ -46,27 +47,33 @@ void Gtaw::apply(const ProcessSettings& settings) {
 
 void Gtaw::reset() {
     Process::reset();
-    lit_ = false;
+    noArc_ = NoArc::released;
     released_ = true;
     spoiled_ = false;
 }
 
-bool Gtaw::mayStrike(const MetalAhead& ahead) const {
-    return released_ && ahead.distance > kTouch && ahead.distance <= kStrikeGap;
+/// What keeps this step from an arc, the trigger pulled.
+NoArc Gtaw::whyNot(const MetalAhead& ahead, double current) const {
+    const bool lit = noArc_ == NoArc::burns;
+    if (!lit && !released_) return noArc_;
+    if (!std::isfinite(ahead.distance)) return lit ? NoArc::metalLeft : NoArc::noMetal;
+    if (ahead.distance <= kTouch) return lit ? NoArc::touched : NoArc::touching;
+    if (!lit && ahead.distance > kStrikeGap) return NoArc::tooFar;
+    if (static_cast<double>(ahead.distance) > gtawLongestArc(current)) return lit ? NoArc::tooLong : NoArc::tooFar;
+    return NoArc::burns;
 }
 
 void Gtaw::advance(const TorchSample& torch, const MetalAhead& ahead, double) {
     if (torch.trigger <= 0) {
-        lit_ = false;
+        arc_.noArc = noArc_ = NoArc::released;
         released_ = true;
         return;
     }
-    const bool strikes = !lit_ && mayStrike(ahead);
+    const bool strikes = noArc_ != NoArc::burns;
     const double current = static_cast<double>(settings_.current * std::min(torch.trigger, 1.0F));
-    const bool touches = ahead.distance <= kTouch;
-    if (lit_ && touches) spoiled_ = true;
-    lit_ = (lit_ || strikes) && !touches && static_cast<double>(ahead.distance) <= gtawLongestArc(current);
-    if (!lit_) return;
+    arc_.noArc = noArc_ = whyNot(ahead, current);
+    if (noArc_ == NoArc::touched) spoiled_ = true;
+    if (noArc_ != NoArc::burns) return;
     released_ = false;
     const auto length = static_cast<double>(ahead.distance);
     const double voltage = gtawVoltage(length, current);

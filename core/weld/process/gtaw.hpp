@@ -38,11 +38,11 @@ class Gtaw : public Process {
     void advance(const TorchSample& torch, const MetalAhead& ahead, double seconds) override;
 
   private:
-    bool mayStrike(const MetalAhead& ahead) const;
+    NoArc whyNot(const MetalAhead& ahead, double current) const;
 
     GtawSettings settings_;
-    bool lit_ = false;
-    bool released_ = true; ///< the trigger was let go since the arc last went out
+    NoArc noArc_ = NoArc::released; ///< of the last step
+    bool released_ = true;          ///< the trigger was let go since the arc last went out
     bool spoiled_ = false;
 };
 

@@ -64,12 +64,14 @@ double longestWireArc(const WireFeed& feed) {
 void WireArc::release() {
     lit_ = false;
     action_ = ArcAction::out;
+    noArc_ = NoArc::released;
     length_ = current_ = voltage_ = fed_ = melted_ = stretch_ = 0;
 }
 
 /// The machine holds its open-circuit voltage, which here is the set one.
-void WireArc::goOut(const WireFeed& feed) {
+void WireArc::goOut(const WireFeed& feed, NoArc reason) {
     release();
+    noArc_ = reason;
     voltage_ = feed.voltage;
 }
 
@@ -80,6 +82,7 @@ void WireArc::step(const WireFeed& feed, double distance, double seconds) {
     if (!lit_) feedInAir(feed, distance, seconds);
     if (!lit_) return;
     // A wire that touches in this step has used its time up: it begins to melt in the next one.
+    noArc_ = NoArc::burns;
     if (!wasLit) {
         action_ = ArcAction::striking;
         current_ = shortCurrent(feed);
@@ -93,12 +96,13 @@ void WireArc::step(const WireFeed& feed, double distance, double seconds) {
 void WireArc::block(const WireFeed& feed) {
     release();
     action_ = ArcAction::stubbed;
+    noArc_ = NoArc::burns;
     current_ = shortCurrent(feed);
     voltage_ = terminalVoltage(feed, current_);
 }
 
 void WireArc::feedInAir(const WireFeed& feed, double distance, double seconds) {
-    goOut(feed);
+    goOut(feed, wentOut(noArc_) ? noArc_ : std::isfinite(distance) ? NoArc::feeding : NoArc::noMetal);
     fed_ = feed.speed * seconds;
     extension_ += feed.speed * seconds;
     lit_ = extension_ >= distance;
@@ -112,7 +116,7 @@ void WireArc::burn(const WireFeed& feed, double distance, double seconds) {
         return extension - before - seconds * (feed.speed - meltingSpeed(feed, current, feed.voltage, extension));
     };
     if (!std::isfinite(distance)) {
-        goOut(feed);
+        goOut(feed, NoArc::metalLeft);
         fed_ = feed.speed * seconds;
         extension_ = before + fed_;
         return;
@@ -127,7 +131,7 @@ void WireArc::burn(const WireFeed& feed, double distance, double seconds) {
     length_ = distance - extension_;
     current_ = openArcCurrent(feed, length_);
     if (current_ < kLeastArcCurrent) {
-        goOut(feed);
+        goOut(feed, NoArc::tooLong);
         fed_ = feed.speed * seconds;
         extension_ = before + fed_;
         return;

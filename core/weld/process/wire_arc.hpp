@@ -60,6 +60,7 @@ class WireArc {
     void release();
 
     ArcAction action() const { return action_; }
+    NoArc noArc() const { return noArc_; }          ///< why action() is `out`
     double extension() const { return extension_; } ///< m; more than the distance: the wire is bent
     double length() const { return length_; }       ///< m, of the arc
     double current() const { return current_; }     ///< A
@@ -72,12 +73,13 @@ class WireArc {
     void feedInAir(const WireFeed& feed, double distance, double seconds);
     void burn(const WireFeed& feed, double distance, double seconds);
     void shortCircuit(const WireFeed& feed, double distance, double seconds);
-    void goOut(const WireFeed& feed);
+    void goOut(const WireFeed& feed, NoArc reason);
     void block(const WireFeed& feed);
 
     double extension_;
     bool lit_ = false;
     ArcAction action_ = ArcAction::out;
+    NoArc noArc_ = NoArc::released;
     double length_ = 0, current_ = 0, voltage_ = 0, fed_ = 0, melted_ = 0, stretch_ = 0;
 };
 

@@ -4,6 +4,8 @@
 #include "tests/support/gl_fixture.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <set>
 
 using namespace meltpool;
 
@@ -108,6 +110,68 @@ TEST_CASE("a GTAW arc strikes near the metal, follows its length and goes out wh
     CHECK(after(*process, 3) == ArcAction::striking);
     CHECK(after(*process, 3, 0.5F) == ArcAction::burning);
     CHECK(process->arc().current == 65);
+}
+
+TEST_CASE("a GTAW torch says why it has no arc: why it went out, and why it does not strike") {
+    ProcessSettings settings;
+    settings.choose<Gtaw>().current = 130;
+    const auto process = made(settings);
+    const auto why = [&](double mm, float trigger = 1) {
+        const bool out = after(*process, mm, trigger) == ArcAction::out;
+        CHECK(out == (process->arc().noArc != NoArc::burns));
+        return process->arc().noArc;
+    };
+    constexpr double kNowhere = std::numeric_limits<double>::infinity();
+    CHECK(why(3, 0) == NoArc::released);
+    CHECK(why(kNowhere) == NoArc::noMetal);
+    CHECK(why(8) == NoArc::tooFar);
+    CHECK(why(0.1) == NoArc::touching);
+    for (const auto& [mm, end] : {std::pair(1e3 * gtawLongestArc(130) + 0.5, NoArc::tooLong),
+                                  {0.1, NoArc::touched},
+                                  {kNowhere, NoArc::metalLeft}}) {
+        CHECK(why(3) == NoArc::burns);
+        CHECK(why(mm) == end);
+        CHECK(wentOut(end));
+        for (const double later : {3.0, 0.1, 20.0, kNowhere}) // until the trigger is let go
+            CHECK(why(later) == end);
+        CHECK(why(3, 0) == NoArc::released);
+    }
+    process->reset();
+    CHECK(why(3) == NoArc::burns);
+}
+
+TEST_CASE("a GMAW torch says why it has no arc, and that a wire is on its way or not fed") {
+    ProcessSettings settings;
+    GmawSettings& gmaw = settings.choose<Gmaw>();
+    gmaw.voltage = 22;
+    const auto process = made(settings);
+    const auto why = [&](double mm, float trigger = 1) {
+        const bool out = after(*process, mm, trigger) == ArcAction::out;
+        CHECK(out == (process->arc().noArc != NoArc::burns));
+        return process->arc().noArc;
+    };
+    constexpr double kNowhere = std::numeric_limits<double>::infinity();
+    CHECK(why(15, 0) == NoArc::released);
+    CHECK(why(kNowhere) == NoArc::noMetal);
+    CHECK(why(40) == NoArc::feeding);
+    for (int i = 0; i < 100; ++i)
+        why(14);
+    CHECK(process->arc().action == ArcAction::burning);
+    CHECK(why(60) == NoArc::tooLong);
+    CHECK(why(60) == NoArc::tooLong); // until it strikes again
+    for (int i = 0; i < 100; ++i)
+        why(14);
+    CHECK(why(kNowhere) == NoArc::metalLeft);
+    CHECK(why(60) == NoArc::metalLeft);
+    CHECK(why(60, 0) == NoArc::released);
+    CHECK(why(60) == NoArc::feeding);
+    gmaw.wireFeedMPerMin = 0;
+    process->apply(settings);
+    CHECK(why(60) == NoArc::noWire);
+    std::set<std::string_view> names;
+    for (int i = 0; i <= static_cast<int>(NoArc::noWire); ++i)
+        names.insert(noArcName(NoArc(i)));
+    CHECK(names.size() == 10);
 }
 
 TEST_CASE("a GTAW electrode that dips in is out and spoiled") {
