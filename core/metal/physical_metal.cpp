@@ -87,6 +87,11 @@ PhysicalMetal::PhysicalMetal(gl::ShaderLibrary& shaders, const PhysicalSetup& se
       parts_("metal statistics", sizeof(Parts)),
       answers_("metal statistics", sizeof(Parts), kStatisticsInFlight) {
     setup_.heat.meltedLeaves = true;
+    for (int axis = 0; axis < 3; ++axis) { // fragments end where the liquid does
+        if (setup.space.repeats[axis]) continue;
+        setup_.fragments.low[axis] = setup.space.low[axis];
+        setup_.fragments.high[axis] = setup.space.high[axis];
+    }
     reset();
 }
 

@@ -40,10 +40,14 @@ namespace meltpool {
 struct FragmentBlock {
     ivec3 coarseCells; // along each axis
     float timeStep;    // s
+    vec3 low;          // m, corner of the space that metal may be in
     float floorHeight; // m
+    vec3 high;         // m, the opposite corner
     float friction;    // Coulomb's coefficient, no unit
     uint contactRoom;  // entries of the list of free slots whose contacts are kept
-    float reserved;
+    float reserved0;
+    float reserved1;
+    float reserved2;
 };
 
 struct FragmentControl {
@@ -70,7 +74,7 @@ struct FragmentMotion {
 };
 
 // Sums over a particle's contacts, in integers so that the order of the sum does not matter. "Fixed" is what stands still:
-// clamped metal and the floor.
+// clamped metal, the floor and the walls of the space.
 struct FragmentContact {
     ivec3 overlap; // with what is fixed, times the normal, nm
     int fixedContacts;
@@ -83,7 +87,7 @@ struct FragmentContact {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(FragmentBlock) == 32);
+static_assert(sizeof(FragmentBlock) == 64);
 static_assert(sizeof(FragmentControl) == 80);
 static_assert(sizeof(FragmentMotion) == 64);
 static_assert(sizeof(FragmentContact) == 64);

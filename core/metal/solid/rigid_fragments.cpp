@@ -47,6 +47,8 @@ RigidFragments::RigidFragments(gl::ShaderLibrary& shaders, MetalState& state, co
     labels_.fill(FRAGMENT_NO_LABEL);
     nextLabels_.fill(FRAGMENT_NO_LABEL);
     block_.coarseCells = state.lattice().cells() / 2;
+    block_.low = setup.low;
+    block_.high = setup.high;
     block_.floorHeight = setup.floorHeight;
     block_.friction = setup.friction;
     block_.contactRoom = static_cast<uint>(contacts_.bytes() / sizeof(FragmentContact));

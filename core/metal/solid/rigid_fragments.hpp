@@ -16,6 +16,8 @@ struct FragmentSetup {
     float friction = 0.35F; ///< metal on metal, Coulomb, no unit
     /// Free particles whose contacts are kept, 64 B each. Those of more are found twice: slower, with the same result.
     unsigned contactRoom = 8192;
+    glm::vec3 low{-1e3F}; ///< m, the space whose sides no fragment leaves
+    glm::vec3 high{1e3F}; ///< m
 };
 
 /// How many fragments are free at the moment.

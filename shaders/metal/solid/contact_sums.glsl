@@ -1,4 +1,4 @@
-// What a particle of a free fragment touches: fixed metal, the floor, other free fragments. Penalty contacts after the discrete
+// What a particle of a free fragment touches: fixed metal, floor and walls, other free fragments. Penalty contacts after the discrete
 // element method of Cundall and Strack (1979). Included after common.glsl.
 
 // A spring that turns an overlap around in a few steps, and its damper: stable for a lone particle with five neighbours.
@@ -52,6 +52,20 @@ void addOffLatticeContacts(vec3 place, vec3 own, uint fragment, inout FragmentCo
                 }
 }
 
+/// Adds the contact with a plane that the centre is `height` (m) in front of: the particle's rim touches it, half a spacing
+/// from its centre.
+void addPlaneContact(float height, vec3 normal, vec3 own, inout FragmentContact sum) {
+    addContact(max(height + 0.5 * metal.spacing, 0.01 * metal.spacing) * normal, own, true, sum);
+}
+
+void addWallContacts(vec3 place, vec3 own, inout FragmentContact sum) {
+    vec3 low = place - fragmentBlock.low, high = fragmentBlock.high - place;
+    addPlaneContact(low.x, vec3(1, 0, 0), own, sum);
+    addPlaneContact(high.x, vec3(-1, 0, 0), own, sum);
+    addPlaneContact(low.z, vec3(0, 0, 1), own, sum);
+    addPlaneContact(high.z, vec3(0, 0, -1), own, sum);
+}
+
 /// Sums over the contacts of the particle in `slot`; nothing once it melted.
 FragmentContact contactsOf(uint slot) {
     FragmentContact sum = FragmentContact(ivec3(0), 0, ivec3(0), 0, ivec3(0), 0, ivec3(0), 0);
@@ -61,8 +75,7 @@ FragmentContact contactsOf(uint slot) {
     vec3 own = velocity[slot].xyz;
     addLatticeContacts(place, own, sum);
     addOffLatticeContacts(place, own, fragmentOf(bits), sum);
-    // The particle's rim touches the floor: half a spacing from its centre.
-    float height = place.y - fragmentBlock.floorHeight + 0.5 * metal.spacing;
-    addContact(vec3(0, max(height, 0.01 * metal.spacing), 0), own, true, sum);
+    addPlaneContact(place.y - fragmentBlock.floorHeight, vec3(0, 1, 0), own, sum);
+    addWallContacts(place, own, sum);
     return sum;
 }

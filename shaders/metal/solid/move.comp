@@ -17,6 +17,7 @@ void main() {
     FragmentMotion body = motion[fragmentOf(bits)];
     float dt = fragmentBlock.timeStep;
     vec3 arm = rotated(position[slot].xyz - body.centre, body.angularVelocity * dt);
-    position[slot].xyz = body.centre + body.velocity * dt + arm;
+    // Contacts give way where metal presses on both sides: what they leave outside the space is moved to its edge.
+    position[slot].xyz = clamp(body.centre + body.velocity * dt + arm, fragmentBlock.low, fragmentBlock.high);
     velocity[slot].xyz = body.velocity + cross(body.endAngularVelocity, arm);
 }

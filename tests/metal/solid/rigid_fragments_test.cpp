@@ -5,6 +5,7 @@
 #include "tests/support/gl_fixture.hpp"
 
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <cmath>
 #include <cstring>
@@ -44,7 +45,7 @@ std::vector<MetalSeed> operator+(std::vector<MetalSeed> a, const std::vector<Met
 struct Bench {
     explicit Bench(const std::vector<MetalSeed>& seeds, unsigned contactRoom = 8192)
         : state((test::context(), smallLattice()), steel(), 7850, seeds.size() + 8),
-          fragments(test::shaders(), state, {0, 0.35F, contactRoom}) {
+          fragments(test::shaders(), state, {0, 0.35F, contactRoom, glm::vec3(0), {0.032F, 0.024F, 0.016F}}) {
         state.add(seeds);
         fragments.relabelNow(nullptr);
     }
@@ -206,6 +207,28 @@ TEST_CASE("a slender fragment that stands askew tips over") {
         highest = std::max(highest, p.y);
     CHECK(highest < 0.0045F);
     CHECK(largestStretch(positions, bench.positions(), 0, positions.size()) < 0.02F);
+}
+
+TEST_CASE("a fragment that flies or is pressed against the sides of the space stays inside it") {
+    const MetalLattice lattice = smallLattice();
+    Bench bench(box(lattice, {14, 4, 6}, {18, 6, 10}));
+    for (const glm::vec3 push :
+         {glm::vec3(0.8F, 0, 0), {-0.8F, 0, 0}, {0, 0, 0.8F}, {0.2F, 0, -0.8F}, {0.8F, -1, 0.8F}}) {
+        for (int blow = 0; blow < 20; ++blow) {
+            const std::vector<vec4> velocities(bench.state.particles(), vec4(push, 0));
+            bench.state.velocity.write(std::span<const vec4>(velocities));
+            bench.run(0.02F);
+            for (const vec4& p : bench.positions()) {
+                CHECK(glm::all(glm::greaterThanEqual(glm::vec3(p), lattice.low)));
+                CHECK(glm::all(glm::lessThanEqual(glm::vec3(p), glm::vec3(0.032F, 0.024F, 0.016F))));
+            }
+        }
+        // It has come to the side that it was pushed to.
+        float reach = 0;
+        for (const vec4& p : bench.positions())
+            reach = std::max(reach, glm::dot(glm::vec3(p) - glm::vec3(0.016F, 0, 0.008F), glm::normalize(push)));
+        CHECK(reach > 0.006F);
+    }
 }
 
 TEST_CASE("a fragment in free flight keeps its momentum and its spin") {
