@@ -75,6 +75,7 @@ json headset(const HeadsetStatus& status) {
             {"panel", status.panel},
             {"tip", tip(status.tip)},
             {"trigger_locked", status.triggerLocked},
+            {"display_hz", status.displayHz},
             {"busy_ms", status.busyMs},
             {"places", places}};
 }

@@ -238,6 +238,7 @@ HeadsetStatus HeadsetFrontEnd::status() const {
     status.triggerLocked = hands_.torch().triggerLock().locked() || !changes_.lessonRuns();
     status.panel = panel_.open();
     status.tip = feedback_.status(headset == nullptr ? 0 : headset->hapticCalls().applied);
+    status.displayHz = timing_.period > 0 ? 1 / timing_.period : 0;
     status.busyMs = busy_ * 1000;
     status.places = menu_.places();
     return status;

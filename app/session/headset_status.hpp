@@ -34,6 +34,7 @@ struct HeadsetStatus {
     bool triggerLocked = false; ///< until it is let go
     bool panel = false;
     TipStatus tip;
+    double displayHz = 0;                    ///< frames a second that the runtime asks for; 0: not known yet
     double busyMs = 0;                       ///< CPU time of the last headset frame without the runtime's waiting
     std::map<std::string, ui::Place> places; ///< controls on the panel, its pixels
 };

@@ -94,8 +94,8 @@ void Trainee::aim(const glm::vec3& place, float trigger) {
 void Trainee::point(const glm::vec3& from, const glm::vec3& target, float trigger) {
     const glm::vec3 z = glm::normalize(from - target), x = glm::normalize(glm::cross(glm::vec3(0, 1, 0), z));
     const xr::Pose ray{glm::quat_cast(glm::mat3(x, glm::cross(z, x), z)), from};
-    state.hands[hand].pose = ray * handGeometry().aim.inverse();
-    state.hands[hand].trigger = trigger;
+    pointer().pose = ray * handGeometry().aim.inverse();
+    pointer().trigger = trigger;
     send();
 }
 
@@ -120,7 +120,7 @@ void Trainee::scrollTo(TrainerProcess& trainer, const std::string& name) {
     for (const float way : {-1.0f, 1.0f}) {
         pointAtPixel(450, 550, 0);
         passFrames(trainer, 2);
-        state.hands[hand].thumbstickY = inSight(trainer.now()) ? 0.0f : way;
+        pointer().thumbstickY = inSight(trainer.now()) ? 0.0f : way;
         send();
         // A panel whose controls stand still for many frames is at its end.
         json last;
@@ -130,7 +130,7 @@ void Trainee::scrollTo(TrainerProcess& trainer, const std::string& name) {
             last = row["headset"]["places"];
             return inSight(row) || row["frame"] > moved + 40;
         });
-        state.hands[hand].thumbstickY = 0;
+        pointer().thumbstickY = 0;
         send();
         passFrames(trainer, 3);
         if (there && inSight(trainer.now())) return;
@@ -147,10 +147,10 @@ void Trainee::press(TrainerProcess& trainer, const std::string& name) {
 }
 
 void Trainee::showPanel(TrainerProcess& trainer, bool open) {
-    state.hands[hand].b = true;
+    pointer().b = true;
     send();
     REQUIRE(trainer.waitFor([&](const json& row) { return row["headset"]["panel"] == open; }));
-    state.hands[hand].b = false;
+    pointer().b = false;
     send();
     passFrames(trainer, 2);
 }

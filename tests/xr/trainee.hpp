@@ -3,6 +3,8 @@
 
 #include "tests/xr/trainer_process.hpp"
 
+#include <optional>
+
 namespace meltpool::test {
 
 /// Where the runtime puts the grip and the pointer on the scripted device: rigid, so measured once.
@@ -21,11 +23,12 @@ std::filesystem::path plateLesson(const std::filesystem::path& folder);
 struct Trainee {
     RemoteDriver driver{benchPort()};
     RemoteState state;
-    size_t hand = 1;          ///< that holds the torch: 0 left, 1 right
-    float zoom = 4;           ///< as the lesson is shown
-    float tableHeight = 0.9f; ///< m, as set
-    float tableTop = 0.9f;    ///< m, in the session's space
-    float bottom = -0.04f;    ///< lowest place of the lesson's box in the workpiece's frame, m
+    size_t hand = 1;                         ///< that holds the torch: 0 left, 1 right
+    std::optional<size_t> pointingHand = {}; ///< at the panel; the torch's hand where none is named
+    float zoom = 4;                          ///< as the lesson is shown
+    float tableHeight = 0.9f;                ///< m, as set
+    float tableTop = 0.9f;                   ///< m, in the session's space
+    float bottom = -0.04f;                   ///< lowest place of the lesson's box in the workpiece's frame, m
     glm::quat held = glm::angleAxis(-0.8f, glm::vec3(1, 0, 0)); ///< the torch's orientation
 
     /// Both hands beside the table, the torch's away from the metal.
@@ -37,7 +40,7 @@ struct Trainee {
     void lookDown();
     /// Holds the torch's tip at a place of the workpiece's frame.
     void aim(const glm::vec3& place, float trigger);
-    /// Points the torch's hand's ray from a place of the session's space at another.
+    /// Points the pointing hand's ray from a place of the session's space at another.
     void point(const glm::vec3& from, const glm::vec3& target, float trigger);
     /// Holds the ray at a control of the open panel, by its name in the program's telemetry.
     void pointAtControl(TrainerProcess& trainer, const std::string& name, float trigger);
@@ -47,11 +50,12 @@ struct Trainee {
     void scrollTo(TrainerProcess& trainer, const std::string& name);
     /// Scrolls to the control, points at it, pulls the trigger there and lets go.
     void press(TrainerProcess& trainer, const std::string& name);
-    /// Presses the torch's hand's menu button and waits until the panel is open (or closed).
+    /// Presses the pointing hand's menu button and waits until the panel is open (or closed).
     void showPanel(TrainerProcess& trainer, bool open);
     /// Lets the trigger go until the program has seen it.
     void letGo(TrainerProcess& trainer);
     void send() { driver.send(state); }
+    RemoteHand& pointer() { return state.hands[pointingHand.value_or(hand)]; }
 };
 
 /// The headset is in use and the lesson runs.

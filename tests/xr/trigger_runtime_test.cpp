@@ -86,7 +86,7 @@ TEST_CASE("recentre, zoom, other hand, lost controller: the arc is out first and
     trainee.send();
     checkOutUntilLetGo(trainer, trainee);
 
-    // Zoom and hand by the panel, pointed at with the torch's hand.
+    // Back to the first place.
     trainee.state.hands[1].trigger = 0;
     trainee.state.head = {{1, 0, 0, 0}, {0, 1.6f, 0}};
     trainee.state.hands[0].thumbstickClick = true;
@@ -94,6 +94,22 @@ TEST_CASE("recentre, zoom, other hand, lost controller: the arc is out first and
     passFrames(trainer, 4);
     trainee.state.hands[0].thumbstickClick = false;
     trainee.send();
+
+    // Another zoom: the other hand draws the panel's slider while the arc burns.
+    trainee.aim(place, 0.0f);
+    passFrames(trainer, 4);
+    trainee.letGo(trainer);
+    trainee.aim(place, 1.0f);
+    trainee.pointingHand = 0;
+    trainee.showPanel(trainer, true);
+    REQUIRE(trainer.waitFor(burns));
+    trainee.press(trainer, "headset.zoom");
+    checkOutUntilLetGo(trainer, trainee);
+    trainee.showPanel(trainer, false);
+    trainee.pointingHand = {};
+
+    // The hand by the panel, pointed at with the torch's hand.
+    trainee.state.hands[1].trigger = 0;
     trainee.showPanel(trainer, true);
     trainee.press(trainer, "headset.hand.left");
     trainee.hand = 0;
@@ -108,7 +124,7 @@ TEST_CASE("recentre, zoom, other hand, lost controller: the arc is out first and
     for (const char* event :
          {"# event zoom 4", "# event hand right", "# event torch_on controller", "# event recentred",
           "# event arc_out recentred", "# event torch lost", "# event arc_out torch_lost", "# event torch seen",
-          "# event arc_out jump", "# event hand left"}) {
+          "# event arc_out jump", "# event arc_out zoomed", "# event hand left"}) {
         INFO(event);
         CHECK_THAT(text, containsText(event));
     }

@@ -4,11 +4,7 @@
 #include "tests/desktop/driven/driver.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
-
-#include <atomic>
-#include <chrono>
-#include <csignal>
-#include <thread>
+#include "tests/support/little_time.hpp"
 
 namespace meltpool::test {
 
@@ -28,34 +24,6 @@ std::string endOf(const fs::path& record) {
     CHECK(attempt->rows > 5);
     return attempt->ended;
 }
-
-/// Stops the process for `stopped` of every `period` s while it lives: a machine with little time for it.
-class LittleTime {
-  public:
-    LittleTime(Process& process, double period, double stopped)
-        : process_(process), thread_([=, this] { work(period, stopped); }) {}
-    ~LittleTime() {
-        done_ = true;
-        thread_.join();
-    }
-    LittleTime(const LittleTime&) = delete;
-    LittleTime& operator=(const LittleTime&) = delete;
-
-  private:
-    void work(double period, double stopped) {
-        const auto nap = [](double s) { std::this_thread::sleep_for(std::chrono::duration<double>(s)); };
-        while (!done_) {
-            process_.signal(SIGSTOP);
-            nap(stopped);
-            process_.signal(SIGCONT);
-            nap(period - stopped);
-        }
-    }
-
-    Process& process_;
-    std::atomic<bool> done_ = false;
-    std::thread thread_;
-};
 
 } // namespace
 
@@ -104,14 +72,15 @@ TEST_CASE("at twelve frames a second the metal keeps the clock; on a machine tha
     TrainerWindow window("desk-pace-window", {.arguments = {"--record", (folder / "weld.csv").string()}});
     window.start();
     window.waitFor("some steps", stepsPast(20));
+    const auto signal = [&](int number) { window.process().signal(number); };
     {
-        const LittleTime fewFrames(window.process(), 0.085, 0.06);
+        const LittleTime fewFrames(signal, 0.085, 0.06);
         window.waitFor("few frames at full pace", [](const json& s) {
             return s.at("frames_per_second") < 25 && s.at("metal").at("speed") > 0.95;
         });
     }
     {
-        const LittleTime slow(window.process(), 1.2, 1.0);
+        const LittleTime slow(signal, 1.2, 1.0);
         window.waitFor("a slow metal, and a sentence about it over the picture", [](const json& s) {
             for (const std::string text : s.at("messages"))
                 if (text.find("% of real time") != std::string::npos) return s.at("metal").at("speed") < 0.8;

@@ -1,0 +1,111 @@
+// The whole program on a real runtime: the metal's time is the hand's time at the display's rate, on a machine with
+// little time for the program too; where it cannot be, the person is told before their eyes. tests/xr/CMakeLists.txt
+// runs it at other display rates too.
+#include "core/base/text.hpp"
+#include "core/training/recorded_attempt.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/little_time.hpp"
+#include "tests/xr/trainee.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+
+using namespace meltpool;
+using namespace meltpool::test;
+using nlohmann::json;
+
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr double kHandSpeed = 0.01; ///< m/s in the workpiece's frame; 40 mm/s in the room at zoom 4
+
+/// Moves the torch to and fro above the metal at constant speed, as far as `now` asks.
+void sweep(Trainee& trainee, Clock::time_point begin, float trigger) {
+    constexpr double kWay = 0.05; // m in the workpiece's frame
+    const double turns = std::chrono::duration<double>(Clock::now() - begin).count() * kHandSpeed / kWay;
+    const double part = std::abs(std::remainder(turns, 2.0)); // 0..1..0
+    trainee.aim({float(-0.02 + kWay * part), 0.03f, 0.018f}, trigger);
+}
+
+/// What happened between two rows of the telemetry.
+struct Stretch {
+    double real = 0;  ///< s
+    double metal = 0; ///< s
+    double way = 0;   ///< m along x that the torch went in the metal's frame, to and fro added up
+    double ratio() const { return metal / real; }
+    double speedInMetal() const { return way / metal; }
+};
+
+/// Of the rows in the last `seconds` of real time, those after row `from` alone.
+Stretch lastStretch(const std::vector<json>& rows, size_t from, double seconds) {
+    Stretch stretch;
+    for (size_t i = rows.size() - 1; i > from && stretch.real < seconds; --i) {
+        const auto change = [&](const auto& value) { return value(rows[i]) - value(rows[i - 1]); };
+        stretch.real += change([](const json& row) { return row["seconds"].get<double>(); });
+        stretch.metal += change([](const json& row) { return row["metal"]["time"].get<double>(); });
+        stretch.way += 1e-3 * std::abs(change([](const json& row) { return row["torch"]["tip_mm"][0].get<double>(); }));
+    }
+    return stretch;
+}
+
+/// The rate that this run's runtime was asked for, Hz.
+double askedRate() {
+    const char* rate = std::getenv("XRT_COMPOSITOR_DEFAULT_FRAMERATE");
+    return rate != nullptr ? std::strtod(rate, nullptr) : 60;
+}
+
+bool toldSlow(const json& row) {
+    return row["headset"]["notice"].get<std::string>().find("% of real time") != std::string::npos;
+}
+
+} // namespace
+
+TEST_CASE("the metal goes at the hand's speed at the display's rate; what it cannot is told before the eyes",
+          "[runtime][pace]") {
+    handGeometry();
+    const fs::path folder = benchFolder() / ("pace" + formatNumber(askedRate()));
+    const fs::path record = folder / "weld.csv";
+    Trainee trainee;
+    TrainerProcess trainer(folder,
+                           {"--headset", "--lesson", smallLesson(folder).string(), "--record", record.string()});
+    REQUIRE(trainer.waitFor(ready));
+    CHECK(trainer.now()["headset"]["display_hz"].get<double>() == Approx(askedRate()).epsilon(0.03));
+    const Clock::time_point begin = Clock::now();
+    const auto signal = [&](int number) { trainer.signal(number); };
+    // The torch's way in the metal's time is the hand's in real time, once the machine keeps up for three seconds.
+    const auto keepsUp = [&](const std::string& when) {
+        const size_t from = trainer.rows().size();
+        Stretch stretch;
+        const bool reached = trainer.waitFor(
+            [&](const json& row) {
+                stretch = lastStretch(trainer.rows(), from, 3);
+                return row["metal"]["speed"] > 0.95 && !toldSlow(row) && stretch.real >= 3 && stretch.ratio() > 0.95 &&
+                       std::abs(stretch.speedInMetal() / kHandSpeed - 1) < 0.1;
+            },
+            [&] { sweep(trainee, begin, 1); });
+        WARN(when << ": metal at " << stretch.ratio() << " of real time, the torch at " << 1000 * stretch.speedInMetal()
+                  << " mm/s in it, " << trainer.now()["frames_per_second"].get<double>() << " frames a second");
+        CHECK(reached);
+    };
+    keepsUp("left alone");
+    {
+        const LittleTime fewFrames(signal, 0.085, 0.05);
+        keepsUp("stopped for 50 of 85 ms");
+    }
+    {
+        const LittleTime slow(signal, 1.2, 1.0);
+        CHECK(trainer.waitFor([](const json& row) { return toldSlow(row) && row["metal"]["speed"] < 0.8; },
+                              [&] { sweep(trainee, begin, 1); }));
+    }
+    CHECK(trainer.waitFor([](const json& row) { return !toldSlow(row); }, [&] { sweep(trainee, begin, 1); }));
+    CHECK(trainer.stop() == 0);
+    CHECK(trainer.misuses() == "");
+    const auto attempt = readRecordedAttempt(record);
+    REQUIRE(attempt);
+    REQUIRE(attempt->realTime);
+    CHECK(*attempt->realTime < 1);
+    CHECK_THAT(readTextFile(record), containsText("# least_real_time 0."));
+}
