@@ -113,7 +113,7 @@ json messageTexts(const Messages& messages) {
 
 } // namespace
 
-WindowTelemetry::WindowTelemetry(const std::filesystem::path& file) {
+WindowTelemetry::WindowTelemetry(const std::filesystem::path& file) : name_(file) {
     if (file.empty()) return;
     file_.open(file, std::ios::trunc);
     if (!file_) throw InputError(file, 0, "the telemetry cannot be written here; expected a file in a writable folder");
@@ -157,6 +157,9 @@ void WindowTelemetry::write(const TelemetryRow& row) {
     };
     // Bytes of a message need not be UTF-8 (a path, a driver's log); they are replaced, not refused.
     file_ << object.dump(-1, ' ', false, json::error_handler_t::replace) << std::endl;
+    if (file_) return;
+    file_.close();
+    fault_ = name_.string() + ": the telemetry cannot be written on; expected free space";
 }
 
 } // namespace meltpool

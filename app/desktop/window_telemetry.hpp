@@ -45,12 +45,17 @@ class WindowTelemetry {
     explicit WindowTelemetry(const std::filesystem::path& file);
 
     bool enabled() const { return file_.is_open(); }
+    /// Why the telemetry ended before the program, as a sentence; empty while it is whole or none is wanted.
+    const std::string& fault() const { return fault_; }
     /// True when it is time for another row: at most 20 a second.
     bool due(double now);
+    /// Adds a row. The first that the disk does not take ends the telemetry and sets fault(); the window goes on.
     void write(const TelemetryRow& row);
 
   private:
+    std::filesystem::path name_;
     std::ofstream file_;
+    std::string fault_;
     double next_ = 0;
 };
 
