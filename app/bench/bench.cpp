@@ -1,6 +1,7 @@
 #include "app/bench/bench.hpp"
 
 #include "app/program/program_info.hpp"
+#include "app/program/stop_signals.hpp"
 #include "core/base/error.hpp"
 #include "core/base/file_lock.hpp"
 #include "core/base/output_file.hpp"
@@ -13,6 +14,7 @@
 #include <chrono>
 #include <cstdio>
 #include <ctime>
+#include <exception>
 #include <fstream>
 #include <limits>
 #include <optional>
@@ -63,6 +65,16 @@ void printRow(const BenchRow& row) {
     std::fflush(stdout);
 }
 
+/// Runs a part as far as it comes; what ended it early, so that the rows before that can be kept first.
+std::exception_ptr faultOf(const BenchPart& part, Bench& bench) {
+    try {
+        part.run(bench);
+    } catch (...) {
+        return std::current_exception();
+    }
+    return nullptr;
+}
+
 } // namespace
 
 BenchRow Bench::measure(std::string what, const std::function<void(gl::Profiler&)>& work, double seconds,
@@ -96,6 +108,7 @@ BenchRow Bench::measure(std::string what, const std::function<void(gl::Profiler&
 void Bench::add(BenchRow row) {
     printRow(row);
     rows_.push_back(std::move(row));
+    if (StopSignals::asked()) throw RuntimeFault("the measurement was stopped before its end");
 }
 
 std::string benchJson(const gl::ContextInfo& driver, const std::vector<BenchRow>& rows, bool complete) {
@@ -129,6 +142,7 @@ std::string benchJson(const gl::ContextInfo& driver, const std::vector<BenchRow>
 }
 
 void runBench(const std::string& suite, const std::filesystem::path& jsonFile) {
+    const StopSignals signals("\nmeltpool: stops after this row; Ctrl-C again ends it at once\n");
     std::vector<BenchPart> chosen;
     std::string known;
     for (const BenchPart& part : benchParts()) {
@@ -150,9 +164,10 @@ void runBench(const std::string& suite, const std::filesystem::path& jsonFile) {
     std::printf("%-10s %-40s %9s %11s %9s %10s\n", "suite", "what / pass", "particles", "ms (least)", "B/part.", "MiB");
     for (const BenchPart& part : chosen) {
         Bench bench(shaders, std::string(part.suite));
-        part.run(bench);
+        const std::exception_ptr fault = faultOf(part, bench);
         rows.insert(rows.end(), bench.rows().begin(), bench.rows().end());
         if (keeps) writeTextFileAtomically(jsonFile, benchJson(context.info(), rows, false));
+        if (fault) std::rethrow_exception(fault);
     }
     if (!jsonFile.empty()) writeTextFileAtomically(jsonFile, benchJson(context.info(), rows, true));
 }

@@ -41,7 +41,7 @@ class Bench {
     BenchRow measure(std::string what, const std::function<void(gl::Profiler&)>& work, double seconds = 1.0,
                      int leastRepeats = 3, int mostRepeats = 200);
 
-    /// Adds the row and prints its line.
+    /// Adds the row and prints its line. Throws RuntimeFault where a signal has asked to stop, see StopSignals.
     void add(BenchRow row);
 
     const std::vector<BenchRow>& rows() const { return rows_; }
@@ -67,7 +67,7 @@ std::span<const BenchPart> benchParts();
 std::string benchJson(const gl::ContextInfo& driver, const std::vector<BenchRow>& rows, bool complete);
 
 /// `meltpool bench`: runs one suite, or all for "". Prints the table and writes the JSON where a file is named, anew
-/// after each part. Throws
+/// after each part. A signal ends it after the row that it measures: RuntimeFault, and the rows are kept. Throws
 /// InputError, listing the suites, for an unknown one.
 void runBench(const std::string& suite, const std::filesystem::path& jsonFile);
 

@@ -39,7 +39,7 @@ struct ValidationRequest {
 };
 
 /// Runs validation cases and prints every number beside what it should be. Returns false when a case failed; throws
-/// InputError for a case file with a fault.
+/// InputError for a case file with a fault, RuntimeFault after the case in which a signal asked to stop.
 bool runValidation(const ValidationRequest& request);
 
 /// Prints the catalogue.

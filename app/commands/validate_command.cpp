@@ -1,6 +1,7 @@
 // `meltpool validate`: how far the metal is from exact solutions and experiments.
 #include "app/commands/commands.hpp"
 #include "app/program/program_info.hpp"
+#include "app/program/stop_signals.hpp"
 #include "core/base/error.hpp"
 #include "core/base/file_lock.hpp"
 #include "core/base/output_file.hpp"
@@ -125,6 +126,7 @@ struct Ends {
 } // namespace
 
 bool runValidation(const ValidationRequest& request) {
+    const StopSignals signals("\nmeltpool: stops after this case; Ctrl-C again ends it at once\n");
     const auto files = request.cases.empty() ? validationCaseFiles(resourceFolder() / "validation") : request.cases;
     // Every file is read before the first is run: a fault in the last must not cost the time of the others.
     requireNoSource(request.json, files);
@@ -138,12 +140,17 @@ bool runValidation(const ValidationRequest& request) {
     Ends ends;
     std::vector<std::string> failed;
     std::fputs(validationHeads().c_str(), stdout);
+    size_t done = 0;
     for (const ValidationCase& one : cases) {
+        if (StopSignals::asked())
+            throw RuntimeFault("the validation was stopped after " + std::to_string(done) + " of " +
+                               std::to_string(cases.size()) + " cases");
         ValidationResult result;
         ends.run(one, shaders, result);
         std::fputs(validationText(result).c_str(), stdout);
         std::fflush(stdout);
         numbers.add(result);
+        ++done;
         if (!result.passed()) failed.push_back(result.name);
     }
     std::printf("%zu of %zu cases passed\n", cases.size() - failed.size(), cases.size());

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <csignal>
 #include <cstdlib>
+#include <cstring>
 
 #ifndef _WIN32
 #include <unistd.h>
@@ -25,25 +26,37 @@ long long now() {
 std::atomic<long long> askedAt{0}; ///< ms of Clock; 0: not asked
 static_assert(std::atomic<long long>::is_always_lock_free, "a signal handler must not wait for a lock");
 
+std::atomic<const char*> answerToFirst{nullptr};
+
+/// May be called in a signal handler.
+void say(const char* sentence) {
+#ifdef _WIN32
+    (void)sentence;
+#else
+    [[maybe_unused]] const auto written = write(STDERR_FILENO, sentence, std::strlen(sentence));
+#endif
+}
+
 [[noreturn]] void endAtOnce() {
     std::_Exit(1);
 }
 
 extern "C" void askToStop(int signal) {
     long long first = 0;
-    if (askedAt.compare_exchange_strong(first, now())) return;
+    if (askedAt.compare_exchange_strong(first, now())) {
+        if (const char* answer = answerToFirst) say(answer);
+        return;
+    }
     if (signal != SIGINT || now() - first < kSecondWish) return;
-#ifndef _WIN32
-    constexpr char kSentence[] = "\nmeltpool: ended at once; what was written up to here is kept\n";
-    [[maybe_unused]] const auto written = write(STDERR_FILENO, kSentence, sizeof kSentence - 1);
-#endif
+    say("\nmeltpool: ended at once; what was written up to here is kept\n");
     endAtOnce();
 }
 
 } // namespace
 
-StopSignals::StopSignals() {
+StopSignals::StopSignals(const char* answer) {
     askedAt = 0;
+    answerToFirst = answer;
     interrupt_ = std::signal(SIGINT, askToStop);
     terminate_ = std::signal(SIGTERM, askToStop);
 #ifdef SIGHUP
@@ -53,6 +66,7 @@ StopSignals::StopSignals() {
 }
 
 StopSignals::~StopSignals() {
+    answerToFirst = nullptr;
     {
         const std::lock_guard lock(mutex_);
         granted_ = true;

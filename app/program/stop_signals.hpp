@@ -14,7 +14,9 @@ namespace meltpool {
 /// ignores (nohup) stays ignored. One at a time in a process.
 class StopSignals {
   public:
-    StopSignals();
+    /// `answer`: a line for standard error when the first signal comes, such as what is still finished; it must live as
+    /// long as this object. None: nothing is said.
+    explicit StopSignals(const char* answer = nullptr);
     ~StopSignals();
     StopSignals(const StopSignals&) = delete;
     StopSignals& operator=(const StopSignals&) = delete;

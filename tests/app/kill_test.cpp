@@ -45,15 +45,15 @@ int endOf(const std::function<void()>& work, const std::vector<std::pair<Millise
     return WIFEXITED(status) ? WEXITSTATUS(status) : kKilled + WTERMSIG(status);
 }
 
-void runProgramQuietly(const std::vector<std::string>& words) {
+void runProgramQuietly(const std::vector<std::string>& words, const char* output = "/dev/null") {
     const std::string program = (fs::path(MELTPOOL_BINARY_FOLDER) / "bin" / "meltpool").string();
     std::vector<char*> arguments{const_cast<char*>(program.c_str())};
     for (const std::string& word : words)
         arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
-    const int nowhere = open("/dev/null", O_WRONLY);
-    dup2(nowhere, STDOUT_FILENO);
-    dup2(nowhere, STDERR_FILENO);
+    const int file = open(output, O_WRONLY | O_CREAT | O_TRUNC, 0644);
+    dup2(file, STDOUT_FILENO);
+    dup2(file, STDERR_FILENO);
     execv(program.c_str(), arguments.data());
 }
 
@@ -170,4 +170,81 @@ TEST_CASE("Ctrl-C ends a run in the middle of a step of minutes and its result s
     CHECK(WEXITSTATUS(status) == 1);
     CHECK_THAT(Json::parse(readTextFile(folder / "result.json")).at("error").get<std::string>(),
                containsText("stopped"));
+}
+
+namespace {
+
+/// What a command that keeps its JSON after each case or row left when signals ended it.
+struct Interrupted {
+    int code = -1;
+    Json json;
+    std::string words; ///< all that it said
+};
+
+/// Sends the signals, 400 ms apart, `after` it said `firstWords`. `list`: of the cases or rows in the JSON.
+Interrupted interrupt(std::vector<std::string> command, const std::string& list, const std::string& firstWords,
+                      const std::vector<int>& signals, Milliseconds after = Milliseconds(0)) {
+    const fs::path folder = test::scratchFolder("interrupted");
+    const fs::path file = folder / "out.json", output = folder / "words.txt";
+    command.insert(command.end(), {"--json", file.string()});
+    const pid_t child = fork();
+    if (child == 0) {
+        runProgramQuietly(command, output.c_str());
+        _exit(99);
+    }
+    const auto begun = [&] { return fs::exists(output) && readTextFile(output).find(firstWords) != std::string::npos; };
+    while (!begun() && waitpid(child, nullptr, WNOHANG) == 0)
+        std::this_thread::sleep_for(Milliseconds(5));
+    std::this_thread::sleep_for(after);
+    for (const int signal : signals) {
+        kill(child, signal);
+        std::this_thread::sleep_for(Milliseconds(400));
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    const Interrupted end{WIFEXITED(status) ? WEXITSTATUS(status) : kKilled + WTERMSIG(status),
+                          Json::parse(readTextFile(file)), readTextFile(output)};
+    INFO(end.words);
+    CHECK(end.json.at("complete") == false);
+    REQUIRE(end.json.contains(list));
+    return end;
+}
+
+std::string caseFile(const std::string& name) {
+    return (test::testFolder() / "validation" / "cases" / (name + ".toml")).string();
+}
+
+} // namespace
+
+TEST_CASE("validate that is asked to stop ends after its case with what it had", "[app]") {
+    const std::string quick = caseFile("conduction_step");
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        const Interrupted end = interrupt({"validate", quick, quick, quick, quick, quick, quick, quick, quick}, "cases",
+                                          "temperature_at_2mm_k", {signal});
+        INFO("signal " << signal);
+        CHECK(end.code == 1);
+        CHECK(end.json.at("passed") == false);
+        CHECK_FALSE(end.json.at("cases").empty());
+        CHECK(end.json.at("cases").size() < 8);
+        for (const Json& one : end.json.at("cases"))
+            CHECK(one.at("passed") == true);
+        CHECK_THAT(end.words, containsText("stops after this case"));
+        CHECK_THAT(end.words, containsText("the validation was stopped after"));
+    }
+}
+
+TEST_CASE("a second Ctrl-C ends validate in the middle of a case of minutes", "[app]") {
+    const Interrupted end = interrupt({"validate", caseFile("conduction_step"), caseFile("bead_gmaw_park")}, "cases",
+                                      "temperature_at_2mm_k", {SIGINT, SIGINT}, Milliseconds(2000));
+    CHECK(end.code == 1);
+    CHECK(end.json.at("cases").size() == 1); // the second never came to its end
+    CHECK_THAT(end.words, containsText("ended at once"));
+}
+
+TEST_CASE("bench that is asked to stop ends after its row with what it had", "[app]") {
+    const Interrupted end = interrupt({"bench", "classic"}, "rows", "ms (least)", {SIGTERM});
+    CHECK(end.code == 1);
+    CHECK_FALSE(end.json.at("rows").empty());
+    CHECK(end.json.at("rows").size() < 4); // the whole suite has more than ten
+    CHECK_THAT(end.words, containsText("the measurement was stopped"));
 }
