@@ -9,6 +9,7 @@
 
 #include <array>
 #include <chrono>
+#include <csignal>
 #include <cstring>
 #include <fstream>
 #include <sstream>
@@ -70,6 +71,10 @@ VirtualDisplay::VirtualDisplay(int dotsPerInch) {
     XChangeProperty(display, DefaultRootWindow(display), XA_RESOURCE_MANAGER, XA_STRING, 8, PropModeReplace,
                     reinterpret_cast<const unsigned char*>(resources.data()), static_cast<int>(resources.size()));
     XCloseDisplay(display);
+}
+
+void VirtualDisplay::kill() {
+    server_->signal(SIGKILL);
 }
 
 VirtualDisplay& sharedDisplay() {

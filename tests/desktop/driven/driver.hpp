@@ -16,6 +16,8 @@ class VirtualDisplay {
   public:
     explicit VirtualDisplay(int dotsPerInch);
     const std::string& name() const { return name_; }
+    /// Kills the server, as one that crashes or whose machine goes away.
+    void kill();
 
   private:
     std::string name_;
