@@ -107,7 +107,7 @@ void runLesson(const RunRequest& request) {
     RunFolder folder(request.folder, lessonSources(lesson));
     const gl::HeadlessContext context;
     gl::ShaderLibrary shaders(resourceFolder() / "shaders");
-    requireRoom(lesson);
+    requireRoom(lesson, machineRoom());
     if (const size_t removed = folder.clear(); removed > 0)
         std::printf("%s held an earlier run; its %zu files are removed.\n", shown(request.folder.string()).c_str(),
                     removed);

@@ -26,25 +26,24 @@ std::string figure(double value) {
     return text.data();
 }
 
-/// Most flowing particles that the driver's buffer textures can list neighbours of.
-double mostListed() {
-    GLint texels = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
-    return texels / (FLOW_NEIGHBOUR_CAPACITY + 2.0);
-}
-
 } // namespace
 
-std::string roomFault(const MetalSize& size) {
+MetalRoom machineRoom() {
+    GLint texels = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
+    return {kShare * static_cast<double>(availableMemory().value_or(size_t(8) << 30)), static_cast<double>(texels)};
+}
+
+std::string roomFault(const MetalSize& size, const MetalRoom& room) {
     const double bytes = size.heatCells * kHeatCell + size.particles * kParticle + size.flowParticles * kFlowParticle +
                          size.flowVolume / kFlowCellVolume * kFlowCell + size.otherBytes;
     constexpr double kGiga = 1024.0 * 1024 * 1024;
     const std::string needs = "would be " + figure(std::max(size.particles, size.flowParticles) * 1e-6) +
                               " million particles in " + figure(bytes / kGiga) + " GiB, and ";
-    const double free = kShare * static_cast<double>(availableMemory().value_or(size_t(8) << 30));
-    if (bytes > free) return needs + figure(free / kGiga) + " GiB may be taken";
-    if (size.flowParticles > mostListed())
-        return needs + "the graphics driver's buffers hold " + figure(mostListed() * 1e-6) + " million";
+    if (bytes > room.bytes) return needs + figure(room.bytes / kGiga) + " GiB may be taken";
+    const double mostListed = room.bufferTexels / (FLOW_NEIGHBOUR_CAPACITY + 2.0); // with their neighbours
+    if (size.flowParticles > mostListed)
+        return needs + "the graphics driver's buffers hold " + figure(mostListed * 1e-6) + " million";
     return {};
 }
 

@@ -14,9 +14,17 @@ struct MetalSize {
     double otherBytes = 0;    ///< of what is made beside the metal
 };
 
-/// Why the memory that is free now, or the driver's buffers, could not hold it, as the end of a sentence that begins
-/// with its name: "would be 3 million particles in 7 GiB, and 5 GiB may be taken". Empty where there is room. Needs a
-/// current context.
-std::string roomFault(const MetalSize& size);
+/// What there is for it.
+struct MetalRoom {
+    double bytes = 0;        ///< that may be taken
+    double bufferTexels = 0; ///< that the graphics driver lets a buffer texture have
+};
+
+/// Of this machine now and of the current context's driver.
+MetalRoom machineRoom();
+
+/// Why the room could not hold the metal, as the end of a sentence that begins with its name: "would be 3 million
+/// particles in 7 GiB, and 5 GiB may be taken". Empty where it does.
+std::string roomFault(const MetalSize& size, const MetalRoom& room);
 
 } // namespace meltpool

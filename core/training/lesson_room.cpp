@@ -1,7 +1,6 @@
 #include "core/training/lesson_room.hpp"
 
 #include "core/base/error.hpp"
-#include "core/metal/metal_room.hpp"
 #include "core/metal/physical_metal.hpp"
 #include "core/surface/surface_grid.hpp"
 
@@ -34,8 +33,8 @@ MetalSize sizeOf(const Lesson& lesson) {
 
 } // namespace
 
-void requireRoom(const Lesson& lesson) {
-    const std::string fault = roomFault(sizeOf(lesson));
+void requireRoom(const Lesson& lesson, const MetalRoom& room) {
+    const std::string fault = roomFault(sizeOf(lesson), room);
     if (fault.empty()) return;
     const bool classic = lesson.model == LessonModel::Classic;
     throw InputError("the lesson " + lesson.key + " " + fault + "; expected " +

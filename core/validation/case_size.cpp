@@ -19,7 +19,7 @@ std::string figure(double value) {
 } // namespace
 
 void requireRoom(const ValidationCase& from, const MetalSize& size) {
-    if (const std::string fault = roomFault(size); !fault.empty())
+    if (const std::string fault = roomFault(size, machineRoom()); !fault.empty())
         throw InputError(from.file, 0,
                          "spacing_mm: the case " + fault + "; expected a larger spacing or a smaller case");
 }
