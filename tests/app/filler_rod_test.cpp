@@ -1,0 +1,96 @@
+// The filler rod melts in no process yet, so nothing shows it: a rod in the hand changes no picture and no metal.
+#include "app/headset/stereo_view.hpp"
+#include "core/render/view/picture_target.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+#include <array>
+
+using namespace meltpool;
+
+namespace {
+
+constexpr int kWidth = 160, kHeight = 120; // pixels, of an eye
+
+/// The GMAW lesson on a plate of 24x20 mm, or the same plate under a GTAW torch.
+Lesson smallWeld(bool gtaw) {
+    Lesson lesson = findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
+    lesson.workpiece.lengthMm = 24;
+    lesson.workpiece.widthMm = 20;
+    lesson.surface.cells = 32;
+    if (gtaw) lesson.process.choose<Gtaw>();
+    return lesson;
+}
+
+/// A welding torch 3 mm over the plate; `rod`: with a filler rod beside its arc, in plain sight.
+TorchSample torchWith(bool rod) {
+    TorchSample torch;
+    torch.tip = {0, 0.003F, 0};
+    torch.orientation = glm::angleAxis(-1.5707963F, glm::vec3(1, 0, 0));
+    torch.trigger = 1;
+    if (rod) torch.rod = RodSample{{0.004F, 0.004F, 0.004F}, glm::angleAxis(0.5F, glm::vec3(0, 1, 0))};
+    return torch;
+}
+
+/// Window's picture and headset's picture after some welding.
+struct Shown {
+    Image window, eyes;
+    size_t solids = 0; ///< in the window's draw list
+};
+
+Shown weldWith(bool gtaw, const TorchSample& torch) {
+    LessonSession session(test::shaders(), smallWeld(gtaw));
+    Controls controls;
+    session.begin(controls);
+    while (session.steps() < 20) // at most one a call, as fast as this machine is
+        session.advance(controls, 1.0 / 200, nullptr, [&](int, int) { return torch; });
+    REQUIRE(session.steps() == 20);
+    REQUIRE(session.arc().burns());
+
+    Shown shown;
+    const PictureTarget window(kWidth, kHeight);
+    const SceneView scene = session.scene(nullptr);
+    shown.solids = scene.solids.size();
+    const std::array<View, 1> view{controls.view(static_cast<float>(kWidth) / kHeight)};
+    session.renderer().draw(scene, session.lesson().look, view, window.target(), nullptr);
+    shown.window = window.read();
+
+    HeadsetParameters parameters;
+    StereoView stereo(parameters);
+    const HeadsetHands hands(parameters, test::scratchFolder("filler-rod"));
+    stereo.takeHands(hands, PanelPointer(parameters));
+    const PictureTarget both(2 * kWidth, kHeight);
+    xr::BothEyes eyes;
+    eyes.framebuffer = both.target().framebuffer;
+    eyes.width = kWidth;
+    eyes.height = kHeight;
+    eyes.nearZ = 0.05F;
+    eyes.farZ = 20;
+    for (const int eye : {0, 1})
+        eyes.views[size_t(eye)] = {
+            {glm::angleAxis(-0.85F, glm::vec3(1, 0, 0)), {eye == 0 ? -0.03F : 0.03F, 1.2F, 0.25F}},
+            {-0.6F, 0.6F, 0.5F, -0.5F}};
+    const WorkpiecePlace place(parameters.tableHeight, 4, session.bottom());
+    stereo.draw(session, session.scene(nullptr), place, Workshop(), eyes, nullptr);
+    shown.eyes = both.read();
+    return shown;
+}
+
+} // namespace
+
+TEST_CASE("a filler rod in the hand is drawn neither in GMAW nor in TIG lessons", "[app]") {
+    for (const bool gtaw : {false, true}) {
+        INFO((gtaw ? "TIG" : "GMAW"));
+        const Shown without = weldWith(gtaw, torchWith(false)), with = weldWith(gtaw, torchWith(true));
+        CHECK(without.solids > 2); // the torch
+        CHECK(with.solids == without.solids);
+        CHECK(compareImages(with.window, without.window, 0).largest == 0);
+        CHECK(compareImages(with.eyes, without.eyes, 0).largest == 0);
+        // The pictures show what is there: a torch elsewhere is another picture.
+        TorchSample moved = torchWith(false);
+        moved.tip.x = 0.004F;
+        const Shown other = weldWith(gtaw, moved);
+        CHECK(compareImages(other.window, without.window, 24).farPixels > 0.002);
+        CHECK(compareImages(other.eyes, without.eyes, 24).farPixels > 0.002);
+    }
+}
