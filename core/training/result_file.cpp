@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <numbers>
 
 namespace meltpool {
 
@@ -47,6 +48,34 @@ Json boxOf(const SectionBox& box) {
             {"area_mm2", number(squareMillimetres(box.area))}};
 }
 
+double degrees(double radians) {
+    return radians * 180 / std::numbers::pi;
+}
+
+/// The bead on a level workpiece.
+void addBead(Json& json, const Section& figures) {
+    const BeadShape& bead = *figures.bead;
+    const auto overlap = bead.overlap(figures.fusion.stretch);
+    json["toe_width_mm"] = number(millimetres(bead.toeWidth()));
+    json["height_mm"] = number(millimetres(bead.height));
+    json["reinforcement_mm2"] = number(squareMillimetres(bead.reinforcement));
+    if (!bead.toes) return;
+    json["edge_angle_left_deg"] = number(degrees((*bead.toes)[0].angle));
+    json["edge_angle_right_deg"] = number(degrees((*bead.toes)[1].angle));
+    json["overlap_left_mm"] = number(millimetres(overlap[0]));
+    json["overlap_right_mm"] = number(millimetres(overlap[1]));
+}
+
+/// The fillet in the corner of a tee or a lap joint.
+void addFillet(Json& json, const FilletShape& fillet) {
+    json["leg_lying_mm"] = number(millimetres(fillet.toes[0].place));
+    json["leg_standing_mm"] = number(millimetres(fillet.toes[1].place));
+    json["throat_mm"] = number(millimetres(fillet.throat));
+    json["fillet_mm2"] = number(squareMillimetres(fillet.area));
+    json["edge_angle_lying_deg"] = number(degrees(fillet.toes[0].angle));
+    json["edge_angle_standing_deg"] = number(degrees(fillet.toes[1].angle));
+}
+
 /// The figures that do not apply to this workpiece or metal are left out.
 Json sectionOf(const WeldSection& section) {
     const Section& figures = section.figures;
@@ -54,9 +83,11 @@ Json sectionOf(const WeldSection& section) {
     json["at_mm"] = number(millimetres(section.cut.at()));
     json["length_mm"] = number(millimetres(section.cut.to - section.cut.from));
     json["layers"] = figures.layers;
-    json["width_mm"] = number(millimetres(figures.fusion.width));
+    json["fused_width_mm"] = number(millimetres(figures.fusion.width));
     json["penetration_mm"] = number(millimetres(figures.fusion.depth));
-    if (figures.height) json["height_mm"] = number(millimetres(*figures.height));
+    if (figures.bead) addBead(json, figures);
+    if (figures.fillet) addFillet(json, *figures.fillet);
+    if (figures.rootFusion) json["root_fusion_mm"] = number(millimetres(*figures.rootFusion));
     json["deposited_mm2"] = number(squareMillimetres(figures.deposited));
     json["fused_plate_mm2"] = number(squareMillimetres(figures.fusion.area));
     if (figures.heatAffected) {

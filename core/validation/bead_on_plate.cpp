@@ -99,7 +99,7 @@ void compareSection(const ValidationCase& from, const Section& section, bool fed
     result.compareMeasured(from, "width_mm", section.fusion.width * 1e3);
     result.compareMeasured(from, "penetration_mm", section.fusion.depth * 1e3);
     if (fed) {
-        result.compareMeasured(from, "height_mm", section.height.value_or(0) * 1e3);
+        result.compareMeasured(from, "height_mm", (section.bead ? section.bead->height : 0) * 1e3);
         result.compareMeasured(from, "section_mm2", section.deposited * 1e6);
     }
     result.tell("fused_plate_mm2", section.fusion.area * 1e6);

@@ -2,6 +2,7 @@
 #include "app/bench/bench.hpp"
 #include "core/base/text.hpp"
 #include "core/training/lesson.hpp"
+#include "core/training/result_file.hpp"
 #include "core/validation/validation_case.hpp"
 #include "core/weld/torch/torch_csv.hpp"
 #include "tests/app/handbook.hpp"
@@ -116,6 +117,19 @@ Names commaNames(std::string_view text) {
     for (const std::string_view piece : splitText(text, ','))
         names.emplace(trimText(piece));
     return names;
+}
+
+/// The section of a result in which nothing is left out.
+nlohmann::json wholeSection(const fs::path& file) {
+    ResultContext context;
+    WeldSection& section = context.section.emplace();
+    section.figures.bead.emplace().toes.emplace();
+    section.figures.fillet.emplace();
+    section.figures.rootFusion = 0;
+    section.figures.heatAffected.emplace();
+    Lesson lesson = findLesson("gmaw-bead", sourceFolder() / "app" / "data" / "lessons");
+    writeResult(file, lesson, {}, context);
+    return nlohmann::json::parse(readTextFile(file)).at("section");
 }
 
 } // namespace
@@ -351,6 +365,7 @@ TEST_CASE("the handbook names what the program writes", "[app][handbook]") {
     const auto result = nlohmann::json::parse(readTextFile(folder / "result.json"));
     Names section, top{"error", "recorded"};
     addKeys(result.at("section"), section);
+    addKeys(wholeSection(folder / "section.json"), section);
     for (const auto& [key, value] : result.items())
         top.insert(key);
     CHECK(joined(without(told("entries of result.json").column(0), top)) == "");

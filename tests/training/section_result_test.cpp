@@ -47,11 +47,20 @@ TEST_CASE("result.json and validation measure the same section of the same metal
                                            sectionCut(steel, -kSectionLength / 2, kSectionLength / 2));
     REQUIRE(section.fusion.depth > 0);
     REQUIRE(section.heatAffected);
-    REQUIRE(section.height);
+    REQUIRE(section.bead);
+    REQUIRE(section.bead->toes);
     CHECK(json.at("layers") == 5);
-    CHECK(json.at("width_mm") == section.fusion.width * 1e3);
+    CHECK(json.at("fused_width_mm") == section.fusion.width * 1e3);
+    CHECK(json.at("toe_width_mm") == section.bead->toeWidth() * 1e3);
+    CHECK(json.at("reinforcement_mm2") == section.bead->reinforcement * 1e6);
+    CHECK(json.at("edge_angle_left_deg").get<double>() ==
+          Approx((*section.bead->toes)[0].angle * 180 / 3.14159265358979));
+    CHECK(json.at("edge_angle_right_deg").get<double>() ==
+          Approx((*section.bead->toes)[1].angle * 180 / 3.14159265358979));
+    CHECK(json.at("overlap_left_mm") == section.bead->overlap(section.fusion.stretch)[0] * 1e3);
+    CHECK(json.at("overlap_right_mm") == section.bead->overlap(section.fusion.stretch)[1] * 1e3);
     CHECK(json.at("penetration_mm") == section.fusion.depth * 1e3);
-    CHECK(json.at("height_mm") == *section.height * 1e3);
+    CHECK(json.at("height_mm") == section.bead->height * 1e3);
     CHECK(json.at("deposited_mm2") == section.deposited * 1e6);
     CHECK(json.at("fused_plate_mm2") == section.fusion.area * 1e6);
     CHECK(json.at("heat_affected_width_mm") == section.heatAffected->width * 1e3);
@@ -76,6 +85,8 @@ TEST_CASE("every weld lesson has a section, whether or not a picture cuts it; on
         CHECK(json.contains("heat_affected") == steel);
         CHECK(json.contains("heat_affected_depth_mm") == steel);
         CHECK(json.contains("height_mm") == (name != "tee-fillet"));
+        CHECK(json.contains("root_fusion_mm") == (name == "tee-fillet"));
+        CHECK_FALSE(json.contains("leg_lying_mm")); // a bare corner
         CHECK(json.at("fusion").size() == 4);
         lesson.pictures = {{"plain", lesson.look, lesson.camera}};
         CHECK(Trainer(test::shaders(), lesson).section()->cut.at() == Approx(0).margin(1e-6));

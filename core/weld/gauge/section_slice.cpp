@@ -65,8 +65,13 @@ double surfaceReach(const SectionSlice& slice, Peaks peak, glm::ivec2 hot, glm::
     }
 }
 
-/// Width of the hot surface on all faces that look to `side`, each plane of faces for itself.
-double surfaceWidth(const SectionSlice& slice, Peaks peak, glm::ivec2 side, double level) {
+/// Width of hot surface, and its first moment about the grid's corner.
+struct SurfaceStretch {
+    double width = 0, moment = 0;
+};
+
+/// The hot surface on all faces that look to `side`, each plane of faces for itself.
+SurfaceStretch hotSurface(const SectionSlice& slice, Peaks peak, glm::ivec2 side, double level) {
     const glm::ivec2 along(std::abs(side.y), std::abs(side.x));
     std::map<int, glm::ivec2> hottest; // by the plane's place
     for (int y = 0; y < slice.cells().y; ++y)
@@ -76,11 +81,15 @@ double surfaceWidth(const SectionSlice& slice, Peaks peak, glm::ivec2 side, doub
             const auto [place, isNew] = hottest.try_emplace(side.y != 0 ? y : x, cell);
             if (!isNew && peak(cell) > peak(place->second)) place->second = cell;
         }
-    double width = 0;
-    for (const auto& [plane, cell] : hottest)
-        for (const glm::ivec2 way : {along, -along})
-            width += surfaceReach(slice, peak, cell, way, side, level);
-    return width;
+    SurfaceStretch sum;
+    for (const auto& [plane, cell] : hottest) {
+        const double centre = 0.5 + (side.y != 0 ? cell.x : cell.y);
+        const double high = centre + surfaceReach(slice, peak, cell, along, side, level);
+        const double low = centre - surfaceReach(slice, peak, cell, -along, side, level);
+        sum.width += high - low;
+        sum.moment += 0.5 * (high * high - low * low);
+    }
+    return sum;
 }
 
 /// Area by strips of cells along `side`; their ends lie between cells.
@@ -186,11 +195,33 @@ SliceZone measureZone(const SectionSlice& slice, std::span<const glm::ivec2> sid
         const auto facePeak = [&](glm::ivec2 cell) {
             return slice.peak(cell) + (slice.isFace(cell, side) ? 0.5 * slopeUnderFace(slice, cell, side) : 0);
         };
-        zone.width += surfaceWidth(slice, corner ? Peaks(facePeak) : Peaks(peak), side, level);
+        const SurfaceStretch hot = hotSurface(slice, corner ? Peaks(facePeak) : Peaks(peak), side, level);
+        zone.width += hot.width;
+        if (!corner && hot.width > 0) zone.middle = hot.moment / hot.width;
         zone.area += areaAlong(slice, side, level) / static_cast<double>(sides.size());
         if (corner) zone.area += shallowArea(slice, side, level);
     }
     return zone;
+}
+
+std::optional<glm::ivec2> jointCorner(const SectionSlice& slice) {
+    for (int y = 0; y < slice.cells().y; ++y)
+        for (int x = 0; x < slice.cells().x; ++x)
+            if (!slice.held({x, y}) && slice.held({x, y - 1}) && slice.held({x - 1, y})) return glm::ivec2(x, y);
+    return std::nullopt;
+}
+
+double rootFusion(const SectionSlice& slice, glm::ivec2 corner, double level) {
+    const glm::ivec2 inwards(-1, 0);
+    SectionSlice joint({corner.x, 1});
+    for (int x = 0; x < corner.x; ++x)
+        joint.setPeak({x, 0}, std::min(slice.peak({x, corner.y}), slice.peak({x, corner.y - 1})));
+    const auto peak = [&](glm::ivec2 cell) { return joint.peak(cell); };
+    glm::ivec2 cell(corner.x - 1, 0);
+    if (joint.peak(cell) < level) return shallowDepth(joint, cell, -inwards, level);
+    while (joint.peak(cell + inwards) >= level)
+        cell += inwards;
+    return corner.x - (cell.x + 0.5) + edgeFrom(peak, cell, inwards, level);
 }
 
 } // namespace meltpool

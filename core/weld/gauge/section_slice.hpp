@@ -4,6 +4,7 @@
 #include <glm/vec2.hpp>
 
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -35,9 +36,10 @@ class SectionSlice {
 
 /// The part of a slice that was at least as hot as some temperature; lengths in cells, places from the grid's corner.
 struct SliceZone {
-    double width = 0; ///< of the workpiece's surface that it takes, along the surface
-    double depth = 0; ///< greatest distance from the workpiece's surface
-    double area = 0;  ///< cells
+    double width = 0;  ///< of the workpiece's surface that it takes, along the surface
+    double middle = 0; ///< of that width from the grid's corner, where there is one side; 0 without width
+    double depth = 0;  ///< greatest distance from the workpiece's surface
+    double area = 0;   ///< cells
     glm::dvec2 low{std::numeric_limits<double>::infinity()};   ///< of the box around it; above `high` when it is empty
     glm::dvec2 high{-std::numeric_limits<double>::infinity()}; ///< of the box around it
 };
@@ -53,5 +55,13 @@ struct SliceZone {
 /// side both are taken by the cells whose centres, half a cell below the faces, are hot; with several, in a corner that
 /// is often only just fused, at the faces themselves.
 SliceZone measureZone(const SectionSlice& slice, std::span<const glm::ivec2> sides, double level);
+
+/// The cell of air in the corner of a tee or a lap joint: the lowest one with metal under it and behind it (-x).
+std::optional<glm::ivec2> jointCorner(const SectionSlice& slice);
+
+/// How far both plates are fused along the line where they meet, from the joint's corner inwards (-x), in cells; 0
+/// where the corner is not fused. The colder plate decides; between the outermost cells' centres and the corner the
+/// temperature goes on with its slope.
+double rootFusion(const SectionSlice& slice, glm::ivec2 corner, double level);
 
 } // namespace meltpool

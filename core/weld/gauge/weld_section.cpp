@@ -58,12 +58,10 @@ class CutLayers {
         const int end = static_cast<int>(std::clamp(first + count, 0.0, cells));
         const glm::ivec2 grid(lattice.cells().z, lattice.cells().y);
         layers_.resize(static_cast<size_t>(std::max(end - first_, 0)), Layer{SectionSlice(grid), 0, 0});
-        tops_.assign(static_cast<size_t>(grid.x), kNoRow);
-        above_.assign(static_cast<size_t>(grid.x), 0);
     }
 
     void enter(const Particles& particles, std::span<const MetalSeed> original, double fusion);
-    Section measure(const SectionCut& cut) const;
+    Section measure(const SectionCut& cut, const SectionMap& map) const;
     SectionMap draw(const Particles& particles) const;
 
   private:
@@ -75,20 +73,18 @@ class CutLayers {
 
     /// Number of the layer that a place lies in; nothing outside the cut, or for a layer without workpiece.
     std::optional<size_t> layerOf(const vec4& position) const;
-    std::optional<size_t> columnOf(const vec4& position) const;
-    double beadTop() const;
     double rowHeight(int row) const { return static_cast<double>(lattice_.low.y) + row * spacing_; }
+    double columnPlace(double column) const { return static_cast<double>(lattice_.low.z) + column * spacing_; }
     WeldZone zoneOf(double kelvin) const;
     int used() const;
-    double evened(size_t column) const;
+    void measureShape(const SectionMap& map, double fusion, Section& section) const;
+    double meanRootFusion(glm::ivec2 corner, double fusion) const;
 
     MetalLattice lattice_;
     double spacing_;
     int first_ = 0;
     std::vector<Layer> layers_;
-    std::optional<int> level_;  ///< uppermost row of the workpiece where all columns have the same
-    std::vector<int> tops_;     ///< uppermost row of the workpiece, one a column
-    std::vector<double> above_; ///< particles over it in all layers, one a column
+    std::optional<int> level_; ///< uppermost row of the workpiece where all columns have the same
 };
 
 std::optional<size_t> CutLayers::layerOf(const vec4& position) const {
@@ -99,13 +95,8 @@ std::optional<size_t> CutLayers::layerOf(const vec4& position) const {
     return layers_[layer].had > 0 ? std::optional(layer) : std::nullopt;
 }
 
-std::optional<size_t> CutLayers::columnOf(const vec4& position) const {
-    const double cell = std::floor((static_cast<double>(position.z) - static_cast<double>(lattice_.low.z)) / spacing_);
-    if (!(cell >= 0 && cell < static_cast<double>(tops_.size()))) return std::nullopt;
-    return static_cast<size_t>(cell);
-}
-
 void CutLayers::enter(const Particles& particles, std::span<const MetalSeed> original, double fusion) {
+    std::vector<int> tops(static_cast<size_t>(lattice_.cells().z), kNoRow); // uppermost row of the workpiece
     for (size_t i = 0; i < original.size(); ++i) {
         const glm::ivec3 cell = lattice_.cellAt(original[i].position);
         const int number = cell.x - first_;
@@ -117,18 +108,13 @@ void CutLayers::enter(const Particles& particles, std::span<const MetalSeed> ori
         const bool melted = !(particles.phases[i] & PHASE_LATTICE) && peak >= fusion;
         layer.slice.setPeak({cell.z, cell.y}, melted ? SectionSlice::kGone : peak);
         ++layer.had;
-        int& top = tops_[static_cast<size_t>(cell.z)];
+        int& top = tops[static_cast<size_t>(cell.z)];
         top = std::max(top, cell.y);
     }
-    level_ = commonRow(tops_);
+    level_ = commonRow(tops);
     for (size_t i = 0; i < particles.positions.size(); ++i) {
         if (!(particles.phases[i] & PHASE_ALIVE)) continue;
-        const auto layer = layerOf(particles.positions[i]);
-        const auto column = columnOf(particles.positions[i]);
-        if (!layer || !column) continue;
-        ++layers_[*layer].holds;
-        const int top = level_.value_or(tops_[*column]);
-        if (top != kNoRow && static_cast<double>(particles.positions[i].y) > rowHeight(top + 1)) above_[*column] += 1;
+        if (const auto layer = layerOf(particles.positions[i])) ++layers_[*layer].holds;
     }
 }
 
@@ -136,38 +122,15 @@ int CutLayers::used() const {
     return static_cast<int>(std::count_if(layers_.begin(), layers_.end(), [](const Layer& l) { return l.had > 0; }));
 }
 
-/// Metal over a column in cells, evened over the layers and three columns: a single particle is no bead.
-double CutLayers::evened(size_t column) const {
-    double metal = 0;
-    for (int beside = -1; beside <= 1; ++beside) {
-        const size_t other = column + static_cast<size_t>(beside);
-        // Where the surface steps, metal on the other step says nothing about this one.
-        const bool same = other < tops_.size() && (level_ || tops_[other] == tops_[column]);
-        metal += above_[same ? other : column] / 3;
-    }
-    return metal / std::max(used(), 1);
-}
-
-/// Height over the origin of the highest deposit, m; 0 where there is none above the origin.
-double CutLayers::beadTop() const {
-    double highest = 0;
-    for (size_t column = 0; column < tops_.size(); ++column) {
-        const int top = level_.value_or(tops_[column]);
-        const double metal = evened(column);
-        if (top == kNoRow || metal <= 0) continue;
-        highest = std::max(highest, rowHeight(top + 1) + metal * spacing_);
-    }
-    return highest;
-}
-
 WeldZone CutLayers::zoneOf(double kelvin) const {
     const std::span<const glm::ivec2> sides = std::span(kSides).first(level_ ? 1 : 2);
     WeldZone sum;
-    double highest = 0;
+    double highest = 0, moment = 0;
     for (const Layer& layer : layers_) {
         if (layer.had == 0) continue;
         const SliceZone zone = measureZone(layer.slice, sides, kelvin);
         sum.width += zone.width * spacing_;
+        moment += zone.width * spacing_ * columnPlace(zone.middle);
         sum.depth += zone.depth * spacing_;
         sum.area += zone.area * spacing_ * spacing_;
         if (zone.low.x > zone.high.x) continue;
@@ -176,14 +139,43 @@ WeldZone CutLayers::zoneOf(double kelvin) const {
         sum.box.depth += std::max(-(low + zone.low.y * spacing_), 0.0);
         highest += std::max(low + zone.high.y * spacing_, 0.0);
     }
+    const double middle = sum.width > 0 ? moment / sum.width : 0;
     const double layers = std::max(used(), 1);
     for (double* value : {&sum.width, &sum.depth, &sum.area, &sum.box.width, &sum.box.depth})
         *value /= layers;
-    sum.box.height = std::max(highest / layers, beadTop());
+    sum.box.height = highest / layers;
+    if (level_ && sum.width > 0) sum.stretch = {middle - 0.5 * sum.width, middle + 0.5 * sum.width};
     return sum;
 }
 
-Section CutLayers::measure(const SectionCut& cut) const {
+double CutLayers::meanRootFusion(glm::ivec2 corner, double fusion) const {
+    double sum = 0;
+    for (const Layer& layer : layers_)
+        if (layer.had > 0) sum += rootFusion(layer.slice, corner, fusion) * spacing_;
+    return sum / std::max(used(), 1);
+}
+
+void CutLayers::measureShape(const SectionMap& map, double fusion, Section& section) const {
+    const WeldOutline outline = weldOutline(map);
+    double top = 0; // of the deposit over the origin
+    if (level_) {
+        const double face = rowHeight(*level_ + 1);
+        section.bead = measureBead(outline, {{0, face}}, spacing_);
+        if (section.bead->height > 0) top = face + section.bead->height;
+    } else {
+        const auto any = std::find_if(layers_.begin(), layers_.end(), [](const Layer& layer) { return layer.had > 0; });
+        const auto corner = jointCorner(any->slice);
+        if (!corner) return;
+        const glm::dvec2 place(columnPlace(corner->x), rowHeight(corner->y));
+        section.fillet = measureFillet(outline, {place}, spacing_);
+        section.rootFusion = meanRootFusion(*corner, fusion);
+        if (section.fillet) top = place.y + section.fillet->toes[1].place;
+    }
+    section.fusion.box.height = std::max(section.fusion.box.height, top);
+    if (section.heatAffected) section.heatAffected->box.height = std::max(section.heatAffected->box.height, top);
+}
+
+Section CutLayers::measure(const SectionCut& cut, const SectionMap& map) const {
     Section section;
     section.layers = used();
     if (section.layers == 0) {
@@ -201,11 +193,7 @@ Section CutLayers::measure(const SectionCut& cut) const {
         section.heatAffected = zoneOf(*cut.heatAffected);
         section.heatAffected->box.area = section.heatAffected->area + section.deposited;
     }
-    if (level_) {
-        section.height = 0;
-        for (size_t column = 0; column < tops_.size(); ++column)
-            section.height = std::max(*section.height, evened(column) * spacing_);
-    }
+    measureShape(map, cut.fusion, section);
     return section;
 }
 
@@ -232,17 +220,17 @@ SectionCut sectionCut(const Material& material, double from, double to) {
     return cut;
 }
 
-Section measureSection(const MetalState& state, std::span<const MetalSeed> original, const SectionCut& cut) {
-    CutLayers layers(state.lattice(), cut);
-    layers.enter(Particles(state, original.size()), original, cut.fusion);
-    return layers.measure(cut);
-}
-
 WeldSection cutWeld(const MetalState& state, std::span<const MetalSeed> original, const SectionCut& cut) {
     const Particles particles(state, original.size());
     CutLayers layers(state.lattice(), cut);
     layers.enter(particles, original, cut.fusion);
-    return {cut, layers.measure(cut), layers.draw(particles)};
+    WeldSection section{cut, {}, layers.draw(particles)};
+    section.figures = layers.measure(cut, section.map);
+    return section;
+}
+
+Section measureSection(const MetalState& state, std::span<const MetalSeed> original, const SectionCut& cut) {
+    return cutWeld(state, original, cut).figures;
 }
 
 double middleOfWeld(const MetalState& state, std::span<const MetalSeed> original, double fusion) {

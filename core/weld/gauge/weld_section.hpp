@@ -5,6 +5,7 @@
 #include "core/metal/material/materials.hpp"
 #include "core/metal/state/metal_state.hpp"
 #include "core/weld/gauge/section_map.hpp"
+#include "core/weld/gauge/weld_shape.hpp"
 
 #include <optional>
 #include <span>
@@ -45,6 +46,8 @@ struct WeldZone {
     /// lattice cell below the surface; in the corner of a tee or a lap joint the stretches on both plates together,
     /// measured along them.
     double width = 0;
+    /// The stretch of that surface, m from the seam (z). Only where there is one, on a surface of one level.
+    std::optional<FaceStretch> stretch;
     double depth = 0; ///< m, greatest distance from the workpiece's own surface: of the fused zone the penetration
     double area = 0;  ///< m², of the workpiece's own metal
     SectionBox box;
@@ -55,9 +58,12 @@ struct Section {
     int layers = 0; ///< lattice layers that held metal at the start; 0: the cut meets no workpiece and nothing applies
     WeldZone fusion;
     std::optional<WeldZone> heatAffected; ///< where the cut asks for it
-    /// m, of the bead above the workpiece's surface. Only where that surface is one level all across the cut, as of a
-    /// plate, a butt joint, a cube or a bridge; a tee and a lap joint have none.
-    std::optional<double> height;
+    /// Only where the workpiece's surface is one level all across the cut, as of a plate, a butt joint, a cube or a
+    /// bridge. Places are m from the seam (z).
+    std::optional<BeadShape> bead;
+    std::optional<FilletShape> fillet; ///< only of a tee and a lap joint with weld metal in their corner
+    /// m along the line where the plates of a tee or a lap joint meet, from their corner inwards: both fused.
+    std::optional<double> rootFusion;
     double deposited = 0; ///< m², metal in the section beyond what the workpiece had; negative where metal ran away
 };
 

@@ -154,3 +154,43 @@ TEST_CASE("a slice that is cold or empty has no zone", "[gauge]") {
         CHECK(zone.low.x > zone.high.x);
     }
 }
+
+TEST_CASE("the zone's middle is where the hot surface is", "[gauge]") {
+    for (const double at : {-7.3, 0.2, 4.0}) {
+        const Field aside = [at](glm::dvec2 p) { return coneOf(5)(p - glm::dvec2(at, 0)); };
+        const SliceZone zone = measureZone(sliceOf(plate, aside), std::span(kUpAndOut).first(1), 1800);
+        CHECK(zone.middle == Approx(20 + at).margin(0.03));
+    }
+}
+
+TEST_CASE("an elliptic pool has its axes as width and depth, at two resolutions", "[gauge]") {
+    // Half axes 3.2 and 2.1 mm, in cells of 1 and of 0.5 mm.
+    for (const double cells : {1.0, 2.0}) {
+        const double a = 3.2 * cells, b = 2.1 * cells;
+        const Field pool = [&](glm::dvec2 p) { return 1800 + 100 * b * (1 - std::hypot(p.x / a, p.y / b)); };
+        const SliceZone zone = measureZone(sliceOf(plate, pool), std::span(kUpAndOut).first(1), 1800);
+        CHECK(zone.width == Approx(2 * a * std::sqrt(1 - 0.25 / (b * b))).margin(0.05)); // half a cell down
+        CHECK(zone.width / cells == Approx(6.4).margin(0.2 / cells));
+        CHECK(zone.depth == Approx(b).margin(0.06));
+        CHECK(zone.area == Approx(0.5 * kPi * a * b).epsilon(0.1 / cells));
+    }
+}
+
+TEST_CASE("root fusion is the length along the joint that both plates are fused on", "[gauge]") {
+    REQUIRE(jointCorner(sliceOf(tee, coneOf(3))) == glm::ivec2(20, 20));
+    CHECK_FALSE(jointCorner(sliceOf(plate, coneOf(3))).has_value());
+    for (double radius = 0.8; radius < 5.5; radius += 0.13) {
+        INFO(radius);
+        const Field cone = coneOf(radius);
+        CHECK(rootFusion(sliceOf(tee, cone), {20, 20}, 1800) == Approx(std::sqrt(radius * radius - 0.25)).margin(0.1));
+        const auto gone = [&](glm::dvec2 p) { return cone(p) >= 1800 ? SectionSlice::kGone : cone(p); };
+        if (radius < 4) // beyond, the standing plate has too few cells left for a slope
+            CHECK(rootFusion(sliceOf(tee, gone), {20, 20}, 1800) ==
+                  Approx(std::sqrt(radius * radius - 0.25)).margin(0.2));
+    }
+    // A standing plate that stays cold has nothing fused to it, nor has a corner less hot than the level.
+    const Field lyingOnly = [](glm::dvec2 p) { return p.y > 0 ? 300.0 : coneOf(4)(p); };
+    CHECK(rootFusion(sliceOf(tee, lyingOnly), {20, 20}, 1800) == 0);
+    CHECK(rootFusion(sliceOf(tee, coneOf(-0.2)), {20, 20}, 1800) == 0);
+    CHECK(rootFusion(sliceOf(tee, coneOf(30)), {20, 20}, 1800) == Approx(6)); // through the standing plate
+}

@@ -89,8 +89,16 @@ TEST_CASE("a section is measured from the highest temperatures, on the lattice o
     CHECK(section.fusion.depth * 1e3 == Approx(450.0 / 200).margin(0.05));             // half a millimetre off the seam
     CHECK(section.heatAffected->depth * 1e3 == Approx(950.0 / 200).margin(0.05));
     CHECK(section.deposited * 1e6 == Approx(4));
-    CHECK(*section.height * 1e3 == Approx(4.0 / 3).margin(0.01)); // evened over three columns
-    CHECK(section.fusion.box.height == Approx(*section.height));
+    // A bead three wide with one particle on its top: the crown is as high as two rows and rounded.
+    REQUIRE(section.bead);
+    CHECK(section.bead->height * 1e3 == Approx(1.75).margin(0.15));
+    CHECK(section.bead->toeWidth() * 1e3 == Approx(2.6).margin(0.5)); // of the rounded line, between one and three
+    CHECK(section.fusion.box.height == Approx(section.bead->height));
+    REQUIRE(section.fusion.stretch);
+    CHECK(section.fusion.stretch->length() == Approx(section.fusion.width));
+    CHECK(0.5 * (section.fusion.stretch->low + section.fusion.stretch->high) == Approx(0).margin(1e-5));
+    CHECK_FALSE(section.fillet);
+    CHECK_FALSE(section.rootFusion);
     CHECK(section.fusion.box.depth == Approx(section.fusion.depth));
     CHECK(section.fusion.box.area == Approx(section.fusion.area + section.deposited));
     // The same when the molten part has left the lattice.
@@ -111,23 +119,32 @@ TEST_CASE("a section is measured from the highest temperatures, on the lattice o
 TEST_CASE("a tee's section follows both plates and has no height over one level", "[gauge]") {
     test::context();
     const Heated tee(WorkpieceKind::Tee, coneOf(3.3e-3F));
-    std::vector<MetalSeed> fillet; // four rows along the corner
+    std::vector<MetalSeed> fillet; // a staircase of ten rows along the corner
     for (int i = 0; i < 16; ++i)
-        for (int j = 0; j < 4; ++j)
-            fillet.push_back({{(static_cast<float>(i) - 7.5F) * kSpacing, (0.5F + static_cast<float>(j / 2)) * kSpacing,
-                               (0.5F + static_cast<float>(j % 2)) * kSpacing},
-                              1900,
-                              PHASE_ALIVE,
-                              glm::vec3(0)});
+        for (int j = 0; j < 16; ++j)
+            if (j / 4 + j % 4 < 4)
+                fillet.push_back(
+                    {{(static_cast<float>(i) - 7.5F) * kSpacing, (0.5F + static_cast<float>(j / 4)) * kSpacing,
+                      (0.5F + static_cast<float>(j % 4)) * kSpacing},
+                     1900,
+                     PHASE_ALIVE,
+                     glm::vec3(0)});
     const Section section = measureSection(tee.state(fillet), tee.piece.seeds, cutOf(-2.5e-3, 2.5e-3));
     CHECK(section.layers == 5);
-    CHECK_FALSE(section.height.has_value());
-    CHECK(section.deposited * 1e6 == Approx(4));
+    CHECK_FALSE(section.bead.has_value());
+    CHECK(section.deposited * 1e6 == Approx(10));
+    REQUIRE(section.fillet);
+    CHECK(section.fillet->toes[0].place * 1e3 == Approx(4.5).margin(0.3)); // the staircase's mean line
+    CHECK(section.fillet->toes[1].place * 1e3 == Approx(4.5).margin(0.3));
+    CHECK(section.fillet->throat * 1e3 == Approx(4.5 / std::sqrt(2.0)).margin(0.3));
+    CHECK(section.fillet->area * 1e6 == Approx(10).margin(1));
+    REQUIRE(section.rootFusion);
+    CHECK(*section.rootFusion * 1e3 == Approx(std::sqrt(3.3 * 3.3 - 0.25)).margin(0.06));
     const double leg = std::sqrt(3.3 * 3.3 - 0.25);
     CHECK(section.fusion.width * 1e3 == Approx(2 * 3.3).margin(0.25));
     CHECK(section.fusion.depth * 1e3 == Approx(3.3).margin(0.06));
     CHECK(section.fusion.area * 1e6 == Approx(0.75 * 3.14159 * 3.3 * 3.3).epsilon(0.04));
-    CHECK(section.fusion.box.height * 1e3 == Approx(leg).margin(0.05)); // up the standing plate
+    CHECK(section.fusion.box.height == Approx(section.fillet->toes[1].place)); // above the fused zone
     CHECK(section.fusion.box.depth * 1e3 == Approx(leg).margin(0.05));
     REQUIRE(section.heatAffected);
     CHECK(section.heatAffected->depth * 1e3 == Approx(5.3).margin(0.06));
@@ -143,7 +160,7 @@ TEST_CASE("every kind of workpiece has a section, and only level ones have a hei
         const MetalState state = heated.state();
         const Section section = measureSection(state, heated.piece.seeds, cutOf(-1e-3, 1e-3));
         CHECK(section.layers == 2);
-        CHECK(section.height.has_value() == (kind != WorkpieceKind::Tee && kind != WorkpieceKind::Lap));
+        CHECK(section.bead.has_value() == (kind != WorkpieceKind::Tee && kind != WorkpieceKind::Lap));
         CHECK(section.deposited == 0);
         size_t layer = 0;
         for (const MetalSeed& seed : heated.piece.seeds)
@@ -163,7 +180,8 @@ TEST_CASE("a cut beside the metal is empty, one that ends beside it counts the l
         CHECK(none.figures.layers == 0);
         CHECK(none.figures.fusion.width == 0);
         CHECK(none.figures.deposited == 0);
-        CHECK_FALSE(none.figures.height.has_value());
+        CHECK_FALSE(none.figures.bead.has_value());
+        CHECK_FALSE(none.figures.fillet.has_value());
         REQUIRE(none.figures.heatAffected);
         CHECK(none.figures.heatAffected->area == 0);
         CHECK(none.map.sums.empty());
@@ -199,4 +217,40 @@ TEST_CASE("steel is asked for its heat-affected zone, solder is not", "[gauge]")
     solder.solidus = 456;
     solder.liquidus = 463;
     CHECK_FALSE(sectionCut(solder, 0, 1).heatAffected.has_value());
+}
+
+TEST_CASE("a section has the bead's shape and where it lies over cold plate", "[gauge]") {
+    test::context();
+    // An arc of 80 degrees and 3 mm height over a plate that is fused from -2 to 3 mm.
+    const double angle = 80 * 3.14159265358979 / 180, radius = 3 / (1 - std::cos(angle)),
+                 half = radius * std::sin(angle);
+    const auto hot = [](glm::vec3 p) { return p.y > -1.2e-3F && p.z > -2e-3F && p.z < 3e-3F ? 1900.0F : 700.0F; };
+    const Heated plate(WorkpieceKind::Plate, hot);
+    std::vector<MetalSeed> bead;
+    for (int layer = -8; layer < 8; ++layer)
+        for (int row = 0; row < 3; ++row) {
+            const double up = 0.5 + row + radius * std::cos(angle), reach = std::sqrt(radius * radius - up * up);
+            const double count = std::floor(2 * reach + (layer + 8.5) / 16);
+            for (double i = 0.5; i < count; ++i) {
+                const double across = reach * (2 * i / count - 1);
+                bead.push_back({glm::vec3(layer + 0.5, row + 0.5, across) * kSpacing, 2000, PHASE_ALIVE, glm::vec3(0)});
+            }
+        }
+    const Section section = measureSection(plate.state(bead), plate.piece.seeds, cutOf(-8e-3, 8e-3));
+    CHECK(section.layers == 16);
+    REQUIRE(section.bead);
+    CHECK(section.bead->height * 1e3 == Approx(3).margin(0.15));
+    CHECK(section.bead->toeWidth() * 1e3 == Approx(2 * half).margin(0.36));
+    REQUIRE(section.bead->toes);
+    for (const WeldToe& toe : *section.bead->toes)
+        CHECK(toe.angle == Approx(angle).margin(0.12));
+    REQUIRE(section.fusion.stretch);
+    CHECK(section.fusion.stretch->low * 1e3 == Approx(-2).margin(0.5));
+    CHECK(section.fusion.stretch->high * 1e3 == Approx(3).margin(0.5));
+    const auto overlap = section.bead->overlap(section.fusion.stretch);
+    CHECK(overlap[0] * 1e3 == Approx(half - 2).margin(0.6));
+    CHECK(overlap[1] * 1e3 == Approx(half - 3).margin(0.6));
+    CHECK(section.deposited * 1e6 ==
+          Approx(radius * radius * (angle - std::sin(angle) * std::cos(angle))).epsilon(0.05));
+    CHECK(section.bead->reinforcement == Approx(section.deposited).epsilon(0.08));
 }

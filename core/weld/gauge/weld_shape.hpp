@@ -1,0 +1,69 @@
+// What a ruler, a gauge and a protractor measure on the outline of a weld: toes, width, height, edge angles, legs and
+// throat. Drawn in app/handbook/section-measures.svg.
+#pragma once
+
+#include "core/weld/gauge/weld_outline.hpp"
+
+#include <array>
+#include <optional>
+
+namespace meltpool {
+
+/// A straight face of the workpiece before welding, in a section.
+struct PlateFace {
+    glm::dvec2 origin{0};   ///< m (z, y), a place on it
+    glm::dvec2 along{1, 0}; ///< unit vector on it
+    glm::dvec2 out{0, 1};   ///< unit vector out of the plate
+};
+
+/// Where the weld's surface meets the workpiece's face.
+struct WeldToe {
+    double place = 0; ///< m along the face from its origin
+    /// rad, 0 to pi, between face and weld surface, inside the weld metal; above pi/2 the weld overhangs its toe. Of a
+    /// bead: of the circle's arc from the toe to the crown, 2 atan(height / distance of the toe from the crown's
+    /// middle). Of a fillet: of the arc from toe to toe. Particles do not resolve the surface nearer to the toe.
+    double angle = 0;
+};
+
+/// A stretch of a face, m along it from its origin.
+struct FaceStretch {
+    double low = 0, high = 0;
+
+    double length() const { return high - low; }
+};
+
+/// A bead on a level face.
+struct BeadShape {
+    double height = 0;        ///< m, of its highest place over the face; 0 below a quarter of a spacing
+    double reinforcement = 0; ///< m², of its metal over the face
+    /// At its low and at its high end along the face. None where the bead is lower than three quarters of a spacing.
+    std::optional<std::array<WeldToe, 2>> toes;
+    FaceStretch cover; ///< between its outermost places, which may overhang the toes
+
+    /// m from toe to toe; 0 without toes.
+    double toeWidth() const { return toes ? (*toes)[1].place - (*toes)[0].place : 0; }
+    /// m at the low and the high end: how far the bead's metal lies over the face beyond the fused stretch of it. All
+    /// of the cover, half of it at each end, where nothing is fused.
+    std::array<double, 2> overlap(const std::optional<FaceStretch>& fused) const;
+};
+
+/// A fillet in the corner between two faces at right angles.
+struct FilletShape {
+    double throat = 0; ///< m, least distance from the corner to the weld's surface
+    /// On the lying and on the standing face; `place` is the leg: the distance from the corner to the toe.
+    std::array<WeldToe, 2> toes{};
+    double area = 0; ///< m², between the faces and the weld's surface
+};
+
+/// Measures the bead whose surface rises highest over the face. `spacing`: of the particles that the outline was made
+/// from (m), 0 for an exact outline. The particles' size rounds the corner between face and bead, so a toe is told from
+/// the surface three quarters to one and three quarters of a spacing over the face, continued to the face along the
+/// arc.
+BeadShape measureBead(const WeldOutline& outline, const PlateFace& face, double spacing);
+
+/// Measures the fillet in the corner at the face's origin; the face lies, and the other one stands along its `out`.
+/// The flanks go up to three quarters of the other leg. Nothing where the weld's surface is nearer to the corner
+/// than 1.1 spacings.
+std::optional<FilletShape> measureFillet(const WeldOutline& outline, const PlateFace& lying, double spacing);
+
+} // namespace meltpool
