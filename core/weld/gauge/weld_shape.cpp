@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace meltpool {
 
@@ -223,21 +224,22 @@ std::optional<FilletShape> measureFillet(const WeldOutline& outline, const Plate
     Line line = inFrame(outline, lying);
     if (line.size() < 3) return std::nullopt;
     FilletShape fillet;
-    glm::dvec2 nearest = nearestTo(line[0], line[1]);
+    fillet.throat = std::numeric_limits<double>::infinity();
+    glm::dvec2 nearest(0);
     size_t behind = 0; // place of the line before the nearest
-    for (size_t i = 1; i < line.size(); ++i) {
+    for (size_t i = 0; i < line.size(); ++i) {
         const glm::dvec2 place = nearestTo(line[i], line[(i + 1) % line.size()]);
-        if (glm::length(place) >= glm::length(nearest)) continue;
-        nearest = place;
+        // The plates' backs may be nearer than the weld's surface.
+        if (place.x <= 0 || place.y <= 0 || glm::length(place) >= fillet.throat) continue;
+        fillet.throat = glm::length(nearest = place);
         behind = i;
     }
-    fillet.throat = glm::length(nearest);
-    if (fillet.throat < kLeastThroat * spacing) return std::nullopt;
+    if (!std::isfinite(fillet.throat) || fillet.throat < kLeastThroat * spacing) return std::nullopt;
     line.insert(line.begin() + static_cast<std::ptrdiff_t>(behind) + 1, nearest);
     const double low = roundedHeight(fillet.throat, spacing);
     // With the metal on its left the outline comes along the lying face.
     const Line back = walk(line, behind + 1, false, 1, low), ahead = walk(line, behind + 1, true, 0, low);
-    if (back.empty() || ahead.empty()) return std::nullopt;
+    if (back.empty() || ahead.empty() || back.back().x <= low || ahead.back().y <= low) return std::nullopt;
     const FilletArc arc = filletArc(back, ahead, spacing);
     fillet.toes = {{{arc.legs.x, arc.angle(0)}, {arc.legs.y, arc.angle(1)}}};
     const std::array<glm::dvec2, 3> closing{{{0, fillet.toes[1].place}, {0, 0}, {fillet.toes[0].place, 0}}};

@@ -266,6 +266,18 @@ TEST_CASE("legs, throat and angles of fillets are exact, with equal and unequal 
     }
 }
 
+TEST_CASE("a fillet is measured on its own surface, also where the plates' backs are nearer", "[gauge]") {
+    const WeldOutline thin{{-1, 14}, {-1, -1}, {14, -1}, {14, 0}, {5, 0}, {0, 5}, {0, 14}};
+    WeldOutline outline;
+    for (const glm::dvec2 p : thin)
+        outline.push_back(kMm * p);
+    const auto fillet = measureFillet(outline, {}, kMm);
+    REQUIRE(fillet);
+    CHECK(fillet->throat == Approx(5 * kMm / std::numbers::sqrt2));
+    CHECK(fillet->toes[0].place == Approx(5 * kMm).epsilon(1e-3));
+    CHECK_FALSE(measureFillet(teeWith({{0, 0}}), {}, 0)); // an exact corner without weld
+}
+
 TEST_CASE("a convex fillet's throat and angles are those of its arc", "[gauge]") {
     constexpr double kRadius = 8, kLeg = 5, kChord = kLeg * std::numbers::sqrt2;
     const double half = std::asin(0.5 * kChord / kRadius), depth = kRadius * std::cos(half) - 0.5 * kChord;
