@@ -72,7 +72,8 @@ void addOthers(CLI::App& app, Arguments& arguments) {
     bench->add_option("SUITE", arguments.suite, suites);
     bench->add_option("--json", arguments.benchJson, "Write the rows into this file")->type_name("FILE");
     CLI::App* validate = app.add_subcommand("validate", "Hold the metal against exact solutions and experiments");
-    validate->add_option("CASE", arguments.validation.cases, "Case files, .toml; all that ship where none is named");
+    validate->add_option("CASE", arguments.validation.cases,
+                         "Case files (.toml) or folders of them; all that ship where none is named");
     validate->add_option("--json", arguments.validation.json, "Write the numbers into this file")->type_name("FILE");
     app.add_subcommand("doctor", "Tell what this machine has and what is missing");
     CLI::App* lessons = app.add_subcommand("lessons", "List the lessons, or the values of one");

@@ -93,6 +93,21 @@ class NumbersFile {
     Json json_;
 };
 
+/// The cases that a person named, those of a folder in its place.
+std::vector<std::filesystem::path> withoutFolders(const std::vector<std::filesystem::path>& named) {
+    std::vector<std::filesystem::path> files;
+    for (const auto& path : named) {
+        std::error_code fault;
+        if (!std::filesystem::is_directory(path, fault)) {
+            files.push_back(path);
+            continue;
+        }
+        const auto inside = validationCaseFiles(path);
+        files.insert(files.end(), inside.begin(), inside.end());
+    }
+    return files;
+}
+
 /// The file of --json must be none that is read.
 void requireNoSource(const std::filesystem::path& json, const std::vector<std::filesystem::path>& sources) {
     for (const auto& source : sources) {
@@ -127,7 +142,8 @@ struct Ends {
 
 bool runValidation(const ValidationRequest& request) {
     const StopSignals signals("\nmeltpool: stops after this case; Ctrl-C again ends it at once\n");
-    const auto files = request.cases.empty() ? validationCaseFiles(resourceFolder() / "validation") : request.cases;
+    const auto files =
+        request.cases.empty() ? validationCaseFiles(resourceFolder() / "validation") : withoutFolders(request.cases);
     // Every file is read before the first is run: a fault in the last must not cost the time of the others.
     requireNoSource(request.json, files);
     std::vector<ValidationCase> cases;

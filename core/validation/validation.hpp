@@ -67,6 +67,9 @@ void runRosenthal(const ValidationCase& from, gl::ShaderLibrary& shaders, Valida
 void runEnergy(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
 void runCavityMelting(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
 void runBeadOnPlate(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
+void runFillet(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
+void runArcSpot(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
+void runCooling(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
 void runDropletPressure(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
 void runDropletOscillation(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
 void runSessileDrop(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);

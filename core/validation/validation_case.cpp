@@ -4,6 +4,7 @@
 #include "core/base/text.hpp"
 #include "core/base/toml_table.hpp"
 #include "core/validation/exact_solutions.hpp"
+#include "core/weld/process/processes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -55,6 +56,7 @@ constexpr std::array<CaseKey, M + N> joined(const std::array<CaseKey, M>& first,
 
 /// The process of every weld, see caseProcess().
 constexpr std::array kArc{
+    CaseKey{"process", process, 0, 0, 0.0, "gmaw with wire or gtaw without"},
     CaseKey{"power_w", number, 0, 1e6, 0.0, "electric, where voltage and current are not given"},
     CaseKey{"voltage", number, 0, 60, 0.0, "of the wire's machine"},
     CaseKey{"current_a", number, 0, 2000, 0.0, "of an arc without wire, or of a machine that finds its feed by it"},
@@ -63,6 +65,13 @@ constexpr std::array kArc{
     CaseKey{"ctwd_mm", number, 1, 60, 15.0, "contact tip to work distance, with wire"},
     CaseKey{"arc_length_mm", number, 0.3, 30, 3.0, "from tungsten"},
 };
+/// Of every weld on a plate.
+constexpr std::array kPlate{
+    CaseKey{"plate_mm", triple, 0.1, 1000, kNeeded,
+            "along the seam first; of the other two the smaller is the thickness"},
+    CaseKey{"ambient_k", number, 1, kHot, kNeeded, "plate and air"},
+};
+constexpr CaseKey kTravel{"speed_mm_s", number, 0.01, 1000, kNeeded, "of travel"};
 constexpr std::array kEnergy = joined(
     std::array{
         CaseKey{"on_s", number, 0, 1e5, kNeeded, "how long the trigger is pulled"},
@@ -89,18 +98,30 @@ constexpr std::array kCavity{
     CaseKey{"initial_k", number, 1, kHot, kNeeded, "metal at the start"},
     CaseKey{"times_s", list, 0.001, 1e6, kNeeded, "when to compare, rising"},
 };
-constexpr std::array kBead = joined(
-    std::array{
-        CaseKey{"speed_mm_s", number, 0.01, 1000, kNeeded, "of travel"},
-        CaseKey{"plate_mm", triple, 0.1, 1000, kNeeded,
-                "along the seam first; of the other two the smaller is the thickness"},
-        CaseKey{"ambient_k", number, 1, kHot, kNeeded, "plate and air"},
-        // Of earlier editions: read, and not used, as all welds have one set of constants.
-        CaseKey{"efficiency", number, 0.01, 1, 1.0, "not used: a constant of the process"},
-        CaseKey{"arc_sigma_mm", number, 0.1, 50, 1.0, "not used: follows from the arc's length and current"},
-        CaseKey{"liquid_conductivity_factor", number, 0.1, 20, 1.0, "not used: a constant of all arc welds"},
-    },
-    kArc);
+constexpr std::array kBead =
+    joined(joined(std::array{kTravel,
+                             // Of earlier editions: read, and not used, as all welds have one set of constants.
+                             CaseKey{"efficiency", number, 0.01, 1, 1.0, "not used: a constant of the process"},
+                             CaseKey{"arc_sigma_mm", number, 0.1, 50, 1.0,
+                                     "not used: follows from the arc's length and current"},
+                             CaseKey{"liquid_conductivity_factor", number, 0.1, 20, 1.0,
+                                     "not used: a constant of all arc welds"}},
+                  kPlate),
+           kArc);
+constexpr std::array kFillet =
+    joined(joined(std::array{kTravel, CaseKey{"standing_mm", number, 1, 1000, 25.0, "height of the standing plate"},
+                             CaseKey{"work_angle_deg", number, 5, 85, 45.0, "between torch and lying plate"},
+                             CaseKey{"travel_angle_deg", number, -60, 60, 0.0, "positive pushes"}},
+                  kPlate),
+           kArc);
+constexpr std::array kSpot = joined(
+    joined(std::array{CaseKey{"on_s", number, 0.02, 600, kNeeded, "how long the trigger is pulled"}}, kPlate), kArc);
+constexpr std::array kCooling =
+    joined(joined(std::array{kTravel, CaseKey{"hot_k", number, 300, kHot, 1730.15, "where the rate's interval begins"},
+                             CaseKey{"cold_k", number, 300, kHot, 1539.15, "where it ends"},
+                             CaseKey{"until_k", number, 0, kHot, 0.0, "where the case ends; 0: at cold_k"}},
+                  kPlate),
+           kArc);
 
 constexpr std::string_view kDepthResults = "temperature_at_Xmm_k";
 constexpr std::string_view kFrontResults = "front_mm, melted_mm, frozen_mm";
@@ -128,9 +149,18 @@ constexpr std::array kKinds{
     CaseKind{"cavity_melting", kCavity, CaseMatter::heat, false,
              "melted_fraction, fastest_mm_s, rms_speed_mm_s, balance_percent"},
     CaseKind{"bead_on_plate", kBead, CaseMatter::melting, false,
-             "current_a, voltage_v, arc_length_mm, width_mm, penetration_mm, height_mm, section_mm2, deposited_mm2, "
-             "fused_plate_mm2, "
-             "heat_affected_width_mm, heat_affected_depth_mm, refused_filler"},
+             "current_a, voltage_v, arc_length_mm, toe_width_mm, fused_width_mm, height_mm, penetration_mm, "
+             "edge_angle_deg, overlap_mm, section_mm2, deposited_mm2, fused_plate_mm2, heat_affected_width_mm, "
+             "heat_affected_depth_mm, refused_filler"},
+    CaseKind{"fillet", kFillet, CaseMatter::melting, false,
+             "current_a, voltage_v, arc_length_mm, leg_mm, leg_lying_mm, leg_standing_mm, throat_mm, "
+             "edge_angle_lying_deg, edge_angle_standing_deg, root_fusion_mm, penetration_mm, deposited_mm2, "
+             "fused_width_mm, fused_plate_mm2, refused_filler"},
+    CaseKind{"arc_spot", kSpot, CaseMatter::melting, false,
+             "current_a, voltage_v, arc_length_mm, diameter_mm, fused_diameter_mm, height_mm, penetration_mm, "
+             "refused_filler"},
+    CaseKind{"cooling", kCooling, CaseMatter::melting, false,
+             "current_a, voltage_v, arc_length_mm, cooling_rate_k_s, t85_s, hottest_k, refused_filler"},
 };
 
 const CaseKind& findKind(TomlTable& file) {
@@ -223,11 +253,24 @@ void readCaseKey(TomlTable& table, const CaseKey& key, ValidationCase& result) {
                 result.lists[name].push_back(value);
             }
         break;
+    case process:
+        if (table.has(name)) result.process = table.text(name);
+        if (!result.process.empty() && result.process != Gmaw::kName && result.process != Gtaw::kName)
+            table.fail(name, "unknown process " + quote(result.process) + "; expected gmaw or gtaw");
+        break;
     case lossRate:
         result.numbers[name] = table.isFlag(name) ? (table.flag(name, false) ? kDefaultLossCoefficient : 0)
                                                   : table.number(name, range, *key.fallback);
         break;
     }
+}
+
+/// The name of a result that [measured] may call by a former one.
+std::string presentName(TomlTable& measured, const ValidationCase& result, const std::string& key) {
+    constexpr std::string_view kFormer = "width_mm", kPresent = "fused_width_mm";
+    if (key != kFormer || result.kind->name != "bead_on_plate") return key;
+    if (measured.has(kPresent)) measured.fail(key, "is the former name of fused_width_mm; expected one of the two");
+    return std::string(kPresent);
 }
 
 void readMeasured(TomlTable& file, ValidationCase& result) {
@@ -239,9 +282,10 @@ void readMeasured(TomlTable& file, ValidationCase& result) {
         known += (known.empty() ? "" : ", ") + name;
     for (const std::string& key : table.keys()) {
         if (key.ends_with(kSuffix)) continue;
-        if (std::find(names.begin(), names.end(), key) == names.end())
+        const std::string name = presentName(table, result, key);
+        if (std::find(names.begin(), names.end(), name) == names.end())
             table.fail(key, "this case has no such result; it has " + known);
-        Measured& measured = result.measured[key];
+        Measured& measured = result.measured[name];
         measured.values = table.isList(key) ? table.numbers(key) : std::vector{table.number(key)};
         measured.tolerancePercent = table.number(key + std::string(kSuffix), {0, 1000}, result.tolerancePercent);
         const size_t expected = key == "melted_fraction" ? result.list("times_s").size() : 1;
@@ -290,8 +334,21 @@ void checkRosenthal(TomlTable& table, const ValidationCase& result) {
     }
 }
 
+/// The keys that a process has no use for are refused.
+void checkProcess(TomlTable& table, const ValidationCase& result) {
+    if (result.process == Gtaw::kName)
+        for (const char* key : {"wire_diameter_mm", "wire_feed_m_min", "voltage"})
+            if (result.number(key) > 0) table.fail(key, "a gtaw arc has no wire; expected gmaw, or the key left out");
+    if (result.process != Gmaw::kName) return;
+    if (result.number("wire_diameter_mm") <= 0)
+        table.fail("wire_diameter_mm", "is missing; expected the diameter of the wire in mm");
+    if (result.number("wire_feed_m_min") <= 0 && result.number("current_a") <= 0)
+        table.fail("wire_feed_m_min", "is missing; expected the wire's feed in m/min, or current_a in A");
+}
+
 /// An arc needs its current, or wire and a voltage, or at least its power.
 void checkArc(TomlTable& table, const ValidationCase& result) {
+    checkProcess(table, result);
     if (result.number("power_w") <= 0 && result.number("current_a") <= 0 && !hasWire(result))
         table.fail("power_w", "is missing; expected power_w, or current_a, or voltage, wire_diameter_mm and "
                               "wire_feed_m_min");
@@ -299,12 +356,27 @@ void checkArc(TomlTable& table, const ValidationCase& result) {
         table.fail("voltage", "is missing; expected the voltage of the wire's machine in V");
 }
 
+/// A fillet and a cooling rate need wire; temperatures fall.
+void checkWeld(TomlTable& table, const ValidationCase& result) {
+    const std::string_view kind = result.kind->name;
+    checkArc(table, result);
+    if (kind == "fillet" && !hasWire(result))
+        table.fail("wire_diameter_mm", "is missing; expected a wire: a fillet is of fed metal");
+    if (kind != "cooling") return;
+    if (result.number("cold_k") >= result.number("hot_k")) table.fail("cold_k", "expected less than hot_k");
+    if (result.number("until_k") > result.number("cold_k")) table.fail("until_k", "expected at most cold_k, or 0");
+    const double until = result.number("until_k") > 0 ? result.number("until_k") : result.number("cold_k");
+    if (result.number("ambient_k") >= until) table.fail("ambient_k", "expected less than where the case ends");
+}
+
 /// What single keys cannot say about themselves.
 void checkTogether(TomlTable& table, const ValidationCase& result) {
     const std::string_view kind = result.kind->name;
     if (kind.starts_with("rosenthal")) checkRosenthal(table, result);
     if (kind.starts_with("stefan")) checkStefan(table, result);
-    if (kind == "energy" ? result.number("on_s") > 0 : kind == "bead_on_plate") checkArc(table, result);
+    if (kind == "energy" && result.number("on_s") > 0) checkArc(table, result);
+    if (kind == "bead_on_plate" || kind == "fillet" || kind == "arc_spot" || kind == "cooling")
+        checkWeld(table, result);
     if (kind == "poiseuille" && result.number("body_force_n_m3") == 0)
         table.fail("body_force_n_m3", "expected a force other than 0: else nothing flows");
     if (kind == "cavity_melting") {
@@ -330,6 +402,7 @@ std::string temperatureName(double xi, double y, double z) {
 }
 
 bool hasWire(const ValidationCase& from) {
+    if (!from.process.empty()) return from.process == Gmaw::kName;
     const bool fed = from.number("wire_feed_m_min") > 0 || (from.number("current_a") > 0 && from.number("voltage") > 0);
     return from.number("wire_diameter_mm") > 0 && fed;
 }
@@ -337,9 +410,11 @@ bool hasWire(const ValidationCase& from) {
 std::vector<std::string> resultNames(const ValidationCase& from) {
     std::vector<std::string> names;
     const auto wireless = [&](std::string_view name) {
-        constexpr std::array<std::string_view, 4> kWire{"height_mm", "section_mm2", "deposited_mm2", "refused_filler"};
-        return from.kind->name == "bead_on_plate" && !hasWire(from) &&
-               std::find(kWire.begin(), kWire.end(), name) != kWire.end();
+        constexpr std::array<std::string_view, 8> kWire{"toe_width_mm",   "diameter_mm",   "height_mm",
+                                                        "edge_angle_deg", "overlap_mm",    "section_mm2",
+                                                        "deposited_mm2",  "refused_filler"};
+        const bool weld = from.kind->name == "bead_on_plate" || from.kind->name == "arc_spot";
+        return weld && !hasWire(from) && std::find(kWire.begin(), kWire.end(), name) != kWire.end();
     };
     for (const std::string_view piece : splitText(from.kind->results, ',')) {
         const std::string_view name = trimText(piece);

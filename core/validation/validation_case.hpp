@@ -19,6 +19,7 @@ enum class CaseValue {
     list,     ///< one or more numbers
     rows,     ///< one or more rows of three numbers
     triple,   ///< exactly three numbers
+    process,  ///< "gmaw" or "gtaw"; without it wire makes it GMAW
     lossRate, ///< true, false, or a coefficient in W/(m² K); true stands for kDefaultLossCoefficient
 };
 
@@ -74,6 +75,7 @@ struct ValidationCase {
     Material material;
     std::map<std::string, double, std::less<>> numbers;            ///< [case], units as the key says
     std::map<std::string, std::vector<double>, std::less<>> lists; ///< [case]; rows one after the other
+    std::string process;                                           ///< [case]; empty where the case does not say
     std::map<std::string, Measured, std::less<>> measured;         ///< [measured]
 
     double number(std::string_view key) const { return numbers.find(key)->second; }
@@ -84,7 +86,7 @@ struct ValidationCase {
 std::string temperatureName(double depth);
 std::string temperatureName(double xi, double y, double z);
 
-/// Whether the keys of a bead or energy case ask for wire.
+/// Whether the keys of a weld ask for wire.
 bool hasWire(const ValidationCase& from);
 
 /// The names that this case's results can carry, which are those that [measured] may give.

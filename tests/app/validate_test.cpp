@@ -39,6 +39,27 @@ TEST_CASE("validate prints and keeps every number", "[app]") {
     CHECK(json["cases"][1]["numbers"][0]["reference"].get<double>() == Approx(4.543).margin(1e-3));
 }
 
+TEST_CASE("validate runs the cases of a folder, by name", "[app]") {
+    const auto folder = test::scratchFolder("validate"), cases = folder / "cases";
+    std::filesystem::create_directory(cases);
+    for (const std::string name : {"stefan_two_phase", "conduction_step"})
+        std::filesystem::copy_file(shippedCase(name), cases / (name + ".toml"));
+    writeTextFileAtomically(cases / "notes.txt", "no case");
+    const auto file = folder / "out.json";
+    const auto outcome =
+        runMeltpool("validate" + quoted(cases) + quoted(shippedCase("conduction_flux")) + "--json" + quoted(file));
+    CHECK(outcome.code == 0);
+    const auto json = nlohmann::json::parse(readTextFile(file));
+    REQUIRE(json["cases"].size() == 3);
+    CHECK(json["cases"][0]["kind"] == "conduction_step");
+    CHECK(json["cases"][1]["kind"] == "stefan_two_phase");
+    CHECK(json["cases"][2]["kind"] == "conduction_flux");
+    std::filesystem::create_directory(folder / "none");
+    const auto empty = runMeltpool("validate" + quoted(folder / "none"));
+    CHECK(empty.code == 2);
+    CHECK_THAT(empty.errors, containsText("holds no validation case; expected files that end in .toml"));
+}
+
 TEST_CASE("validate ends with 1 when a case fails and with 2 when a file has a fault", "[app]") {
     const auto folder = test::scratchFolder("validate");
     std::string text = readTextFile(shippedCase("conduction_step"));
@@ -73,7 +94,7 @@ TEST_CASE("validate keeps what it has when a case ends early, and goes on with t
     const auto outcome = runMeltpool("validate" + quoted(shippedCase("conduction_step")) + quoted(weak) +
                                      quoted(shippedCase("conduction_flux")) + "--json" + quoted(file));
     CHECK(outcome.code == 2);
-    CHECK_THAT(outcome.errors, containsText("weak arc.toml: [case]: the arc burned for less than half of the path"));
+    CHECK_THAT(outcome.errors, containsText("weak arc.toml: [case]: the arc burned for less than half of its time"));
     CHECK_THAT(outcome.output, containsText("2 of 3 cases passed"));
     const auto json = nlohmann::json::parse(readTextFile(file));
     REQUIRE(json["cases"].size() == 3);

@@ -242,6 +242,13 @@ const std::vector<KindAndKeys> kKinds{
                        "times_s = [132, 198]"},
     {"bead_on_plate", "power_w = 4000\nefficiency = 0.8\narc_sigma_mm = 1.6\nspeed_mm_s = 10\nwire_diameter_mm = 1.0\n"
                       "wire_feed_m_min = 7\nplate_mm = [60, 9, 30]\nambient_k = 293"},
+    {"bead_on_plate", "process = \"gmaw\"\nvoltage = 20\nspeed_mm_s = 10\nwire_diameter_mm = 1.0\nctwd_mm = 14\n"
+                      "wire_feed_m_min = 7\nplate_mm = [60, 9, 30]\nambient_k = 293"},
+    {"fillet", "process = \"gmaw\"\nvoltage = 20\ncurrent_a = 130\nspeed_mm_s = 9\nwire_diameter_mm = 1.0\n"
+               "plate_mm = [60, 4, 30]\nambient_k = 293\nwork_angle_deg = 40\ntravel_angle_deg = 10\nstanding_mm = 20"},
+    {"arc_spot", "process = \"gtaw\"\ncurrent_a = 130\non_s = 2\nplate_mm = [30, 6, 30]\nambient_k = 293"},
+    {"cooling", "power_w = 1500\nvoltage = 18\nspeed_mm_s = 9\nwire_diameter_mm = 1.0\nwire_feed_m_min = 5\n"
+                "plate_mm = [60, 4, 30]\nambient_k = 293\nhot_k = 1700\ncold_k = 1500\nuntil_k = 773"},
 };
 
 std::string caseOf(const std::string& kind, const std::string& keys) {
@@ -271,4 +278,70 @@ TEST_CASE("Every documented kind takes its documented keys and needs each of the
     }
     for (const CaseKind& kind : caseKinds())
         CHECK(std::count(seen.begin(), seen.end(), kind.name) > 0);
+}
+
+namespace {
+
+constexpr const char* kWeld = "speed_mm_s = 9\nplate_mm = [60, 4, 30]\nambient_k = 293\n";
+
+/// What is wrong with a weld whose keys of the process these are; empty where nothing is.
+std::string weldFault(const std::string& kind, const std::string& keys) {
+    try {
+        readText(caseOf(kind, std::string(kind == "arc_spot" ? std::string(kWeld).substr(15) : kWeld) + keys));
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+} // namespace
+
+TEST_CASE("The keys of a weld's process fit the process, or a sentence says which one is wrong", "[validation]") {
+    using test::containsText;
+    const std::string machine = "process = \"gmaw\"\nvoltage = 20\nwire_diameter_mm = 1\nwire_feed_m_min = 7\n";
+    for (const std::string kind : {"bead_on_plate", "fillet", "cooling"})
+        CHECK(weldFault(kind, machine) == "");
+    CHECK(weldFault("arc_spot", machine + "on_s = 1\n") == "");
+    CHECK(weldFault("bead_on_plate", "process = \"gtaw\"\ncurrent_a = 130\n") == "");
+    const auto bead = [](const std::string& keys) { return weldFault("bead_on_plate", keys); };
+    CHECK_THAT(bead("process = \"mma\"\n"),
+               containsText("case.toml:21: [case] process: unknown process 'mma'; expected gmaw or gtaw"));
+    CHECK_THAT(bead("process = 3\n"), containsText("process"));
+    CHECK_THAT(bead("process = \"gmaw\"\nvoltage = 20\nwire_feed_m_min = 7\n"),
+               containsText("wire_diameter_mm: is missing; expected the diameter of the wire"));
+    CHECK_THAT(bead("process = \"gmaw\"\nvoltage = 20\nwire_diameter_mm = 1\n"),
+               containsText("wire_feed_m_min: is missing; expected"));
+    CHECK_THAT(bead("process = \"gmaw\"\nwire_feed_m_min = 7\nwire_diameter_mm = 1\n"),
+               containsText("voltage: is missing; expected"));
+    CHECK_THAT(bead("process = \"gtaw\"\ncurrent_a = 130\nwire_feed_m_min = 7\n"),
+               containsText("wire_feed_m_min: a gtaw arc has no wire"));
+    CHECK_THAT(bead("process = \"gtaw\"\n"), containsText("power_w: is missing"));
+    CHECK_THAT(bead(machine + "ctwd_mm = 0\n"), containsText("[case] ctwd_mm: expected a number"));
+    CHECK_THAT(weldFault("fillet", "process = \"gtaw\"\ncurrent_a = 130\n"), containsText("a fillet is of fed metal"));
+    CHECK_THAT(weldFault("fillet", machine + "work_angle_deg = 90\n"), containsText("work_angle_deg: expected"));
+    CHECK_THAT(weldFault("cooling", machine + "hot_k = 1000\n"), containsText("cold_k: expected less than hot_k"));
+    CHECK_THAT(weldFault("cooling", machine + "until_k = 1600\n"), containsText("until_k: expected at most cold_k"));
+    CHECK_THAT(weldFault("cooling", machine + "until_k = 290\n"), containsText("ambient_k: expected less"));
+}
+
+TEST_CASE("A bead's fused width may be measured under its former name", "[validation]") {
+    const std::string bead = std::string(kWeld) + "process = \"gtaw\"\ncurrent_a = 130\n[measured]\n";
+    const ValidationCase c = readText(caseOf("bead_on_plate", bead + "width_mm = 6\nwidth_mm_tolerance_percent = 7"));
+    CHECK(c.measured.at("fused_width_mm").values == std::vector{6.0});
+    CHECK(c.measured.at("fused_width_mm").tolerancePercent == 7);
+    CHECK_FALSE(c.measured.contains("width_mm"));
+    CHECK_THROWS_AS(readText(caseOf("bead_on_plate", bead + "width_mm = 6\nfused_width_mm = 6")), InputError);
+    CHECK_THROWS_AS(readText(caseOf("bead_on_plate", bead + "toe_width_mm = 6")), InputError); // no wire, no bead
+}
+
+TEST_CASE("The logged beads read, each with what was measured", "[validation]") {
+    const auto files = validationCaseFiles(test::testFolder() / "validation" / "logged");
+    CHECK(files.size() == 15);
+    for (const auto& file : files) {
+        INFO(file.string());
+        const ValidationCase c = readValidationCase(file);
+        CHECK(c.process == "gmaw");
+        for (const char* name : {"current_a", "toe_width_mm", "height_mm", "edge_angle_deg"})
+            CHECK(c.measured.contains(name));
+    }
 }

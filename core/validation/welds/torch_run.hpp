@@ -20,6 +20,18 @@ float caseTorchHeight(const ValidationCase& from, const ProcessSettings& setting
 /// `seconds`, and then stands there with the trigger released.
 TorchPath straightRun(float start, float end, float height, double seconds);
 
+/// How a torch is held over a seam along x.
+struct TorchPose {
+    float height = 0;                      ///< m from the seam to the torch's pose, along the torch
+    double workAngle = 0, travelAngle = 0; ///< rad, see heldOrientation()
+};
+
+/// The same run of a torch that is held in another way and points at y = z = 0.
+TorchPath heldRun(float start, float end, const TorchPose& held, double seconds);
+
+/// The whole number of spacings that is nearest to a length, at least one. All in mm.
+float wholeSpacings(double length, float spacing);
+
 /// A plate of length x thickness x width (m) with its upper face at y = 0, as lessons make it.
 Workpiece casePlate(const ValidationCase& from, float length, float thickness, float width, double temperature);
 

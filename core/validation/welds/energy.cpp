@@ -1,8 +1,8 @@
 // Where the joules go: the trainer's process melts a plate, at a spot or along a seam, with wire or without; the metal
 // flows and freezes.
 #include "core/validation/case_size.hpp"
-#include "core/validation/torch_run.hpp"
 #include "core/validation/validation.hpp"
+#include "core/validation/welds/torch_run.hpp"
 
 #include <algorithm>
 #include <cmath>

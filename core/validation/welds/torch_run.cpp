@@ -1,4 +1,4 @@
-#include "core/validation/torch_run.hpp"
+#include "core/validation/welds/torch_run.hpp"
 
 #include "core/base/error.hpp"
 
@@ -85,13 +85,26 @@ TorchPath straightRun(float start, float end, float height, double seconds) {
     return TorchPath(std::vector{run});
 }
 
+TorchPath heldRun(float start, float end, const TorchPose& held, double seconds) {
+    TorchMove run;
+    run.duration = seconds;
+    run.fromOrientation = run.toOrientation = heldOrientation(held.workAngle, held.travelAngle, {1, 0, 0});
+    const glm::vec3 back = run.fromOrientation * glm::vec3(0, 0, 1) * held.height;
+    run.from = glm::vec3(start, 0, 0) + back;
+    run.to = glm::vec3(end, 0, 0) + back;
+    run.trigger = 1;
+    return TorchPath(std::vector{run});
+}
+
+float wholeSpacings(double length, float spacing) {
+    return std::max(std::round(static_cast<float>(length) / spacing), 1.0F) * spacing;
+}
+
 Workpiece casePlate(const ValidationCase& from, float length, float thickness, float width, double temperature) {
     WorkpieceParameters plate;
     plate.kind = static_cast<int>(WorkpieceKind::Plate);
     plate.spacingMm = static_cast<float>(from.spacing * 1e3);
-    const auto whole = [&](float metres) {
-        return std::max(std::round(metres * 1e3F / plate.spacingMm), 1.0F) * plate.spacingMm;
-    };
+    const auto whole = [&](float metres) { return wholeSpacings(static_cast<double>(metres * 1e3F), plate.spacingMm); };
     plate.lengthMm = whole(length);
     plate.thicknessMm = whole(thickness);
     plate.widthMm = whole(width / 2) * 2;
