@@ -103,6 +103,7 @@ TEST_CASE("validate keeps what it has when a case ends early, and goes on with t
     CHECK(json["cases"][0]["passed"] == true);
     CHECK(json["cases"][1]["passed"] == false);
     CHECK_THAT(json["cases"][1]["error"].get<std::string>(), containsText("burned for less than half"));
+    CHECK(json["cases"][1]["numbers"][0]["name"] == "current_a"); // what was found before
     CHECK(json["cases"][2]["passed"] == true);
 }
 

@@ -334,14 +334,23 @@ TEST_CASE("A bead's fused width may be measured under its former name", "[valida
     CHECK_THROWS_AS(readText(caseOf("bead_on_plate", bead + "toe_width_mm = 6")), InputError); // no wire, no bead
 }
 
-TEST_CASE("The logged beads read, each with what was measured", "[validation]") {
-    const auto files = validationCaseFiles(test::testFolder() / "validation" / "logged");
-    CHECK(files.size() == 15);
-    for (const auto& file : files) {
-        INFO(file.string());
-        const ValidationCase c = readValidationCase(file);
-        CHECK(c.process == "gmaw");
-        for (const char* name : {"current_a", "toe_width_mm", "height_mm", "edge_angle_deg"})
-            CHECK(c.measured.contains(name));
+TEST_CASE("The cases beside the shipped ones read, each with what was measured", "[validation]") {
+    struct Folder {
+        const char* name;
+        size_t cases;
+        std::vector<const char*> measured;
+    };
+    for (const Folder& folder :
+         {Folder{"logged", 15, {"current_a", "toe_width_mm", "height_mm", "edge_angle_deg"}},
+          Folder{"vendor", 8, {"current_a", "leg_mm"}}, Folder{"pyrometer", 9, {"cooling_rate_k_s"}}}) {
+        const auto files = validationCaseFiles(test::testFolder() / "validation" / folder.name);
+        CHECK(files.size() == folder.cases);
+        for (const auto& file : files) {
+            INFO(file.string());
+            const ValidationCase c = readValidationCase(file);
+            CHECK(c.process == "gmaw");
+            for (const char* name : folder.measured)
+                CHECK(c.measured.contains(name));
+        }
     }
 }

@@ -42,6 +42,7 @@ void runBeadOnPlate(const ValidationCase& from, gl::ShaderLibrary& shaders, Vali
     result.compareMeasured(from, "fused_plate_mm2", section.fusion.area * 1e6);
     result.tell("heat_affected_width_mm", section.heatAffected ? section.heatAffected->width * 1e3 : 0);
     result.tell("heat_affected_depth_mm", section.heatAffected ? section.heatAffected->depth * 1e3 : 0);
+    weld.requireArc(from);
 }
 
 } // namespace meltpool

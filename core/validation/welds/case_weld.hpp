@@ -30,8 +30,11 @@ class CaseWeld {
     /// The section from `low` to `high` (m along the seam).
     Section section(double low, double high) const;
 
-    /// Tells the arc's means and refused filler. Throws InputError when it burned for less than half of the time.
+    /// Tells the arc's means and refused filler.
     void tellArc(const ValidationCase& from, ValidationResult& result) const;
+
+    /// Throws InputError when the arc burned for less than half of the time: last, so that the numbers are kept.
+    void requireArc(const ValidationCase& from) const;
 
     /// With wire: compares what was deposited in the whole workpiece with what melted, both over `length` (m), within
     /// 3 %, as `deposited_mm2`. A bead is thin where it begins and humps after it, so no short stretch has the mean.

@@ -78,6 +78,7 @@ void runFillet(const ValidationCase& from, gl::ShaderLibrary& shaders, Validatio
     result.compareMeasured(from, "penetration_mm", section.fusion.depth * 1e3);
     result.tell("fused_width_mm", section.fusion.width * 1e3);
     result.tell("fused_plate_mm2", section.fusion.area * 1e6);
+    weld.requireArc(from);
 }
 
 } // namespace meltpool
