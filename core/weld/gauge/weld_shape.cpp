@@ -185,6 +185,37 @@ glm::dvec2 nearestTo(glm::dvec2 a, glm::dvec2 b) {
     return a + way * (square > 0 ? std::clamp(-glm::dot(a, way) / square, 0.0, 1.0) : 0.0);
 }
 
+/// Least distance from the corner to the surface between the faces; infinite where there is none. The plates' backs,
+/// which may be nearer, are not between the faces.
+double throatOf(const Line& line) {
+    double least = std::numeric_limits<double>::infinity();
+    for (size_t i = 0; i < line.size(); ++i) {
+        const glm::dvec2 place = nearestTo(line[i], line[(i + 1) % line.size()]);
+        if (place.x > 0 && place.y > 0) least = std::min(least, glm::length(place));
+    }
+    return least;
+}
+
+/// Adds the place of the surface that is farthest from both faces to the closed line, and gives its number there.
+size_t addMiddle(Line& line) {
+    const auto depth = [](glm::dvec2 place) { return std::min(place.x, place.y); };
+    glm::dvec2 middle = line[0];
+    size_t behind = 0;
+    for (size_t i = 0; i < line.size(); ++i) {
+        const glm::dvec2 a = line[i], b = line[(i + 1) % line.size()];
+        // Along a straight piece the lesser distance is greatest at an end or where both are equal.
+        const double before = a.x - a.y, after = b.x - b.y;
+        const glm::dvec2 equal = before * after < 0 ? a + (b - a) * (before / (before - after)) : a;
+        for (const glm::dvec2 place : {a, equal})
+            if (depth(place) > depth(middle)) {
+                middle = place;
+                behind = i;
+            }
+    }
+    line.insert(line.begin() + static_cast<std::ptrdiff_t>(behind) + 1, middle);
+    return behind + 1;
+}
+
 } // namespace
 
 std::array<double, 2> BeadShape::overlap(const std::optional<FaceStretch>& fused) const {
@@ -222,23 +253,13 @@ BeadShape measureBead(const WeldOutline& outline, const PlateFace& face, double 
 
 std::optional<FilletShape> measureFillet(const WeldOutline& outline, const PlateFace& lying, double spacing) {
     Line line = inFrame(outline, lying);
-    if (line.size() < 3) return std::nullopt;
     FilletShape fillet;
-    fillet.throat = std::numeric_limits<double>::infinity();
-    glm::dvec2 nearest(0);
-    size_t behind = 0; // place of the line before the nearest
-    for (size_t i = 0; i < line.size(); ++i) {
-        const glm::dvec2 place = nearestTo(line[i], line[(i + 1) % line.size()]);
-        // The plates' backs may be nearer than the weld's surface.
-        if (place.x <= 0 || place.y <= 0 || glm::length(place) >= fillet.throat) continue;
-        fillet.throat = glm::length(nearest = place);
-        behind = i;
-    }
+    fillet.throat = throatOf(line);
     if (!std::isfinite(fillet.throat) || fillet.throat < kLeastThroat * spacing) return std::nullopt;
-    line.insert(line.begin() + static_cast<std::ptrdiff_t>(behind) + 1, nearest);
-    const double low = roundedHeight(fillet.throat, spacing);
+    const size_t middle = addMiddle(line);
+    const double low = std::min(roundedHeight(fillet.throat, spacing), 0.6 * std::min(line[middle].x, line[middle].y));
     // With the metal on its left the outline comes along the lying face.
-    const Line back = walk(line, behind + 1, false, 1, low), ahead = walk(line, behind + 1, true, 0, low);
+    const Line back = walk(line, middle, false, 1, low), ahead = walk(line, middle, true, 0, low);
     if (back.empty() || ahead.empty() || back.back().x <= low || ahead.back().y <= low) return std::nullopt;
     const FilletArc arc = filletArc(back, ahead, spacing);
     fillet.toes = {{{arc.legs.x, arc.angle(0)}, {arc.legs.y, arc.angle(1)}}};

@@ -276,6 +276,12 @@ TEST_CASE("a fillet is measured on its own surface, also where the plates' backs
     CHECK(fillet->throat == Approx(5 * kMm / std::numbers::sqrt2));
     CHECK(fillet->toes[0].place == Approx(5 * kMm).epsilon(1e-3));
     CHECK_FALSE(measureFillet(teeWith({{0, 0}}), {}, 0)); // an exact corner without weld
+    // A surface that is nearest to the corner close beside a plate: a bead that lies on the lower one.
+    const auto low = measureFillet(teeWith({{3.6, 0}, {2.6, 1.4}, {1.4, 2.2}, {0.5, 2.3}, {0, 3.1}}), {}, kMm);
+    REQUIRE(low);
+    CHECK(low->throat == Approx(kMm * std::hypot(0.5, 2.3)).epsilon(0.02));
+    CHECK(low->toes[0].place / kMm == Approx(3.6).margin(0.6));
+    CHECK(low->toes[1].place / kMm == Approx(2.8).margin(0.6));
 }
 
 TEST_CASE("a convex fillet's throat and angles are those of its arc", "[gauge]") {
