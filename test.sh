@@ -1,30 +1,34 @@
 #!/usr/bin/env bash
 # Sets up what is missing, builds everything and runs every test: ./test.sh [--long] [--checks] [CTEST ARGUMENTS]
-# Then, unless arguments chose tests, runs the headset's threads under the thread sanitizer.
-# --checks has clang check all sources, and runs suites that need no window under address and undefined-behaviour
-# sanitizers. Those take turns from day to day; MELTPOOL_TURN=0 or 1 chooses, MELTPOOL_TURN=all takes all.
-# --long adds the soak, fuzzing and validation runs that take hours of patience rather than minutes.
+# Then, unless arguments chose tests: the headset's threads under the thread sanitizer; under address and
+# undefined-behaviour sanitizers the damage to all text formats and half of the suites that need no window.
+# The halves take turns from day to day; MELTPOOL_TURN=0 or 1 chooses, MELTPOOL_TURN=all takes both.
+# --checks takes both and has clang check all sources.
+# --long does so too, and adds the soak, fuzzing and validation runs that take hours of patience rather than minutes.
 set -euo pipefail
 cd "$(dirname "$0")"
 # shellcheck source=app/setup.sh
 . app/setup.sh
 configuration=()
 checks=
+always=fuzz
 turn=${MELTPOOL_TURN:-$((10#$(date +%j) % 2))}
 if [ "${1:-}" = --long ]; then
     configuration=(-C Long)
+    always='fuzz fuzz-long'
     turn=all
     checks=yes
     shift
 fi
 if [ "${1:-}" = --checks ]; then
     checks=yes
+    turn=all
     shift
 fi
 
 # The suites that need no window, about half of the time each.
 suites0='base gl weld surface render app desktop_parts'
-suites1='house metal validation training xr xr-threads fuzz'
+suites1='house metal validation training xr xr-threads'
 
 checkWithClang() {
     command -v clang++ >/dev/null || return 0
@@ -38,13 +42,13 @@ runSanitized() {
     shift
     meltpoolConfigure "$preset" -DMELTPOOL_TESTS=ON
     for suite in "$@"; do
-        ninja -C "build/$preset" -t query "test_${suite//-/_}" >/dev/null 2>&1 || continue
-        targets+=("test_${suite//-/_}")
         names+=("$suite")
+        suite=${suite%-long}
+        targets+=("test_${suite//-/_}")
     done
     echo "Under the sanitizers of the preset $preset: ${names[*]}"
     cmake --build "build/$preset" --target "${targets[@]}"
-    ctest --test-dir "build/$preset" --output-on-failure -j 2 -R "^($(IFS='|'; echo "${names[*]}"))\$"
+    ctest --test-dir "build/$preset" --output-on-failure "${configuration[@]}" -j 2 -R "^($(IFS='|'; echo "${names[*]}"))\$"
 }
 
 meltpoolInstall build test
@@ -52,17 +56,15 @@ meltpoolBuild release -DMELTPOOL_TESTS=ON
 ctest --test-dir build/release --output-on-failure "${configuration[@]}" "$@"
 
 if [ $# -eq 0 ]; then
+    [ -z "$checks" ] || checkWithClang
     runSanitized thread xr-threads
-fi
-if [ $# -eq 0 ] && [ -n "$checks" ]; then
-    checkWithClang
     case $turn in
     0) suites=$suites0 ;;
     1) suites=$suites1 ;;
     *) suites="$suites0 $suites1" ;;
     esac
     # shellcheck disable=SC2086
-    runSanitized sanitize $suites
+    runSanitized sanitize $always $suites
 fi
 
 known=$(sed 's/#.*//' tests/validation/known_failures.txt | grep -v '^[[:space:]]*$' || true)

@@ -33,6 +33,7 @@ constexpr int kKilled = 128; ///< more than this: the number of the signal that 
 int endOf(const std::function<void()>& work, const std::vector<std::pair<Milliseconds, int>>& signals) {
     const pid_t child = fork();
     if (child == 0) {
+        std::signal(SIGHUP, SIG_DFL); // the tests may run under nohup, which children inherit
         work();
         _exit(99);
     }

@@ -54,7 +54,8 @@ constexpr std::array<std::string_view, 44> kValues{"0",
                                                    "\"../../../../etc/passwd\"",
                                                    "\"/dev/null\""};
 
-constexpr std::string_view kBytes("0123456789.,-+eE#=\n\r\t \"'[]{}_\\naixA\0\x01\x1b\x7f\xff\xc3\xed\xa0", 48);
+constexpr char kByteText[] = "0123456789.,-+eE#=\n\r\t \"'[]{}_\\naixA\0\x01\x1b\x7f\xff\xc3\xed\xa0";
+constexpr std::string_view kBytes(kByteText, sizeof(kByteText) - 1); // one of them is 0
 
 bool isWordByte(char c) {
     return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '-' ||

@@ -35,6 +35,7 @@ int start(const std::vector<std::string>& arguments, const fs::path& folder, con
     pointers.push_back(nullptr);
     const int pid = fork();
     if (pid != 0) return pid;
+    std::signal(SIGHUP, SIG_DFL); // the tests may run under nohup, which children inherit
     if (!folder.empty()) {
         setenv("XDG_CONFIG_HOME", folder.c_str(), 1);
         setenv("XR_CORE_VALIDATION_FILE_NAME", (folder / "validation.txt").c_str(), 1);

@@ -17,6 +17,7 @@ namespace meltpool::test {
 namespace {
 
 [[noreturn]] void becomeChild(const Process::Options& options) {
+    signal(SIGHUP, SIG_DFL); // the tests may run under nohup, which children inherit
 #ifdef __linux__
     prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
