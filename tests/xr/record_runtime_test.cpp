@@ -1,0 +1,54 @@
+// The whole program on a real runtime: no button of the panel ends or cuts a record without saying so.
+#include "core/training/recorded_attempt.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/record_check.hpp"
+#include "tests/xr/trainee.hpp"
+
+using namespace meltpool;
+using namespace meltpool::test;
+using nlohmann::json;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Waits until the attempt's metal has made some steps.
+void weldALittle(TrainerProcess& trainer) {
+    REQUIRE(trainer.waitFor([](const json& row) { return running(row) && row["metal"]["steps"] > 15; }));
+}
+
+std::string endOf(const fs::path& record) {
+    INFO(record);
+    const auto attempt = readRecordedAttempt(record);
+    REQUIRE(attempt);
+    CHECK(attempt->rows > 10);
+    CHECK(checkRecord(record).whole());
+    return attempt->ended;
+}
+
+} // namespace
+
+TEST_CASE("Reset, Start menu and Start in the headset leave a whole record of each attempt", "[runtime]") {
+    handGeometry();
+    const fs::path folder = benchFolder() / "attempts";
+    Trainee trainee;
+    TrainerProcess trainer(
+        folder, {"--headset", "--lesson", smallLesson(folder).string(), "--record", (folder / "weld.csv").string()});
+    REQUIRE(trainer.waitFor(ready));
+    trainee.aim(glm::vec3(0.05f), 0.0f);
+    trainee.showPanel(trainer, true);
+    weldALittle(trainer);
+    trainee.press(trainer, "headset.reset");
+    REQUIRE(trainer.waitFor([&](const json&) { return fs::exists(folder / "weld-2.csv"); }));
+    weldALittle(trainer);
+    trainee.press(trainer, "headset.restart");
+    REQUIRE(trainer.waitFor(
+        [](const json& row) { return row["page"] == "start" && row["headset"]["places"].contains("headset.start"); }));
+    trainee.press(trainer, "headset.start");
+    weldALittle(trainer);
+    CHECK(trainer.stop() == 0);
+    CHECK(trainer.misuses() == "");
+    CHECK(endOf(folder / "weld.csv") == "reset");
+    CHECK(endOf(folder / "weld-2.csv") == "start menu");
+    CHECK(endOf(folder / "weld-3.csv") == "the program ended");
+}
