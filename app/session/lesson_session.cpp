@@ -83,8 +83,12 @@ void LessonSections::restoreDefaults() {
             setParameter(each->parameters, key, text, each->name);
 }
 
-LessonSession::LessonSession(gl::ShaderLibrary& shaders, Lesson lesson)
-    : shaders_(shaders), lesson_(std::move(lesson)), sections_(lesson_), renderer_(shaders) {}
+double machineSeconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+LessonSession::LessonSession(gl::ShaderLibrary& shaders, Lesson lesson, Stopwatch stopwatch)
+    : shaders_(shaders), lesson_(std::move(lesson)), sections_(lesson_), renderer_(shaders), now_(stopwatch) {}
 
 void LessonSession::begin(Controls& controls) {
     end("another attempt began");
@@ -131,13 +135,12 @@ void LessonSession::beginTrial() {
 }
 
 void LessonSession::measureSpeed(double seconds, gl::Profiler* profiler) {
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point begin = Clock::now();
+    const double begin = now_();
     const int due = clock_.due(seconds, trainer_->timeStep());
     for (int step = 0; step < due; ++step)
         trainer_->advance(lesson_.torch.sample(trialTime_ += trainer_->timeStep()), profiler);
     surfaceIsOld_ = true;
-    clock_.took(std::chrono::duration<double>(Clock::now() - begin).count(), due);
+    clock_.took(now_() - begin, due);
     nextTrial(trial_.count(seconds, due * trainer_->timeStep()));
 }
 
@@ -283,15 +286,14 @@ TorchSample LessonSession::nextTorch(const Controls& controls, const TorchSource
 
 void LessonSession::makeSteps(const Controls& controls, double seconds, gl::Profiler* profiler,
                               const TorchSource& held) {
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point begin = Clock::now();
+    const double begin = now_();
     const int due = clock_.due(seconds, trainer_->timeStep());
     trainer_->setRealTime(clock_.speed());
     for (int step = 0; step < due; ++step) {
         trainer_->advance(nextTorch(controls, held, step, due), profiler);
         surfaceIsOld_ = true;
     }
-    clock_.took(std::chrono::duration<double>(Clock::now() - begin).count(), due);
+    clock_.took(now_() - begin, due);
 }
 
 void LessonSession::sound(const TorchSample& torch) {

@@ -46,10 +46,14 @@ Lesson loadLesson(const std::string& name);
 /// A torch that the mouse does not lead: answers the sample for step `step` (from 0) of the `steps` of a frame.
 using TorchSource = std::function<TorchSample(int step, int steps)>;
 
+/// Seconds of a clock that never goes back; its zero means nothing.
+using Stopwatch = double (*)();
+double machineSeconds();
+
 class LessonSession {
   public:
-    /// Throws InputError when the shaders cannot be used.
-    LessonSession(gl::ShaderLibrary& shaders, Lesson lesson);
+    /// `stopwatch` tells how long steps take. Throws InputError when the shaders cannot be used.
+    LessonSession(gl::ShaderLibrary& shaders, Lesson lesson, Stopwatch stopwatch = machineSeconds);
     LessonSession(const LessonSession&) = delete;
     LessonSession& operator=(const LessonSession&) = delete;
     ~LessonSession() { end("the program ended"); }
@@ -131,6 +135,7 @@ class LessonSession {
     SurfaceParameters shownSurface_;
     Renderer renderer_;
     std::unique_ptr<Trainer> trainer_;
+    Stopwatch now_;
     StepClock clock_;
     std::string fault_;
     bool surfaceIsOld_ = true;
