@@ -35,10 +35,12 @@ TEST_CASE("constants follow from the liquid") {
         CHECK(wettingForAngle(angle) >= wettingForAngle(angle + 0.04));
 }
 
-TEST_CASE("a drop swings at Rayleigh's frequency") {
+TEST_CASE("drops from four spacings in radius on swing at Rayleigh's frequency") {
     const FlowFluid steel;
-    const DropletOscillation drop = dropletOscillation(test::shaders(), steel, 4e-3, 0.1);
-    const double exact = exact::dropletFrequency(steel.tension, steel.density, 4e-3);
+    const double radius = GENERATE(4e-3, 5e-3, 6e-3);
+    INFO("radius " << radius);
+    const DropletOscillation drop = dropletOscillation(test::shaders(), steel, radius, 0.1);
+    const double exact = exact::dropletFrequency(steel.tension, steel.density, radius);
     CHECK(drop.frequency == Approx(exact).epsilon(0.08));
     CHECK_FALSE(drop.faults.any());
 }

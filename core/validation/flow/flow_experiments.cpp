@@ -39,6 +39,25 @@ std::vector<MetalSeed> sphere(const FlowFluid& fluid, double radius, double shif
     return seeds;
 }
 
+/// Radius (m) of the ball that has the volume of `particles`: a lattice's points in a ball are some more or fewer than
+/// it holds.
+double radiusOf(const FlowFluid& fluid, size_t particles) {
+    return fluid.spacing * std::cbrt(3 * static_cast<double>(particles) / (4 * std::numbers::pi));
+}
+
+/// Lattices that drops start from. The order in which particles come to rest differs by what they start from, and the
+/// pressure with it by a tenth, the frequency by a twentieth.
+constexpr std::array kShifts{0.0, 0.2, 0.35};
+constexpr double kShare = 1.0 / kShifts.size();
+
+void addRun(FlowRun& sum, const FlowRun& run) {
+    sum.particles = run.particles;
+    sum.steps += run.steps;
+    sum.faults.cellsOverfull += run.faults.cellsOverfull;
+    sum.faults.neighboursOverfull += run.faults.neighboursOverfull;
+    sum.faults.listsOverfull += run.faults.listsOverfull;
+}
+
 FlowSpace spaceAround(double radius) {
     const auto reach = static_cast<float>(2 * radius);
     return {glm::vec3(-reach), glm::vec3(reach)};
@@ -78,37 +97,16 @@ DropletPressure pressureOf(gl::ShaderLibrary& shaders, const FlowFluid& fluid, d
         result.density += density / inside / bench.flow.constants().scale / 1.0064;
         samples += 1;
     });
-    result.jump /= samples;
+    result.jump *= radiusOf(fluid, seeds.size()) / radius / samples;
     result.density /= samples;
     result.restSpeed = rmsSpeed(bench);
     tellRun(result, bench);
     return result;
 }
 
-} // namespace
-
-DropletPressure dropletPressure(gl::ShaderLibrary& shaders, const FlowFluid& fluid, double radius, double seconds) {
-    // The order in which particles come to rest differs by what they start from, and the pressure with it by a tenth.
-    constexpr std::array kShifts{0.0, 0.2, 0.35};
-    DropletPressure result;
-    for (const double shift : kShifts) {
-        const DropletPressure one = pressureOf(shaders, fluid, radius, seconds, sphere(fluid, radius, shift));
-        constexpr double kShare = 1.0 / kShifts.size();
-        result.jump += kShare * one.jump;
-        result.density += kShare * one.density;
-        result.restSpeed += kShare * one.restSpeed;
-        result.particles = one.particles;
-        result.steps += one.steps;
-        result.faults.cellsOverfull += one.faults.cellsOverfull;
-        result.faults.neighboursOverfull += one.faults.neighboursOverfull;
-        result.faults.listsOverfull += one.faults.listsOverfull;
-    }
-    return result;
-}
-
-DropletOscillation dropletOscillation(gl::ShaderLibrary& shaders, const FlowFluid& fluid, double radius,
-                                      double seconds) {
-    const auto seeds = sphere(fluid, radius);
+/// `seeds`: the drop, whose frequency is brought to that of a drop of `radius`.
+DropletOscillation oscillationOf(gl::ShaderLibrary& shaders, const FlowFluid& fluid, double radius, double seconds,
+                                 std::span<const MetalSeed> seeds) {
     const double expected =
         std::sqrt(8 * fluid.tension / (fluid.density * radius * radius * radius)) / (2 * std::numbers::pi);
     // All times in periods and in the longest steps, so that drops of one shape behave alike whatever they are made of.
@@ -134,6 +132,33 @@ DropletOscillation dropletOscillation(gl::ShaderLibrary& shaders, const FlowFlui
         result.frequency += fit.frequency / 3;
         result.decay += fit.decay / 3;
         if (axis == 2) tellRun(result, bench);
+    }
+    result.frequency *= std::pow(radiusOf(fluid, seeds.size()) / radius, 1.5);
+    return result;
+}
+
+} // namespace
+
+DropletPressure dropletPressure(gl::ShaderLibrary& shaders, const FlowFluid& fluid, double radius, double seconds) {
+    DropletPressure result;
+    for (const double shift : kShifts) {
+        const DropletPressure one = pressureOf(shaders, fluid, radius, seconds, sphere(fluid, radius, shift));
+        result.jump += kShare * one.jump;
+        result.density += kShare * one.density;
+        result.restSpeed += kShare * one.restSpeed;
+        addRun(result, one);
+    }
+    return result;
+}
+
+DropletOscillation dropletOscillation(gl::ShaderLibrary& shaders, const FlowFluid& fluid, double radius,
+                                      double seconds) {
+    DropletOscillation result;
+    for (const double shift : kShifts) {
+        const DropletOscillation one = oscillationOf(shaders, fluid, radius, seconds, sphere(fluid, radius, shift));
+        result.frequency += kShare * one.frequency;
+        result.decay += kShare * one.decay;
+        addRun(result, one);
     }
     return result;
 }

@@ -17,7 +17,8 @@ struct DropletPressure : FlowRun {
     double density = 0;   ///< over rest density, there
     double restSpeed = 0; ///< rms at the end, m/s
 };
-/// A drop without gravity, left alone for `seconds`; mean of three that start from different arrangements.
+/// A drop without gravity, left alone for `seconds`; mean of three that start from different arrangements. The jump is
+/// brought to that of a drop whose particles fill a ball of `radius`.
 DropletPressure dropletPressure(gl::ShaderLibrary& shaders, const FlowFluid& fluid, double radius, double seconds);
 
 struct DropletOscillation : FlowRun {
@@ -25,7 +26,8 @@ struct DropletOscillation : FlowRun {
     double decay = 0;     ///< 1/s
 };
 /// A drop without gravity, come to rest, then stretched by a tenth and watched for `seconds`, at least three periods;
-/// mean of the three axes.
+/// mean of the three axes and of three drops that start from different arrangements. The frequency is brought to that
+/// of a drop whose particles fill a ball of `radius`.
 DropletOscillation dropletOscillation(gl::ShaderLibrary& shaders, const FlowFluid& fluid, double radius,
                                       double seconds);
 
