@@ -15,9 +15,13 @@ HeatBench::HeatBench(gl::ShaderLibrary& shaders, const MetalLattice& lattice, co
     solver.refresh();
 }
 
+size_t HeatBench::stepsFor(double seconds, double hottest) const {
+    return static_cast<size_t>(std::ceil(seconds / solver.longestStep(hottest)));
+}
+
 size_t HeatBench::run(double from, double to, double hottest,
                       const std::function<std::vector<HeatSource>(double)>& sources) {
-    const auto steps = static_cast<size_t>(std::ceil((to - from) / solver.longestStep(hottest)));
+    const size_t steps = stepsFor(to - from, hottest);
     const double step = (to - from) / static_cast<double>(steps);
     // Sources stand where they are in the middle of a step.
     for (size_t i = 0; i < steps; ++i)

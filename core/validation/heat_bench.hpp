@@ -17,8 +17,11 @@ struct HeatBench {
     HeatBench(gl::ShaderLibrary& shaders, const MetalLattice& lattice, const Material& material,
               std::span<const MetalSeed> seeds, const HeatSettings& settings, double liquidConductivityFactor = 1);
 
-    /// Makes equal steps up to `seconds`, none longer than the solver's longest for `hottest` (K). `sources` gives what
-    /// burns at a time. Returns the number of steps.
+    /// The least number of equal steps that make `seconds`, none longer than the solver's longest for `hottest` (K).
+    size_t stepsFor(double seconds, double hottest) const;
+
+    /// Makes that number of equal steps from time `from` to `to` (s). `sources` gives what burns at a time, and is
+    /// asked for the middle of each step. Returns the number of steps.
     size_t run(double from, double to, double hottest, const std::function<std::vector<HeatSource>(double)>& sources);
 
     std::vector<double> readTemperatures() const;    ///< K, one a particle

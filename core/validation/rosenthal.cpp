@@ -93,26 +93,26 @@ class Field {
         return values_[lattice_.index(c)];
     }
 
-    /// Cubic between cells along each axis.
+    /// Between cells the polynomial through the six nearest along each axis: beside a fast source the rise changes by e
+    /// from cell to cell.
     double at(glm::dvec3 place) const {
         const glm::dvec3 q = (place - glm::dvec3(lattice_.low)) / static_cast<double>(lattice_.spacing) - 0.5;
         const glm::ivec3 base(glm::floor(q));
-        const std::array<double, 4> nodes{-1, 0, 1, 2};
-        std::array<double, 4> alongX{};
-        for (int i = 0; i < 4; ++i) {
-            std::array<double, 4> alongY{};
-            for (int j = 0; j < 4; ++j) {
-                std::array<double, 4> alongZ{};
-                for (int k = 0; k < 4; ++k)
-                    alongZ[static_cast<size_t>(k)] = cell(base + glm::ivec3(i - 1, j - 1, k - 1));
-                alongY[static_cast<size_t>(j)] = interpolate(nodes, alongZ, q.z - base.z);
+        std::array<double, kNodes.size()> alongX{}, alongY{}, alongZ{};
+        for (size_t i = 0; i < kNodes.size(); ++i) {
+            for (size_t j = 0; j < kNodes.size(); ++j) {
+                for (size_t k = 0; k < kNodes.size(); ++k)
+                    alongZ[k] = cell(base + glm::ivec3(kNodes[i], kNodes[j], kNodes[k]));
+                alongY[j] = interpolate(kNodes, alongZ, q.z - base.z);
             }
-            alongX[static_cast<size_t>(i)] = interpolate(nodes, alongY, q.y - base.y);
+            alongX[i] = interpolate(kNodes, alongY, q.y - base.y);
         }
-        return interpolate(nodes, alongX, q.x - base.x);
+        return interpolate(kNodes, alongX, q.x - base.x);
     }
 
   private:
+    static constexpr std::array<double, 6> kNodes{-2, -1, 0, 1, 2, 3};
+
     MetalLattice lattice_;
     int top_;
     std::vector<double> values_;
@@ -178,17 +178,20 @@ void runRosenthal(const ValidationCase& from, gl::ShaderLibrary& shaders, Valida
     requireSteps(from, p.time / bench.solver.longestStep(p.source.ambient + 1));
     // A thin plate is as many layers as fit best; each takes the power that it would take of the plate as it is.
     const double power = p.source.power * (p.thickness > 0 ? static_cast<double>(depth) / p.thickness : 1);
+    // The narrowest source on cells is as wide as a point source's heat after a time of dx²/(8 alpha), and what a step
+    // is given has not spread yet at the step's end: there the source stands where the point source was that long ago.
+    // The half-axes give a second moment of dx²/4 along each direction.
+    const double hottest = p.source.ambient + 1; // of a constant material any temperature will do
+    const double halfStep = 0.5 * p.time / static_cast<double>(bench.stepsFor(p.time, hottest));
+    const double lag = from.spacing * from.spacing / (8 * p.source.alpha) - halfStep;
     const auto source = [&](double time) {
-        // The narrowest source on cells is as wide as a point source's heat after a time of dx²/(8 alpha), so it stands
-        // where the point source was that long ago. The half-axes give a second moment of dx²/4 along each direction.
-        const double lag = from.spacing * from.spacing / (8 * p.source.alpha);
         const glm::vec3 place(metres(p.source.speed * (time - lag)), 0, 0);
         const float deep = p.thickness > 0 ? 1e3F : 0.5F * h; // the whole thickness, or the top layer alone
         return std::vector{HeatSource::ellipsoid(place, {0, -1, 0}, {1, 0, 0}, 1.294F * h, deep, 1.22F * h, 1.22F * h,
                                                  1, metres(power))};
     };
     result.particles = bench.state.particles();
-    result.steps = bench.run(0, p.time, p.source.ambient + 1, source);
+    result.steps = bench.run(0, p.time, hottest, source);
 
     const int top = static_cast<int>(std::lround(depth / h)) - 1;
     const Field field(lattice, bench.state, top);

@@ -4,6 +4,7 @@
 
 #include "glsl_types.h"
 #include "heat_table.h"
+#include "metal.h"
 
 #define HEAT_BLOCK 1 // uniform buffer
 
@@ -20,7 +21,7 @@
 #define HEAT_TILES 9      // HeatTile a tile
 #define HEAT_LISTS 10     // uint: three lists of tiles, one after the other, then the list of slots off the lattice
 #define HEAT_CONTROL 11   // HeatControl
-#define HEAT_SOURCE_SUMS 12 // float: sum of weights of each source, then of each tile that a source reaches
+#define HEAT_SOURCE_SUMS 12 // float: sum of weights of each source, then of each row of each tile that a source reaches
 #define HEAT_LEDGER 13      // vec4 a cell, then a particle: joules gained, their residual, joules lost, their residual
 #define HEAT_TILE_STAMPS 14 // int a tile: TILE_... below
 #define HEAT_CELL_WEIGHT 5  // uint a cell (replaces the counters): how many particles share it, in 1/SHARE_UNIT
@@ -55,13 +56,17 @@
 // A sleeping tile whose surface is warm loses heat every so many steps, for all the time since the last one.
 #define TILE_LOSS_INTERVAL 16
 
-// A tile's stamp: the last step it took part in above, and below two bits. A plain tile's step reads theta from one
+// A tile's stamp: the last step it took part in above, and below three bits. A plain tile's step reads theta from one
 // half of the buffer, as its neighbours do, and writes the other half; the next step changes halves. A mixed tile takes
 // its step in place, when all have read, and keeps its free surface in m² in the other half during the step.
-#define TILE_STEP_SHIFT 2
+#define TILE_STEP_SHIFT 3
 #define TILE_PLAIN 2                // it took its last step as a plain tile: theta is in the other half by now
+#define TILE_SHARED 4               // metal off the lattice was in it
 #define TILE_HALF 1                 // where theta was during that step
 #define TILE_NO_METAL (-0x40000000) // a tile that never held any: takes part only when metal off the lattice comes
+
+// Rows of four cells along x in a tile.
+#define TILE_ROWS (TILE_CELLS / TILE_EDGE)
 
 // A particle off the lattice shares out its weight over the eight cells around it, in whole numbers of 1/SHARE_UNIT:
 // sums of integers do not depend on their order.
@@ -84,7 +89,7 @@ struct HeatSourceData {
     float rear;
     float frontFraction;
     ivec3 firstTile;      // that the source can reach
-    int firstTileSum;     // of its tiles in HEAT_SOURCE_SUMS
+    int firstRowSum;      // of its tiles in HEAT_SOURCE_SUMS
     ivec3 tileExtent;     // tiles it can reach along each axis,
     int tileCount;        // and in all
     float tipTemperature; // K

@@ -21,7 +21,7 @@
 
 #define PHASE_ALIVE 1u    // the slot is in use
 #define PHASE_LIQUID 2u   // moves with the flow; set above and cleared below the two fractions meltsAbove and freezesBelow of MetalBlock
-#define PHASE_LATTICE 4u  // sits at the centre of its lattice cell: conducts with its six neighbours there
+#define PHASE_LATTICE 4u  // sits at the centre of its lattice cell: conducts with its neighbours there
 #define PHASE_HELD 8u     // its temperature is held: a wall; off the lattice, one that no heat crosses
 #define PHASE_CLAMPED 16u // held by a fixture: never falls
 #define PHASE_FRESH 32u   // froze since solid fragments were last labelled: bonds with whatever it touches

@@ -17,9 +17,10 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Cases of at most a few seconds; the others belong to the long tests.
-const std::set<std::string> kQuick{"conduction_step",  "conduction_flux",     "stefan_one_phase", "stefan_two_phase",
-                                   "energy",           "energy_insulated",    "energy_weld",      "poiseuille",
-                                   "bead_29v_400a_12", "droplet_oscillation", "bead_gmaw_park"};
+const std::set<std::string> kQuick{
+    "conduction_step",  "conduction_flux",      "stefan_one_phase",   "stefan_two_phase", "energy",
+    "energy_insulated", "energy_weld",          "poiseuille",         "bead_29v_400a_12", "droplet_oscillation",
+    "bead_gmaw_park",   "rosenthal_thick_fast", "rosenthal_thin_fast"};
 
 fs::path caseFolder() {
     return testFolder() / "validation" / "cases";

@@ -88,7 +88,7 @@ void HeatSolver::makeBuffers() {
     lists_ = gl::Buffer::gpuOnly("heat lists", (3 * tiles + slots) * sizeof(uint));
     control_ = gl::Buffer("heat control", sizeof(HeatControl));
     knownCells_ = gl::Buffer::gpuOnly("heat known cells", slots * sizeof(uint));
-    sourceSums_ = gl::Buffer::gpuOnly("heat source sums", HEAT_SOURCES * (tiles + 1) * sizeof(float));
+    sourceSums_ = gl::Buffer::gpuOnly("heat source sums", HEAT_SOURCES * (1 + TILE_ROWS * tiles) * sizeof(float));
     ledger_ = gl::Buffer::gpuOnly("heat ledger", settings_.ledger ? (cells + slots) * sizeof(vec4) : 4);
 }
 
@@ -185,7 +185,7 @@ void HeatSolver::refresh() {
     storageBarrier();
 }
 
-void HeatSolver::writeSource(HeatSourceData& data, const HeatSource& source, int firstTileSum) const {
+void HeatSolver::writeSource(HeatSourceData& data, const HeatSource& source, int firstRowSum) const {
     const MetalLattice& lattice = state_.lattice();
     data.position = source.position;
     data.kind = source.kind;
@@ -212,7 +212,7 @@ void HeatSolver::writeSource(HeatSourceData& data, const HeatSource& source, int
     const glm::ivec3 low = glm::clamp(tileAt(source.position - source.reach()), glm::ivec3(0), lastTile);
     const glm::ivec3 high = glm::clamp(tileAt(source.position + source.reach()), glm::ivec3(0), lastTile);
     data.firstTile = low;
-    data.firstTileSum = firstTileSum;
+    data.firstRowSum = firstRowSum;
     data.tileExtent = high - low + 1;
     data.tileCount = data.tileExtent.x * data.tileExtent.y * data.tileExtent.z;
 }
@@ -225,10 +225,10 @@ void HeatSolver::writeBlock(double seconds, std::span<const HeatSource> sources)
     block_.sourceCount = static_cast<int>(sources.size());
     time_ += seconds;
     block_.endTime = static_cast<uint>(std::llround(time_ * 1e6)); // wraps, which differences do not mind
-    int firstTileSum = HEAT_SOURCES;                               // behind the sums of the sources
+    int firstRowSum = HEAT_SOURCES;                                // behind the sums of the sources
     for (size_t i = 0; i < sources.size(); ++i) {
-        writeSource(block_.sources[i], sources[i], firstTileSum);
-        firstTileSum += block_.sources[i].tileCount;
+        writeSource(block_.sources[i], sources[i], firstRowSum);
+        firstRowSum += TILE_ROWS * block_.sources[i].tileCount;
     }
     blockBuffer_.writeValue(block_);
 }
@@ -265,7 +265,8 @@ void HeatSolver::normaliseSources() {
     const auto sources = static_cast<unsigned>(block_.sourceCount);
     sourceSums_.bindStorage(HEAT_SOURCE_SUMS);
     if (sources == 0) return;
-    indirect(*sourceWeights_, offsetof(HeatControl, mixedTiles)); // cell theta, weight -> sum of weights a tile
+    indirect(*sourceWeights_,
+             offsetof(HeatControl, mixedTiles)); // cell theta, weight -> sum of weights a row of a tile
     storageBarrier();
     normaliseSources_->dispatchGroups(sources); // -> sum of weights a source
     storageBarrier();

@@ -22,8 +22,8 @@ struct HeatSettings {
     double convection = 0;       ///< W/(m² K); 0 together with `radiation` false: insulated
     bool radiation = false;      ///< with the material's emissivity at the liquidus
     bool evaporation = false;    ///< where the material says how
-    double stepShare = 0.15; ///< longest step as a share of dx²/alpha: 1/6 is the limit of stability, and near it the
-                             ///< errors of space and time cancel
+    double stepShare = 0.15; ///< longest step as a share of dx²/alpha: 1/6 is the limit of stability of ragged metal,
+                             ///< and near it the errors of space and time cancel
     double wakingKelvin = 0.03; ///< difference between neighbours below which a tile goes to rest
     bool ledger = false;        ///< books every joule in and out, for the balance
     bool meltedLeaves = false;  ///< melted particles leave the lattice (with flow) or stay on it (heat alone)
@@ -84,7 +84,7 @@ class HeatSolver {
     void writeTable();
     void prepareBlock();
     void writeBlock(double seconds, std::span<const HeatSource> sources);
-    void writeSource(HeatSourceData& data, const HeatSource& source, int firstTileSum) const;
+    void writeSource(HeatSourceData& data, const HeatSource& source, int firstRowSum) const;
     void bind() const;
     void indirect(const gl::Program& program, size_t groups) const;
     void depositOffLattice();

@@ -8,9 +8,9 @@ layout(std430, binding = HEAT_CELL_RANGE) restrict buffer CellRanges { uvec2 cel
 
 /// What particles that share a cell exchange with it at least, in conductances of two neighbouring cells, times how full the
 /// cell is: evens out what the cells themselves cannot see. It also spreads heat, where the cells' unevenness hinders it: with
-/// 1.1 the two are even, and liquid conducts within 3 % of what it should, at rest or flowing; with 2 it would conduct 14 % too
-/// much.
-const float kCellExchange = 1.1;
+/// 1.22 the two are even, and liquid conducts within 2 % of what it should, at rest or flowing; with 1.3 it would conduct up to
+/// 3 % too much.
+const float kCellExchange = 1.22;
 
 /// Theta of the coldest and the hottest particle of a cell, W/m.
 struct CellRange {

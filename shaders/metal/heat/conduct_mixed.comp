@@ -1,7 +1,7 @@
 #version 450 core
-// Net power into each cell of the mixed tiles: conduction with its six neighbours through the Kirchhoff variable, and what
-// the sources give. One group a tile. Metal off the lattice shares cells here: a face conducts as the lesser filled of its
-// cells allows. The particles themselves lose heat through the free surface later.
+// Net power into each cell of the mixed tiles: conduction with its neighbours through the Kirchhoff variable, and what the
+// sources give. One group a tile. Metal off the lattice shares cells here: a face or a square conducts as the least filled of
+// its cells allows. The particles themselves lose heat through the free surface later.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/metal.h"
 layout(local_size_x = TILE_CELLS) in;
@@ -9,6 +9,7 @@ layout(local_size_x = TILE_CELLS) in;
 #include "metal/heat/neighbours.glsl"
 #include "metal/heat/cell_range.glsl"
 #include "metal/heat/free_surface.glsl"
+#include "metal/heat/squares.glsl"
 #include "metal/heat/source.glsl"
 #include "metal/heat/ledger.glsl"
 layout(std430, binding = HEAT_CELL_POWER) restrict writeonly buffer CellPower { float cellPower[]; };
@@ -46,9 +47,19 @@ void main() {
     inflow.low *= fillLow;
     inflow.high *= fillHigh;
     Power power = powerOf(inflow, n);
+    vec3 countLow = fillLow * vec3(n.openLow) * vec3(greaterThanEqual(n.low, vec3(0)));
+    vec3 countHigh = fillHigh * vec3(n.openHigh) * vec3(greaterThanEqual(n.high, vec3(0)));
+    SquareSum squares = squaresOf(tile, cell, stamp, theta, n, Side(offsets.low, offsets.edgeLow, n.low, countLow),
+                                  Side(offsets.high, offsets.edgeHigh, n.high, countHigh));
+    power.fromMetal += metal.spacing * squares.twist / 6.0;
     float flow = (power.fromMetal + power.fromWalls) / metal.spacing;
-    if (isShared(cell))
-        writeExchange(cell, exchangeFor(rangeOf(cell), theta, weight, flow, surroundingsOf(inflow, n, fillLow, fillHigh)));
+    if (isShared(cell)) {
+        Surroundings around = surroundingsOf(inflow, n, fillLow, fillHigh);
+        around.conductance -= squares.fill / 6.0;
+        around.coldest = min(around.coldest, squares.coldest);
+        around.hottest = max(around.hottest, squares.hottest);
+        writeExchange(cell, exchangeFor(rangeOf(cell), theta, weight, flow, around));
+    }
     FreeSurface surface = freeSurface(weight, weights);
     float given = 0.0;
     for (int i = 0; i < heatBlock.sourceCount; ++i) {

@@ -2,12 +2,13 @@
 // A whole step of the plain tiles, where metal on the lattice conducts and its surface loses heat to the air, and nothing
 // else happens: theta in one half of its buffer -> enthalpy, temperature, phase, theta in the other half. One group a tile,
 // an invocation for each row of four cells along x: a row and its neighbours along y and z are a texel each.
+// What flows is the same as in neighbours.glsl and squares.glsl.
 // Drivers that run on the CPU execute every line whether its condition holds or not: what only some tiles need is left to the
 // passes over mixed tiles.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/dispatch.h"
-#include "shared/metal.h"
-layout(local_size_x = TILE_CELLS / TILE_EDGE) in;
+#include "shared/heat.h"
+layout(local_size_x = TILE_ROWS) in;
 #include "metal/heat/common.glsl"
 #include "metal/heat/add_heat.glsl"
 #include "metal/heat/surface_loss.glsl"
@@ -17,43 +18,72 @@ layout(local_size_x = TILE_CELLS / TILE_EDGE) in;
 layout(binding = HEAT_TEXELS_THETA_ROWS) uniform samplerBuffer thetaRows;
 layout(binding = HEAT_TEXELS_LATTICE_ROWS) uniform usamplerBuffer latticeRows;
 
-/// A neighbouring tile.
-struct NeighbourTile {
+/// A tile that a row or its neighbours lie in.
+struct RowTile {
     int base;   // of its theta
     bool there; // not beyond the lattice's end
     bool open;  // it takes part in this step, so that both sides count the flow
 };
 
-NeighbourTile neighbourTile(int tile, int step, bool there) {
-    const int stamp = stampOf(there ? tile + step : tile);
-    return NeighbourTile(thetaBase(stamp, there ? tile + step : tile), there, tookPart(stamp, heatBlock.stepNumber));
+/// `diagonal`: the tile shares but an edge with the row's own.
+RowTile rowTile(int tile, bool there, bool diagonal) {
+    const int stamp = stampOf(there ? tile : 0);
+    const bool open = there && tookPart(stamp, heatBlock.stepNumber) && !(diagonal && (stamp & TILE_SHARED) != 0);
+    return RowTile(thetaBase(stamp, there ? tile : 0), there, open);
 }
 
-vec4 rowOf(int base, int row) { return texelFetch(thetaRows, base / TILE_EDGE + row); }
+/// Tiles side by side along x.
+struct TileRow {
+    RowTile before, here, after;
+};
 
-/// The neighbours of a row along y or z, of which one may be in another tile.
-struct NeighbourRows {
-    vec4 low, high;
-    bool openLow, openHigh;
+/// Those beside the tiles `own` in y or z: `tile` in their middle.
+TileRow tilesBeyond(TileRow own, int tile, bool there) {
+    return TileRow(rowTile(tile - 1, there && own.before.there, true), rowTile(tile, there, false),
+                   rowTile(tile + 1, there && own.after.there, true));
+}
+
+/// The way from a row to its neighbours along y or z, of which one may be in another tile.
+struct Way {
+    bool lowCrosses, highCrosses;
+    int lowStep, highStep; // from row to row in the tile that the neighbour is in
+    int tileStep;          // to that other tile
+    bool there;            // it is not beyond the lattice's end
 };
 
 /// `at`: coordinate of the row in its tile along the axis; `inner`: from one row to the next; `stride`: from one tile to the
 /// next; `tileAt`: coordinate of the tile along the axis, below `size`.
-NeighbourRows neighbourRows(int tile, int base, int row, int at, int inner, int stride, int tileAt, int size) {
+Way wayAlong(int at, int inner, int stride, int tileAt, int size) {
     const bool first = at == 0, last = at == TILE_EDGE - 1;
-    const NeighbourTile other = neighbourTile(tile, first ? -stride : stride, first ? tileAt > 0 : last && tileAt + 1 < size);
     const int across = (TILE_EDGE - 1) * inner;
-    NeighbourRows rows;
-    rows.low = rowOf(first ? other.base : base, row + (first ? across : -inner));
-    rows.high = rowOf(last ? other.base : base, row + (last ? -across : inner));
-    rows.low = first && !other.there ? vec4(kEmpty) : rows.low;
-    rows.high = last && !other.there ? vec4(kEmpty) : rows.high;
-    rows.openLow = !first || other.open;
-    rows.openHigh = !last || other.open;
-    return rows;
+    const bool there = first ? tileAt > 0 : last && tileAt + 1 < size;
+    return Way(first, last, first ? across : -inner, last ? -across : inner, first ? -stride : stride, there);
 }
 
-/// What flows into the four cells of a row: as Inflow and powerOf() in neighbours.glsl for one cell.
+/// Four cells along x and the cell at either end. Counts are 1 where metal conducts and its tile takes part, else 0.
+struct Row {
+    vec4 theta, counts;
+    float countBefore, before, after, countAfter;
+};
+
+float countOf(float theta, bool counts) { return float(theta >= 0.0 && counts); }
+
+Row rowIn(TileRow tiles, int row) {
+    Row r;
+    const int cell = TILE_EDGE * row;
+    r.theta = texelFetch(thetaRows, tiles.here.base / TILE_EDGE + row);
+    r.theta = tiles.here.there ? r.theta : vec4(kEmpty);
+    r.counts = vec4(greaterThanEqual(r.theta, vec4(0))) * float(tiles.here.open);
+    r.before = texelFetch(thetaTexels, tiles.before.base + cell + TILE_EDGE - 1).x;
+    r.before = tiles.before.there ? r.before : kEmpty;
+    r.after = texelFetch(thetaTexels, tiles.after.base + cell).x;
+    r.after = tiles.after.there ? r.after : kEmpty;
+    r.countBefore = countOf(r.before, tiles.before.open);
+    r.countAfter = countOf(r.after, tiles.after.open);
+    return r;
+}
+
+/// What flows into the four cells of a row.
 struct RowInflow {
     vec4 metal_, walls; // W/m
     vec4 largest;       // difference to a neighbour, W/m
@@ -66,32 +96,60 @@ vec4 sideInflow(vec4 neighbour, vec4 theta, bvec4 wall) {
     return mix(neighbour - theta, 2.0 * (-2.0 - neighbour - theta), wall) * (1.0 - vec4(equal(neighbour, vec4(kEmpty))));
 }
 
-void addAxis(inout RowInflow sum, vec4 theta, vec4 low, vec4 high, vec4 openLow, vec4 openHigh) {
+void addAxis(inout RowInflow sum, vec4 theta, vec4 low, vec4 high, vec4 countLow, vec4 countHigh) {
     const bvec4 wallLow = lessThan(low, vec4(-1.5));
     const bvec4 wallHigh = lessThan(high, vec4(-1.5));
     const vec4 fromLow = sideInflow(low, theta, wallLow);
     const vec4 fromHigh = sideInflow(high, theta, wallHigh);
     sum.walls += fromLow * vec4(wallLow) + fromHigh * vec4(wallHigh);
-    sum.metal_ += fromLow * openLow * vec4(not(wallLow)) + fromHigh * openHigh * vec4(not(wallHigh));
+    sum.metal_ += fromLow * countLow + fromHigh * countHigh;
     sum.largest = max(sum.largest, max(abs(fromLow), abs(fromHigh)));
     const vec4 open = vec4(equal(low, vec4(kEmpty))) + vec4(equal(high, vec4(kEmpty)));
     sum.openAxes += open * open;
 }
 
-RowInflow inflowOfRow(int tile, int base, int row, vec4 theta) {
+/// Sum of the twists (squares.glsl) of the squares that each cell of a row makes with its neighbours along x and in another row.
+vec4 twistAlongX(Row own, Row other) {
+    // Differences across to the other row, then along x.
+    const vec4 across = own.theta - other.theta;
+    const vec4 counts = own.counts * other.counts;
+    const float before = own.before - other.before, after = own.after - other.after;
+    const float countBefore = own.countBefore * other.countBefore, countAfter = own.countAfter * other.countAfter;
+    const vec4 low = (across - vec4(before, across.xyz)) * (counts * vec4(countBefore, counts.xyz));
+    return low + vec4(-low.yzw, (across.w - after) * (counts.w * countAfter));
+}
+
+/// The same of the square with a row along y, one along z and the one diagonally opposite in `tile`.
+vec4 twistAcross(Row own, Row y, Row z, RowTile tile, int row) {
+    const vec4 corner = texelFetch(thetaRows, tile.base / TILE_EDGE + row);
+    const vec4 counts = own.counts * y.counts * z.counts * vec4(greaterThanEqual(corner, vec4(0))) * float(tile.open);
+    return ((own.theta - z.theta) - (y.theta - corner)) * counts;
+}
+
+RowInflow inflowOfRow(int tile, int row, TileRow side, Row own) {
     const ivec3 place = tileCoordinate(tile);
     const ivec3 size = metal.tiles;
-    const NeighbourTile before = neighbourTile(tile, -1, place.x > 0);
-    const NeighbourTile after = neighbourTile(tile, 1, place.x + 1 < size.x);
-    const float ahead = before.there ? texelFetch(thetaTexels, before.base + TILE_EDGE * row + TILE_EDGE - 1).x : kEmpty;
-    const float behind = after.there ? texelFetch(thetaTexels, after.base + TILE_EDGE * row).x : kEmpty;
-    const NeighbourRows y = neighbourRows(tile, base, row, row % TILE_EDGE, 1, size.x, place.y, size.y);
-    const NeighbourRows z = neighbourRows(tile, base, row, row / TILE_EDGE, TILE_EDGE, size.x * size.y, place.z, size.z);
-    RowInflow sum = RowInflow(vec4(0), vec4(0), vec4(0), vec4(0));
-    addAxis(sum, theta, vec4(ahead, theta.xyz), vec4(theta.yzw, behind), vec4(before.open, 1, 1, 1),
-            vec4(1, 1, 1, after.open));
-    addAxis(sum, theta, y.low, y.high, vec4(y.openLow), vec4(y.openHigh));
-    addAxis(sum, theta, z.low, z.high, vec4(z.openLow), vec4(z.openHigh));
+    const Way y = wayAlong(row % TILE_EDGE, 1, size.x, place.y, size.y);
+    const Way z = wayAlong(row / TILE_EDGE, TILE_EDGE, size.x * size.y, place.z, size.z);
+    const TileRow beyondY = tilesBeyond(side, tile + y.tileStep, y.there);
+    const TileRow beyondZ = tilesBeyond(side, tile + z.tileStep, z.there);
+    const RowTile beyondBoth = rowTile(tile + y.tileStep + z.tileStep, y.there && z.there, true);
+    const Row lowY = rowIn(y.lowCrosses ? beyondY : side, row + y.lowStep);
+    const Row highY = rowIn(y.highCrosses ? beyondY : side, row + y.highStep);
+    const Row lowZ = rowIn(z.lowCrosses ? beyondZ : side, row + z.lowStep);
+    const Row highZ = rowIn(z.highCrosses ? beyondZ : side, row + z.highStep);
+#define CORNER(A, B)                                                                                                   \
+    twistAcross(own, A##Y, B##Z,                                                                                       \
+                y.A##Crosses ? (z.B##Crosses ? beyondBoth : beyondY.here) : (z.B##Crosses ? beyondZ.here : side.here), \
+                row + y.A##Step + z.B##Step)
+    const vec4 twist = (twistAlongX(own, lowY) + twistAlongX(own, highY)) + (twistAlongX(own, lowZ) + twistAlongX(own, highZ)) +
+                       (CORNER(low, low) + CORNER(high, low)) + (CORNER(low, high) + CORNER(high, high));
+#undef CORNER
+    RowInflow sum = RowInflow(twist / 6.0, vec4(0), vec4(0), vec4(0));
+    addAxis(sum, own.theta, vec4(own.before, own.theta.xyz), vec4(own.theta.yzw, own.after),
+            vec4(own.countBefore, own.counts.xyz), vec4(own.counts.yzw, own.countAfter));
+    addAxis(sum, own.theta, lowY.theta, highY.theta, lowY.counts, highY.counts);
+    addAxis(sum, own.theta, lowZ.theta, highZ.theta, lowZ.counts, highZ.counts);
     return sum;
 }
 
@@ -111,7 +169,7 @@ void advance(int cell, int otherHalf, uint entry, float theta, float metalFlow, 
     const vec2 power = dx * vec2(metalFlow, wallFlow);
     const uint slot = entry - 1u;
     const vec4 h = texelFetch(heatTexels, int(slot));
-    const float temperature = thermalState(h.x).x;
+    const float temperature = texelFetch(positionTexels, int(slot)).w; // as the last step left it
     const float losing = surfaceLoss(temperature, sqrt(openAxes) * dx * dx);
     const float lost = losing * elapsed; // may be due for several steps at once
     book(cell, power.y * heatBlock.timeStep, lost);
@@ -131,10 +189,13 @@ void main() {
     const int row = int(gl_LocalInvocationIndex);
     const int cell = tile * TILE_CELLS + TILE_EDGE * row;
     const int stamp = stampOf(tile);
-    const int base = thetaBase(stamp, tile);
     const int other = thetaBase(stamp ^ TILE_HALF, tile) + TILE_EDGE * row;
-    const vec4 theta = rowOf(base, row);
-    const RowInflow f = inflowOfRow(tile, base, row, theta);
+    const ivec3 place = tileCoordinate(tile);
+    const TileRow side = TileRow(rowTile(tile - 1, place.x > 0, false), rowTile(tile, true, false),
+                                 rowTile(tile + 1, place.x + 1 < metal.tiles.x, false));
+    const Row own = rowIn(side, row);
+    const vec4 theta = own.theta;
+    const RowInflow f = inflowOfRow(tile, row, side, own);
     const uvec4 entry = texelFetch(latticeRows, cell / TILE_EDGE);
     const float elapsed = elapsedOf(tile);
     Found found = Found(false, false, false);

@@ -57,7 +57,7 @@ void main() {
     int half_ = (stamp ^ (stamp >> 1)) & TILE_HALF; // a plain step changed halves
     bool awake = isAwake(notes) || neighbours.awake || neighbours.offLattice;
     if (!(losesHeat || offLattice || source || awake)) {
-        if ((stamp & TILE_PLAIN) != 0) tileStamp[tile] = (stamp & ~3) | half_;
+        if ((stamp & TILE_PLAIN) != 0) tileStamp[tile] = (stamp & ~(TILE_PLAIN | TILE_HALF)) | half_;
         return;
     }
     bool mixed = offLattice || neighbours.offLattice || source;
@@ -66,7 +66,7 @@ void main() {
 #endif
     tiles[tile].elapsed = elapsedSinceStep(tile, stamp);
     tiles[tile].endTime = heatBlock.endTime;
-    tileStamp[tile] = heatBlock.stepNumber << TILE_STEP_SHIFT | (mixed ? 0 : TILE_PLAIN) | half_;
+    tileStamp[tile] = heatBlock.stepNumber << TILE_STEP_SHIFT | (offLattice ? TILE_SHARED : 0) | (mixed ? 0 : TILE_PLAIN) | half_;
     if (mixed)
         lists[heatBlock.tileCount + int(atomicAdd(control.mixedTiles.x, 1u))] = uint(tile);
     else

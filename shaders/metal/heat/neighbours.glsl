@@ -26,6 +26,7 @@ NeighbourOffsets neighbourOffsets(ivec3 tilePlace, int inside) {
 struct Neighbours {
     vec3 low, high;          // Kirchhoff variable
     bvec3 openLow, openHigh; // the neighbour's tile takes part in this step, so that both sides count the flow
+    ivec3 tiles, stamps;     // of the neighbour in another tile; of the cell's own where there is none
 };
 
 /// The six neighbours of cell `inside` of `tile`, which takes part in this step with `stamp`.
@@ -48,6 +49,8 @@ Neighbours readNeighbours(int tile, int stamp, int inside, NeighbourOffsets offs
     n.high = mix(n.high, vec3(kEmpty), offsets.endHigh);
     n.openLow = bvec3(ivec3(not(offsets.edgeLow)) | ivec3(open));
     n.openHigh = bvec3(ivec3(not(offsets.edgeHigh)) | ivec3(open));
+    n.tiles = others;
+    n.stamps = stamps;
     return n;
 }
 

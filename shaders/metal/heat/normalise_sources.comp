@@ -1,6 +1,6 @@
 #version 450 core
-// Adds up the tile sums of each source, in a fixed order: one group a source. The totals stand in front of the tile sums.
-// Tiles without metal take no part and have no sum.
+// Adds up the row sums of each source, in a fixed order: one group a source. The totals stand in front of the row sums. Tiles
+// without metal take no part and have no sum.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/dispatch.h"
 layout(local_size_x = GROUP_SIZE) in;
@@ -9,13 +9,19 @@ layout(std430, binding = HEAT_SOURCE_SUMS) restrict buffer SourceSums { float so
 
 shared float sums[GROUP_SIZE];
 
+float tileSum(int firstRow) {
+    float sum = 0.0;
+    for (int row = 0; row < TILE_ROWS; ++row) sum += sourceSum[firstRow + row];
+    return sum;
+}
+
 void main() {
     int source = int(gl_WorkGroupID.x);
     int lane = int(gl_LocalInvocationIndex);
     HeatSourceData s = heatBlock.sources[source];
     float sum = 0.0;
     for (int i = lane; i < s.tileCount; i += GROUP_SIZE)
-        if (tookPart(stampOf(tileIndex(sourceTile(s, i))), heatBlock.stepNumber)) sum += sourceSum[s.firstTileSum + i];
+        if (tookPart(stampOf(tileIndex(sourceTile(s, i))), heatBlock.stepNumber)) sum += tileSum(s.firstRowSum + TILE_ROWS * i);
     sums[lane] = sum;
     barrier();
     if (lane != 0) return;
