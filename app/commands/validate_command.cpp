@@ -8,6 +8,7 @@
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"
 #include "core/gl/context.hpp"
+#include "core/validation/mean_errors.hpp"
 #include "core/validation/validation.hpp"
 
 #include <nlohmann/json.hpp>
@@ -56,6 +57,17 @@ Json resultJson(const ValidationResult& result) {
     return json;
 }
 
+Json meanErrorJson(const MeanError& error) {
+    return {{"name", error.name},
+            {"count", error.count},
+            {"percent", error.percent},
+            {"bias_percent", error.bias},
+            {"difference", error.difference},
+            {"worst_percent", error.worstPercent},
+            {"worst_difference", error.worstDifference},
+            {"worst_case", error.worstCase}};
+}
+
 /// The file of --json. Written anew after every case, so that a run that is stopped keeps what it had.
 class NumbersFile {
   public:
@@ -73,7 +85,10 @@ class NumbersFile {
         keep();
     }
 
-    void finish(bool passed) {
+    void finish(bool passed, std::span<const MeanError> errors) {
+        json_["mean_errors"] = Json::array();
+        for (const MeanError& error : errors)
+            json_["mean_errors"].push_back(meanErrorJson(error));
         json_["complete"] = true;
         json_["passed"] = passed;
         if (!file_.empty())
@@ -155,25 +170,27 @@ bool runValidation(const ValidationRequest& request) {
     NumbersFile numbers(request.json, context);
     Ends ends;
     std::vector<std::string> failed;
+    std::vector<ValidationResult> results;
     std::fputs(validationHeads().c_str(), stdout);
-    size_t done = 0;
     for (const ValidationCase& one : cases) {
         if (StopSignals::asked())
-            throw RuntimeFault("the validation was stopped after " + std::to_string(done) + " of " +
+            throw RuntimeFault("the validation was stopped after " + std::to_string(results.size()) + " of " +
                                std::to_string(cases.size()) + " cases");
         ValidationResult result;
         ends.run(one, shaders, result);
         std::fputs(validationText(result).c_str(), stdout);
         std::fflush(stdout);
         numbers.add(result);
-        ++done;
         if (!result.passed()) failed.push_back(result.name);
+        results.push_back(std::move(result));
     }
+    const std::vector<MeanError> errors = meanErrors(results);
+    std::fputs(meanErrorsText(errors).c_str(), stdout);
     std::printf("%zu of %zu cases passed\n", cases.size() - failed.size(), cases.size());
     for (const std::string& name : failed)
         std::printf("failed: %s\n", name.c_str());
     std::fflush(stdout);
-    numbers.finish(failed.empty());
+    numbers.finish(failed.empty(), errors);
     if (!ends.input.empty()) throw InputError(ends.input);
     if (!ends.machine.empty()) throw RuntimeFault(ends.machine);
     return failed.empty();

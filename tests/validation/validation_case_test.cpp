@@ -342,7 +342,9 @@ TEST_CASE("The cases beside the shipped ones read, each with what was measured",
     };
     for (const Folder& folder :
          {Folder{"logged", 15, {"current_a", "toe_width_mm", "height_mm", "edge_angle_deg"}},
-          Folder{"vendor", 8, {"current_a", "leg_mm"}}, Folder{"pyrometer", 9, {"cooling_rate_k_s"}}}) {
+          Folder{"vendor", 8, {"current_a", "leg_mm"}}, Folder{"pyrometer", 9, {"cooling_rate_k_s"}},
+          Folder{"replicated", 12, {"height_mm"}}, Folder{"clad", 8, {"penetration_mm", "toe_width_mm", "height_mm"}},
+          Folder{"spots", 6, {"diameter_mm"}}}) {
         const auto files = validationCaseFiles(test::testFolder() / "validation" / folder.name);
         CHECK(files.size() == folder.cases);
         for (const auto& file : files) {

@@ -48,6 +48,14 @@ ArcAction after(Process& process, double mm, float trigger = 1) {
     return process.arc().action;
 }
 
+NoArc whyNoArc(Process& process, double mm, float trigger) {
+    const bool out = after(process, mm, trigger) == ArcAction::out;
+    CHECK(out == (process.arc().noArc != NoArc::burns));
+    return process.arc().noArc;
+}
+
+constexpr double kNowhere = std::numeric_limits<double>::infinity();
+
 } // namespace
 
 TEST_CASE("only the settings of the chosen process are described, and each is in its range") {
@@ -116,12 +124,7 @@ TEST_CASE("a GTAW torch says why it has no arc: why it went out, and why it does
     ProcessSettings settings;
     settings.choose<Gtaw>().current = 130;
     const auto process = made(settings);
-    const auto why = [&](double mm, float trigger = 1) {
-        const bool out = after(*process, mm, trigger) == ArcAction::out;
-        CHECK(out == (process->arc().noArc != NoArc::burns));
-        return process->arc().noArc;
-    };
-    constexpr double kNowhere = std::numeric_limits<double>::infinity();
+    const auto why = [&](double mm, float trigger = 1) { return whyNoArc(*process, mm, trigger); };
     CHECK(why(3, 0) == NoArc::released);
     CHECK(why(kNowhere) == NoArc::noMetal);
     CHECK(why(8) == NoArc::tooFar);
@@ -145,12 +148,7 @@ TEST_CASE("a GMAW torch says why it has no arc, and that a wire is on its way or
     GmawSettings& gmaw = settings.choose<Gmaw>();
     gmaw.voltage = 22;
     const auto process = made(settings);
-    const auto why = [&](double mm, float trigger = 1) {
-        const bool out = after(*process, mm, trigger) == ArcAction::out;
-        CHECK(out == (process->arc().noArc != NoArc::burns));
-        return process->arc().noArc;
-    };
-    constexpr double kNowhere = std::numeric_limits<double>::infinity();
+    const auto why = [&](double mm, float trigger = 1) { return whyNoArc(*process, mm, trigger); };
     CHECK(why(15, 0) == NoArc::released);
     CHECK(why(kNowhere) == NoArc::noMetal);
     CHECK(why(40) == NoArc::feeding);
