@@ -121,7 +121,9 @@ void WireArc::burn(const WireFeed& feed, double distance, double seconds) {
         extension_ = before + fed_;
         return;
     }
-    if (excess(distance) < 0) return shortCircuit(feed, distance, seconds);
+    const bool nearby = distance - before < kLongestDipArc;
+    const bool cannotStayOpen = balancedLength(feed, std::min(before, distance)) <= 0;
+    if (excess(distance) < 0 || (nearby && cannotStayOpen)) return shortCircuit(feed, distance, seconds);
     double low = 0, high = distance;
     for (int i = 0; i < kHalvings; ++i) {
         const double middle = 0.5 * (low + high);
@@ -143,16 +145,18 @@ void WireArc::burn(const WireFeed& feed, double distance, double seconds) {
     action_ = stretch_ > kBreakingStretch ? ArcAction::breaking : ArcAction::burning;
 }
 
-/// The arc cannot keep the wire's end off the metal: it shorts and re-ignites many times in a step, and the mean
-/// current is what melts the wire as fast as it comes.
+/// The arc cannot keep the wire's end off the metal: it shorts and re-ignites again and again, and the mean current is
+/// what melts the wire as fast as it comes. The pool heaves under the wire, which follows it within some short
+/// circuits.
 void WireArc::shortCircuit(const WireFeed& feed, double distance, double seconds) {
     const double before = extension_;
-    const double arriving = feed.speed - (distance - before) / seconds;
-    const double wanted = feed.melting.current(std::max(arriving, 0.0), distance);
+    const double hot = std::min(before, distance); // what is in the metal already carries no current of its own
+    const double arriving = feed.speed - (distance - before) / std::max(kDipTime, seconds);
+    const double wanted = feed.melting.current(std::max(arriving, 0.0), hot);
     const double most = shortCurrent(feed);
     current_ = std::min(wanted, most);
     voltage_ = terminalVoltage(feed, current_);
-    const double melting = meltingSpeed(feed, current_, voltage_, distance);
+    const double melting = meltingSpeed(feed, current_, voltage_, hot);
     const double bearable = std::min(std::max(arriving, 0.0), melting);
     extension_ = std::max(before + seconds * (feed.speed - bearable), 0.0);
     melted_ = seconds * bearable;

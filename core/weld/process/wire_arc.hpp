@@ -46,6 +46,13 @@ inline constexpr double kLeastArcCurrent = 20;
 /// than the shortest open arc needs stub.
 inline constexpr double kStubShare = 0.75;
 
+/// s in which a dipping wire follows the metal that rises or falls under it: some of its 20 to 200 short circuits a
+/// second. None: chosen.
+inline constexpr double kDipTime = 0.05;
+/// m that the metal may fall away from a dipping wire before its arc counts as open: an arc of such a length on the
+/// voltage of dip transfer goes out. None: chosen.
+inline constexpr double kLongestDipArc = 3e-3;
+
 /// One wire on one machine. Between steps it keeps the extension and whether an arc burns.
 class WireArc {
   public:
