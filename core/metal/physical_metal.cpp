@@ -18,27 +18,22 @@ constexpr double kHottest = 3500; ///< K, above which no metal here stays liquid
 constexpr double kRoomTemperature = 293.15;
 constexpr float kLongestFlight = 0.03F; ///< m that a drop may fly outside the space before it enters
 
-// Liquid that reaches cold metal of its own kind freezes at the line of contact, which stops at about a right angle
-// (Schiaffino and Sonin 1997); it runs on where the metal is so hot that it does not freeze there: above the
-// temperature whose mean with that of liquid a quarter over the solidus is the solidus, and wholly from the solidus on.
-constexpr double kColdWetting = 0.6; ///< 86 degrees
-constexpr double kColdShare = 0.75;  ///< of the solidus
-
 /// The density that masses are made from: of the solid at room temperature, for which workpieces are measured.
 double massDensity(const Material& material) {
     return material.solidDensity.at(kRoomTemperature);
 }
 
-FlowFluid fluidOf(const Material& material, float spacing, double wetting, bool marangoni) {
+FlowFluid fluidOf(const PhysicalSetup& setup) {
+    const Material& material = setup.material;
     FlowFluid fluid;
-    fluid.spacing = static_cast<double>(spacing);
+    fluid.spacing = static_cast<double>(setup.lattice.spacing);
     fluid.density = massDensity(material);
-    fluid.wetting = wetting;
-    fluid.coldWetting = std::min(wetting, kColdWetting);
-    fluid.coldBelow = kColdShare * material.solidus;
-    fluid.warmAbove = material.solidus;
+    fluid.wetting = setup.wetting;
+    fluid.coldWetting = std::min(setup.wetting, setup.coldWetting);
+    fluid.coldBelow = setup.coldShare * material.solidus;
+    fluid.warmAbove = setup.warmShare * material.solidus;
     fluid.tension = material.surfaceTension.at(material.liquidus);
-    fluid.tensionSlope = marangoni ? material.tensionSlope() : 0;
+    fluid.tensionSlope = setup.marangoni ? material.tensionSlope() : 0;
     fluid.viscosity = material.viscosity.at(material.liquidus);
     fluid.expansion = material.expansion.at(material.liquidus);
     fluid.referenceTemperature = material.liquidus;
@@ -105,9 +100,7 @@ void PhysicalMetal::reset() {
     state_->setGravity(setup_.gravity);
     state_->add(setup_.seeds);
     heat_ = std::make_unique<HeatSolver>(shaders_, *state_, setup_.material, setup_.heat);
-    flow_ = std::make_unique<Flow>(shaders_, *state_,
-                                   fluidOf(setup_.material, setup_.lattice.spacing, setup_.wetting, setup_.marangoni),
-                                   setup_.space);
+    flow_ = std::make_unique<Flow>(shaders_, *state_, fluidOf(setup_), setup_.space);
     fragments_ = std::make_unique<RigidFragments>(shaders_, *state_, setup_.fragments);
     fragments_->relabelNow(nullptr);
     timeStep_ = static_cast<float>(chooseTimeStep(static_cast<double>(setup_.timeStep), heat_->longestStep(kHottest),

@@ -1,5 +1,7 @@
 #include "core/weld/weld.hpp"
 
+#include "core/weld/process/weld_constants.hpp"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -37,6 +39,9 @@ PhysicalSetup setupOf(const Material& material, const Workpiece& workpiece, cons
     setup.fillerRoom = around.fillerRoom;
     setup.space.low = workpiece.low;
     setup.space.high = workpiece.high;
+    setup.coldWetting = kColdWetting;
+    setup.coldShare = kColdShare;
+    setup.warmShare = kWarmShare;
     setup.fragments.floorHeight = workpiece.floorHeight;
     setup.heat.ambient = around.ambient;
     setup.heat.ledger = around.ledger;

@@ -1,5 +1,7 @@
 #include "core/weld/process/arc.hpp"
 
+#include "core/weld/process/weld_constants.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,11 +10,6 @@ namespace meltpool {
 
 namespace {
 
-/// Fitted to width and penetration of Park's GMAW bead (tests/validation/cases/bead_gmaw_park.toml) together with
-/// kArcStirring. Errors of width and penetration with a stirring of 3: 0.45: 4.7 and 3.8 %, 0.50: 3.7 and 12 %; of 4:
-/// 0.39: 2.6 and 34 %, 0.50: 4.5 and 4.0 %, 0.60: 2.5 and 18 %. It makes 1.8 mm at 190 A and an arc of 5 mm: GMAW arcs
-/// are narrower than the GTAW arcs that the law was measured with.
-constexpr double kFittedSpread = 0.45;
 constexpr double kMm = 1e-3;
 
 } // namespace
@@ -30,8 +27,8 @@ std::string_view noArcName(NoArc reason) {
 }
 
 double arcHeatRadius(double length, double current) {
-    const double millimetres = std::max(length / kMm, 1.0);
-    return kFittedSpread * 0.53 * kMm * std::pow(millimetres, 0.29) * std::pow(std::max(current, 1.0), 0.30);
+    const double millimetres = std::max(length, kShortestSpread) / kMm;
+    return kArcSpread * 0.53 * kMm * std::pow(millimetres, 0.29) * std::pow(std::max(current, 1.0), 0.30);
 }
 
 } // namespace meltpool

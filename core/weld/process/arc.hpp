@@ -66,20 +66,8 @@ struct ArcState {
 };
 
 /// Standard deviation (m) of the heat flux of an arc of `length` (m) and `current` (A) on the surface:
-/// 0.53 mm (L/mm)^0.29 (I/A)^0.30 as measured on copper anodes with GTAW, times a factor fitted to one GMAW bead (see
-/// the definition). Arcs shorter than 1 mm count as 1 mm.
+/// 0.53 mm (L/mm)^0.29 (I/A)^0.30 as measured on copper anodes with GTAW, times kArcSpread. Arcs shorter than
+/// kShortestSpread count as that long.
 double arcHeatRadius(double length, double current);
-
-/// Share of the electric power that reaches the metal, by measurement: GTAW 0.77, GMAW 0.85 (calorimetry of several
-/// authors, 0.73-0.82 and 0.84-0.85). Not the factors of EN 1011-1, which are for procedure sheets.
-inline constexpr double kGtawEfficiency = 0.77;
-inline constexpr double kGmawEfficiency = 0.85;
-
-/// Times the metal's own conductivity that its liquid conducts under an arc: the stirring by drops, pressure and
-/// surface tension that particles of a millimetre do not resolve. Fitted to Park's bead; the same for every arc weld.
-inline constexpr double kArcStirring = 3;
-
-/// Temperature (K) at which drops leave the wire. 2200 °C; measured ones lie between 2000 and 2600 °C.
-inline constexpr double kDropTemperature = 2473.15;
 
 } // namespace meltpool

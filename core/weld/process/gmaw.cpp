@@ -16,7 +16,6 @@ constexpr std::array<float, 3> kInductanceRates{1.4F, 1.0F, 0.7F}; // of the sho
 constexpr float kMm = 1e-3F;
 constexpr float kMetresPerMinute = 1.0F / 60;
 constexpr float kPulled = 0.05F;     // of a trigger that is a switch
-constexpr float kDropSpeed = 0.3F;   // m/s of drops that leave the wire; dip and globular transfer, high-speed films
 constexpr float kFreeWay = 3;        // spacings that a drop falls at least: metal is not put into metal
 constexpr float kLookBeyond = 0.03F; // m that metal is looked for beyond the wire's end
 /// m of wire that stand out straight at most; what is longer hangs down and finds no metal on the axis. None: chosen.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/weld/process/process.hpp"
+#include "core/weld/process/weld_constants.hpp"
 
 namespace meltpool {
 

@@ -1,5 +1,7 @@
 #include "core/weld/process/process.hpp"
 
+#include "core/weld/process/weld_constants.hpp"
+
 #include <algorithm>
 
 namespace meltpool {

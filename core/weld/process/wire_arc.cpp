@@ -7,9 +7,6 @@ namespace meltpool {
 
 namespace {
 
-constexpr double kReferenceDiameter = 1.2e-3; // m
-constexpr double kReferenceAlpha = 0.30e-3;   // m/(A s)
-constexpr double kReferenceBeta = 5e-5;       // 1/(A² s)
 constexpr double kBreakingStretch = 0.7;
 constexpr int kHalvings = 48; // of an interval of some metres: to far below a nanometre
 
@@ -38,7 +35,7 @@ double balancedLength(const WireFeed& feed, double extension) {
 } // namespace
 
 WireMelting WireMelting::steel(double diameter) {
-    const double ratio = kReferenceDiameter / diameter;
+    const double ratio = kReferenceWire / diameter;
     return {kReferenceAlpha * ratio * ratio, kReferenceBeta * ratio * ratio * ratio * ratio};
 }
 

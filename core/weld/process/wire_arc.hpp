@@ -3,13 +3,13 @@
 #pragma once
 
 #include "core/weld/process/arc.hpp"
+#include "core/weld/process/weld_constants.hpp"
 
 namespace meltpool {
 
 /// How fast a wire melts: alpha I + beta s I² (m/s) with the extension s. The first term is the arc's heat, the second
-/// the resistance of the wire (Lesnewich 1958; Halmoy 1979). alpha and beta are for steel, scaled from 1.2 mm by the
-/// cross-section: 0.30 mm/(A s) and 5e-5 1/(A² s). For 1.0 mm they give 0.432 and 1.04e-4, against 0.410 and 1.05e-4 in
-/// 30 logged beads.
+/// the resistance of the wire (Lesnewich 1958; Halmoy 1979). alpha and beta are for steel, scaled by the cross-section
+/// from kReferenceAlpha and kReferenceBeta.
 struct WireMelting {
     double alpha = 0; ///< m/(A s)
     double beta = 0;  ///< 1/(A² s)
@@ -29,29 +29,6 @@ struct WireFeed {
     double meltingEnergy =
         0; ///< J of electric energy that melt a metre of wire, heat that is lost included; 0: unknown
 };
-
-/// V0 of an arc: the falls at its ends. Control literature for 1.0 mm steel wire; no document was checked.
-inline constexpr double kArcFallVoltage = 15.7;
-/// V/m along the column of the arc; same origin.
-inline constexpr double kArcField = 640;
-/// Ohm of the wire's extension and its contact; same origin.
-inline constexpr double kWireResistance = 0.026;
-/// A, most that the machine gives into a short circuit. A machine of the 500 A class; no document was checked.
-inline constexpr double kShortCircuitCurrent = 600;
-/// m from the contact tip to the metal below which the wire cannot come out. None: chosen.
-inline constexpr double kBlockedTip = 1e-3;
-/// A below which an arc between steel and a thin wire does not hold. Trade knowledge; no document was checked.
-inline constexpr double kLeastArcCurrent = 20;
-/// Share of the arc's own voltage, on average, below which the wire stays in the metal. None: chosen so that 4 V less
-/// than the shortest open arc needs stub.
-inline constexpr double kStubShare = 0.75;
-
-/// s in which a dipping wire follows the metal that rises or falls under it: some of its 20 to 200 short circuits a
-/// second. None: chosen.
-inline constexpr double kDipTime = 0.05;
-/// m that the metal may fall away from a dipping wire before its arc counts as open: an arc of such a length on the
-/// voltage of dip transfer goes out. None: chosen.
-inline constexpr double kLongestDipArc = 3e-3;
 
 /// One wire on one machine. Between steps it keeps the extension and whether an arc burns.
 class WireArc {

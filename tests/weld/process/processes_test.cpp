@@ -1,5 +1,6 @@
 // Each process as lessons use it: what it takes from the settings, when it burns, and that its heat and wire add up.
 #include "core/weld/process/processes.hpp"
+#include "core/weld/process/weld_constants.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
@@ -276,6 +277,6 @@ TEST_CASE("an arc presses by its current, a flame does not") {
 TEST_CASE("an arc's heat is the wider the longer and stronger the arc is") {
     CHECK(arcHeatRadius(3e-3, 200) > arcHeatRadius(1e-3, 200));
     CHECK(arcHeatRadius(3e-3, 300) > arcHeatRadius(3e-3, 200));
-    CHECK(arcHeatRadius(0, 200) == arcHeatRadius(1e-3, 200));
-    CHECK(arcHeatRadius(5e-3, 190) == Approx(1.84e-3).epsilon(0.02)); // Park's bead, which it was fitted on
+    CHECK(arcHeatRadius(0, 200) == arcHeatRadius(kShortestSpread, 200)); // dip transfer
+    CHECK(arcHeatRadius(5e-3, 190) == Approx(1.84e-3).epsilon(0.02));    // Park's bead, which it was fitted on
 }

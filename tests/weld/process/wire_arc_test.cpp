@@ -26,16 +26,47 @@ WireArc settled(const WireFeed& feed, double ctwd) {
 
 } // namespace
 
-TEST_CASE("0.9 mm wire at 5.8 m/min takes 140, 125 and 115 A at 7, 12 and 17 mm of extension") {
+TEST_CASE("0.9 mm wire at 5.8 m/min takes 140, 125 and 115 A at 7, 12 and 17 mm of extension, within 4 %") {
     const WireMelting wire = WireMelting::steel(0.9 * kMm);
-    CHECK(wire.alpha == Approx(0.533e-3).epsilon(0.002));
-    CHECK(wire.beta == Approx(1.58e-4).epsilon(0.002));
+    CHECK(wire.alpha == Approx(kReferenceAlpha * 16 / 9)); // by the cross-section
+    CHECK(wire.beta == Approx(kReferenceBeta * 256 / 81));
     const double feed = 5.8 / 60;
-    CHECK(wire.current(feed, 7 * kMm) == Approx(140).epsilon(0.01));
-    CHECK(wire.current(feed, 12 * kMm) == Approx(125).epsilon(0.01));
-    CHECK(wire.current(feed, 17 * kMm) == Approx(115).epsilon(0.01));
+    CHECK(wire.current(feed, 7 * kMm) == Approx(140).epsilon(0.04));
+    CHECK(wire.current(feed, 12 * kMm) == Approx(125).epsilon(0.04));
+    CHECK(wire.current(feed, 17 * kMm) == Approx(115).epsilon(0.04));
     for (const double extension : {0.0, 3e-3, 40e-3})
         CHECK(wire.speed(wire.current(feed, extension), extension) == Approx(feed));
+}
+
+TEST_CASE("a wire melts at the currents of the six logged beads that it was fitted on, within 12 %") {
+    // Feed (m/min) and current (A) of B008, B022, B028, B020, B026 and B016, 12 to 13 mm from the bead's crown.
+    for (const auto& [feed, current] :
+         {std::pair(2.3, 66.2), {2.51, 77.8}, {4.64, 138.0}, {5.49, 147.9}, {6.91, 170.4}, {8.15, 201.5}}) {
+        const WireMelting wire = WireMelting::steel(1e-3);
+        CHECK(wire.current(feed / 60, 12.5 * kMm) == Approx(current).epsilon(0.12));
+    }
+}
+
+TEST_CASE("a dipping wire bears a pool that heaves under it, and its mean current stays that of its feed") {
+    const WireFeed feed = machine(16.2, 1.0, 6.9);
+    WireArc wire = settled(feed, 14 * kMm);
+    const double calm = wire.current();
+    double sum = 0, melted = 0;
+    const double before = wire.extension();
+    constexpr int kSteps = 400;
+    for (int i = 0; i < kSteps; ++i) {
+        const double distance = 14 * kMm + (i * 7 % 5 - 2) * 0.7 * kMm; // jumps of up to 2.8 mm
+        wire.step(feed, distance, kStep);
+        CHECK(wire.action() == ArcAction::shorting);
+        sum += wire.current();
+        melted += wire.melted();
+    }
+    CHECK(sum / kSteps == Approx(calm).epsilon(0.05));
+    CHECK(melted + wire.extension() - before == Approx(feed.speed * kStep * kSteps));
+    // A torch that is torn off loses its arc all the same.
+    for (int i = 0; i < 3 && wire.action() != ArcAction::out; ++i)
+        wire.step(feed, 30 * kMm, kStep);
+    CHECK(wire.action() == ArcAction::out);
 }
 
 TEST_CASE("at each distance the arc settles where the wire melts as fast as it comes") {

@@ -1,0 +1,75 @@
+// Every constant of the arc welding processes that is not the metal's own: unit, meaning, and its source or what it was
+// fitted on. Lessons and validation weld with these.
+//
+// "Fitted on A" are the logged beads B002, B008, B016, B020, B026 and B028 (tests/validation/logged), "fitted on B"
+// Park's bead (tests/validation/cases/bead_gmaw_park.toml). The other logged beads, the replicated, clad, vendors' and
+// pyrometer's welds were not used.
+#pragma once
+
+namespace meltpool {
+
+// The wire of GMAW: it melts at alpha I + beta s I² with the extension s (Lesnewich 1958; Halmoy 1979), see
+// WireMelting.
+
+/// m, diameter of the wire that the next two are for; others scale by the cross-section.
+inline constexpr double kReferenceWire = 1.2e-3;
+/// m/(A s), melting by the arc's heat. Fitted on A; the classic value for steel is 0.30e-3.
+inline constexpr double kReferenceAlpha = 0.28e-3;
+/// 1/(A² s), melting by the wire's resistance. Fitted on A; the classic value for steel is 5e-5.
+inline constexpr double kReferenceBeta = 6.3e-5;
+
+// The circuit of GMAW: U = V0 + E L + R I.
+
+/// V, the falls at the arc's ends. Control literature for 1.0 mm steel wire; no document was checked.
+inline constexpr double kArcFallVoltage = 15.7;
+/// V/m along the column of the arc. Fitted on A; control literature has 640 for 1.0 mm steel wire.
+inline constexpr double kArcField = 1000;
+/// Ohm of the wire's extension and its contact. Control literature; no document was checked.
+inline constexpr double kWireResistance = 0.026;
+/// A, most that the machine gives into a short circuit. A machine of the 500 A class; no document was checked.
+inline constexpr double kShortCircuitCurrent = 600;
+/// m from the contact tip to the metal below which the wire cannot come out. None: chosen.
+inline constexpr double kBlockedTip = 1e-3;
+/// A below which an arc between steel and a thin wire does not hold. Trade knowledge; no document was checked.
+inline constexpr double kLeastArcCurrent = 20;
+/// Share of the arc's own voltage, on average, below which the wire stays in the metal. None: chosen; the logged beads
+/// burned at 0.64 and more.
+inline constexpr double kStubShare = 0.6;
+/// s in which a dipping wire follows the metal that rises or falls under it: some of its 20 to 200 short circuits a
+/// second. None: chosen.
+inline constexpr double kDipTime = 0.05;
+/// m that the metal may fall away from a dipping wire before its arc counts as open: an arc of such a length on the
+/// voltage of dip transfer goes out. None: chosen.
+inline constexpr double kLongestDipArc = 3e-3;
+
+// Heat.
+
+/// Share of GTAW's electric power that reaches the metal. Calorimetry of several authors, 0.73 to 0.82. Not the factor
+/// of EN 1011-1, which is for procedure sheets.
+inline constexpr double kGtawEfficiency = 0.77;
+/// The same of GMAW, 0.84 to 0.85.
+inline constexpr double kGmawEfficiency = 0.85;
+/// K at which drops leave the wire: 2200 °C; measured ones lie between 2000 and 2600 °C.
+inline constexpr double kDropTemperature = 2473.15;
+/// m/s at which they leave it. High-speed films of dip and globular transfer.
+inline constexpr float kDropSpeed = 0.3F;
+/// Times the radius of heat that was measured on copper anodes with GTAW, see arcHeatRadius(). Fitted on B: GMAW arcs
+/// are narrower.
+inline constexpr double kArcSpread = 0.45;
+/// m; a shorter arc spreads its heat as one of this length does: the mean length in dip transfer. Fitted on A.
+inline constexpr double kShortestSpread = 0.3e-3;
+/// Times the metal's own conductivity that its liquid conducts under an arc: the stirring by drops, pressure and
+/// surface tension that particles of a millimetre do not resolve. Fitted on B; the same for every arc weld.
+inline constexpr double kArcStirring = 3;
+
+// Wetting of still metal by liquid metal of its own kind. Liquid that reaches cold metal freezes at the line of
+// contact, which stops (Schiaffino and Sonin 1997); it runs on where the metal is so hot that it does not freeze there.
+
+/// Weight of cold metal against liquid, see wettingForAngle(): a contact angle of 115 degrees. Fitted on A.
+inline constexpr double kColdWetting = 0.35;
+/// Of the solidus in K: all metal up to here is cold. Fitted on A.
+inline constexpr double kColdShare = 0.78;
+/// Of the solidus in K: metal from here on is wetted wholly. Fitted on A.
+inline constexpr double kWarmShare = 0.83;
+
+} // namespace meltpool
