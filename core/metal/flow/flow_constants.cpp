@@ -14,7 +14,7 @@ constexpr double kLatticeSum = 1.0064; // of V W over a cubic lattice of rest de
 constexpr double kStiffness = 12.15;   // rho c² spacing / gamma
 constexpr double kCompression = 0.2;   // by cohesion at that stiffness; true density comes out at 1.0 .. 1.03
 constexpr double kCohesion = 2049;
-constexpr double kArea = 0.1489;
+constexpr double kArea = 0.375;
 // Sums over a lattice of this support lack 0 .. 7 % of the continuum's viscosity, by its direction.
 constexpr double kFriction = 10.3;
 // The liquid comes to rest at the wall's surface, half a spacing before its first particles: their friction is that
@@ -64,8 +64,16 @@ double arcPressurePeak(double current, double sigma) {
 
 double wettingForAngle(double angle) {
     // Contact angles (degrees) that drops of 500 mm³ show by their height, at 1 mm spacing.
-    static constexpr std::array<std::array<double, 2>, 8> kMeasured{
-        {{0, 1}, {29.4, 0.9}, {60.2, 0.8}, {73.1, 0.7}, {86.0, 0.6}, {96.2, 0.5}, {129.5, 0.25}, {180, 0}}};
+    static constexpr std::array<std::array<double, 2>, 10> kMeasured{{{0, 1},
+                                                                      {27.2, 0.9},
+                                                                      {49.3, 0.8},
+                                                                      {68.5, 0.7},
+                                                                      {82.2, 0.6},
+                                                                      {92.5, 0.5},
+                                                                      {103.9, 0.4},
+                                                                      {123.7, 0.25},
+                                                                      {141.1, 0.1},
+                                                                      {180, 0}}};
     const double degrees = std::clamp(angle * 180 / std::numbers::pi, 0.0, 180.0);
     for (size_t i = 1; i < kMeasured.size(); ++i)
         if (degrees <= kMeasured[i][0]) {

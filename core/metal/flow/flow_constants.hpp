@@ -49,12 +49,12 @@ struct FlowConstants {
     double kinematicViscosity; ///< m²/s, with its lower bound
     double friction;     ///< of pairs, m²/s: 10.3 of it, calibrated on plates; 10 in the limit of many neighbours
     double cohesion;     ///< 2049 gamma V²/H⁵ over the mass, m/s²
-    double area;         ///< 0.1489 gamma V/H over the mass, m²/s²
+    double area;         ///< 0.375 gamma V/H over the mass, m²/s²
     double wallFriction; ///< of wall metal against liquid, times that of liquid against liquid
     double mushyDrag;    ///< over density, 1/s
     double longestStep;  ///< longest stable time step, s
 
-    /// The calibration (2049, 0.1489, 12.15, 1.2) belongs together and to this support.
+    /// The calibration (2049, 0.375, 12.15, 1.2) belongs together and to this support.
     static FlowConstants of(const FlowFluid& fluid);
 
     /// Substeps that a time of `seconds` needs.

@@ -76,7 +76,7 @@ glm::dvec3 FlowOracle::pairAcceleration(const OracleParticle& own, const OracleP
     const double k = weight(other) * 2 / (own.delta + other.delta);
     const double lobe = std::pow(1 - q, 3) * std::pow(q, 3);
     a -= k * constants_.cohesion * (q > 0.5 ? lobe : 2 * lobe - 1.0 / 64) * e;
-    a -= k * constants_.area * 4 * q * q * (1 - q * q) * (own.gradient - other.gradient);
+    a -= k * constants_.area * 4 * q * q * (1 - q * q) * glm::dot(own.gradient - other.gradient, e) * e;
     return a;
 }
 

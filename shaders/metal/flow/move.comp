@@ -61,9 +61,9 @@ PairSums sumPairs(uint row, FlowParticle own, uint found) {
         // A single fast particle has a stale list, not all those around it.
         if (dot(velocity, velocity) < slower) sums.fastest2 = max(sums.fastest2, dot(pair.relative, pair.relative));
         addSolid(sums.solids, pair);
-        sums.acceleration +=
-            (pair.slope * (viscosityOf(pair) - pressureOf(ownPressure, density)) - cohesionOf(pair)) * pair.d;
-        sums.acceleration -= areaForceOf(pair, own.normal, normal);
+        sums.acceleration += (pair.slope * (viscosityOf(pair) - pressureOf(ownPressure, density)) - cohesionOf(pair) -
+                              areaForceOf(pair, own.normal, normal)) *
+                             pair.d;
 #ifdef MARANGONI
         addWarming(sums.warming, pair, own.temperature);
 #endif

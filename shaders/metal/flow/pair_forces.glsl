@@ -45,11 +45,12 @@ float cohesionOf(Pair pair) {
     return pair.weight * fluid.cohesion * cohesionSpline(pair.q) / max(pair.q * fluid.support, 0.02 * fluid.support);
 }
 
-/// Surface area force, m/s² (Akinci et al. 2013): both surface normals become equal. The weight 4 q² (1 - q²) over the
-/// distance is our own: with a constant weight the force is noisy.
-vec3 areaForceOf(Pair pair, vec3 ownNormal, vec3 otherNormal) {
-    const float u = 1 - pair.q2;
-    return pair.weight * fluid.areaForce * 4 * pair.q2 * u * (ownNormal - otherNormal);
+/// Surface area force over distance, 1/s² (Akinci et al. 2013): both surface normals become equal. Only its part along the
+/// line between both acts, so that it turns no drop; the weight 4 q² (1 - q²) over the distance, whose q² cancels, is our
+/// own: with a constant weight the force is noisy.
+float areaForceOf(Pair pair, vec3 ownNormal, vec3 otherNormal) {
+    const float inverse = fluid.inverseSupport * fluid.inverseSupport;
+    return pair.weight * fluid.areaForce * 4 * inverse * (1 - pair.q2) * dot(ownNormal - otherNormal, pair.d);
 }
 
 /// Weight of the two surface forces: density correction 2/(rho_i + rho_j) of Akinci et al. 2013, times how strongly solid

@@ -99,8 +99,7 @@ TEST_CASE("drops in space keep their momentum to float accuracy") {
     bench.run(0.2, 0.2);
     const Momenta after = momentaOf(bench);
     CHECK(glm::length(after.linear - before.linear) < 1e-6 * before.ofSpeeds);
-    // The area force does not act along the line between two particles: it turns them.
-    CHECK(glm::length(after.angular - before.angular) < 0.05 * before.ofLevers);
+    CHECK(glm::length(after.angular - before.angular) < 1e-6 * before.ofLevers);
     CHECK(bench.flow.readSearches() < bench.steps * 3 / 4); // lists served for several substeps
     CHECK_FALSE(bench.flow.readFaults().any());
 }
