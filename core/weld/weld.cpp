@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <numbers>
 
 namespace meltpool {
 
@@ -39,7 +40,7 @@ PhysicalSetup setupOf(const Material& material, const Workpiece& workpiece, cons
     setup.fillerRoom = around.fillerRoom;
     setup.space.low = workpiece.low;
     setup.space.high = workpiece.high;
-    setup.coldWetting = kColdWetting;
+    setup.coldWetting = wettingForAngle(kColdAngle * std::numbers::pi / 180);
     setup.coldShare = kColdShare;
     setup.warmShare = kWarmShare;
     setup.fragments.floorHeight = workpiece.floorHeight;

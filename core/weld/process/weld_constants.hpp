@@ -57,7 +57,7 @@ inline constexpr float kDropSpeed = 0.3F;
 /// are narrower.
 inline constexpr double kArcSpread = 0.45;
 /// m; a shorter arc spreads its heat as one of this length does: the mean length in dip transfer. Fitted on A.
-inline constexpr double kShortestSpread = 0.3e-3;
+inline constexpr double kShortestSpread = 0.5e-3;
 /// Times the metal's own conductivity that its liquid conducts under an arc: the stirring by drops, pressure and
 /// surface tension that particles of a millimetre do not resolve. Fitted on B; the same for every arc weld.
 inline constexpr double kArcStirring = 3;
@@ -65,8 +65,8 @@ inline constexpr double kArcStirring = 3;
 // Wetting of still metal by liquid metal of its own kind. Liquid that reaches cold metal freezes at the line of
 // contact, which stops (Schiaffino and Sonin 1997); it runs on where the metal is so hot that it does not freeze there.
 
-/// Weight of cold metal against liquid, see wettingForAngle(): a contact angle of 115 degrees. Fitted on A.
-inline constexpr double kColdWetting = 0.35;
+/// Degrees, contact angle on cold metal, see wettingForAngle(). Fitted on A.
+inline constexpr double kColdAngle = 116;
 /// Of the solidus in K: all metal up to here is cold. Fitted on A.
 inline constexpr double kColdShare = 0.78;
 /// Of the solidus in K: metal from here on is wetted wholly. Fitted on A.
