@@ -278,5 +278,5 @@ TEST_CASE("an arc's heat is the wider the longer and stronger the arc is") {
     CHECK(arcHeatRadius(3e-3, 200) > arcHeatRadius(1e-3, 200));
     CHECK(arcHeatRadius(3e-3, 300) > arcHeatRadius(3e-3, 200));
     CHECK(arcHeatRadius(0, 200) == arcHeatRadius(kShortestSpread, 200)); // dip transfer
-    CHECK(arcHeatRadius(5e-3, 190) == Approx(1.84e-3).epsilon(0.02));    // Park's bead, which it was fitted on
+    CHECK(arcHeatRadius(5e-3, 190) == Approx(1.84e-3).epsilon(0.02));    // the arc that it was fitted with
 }

@@ -38,7 +38,7 @@ TEST_CASE("0.9 mm wire at 5.8 m/min takes 140, 125 and 115 A at 7, 12 and 17 mm 
         CHECK(wire.speed(wire.current(feed, extension), extension) == Approx(feed));
 }
 
-TEST_CASE("a wire melts at the currents of the six logged beads that it was fitted on, within 12 %") {
+TEST_CASE("a wire melts at the currents of six of the logged beads that it was fitted on, within 12 %") {
     // Feed (m/min) and current (A) of B008, B022, B028, B020, B026 and B016, 12 to 13 mm from the bead's crown.
     for (const auto& [feed, current] :
          {std::pair(2.3, 66.2), {2.51, 77.8}, {4.64, 138.0}, {5.49, 147.9}, {6.91, 170.4}, {8.15, 201.5}}) {
