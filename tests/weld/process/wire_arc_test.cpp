@@ -26,14 +26,15 @@ WireArc settled(const WireFeed& feed, double ctwd) {
 
 } // namespace
 
-TEST_CASE("0.9 mm wire at 5.8 m/min takes 140, 125 and 115 A at 7, 12 and 17 mm of extension, within 4 %") {
+TEST_CASE("0.9 mm wire at 5.8 m/min takes 140, 122 and 111 A at 7, 12 and 17 mm of extension") {
     const WireMelting wire = WireMelting::steel(0.9 * kMm);
     CHECK(wire.alpha == Approx(kReferenceAlpha * 16 / 9)); // by the cross-section
     CHECK(wire.beta == Approx(kReferenceBeta * 256 / 81));
     const double feed = 5.8 / 60;
-    CHECK(wire.current(feed, 7 * kMm) == Approx(140).epsilon(0.04));
-    CHECK(wire.current(feed, 12 * kMm) == Approx(125).epsilon(0.04));
-    CHECK(wire.current(feed, 17 * kMm) == Approx(115).epsilon(0.04));
+    // The classic alpha and beta give 140, 125 and 115 A.
+    CHECK(wire.current(feed, 7 * kMm) == Approx(140).epsilon(0.01));
+    CHECK(wire.current(feed, 12 * kMm) == Approx(122.3).epsilon(0.01));
+    CHECK(wire.current(feed, 17 * kMm) == Approx(110.8).epsilon(0.01));
     for (const double extension : {0.0, 3e-3, 40e-3})
         CHECK(wire.speed(wire.current(feed, extension), extension) == Approx(feed));
 }
