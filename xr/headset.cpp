@@ -81,15 +81,22 @@ void Headset::poll() {
     if (stalled_) {
         if (!thread_->over()) throw Stalled();
         stalled_ = false;
+        const bool late = std::exchange(waitedLate_, false);
         thread_->rethrow();
-        call(invoke<&RuntimeWorker::dropFrame>);
+        waitedLate_ = late;
+        if (!late) call(invoke<&RuntimeWorker::dropFrame>);
     }
     // Every call costs the time of both threads, so events that endFrame() has polled are not polled again.
     if (!std::exchange(polled_, false)) call(invoke<&RuntimeWorker::poll>);
+    if (!running_) waitedLate_ = false;
 }
 
 FrameTiming Headset::waitFrame() {
-    call(invoke<&RuntimeWorker::waitFrame>, WorkPlace::waiting);
+    if (!std::exchange(waitedLate_, false)) {
+        waitedLate_ = true; // where the call is given up
+        call(invoke<&RuntimeWorker::waitFrame>, WorkPlace::waiting);
+        waitedLate_ = false;
+    }
     return worker_->timing;
 }
 

@@ -31,8 +31,10 @@ struct BothEyes {
 ///     endFrame();
 ///
 /// The runtime is called on a thread of its own. When the calls of a frame have taken kPatience in all, the current
-/// call throws Stalled, and so does every further call until the runtime has answered; then poll() drops that frame and
-/// continues. While stalled only the functions marked so may be called.
+/// call throws Stalled, and so does every further call until the runtime has answered; then poll() continues. It drops
+/// that frame, unless the runtime was only slow to say when the frame begins: a runtime that counts on slow frames
+/// waits that long on purpose, and learns that they are fast from frames that are submitted alone. While stalled only
+/// the functions marked so may be called.
 class Headset {
   public:
     static constexpr std::chrono::milliseconds kPatience{500};
@@ -106,6 +108,7 @@ class Headset {
     std::chrono::steady_clock::duration patience_ = kPatience; ///< time left for the calls of this frame
     bool polled_ = false;                                      ///< the end of the last frame has polled the events
     bool stalled_ = false;
+    bool waitedLate_ = false; ///< the call given up was waitFrame(); after that: it is over, and its frame not yet used
     bool running_ = false;
     SessionMode mode_ = SessionMode::waiting;
     Input::HapticCalls hapticCalls_;

@@ -101,6 +101,34 @@ TEST_CASE("the runtime hangs in mid-weld: the desk goes on, the arc is out, and 
     requireWhole(record);
 }
 
+TEST_CASE(
+    "the first start of all, in which the driver compiles every shader in the middle of frames: the headset is in "
+    "use soon after",
+    "[runtime]") {
+    handGeometry();
+    const fs::path folder = benchFolder() / "cold";
+    Trainee trainee;
+    trainee.bottom = -0.010f; // 4 mm of plate over 6 mm of supports
+    trainee.zoom = 1;
+    setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+    TrainerProcess trainer(folder, {"--headset", "--lesson", plateLesson(folder).string()});
+    unsetenv("MESA_SHADER_CACHE_DISABLE");
+    REQUIRE(trainer.waitFor(ready));
+    trainee.lookDown();
+    trainee.aim({0, 0.003f, 0}, 1.0f);
+    // A runtime that paces by the slow frames makes the program wait, and is never content when it gets no others.
+    long long since = -1;
+    CHECK(trainer.waitFor([&](const json& row) {
+        if (row["headset"]["state"] != "running")
+            since = -1;
+        else if (since < 0)
+            since = row["frame"];
+        return since >= 0 && row["frame"] > since + 60;
+    }));
+    CHECK(trainer.now()["headset"]["openings"] == 1);
+    CHECK(trainer.stop() == 0);
+}
+
 TEST_CASE("another program comes before the trainee's eyes: input and arc are gone, the desk looks by itself, then all "
           "is back",
           "[runtime]") {

@@ -119,6 +119,20 @@ TEST_CASE("a runtime that hangs in any call of a frame is given up and used agai
     CHECK(link.openings() == 1);
 }
 
+TEST_CASE("a runtime that only paces its frames slowly gets their pictures, by which it learns that they are fast") {
+    test::context();
+    xr::HeadsetConnection link(kSmall);
+    REQUIRE(framesPass(link, 3));
+    stubRuntime().paceSlowly(3);
+    REQUIRE(reaches(link, ConnectionState::stalled)); // told while it lasts
+    const int from = stubRuntime().frames();
+    REQUIRE(turnUntil(link, [&] { return stubRuntime().slowFrames() == 0 || stubRuntime().frames() > from + 20; }));
+    CHECK(stubRuntime().slowFrames() == 0);
+    stubRuntime().paceSlowly(0);
+    REQUIRE(reaches(link, ConnectionState::running));
+    CHECK(link.openings() == 1);
+}
+
 TEST_CASE("a runtime that is lost is searched for and used again, and one that hangs is left behind") {
     test::context();
     {

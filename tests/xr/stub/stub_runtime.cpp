@@ -1,6 +1,8 @@
 // The functions of the OpenXR API, as far as the program calls them.
 #include "tests/xr/stub/stub_runtime.hpp"
 
+#include "xr/headset.hpp"
+
 #include <array>
 #include <chrono>
 #include <cstring>
@@ -25,6 +27,11 @@ XrResult StubRuntime::call() {
     changed_.wait(lock, [this] { return !hangs_; });
     --hanging_;
     return lost_ ? XR_ERROR_INSTANCE_LOST : XR_SUCCESS;
+}
+
+void StubRuntime::onFrame(bool pictures) {
+    ++frames_;
+    if (pictures && slowFrames_ > 0) --slowFrames_;
 }
 
 void StubRuntime::changeState(XrSessionState state) {
@@ -59,6 +66,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::int64_t kPeriod = 2'000'000; // ns: faster than any display, so that the threads meet often
+constexpr std::chrono::nanoseconds kSlowPeriod = xr::Headset::kPatience + std::chrono::milliseconds(100);
 
 /// A handle that no two objects share.
 template <class Handle>
@@ -277,7 +285,7 @@ XrResult xrReleaseSwapchainImage(XrSwapchain, const XrSwapchainImageReleaseInfo*
 }
 
 XrResult xrWaitFrame(XrSession, const XrFrameWaitInfo*, XrFrameState* state) {
-    std::this_thread::sleep_for(std::chrono::nanoseconds(kPeriod));
+    std::this_thread::sleep_for(stubRuntime().slowFrames() > 0 ? kSlowPeriod : std::chrono::nanoseconds(kPeriod));
     state->predictedDisplayTime = Clock::now().time_since_epoch().count() + kPeriod;
     state->predictedDisplayPeriod = kPeriod;
     state->shouldRender = XR_TRUE;
@@ -288,9 +296,9 @@ XrResult xrBeginFrame(XrSession, const XrFrameBeginInfo*) {
     return stubRuntime().call();
 }
 
-XrResult xrEndFrame(XrSession, const XrFrameEndInfo*) {
+XrResult xrEndFrame(XrSession, const XrFrameEndInfo* info) {
     const XrResult result = stubRuntime().call();
-    if (XR_SUCCEEDED(result)) stubRuntime().onFrame();
+    if (XR_SUCCEEDED(result)) stubRuntime().onFrame(info->layerCount > 0);
     return result;
 }
 

@@ -17,6 +17,10 @@ class StubRuntime {
     /// From now on every call that a frame makes hangs, until goOn().
     void hang();
     void goOn();
+    /// From now on each wait for a frame takes longer than a front end has patience, until so many frames with pictures
+    /// were ended: a runtime that paces the frames by how long the last ones took.
+    void paceSlowly(int pictures) { slowFrames_ = pictures; }
+    int slowFrames() const { return slowFrames_; }
     /// From now on every such call answers XR_ERROR_INSTANCE_LOST, until an instance is made anew.
     void loseInstance() { lost_ = true; }
 
@@ -30,7 +34,7 @@ class StubRuntime {
     void changeState(XrSessionState state);
     bool takeEvent(XrEventDataBuffer& event);
     void onInstance(int change);
-    void onFrame() { ++frames_; }
+    void onFrame(bool pictures);
 
   private:
     std::mutex mutex_;
@@ -41,6 +45,7 @@ class StubRuntime {
     std::atomic<int> frames_ = 0;
     std::atomic<int> instances_ = 0;
     std::atomic<int> hanging_ = 0;
+    std::atomic<int> slowFrames_ = 0;
 };
 
 StubRuntime& stubRuntime();
