@@ -161,6 +161,23 @@ std::vector<glm::dvec2> edgesOf(const SectionSlice& slice, glm::ivec2 cell, std:
     return edges;
 }
 
+/// The fused stretch of the face that begins in `cell` at a corner and goes on along `along`.
+glm::dvec2 fusedFace(const SectionSlice& slice, glm::ivec2 cell, glm::ivec2 along, glm::ivec2 side, double level) {
+    const auto peak = [&](glm::ivec2 at) {
+        return slice.peak(at) + (slice.isFace(at, side) ? 0.5 * slopeUnderFace(slice, at, side) : 0);
+    };
+    std::optional<int> first;
+    int last = 0;
+    for (int i = 0; slice.isFace(cell + i * along, side); ++i) {
+        if (peak(cell + i * along) < level) continue;
+        if (!first) first = i;
+        last = i;
+    }
+    if (!first) return {0, 0};
+    const double inwards = *first > 0 ? edgeFrom(peak, cell + *first * along, -along, level) : 0.5;
+    return {*first + 0.5 - inwards, last + 0.5 + edgeFrom(peak, cell + last * along, along, level)};
+}
+
 } // namespace
 
 SectionSlice::SectionSlice(glm::ivec2 cells)
@@ -222,6 +239,25 @@ double rootFusion(const SectionSlice& slice, glm::ivec2 corner, double level) {
     while (joint.peak(cell + inwards) >= level)
         cell += inwards;
     return corner.x - (cell.x + 0.5) + edgeFrom(peak, cell, inwards, level);
+}
+
+std::array<glm::dvec2, 2> fusedFaces(const SectionSlice& slice, glm::ivec2 corner, double level) {
+    return {fusedFace(slice, corner - glm::ivec2(0, 1), {1, 0}, {0, 1}, level),
+            fusedFace(slice, corner - glm::ivec2(1, 0), {0, 1}, {1, 0}, level)};
+}
+
+std::optional<double> unfusedHeight(const SectionSlice& slice, int column, double level) {
+    const auto peak = [&](glm::ivec2 at) { return slice.peak(at); };
+    std::optional<int> lowest;
+    int held = 0;
+    for (int y = 0; y < slice.cells().y; ++y) {
+        const glm::ivec2 cell(column, y);
+        if (!slice.held(cell)) continue;
+        if (!lowest) lowest = y;
+        ++held;
+        if (slice.peak(cell) >= level) return std::max(y + 0.5 - edgeFrom(peak, cell, {0, -1}, level) - *lowest, 0.0);
+    }
+    return lowest ? std::optional<double>(held) : std::nullopt;
 }
 
 } // namespace meltpool

@@ -3,6 +3,7 @@
 
 #include <glm/vec2.hpp>
 
+#include <array>
 #include <limits>
 #include <optional>
 #include <span>
@@ -63,5 +64,13 @@ std::optional<glm::ivec2> jointCorner(const SectionSlice& slice);
 /// where the corner is not fused. The colder plate decides; between the outermost cells' centres and the corner the
 /// temperature goes on with its slope.
 double rootFusion(const SectionSlice& slice, glm::ivec2 corner, double level);
+
+/// From where to where both faces of a joint's corner are fused: the lying and the standing one, in cells along each
+/// from the corner outwards. Both ends 0 where a face is fused nowhere.
+std::array<glm::dvec2, 2> fusedFaces(const SectionSlice& slice, glm::ivec2 corner, double level);
+
+/// How much of the height of a column is not fused from its lowest cell upwards, in cells: all of it where no cell is
+/// hot, 0 where the lowest cell's centre is. Nothing where the column held no metal.
+std::optional<double> unfusedHeight(const SectionSlice& slice, int column, double level);
 
 } // namespace meltpool

@@ -5,8 +5,10 @@
 #include "core/metal/material/materials.hpp"
 #include "core/metal/state/metal_state.hpp"
 #include "core/weld/gauge/section_map.hpp"
+#include "core/weld/gauge/weld_particles.hpp"
 #include "core/weld/gauge/weld_shape.hpp"
 
+#include <array>
 #include <optional>
 #include <span>
 
@@ -65,6 +67,28 @@ struct Section {
     /// m along the line where the plates of a tee or a lap joint meet, from their corner inwards: both fused.
     std::optional<double> rootFusion;
     double deposited = 0; ///< m², metal in the section beyond what the workpiece had; negative where metal ran away
+
+    /// Share of the layers in which the root is fused, 0 to 1: of a tee and a lap joint both plates at their corner, of
+    /// a workpiece of one level both edges beside the seam down to the centres of their lowest cells.
+    double rootFused = 0;
+    /// From where to where the lying and the standing face of a tee or a lap joint are fused, m from the corner; of no
+    /// length where a face is not.
+    std::optional<std::array<FaceStretch, 2>> fusedFaces;
+    /// m: height that is not fused of both edges beside the seam (-z, +z) of a workpiece of one level, from the lower
+    /// face upwards. A plate's edges are the two columns of cells next to the seam.
+    std::optional<std::array<double, 2>> unfusedEdges;
+    /// m, depth of the grooves in the workpiece's faces beside the weld: on a level workpiece at its low and high end
+    /// (z), in a corner on the lying and on the standing face. See undercutBeside().
+    std::array<double, 2> undercut{};
+    double underfill = 0; ///< m, of a level workpiece: how deep the weld's surface lies under the upper face at most
+    BeadShape root;       ///< what hangs under the workpiece's lower face: its height is the excess penetration
+    double rootConcavity = 0; ///< m, of a level workpiece: how high the weld's lower surface lies over the lower face
+    /// m across the seam: widest place that has no metal at any height, between the workpiece's outermost parts, in any
+    /// one layer; 0 where it is narrower than two spacings. A gap that stayed open is one too.
+    double hole = 0;
+    /// s, mean time of the metal that was molten from 800 to 500 °C. None while more than a twentieth of it is hotter,
+    /// or where the cut asks for no heat-affected zone.
+    std::optional<double> coolingTime;
 };
 
 /// The figures and the picture of one cut.
@@ -86,6 +110,16 @@ Section measureSection(const MetalState& state, std::span<const MetalSeed> origi
 
 /// The same together with its picture.
 WeldSection cutWeld(const MetalState& state, std::span<const MetalSeed> original, const SectionCut& cut);
+
+/// The same of several cuts: reads the particles once.
+std::vector<Section> measureSections(const MetalState& state, std::span<const MetalSeed> original,
+                                     std::span<const SectionCut> cuts);
+
+/// Measures one of several cuts through metal that is read already.
+Section measureSection(const WeldParticles& particles, const SectionCut& cut);
+
+/// The stretch of the seam (m along it) on which the workpiece was heated above `fusion` (K); nothing where it was not.
+std::optional<FaceStretch> weldedStretch(const WeldParticles& particles, double fusion);
 
 /// Where to cut when nobody said: the middle (m along the seam) of what was heated above `fusion` (K) of the workpiece,
 /// or of the workpiece itself where nothing was. Waits for the GPU.

@@ -22,14 +22,6 @@ constexpr int kRounds = 30;           ///< of toes and arc until they agree
 
 using Line = std::vector<glm::dvec2>;
 
-/// Outline in the frame of a face.
-Line inFrame(const WeldOutline& outline, const PlateFace& face) {
-    Line line;
-    for (const glm::dvec2 place : outline)
-        line.push_back({glm::dot(place - face.origin, face.along), glm::dot(place - face.origin, face.out)});
-    return line;
-}
-
 /// Where the line from `a` to `b` has the value `wanted` of a coordinate.
 glm::dvec2 between(glm::dvec2 a, glm::dvec2 b, glm::length_t axis, double wanted) {
     const double way = b[axis] - a[axis];
@@ -216,7 +208,26 @@ size_t addMiddle(Line& line) {
     return behind + 1;
 }
 
+/// Greatest height of the surface, in two runs, over the line from toe to toe.
+double convexityOf(const Line& back, const Line& ahead, const FilletArc& arc) {
+    const glm::dvec2 toe(arc.legs.x, 0), way = glm::dvec2(-arc.legs.x, arc.legs.y) / arc.chord();
+    double most = 0;
+    for (const Line* run : {&back, &ahead})
+        for (const glm::dvec2 place : *run) {
+            const double share = glm::dot(place - toe, way) / arc.chord();
+            if (share > 0.1 && share < 0.9) most = std::max(most, glm::dot(place - toe, arc.normal()));
+        }
+    return most;
+}
+
 } // namespace
+
+std::vector<glm::dvec2> inFrame(const WeldOutline& outline, const PlateFace& face) {
+    Line line;
+    for (const glm::dvec2 place : outline)
+        line.push_back({glm::dot(place - face.origin, face.along), glm::dot(place - face.origin, face.out)});
+    return line;
+}
 
 std::array<double, 2> BeadShape::overlap(const std::optional<FaceStretch>& fused) const {
     if (!toes) return {0, 0};
@@ -265,6 +276,7 @@ std::optional<FilletShape> measureFillet(const WeldOutline& outline, const Plate
     fillet.toes = {{{arc.legs.x, arc.angle(0)}, {arc.legs.y, arc.angle(1)}}};
     const std::array<glm::dvec2, 3> closing{{{0, fillet.toes[1].place}, {0, 0}, {fillet.toes[0].place, 0}}};
     fillet.area = areaUnder(back, ahead, closing);
+    fillet.convexity = convexityOf(back, ahead, arc);
     return fillet;
 }
 

@@ -5,6 +5,7 @@
 #include "core/weld/gauge/weld_outline.hpp"
 
 #include <array>
+#include <cmath>
 #include <optional>
 
 namespace meltpool {
@@ -32,6 +33,9 @@ struct FaceStretch {
     double length() const { return high - low; }
 };
 
+/// The outline's places as distances along a face and out of it from the face's origin, m.
+std::vector<glm::dvec2> inFrame(const WeldOutline& outline, const PlateFace& face);
+
 /// A bead on a level face.
 struct BeadShape {
     double height = 0;        ///< m, of its highest place over the face; 0 below a quarter of a spacing
@@ -53,6 +57,12 @@ struct FilletShape {
     /// On the lying and on the standing face; `place` is the leg: the distance from the corner to the toe.
     std::array<WeldToe, 2> toes{};
     double area = 0; ///< m², between the faces and the weld's surface
+    /// m, greatest height of the surface over the straight line from toe to toe, between a tenth and nine tenths of
+    /// that line; 0 where the surface is hollow.
+    double convexity = 0;
+
+    double faceWidth() const { return std::hypot(toes[0].place, toes[1].place); }    ///< m, from toe to toe
+    double legDifference() const { return std::abs(toes[0].place - toes[1].place); } ///< m
 };
 
 /// Measures the bead whose surface rises highest over the face. `spacing`: of the particles that the outline was made

@@ -254,3 +254,130 @@ TEST_CASE("a section has the bead's shape and where it lies over cold plate", "[
           Approx(radius * radius * (angle - std::sin(angle) * std::cos(angle))).epsilon(0.05));
     CHECK(section.bead->reinforcement == Approx(section.deposited).epsilon(0.08));
 }
+
+TEST_CASE("several cuts through one metal are those that are made one by one", "[gauge]") {
+    test::context();
+    const Heated tee(WorkpieceKind::Tee, coneOf(3.3e-3F));
+    const MetalState state = tee.state();
+    std::vector<SectionCut> cuts;
+    for (const double at : {-7e-3, -2e-3, 3.5e-3, 0.5})
+        cuts.push_back(cutOf(at - 1e-3, at + 1e-3));
+    const std::vector<Section> together = measureSections(state, tee.piece.seeds, cuts);
+    REQUIRE(together.size() == cuts.size());
+    for (size_t i = 0; i < cuts.size(); ++i) {
+        const Section alone = measureSection(state, tee.piece.seeds, cuts[i]);
+        CHECK(together[i].layers == alone.layers);
+        CHECK(together[i].fusion.area == alone.fusion.area);
+        CHECK(together[i].fusion.depth == alone.fusion.depth);
+        CHECK(together[i].rootFusion == alone.rootFusion);
+    }
+    CHECK(together[0].layers == 2);
+    CHECK(together[3].layers == 0);
+    const auto welded = weldedStretch(WeldParticles(state, tee.piece.seeds), 1800);
+    REQUIRE(welded);
+    CHECK(welded->low == Approx(-7.5e-3));
+    CHECK(welded->high == Approx(7.5e-3));
+    CHECK_FALSE(weldedStretch(WeldParticles(state, tee.piece.seeds), 5000));
+}
+
+TEST_CASE("a corner's section says which stretch of each face is fused", "[gauge]") {
+    test::context();
+    const Heated tee(WorkpieceKind::Tee, coneOf(3.3e-3F));
+    const Section fused = measureSection(tee.state(), tee.piece.seeds, cutOf(-2e-3, 2e-3));
+    CHECK(fused.rootFused == 1);
+    REQUIRE(fused.fusedFaces);
+    for (const FaceStretch& face : *fused.fusedFaces) {
+        CHECK(face.low == 0);
+        CHECK(face.high * 1e3 == Approx(3.3).margin(0.15));
+    }
+    // Heat on the lying plate only, 4 mm beside the corner.
+    const Heated beside(WorkpieceKind::Tee,
+                        [](glm::vec3 p) { return 1800 + 1e5F * (2e-3F - std::hypot(p.y, p.z - 4e-3F)); });
+    const Section cold = measureSection(beside.state(), beside.piece.seeds, cutOf(-2e-3, 2e-3));
+    CHECK(cold.rootFused == 0);
+    REQUIRE(cold.fusedFaces);
+    CHECK((*cold.fusedFaces)[0].low * 1e3 == Approx(2).margin(0.25));
+    CHECK((*cold.fusedFaces)[0].high * 1e3 == Approx(6).margin(0.25));
+    CHECK((*cold.fusedFaces)[1].length() == 0);
+}
+
+TEST_CASE("a butt's section says how far its edges are fused, and where it is open", "[gauge]") {
+    test::context();
+    WorkpieceParameters p;
+    p.kind = static_cast<int>(WorkpieceKind::Butt);
+    p.lengthMm = 16;
+    p.widthMm = 24;
+    p.thicknessMm = 6;
+    p.gapMm = 2;
+    Heated butt(WorkpieceKind::Butt, coneOf(1));
+    butt.piece = makeWorkpiece(p);
+    for (MetalSeed& seed : butt.piece.seeds) // the edge on -z is hot down to 4.5 mm, the other one down to 2.5 mm
+        seed.temperature = seed.position.y > (seed.position.z < 0 ? -4.5e-3F : -2.5e-3F) ? 1900.0F : 1700.0F;
+    std::vector<MetalSeed> metal; // fills the gap at x < 0 and hangs two rows under it and over it
+    for (int i = 0; i < 8; ++i)
+        for (int j = -8; j < 2; ++j)
+            for (int k = -1; k < 1; ++k)
+                metal.push_back({(glm::vec3(i - 8, j, k) + 0.5F) * kSpacing, 1900, PHASE_ALIVE, glm::vec3(0)});
+    const MetalState state = butt.state(metal);
+    const Section filled = measureSection(state, butt.piece.seeds, cutOf(-6e-3, -2e-3));
+    REQUIRE(filled.unfusedEdges);
+    CHECK((*filled.unfusedEdges)[0] * 1e3 == Approx(1.5).margin(0.51));
+    CHECK((*filled.unfusedEdges)[1] * 1e3 == Approx(3.5).margin(0.51));
+    CHECK(filled.rootFused == 0);
+    CHECK(filled.hole == 0);
+    CHECK(filled.root.height * 1e3 == Approx(2).margin(0.5));
+    CHECK(filled.rootConcavity == 0);
+    const Section open = measureSection(state, butt.piece.seeds, cutOf(2e-3, 6e-3));
+    CHECK(open.hole * 1e3 == Approx(2));
+    CHECK(open.root.height == 0);
+    // Fused all through.
+    for (MetalSeed& seed : butt.piece.seeds)
+        seed.temperature = 1900;
+    const Section through = measureSection(butt.state(metal), butt.piece.seeds, cutOf(-6e-3, -2e-3));
+    CHECK((*through.unfusedEdges)[0] == 0);
+    CHECK(through.rootFused == 1);
+}
+
+TEST_CASE("a hole is told by its width, a hollow by its depth", "[gauge]") {
+    test::context();
+    const Heated plate(WorkpieceKind::Plate, coneOf(8e-3F));
+    MetalState state = plate.state();
+    auto phases = state.phase.read<uint>(state.particles());
+    for (size_t i = 0; i < plate.piece.seeds.size(); ++i) {
+        const glm::vec3 at = plate.piece.seeds[i].position;
+        const bool hole = at.x < -2e-3F && at.x > -5e-3F && at.z > -1e-3F && at.z < 2e-3F;
+        const bool hollow = at.x > 0 && std::abs(at.z) < 3e-3F && at.y > -2e-3F;
+        if (hole || hollow) phases[i] = 0;
+    }
+    state.phase.write(std::span<const uint>(phases));
+    const Section hole = measureSection(state, plate.piece.seeds, cutOf(-5e-3, -2e-3));
+    CHECK(hole.hole * 1e3 == Approx(3));
+    const Section hollow = measureSection(state, plate.piece.seeds, cutOf(2e-3, 6e-3));
+    CHECK(hollow.hole == 0);
+    CHECK(hollow.underfill * 1e3 == Approx(2).margin(0.5));
+    const Section sound = measureSection(state, plate.piece.seeds, cutOf(-8e-3, -6e-3));
+    CHECK(sound.hole == 0);
+    CHECK(sound.underfill == Approx(0).margin(1e-6));
+    CHECK(sound.root.height == 0);
+}
+
+TEST_CASE("the cooling time is that of the molten metal, once it has cooled", "[gauge]") {
+    test::context();
+    const Heated plate(WorkpieceKind::Plate, coneOf(3.3e-3F));
+    MetalState state = plate.state();
+    CHECK_FALSE(measureSection(state, plate.piece.seeds, cutOf(-2e-3, 2e-3)).coolingTime); // still hot
+    auto places = state.position.read<vec4>(state.particles());
+    auto heats = state.heat.read<vec4>(state.particles());
+    for (size_t i = 0; i < places.size(); ++i) {
+        places[i].w = 400;
+        heats[i].w = heats[i].z >= 1800 ? 6.5F : 100.0F;
+    }
+    state.position.write(std::span<const vec4>(places));
+    state.heat.write(std::span<const vec4>(heats));
+    const Section cooled = measureSection(state, plate.piece.seeds, cutOf(-2e-3, 2e-3));
+    REQUIRE(cooled.coolingTime);
+    CHECK(*cooled.coolingTime == Approx(6.5));
+    SectionCut solder = cutOf(-2e-3, 2e-3);
+    solder.heatAffected.reset();
+    CHECK_FALSE(measureSection(state, plate.piece.seeds, solder).coolingTime);
+}

@@ -1,5 +1,6 @@
 // Toes, widths, heights, angles, legs and throats of outlines with closed forms: drawn exactly, tilted, and made of
 // particles of 1 and 0.5 mm. Lengths in mm.
+#include "core/weld/gauge/weld_faults.hpp"
 #include "core/weld/gauge/weld_shape.hpp"
 #include "tests/support/catch.hpp"
 
@@ -321,4 +322,80 @@ TEST_CASE("particles measure a fillet to a part of their spacing; a bare corner 
         CHECK_FALSE(measureFillet(ofParticles(spacing, inTee, {{}}), {}, kMm * spacing));
     }
     CHECK_FALSE(measureFillet({}, {}, kMm));
+}
+
+TEST_CASE("convexity is the surface's height over the line from toe to toe", "[gauge]") {
+    constexpr double kRadius = 8, kLeg = 6, kChord = kLeg * std::numbers::sqrt2;
+    const double half = std::asin(0.5 * kChord / kRadius), rise = kRadius * (1 - std::cos(half));
+    const glm::dvec2 centre(-(kRadius * std::cos(half) - 0.5 * kChord) / std::numbers::sqrt2);
+    const auto arc = [&](double sign) { // bulging or hollow
+        WeldOutline made;
+        for (int i = 0; i <= 2000; ++i) {
+            const double at = kPi / 4 - half + 2 * half * i / 2000;
+            const glm::dvec2 place = centre + kRadius * glm::dvec2(std::cos(at), std::sin(at));
+            made.push_back(sign > 0 ? place : glm::dvec2(kLeg - place.y, kLeg - place.x));
+        }
+        return made;
+    };
+    const auto bulging = measureFillet(teeWith(arc(1)), {}, 0);
+    REQUIRE(bulging);
+    CHECK(bulging->convexity == Approx(kMm * rise).epsilon(0.02));
+    CHECK(bulging->faceWidth() == Approx(kMm * kChord).epsilon(0.003));
+    CHECK(bulging->legDifference() == Approx(0).margin(1e-6));
+    const auto hollow = measureFillet(teeWith(arc(-1)), {}, 0);
+    REQUIRE(hollow);
+    CHECK(hollow->convexity == 0);
+    const auto flat = measureFillet(teeWith({{7, 0}, {0, 4}}), {}, 0);
+    REQUIRE(flat);
+    CHECK(flat->convexity == Approx(0).margin(1e-8));
+    CHECK(flat->legDifference() == Approx(3 * kMm));
+    for (const double spacing : {1.0, 0.5}) {
+        INFO("particles of " << spacing << " mm");
+        const auto metal = settled(spacing, kLeg, [&](double y) {
+            return glm::dvec2(0, centre.x + std::sqrt(kRadius * kRadius - (y - centre.y) * (y - centre.y)));
+        });
+        const auto fillet = measureFillet(ofParticles(spacing, inTee, metal), {}, kMm * spacing);
+        REQUIRE(fillet);
+        CHECK(fillet->convexity / kMm == Approx(rise).margin(0.5 * spacing));
+    }
+}
+
+TEST_CASE("undercut is the depth of the groove beside each toe, on plates and in corners", "[gauge]") {
+    const Segment exact{60 * kPi / 180, 5};
+    WeldOutline grooved{{exact.halfWidth() + 1.2, 0}, {exact.halfWidth() + 0.6, -0.8}};
+    for (const glm::dvec2 place : exact.line())
+        grooved.push_back(place);
+    const FaceStretch toes{-kMm * exact.halfWidth(), kMm * exact.halfWidth()};
+    const auto drawn = undercutBeside(plateWith(grooved), {}, toes, 0);
+    CHECK(drawn[0] == 0);
+    CHECK(drawn[1] == Approx(0.8 * kMm).epsilon(0.05));
+    CHECK(undercutBeside(plateWith(exact.line()), {}, toes, 0) == std::array<double, 2>{0, 0});
+    for (const double spacing : {1.0, 0.5}) {
+        INFO("particles of " << spacing << " mm");
+        // Grooves 2 mm wide and 1 mm deep, behind the low toe of a bead and over a fillet.
+        const auto plate = [](glm::dvec2 p) { return inPlate(p) && !(p.x > -6 && p.x < -4 && p.y > -1); };
+        const auto bead = settled(spacing, 2, [](double) { return glm::dvec2(-4, 4); });
+        const auto beside =
+            undercutBeside(ofParticles(spacing, plate, bead), {}, FaceStretch{-4 * kMm, 4 * kMm}, kMm * spacing);
+        CHECK(beside[0] / kMm == Approx(1).margin(0.5 * spacing));
+        CHECK(beside[1] / kMm == Approx(0).margin(0.01));
+        const auto tee = [](glm::dvec2 p) { return inTee(p) && !(p.y > 5 && p.y < 7 && p.x > -1); };
+        const auto metal = settled(spacing, 5, [](double y) { return glm::dvec2(0, 5 - y); });
+        const WeldOutline outline = ofParticles(spacing, tee, metal);
+        const auto fillet = measureFillet(outline, {}, kMm * spacing);
+        REQUIRE(fillet);
+        const auto over = undercutBeside(outline, {}, *fillet, kMm * spacing);
+        CHECK(over[0] / kMm == Approx(0).margin(0.01));
+        CHECK(over[1] / kMm == Approx(1).margin(0.5 * spacing));
+    }
+}
+
+TEST_CASE("a groove is as deep as the surface lies under the face, and no plate's end is one", "[gauge]") {
+    const WeldOutline sunk = plateWith({{3, 0}, {1, -1.5}, {-1, -1.5}, {-3, 0}});
+    CHECK(grooveDepth(sunk, {}, {-2 * kMm, 2 * kMm}, 0) == Approx(1.5 * kMm));
+    CHECK(grooveDepth(sunk, {}, {4 * kMm, 9 * kMm}, 0) == 0);
+    CHECK(grooveDepth(sunk, {}, {18 * kMm, 40 * kMm}, kMm) == 0); // beyond the plate's end at 20 mm
+    const PlateFace under{{0, -6 * kMm}, {-1, 0}, {0, -1}};
+    CHECK(grooveDepth(sunk, under, {-4 * kMm, 4 * kMm}, 0) == Approx(0).margin(1e-9));
+    CHECK(grooveDepth({}, {}, {-1, 1}, 0) == 0);
 }

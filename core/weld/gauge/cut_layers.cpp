@@ -1,0 +1,273 @@
+#include "core/weld/gauge/cut_layers.hpp"
+
+#include "core/weld/gauge/weld_faults.hpp"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace meltpool {
+
+namespace {
+
+constexpr std::array<glm::ivec2, 2> kSides{{{0, 1}, {1, 0}}}; ///< up, towards the welder
+constexpr int kNoRow = -1;
+constexpr int kLeastHole = 2;         ///< columns without metal side by side that are a hole
+constexpr float kCooled = 773.15F;    ///< K, 500 °C: what is colder has its whole cooling time
+constexpr double kCooledShare = 0.95; ///< of the molten metal that must be as cold as that
+
+/// The row that all columns with a row have in common.
+std::optional<int> commonRow(const std::vector<int>& rows) {
+    std::optional<int> common;
+    for (const int row : rows) {
+        if (row == kNoRow) continue;
+        if (common && *common != row) return std::nullopt;
+        common = row;
+    }
+    return common;
+}
+
+/// Columns that held metal at the start: the outermost two; the first above the second where there is none.
+glm::ivec2 heldColumns(const SectionSlice& slice) {
+    glm::ivec2 ends(slice.cells().x, -1);
+    for (int x = 0; x < slice.cells().x; ++x)
+        for (int y = 0; y < slice.cells().y; ++y)
+            if (slice.held({x, y})) ends = {std::min(ends.x, x), x};
+    return ends;
+}
+
+/// The unfused heights of the columns next to `seam`, the column right of it, on both sides; cells.
+std::optional<glm::dvec2> unfusedBeside(const SectionSlice& slice, int seam, double level) {
+    glm::dvec2 unfused(0);
+    for (const int side : {0, 1}) {
+        std::optional<double> height;
+        for (int x = side == 0 ? seam - 1 : seam; x >= 0 && x < slice.cells().x && !height; x += 2 * side - 1)
+            height = unfusedHeight(slice, x, level);
+        if (!height) return std::nullopt;
+        unfused[side] = *height;
+    }
+    return unfused;
+}
+
+} // namespace
+
+CutLayers::CutLayers(const WeldParticles& particles, const SectionCut& cut)
+    : particles_(particles), cut_(cut), lattice_(particles.lattice()), spacing_(static_cast<double>(lattice_.spacing)) {
+    const double cells = static_cast<double>(lattice_.cells().x);
+    const double low = static_cast<double>(lattice_.low.x);
+    const double first = std::floor((cut.from + 0.5 * spacing_ - low) / spacing_);
+    const double count = std::max(1.0, std::round((cut.to - cut.from) / spacing_));
+    first_ = static_cast<int>(std::clamp(first, 0.0, cells));
+    const int end = static_cast<int>(std::clamp(first + count, 0.0, cells));
+    const glm::ivec2 grid(lattice_.cells().z, lattice_.cells().y);
+    layers_.resize(static_cast<size_t>(std::max(end - first_, 0)),
+                   Layer{SectionSlice(grid), 0, 0, std::vector<int>(static_cast<size_t>(grid.x))});
+    living_ = particles.livingIn(first_, end);
+    enterOriginal();
+    enterPresent();
+}
+
+std::optional<size_t> CutLayers::layerOf(const vec4& position) const {
+    const double cell =
+        std::floor((static_cast<double>(position.x) - static_cast<double>(lattice_.low.x)) / spacing_) - first_;
+    if (!(cell >= 0 && cell < static_cast<double>(layers_.size()))) return std::nullopt;
+    const auto layer = static_cast<size_t>(cell);
+    return layers_[layer].had > 0 ? std::optional(layer) : std::nullopt;
+}
+
+void CutLayers::enterOriginal() {
+    std::vector<int> tops(static_cast<size_t>(lattice_.cells().z), kNoRow); // uppermost row of the workpiece
+    bottom_ = lattice_.cells().y;
+    for (const size_t slot : particles_.originalIn(first_, first_ + static_cast<int>(layers_.size()))) {
+        const glm::ivec3 cell = lattice_.cellAt(particles_.original()[slot].position);
+        Layer& layer = layers_[static_cast<size_t>(cell.x - first_)];
+        const auto peak = static_cast<double>(particles_.heat(slot).z);
+        const bool melted = !(particles_.phase(slot) & PHASE_LATTICE) && peak >= cut_.fusion;
+        layer.slice.setPeak({cell.z, cell.y}, melted ? SectionSlice::kGone : peak);
+        ++layer.had;
+        int& top = tops[static_cast<size_t>(cell.z)];
+        top = std::max(top, cell.y);
+        bottom_ = std::min(bottom_, cell.y);
+    }
+    level_ = commonRow(tops);
+}
+
+void CutLayers::enterPresent() {
+    const auto low = static_cast<double>(lattice_.low.z);
+    for (const size_t slot : living_) {
+        const vec4& at = particles_.position(slot);
+        const auto layer = layerOf(at);
+        if (!layer) continue;
+        ++layers_[*layer].holds;
+        std::vector<int>& columns = layers_[*layer].columns;
+        const double column = std::floor((static_cast<double>(at.z) - low) / spacing_);
+        if (column >= 0 && column < static_cast<double>(columns.size())) ++columns[static_cast<size_t>(column)];
+    }
+}
+
+int CutLayers::used() const {
+    return static_cast<int>(std::count_if(layers_.begin(), layers_.end(), [](const Layer& l) { return l.had > 0; }));
+}
+
+template <class Value>
+double CutLayers::mean(Value value) const {
+    double sum = 0;
+    for (const Layer& layer : layers_)
+        if (layer.had > 0) sum += value(layer);
+    return sum / std::max(used(), 1);
+}
+
+WeldZone CutLayers::zoneOf(double kelvin) const {
+    const std::span<const glm::ivec2> sides = std::span(kSides).first(level_ ? 1 : 2);
+    WeldZone sum;
+    double highest = 0, moment = 0;
+    for (const Layer& layer : layers_) {
+        if (layer.had == 0) continue;
+        const SliceZone zone = measureZone(layer.slice, sides, kelvin);
+        sum.width += zone.width * spacing_;
+        moment += zone.width * spacing_ * columnPlace(zone.middle);
+        sum.depth += zone.depth * spacing_;
+        sum.area += zone.area * spacing_ * spacing_;
+        if (zone.low.x > zone.high.x) continue;
+        sum.box.width += (zone.high.x - zone.low.x) * spacing_;
+        const auto low = static_cast<double>(lattice_.low.y);
+        sum.box.depth += std::max(-(low + zone.low.y * spacing_), 0.0);
+        highest += std::max(low + zone.high.y * spacing_, 0.0);
+    }
+    const double middle = sum.width > 0 ? moment / sum.width : 0;
+    const double layers = std::max(used(), 1);
+    for (double* value : {&sum.width, &sum.depth, &sum.area, &sum.box.width, &sum.box.depth})
+        *value /= layers;
+    sum.box.height = highest / layers;
+    if (level_ && sum.width > 0) sum.stretch = {middle - 0.5 * sum.width, middle + 0.5 * sum.width};
+    return sum;
+}
+
+double CutLayers::widestHole() const {
+    int widest = 0;
+    for (const Layer& layer : layers_) {
+        if (layer.had == 0) continue;
+        const glm::ivec2 ends = heldColumns(layer.slice);
+        int run = 0;
+        for (int x = ends.x; x <= ends.y; ++x) {
+            run = layer.columns[static_cast<size_t>(x)] == 0 ? run + 1 : 0;
+            widest = std::max(widest, run);
+        }
+    }
+    return widest >= kLeastHole ? widest * spacing_ : 0;
+}
+
+std::optional<double> CutLayers::coolingTime() const {
+    double sum = 0;
+    size_t molten = 0, cooled = 0;
+    for (const size_t slot : living_) {
+        if (!layerOf(particles_.position(slot)) || static_cast<double>(particles_.heat(slot).z) < cut_.fusion) continue;
+        ++molten;
+        if (particles_.position(slot).w > kCooled || !(particles_.heat(slot).w > 0)) continue;
+        ++cooled;
+        sum += static_cast<double>(particles_.heat(slot).w);
+    }
+    if (cooled == 0 || static_cast<double>(cooled) < kCooledShare * static_cast<double>(molten)) return std::nullopt;
+    return sum / static_cast<double>(cooled);
+}
+
+void CutLayers::measureSeamEdges(Section& section) const {
+    const int seam = static_cast<int>(std::lround(-static_cast<double>(lattice_.low.z) / spacing_));
+    glm::dvec2 sum(0);
+    double fused = 0;
+    for (const Layer& layer : layers_) {
+        if (layer.had == 0) continue;
+        const auto unfused = unfusedBeside(layer.slice, seam, cut_.fusion);
+        if (!unfused) return;
+        sum += *unfused;
+        fused += std::max(unfused->x, unfused->y) <= 0 ? 1 : 0;
+    }
+    sum *= spacing_ / used();
+    section.unfusedEdges = {sum.x, sum.y};
+    section.rootFused = fused / used();
+}
+
+void CutLayers::measureLevel(const WeldOutline& outline, Section& section) const {
+    const double height = rowHeight(*level_ + 1);
+    const PlateFace face{{0, height}};
+    section.bead = measureBead(outline, face, spacing_);
+    measureSeamEdges(section);
+    std::optional<FaceStretch> weld = section.fusion.stretch;
+    if (section.bead->toes) weld = {(*section.bead->toes)[0].place, (*section.bead->toes)[1].place};
+    if (!weld) return;
+    section.undercut = undercutBeside(outline, face, *weld, spacing_);
+    section.underfill = grooveDepth(outline, face, *weld, spacing_);
+    const PlateFace under{{0, rowHeight(bottom_)}, {-1, 0}, {0, -1}};
+    section.rootConcavity = grooveDepth(outline, under, {-weld->high, -weld->low}, spacing_);
+}
+
+void CutLayers::measureCorner(const WeldOutline& outline, glm::ivec2 corner, Section& section) const {
+    const PlateFace lying{{columnPlace(corner.x), rowHeight(corner.y)}};
+    section.fillet = measureFillet(outline, lying, spacing_);
+    section.rootFusion = mean([&](const Layer& l) { return rootFusion(l.slice, corner, cut_.fusion) * spacing_; });
+    section.rootFused = mean([&](const Layer& l) { return rootFusion(l.slice, corner, cut_.fusion) > 0 ? 1.0 : 0.0; });
+    section.fusedFaces.emplace();
+    for (const size_t face : {size_t(0), size_t(1)})
+        for (const int end : {0, 1})
+            (end == 0 ? (*section.fusedFaces)[face].low : (*section.fusedFaces)[face].high) =
+                mean([&](const Layer& l) { return fusedFaces(l.slice, corner, cut_.fusion)[face][end] * spacing_; });
+    if (section.fillet) section.undercut = undercutBeside(outline, lying, *section.fillet, spacing_);
+}
+
+void CutLayers::measureShape(const SectionMap& map, Section& section) const {
+    const WeldOutline outline = weldOutline(map);
+    double top = 0; // of the deposit over the origin
+    if (level_) {
+        measureLevel(outline, section);
+        if (section.bead->height > 0) top = rowHeight(*level_ + 1) + section.bead->height;
+    } else {
+        const auto any = std::find_if(layers_.begin(), layers_.end(), [](const Layer& layer) { return layer.had > 0; });
+        const auto corner = jointCorner(any->slice);
+        if (!corner) return;
+        measureCorner(outline, *corner, section);
+        if (section.fillet) top = rowHeight(corner->y) + section.fillet->toes[1].place;
+    }
+    section.root = measureBead(outline, {{0, rowHeight(bottom_)}, {-1, 0}, {0, -1}}, spacing_);
+    section.hole = widestHole();
+    section.fusion.box.height = std::max(section.fusion.box.height, top);
+    if (section.heatAffected) section.heatAffected->box.height = std::max(section.heatAffected->box.height, top);
+}
+
+Section CutLayers::measure(const SectionMap& map) const {
+    Section section;
+    section.layers = used();
+    if (section.layers == 0) {
+        if (cut_.heatAffected) section.heatAffected.emplace();
+        return section;
+    }
+    for (const Layer& layer : layers_)
+        if (layer.had > 0)
+            section.deposited +=
+                (static_cast<double>(layer.holds) - static_cast<double>(layer.had)) * spacing_ * spacing_;
+    section.deposited /= section.layers;
+    section.fusion = zoneOf(cut_.fusion);
+    section.fusion.box.area = section.fusion.area + section.deposited;
+    if (cut_.heatAffected) {
+        section.heatAffected = zoneOf(*cut_.heatAffected);
+        section.heatAffected->box.area = section.heatAffected->area + section.deposited;
+        section.coolingTime = coolingTime();
+    }
+    measureShape(map, section);
+    return section;
+}
+
+SectionMap CutLayers::draw() const {
+    std::vector<MapParticle> near;
+    for (const size_t slot : living_) {
+        const vec4& at = particles_.position(slot);
+        if (!layerOf(at) || !std::isfinite(at.y) || !std::isfinite(at.z)) continue;
+        near.push_back({{at.z, at.y}, std::max(particles_.heat(slot).z, at.w), at.w});
+    }
+    const glm::vec2 size = glm::vec2(lattice_.cells().z, lattice_.cells().y) * lattice_.spacing;
+    return makeSectionMap({lattice_.low.z, lattice_.low.y}, size, lattice_.spacing, used(), near);
+}
+
+} // namespace meltpool

@@ -1,0 +1,56 @@
+// The lattice layers that one cut takes, and what is measured on them.
+#pragma once
+
+#include "core/weld/gauge/section_slice.hpp"
+#include "core/weld/gauge/weld_particles.hpp"
+#include "core/weld/gauge/weld_section.hpp"
+
+namespace meltpool {
+
+class CutLayers {
+  public:
+    CutLayers(const WeldParticles& particles, const SectionCut& cut);
+
+    SectionMap draw() const;
+    /// `map`: what draw() gives.
+    Section measure(const SectionMap& map) const;
+
+  private:
+    struct Layer {
+        SectionSlice slice;
+        size_t had;                    ///< cells that held metal at the start
+        size_t holds;                  ///< particles there now
+        std::vector<int> columns = {}; ///< particles there now by column
+    };
+
+    /// Number of the layer that a place lies in; nothing outside the cut, or for a layer without workpiece.
+    std::optional<size_t> layerOf(const vec4& position) const;
+    double rowHeight(int row) const { return static_cast<double>(lattice_.low.y) + row * spacing_; }
+    double columnPlace(double column) const { return static_cast<double>(lattice_.low.z) + column * spacing_; }
+    void enterOriginal();
+    void enterPresent();
+    int used() const;
+    /// Mean of `value(layer)` over the layers in use.
+    template <class Value>
+    double mean(Value value) const;
+
+    WeldZone zoneOf(double kelvin) const;
+    void measureShape(const SectionMap& map, Section& section) const;
+    void measureLevel(const WeldOutline& outline, Section& section) const;
+    void measureCorner(const WeldOutline& outline, glm::ivec2 corner, Section& section) const;
+    void measureSeamEdges(Section& section) const;
+    double widestHole() const;
+    std::optional<double> coolingTime() const;
+
+    const WeldParticles& particles_;
+    SectionCut cut_;
+    const MetalLattice& lattice_;
+    double spacing_;
+    int first_ = 0;
+    std::vector<Layer> layers_;
+    std::vector<size_t> living_; ///< slots of the living particles in the layers, ascending
+    std::optional<int> level_;   ///< uppermost row of the workpiece where all columns have the same
+    int bottom_ = 0;             ///< lowest row of the workpiece
+};
+
+} // namespace meltpool

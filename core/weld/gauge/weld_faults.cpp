@@ -1,0 +1,66 @@
+#include "core/weld/gauge/weld_faults.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace meltpool {
+
+namespace {
+
+constexpr double kRoundedEnd = 1.5; ///< spacings from the end of a face that the particles' size rounds
+constexpr int kPlaces = 64;         ///< at which a stretch is looked at
+constexpr double kToeSlack = 0.5;   ///< spacings inside the toe where a groove is looked for too
+constexpr double kNoMetal = -std::numeric_limits<double>::infinity();
+
+using Line = std::vector<glm::dvec2>;
+
+/// Height of a closed line's uppermost place at `along`; kNoMetal beside the line.
+double upperHeight(const Line& line, double along) {
+    double height = kNoMetal;
+    for (size_t i = 0; i < line.size(); ++i) {
+        const glm::dvec2 a = line[i], b = line[(i + 1) % line.size()];
+        if ((a.x > along) == (b.x > along)) continue;
+        height = std::max(height, a.y + (b.y - a.y) * (along - a.x) / (b.x - a.x));
+    }
+    return height;
+}
+
+double reachOf(double spacing) {
+    return std::max(kUndercutReachSpacings * spacing, kUndercutReach);
+}
+
+} // namespace
+
+double grooveDepth(const WeldOutline& outline, const PlateFace& face, const FaceStretch& stretch, double spacing) {
+    const Line line = inFrame(outline, face);
+    if (line.empty()) return 0;
+    const auto [low, high] =
+        std::minmax_element(line.begin(), line.end(), [](glm::dvec2 a, glm::dvec2 b) { return a.x < b.x; });
+    const double first = std::max(stretch.low, low->x + kRoundedEnd * spacing);
+    const double last = std::min(stretch.high, high->x - kRoundedEnd * spacing);
+    double depth = 0;
+    for (int i = 0; i <= kPlaces && first <= last; ++i) {
+        const double height = upperHeight(line, first + (last - first) * i / kPlaces);
+        if (height != kNoMetal) depth = std::max(depth, -height);
+    }
+    return depth;
+}
+
+std::array<double, 2> undercutBeside(const WeldOutline& outline, const PlateFace& face, const FaceStretch& weld,
+                                     double spacing) {
+    const double inside = std::min(kToeSlack * spacing, 0.5 * weld.length()), reach = reachOf(spacing);
+    return {grooveDepth(outline, face, {weld.low - reach, weld.low + inside}, spacing),
+            grooveDepth(outline, face, {weld.high - inside, weld.high + reach}, spacing)};
+}
+
+std::array<double, 2> undercutBeside(const WeldOutline& outline, const PlateFace& lying, const FilletShape& fillet,
+                                     double spacing) {
+    const PlateFace standing{lying.origin, lying.out, lying.along};
+    const double inside = kToeSlack * spacing, reach = reachOf(spacing);
+    const auto beside = [&](const PlateFace& face, double leg) {
+        return grooveDepth(outline, face, {leg - inside, leg + reach}, spacing);
+    };
+    return {beside(lying, fillet.toes[0].place), beside(standing, fillet.toes[1].place)};
+}
+
+} // namespace meltpool

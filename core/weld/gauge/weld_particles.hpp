@@ -1,0 +1,40 @@
+// The metal of a weld as it is read back once for any number of cuts.
+#pragma once
+
+#include "core/metal/state/metal_state.hpp"
+
+#include <span>
+#include <vector>
+
+namespace meltpool {
+
+class WeldParticles {
+  public:
+    /// Reads every particle and waits for the GPU. `original`: the workpiece before welding, as measureSection() asks
+    /// for it; it must outlive this. Throws RuntimeFault when the state holds fewer particles than `original`.
+    WeldParticles(const MetalState& state, std::span<const MetalSeed> original);
+
+    const MetalLattice& lattice() const { return lattice_; }
+    std::span<const MetalSeed> original() const { return original_; }
+    const vec4& position(size_t slot) const { return positions_[slot]; } ///< xyz m, w K
+    const vec4& heat(size_t slot) const { return heats_[slot]; }         ///< see shaders/shared/metal.h
+    uint phase(size_t slot) const { return phases_[slot]; }
+
+    /// Living particles that lie in the lattice layers `first` up to but not `end` along the seam; slots ascend.
+    std::vector<size_t> livingIn(int first, int end) const { return gather(living_, first, end); }
+    /// The same of the workpiece's seeds on the lattice, by where they were before welding.
+    std::vector<size_t> originalIn(int first, int end) const { return gather(originals_, first, end); }
+
+  private:
+    using Layers = std::vector<std::vector<size_t>>; ///< slots by lattice layer along the seam
+
+    static std::vector<size_t> gather(const Layers& layers, int first, int end);
+
+    MetalLattice lattice_;
+    std::span<const MetalSeed> original_;
+    std::vector<vec4> positions_, heats_;
+    std::vector<uint> phases_;
+    Layers living_, originals_;
+};
+
+} // namespace meltpool
