@@ -1,0 +1,62 @@
+// The quantities of a welder's technique: their names in lessons and records, and their units.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <string_view>
+
+namespace meltpool {
+
+/// What TechniqueQuantity::distance is: contact tip to work (wire processes), or the arc's length (GTAW, SMAW).
+enum class DistanceKind { ctwd, arcLength };
+
+/// See the handbook's page on technique for definitions and signs.
+enum class TechniqueQuantity {
+    aim,            ///< across the seam, where the torch's axis meets the seam's height; when weaving, of the weave's
+                    ///< centre line; positive on SeamFrame::across, the welder's side
+    height,         ///< of the torch's tip over the seam, along the bisector
+    distance,       ///< see DistanceKind
+    workAngle,      ///< torch from the bisector in the plane across the seam; positive: the handle leans to the welder
+    travelAngle,    ///< torch from that plane, in the plane of torch and seam; positive pushes, negative drags
+    travelSpeed,    ///< of the arc along the seam, in the sensed direction of travel
+    weaveWidth,     ///< from toe to toe; 0 without a weave
+    weaveFrequency, ///< whole swings a second; 0 without a weave
+    weaveDwell,     ///< at each toe, beyond what a swing of even speed spends there
+    whipLength,     ///< to and fro along the seam, the mean of both ways; 0 without whipping
+    whipPeriod,     ///< from one stroke to the next
+    whipDwell,      ///< in the pool, at the rear end
+    rodAngle,       ///< filler rod over the plane across the bisector; 0 lies on a plate, 90 degrees stands on it
+    rodFrequency,   ///< dips of the rod towards the pool a second; 0 of a rod that is held still
+};
+inline constexpr size_t kTechniqueQuantities = 14;
+
+/// One value of each quantity in SI units: m, rad, m/s, Hz, s. NaN is unknown, as all are at first.
+class TechniqueValues {
+  public:
+    TechniqueValues() { values_.fill(std::numeric_limits<double>::quiet_NaN()); }
+    double& operator[](TechniqueQuantity quantity) { return values_[static_cast<size_t>(quantity)]; }
+    double operator[](TechniqueQuantity quantity) const { return values_[static_cast<size_t>(quantity)]; }
+
+  private:
+    std::array<double, kTechniqueQuantities> values_;
+};
+
+struct QuantityInfo {
+    TechniqueQuantity quantity;
+    std::string_view key;    ///< in lessons and results, such as "travel_speed"; "" of one that lessons do not judge
+    std::string_view column; ///< of technique.csv, with its unit
+    std::string_view words;  ///< in sentences, such as "travel speed"
+    std::string_view unit;   ///< of lessons and sentences: "mm", "mm/s", "°", "Hz", "s"
+    double perSi = 1;        ///< value in `unit` over the value in SI
+    double least = 0;        ///< in `unit`, that a lesson may ask for
+    double most = 0;
+};
+
+/// `distance` decides between `ctwd` and `arc_length`.
+const QuantityInfo& quantityInfo(TechniqueQuantity quantity, DistanceKind distance);
+
+/// All quantities of a process, in the order of TechniqueQuantity.
+const std::array<QuantityInfo, kTechniqueQuantities>& quantities(DistanceKind distance);
+
+} // namespace meltpool

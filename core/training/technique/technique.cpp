@@ -1,0 +1,170 @@
+#include "core/training/technique/technique.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace meltpool {
+
+namespace {
+
+using enum TechniqueQuantity;
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr size_t kStepsAtFirst = size_t(1) << 15;
+/// Cosine to the bisector below which a torch lies so flat that its axis has no place on the seam.
+constexpr double kFlattest = 0.1;
+/// Times that the foot of the axis is looked for on a circle's tangents; each brings several digits.
+constexpr int kFootRounds = 4;
+
+double finite(float value) {
+    return std::isfinite(value) ? static_cast<double>(value) : kUnknown;
+}
+
+/// Where a torch's axis meets the height of the seam; right under the tip where it lies too flat.
+glm::dvec3 footOf(const Seam& seam, const glm::dvec3& tip, const glm::dvec3& axis) {
+    glm::dvec3 foot = tip;
+    for (int i = 0; i < (seam.closed() ? kFootRounds : 1); ++i) {
+        const SeamFrame frame = seam.at(seam.nearest(foot).place);
+        const double down = -glm::dot(axis, frame.up);
+        if (down < kFlattest) return tip;
+        foot = tip + axis * (glm::dot(tip - frame.point, frame.up) / down);
+    }
+    return foot;
+}
+
+} // namespace
+
+int DirectionSense::add(double place) {
+    if (!begun_) low_ = high_ = place;
+    begun_ = true;
+    low_ = std::min(low_, place);
+    high_ = std::max(high_, place);
+    const double threshold = direction_ == 0 ? kDirectionSense : kDirectionTurn;
+    if (direction_ <= 0 && place - low_ >= threshold) {
+        direction_ = 1;
+        high_ = place;
+    } else if (direction_ >= 0 && high_ - place >= threshold) {
+        direction_ = -1;
+        low_ = place;
+    }
+    return direction_;
+}
+
+void SlidingSlope::add(double time, double value) {
+    count_ += 1;
+    sumT_ += time;
+    sumV_ += value;
+    sumTT_ += time * time;
+    sumTV_ += time * value;
+}
+
+void SlidingSlope::remove(double time, double value) {
+    count_ -= 1;
+    sumT_ -= time;
+    sumV_ -= value;
+    sumTT_ -= time * time;
+    sumTV_ -= time * value;
+}
+
+double SlidingSlope::slope() const {
+    const double spread = count_ * sumTT_ - sumT_ * sumT_;
+    return count_ > 1.5 && spread > 0 ? (count_ * sumTV_ - sumT_ * sumV_) / spread : kUnknown;
+}
+
+Technique::Technique(const Seam& seam, const TechniqueSettings& settings) : seam_(seam), settings_(settings) {
+    steps_.reserve(kStepsAtFirst);
+}
+
+void Technique::reset() {
+    steps_.clear();
+    now_ = {};
+    faults_ = {};
+    sense_.reset();
+    slope_ = {};
+    oldest_ = 0;
+    burned_ = lost_ = false;
+}
+
+void Technique::noteDropped() {
+    if (burned_) ++faults_.dropped;
+}
+
+/// A place on a circle, as many turns on as bring it next to the step before.
+double Technique::continued(double place) const {
+    if (!seam_.closed() || steps_.empty()) return place;
+    return place + std::round((steps_.back().place - place) / seam_.length()) * seam_.length();
+}
+
+TechniqueStep Technique::measure(const TorchSample& torch, const ArcState& arc) const {
+    const glm::dvec3 tip(torch.tip);
+    const glm::dvec3 axis = glm::normalize(glm::dvec3(torch.axis()));
+    const glm::dvec3 foot = footOf(seam_, tip, axis);
+    const SeamPlace at = seam_.nearest(foot);
+    const SeamFrame frame = seam_.at(at.place);
+    TechniqueStep step;
+    step.time = torch.time;
+    step.place = continued(at.place);
+    step.aim = at.across;
+    step.height = glm::dot(tip - frame.point, frame.up);
+    step.distance = finite(arc.distance);
+    if (settings_.distance == DistanceKind::arcLength) step.distance = arc.burns() ? finite(arc.length) : kUnknown;
+    step.workAngle = std::atan2(-glm::dot(axis, frame.across), -glm::dot(axis, frame.up));
+    step.lean = std::asin(std::clamp(glm::dot(axis, frame.tangent), -1.0, 1.0));
+    step.rodAngle = step.rodGap = kUnknown;
+    if (torch.rod) {
+        const glm::dvec3 rod(torch.rod->orientation * glm::vec3(0, 0, -1));
+        step.rodAngle = std::asin(std::clamp(-glm::dot(glm::normalize(rod), frame.up), -1.0, 1.0));
+        step.rodGap = glm::length(glm::dvec3(torch.rod->tip) - foot);
+    }
+    return step;
+}
+
+void Technique::noteFaults(double elapsed, bool burns, bool tracked) {
+    if (burns) faults_.arcSeconds += elapsed;
+    lost_ = !tracked && (lost_ || burns || burned_);
+    if (lost_) faults_.lostSeconds += elapsed;
+    if (burns && burned_ && elapsed > kLongestTechniqueStep) ++faults_.dropped;
+    burned_ = burns;
+}
+
+void Technique::add(const TorchSample& torch, const ArcState& arc, bool tracked) {
+    const double elapsed = steps_.empty() ? 0 : torch.time - steps_.back().time;
+    noteFaults(elapsed, arc.burns(), tracked);
+    TechniqueStep step = measure(torch, arc);
+    step.welds = arc.burns() && tracked;
+    step.joined =
+        step.welds && !steps_.empty() && steps_.back().welds && elapsed > 0 && elapsed <= kLongestTechniqueStep;
+    steps_.push_back(step);
+    updateNow();
+}
+
+void Technique::updateNow() {
+    const TechniqueStep& step = steps_.back();
+    if (!step.joined) {
+        sense_.reset();
+        slope_ = {};
+        oldest_ = steps_.size() - 1;
+        origin_ = step.time;
+    }
+    double speed = kUnknown;
+    if (step.welds) {
+        sense_.add(step.place);
+        slope_.add(step.time - origin_, step.place);
+        for (; steps_[oldest_].time < step.time - settings_.speedWindow; ++oldest_)
+            slope_.remove(steps_[oldest_].time - origin_, steps_[oldest_].place);
+        if (step.time - steps_[oldest_].time >= kLeastSpeedSpan) speed = slope_.slope();
+    }
+    const int direction = sense_.direction();
+    now_ = {};
+    now_[aim] = step.aim;
+    now_[height] = step.height;
+    now_[distance] = step.distance;
+    now_[workAngle] = step.workAngle;
+    now_[rodAngle] = step.rodAngle;
+    now_[travelAngle] = direction == 0 ? kUnknown : direction * step.lean;
+    now_[travelSpeed] = direction == 0 ? std::abs(speed) : direction * speed;
+}
+
+} // namespace meltpool
