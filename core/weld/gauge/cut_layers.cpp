@@ -176,18 +176,22 @@ std::optional<double> CutLayers::coolingTime() const {
 
 void CutLayers::measureSeamEdges(Section& section) const {
     const int seam = static_cast<int>(std::lround(-static_cast<double>(lattice_.low.z) / spacing_));
+    const double whole = *level_ + 1 - bottom_; // cells
     glm::dvec2 sum(0);
-    double fused = 0;
+    double roots = 0, faces = 0;
     for (const Layer& layer : layers_) {
         if (layer.had == 0) continue;
         const auto unfused = unfusedBeside(layer.slice, seam, cut_.fusion);
         if (!unfused) return;
         sum += *unfused;
-        fused += std::max(unfused->x, unfused->y) <= 0 ? 1 : 0;
+        const double more = std::max(unfused->x, unfused->y);
+        roots += more <= 0 ? 1 : 0;
+        faces += more < whole ? 1 : 0;
     }
     sum *= spacing_ / used();
     section.unfusedEdges = {sum.x, sum.y};
-    section.rootFused = fused / used();
+    section.rootFused = roots / used();
+    section.facesFused = faces / used();
 }
 
 void CutLayers::measureLevel(const WeldOutline& outline, Section& section) const {
@@ -209,11 +213,16 @@ void CutLayers::measureCorner(const WeldOutline& outline, glm::ivec2 corner, Sec
     section.fillet = measureFillet(outline, lying, spacing_);
     section.rootFusion = mean([&](const Layer& l) { return rootFusion(l.slice, corner, cut_.fusion) * spacing_; });
     section.rootFused = mean([&](const Layer& l) { return rootFusion(l.slice, corner, cut_.fusion) > 0 ? 1.0 : 0.0; });
-    section.fusedFaces.emplace();
-    for (const size_t face : {size_t(0), size_t(1)})
-        for (const int end : {0, 1})
-            (end == 0 ? (*section.fusedFaces)[face].low : (*section.fusedFaces)[face].high) =
-                mean([&](const Layer& l) { return fusedFaces(l.slice, corner, cut_.fusion)[face][end] * spacing_; });
+    std::array<FaceStretch, 2>& faces = section.fusedFaces.emplace();
+    for (const Layer& layer : layers_) {
+        if (layer.had == 0) continue;
+        const std::array<glm::dvec2, 2> fused = fusedFaces(layer.slice, corner, cut_.fusion);
+        section.facesFused += std::min(fused[0].y - fused[0].x, fused[1].y - fused[1].x) > 0 ? 1.0 / used() : 0.0;
+        for (const size_t face : {size_t(0), size_t(1)}) {
+            faces[face].low += fused[face].x * spacing_ / used();
+            faces[face].high += fused[face].y * spacing_ / used();
+        }
+    }
     if (section.fillet) section.undercut = undercutBeside(outline, lying, *section.fillet, spacing_);
 }
 

@@ -71,6 +71,8 @@ struct Section {
     /// Share of the layers in which the root is fused, 0 to 1: of a tee and a lap joint both plates at their corner, of
     /// a workpiece of one level both edges beside the seam down to the centres of their lowest cells.
     double rootFused = 0;
+    /// Share of the layers in which both faces of such a joint, or both edges beside the seam, are fused somewhere.
+    double facesFused = 0;
     /// From where to where the lying and the standing face of a tee or a lap joint are fused, m from the corner; of no
     /// length where a face is not.
     std::optional<std::array<FaceStretch, 2>> fusedFaces;
@@ -118,7 +120,8 @@ std::vector<Section> measureSections(const MetalState& state, std::span<const Me
 /// Measures one of several cuts through metal that is read already.
 Section measureSection(const WeldParticles& particles, const SectionCut& cut);
 
-/// The stretch of the seam (m along it) on which the workpiece was heated above `fusion` (K); nothing where it was not.
+/// The stretch of the seam (m along it) on which the workpiece was heated above `fusion` (K), between the centres of
+/// the outermost cells; nothing where it was not.
 std::optional<FaceStretch> weldedStretch(const WeldParticles& particles, double fusion);
 
 /// Where to cut when nobody said: the middle (m along the seam) of what was heated above `fusion` (K) of the workpiece,

@@ -285,6 +285,7 @@ TEST_CASE("a corner's section says which stretch of each face is fused", "[gauge
     const Heated tee(WorkpieceKind::Tee, coneOf(3.3e-3F));
     const Section fused = measureSection(tee.state(), tee.piece.seeds, cutOf(-2e-3, 2e-3));
     CHECK(fused.rootFused == 1);
+    CHECK(fused.facesFused == Approx(1));
     REQUIRE(fused.fusedFaces);
     for (const FaceStretch& face : *fused.fusedFaces) {
         CHECK(face.low == 0);
@@ -295,6 +296,7 @@ TEST_CASE("a corner's section says which stretch of each face is fused", "[gauge
                         [](glm::vec3 p) { return 1800 + 1e5F * (2e-3F - std::hypot(p.y, p.z - 4e-3F)); });
     const Section cold = measureSection(beside.state(), beside.piece.seeds, cutOf(-2e-3, 2e-3));
     CHECK(cold.rootFused == 0);
+    CHECK(cold.facesFused == 0);
     REQUIRE(cold.fusedFaces);
     CHECK((*cold.fusedFaces)[0].low * 1e3 == Approx(2).margin(0.25));
     CHECK((*cold.fusedFaces)[0].high * 1e3 == Approx(6).margin(0.25));
@@ -324,6 +326,7 @@ TEST_CASE("a butt's section says how far its edges are fused, and where it is op
     CHECK((*filled.unfusedEdges)[0] * 1e3 == Approx(1.5).margin(0.51));
     CHECK((*filled.unfusedEdges)[1] * 1e3 == Approx(3.5).margin(0.51));
     CHECK(filled.rootFused == 0);
+    CHECK(filled.facesFused == 1);
     CHECK(filled.hole == 0);
     CHECK(filled.root.height * 1e3 == Approx(2).margin(0.5));
     CHECK(filled.rootConcavity == 0);
