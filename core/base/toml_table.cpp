@@ -204,8 +204,11 @@ std::vector<std::vector<double>> TomlTable::rows(std::string_view key, std::size
 }
 
 TomlTable TomlTable::table(std::string_view key) {
-    const std::string name = where_.empty() ? "[" + std::string(key) + "]"
-                                            : where_.substr(0, where_.size() - 1) + "." + std::string(key) + "]";
+    // Inside a table of a list, "[[item]]", it is written as "[item.key]".
+    const size_t brackets = where_.starts_with("[[") ? 2 : 1;
+    const std::string name =
+        where_.empty() ? "[" + std::string(key) + "]"
+                       : "[" + where_.substr(brackets, where_.size() - 2 * brackets) + "." + std::string(key) + "]";
     const toml::node& node = need(key, "a table");
     const toml::table* inner = node.as_table();
     if (!inner) failAt(lineAt(node), key, "expected a table");

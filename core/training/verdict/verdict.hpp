@@ -1,0 +1,53 @@
+// The verdict on a measured weld by the limits of an acceptance file.
+#pragma once
+
+#include "core/training/verdict/acceptance.hpp"
+#include "core/training/verdict/imperfections.hpp"
+
+namespace meltpool {
+
+enum class VerdictState { pass, fail, notResolved, estimated };
+
+/// "pass", "fail", "not_resolved" or "estimated".
+std::string_view nameOf(VerdictState state);
+
+/// What technique says of an imperfection that the metal does not contain.
+struct Estimate {
+    std::string name; ///< of imperfections()
+    double value = 0; ///< in that imperfection's unit
+};
+
+/// One imperfection by one limit, at the place of the weld where it is worst.
+struct VerdictItem {
+    std::string name; ///< of imperfections()
+    /// In `unit`; at least 0 of what is too much or missing. None where neither the metal nor an estimate tells it.
+    std::optional<double> value;
+    std::optional<double> limit; ///< in `unit`; 0 of what is not permitted; none where the standard has none
+    LimitKind kind = LimitKind::atMost;
+    std::string_view unit; ///< "mm" or "deg"
+    VerdictState state = VerdictState::notResolved;
+    bool beyond = false;         ///< the value is beyond the limit; of an estimate that alone does not fail the weld
+    double resolution = 0;       ///< in `unit`: what the particles resolve of it
+    std::optional<double> place; ///< m along the seam of that worst station
+};
+
+struct Verdict {
+    std::string standard, edition, level;
+    std::vector<VerdictItem> items; ///< each imperfection once, in the file's order; estimates without a limit last
+    /// Something was welded and no item fails. Items that are not resolved or estimated do not decide.
+    bool accepted = false;
+};
+
+/// Judges every station by every item that applies. With `r` = what the particles resolve of the imperfection, a
+/// station
+/// - fails beyond the limit, or, where the limit itself is less than r, beyond limit + r;
+/// - is not resolved where the limit is less than r and the value not at least r on its safe side; an angle also where
+///   it is nearer than r to its limit;
+/// - passes otherwise.
+/// An item fails where a station does, unless the item allows short ones: then where a station fails the limit of short
+/// ones too, or where the stations beyond the limit are longer together than allowed. What needs a nominal size that is
+/// not given, and what neither the stations nor an estimate tell, is not resolved.
+Verdict judge(const WeldMeasures& measures, const Acceptance& acceptance, const NominalWeld& nominal,
+              std::span<const Estimate> estimates = {});
+
+} // namespace meltpool

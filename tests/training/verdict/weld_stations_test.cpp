@@ -1,0 +1,240 @@
+// Stations: figures from sections, their means and extremes, straightness, the table, and welds of known shape measured
+// end to end.
+#include "core/training/verdict/weld_stations.hpp"
+
+#include "core/base/text.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+using namespace meltpool;
+
+namespace {
+
+constexpr double kMm = 1e-3;
+
+Material steel() {
+    return readMaterial(test::testFolder().parent_path() / "app" / "data" / "materials" / "s235.toml");
+}
+
+/// A fillet's section: legs 6 and 5 mm, faces fused to 5.5 and 4 mm, the root by 1 mm.
+Section filletSection() {
+    Section section;
+    section.layers = 4;
+    section.fusion.width = 9.5 * kMm;
+    section.fusion.depth = 1.5 * kMm;
+    section.heatAffected.emplace().width = 13.5 * kMm;
+    FilletShape& fillet = section.fillet.emplace();
+    fillet.toes = {{{6 * kMm, 0.9}, {5 * kMm, 0.8}}};
+    fillet.throat = 4.2 * kMm;
+    fillet.convexity = 0.3 * kMm;
+    section.fusedFaces = {{{0, 5.5 * kMm}, {0, 4 * kMm}}};
+    section.rootFusion = 1 * kMm;
+    section.rootFused = 1;
+    section.facesFused = 1;
+    section.undercut = {0.1 * kMm, 0.4 * kMm};
+    section.hole = 0;
+    section.coolingTime = 8;
+    return section;
+}
+
+WeldStation at(double placeMm, double middleMm) {
+    WeldStation station;
+    station.place = placeMm * kMm;
+    station.middle = middleMm * kMm;
+    station.toeWidth = placeMm * kMm;
+    return station;
+}
+
+/// A bead of half circles of metal on a plate, of radius `radius` (mm) along x from -20 to 20 mm, swinging sideways by
+/// `swing` (mm); the plate is fused 2 mm deep under it.
+struct PlateWeld {
+    static constexpr float kSpacing = 0.5F;
+
+    explicit PlateWeld(float radius, float swing = 0) {
+        WorkpieceParameters p;
+        p.lengthMm = 60;
+        p.widthMm = 24;
+        p.thicknessMm = 4;
+        p.roomAboveMm = 6;
+        p.spacingMm = kSpacing;
+        piece = makeWorkpiece(p);
+        const auto middle = [=](float x) { return swing * std::sin(x / 3e-3F) * 1e-3F; };
+        for (MetalSeed& seed : piece.seeds) {
+            const glm::vec3 at = seed.position;
+            const float across = at.z - middle(at.x), half = (radius + 0.4F) * 1e-3F;
+            if (std::abs(at.x) < 20e-3F && std::abs(across) < half && at.y > -2e-3F) seed.temperature = 1900;
+        }
+        const float step = kSpacing * 1e-3F;
+        const auto reach = static_cast<int>(radius / kSpacing) + 1;
+        for (int i = -40; i < 40; ++i)
+            for (int row = 0; row < reach; ++row)
+                for (int column = -reach; column < reach; ++column) {
+                    const glm::vec3 at((static_cast<float>(i) + 0.5F) * step, (static_cast<float>(row) + 0.5F) * step,
+                                       (static_cast<float>(column) + 0.5F) * step);
+                    if (std::hypot(at.y, at.z) > radius * 1e-3F) continue;
+                    const float moved = std::round(middle(at.x) / step) * step;
+                    metal.push_back({at + glm::vec3(0, 0, moved), 2000, PHASE_ALIVE, glm::vec3(0)});
+                }
+    }
+
+    WeldMeasures measure(const StationSettings& settings = {}) const {
+        MetalState state(piece.lattice, HeatTable(steel()), 7850, piece.seeds.size() + metal.size());
+        state.add(piece.seeds);
+        state.add(metal);
+        return measureWeld(state, piece.seeds, steel(), WeldKind::bead, settings);
+    }
+
+    Workpiece piece;
+    std::vector<MetalSeed> metal;
+};
+
+} // namespace
+
+TEST_CASE("a fillet's station has the figures of its section", "[stations]") {
+    const WeldStation s = stationOf(filletSection(), WeldKind::fillet, 3 * kMm);
+    CHECK(s.place == 3 * kMm);
+    CHECK(*s.leg1 == Approx(6 * kMm));
+    CHECK(*s.leg2 == Approx(5 * kMm));
+    CHECK(*s.toeWidth == Approx(std::hypot(6, 5) * kMm));
+    CHECK(*s.throat == Approx(4.2 * kMm));
+    CHECK(*s.overlap1 == Approx(0.5 * kMm));
+    CHECK(*s.overlap2 == Approx(1 * kMm));
+    CHECK(*s.lackOfFusion == Approx(-1 * kMm)); // fused into the joint
+    CHECK(*s.facesFused == 1);
+    CHECK(*s.middle == Approx(1 * kMm / (2 * std::numbers::sqrt2)));
+    CHECK(*s.hazWidth == Approx(2 * kMm));
+    CHECK(*s.coolingTime == 8);
+    CHECK_FALSE(s.height);
+    CHECK_FALSE(s.rootMissing);
+    Section cold = filletSection();
+    cold.rootFusion = 0;
+    (*cold.fusedFaces)[0].low = 1.2 * kMm; // not fused from the corner on
+    CHECK(*stationOf(cold, WeldKind::fillet, 0).lackOfFusion == Approx(1.2 * kMm));
+    (*cold.fusedFaces)[1] = {};
+    CHECK(*stationOf(cold, WeldKind::fillet, 0).lackOfFusion == Approx(5 * kMm)); // the whole leg
+    CHECK(*stationOf(cold, WeldKind::fillet, 0).overlap2 == Approx(5 * kMm));
+}
+
+TEST_CASE("a butt's station tells the root from both edges", "[stations]") {
+    Section section;
+    section.layers = 4;
+    section.fusion.depth = 4 * kMm;
+    section.fusion.stretch = {-4 * kMm, 4 * kMm};
+    BeadShape& bead = section.bead.emplace();
+    bead.height = 1 * kMm;
+    bead.toes = {{{-3 * kMm, 0.6}, {3.4 * kMm, 0.6}}};
+    bead.cover = {-3 * kMm, 3.4 * kMm};
+    section.unfusedEdges = {0.8 * kMm, 2 * kMm};
+    const WeldStation lacking = stationOf(section, WeldKind::butt, 0);
+    CHECK(*lacking.rootMissing == Approx(0.8 * kMm));  // on both edges
+    CHECK(*lacking.lackOfFusion == Approx(1.2 * kMm)); // on one more than on the other
+    CHECK(*lacking.overlap1 == Approx(-1 * kMm));
+    CHECK(*lacking.overlap2 == Approx(-0.6 * kMm));
+    CHECK(*lacking.middle == Approx(0.2 * kMm));
+    section.unfusedEdges = {0, 0};
+    section.root.height = 0.7 * kMm;
+    const WeldStation through = stationOf(section, WeldKind::butt, 0);
+    CHECK(*through.rootMissing == Approx(-0.7 * kMm));
+    CHECK(*through.lackOfFusion == Approx(-0.7 * kMm));
+    CHECK(*through.excessPenetration == Approx(0.7 * kMm));
+    CHECK_FALSE(through.leg1);
+}
+
+TEST_CASE("means, extremes and straightness are those of the stations", "[stations]") {
+    // Middles on a tilted line, then 0.3 mm to both sides of it in turns.
+    const auto line = [](double off) {
+        std::vector<WeldStation> stations;
+        for (int i = 0; i < 20; ++i)
+            stations.push_back(at(2 * i, 0.1 * i + (i / 2 % 2 == i % 2 ? off : -off)));
+        return stations;
+    };
+    const WeldMeasures straight = summarise(line(0), WeldKind::bead, 2 * kMm, kMm);
+    REQUIRE(straight.straightness);
+    CHECK(*straight.straightness == Approx(0).margin(1e-9));
+    CHECK(*straight.mean.toeWidth == Approx(19 * kMm));
+    CHECK(*straight.least.toeWidth == 0);
+    CHECK(*straight.greatest.toeWidth == Approx(38 * kMm));
+    CHECK_FALSE(straight.mean.throat);
+    CHECK(straight.length() == Approx(40 * kMm));
+    CHECK(*summarise(line(0.3), WeldKind::bead, 2 * kMm, kMm).straightness == Approx(0.3 * kMm).epsilon(0.01));
+    CHECK_FALSE(summarise({at(0, 0), at(2, 1)}, WeldKind::bead, 2 * kMm, kMm).straightness);
+    CHECK(summarise({}, WeldKind::bead, 2 * kMm, kMm).stations.empty());
+}
+
+TEST_CASE("stations leave out the craters and stand a pitch apart", "[stations]") {
+    const auto cuts = stationCuts(steel(), {-30 * kMm, 31 * kMm}, {});
+    REQUIRE(cuts.size() == 25);
+    CHECK(cuts.front().from == Approx(-24.5 * kMm)); // what is left of a pitch is shared
+    CHECK(cuts.back().to == Approx(25.5 * kMm));
+    for (size_t i = 1; i < cuts.size(); ++i)
+        CHECK(cuts[i].at() - cuts[i - 1].at() == Approx(2 * kMm));
+    CHECK(stationCuts(steel(), {0, 8 * kMm}, {}).size() == 2); // a quarter at each end
+    CHECK(stationCuts(steel(), {0, 3 * kMm}, {}).empty());
+}
+
+TEST_CASE("the table has a row a station and empty cells where there is no figure", "[stations]") {
+    WeldMeasures measures =
+        summarise({stationOf(filletSection(), WeldKind::fillet, 3 * kMm)}, WeldKind::fillet, 2e-3, 1e-3);
+    const std::string table = weldTable(measures);
+    const auto lines = splitText(table, '\n');
+    REQUIRE(lines.size() == 3); // the last one is empty
+    const auto heads = splitText(lines[0], ','), cells = splitText(lines[1], ',');
+    REQUIRE(heads.size() == stationColumns().size() + 1);
+    REQUIRE(cells.size() == heads.size());
+    CHECK(std::set<std::string_view>(heads.begin(), heads.end()).size() == heads.size());
+    const auto cell = [&](std::string_view name) {
+        for (size_t i = 0; i < heads.size(); ++i)
+            if (heads[i] == name) return std::string(cells[i]);
+        return std::string("no column");
+    };
+    CHECK(cell("place_mm") == "3");
+    CHECK(cell("leg1_mm") == "6");
+    CHECK(cell("undercut_2_mm") == "0.4");
+    CHECK(cell("root_fused_percent") == "100");
+    CHECK(cell("edge_angle_1_deg") == "51.5662");
+    CHECK(cell("t85_s") == "8");
+    CHECK(cell("height_mm").empty());
+    const std::filesystem::path file = test::scratchFolder("stations") / "weld.csv";
+    writeWeldTable(file, measures);
+    CHECK(readTextFile(file) == table);
+}
+
+TEST_CASE("a bead of known shape is measured at all stations within half a spacing", "[stations]") {
+    test::context();
+    const PlateWeld weld(3);
+    const WeldMeasures measures = weld.measure();
+    REQUIRE(measures.stations.size() == 14); // 39.5 mm between the outermost cells' centres, less 5 at each end
+    for (const WeldStation& station : measures.stations) {
+        CHECK(*station.height / kMm == Approx(3).margin(0.25));
+        CHECK(*station.toeWidth / kMm == Approx(6).margin(0.25));
+        CHECK(*station.penetration / kMm == Approx(2).margin(0.25));
+        CHECK(*station.undercut1 == Approx(0).margin(1e-6));
+        CHECK(*station.excessPenetration == 0);
+        CHECK(*station.hole == 0);
+        CHECK(*station.facesFused == 1);
+    }
+    // The fed volume, by particles: their share of the half circle's area.
+    const double fed = static_cast<double>(weld.metal.size()) * std::pow(0.5 * kMm, 3) / (40 * kMm);
+    CHECK(*measures.mean.deposited == Approx(fed).epsilon(0.03));
+    REQUIRE(measures.straightness);
+    CHECK(*measures.straightness / kMm < 0.05);
+}
+
+TEST_CASE("a bead that swings is not straight, and a seam that is not welded all along says so", "[stations]") {
+    test::context();
+    const WeldMeasures swinging = PlateWeld(2, 1.5F).measure();
+    REQUIRE(swinging.straightness);
+    CHECK(*swinging.straightness / kMm > 0.7);
+    CHECK(*swinging.straightness / kMm < 1.3);
+    StationSettings wholeSeam;
+    wholeSeam.seam = {-28 * kMm, 28 * kMm};
+    const WeldMeasures whole = PlateWeld(2).measure(wholeSeam);
+    CHECK(whole.stations.size() == 23);
+    CHECK(whole.facesFused == Approx(20.0 / 23).margin(0.05));
+    CHECK(*whole.least.height == 0);
+    CHECK(*whole.greatest.lackOfFusion == 0); // a place without weld
+}
