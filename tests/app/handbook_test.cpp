@@ -3,6 +3,7 @@
 #include "core/base/text.hpp"
 #include "core/training/lesson.hpp"
 #include "core/training/result_file.hpp"
+#include "core/training/technique/along_seam.hpp"
 #include "core/validation/validation_case.hpp"
 #include "core/weld/torch/torch_csv.hpp"
 #include "tests/app/handbook.hpp"
@@ -341,6 +342,20 @@ TEST_CASE("the handbook names every kind of validation case, its keys and its re
             told.merge(table.column(column));
     CHECK(joined(without(told, results)) == "");
     CHECK(joined(without(results, told)) == "");
+}
+
+TEST_CASE("the handbook names every quantity of technique", "[app][handbook]") {
+    const auto tables = tablesOf("column of technique.csv");
+    REQUIRE(tables.size() == 1);
+    Names columns, keys;
+    for (const DistanceKind kind : {DistanceKind::ctwd, DistanceKind::arcLength}) {
+        const std::string head = techniqueCsv({}, kind);
+        columns.merge(commaNames(trimText(head)));
+        for (const QuantityInfo& info : quantities(kind))
+            if (!info.key.empty()) keys.emplace(info.key);
+    }
+    CHECK(joined(tables[0].column(0)) == joined(columns));
+    CHECK(joined(tables[0].column(1)) == joined(keys));
 }
 
 TEST_CASE("the handbook names what the program writes", "[app][handbook]") {
