@@ -27,10 +27,10 @@ struct SeamMillimetre {
 };
 
 /// The attempt so far, in ascending places; millimetres without arc are missing. Unlike Technique::now() this looks at
-/// what comes after each step too: the speed's window is centred on it, within its stretch of arc (a stretch ends where
-/// the arc goes out, tracking is lost or samples are missing); aim is the centre line of a weave; where the torch
-/// whips, the speed is that of the strokes' middles; a direction holds from the strike and from the turn on. Places
-/// more than 20 mm beyond the seam's ends are left out. Takes time in proportion to the number of steps.
+/// what comes after each step too: the speed's window is centred on it, within its stretch of arc (which ends where the
+/// arc goes out, tracking is lost, samples are missing or the torch jumps); aim is the centre line of a weave; where
+/// the torch whips, the speed is that of the strokes' middles; a direction holds from the strike and from the turn on.
+/// Places more than 20 mm beyond the seam's ends are left out. Takes time in proportion to the number of steps.
 std::vector<SeamMillimetre> alongSeam(const Technique& technique);
 
 /// The columns and rows of technique.csv: one row a millimetre, an empty cell for what is unknown.

@@ -15,6 +15,9 @@ using Steps = std::span<const TechniqueStep>;
 /// s from toe to toe; slower swings of the torch are drift, slower dips of the rod are pauses.
 constexpr double kLongestSwing = 2.5;
 constexpr double kLongestDip = 4;
+/// s; faster ones are tremor. A dip is a jab.
+constexpr double kShortestSwing = 0.15;
+constexpr double kShortestDip = 0.08;
 
 /// A series of one value of the steps, without the steps where it is unknown.
 std::vector<SwingRun> swingsOf(Steps steps, double TechniqueStep::*value, const SwingLimits& limits) {
@@ -87,7 +90,8 @@ void setSpeeds(Steps steps, double window, std::vector<StretchValues>& result) {
 }
 
 void setWeave(Steps steps, std::vector<StretchValues>& result) {
-    const std::vector<SwingRun> runs = swingsOf(steps, &TechniqueStep::aim, {kLeastWeave, kLongestSwing});
+    const std::vector<SwingRun> runs =
+        swingsOf(steps, &TechniqueStep::aim, {kLeastWeave, kShortestSwing, kLongestSwing});
     RunCursor cursor(runs);
     for (size_t i = 0; i < steps.size(); ++i) {
         TechniqueValues& values = result[i].values;
@@ -101,7 +105,8 @@ void setWeave(Steps steps, std::vector<StretchValues>& result) {
 }
 
 void setWhip(Steps steps, std::vector<StretchValues>& result) {
-    const std::vector<SwingRun> runs = swingsOf(steps, &TechniqueStep::place, {kLeastWhip, kLongestSwing});
+    const std::vector<SwingRun> runs =
+        swingsOf(steps, &TechniqueStep::place, {kLeastWhip, kShortestSwing, kLongestSwing});
     RunCursor cursor(runs);
     for (size_t i = 0; i < steps.size(); ++i) {
         TechniqueValues& values = result[i].values;
@@ -117,7 +122,7 @@ void setWhip(Steps steps, std::vector<StretchValues>& result) {
 }
 
 void setRod(Steps steps, std::vector<StretchValues>& result) {
-    const std::vector<SwingRun> runs = swingsOf(steps, &TechniqueStep::rodGap, {kLeastDip, kLongestDip});
+    const std::vector<SwingRun> runs = swingsOf(steps, &TechniqueStep::rodGap, {kLeastDip, kShortestDip, kLongestDip});
     RunCursor cursor(runs);
     for (size_t i = 0; i < steps.size(); ++i) {
         if (std::isnan(steps[i].rodGap)) continue;

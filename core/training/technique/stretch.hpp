@@ -19,7 +19,8 @@ struct StepRange {
     size_t end = 0;
 };
 
-/// The steps that weld, without gap: each range ends where the arc goes out, tracking is lost or samples are missing.
+/// The steps that weld, without gap: each range ends where the arc goes out, tracking is lost, samples are
+/// missing or the torch jumps.
 std::vector<StepRange> weldedStretches(std::span<const TechniqueStep> steps);
 
 struct StretchValues {

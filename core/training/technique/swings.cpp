@@ -9,7 +9,9 @@ namespace meltpool {
 namespace {
 
 constexpr size_t kLeastSwings = 3;
-constexpr double kNear = 0.1; ///< of the way, that is still at the toe
+constexpr double kNear = 0.1;     ///< of the way, that is still at the toe
+constexpr double kRaise = 1.3;    // of the least swing, while tremor is as large
+constexpr double kMostTremor = 5; // times the least swing; where tremor is larger nothing can be told
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// A way from one toe to the next.
@@ -41,6 +43,18 @@ std::vector<size_t> turningPoints(std::span<const double> values, double least) 
         }
     }
     return points;
+}
+
+/// The turning points of the smallest swings that are no tremor: `least` is raised until none is faster than
+/// `shortest`.
+std::vector<size_t> toesOf(std::span<const double> times, std::span<const double> values, const SwingLimits& limits) {
+    std::vector<size_t> toes;
+    for (double least = limits.least; least < kMostTremor * limits.least; least *= kRaise) {
+        toes = turningPoints(values, least);
+        const auto tooFast = [&](size_t from, size_t to) { return times[to] - times[from] < limits.shortest; };
+        if (toes.size() < 3 || std::adjacent_find(toes.begin() + 1, toes.end(), tooFast) == toes.end()) return toes;
+    }
+    return {};
 }
 
 HalfSwing halfSwing(std::span<const double> times, std::span<const double> values, size_t begin, size_t end) {
@@ -100,7 +114,7 @@ SwingRun runOf(std::span<const HalfSwing> halves) {
 
 std::vector<SwingRun> findSwings(std::span<const double> times, std::span<const double> values,
                                  const SwingLimits& limits) {
-    const std::vector<size_t> toes = turningPoints(values, limits.least);
+    const std::vector<size_t> toes = toesOf(times, values, limits);
     std::vector<SwingRun> runs;
     std::vector<HalfSwing> halves;
     const auto finishRun = [&] {

@@ -8,8 +8,9 @@ namespace meltpool {
 
 /// What counts as a swing.
 struct SwingLimits {
-    double least = 1e-3;  ///< from toe to toe, in the values' unit; what turns back earlier is tremor
-    double longest = 2.5; ///< s from toe to toe; what is slower is drift
+    double least = 1e-3;    ///< from toe to toe, in the values' unit; what turns back earlier is tremor
+    double shortest = 0.15; ///< s from toe to toe; what is faster is tremor too, and only larger swings are looked for
+    double longest = 2.5;   ///< s from toe to toe; what is slower is drift
 };
 
 /// One way from toe to toe; times in s, values in their own unit.

@@ -34,6 +34,13 @@ glm::dvec3 footOf(const Seam& seam, const glm::dvec3& tip, const glm::dvec3& axi
     return foot;
 }
 
+/// No samples are missing between two steps that weld, and the torch did not jump.
+bool follows(const TechniqueStep& step, const TechniqueStep& before) {
+    const double elapsed = step.time - before.time, way = std::abs(step.place - before.place);
+    return before.welds && elapsed > 0 && elapsed <= kLongestTechniqueStep &&
+           way <= std::max(kJump, kJumpSpeed * elapsed);
+}
+
 } // namespace
 
 int DirectionSense::add(double place) {
@@ -134,8 +141,7 @@ void Technique::add(const TorchSample& torch, const ArcState& arc, bool tracked)
     noteFaults(elapsed, arc.burns(), tracked);
     TechniqueStep step = measure(torch, arc);
     step.welds = arc.burns() && tracked;
-    step.joined =
-        step.welds && !steps_.empty() && steps_.back().welds && elapsed > 0 && elapsed <= kLongestTechniqueStep;
+    step.joined = step.welds && !steps_.empty() && follows(step, steps_.back());
     steps_.push_back(step);
     updateNow();
 }

@@ -24,6 +24,10 @@ inline constexpr double kLeastSpeedSpan = 0.1;
 /// s between two steps; in a longer gap samples were dropped.
 inline constexpr double kLongestTechniqueStep = 0.1;
 
+/// m and m/s: a step along the seam that is longer than both allow is a jump, which ends a stretch as a gap does.
+inline constexpr double kJump = 2e-3;
+inline constexpr double kJumpSpeed = 0.2;
+
 /// One step, SI units; what is unknown is NaN.
 struct TechniqueStep {
     double time = 0;      ///< s of metal time
@@ -36,7 +40,7 @@ struct TechniqueStep {
     double rodAngle = 0;  ///< rad
     double rodGap = 0;    ///< m from the rod's tip to where the torch's axis meets the seam
     bool welds = false;   ///< the arc burns and the torch is tracked
-    bool joined = false;  ///< welds, as did the step before, with no gap between them
+    bool joined = false;  ///< welds, as did the step before, with no gap and no jump between
 };
 
 /// Finds the direction of travel while places come in: +1 towards growing places, -1, or 0 while it is not known.

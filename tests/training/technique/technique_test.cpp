@@ -4,8 +4,11 @@
 #include "core/weld/torch/torch_moves.hpp"
 #include "tests/support/catch.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 using namespace meltpool;
 using namespace meltpool::test;
@@ -172,6 +175,41 @@ TEST_CASE("a hand's tremor is no weave", "[training][technique]") {
     CHECK(meanOf(seam, travelSpeed) == Approx(6).margin(0.1));
 }
 
+TEST_CASE("tremor that comes and goes neither makes a weave nor hides one", "[training][technique]") {
+    // Twelve waves from 7 to 9 Hz, together 0.3 mm or 2 degrees r.m.s. in each direction.
+    const unsigned seed = GENERATE(1U, 2U, 3U);
+    std::mt19937 random(seed);
+    std::array<std::array<double, 12>, 4> phases{};
+    for (auto& each : phases)
+        for (double& phase : each)
+            phase = static_cast<double>(random()) * (2 * kPi / 4294967296.0);
+    const auto tremor = [&](size_t which, double time) {
+        double sum = 0;
+        for (size_t k = 0; k < 12; ++k)
+            sum += std::sin(2 * kPi * (7 + 2 * static_cast<double>(k) / 11) * time + phases[which][k]);
+        return sum / std::sqrt(6.0);
+    };
+    for (const double weave : {0.0, 3.0}) {
+        const auto seam = alongSeam(weldWith(plateSeam(), 16, [&](double time) {
+            Hand hand;
+            hand.placeMm = -40 + 5 * time + 0.3 * tremor(0, time);
+            hand.aimMm = weave * std::sin(2 * kPi * 1.1 * time) + 0.3 * tremor(1, time);
+            hand.workDeg = 2 * tremor(2, time);
+            hand.travelDeg = 10 + 2 * tremor(3, time);
+            return hand;
+        }));
+        INFO(seed << " " << weave);
+        CHECK(farthestFrom(0, seam, whipLength) == 0);
+        CHECK(farthestFrom(5, seam, travelSpeed) < 1);
+        CHECK(meanOf(seam, travelSpeed) == Approx(5).margin(0.1));
+        CHECK(meanOf(seam, aim) == Approx(0).margin(0.15));
+        CHECK(meanOf(seam, travelAngle) == Approx(10).margin(0.3));
+        CHECK(meanOf(seam, workAngle) == Approx(0).margin(0.3));
+        CHECK(meanOf(seam, weaveWidth) == Approx(2 * weave).margin(weave > 0 ? 1.2 : 1e-12));
+        CHECK(meanOf(seam, weaveFrequency) == Approx(weave > 0 ? 1.1 : 0).margin(0.05));
+    }
+}
+
 TEST_CASE("on a pipe angles count from the tangent, places go on around it", "[training][technique]") {
     const int direction = GENERATE(1, -1);
     const Seam pipe = Seam::circle({0, -0.03, 0}, {0, 0, -1}, {0, 0, 0});
@@ -216,6 +254,17 @@ TEST_CASE("no speed is taken across a gap of the arc or of the tracking", "[trai
         CHECK((mm.place < -9e-3 || mm.place > 9.5e-3));
     }
     CHECK(technique.faults().lostSeconds == Approx(tracking ? 0.2 : 0).margin(0.003));
+}
+
+TEST_CASE("no speed is taken across a jump of the torch, and nothing between was welded", "[training][technique]") {
+    const auto seam = alongSeam(weldWith(plateSeam(), 10, [&](double time) {
+        Hand hand;
+        hand.placeMm = -30 + 5 * time + (time < 5 ? 0 : 4);
+        return hand;
+    }));
+    CHECK(farthestFrom(5, seam, travelSpeed) < kMmTolerance);
+    CHECK(std::none_of(seam.begin(), seam.end(),
+                       [](const SeamMillimetre& mm) { return mm.place > -5e-3 && mm.place < -1e-3; }));
 }
 
 TEST_CASE("a missing sample ends the stretch and is counted", "[training][technique]") {
