@@ -212,6 +212,7 @@ TEST_CASE("tremor that comes and goes neither makes a weave nor hides one", "[tr
 
 TEST_CASE("on a pipe angles count from the tangent, places go on around it", "[training][technique]") {
     const int direction = GENERATE(1, -1);
+    const double height = GENERATE(5.0, 40.0); // far from the pipe the tip lies over another place than the arc
     const Seam pipe = Seam::circle({0, -0.03, 0}, {0, 0, -1}, {0, 0, 0});
     const double around = pipe.length() * 1e3;
     const double seconds = (around + 20) / 5;
@@ -222,7 +223,7 @@ TEST_CASE("on a pipe angles count from the tangent, places go on around it", "[t
         hand.workDeg = 6;
         hand.travelDeg = -9;
         hand.aimMm = -0.8;
-        hand.tipHeightMm = 5;
+        hand.tipHeightMm = height;
         return hand;
     });
     CHECK(std::abs(technique.steps().back().place - technique.steps().front().place) * 1e3 ==
