@@ -8,7 +8,8 @@
 
 namespace meltpool {
 
-/// What TechniqueQuantity::distance is: contact tip to work (wire processes), or the arc's length (GTAW, SMAW).
+/// What TechniqueQuantity::distance is. ctwd: ArcState::distance, of wire processes from the contact tip to the work
+/// (of flame and iron from the tip). arcLength: ArcState::length, of GTAW and SMAW.
 enum class DistanceKind { ctwd, arcLength };
 
 /// See the handbook's page on technique for definitions and signs.

@@ -142,9 +142,16 @@ std::string sentenceOf(const ParameterScore& parameter, const TechniqueBand& ban
     if (off < 0.5 * parameter.spread || tellNumber(off) == "0")
         return "Keep the " + words + " even: it went from " + tell(parameter.least) + " to " + tell(parameter.most) +
                "; asked for is " + tell(band.ideal) + ".";
-    return std::string(advice(band, parameter.deviation > 0)) + ": the " + words + " was " + tell(parameter.mean) +
-           " on average, " + tell(off) + (parameter.deviation > 0 ? " above the " : " below the ") + tell(band.ideal) +
-           " asked for.";
+    const bool tooMuch = parameter.deviation > 0;
+    std::string sentence(advice(band, tooMuch));
+    if (parameter.quantity == TechniqueQuantity::travelSpeed && parameter.mean < 0)
+        return "Weld in the other direction: the torch went against the one asked for, at " + tell(-parameter.mean) +
+               " on average.";
+    if (parameter.quantity == TechniqueQuantity::aim)
+        return sentence + ": the aim was " + tell(off) + " off on average, " +
+               (tooMuch ? "on your side." : "on the side away from you.");
+    return sentence + ": the " + words + " was " + tell(parameter.mean) + " on average, " + tell(off) +
+           (tooMuch ? " above the " : " below the ") + tell(band.ideal) + " asked for.";
 }
 
 } // namespace

@@ -111,7 +111,7 @@ TEST_CASE("a bent path is marked down, and its own parameter is the lowest", "[t
         {"slow", {2, 0, 0, 0, 0}, travelSpeed, "Travel faster: the travel speed was 2.8 mm/s"},
         {"7 mm off", {1, 7, 0, 0, 0}, distance, "Hold the torch closer: the contact tip to work distance"},
         {"turned", {1, 0, 28, 0, 0}, workAngle, "Lean the torch less towards you: the work angle was 28°"},
-        {"beside", {1, 0, 0, 4, 0}, aim, "Aim farther away from you: the aim was 4 mm on average, 4 mm above"},
+        {"beside", {1, 0, 0, 4, 0}, aim, "Aim farther away from you: the aim was 4 mm off on average, on your side."},
         {"dragged", {1, 0, 0, 0, -25}, travelAngle, "Push more: the travel angle was -15°"}};
     for (const Case& each : cases) {
         INFO(each.what);
@@ -294,6 +294,9 @@ TEST_CASE("a demanded direction makes the other way's speed wrong", "[training][
     bands.direction = TravelDirection::forward;
     CHECK(scoreOf(technique, bands).find(travelSpeed)->score == 0);
     CHECK(scoreOf(technique, bands).find(travelSpeed)->mean == Approx(-kSpeed).margin(0.02));
+    const auto told = corrections(scoreOf(technique, bands), bands);
+    REQUIRE(told.size() == 1);
+    CHECK_THAT(told[0].sentence, test::containsText("Weld in the other direction: the torch went against"));
 }
 
 TEST_CASE("corrections are the dearest first, three of them, and name unevenness", "[training][technique]") {
