@@ -4,6 +4,8 @@
 #include "core/training/lesson.hpp"
 #include "core/training/result_file.hpp"
 #include "core/training/technique/along_seam.hpp"
+#include "core/training/verdict/acceptance.hpp"
+#include "core/training/verdict/imperfections.hpp"
 #include "core/validation/validation_case.hpp"
 #include "core/weld/torch/torch_csv.hpp"
 #include "tests/app/handbook.hpp"
@@ -257,6 +259,7 @@ TEST_CASE("files that the handbook shows are read", "[app][handbook]") {
         {"torch.csv", {"torch.csv", [](const fs::path& file) { TorchPath::read(file); }}},
         {"torch.toml", {"torch.toml", [](const fs::path& file) { TorchPath::read(file); }}},
         {"material", {"material.toml", [](const fs::path& file) { readMaterial(file); }}},
+        {"acceptance", {"acceptance.toml", [](const fs::path& file) { readAcceptance(file); }}},
         {"validation case", {"case.toml", [](const fs::path& file) { readValidationCase(file); }}}};
     Names kinds;
     for (const Page& page : pages())
@@ -312,6 +315,19 @@ TEST_CASE("the handbook names every lesson", "[app][handbook]") {
     REQUIRE(tables.size() == 1);
     const auto names = lessonNames(sourceFolder() / "app" / "data" / "lessons");
     CHECK(joined(tables[0].column(0)) == joined(Names(names.begin(), names.end())));
+}
+
+TEST_CASE("the handbook names every column of weld.csv and every imperfection", "[app][handbook]") {
+    Names columns{"place_mm"}, known;
+    for (const StationColumn& column : stationColumns())
+        columns.emplace(column.name);
+    for (const Imperfection& each : imperfections())
+        known.emplace(each.name);
+    const auto weld = tablesOf("column of weld.csv"), judged = tablesOf("imperfection");
+    REQUIRE(weld.size() == 1);
+    REQUIRE(judged.size() == 1);
+    CHECK(joined(weld[0].column(0)) == joined(columns));
+    CHECK(joined(judged[0].column(0)) == joined(known));
 }
 
 TEST_CASE("the handbook names every kind of validation case, its keys and its results", "[app][handbook]") {

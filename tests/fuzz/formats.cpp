@@ -7,6 +7,7 @@
 #include "core/metal/material/materials.hpp"
 #include "core/training/lesson.hpp"
 #include "core/training/recorded_attempt.hpp"
+#include "core/training/verdict/verdict.hpp"
 #include "core/validation/validation_case.hpp"
 #include "core/weld/torch/torch_path.hpp"
 #include "tests/support/gl_fixture.hpp"
@@ -80,6 +81,28 @@ Answer readMaterialFile(const fs::path& file) {
         requireSound(*property);
     require(m.solidus > 0 && m.liquidus >= m.solidus && m.latentHeat >= 0, "it does not melt");
     require(m.boilingPoint == 0 || m.boilingPoint > m.liquidus, "it boils before it melts");
+    return Answer::taken;
+}
+
+/// Its limits are numbers, and a weld can be judged by them.
+Answer readAcceptanceFile(const fs::path& file) {
+    const Acceptance acceptance = readAcceptance(file);
+    require(!acceptance.items.empty(), "an acceptance has no item");
+    for (const AcceptanceItem& item : acceptance.items) {
+        require(!item.appliesTo.empty(), "an item applies to nothing");
+        require(std::isfinite(item.formula.at({8, 4, 6, 5})), "a limit is not finite");
+        if (item.shortOnes) require(std::isfinite(item.shortOnes->allowed(40)), "an allowance is not finite");
+    }
+    NominalWeld nominal;
+    nominal.thickness = 6e-3;
+    nominal.leg = 5e-3;
+    Section section;
+    section.layers = 1;
+    section.fillet.emplace().toes[0].place = 5e-3;
+    section.fusedFaces.emplace();
+    const WeldMeasures weld = summarise({stationOf(section, WeldKind::fillet, 0)}, WeldKind::fillet, 2e-3, 1e-3);
+    for (const VerdictItem& item : judge(weld, acceptance, nominal).items)
+        require(!item.value || std::isfinite(*item.value), "a verdict's value is not finite");
     return Answer::taken;
 }
 
@@ -165,9 +188,10 @@ Answer readWords(const fs::path& file) {
     return Answer::taken;
 }
 
-const std::array<Format, 9> kFormats{{
+const std::array<Format, 10> kFormats{{
     {"lesson", "lesson.toml", lessonTexts, readLessonFile},
     {"material", "material.toml", [] { return corpusOf("material", "app/data/materials"); }, readMaterialFile},
+    {"acceptance", "acceptance.toml", [] { return corpusOf("acceptance", "app/data/acceptance"); }, readAcceptanceFile},
     {"validation case", "case.toml", [] { return corpusOf("case", "tests/validation/cases"); }, readCaseFile},
     {"recorded torch path", "path.csv", [] { return corpusOf("torch-csv", nullptr); }, readPath},
     {"record", "record.csv", [] { return corpusOf("record", nullptr); }, readRecord},

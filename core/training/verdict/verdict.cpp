@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kPerMetre = 1e3;  ///< mm
 constexpr double kRounding = 1e-6; ///< mm of length that sums of pitches may be off
+constexpr double kEqual = 1e-6;    ///< parts by which sizes from single precision may differ
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// One station by one limit.
@@ -30,7 +31,7 @@ bool worse(const Look& a, const Look& b) {
 
 VerdictState stateOf(double excess, double limit, double resolution, bool isAngle) {
     if (!std::isfinite(limit)) return VerdictState::notResolved;
-    const bool fine = isAngle || limit < resolution;
+    const bool fine = isAngle || limit < resolution * (1 - kEqual);
     const double slack = fine ? resolution : 0;
     if (excess > slack) return VerdictState::fail;
     return excess <= -slack ? VerdictState::pass : VerdictState::notResolved;

@@ -158,7 +158,7 @@ WeldStation stationOf(const Section& section, WeldKind kind, double place) {
         takeFillet(section, station);
         return station;
     }
-    takeBead(section.bead.value_or(BeadShape{}), section.fusion.stretch, station);
+    takeBead(section.bead.value_or(BeadShape{}), section.fusedTop, station);
     station.underfill = section.underfill;
     if (kind == WeldKind::butt) {
         takeButt(section, station);

@@ -194,10 +194,25 @@ void CutLayers::measureSeamEdges(Section& section) const {
     section.facesFused = faces / used();
 }
 
+std::optional<FaceStretch> CutLayers::meanFusedTop() const {
+    glm::dvec2 sum(0);
+    double count = 0;
+    for (const Layer& layer : layers_) {
+        if (layer.had == 0) continue;
+        const auto fused = fusedTop(layer.slice, cut_.fusion);
+        if (!fused) continue;
+        sum += *fused;
+        ++count;
+    }
+    if (count == 0) return std::nullopt;
+    return FaceStretch{columnPlace(sum.x / count), columnPlace(sum.y / count)};
+}
+
 void CutLayers::measureLevel(const WeldOutline& outline, Section& section) const {
     const double height = rowHeight(*level_ + 1);
     const PlateFace face{{0, height}};
     section.bead = measureBead(outline, face, spacing_);
+    section.fusedTop = meanFusedTop();
     measureSeamEdges(section);
     std::optional<FaceStretch> weld = section.fusion.stretch;
     if (section.bead->toes) weld = {(*section.bead->toes)[0].place, (*section.bead->toes)[1].place};

@@ -39,6 +39,7 @@ class CutLayers {
     void measureLevel(const WeldOutline& outline, Section& section) const;
     void measureCorner(const WeldOutline& outline, glm::ivec2 corner, Section& section) const;
     void measureSeamEdges(Section& section) const;
+    std::optional<FaceStretch> meanFusedTop() const;
     double widestHole() const;
     std::optional<double> coolingTime() const;
 

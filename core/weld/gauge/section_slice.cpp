@@ -246,6 +246,17 @@ std::array<glm::dvec2, 2> fusedFaces(const SectionSlice& slice, glm::ivec2 corne
             fusedFace(slice, corner - glm::ivec2(1, 0), {0, 1}, {1, 0}, level)};
 }
 
+std::optional<glm::dvec2> fusedTop(const SectionSlice& slice, double level) {
+    const glm::ivec2 up(0, 1);
+    const auto peak = [&](glm::ivec2 cell) {
+        return slice.peak(cell) + (slice.isFace(cell, up) ? 0.5 * slopeUnderFace(slice, cell, up) : 0);
+    };
+    const SurfaceStretch hot = hotSurface(slice, peak, up, level);
+    if (hot.width <= 0) return std::nullopt;
+    const double middle = hot.moment / hot.width;
+    return glm::dvec2(middle - 0.5 * hot.width, middle + 0.5 * hot.width);
+}
+
 std::optional<double> unfusedHeight(const SectionSlice& slice, int column, double level) {
     const auto peak = [&](glm::ivec2 at) { return slice.peak(at); };
     std::optional<int> lowest;

@@ -69,6 +69,10 @@ double rootFusion(const SectionSlice& slice, glm::ivec2 corner, double level);
 /// from the corner outwards. Both ends 0 where a face is fused nowhere.
 std::array<glm::dvec2, 2> fusedFaces(const SectionSlice& slice, glm::ivec2 corner, double level);
 
+/// From where to where the hottest stretch of the upward faces is fused at the faces themselves, in cells from the
+/// grid's corner; nothing where no face is.
+std::optional<glm::dvec2> fusedTop(const SectionSlice& slice, double level);
+
 /// How much of the height of a column is not fused from its lowest cell upwards, in cells: all of it where no cell is
 /// hot, 0 where the lowest cell's centre is. Nothing where the column held no metal.
 std::optional<double> unfusedHeight(const SectionSlice& slice, int column, double level);

@@ -76,6 +76,9 @@ struct Section {
     /// From where to where the lying and the standing face of a tee or a lap joint are fused, m from the corner; of no
     /// length where a face is not.
     std::optional<std::array<FaceStretch, 2>> fusedFaces;
+    /// m from the seam (z): the stretch of a level workpiece's face that is fused at the face itself, a little wider
+    /// than fusion.stretch half a cell below; where the metal over it ends, weld metal lies on cold plate.
+    std::optional<FaceStretch> fusedTop;
     /// m: height that is not fused of both edges beside the seam (-z, +z) of a workpiece of one level, from the lower
     /// face upwards. A plate's edges are the two columns of cells next to the seam.
     std::optional<std::array<double, 2>> unfusedEdges;

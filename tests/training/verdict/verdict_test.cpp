@@ -167,6 +167,7 @@ TEST_CASE("what the particles do not resolve neither passes nor fails", "[verdic
     CHECK(stateOf(undercut(0, 1e-3), b, "undercut") == VerdictState::notResolved);
     CHECK(stateOf(undercut(0.75, 1e-3), b, "undercut") == VerdictState::notResolved);
     CHECK(stateOf(undercut(0.85, 1e-3), b, "undercut") == VerdictState::fail); // beyond 0.3 by more than 0.5
+    CHECK(stateOf(undercut(0, static_cast<double>(1e-3F)), c, "undercut") == VerdictState::pass); // 0.5 by 0.5 mm
     const Verdict told = judge(undercut(0, 1e-3), b, nominal(fillet));
     CHECK(itemOf(told, "undercut").resolution == Approx(0.5));
     CHECK(*itemOf(told, "undercut").limit == Approx(0.3));

@@ -123,7 +123,7 @@ TEST_CASE("a butt's station tells the root from both edges", "[stations]") {
     Section section;
     section.layers = 4;
     section.fusion.depth = 4 * kMm;
-    section.fusion.stretch = {-4 * kMm, 4 * kMm};
+    section.fusedTop = {-4 * kMm, 4 * kMm};
     BeadShape& bead = section.bead.emplace();
     bead.height = 1 * kMm;
     bead.toes = {{{-3 * kMm, 0.6}, {3.4 * kMm, 0.6}}};

@@ -303,6 +303,17 @@ TEST_CASE("a corner's section says which stretch of each face is fused", "[gauge
     CHECK((*cold.fusedFaces)[1].length() == 0);
 }
 
+TEST_CASE("the face of a plate is fused as far as the heat reached at the face itself", "[gauge]") {
+    test::context();
+    const Heated plate(WorkpieceKind::Plate, coneOf(3.3e-3F));
+    const Section section = measureSection(plate.state(), plate.piece.seeds, cutOf(-2e-3, 2e-3));
+    REQUIRE(section.fusedTop);
+    CHECK(section.fusedTop->low * 1e3 == Approx(-3.3).margin(0.15));
+    CHECK(section.fusedTop->high * 1e3 == Approx(3.3).margin(0.15));
+    const Heated cold(WorkpieceKind::Plate, [](glm::vec3) { return 300.0F; });
+    CHECK_FALSE(measureSection(cold.state(), cold.piece.seeds, cutOf(-2e-3, 2e-3)).fusedTop);
+}
+
 TEST_CASE("a butt's section says how far its edges are fused, and where it is open", "[gauge]") {
     test::context();
     WorkpieceParameters p;
