@@ -6,7 +6,12 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <set>
 
@@ -47,6 +52,45 @@ WeldStation at(double placeMm, double middleMm) {
     station.middle = middleMm * kMm;
     station.toeWidth = placeMm * kMm;
     return station;
+}
+
+using Inside = std::function<bool(glm::vec2)>; ///< of a place (z, y) in mm
+
+/// A joint of 4 mm plates and particles of 0.5 mm, welded from x = -20 to 20 mm with metal of this section; its plates
+/// are fused where `fused` says so.
+WeldMeasures measureJoint(WorkpieceKind kind, const Inside& metal, const Inside& fused) {
+    WorkpieceParameters p;
+    p.kind = static_cast<int>(kind);
+    p.lengthMm = 60;
+    p.widthMm = 24;
+    p.thicknessMm = 4;
+    p.heightMm = 14;
+    p.gapMm = 2;
+    p.roomAboveMm = 6;
+    p.spacingMm = 0.5F;
+    Workpiece piece = makeWorkpiece(p);
+    const auto place = [](glm::vec3 at) { return glm::vec2(at.z, at.y) * 1e3F; };
+    for (MetalSeed& seed : piece.seeds)
+        if (std::abs(seed.position.x) < 20e-3F && fused(place(seed.position))) seed.temperature = 1900;
+    const auto inPlates = [&](glm::vec3 at) {
+        return std::any_of(piece.blocks.begin(), piece.blocks.end(), [&](const WorkpieceBlock& block) {
+            return glm::all(glm::greaterThan(at, block.low)) && glm::all(glm::lessThan(at, block.high));
+        });
+    };
+    // The section is moved a little from layer to layer, so that four of them show more than whole cells.
+    const auto moved = [&](glm::vec3 at) {
+        const int layer = piece.lattice.cellAt(at).x % 4;
+        return place(at) + glm::vec2(0.125F * (static_cast<float>(layer) - 1.5F), 0);
+    };
+    std::vector<MetalSeed> weld;
+    for (const MetalSeed& seed :
+         latticeSeeds(piece.lattice, {-20e-3F, piece.low.y, piece.low.z}, {20e-3F, piece.high.y, piece.high.z}, 2000))
+        if (!inPlates(seed.position) && metal(moved(seed.position)))
+            weld.push_back({seed.position, 2000, PHASE_ALIVE, glm::vec3(0)});
+    MetalState state(piece.lattice, HeatTable(steel()), 7850, piece.seeds.size() + weld.size());
+    state.add(piece.seeds);
+    state.add(weld);
+    return measureWeld(state, piece.seeds, steel(), weldKindOf(kind));
 }
 
 /// A bead of half circles of metal on a plate, of radius `radius` (mm) along x from -20 to 20 mm, swinging sideways by
@@ -237,4 +281,70 @@ TEST_CASE("a bead that swings is not straight, and a seam that is not welded all
     CHECK(whole.facesFused == Approx(20.0 / 23).margin(0.05));
     CHECK(*whole.least.height == 0);
     CHECK(*whole.greatest.lackOfFusion == 0); // a place without weld
+}
+
+TEST_CASE("fillets of tee and lap joints are measured at all stations within half a spacing", "[stations]") {
+    test::context();
+    for (const WorkpieceKind kind : {WorkpieceKind::Tee, WorkpieceKind::Lap}) {
+        INFO(static_cast<int>(kind));
+        // In a lap joint the upper plate is 4 mm thick.
+        const glm::vec2 legs = kind == WorkpieceKind::Tee ? glm::vec2(6, 5) : glm::vec2(5, 3);
+        const WeldMeasures weld = measureJoint(
+            kind, [&](glm::vec2 p) { return p.x > -0.2F && p.y > 0 && p.x / legs.x + p.y / legs.y < 1; },
+            [&](glm::vec2 p) { return p.x > -1 && p.y > -1 && p.x < legs.x + 1 && p.y < legs.y + 1; });
+        REQUIRE(weld.stations.size() == 14);
+        CHECK(weld.kind == WeldKind::fillet);
+        for (const WeldStation& s : weld.stations) {
+            CHECK(*s.leg1 / kMm == Approx(static_cast<double>(legs.x)).margin(0.25));
+            CHECK(*s.leg2 / kMm == Approx(static_cast<double>(legs.y)).margin(0.25));
+            CHECK(*s.throat / kMm == Approx(static_cast<double>(legs.x * legs.y / glm::length(legs))).margin(0.25));
+            CHECK(*s.convexity / kMm == Approx(0).margin(0.25));
+            CHECK(*s.lackOfFusion / kMm == Approx(-1).margin(0.25));
+            CHECK(*s.overlap1 / kMm == Approx(-1).margin(0.5));
+            CHECK(*s.undercut1 == Approx(0).margin(1e-6));
+            CHECK(*s.undercut2 == Approx(0).margin(1e-6));
+            CHECK(*s.hole == 0);
+            CHECK(*s.excessPenetration == 0);
+        }
+        CHECK(weld.rootFused == 1);
+        CHECK(weld.facesFused == Approx(1));
+    }
+}
+
+TEST_CASE("a butt weld is measured on both sides at all stations within half a spacing", "[stations]") {
+    test::context();
+    // Over the plates 8 mm wide and 1.5 mm high, under them 4 mm wide and 1.5 mm high, edges fused all through.
+    const auto inCap = [](float across, float up, float half, float height) { // a circle's segment
+        const float radius = 0.5F * (half * half + height * height) / height;
+        return std::hypot(across, up + radius - height) < radius;
+    };
+    const auto metal = [&](glm::vec2 p) {
+        if (p.y > 0) return inCap(p.x, p.y, 4, 1.5F);
+        return p.y > -4 ? std::abs(p.x) < 2 : inCap(p.x, -4 - p.y, 2, 1.5F); // all of the gap
+    };
+    const WeldMeasures weld =
+        measureJoint(WorkpieceKind::Butt, metal, [](glm::vec2 p) { return std::abs(p.x) < 4.5F; });
+    REQUIRE(weld.stations.size() == 14);
+    CHECK(weld.kind == WeldKind::butt);
+    for (const WeldStation& s : weld.stations) {
+        CHECK(*s.toeWidth / kMm == Approx(8).margin(0.25));
+        CHECK(*s.height / kMm == Approx(1.5).margin(0.25));
+        CHECK(*s.excessPenetration / kMm == Approx(1.5).margin(0.25));
+        CHECK(*s.rootWidth / kMm == Approx(4).margin(0.25));
+        CHECK(*s.rootMissing / kMm == Approx(-1.5).margin(0.25));
+        CHECK(*s.rootConcavity == Approx(0).margin(1e-6));
+        CHECK(*s.underfill == Approx(0).margin(1e-6));
+        CHECK(*s.overlap1 / kMm == Approx(-0.5).margin(0.5));
+        CHECK(*s.hole == 0);
+    }
+    CHECK(weld.rootFused == 1);
+    // The same without metal in the lower 2 mm of the gap, and edges fused down to there.
+    const WeldMeasures shallow = measureJoint(
+        WorkpieceKind::Butt, [&](glm::vec2 p) { return p.y > -2 && metal(p); },
+        [](glm::vec2 p) { return std::abs(p.x) < 4.5F && p.y > -2; });
+    for (const WeldStation& s : shallow.stations) {
+        CHECK(*s.rootMissing / kMm == Approx(2).margin(0.25));
+        CHECK(*s.rootConcavity / kMm == Approx(2).margin(0.25));
+        CHECK(*s.rootFused == 0);
+    }
 }
