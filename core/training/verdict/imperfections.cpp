@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <numbers>
 
 namespace meltpool {
@@ -10,8 +9,6 @@ namespace meltpool {
 namespace {
 
 constexpr double kPerMetre = 1e3; ///< mm
-constexpr double kHighWeld = 4;   ///< spacings from which an angle is told well
-constexpr double kAngleOfHigh = 6, kAngleOfLow = 14;
 
 using Told = std::optional<ImperfectionValue>;
 using Value = WeldStation::Value;
@@ -150,14 +147,6 @@ const Imperfection* findImperfection(std::string_view name) {
     const auto* found = std::find_if(kImperfections.begin(), kImperfections.end(),
                                      [&](const Imperfection& each) { return each.name == name; });
     return found == kImperfections.end() ? nullptr : found;
-}
-
-double angleResolution(const WeldStation& station, double spacing) {
-    const double infinite = std::numeric_limits<double>::infinity();
-    double size = station.height.value_or(infinite);
-    for (const Value& leg : {station.leg1, station.leg2})
-        size = std::min(size, leg.value_or(infinite));
-    return size >= kHighWeld * spacing ? kAngleOfHigh : kAngleOfLow;
 }
 
 } // namespace meltpool

@@ -28,7 +28,7 @@ struct ImperfectionValue {
 struct Imperfection {
     std::string_view name; ///< in acceptance files and results
     std::string_view unit; ///< "mm" or "deg"
-    /// How much of it the particles resolve, in spacings; of angles see angleResolution(). 0: a yes or no that the
+    /// How much of it the particles resolve, in spacings; of angles see kResolvedAngle. 0: a yes or no that the
     /// metal itself answers.
     double resolution = 0;
     /// What a station tells; nothing where it cannot. Null for what the metal does not contain.
@@ -45,8 +45,8 @@ const Imperfection* findImperfection(std::string_view name);
 /// Half a spacing: what the gauge resolves of a length.
 inline constexpr double kResolvedSpacings = 0.5;
 
-/// Degrees of a toe angle that particles resolve: 6 on welds of four spacings and more, 14 on lower ones. From the
-/// outlines of known shape in tests/weld/gauge/weld_shape_test.cpp.
-double angleResolution(const WeldStation& station, double spacing);
+/// Degrees of a toe angle that particles resolve: five layers of them scatter by as much about the angle that they
+/// stand for (tests/weld/gauge/weld_shape_test.cpp, disordered particles).
+inline constexpr double kResolvedAngle = 15;
 
 } // namespace meltpool

@@ -45,6 +45,7 @@ class ItemJudge {
           item_(item),
           nominal_(nominal),
           what_(*findImperfection(item.imperfection)),
+          resolution_(what_.unit == "deg" ? kResolvedAngle : what_.resolution * measures.spacing * kPerMetre),
           sizes_{kUnknown, nominal.throatOf(measures.kind).value_or(kUnknown) * kPerMetre,
                  nominal.thickness * kPerMetre, nominal.legOf().value_or(kUnknown) * kPerMetre} {}
 
@@ -66,7 +67,8 @@ class ItemJudge {
     const AcceptanceItem& item_;
     const NominalWeld& nominal_;
     const Imperfection& what_;
-    LimitSizes sizes_; ///< of the whole weld, without b
+    double resolution_; ///< in the imperfection's unit
+    LimitSizes sizes_;  ///< of the whole weld, without b
 };
 
 Look ItemJudge::look(const WeldStation& station, const ImperfectionValue& told, const LimitFormula& formula) const {
@@ -77,8 +79,7 @@ Look ItemJudge::look(const WeldStation& station, const ImperfectionValue& told, 
     look.value = told.value;
     look.limit = formula.at(sizes);
     look.excess = item_.kind == LimitKind::atLeast ? look.limit - told.value : told.value - look.limit;
-    look.resolution =
-        isAngle ? angleResolution(station, measures_.spacing) : what_.resolution * measures_.spacing * kPerMetre;
+    look.resolution = resolution_;
     look.state = stateOf(look.excess, look.limit, look.resolution, isAngle);
     look.place = station.place;
     return look;
@@ -89,7 +90,7 @@ VerdictItem ItemJudge::blank() const {
     item.name = what_.name;
     item.kind = item_.kind;
     item.unit = what_.unit;
-    item.resolution = what_.resolution * measures_.spacing * kPerMetre;
+    item.resolution = resolution_;
     if (const double limit = item_.formula.at(sizes_); std::isfinite(limit)) item.limit = limit;
     return item;
 }

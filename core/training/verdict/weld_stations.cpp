@@ -169,15 +169,18 @@ WeldStation stationOf(const Section& section, WeldKind kind, double place) {
     return station;
 }
 
-std::vector<SectionCut> stationCuts(const Material& material, const FaceStretch& seam,
+std::vector<SectionCut> stationCuts(const Material& material, const FaceStretch& seam, double spacing,
                                     const StationSettings& settings) {
     const double ends = std::min(settings.ends, 0.25 * seam.length());
     const double length = seam.length() - 2 * ends;
     const double count = std::floor(length / settings.pitch + 1e-9);
+    const double half = 0.5 * std::max(settings.pitch, settings.layers * spacing);
     std::vector<SectionCut> cuts;
-    const double first = seam.low + ends + 0.5 * (length - count * settings.pitch);
-    for (double i = 0; i < count; ++i)
-        cuts.push_back(sectionCut(material, first + i * settings.pitch, first + (i + 1) * settings.pitch));
+    const double first = seam.low + ends + 0.5 * (length - (count - 1) * settings.pitch);
+    for (double i = 0; i < count; ++i) {
+        const double at = first + i * settings.pitch;
+        cuts.push_back(sectionCut(material, at - half, at + half));
+    }
     return cuts;
 }
 
@@ -215,7 +218,7 @@ WeldMeasures measureWeld(const MetalState& state, std::span<const MetalSeed> ori
     if (!seam) seam = weldedStretch(particles, sectionCut(material, 0, 0).fusion);
     std::vector<WeldStation> stations;
     if (seam)
-        for (const SectionCut& cut : stationCuts(material, *seam, settings))
+        for (const SectionCut& cut : stationCuts(material, *seam, spacing, settings))
             stations.push_back(stationOf(measureSection(particles, cut), kind, cut.at()));
     return summarise(std::move(stations), kind, settings.pitch, spacing);
 }

@@ -19,7 +19,8 @@ std::string_view nameOf(WeldKind kind);
 
 /// Where the stations stand.
 struct StationSettings {
-    double pitch = 2e-3; ///< m from station to station, and length of the cut that each is the mean of
+    double pitch = 2e-3; ///< m from station to station
+    int layers = 5;      ///< of particles that a station is the mean of at least, so that no single one decides
     double ends = 5e-3;  ///< m left out at the start and at the end crater, at most a quarter of the seam each
     /// m along the seam: what was to be welded, so that a place without weld counts. None: what was welded.
     std::optional<FaceStretch> seam;
@@ -94,8 +95,10 @@ struct WeldMeasures {
 /// One station's figures from its section; none in a section beside the workpiece. `place`: m along the seam.
 WeldStation stationOf(const Section& section, WeldKind kind, double place);
 
-/// Where the stations' cuts lie on a seam; none on a seam shorter than one pitch.
-std::vector<SectionCut> stationCuts(const Material& material, const FaceStretch& seam, const StationSettings& settings);
+/// Where the stations' cuts lie on a seam, each a pitch long or `layers` times the spacing (m) of the particles; none
+/// on a seam shorter than one pitch.
+std::vector<SectionCut> stationCuts(const Material& material, const FaceStretch& seam, double spacing,
+                                    const StationSettings& settings);
 
 /// Means, extremes and straightness of these stations.
 WeldMeasures summarise(std::vector<WeldStation> stations, WeldKind kind, double pitch, double spacing);

@@ -128,8 +128,8 @@ TEST_CASE("each imperfection alone fails its own item", "[verdict]") {
         {butt, "excess_weld_metal", [](WeldStation& s) { s.height = 2.3 * kMm; }},
         {fillet, "convexity", [](WeldStation& s) { s.convexity = 2.3 * kMm; }},
         {butt, "excess_penetration", [](WeldStation& s) { s.excessPenetration = 3.5 * kMm; }},
-        {fillet, "toe_angle", [](WeldStation& s) { s.edgeAngle1 = 87 * kDegree; }},
-        {butt, "toe_angle", [](WeldStation& s) { s.edgeAngle2 = 85 * kDegree; }},
+        {fillet, "toe_angle", [](WeldStation& s) { s.edgeAngle1 = 97 * kDegree; }},
+        {butt, "toe_angle", [](WeldStation& s) { s.edgeAngle2 = 87 * kDegree; }},
         {fillet, "overlap", [](WeldStation& s) { s.overlap1 = 0.6 * kMm; }},
         {fillet, "unequal_legs", [](WeldStation& s) { s.leg1 = 8.5 * kMm; }},
         {butt, "not_filled_up", [](WeldStation& s) { s.underfill = 0.7 * kMm; }},
@@ -178,17 +178,15 @@ TEST_CASE("what the particles do not resolve neither passes nor fails", "[verdic
     CHECK(stateOf(fusion(0.2), c, "lack_of_fusion") == VerdictState::notResolved);
     CHECK(stateOf(fusion(0.3), c, "lack_of_fusion") == VerdictState::fail);
     CHECK(judge(fusion(0.2), c, nominal(fillet)).accepted); // told, but not decided
-    // An angle near its limit of 100 degrees: 6 degrees are resolved on high welds, 14 on low ones.
-    const auto angle = [&](double degrees, double leg) {
-        return weldOf(fillet, [=](WeldStation& s) {
-            s.edgeAngle1 = (180 - degrees) * kDegree;
-            s.leg1 = s.leg2 = leg * kMm;
-        });
+    // An angle near its limit of 100 degrees.
+    const auto angle = [&](double degrees) {
+        return weldOf(fillet, [=](WeldStation& s) { s.edgeAngle1 = (180 - degrees) * kDegree; });
     };
-    CHECK(stateOf(angle(107, 5.7), c, "toe_angle") == VerdictState::pass);
-    CHECK(stateOf(angle(105, 5.7), c, "toe_angle") == VerdictState::notResolved);
-    CHECK(stateOf(angle(93, 5.7), c, "toe_angle") == VerdictState::fail);
-    CHECK(stateOf(angle(93, 1.9), c, "toe_angle") == VerdictState::notResolved);
+    CHECK(stateOf(angle(116), c, "toe_angle") == VerdictState::pass);
+    CHECK(stateOf(angle(114), c, "toe_angle") == VerdictState::notResolved);
+    CHECK(stateOf(angle(86), c, "toe_angle") == VerdictState::notResolved);
+    CHECK(stateOf(angle(84), c, "toe_angle") == VerdictState::fail);
+    CHECK(itemOf(judge(angle(84), c, nominal(fillet)), "toe_angle").resolution == 15);
 }
 
 TEST_CASE("short imperfections have their allowance", "[verdict]") {

@@ -210,14 +210,19 @@ TEST_CASE("means, extremes and straightness are those of the stations", "[statio
 }
 
 TEST_CASE("stations leave out the craters and stand a pitch apart", "[stations]") {
-    const auto cuts = stationCuts(steel(), {-30 * kMm, 31 * kMm}, {});
+    const auto cuts = stationCuts(steel(), {-30 * kMm, 31 * kMm}, 0.4 * kMm, {});
     REQUIRE(cuts.size() == 25);
     CHECK(cuts.front().from == Approx(-24.5 * kMm)); // what is left of a pitch is shared
     CHECK(cuts.back().to == Approx(25.5 * kMm));
     for (size_t i = 1; i < cuts.size(); ++i)
         CHECK(cuts[i].at() - cuts[i - 1].at() == Approx(2 * kMm));
-    CHECK(stationCuts(steel(), {0, 8 * kMm}, {}).size() == 2); // a quarter at each end
-    CHECK(stationCuts(steel(), {0, 3 * kMm}, {}).empty());
+    CHECK(stationCuts(steel(), {0, 8 * kMm}, kMm, {}).size() == 2); // a quarter at each end
+    CHECK(stationCuts(steel(), {0, 3 * kMm}, kMm, {}).empty());
+    // With coarse particles each is the mean of five layers, at the same places.
+    const auto coarse = stationCuts(steel(), {-30 * kMm, 31 * kMm}, kMm, {});
+    REQUIRE(coarse.size() == 25);
+    CHECK(coarse[3].at() == Approx(cuts[3].at()));
+    CHECK(coarse[3].to - coarse[3].from == Approx(5 * kMm));
 }
 
 TEST_CASE("the table has a row a station and empty cells where there is no figure", "[stations]") {
