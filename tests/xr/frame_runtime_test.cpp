@@ -60,6 +60,10 @@ void checkFrames(TrainerProcess& trainer, const std::string& when, int count, co
     CHECK(cleanInARow == 2);
 }
 
+bool burns(const json& row) {
+    return row["headset"]["tip"]["action"] != "out";
+}
+
 bool armed(const json& row) {
     return row["headset"]["trigger_locked"] == false;
 }
@@ -97,15 +101,12 @@ TEST_CASE("a frame of a weld allocates nothing either", "[runtime]") {
     TrainerProcess trainer(folder, {"--headset", "--lesson", plateLesson(folder).string()}, {}, MELTPOOL_CALL_COUNTERS);
     REQUIRE(trainer.waitFor(ready));
     trainee.lookDown();
-    trainee.aim({0, 0.003f, 0}, 1.0f);
-    REQUIRE(trainer.waitFor([](const json& row) { return row["metal"]["hottest"] > 0.5; }));
+    REQUIRE(trainee.strike(trainer, {0, 0.003f, 0}, [](const json& row) { return row["metal"]["molten"] > 5; }));
     passFrames(trainer, 40);
     // Where the runtime did not answer for a while, the arc is out and has to be struck again.
     checkFrames(trainer, "welding a plate", 20, [&] {
         if (armed(trainer.now())) return;
-        trainee.aim({0, 0.003f, 0}, 0.0f);
-        REQUIRE(trainer.waitFor(armed));
-        trainee.aim({0, 0.003f, 0}, 1.0f);
+        REQUIRE(trainee.strike(trainer, {0, 0.003f, 0}, burns));
         passFrames(trainer, 10);
     });
     CHECK(trainer.now()["headset"]["trigger_locked"] == false);

@@ -91,6 +91,17 @@ void Trainee::aim(const glm::vec3& place, float trigger) {
     send();
 }
 
+bool Trainee::strike(TrainerProcess& trainer, const glm::vec3& place, const std::function<bool(const json&)>& done) {
+    bool pulled = state.hands[hand].trigger > 0;
+    return trainer.waitFor(done, [&] {
+        const json row = trainer.now();
+        const bool locked = row["headset"]["trigger_locked"] == true;
+        if (locked == !pulled) return;
+        pulled = !locked;
+        aim(place, pulled ? 1.0f : 0.0f);
+    });
+}
+
 void Trainee::point(const glm::vec3& from, const glm::vec3& target, float trigger) {
     const glm::vec3 z = glm::normalize(from - target), x = glm::normalize(glm::cross(glm::vec3(0, 1, 0), z));
     const xr::Pose ray{glm::quat_cast(glm::mat3(x, glm::cross(z, x), z)), from};

@@ -3,6 +3,7 @@
 
 #include "tests/xr/trainer_process.hpp"
 
+#include <functional>
 #include <optional>
 
 namespace meltpool::test {
@@ -40,6 +41,10 @@ struct Trainee {
     void lookDown();
     /// Holds the torch's tip at a place of the workpiece's frame.
     void aim(const glm::vec3& place, float trigger);
+    /// Pulls the trigger there until `done(row)`. Where the runtime did not answer for a while the arc is out, and the
+    /// trigger is let go and pulled again. False after kPatience.
+    bool strike(TrainerProcess& trainer, const glm::vec3& place,
+                const std::function<bool(const nlohmann::json&)>& done);
     /// Points the pointing hand's ray from a place of the session's space at another.
     void point(const glm::vec3& from, const glm::vec3& target, float trigger);
     /// Holds the ray at a control of the open panel, by its name in the program's telemetry.

@@ -130,13 +130,15 @@ TEST_CASE(
     CHECK(trainer.now()["headset"]["tip"]["action"] == "out");
 
     trainee.lookDown();
-    trainee.aim({0, 0.003f, 0}, 1.0f);
-    CHECK(trainer.waitFor(welds));
-    CHECK(trainer.waitFor([](const json& row) { return row["headset"]["tip"]["amplitude"] > 0.3; }));
+    const auto weldsUntil = [&](const std::function<bool(const json&)>& done) {
+        return trainee.strike(trainer, {0, 0.003f, 0}, done);
+    };
+    CHECK(weldsUntil(welds));
+    CHECK(weldsUntil([](const json& row) { return row["headset"]["tip"]["amplitude"] > 0.3; }));
     const int before = trainer.now()["metal"]["particles"];
-    CHECK(trainer.waitFor([&](const json& row) { return row["metal"]["particles"] > before + 5; })); // wire
-    CHECK(trainer.waitFor([](const json& row) { return row["metal"]["molten"] > 20; }));
-    CHECK(trainer.waitFor([](const json& row) { return row["headset"]["tip"]["liquid"] > 0.5; })); // over the pool
+    CHECK(weldsUntil([&](const json& row) { return row["metal"]["particles"] > before + 5; })); // wire
+    CHECK(weldsUntil([](const json& row) { return row["metal"]["molten"] > 20; }));
+    CHECK(weldsUntil([](const json& row) { return row["headset"]["tip"]["liquid"] > 0.5; })); // over the pool
     keepPicture(screenshot(), "welding.png");
 
     // The other hand's rod: its grip in the session's space, its tip 300 mm before it.
