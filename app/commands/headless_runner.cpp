@@ -137,7 +137,7 @@ class Run {
         trainer_.record(places_.telemetry, context);
         const RunParameters& run = trainer_.lesson().run;
         const size_t whole = stepsOf(trainer_);
-        Photographer photographer(shaders, run, places_.pictures);
+        Photographer photographer(shaders, run, places_.folder);
         ProgressBar bar(trainer_.lesson().key);
         photographer.takeDue(trainer_, whole == 0);
         for (size_t step = 1; step <= whole; ++step) {
@@ -160,8 +160,17 @@ class Run {
         ResultContext context = contextOf(driver_, error);
         context.wallSeconds = wall;
         context.section = trainer_.section();
+        context.judgement = trainer_.judge();
+        writeTables(context.judgement);
         writeResult(places_.result, trainer_.lesson(), result, context);
         return result;
+    }
+
+    /// What was measured along the seam, by the hand and on the weld.
+    void writeTables(const Judgement& judgement) const {
+        if (trainer_.technique() != nullptr)
+            writeTechniqueCsv(places_.folder / "technique.csv", judgement.seam, judgement.distance);
+        if (judgement.weld) writeWeldTable(places_.folder / "weld.csv", *judgement.weld);
     }
 
     /// After a failure; a second one must not hide the first.

@@ -23,7 +23,7 @@ struct RunStop {
 struct RunPlaces {
     std::filesystem::path result;
     std::filesystem::path telemetry;
-    std::filesystem::path pictures; ///< a folder
+    std::filesystem::path folder; ///< of the pictures, technique.csv and weld.csv
 };
 
 /// Runs the lesson to its end. From the first moment on the result says that the run is not finished. When it fails,

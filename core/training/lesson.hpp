@@ -6,6 +6,8 @@
 #include "core/render/look/look.hpp"
 #include "core/surface/surface_parameters.hpp"
 #include "core/training/recorded_attempt.hpp"
+#include "core/training/technique/bands.hpp"
+#include "core/training/verdict/verdict.hpp"
 #include "core/weld/process/processes.hpp"
 #include "core/weld/torch/torch_path.hpp"
 #include "core/weld/workpiece.hpp"
@@ -77,6 +79,10 @@ struct Lesson {
     CameraParameters camera;
     LookParameters look;
     std::vector<PictureLook> pictures; ///< at least one; each begins with `look` and `camera`
+    // How an attempt is judged; nothing where the lesson does not say.
+    std::optional<TechniqueBands> technique; ///< weld
+    std::optional<Acceptance> acceptance;    ///< weld
+    NominalWeld nominal;                     ///< what the weld was to be, for the acceptance
 
     /// Every adjustable value of this lesson's model. The list points into this lesson, which must outlive it unmoved.
     ParameterList parameters();

@@ -109,6 +109,39 @@ void readPictures(TomlTable& root, Lesson& lesson) {
     if (lesson.pictures.empty()) lesson.pictures.push_back({"picture", lesson.look, lesson.camera});
 }
 
+/// Wire processes are led by the contact tip's distance, the others by the arc's length.
+DistanceKind distanceKindOf(const ProcessSettings& process) {
+    return process.is<Gtaw>() ? DistanceKind::arcLength : DistanceKind::ctwd;
+}
+
+/// Reads [technique], the bands that the hand is judged by.
+void readTechnique(TomlTable& root, Lesson& lesson) {
+    root.allow("technique");
+    if (!root.has("technique")) return;
+    TomlTable group = root.table("technique");
+    lesson.technique = readTechniqueBands(group, distanceKindOf(lesson.process), seamOf(lesson.workpiece));
+    group.finish();
+}
+
+/// Reads [acceptance]: the limits that the weld is judged by, and its nominal sizes. An acceptance of one's own is a
+/// file beside the lesson's.
+void readAcceptanceOf(TomlTable& root, Lesson& lesson) {
+    root.allow("acceptance");
+    if (!root.has("acceptance")) return;
+    constexpr double kMm = 1e-3;
+    constexpr NumberRange kSize{0.5, 100};
+    TomlTable group = root.table("acceptance");
+    std::string name = group.text("use");
+    if (name.ends_with(".toml")) name = (group.file().parent_path() / name).lexically_normal().string();
+    readNamed(group, "use", [&] { lesson.acceptance = findAcceptance(name); });
+    lesson.nominal.thickness = static_cast<double>(lesson.workpiece.thicknessMm) * kMm;
+    for (const auto& [key, value] : {std::pair("throat_mm", &lesson.nominal.throat), {"leg_mm", &lesson.nominal.leg}}) {
+        group.allow(key);
+        if (group.has(key)) *value = group.number(key, kSize) * kMm;
+    }
+    group.finish();
+}
+
 } // namespace
 
 Lesson readLesson(const std::filesystem::path& file) {
@@ -130,6 +163,8 @@ Lesson readLesson(const std::filesystem::path& file) {
     } else {
         readWorkpiece(root, lesson.workpiece);
         readProcess(root, lesson.process);
+        readTechnique(root, lesson);
+        readAcceptanceOf(root, lesson);
         // Metal on a lattice, one particle a cell or more: its flat faces are to look flat.
         lesson.surface.kernel = static_cast<int>(SurfaceKernel::smooth);
         lesson.surface.influence = 3;
@@ -143,6 +178,7 @@ Lesson readLesson(const std::filesystem::path& file) {
         lesson.torchFile = file.parent_path() / root.text("torch");
         readNamed(root, "torch", [&] { lesson.torch = TorchPath::read(lesson.torchFile); });
     }
+    root.allow("expect"); // of a lesson that is a check itself, see readCheck()
     root.finish();
     return lesson;
 }
@@ -151,6 +187,7 @@ std::vector<std::filesystem::path> lessonSources(const Lesson& lesson) {
     std::vector<std::filesystem::path> files{lesson.file};
     if (!lesson.torchFile.empty()) files.push_back(lesson.torchFile);
     if (lesson.workpiece.metal.ends_with(".toml")) files.emplace_back(lesson.workpiece.metal);
+    if (lesson.acceptance) files.push_back(lesson.acceptance->file);
     return files;
 }
 

@@ -6,6 +6,7 @@
 #include "core/metal/state/statistics.hpp"
 #include "core/render/scene.hpp"
 #include "core/surface/surface.hpp"
+#include "core/training/verdict/weld_stations.hpp"
 #include "core/weld/gauge/weld_section.hpp"
 #include "core/weld/process/arc.hpp"
 #include "core/weld/process/process.hpp"
@@ -51,6 +52,10 @@ class MetalModel {
     /// The weld cut across at `place` (m along the seam), by default in the middle of what was welded; nothing where
     /// there is no weld to cut. Waits for the GPU.
     virtual std::optional<WeldSection> section(std::optional<double> /*place*/) const { return std::nullopt; }
+
+    /// The whole weld at stations along `seam` (m along it; none: along what was welded); nothing where there is no
+    /// weld to measure. Waits for the GPU.
+    virtual std::optional<WeldMeasures> measureWeld(std::optional<FaceStretch> /*seam*/) const { return std::nullopt; }
 
     /// Sets what the surface must know of this metal; called before each of its updates, when it holds the lesson's
     /// values.

@@ -99,6 +99,80 @@ Json sectionOf(const WeldSection& section) {
     return json;
 }
 
+Json parameterScores(const TechniqueScore& score, DistanceKind distance) {
+    Json json = Json::object();
+    for (const ParameterScore& each : score.parameters)
+        json[std::string(quantityInfo(each.quantity, distance).key)] = number(each.score);
+    return json;
+}
+
+/// Means and deviations of the judged parameters, in their bands' units.
+Json parameterValues(const TechniqueScore& score, DistanceKind distance) {
+    Json json = Json::object();
+    for (const ParameterScore& each : score.parameters) {
+        const QuantityInfo& info = quantityInfo(each.quantity, distance);
+        json[std::string(info.key)] = {{"unit", info.unit},
+                                       {"mean", number(each.mean)},
+                                       {"deviation", number(each.deviation)},
+                                       {"spread", number(each.spread)},
+                                       {"worst_at_mm", number(each.worstPlaceMm)}};
+    }
+    return json;
+}
+
+Json scoreOf(const Judgement& judgement) {
+    const TechniqueScore& score = *judgement.score;
+    Json json{{"total", score.scored ? number(score.total) : Json(nullptr)}, {"scored", score.scored}};
+    if (!score.scored) json["reason"] = score.reason;
+    json["parameters"] = parameterScores(score, judgement.distance);
+    json["values"] = parameterValues(score, judgement.distance);
+    json["coverage_percent"] = number(score.coverage * 100);
+    json["corrections"] = Json::array();
+    for (const Correction& each : judgement.corrections)
+        json["corrections"].push_back(each.sentence);
+    return json;
+}
+
+Json optionalNumber(const std::optional<double>& value) {
+    return value ? number(*value) : Json(nullptr);
+}
+
+Json verdictOf(const Verdict& verdict) {
+    Json json{{"standard", verdict.standard},
+              {"edition", verdict.edition},
+              {"level", verdict.level},
+              {"accepted", verdict.accepted},
+              {"items", Json::array()}};
+    for (const VerdictItem& item : verdict.items) {
+        Json entry{{"name", item.name},
+                   {"value", optionalNumber(item.value)},
+                   {"limit", optionalNumber(item.limit)},
+                   {"unit", item.unit},
+                   {"state", nameOf(item.state)}};
+        if (item.place) entry["at_mm"] = number(millimetres(*item.place));
+        json["items"].push_back(std::move(entry));
+    }
+    return json;
+}
+
+/// Means over the stations; a figure that does not apply is left out.
+Json weldOf(const WeldMeasures& weld) {
+    Json json{{"kind", nameOf(weld.kind)}, {"stations", weld.stations.size()}};
+    for (const StationColumn& column : stationColumns())
+        if (const auto& value = weld.mean.*column.value) json[std::string(column.name)] = number(*value / column.unit);
+    if (weld.straightness) json["straightness_mm"] = number(millimetres(*weld.straightness));
+    if (weld.mean.rootFused) json["root_fused_percent"] = number(weld.rootFused * 100);
+    if (weld.mean.facesFused) json["faces_fused_percent"] = number(weld.facesFused * 100);
+    return json;
+}
+
+/// Technique, verdict and measured weld, each where there is one.
+void addJudgement(Json& json, const Judgement& judgement) {
+    if (judgement.score) json["score"] = scoreOf(judgement);
+    if (judgement.verdict) json["verdict"] = verdictOf(*judgement.verdict);
+    if (judgement.weld) json["weld"] = weldOf(*judgement.weld);
+}
+
 /// Wire that was fed is found again: in drops, or standing out of the contact tip.
 Json wireOf(const WireAccount& wire) {
     return {{"fed_mm", number(wire.fed * 1e3)},
@@ -156,6 +230,7 @@ void writeResult(const std::filesystem::path& file, Lesson& lesson, const Lesson
     json["lost"] = result.metal.lost;
     json["non_finite"] = result.metal.nonFinite;
     if (context.section) json["section"] = sectionOf(*context.section);
+    addJudgement(json, context.judgement);
     if (result.wire.area > 0) json["wire"] = wireOf(result.wire);
     json["state_hash"] = formatHexadecimal(result.stateHash);
     if (lesson.recorded) json["recorded"] = recordedOf(*lesson.recorded, result);

@@ -17,7 +17,8 @@ struct ResultContext {
     std::string renderer;
     double wallSeconds = 0;
     std::optional<WeldSection> section = {}; ///< of weld lessons
-    std::string error = {};                  ///< why the run ended early; empty when it did not
+    Judgement judgement = {};
+    std::string error = {}; ///< why the run ended early; empty when it did not
 };
 
 /// Writes what a run is about to do, marked as not finished: what stands in the folder of a run that was killed.

@@ -12,6 +12,9 @@ namespace {
 /// newest.
 constexpr double kFiguresPeriod = 0.1;
 
+/// Attempts up to this long take no memory for their technique while they run, s.
+constexpr double kReservedSeconds = 300;
+
 } // namespace
 
 Trainer::Trainer(gl::ShaderLibrary& shaders, Lesson lesson)
@@ -21,6 +24,10 @@ Trainer::Trainer(gl::ShaderLibrary& shaders, Lesson lesson)
     torch_ = lesson_.torch.sample(0);
     torch_.trigger = 0;
     figures_ = metal_->statistics();
+    if (lesson_.model != LessonModel::Weld) return;
+    const TechniqueSettings settings = lesson_.technique ? lesson_.technique->settings() : TechniqueSettings{};
+    technique_.emplace(seamOf(lesson_.workpiece), settings);
+    technique_->reserve(static_cast<size_t>(kReservedSeconds / timeStep()));
 }
 
 Trainer::~Trainer() = default;
@@ -36,6 +43,8 @@ void Trainer::reset() {
     figures_ = metal_->statistics();
     arc_ = {};
     surfaceDistance_ = {};
+    tracked_ = true;
+    if (technique_) technique_->reset();
 }
 
 double Trainer::timeStep() const {
@@ -48,6 +57,7 @@ void Trainer::change(std::string_view key, std::string_view value, std::string_v
 }
 
 void Trainer::event(std::string_view name, std::string_view value) {
+    if (name == "torch") tracked_ = value != "lost";
     if (record_) record_->event(name, value);
 }
 
@@ -60,6 +70,7 @@ void Trainer::advance(const TorchSample& torch, gl::Profiler* profiler) {
     const bool burned = arc_.burns();
     arc_ = metal_->arc(surfaceDistance_);
     ++steps_;
+    if (technique_) technique_->add(torch_, arc_, tracked_);
     if (record_) record_->add({torch_, arc_, realTime_});
     if (burned && wentOut(arc_.noArc)) event("arc_out", noArcName(arc_.noArc));
     updateFigures();
@@ -159,6 +170,15 @@ void Trainer::stopRecord(std::string_view reason) {
 LessonResult Trainer::result() const {
     return {time_,         steps_, metal_->statistics(), metal_->stateHash(), metal_->bytes(), surface_->bytes(),
             metal_->wire()};
+}
+
+Judgement Trainer::judge() const {
+    if (!technique_) return {};
+    std::optional<FaceStretch> wanted;
+    if (const auto& bands = lesson_.technique)
+        wanted = FaceStretch{bands->lengthFromMm * 1e-3, bands->lengthToMm * 1e-3};
+    return judgeAttempt(*technique_, metal_->measureWeld(wanted),
+                        {lesson_.technique, lesson_.acceptance, lesson_.nominal});
 }
 
 std::optional<WeldSection> Trainer::section(std::optional<double> place) const {

@@ -7,6 +7,7 @@
 #include "core/gl/program.hpp"
 #include "core/render/scene.hpp"
 #include "core/surface/surface.hpp"
+#include "core/training/judgement.hpp"
 #include "core/training/lesson.hpp"
 #include "core/training/metal_model.hpp"
 #include "core/training/record.hpp"
@@ -101,7 +102,8 @@ class Trainer {
     bool recording() const { return record_ != nullptr; }
     /// Why a record ended before it was stopped, as a sentence; empty while none did.
     const std::string& recordFault() const { return recordFault_; }
-    /// Notes in the record what happened after the last step, such as `zoom 2` or `torch_lost`.
+    /// Notes in the record what happened after the last step, such as `zoom 2`. `torch lost` and `torch seen` tell
+    /// whether the torch is tracked from now on.
     void event(std::string_view name, std::string_view value = {});
     /// Simulated over real time about the next steps, for records of people.
     void setRealTime(double ratio) { realTime_ = ratio; }
@@ -118,6 +120,11 @@ class Trainer {
     /// The weld cut across at `place` (m along the seam); without one where the last of the lesson's pictures cuts it,
     /// else in the middle of what was welded. Nothing in the classic model. Waits for the GPU.
     std::optional<WeldSection> section(std::optional<double> place = {}) const;
+
+    /// What the hand does along the seam, of the last step and of the attempt so far; null in the classic model.
+    const Technique* technique() const { return technique_ ? &*technique_ : nullptr; }
+    /// The attempt so far by the lesson's bands and limits. Waits for the GPU and measures the whole weld.
+    Judgement judge() const;
 
   private:
     void updateFigures();
@@ -137,6 +144,8 @@ class Trainer {
     TorchSample torch_;
     MetalStatistics figures_;
     ArcState arc_;
+    std::optional<Technique> technique_;
+    bool tracked_ = true; ///< the torch, since the last event of it
     SurfaceDistance surfaceDistance_;
     double time_ = 0;
     size_t steps_ = 0;

@@ -27,6 +27,7 @@ float colourTop(const Material& material) {
 WeldModel::WeldModel(gl::ShaderLibrary& shaders, const Lesson& lesson)
     : material_(workpieceMaterial(lesson.workpiece)),
       workpiece_(makeWorkpiece(lesson.workpiece)),
+      kind_(weldKindOf(static_cast<WorkpieceKind>(lesson.workpiece.kind))),
       process_(lesson.process),
       weld_(shaders, material_, workpiece_, lesson.process) {}
 
@@ -51,6 +52,12 @@ std::optional<WeldSection> WeldModel::section(std::optional<double> place) const
     cut.from = at - kSectionLength / 2;
     cut.to = at + kSectionLength / 2;
     return cutWeld(weld_.metal().state(), workpiece_.seeds, cut);
+}
+
+std::optional<WeldMeasures> WeldModel::measureWeld(std::optional<FaceStretch> seam) const {
+    StationSettings settings;
+    settings.seam = seam;
+    return meltpool::measureWeld(weld_.metal().state(), workpiece_.seeds, material_, kind_, settings);
 }
 
 SceneView WeldModel::scene(const TorchSample& torch) const {

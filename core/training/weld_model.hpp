@@ -23,6 +23,7 @@ class WeldModel : public MetalModel {
     /// The torch's solids in it are lent until the next call.
     SceneView scene(const TorchSample& torch) const override;
     std::optional<WeldSection> section(std::optional<double> place) const override;
+    std::optional<WeldMeasures> measureWeld(std::optional<FaceStretch> seam) const override;
     void prepare(Surface& surface) const override;
     MetalStatistics statistics() override { return weld_.metal().statistics(); }
     void requestStatistics() override { weld_.metal().requestStatistics(); }
@@ -37,6 +38,7 @@ class WeldModel : public MetalModel {
   private:
     Material material_;
     Workpiece workpiece_;
+    WeldKind kind_;
     ProcessSettings process_;
     Weld weld_;
     mutable std::vector<Solid> torchSolids_; ///< those that the last scene() lends

@@ -116,6 +116,26 @@ TEST_CASE("groups of a lesson's file fill what they name", "[training]") {
     CHECK(lesson.torch.empty());
 }
 
+TEST_CASE("a weld lesson names the bands of its technique and the limits of its weld", "[training]") {
+    const Lesson lesson =
+        lessonFrom("model = 'weld'\n[workpiece]\nworkpiece = 'tee'\nlength_mm = 40\nthickness_mm = 5\n"
+                   "[process]\nprocess = 'gtaw'\n"
+                   "[technique]\nlength_from_mm = -12\nlength_to_mm = 10\n"
+                   "arc_length = { ideal = 2, inner = 0.5, outer = 2 }\n"
+                   "travel_speed = { ideal = 3, inner = 0.5, outer = 2, weight = 2 }\n"
+                   "[acceptance]\nuse = 'iso5817-b'\nleg_mm = 4\n");
+    REQUIRE(lesson.technique);
+    CHECK(lesson.technique->distance == DistanceKind::arcLength);
+    CHECK(lesson.technique->lengthFromMm == -12);
+    REQUIRE(lesson.technique->find(TechniqueQuantity::distance) != nullptr);
+    CHECK(lesson.technique->find(TechniqueQuantity::travelSpeed)->weight == 2);
+    REQUIRE(lesson.acceptance);
+    CHECK(lesson.acceptance->level == "B");
+    CHECK(lesson.nominal.thickness == Approx(5e-3));
+    CHECK(lesson.nominal.leg == Approx(4e-3));
+    CHECK_FALSE(lesson.nominal.throat);
+}
+
 TEST_CASE("a bad lesson is refused in one sentence with file, line and expectation", "[training]") {
     struct Case {
         std::string text, place, expectation;
@@ -134,6 +154,11 @@ TEST_CASE("a bad lesson is refused in one sentence with file, line and expectati
         {"title = 'x'\nmodel = 'clay'\n", "bad.toml:2: ", "expected classic"},
         {"title = 'x'\ntorch = 'nowhere.csv'\n", "nowhere.csv: ", "expected a readable file"},
         {"title = 'x'\n[[picture]]\nname = 'a'\nsection_at_mm = 1\n", "bad.toml:4: ", "expected a lesson whose model"},
+        {"model = 'weld'\n[technique]\nlength_from_mm = 0\nlength_to_mm = 9\nskill = { ideal = 1 }\n",
+         "bad.toml:5: ", "unknown key"},
+        {"model = 'weld'\n[acceptance]\nuse = 'iso5817-z'\n", "bad.toml:3: ", "expected one of"},
+        {"model = 'weld'\n[acceptance]\nuse = 'iso5817-c'\nleg_mm = 0\n", "bad.toml:4: ", "expected a number"},
+        {"[technique]\nlength_from_mm = 0\n", "bad.toml:1: ", "unknown key"}, // the classic model has no seam
         {"title = 'x'\n[[picture]]\nname = '../evil'\n", "bad.toml:3: ", "expected letters"},
         {"title = 'x'\n[[picture]]\nname = 'a'\n[[picture]]\nname = 'a'\n", "bad.toml:5: ", "stands twice"},
     };
