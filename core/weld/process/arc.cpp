@@ -31,4 +31,8 @@ double arcHeatRadius(double length, double current) {
     return kArcSpread * 0.53 * kMm * std::pow(millimetres, 0.29) * std::pow(std::max(current, 1.0), 0.30);
 }
 
+double arcStirring(double current) {
+    return 1 + std::max(current, 0.0) / kStirringCurrent;
+}
+
 } // namespace meltpool

@@ -70,4 +70,10 @@ struct ArcState {
 /// kShortestSpread count as that long.
 double arcHeatRadius(double length, double current);
 
+/// Times the metal's own conductivity that its liquid conducts under an arc of `current` (A): the stirring by the
+/// current's own magnetic force, by drops and by surface tension, which particles of a millimetre do not resolve. The
+/// magnetic force drives liquid at a speed proportional to the current (Kou and Sun 1985), and what liquid carries
+/// grows with its speed: 1 + I / kStirringCurrent. The same law for every arc weld and spacing.
+double arcStirring(double current);
+
 } // namespace meltpool

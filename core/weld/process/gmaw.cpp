@@ -60,6 +60,21 @@ WireFeed Gmaw::feed() const {
             wireArea() * metal_.density * heat / kGmawEfficiency};
 }
 
+/// At the current that melts the wire as fast as it is fed.
+double Gmaw::stirring() const {
+    const WireFeed fed = feed();
+    return arcStirring(fed.melting.current(fed.speed, static_cast<double>(settings_.stickOutMm * kMm)));
+}
+
+/// In spray the arc envelops the wire's end and is no longer narrow.
+double Gmaw::heatRadius() const {
+    const auto current = static_cast<double>(arc_.current);
+    const double narrow = arcHeatRadius(wire_.length(), current);
+    const double sprays = kSprayCurrent * std::pow(static_cast<double>(settings_.wireDiameterMm), kSprayExponent);
+    const double share = std::clamp((current / sprays - 1) / kSprayRange + 0.5, 0.0, 1.0);
+    return std::lerp(narrow, std::max(narrow, kSprayRadius), share);
+}
+
 double Gmaw::wireArea() const {
     const auto diameter = static_cast<double>(settings_.wireDiameterMm * kMm);
     return std::numbers::pi / 4 * diameter * diameter;
@@ -108,7 +123,7 @@ void Gmaw::takeOver() {
 /// Efficiency times U I goes into the metal: a part with the drops, the rest onto the surface.
 void Gmaw::transferHeat(const TorchSample& torch, double seconds) {
     const auto current = static_cast<double>(arc_.current);
-    arc_.radius = static_cast<float>(arcHeatRadius(wire_.length(), current));
+    arc_.radius = static_cast<float>(heatRadius());
     arc_.pressure = static_cast<float>(arcPressurePeak(current, static_cast<double>(arc_.radius)));
     arc_.power = kGmawEfficiency * static_cast<double>(arc_.voltage) * current;
     const TorchRay from = ray(torch);

@@ -28,7 +28,7 @@ class Gmaw : public Process {
     TorchRay ray(const TorchSample& torch) const override;
     WireAccount wire() const override;
     float touchRadius() const override { return settings_.wireDiameterMm * 0.5e-3F; }
-    double stirring() const override { return kArcStirring; }
+    double stirring() const override;
     void reset() override;
 
   protected:
@@ -37,6 +37,7 @@ class Gmaw : public Process {
   private:
     WireFeed feed() const;
     double wireArea() const;
+    double heatRadius() const;
     void takeOver();
     void transferHeat(const TorchSample& torch, double seconds);
 

@@ -29,7 +29,7 @@ class Gtaw : public Process {
     using Process::Process;
     void apply(const ProcessSettings& settings) override;
     float touchRadius() const override { return settings_.electrodeDiameterMm * 0.5e-3F; }
-    double stirring() const override { return kArcStirring; }
+    double stirring() const override { return arcStirring(static_cast<double>(settings_.current)); }
     void reset() override;
 
     /// The electrode touched the metal while its arc burned, and is spoiled until it is ground.

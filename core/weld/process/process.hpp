@@ -69,7 +69,7 @@ class Process {
     /// The particles that were fed.
     const Filler& filler() const { return filler_; }
 
-    /// Times the metal's own conductivity that its liquid conducts while this process stirs it.
+    /// Times the metal's own conductivity that its liquid conducts while this process stirs it, as it is set.
     virtual double stirring() const { return 1; }
 
     /// Radius of what touches the metal first (wire, electrode, soldering tip), m.
