@@ -1,0 +1,108 @@
+// What an arc does to the pool under it: how it stirs the liquid, and how wide it heats and presses in dip and in
+// spray.
+#include "core/weld/process/processes.hpp"
+#include "core/weld/process/weld_constants.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+#include <numbers>
+
+using namespace meltpool;
+
+namespace {
+
+constexpr float kStickOut = 12e-3F;
+
+const HeatTable& table() {
+    static const HeatTable made(
+        readMaterial(test::testFolder().parent_path() / "app" / "data" / "materials" / "s235.toml"));
+    return made;
+}
+
+std::unique_ptr<Process> made(const ProcessSettings& settings) {
+    return makeProcess(settings, {table(), 7850, 1e-3F, 293.15});
+}
+
+/// 1 mm wire that is fed as fast as `current` (A) melts it.
+ProcessSettings gmawAt(double current, float voltage) {
+    ProcessSettings settings;
+    GmawSettings& gmaw = settings.choose<Gmaw>();
+    gmaw.voltage = voltage;
+    gmaw.wireDiameterMm = 1;
+    gmaw.stickOutMm = kStickOut * 1e3F;
+    gmaw.wireFeedMPerMin = static_cast<float>(60 * WireMelting::steel(1e-3).speed(current, double(kStickOut)));
+    return settings;
+}
+
+ProcessSettings gtawAt(float current) {
+    ProcessSettings settings;
+    settings.choose<Gtaw>().current = current;
+    return settings;
+}
+
+/// The arc after two seconds at 15 mm from contact tip to metal, and how it presses.
+std::pair<ArcState, ArcPressure> settled(const ProcessSettings& settings) {
+    const auto process = made(settings);
+    TorchSample torch;
+    torch.trigger = 1;
+    for (int i = 0; i < 200; ++i)
+        process->step(torch, {15e-3F, 0}, 0.01);
+    return {process->arc(), process->pressure()};
+}
+
+} // namespace
+
+TEST_CASE("an arc stirs by its current") {
+    CHECK(arcStirring(0) == 1);
+    CHECK(arcStirring(-5) == 1);
+    CHECK(arcStirring(80) == Approx(2));
+    CHECK(arcStirring(260) == Approx(1 + 260.0 / 80));
+}
+
+TEST_CASE("a GMAW arc stirs by the current that melts its feed, whatever its voltage") {
+    for (const double current : {80.0, 140.0, 260.0})
+        for (const float voltage : {16.0F, 26.0F})
+            CHECK(made(gmawAt(current, voltage))->stirring() == Approx(1 + current / 80).epsilon(1e-4));
+}
+
+TEST_CASE("a GTAW arc stirs by its set current, a flame does not stir") {
+    CHECK(made(gtawAt(200))->stirring() == Approx(3.5));
+    CHECK(made(gtawAt(40))->stirring() == Approx(1.5));
+    ProcessSettings flame;
+    flame.choose<Flame>();
+    CHECK(made(flame)->stirring() == 1);
+}
+
+TEST_CASE("a GMAW arc is narrow in dip transfer and envelops the wire in spray") {
+    const ArcState dip = settled(gmawAt(140, 17)).first;
+    CHECK(dip.current == Approx(140).epsilon(0.1));
+    CHECK(dip.length == 0);
+    CHECK(double(dip.radius) == Approx(arcHeatRadius(0, double(dip.current))));
+    CHECK(double(dip.radius) < 0.6 * kSprayRadius);
+    const ArcState spray = settled(gmawAt(260, 26)).first;
+    CHECK(spray.current == Approx(260).epsilon(0.1));
+    CHECK(double(spray.radius) >= kSprayRadius * (1 - 1e-6));
+    CHECK(arcHeatRadius(double(spray.length), double(spray.current)) < kSprayRadius); // without the envelope
+}
+
+TEST_CASE("a GMAW arc's width does not jump between dip and spray") {
+    float before = settled(gmawAt(150, 24)).first.radius;
+    const float narrowest = before;
+    for (double current = 152; current <= 260; current += 2) {
+        const float radius = settled(gmawAt(current, 24)).first.radius;
+        INFO("at " << current << " A");
+        CHECK(std::abs(radius - before) < 0.25e-3F);
+        before = radius;
+    }
+    CHECK(double(narrowest) < 0.8 * kSprayRadius);
+    CHECK(double(before) >= kSprayRadius * (1 - 1e-6));
+}
+
+TEST_CASE("a GMAW arc presses with the whole of its force over the width of its heat") {
+    for (const double wanted : {140.0, 260.0}) {
+        const auto [arc, pressure] = settled(gmawAt(wanted, wanted < 200 ? 17 : 26));
+        CHECK(pressure.sigma == arc.radius);
+        const double force = 2 * std::numbers::pi * double(arc.radius) * double(arc.radius) * double(pressure.peak);
+        CHECK(force == Approx(1e-7 * double(arc.current) * double(arc.current)).epsilon(1e-4)); // V s/(A m)
+    }
+}
