@@ -4,7 +4,7 @@
 meltpoolBuildPackages=(
     g++ cmake ninja-build pkg-config glslang-tools git
     libglfw3-dev libglew-dev libglm-dev libopenxr-dev libimgui-dev libgl-dev libegl-dev
-    libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libstb-dev catch2
+    libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libpugixml-dev libstb-dev catch2
     libgl1-mesa-dri libegl1 libglx-mesa0 fonts-open-sans
 )
 meltpoolTestPackages=(

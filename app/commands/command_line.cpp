@@ -32,6 +32,7 @@ struct Arguments {
     std::string suite;
     std::filesystem::path benchJson;
     ValidationRequest validation;
+    CheckRequest check;
     std::string listed; ///< lesson whose values are listed; empty: the catalogue
 };
 
@@ -75,6 +76,10 @@ void addOthers(CLI::App& app, Arguments& arguments) {
     validate->add_option("CASE", arguments.validation.cases,
                          "Case files (.toml) or folders of them; all that ship where none is named");
     validate->add_option("--json", arguments.validation.json, "Write the numbers into this file")->type_name("FILE");
+    CLI::App* check = app.add_subcommand("check", "Weld lessons and hold score, verdict and weld against expectations");
+    check->add_option("CHECK", arguments.check.checks, "Files (.toml) with a table [expect], or folders of them")
+        ->required();
+    check->add_option("--junit", arguments.check.junit, "Write the results into this file")->type_name("FILE");
     app.add_subcommand("doctor", "Tell what this machine has and what is missing");
     CLI::App* lessons = app.add_subcommand("lessons", "List the lessons, or the values of one");
     lessons->add_option("LESSON", arguments.listed, "List the parameters of this lesson that --set takes");
@@ -94,6 +99,8 @@ int dispatch(const CLI::App& app, const Arguments& arguments) {
         runBench(arguments.suite, arguments.benchJson);
     else if (app.got_subcommand("validate"))
         return runValidation(arguments.validation) ? kDone : kFailed;
+    else if (app.got_subcommand("check"))
+        return runChecks(arguments.check) ? kDone : kFailed;
     else if (app.got_subcommand("doctor"))
         return runDoctor() ? kDone : kFailed;
     else if (app.got_subcommand("lessons"))

@@ -42,6 +42,17 @@ struct ValidationRequest {
 /// InputError for a case file with a fault, RuntimeFault after the case in which a signal asked to stop.
 bool runValidation(const ValidationRequest& request);
 
+/// `meltpool check`.
+struct CheckRequest {
+    std::vector<std::filesystem::path> checks; ///< files, or folders of them
+    std::filesystem::path junit;               ///< empty: none
+};
+
+/// Welds the lessons of checks (see readLessonCheck()) and prints what came of them. Returns false when one is not as
+/// expected or could not be welded to its end; throws InputError for a file with a fault, RuntimeFault when a signal
+/// asked to stop.
+bool runChecks(const CheckRequest& request);
+
 /// Prints the catalogue.
 void listLessons();
 

@@ -1,0 +1,123 @@
+// `meltpool check`: welds lessons without a screen and holds score, verdict and measured weld against what is expected.
+#include "app/commands/commands.hpp"
+#include "app/commands/junit_file.hpp"
+#include "app/program/progress_bar.hpp"
+#include "app/program/stop_signals.hpp"
+#include "core/base/error.hpp"
+#include "core/base/output_file.hpp"
+#include "core/base/resources.hpp"
+#include "core/base/text.hpp"
+#include "core/gl/context.hpp"
+#include "core/training/check/lesson_check.hpp"
+#include "core/training/trainer.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+namespace meltpool {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The checks of a folder and the folders in it, in order of their names; files without [expect] are none.
+std::vector<fs::path> checksIn(const fs::path& folder) {
+    std::vector<fs::path> files;
+    std::error_code fault;
+    for (const auto& entry : fs::recursive_directory_iterator(folder, fault))
+        if (entry.path().extension() == ".toml" && isLessonCheck(entry.path())) files.push_back(entry.path());
+    if (fault) throw InputError(folder, 0, "cannot be read; expected a folder with read permission");
+    if (files.empty()) throw InputError(folder, 0, "holds no check; expected a .toml file with a table [expect]");
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+std::vector<LessonCheck> readChecks(const std::vector<fs::path>& named) {
+    const fs::path lessons = resourceFolder() / "data" / "lessons";
+    std::vector<LessonCheck> checks;
+    for (const fs::path& path : named) {
+        std::error_code fault;
+        const bool folder = fs::is_directory(path, fault);
+        for (const fs::path& file : folder ? checksIn(path) : std::vector{path})
+            checks.push_back(readLessonCheck(file, lessons));
+    }
+    return checks;
+}
+
+void requireSound(const Trainer& trainer) {
+    if (StopSignals::asked()) throw RuntimeFault("the check was stopped before its end");
+    if (trainer.figures().nonFinite > 0) throw RuntimeFault("the metal stopped being finite");
+}
+
+/// Welds a check's lesson to its end.
+Judgement weld(const LessonCheck& check, gl::ShaderLibrary& shaders) {
+    Trainer trainer(shaders, check.lesson);
+    const Seam seam = seamOf(check.lesson.workpiece);
+    const BentPath path(check.lesson.torch, seam, check.bend);
+    const double seconds = static_cast<double>(check.lesson.run.seconds) * check.bend.time;
+    const auto whole = static_cast<size_t>(std::ceil(seconds / trainer.timeStep() * (1 - 1e-6)));
+    ProgressBar bar(check.name);
+    for (size_t step = 1; step <= whole; ++step) {
+        trainer.advance(path.sample(trainer.time() + trainer.timeStep()), nullptr);
+        requireSound(trainer);
+        bar.show(static_cast<double>(step), static_cast<double>(whole));
+    }
+    return trainer.judge();
+}
+
+/// The score and what was measured in one line.
+void printOutcome(const CheckOutcome& outcome, const Judgement& judgement) {
+    std::string score = "no score";
+    char text[40];
+    if (judgement.score && judgement.score->scored) {
+        std::snprintf(text, sizeof text, "score %.0f", judgement.score->total);
+        score = text;
+    }
+    if (judgement.verdict) score += judgement.verdict->accepted ? ", accepted" : ", not accepted";
+    std::printf("%-32s %-28s %s\n", printable(outcome.name, 80).c_str(), score.c_str(),
+                outcome.passed() ? "as expected" : "NOT AS EXPECTED");
+    std::fputs(printable(outcome.faults(), 4000).c_str(), stdout);
+    std::fflush(stdout);
+}
+
+CheckOutcome run(const LessonCheck& check, gl::ShaderLibrary& shaders) {
+    CheckOutcome outcome{check.name, check.file, {}, {}, 0};
+    Judgement judgement;
+    const auto start = std::chrono::steady_clock::now();
+    try {
+        judgement = weld(check, shaders);
+        outcome.values = checkJudgement(check, judgement);
+    } catch (const std::exception& fault) {
+        outcome.error = check.file.string() + ": " + fault.what();
+    }
+    outcome.wallSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    printOutcome(outcome, judgement);
+    return outcome;
+}
+
+} // namespace
+
+bool runChecks(const CheckRequest& request) {
+    const StopSignals signals("\nmeltpool: stops after this step\n");
+    // Every file is read before the first is welded.
+    const std::vector<LessonCheck> checks = readChecks(request.checks);
+    if (!request.junit.empty()) requireWritable(request.junit);
+    const gl::HeadlessContext context(false);
+    gl::ShaderLibrary shaders(resourceFolder() / "shaders");
+    std::vector<CheckOutcome> outcomes;
+    for (const LessonCheck& check : checks) {
+        outcomes.push_back(run(check, shaders));
+        // Written after each, so that a run that is stopped keeps what it had.
+        if (!request.junit.empty()) writeJunitFile(request.junit, outcomes);
+        if (StopSignals::asked())
+            throw RuntimeFault("the checks were stopped after " + std::to_string(outcomes.size()) + " of " +
+                               std::to_string(checks.size()));
+    }
+    const auto passed = std::count_if(outcomes.begin(), outcomes.end(), [](const auto& each) { return each.passed(); });
+    std::printf("%td of %zu checks as expected\n", passed, outcomes.size());
+    return passed == static_cast<std::ptrdiff_t>(outcomes.size());
+}
+
+} // namespace meltpool

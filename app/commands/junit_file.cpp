@@ -1,0 +1,51 @@
+#include "app/commands/junit_file.hpp"
+
+#include "core/base/text.hpp"
+
+#include <pugixml.hpp>
+
+#include <algorithm>
+#include <sstream>
+
+namespace meltpool {
+
+bool CheckOutcome::passed() const {
+    return error.empty() && std::all_of(values.begin(), values.end(), [](const auto& each) { return each.passed; });
+}
+
+std::string CheckOutcome::faults() const {
+    std::string text = error.empty() ? "" : error + "\n";
+    for (const CheckedValue& each : values)
+        if (!each.passed) text += each.key + " is " + each.found + "; expected " + each.expected + "\n";
+    return text;
+}
+
+void writeJunitFile(const std::filesystem::path& file, const std::vector<CheckOutcome>& outcomes) {
+    pugi::xml_document document;
+    pugi::xml_node declaration = document.append_child(pugi::node_declaration);
+    declaration.append_attribute("version") = "1.0";
+    declaration.append_attribute("encoding") = "UTF-8";
+    pugi::xml_node suite = document.append_child("testsuites").append_child("testsuite");
+    suite.append_attribute("name") = "meltpool check";
+    suite.append_attribute("tests") = outcomes.size();
+    const auto failed = [](const CheckOutcome& each) { return each.error.empty() && !each.passed(); };
+    const auto broken = [](const CheckOutcome& each) { return !each.error.empty(); };
+    suite.append_attribute("failures") = std::count_if(outcomes.begin(), outcomes.end(), failed);
+    suite.append_attribute("errors") = std::count_if(outcomes.begin(), outcomes.end(), broken);
+    for (const CheckOutcome& each : outcomes) {
+        pugi::xml_node one = suite.append_child("testcase");
+        one.append_attribute("classname") = each.file.parent_path().filename().string().c_str();
+        one.append_attribute("name") = each.name.c_str();
+        one.append_attribute("time") = each.wallSeconds;
+        if (each.passed()) continue;
+        const std::string faults = printable(each.faults(), 4000);
+        pugi::xml_node fault = one.append_child(broken(each) ? "error" : "failure");
+        fault.append_attribute("message") = faults.substr(0, faults.find('\n')).c_str();
+        fault.text() = faults.c_str();
+    }
+    std::ostringstream text;
+    document.save(text, "  ");
+    writeTextFileAtomically(file, text.str());
+}
+
+} // namespace meltpool
