@@ -78,7 +78,8 @@ void printOutcome(const CheckOutcome& outcome, const Judgement& judgement) {
     if (judgement.verdict) score += judgement.verdict->accepted ? ", accepted" : ", not accepted";
     std::printf("%-32s %-28s %s\n", printable(outcome.name, 80).c_str(), score.c_str(),
                 outcome.passed() ? "as expected" : "NOT AS EXPECTED");
-    std::fputs(printable(outcome.faults(), 4000).c_str(), stdout);
+    for (const std::string& fault : outcome.faults())
+        std::printf("    %s\n", printable(fault, 1000).c_str());
     std::fflush(stdout);
 }
 

@@ -13,11 +13,12 @@ bool CheckOutcome::passed() const {
     return error.empty() && std::all_of(values.begin(), values.end(), [](const auto& each) { return each.passed; });
 }
 
-std::string CheckOutcome::faults() const {
-    std::string text = error.empty() ? "" : error + "\n";
+std::vector<std::string> CheckOutcome::faults() const {
+    std::vector<std::string> sentences;
+    if (!error.empty()) sentences.push_back(error);
     for (const CheckedValue& each : values)
-        if (!each.passed) text += each.key + " is " + each.found + "; expected " + each.expected + "\n";
-    return text;
+        if (!each.passed) sentences.push_back(each.key + " is " + each.found + "; expected " + each.expected);
+    return sentences;
 }
 
 void writeJunitFile(const std::filesystem::path& file, const std::vector<CheckOutcome>& outcomes) {
@@ -38,10 +39,10 @@ void writeJunitFile(const std::filesystem::path& file, const std::vector<CheckOu
         one.append_attribute("name") = each.name.c_str();
         one.append_attribute("time") = each.wallSeconds;
         if (each.passed()) continue;
-        const std::string faults = printable(each.faults(), 4000);
-        pugi::xml_node fault = one.append_child(broken(each) ? "error" : "failure");
-        fault.append_attribute("message") = faults.substr(0, faults.find('\n')).c_str();
-        fault.text() = faults.c_str();
+        std::string all;
+        for (const std::string& fault : each.faults())
+            all += (all.empty() ? "" : "; ") + printable(fault, 1000);
+        one.append_child(broken(each) ? "error" : "failure").append_attribute("message") = all.c_str();
     }
     std::ostringstream text;
     document.save(text, "  ");

@@ -17,8 +17,8 @@ struct CheckOutcome {
     double wallSeconds = 0; ///< that it took
 
     bool passed() const;
-    /// What did not come out as expected, a line for each; empty where it passed.
-    std::string faults() const;
+    /// What did not come out as expected, a sentence for each; empty where it passed.
+    std::vector<std::string> faults() const;
 };
 
 /// One test suite `meltpool check` with a test case for each outcome. Throws what writeTextFileAtomically() throws.

@@ -1,6 +1,7 @@
 // README and handbook tell the truth: their commands run, their files are read, their names and links exist.
 #include "app/bench/bench.hpp"
 #include "core/base/text.hpp"
+#include "core/training/check/lesson_check.hpp"
 #include "core/training/lesson.hpp"
 #include "core/training/result_file.hpp"
 #include "core/training/technique/along_seam.hpp"
@@ -219,7 +220,7 @@ TEST_CASE("commands that the handbook shows run", "[app][handbook]") {
 
 TEST_CASE("suites and options that the handbook shows exist", "[app][handbook]") {
     Names options;
-    for (const char* command : {"", "run ", "bench ", "validate ", "lessons ", "doctor "}) {
+    for (const char* command : {"", "run ", "check ", "bench ", "validate ", "lessons ", "doctor "}) {
         const std::string help = runMeltpool(std::string(command) + "--help").output;
         const std::regex kOption("--[a-z-]+");
         for (std::sregex_iterator option(help.begin(), help.end(), kOption), end; option != end; ++option)
@@ -259,6 +260,9 @@ TEST_CASE("files that the handbook shows are read", "[app][handbook]") {
         {"torch.csv", {"torch.csv", [](const fs::path& file) { TorchPath::read(file); }}},
         {"torch.toml", {"torch.toml", [](const fs::path& file) { TorchPath::read(file); }}},
         {"material", {"material.toml", [](const fs::path& file) { readMaterial(file); }}},
+        {"check",
+         {"check.toml",
+          [](const fs::path& file) { readLessonCheck(file, sourceFolder() / "app" / "data" / "lessons"); }}},
         {"acceptance", {"acceptance.toml", [](const fs::path& file) { readAcceptance(file); }}},
         {"validation case", {"case.toml", [](const fs::path& file) { readValidationCase(file); }}}};
     Names kinds;

@@ -1,4 +1,4 @@
-// What a lesson's demonstration, or another torch path, must come to: files with an [expect] table.
+// What a lesson's demonstration, or another torch path, must come to: files with an [[expect] table.
 #pragma once
 
 #include "core/training/check/torch_bend.hpp"

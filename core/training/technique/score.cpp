@@ -83,17 +83,29 @@ std::string reasonAgainst(const TechniqueFaults& faults, const TechniqueScore& s
     return {};
 }
 
+/// The parameter with the fewest points among those that have a weight; the number of bands where none has.
+size_t lowestOf(const TechniqueScore& score, const TechniqueBands& bands) {
+    size_t lowest = bands.bands.size();
+    for (size_t i = 0; i < bands.bands.size(); ++i)
+        if (bands.bands[i].weight > 0 &&
+            (lowest == bands.bands.size() || score.parameters[i].score < score.parameters[lowest].score))
+            lowest = i;
+    return lowest;
+}
+
 void sumUp(TechniqueScore& score, const TechniqueBands& bands) {
     const double weights = std::accumulate(bands.bands.begin(), bands.bands.end(), 0.0,
                                            [](double sum, const TechniqueBand& each) { return sum + each.weight; });
-    double mean = 100;
+    const size_t lowest = lowestOf(score, bands);
+    double points = 100;
     for (size_t i = 0; i < bands.bands.size() && weights > 0; ++i) {
         ParameterScore& parameter = score.parameters[i];
-        const double lost = (100 - parameter.score) * bands.bands[i].weight / weights;
+        const double share = (1 - kLowestShare) * bands.bands[i].weight / weights + (i == lowest ? kLowestShare : 0.0);
+        const double lost = (100 - parameter.score) * share;
         parameter.lost = lost * score.coverage;
-        mean -= lost;
+        points -= lost;
     }
-    score.total = std::clamp(mean * score.coverage, 0.0, 100.0);
+    score.total = std::clamp(points * score.coverage, 0.0, 100.0);
     score.lostToLength = 100 * (1 - score.coverage);
 }
 

@@ -14,6 +14,10 @@ namespace meltpool {
 inline constexpr double kFreeEndMm = 2;
 inline constexpr double kFreeEndShare = 0.05;
 
+/// Share of the whole score that the lowest parameter has by itself, beside its weight: one fault spoils a weld however
+/// good the rest is.
+inline constexpr double kLowestShare = 0.5;
+
 /// How one parameter was held over the judged length, in its band's unit.
 struct ParameterScore {
     TechniqueQuantity quantity = TechniqueQuantity::aim;
@@ -28,8 +32,8 @@ struct ParameterScore {
 
 struct TechniqueScore {
     bool scored = false;
-    std::string reason;                     ///< why it is not scored, a sentence; empty where it is
-    double total = 0;                       ///< 0..100: weighted mean of the parameters' scores times the coverage
+    std::string reason; ///< why it is not scored, a sentence; empty where it is
+    double total = 0;   ///< 0..100: half the lowest parameter's score and half the weighted mean of all, times coverage
     double coverage = 0;                    ///< 0..1 of the wanted seam that was welded, the free ends left out
     double wantedMm = 0;                    ///< length of the wanted seam
     double weldedMm = 0;                    ///< of it

@@ -1,0 +1,56 @@
+// `meltpool check` from end to end: exit codes, what it prints, and the JUnit file.
+#include "core/base/text.hpp"
+#include "tests/app/program.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+using namespace meltpool;
+using meltpool::test::containsText;
+using meltpool::test::runMeltpool;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A short bead on a small plate, which a software driver welds in seconds.
+void writeLesson(const fs::path& folder) {
+    writeTextFileAtomically(folder / "path.toml", "start_mm = [-9, 3, 0]\nwork_angle_deg = 90\ntravel_angle_deg = 10\n"
+                                                  "[[move]]\nkind = 'arc_on'\n"
+                                                  "[[move]]\nkind = 'line'\nto_mm = [9, 3, 0]\nspeed_mm_s = 8\n"
+                                                  "[[move]]\nkind = 'arc_off'\n");
+    writeTextFileAtomically(
+        folder / "bead.toml",
+        "title = 'Bead'\ntext = 'Weld.'\nmodel = 'weld'\ntorch = 'path.toml'\n[run]\nseconds = 2.5\n"
+        "[workpiece]\nworkpiece = 'plate'\nlength_mm = 26\nwidth_mm = 16\nthickness_mm = 4\nspacing_mm = 1\n"
+        "[process]\nprocess = 'gmaw'\nvoltage = 21\nwire_diameter_mm = 1.2\nwire_feed_m_min = 4.5\n"
+        "[technique]\nlength_from_mm = -9\nlength_to_mm = 9\n"
+        "aim = { ideal = 0, inner = 0.5, outer = 2 }\ntravel_speed = { ideal = 8, inner = 1, outer = 3 }\n");
+}
+
+} // namespace
+
+TEST_CASE("checks are welded and held against what they expect", "[app]") {
+    const fs::path folder = test::scratchFolder("check-command");
+    writeLesson(folder);
+    const fs::path good = folder / "good.toml", beside = folder / "beside.toml", junit = folder / "junit.xml";
+    writeTextFileAtomically(good, "lesson = 'bead.toml'\n[expect]\nscore = [90, 100]\nheight_mm = [1, 5]\n");
+    const std::string quoted = " '" + folder.string() + "' --junit '" + junit.string() + "'";
+
+    const test::Outcome first = runMeltpool("check" + quoted); // bead.toml itself is no check
+    INFO(first.errors << first.output);
+    CHECK(first.code == 0);
+    CHECK_THAT(first.output, containsText("1 of 1 checks as expected"));
+    CHECK_THAT(readTextFile(junit), containsText("tests=\"1\"") && containsText("failures=\"0\""));
+
+    writeTextFileAtomically(beside, "lesson = 'bead.toml'\n[bend]\naside_mm = 3\n[expect]\nscore = [90, 100]\n");
+    const test::Outcome second = runMeltpool("check '" + beside.string() + "' --junit '" + junit.string() + "'");
+    CHECK(second.code == 1);
+    CHECK_THAT(second.output, containsText("NOT AS EXPECTED") && containsText("expected 90 to 100"));
+    CHECK_THAT(readTextFile(junit), containsText("failures=\"1\"") && containsText("expected 90 to 100"));
+
+    CHECK(runMeltpool("check '" + (folder / "nowhere.toml").string() + "'").code == 2);
+    fs::create_directories(folder / "empty");
+    const test::Outcome none = runMeltpool("check '" + (folder / "empty").string() + "'");
+    CHECK(none.code == 2);
+    CHECK_THAT(none.errors, containsText("[expect]"));
+}
