@@ -166,6 +166,9 @@ void DesktopApp::handleKeys(const InputFrame& input) {
         case Key::f4:
             menus_.panels.timings = !menus_.panels.timings;
             break;
+        case Key::j:
+            act(MenuRequest::judge);
+            break;
         case Key::f5:
             session_.reset(controls_);
             break;
@@ -193,6 +196,10 @@ void DesktopApp::act(MenuRequest request) {
         break;
     case MenuRequest::reset:
         session_.reset(controls_);
+        break;
+    case MenuRequest::judge:
+        session_.judge();
+        menus_.showResult(session_);
         break;
     case MenuRequest::restart:
         session_.end("start menu");
@@ -225,6 +232,8 @@ void DesktopApp::simulate(const InputFrame& input, double seconds) {
     if (held) controls_.putOut(ArcOut::takenOver);
     session_.advance(controls_, seconds, &profiler_, held);
     session_.fillFigures(figures_);
+    if (session_.judgements() != judgements_) menus_.showResult(session_);
+    judgements_ = session_.judgements();
     if (session_.recordFault().empty())
         messages_.clear("record");
     else
@@ -287,7 +296,7 @@ void DesktopApp::writeTelemetry() {
     telemetry_.write({session_.running() ? "running" : "start", now(), pacer_.frames(), session_.steps(),
                       session_.running() ? session_.torch() : TorchSample{}, controls_, menus_.panels, figures_,
                       sections, passes, messages_, interface_.context(), window_.size(), window_.pixels(), screenshot_,
-                      headset_ ? headset_->status() : HeadsetStatus{}, meter_, callsCounted_});
+                      session_.judged(), headset_ ? headset_->status() : HeadsetStatus{}, meter_, callsCounted_});
     meter_.resume();
     if (!telemetry_.fault().empty()) messages_.hold("The telemetry has stopped: " + telemetry_.fault(), "telemetry");
 }

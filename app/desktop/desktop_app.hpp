@@ -78,6 +78,7 @@ class DesktopApp {
     FramePacer pacer_;
     std::string screenshot_;
     std::string driver_;
+    size_t judgements_ = 0; ///< that the menus have shown
     bool pictureAsked_ = false;
     bool headsetFrame_ = false;   ///< the headset paces this frame
     bool headsetStarted_ = false; ///< a headset has had frames before

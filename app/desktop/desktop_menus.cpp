@@ -5,6 +5,7 @@
 namespace meltpool {
 
 float DesktopMenus::coveredLeft() {
+    if (panels.result && !panels.hidden) return ui::resultReach(interface_.context());
     const int open = static_cast<int>(panels.view) + static_cast<int>(panels.timings);
     return panels.hidden ? 0 : static_cast<float>(open) * ui::panelReach(interface_.context());
 }
@@ -35,10 +36,14 @@ MenuRequest DesktopMenus::draw(const DesktopMenuContent& content) {
 MenuRequest DesktopMenus::drawPanels(const DesktopMenuContent& content) {
     ui::Context& context = interface_.context();
     const Lesson& lesson = content.session.lesson();
-    const MenuRequest request = ui::topBar(context, panels, content.controls, lesson.title);
+    MenuRequest request = ui::topBar(context, panels, content.controls, lesson.title, content.session.judges());
     ui::statusBar(context, content.figures, content.controls);
     ui::temperatureScale(context, lesson.look.colours, content.session.temperature(), coveredLeft());
+    panels.result = panels.result && content.session.judges();
     makeRoom();
+    if (panels.result)
+        if (const MenuRequest asked = ui::resultPanel(context, content.session); asked != MenuRequest::none)
+            request = asked;
     if (panels.view) ui::viewMenu(context, content.viewSections);
     if (panels.simulation) ui::simulationMenu(context, content.session.sections().simulation, content.controls);
     if (panels.timings)
@@ -46,7 +51,21 @@ MenuRequest DesktopMenus::drawPanels(const DesktopMenuContent& content) {
     return request;
 }
 
+void DesktopMenus::showResult(const LessonSession& session) {
+    if (!session.judges()) return;
+    panels.result = true;
+    panels.hidden = false;
+}
+
 void DesktopMenus::makeRoom() {
+    // The result stands where view menu and timings do: the newer replaces the older.
+    if (panels.result && (panels.view || panels.timings)) {
+        if (resultIsNewer_)
+            panels.view = panels.timings = false;
+        else
+            panels.result = false;
+    }
+    resultIsNewer_ = !panels.result;
     // In a small window the newer of the two panels at the left replaces the older.
     const bool both = panels.view && panels.timings;
     if (both && static_cast<float>(window_.size().x) < 4.5f * ui::panelReach(interface_.context()))

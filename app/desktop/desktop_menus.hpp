@@ -32,6 +32,9 @@ class DesktopMenus {
     /// Draws all that is open. Answers what the person asked for.
     MenuRequest draw(const DesktopMenuContent& content);
 
+    /// Opens the result panel, where the lesson has one.
+    void showResult(const LessonSession& session);
+
     /// How far the middle of the uncovered part of the window is right of the window's middle, as a share of half the
     /// window's width.
     float middleOfPicture();
@@ -44,6 +47,7 @@ class DesktopMenus {
 
     const Window& window_;
     ui::Interface& interface_;
+    bool resultIsNewer_ = false;   ///< than the panels at its place
     bool timingsAreNewer_ = false; ///< if both panels at the left are open in the next frame
 };
 

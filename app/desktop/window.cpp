@@ -23,6 +23,7 @@ constexpr std::array<std::pair<int, Key>, static_cast<size_t>(Key::count)> kKeys
     {GLFW_KEY_D, Key::d},
     {GLFW_KEY_E, Key::e},
     {GLFW_KEY_F, Key::f},
+    {GLFW_KEY_J, Key::j},
     {GLFW_KEY_Q, Key::q},
     {GLFW_KEY_S, Key::s},
     {GLFW_KEY_V, Key::v},

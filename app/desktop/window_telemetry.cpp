@@ -104,6 +104,15 @@ json frameCosts(const FrameMeter& meter, bool counted) {
     return costs;
 }
 
+/// What the result panel tells first; null while nothing is judged.
+json judgement(const std::optional<JudgedAttempt>& judged) {
+    if (!judged) return nullptr;
+    return {{"time", judged->time},
+            {"score", judged->rows.score},
+            {"verdict", judged->rows.verdict},
+            {"corrections", judged->rows.corrections}};
+}
+
 json messageTexts(const Messages& messages) {
     json all = json::array();
     for (const Message& message : messages.shown())
@@ -140,6 +149,7 @@ void WindowTelemetry::write(const TelemetryRow& row) {
          {{"view", row.panels.view},
           {"simulation", row.panels.simulation},
           {"timings", row.panels.timings},
+          {"result", row.panels.result},
           {"help", row.panels.help},
           {"hidden", row.panels.hidden}}},
         {"torch", torch(row.torch)},
@@ -152,6 +162,7 @@ void WindowTelemetry::write(const TelemetryRow& row) {
         {"messages", messageTexts(row.messages)},
         {"places", places(row.context)},
         {"screenshot", row.screenshot},
+        {"judgement", judgement(row.judged)},
         {"headset", headset(row.headset)},
         {"frame_costs", frameCosts(row.meter, row.callsCounted)},
     };

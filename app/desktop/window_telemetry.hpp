@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/program/frame_meter.hpp"
+#include "app/session/attempt/attempt_judge.hpp"
 #include "app/session/controls.hpp"
 #include "app/session/headset_status.hpp"
 #include "app/session/lesson_figures.hpp"
@@ -12,6 +13,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,9 +33,10 @@ struct TelemetryRow {
     const std::vector<std::string>& passes; ///< names of the timed GPU passes
     const Messages& messages;
     const ui::Context& context;
-    glm::ivec2 size{0};     ///< window, points
-    glm::ivec2 pixels{0};   ///< frame buffer
-    std::string screenshot; ///< the last picture saved
+    glm::ivec2 size{0};                         ///< window, points
+    glm::ivec2 pixels{0};                       ///< frame buffer
+    std::string screenshot;                     ///< the last picture saved
+    const std::optional<JudgedAttempt>& judged; ///< the attempt
     HeadsetStatus headset;
     const FrameMeter& meter;   ///< what the frames before this row cost
     bool callsCounted = false; ///< the meter knows of allocations, stalls and the driver

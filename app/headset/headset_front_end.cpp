@@ -75,6 +75,7 @@ void HeadsetFrontEnd::readHands(LessonSession& session, double elapsed) {
     placeWorkshop(session);
     panel_.update(input, workshop_, headset.panel().shape(), hands_.torchHand());
     if (session.question().asked()) panel_.show();
+    showResult(session);
     if (headset.mode() == xr::SessionMode::focused)
         focusedOpening_ = connection_.openings();
     else
@@ -88,6 +89,19 @@ void HeadsetFrontEnd::readHands(LessonSession& session, double elapsed) {
     if (panel_.pointingHand() == hands_.torchHand()) hands_.putOut(ArcOut::panel);
     changes_.takeTorch(hands_, session);
     view_.update(hands_.torch(), elapsed);
+}
+
+/// A new judgement opens the panel; a panel that was opened so closes when the weld goes on or begins again.
+void HeadsetFrontEnd::showResult(const LessonSession& session) {
+    const bool fresh = session.judged() && session.judgements() != judgements_;
+    judgements_ = session.judgements();
+    if (fresh && !panel_.open()) {
+        panel_.show();
+        openedByResult_ = true;
+    } else if (openedByResult_ && !session.judged()) {
+        if (!session.question().asked()) panel_.hide();
+        openedByResult_ = false;
+    }
 }
 
 void HeadsetFrontEnd::placeWorkshop(LessonSession& session) {

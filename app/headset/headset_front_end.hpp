@@ -43,6 +43,7 @@ class HeadsetFrontEnd final : public WindowHeadset {
 
     void guarded(FunctionRef<void()> work);
     void readHands(LessonSession& session, double elapsed);
+    void showResult(const LessonSession& session);
     void placeWorkshop(LessonSession& session);
     bool leadsTorch() const { return inFrame_ && changes_.lessonRuns() && hands_.torch().known(); }
     void drawEyes(LessonSession& session, double elapsed, gl::Profiler* profiler);
@@ -64,10 +65,12 @@ class HeadsetFrontEnd final : public WindowHeadset {
     HeadsetNotice notice_;
     xr::FrameTiming timing_;
     bool inFrame_ = false;
-    int focusedOpening_ = 0; ///< the opening in which the runtime first gave the trainer its input
-    bool drawn_ = false;     ///< the eyes hold a picture that the runtime shows
-    bool mirrored_ = false;  ///< the window shows it too
-    double busy_ = 0;        ///< s, of the last frame's begin() and draw() without waiting for the runtime
+    int focusedOpening_ = 0;      ///< the opening in which the runtime first gave the trainer its input
+    size_t judgements_ = 0;       ///< that the panel has been opened for
+    bool openedByResult_ = false; ///< the panel
+    bool drawn_ = false;          ///< the eyes hold a picture that the runtime shows
+    bool mirrored_ = false;       ///< the window shows it too
+    double busy_ = 0;             ///< s, of the last frame's begin() and draw() without waiting for the runtime
 };
 
 } // namespace meltpool

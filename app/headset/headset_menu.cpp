@@ -15,6 +15,8 @@ ui::ShortText figuresText(const LessonFigures& figures) {
     return {text.data(), ui::hottestText(figures)};
 }
 
+constexpr int kResult = 3; ///< the page
+
 void drawParameters(ui::Context& context, const ParameterSection& section) {
     for (const Parameter& parameter : section.parameters)
         if (!parameter.onlyAtStart && section.shows(parameter))
@@ -60,8 +62,11 @@ void HeadsetMenu::lessonPart(ui::Context& context, LessonSession& session, const
 
 void HeadsetMenu::pagePart(ui::Context& context, LessonSession& session, const HeadsetMenuContent& content) {
     ImGui::Dummy({0, context.points(4)});
-    static constexpr std::array<std::string_view, 3> kPages{"headset", "simulation", "view"};
-    ui::choiceRow(context, "headset.page", kPages, page_);
+    static constexpr std::array<std::string_view, 4> kPages{"headset", "simulation", "view", "result"};
+    const bool judges = session.judges();
+    if (session.judgements() != judgements_ || (page_ == kResult && !judges)) page_ = judges ? kResult : 0;
+    judgements_ = session.judgements();
+    ui::choiceRow(context, "headset.page", std::span(kPages).first(judges ? 4 : 3), page_);
     if (page_ == 0) {
         drawParameters(context, content.section);
         answer_.measureTip = ui::button(context, "headset.tip", "Measure the torch's tip", ui::ButtonKind::plain, 200);
@@ -69,6 +74,9 @@ void HeadsetMenu::pagePart(ui::Context& context, LessonSession& session, const H
         answer_.measureAxis = ui::button(context, "headset.axis", "and its direction", ui::ButtonKind::plain, 160);
         if (!content.tipReport.empty()) ui::quietText(context, content.tipReport);
     }
+    if (page_ == kResult)
+        if (const MenuRequest asked = ui::resultPart(context, session); asked != MenuRequest::none)
+            answer_.request = asked;
     if (page_ == 1) drawParameters(context, session.sections().simulation);
     if (page_ == 2) {
         drawParameters(context, session.sections().view);

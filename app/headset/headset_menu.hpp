@@ -45,6 +45,7 @@ class HeadsetMenu {
     std::unique_ptr<HeadsetPanel> panel_; ///< made when it is first drawn
     HeadsetMenuAnswer answer_;
     int page_ = 0;
+    size_t judgements_ = 0; ///< that were shown
 };
 
 } // namespace meltpool

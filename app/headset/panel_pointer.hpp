@@ -20,8 +20,9 @@ class PanelPointer {
     void update(const xr::Input& input, const Workshop& workshop, const xr::PanelShape& shape, xr::Hand torchHand);
 
     bool open() const { return open_; }
-    /// Something on the panel must be answered.
+    /// Something on the panel must be answered or read.
     void show() { open_ = true; }
+    void hide() { open_ = false; }
     /// Of the panel, in the workshop.
     xr::Pose pose() const;
     const PointerOnPanel& pointer() const { return pointer_; }

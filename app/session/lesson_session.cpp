@@ -183,7 +183,19 @@ void LessonSession::reset(Controls& controls) {
     beginAttempt();
 }
 
+void LessonSession::judge() {
+    if (!judges() || question_.asked() || !fault_.empty()) return;
+    try {
+        judge_.judge(*trainer_);
+    } catch (const RuntimeFault& fault) {
+        fault_ = fault.what();
+        event("fault", fault_);
+    }
+    clock_.restart(); // the metal does not make good the time that judging took
+}
+
 void LessonSession::beginAttempt() {
+    judge_.forget();
     surfaceDistance_ = {};
     fault_.clear();
     surfaceIsOld_ = true;
@@ -213,6 +225,7 @@ void LessonSession::settle(Controls& controls) {
 
 void LessonSession::end(std::string_view reason) noexcept {
     question_ = {};
+    judge_.forget();
     trial_.stop();
     wanted_.clear();
     running_.clear();
@@ -267,6 +280,7 @@ void LessonSession::advance(const Controls& controls, double seconds, gl::Profil
     }
     try {
         makeSteps(controls, seconds, profiler, held);
+        if (judge_.update(*trainer_)) judge();
     } catch (const RuntimeFault& fault) {
         fault_ = fault.what();
         event("fault", fault_);

@@ -1,6 +1,7 @@
 // The lesson that window and headset share: its values, and the Trainer that runs it.
 #pragma once
 
+#include "app/session/attempt/attempt_judge.hpp"
 #include "app/session/attempt/attempt_records.hpp"
 #include "app/session/attempt/question.hpp"
 #include "app/session/attempt/speed_trial.hpp"
@@ -103,6 +104,15 @@ class LessonSession {
     /// Does what the person answered.
     void settle(Controls& controls);
 
+    /// Whether this lesson's weld can be measured and judged.
+    bool judges() const { return running() && trainer_->technique() != nullptr; }
+    /// Judges the attempt so far; nothing while the arc burns or before the attempt has begun. Waits for the GPU. A
+    /// finished weld is judged without being asked for, see AttemptJudge.
+    void judge();
+    /// The judgement of the attempt, until the arc burns again or another attempt begins, and how many there were.
+    const std::optional<JudgedAttempt>& judged() const { return judge_.judged(); }
+    size_t judgements() const { return judge_.count(); }
+
     /// The torch of the last steps came from `held`, not from the controls.
     bool held() const { return held_; }
 
@@ -146,6 +156,7 @@ class LessonSession {
     ParameterList wanted_;  ///< the live values of metal and process as the menus have them
     ParameterList running_; ///< the same as the running metal has them
     AttemptRecords records_;
+    AttemptJudge judge_;
     Question question_;
     SpeedTrial trial_;
     double trialTime_ = 0; ///< s in the demonstration

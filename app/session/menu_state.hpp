@@ -10,6 +10,7 @@ struct PanelState {
     bool view = false;
     bool simulation = true;
     bool timings = false;
+    bool result = false; ///< the attempt judged
     bool help = false;
     bool hidden = false; ///< no panel is shown
 };
@@ -29,6 +30,6 @@ struct Place {
 } // namespace ui
 
 /// What a person asked for with a button.
-enum class MenuRequest { none, start, startWithDefaults, reset, restart };
+enum class MenuRequest { none, start, startWithDefaults, reset, restart, judge };
 
 } // namespace meltpool

@@ -95,7 +95,8 @@ float barHeight(const Context& context) {
     return context.points(48);
 }
 
-MenuRequest topBar(Context& context, PanelState& panels, const Controls& controls, const std::string& lesson) {
+MenuRequest topBar(Context& context, PanelState& panels, const Controls& controls, const std::string& lesson,
+                   bool judges) {
     MenuRequest request = MenuRequest::none;
     beginBar(context, "top bar", 0);
     drawSign(*ImGui::GetWindowDrawList(), {context.points(28), barHeight(context) / 2}, context.points(28));
@@ -110,6 +111,7 @@ MenuRequest topBar(Context& context, PanelState& panels, const Controls& control
     tab("bar.view", "View", panels.view, "How the metal is shown (F2)");
     tab("bar.simulation", "Simulation", panels.simulation, "How the metal behaves (F3)");
     tab("bar.timings", "Timings", panels.timings, "Where the time of a frame goes (F4)");
+    if (judges) tab("bar.result", "Result", panels.result, "The weld judged and measured (J judges it)");
     const float width = context.points(86);
     const float buttons = ImGui::GetIO().DisplaySize.x - 3 * width - context.points(14 + 12);
     modeSign(context, controls, ImGui::GetItemRectMax().x, buttons);

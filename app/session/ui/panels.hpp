@@ -4,6 +4,7 @@
 #include "app/session/attempt/question.hpp"
 #include "app/session/controls.hpp"
 #include "app/session/lesson_figures.hpp"
+#include "app/session/lesson_session.hpp"
 #include "app/session/menu_state.hpp"
 #include "app/session/messages.hpp"
 #include "app/session/parameter_section.hpp"
@@ -27,10 +28,18 @@ ShortText hottestText(const LessonFigures& figures);
 
 MenuRequest startMenu(Context& context, const ParameterSection& start, const std::string& task,
                       const std::string& driver);
-MenuRequest topBar(Context& context, PanelState& panels, const Controls& controls, const std::string& lesson);
+/// `judges`: the lesson's weld can be judged.
+MenuRequest topBar(Context& context, PanelState& panels, const Controls& controls, const std::string& lesson,
+                   bool judges);
 void statusBar(Context& context, const LessonFigures& figures, const Controls& controls);
 void viewMenu(Context& context, std::span<const ParameterSection* const> sections);
 void simulationMenu(Context& context, const ParameterSection& section, Controls& controls);
+/// Width of the result panel with its gap to the picture; points.
+float resultReach(const Context& context);
+/// The judged attempt at the left: score, what to correct, verdict, measured weld.
+MenuRequest resultPanel(Context& context, const LessonSession& session);
+/// The same inside the current window, for the headset's panel.
+MenuRequest resultPart(Context& context, const LessonSession& session);
 void timingsPanel(Context& context, const gl::Profiler& profiler, const LessonFigures& figures, double frameMs,
                   const std::string& driver, bool besideView);
 /// A question over all other panels, a button for each answer. Nothing where none is asked.

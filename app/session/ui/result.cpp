@@ -1,0 +1,132 @@
+// The result of an attempt: score, what to correct, verdict and measured weld, for the window and the headset's panel.
+#include "app/session/ui/panels.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <string>
+
+namespace meltpool::ui {
+
+namespace {
+
+constexpr float kResultWidth = 430;
+constexpr ImU32 kGood = IM_COL32(134, 214, 140, 255);
+constexpr ImU32 kBad = IM_COL32(255, 138, 120, 255);
+
+ImU32 tintOf(RowState state) {
+    switch (state) {
+    case RowState::good:
+        return kGood;
+    case RowState::bad:
+        return kBad;
+    case RowState::open:
+        return colour::kWarning;
+    case RowState::plain:
+        break;
+    }
+    return colour::kText;
+}
+
+void wrapped(const std::string& text, ImU32 tint = colour::kText) {
+    ImGui::PushStyleColor(ImGuiCol_Text, tint);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(text.c_str(), text.c_str() + text.size());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+}
+
+/// Name and value on one line, the detail quietly below.
+void drawRow(Context& context, const JudgementRow& row) {
+    const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
+    ImGui::TextUnformatted(row.name.c_str());
+    ImGui::SameLine();
+    const float x = right - ImGui::CalcTextSize(row.value.c_str()).x;
+    if (x < ImGui::GetCursorPosX()) ImGui::NewLine(); // too long for one line
+    ImGui::SetCursorPosX(std::max(x, 0.0f));
+    ImGui::PushStyleColor(ImGuiCol_Text, tintOf(row.state));
+    ImGui::TextUnformatted(row.value.c_str());
+    ImGui::PopStyleColor();
+    if (row.detail.empty()) return;
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() - context.points(4)); // near to its name
+    quietText(context, row.detail);
+}
+
+void drawSection(Context& context, const JudgementSection& section) {
+    if (!groupHeading(context, "result", section.title.c_str())) return;
+    if (!section.note.empty()) quietText(context, section.note);
+    for (const JudgementRow& row : section.rows)
+        drawRow(context, row);
+}
+
+void drawCorrections(Context& context, const std::vector<std::string>& corrections) {
+    if (corrections.empty()) return;
+    ImGui::Dummy({0, context.points(4)});
+    strongText(context, "Correct this first");
+    for (const std::string& sentence : corrections) {
+        ImGui::Bullet();
+        ImGui::SameLine();
+        wrapped(sentence);
+    }
+}
+
+void drawJudgement(Context& context, const JudgedAttempt& attempt) {
+    const JudgementRows& rows = attempt.rows;
+    ImGui::PushFont(context.fonts.title);
+    ImGui::TextUnformatted(rows.score.c_str());
+    ImGui::PopFont();
+    markItem(context, "result.score");
+    quietText(context, rows.scoreNote);
+    ImGui::PushFont(context.fonts.strong);
+    wrapped(rows.verdict, tintOf(rows.verdictState));
+    ImGui::PopFont();
+    if (!rows.verdictNote.empty()) quietText(context, rows.verdictNote);
+    drawCorrections(context, rows.corrections);
+    for (const JudgementSection* section : {&rows.technique, &rows.judged, &rows.measured})
+        if (!section->rows.empty() || section->note != rows.scoreNote) drawSection(context, *section);
+    char text[128];
+    std::snprintf(text, sizeof text, "This is the attempt as it was after %.1f s. When you weld on, it is judged anew.",
+                  attempt.time);
+    ImGui::Dummy({0, context.points(4)});
+    quietText(context, text);
+}
+
+} // namespace
+
+float resultReach(const Context& context) {
+    return context.points(kResultWidth + 10);
+}
+
+MenuRequest resultPart(Context& context, const LessonSession& session) {
+    MenuRequest request = MenuRequest::none;
+    if (button(context, "result.judge", "Judge the weld", session.judged() ? ButtonKind::plain : ButtonKind::main, 150))
+        request = MenuRequest::judge;
+    ImGui::SameLine();
+    if (button(context, "result.again", "Again", session.judged() ? ButtonKind::main : ButtonKind::plain, 110))
+        request = MenuRequest::reset;
+    if (session.judged())
+        drawJudgement(context, *session.judged());
+    else if (session.arc().burns())
+        quietText(context, "The arc burns. Let it go out, then the weld can be judged.");
+    else
+        quietText(context, "Nothing is judged yet. A finished weld of 10 mm or more is judged by itself a second after "
+                           "the arc is out, where the lesson says what is asked for; the button judges any weld.");
+    return request;
+}
+
+MenuRequest resultPanel(Context& context, const LessonSession& session) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float gap = context.points(10);
+    const float width = std::min(context.points(kResultWidth), screen.x - 2 * gap);
+    ImGui::SetNextWindowPos({gap, barHeight(context) + gap});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, screen.y - 2 * barHeight(context) - 2 * gap});
+    ImGui::Begin("result", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+    strongText(context, "Result");
+    const MenuRequest request = resultPart(context, session);
+    ImGui::End();
+    return request;
+}
+
+} // namespace meltpool::ui

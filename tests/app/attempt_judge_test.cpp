@@ -1,0 +1,129 @@
+// The judgement that window and headset share: when it is made, by itself and on request, and when it goes.
+#include "app/session/lesson_session.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+using namespace meltpool;
+
+namespace {
+
+/// A bead on a small plate of few particles.
+Lesson smallBead() {
+    Lesson lesson = findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
+    lesson.workpiece.lengthMm = 30;
+    lesson.workpiece.widthMm = 18;
+    lesson.workpiece.thicknessMm = 4;
+    lesson.technique->lengthFromMm = -10;
+    lesson.technique->lengthToMm = 10;
+    lesson.surface.cells = 32;
+    return lesson;
+}
+
+class Welder {
+  public:
+    explicit Welder(Lesson lesson) : session(test::shaders(), std::move(lesson), [] { return 0.0; }) {
+        session.begin(controls);
+    }
+
+    /// Leads the torch along the seam for `seconds`, 3 mm over the plate, at 8 mm/s while the trigger is pulled.
+    void lead(double seconds, float trigger) {
+        constexpr double kFrame = 1.0 / 45;
+        for (double time = 0; time < seconds; time += kFrame) {
+            session.advance(controls, kFrame, nullptr, [&](int, int steps) {
+                if (trigger > 0) x_ += 8e-3f * static_cast<float>(kFrame / steps);
+                TorchSample torch;
+                torch.tip = {x_, 0.003f, 0};
+                torch.orientation = glm::angleAxis(-1.5707963f, glm::vec3(1, 0, 0));
+                torch.trigger = trigger;
+                return torch;
+            });
+        }
+    }
+
+    Controls controls;
+    LessonSession session;
+
+  private:
+    float x_ = -0.010f; ///< m
+};
+
+} // namespace
+
+TEST_CASE("a finished weld is judged by itself once, and welding on or another attempt drops the judgement", "[app]") {
+    Welder welder(smallBead());
+    CHECK(welder.session.judges());
+    welder.lead(0.1, 0);
+    CHECK_FALSE(welder.session.judged());
+    welder.lead(2, 1);
+    REQUIRE(welder.session.arc().burns());
+    welder.session.judge(); // nothing while the arc burns
+    CHECK_FALSE(welder.session.judged());
+    welder.lead(0.5, 0);
+    CHECK_FALSE(welder.session.judged());
+    welder.lead(1, 0);
+    REQUIRE(welder.session.judged());
+    CHECK(welder.session.judgements() == 1);
+    const JudgedAttempt& judged = *welder.session.judged();
+    REQUIRE(judged.judgement.score);
+    CHECK(judged.judgement.score->scored);
+    CHECK(judged.rows.technique.rows.size() == judged.judgement.score->parameters.size());
+    REQUIRE(judged.judgement.weld);
+    CHECK(judged.judgement.weld->stations.size() >= 4);
+    REQUIRE(judged.judgement.verdict);
+    CHECK_THAT(judged.rows.verdict, test::containsText("ISO 5817, level C"));
+    welder.lead(2, 0);
+    CHECK(welder.session.judgements() == 1);
+
+    SECTION("the arc burns again") {
+        welder.lead(0.3, 1);
+        REQUIRE(welder.session.arc().burns());
+        CHECK_FALSE(welder.session.judged());
+        welder.lead(1.2, 0);
+        CHECK(welder.session.judgements() == 2); // of all that was welded
+    }
+    SECTION("again") {
+        welder.session.reset(welder.controls);
+        CHECK_FALSE(welder.session.judged());
+        welder.lead(1.5, 0);
+        CHECK(welder.session.judgements() == 1); // nothing is welded yet
+    }
+    SECTION("the start menu") {
+        welder.session.end("start menu");
+        CHECK_FALSE(welder.session.judged());
+        CHECK_FALSE(welder.session.judges());
+        welder.session.judge();
+        CHECK_FALSE(welder.session.judged());
+    }
+}
+
+TEST_CASE("a short weld, and one of a lesson that asks for nothing, is judged on request only", "[app]") {
+    Lesson lesson = smallBead();
+    const bool asks = GENERATE(true, false);
+    if (!asks) {
+        lesson.technique.reset();
+        lesson.acceptance.reset();
+    }
+    Welder welder(std::move(lesson));
+    welder.lead(asks ? 0.8 : 2, 1);
+    welder.lead(1.5, 0);
+    CHECK_FALSE(welder.session.judged());
+    welder.session.judge();
+    REQUIRE(welder.session.judged());
+    const JudgedAttempt& judged = *welder.session.judged();
+    CHECK(judged.judgement.score.has_value() == asks);
+    CHECK(judged.judgement.verdict.has_value() == asks);
+    CHECK(judged.judgement.weld);
+    welder.session.judge(); // asked again: judged again
+    CHECK(welder.session.judgements() == 2);
+}
+
+TEST_CASE("the classic lesson has nothing to judge", "[app]") {
+    Lesson lesson = findLesson("classic", test::testFolder().parent_path() / "app" / "data" / "lessons");
+    lesson.setup.particles = 1728;
+    lesson.metal.supportRadius = 0.12f;
+    lesson.surface.cells = 32;
+    Welder welder(std::move(lesson));
+    CHECK_FALSE(welder.session.judges());
+    welder.session.judge();
+    CHECK_FALSE(welder.session.judged());
+}

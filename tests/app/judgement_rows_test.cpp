@@ -1,0 +1,152 @@
+// The words of the result panel, from judgements that are put together here.
+#include "app/session/attempt/judgement_rows.hpp"
+#include "tests/support/catch.hpp"
+
+#include <cmath>
+#include <limits>
+
+using namespace meltpool;
+
+namespace {
+
+TechniqueBands asked() {
+    TechniqueBands bands;
+    bands.lengthToMm = 40;
+    bands.bands = {{TechniqueQuantity::travelAngle, 10, 5, 15, 1}, {TechniqueQuantity::travelSpeed, 8, 0.8, 3, 2}};
+    return bands;
+}
+
+TechniqueScore scored() {
+    TechniqueScore score;
+    score.scored = true;
+    score.total = 61.6;
+    score.coverage = 1;
+    score.wantedMm = 40;
+    score.weldedMm = 39;
+    ParameterScore angle, speed;
+    angle.quantity = TechniqueQuantity::travelAngle;
+    angle.score = 100;
+    angle.mean = -3.2;
+    speed.quantity = TechniqueQuantity::travelSpeed;
+    speed.score = 42.4;
+    speed.mean = 10.26;
+    score.parameters = {angle, speed};
+    return score;
+}
+
+WeldMeasures fillet() {
+    WeldMeasures weld;
+    weld.kind = WeldKind::fillet;
+    weld.pitch = 2e-3;
+    weld.spacing = 1e-3;
+    weld.stations.resize(15);
+    weld.mean.throat = 4.26e-3;
+    weld.least.throat = 3.9e-3;
+    weld.greatest.throat = 4.5e-3;
+    weld.mean.rootFused = 0.9;
+    weld.rootFused = 0.93;
+    return weld;
+}
+
+Verdict refused() {
+    Verdict verdict{"ISO 5817", "2014", "C", {}, false};
+    VerdictItem passed, failed, open, absent;
+    passed = {"undercut", 0.2, 0.9, LimitKind::atMost, "mm", VerdictState::pass, false, 0.5, 0.012};
+    open = {"toe_angle", 100.0, 110.0, LimitKind::atLeast, "deg", VerdictState::notResolved, false, 15, 0.004};
+    failed = {"lack_of_fusion", 1.26, 0.0, LimitKind::notPermitted, "mm", VerdictState::fail, true, 0.5, -0.0081};
+    absent.name = "surface_pore";
+    absent.limit = 1.5;
+    absent.unit = "mm";
+    verdict.items = {passed, open, failed, absent};
+    return verdict;
+}
+
+const JudgementRow& find(const JudgementSection& section, const std::string& name) {
+    for (const JudgementRow& row : section.rows)
+        if (row.name == name) return row;
+    FAIL("there is no row " << name);
+    return section.rows.front();
+}
+
+} // namespace
+
+TEST_CASE("score and parameters are told with what was asked for, signs as sides", "[app]") {
+    Judgement judgement;
+    judgement.score = scored();
+    judgement.corrections = {{TechniqueQuantity::travelSpeed, 38, "Travel slower."}};
+    const TechniqueBands bands = asked();
+    const JudgementRows rows = judgementRows(judgement, &bands);
+    CHECK(rows.score == "Score 62 of 100");
+    CHECK(rows.scoreNote == "39 of 40 mm of the seam are welded.");
+    CHECK(rows.corrections == std::vector<std::string>{"Travel slower."});
+    const JudgementRow& speed = find(rows.technique, "Travel speed");
+    CHECK(speed.value == "42 of 100");
+    CHECK(speed.detail == "Mean 10.3 mm/s; asked for 8 mm/s, give or take 0.8 mm/s");
+    CHECK(speed.state == RowState::bad);
+    const JudgementRow& angle = find(rows.technique, "Travel angle");
+    CHECK(angle.detail == "Mean 3\xC2\xB0 drag; asked for 10\xC2\xB0 push, give or take 5\xC2\xB0");
+    CHECK(angle.state == RowState::good);
+}
+
+TEST_CASE("an attempt that is not scored says why", "[app]") {
+    Judgement judgement;
+    judgement.score = scored();
+    judgement.score->scored = false;
+    judgement.score->reason = "Tracking was lost.";
+    const JudgementRows rows = judgementRows(judgement, nullptr);
+    CHECK(rows.score == "Not scored");
+    CHECK(rows.scoreNote == "Tracking was lost.");
+    CHECK(rows.technique.rows.empty());
+}
+
+TEST_CASE("a value that is nowhere known is said to be so", "[app]") {
+    Judgement judgement;
+    judgement.score = scored();
+    judgement.score->parameters[1].mean = std::numeric_limits<double>::quiet_NaN();
+    const JudgementRows rows = judgementRows(judgement, nullptr);
+    CHECK(find(rows.technique, "Travel speed").detail == "Mean not known");
+}
+
+TEST_CASE("the verdict names standard and level, and what failed comes first, what passed last", "[app]") {
+    Judgement judgement;
+    judgement.weld = fillet();
+    judgement.verdict = refused();
+    const JudgementRows rows = judgementRows(judgement, nullptr);
+    CHECK(rows.verdict == "Not accepted by ISO 5817, level C");
+    CHECK(rows.verdictState == RowState::bad);
+    CHECK(rows.verdictNote == "Fails: Lack of fusion.");
+    CHECK_THAT(rows.judged.note, test::containsText("Edition 2014, level C: 1 fail, 1 pass, 2 are not resolved."));
+    REQUIRE(rows.judged.rows.size() == 4);
+    CHECK(rows.judged.rows[0].name == "Lack of fusion");
+    CHECK(rows.judged.rows[0].value == "FAIL");
+    CHECK(rows.judged.rows[0].detail == "1.3 mm; none is allowed, at -8 mm");
+    CHECK(rows.judged.rows[0].state == RowState::bad);
+    CHECK(rows.judged.rows[1].value == "not resolved");
+    CHECK(rows.judged.rows[1].detail == "100\xC2\xB0; at least 110\xC2\xB0, at 4 mm");
+    CHECK(rows.judged.rows[2].detail == "This metal cannot show it; at most 1.5 mm");
+    CHECK(rows.judged.rows[3].name == "Undercut");
+    CHECK(rows.judged.rows[3].value == "pass");
+
+    judgement.verdict->accepted = true;
+    CHECK(judgementRows(judgement, nullptr).verdict == "Accepted by ISO 5817, level C");
+}
+
+TEST_CASE("a lesson without bands and acceptance says so and shows the measured weld", "[app]") {
+    Judgement judgement;
+    judgement.weld = fillet();
+    const JudgementRows rows = judgementRows(judgement, nullptr);
+    CHECK(rows.score == "No score");
+    CHECK(rows.verdict == "Measured, not judged");
+    CHECK_THAT(rows.judged.note, test::containsText("names no standard"));
+    CHECK(find(rows.measured, "Throat").value == "4.3 mm");
+    CHECK(find(rows.measured, "Throat").detail == "From 3.9 to 4.5 mm");
+    CHECK(find(rows.measured, "Root fused").value == "93 %");
+    CHECK_THAT(rows.measured.note, test::containsText("30 mm of seam, cut at 15 places"));
+
+    CHECK(find(rows.measured, "Cooling from 800 to 500 \xC2\xB0\x43").value == "not known yet");
+
+    judgement.weld->stations.clear();
+    const JudgementRows empty = judgementRows(judgement, nullptr);
+    CHECK(empty.verdict == "No weld to judge");
+    CHECK(empty.measured.rows.empty());
+}
