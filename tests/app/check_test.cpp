@@ -54,3 +54,18 @@ TEST_CASE("checks are welded and held against what they expect", "[app]") {
     CHECK(none.code == 2);
     CHECK_THAT(none.errors, containsText("[expect]"));
 }
+
+TEST_CASE("a path that is led too fast is marked down for that in every weld lesson, and its metal shows it", "[app]") {
+    for (const char* lesson : {"gmaw-bead", "tee-fillet"}) {
+        const fs::path check = test::testFolder() / "checks" / lesson / "too-fast.toml";
+        const test::Outcome outcome = runMeltpool("check '" + check.string() + "'");
+        INFO(outcome.output << outcome.errors);
+        CHECK(outcome.code == 0);
+    }
+}
+
+TEST_CASE("every check of the shipped lessons comes out as expected", "[app][long]") {
+    const test::Outcome outcome = runMeltpool("check '" + (test::testFolder() / "checks").string() + "'");
+    INFO(outcome.output << outcome.errors);
+    CHECK(outcome.code == 0);
+}
