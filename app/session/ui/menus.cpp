@@ -223,8 +223,7 @@ void helpOverlay(Context& context, bool& open) {
                                               {"+ right button", "torch near and far"},
                                               {"Arrow keys", "torch in steps"},
                                               {"Page up, down", "torch up and down"}}};
-    constexpr std::array<Shortcut, 3> kHeat{
-        {{"F", "hot or cold source"}, {"J", "judge the weld"}, {"F5", "again: reset metal and torch"}}};
+    constexpr std::array<Shortcut, 2> kHeat{{{"F", "hot or cold source"}, {"F5  J", "again: reset; judge the weld"}}};
     constexpr std::array<Shortcut, 4> kOrbit{{{"A  D", "around the metal"},
                                               {"W  S", "over and under it"},
                                               {"Q  E", "nearer and farther"},
