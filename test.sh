@@ -53,7 +53,7 @@ runSanitized() {
 
 meltpoolInstall build test
 meltpoolBuild release -DMELTPOOL_TESTS=ON
-ctest --test-dir build/release --output-on-failure "${configuration[@]}" "$@"
+ctest --test-dir build/release --output-on-failure "${configuration[@]}" -j 2 "$@"
 
 if [ $# -eq 0 ]; then
     [ -z "$checks" ] || checkWithClang
