@@ -1,5 +1,6 @@
 // `meltpool check`: welds lessons without a screen and holds score, verdict and measured weld against what is expected.
 #include "app/commands/commands.hpp"
+#include "app/commands/headless_runner.hpp"
 #include "app/commands/junit_file.hpp"
 #include "app/program/progress_bar.hpp"
 #include "app/program/stop_signals.hpp"
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 
 namespace meltpool {
@@ -46,22 +46,19 @@ std::vector<LessonCheck> readChecks(const std::vector<fs::path>& named) {
     return checks;
 }
 
-void requireSound(const Trainer& trainer) {
-    if (StopSignals::asked()) throw RuntimeFault("the check was stopped before its end");
-    if (trainer.figures().nonFinite > 0) throw RuntimeFault("the metal stopped being finite");
-}
-
 /// Welds a check's lesson to its end.
 Judgement weld(const LessonCheck& check, gl::ShaderLibrary& shaders) {
     Trainer trainer(shaders, check.lesson);
     const Seam seam = seamOf(check.lesson.workpiece);
     const BentPath path(check.lesson.torch, seam, check.bend);
     const double seconds = static_cast<double>(check.lesson.run.seconds) * check.bend.time;
-    const auto whole = static_cast<size_t>(std::ceil(seconds / trainer.timeStep() * (1 - 1e-6)));
+    const size_t whole = stepsFor(seconds, trainer.timeStep());
     ProgressBar bar(check.name);
     for (size_t step = 1; step <= whole; ++step) {
+        if (StopSignals::asked()) throw RuntimeFault("the check was stopped before its end");
+        trainer.applyRecordedChanges();
         trainer.advance(path.sample(trainer.time() + trainer.timeStep()), nullptr);
-        requireSound(trainer);
+        requireFinite(trainer);
         bar.show(static_cast<double>(step), static_cast<double>(whole));
     }
     return trainer.judge();

@@ -81,17 +81,6 @@ class Photographer {
     size_t taken_ = 0;
 };
 
-void requireFinite(const Trainer& trainer) {
-    const size_t broken = trainer.figures().nonFinite;
-    if (broken == 0) return;
-    char sentence[200];
-    std::snprintf(sentence, sizeof sentence,
-                  "the metal stopped being finite at %.3f s (%zu times); a shorter time step, less heat or a lower "
-                  "gas stiffness may keep it stable",
-                  trainer.time(), broken);
-    throw RuntimeFault(sentence);
-}
-
 ResultContext contextOf(const gl::ContextInfo& driver, const std::string& error) {
     ResultContext context;
     context.version = programVersion();
@@ -214,6 +203,17 @@ LessonResult runHeadless(const gl::ContextInfo& driver, gl::ShaderLibrary& shade
         throw;
     }
     return Run(driver, *trainer, places).toTheEnd(shaders, stop);
+}
+
+void requireFinite(const Trainer& trainer) {
+    const size_t broken = trainer.figures().nonFinite;
+    if (broken == 0) return;
+    char sentence[200];
+    std::snprintf(sentence, sizeof sentence,
+                  "the metal stopped being finite at %.3f s (%zu times); a shorter time step, less heat or a lower "
+                  "gas stiffness may keep it stable",
+                  trainer.time(), broken);
+    throw RuntimeFault(sentence);
 }
 
 size_t stepsFor(double seconds, double timeStep) {

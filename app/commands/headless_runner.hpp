@@ -33,6 +33,9 @@ struct RunPlaces {
 LessonResult runHeadless(const gl::ContextInfo& driver, gl::ShaderLibrary& shaders, const Lesson& lesson,
                          const RunPlaces& places, const RunStop& stop);
 
+/// Throws RuntimeFault where the metal is no longer finite, by the trainer's newest figures.
+void requireFinite(const Trainer& trainer);
+
 /// How many fixed steps make `seconds`: the smallest number that reaches them.
 size_t stepsFor(double seconds, double timeStep);
 

@@ -47,17 +47,6 @@ void setSize(Lesson& lesson, const std::string& size) {
     lesson.set("height", size.substr(cross + 1), "--size " + size);
 }
 
-/// The torch of another file; of a record also the values, changes and length of its attempt.
-void takeTorch(Lesson& lesson, const RunRequest& request) {
-    lesson.torchFile = request.torch;
-    lesson.torch = TorchPath::read(request.torch);
-    if (lesson.torchFile.extension() != ".csv") return;
-    const auto attempt = readRecordedAttempt(lesson.torchFile);
-    if (!attempt) return;
-    repeatAttempt(lesson, *attempt);
-    lesson.run.seconds = static_cast<float>(lesson.torch.duration());
-}
-
 /// Says whether the attempt was repeated to the same bits, and what may be the reason where it was not.
 void tellRepetition(const RecordedAttempt& attempt, const LessonResult& result, const std::string& driver) {
     const auto same = sameEnd(attempt, result.steps, result.stateHash);
@@ -84,7 +73,7 @@ void requireNoSource(const std::filesystem::path& record, const std::vector<std:
 
 Lesson requestedLesson(const RunRequest& request) {
     Lesson lesson = findLesson(request.lesson, lessonFolder());
-    if (!request.torch.empty()) takeTorch(lesson, request);
+    if (!request.torch.empty()) takeTorch(lesson, request.torch);
     for (const std::string& pair : request.sets) {
         const size_t equals = pair.find('=');
         if (equals == std::string::npos || equals == 0)

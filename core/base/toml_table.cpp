@@ -100,6 +100,16 @@ toml::table parseTomlFile(const std::filesystem::path& file) {
     return parseToml(readTextFile(file, kLargestTomlFile), file);
 }
 
+std::vector<std::string> tomlFileNames(const std::filesystem::path& folder, const std::string& expected) {
+    std::vector<std::string> names;
+    std::error_code fault;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, fault))
+        if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+    if (fault) throw InputError(folder, 0, "cannot be read; expected " + expected);
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
 toml::table parseToml(std::string_view text, const std::filesystem::path& file) {
     DepthScan(text, file).check();
     try {

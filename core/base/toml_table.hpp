@@ -29,6 +29,10 @@ toml::table parseTomlFile(const std::filesystem::path& file);
 /// The same of a text that was read from `file`.
 toml::table parseToml(std::string_view text, const std::filesystem::path& file);
 
+/// The names, without their ending, of a folder's TOML files in alphabetical order. Throws InputError, saying that
+/// `expected` ("a folder with ...") was expected, for a folder that cannot be read.
+std::vector<std::string> tomlFileNames(const std::filesystem::path& folder, const std::string& expected);
+
 /// One table of a file. Read every key that is allowed, then call finish().
 class TomlTable {
   public:

@@ -109,11 +109,6 @@ void readPictures(TomlTable& root, Lesson& lesson) {
     if (lesson.pictures.empty()) lesson.pictures.push_back({"picture", lesson.look, lesson.camera});
 }
 
-/// Wire processes are led by the contact tip's distance, the others by the arc's length.
-DistanceKind distanceKindOf(const ProcessSettings& process) {
-    return process.is<Gtaw>() ? DistanceKind::arcLength : DistanceKind::ctwd;
-}
-
 /// Reads [technique], the bands that the hand is judged by.
 void readTechnique(TomlTable& root, Lesson& lesson) {
     root.allow("technique");
@@ -192,13 +187,7 @@ std::vector<std::filesystem::path> lessonSources(const Lesson& lesson) {
 }
 
 std::vector<std::string> lessonNames(const std::filesystem::path& folder) {
-    std::vector<std::string> names;
-    std::error_code failure;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, failure))
-        if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-    if (failure) throw InputError(folder, 0, "cannot be read; expected the folder of lessons");
-    std::sort(names.begin(), names.end());
-    return names;
+    return tomlFileNames(folder, "the folder of lessons");
 }
 
 Lesson findLesson(const std::string& name, const std::filesystem::path& folder) {

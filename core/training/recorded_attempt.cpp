@@ -107,4 +107,14 @@ void repeatAttempt(Lesson& lesson, const RecordedAttempt& attempt) {
     lesson = std::move(checked);
 }
 
+void takeTorch(Lesson& lesson, const std::filesystem::path& file) {
+    lesson.torchFile = file;
+    lesson.torch = TorchPath::read(file);
+    if (file.extension() != ".csv") return;
+    const auto attempt = readRecordedAttempt(file);
+    if (!attempt) return;
+    repeatAttempt(lesson, *attempt);
+    lesson.run.seconds = static_cast<float>(lesson.torch.duration());
+}
+
 } // namespace meltpool

@@ -40,8 +40,12 @@ std::optional<RecordedAttempt> readRecordedAttempt(const std::filesystem::path& 
 /// another length, or the attempt ended without warning.
 std::optional<bool> sameEnd(const RecordedAttempt& attempt, size_t steps, std::uint64_t stateHash);
 
-/// Makes `lesson` the recorded one: its values at the start, its changes, and its length. Throws InputError naming file
+/// Makes `lesson` the recorded one: its values at the start and its changes. Throws InputError naming file
 /// and line where the lesson is another one or a value does not fit.
 void repeatAttempt(Lesson& lesson, const RecordedAttempt& attempt);
+
+/// Gives the lesson the torch path of a file as its demonstration; where the file is a record, also the values, changes
+/// and length of its attempt. Throws as TorchPath::read(), readRecordedAttempt() and repeatAttempt().
+void takeTorch(Lesson& lesson, const std::filesystem::path& file);
 
 } // namespace meltpool

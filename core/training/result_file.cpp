@@ -161,8 +161,6 @@ Json weldOf(const WeldMeasures& weld) {
     for (const StationColumn& column : stationColumns())
         if (const auto& value = weld.mean.*column.value) json[std::string(column.name)] = number(*value / column.unit);
     if (weld.straightness) json["straightness_mm"] = number(millimetres(*weld.straightness));
-    if (weld.mean.rootFused) json["root_fused_percent"] = number(weld.rootFused * 100);
-    if (weld.mean.facesFused) json["faces_fused_percent"] = number(weld.facesFused * 100);
     return json;
 }
 

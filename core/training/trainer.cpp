@@ -12,9 +12,6 @@ namespace {
 /// newest.
 constexpr double kFiguresPeriod = 0.1;
 
-/// Attempts up to this long take no memory for their technique while they run, s.
-constexpr double kReservedSeconds = 300;
-
 } // namespace
 
 Trainer::Trainer(gl::ShaderLibrary& shaders, Lesson lesson)
@@ -25,9 +22,10 @@ Trainer::Trainer(gl::ShaderLibrary& shaders, Lesson lesson)
     torch_.trigger = 0;
     figures_ = metal_->statistics();
     if (lesson_.model != LessonModel::Weld) return;
-    const TechniqueSettings settings = lesson_.technique ? lesson_.technique->settings() : TechniqueSettings{};
+    TechniqueSettings settings;
+    settings.distance = distanceKindOf(lesson_.process);
+    if (lesson_.technique) settings = lesson_.technique->settings();
     technique_.emplace(seamOf(lesson_.workpiece), settings);
-    technique_->reserve(static_cast<size_t>(kReservedSeconds / timeStep()));
 }
 
 Trainer::~Trainer() = default;
@@ -76,13 +74,16 @@ void Trainer::advance(const TorchSample& torch, gl::Profiler* profiler) {
     updateFigures();
 }
 
+void Trainer::applyRecordedChanges() {
+    if (!lesson_.recorded) return;
+    const std::vector<RecordedChange>& changes = lesson_.recorded->changes;
+    for (; nextChange_ < changes.size() && changes[nextChange_].steps <= steps_; ++nextChange_)
+        change(changes[nextChange_].key, changes[nextChange_].value, "a recorded change");
+    metal_->apply(lesson_); // the step's length may be among the changes
+}
+
 void Trainer::advanceDemonstration(gl::Profiler* profiler) {
-    if (lesson_.recorded) {
-        const std::vector<RecordedChange>& changes = lesson_.recorded->changes;
-        for (; nextChange_ < changes.size() && changes[nextChange_].steps <= steps_; ++nextChange_)
-            change(changes[nextChange_].key, changes[nextChange_].value, "a recorded change");
-        metal_->apply(lesson_); // the step's length may be among the changes
-    }
+    applyRecordedChanges();
     advance(demonstration(), profiler);
 }
 

@@ -62,6 +62,8 @@ class Trainer {
     void advance(const TorchSample& torch, gl::Profiler* profiler);
     /// One step of the demonstration, with the changes of a recorded one.
     void advanceDemonstration(gl::Profiler* profiler);
+    /// Makes the changes of a recorded attempt that fall before the next step.
+    void applyRecordedChanges();
 
     /// Simulated time, s, and steps since the start.
     double time() const { return time_; }

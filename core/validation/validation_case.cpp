@@ -459,10 +459,8 @@ ValidationCase readValidationCase(const std::filesystem::path& file) {
 
 std::vector<std::filesystem::path> validationCaseFiles(const std::filesystem::path& folder) {
     std::vector<std::filesystem::path> files;
-    std::error_code fault;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, fault))
-        if (entry.path().extension() == ".toml") files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
+    for (const std::string& name : tomlFileNames(folder, "a folder of validation cases"))
+        files.push_back(folder / (name + ".toml"));
     if (files.empty()) throw InputError(folder, 0, "holds no validation case; expected files that end in .toml");
     return files;
 }

@@ -43,8 +43,7 @@ WeldMeasures fillet() {
     weld.mean.throat = 4.26e-3;
     weld.least.throat = 3.9e-3;
     weld.greatest.throat = 4.5e-3;
-    weld.mean.rootFused = 0.9;
-    weld.rootFused = 0.93;
+    weld.mean.rootFused = 0.93;
     return weld;
 }
 

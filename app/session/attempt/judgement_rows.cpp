@@ -257,10 +257,10 @@ void addMeasures(JudgementRows& rows, const Judgement& judgement) {
     addFigures(list, weld, kCommonFigures);
     if (weld.mean.rootFused)
         list.push_back(
-            {"Root fused", rounded(weld.rootFused * 100, 0) + " %", "Of the seam's length", RowState::plain});
+            {"Root fused", rounded(*weld.mean.rootFused * 100, 0) + " %", "Of the seam's length", RowState::plain});
     if (weld.mean.facesFused)
         list.push_back({weld.kind == WeldKind::bead ? "Plate fused" : "Both plates fused",
-                        rounded(weld.facesFused * 100, 0) + " %", "Of the seam's length", RowState::plain});
+                        rounded(*weld.mean.facesFused * 100, 0) + " %", "Of the seam's length", RowState::plain});
     if (!weld.mean.coolingTime)
         list.push_back({std::string(kCommonFigures.back().words), "not known yet",
                         "Judge again when the metal has cooled", RowState::plain});

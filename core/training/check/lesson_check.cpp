@@ -33,10 +33,6 @@ const StationColumn* findColumn(std::string_view name) {
     return found == columns.end() ? nullptr : &*found;
 }
 
-DistanceKind distanceOf(const Lesson& lesson) {
-    return lesson.technique ? lesson.technique->distance : DistanceKind::ctwd;
-}
-
 NumberRange readRange(TomlTable& table, std::string_view key) {
     const std::vector<double> ends = table.numbers(key, {}, 2);
     if (ends.size() != 2 || ends[0] > ends[1]) table.fail(key, "expected [least, most]");
@@ -61,15 +57,14 @@ std::vector<std::string_view> judgedKeys(const Lesson& lesson) {
 }
 
 Expectation readExpectation(TomlTable& table, const std::string& key, const Lesson& lesson) {
-    static constexpr std::array<std::string_view, 4> kStates{"pass", "fail", "not_resolved", "estimated"};
     const bool technique =
-        key == "score" || key == "scored" || key == "lowest" || findQuantity(key, distanceOf(lesson));
+        key == "score" || key == "scored" || key == "lowest" || findQuantity(key, distanceKindOf(lesson.process));
     if (technique && !lesson.technique) table.fail(key, "expected a lesson with a table [technique]");
     if ((key == "accepted" || findImperfection(key)) && !lesson.acceptance)
         table.fail(key, "expected a lesson with a table [acceptance]");
     if (key == "scored" || key == "accepted") return {key, table.flag(key, true)};
     if (key == "lowest") return {key, readWord(table, key, judgedKeys(lesson))};
-    if (findImperfection(key)) return {key, readWord(table, key, kStates)};
+    if (findImperfection(key)) return {key, readWord(table, key, kVerdictStates)};
     const std::vector<std::string_view> judged = judgedKeys(lesson);
     const bool banded = std::find(judged.begin(), judged.end(), key) != judged.end();
     if (key == "score" || banded || findColumn(key)) return {key, readRange(table, key)};
@@ -123,13 +118,13 @@ Lesson namedLesson(TomlTable& root, const fs::path& lessons) {
     }
     root.allow("torch");
     if (!root.has("torch")) return lesson;
-    lesson.torchFile = beside / root.text("torch");
+    const float seconds = lesson.run.seconds;
     try {
-        lesson.torch = TorchPath::read(lesson.torchFile);
+        takeTorch(lesson, beside / root.text("torch"));
     } catch (const InputError& fault) {
         root.fail("torch", fault.what());
     }
-    lesson.run.seconds = std::max(lesson.run.seconds, static_cast<float>(lesson.torch.duration()));
+    if (!lesson.recorded) lesson.run.seconds = std::max(seconds, static_cast<float>(lesson.torch.duration()));
     return lesson;
 }
 
@@ -162,11 +157,8 @@ std::optional<double> numberOf(const std::string& key, const Judgement& judgemen
 
 std::string wordOf(const std::string& key, const Judgement& judgement) {
     if (key == "lowest") {
-        if (!judgement.score || judgement.score->parameters.empty()) return "none";
-        const auto& parameters = judgement.score->parameters;
-        const auto lowest = std::min_element(parameters.begin(), parameters.end(),
-                                             [](const auto& a, const auto& b) { return a.score < b.score; });
-        return std::string(quantityInfo(lowest->quantity, judgement.distance).key);
+        if (!judgement.score || !judgement.score->lowest) return "none";
+        return std::string(quantityInfo(*judgement.score->lowest, judgement.distance).key);
     }
     if (!judgement.verdict) return "none";
     for (const VerdictItem& item : judgement.verdict->items)
@@ -200,6 +192,9 @@ LessonCheck readLessonCheck(const fs::path& file, const fs::path& lessons) {
     check.lesson = namedLesson(root, lessons);
     readValues(root, check.lesson);
     check.bend = readBend(root);
+    if (check.lesson.recorded) // what was changed at a place of the path is changed there in the bent path, too
+        for (RecordedChange& change : check.lesson.recorded->changes)
+            change.steps = static_cast<size_t>(std::lround(static_cast<double>(change.steps) * check.bend.time));
     readExpectations(root, check);
     root.finish();
     if (check.lesson.model != LessonModel::Weld) root.fail("lesson", "expected a lesson whose model is weld");

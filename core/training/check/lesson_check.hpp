@@ -1,4 +1,4 @@
-// What a lesson's demonstration, or another torch path, must come to: files with an [[expect] table.
+// What a lesson's demonstration, or another torch path, must come to: files with an [expect] table.
 #pragma once
 
 #include "core/training/check/torch_bend.hpp"
@@ -33,7 +33,7 @@ bool isLessonCheck(const std::filesystem::path& file);
 /// Reads a check:
 ///
 ///     lesson = "gmaw-bead"       # a name of the catalogue, or a file beside this one
-///     torch = "slow.csv"         # instead of the lesson's own; beside this file
+///     torch = "slow.csv"         # instead of the lesson's own; beside this file. A record brings its attempt's values
 ///     [set]                      # values of the lesson
 ///     voltage = 22
 ///     [bend]                     # how the path is led worse, see TorchBend

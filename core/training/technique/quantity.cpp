@@ -1,5 +1,7 @@
 #include "core/training/technique/quantity.hpp"
 
+#include "core/weld/process/processes.hpp"
+
 #include <numbers>
 
 namespace meltpool {
@@ -38,6 +40,10 @@ constexpr List kElectrode = listOf("arc_length", "arc_length_mm", "arc length");
 
 const std::array<QuantityInfo, kTechniqueQuantities>& quantities(DistanceKind kind) {
     return kind == DistanceKind::ctwd ? kWire : kElectrode;
+}
+
+DistanceKind distanceKindOf(const ProcessSettings& process) {
+    return process.is<Gtaw>() ? DistanceKind::arcLength : DistanceKind::ctwd;
 }
 
 const QuantityInfo& quantityInfo(TechniqueQuantity quantity, DistanceKind kind) {

@@ -8,9 +8,14 @@
 
 namespace meltpool {
 
+struct ProcessSettings;
+
 /// What TechniqueQuantity::distance is. ctwd: ArcState::distance, of wire processes from the contact tip to the work
 /// (of flame and iron from the tip). arcLength: ArcState::length, of GTAW and SMAW.
 enum class DistanceKind { ctwd, arcLength };
+
+/// Wire processes are led by the contact tip's distance, those with an electrode in the torch by the arc's length.
+DistanceKind distanceKindOf(const ProcessSettings& process);
 
 /// See the handbook's page on technique for definitions and signs.
 enum class TechniqueQuantity {

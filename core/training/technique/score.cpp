@@ -83,24 +83,23 @@ std::string reasonAgainst(const TechniqueFaults& faults, const TechniqueScore& s
     return {};
 }
 
-/// The parameter with the fewest points among those that have a weight; the number of bands where none has.
-size_t lowestOf(const TechniqueScore& score, const TechniqueBands& bands) {
-    size_t lowest = bands.bands.size();
+std::optional<TechniqueQuantity> lowestOf(const TechniqueScore& score, const TechniqueBands& bands) {
+    const ParameterScore* lowest = nullptr;
     for (size_t i = 0; i < bands.bands.size(); ++i)
-        if (bands.bands[i].weight > 0 &&
-            (lowest == bands.bands.size() || score.parameters[i].score < score.parameters[lowest].score))
-            lowest = i;
-    return lowest;
+        if (bands.bands[i].weight > 0 && (lowest == nullptr || score.parameters[i].score < lowest->score))
+            lowest = &score.parameters[i];
+    return lowest != nullptr ? std::optional(lowest->quantity) : std::nullopt;
 }
 
 void sumUp(TechniqueScore& score, const TechniqueBands& bands) {
     const double weights = std::accumulate(bands.bands.begin(), bands.bands.end(), 0.0,
                                            [](double sum, const TechniqueBand& each) { return sum + each.weight; });
-    const size_t lowest = lowestOf(score, bands);
+    score.lowest = lowestOf(score, bands);
     double points = 100;
     for (size_t i = 0; i < bands.bands.size() && weights > 0; ++i) {
         ParameterScore& parameter = score.parameters[i];
-        const double share = (1 - kLowestShare) * bands.bands[i].weight / weights + (i == lowest ? kLowestShare : 0.0);
+        const double share = (1 - kLowestShare) * bands.bands[i].weight / weights +
+                             (parameter.quantity == score.lowest ? kLowestShare : 0.0);
         const double lost = (100 - parameter.score) * share;
         parameter.lost = lost * score.coverage;
         points -= lost;

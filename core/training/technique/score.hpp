@@ -40,6 +40,8 @@ struct TechniqueScore {
     double judgedMm = 0;                    ///< of it: without strike and crater
     double lostToLength = 0;                ///< points of the whole score that were lost with what is not welded
     std::vector<ParameterScore> parameters; ///< one for each band, in their order
+    /// The parameter with the fewest points among those that have a weight; none without a score.
+    std::optional<TechniqueQuantity> lowest;
 
     /// Null for one that is not judged.
     const ParameterScore* find(TechniqueQuantity quantity) const;

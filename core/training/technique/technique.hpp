@@ -82,8 +82,6 @@ class Technique {
     /// The next step, with torch and arc of that step; torch.time is the metal's time. Allocates nothing but the room
     /// for more steps. `tracked`: the torch's pose is measured, not kept from before.
     void add(const TorchSample& torch, const ArcState& arc, bool tracked = true);
-    /// Room for so many steps, which then take no memory.
-    void reserve(size_t steps) { steps_.reserve(steps); }
     /// A sample of the torch went missing since the last step.
     void noteDropped();
     /// Everything is forgotten but seam and settings.

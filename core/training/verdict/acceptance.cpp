@@ -200,13 +200,7 @@ Acceptance readAcceptance(const std::filesystem::path& file) {
 }
 
 std::vector<std::string> acceptanceNames() {
-    std::vector<std::string> names;
-    std::error_code fault;
-    for (const auto& entry : std::filesystem::directory_iterator(acceptanceFolder(), fault))
-        if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-    if (fault) throw InputError(acceptanceFolder(), 0, "cannot be listed; expected a folder with acceptance files");
-    std::sort(names.begin(), names.end());
-    return names;
+    return tomlFileNames(acceptanceFolder(), "a folder with acceptance files");
 }
 
 Acceptance findAcceptance(const std::string& name) {

@@ -204,12 +204,6 @@ void enterFreeEstimates(std::span<const Estimate> estimates, std::vector<Verdict
 
 } // namespace
 
-std::string_view nameOf(VerdictState state) {
-    if (state == VerdictState::pass) return "pass";
-    if (state == VerdictState::fail) return "fail";
-    return state == VerdictState::notResolved ? "not_resolved" : "estimated";
-}
-
 Verdict judge(const WeldMeasures& measures, const Acceptance& acceptance, const NominalWeld& nominal,
               std::span<const Estimate> estimates) {
     Verdict verdict{acceptance.standard, acceptance.edition, acceptance.level, {}, !measures.stations.empty()};

@@ -4,12 +4,17 @@
 #include "core/training/verdict/acceptance.hpp"
 #include "core/training/verdict/imperfections.hpp"
 
+#include <array>
+
 namespace meltpool {
 
 enum class VerdictState { pass, fail, notResolved, estimated };
 
-/// "pass", "fail", "not_resolved" or "estimated".
-std::string_view nameOf(VerdictState state);
+/// What files call the states, in their order.
+inline constexpr std::array<std::string_view, 4> kVerdictStates{"pass", "fail", "not_resolved", "estimated"};
+constexpr std::string_view nameOf(VerdictState state) {
+    return kVerdictStates[static_cast<size_t>(state)];
+}
 
 /// What technique says of an imperfection that the metal does not contain.
 struct Estimate {

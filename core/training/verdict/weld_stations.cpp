@@ -205,8 +205,6 @@ WeldMeasures summarise(std::vector<WeldStation> stations, WeldKind kind, double 
         }
         if (count > 0) measures.mean.*column.value = sum / count;
     }
-    measures.rootFused = measures.mean.rootFused.value_or(0);
-    measures.facesFused = measures.mean.facesFused.value_or(0);
     return measures;
 }
 

@@ -52,18 +52,19 @@ struct WeldStation {
     /// m of a butt's height that neither edge is fused on; negative: as far as metal hangs under the lower face.
     Value rootMissing;
     Value edgeAngle1, edgeAngle2; ///< rad, WeldToe::angle, inside the weld metal
-    Value overlap1, overlap2;     ///< m of weld on cold plate at a toe; negative: fused so far beyond the toe
-    Value undercut1, undercut2;   ///< m, Section::undercut
-    Value underfill;              ///< m, Section::underfill; of butts and beads
-    Value excessPenetration;      ///< m, height of what hangs under the lower face
-    Value rootWidth;              ///< m, its breadth from toe to toe
-    Value rootConcavity;          ///< m, Section::rootConcavity; of butts
-    Value hole;                   ///< m, Section::hole: burn-through, or a gap that stayed open
-    Value deposited;              ///< m², Section::deposited
-    Value middle;                 ///< m across the seam: of a bead its middle between the toes; of a fillet its face's
-                                  ///< middle, along the line that halves the outer angle, positive on the lying plate
-    Value hazWidth;               ///< m of one side: half of what the heat-affected zone is wider than the fused one
-    Value coolingTime;            ///< s, Section::coolingTime (t8/5)
+    /// m of weld on cold plate at a toe; negative: fused so far beyond the toe, so that means tell how much is in hand.
+    Value overlap1, overlap2;
+    Value undercut1, undercut2; ///< m, Section::undercut
+    Value underfill;            ///< m, Section::underfill; of butts and beads
+    Value excessPenetration;    ///< m, height of what hangs under the lower face
+    Value rootWidth;            ///< m, its breadth from toe to toe
+    Value rootConcavity;        ///< m, Section::rootConcavity; of butts
+    Value hole;                 ///< m, Section::hole: burn-through, or a gap that stayed open
+    Value deposited;            ///< m², Section::deposited
+    Value middle;               ///< m across the seam: of a bead its middle between the toes; of a fillet its face's
+                                ///< middle, along the line that halves the outer angle, positive on the lying plate
+    Value hazWidth;             ///< m of one side: half of what the heat-affected zone is wider than the fused one
+    Value coolingTime;          ///< s, Section::coolingTime (t8/5)
 };
 
 /// A figure of a station as files name it.
@@ -86,8 +87,6 @@ struct WeldMeasures {
     /// m, root mean square distance of the stations' `middle` from the straight line that fits them best. None with
     /// fewer than three of them.
     std::optional<double> straightness;
-    double rootFused = 0;  ///< mean share over the stations, 0 to 1; of butts and fillets
-    double facesFused = 0; ///< mean share over the stations, 0 to 1
 
     double length() const { return pitch * static_cast<double>(stations.size()); } ///< m, of the judged seam
 };

@@ -42,6 +42,7 @@ Judgement judged() {
     score.parameters[0].score = 100;
     score.parameters[1].quantity = TechniqueQuantity::travelSpeed;
     score.parameters[1].score = 62;
+    score.lowest = TechniqueQuantity::travelSpeed;
     made.score = score;
     WeldMeasures weld;
     weld.mean.toeWidth = 7e-3;

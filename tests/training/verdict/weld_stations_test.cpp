@@ -283,7 +283,7 @@ TEST_CASE("a bead that swings is not straight, and a seam that is not welded all
     wholeSeam.seam = {-28 * kMm, 28 * kMm};
     const WeldMeasures whole = PlateWeld(2).measure(wholeSeam);
     CHECK(whole.stations.size() == 23);
-    CHECK(whole.facesFused == Approx(20.0 / 23).margin(0.05));
+    CHECK(*whole.mean.facesFused == Approx(20.0 / 23).margin(0.05));
     CHECK(*whole.least.height == 0);
     CHECK(*whole.greatest.lackOfFusion == 0); // a place without weld
 }
@@ -311,8 +311,8 @@ TEST_CASE("fillets of tee and lap joints are measured at all stations within hal
             CHECK(*s.hole == 0);
             CHECK(*s.excessPenetration == 0);
         }
-        CHECK(weld.rootFused == 1);
-        CHECK(weld.facesFused == Approx(1));
+        CHECK(*weld.mean.rootFused == 1);
+        CHECK(*weld.mean.facesFused == Approx(1));
     }
 }
 
@@ -342,7 +342,7 @@ TEST_CASE("a butt weld is measured on both sides at all stations within half a s
         CHECK(*s.overlap1 / kMm == Approx(-0.5).margin(0.5));
         CHECK(*s.hole == 0);
     }
-    CHECK(weld.rootFused == 1);
+    CHECK(*weld.mean.rootFused == 1);
     // The same without metal in the lower 2 mm of the gap, and edges fused down to there.
     const WeldMeasures shallow = measureJoint(
         WorkpieceKind::Butt, [&](glm::vec2 p) { return p.y > -2 && metal(p); },
