@@ -70,7 +70,6 @@ bool DesktopApp::finish() {
     if (session_.records().lost())
         std::fprintf(stderr, "meltpool: an attempt was not recorded to its end, as the window told; expected %s\n",
                      "a place for --record that can be written, with free space");
-    if (!telemetry_.fault().empty()) std::fprintf(stderr, "meltpool: %s\n", telemetry_.fault().c_str());
     return kept && !session_.records().lost() && telemetry_.fault().empty();
 }
 
@@ -298,7 +297,9 @@ void DesktopApp::writeTelemetry() {
                       sections, passes, messages_, interface_.context(), window_.size(), window_.pixels(), screenshot_,
                       session_.judged(), headset_ ? headset_->status() : HeadsetStatus{}, meter_, callsCounted_});
     meter_.resume();
-    if (!telemetry_.fault().empty()) messages_.hold("The telemetry has stopped: " + telemetry_.fault(), "telemetry");
+    if (telemetry_.fault().empty()) return;
+    messages_.hold("The telemetry has stopped: " + telemetry_.fault(), "telemetry");
+    std::fprintf(stderr, "meltpool: %s\n", telemetry_.fault().c_str());
 }
 
 } // namespace meltpool

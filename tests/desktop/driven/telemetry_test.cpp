@@ -100,13 +100,17 @@ TEST_CASE("a full disk under the telemetry is told in the window, which goes on,
     CHECK(whole.process.wait(kPatience) == 0);
 
     BlindWindow full("telemetry-full", "/dev/full");
+    const std::string kSentence = "/dev/full: the telemetry cannot be written on; expected free space";
+    // A machine that is busy takes seconds to its first row.
+    waitUntil("the sentence",
+              [&] { return readTextFile(full.folder / "output.txt").find(kSentence) != std::string::npos; });
     const Image with = full.picture();
     CHECK(full.process.running());
     full.process.signal(SIGTERM);
     CHECK(full.process.wait(kPatience) == 1);
     CHECK(differentAbove(without, with) > 1000);
     const std::string words = readTextFile(full.folder / "output.txt");
-    const size_t sentence = words.find("/dev/full: the telemetry cannot be written on; expected free space");
+    const size_t sentence = words.find(kSentence);
     CHECK(sentence != std::string::npos);
     CHECK(words.find("/dev/full", sentence + 1) == std::string::npos); // once
 }
