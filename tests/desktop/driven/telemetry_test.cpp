@@ -102,8 +102,10 @@ TEST_CASE("a full disk under the telemetry is told in the window, which goes on,
     BlindWindow full("telemetry-full", "/dev/full");
     const std::string kSentence = "/dev/full: the telemetry cannot be written on; expected free space";
     // A machine that is busy takes seconds to its first row.
-    waitUntil("the sentence",
-              [&] { return readTextFile(full.folder / "output.txt").find(kSentence) != std::string::npos; });
+    waitUntil("the sentence", [&] {
+        return fs::exists(full.folder / "output.txt") &&
+               readTextFile(full.folder / "output.txt").find(kSentence) != std::string::npos;
+    });
     const Image with = full.picture();
     CHECK(full.process.running());
     full.process.signal(SIGTERM);
