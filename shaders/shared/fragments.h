@@ -41,13 +41,11 @@ struct FragmentBlock {
     ivec3 coarseCells; // along each axis
     float timeStep;    // s
     vec3 low;          // m, corner of the space that metal may be in
-    float floorHeight; // m
+    float floorHeight; // m along floorNormal
     vec3 high;         // m, the opposite corner
     float friction;    // Coulomb's coefficient, no unit
+    vec3 floorNormal;  // unit vector out of the floor
     uint contactRoom;  // entries of the list of free slots whose contacts are kept
-    float reserved0;
-    float reserved1;
-    float reserved2;
 };
 
 struct FragmentControl {

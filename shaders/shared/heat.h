@@ -123,11 +123,13 @@ struct HeatBlock {
     vec3 tableStart;               // first enthalpy of the solid, mushy and liquid part of the table, J/kg
     float thetaUnit;               // W/m of theta that one unit of its integer sum stands for
     vec3 tableScale;               // samples per J/kg in the three parts
-    float weldingTableHeight;      // m, of the table that fallen metal lies on
+    float weldingTableHeight;      // m along its normal, of the table that fallen metal lies on
+    vec3 weldingTableNormal;       // unit vector out of the table
     float weldingTableConductance; // to metal that lies on it, W/(m² K)
     float evaporatesFrom;          // K
     float reserved0;
     float reserved1;
+    float reserved2;
     HeatSourceData sources[HEAT_SOURCES];
 };
 
@@ -152,7 +154,7 @@ struct HeatTile {
 
 #ifdef __cplusplus
 static_assert(sizeof(HeatSourceData) == 128);
-static_assert(sizeof(HeatBlock) == 112 + HEAT_SOURCES * 128);
+static_assert(sizeof(HeatBlock) == 128 + HEAT_SOURCES * 128);
 static_assert(sizeof(HeatControl) == 64);
 static_assert(sizeof(HeatTile) == 32);
 } // namespace meltpool

@@ -146,6 +146,7 @@ void HeatSolver::prepareBlock() {
     constexpr double kWholeSum = 4294967295.0;
     const double most = state_.table().kirchhoffAt(state_.table().enthalpyAt(kHottest));
     block_.thetaUnit = static_cast<float>(kMostInCell * most / kWholeSum);
+    block_.weldingTableNormal = settings_.tableNormal;
     block_.weldingTableHeight = static_cast<float>(settings_.tableHeight);
     block_.weldingTableConductance = static_cast<float>(settings_.tableConductance);
 }

@@ -16,12 +16,13 @@ namespace meltpool {
 
 /// The surroundings and the method.
 struct HeatSettings {
-    double ambient = 293.15;     ///< K
-    double tableHeight = 0;      ///< m, y of the welding table that fallen metal lies on
-    double tableConductance = 0; ///< W/(m² K) from metal that lies on the table, at ambient temperature; 0: none
-    double convection = 0;       ///< W/(m² K); 0 together with `radiation` false: insulated
-    bool radiation = false;      ///< with the material's emissivity at the liquidus
-    bool evaporation = false;    ///< where the material says how
+    double ambient = 293.15;        ///< K
+    glm::vec3 tableNormal{0, 1, 0}; ///< unit vector out of the welding table, against gravity
+    double tableHeight = 0;         ///< m along the normal, of the welding table that fallen metal lies on
+    double tableConductance = 0;    ///< W/(m² K) from metal that lies on the table, at ambient temperature; 0: none
+    double convection = 0;          ///< W/(m² K); 0 together with `radiation` false: insulated
+    bool radiation = false;         ///< with the material's emissivity at the liquidus
+    bool evaporation = false;       ///< where the material says how
     double stepShare = 0.15; ///< longest step as a share of dx²/alpha: 1/6 is the limit of stability of ragged metal,
                              ///< and near it the errors of space and time cancel
     double wakingKelvin = 0.03; ///< difference between neighbours below which a tile goes to rest

@@ -49,6 +49,7 @@ RigidFragments::RigidFragments(gl::ShaderLibrary& shaders, MetalState& state, co
     block_.coarseCells = state.lattice().cells() / 2;
     block_.low = setup.low;
     block_.high = setup.high;
+    block_.floorNormal = setup.floorNormal;
     block_.floorHeight = setup.floorHeight;
     block_.friction = setup.friction;
     block_.contactRoom = static_cast<uint>(contacts_.bytes() / sizeof(FragmentContact));

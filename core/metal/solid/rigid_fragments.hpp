@@ -12,8 +12,9 @@
 namespace meltpool {
 
 struct FragmentSetup {
-    float floorHeight = 0;  ///< m, the level that nothing falls through
-    float friction = 0.35F; ///< metal on metal, Coulomb, no unit
+    glm::vec3 floorNormal{0, 1, 0}; ///< unit vector out of the floor, against gravity
+    float floorHeight = 0;          ///< m along the normal, the level that nothing falls through
+    float friction = 0.35F;         ///< metal on metal, Coulomb, no unit
     /// Free particles whose contacts are kept, 64 B each. Those of more are found twice: slower, with the same result.
     unsigned contactRoom = 8192;
     glm::vec3 low{-1e3F}; ///< m, the space whose sides no fragment leaves

@@ -15,8 +15,9 @@ layout(std430, binding = HEAT_CELL_POWER) restrict readonly buffer CellPower { f
 
 /// Watts that a particle gives to the welding table that it lies on. What is clamped or still on the lattice stands on its
 /// fixture and does not touch the table.
-float tableLoss(float height, float temperature) {
+float tableLoss(vec3 place, float temperature) {
     float spacing = metal.spacing;
+    float height = dot(place, heatBlock.weldingTableNormal);
     if (height - heatBlock.weldingTableHeight > spacing) return 0.0;
     return heatBlock.weldingTableConductance * spacing * spacing * (temperature - heatBlock.ambient);
 }
@@ -52,7 +53,7 @@ void main() {
     if (missing > 1e-3) area += 3.0 * missing * metal.spacing * metal.spacing;
     float joules = power * heatBlock.timeStep;
     float lost =
-        particleLoss(h.x, own.x, joules, area, heatBlock.timeStep) + tableLoss(place.y, own.x) * heatBlock.timeStep;
+        particleLoss(h.x, own.x, joules, area, heatBlock.timeStep) + tableLoss(place, own.x) * heatBlock.timeStep;
     book(heatBlock.tileCount * TILE_CELLS + int(slot), 0.0, lost);
     Heated heated = addHeat(slot, h, own.x, joules - lost, heatBlock.timeStep);
     uint after = nextPhase(before, heated.enthalpy);

@@ -75,7 +75,7 @@ FragmentContact contactsOf(uint slot) {
     vec3 own = velocity[slot].xyz;
     addLatticeContacts(place, own, sum);
     addOffLatticeContacts(place, own, fragmentOf(bits), sum);
-    addPlaneContact(place.y - fragmentBlock.floorHeight, vec3(0, 1, 0), own, sum);
+    addPlaneContact(dot(place, fragmentBlock.floorNormal) - fragmentBlock.floorHeight, fragmentBlock.floorNormal, own, sum);
     addWallContacts(place, own, sum);
     return sum;
 }
