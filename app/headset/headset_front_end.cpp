@@ -50,7 +50,7 @@ bool HeadsetFrontEnd::begin(LessonSession& session, double elapsed) {
     const bool weld = session.lesson().model == LessonModel::Weld;
     if (weld && changes_.lessonStarted()) parameters_.weldZoom = 1;
     section_.idle = idleParameters(weld);
-    place_ = WorkpiecePlace(parameters_.tableHeight, shownZoom(parameters_, weld), session.bottom());
+    place_ = WorkpiecePlace(parameters_.tableHeight, shownZoom(parameters_, weld), session.bottom(), session.fixture());
     connection_.use(settingsOf(parameters_)); // the settings file may have been read since the start
     const bool runs = connection_.update() == xr::ConnectionState::running;
     drawn_ = drawn_ && connection_.headset() != nullptr;

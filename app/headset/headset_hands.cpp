@@ -40,7 +40,7 @@ TorchSample HeadsetHands::next(const WorkpiecePlace& place, int step, int steps)
 TorchSample HeadsetHands::withRod(TorchSample sample, const WorkpiecePlace& place) const {
     if (rod_) {
         const glm::vec3 tip = *rod_ * glm::vec3(0, 0, -WorkshopScene::kRodReach);
-        sample.rod = RodSample{place.toWorkpiece(tip), glm::normalize(rod_->orientation)};
+        sample.rod = RodSample{place.toWorkpiece(tip), place.toWorkpiece(glm::normalize(rod_->orientation))};
     }
     return sample;
 }

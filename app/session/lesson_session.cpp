@@ -4,8 +4,11 @@
 #include "core/base/resources.hpp"
 #include "core/training/classic_model.hpp"
 
+#include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_access.hpp>
 #include <glm/trigonometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <array>
@@ -42,10 +45,13 @@ bool same(const SurfaceParameters& a, const SurfaceParameters& b) {
     return a.influence == b.influence && a.isoLevel == b.isoLevel && a.caps == b.caps;
 }
 
-TorchSample torchOf(const SteeredSource& source) {
+/// `turn`: from the workpiece's frame to the room's, in which the source is steered.
+TorchSample torchOf(const SteeredSource& source, const glm::mat3& turn) {
+    const glm::mat3 toWorkpiece = glm::transpose(turn);
     TorchSample sample;
-    sample.tip = source.position() * kClassicUnit;
-    sample.orientation = glm::angleAxis(-glm::half_pi<float>(), glm::vec3(1, 0, 0)); // straight down
+    sample.tip = toWorkpiece * (source.position() * kClassicUnit);
+    const glm::quat down = glm::angleAxis(-glm::half_pi<float>(), glm::vec3(1, 0, 0));
+    sample.orientation = glm::quat_cast(toWorkpiece) * down;
     sample.trigger = source.on() ? 1.0f : 0.0f;
     return sample;
 }
@@ -295,7 +301,7 @@ TorchSample LessonSession::nextTorch(const Controls& controls, const TorchSource
         out.trigger = 0;
         return out;
     }
-    return held_ ? held(step, due) : torchOf(controls.source());
+    return held_ ? held(step, due) : torchOf(controls.source(), fixture().turn);
 }
 
 void LessonSession::makeSteps(const Controls& controls, double seconds, gl::Profiler* profiler,
@@ -333,10 +339,18 @@ float LessonSession::unit() const {
     return kClassicUnit;
 }
 
+Fixture LessonSession::fixture() const {
+    if (!running() || lesson_.model != LessonModel::Weld) return {};
+    return fixtureOf(trainer_->lesson().workpiece);
+}
+
 float LessonSession::bottom() const {
     if (!running()) return 0.0f;
     const SceneView scene = trainer_->scene();
-    return (scene.modelToWorld * glm::vec4(0, scene.boxMin.y, 0, 1)).y * unit();
+    // Along the world's vertical each axis of the box has its lower end.
+    const glm::vec3 vertical = glm::row(glm::mat3(scene.modelToWorld), 1);
+    const glm::vec3 lowest = glm::mix(scene.boxMax, scene.boxMin, glm::greaterThan(vertical, glm::vec3(0)));
+    return (glm::dot(vertical, lowest) + scene.modelToWorld[3].y) * unit();
 }
 
 void LessonSession::draw(const Controls& controls, glm::ivec2 pixels, float shift, gl::Profiler* profiler) {

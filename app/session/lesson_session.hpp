@@ -11,6 +11,7 @@
 #include "app/session/parameter_section.hpp"
 #include "core/render/renderer.hpp"
 #include "core/training/trainer.hpp"
+#include "core/weld/position.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -86,9 +87,12 @@ class LessonSession {
     /// The scene with the current surface; empty without a running lesson.
     SceneView scene(gl::Profiler* profiler);
     Renderer& renderer() { return renderer_; }
-    /// Metres of a unit of the scene's world, and the lowest place of the workpiece in its own frame, m.
+    /// Metres of a unit of the scene's world.
     float unit() const;
+    /// How far under the workpiece's origin the lowest place of its space lies in the room, m, negative.
     float bottom() const;
+    /// How the workpiece is held; as it lies without a running weld lesson.
+    Fixture fixture() const;
     /// From the next start on each attempt has a record; see AttemptRecords.
     AttemptRecords& records() { return records_; }
     const AttemptRecords& records() const { return records_; }

@@ -48,7 +48,8 @@ FrameData makeFrame(const SceneView& scene, const LookParameters& look) {
     FrameData frame{};
     frame.modelToWorld = scene.modelToWorld;
     frame.modelUnit = unit;
-    frame.lamp = scene.modelToWorld * glm::vec4(look.lightPosition, 1.0f);
+    // The lamp stays where it is when the model is turned.
+    frame.lamp = glm::vec3(scene.modelToWorld[3]) + unit * look.lightPosition;
     frame.lampDirection = glm::normalize(frame.lamp - glm::vec3(scene.modelToWorld[3]));
     frame.ambient = look.ambient;
     frame.diffuse = look.diffuse;

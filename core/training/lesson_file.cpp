@@ -72,6 +72,7 @@ void readWorkpiece(TomlTable& root, WorkpieceParameters& workpiece) {
     readGroup(root, "workpiece", describe(workpiece));
     if (!root.has("workpiece")) return;
     const TomlTable group = root.table("workpiece");
+    if (const auto fault = workpieceFault(workpiece)) group.fail(fault->key, fault->sentence);
     if (!group.has("metal")) return;
     if (workpiece.metal.ends_with(".toml"))
         workpiece.metal = (group.file().parent_path() / workpiece.metal).lexically_normal().string();

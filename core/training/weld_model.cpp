@@ -63,7 +63,7 @@ std::optional<WeldMeasures> WeldModel::measureWeld(std::optional<FaceStretch> se
 SceneView WeldModel::scene(const TorchSample& torch) const {
     SceneView scene;
     scene.particles = weld_.metal().particles();
-    scene.modelToWorld = glm::scale(glm::mat4(1.0F), glm::vec3(1 / kWorldUnit));
+    scene.modelToWorld = glm::scale(glm::mat4(1.0F), glm::vec3(1 / kWorldUnit)) * glm::mat4(workpiece_.turn);
     scene.boxMin = workpiece_.low;
     scene.boxMax = workpiece_.high;
     scene.cubeWidth = kWorldUnit;

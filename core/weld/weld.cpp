@@ -3,6 +3,7 @@
 #include "core/weld/process/weld_constants.hpp"
 
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <numbers>
@@ -13,6 +14,8 @@ namespace {
 
 /// W/(m² K) from metal to a cold plate that it lies on: 1000 to 10000 in the casting trade.
 constexpr double kTableConductance = 2000;
+
+constexpr float kGravity = 9.81F; ///< m/s²
 
 /// m that the torch's axis may move in the steps that the probe's answer takes and still point at the place it found.
 /// None: chosen; 300 mm/s of hand.
@@ -43,9 +46,12 @@ PhysicalSetup setupOf(const Material& material, const Workpiece& workpiece, cons
     setup.coldWetting = wettingForAngle(kColdAngle * std::numbers::pi / 180);
     setup.coldShare = kColdShare;
     setup.warmShare = kWarmShare;
+    setup.gravity = glm::transpose(workpiece.turn) * glm::vec3(0, -kGravity, 0);
+    setup.fragments.floorNormal = workpiece.up;
     setup.fragments.floorHeight = workpiece.floorHeight;
     setup.heat.ambient = around.ambient;
     setup.heat.ledger = around.ledger;
+    setup.heat.tableNormal = workpiece.up;
     setup.heat.tableHeight = static_cast<double>(workpiece.floorHeight);
     if (around.lossless) return setup;
     setup.heat.tableConductance = kTableConductance;

@@ -2,9 +2,14 @@
 
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
+#include "core/weld/position.hpp"
+#include "core/weld/workpiece_shape.hpp"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -12,52 +17,11 @@ namespace meltpool {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> kKinds{"plate", "cube", "bridge", "tee", "lap", "butt"};
+constexpr std::array<std::string_view, 8> kKinds{"plate", "cube", "bridge", "tee", "lap", "butt", "corner", "pipe"};
 constexpr float kMm = 1e-3F;
-constexpr float kClampMm = 4; ///< how far clamps reach over the ends
 
-/// A block of metal, mm in the workpiece frame.
-struct Block {
-    glm::vec3 low;
-    glm::vec3 high;
-};
-
-std::vector<Block> blocksOf(const WorkpieceParameters& p) {
-    const float l = p.lengthMm / 2, w = p.widthMm / 2, t = p.thicknessMm;
-    switch (static_cast<WorkpieceKind>(p.kind)) {
-    case WorkpieceKind::Plate:
-        return {{{-l, -t, -w}, {l, 0, w}}};
-    case WorkpieceKind::Cube:
-        return {{{-l, -l, -l}, {l, l, l}}};
-    case WorkpieceKind::Bridge:
-        return {{{-l, -p.heightMm, -w}, {-l + 2 * kClampMm, 0, w}},
-                {{l - 2 * kClampMm, -p.heightMm, -w}, {l, 0, w}},
-                {{-l + 2 * kClampMm, -t, -w}, {l - 2 * kClampMm, 0, w}}};
-    case WorkpieceKind::Tee:
-        return {{{-l, -t, -w}, {l, 0, w}}, {{-l, 0, -t}, {l, p.heightMm, 0}}};
-    case WorkpieceKind::Lap:
-        return {{{-l, -t, -w / 2}, {l, 0, w}}, {{-l, 0, -w}, {l, t, 0}}};
-    case WorkpieceKind::Butt:
-        return {{{-l, -t, -w}, {l, 0, -p.gapMm / 2}}, {{-l, -t, p.gapMm / 2}, {l, 0, w}}};
-    }
-    return {};
-}
-
-/// Clamps hold the ends of plates, the foot of a cube and the feet of a bridge's piers.
-bool clamped(const WorkpieceParameters& p, glm::vec3 placeMm, glm::vec3 bodyLow) {
-    const auto kind = static_cast<WorkpieceKind>(p.kind);
-    if (kind == WorkpieceKind::Cube || kind == WorkpieceKind::Bridge) return placeMm.y < bodyLow.y + p.spacingMm;
-    return std::abs(placeMm.x) > p.lengthMm / 2 - std::min(kClampMm, p.lengthMm / 8);
-}
-
-/// mm³
-double volumeOf(const std::vector<Block>& blocks) {
-    double volume = 0;
-    for (const Block& block : blocks) {
-        const glm::dvec3 size = block.high - block.low;
-        volume += size.x * size.y * size.z;
-    }
-    return volume;
+bool isKind(const WorkpieceParameters& p, std::initializer_list<WorkpieceKind> kinds) {
+    return std::find(kinds.begin(), kinds.end(), static_cast<WorkpieceKind>(p.kind)) != kinds.end();
 }
 
 /// Asked before the particles are made, too: far too many would not even fit the memory.
@@ -72,12 +36,20 @@ void requireCount(double particles) {
 ParameterList describe(WorkpieceParameters& p) {
     ParameterList list{
         {"metal", "Metal", "", &p.metal, 0, 0, "a shipped material such as s235 or 304, or a file that ends in .toml"},
-        {"workpiece", "Workpiece", "", &p.kind, 0, 5, "plates are clamped at their ends, a cube at its foot", kKinds},
+        {"workpiece", "Workpiece", "", &p.kind, 0, 7, "plates are clamped at their ends, a cube at its foot", kKinds},
+        {"position", "Position", "", &p.position, 0, 10,
+         "fillets: 1F to 4F, plate and butt: 1G to 4G, pipe: 5G; turns gravity and the workpiece", positionNames()},
         {"length_mm", "Length", "mm", &p.lengthMm, 4, 400, "along the seam; of a cube its edge"},
-        {"width_mm", "Width", "mm", &p.widthMm, 4, 400, "across the seam"},
-        {"thickness_mm", "Thickness", "mm", &p.thicknessMm, 1, 50, "of each plate"},
-        {"height_mm", "Height", "mm", &p.heightMm, 4, 200, "of a tee's standing plate and a bridge's piers"},
-        {"gap_mm", "Gap", "mm", &p.gapMm, 0, 10, "of a butt joint"},
+        {"width_mm", "Width", "mm", &p.widthMm, 4, 400, "across the seam; of a pipe its length"},
+        {"thickness_mm", "Thickness", "mm", &p.thicknessMm, 1, 50, "of each plate, and of a pipe's wall"},
+        {"height_mm", "Height", "mm", &p.heightMm, 4, 200,
+         "of the standing plate of a tee or a corner, and of a bridge's piers"},
+        {"gap_mm", "Gap", "mm", &p.gapMm, 0, 10, "of a butt joint or a pipe"},
+        {"root_face_mm", "Root face", "mm", &p.rootFaceMm, 0, 50, "of a bevelled edge, the height without bevel"},
+        {"bevel_deg", "Bevel", "deg", &p.bevelDeg, 0, 60, "of each edge of a butt joint or a pipe, from the upright"},
+        {"diameter_mm", "Diameter", "mm", &p.diameterMm, 10, 400, "of a pipe, outside"},
+        {"tack_count", "Tacks", "", &p.tackCount, 0, 50, "spread evenly along the seam of a joint"},
+        {"tack_length_mm", "Length of a tack", "mm", &p.tackLengthMm, 1, 100, "of each tack"},
         {"spacing_mm", "Particle spacing", "mm", &p.spacingMm, 0.2, 2, "halving it costs sixteen times the time"},
         {"room_above_mm", "Room above", "mm", &p.roomAboveMm, 2, 100, "filler and drops stay inside it"},
         {"room_below_mm", "Height of supports", "mm", &p.roomBelowMm, 0, 100, "what melts through falls that far"},
@@ -93,43 +65,140 @@ Material workpieceMaterial(const WorkpieceParameters& parameters) {
     return shippedMaterial(parameters.metal);
 }
 
-Workpiece makeWorkpiece(const WorkpieceParameters& p) {
-    const std::vector<Block> blocks = blocksOf(p);
-    glm::vec3 low = blocks[0].low, high = blocks[0].high;
-    for (const Block& block : blocks) {
-        low = glm::min(low, block.low);
-        high = glm::max(high, block.high);
-    }
-    const bool stands =
-        p.kind == static_cast<int>(WorkpieceKind::Cube) || p.kind == static_cast<int>(WorkpieceKind::Bridge);
+namespace {
+
+using Fault = std::optional<WorkpieceFault>;
+
+std::string mm(float value) {
+    return formatNumber(value) + " mm";
+}
+
+Fault positionFault(const WorkpieceParameters& p) {
+    const auto kind = static_cast<WorkpieceKind>(p.kind);
+    const auto position = static_cast<size_t>(p.position);
+    if (positionFits(kind, static_cast<WeldPosition>(p.position))) return std::nullopt;
+    return WorkpieceFault{"position", "is " + std::string(positionNames()[position]) + ", which is none of a " +
+                                          std::string(kKinds[static_cast<size_t>(p.kind)]) + "; expected one of " +
+                                          fittingPositions(kind)};
+}
+
+Fault grooveFault(const WorkpieceParameters& p) {
+    if (!isKind(p, {WorkpieceKind::Butt, WorkpieceKind::Pipe})) return std::nullopt;
+    if (p.rootFaceMm > p.thicknessMm)
+        return WorkpieceFault{"root_face_mm", "is " + mm(p.rootFaceMm) + "; expected at most thickness_mm, which is " +
+                                                  mm(p.thicknessMm)};
+    if (p.gapMm >= p.widthMm)
+        return WorkpieceFault{"gap_mm",
+                              "is " + mm(p.gapMm) + "; expected less than width_mm, which is " + mm(p.widthMm)};
+    const float groove = p.gapMm + 2 * WorkpieceShape::bevelRun(p);
+    if (groove >= p.widthMm)
+        return WorkpieceFault{"bevel_deg", "makes a groove of " + mm(groove) +
+                                               "; expected one narrower than width_mm, which is " + mm(p.widthMm)};
+    return std::nullopt;
+}
+
+Fault pipeFault(const WorkpieceParameters& p) {
+    if (!isKind(p, {WorkpieceKind::Pipe}) || 2 * p.thicknessMm < p.diameterMm) return std::nullopt;
+    return WorkpieceFault{"thickness_mm", "is " + mm(p.thicknessMm) + "; expected less than half of diameter_mm, " +
+                                              "which is " + mm(p.diameterMm)};
+}
+
+Fault tackFault(const WorkpieceParameters& p) {
+    if (p.tackCount == 0) return std::nullopt;
+    if (isKind(p, {WorkpieceKind::Plate, WorkpieceKind::Cube, WorkpieceKind::Bridge}))
+        return WorkpieceFault{"tack_count",
+                              "is " + std::to_string(p.tackCount) + "; expected 0, as this workpiece has no joint"};
+    const float seam = WorkpieceShape::seamLength(p);
+    const float tacks = static_cast<float>(p.tackCount) * p.tackLengthMm;
+    if (tacks > seam)
+        return WorkpieceFault{"tack_count",
+                              "makes tacks of " + mm(tacks) + " in all; expected at most the seam's " + mm(seam)};
+    const bool corner = isKind(p, {WorkpieceKind::Tee, WorkpieceKind::Lap, WorkpieceKind::Corner});
+    if (!corner && p.gapMm < p.spacingMm && WorkpieceShape::bevelRun(p) < 2 * p.spacingMm)
+        return WorkpieceFault{"tack_count", "is " + std::to_string(p.tackCount) +
+                                                "; expected 0, or a gap_mm or bevel_deg that leaves room for tacks"};
+    return std::nullopt;
+}
+
+/// Room around the parts, mm, at the low and at the high end of each axis.
+struct Margins {
+    glm::vec3 low, high;
+};
+
+Margins marginsOf(const WorkpieceParameters& p, const glm::vec3& down) {
+    const bool stands = isKind(p, {WorkpieceKind::Cube, WorkpieceKind::Bridge});
     const float below = stands ? 0 : p.roomBelowMm;
     const float beside = stands ? p.roomAboveMm : 3 * p.spacingMm;
-    const glm::vec3 margin(beside, 0, beside);
-    // The lattice's cells must lie on the blocks' faces, so the space grows in whole spacings.
-    const auto whole = [&](float mm) { return std::ceil(mm / p.spacingMm - 1e-3F) * p.spacingMm; };
-    const glm::vec3 spaceLow = low - glm::vec3(whole(margin.x), whole(below), whole(margin.z));
-    const glm::vec3 spaceHigh = high + glm::vec3(whole(margin.x), whole(p.roomAboveMm), whole(margin.z));
+    Margins room{{beside, below, beside}, {beside, p.roomAboveMm, beside}};
+    if (isKind(p, {WorkpieceKind::Corner})) room.high.z = p.roomAboveMm;
+    if (isKind(p, {WorkpieceKind::Pipe})) {
+        room.low = {p.roomAboveMm, std::max(below, p.roomAboveMm), beside};
+        room.high.x = p.roomAboveMm;
+    }
+    constexpr float kFalls = 0.5F; // of a unit vector, in 45 degrees too
+    for (int axis = 0; axis < 3; ++axis) {
+        if (down[axis] < -kFalls) room.low[axis] = std::max(room.low[axis], below);
+        if (down[axis] > kFalls) room.high[axis] = std::max(room.high[axis], below);
+    }
+    // Overhead the torch is where metal falls: what fell must not lie before it.
+    if (down.y > kFalls) room.high.y = p.roomAboveMm + below;
+    return room;
+}
 
+void addParts(Workpiece& piece, const WorkpieceShape& shape, float kelvin) {
+    for (const WorkpieceShape::Box& box : shape.boxes())
+        for (MetalSeed& seed : latticeSeeds(piece.lattice, box.low * kMm, box.high * kMm, kelvin)) {
+            if (!shape.holds(seed.position / kMm)) continue;
+            if (shape.held(seed.position / kMm)) seed.phase |= PHASE_CLAMPED;
+            piece.seeds.push_back(seed);
+        }
+}
+
+void addTacks(Workpiece& piece, const WorkpieceShape& shape, float kelvin) {
+    const WorkpieceShape::Box box = shape.aroundTacks();
+    for (const MetalSeed& seed : latticeSeeds(piece.lattice, box.low * kMm, box.high * kMm, kelvin)) {
+        if (!shape.inTack(seed.position / kMm)) continue;
+        piece.seeds.push_back(seed);
+        ++piece.tackSeeds;
+    }
+}
+
+} // namespace
+
+std::optional<WorkpieceFault> workpieceFault(const WorkpieceParameters& parameters) {
+    for (const auto& find : {positionFault, pipeFault, grooveFault, tackFault})
+        if (Fault fault = find(parameters)) return fault;
+    return std::nullopt;
+}
+
+Workpiece makeWorkpiece(const WorkpieceParameters& p) {
+    if (const Fault fault = workpieceFault(p))
+        throw InputError("the workpiece's " + std::string(fault->key) + " " + fault->sentence);
+    const WorkpieceShape shape(p);
+    const auto [low, high] = shape.around();
+    const Fixture fixture = fixtureOf(p);
+    const Margins room = marginsOf(p, fixture.down());
+    // The lattice's cells must lie on the parts' faces, so the space grows in whole spacings.
+    const auto whole = [&](glm::vec3 mm) { return glm::ceil(mm / p.spacingMm - 1e-3F) * p.spacingMm; };
+    const glm::vec3 spaceLow = low - whole(room.low), spaceHigh = high + whole(room.high);
     const glm::vec3 cells = (spaceHigh - spaceLow) / p.spacingMm;
     if (cells.x * cells.y * cells.z > 64e6F)
         throw InputError("the workpiece is too large for its spacing_mm; expected fewer than 64 million lattice cells");
-    requireCount(volumeOf(blocks) / static_cast<double>(p.spacingMm * p.spacingMm * p.spacingMm));
+    requireCount(shape.volume() / static_cast<double>(p.spacingMm * p.spacingMm * p.spacingMm));
     Workpiece piece;
     piece.lattice = MetalLattice::covering(spaceLow * kMm, spaceHigh * kMm, p.spacingMm * kMm);
-    for (const Block& block : blocks)
-        piece.blocks.push_back({block.low * kMm, block.high * kMm});
-    for (const Block& block : blocks)
-        for (MetalSeed& seed :
-             latticeSeeds(piece.lattice, block.low * kMm, block.high * kMm, p.temperatureC + 273.15F)) {
-            if (clamped(p, seed.position / kMm, low)) seed.phase |= PHASE_CLAMPED;
-            piece.seeds.push_back(seed);
-        }
+    for (const WorkpieceShape::Box& box : shape.fullBoxes())
+        piece.blocks.push_back({box.low * kMm, box.high * kMm});
+    addParts(piece, shape, p.temperatureC + 273.15F);
     requireCount(static_cast<double>(piece.seeds.size()));
+    if (p.tackCount > 0) addTacks(piece, shape, p.temperatureC + 273.15F);
     piece.low = piece.lattice.low;
     piece.high = piece.lattice.low + glm::vec3(piece.lattice.cells()) * piece.lattice.spacing;
     piece.bodyLow = low * kMm;
     piece.bodyHigh = high * kMm;
-    piece.floorHeight = spaceLow.y * kMm;
+    piece.turn = fixture.turn;
+    piece.up = fixture.up();
+    piece.floorHeight = glm::dot(piece.up, glm::mix(piece.high, piece.low, glm::greaterThan(piece.up, glm::vec3(0))));
     return piece;
 }
 

@@ -67,6 +67,36 @@ TEST_CASE("the workpiece rests on the table at every zoom") {
     CHECK(glm::distance(glm::vec3(drawn), place.toWorkshop(point)) < 1e-6f);
 }
 
+TEST_CASE("a workpiece in position is turned in the workshop, and the torch back into its frame") {
+    const HeadsetParameters parameters;
+    for (const auto& [kind, position] : {std::pair(WorkpieceKind::Plate, WeldPosition::g2),
+                                         {WorkpieceKind::Butt, WeldPosition::g3},
+                                         {WorkpieceKind::Tee, WeldPosition::f3},
+                                         {WorkpieceKind::Tee, WeldPosition::f4}}) {
+        WorkpieceParameters workpiece;
+        workpiece.kind = static_cast<int>(kind);
+        workpiece.position = static_cast<int>(position);
+        const Fixture held = fixtureOf(workpiece);
+        INFO(positionNames()[static_cast<size_t>(position)]);
+        const WorkpiecePlace place(parameters.tableHeight, 2.0f, -0.03f, held);
+        const glm::vec3 point(0.01f, 0.02f, -0.03f);
+        CHECK(glm::distance(place.toWorkpiece(place.toWorkshop(point)), point) < 1e-6f);
+        // A drop falls where the metal falls: down in the workshop is along gravity in the workpiece's frame.
+        const glm::vec3 fallen = place.toWorkshop(point + 0.01f * held.down());
+        CHECK(glm::distance(fallen, place.toWorkshop(point) - glm::vec3(0, 0.02f, 0)) < 1e-6f);
+        // The scene's model is turned already.
+        const glm::mat4 turned = glm::mat4(held.turn);
+        const glm::vec4 drawn = place.modelToWorkshop(1.0f) * turned * glm::vec4(point, 1.0f);
+        CHECK(glm::distance(glm::vec3(drawn), place.toWorkshop(point)) < 1e-6f);
+        CHECK(place.origin.y == Approx(parameters.tableHeight + held.overTable + 0.06f));
+        TrackedTorch torch;
+        torch.update(handAt({0.04f, 1, 0.1f}), {}, Workshop(), 0.0);
+        const TorchSample sample = torch.sample(place);
+        CHECK(glm::distance(place.toWorkshop(sample.tip), torch.tip().position) < 1e-6f);
+        CHECK(glm::distance(held.turn * sample.axis(), glm::vec3(0, 0, -1)) < 1e-6f);
+    }
+}
+
 TEST_CASE("the tip follows the calibration, and steps divide the frame's way evenly") {
     HeadsetParameters parameters;
     const WorkpiecePlace place(parameters.tableHeight, parameters.zoom, 0.0f);

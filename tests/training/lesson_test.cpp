@@ -2,6 +2,7 @@
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/training/lesson.hpp"
+#include "core/weld/position.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
@@ -136,6 +137,15 @@ TEST_CASE("a weld lesson names the bands of its technique and the limits of its 
     CHECK_FALSE(lesson.nominal.throat);
 }
 
+TEST_CASE("a weld lesson names joint, position and tacks", "[training]") {
+    const Lesson lesson = lessonFrom("model = 'weld'\n[workpiece]\nworkpiece = 'corner'\nposition = '3F'\n"
+                                     "tack_count = 3\ntack_length_mm = 10\n");
+    CHECK(lesson.workpiece.kind == static_cast<int>(WorkpieceKind::Corner));
+    CHECK(fixtureOf(lesson.workpiece).down() == glm::vec3(-1, 0, 0)); // the seam goes up
+    CHECK(lesson.workpiece.tackCount == 3);
+    CHECK(lesson.workpiece.tackLengthMm == 10);
+}
+
 TEST_CASE("a bad lesson is refused in one sentence with file, line and expectation", "[training]") {
     struct Case {
         std::string text, place, expectation;
@@ -158,6 +168,14 @@ TEST_CASE("a bad lesson is refused in one sentence with file, line and expectati
          "bad.toml:5: ", "unknown key"},
         {"model = 'weld'\n[acceptance]\nuse = 'iso5817-z'\n", "bad.toml:3: ", "expected one of"},
         {"model = 'weld'\n[acceptance]\nuse = 'iso5817-c'\nleg_mm = 0\n", "bad.toml:4: ", "expected a number"},
+        {"model = 'weld'\n[workpiece]\nworkpiece = 'butt'\nposition = '2F'\n",
+         "bad.toml:4: ", "expected one of as_it_lies, flat, 1G, 2G, 3G, 4G"},
+        {"model = 'weld'\n[workpiece]\nposition = 'upside_down'\n", "bad.toml:3: ", "expected one of as_it_lies"},
+        {"model = 'weld'\n[workpiece]\nworkpiece = 'butt'\nroot_face_mm = 9\n",
+         "bad.toml:4: ", "expected at most thickness_mm"},
+        {"model = 'weld'\n[workpiece]\nworkpiece = 'pipe'\ndiameter_mm = 20\nthickness_mm = 10\n",
+         "bad.toml:5: ", "expected less than half of diameter_mm"},
+        {"model = 'weld'\n[workpiece]\ntack_count = 2\n", "bad.toml:3: ", "expected 0"},
         {"[technique]\nlength_from_mm = 0\n", "bad.toml:1: ", "unknown key"}, // the classic model has no seam
         {"title = 'x'\n[[picture]]\nname = '../evil'\n", "bad.toml:3: ", "expected letters"},
         {"title = 'x'\n[[picture]]\nname = 'a'\n[[picture]]\nname = 'a'\n", "bad.toml:5: ", "stands twice"},

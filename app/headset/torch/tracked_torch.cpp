@@ -46,7 +46,7 @@ void TrackedTorch::putOut(ArcOut reason) {
 TorchSample TrackedTorch::sampleAt(const xr::Pose& tip, const WorkpiecePlace& place) const {
     TorchSample sample;
     sample.tip = place.toWorkpiece(tip.position);
-    sample.orientation = glm::normalize(tip.orientation);
+    sample.orientation = place.toWorkpiece(glm::normalize(tip.orientation));
     sample.trigger = trigger();
     return sample;
 }

@@ -25,8 +25,8 @@ void Workshop::recentre(const xr::Pose& head, const HeadsetParameters& parameter
     recentreRequested_ = false;
 }
 
-WorkpiecePlace::WorkpiecePlace(float tableHeight, float theZoom, float bottom)
-    : origin(0, tableHeight - bottom * theZoom, 0), zoom(theZoom) {}
+WorkpiecePlace::WorkpiecePlace(float tableHeight, float theZoom, float bottom, const Fixture& held)
+    : origin(0, tableHeight + held.overTable - bottom * theZoom, 0), zoom(theZoom), turn(held.turn) {}
 
 glm::mat4 WorkpiecePlace::modelToWorkshop(float unit) const {
     return glm::scale(glm::translate(glm::mat4(1.0f), origin), glm::vec3(unit * zoom));

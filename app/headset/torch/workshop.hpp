@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/headset/torch/headset_parameters.hpp"
+#include "core/weld/position.hpp"
 #include "xr/session/pose.hpp"
 
 namespace meltpool {
@@ -31,17 +32,25 @@ class Workshop {
     bool recentreRequested_ = true;
 };
 
-/// The workpiece on the table: its own frame (m, origin where the lesson puts it) enlarged by the zoom.
+/// The workpiece on the table, or over it: its own frame (m, origin where the lesson puts it) enlarged by the zoom and
+/// turned as its position asks.
 struct WorkpiecePlace {
     glm::vec3 origin{0.0f}; ///< of the workpiece's frame, in the workshop
     float zoom = 1.0f;
+    glm::mat3 turn{1.0f}; ///< from the workpiece's frame to the workshop's
 
-    /// `bottom`: lowest place of the workpiece in its own frame, m; it rests on the table, whose height is in m.
-    WorkpiecePlace(float tableHeight, float theZoom, float bottom);
+    /// `bottom`: how the workpiece's lowest place lies to its origin, m, with y upwards in the workshop; it rests on
+    /// the table, whose height is in m, or as much higher as it is held.
+    WorkpiecePlace(float tableHeight, float theZoom, float bottom, const Fixture& held = {});
 
-    glm::vec3 toWorkpiece(const glm::vec3& inWorkshop) const { return (inWorkshop - origin) / zoom; }
-    glm::vec3 toWorkshop(const glm::vec3& inWorkpiece) const { return origin + inWorkpiece * zoom; }
-    /// From a model whose unit is `unit` metres of the workpiece's frame.
+    glm::vec3 toWorkpiece(const glm::vec3& inWorkshop) const {
+        return glm::transpose(turn) * ((inWorkshop - origin) / zoom);
+    }
+    glm::quat toWorkpiece(const glm::quat& inWorkshop) const {
+        return glm::quat_cast(glm::transpose(turn)) * inWorkshop;
+    }
+    glm::vec3 toWorkshop(const glm::vec3& inWorkpiece) const { return origin + turn * inWorkpiece * zoom; }
+    /// From a turned model whose unit is `unit` metres of the workpiece's frame.
     glm::mat4 modelToWorkshop(float unit) const;
 };
 

@@ -20,7 +20,7 @@ struct LookParameters {
     float specular = 0.6f;
     float shininess = 60.0f;
     float dullness = 0.8f;                     ///< 0: solid metal mirrors as sharply as liquid, 1: like brushed metal
-    glm::vec3 lightPosition{1.2f, 2.6f, 2.4f}; ///< model units, from the model's origin
+    glm::vec3 lightPosition{1.2f, 2.6f, 2.4f}; ///< model units, from the model's origin along the world's axes
     bool showBox = true;
     bool showSky = true;
     bool showSource = true;

@@ -77,9 +77,12 @@ Seam seamOf(const WorkpieceParameters& workpiece) {
     switch (static_cast<WorkpieceKind>(workpiece.kind)) {
     case WorkpieceKind::Tee:
     case WorkpieceKind::Lap:
+    case WorkpieceKind::Corner:
         return Seam::line({}, along, outOfCorner, -half, half);
     case WorkpieceKind::Cube:
         return Seam::line({0, half, 0}, along, outOfPlate, -half, half);
+    case WorkpieceKind::Pipe:
+        return Seam::circle({0, -static_cast<double>(workpiece.diameterMm) * kMm / 2, 0}, {0, 0, -1}, {});
     case WorkpieceKind::Plate:
     case WorkpieceKind::Bridge:
     case WorkpieceKind::Butt:

@@ -58,7 +58,9 @@ class Seam {
 };
 
 /// The seam of a workpiece from end to end. Plate and bridge: the middle of the upper face, up is +y. Cube: the middle
-/// of its upper face. Butt: the middle of the gap, up is +y. Tee and lap: the corner, up is (0, 1, 1)/sqrt(2).
+/// of its upper face. Butt: the middle of the gap, up is +y. Tee, lap and outside corner: the line where the faces that
+/// are welded on meet, up is (0, 1, 1)/sqrt(2). Pipe: once around the middle of the gap on the outer face, beginning at
+/// the top towards +x.
 Seam seamOf(const WorkpieceParameters& workpiece);
 
 } // namespace meltpool

@@ -83,3 +83,21 @@ TEST_CASE("a circular seam runs once around its axis", "[training][technique]") 
         CHECK(std::abs(place.height - 0.004) < kNear);
     }
 }
+
+TEST_CASE("an outside corner's seam looks out between its edges, a pipe's once around its outer face",
+          "[training][technique]") {
+    const double half = std::numbers::sqrt2 / 2;
+    const SeamFrame corner = seamOfKind(WorkpieceKind::Corner).at(0.01);
+    checkVector(corner.point, {0.01, 0, 0});
+    checkVector(corner.up, {0, half, half});
+    WorkpieceParameters pipe;
+    pipe.kind = static_cast<int>(WorkpieceKind::Pipe);
+    pipe.diameterMm = 80;
+    const Seam seam = seamOf(pipe);
+    CHECK(seam.closed());
+    CHECK(seam.length() == Approx(std::numbers::pi * 0.08));
+    checkVector(seam.at(0).point, {0, 0, 0});
+    checkVector(seam.at(0).tangent, {1, 0, 0});
+    checkVector(seam.at(0).across, {0, 0, 1});
+    CHECK(glm::length(seam.at(seam.length() / 2).point - glm::dvec3(0, -0.08, 0)) < 1e-8);
+}
