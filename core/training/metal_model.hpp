@@ -50,7 +50,7 @@ class MetalModel {
     virtual SceneView scene(const TorchSample& torch) const = 0;
 
     /// The weld cut across at `place` (m along the seam), by default in the middle of what was welded; nothing where
-    /// there is no weld to cut. Waits for the GPU.
+    /// there is no weld to cut, and of a pipe, whose seam is no straight line. Waits for the GPU.
     virtual std::optional<WeldSection> section(std::optional<double> /*place*/) const { return std::nullopt; }
 
     /// The whole weld at stations along `seam` (m along it; none: along what was welded); nothing where there is no

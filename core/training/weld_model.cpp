@@ -22,12 +22,18 @@ float colourTop(const Material& material) {
     return liquidus + std::max(0.5F * (liquidus - kRoomTemperature), 50.0F);
 }
 
+std::optional<double> pipeRadiusOf(const WorkpieceParameters& workpiece) {
+    if (static_cast<WorkpieceKind>(workpiece.kind) != WorkpieceKind::Pipe) return std::nullopt;
+    return static_cast<double>(workpiece.diameterMm) * 0.5e-3;
+}
+
 } // namespace
 
 WeldModel::WeldModel(gl::ShaderLibrary& shaders, const Lesson& lesson)
     : material_(workpieceMaterial(lesson.workpiece)),
       workpiece_(makeWorkpiece(lesson.workpiece)),
-      kind_(weldKindOf(static_cast<WorkpieceKind>(lesson.workpiece.kind))),
+      kind_(weldKindOf(lesson.workpiece)),
+      pipeRadius_(pipeRadiusOf(lesson.workpiece)),
       process_(lesson.process),
       weld_(shaders, material_, workpiece_, lesson.process) {}
 
@@ -47,17 +53,21 @@ void WeldModel::step(const TorchSample& torch, gl::Profiler* profiler) {
 }
 
 std::optional<WeldSection> WeldModel::section(std::optional<double> place) const {
+    if (pipeRadius_) return std::nullopt;
     SectionCut cut = sectionCut(material_, 0, 0);
-    const double at = place ? *place : middleOfWeld(weld_.metal().state(), workpiece_.seeds, cut.fusion);
+    const double at = place ? *place : middleOfWeld(weld_.metal().state(), workpiece_.parts(), cut.fusion);
     cut.from = at - kSectionLength / 2;
     cut.to = at + kSectionLength / 2;
-    return cutWeld(weld_.metal().state(), workpiece_.seeds, cut);
+    return cutWeld(weld_.metal().state(), workpiece_.parts(), cut);
 }
 
 std::optional<WeldMeasures> WeldModel::measureWeld(std::optional<FaceStretch> seam) const {
     StationSettings settings;
     settings.seam = seam;
-    return meltpool::measureWeld(weld_.metal().state(), workpiece_.seeds, material_, kind_, settings);
+    if (pipeRadius_)
+        return meltpool::measureWeld(WeldParticles(weld_.metal().state(), workpiece_.parts(), *pipeRadius_), material_,
+                                     kind_, settings);
+    return meltpool::measureWeld(weld_.metal().state(), workpiece_.parts(), material_, kind_, settings);
 }
 
 SceneView WeldModel::scene(const TorchSample& torch) const {

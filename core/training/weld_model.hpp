@@ -39,6 +39,7 @@ class WeldModel : public MetalModel {
     Material material_;
     Workpiece workpiece_;
     WeldKind kind_;
+    std::optional<double> pipeRadius_; ///< m, outside
     ProcessSettings process_;
     Weld weld_;
     mutable std::vector<Solid> torchSolids_; ///< those that the last scene() lends

@@ -125,9 +125,22 @@ std::optional<double> straightnessOf(const std::vector<WeldStation>& stations) {
 
 } // namespace
 
-WeldKind weldKindOf(WorkpieceKind kind) {
-    if (kind == WorkpieceKind::Tee || kind == WorkpieceKind::Lap) return WeldKind::fillet;
-    return kind == WorkpieceKind::Butt ? WeldKind::butt : WeldKind::bead;
+WeldKind weldKindOf(const WorkpieceParameters& workpiece) {
+    switch (static_cast<WorkpieceKind>(workpiece.kind)) {
+    case WorkpieceKind::Tee:
+    case WorkpieceKind::Lap:
+    case WorkpieceKind::Corner:
+        return WeldKind::fillet;
+    case WorkpieceKind::Butt:
+        return WeldKind::butt;
+    case WorkpieceKind::Pipe:
+        return workpiece.gapMm > 0 || workpiece.bevelDeg > 0 ? WeldKind::butt : WeldKind::bead;
+    case WorkpieceKind::Plate:
+    case WorkpieceKind::Cube:
+    case WorkpieceKind::Bridge:
+        break;
+    }
+    return WeldKind::bead;
 }
 
 std::string_view nameOf(WeldKind kind) {
@@ -147,8 +160,10 @@ WeldStation stationOf(const Section& section, WeldKind kind, double place) {
     station.penetration = section.fusion.depth;
     station.undercut1 = section.undercut[0];
     station.undercut2 = section.undercut[1];
-    station.excessPenetration = section.root.height;
-    station.rootWidth = section.root.toeWidth();
+    if (!section.openCorner) {
+        station.excessPenetration = section.root.height;
+        station.rootWidth = section.root.toeWidth();
+    }
     station.hole = section.hole;
     station.deposited = section.deposited;
     if (section.heatAffected)
@@ -210,8 +225,12 @@ WeldMeasures summarise(std::vector<WeldStation> stations, WeldKind kind, double 
 
 WeldMeasures measureWeld(const MetalState& state, std::span<const MetalSeed> original, const Material& material,
                          WeldKind kind, const StationSettings& settings) {
-    const WeldParticles particles(state, original);
-    const double spacing = static_cast<double>(state.lattice().spacing);
+    return measureWeld(WeldParticles(state, original), material, kind, settings);
+}
+
+WeldMeasures measureWeld(const WeldParticles& particles, const Material& material, WeldKind kind,
+                         const StationSettings& settings) {
+    const double spacing = static_cast<double>(particles.lattice().spacing);
     auto seam = settings.seam;
     if (!seam) seam = weldedStretch(particles, sectionCut(material, 0, 0).fusion);
     std::vector<WeldStation> stations;

@@ -13,7 +13,8 @@ namespace meltpool {
 /// What acceptance limits tell apart: a weld in a corner, one between two edges, a bead on a plate.
 enum class WeldKind { fillet, butt, bead };
 
-WeldKind weldKindOf(WorkpieceKind kind);
+/// Of a pipe: a butt where it is parted by a gap or a bevel, else a bead.
+WeldKind weldKindOf(const WorkpieceParameters& workpiece);
 /// "fillet", "butt" or "bead".
 std::string_view nameOf(WeldKind kind);
 
@@ -106,6 +107,10 @@ WeldMeasures summarise(std::vector<WeldStation> stations, WeldKind kind, double 
 /// every particle once and waits for the GPU: at the end of an attempt, not in a frame.
 WeldMeasures measureWeld(const MetalState& state, std::span<const MetalSeed> original, const Material& material,
                          WeldKind kind, const StationSettings& settings = {});
+
+/// The same of metal that is read already, such as a rolled-out pipe, whose places along the seam begin at its top.
+WeldMeasures measureWeld(const WeldParticles& particles, const Material& material, WeldKind kind,
+                         const StationSettings& settings = {});
 
 /// weld.csv: a head, then one row a station: `place_mm` and stationColumns(). A cell is empty where the station has no
 /// such figure.

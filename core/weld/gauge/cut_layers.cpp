@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace meltpool {
 
@@ -19,15 +20,15 @@ constexpr int kLeastHole = 2;         ///< columns without metal side by side th
 constexpr float kCooled = 773.15F;    ///< K, 500 °C: what is colder has its whole cooling time
 constexpr double kCooledShare = 0.95; ///< of the molten metal that must be as cold as that
 
-/// The row that all columns with a row have in common.
-std::optional<int> commonRow(const std::vector<int>& rows) {
-    std::optional<int> common;
-    for (const int row : rows) {
-        if (row == kNoRow) continue;
-        if (common && *common != row) return std::nullopt;
-        common = row;
-    }
-    return common;
+/// The row of a surface of one level, from the uppermost rows of the columns: that of the outermost ones, where both
+/// have the same and nothing is higher. Bevelled edges in between are lower.
+std::optional<int> levelOf(const std::vector<int>& tops) {
+    const auto isThere = [](int row) { return row != kNoRow; };
+    const auto first = std::find_if(tops.begin(), tops.end(), isThere);
+    if (first == tops.end()) return std::nullopt;
+    const int last = *std::find_if(tops.rbegin(), tops.rend(), isThere);
+    if (*first != last || *std::max_element(tops.begin(), tops.end()) > last) return std::nullopt;
+    return last;
 }
 
 /// Columns that held metal at the start: the outermost two; the first above the second where there is none.
@@ -39,13 +40,11 @@ glm::ivec2 heldColumns(const SectionSlice& slice) {
     return ends;
 }
 
-/// The unfused heights of the columns next to `seam`, the column right of it, on both sides; cells.
+/// The unfused heights of the edges on both sides of `seam`, the column right of it; cells.
 std::optional<glm::dvec2> unfusedBeside(const SectionSlice& slice, int seam, double level) {
     glm::dvec2 unfused(0);
     for (const int side : {0, 1}) {
-        std::optional<double> height;
-        for (int x = side == 0 ? seam - 1 : seam; x >= 0 && x < slice.cells().x && !height; x += 2 * side - 1)
-            height = unfusedHeight(slice, x, level);
+        const auto height = unfusedEdge(slice, seam, 2 * side - 1, level);
         if (!height) return std::nullopt;
         unfused[side] = *height;
     }
@@ -63,7 +62,9 @@ CutLayers::CutLayers(const WeldParticles& particles, const SectionCut& cut)
     first_ = static_cast<int>(std::clamp(first, 0.0, cells));
     const int end = static_cast<int>(std::clamp(first + count, 0.0, cells));
     const glm::ivec2 grid(lattice_.cells().z, lattice_.cells().y);
-    layers_.resize(static_cast<size_t>(std::max(end - first_, 0)),
+    const int taken = std::max(end - first_, 0);
+    if (particles.rolledOut()) perLayer_ = std::max(taken, 1);
+    layers_.resize(static_cast<size_t>(taken / perLayer_),
                    Layer{SectionSlice(grid), 0, 0, std::vector<int>(static_cast<size_t>(grid.x))});
     living_ = particles.livingIn(first_, end);
     enterOriginal();
@@ -73,26 +74,61 @@ CutLayers::CutLayers(const WeldParticles& particles, const SectionCut& cut)
 std::optional<size_t> CutLayers::layerOf(const vec4& position) const {
     const double cell =
         std::floor((static_cast<double>(position.x) - static_cast<double>(lattice_.low.x)) / spacing_) - first_;
-    if (!(cell >= 0 && cell < static_cast<double>(layers_.size()))) return std::nullopt;
-    const auto layer = static_cast<size_t>(cell);
+    if (!(cell >= 0 && cell < static_cast<double>(layers_.size()) * perLayer_)) return std::nullopt;
+    const size_t layer = static_cast<size_t>(cell) / static_cast<size_t>(perLayer_);
     return layers_[layer].had > 0 ? std::optional(layer) : std::nullopt;
 }
 
 void CutLayers::enterOriginal() {
     std::vector<int> tops(static_cast<size_t>(lattice_.cells().z), kNoRow); // uppermost row of the workpiece
     bottom_ = lattice_.cells().y;
-    for (const size_t slot : particles_.originalIn(first_, first_ + static_cast<int>(layers_.size()))) {
+    const auto slots = particles_.originalIn(first_, first_ + static_cast<int>(layers_.size()) * perLayer_);
+    for (const size_t slot : slots) {
         const glm::ivec3 cell = lattice_.cellAt(particles_.original()[slot].position);
-        Layer& layer = layers_[static_cast<size_t>(cell.x - first_)];
-        const auto peak = static_cast<double>(particles_.heat(slot).z);
-        const bool melted = !(particles_.phase(slot) & PHASE_LATTICE) && peak >= cut_.fusion;
-        layer.slice.setPeak({cell.z, cell.y}, melted ? SectionSlice::kGone : peak);
-        ++layer.had;
+        ++layers_[layerOf(cell)].had;
         int& top = tops[static_cast<size_t>(cell.z)];
         top = std::max(top, cell.y);
         bottom_ = std::min(bottom_, cell.y);
     }
-    level_ = commonRow(tops);
+    level_ = levelOf(tops);
+    if (particles_.rolledOut())
+        enterMeanPeaks(slots);
+    else
+        enterPeaks(slots);
+}
+
+bool CutLayers::melted(size_t slot) const {
+    return !(particles_.phase(slot) & PHASE_LATTICE) && static_cast<double>(particles_.heat(slot).z) >= cut_.fusion;
+}
+
+void CutLayers::enterPeaks(const std::vector<size_t>& slots) {
+    for (const size_t slot : slots) {
+        const glm::ivec3 cell = lattice_.cellAt(particles_.original()[slot].position);
+        const auto peak = static_cast<double>(particles_.heat(slot).z);
+        layers_[layerOf(cell)].slice.setPeak({cell.z, cell.y}, melted(slot) ? SectionSlice::kGone : peak);
+    }
+}
+
+/// A cell of several particles has their mean, or is gone where most of them are.
+void CutLayers::enterMeanPeaks(const std::vector<size_t>& slots) {
+    struct Sum {
+        double kelvin = 0;
+        int stayed = 0, gone = 0;
+    };
+    std::map<std::pair<int, int>, Sum> cells; // by column and row; all slots lie in the one layer
+    for (const size_t slot : slots) {
+        const glm::ivec3 cell = lattice_.cellAt(particles_.original()[slot].position);
+        Sum& sum = cells[{cell.z, cell.y}];
+        if (melted(slot)) {
+            ++sum.gone;
+            continue;
+        }
+        sum.kelvin += static_cast<double>(particles_.heat(slot).z);
+        ++sum.stayed;
+    }
+    for (const auto& [cell, sum] : cells)
+        layers_[0].slice.setPeak({cell.first, cell.second},
+                                 sum.gone > sum.stayed ? SectionSlice::kGone : sum.kelvin / sum.stayed);
 }
 
 void CutLayers::enterPresent() {
@@ -218,21 +254,26 @@ void CutLayers::measureLevel(const WeldOutline& outline, Section& section) const
     if (section.bead->toes) weld = {(*section.bead->toes)[0].place, (*section.bead->toes)[1].place};
     if (!weld) return;
     section.undercut = undercutBeside(outline, face, *weld, spacing_);
-    section.underfill = grooveDepth(outline, face, *weld, spacing_);
+    section.underfill = grooveDepth(outline, face, *weld, spacing_).value_or(0);
     const PlateFace under{{0, rowHeight(bottom_)}, {-1, 0}, {0, -1}};
-    section.rootConcavity = grooveDepth(outline, under, {-weld->high, -weld->low}, spacing_);
+    section.rootConcavity = grooveDepth(outline, under, {-weld->high, -weld->low}, spacing_).value_or(0);
 }
 
 void CutLayers::measureCorner(const WeldOutline& outline, glm::ivec2 corner, Section& section) const {
     const PlateFace lying{{columnPlace(corner.x), rowHeight(corner.y)}};
     section.fillet = measureFillet(outline, lying, spacing_);
-    section.rootFusion = mean([&](const Layer& l) { return rootFusion(l.slice, corner, cut_.fusion) * spacing_; });
-    section.rootFused = mean([&](const Layer& l) { return rootFusion(l.slice, corner, cut_.fusion) > 0 ? 1.0 : 0.0; });
+    if (!section.openCorner) {
+        section.rootFusion = mean([&](const Layer& l) { return rootFusion(l.slice, corner, cut_.fusion) * spacing_; });
+        section.rootFused =
+            mean([&](const Layer& l) { return rootFusion(l.slice, corner, cut_.fusion) > 0 ? 1.0 : 0.0; });
+    }
     std::array<FaceStretch, 2>& faces = section.fusedFaces.emplace();
     for (const Layer& layer : layers_) {
         if (layer.had == 0) continue;
         const std::array<glm::dvec2, 2> fused = fusedFaces(layer.slice, corner, cut_.fusion);
-        section.facesFused += std::min(fused[0].y - fused[0].x, fused[1].y - fused[1].x) > 0 ? 1.0 / used() : 0.0;
+        const bool both = std::min(fused[0].y - fused[0].x, fused[1].y - fused[1].x) > 0;
+        section.facesFused += both ? 1.0 / used() : 0.0;
+        if (section.openCorner && both && std::max(fused[0].x, fused[1].x) <= 0) section.rootFused += 1.0 / used();
         for (const size_t face : {size_t(0), size_t(1)}) {
             faces[face].low += fused[face].x * spacing_ / used();
             faces[face].high += fused[face].y * spacing_ / used();
@@ -251,6 +292,7 @@ void CutLayers::measureShape(const SectionMap& map, Section& section) const {
         const auto any = std::find_if(layers_.begin(), layers_.end(), [](const Layer& layer) { return layer.had > 0; });
         const auto corner = jointCorner(any->slice);
         if (!corner) return;
+        section.openCorner = isOpenCorner(any->slice, *corner);
         measureCorner(outline, *corner, section);
         if (section.fillet) top = rowHeight(corner->y) + section.fillet->toes[1].place;
     }
@@ -262,7 +304,7 @@ void CutLayers::measureShape(const SectionMap& map, Section& section) const {
 
 Section CutLayers::measure(const SectionMap& map) const {
     Section section;
-    section.layers = used();
+    section.layers = latticeLayers();
     if (section.layers == 0) {
         if (cut_.heatAffected) section.heatAffected.emplace();
         return section;
@@ -291,7 +333,7 @@ SectionMap CutLayers::draw() const {
         near.push_back({{at.z, at.y}, std::max(particles_.heat(slot).z, at.w), at.w});
     }
     const glm::vec2 size = glm::vec2(lattice_.cells().z, lattice_.cells().y) * lattice_.spacing;
-    return makeSectionMap({lattice_.low.z, lattice_.low.y}, size, lattice_.spacing, used(), near);
+    return makeSectionMap({lattice_.low.z, lattice_.low.y}, size, lattice_.spacing, latticeLayers(), near);
 }
 
 } // namespace meltpool

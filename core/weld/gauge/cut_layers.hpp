@@ -28,8 +28,13 @@ class CutLayers {
     double rowHeight(int row) const { return static_cast<double>(lattice_.low.y) + row * spacing_; }
     double columnPlace(double column) const { return static_cast<double>(lattice_.low.z) + column * spacing_; }
     void enterOriginal();
+    void enterPeaks(const std::vector<size_t>& slots);
+    void enterMeanPeaks(const std::vector<size_t>& slots);
+    bool melted(size_t slot) const;
+    size_t layerOf(glm::ivec3 cell) const { return static_cast<size_t>((cell.x - first_) / perLayer_); }
     void enterPresent();
     int used() const;
+    int latticeLayers() const { return used() * perLayer_; }
     /// Mean of `value(layer)` over the layers in use.
     template <class Value>
     double mean(Value value) const;
@@ -48,6 +53,9 @@ class CutLayers {
     const MetalLattice& lattice_;
     double spacing_;
     int first_ = 0;
+    /// Lattice layers that are measured as one: all of a rolled-out pipe's, whose cells only together hold metal
+    /// wherever the pipe did.
+    int perLayer_ = 1;
     std::vector<Layer> layers_;
     std::vector<size_t> living_; ///< slots of the living particles in the layers, ascending
     std::optional<int> level_;   ///< uppermost row of the workpiece where all columns have the same

@@ -15,6 +15,7 @@ namespace meltpool {
 
 namespace {
 
+constexpr glm::ivec2 kUp(0, 1);
 constexpr std::array<glm::ivec2, 4> kWays{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
 
 /// Highest temperatures as the zone's measures see them: of cells, or of their faces.
@@ -90,6 +91,26 @@ SurfaceStretch hotSurface(const SectionSlice& slice, Peaks peak, glm::ivec2 side
         sum.moment += 0.5 * (high * high - low * low);
     }
     return sum;
+}
+
+/// The uppermost cell of each column in one row, and the cell under it in the row below.
+SectionSlice topsOf(const SectionSlice& slice) {
+    SectionSlice tops({slice.cells().x, 2});
+    for (int x = 0; x < slice.cells().x; ++x) {
+        int y = slice.cells().y - 1;
+        while (y >= 0 && !slice.held({x, y}))
+            --y;
+        for (const int row : {1, 0})
+            tops.setPeak({x, row}, slice.peak({x, y - 1 + row}));
+    }
+    return tops;
+}
+
+/// The hot surface on the uppermost cells, by their centres.
+SurfaceStretch hotTops(const SectionSlice& slice, double level) {
+    const SectionSlice tops = topsOf(slice);
+    return hotSurface(
+        tops, [&](glm::ivec2 cell) { return tops.peak(cell); }, kUp, level);
 }
 
 /// Area by strips of cells along `side`; their ends lie between cells.
@@ -199,7 +220,6 @@ bool SectionSlice::inside(glm::ivec2 cell) const {
 SliceZone measureZone(const SectionSlice& slice, std::span<const glm::ivec2> sides, double level) {
     SliceZone zone;
     const std::vector<Face> faces = facesOf(slice, sides);
-    const auto peak = [&](glm::ivec2 cell) { return slice.peak(cell); };
     for (int y = 0; y < slice.cells().y; ++y)
         for (int x = 0; x < slice.cells().x; ++x)
             for (const glm::dvec2 edge : edgesOf(slice, {x, y}, sides, level)) {
@@ -212,7 +232,7 @@ SliceZone measureZone(const SectionSlice& slice, std::span<const glm::ivec2> sid
         const auto facePeak = [&](glm::ivec2 cell) {
             return slice.peak(cell) + (slice.isFace(cell, side) ? 0.5 * slopeUnderFace(slice, cell, side) : 0);
         };
-        const SurfaceStretch hot = hotSurface(slice, corner ? Peaks(facePeak) : Peaks(peak), side, level);
+        const SurfaceStretch hot = corner ? hotSurface(slice, facePeak, side, level) : hotTops(slice, level);
         zone.width += hot.width;
         if (!corner && hot.width > 0) zone.middle = hot.moment / hot.width;
         zone.area += areaAlong(slice, side, level) / static_cast<double>(sides.size());
@@ -246,23 +266,29 @@ std::array<glm::dvec2, 2> fusedFaces(const SectionSlice& slice, glm::ivec2 corne
             fusedFace(slice, corner - glm::ivec2(1, 0), {0, 1}, {1, 0}, level)};
 }
 
+bool isOpenCorner(const SectionSlice& slice, glm::ivec2 corner) {
+    return !slice.held(corner - 1);
+}
+
 std::optional<glm::dvec2> fusedTop(const SectionSlice& slice, double level) {
-    const glm::ivec2 up(0, 1);
+    const SectionSlice tops = topsOf(slice);
     const auto peak = [&](glm::ivec2 cell) {
-        return slice.peak(cell) + (slice.isFace(cell, up) ? 0.5 * slopeUnderFace(slice, cell, up) : 0);
+        return tops.peak(cell) + (tops.isFace(cell, kUp) ? 0.5 * slopeUnderFace(tops, cell, kUp) : 0);
     };
-    const SurfaceStretch hot = hotSurface(slice, peak, up, level);
+    const SurfaceStretch hot = hotSurface(tops, peak, kUp, level);
     if (hot.width <= 0) return std::nullopt;
     const double middle = hot.moment / hot.width;
     return glm::dvec2(middle - 0.5 * hot.width, middle + 0.5 * hot.width);
 }
 
-std::optional<double> unfusedHeight(const SectionSlice& slice, int column, double level) {
+std::optional<double> unfusedEdge(const SectionSlice& slice, int seam, int side, double level) {
     const auto peak = [&](glm::ivec2 at) { return slice.peak(at); };
     std::optional<int> lowest;
     int held = 0;
     for (int y = 0; y < slice.cells().y; ++y) {
-        const glm::ivec2 cell(column, y);
+        glm::ivec2 cell(side < 0 ? seam - 1 : seam, y);
+        while (slice.inside(cell) && !slice.held(cell))
+            cell.x += side;
         if (!slice.held(cell)) continue;
         if (!lowest) lowest = y;
         ++held;

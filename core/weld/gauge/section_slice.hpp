@@ -52,9 +52,10 @@ struct SliceZone {
 /// the temperature goes on with the slope under that cell, so that a zone less deep than half a cell is found too.
 ///
 /// The width of each plane of faces is that of the hot stretch around its hottest cell; planes add up, and a gap
-/// between two hot edges belongs to the stretch. The area is summed in strips of cells inwards from the faces. With one
-/// side both are taken by the cells whose centres, half a cell below the faces, are hot; with several, in a corner that
-/// is often only just fused, at the faces themselves.
+/// between two hot edges belongs to the stretch. With one side, which is up, the uppermost cells of all columns count
+/// as one plane: a bevel is as wide as its groove. The area is summed in strips of cells inwards from the faces. With
+/// one side both are taken by the cells whose centres, half a cell below the faces, are hot; with several, in a corner
+/// that is often only just fused, at the faces themselves.
 SliceZone measureZone(const SectionSlice& slice, std::span<const glm::ivec2> sides, double level);
 
 /// The cell of air in the corner of a tee or a lap joint: the lowest one with metal under it and behind it (-x).
@@ -69,12 +70,17 @@ double rootFusion(const SectionSlice& slice, glm::ivec2 corner, double level);
 /// from the corner outwards. Both ends 0 where a face is fused nowhere.
 std::array<glm::dvec2, 2> fusedFaces(const SectionSlice& slice, glm::ivec2 corner, double level);
 
-/// From where to where the hottest stretch of the upward faces is fused at the faces themselves, in cells from the
+/// Whether the plates at a joint's corner meet in a line only, as in an outside corner: behind that line is air.
+bool isOpenCorner(const SectionSlice& slice, glm::ivec2 corner);
+
+/// From where to where the hottest stretch of the uppermost faces is fused at the faces themselves, in cells from the
 /// grid's corner; nothing where no face is.
 std::optional<glm::dvec2> fusedTop(const SectionSlice& slice, double level);
 
-/// How much of the height of a column is not fused from its lowest cell upwards, in cells: all of it where no cell is
-/// hot, 0 where the lowest cell's centre is. Nothing where the column held no metal.
-std::optional<double> unfusedHeight(const SectionSlice& slice, int column, double level);
+/// How much of the height of the edge beside a seam is not fused from its lowest cell upwards, in cells: all of it
+/// where no cell is hot, 0 where the lowest cell's centre is. The edge is in each row the cell nearest to the seam,
+/// which lies between the columns `seam` - 1 and `seam`; `side` is -1 for the columns below `seam` and 1 for the
+/// others. Nothing where there was no metal on that side.
+std::optional<double> unfusedEdge(const SectionSlice& slice, int seam, int side, double level);
 
 } // namespace meltpool

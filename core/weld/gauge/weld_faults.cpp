@@ -31,30 +31,32 @@ double reachOf(double spacing) {
 
 } // namespace
 
-double grooveDepth(const WeldOutline& outline, const PlateFace& face, const FaceStretch& stretch, double spacing) {
+std::optional<double> grooveDepth(const WeldOutline& outline, const PlateFace& face, const FaceStretch& stretch,
+                                  double spacing) {
     const Line line = inFrame(outline, face);
-    if (line.empty()) return 0;
+    if (line.empty()) return std::nullopt;
     const auto [low, high] =
         std::minmax_element(line.begin(), line.end(), [](glm::dvec2 a, glm::dvec2 b) { return a.x < b.x; });
     const double first = std::max(stretch.low, low->x + kRoundedEnd * spacing);
     const double last = std::min(stretch.high, high->x - kRoundedEnd * spacing);
+    if (first > last) return std::nullopt;
     double depth = 0;
-    for (int i = 0; i <= kPlaces && first <= last; ++i) {
+    for (int i = 0; i <= kPlaces; ++i) {
         const double height = upperHeight(line, first + (last - first) * i / kPlaces);
         if (height != kNoMetal) depth = std::max(depth, -height);
     }
     return depth;
 }
 
-std::array<double, 2> undercutBeside(const WeldOutline& outline, const PlateFace& face, const FaceStretch& weld,
-                                     double spacing) {
+std::array<std::optional<double>, 2> undercutBeside(const WeldOutline& outline, const PlateFace& face,
+                                                    const FaceStretch& weld, double spacing) {
     const double inside = std::min(kToeSlack * spacing, 0.5 * weld.length()), reach = reachOf(spacing);
     return {grooveDepth(outline, face, {weld.low - reach, weld.low + inside}, spacing),
             grooveDepth(outline, face, {weld.high - inside, weld.high + reach}, spacing)};
 }
 
-std::array<double, 2> undercutBeside(const WeldOutline& outline, const PlateFace& lying, const FilletShape& fillet,
-                                     double spacing) {
+std::array<std::optional<double>, 2> undercutBeside(const WeldOutline& outline, const PlateFace& lying,
+                                                    const FilletShape& fillet, double spacing) {
     const PlateFace standing{lying.origin, lying.out, lying.along};
     const double inside = kToeSlack * spacing, reach = reachOf(spacing);
     const auto beside = [&](const PlateFace& face, double leg) {

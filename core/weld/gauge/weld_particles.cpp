@@ -4,19 +4,61 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace meltpool {
 
+namespace {
+
+/// A place of a pipe rolled out, see WeldParticles; all in m.
+glm::vec3 rolledOut(const glm::vec3& place, double radius) {
+    const double x = static_cast<double>(place.x), y = static_cast<double>(place.y) + radius;
+    double angle = std::atan2(x, y);
+    if (angle < 0) angle += 2 * std::numbers::pi;
+    return {static_cast<float>(angle * radius), static_cast<float>(std::hypot(x, y) - radius), place.z};
+}
+
+/// The lattice of a pipe rolled out, whose cells lie on the outer face as the pipe's own lie on the upper faces.
+MetalLattice rolledOut(const MetalLattice& lattice, double radius) {
+    const double spacing = static_cast<double>(lattice.spacing);
+    const auto axis = static_cast<float>(-std::floor(radius / spacing) * spacing);
+    const auto around = static_cast<float>(2 * std::numbers::pi * radius);
+    const glm::vec3 high = lattice.low + glm::vec3(lattice.cells()) * lattice.spacing;
+    return MetalLattice::covering({0, axis, lattice.low.z}, {around, high.y, high.z}, lattice.spacing);
+}
+
+} // namespace
+
 WeldParticles::WeldParticles(const MetalState& state, std::span<const MetalSeed> original)
-    : lattice_(state.lattice()),
+    : lattice_(state.lattice()), original_(original) {
+    read(state);
+    sort();
+}
+
+WeldParticles::WeldParticles(const MetalState& state, std::span<const MetalSeed> original, double pipeRadius)
+    : lattice_(meltpool::rolledOut(state.lattice(), pipeRadius)),
       original_(original),
-      positions_(state.position.read<vec4>(state.particles())),
-      heats_(state.heat.read<vec4>(state.particles())),
-      phases_(state.phase.read<uint>(state.particles())) {
-    if (original.size() > positions_.size())
+      rolledOut_(true),
+      rolledSeeds_(original.begin(), original.end()) {
+    read(state);
+    for (vec4& place : positions_)
+        place = vec4(meltpool::rolledOut(glm::vec3(place), pipeRadius), place.w);
+    for (MetalSeed& seed : rolledSeeds_)
+        seed.position = meltpool::rolledOut(seed.position, pipeRadius);
+    sort();
+}
+
+void WeldParticles::read(const MetalState& state) {
+    positions_ = state.position.read<vec4>(state.particles());
+    heats_ = state.heat.read<vec4>(state.particles());
+    phases_ = state.phase.read<uint>(state.particles());
+    if (original_.size() > positions_.size())
         throw RuntimeFault("a section of a metal with " + std::to_string(positions_.size()) +
-                           " particles cannot be measured; expected the " + std::to_string(original.size()) +
+                           " particles cannot be measured; expected the " + std::to_string(original_.size()) +
                            " of the workpiece among them");
+}
+
+void WeldParticles::sort() {
     const auto count = static_cast<size_t>(lattice_.cells().x);
     living_.resize(count);
     originals_.resize(count);
@@ -26,9 +68,10 @@ WeldParticles::WeldParticles(const MetalState& state, std::span<const MetalSeed>
         if ((phases_[slot] & PHASE_ALIVE) && layer >= 0 && layer < static_cast<double>(count))
             living_[static_cast<size_t>(layer)].push_back(slot);
     }
-    for (size_t slot = 0; slot < original.size(); ++slot) {
-        const glm::ivec3 cell = lattice_.cellAt(original[slot].position);
-        if ((original[slot].phase & PHASE_LATTICE) && lattice_.contains(cell))
+    const std::span<const MetalSeed> seeds = original();
+    for (size_t slot = 0; slot < seeds.size(); ++slot) {
+        const glm::ivec3 cell = lattice_.cellAt(seeds[slot].position);
+        if ((seeds[slot].phase & PHASE_LATTICE) && lattice_.contains(cell))
             originals_[static_cast<size_t>(cell.x)].push_back(slot);
     }
 }

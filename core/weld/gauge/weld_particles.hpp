@@ -14,8 +14,14 @@ class WeldParticles {
     /// for it; it must outlive this. Throws RuntimeFault when the state holds fewer particles than `original`.
     WeldParticles(const MetalState& state, std::span<const MetalSeed> original);
 
+    /// The same of a pipe of this outer radius (m), whose axis lies along z under the origin, rolled out like a plate:
+    /// places are x: length on the outer face from its top towards +x, y: height over that face, z. The lattice is one
+    /// of the rolled-out pipe, in which a cell holds one particle on average, but none or several in places.
+    WeldParticles(const MetalState& state, std::span<const MetalSeed> original, double pipeRadius);
+
+    bool rolledOut() const { return rolledOut_; }
     const MetalLattice& lattice() const { return lattice_; }
-    std::span<const MetalSeed> original() const { return original_; }
+    std::span<const MetalSeed> original() const { return rolledOut_ ? rolledSeeds_ : original_; }
     const vec4& position(size_t slot) const { return positions_[slot]; } ///< xyz m, w K
     const vec4& heat(size_t slot) const { return heats_[slot]; }         ///< see shaders/shared/metal.h
     uint phase(size_t slot) const { return phases_[slot]; }
@@ -30,8 +36,13 @@ class WeldParticles {
 
     static std::vector<size_t> gather(const Layers& layers, int first, int end);
 
+    void read(const MetalState& state);
+    void sort();
+
     MetalLattice lattice_;
     std::span<const MetalSeed> original_;
+    bool rolledOut_ = false;
+    std::vector<MetalSeed> rolledSeeds_; ///< of a rolled-out pipe
     std::vector<vec4> positions_, heats_;
     std::vector<uint> phases_;
     Layers living_, originals_;

@@ -61,32 +61,36 @@ struct Section {
     WeldZone fusion;
     std::optional<WeldZone> heatAffected; ///< where the cut asks for it
     /// Only where the workpiece's surface is one level all across the cut, as of a plate, a butt joint, a cube or a
-    /// bridge. Places are m from the seam (z).
+    /// bridge; the edges of a butt joint may be bevelled. Places are m from the seam (z).
     std::optional<BeadShape> bead;
-    std::optional<FilletShape> fillet; ///< only of a tee and a lap joint with weld metal in their corner
+    std::optional<FilletShape> fillet; ///< only of a tee, a lap joint and an outside corner with weld metal in them
     /// m along the line where the plates of a tee or a lap joint meet, from their corner inwards: both fused.
     std::optional<double> rootFusion;
     double deposited = 0; ///< m², metal in the section beyond what the workpiece had; negative where metal ran away
 
-    /// Share of the layers in which the root is fused, 0 to 1: of a tee and a lap joint both plates at their corner, of
-    /// a workpiece of one level both edges beside the seam down to the centres of their lowest cells.
+    /// Share of the layers in which the root is fused, 0 to 1: in a corner both plates where they meet, of a workpiece
+    /// of one level both edges beside the seam down to the centres of their lowest cells.
     double rootFused = 0;
     /// Share of the layers in which both faces of such a joint, or both edges beside the seam, are fused somewhere.
     double facesFused = 0;
-    /// From where to where the lying and the standing face of a tee or a lap joint are fused, m from the corner; of no
-    /// length where a face is not.
+    /// From where to where the lying and the standing face of a corner are fused, m from the corner; of no length where
+    /// a face is not. Of an outside corner these are the plates' edge faces: the lying one is that of the standing
+    /// plate.
     std::optional<std::array<FaceStretch, 2>> fusedFaces;
     /// m from the seam (z): the stretch of a level workpiece's face that is fused at the face itself, a little wider
     /// than fusion.stretch half a cell below; where the metal over it ends, weld metal lies on cold plate.
     std::optional<FaceStretch> fusedTop;
     /// m: height that is not fused of both edges beside the seam (-z, +z) of a workpiece of one level, from the lower
-    /// face upwards. A plate's edges are the two columns of cells next to the seam.
+    /// face upwards, bevels included. A plate's edges are the two columns of cells next to the seam.
     std::optional<std::array<double, 2>> unfusedEdges;
     /// m, depth of the grooves in the workpiece's faces beside the weld: on a level workpiece at its low and high end
     /// (z), in a corner on the lying and on the standing face. See undercutBeside().
-    std::array<double, 2> undercut{};
+    std::array<std::optional<double>, 2> undercut{0.0, 0.0};
     double underfill = 0; ///< m, of a level workpiece: how deep the weld's surface lies under the upper face at most
     BeadShape root;       ///< what hangs under the workpiece's lower face: its height is the excess penetration
+    /// The workpiece is an outside corner: its plates meet in a line only, behind which there is air, so that `root`
+    /// and `rootFusion` say nothing of it.
+    bool openCorner = false;
     double rootConcavity = 0; ///< m, of a level workpiece: how high the weld's lower surface lies over the lower face
     /// m across the seam: widest place that has no metal at any height, between the workpiece's outermost parts, in any
     /// one layer; 0 where it is narrower than two spacings. A gap that stayed open is one too.

@@ -7,7 +7,6 @@
 #include "tests/support/gl_fixture.hpp"
 
 #include <glm/geometric.hpp>
-#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -56,9 +55,8 @@ WeldStation at(double placeMm, double middleMm) {
 
 using Inside = std::function<bool(glm::vec2)>; ///< of a place (z, y) in mm
 
-/// A joint of 4 mm plates and particles of 0.5 mm, welded from x = -20 to 20 mm with metal of this section; its plates
-/// are fused where `fused` says so.
-WeldMeasures measureJoint(WorkpieceKind kind, const Inside& metal, const Inside& fused) {
+/// A joint of 4 mm plates and particles of 0.5 mm.
+WorkpieceParameters jointOf(WorkpieceKind kind) {
     WorkpieceParameters p;
     p.kind = static_cast<int>(kind);
     p.lengthMm = 60;
@@ -68,15 +66,18 @@ WeldMeasures measureJoint(WorkpieceKind kind, const Inside& metal, const Inside&
     p.gapMm = 2;
     p.roomAboveMm = 6;
     p.spacingMm = 0.5F;
+    return p;
+}
+
+/// A joint welded from x = -20 to 20 mm with metal of this section; its plates are fused where `fused` says so.
+WeldMeasures measureJoint(const WorkpieceParameters& p, const Inside& metal, const Inside& fused) {
     Workpiece piece = makeWorkpiece(p);
     const auto place = [](glm::vec3 at) { return glm::vec2(at.z, at.y) * 1e3F; };
     for (MetalSeed& seed : piece.seeds)
         if (std::abs(seed.position.x) < 20e-3F && fused(place(seed.position))) seed.temperature = 1900;
-    const auto inPlates = [&](glm::vec3 at) {
-        return std::any_of(piece.blocks.begin(), piece.blocks.end(), [&](const WorkpieceBlock& block) {
-            return glm::all(glm::greaterThan(at, block.low)) && glm::all(glm::lessThan(at, block.high));
-        });
-    };
+    std::set<size_t> taken;
+    for (const MetalSeed& seed : piece.seeds)
+        taken.insert(piece.lattice.index(piece.lattice.cellAt(seed.position)));
     // The section is moved a little from layer to layer, so that four of them show more than whole cells.
     const auto moved = [&](glm::vec3 at) {
         const int layer = piece.lattice.cellAt(at).x % 4;
@@ -85,12 +86,12 @@ WeldMeasures measureJoint(WorkpieceKind kind, const Inside& metal, const Inside&
     std::vector<MetalSeed> weld;
     for (const MetalSeed& seed :
          latticeSeeds(piece.lattice, {-20e-3F, piece.low.y, piece.low.z}, {20e-3F, piece.high.y, piece.high.z}, 2000))
-        if (!inPlates(seed.position) && metal(moved(seed.position)))
+        if (!taken.contains(piece.lattice.index(piece.lattice.cellAt(seed.position))) && metal(moved(seed.position)))
             weld.push_back({seed.position, 2000, PHASE_ALIVE, glm::vec3(0)});
     MetalState state(piece.lattice, HeatTable(steel()), 7850, piece.seeds.size() + weld.size());
     state.add(piece.seeds);
     state.add(weld);
-    return measureWeld(state, piece.seeds, steel(), weldKindOf(kind));
+    return measureWeld(state, piece.parts(), steel(), weldKindOf(p));
 }
 
 /// A bead of half circles of metal on a plate, of radius `radius` (mm) along x from -20 to 20 mm, swinging sideways by
@@ -295,7 +296,7 @@ TEST_CASE("fillets of tee and lap joints are measured at all stations within hal
         // In a lap joint the upper plate is 4 mm thick.
         const glm::vec2 legs = kind == WorkpieceKind::Tee ? glm::vec2(6, 5) : glm::vec2(5, 3);
         const WeldMeasures weld = measureJoint(
-            kind, [&](glm::vec2 p) { return p.x > -0.2F && p.y > 0 && p.x / legs.x + p.y / legs.y < 1; },
+            jointOf(kind), [&](glm::vec2 p) { return p.x > -0.2F && p.y > 0 && p.x / legs.x + p.y / legs.y < 1; },
             [&](glm::vec2 p) { return p.x > -1 && p.y > -1 && p.x < legs.x + 1 && p.y < legs.y + 1; });
         REQUIRE(weld.stations.size() == 14);
         CHECK(weld.kind == WeldKind::fillet);
@@ -328,7 +329,7 @@ TEST_CASE("a butt weld is measured on both sides at all stations within half a s
         return p.y > -4 ? std::abs(p.x) < 2 : inCap(p.x, -4 - p.y, 2, 1.5F); // all of the gap
     };
     const WeldMeasures weld =
-        measureJoint(WorkpieceKind::Butt, metal, [](glm::vec2 p) { return std::abs(p.x) < 4.5F; });
+        measureJoint(jointOf(WorkpieceKind::Butt), metal, [](glm::vec2 p) { return std::abs(p.x) < 4.5F; });
     REQUIRE(weld.stations.size() == 14);
     CHECK(weld.kind == WeldKind::butt);
     for (const WeldStation& s : weld.stations) {
@@ -345,11 +346,206 @@ TEST_CASE("a butt weld is measured on both sides at all stations within half a s
     CHECK(*weld.mean.rootFused == 1);
     // The same without metal in the lower 2 mm of the gap, and edges fused down to there.
     const WeldMeasures shallow = measureJoint(
-        WorkpieceKind::Butt, [&](glm::vec2 p) { return p.y > -2 && metal(p); },
+        jointOf(WorkpieceKind::Butt), [&](glm::vec2 p) { return p.y > -2 && metal(p); },
         [](glm::vec2 p) { return std::abs(p.x) < 4.5F && p.y > -2; });
     for (const WeldStation& s : shallow.stations) {
         CHECK(*s.rootMissing / kMm == Approx(2).margin(0.25));
         CHECK(*s.rootConcavity / kMm == Approx(2).margin(0.25));
         CHECK(*s.rootFused == 0);
     }
+}
+
+TEST_CASE("a weld in an outside corner is measured on the plates' edges within half a spacing", "[stations]") {
+    test::context();
+    WorkpieceParameters p = jointOf(WorkpieceKind::Corner);
+    p.thicknessMm = 6;
+    for (const glm::vec2 legs : {glm::vec2(4, 4), glm::vec2(5, 3.5F), glm::vec2(3.5F, 5)}) {
+        INFO("legs of " << legs.x << " and " << legs.y << " mm");
+        const WeldMeasures weld = measureJoint(
+            p, [&](glm::vec2 at) { return at.x > -0.2F && at.y > 0 && at.x / legs.x + at.y / legs.y < 1; },
+            [&](glm::vec2 at) { return at.x > -1 && at.y > -1 && at.x < legs.x + 0.5F && at.y < legs.y + 0.5F; });
+        REQUIRE(weld.stations.size() == 14);
+        CHECK(weld.kind == WeldKind::fillet);
+        for (const WeldStation& s : weld.stations) {
+            CHECK(*s.leg1 / kMm == Approx(static_cast<double>(legs.x)).margin(0.25));
+            CHECK(*s.leg2 / kMm == Approx(static_cast<double>(legs.y)).margin(0.25));
+            CHECK(*s.throat / kMm == Approx(static_cast<double>(legs.x * legs.y / glm::length(legs))).margin(0.25));
+            CHECK(*s.penetration / kMm == Approx(1).margin(0.25));
+            CHECK(*s.lackOfFusion / kMm == Approx(0).margin(0.25));
+            CHECK_FALSE(s.rootFusion);        // behind the root is air
+            CHECK_FALSE(s.excessPenetration); // nor is there a lower face
+        }
+        CHECK(*weld.mean.rootFused == Approx(1));
+        CHECK(*weld.mean.facesFused == Approx(1));
+    }
+    // Faces that are fused only 1 mm off the corner: the root is not.
+    const auto metal = [](glm::vec2 at) { return at.x > -0.2F && at.y > 0 && at.x + at.y < 4; };
+    const WeldMeasures cold = measureJoint(p, metal, [](glm::vec2 at) {
+        return std::max(at.x, at.y) > 1 && std::min(at.x, at.y) > -1 && std::max(at.x, at.y) < 4;
+    });
+    for (const WeldStation& s : cold.stations)
+        CHECK(*s.lackOfFusion / kMm == Approx(1).margin(0.25));
+    CHECK(*cold.mean.rootFused == 0);
+    CHECK(*cold.mean.facesFused == Approx(1));
+}
+
+TEST_CASE("undercut is not told where a weld covers a corner's face up to its edge", "[stations]") {
+    test::context();
+    const auto weld = measureJoint(
+        jointOf(WorkpieceKind::Corner), [](glm::vec2 at) { return at.x > -0.2F && at.y > 0 && at.x + at.y < 4; },
+        [](glm::vec2 at) { return at.x > -1 && at.y > -1; });
+    REQUIRE_FALSE(weld.stations.empty());
+    for (const WeldStation& s : weld.stations) {
+        CHECK_FALSE(s.undercut1);
+        CHECK_FALSE(s.undercut2);
+        CHECK(*s.throat / kMm == Approx(4 / std::numbers::sqrt2).margin(0.25));
+    }
+}
+
+TEST_CASE("a weld in a bevelled groove is measured over the plates and down to its root", "[stations]") {
+    test::context();
+    WorkpieceParameters p = jointOf(WorkpieceKind::Butt);
+    p.thicknessMm = 6;
+    p.gapMm = 1;
+    p.rootFaceMm = 1;
+    p.bevelDeg = 30;
+    // 5 mm of bevel: the groove is 6.77 mm wide at the top; a cap of 8 by 1.5 mm, a root of 3 by 1 mm.
+    const auto inCap = [](float across, float up, float half, float height) { // a circle's segment
+        const float radius = 0.5F * (half * half + height * height) / height;
+        return std::hypot(across, up + radius - height) < radius;
+    };
+    const auto metal = [&](glm::vec2 at) {
+        if (at.y > 0) return inCap(at.x, at.y, 4, 1.5F);
+        return at.y > -6 ? std::abs(at.x) < 5 : inCap(at.x, -6 - at.y, 1.5F, 1); // all of the groove
+    };
+    const auto halfGroove = [](float y) { return 0.5F + std::max(y + 5, 0.0F) * 0.57735F; };
+    const auto nearGroove = [&](glm::vec2 at) { return std::abs(at.x) < halfGroove(at.y) + 1.25F; };
+    const WeldMeasures weld = measureJoint(p, metal, nearGroove);
+    REQUIRE(weld.stations.size() == 14);
+    for (const WeldStation& s : weld.stations) {
+        CHECK(*s.toeWidth / kMm == Approx(8).margin(0.25));
+        CHECK(*s.height / kMm == Approx(1.5).margin(0.25));
+        CHECK(*s.excessPenetration / kMm == Approx(1).margin(0.25));
+        CHECK(*s.fusedWidth / kMm == Approx(8.5).margin(0.25)); // from hot cell to hot cell of the upper face
+        CHECK(*s.rootMissing / kMm == Approx(-1).margin(0.25));
+        CHECK(*s.underfill == Approx(0).margin(1e-6));
+        CHECK(*s.hole == 0);
+    }
+    CHECK(*weld.mean.rootFused == 1);
+    CHECK(*weld.mean.facesFused == 1);
+    // Bevels that are fused from 3 mm over the lower face on.
+    const WeldMeasures shallow = measureJoint(p, metal, [&](glm::vec2 at) { return at.y > -3 && nearGroove(at); });
+    for (const WeldStation& s : shallow.stations)
+        CHECK(*s.rootMissing / kMm == Approx(3).margin(0.25));
+    CHECK(*shallow.mean.rootFused == 0);
+}
+
+TEST_CASE("a tack counts as deposited metal, not as part of the joint", "[stations]") {
+    test::context();
+    const auto metal = [](glm::vec2 at) { return at.x > -0.2F && at.y > 0 && at.x + at.y < 5; };
+    const auto fused = [](glm::vec2 at) { return at.x > -1 && at.y > -1 && at.x < 6 && at.y < 6; };
+    WorkpieceParameters p = jointOf(WorkpieceKind::Tee);
+    const WeldMeasures bare = measureJoint(p, metal, fused);
+    p.tackCount = 1; // in the middle
+    const WeldMeasures tacked = measureJoint(p, metal, fused);
+    REQUIRE(tacked.stations.size() == bare.stations.size());
+    for (size_t i = 0; i < bare.stations.size(); ++i) {
+        const WeldStation &a = bare.stations[i], &b = tacked.stations[i];
+        CHECK(*b.leg1 == Approx(*a.leg1).margin(1e-4));
+        CHECK(*b.throat == Approx(*a.throat).margin(1e-4));
+        CHECK(*b.penetration == Approx(*a.penetration));
+        CHECK(*b.deposited == Approx(*a.deposited).epsilon(0.01));
+    }
+}
+
+namespace {
+
+/// A pipe of 50 mm with a wall of 5 mm and particles of 1 mm, welded from 10 to 60 mm of its seam with metal of this
+/// section: z and height over the outer face, mm.
+WeldMeasures measurePipe(const WorkpieceParameters& p, const Inside& metal, const Inside& fused) {
+    Workpiece piece = makeWorkpiece(p);
+    constexpr float kRadius = 25;
+    const auto place = [](const glm::vec3& at) { // along the seam, z, height
+        const glm::vec3 mm = at * 1e3F;
+        const float angle = std::atan2(mm.x, mm.y + kRadius);
+        return glm::vec3(angle * kRadius, mm.z, std::hypot(mm.x, mm.y + kRadius) - kRadius);
+    };
+    const auto welded = [](const glm::vec3& at) { return at.x > 10 && at.x < 60; };
+    std::set<size_t> taken;
+    for (MetalSeed& seed : piece.seeds) {
+        const glm::vec3 at = place(seed.position);
+        if (welded(at) && fused({at.y, at.z})) seed.temperature = 1900;
+        taken.insert(piece.lattice.index(piece.lattice.cellAt(seed.position)));
+    }
+    std::vector<MetalSeed> weld;
+    for (const MetalSeed& seed : latticeSeeds(piece.lattice, piece.low, piece.high, 2000)) {
+        const glm::vec3 at = place(seed.position);
+        if (!taken.contains(piece.lattice.index(piece.lattice.cellAt(seed.position))) && welded(at) &&
+            metal({at.y, at.z}))
+            weld.push_back({seed.position, 2000, PHASE_ALIVE, glm::vec3(0)});
+    }
+    MetalState state(piece.lattice, HeatTable(steel()), 7850, piece.seeds.size() + weld.size());
+    state.add(piece.seeds);
+    state.add(weld);
+    return measureWeld(WeldParticles(state, piece.parts(), 25 * kMm), steel(), weldKindOf(p));
+}
+
+WorkpieceParameters smallPipe(float gap) {
+    WorkpieceParameters p;
+    p.kind = static_cast<int>(WorkpieceKind::Pipe);
+    p.diameterMm = 50;
+    p.thicknessMm = 5;
+    p.widthMm = 40;
+    p.gapMm = gap;
+    p.roomAboveMm = 8;
+    return p;
+}
+
+} // namespace
+
+TEST_CASE("a bead around a pipe is measured at all stations within half a spacing", "[stations]") {
+    test::context();
+    const WeldMeasures weld = measurePipe(
+        smallPipe(0), [](glm::vec2 at) { return at.y > 0 && glm::length(at) < 4; },
+        [](glm::vec2 at) { return std::abs(at.x) < 4.4F && at.y > -2; });
+    CHECK(weld.kind == WeldKind::bead);
+    REQUIRE(weld.stations.size() == 19); // 49 to 50 mm, less 5 at each end
+    for (const WeldStation& s : weld.stations) {
+        INFO(s.place / kMm << " mm along the seam");
+        CHECK(s.place > 14 * kMm);
+        CHECK(s.place < 56 * kMm);
+        CHECK(*s.height / kMm == Approx(4).margin(0.5));
+        CHECK(*s.toeWidth / kMm == Approx(8).margin(0.6)); // within half a spacing, as the mean shows
+        CHECK(*s.penetration / kMm == Approx(2).margin(0.5));
+        CHECK(*s.excessPenetration / kMm == Approx(0).margin(0.5));
+        CHECK(*s.hole == 0);
+    }
+    CHECK(*weld.mean.toeWidth / kMm == Approx(8).margin(0.5));
+    // A half circle's area lies 1.7 mm over the face on average, where the way around is longer.
+    const double exact = std::numbers::pi * 8 * (1 + 16 / (3 * std::numbers::pi) / 25);
+    CHECK(*weld.mean.deposited / 1e-6 == Approx(exact).epsilon(0.03));
+    CHECK(*weld.mean.facesFused == Approx(1));
+}
+
+TEST_CASE("a butt weld around a pipe is measured down to its root within half a spacing", "[stations]") {
+    test::context();
+    const auto metal = [](glm::vec2 at) {
+        if (at.y > 0) return std::hypot(at.x, at.y + 3) < 5; // 8 mm wide, 2 mm high
+        return at.y > -5 && std::abs(at.x) < 1;              // the gap, flush with the inside
+    };
+    const auto near = [](glm::vec2 at) { return std::abs(at.x) < 4.5F; };
+    const WeldMeasures sound = measurePipe(smallPipe(2), metal, near);
+    CHECK(sound.kind == WeldKind::butt);
+    REQUIRE(sound.stations.size() == 19);
+    for (const WeldStation& s : sound.stations) {
+        INFO(s.place / kMm << " mm along the seam");
+        CHECK(*s.height / kMm == Approx(2).margin(0.5));
+        CHECK(*s.rootMissing / kMm == Approx(0).margin(0.5));
+        CHECK(*s.underfill / kMm == Approx(0).margin(0.5));
+        CHECK(*s.hole == 0);
+    }
+    CHECK(*sound.mean.rootFused == Approx(1));
+    const WeldMeasures shallow = measurePipe(smallPipe(2), metal, [&](glm::vec2 at) { return near(at) && at.y > -3; });
+    CHECK(*shallow.mean.rootMissing / kMm == Approx(2).margin(0.5));
+    CHECK(*shallow.mean.rootFused < 0.1);
 }
