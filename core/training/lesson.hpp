@@ -48,6 +48,9 @@ ParameterList describe(RunParameters& parameters);
 ParameterList describe(SourceParameters& parameters);
 ParameterList describe(CameraParameters& parameters);
 
+/// The highest level of a lesson.
+inline constexpr int kMostLevel = 5;
+
 /// One of the pictures that are taken at each picture time.
 struct PictureLook {
     std::string name; ///< part of the file's name
@@ -63,7 +66,11 @@ struct Lesson {
     std::string key;            ///< name in the catalogue; of a lesson from elsewhere the file's name without ".toml"
     std::string title;          ///< one line for lists
     std::string text;           ///< what the trainee is asked to do
+    int level = 0;              ///< 1 (first steps) to kMostLevel; 0: the author does not say
+    std::string next;           ///< key of the lesson that follows; empty: none
     std::filesystem::path file; ///< where it was read
+    /// Shown in lists; by default pictures/KEY.png beside the lesson's file. It need not exist.
+    std::filesystem::path listPicture;
     std::filesystem::path torchFile;
     TorchPath torch;                         ///< the demonstration; empty: the torch rests with its trigger released
     std::optional<RecordedAttempt> recorded; ///< the attempt that the demonstration repeats, where it does

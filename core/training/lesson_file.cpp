@@ -110,6 +110,18 @@ void readPictures(TomlTable& root, Lesson& lesson) {
     if (lesson.pictures.empty()) lesson.pictures.push_back({"picture", lesson.look, lesson.camera});
 }
 
+/// Reads what lists of lessons show and use beside the title.
+void readListing(TomlTable& root, Lesson& lesson) {
+    const double level = root.number("level", {1, kMostLevel}, 0);
+    lesson.level = static_cast<int>(level);
+    if (lesson.level != level) root.fail("level", "expected a whole number from 1 to " + std::to_string(kMostLevel));
+    lesson.next = root.text("next", "");
+    if (!lesson.next.empty() && !isFileNamePart(lesson.next))
+        root.fail("next", "is " + quote(lesson.next) + "; expected the name of a lesson: letters, digits, '-' and '_'");
+    const std::string picture = root.text("list_picture", "pictures/" + lesson.key + ".png");
+    lesson.listPicture = (lesson.file.parent_path() / picture).lexically_normal();
+}
+
 /// Reads [technique], the bands that the hand is judged by.
 void readTechnique(TomlTable& root, Lesson& lesson) {
     root.allow("technique");
@@ -148,6 +160,7 @@ Lesson readLesson(const std::filesystem::path& file) {
     lesson.key = file.stem().string();
     lesson.title = root.text("title", lesson.key);
     lesson.text = root.text("text", "");
+    readListing(root, lesson);
     const std::string model = root.text("model", "classic");
     if (model != "classic" && model != "weld") root.fail("model", "is " + quote(model) + "; expected classic or weld");
     lesson.model = model == "weld" ? LessonModel::Weld : LessonModel::Classic;

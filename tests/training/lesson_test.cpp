@@ -47,6 +47,9 @@ TEST_CASE("every lesson of the catalogue can be read and has a title and a demon
         CHECK(lesson.torch.duration() > 0);
         CHECK(lesson.torch.duration() <= static_cast<double>(lesson.run.seconds));
         CHECK_FALSE(lesson.pictures.empty());
+        CHECK(lesson.level >= 1);
+        CHECK(lesson.listPicture == shippedLessons() / "pictures" / (name + ".png"));
+        if (!lesson.next.empty()) CHECK(std::find(names.begin(), names.end(), lesson.next) != names.end());
     }
 }
 
@@ -146,6 +149,17 @@ TEST_CASE("a weld lesson names joint, position and tacks", "[training]") {
     CHECK(lesson.workpiece.tackLengthMm == 10);
 }
 
+TEST_CASE("a lesson says how hard it is, which one follows and which picture stands for it", "[training]") {
+    const Lesson lesson = lessonFrom("level = 4\nnext = 'tee-fillet'\nlist_picture = '../tile.png'\n");
+    CHECK(lesson.level == 4);
+    CHECK(lesson.next == "tee-fillet");
+    CHECK(lesson.listPicture == (lesson.file.parent_path() / ".." / "tile.png").lexically_normal());
+    const Lesson plain = lessonFrom("");
+    CHECK(plain.level == 0);
+    CHECK(plain.next.empty());
+    CHECK(plain.listPicture == plain.file.parent_path() / "pictures" / "bad.png");
+}
+
 TEST_CASE("a bad lesson is refused in one sentence with file, line and expectation", "[training]") {
     struct Case {
         std::string text, place, expectation;
@@ -161,6 +175,10 @@ TEST_CASE("a bad lesson is refused in one sentence with file, line and expectati
         {"title = 'x'\n[look]\nmaterial = 'cheese'\n", "bad.toml:3: ", "expected one of solder"},
         {"title = 'x'\n[look]\nglitter = 1\n", "bad.toml:3: ", "unknown key"},
         {"title = 'x'\nlook = 3\n", "bad.toml:2: ", "expected a table"},
+        {"title = 'x'\nlevel = 6\n", "bad.toml:2: ", "expected a number from 1 to 5"},
+        {"title = 'x'\nlevel = 1.5\n", "bad.toml:2: ", "expected a whole number from 1 to 5"},
+        {"title = 'x'\nnext = '../evil'\n", "bad.toml:2: ", "expected the name of a lesson"},
+        {"title = 'x'\nlist_picture = 3\n", "bad.toml:2: ", "expected a text"},
         {"title = 'x'\nmodel = 'clay'\n", "bad.toml:2: ", "expected classic"},
         {"title = 'x'\ntorch = 'nowhere.csv'\n", "nowhere.csv: ", "expected a readable file"},
         {"title = 'x'\n[[picture]]\nname = 'a'\nsection_at_mm = 1\n", "bad.toml:4: ", "expected a lesson whose model"},
