@@ -1,5 +1,6 @@
 #include "app/session/settings.hpp"
 
+#include "app/session/aside_file.hpp"
 #include "core/base/error.hpp"
 #include "core/base/output_file.hpp"
 #include "core/base/text.hpp"
@@ -29,27 +30,6 @@ std::string valueText(const toml::node& node) {
         for (const toml::node& item : *list)
             joined += (joined.empty() ? "" : ",") + valueText(item);
     return joined;
-}
-
-/// The name of a new file beside `file`.
-fs::path asideName(const fs::path& file) {
-    for (int i = 1;; ++i) {
-        fs::path name = file;
-        name.replace_filename(file.stem().string() + ".broken-" + std::to_string(i) + file.extension().string());
-        if (!fs::exists(name)) return name;
-    }
-}
-
-/// Keeps the faulty file under another name. `whole`: nothing in it is usable, so it is renamed; else it is copied.
-std::string setAside(const fs::path& file, bool whole) {
-    const fs::path aside = asideName(file);
-    std::error_code failed;
-    if (whole)
-        fs::rename(file, aside, failed);
-    else
-        fs::copy_file(file, aside, failed);
-    if (failed) return "The settings file could not be kept aside: " + failed.message() + ".";
-    return "The settings file as it was is kept as " + aside.string() + ".";
 }
 
 void readSection(const fs::path& file, const toml::table& table, const SettingsSection& section,
@@ -119,7 +99,7 @@ std::vector<std::string> loadSettings(const fs::path& file, const std::vector<Se
         faults.push_back(fault.what() + std::string("; the settings file is not used, the defaults are"));
         broken = true;
     }
-    if (!faults.empty()) faults.push_back(setAside(file, broken));
+    if (!faults.empty()) faults.push_back(keepAside(file, broken).sentence);
     return faults;
 }
 

@@ -1,0 +1,119 @@
+#include "app/session/home/best_scores.hpp"
+
+#include "app/session/aside_file.hpp"
+#include "core/base/error.hpp"
+#include "core/base/output_file.hpp"
+#include "core/base/text.hpp"
+#include "core/base/toml_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace meltpool {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr NumberRange kScore{0, 100};
+constexpr NumberRange kZoom{1, 10};
+
+BestScore readBest(TomlTable& table) {
+    BestScore best;
+    best.score = table.number("score", kScore);
+    best.accepted = table.flag("accepted", false);
+    best.zoom = table.number("zoom", kZoom, 1);
+    best.forScore = table.flag("for_score", false);
+    best.changed = table.flag("changed", false);
+    table.finish();
+    return best;
+}
+
+/// A key of TOML; only letters, digits, '-' and '_' may stand without quotes.
+std::string tomlKey(const std::string& name) {
+    std::string quoted = "\"";
+    for (const char c : name) {
+        if (c == '"' || c == '\\') quoted += '\\';
+        quoted += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
+    return quoted + "\"";
+}
+
+std::string flag(bool value) {
+    return value ? "true" : "false";
+}
+
+} // namespace
+
+std::optional<BestScore> countedScore(const Judgement& judgement) {
+    if (!judgement.score || !judgement.score->scored) return std::nullopt;
+    BestScore best;
+    best.score = std::clamp(judgement.score->total, kScore.minimum, kScore.maximum);
+    best.accepted = judgement.verdict && judgement.verdict->accepted;
+    return best;
+}
+
+std::string bestScoreText(const BestScore& best) {
+    std::string text = "Best " + std::to_string(std::lround(best.score));
+    if (best.accepted) text += ", accepted";
+    if (best.zoom > 1) text += ", zoom " + formatNumber(best.zoom);
+    if (best.changed) text += ", changed values";
+    return text;
+}
+
+BestScores::BestScores(fs::path file) : file_(std::move(file)) {
+    std::error_code unreadable;
+    if (!fs::exists(file_, unreadable)) return;
+    bool whole = false;
+    try {
+        // Opening a pipe would wait for its writer.
+        if (!isPlainFile(file_)) throw InputError(file_, 0, "is no file of best scores; expected a text file");
+        read();
+    } catch (const std::exception& fault) {
+        faults_.push_back(fault.what() + std::string("; the best scores so far are not shown"));
+        whole = true;
+    }
+    if (faults_.empty()) return;
+    const AsideFile aside = keepAside(file_, whole);
+    writable_ = aside.kept;
+    faults_.push_back(aside.sentence + (aside.kept ? "" : " Best scores are not kept from now on."));
+}
+
+void BestScores::read() {
+    const toml::table parsed = parseTomlFile(file_);
+    TomlTable root(parsed, file_);
+    for (const std::string& lesson : root.keys()) {
+        try {
+            TomlTable table = root.table(lesson);
+            best_.emplace(lesson, readBest(table));
+        } catch (const InputError& fault) {
+            faults_.emplace_back(fault.what());
+        }
+    }
+}
+
+const BestScore* BestScores::find(std::string_view lesson) const {
+    const auto found = best_.find(lesson);
+    return found == best_.end() ? nullptr : &found->second;
+}
+
+bool BestScores::offer(const std::string& lesson, const BestScore& score) {
+    if (const BestScore* known = find(lesson); known != nullptr && known->score >= score.score) return false;
+    best_[lesson] = score;
+    if (writable_) save();
+    return true;
+}
+
+void BestScores::save() const {
+    std::string text = "# Best scores of the Meltpool trainer; written after an attempt that beats the one before.\n";
+    for (const auto& [lesson, best] : best_)
+        text += "\n[" + tomlKey(lesson) + "]\nscore = " + formatNumber(best.score) +
+                "\naccepted = " + flag(best.accepted) + "\nzoom = " + formatNumber(best.zoom) +
+                "\nfor_score = " + flag(best.forScore) + "\nchanged = " + flag(best.changed) + "\n";
+    std::error_code failed;
+    fs::create_directories(file_.parent_path(), failed); // writeFile() tells where there is none
+    writeFile(file_, text);
+}
+
+} // namespace meltpool

@@ -1,0 +1,57 @@
+// The best score of each lesson, kept in the user's folder from one start of the program to the next.
+#pragma once
+
+#include "core/training/judgement.hpp"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace meltpool {
+
+/// How a person's attempt at a lesson turned out.
+struct BestScore {
+    double score = 0;      ///< 0..100
+    bool accepted = false; ///< the weld, by the lesson's standard; false where it names none
+    // Help that the attempt had.
+    double zoom = 1;       ///< size at which the workpiece was shown
+    bool forScore = false; ///< the machine was measured to keep the metal at the clock's time
+    bool changed = false;  ///< workpiece or particles were others than the lesson's
+};
+
+/// The attempt as far as it can be a best one; nothing where it is not scored. Help is left to the caller.
+std::optional<BestScore> countedScore(const Judgement& judgement);
+
+/// "Best 84, accepted, zoom 4".
+std::string bestScoreText(const BestScore& best);
+
+class BestScores {
+  public:
+    /// Reads `file`, a TOML table for each lesson; a missing one is no fault. Never throws for its contents: a faulty
+    /// file is kept aside as keepAside() does, and faults() tells so. Where that fails no file takes its place.
+    explicit BestScores(std::filesystem::path file);
+
+    /// One sentence for each fault in the file, with its line, and where the file is kept.
+    const std::vector<std::string>& faults() const { return faults_; }
+
+    /// Null where no attempt at the lesson counts yet.
+    const BestScore* find(std::string_view lesson) const;
+
+    /// Takes a score that is better than the lesson's best so far, and writes the file. True where it is better. Throws
+    /// what writeFile() throws; the score is then kept until the program ends.
+    bool offer(const std::string& lesson, const BestScore& score);
+
+  private:
+    void read();
+    void save() const;
+
+    std::filesystem::path file_;
+    bool writable_ = true; ///< no faulty file stands at its place
+    std::vector<std::string> faults_;
+    std::map<std::string, BestScore, std::less<>> best_;
+};
+
+} // namespace meltpool

@@ -1,0 +1,109 @@
+// Best scores: what counts, that they come back, and that a file that cannot be read is told and kept.
+#include "app/session/home/best_scores.hpp"
+#include "core/base/error.hpp"
+#include "core/base/text.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+namespace meltpool {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+Judgement judged(double total, bool scored = true) {
+    Judgement judgement;
+    judgement.score.emplace();
+    judgement.score->scored = scored;
+    judgement.score->total = total;
+    return judgement;
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+    std::string all;
+    for (const std::string& line : lines)
+        all += line + "\n";
+    return all;
+}
+
+} // namespace
+
+TEST_CASE("an attempt counts where it is scored; the verdict goes with it") {
+    CHECK_FALSE(countedScore({}));
+    CHECK_FALSE(countedScore(judged(90, false)));
+    Judgement judgement = judged(84.4);
+    REQUIRE(countedScore(judgement));
+    CHECK(countedScore(judgement)->score == 84.4);
+    CHECK_FALSE(countedScore(judgement)->accepted);
+    judgement.verdict.emplace();
+    judgement.verdict->accepted = true;
+    CHECK(countedScore(judgement)->accepted);
+    CHECK(bestScoreText({84.4, true, 4, true, false}) == "Best 84, accepted, zoom 4");
+    CHECK(bestScoreText({0, false, 1, false, true}) == "Best 0, changed values");
+}
+
+TEST_CASE("the better score of a lesson stays, with its help, from one start to the next") {
+    const fs::path file = test::scratchFolder("best-scores") / "new" / "best-scores.toml";
+    {
+        BestScores scores(file);
+        CHECK(scores.faults().empty());
+        CHECK(scores.find("gmaw-bead") == nullptr);
+        CHECK(scores.offer("gmaw-bead", {61.5, false, 4, false, true}));
+        CHECK(scores.offer("tee fillet \"2F\"", {80, true}));
+        CHECK_FALSE(scores.offer("gmaw-bead", {61.5, true})); // no better
+        CHECK(scores.find("gmaw-bead")->zoom == 4);
+    }
+    BestScores again(file);
+    CHECK(joined(again.faults()) == "");
+    REQUIRE(again.find("gmaw-bead") != nullptr);
+    CHECK(again.find("gmaw-bead")->score == 61.5);
+    CHECK_FALSE(again.find("gmaw-bead")->accepted);
+    CHECK(again.find("gmaw-bead")->zoom == 4);
+    CHECK(again.find("gmaw-bead")->changed);
+    REQUIRE(again.find("tee fillet \"2F\"") != nullptr);
+    CHECK(again.offer("gmaw-bead", {70, true, 1, true, false}));
+    CHECK(BestScores(file).find("gmaw-bead")->forScore);
+}
+
+TEST_CASE("a fault in one lesson's best score is told with its line; the others are taken and the file is kept") {
+    const fs::path file = test::scratchFolder("best-scores-fault") / "best-scores.toml";
+    const std::string text = "[a]\nscore = 50\n[b]\nscore = 101\n[c]\nscore = 1\nskill = 3\n";
+    writeTextFileAtomically(file, text);
+    BestScores scores(file);
+    const std::string told = joined(scores.faults());
+    CHECK_THAT(told, test::containsText("best-scores.toml:4: [b] score: "));
+    CHECK_THAT(told, test::containsText("best-scores.toml:7: [c] skill: "));
+    CHECK_THAT(told, test::containsText("best-scores.broken-1.toml"));
+    REQUIRE(scores.find("a") != nullptr);
+    CHECK(scores.find("b") == nullptr);
+    CHECK(scores.offer("b", {20}));
+    CHECK(readTextFile(file.parent_path() / "best-scores.broken-1.toml") == text);
+    CHECK(BestScores(file).faults().empty());
+}
+
+TEST_CASE("a file that is no TOML is told and kept aside; where that is impossible nothing takes its place") {
+    const fs::path file = test::scratchFolder("best-scores-broken") / "best-scores.toml";
+    writeTextFileAtomically(file, "[a\nscore = ");
+    BestScores scores(file);
+    CHECK_THAT(joined(scores.faults()), test::containsText("best-scores.toml:1: ") &&
+                                            test::containsText("the best scores so far are not shown"));
+    CHECK(scores.offer("a", {20}));
+    CHECK(readTextFile(file.parent_path() / "best-scores.broken-1.toml") == "[a\nscore = ");
+    CHECK(BestScores(file).find("a")->score == 20);
+
+    const fs::path device = "/proc/self/stat"; // can be read, is no TOML, and nothing can be made beside it
+    if (!fs::exists(device)) return;
+    BestScores stuck(device);
+    CHECK_THAT(joined(stuck.faults()), test::containsText("Best scores are not kept from now on"));
+    CHECK_NOTHROW(stuck.offer("a", {20}));
+    CHECK(stuck.find("a")->score == 20);
+}
+
+TEST_CASE("a best score that cannot be written is told by the caller, and stays for this session") {
+    BestScores scores("/proc/nowhere/best-scores.toml");
+    CHECK(scores.faults().empty());
+    CHECK_THROWS_AS(scores.offer("a", {20}), InputError);
+    REQUIRE(scores.find("a") != nullptr);
+}
+
+} // namespace meltpool
