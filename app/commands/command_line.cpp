@@ -37,7 +37,9 @@ struct Arguments {
 };
 
 void addDesktop(CLI::App& app, Arguments& arguments) {
-    app.add_option("--lesson", arguments.desktop.lesson, "The window's lesson: a name of the catalogue or a TOML file");
+    app.add_option(
+        "--lesson", arguments.desktop.lesson,
+        "The window opens on this lesson, a name of the catalogue or a TOML file; without one on the list of lessons");
     app.add_option("--telemetry", arguments.desktop.telemetry,
                    "Write the state of the window here, one JSON object a line")
         ->type_name("FILE");

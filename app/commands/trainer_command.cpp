@@ -35,8 +35,8 @@ bool runTrainer(const DesktopOptions& options) {
     }
     refuseWithoutDisplay(options, missing);
     RunRequest demonstration;
-    demonstration.lesson = options.lesson;
-    demonstration.folder = std::filesystem::path("out") / std::filesystem::path(options.lesson).stem();
+    demonstration.lesson = options.lesson.empty() ? std::string(kDefaultLesson) : options.lesson;
+    demonstration.folder = std::filesystem::path("out") / std::filesystem::path(demonstration.lesson).stem();
     demonstration.record = options.record;
     std::printf("There is no display (%s); the demonstration of lesson '%s' runs without one instead.\n",
                 missing.c_str(), printable(demonstration.lesson, 200).c_str());

@@ -16,7 +16,7 @@ enum class HeadsetUse {
 };
 
 struct DesktopOptions {
-    std::string lesson = "classic";  ///< catalogue name or TOML file
+    std::string lesson;              ///< catalogue name or TOML file; empty: the window opens on the home page
     std::filesystem::path telemetry; ///< where the window writes what it does, one JSON object a line; empty: nowhere
     std::filesystem::path settings;  ///< empty: settings.toml in the user's settings folder
     std::filesystem::path record;    ///< where every step of the lesson goes as a torch path; empty: nowhere

@@ -9,7 +9,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <optional>
 #include <span>
+#include <utility>
 
 namespace meltpool {
 
@@ -32,17 +34,23 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
       interface_(window_),
       menus_(window_, interface_),
       shaders_(resourceFolder() / "shaders"),
-      session_(shaders_, loadLesson(options.lesson)),
+      home_(resourceFolder() / "data" / "lessons", settingsFolder() / "best-scores.toml"),
+      session_(shaders_, loadLesson(options.lesson.empty() ? std::string(kDefaultLesson) : options.lesson)),
       windowSection_("window", describe(windowParameters_)),
       controlSection_("controls", describe(controls_.parameters)),
       panelSection_("panels", describe(menus_.panels)),
-      settings_(options.settings, options.lesson),
+      settings_(options.settings),
       driver_(driverText(window_.driver())) {
     if (options_.headset != HeadsetUse::off && options_.makeHeadset) headset_ = options_.makeHeadset(settingsFolder());
     session_.records().use(options_.record, programBuild(), window_.driver().renderer);
     if (telemetry_.enabled()) callsCounted_ = joinCallCounters();
-    for (std::string& fault : settings_.load(session_.sections(), ownSections()))
+    for (std::string& fault : settings_.load(ownSections()))
         messages_.warn(std::move(fault), now());
+    settings_.giveTo(session_.lesson(), session_.sections());
+    for (const std::string& fault : home_.scores.faults())
+        messages_.warn(fault, now());
+    home_.open = options.lesson.empty();
+    home_.choose(session_.lesson().key);
     window_.resize({windowParameters_.width, windowParameters_.height}, windowParameters_.maximised);
     window_.show();
     lastFrame_ = now();
@@ -62,7 +70,8 @@ bool DesktopApp::finish() {
     windowParameters_.maximised = window_.maximised();
     bool kept = true;
     try {
-        settings_.save(session_.sections(), ownSections());
+        settings_.takeFrom(session_.lesson(), session_.sections());
+        settings_.save(ownSections());
     } catch (const std::exception& fault) {
         std::fprintf(stderr, "meltpool: the settings were not saved: %s\n", fault.what());
         kept = false;
@@ -94,7 +103,7 @@ void DesktopApp::runFrame() {
     messages_.expire(time);
     if (gl::debugBuild() || options_.watchShaders) shaderWatch_.update(shaders_, messages_, time);
     const bool captured = session_.running() && controls_.captured();
-    interface_.begin(windowParameters_.interfaceSize, captured, !session_.running());
+    interface_.begin(windowParameters_.interfaceSize, captured, !session_.running() && !home_.open);
     interface_.takeInput(input, captured);
     handleKeys(input);
     const bool timed = menus_.panels.timings && !menus_.panels.hidden;
@@ -121,7 +130,7 @@ void DesktopApp::runFrame() {
 }
 
 void DesktopApp::beginHeadset(double seconds) {
-    headsetFrame_ = headset_ && headset_->begin(session_, seconds);
+    headsetFrame_ = headset_ && headset_->begin(session_, home_, seconds);
     if (!headset_) return;
     if (options_.headset == HeadsetUse::wanted && headset_->openings() == 0 &&
         (headset_->hopeless() || now() > kHeadsetPatience))
@@ -132,22 +141,38 @@ void DesktopApp::beginHeadset(double seconds) {
     else
         messages_.hold(headset_->warning(), "headset");
     // The lesson starts when somebody first puts the headset on.
-    if (headsetFrame_ && !headsetStarted_ && !session_.running()) startLesson();
+    if (headsetFrame_ && !headsetStarted_ && !session_.running() && !home_.open) startLesson();
     headsetStarted_ = headsetStarted_ || headsetFrame_;
 }
 
 void DesktopApp::drawHeadset(double seconds) {
     if (!headsetFrame_) return;
     const gl::Scope scope(&profiler_, "headset");
-    const MenuRequest request = headset_->draw(session_, figures_, messages_, seconds, &profiler_);
+    const MenuRequest request = headset_->draw(session_, home_, figures_, messages_, seconds, &profiler_);
     headset_->end();
     act(request);
 }
 
+/// Keys of the pages before a lesson runs.
+void DesktopApp::moveByKeys(const InputFrame& input) {
+    if (session_.running() || menus_.panels.help) return;
+    if (home_.open)
+        for (const Key key : input.pressed)
+            home_.move(key);
+    // Dear ImGui itself takes the key for the control that was chosen by keys.
+    if (std::find(input.struck.begin(), input.struck.end(), Key::enter) == input.struck.end()) return;
+    if (home_.open)
+        act(MenuRequest::openLesson);
+    else if (!ImGui::GetIO().NavVisible)
+        act(MenuRequest::start);
+}
+
 void DesktopApp::handleKeys(const InputFrame& input) {
+    moveByKeys(input);
     for (const Key key : input.struck) {
         switch (key) {
         case Key::escape:
+            if (!session_.running() && !menus_.panels.help) act(MenuRequest::home);
             menus_.panels.help = false;
             break;
         case Key::tab:
@@ -164,6 +189,9 @@ void DesktopApp::handleKeys(const InputFrame& input) {
             break;
         case Key::f4:
             menus_.panels.timings = !menus_.panels.timings;
+            break;
+        case Key::h:
+            if (!session_.arc().burns()) act(MenuRequest::home);
             break;
         case Key::j:
             act(MenuRequest::judge);
@@ -186,6 +214,15 @@ void DesktopApp::handleKeys(const InputFrame& input) {
 
 void DesktopApp::act(MenuRequest request) {
     switch (request) {
+    case MenuRequest::home:
+        goHome();
+        break;
+    case MenuRequest::openLesson:
+        openLesson(home_.chosen());
+        break;
+    case MenuRequest::next:
+        if (const CataloguedLesson* next = home_.find(session_.lesson().next)) openLesson(*next);
+        break;
     case MenuRequest::startWithDefaults:
         session_.sections().restoreDefaults();
         startLesson();
@@ -212,7 +249,28 @@ void DesktopApp::act(MenuRequest request) {
     }
 }
 
+void DesktopApp::goHome() {
+    act(MenuRequest::restart);
+    home_.choose(session_.lesson().key);
+    home_.open = true;
+}
+
+void DesktopApp::openLesson(const CataloguedLesson& lesson) {
+    try {
+        Lesson opened = loadLesson(lesson.key);
+        act(MenuRequest::restart);
+        settings_.takeFrom(session_.lesson(), session_.sections());
+        session_.open(std::move(opened));
+        settings_.giveTo(session_.lesson(), session_.sections());
+        messages_.clear("lesson");
+        home_.open = false;
+    } catch (const InputError& fault) {
+        messages_.warn(fault.what(), now(), "lesson");
+    }
+}
+
 void DesktopApp::startLesson() {
+    if (home_.open) return;
     try {
         session_.begin(controls_);
         menus_.panels.hidden = false;
@@ -231,8 +289,7 @@ void DesktopApp::simulate(const InputFrame& input, double seconds) {
     if (held) controls_.putOut(ArcOut::takenOver);
     session_.advance(controls_, seconds, &profiler_, held);
     session_.fillFigures(figures_);
-    if (session_.judgements() != judgements_) menus_.showResult(session_);
-    judgements_ = session_.judgements();
+    takeJudgement();
     if (session_.recordFault().empty())
         messages_.clear("record");
     else
@@ -247,6 +304,25 @@ void DesktopApp::simulate(const InputFrame& input, double seconds) {
             "metal");
     else
         messages_.clear("metal");
+}
+
+/// A new judgement is shown, and its score kept where it is the best.
+void DesktopApp::takeJudgement() {
+    if (session_.judgements() == judgements_) return;
+    judgements_ = session_.judgements();
+    menus_.showResult(session_);
+    const CataloguedLesson* lesson = home_.find(session_.lesson());
+    if (lesson == nullptr || !session_.judged()) return;
+    std::optional<BestScore> score = countedScore(session_.judged()->judgement);
+    if (!score) return;
+    score->zoom = session_.held() && headset_ ? static_cast<double>(headset_->zoom()) : 1;
+    score->forScore = session_.sections().attempt.forScore;
+    score->changed = session_.workpieceChanged();
+    try {
+        home_.scores.offer(lesson->key, *score);
+    } catch (const std::exception& fault) {
+        messages_.warn(std::string("The best score cannot be kept: ") + fault.what(), now(), "scores");
+    }
 }
 
 void DesktopApp::drawPicture(double seconds) {
@@ -268,8 +344,8 @@ MenuRequest DesktopApp::drawMenus() {
     LessonSections& lesson = session_.sections();
     const std::array<const ParameterSection*, 5> view{&lesson.view, &lesson.surface, &controlSection_, &windowSection_,
                                                       headset_ ? &headset_->section() : nullptr};
-    return menus_.draw({session_, controls_, messages_, figures_, profiler_, pacer_.frameSeconds() * 1000, driver_,
-                        std::span(view).first(headset_ ? 5 : 4)});
+    return menus_.draw({session_, home_, controls_, messages_, figures_, profiler_, pacer_.frameSeconds() * 1000,
+                        driver_, std::span(view).first(headset_ ? 5 : 4)});
 }
 
 void DesktopApp::takePicture() {
@@ -292,7 +368,8 @@ void DesktopApp::writeTelemetry() {
     std::vector<std::string> passes;
     for (const gl::PassTime& pass : profiler_.passes())
         passes.push_back(pass.name);
-    telemetry_.write({session_.running() ? "running" : "start", now(), pacer_.frames(), session_.steps(),
+    const char* page = home_.open ? "home" : session_.running() ? "running" : "start";
+    telemetry_.write({page, now(), pacer_.frames(), session_.steps(),
                       session_.running() ? session_.torch() : TorchSample{}, controls_, menus_.panels, figures_,
                       sections, passes, messages_, interface_.context(), window_.size(), window_.pixels(), screenshot_,
                       session_.judged(), headset_ ? headset_->status() : HeadsetStatus{}, meter_, callsCounted_});

@@ -10,6 +10,7 @@
 #include "app/desktop/window.hpp"
 #include "app/desktop/window_telemetry.hpp"
 #include "app/program/frame_meter.hpp"
+#include "app/session/home/home.hpp"
 #include "app/session/lesson_session.hpp"
 #include "app/session/messages.hpp"
 #include "app/session/notices.hpp"
@@ -22,7 +23,7 @@ namespace meltpool {
 
 class DesktopApp {
   public:
-    /// Opens the window on the start menu.
+    /// Opens the window on the home page, or on the named lesson's first page.
     explicit DesktopApp(const DesktopOptions& options);
 
     bool closing() const { return window_.closing(); }
@@ -41,7 +42,11 @@ class DesktopApp {
     std::vector<ParameterSection*> ownSections();
     void handleKeys(const InputFrame& input);
     void act(MenuRequest request);
+    void goHome();
+    void openLesson(const CataloguedLesson& lesson);
     void startLesson();
+    void moveByKeys(const InputFrame& input);
+    void takeJudgement();
     void beginHeadset(double seconds);
     void drawHeadset(double seconds);
     void simulate(const InputFrame& input, double seconds);
@@ -64,6 +69,7 @@ class DesktopApp {
     ui::Interface interface_;
     DesktopMenus menus_;
     gl::ShaderLibrary shaders_;
+    Home home_;
     LessonSession session_;
     std::unique_ptr<WindowHeadset> headset_;
     gl::Profiler profiler_;

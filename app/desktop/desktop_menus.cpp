@@ -22,8 +22,10 @@ MenuRequest DesktopMenus::draw(const DesktopMenuContent& content) {
     ui::Context& context = interface_.context();
     LessonSession& session = content.session;
     MenuRequest request = MenuRequest::none;
-    if (!session.running())
-        request = ui::startMenu(context, session.sections().start, session.lesson().text, content.driver);
+    if (content.home.open)
+        request = ui::homePage(context, content.home, content.driver, panels.help);
+    else if (!session.running())
+        request = ui::startMenu(context, session, content.home, content.driver);
     else if (!panels.hidden)
         request = drawPanels(content);
     ui::questionOverlay(context, session.question());
@@ -42,10 +44,11 @@ MenuRequest DesktopMenus::drawPanels(const DesktopMenuContent& content) {
     panels.result = panels.result && content.session.judges();
     makeRoom();
     if (panels.result)
-        if (const MenuRequest asked = ui::resultPanel(context, content.session); asked != MenuRequest::none)
+        if (const MenuRequest asked = ui::resultPanel(context, content.session, content.home);
+            asked != MenuRequest::none)
             request = asked;
     if (panels.view) ui::viewMenu(context, content.viewSections);
-    if (panels.simulation) ui::simulationMenu(context, content.session.sections().simulation, content.controls);
+    if (panels.simulation) ui::machineMenu(context, content.session.sections().simulation, content.controls);
     if (panels.timings)
         ui::timingsPanel(context, content.profiler, content.figures, content.frameMs, content.driver, panels.view);
     return request;

@@ -1,4 +1,4 @@
-// The window's menus: start menu, bars, panels and messages, and how much of the picture they cover.
+// The window's menus: home page, start menu, bars, panels and messages, and how much of the picture they cover.
 #pragma once
 
 #include "app/desktop/interface.hpp"
@@ -14,6 +14,7 @@ namespace meltpool {
 /// What the menus show and change; borrowed for the call.
 struct DesktopMenuContent {
     LessonSession& session;
+    Home& home;
     Controls& controls;
     Messages& messages;
     const LessonFigures& figures;

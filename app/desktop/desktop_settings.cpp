@@ -6,6 +6,19 @@
 
 namespace meltpool {
 
+namespace {
+
+/// Both of the same lesson.
+void copyValues(LessonSections& from, LessonSections& to) {
+    const std::vector<ParameterSection*> sources = from.all();
+    const std::vector<ParameterSection*> targets = to.all();
+    for (size_t i = 0; i < sources.size(); ++i)
+        for (const Parameter& p : sources[i]->parameters)
+            setParameter(targets[i]->parameters, p.key, parameterText(p), sources[i]->name);
+}
+
+} // namespace
+
 ParameterList describe(WindowParameters& w) {
     return {
         {"width", "Width", "points", &w.width, 640, 16384, "of the window at the next start"},
@@ -16,16 +29,13 @@ ParameterList describe(WindowParameters& w) {
     };
 }
 
-DesktopSettings::DesktopSettings(const std::filesystem::path& file, const std::string& lesson)
-    : file_(file.empty() ? settingsFolder() / "settings.toml" : file) {
-    if (lesson == kDefaultLesson) return;
-    lesson_.emplace(loadLesson(std::string(kDefaultLesson)));
-    lessonSections_.emplace(*lesson_);
-}
+DesktopSettings::DesktopSettings(const std::filesystem::path& file)
+    : file_(file.empty() ? settingsFolder() / "settings.toml" : file),
+      lesson_(loadLesson(std::string(kDefaultLesson))),
+      lessonSections_(lesson_) {}
 
-std::vector<SettingsSection> DesktopSettings::sections(LessonSections& running,
-                                                       const std::vector<ParameterSection*>& others) {
-    std::vector<ParameterSection*> all = (lessonSections_ ? *lessonSections_ : running).all();
+std::vector<SettingsSection> DesktopSettings::sections(const std::vector<ParameterSection*>& others) {
+    std::vector<ParameterSection*> all = lessonSections_.all();
     all.insert(all.end(), others.begin(), others.end());
     std::vector<SettingsSection> made;
     ParameterList kept;
@@ -43,8 +53,8 @@ std::vector<SettingsSection> DesktopSettings::sections(LessonSections& running,
     return made;
 }
 
-std::vector<std::string> DesktopSettings::load(LessonSections& running, const std::vector<ParameterSection*>& others) {
-    std::vector<std::string> faults = loadSettings(file_, sections(running, others));
+std::vector<std::string> DesktopSettings::load(const std::vector<ParameterSection*>& others) {
+    std::vector<std::string> faults = loadSettings(file_, sections(others));
     try {
         requireSavableSettings(file_);
     } catch (const std::exception& fault) {
@@ -53,8 +63,16 @@ std::vector<std::string> DesktopSettings::load(LessonSections& running, const st
     return faults;
 }
 
-void DesktopSettings::save(LessonSections& running, const std::vector<ParameterSection*>& others) {
-    saveSettings(file_, sections(running, others));
+void DesktopSettings::save(const std::vector<ParameterSection*>& others) {
+    saveSettings(file_, sections(others));
+}
+
+void DesktopSettings::giveTo(const Lesson& lesson, LessonSections& sections) {
+    if (lesson.file == lesson_.file) copyValues(lessonSections_, sections);
+}
+
+void DesktopSettings::takeFrom(const Lesson& lesson, LessonSections& sections) {
+    if (lesson.file == lesson_.file) copyValues(sections, lessonSections_);
 }
 
 } // namespace meltpool

@@ -5,7 +5,6 @@
 #include "app/session/settings.hpp"
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,21 +23,26 @@ ParameterList describe(WindowParameters& parameters);
 /// kept.
 class DesktopSettings {
   public:
-    /// `file`: empty: settings.toml in the user's settings folder. `lesson`: the one that runs.
-    DesktopSettings(const std::filesystem::path& file, const std::string& lesson);
+    /// `file`: empty: settings.toml in the user's settings folder.
+    explicit DesktopSettings(const std::filesystem::path& file);
 
-    /// Reads the file into `running` (or the default lesson's own copy) and `others`. Answers one sentence for each
-    /// fault in the file, and one where save() will fail.
-    std::vector<std::string> load(LessonSections& running, const std::vector<ParameterSection*>& others);
+    /// Reads the file into `others` and its own copy of the default lesson. Answers one sentence for each fault in the
+    /// file, and one where save() will fail.
+    std::vector<std::string> load(const std::vector<ParameterSection*>& others);
     /// Writes the file. Throws InputError when that fails.
-    void save(LessonSections& running, const std::vector<ParameterSection*>& others);
+    void save(const std::vector<ParameterSection*>& others);
+
+    /// Where the lesson is the default one, sets its values to the kept ones.
+    void giveTo(const Lesson& lesson, LessonSections& sections);
+    /// Where the lesson is the default one, keeps its values from now on.
+    void takeFrom(const Lesson& lesson, LessonSections& sections);
 
   private:
-    std::vector<SettingsSection> sections(LessonSections& running, const std::vector<ParameterSection*>& others);
+    std::vector<SettingsSection> sections(const std::vector<ParameterSection*>& others);
 
     std::filesystem::path file_;
-    std::optional<Lesson> lesson_; ///< the default one, where another one runs
-    std::optional<LessonSections> lessonSections_;
+    Lesson lesson_; ///< the default one
+    LessonSections lessonSections_;
 };
 
 } // namespace meltpool

@@ -21,7 +21,7 @@ namespace meltpool {
 
 /// Everything a row is made of; borrowed for the call.
 struct TelemetryRow {
-    std::string page; ///< "start" or "running"
+    std::string page; ///< "home", "start" or "running"
     double seconds = 0;
     long long frame = 0;
     size_t steps = 0;  ///< simulation steps since the start or the last reset

@@ -40,7 +40,7 @@ void HeadsetFrontEnd::guarded(FunctionRef<void()> work) {
     }
 }
 
-bool HeadsetFrontEnd::begin(LessonSession& session, double elapsed) {
+bool HeadsetFrontEnd::begin(LessonSession& session, const Home& home, double elapsed) {
     inFrame_ = false;
     mirrored_ = false;
     if (changes_.lessonBegan(session)) {
@@ -62,19 +62,20 @@ bool HeadsetFrontEnd::begin(LessonSession& session, double elapsed) {
         timing_ = connection_.headset()->waitFrame();
         const Clock::time_point start = Clock::now();
         inFrame_ = true;
-        readHands(session, elapsed);
+        readHands(session, home, elapsed);
         busy_ = std::chrono::duration<double>(Clock::now() - start).count();
     });
     return inFrame_;
 }
 
-void HeadsetFrontEnd::readHands(LessonSession& session, double elapsed) {
+void HeadsetFrontEnd::readHands(LessonSession& session, const Home& home, double elapsed) {
     xr::Headset& headset = *connection_.headset();
     const xr::Input& input = headset.input();
     if (input.hand(xr::Hand::left).recentre || input.hand(xr::Hand::right).recentre) workshop_.requestRecentre();
     placeWorkshop(session);
     panel_.update(input, workshop_, headset.panel().shape(), hands_.torchHand());
-    if (session.question().asked()) panel_.show();
+    if (session.question().asked() || (home.open && !homeShown_)) panel_.show();
+    homeShown_ = home.open;
     showResult(session);
     if (headset.mode() == xr::SessionMode::focused)
         focusedOpening_ = connection_.openings();
@@ -119,12 +120,12 @@ TorchSource HeadsetFrontEnd::torch() {
     return [this](int step, int steps) { return hands_.next(place_, step, steps); };
 }
 
-MenuRequest HeadsetFrontEnd::draw(LessonSession& session, const LessonFigures& figures, const Messages& messages,
-                                  double elapsed, gl::Profiler* profiler) {
+MenuRequest HeadsetFrontEnd::draw(LessonSession& session, Home& home, const LessonFigures& figures,
+                                  const Messages& messages, double elapsed, gl::Profiler* profiler) {
     if (!inFrame_) return MenuRequest::none;
     drawEyes(session, elapsed, profiler);
     if (inFrame_) drawNotice(figures, messages, elapsed);
-    return inFrame_ && panel_.open() ? drawMenu(session, figures, elapsed) : MenuRequest::none;
+    return inFrame_ && panel_.open() ? drawMenu(session, home, figures, elapsed) : MenuRequest::none;
 }
 
 void HeadsetFrontEnd::drawEyes(LessonSession& session, double elapsed, gl::Profiler* profiler) {
@@ -161,13 +162,14 @@ void HeadsetFrontEnd::drawNotice(const LessonFigures& figures, const Messages& m
     });
 }
 
-MenuRequest HeadsetFrontEnd::drawMenu(LessonSession& session, const LessonFigures& figures, double elapsed) {
+MenuRequest HeadsetFrontEnd::drawMenu(LessonSession& session, Home& home, const LessonFigures& figures,
+                                      double elapsed) {
     HeadsetMenuAnswer answer;
     guarded([&] {
         xr::Headset& headset = *connection_.headset();
         const xr::Panel& panel = headset.panel();
-        answer =
-            menu_.draw(panel, panel_.pointer(), elapsed, session, {section_, warning(), hands_.tipReport(), figures});
+        answer = menu_.draw(panel, panel_.pointer(), elapsed, session,
+                            {home, section_, warning(), hands_.tipReport(), figures});
         headset.showPanel(workshop_.toSession(panel_.pose()));
     });
     if (answer.recentre) workshop_.requestRecentre();

@@ -25,11 +25,12 @@ class HeadsetFrontEnd final : public WindowHeadset {
     explicit HeadsetFrontEnd(const std::filesystem::path& folder);
 
     ParameterSection& section() override { return section_; }
-    bool begin(LessonSession& session, double elapsed) override;
+    bool begin(LessonSession& session, const Home& home, double elapsed) override;
     TorchSource torch() override;
     const TriggerLock& triggerLock() const override { return hands_.torch().triggerLock(); }
-    MenuRequest draw(LessonSession& session, const LessonFigures& figures, const Messages& messages, double elapsed,
-                     gl::Profiler* profiler) override;
+    MenuRequest draw(LessonSession& session, Home& home, const LessonFigures& figures, const Messages& messages,
+                     double elapsed, gl::Profiler* profiler) override;
+    float zoom() const override { return place_.zoom; }
     void end() override;
     bool mirror(glm::ivec2 pixels) override;
     bool hopeless() const override { return connection_.hopeless(); }
@@ -42,13 +43,13 @@ class HeadsetFrontEnd final : public WindowHeadset {
     using Clock = std::chrono::steady_clock;
 
     void guarded(FunctionRef<void()> work);
-    void readHands(LessonSession& session, double elapsed);
+    void readHands(LessonSession& session, const Home& home, double elapsed);
     void showResult(const LessonSession& session);
     void placeWorkshop(LessonSession& session);
     bool leadsTorch() const { return inFrame_ && changes_.lessonRuns() && hands_.torch().known(); }
     void drawEyes(LessonSession& session, double elapsed, gl::Profiler* profiler);
     void drawNotice(const LessonFigures& figures, const Messages& messages, double elapsed);
-    MenuRequest drawMenu(LessonSession& session, const LessonFigures& figures, double elapsed);
+    MenuRequest drawMenu(LessonSession& session, Home& home, const LessonFigures& figures, double elapsed);
     bool blitLeftEye(glm::ivec2 pixels) const;
 
     HeadsetParameters parameters_;
@@ -68,6 +69,7 @@ class HeadsetFrontEnd final : public WindowHeadset {
     int focusedOpening_ = 0;      ///< the opening in which the runtime first gave the trainer its input
     size_t judgements_ = 0;       ///< that the panel has been opened for
     bool openedByResult_ = false; ///< the panel
+    bool homeShown_ = false;      ///< the panel has been opened for the list of lessons
     bool drawn_ = false;          ///< the eyes hold a picture that the runtime shows
     bool mirrored_ = false;       ///< the window shows it too
     double busy_ = 0;             ///< s, of the last frame's begin() and draw() without waiting for the runtime

@@ -31,10 +31,22 @@ HeadsetMenuAnswer HeadsetMenu::draw(const xr::Panel& panel, const PointerOnPanel
         panel_ = std::make_unique<HeadsetPanel>(panel.shape().widthPixels, panel.shape().heightPixels);
     answer_ = {};
     panel_->draw(panel.framebuffer(), pointer, elapsed, [&](ui::Context& context) {
+        if (content.home.open) return homePart(context, content);
         lessonPart(context, session, content);
         pagePart(context, session, content);
     });
     return answer_;
+}
+
+/// The list of lessons; below it, closed, what can be set of the headset before any lesson.
+void HeadsetMenu::homePart(ui::Context& context, const HeadsetMenuContent& content) {
+    ui::strongText(context, "Lessons");
+    if (!content.warning.empty()) ui::quietText(context, content.warning);
+    ImGui::Dummy({0, context.points(4)});
+    if (const MenuRequest asked = ui::homePart(context, content.home); asked != MenuRequest::none)
+        answer_.request = asked;
+    answer_.recentre = ui::button(context, "headset.recentre", "Workshop here", ui::ButtonKind::plain, 140);
+    if (ui::groupHeading(context, "headset", "Headset", false)) headsetPage(context, content);
 }
 
 void HeadsetMenu::lessonPart(ui::Context& context, LessonSession& session, const HeadsetMenuContent& content) {
@@ -46,41 +58,52 @@ void HeadsetMenu::lessonPart(ui::Context& context, LessonSession& session, const
     if (!content.warning.empty()) ui::quietText(context, content.warning);
     ImGui::Dummy({0, context.points(4)});
     if (session.question().asked()) return ui::questionPart(context, session.question());
+    lessonButtons(context, session);
+}
+
+void HeadsetMenu::lessonButtons(ui::Context& context, const LessonSession& session) {
+    const auto asks = [&](const char* name, const char* text, MenuRequest request, ui::ButtonKind kind, float width) {
+        if (ui::button(context, name, text, kind, width)) answer_.request = request;
+        ImGui::SameLine();
+    };
     if (!session.running()) {
-        if (ui::button(context, "headset.start", "Start the lesson", ui::ButtonKind::main))
-            answer_.request = MenuRequest::start;
+        asks("headset.start", "Start the lesson", MenuRequest::start, ui::ButtonKind::main, 0);
     } else {
-        if (ui::button(context, "headset.reset", "Reset", ui::ButtonKind::plain, 90))
-            answer_.request = MenuRequest::reset;
-        ImGui::SameLine();
-        if (ui::button(context, "headset.restart", "Start menu", ui::ButtonKind::plain, 110))
-            answer_.request = MenuRequest::restart;
-        ImGui::SameLine();
+        asks("headset.reset", "Reset", MenuRequest::reset, ui::ButtonKind::plain, 70);
+        asks("headset.restart", "Lesson", MenuRequest::restart, ui::ButtonKind::plain, 76);
     }
-    answer_.recentre = ui::button(context, "headset.recentre", "Workshop here", ui::ButtonKind::plain, 140);
+    asks("headset.home", "Home", MenuRequest::home, ui::ButtonKind::plain, 70);
+    answer_.recentre = ui::button(context, "headset.recentre", "Workshop here", ui::ButtonKind::plain, 130);
+}
+
+void HeadsetMenu::headsetPage(ui::Context& context, const HeadsetMenuContent& content) {
+    drawParameters(context, content.section);
+    answer_.measureTip = ui::button(context, "headset.tip", "Measure the torch's tip", ui::ButtonKind::plain, 200);
+    ImGui::SameLine();
+    answer_.measureAxis = ui::button(context, "headset.axis", "and its direction", ui::ButtonKind::plain, 160);
+    if (!content.tipReport.empty()) ui::quietText(context, content.tipReport);
 }
 
 void HeadsetMenu::pagePart(ui::Context& context, LessonSession& session, const HeadsetMenuContent& content) {
     ImGui::Dummy({0, context.points(4)});
-    static constexpr std::array<std::string_view, 4> kPages{"headset", "simulation", "view", "result"};
+    static constexpr std::array<std::string_view, 4> kPages{"headset", "machine", "view", "result"};
     const bool judges = session.judges();
     if (session.judgements() != judgements_ || (page_ == kResult && !judges)) page_ = judges ? kResult : 0;
     judgements_ = session.judgements();
     ui::choiceRow(context, "headset.page", std::span(kPages).first(judges ? 4 : 3), page_);
-    if (page_ == 0) {
-        drawParameters(context, content.section);
-        answer_.measureTip = ui::button(context, "headset.tip", "Measure the torch's tip", ui::ButtonKind::plain, 200);
-        ImGui::SameLine();
-        answer_.measureAxis = ui::button(context, "headset.axis", "and its direction", ui::ButtonKind::plain, 160);
-        if (!content.tipReport.empty()) ui::quietText(context, content.tipReport);
-    }
+    if (page_ == 0) headsetPage(context, content);
     if (page_ == kResult)
-        if (const MenuRequest asked = ui::resultPart(context, session); asked != MenuRequest::none)
+        if (const MenuRequest asked = ui::resultPart(context, session, content.home); asked != MenuRequest::none)
             answer_.request = asked;
-    if (page_ == 1) drawParameters(context, session.sections().simulation);
+    if (page_ == 1) {
+        if (session.running())
+            ui::machinePart(context, session.sections().simulation);
+        else
+            ui::setupPart(context, session.sections());
+    }
     if (page_ == 2) {
         drawParameters(context, session.sections().view);
-        drawParameters(context, session.sections().surface);
+        if (ui::groupHeading(context, "surface", "Expert", false)) drawParameters(context, session.sections().surface);
     }
 }
 

@@ -15,6 +15,7 @@ namespace meltpool {
 
 /// What the menu shows of the headset; borrowed for the call.
 struct HeadsetMenuContent {
+    Home& home;
     const ParameterSection& section; ///< the headset's own parameters
     std::string_view warning;        ///< empty: none
     std::string tipReport;           ///< of measuring the torch; empty: none
@@ -39,7 +40,10 @@ class HeadsetMenu {
     std::map<std::string, ui::Place> places() const;
 
   private:
+    void homePart(ui::Context& context, const HeadsetMenuContent& content);
     void lessonPart(ui::Context& context, LessonSession& session, const HeadsetMenuContent& content);
+    void lessonButtons(ui::Context& context, const LessonSession& session);
+    void headsetPage(ui::Context& context, const HeadsetMenuContent& content);
     void pagePart(ui::Context& context, LessonSession& session, const HeadsetMenuContent& content);
 
     std::unique_ptr<HeadsetPanel> panel_; ///< made when it is first drawn

@@ -19,9 +19,13 @@ namespace meltpool {
 
 namespace {
 
+ParameterList workpieceParameters(Lesson& lesson) {
+    return lesson.model == LessonModel::Weld ? describe(lesson.workpiece) : describe(lesson.setup);
+}
+
 ParameterList startParameters(Lesson& lesson, AttemptParameters& attempt) {
     ParameterList list = describe(attempt);
-    for (const Parameter& p : lesson.model == LessonModel::Weld ? describe(lesson.workpiece) : describe(lesson.setup))
+    for (const Parameter& p : workpieceParameters(lesson))
         if (p.key != "seed") list.push_back(p);
     for (const Parameter& p : describe(lesson.surface))
         if (p.onlyAtStart || p.key == "influence") list.push_back(p);
@@ -80,7 +84,11 @@ LessonSections::LessonSections(Lesson& lesson)
       surface("surface", liveParameters(describe(lesson.surface))),
       simulation("simulation", liveParameters(lesson.model == LessonModel::Weld ? describe(lesson.process)
                                                                                 : describe(lesson.metal))) {
+    static constexpr std::array<std::string_view, 1> kStart{"for_score"};
+    static constexpr std::array<std::string_view, 2> kFlame{"heat_radius", "heat_temperature"};
     view.idle = idleLook(lesson);
+    start.everyday = kStart;
+    if (lesson.model == LessonModel::Classic) simulation.everyday = kFlame;
 }
 
 void LessonSections::restoreDefaults() {
@@ -94,7 +102,27 @@ double machineSeconds() {
 }
 
 LessonSession::LessonSession(gl::ShaderLibrary& shaders, Lesson lesson, Stopwatch stopwatch)
-    : shaders_(shaders), lesson_(std::move(lesson)), sections_(lesson_), renderer_(shaders), now_(stopwatch) {}
+    : shaders_(shaders),
+      lesson_(std::move(lesson)),
+      sections_(std::in_place, lesson_),
+      renderer_(shaders),
+      now_(stopwatch) {}
+
+void LessonSession::open(Lesson lesson) {
+    end("another lesson was opened");
+    const bool forScore = sections_->attempt.forScore;
+    lesson_ = std::move(lesson);
+    sections_.emplace(lesson_);
+    sections_->attempt.forScore = forScore;
+}
+
+bool LessonSession::workpieceChanged() {
+    const ParameterList now = workpieceParameters(lesson_);
+    return std::any_of(now.begin(), now.end(), [this](const Parameter& p) {
+        const auto first = sections_->start.defaults.find(p.key);
+        return first != sections_->start.defaults.end() && first->second != parameterText(p);
+    });
+}
 
 void LessonSession::begin(Controls& controls) {
     end("another attempt began");
@@ -103,7 +131,7 @@ void LessonSession::begin(Controls& controls) {
     const CameraParameters& camera = lesson_.camera;
     controls.placeCamera(OrbitCamera(glm::radians(camera.azimuth), glm::radians(camera.elevation), camera.distance));
     controls.lens.fieldOfView = glm::radians(camera.fieldOfView);
-    if (sections_.attempt.forScore) {
+    if (sections_->attempt.forScore) {
         trial_.begin(lesson_);
         beginTrial();
         return;
@@ -172,7 +200,7 @@ void LessonSession::settleTrial(int answer, Controls& controls) {
             lesson_.set(key, value, "a value that was offered");
         begin(controls);
     } else if (static_cast<size_t>(answer) + 1 == offers.size()) {
-        sections_.attempt.forScore = false;
+        sections_->attempt.forScore = false;
         begin(controls);
     } else {
         end("start menu");
@@ -209,7 +237,7 @@ void LessonSession::beginAttempt() {
     question_ = {};
     try {
         records_.begin(*trainer_);
-        if (sections_.attempt.forScore) event("for_score", "yes");
+        if (sections_->attempt.forScore) event("for_score", "yes");
     } catch (const std::runtime_error& fault) { // no such place, or no room for even its head
         question_ = {std::string("This attempt cannot be recorded: ") + fault.what(),
                      {"Weld without a record", "Start menu"}};

@@ -16,6 +16,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -59,6 +60,9 @@ class LessonSession {
     LessonSession(const LessonSession&) = delete;
     LessonSession& operator=(const LessonSession&) = delete;
     ~LessonSession() { end("the program ended"); }
+
+    /// Takes another lesson, with the values of its file. A running one ends. What sections() answered before is gone.
+    void open(Lesson lesson);
 
     /// Makes the metal from the start values: another attempt. Throws InputError or RuntimeFault when memory or driver
     /// do not suffice. What the person must decide first stands in question().
@@ -129,7 +133,9 @@ class LessonSession {
     TemperatureMeaning temperature() const { return trainer_->scene().temperature; }
     size_t steps() const { return trainer_ == nullptr ? 0 : trainer_->steps(); }
     const Lesson& lesson() const { return lesson_; }
-    LessonSections& sections() { return sections_; }
+    /// The workpiece, or the classic metal's particles, are others than the lesson's file says.
+    bool workpieceChanged();
+    LessonSections& sections() { return *sections_; }
 
   private:
     bool takeOverChanges(const Controls& controls);
@@ -145,7 +151,7 @@ class LessonSession {
 
     gl::ShaderLibrary& shaders_;
     Lesson lesson_;
-    LessonSections sections_;
+    std::optional<LessonSections> sections_; ///< of lesson_; always there
     SurfaceParameters shownSurface_;
     Renderer renderer_;
     std::unique_ptr<Trainer> trainer_;

@@ -5,7 +5,7 @@ namespace meltpool {
 ParameterList describe(PanelState& p) {
     return {
         {"view", "View menu", "", &p.view, 0, 1, "open at the start"},
-        {"simulation", "Simulation menu", "", &p.simulation, 0, 1, "open at the start"},
+        {"simulation", "Machine menu", "", &p.simulation, 0, 1, "open at the start"},
         {"timings", "Timings", "", &p.timings, 0, 1, "open at the start"},
     };
 }

@@ -30,6 +30,16 @@ struct Place {
 } // namespace ui
 
 /// What a person asked for with a button.
-enum class MenuRequest { none, start, startWithDefaults, reset, restart, judge };
+enum class MenuRequest {
+    none,
+    home,              ///< the list of lessons
+    openLesson,        ///< the one that is chosen in it
+    next,              ///< the lesson that follows this one
+    start,             ///< the lesson, with the values as they stand
+    startWithDefaults, ///< the lesson, with its own values
+    reset,             ///< another attempt
+    restart,           ///< back to the lesson's first page
+    judge
+};
 
 } // namespace meltpool

@@ -11,6 +11,10 @@ ParameterSection::ParameterSection(std::string theName, ParameterList list)
         defaults[std::string(p.key)] = parameterText(p);
 }
 
+bool ParameterSection::isExpert(const Parameter& parameter) const {
+    return !everyday.empty() && std::find(everyday.begin(), everyday.end(), parameter.key) == everyday.end();
+}
+
 bool ParameterSection::shows(const Parameter& parameter) const {
     return std::find(idle.begin(), idle.end(), parameter.key) == idle.end();
 }

@@ -23,6 +23,11 @@ struct ParameterSection {
     /// Keys that menus leave out, since they do nothing in the lesson at hand. Files and `--set` take them.
     std::span<const std::string_view> idle;
 
+    /// Keys that a trainee sets; the others stand in the expert drawer. Empty: a trainee sets all of them.
+    std::span<const std::string_view> everyday;
+
+    /// The parameter belongs into the expert drawer.
+    bool isExpert(const Parameter& parameter) const;
     /// Menus show the parameter.
     bool shows(const Parameter& parameter) const;
 };

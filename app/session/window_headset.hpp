@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/session/headset_status.hpp"
+#include "app/session/home/home.hpp"
 #include "app/session/lesson_session.hpp"
 #include "app/session/messages.hpp"
 #include "app/session/trigger_lock.hpp"
@@ -25,15 +26,17 @@ class WindowHeadset {
 
     /// Waits for the headset's next frame and reads the hands. False: there is none now, and the window continues
     /// without it. `session` may be without a running lesson. `elapsed`: real seconds since the last call.
-    virtual bool begin(LessonSession& session, double elapsed) = 0;
+    virtual bool begin(LessonSession& session, const Home& home, double elapsed) = 0;
     /// The torch for the lesson's steps where the hand leads it; empty: the mouse does.
     virtual TorchSource torch() = 0;
     /// Of the hand that leads the torch.
     virtual const TriggerLock& triggerLock() const = 0;
     /// Draws both eyes with the warnings of `messages`, and the panel where it is open, and sets the vibration. Answers
     /// what was asked for on the panel.
-    virtual MenuRequest draw(LessonSession& session, const LessonFigures& figures, const Messages& messages,
+    virtual MenuRequest draw(LessonSession& session, Home& home, const LessonFigures& figures, const Messages& messages,
                              double elapsed, gl::Profiler* profiler) = 0;
+    /// The size at which the workpiece is shown, 1 is real.
+    virtual float zoom() const = 0;
     /// Submits the frame to the runtime.
     virtual void end() = 0;
 

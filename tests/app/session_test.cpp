@@ -157,6 +157,36 @@ TEST_CASE("a record that cannot be written is asked about before the first step,
     }
 }
 
+TEST_CASE("another lesson is opened in the same session: its own values, the old attempt ended", "[app]") {
+    const fs::path folder = test::scratchFolder("opened"), file = folder / "weld.csv";
+    Person person(file);
+    person.session.sections().attempt.forScore = true;
+    setParameter(person.session.sections().start.parameters, "particles", "2000", "test");
+    CHECK(person.session.workpieceChanged());
+    person.session.sections().attempt.forScore = false;
+    person.session.begin(person.controls);
+    person.weld(10);
+    person.session.sections().attempt.forScore = true;
+    const fs::path lessons = test::testFolder().parent_path() / "app" / "data" / "lessons";
+    person.session.open(findLesson("gmaw-bead", lessons));
+    CHECK_FALSE(person.session.running());
+    CHECK(attemptIn(file).ended == "another lesson was opened");
+    CHECK(person.session.lesson().key == "gmaw-bead");
+    CHECK_FALSE(person.session.workpieceChanged());
+    LessonSections& sections = person.session.sections();
+    CHECK(sections.attempt.forScore); // the person's choice, not the lesson's
+    setParameter(sections.simulation.parameters, "voltage", "24.5", "test");
+    CHECK(person.session.lesson().process.of<Gmaw>().voltage == 24.5f);
+    CHECK_FALSE(person.session.workpieceChanged()); // the machine is the trainee's to set
+    setParameter(sections.start.parameters, "thickness_mm", "9", "test");
+    CHECK(person.session.workpieceChanged());
+    person.session.open(smallLesson());
+    person.session.sections().attempt.forScore = false;
+    person.session.begin(person.controls);
+    person.weld(10);
+    CHECK(person.session.steps() > 0);
+}
+
 TEST_CASE("steps follow the clock at 45 frames a second and at 12", "[app]") {
     for (const double rate : {45.0, 12.0}) {
         Person person;

@@ -102,28 +102,33 @@ MenuRequest topBar(Context& context, PanelState& panels, const Controls& control
     drawSign(*ImGui::GetWindowDrawList(), {context.points(28), barHeight(context) / 2}, context.points(28));
     ImGui::SetCursorPosX(context.points(50));
     ImGui::AlignTextToFramePadding();
-    strongText(context, "Meltpool");
-    ImGui::SameLine(0, context.points(18));
+    if (ImGui::GetIO().DisplaySize.x > context.points(800)) { // a narrow bar has room for its buttons only
+        strongText(context, "Meltpool");
+        ImGui::SameLine(0, context.points(18));
+    }
     const auto tab = [&](const char* name, const char* text, bool& open, const char* note) {
         if (button(context, name, text, open ? ButtonKind::lit : ButtonKind::plain, 0, note)) open = !open;
         ImGui::SameLine(0, context.points(6));
     };
     tab("bar.view", "View", panels.view, "How the metal is shown (F2)");
-    tab("bar.simulation", "Simulation", panels.simulation, "How the metal behaves (F3)");
+    tab("bar.simulation", "Machine", panels.simulation, "What heats the metal (F3)");
     tab("bar.timings", "Timings", panels.timings, "Where the time of a frame goes (F4)");
     if (judges) tab("bar.result", "Result", panels.result, "The weld judged and measured (J judges it)");
-    const float width = context.points(86);
-    const float buttons = ImGui::GetIO().DisplaySize.x - 3 * width - context.points(14 + 12);
+    constexpr float kWidth = 72;
+    const float buttons = ImGui::GetIO().DisplaySize.x - 4 * context.points(kWidth) - context.points(14 + 18);
     modeSign(context, controls, ImGui::GetItemRectMax().x, buttons);
     ImGui::SameLine();
     ImGui::SetCursorPosX(buttons);
-    if (button(context, "bar.reset", "Reset", ButtonKind::plain, 86, "Metal and torch back to where they began (F5)"))
+    if (button(context, "bar.reset", "Reset", ButtonKind::plain, kWidth,
+               "Metal and torch back to where they began (F5)"))
         request = MenuRequest::reset;
     ImGui::SameLine(0, context.points(6));
-    if (button(context, "bar.restart", "Restart", ButtonKind::plain, 86, "Back to the start menu"))
+    if (button(context, "bar.restart", "Restart", ButtonKind::plain, kWidth, "Back to the lesson's first page"))
         request = MenuRequest::restart;
     ImGui::SameLine(0, context.points(6));
-    if (button(context, "bar.help", "Help", panels.help ? ButtonKind::lit : ButtonKind::plain, 86,
+    if (button(context, "bar.home", "Home", ButtonKind::plain, kWidth, "All lessons (H)")) request = MenuRequest::home;
+    ImGui::SameLine(0, context.points(6));
+    if (button(context, "bar.help", "Help", panels.help ? ButtonKind::lit : ButtonKind::plain, kWidth,
                ShortText{"All keys (F1). Lesson: ", lesson}.c_str()))
         panels.help = !panels.help;
     ImGui::End();

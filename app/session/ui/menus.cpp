@@ -1,4 +1,4 @@
-// View menu, simulation menu, timings and help of the running trainer.
+// View menu, machine menu, timings and help of the running trainer.
 #include "app/session/ui/panels.hpp"
 
 #include <algorithm>
@@ -81,20 +81,11 @@ void drawGroups(Context& context, std::span<const ParameterSection* const> secti
             return stands(p, group) && findSection(sections, group.section) != nullptr;
         });
     };
-    bool anyNamed = false;
-    for (const Group& group : groups) {
-        const ParameterSection* section = findSection(sections, group.section);
-        if (section == nullptr) continue;
-        anyNamed = anyNamed || std::any_of(section->parameters.begin(), section->parameters.end(),
-                                           [&group](const Parameter& p) { return stands(p, group); });
-        drawGroup(context, *section, group);
-    }
-    for (const ParameterSection* section : sections) {
-        // Where no group names any value of the lesson, all of them are shown.
-        const ShortText title = anyNamed ? ShortText{"More: ", section->name} : ShortText("Process");
-        drawGroup(context, *section, title.c_str(), !anyNamed,
+    for (const Group& group : groups)
+        if (const ParameterSection* section = findSection(sections, group.section)) drawGroup(context, *section, group);
+    for (const ParameterSection* section : sections)
+        drawGroup(context, *section, ShortText{"More: ", section->name}.c_str(), false,
                   [&](const Parameter& p) { return !p.onlyAtStart && !named(p); });
-    }
 }
 
 void passRow(Context& context, std::string_view name, double ms, double whole, int depth) {
@@ -148,7 +139,7 @@ void viewMenu(Context& context, std::span<const ParameterSection* const> section
         {{"view", "Show the metal as", {"mode", "colours", "material", "point_size"}, true},
          {"view", "In the picture", {"show_box", "show_sky", "show_source"}, true},
          {"view", "Light", {"ambient", "diffuse", "specular", "shininess", "exposure", "light_position"}, false},
-         {"surface", "Surface", {"influence", "iso_level", "caps"}, false},
+         {"surface", "Expert: surface", {"influence", "iso_level", "caps"}, false},
          {"controls",
           "Mouse and keys",
           {"source_step", "source_mouse_speed", "look_speed", "camera_speed", "invert_look"},
@@ -158,26 +149,38 @@ void viewMenu(Context& context, std::span<const ParameterSection* const> section
     ImGui::End();
 }
 
-void simulationMenu(Context& context, const ParameterSection& section, Controls& controls) {
-    beginPanel(context, "simulation menu", Side::right);
-    panelTitle(context, "Simulation", "How the metal behaves. Everything takes effect at once.");
-    bool cold = controls.source().cold();
-    // Only the source of the classic lesson cools.
-    if (findParameter(section.parameters, "heat_temperature") != nullptr &&
-        toggle(context, "simulation.cold", "Cold source", cold, "Freezes what it touches instead of melting it (F)"))
-        controls.source().setCold(cold);
-    static constexpr std::array<Group, 3> kGroups{
-        {{"simulation", "Heat", {"heat_radius", "heat_temperature", "solidify_rate"}, true},
-         {"simulation",
+void machinePart(Context& context, const ParameterSection& section) {
+    drawGroup(context, section, "Machine", true,
+              [&](const Parameter& p) { return !p.onlyAtStart && !section.isExpert(p); });
+    const auto expert = [&](const Parameter& p) { return !p.onlyAtStart && section.shows(p) && section.isExpert(p); };
+    if (std::none_of(section.parameters.begin(), section.parameters.end(), expert)) return;
+    if (!groupHeading(context, section.name, "Expert", false)) return;
+    static constexpr std::array<Group, 2> kGroups{
+        {{"simulation",
           "Liquid metal",
-          {"viscosity", "gas_stiffness", "rest_density", "particle_mass", "support_radius"},
+          {"viscosity", "gas_stiffness", "rest_density", "particle_mass", "support_radius", "solidify_rate"},
           true},
          {"simulation",
           "Space and time",
           {"gravity", "wall_restitution", "wall_slip", "acceleration_limit", "time_step"},
           true}}};
-    const std::array<const ParameterSection*, 1> sections{&section};
-    drawGroups(context, sections, kGroups);
+    for (const Group& group : kGroups)
+        drawGroup(context, section, group);
+    drawGroup(context, section, "More", false, [&](const Parameter& p) {
+        return expert(p) &&
+               std::none_of(kGroups.begin(), kGroups.end(), [&p](const Group& group) { return stands(p, group); });
+    });
+}
+
+void machineMenu(Context& context, const ParameterSection& section, Controls& controls) {
+    beginPanel(context, "machine menu", Side::right);
+    panelTitle(context, "Machine", "What heats the metal. Everything takes effect at once.");
+    bool cold = controls.source().cold();
+    // Only the source of the classic lesson cools.
+    if (findParameter(section.parameters, "heat_temperature") != nullptr &&
+        toggle(context, "simulation.cold", "Cold source", cold, "Freezes what it touches instead of melting it (F)"))
+        controls.source().setCold(cold);
+    machinePart(context, section);
     ImGui::End();
 }
 
@@ -231,13 +234,13 @@ void helpOverlay(Context& context, bool& open) {
     constexpr std::array<Shortcut, 4> kFly{
         {{"Mouse", "look"}, {"W  S", "forwards and back"}, {"A  D", "to the sides"}, {"Q  E", "down and up"}}};
     constexpr std::array<Shortcut, 8> kProgram{{{"V", "work, or pause and look around"},
-                                                {"C", "catch or free the mouse"},
-                                                {"Escape", "free the mouse"},
+                                                {"H", "home: all lessons"},
+                                                {"C  Escape", "catch or free the mouse"},
                                                 {"F1", "this page"},
-                                                {"F2  F3  F4", "view, simulation, timings"},
+                                                {"F2  F3  F4", "view, machine, timings"},
                                                 {"Tab", "hide and show all panels"},
-                                                {"F11", "full screen"},
-                                                {"F12", "save a picture"}}};
+                                                {"F11  F12", "full screen; save a picture"},
+                                                {"Arrows  Enter", "in the list of lessons"}}};
     ImGui::Columns(2, "help columns", false);
     shortcutColumn(context, "The torch, while working", kTorch);
     shortcutColumn(context, "The metal", kHeat);

@@ -3,6 +3,7 @@
 
 #include "app/session/attempt/question.hpp"
 #include "app/session/controls.hpp"
+#include "app/session/home/home.hpp"
 #include "app/session/lesson_figures.hpp"
 #include "app/session/lesson_session.hpp"
 #include "app/session/menu_state.hpp"
@@ -26,20 +27,28 @@ float barHeight(const Context& context);
 /// The highest temperature: "1530 °C"; of the classic metal, whose scale has no unit, "0.53".
 ShortText hottestText(const LessonFigures& figures);
 
-MenuRequest startMenu(Context& context, const ParameterSection& start, const std::string& task,
-                      const std::string& driver);
+/// The list of lessons in the whole window. `help`: its button was pressed.
+MenuRequest homePage(Context& context, Home& home, const std::string& driver, bool& help);
+/// The same inside the current window, a few lessons a page, for the headset's panel.
+MenuRequest homePart(Context& context, Home& home);
+/// The lesson's first page: what is asked for, the machine's values, start.
+MenuRequest startMenu(Context& context, LessonSession& session, Home& home, const std::string& driver);
+/// The values that are chosen before the start, inside the current window.
+void setupPart(Context& context, LessonSections& sections);
 /// `judges`: the lesson's weld can be judged.
 MenuRequest topBar(Context& context, PanelState& panels, const Controls& controls, const std::string& lesson,
                    bool judges);
 void statusBar(Context& context, const LessonFigures& figures, const Controls& controls);
 void viewMenu(Context& context, std::span<const ParameterSection* const> sections);
-void simulationMenu(Context& context, const ParameterSection& section, Controls& controls);
+/// The machine's values; closed below them, in the expert drawer, the solver's.
+void machinePart(Context& context, const ParameterSection& section);
+void machineMenu(Context& context, const ParameterSection& section, Controls& controls);
 /// Width of the result panel with its gap to the picture; points.
 float resultReach(const Context& context);
 /// The judged attempt at the left: score, what to correct, verdict, measured weld.
-MenuRequest resultPanel(Context& context, const LessonSession& session);
+MenuRequest resultPanel(Context& context, const LessonSession& session, const Home& home);
 /// The same inside the current window, for the headset's panel.
-MenuRequest resultPart(Context& context, const LessonSession& session);
+MenuRequest resultPart(Context& context, const LessonSession& session, const Home& home);
 void timingsPanel(Context& context, const gl::Profiler& profiler, const LessonFigures& figures, double frameMs,
                   const std::string& driver, bool besideView);
 /// A question over all other panels, a button for each answer. Nothing where none is asked.
@@ -53,6 +62,8 @@ void messageStack(Context& context, Messages& messages, float left, float right)
 /// `left`: what panels cover at the left, points.
 void temperatureScale(Context& context, int colours, const TemperatureMeaning& meaning, float left);
 
+/// A picture with a thin edge, from corner to corner.
+void drawPicture(ImDrawList& draw, GLuint texture, ImVec2 low, ImVec2 high);
 /// The program's logo, a metal cube with a molten corner. `size` in points.
 void drawSign(ImDrawList& draw, ImVec2 centre, float size);
 /// The dark workshop glow behind the start menu.

@@ -70,12 +70,13 @@ void drawCorrections(Context& context, const std::vector<std::string>& correctio
     }
 }
 
-void drawJudgement(Context& context, const JudgedAttempt& attempt) {
+void drawJudgement(Context& context, const JudgedAttempt& attempt, const std::string& best) {
     const JudgementRows& rows = attempt.rows;
     ImGui::PushFont(context.fonts.title);
     ImGui::TextUnformatted(rows.score.c_str());
     ImGui::PopFont();
     markItem(context, "result.score");
+    if (!best.empty()) quietText(context, best);
     quietText(context, rows.scoreNote);
     ImGui::PushFont(context.fonts.strong);
     wrapped(rows.verdict, tintOf(rows.verdictState));
@@ -91,21 +92,34 @@ void drawJudgement(Context& context, const JudgedAttempt& attempt) {
     quietText(context, text);
 }
 
+/// The best score of the session's lesson; empty where there is none.
+std::string bestText(const LessonSession& session, const Home& home) {
+    const CataloguedLesson* lesson = home.find(session.lesson());
+    const BestScore* best = lesson == nullptr ? nullptr : home.scores.find(lesson->key);
+    return best == nullptr ? std::string() : bestScoreText(*best);
+}
+
 } // namespace
 
 float resultReach(const Context& context) {
     return context.points(kResultWidth + 10);
 }
 
-MenuRequest resultPart(Context& context, const LessonSession& session) {
+MenuRequest resultPart(Context& context, const LessonSession& session, const Home& home) {
     MenuRequest request = MenuRequest::none;
     if (button(context, "result.judge", "Judge the weld", session.judged() ? ButtonKind::plain : ButtonKind::main, 150))
         request = MenuRequest::judge;
     ImGui::SameLine();
     if (button(context, "result.again", "Again", session.judged() ? ButtonKind::main : ButtonKind::plain, 110))
         request = MenuRequest::reset;
+    ImGui::SameLine();
+    if (button(context, "result.home", "Home", ButtonKind::plain, 80, "All lessons (H)")) request = MenuRequest::home;
+    const CataloguedLesson* next = home.find(session.lesson().next);
+    if (next != nullptr && session.judged() &&
+        button(context, "result.next", ShortText{"Next: ", next->title}.c_str(), ButtonKind::plain))
+        request = MenuRequest::next;
     if (session.judged())
-        drawJudgement(context, *session.judged());
+        drawJudgement(context, *session.judged(), bestText(session, home));
     else if (session.arc().burns())
         quietText(context, "The arc burns. Let it go out, then the weld can be judged.");
     else
@@ -114,7 +128,7 @@ MenuRequest resultPart(Context& context, const LessonSession& session) {
     return request;
 }
 
-MenuRequest resultPanel(Context& context, const LessonSession& session) {
+MenuRequest resultPanel(Context& context, const LessonSession& session, const Home& home) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float gap = context.points(10);
     const float width = std::min(context.points(kResultWidth), screen.x - 2 * gap);
@@ -124,7 +138,7 @@ MenuRequest resultPanel(Context& context, const LessonSession& session) {
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
     strongText(context, "Result");
-    const MenuRequest request = resultPart(context, session);
+    const MenuRequest request = resultPart(context, session, home);
     ImGui::End();
     return request;
 }

@@ -1,4 +1,4 @@
-// The first screen: how much metal, how it is arranged, how fine its surface is.
+// A lesson's first page: what is asked for, the machine's values, start; and the program's logo and backdrop.
 #include "app/session/ui/panels.hpp"
 
 #include <algorithm>
@@ -85,37 +85,65 @@ void drawGlow(ImDrawList& draw, ImVec2 centre, float radius, ImU32 inner) {
     }
 }
 
-void introduction(Context& context, const std::string& task) {
+/// Picture, title and task of the lesson, and how far the trainee has come with it.
+void introduction(Context& context, const Lesson& lesson, Home& home) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float size = context.points(92);
-    drawSign(*ImGui::GetWindowDrawList(), {at.x + size / 2, at.y + size / 2}, size);
-    ImGui::Dummy({size, size});
+    const float height = context.points(92);
+    float width = height;
+    if (const GLuint picture = home.pictures.texture(lesson.listPicture); picture != 0) {
+        width = height * 16 / 9;
+        drawPicture(*ImGui::GetWindowDrawList(), picture, at, {at.x + width, at.y + height});
+    } else {
+        drawSign(*ImGui::GetWindowDrawList(), {at.x + height / 2, at.y + height / 2}, height);
+    }
+    ImGui::Dummy({width, height});
     ImGui::SameLine(0, context.points(22));
     ImGui::BeginGroup();
-    ImGui::PushFont(context.fonts.title);
-    ImGui::TextUnformatted("Meltpool");
-    ImGui::PopFont();
-    ImGui::PushStyleColor(ImGuiCol_Text, colour::kQuiet);
     ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(task.empty() ? "Melt metal where the flame touches it." : task.c_str());
+    strongText(context, lesson.title);
+    ImGui::TextUnformatted(lesson.text.empty() ? "Melt metal where the torch heats it." : lesson.text.c_str());
     ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
+    if (const CataloguedLesson* listed = home.find(lesson)) quietText(context, home.standing(*listed));
     ImGui::EndGroup();
 }
 
+/// A parameter with what it does below it.
+void explained(Context& context, const ParameterSection& section, const Parameter& parameter) {
+    parameterControl(context, section.name, parameter, section.defaults);
+    quietText(context, sentence(parameter.note));
+    ImGui::Dummy({0, context.points(3)});
+}
+
+/// The section's values that stand in the expert drawer, or those that do not.
+void explainAll(Context& context, const ParameterSection& section, bool expert) {
+    for (const Parameter& parameter : section.parameters)
+        if (section.shows(parameter) && section.isExpert(parameter) == expert) explained(context, section, parameter);
+}
+
 /// The values, in an area that scrolls where the window is too small for all, so that the buttons below stay visible.
-void values(Context& context, const ParameterSection& start, float screenHeight) {
-    const float room = std::max(context.points(120), screenHeight - context.points(350));
+void values(Context& context, LessonSections& sections, float screenHeight) {
+    const float room = std::max(context.points(120), screenHeight - context.points(400));
     const float height = std::min(context.startValuesHeight, room);
     ImGui::BeginChild("values", {0, height > 0 ? height : room});
-    for (const Parameter& parameter : start.parameters) {
-        if (!start.shows(parameter)) continue;
-        parameterControl(context, start.name, parameter, start.defaults);
-        quietText(context, sentence(parameter.note));
-        ImGui::Dummy({0, context.points(3)});
-    }
+    setupPart(context, sections);
     context.startValuesHeight = ImGui::GetCursorPosY();
     ImGui::EndChild();
+}
+
+/// The buttons below the values.
+MenuRequest startButtons(Context& context) {
+    MenuRequest request = MenuRequest::none;
+    const float half = (ImGui::GetContentRegionAvail().x / context.scale - 12) / 2;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {context.points(12), context.points(11)});
+    if (button(context, "start.start", "Start", ButtonKind::main, half, "Weld with these values (Enter)"))
+        request = MenuRequest::start;
+    ImGui::SameLine(0, context.points(12));
+    if (button(context, "start.defaults", "Start with defaults", ButtonKind::plain, half,
+               "Forget the values above and use the lesson's own"))
+        request = MenuRequest::startWithDefaults;
+    ImGui::PopStyleVar();
+    if (button(context, "start.home", "Home", ButtonKind::plain, half, "All lessons (H)")) request = MenuRequest::home;
+    return request;
 }
 
 } // namespace
@@ -147,31 +175,30 @@ void drawBackdrop(float width, float height) {
     drawGlow(draw, {width * 0.5f, height * 1.05f}, height * 0.45f, IM_COL32(255, 190, 110, 60));
 }
 
-MenuRequest startMenu(Context& context, const ParameterSection& start, const std::string& task,
-                      const std::string& driver) {
+void setupPart(Context& context, LessonSections& sections) {
+    explainAll(context, sections.start, false);
+    if (groupHeading(context, "start", "Machine")) explainAll(context, sections.simulation, false);
+    if (!groupHeading(context, "start", "Expert", false)) return;
+    explainAll(context, sections.start, true);
+    explainAll(context, sections.simulation, true);
+}
+
+MenuRequest startMenu(Context& context, LessonSession& session, Home& home, const std::string& driver) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     drawBackdrop(screen.x, screen.y);
     const float width = std::min(context.points(600), screen.x - context.points(24));
     ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, screen.y - context.points(16)});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.points(36), context.points(30)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.points(36), context.points(26)});
     ImGui::Begin("start menu", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
     ImGui::PopStyleVar();
-    introduction(context, task);
-    ImGui::Dummy({0, context.points(10)});
-    values(context, start, screen.y);
+    introduction(context, session.lesson(), home);
+    ImGui::Dummy({0, context.points(6)});
+    values(context, session.sections(), screen.y);
     ImGui::Dummy({0, context.points(8)});
-    MenuRequest request = MenuRequest::none;
-    const float half = (ImGui::GetContentRegionAvail().x / context.scale - 12) / 2;
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {context.points(12), context.points(11)});
-    if (button(context, "start.start", "Start", ButtonKind::main, half)) request = MenuRequest::start;
-    ImGui::SameLine(0, context.points(12));
-    if (button(context, "start.defaults", "Start with defaults", ButtonKind::plain, half,
-               "Forget the values above and use the ones the program came with"))
-        request = MenuRequest::startWithDefaults;
-    ImGui::PopStyleVar();
+    const MenuRequest request = startButtons(context);
     ImGui::Dummy({0, context.points(2)});
     quietText(context, driver);
     ImGui::End();

@@ -91,6 +91,7 @@ TrainerWindow::TrainerWindow(const std::string& name, const Options& options)
     if (!options.settings.empty()) writeTextFileAtomically(settingsFile(), options.settings);
     Process::Options process;
     process.command = {MELTPOOL_PROGRAM, "--telemetry", telemetry_.string()};
+    if (!options.lesson.empty()) process.command.insert(process.command.end(), {"--lesson", options.lesson});
     process.command.insert(process.command.end(), options.arguments.begin(), options.arguments.end());
     const fs::path data = options.data.empty() ? fs::path(MELTPOOL_BINARY_FOLDER) / "share" / "meltpool" : options.data;
     process.environment = {{"DISPLAY", display_},
@@ -186,14 +187,14 @@ std::array<double, 4> TrainerWindow::place(const std::string& name) {
     bool overPanel = false;
     for (int notch = 0; notch < 24; ++notch) {
         // A control at the panel's edge is in sight but not in reach: it must be whole, above the status bar.
-        const double low = now.at("window").at("size").at(1).get<double>() - (now.at("page") == "start" ? 0 : 65);
+        const double low = now.at("window").at("size").at(1).get<double>() - (now.at("page") == "running" ? 65 : 0);
         if (const auto found = find(now); found && (*found)[1] + (*found)[3] < low) {
             // A notch of the wheel that is still under way would move the control from under the mouse.
             now = settle();
             if (find(now) == found) return *found;
             continue;
         }
-        if (!overPanel) moveMouse(now.at("page") == "start" ? width / 2 : (left ? 200 : width - 200), 300);
+        if (!overPanel) moveMouse(now.at("page") != "running" ? width / 2 : (left ? 200 : width - 200), 300);
         overPanel = true;
         xdotool({"click", "--repeat", "3", "--delay", "5", notch < 10 ? "5" : "4"});
         now = settle();

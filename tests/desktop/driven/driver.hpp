@@ -34,6 +34,7 @@ class TrainerWindow {
   public:
     struct Options {
         std::string settings = kSmallSettings; ///< what the settings file holds at the start; empty: there is none
+        std::string lesson = "classic";        ///< named on the command line; empty: none is
         std::vector<std::string> arguments = {};
         std::filesystem::path data = {}; ///< shaders and data; empty: those of the build
         VirtualDisplay* display = nullptr;

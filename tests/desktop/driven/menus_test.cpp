@@ -37,9 +37,9 @@ const std::vector<Control> kViewControls{{"view.point_size"},
                                          {"controls.camera_speed"},
                                          {"controls.invert_look", true}};
 const std::vector<std::string> kSimulationNumbers{
-    "simulation.heat_radius",        "simulation.heat_temperature", "simulation.solidify_rate",
-    "simulation.viscosity",          "simulation.gas_stiffness",    "simulation.rest_density",
-    "simulation.particle_mass",      "simulation.support_radius",   "simulation.wall_restitution",
+    "simulation.heat_radius",        "simulation.heat_temperature", "simulation.viscosity",
+    "simulation.gas_stiffness",      "simulation.rest_density",     "simulation.particle_mass",
+    "simulation.support_radius",     "simulation.solidify_rate",    "simulation.wall_restitution",
     "simulation.acceleration_limit", "simulation.time_step"};
 
 std::string valueOf(const json& state, const std::string& name) {
@@ -73,7 +73,7 @@ TEST_CASE("everything in the view menu is live") {
     window.start();
     window.key("F3");
     window.click("bar.view");
-    for (const char* folded : {"view.group.Light", "surface.group.Surface", "controls.group.Mouse and keys"})
+    for (const char* folded : {"view.group.Light", "surface.group.Expert: surface", "controls.group.Mouse and keys"})
         window.click(folded);
     for (const Control& control : kViewControls) {
         INFO(control.name);
@@ -87,9 +87,11 @@ TEST_CASE("everything in the view menu is live") {
     CHECK(valueOf(window.settle(), "view.ambient") == "0.4");
 }
 
-TEST_CASE("everything in the simulation menu is live") {
+TEST_CASE("everything in the machine menu and its expert drawer is live") {
     TrainerWindow window("simulation-menu", {});
     window.start();
+    CHECK_FALSE(window.settle().at("places").contains("simulation.viscosity")); // in the expert drawer
+    window.click("simulation.group.Expert");
     for (const std::string& name : kSimulationNumbers) {
         INFO(name);
         changes(window, name, [&] { window.pull(name, 0.62); });
@@ -150,7 +152,7 @@ TEST_CASE("on a screen of double density everything is twice as large") {
     CHECK(window.state().at("window").at("scale") == 2.0);
     window.takePicture("double-density-start");
     window.start();
-    CHECK(window.place("bar.reset")[2] == Approx(172));
+    CHECK(window.place("bar.reset")[2] == Approx(144));
     window.takePicture("double-density");
 }
 

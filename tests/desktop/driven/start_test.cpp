@@ -29,6 +29,8 @@ TEST_CASE("the start menu sets particles, arrangement, influence and grid; start
     json s = window.state();
     CHECK(s.at("page") == "start");
     CHECK(parameterIn(s, "start", "particles") == "1000");
+    CHECK_FALSE(s.at("places").contains("start.particles")); // in the expert drawer
+    window.click("start.group.Expert");
     window.pull("start.particles", 0.3);
     window.click("start.arrangement.random");
     window.pull("start.cells", 0.2);
@@ -55,6 +57,7 @@ TEST_CASE("the start menu sets particles, arrangement, influence and grid; start
 
 TEST_CASE("a slider takes a typed number and gives its first value back") {
     TrainerWindow window("typing", {});
+    window.click("start.group.Expert");
     const auto [x, y, width, height] = window.place("start.particles");
     window.moveMouse(x + width / 2, y + height / 2);
     window.xdotool({"keydown", "ctrl"});
@@ -75,6 +78,7 @@ TEST_CASE("a slider takes a typed number and gives its first value back") {
 TEST_CASE("closing the window ends the program well and keeps the settings") {
     const auto folder = [] {
         TrainerWindow window("closing", {});
+        window.click("start.group.Expert");
         window.click("start.arrangement.random");
         window.start();
         window.click("bar.view");
@@ -99,6 +103,7 @@ TEST_CASE("closing the window ends the program well and keeps the settings") {
 TEST_CASE("SIGINT and SIGTERM end the program as the window's cross does") {
     for (const int number : {SIGINT, SIGTERM}) {
         TrainerWindow window("signal", {});
+        window.click("start.group.Expert");
         window.click("start.arrangement.random");
         window.process().signal(number);
         CHECK(window.finish() == 0);

@@ -142,15 +142,40 @@ TEST_CASE("a settings file of a key with 40,000 parts is set aside, not parsed")
 }
 
 TEST_CASE("settings that will not be saved are told at the start") {
-    Lesson lesson = loadLesson(std::string(kDefaultLesson));
-    LessonSections sections(lesson);
-    DesktopSettings lost("/proc/nowhere/settings.toml", lesson.key);
-    const auto faults = lost.load(sections, {});
+    DesktopSettings lost("/proc/nowhere/settings.toml");
+    const auto faults = lost.load({});
     REQUIRE(faults.size() == 1);
     CHECK_THAT(faults[0], test::containsText("The settings of this session cannot be saved: /proc/nowhere"));
-    CHECK_THROWS_AS(lost.save(sections, {}), InputError);
-    DesktopSettings kept(test::scratchFolder("settings-savable") / "new" / "settings.toml", lesson.key);
-    CHECK(kept.load(sections, {}).empty());
+    CHECK_THROWS_AS(lost.save({}), InputError);
+    DesktopSettings kept(test::scratchFolder("settings-savable") / "new" / "settings.toml");
+    CHECK(kept.load({}).empty());
+}
+
+TEST_CASE("the default lesson's values are kept while others are opened, theirs are not") {
+    const fs::path file = fileWith("settings-lessons", "[start]\nparticles = 1000\n[view]\nexposure = 2\n");
+    DesktopSettings settings(file);
+    CHECK(settings.load({}).empty());
+    Lesson classic = loadLesson(std::string(kDefaultLesson)), bead = loadLesson("gmaw-bead");
+    LessonSections ofClassic(classic), ofBead(bead);
+    settings.giveTo(classic, ofClassic);
+    CHECK(classic.setup.particles == 1000);
+    CHECK(classic.look.exposure == 2);
+    settings.giveTo(bead, ofBead);
+    CHECK(bead.look.exposure != 2);
+    classic.setup.particles = 1728;
+    ofClassic.attempt.forScore = true;
+    bead.look.exposure = 3;
+    settings.takeFrom(classic, ofClassic);
+    settings.takeFrom(bead, ofBead);
+    settings.save({});
+    DesktopSettings again(file);
+    CHECK(again.load({}).empty());
+    Lesson then = loadLesson(std::string(kDefaultLesson));
+    LessonSections ofThen(then);
+    again.giveTo(then, ofThen);
+    CHECK(then.setup.particles == 1728);
+    CHECK(then.look.exposure == 2);
+    CHECK(ofThen.attempt.forScore);
 }
 
 TEST_CASE("messages go after their time; held ones stay until their fault is gone or they are put away") {

@@ -1,0 +1,55 @@
+// The home page that window and headset share: which lessons there are, which one is chosen, the best scores.
+#pragma once
+
+#include "app/session/home/best_scores.hpp"
+#include "app/session/home/lesson_catalogue.hpp"
+#include "app/session/home/lesson_pictures.hpp"
+#include "app/session/input.hpp"
+#include "core/training/lesson.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace meltpool {
+
+class Home {
+  public:
+    /// `lessons`: the catalogue's folder. `scores`: the file of best scores. Throws InputError where the folder cannot
+    /// be read.
+    Home(const std::filesystem::path& lessons, const std::filesystem::path& scores);
+
+    bool open = false; ///< the page is shown instead of a lesson
+
+    const std::vector<CataloguedLesson>& lessons() const { return lessons_; }
+    /// Null where the catalogue has no such lesson.
+    const CataloguedLesson* find(std::string_view key) const;
+    /// The same of a lesson that was read; null for one from a file elsewhere.
+    const CataloguedLesson* find(const Lesson& lesson) const;
+
+    /// The lesson that a request to open one means; the default lesson at first.
+    const CataloguedLesson& chosen() const { return lessons_[chosen_]; }
+    size_t chosenIndex() const { return chosen_; }
+    void choose(size_t index);
+    void choose(std::string_view key);
+    /// Moves the choice as the arrow keys do in a page of `columns` columns.
+    void move(Key key);
+    size_t columns = 1; ///< of the window's page as last drawn
+    size_t page = 0;    ///< of the headset's list
+    /// True once after move(): the page brings the chosen lesson in sight.
+    bool takeMoved();
+
+    /// "Level 2 of 5 · Best 84, accepted": what stands below a lesson's title.
+    std::string standing(const CataloguedLesson& lesson) const;
+
+    BestScores scores;
+    LessonPictures pictures;
+
+  private:
+    std::vector<CataloguedLesson> lessons_;
+    size_t chosen_ = 0;
+    bool moved_ = false;
+};
+
+} // namespace meltpool

@@ -1,0 +1,21 @@
+// The lessons' pictures as textures of the home page.
+#pragma once
+
+#include "core/gl/texture.hpp"
+
+#include <filesystem>
+#include <map>
+
+namespace meltpool {
+
+class LessonPictures {
+  public:
+    /// The picture's texture, loaded when it is first asked for; 0 where there is none or it cannot be read. Its
+    /// colours are sRGB-encoded, as Dear ImGui draws them. Needs a current OpenGL context.
+    GLuint texture(const std::filesystem::path& file);
+
+  private:
+    std::map<std::filesystem::path, gl::Texture> textures_;
+};
+
+} // namespace meltpool

@@ -1,0 +1,152 @@
+// The home page: the lessons with picture, level and best score, in the window and on the headset's panel.
+#include "app/session/ui/panels.hpp"
+
+#include <algorithm>
+
+namespace meltpool::ui {
+
+namespace {
+
+constexpr float kTileWidth = 214;  ///< points, the least in the window
+constexpr float kWidestTile = 300; ///< points
+constexpr float kRowHeight = 70;   ///< points, of a lesson on the headset's panel
+constexpr size_t kRowsAPage = 4;   ///< of those
+constexpr float kPictureShape = 16.0f / 9;
+
+/// A place for a picture that there is none of: the logo on a dark ground.
+void drawPlainTile(ImDrawList& draw, ImVec2 low, ImVec2 high) {
+    fillRounded(draw, low, high, colour::kTrack, 0);
+    drawSign(draw, {(low.x + high.x) / 2, (low.y + high.y) / 2}, (high.y - low.y) * 0.5f);
+}
+
+/// The lesson's picture and words; the words stand below the picture, or beside it.
+void drawLesson(Context& context, Home& home, const CataloguedLesson& lesson, ImVec2 low, ImVec2 high, bool beside) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const float pad = context.points(8);
+    const float height = beside ? high.y - low.y - 2 * pad : (high.x - low.x) / kPictureShape;
+    const ImVec2 corner = beside ? ImVec2{low.x + pad, low.y + pad} : low;
+    const ImVec2 end{corner.x + height * kPictureShape, corner.y + height};
+    if (const GLuint picture = home.pictures.texture(lesson.picture); picture != 0)
+        drawPicture(draw, picture, corner, end);
+    else
+        drawPlainTile(draw, corner, end);
+
+    const ImVec2 at = beside ? ImVec2{end.x + pad, low.y + pad} : ImVec2{low.x + pad, end.y + pad / 2};
+    const float width = high.x - pad - at.x;
+    const float scale = ImGui::GetIO().FontGlobalScale;
+    ImFont* strong = context.fonts.strong;
+    ImFont* small = context.fonts.small;
+    const float line = strong->FontSize * scale;
+    const float quiet = small->FontSize * scale;
+    draw.PushClipRect(at, {high.x - pad / 2, high.y}, true);
+    draw.AddText(strong, line, at, colour::kText, lesson.title.c_str(), nullptr, width);
+    const bool usable = lesson.fault.empty();
+    const std::string standing = usable ? home.standing(lesson) : std::string("This lesson's file is at fault.");
+    draw.AddText(small, quiet, {at.x, high.y - quiet - pad}, usable ? colour::kQuiet : colour::kWarning,
+                 standing.c_str());
+    draw.PopClipRect();
+}
+
+/// One lesson of the list; true when it was chosen.
+bool lessonTile(Context& context, Home& home, size_t index, ImVec2 size, bool beside) {
+    const CataloguedLesson& lesson = home.lessons()[index];
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 high{low.x + size.x, low.y + size.y};
+    const std::string name = "home.lesson." + lesson.key;
+    const bool clicked = ImGui::InvisibleButton(name.c_str(), size);
+    markItem(context, name);
+    const bool hovered = ImGui::IsItemHovered();
+    if (hovered) tooltip(context, lesson.fault.empty() ? lesson.text : lesson.fault);
+    if (clicked) home.choose(index);
+    if (!ImGui::IsItemVisible()) return clicked;
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    fillRounded(draw, low, high, hovered ? colour::kFieldHot : colour::kField, context.points(4));
+    drawLesson(context, home, lesson, low, high, beside);
+    const bool chosen = !beside && index == home.chosenIndex(); // the panel's pointer needs no choice by keys
+    if (chosen || hovered)
+        outlineRounded(draw, low, high, chosen ? colour::kAccent : colour::kQuiet, context.points(4));
+    return clicked;
+}
+
+bool lessonGrid(Context& context, Home& home) {
+    const float gap = context.points(14);
+    const float room = ImGui::GetContentRegionAvail().x;
+    const float fits = (room + gap) / (context.points(kTileWidth) + gap);
+    home.columns = static_cast<size_t>(std::max(1.0f, fits));
+    const auto columns = static_cast<float>(home.columns);
+    const float width = std::min((room - gap * (columns - 1)) / columns, context.points(kWidestTile));
+    const float words = 2 * context.fonts.strong->FontSize + context.fonts.small->FontSize;
+    const ImVec2 size{width, width / kPictureShape + words * ImGui::GetIO().FontGlobalScale + context.points(20)};
+    const bool moved = home.takeMoved();
+    bool chosen = false;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
+    for (size_t i = 0; i < home.lessons().size(); ++i) {
+        if (i % home.columns != 0) ImGui::SameLine();
+        chosen = lessonTile(context, home, i, size, false) || chosen;
+        if (moved && i == home.chosenIndex()) ImGui::SetScrollHereY();
+    }
+    ImGui::PopStyleVar();
+    return chosen;
+}
+
+} // namespace
+
+void drawPicture(ImDrawList& draw, GLuint texture, ImVec2 low, ImVec2 high) {
+    draw.AddImage((ImTextureID)(intptr_t)texture, low, high); // NOLINT: a pointer or a number by Dear ImGui's version
+    outlineRounded(draw, low, high, colour::kPanelEdge, 0);
+}
+
+MenuRequest homePage(Context& context, Home& home, const std::string& driver, bool& help) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    drawBackdrop(screen.x, screen.y);
+    ImGui::SetNextWindowPos({0, 0});
+    ImGui::SetNextWindowSize(screen);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.points(24), context.points(16)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
+    ImGui::Begin("home", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBackground |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollbar |
+                     ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::PopStyleVar(2);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float sign = context.points(52);
+    drawSign(*ImGui::GetWindowDrawList(), {at.x + sign / 2, at.y + sign / 2}, sign);
+    ImGui::Dummy({sign, sign});
+    ImGui::SameLine(0, context.points(14));
+    ImGui::BeginGroup();
+    ImGui::PushFont(context.fonts.title);
+    ImGui::TextUnformatted("Lessons");
+    ImGui::PopFont();
+    quietText(context, "Click a lesson, or choose one with the arrow keys and press Enter.");
+    ImGui::EndGroup();
+    ImGui::BeginChild("lessons", {0, -context.points(44)});
+    const bool chosen = lessonGrid(context, home);
+    ImGui::EndChild();
+    if (button(context, "home.help", "Help", help ? ButtonKind::lit : ButtonKind::plain, 86, "All keys (F1)"))
+        help = !help;
+    ImGui::SameLine(0, context.points(14));
+    ImGui::AlignTextToFramePadding();
+    quietText(context, driver);
+    ImGui::End();
+    return chosen ? MenuRequest::openLesson : MenuRequest::none;
+}
+
+MenuRequest homePart(Context& context, Home& home) {
+    MenuRequest request = MenuRequest::none;
+    const size_t count = home.lessons().size();
+    const size_t pages = (count + kRowsAPage - 1) / kRowsAPage;
+    home.page = std::min(home.page, pages - 1);
+    const ImVec2 size{ImGui::GetContentRegionAvail().x, context.points(kRowHeight)};
+    for (size_t i = home.page * kRowsAPage; i < std::min(count, (home.page + 1) * kRowsAPage); ++i)
+        if (lessonTile(context, home, i, size, true)) request = MenuRequest::openLesson;
+    if (pages == 1) return request;
+    if (button(context, "home.previous", "Previous", ButtonKind::plain, 100) && home.page > 0) --home.page;
+    ImGui::SameLine();
+    if (button(context, "home.following", "More", ButtonKind::plain, 100) && home.page + 1 < pages) ++home.page;
+    ImGui::SameLine();
+    quietText(context, "Page " + std::to_string(home.page + 1) + " of " + std::to_string(pages));
+    return request;
+}
+
+} // namespace meltpool::ui

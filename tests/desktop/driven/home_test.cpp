@@ -1,0 +1,181 @@
+// From the list of lessons to the result and back, with mouse and keys in the running window.
+#include "core/base/image.hpp"
+#include "core/base/text.hpp"
+#include "tests/desktop/driven/driver.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+namespace meltpool::test {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+const char* const kWindow = "[window]\nwidth = 1024\nheight = 640\n";
+
+/// A bead on a small plate: quick on any machine, and seen from the front, so that arrow keys lead along and across.
+const char* const kSmallBead = R"(title = "A small bead"
+text = "Weld along the plate."
+level = 2
+next = "classic"
+model = "weld"
+torch = "../paths/bead-on-plate.toml"
+[workpiece]
+workpiece = "plate"
+metal = "s235"
+length_mm = 30
+width_mm = 18
+thickness_mm = 4
+[process]
+process = "gmaw"
+voltage = 23
+wire_feed_m_min = 4.5
+[technique]
+length_from_mm = -10
+length_to_mm = 10
+travel_speed = { ideal = 8, inner = 4, outer = 8 }
+[acceptance]
+use = "iso5817-d"
+[surface]
+cells = 32
+[camera]
+azimuth = 0
+elevation = 30
+[[picture]]
+name = "metal"
+)";
+
+/// The build's data with two lessons only: the classic one and "small-bead".
+fs::path smallCatalogue() {
+    const fs::path share = scratchFolder("home-data");
+    const fs::path built = fs::path(MELTPOOL_BINARY_FOLDER) / "share" / "meltpool";
+    fs::create_directory_symlink(fs::canonical(built / "shaders"), share / "shaders");
+    fs::create_directories(share / "data" / "lessons");
+    for (const auto& entry : fs::directory_iterator(fs::canonical(built / "data")))
+        if (entry.path().filename() != "lessons")
+            fs::create_directory_symlink(entry.path(), share / "data" / entry.path().filename());
+    fs::copy_file(built / "data" / "lessons" / "classic.toml", share / "data" / "lessons" / "classic.toml");
+    writeTextFileAtomically(share / "data" / "lessons" / "small-bead.toml", kSmallBead);
+    return share;
+}
+
+void waitForPage(TrainerWindow& window, const std::string& page) {
+    window.waitFor("the page " + page, [&](const json& s) { return s.at("page") == page; });
+}
+
+/// Leads the torch by keys from its home over the seam's beginning, `mm` over the plate's top.
+void goToTheSeam(TrainerWindow& window, double mm) {
+    const auto torch = [](const json& s, size_t axis) { return s.at("torch").at("tip_mm").at(axis).get<double>(); };
+    const auto stepUntil = [&](const char* key, const std::function<bool(const json&)>& done) {
+        for (int i = 0; i < 60 && !done(window.settle()); ++i)
+            window.key(key);
+        window.waitFor("the torch over the seam", done);
+    };
+    stepUntil("Up", [&](const json& s) { return torch(s, 2) < 1.1; });
+    stepUntil("Left", [&](const json& s) { return torch(s, 0) < -7; });
+    stepUntil("Next", [&](const json& s) { return torch(s, 1) < mm + 1.1; });
+}
+
+} // namespace
+
+TEST_CASE("without a lesson named the window opens on the list of lessons, and nothing runs") {
+    TrainerWindow window("home", {.settings = kWindow, .lesson = ""});
+    const json s = window.settle();
+    CHECK(s.at("page") == "home");
+    CHECK(s.at("metal").at("steps") == 0);
+    CHECK(s.at("messages").empty());
+    CHECK_FALSE(s.at("places").contains("start.particles"));
+    for (const char* lesson : {"home.lesson.classic", "home.lesson.solder-cube"}) {
+        INFO(lesson);
+        REQUIRE(s.at("places").contains(lesson));
+        const auto [x, y, width, height] = s.at("places").at(lesson).get<std::array<double, 4>>();
+        CHECK(x >= 0);
+        CHECK(x + width <= 1024);
+        CHECK(y + height <= 640);
+    }
+    window.takePicture("home");
+    for (const auto& [width, height] : {std::pair{640, 480}, {1600, 1000}}) {
+        window.xdotool({"search", "--name", "^Meltpool$", "windowsize", std::to_string(width), std::to_string(height)});
+        window.waitFor("the new size", [w = width, h = height](const json& t) {
+            return t.at("window").at("pixels") == json({w, h});
+        });
+        CHECK(window.place("home.lesson.classic")[0] >= 0);
+        CHECK(window.place("home.help")[1] < height);
+        window.takePicture("home-" + std::to_string(width));
+    }
+}
+
+TEST_CASE("two strokes of Enter start the default lesson; H, Escape and the arrow keys lead through the pages") {
+    TrainerWindow window("home-keys", {.lesson = "", .data = smallCatalogue()});
+    CHECK(window.state().at("page") == "home");
+    window.key("Return");
+    waitForPage(window, "start");
+    CHECK(parameterIn(window.settle(), "start", "particles") == "1000"); // as kept in the settings
+    window.key("Return");
+    window.waitFor("the metal", [](const json& s) { return s.at("metal").at("steps") > 0; });
+    CHECK(window.state().at("metal").at("particles") == 1000);
+    window.key("h");
+    waitForPage(window, "home");
+    CHECK(window.settle().at("metal").at("steps") == 0);
+    window.key("Right");
+    window.settle();
+    window.key("Return");
+    waitForPage(window, "start");
+    CHECK(parameterIn(window.settle(), "simulation", "voltage") == "23");
+    window.key("Escape");
+    waitForPage(window, "home");
+    window.click("home.lesson.classic");
+    waitForPage(window, "start");
+    CHECK(parameterIn(window.settle(), "start", "particles") == "1000");
+    window.click("start.home");
+    waitForPage(window, "home");
+    window.closeWindow();
+    CHECK(window.finish() == 0);
+    CHECK_THAT(readTextFile(window.settingsFile()), containsText("particles = 1000"));
+}
+
+TEST_CASE("a lesson is picked from the list, welded by keys and mouse, judged, welded again, and its score kept") {
+    const fs::path data = smallCatalogue();
+    TrainerWindow window("home-weld", {.settings = kWindow, .lesson = "", .data = data});
+    window.click("home.lesson.small-bead");
+    waitForPage(window, "start");
+    window.takePicture("lesson-page");
+    CHECK_FALSE(window.settle().at("places").contains("start.spacing_mm")); // in the expert drawer
+    window.click("start.start");
+    window.waitFor("the metal", [](const json& s) { return s.at("metal").at("steps") > 0; });
+    goToTheSeam(window, 4);
+    window.moveMouse(500, 300);
+    window.xdotool({"mousedown", "1"});
+    window.waitFor("a pool", [](const json& s) { return s.at("metal").at("molten") > 5; });
+    for (int i = 0; i < 8; ++i) {
+        window.key("Right");
+        window.settle();
+    }
+    window.takePicture("welding");
+    window.xdotool({"mouseup", "1"});
+    window.waitFor("the judgement", [](const json& s) { return !s.at("judgement").is_null(); });
+    const json judged = window.waitFor("the result", [](const json& s) { return s.at("panels").at("result") == true; });
+    INFO(judged.at("judgement").dump());
+    CHECK(judged.at("judgement").at("score").get<std::string>().find(" of 100") != std::string::npos);
+    window.takePicture("result");
+    const fs::path scores = window.settingsFile().parent_path() / "best-scores.toml";
+    CHECK_THAT(readTextFile(scores), containsText("small-bead") && containsText("score = "));
+
+    const json before = window.settle();
+    window.click("result.again");
+    const json again = window.waitFor("another attempt", [](const json& s) {
+        return s.at("judgement").is_null() && s.at("metal").at("molten") == 0 && s.at("metal").at("time") < 2;
+    });
+    WARN("another attempt began " << again.at("frame").get<long long>() - before.at("frame").get<long long>()
+                                  << " frames and "
+                                  << again.at("seconds").get<double>() - before.at("seconds").get<double>()
+                                  << " s after the last look, the click's own frames among them");
+    window.key("h");
+    waitForPage(window, "home");
+    window.takePicture("home-score");
+    window.closeWindow();
+    CHECK(window.finish() == 0);
+}
+
+} // namespace meltpool::test

@@ -1,0 +1,117 @@
+// The home page without a window: which lessons it lists in which order, and how keys move the choice.
+#include "app/session/home/home.hpp"
+#include "core/base/error.hpp"
+#include "core/base/resources.hpp"
+#include "core/base/text.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+namespace meltpool {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path shippedLessons() {
+    return resourceFolder() / "data" / "lessons";
+}
+
+/// A folder of lessons with these texts by name.
+fs::path lessonsWith(const std::string& name, const std::map<std::string, std::string>& texts) {
+    const fs::path folder = test::scratchFolder(name) / "lessons";
+    fs::create_directories(folder);
+    for (const auto& [key, text] : texts)
+        writeTextFileAtomically(folder / (key + ".toml"), text);
+    return folder;
+}
+
+} // namespace
+
+TEST_CASE("the shipped lessons are listed without a fault; the easiest come first, and the default is chosen") {
+    Home home(shippedLessons(), test::scratchFolder("home-shipped") / "best-scores.toml");
+    REQUIRE(home.lessons().size() >= 5);
+    int level = 1;
+    for (const CataloguedLesson& lesson : home.lessons()) {
+        INFO(lesson.key << ": " << lesson.fault);
+        CHECK(lesson.fault.empty());
+        CHECK_FALSE(lesson.title.empty());
+        CHECK_FALSE(lesson.text.empty());
+        CHECK(lesson.level >= level);
+        level = lesson.level;
+        if (!lesson.next.empty()) CHECK(home.find(lesson.next) != nullptr);
+    }
+    CHECK(home.chosen().key == kDefaultLesson);
+    CHECK(home.find(readLesson(shippedLessons() / "gmaw-bead.toml")) == home.find("gmaw-bead"));
+    CHECK(home.find("knitting") == nullptr);
+}
+
+TEST_CASE("a lesson at fault is listed with its sentence, after those that can be used") {
+    const fs::path folder = lessonsWith(
+        "home-faults",
+        {{"a", "title = 'A'\nlevel = 9\n"}, {"b", "title = 'B'\n"}, {"c", "level = 2\n"}, {"d", "level = 1\n"}});
+    const Home home(folder, folder / "best-scores.toml");
+    std::string order;
+    for (const CataloguedLesson& lesson : home.lessons())
+        order += lesson.key;
+    CHECK(order == "dcab"); // without a level by name
+    CHECK_THAT(home.find("a")->fault, test::containsText("a.toml:2: level"));
+    CHECK(home.find("a")->title == "a");
+    CHECK(home.find("b")->title == "B");
+    CHECK_THROWS_AS(Home(lessonsWith("home-empty", {}), folder / "best-scores.toml"), InputError);
+    CHECK_THROWS_AS(Home(folder / "none", folder / "best-scores.toml"), InputError);
+}
+
+TEST_CASE("arrow keys move the choice through rows of lessons and stop at both ends") {
+    std::map<std::string, std::string> texts;
+    for (const char* key : {"a", "b", "c", "d", "e"})
+        texts[key] = "level = 1\n";
+    const fs::path folder = lessonsWith("home-keys", texts);
+    Home home(folder, folder / "best-scores.toml");
+    home.columns = 3;
+    const auto after = [&](Key key) {
+        home.move(key);
+        return home.chosen().key;
+    };
+    CHECK(after(Key::left) == "a");
+    CHECK_FALSE(home.takeMoved());
+    CHECK(after(Key::up) == "a");
+    CHECK(after(Key::right) == "b");
+    CHECK(home.takeMoved());
+    CHECK_FALSE(home.takeMoved());
+    CHECK(after(Key::down) == "e");
+    CHECK(after(Key::down) == "e");
+    CHECK(after(Key::right) == "e");
+    CHECK(after(Key::up) == "b");
+    CHECK(after(Key::enter) == "b");
+    home.choose("d");
+    CHECK(after(Key::left) == "c");
+    home.choose("knitting");
+    CHECK(home.chosen().key == "c");
+}
+
+TEST_CASE("level and best score stand below a lesson's title") {
+    const fs::path folder = lessonsWith("home-standing", {{"a", "level = 2\n"}, {"b", ""}});
+    Home home(folder, folder.parent_path() / "best-scores.toml");
+    CHECK(home.standing(*home.find("a")) == "Level 2 of 5");
+    CHECK(home.standing(*home.find("b")).empty());
+    home.scores.offer("a", {71.6, true});
+    home.scores.offer("b", {12});
+    CHECK(home.standing(*home.find("a")) == "Level 2 of 5 \xC2\xB7 Best 72, accepted");
+    CHECK(home.standing(*home.find("b")) == "Best 12");
+}
+
+TEST_CASE("a lesson's picture is a texture; a missing or broken one is none") {
+    test::context();
+    const fs::path folder = test::scratchFolder("home-pictures");
+    Image image{4, 3, std::vector<std::uint8_t>(36, 200)};
+    writePng(folder / "whole.png", image);
+    writeTextFileAtomically(folder / "broken.png", "no picture");
+    LessonPictures pictures;
+    const GLuint texture = pictures.texture(folder / "whole.png");
+    CHECK(texture != 0);
+    CHECK(pictures.texture(folder / "whole.png") == texture);
+    CHECK(pictures.texture(folder / "broken.png") == 0);
+    CHECK(pictures.texture(folder / "none.png") == 0);
+}
+
+} // namespace meltpool
