@@ -155,7 +155,7 @@ void DesktopApp::drawHeadset(double seconds) {
 
 /// Keys of the pages before a lesson runs.
 void DesktopApp::moveByKeys(const InputFrame& input) {
-    if (session_.running() || menus_.panels.help) return;
+    if (menus_.panels.help) return;
     if (home_.open)
         for (const Key key : input.pressed)
             home_.move(key);
@@ -167,8 +167,25 @@ void DesktopApp::moveByKeys(const InputFrame& input) {
         act(MenuRequest::start);
 }
 
+/// Keys of the demonstration: pause, its time, and Enter for one's own attempt.
+void DesktopApp::demonstrateByKeys(const InputFrame& input) {
+    Demonstration& demonstration = session_.demonstration();
+    if (!demonstration.shown() || menus_.panels.help) return;
+    for (const Key key : input.pressed) {
+        if (key == Key::left) demonstration.moveTo(demonstration.time() - Demonstration::kKeyStep);
+        if (key == Key::right) demonstration.moveTo(demonstration.time() + Demonstration::kKeyStep);
+    }
+    for (const Key key : input.struck) {
+        if (key == Key::space) demonstration.toggle();
+        if (key == Key::enter) act(MenuRequest::reset);
+    }
+}
+
 void DesktopApp::handleKeys(const InputFrame& input) {
-    moveByKeys(input);
+    if (session_.running())
+        demonstrateByKeys(input);
+    else
+        moveByKeys(input);
     for (const Key key : input.struck) {
         switch (key) {
         case Key::escape:
@@ -191,7 +208,7 @@ void DesktopApp::handleKeys(const InputFrame& input) {
             menus_.panels.timings = !menus_.panels.timings;
             break;
         case Key::h:
-            if (!session_.arc().burns()) act(MenuRequest::home);
+            if (session_.demonstration().shown() || !session_.arc().burns()) act(MenuRequest::home);
             break;
         case Key::j:
             act(MenuRequest::judge);
@@ -229,6 +246,9 @@ void DesktopApp::act(MenuRequest request) {
         break;
     case MenuRequest::start:
         startLesson();
+        break;
+    case MenuRequest::demonstrate:
+        startWith(&LessonSession::demonstrate);
         break;
     case MenuRequest::reset:
         session_.reset(controls_);
@@ -270,9 +290,14 @@ void DesktopApp::openLesson(const CataloguedLesson& lesson) {
 }
 
 void DesktopApp::startLesson() {
+    startWith(&LessonSession::begin);
+}
+
+/// Runs the lesson by an attempt or a demonstration.
+void DesktopApp::startWith(void (LessonSession::*begin)(Controls&)) {
     if (home_.open) return;
     try {
-        session_.begin(controls_);
+        (session_.*begin)(controls_);
         menus_.panels.hidden = false;
         profiler_.reset();
     } catch (const std::exception& fault) {
@@ -369,10 +394,26 @@ void DesktopApp::writeTelemetry() {
     for (const gl::PassTime& pass : profiler_.passes())
         passes.push_back(pass.name);
     const char* page = home_.open ? "home" : session_.running() ? "running" : "start";
-    telemetry_.write({page, now(), pacer_.frames(), session_.steps(),
-                      session_.running() ? session_.torch() : TorchSample{}, controls_, menus_.panels, figures_,
-                      sections, passes, messages_, interface_.context(), window_.size(), window_.pixels(), screenshot_,
-                      session_.judged(), headset_ ? headset_->status() : HeadsetStatus{}, meter_, callsCounted_});
+    telemetry_.write({page,
+                      now(),
+                      pacer_.frames(),
+                      session_.steps(),
+                      session_.running() ? session_.torch() : TorchSample{},
+                      controls_,
+                      menus_.panels,
+                      figures_,
+                      sections,
+                      passes,
+                      messages_,
+                      interface_.context(),
+                      window_.size(),
+                      window_.pixels(),
+                      screenshot_,
+                      session_.judged(),
+                      session_.demonstration(),
+                      headset_ ? headset_->status() : HeadsetStatus{},
+                      meter_,
+                      callsCounted_});
     meter_.resume();
     if (telemetry_.fault().empty()) return;
     messages_.hold("The telemetry has stopped: " + telemetry_.fault(), "telemetry");

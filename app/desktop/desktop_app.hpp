@@ -46,6 +46,8 @@ class DesktopApp {
     void openLesson(const CataloguedLesson& lesson);
     void startLesson();
     void moveByKeys(const InputFrame& input);
+    void demonstrateByKeys(const InputFrame& input);
+    void startWith(void (LessonSession::*begin)(Controls&));
     void takeJudgement();
     void beginHeadset(double seconds);
     void drawHeadset(double seconds);

@@ -40,6 +40,9 @@ MenuRequest DesktopMenus::drawPanels(const DesktopMenuContent& content) {
     const Lesson& lesson = content.session.lesson();
     MenuRequest request = ui::topBar(context, panels, content.controls, lesson.title, content.session.judges());
     ui::statusBar(context, content.figures, content.controls);
+    if (content.session.demonstration().shown())
+        if (const MenuRequest asked = ui::demonstrationBar(context, content.session); asked != MenuRequest::none)
+            request = asked;
     ui::temperatureScale(context, lesson.look.colours, content.session.temperature(), coveredLeft());
     panels.result = panels.result && content.session.judges();
     makeRoom();

@@ -113,6 +113,13 @@ json judgement(const std::optional<JudgedAttempt>& judged) {
             {"corrections", judged->rows.corrections}};
 }
 
+/// Null while none is shown.
+json demonstration(const Demonstration& shown) {
+    if (!shown.shown()) return nullptr;
+    return {
+        {"time", shown.time()}, {"duration", shown.duration()}, {"playing", shown.playing()}, {"welds", shown.welds()}};
+}
+
 json messageTexts(const Messages& messages) {
     json all = json::array();
     for (const Message& message : messages.shown())
@@ -163,6 +170,7 @@ void WindowTelemetry::write(const TelemetryRow& row) {
         {"places", places(row.context)},
         {"screenshot", row.screenshot},
         {"judgement", judgement(row.judged)},
+        {"demonstration", demonstration(row.demonstration)},
         {"headset", headset(row.headset)},
         {"frame_costs", frameCosts(row.meter, row.callsCounted)},
     };

@@ -3,6 +3,7 @@
 
 #include "app/program/frame_meter.hpp"
 #include "app/session/attempt/attempt_judge.hpp"
+#include "app/session/attempt/demonstration.hpp"
 #include "app/session/controls.hpp"
 #include "app/session/headset_status.hpp"
 #include "app/session/lesson_figures.hpp"
@@ -37,6 +38,7 @@ struct TelemetryRow {
     glm::ivec2 pixels{0};                       ///< frame buffer
     std::string screenshot;                     ///< the last picture saved
     const std::optional<JudgedAttempt>& judged; ///< the attempt
+    const Demonstration& demonstration;
     HeadsetStatus headset;
     const FrameMeter& meter;   ///< what the frames before this row cost
     bool callsCounted = false; ///< the meter knows of allocations, stalls and the driver

@@ -77,6 +77,7 @@ void HeadsetFrontEnd::readHands(LessonSession& session, const Home& home, double
     if (session.question().asked() || (home.open && !homeShown_)) panel_.show();
     homeShown_ = home.open;
     showResult(session);
+    askAgain(session, input);
     if (headset.mode() == xr::SessionMode::focused)
         focusedOpening_ = connection_.openings();
     else
@@ -105,6 +106,16 @@ void HeadsetFrontEnd::showResult(const LessonSession& session) {
     }
 }
 
+/// While a result is shown, the trigger of the hand without the torch asks for the next attempt, unless it points at
+/// the panel.
+void HeadsetFrontEnd::askAgain(const LessonSession& session, const xr::Input& input) {
+    const xr::Hand other = hands_.torchHand() == xr::Hand::right ? xr::Hand::left : xr::Hand::right;
+    const xr::HandInput& hand = input.hand(other);
+    const bool pulled = hand.tracked && hand.trigger > 0.5f && panel_.pointingHand() != other;
+    again_ = pulled && !otherPulled_ && session.judged() && !session.question().asked();
+    otherPulled_ = pulled;
+}
+
 void HeadsetFrontEnd::placeWorkshop(LessonSession& session) {
     if (!workshop_.recentreRequested()) return;
     xr::Headset& headset = *connection_.headset();
@@ -125,7 +136,8 @@ MenuRequest HeadsetFrontEnd::draw(LessonSession& session, Home& home, const Less
     if (!inFrame_) return MenuRequest::none;
     drawEyes(session, elapsed, profiler);
     if (inFrame_) drawNotice(figures, messages, elapsed);
-    return inFrame_ && panel_.open() ? drawMenu(session, home, figures, elapsed) : MenuRequest::none;
+    const MenuRequest asked = inFrame_ && panel_.open() ? drawMenu(session, home, figures, elapsed) : MenuRequest::none;
+    return again_ && asked == MenuRequest::none ? MenuRequest::reset : asked;
 }
 
 void HeadsetFrontEnd::drawEyes(LessonSession& session, double elapsed, gl::Profiler* profiler) {

@@ -45,6 +45,7 @@ class HeadsetFrontEnd final : public WindowHeadset {
     void guarded(FunctionRef<void()> work);
     void readHands(LessonSession& session, const Home& home, double elapsed);
     void showResult(const LessonSession& session);
+    void askAgain(const LessonSession& session, const xr::Input& input);
     void placeWorkshop(LessonSession& session);
     bool leadsTorch() const { return inFrame_ && changes_.lessonRuns() && hands_.torch().known(); }
     void drawEyes(LessonSession& session, double elapsed, gl::Profiler* profiler);
@@ -69,6 +70,8 @@ class HeadsetFrontEnd final : public WindowHeadset {
     int focusedOpening_ = 0;      ///< the opening in which the runtime first gave the trainer its input
     size_t judgements_ = 0;       ///< that the panel has been opened for
     bool openedByResult_ = false; ///< the panel
+    bool again_ = false;          ///< another attempt is asked for in this frame
+    bool otherPulled_ = false;    ///< the trigger of the hand without the torch
     bool homeShown_ = false;      ///< the panel has been opened for the list of lessons
     bool drawn_ = false;          ///< the eyes hold a picture that the runtime shows
     bool mirrored_ = false;       ///< the window shows it too

@@ -58,6 +58,9 @@ void HeadsetMenu::lessonPart(ui::Context& context, LessonSession& session, const
     if (!content.warning.empty()) ui::quietText(context, content.warning);
     ImGui::Dummy({0, context.points(4)});
     if (session.question().asked()) return ui::questionPart(context, session.question());
+    if (session.demonstration().shown())
+        if (const MenuRequest asked = ui::demonstrationPart(context, session); asked != MenuRequest::none)
+            answer_.request = asked;
     lessonButtons(context, session);
 }
 
@@ -68,6 +71,9 @@ void HeadsetMenu::lessonButtons(ui::Context& context, const LessonSession& sessi
     };
     if (!session.running()) {
         asks("headset.start", "Start the lesson", MenuRequest::start, ui::ButtonKind::main, 0);
+        if (session.hasDemonstration())
+            asks("headset.demonstration", "Demonstration", MenuRequest::demonstrate, ui::ButtonKind::plain, 0);
+        ImGui::NewLine();
     } else {
         asks("headset.reset", "Reset", MenuRequest::reset, ui::ButtonKind::plain, 70);
         asks("headset.restart", "Lesson", MenuRequest::restart, ui::ButtonKind::plain, 76);

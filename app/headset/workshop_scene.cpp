@@ -6,7 +6,7 @@ namespace meltpool {
 
 namespace {
 
-constexpr size_t kMostSolids = 40;
+constexpr size_t kMostSolids = 64;
 constexpr glm::vec3 kDarkSteel(0.10f, 0.105f, 0.11f);
 constexpr glm::vec3 kMat(0.035f, 0.035f, 0.04f);
 constexpr glm::vec3 kTableSteel(0.12f, 0.12f, 0.125f);
@@ -75,6 +75,10 @@ std::span<const Solid> WorkshopScene::build(const HeadsetParameters& parameters,
     solids_.clear();
     addRoom(parameters.tableHeight);
     if (hands.torch) addTorch(hands);
+    for (Solid solid : hands.expert) {
+        solid.toWorld = hands.expertToWorkshop * solid.toWorld;
+        solids_.push_back(solid);
+    }
     if (hands.rayStart)
         add(SolidShape::cylinder, alongLine(*hands.rayStart, hands.rayEnd, 0.002f), {0.1f, 0.3f, 0.5f}, 0,
             {0.05f, 0.35f, 0.6f});

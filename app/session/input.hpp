@@ -29,6 +29,7 @@ enum class Key {
     pageDown,
     escape,
     enter,
+    space,
     tab,
     f1,
     f2,

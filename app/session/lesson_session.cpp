@@ -124,13 +124,18 @@ bool LessonSession::workpieceChanged() {
     });
 }
 
-void LessonSession::begin(Controls& controls) {
+/// Ends what runs, and puts torch and camera to the lesson's places.
+void LessonSession::prepare(Controls& controls) {
     end("another attempt began");
     controls.restart();
     controls.source().setCold(lesson_.source.kind == 1);
     const CameraParameters& camera = lesson_.camera;
     controls.placeCamera(OrbitCamera(glm::radians(camera.azimuth), glm::radians(camera.elevation), camera.distance));
     controls.lens.fieldOfView = glm::radians(camera.fieldOfView);
+}
+
+void LessonSession::begin(Controls& controls) {
+    prepare(controls);
     if (sections_->attempt.forScore) {
         trial_.begin(lesson_);
         beginTrial();
@@ -138,6 +143,15 @@ void LessonSession::begin(Controls& controls) {
     }
     makeTrainer();
     beginAttempt();
+}
+
+void LessonSession::demonstrate(Controls& controls) {
+    if (!hasDemonstration()) return;
+    prepare(controls);
+    makeTrainer();
+    fault_.clear();
+    surfaceIsOld_ = true;
+    demonstration_.begin(lesson_.torch.duration());
 }
 
 void LessonSession::makeTrainer() {
@@ -169,13 +183,12 @@ void LessonSession::beginTrial() {
 }
 
 void LessonSession::measureSpeed(double seconds, gl::Profiler* profiler) {
-    const double begin = now_();
-    const int due = clock_.due(seconds, trainer_->timeStep());
-    for (int step = 0; step < due; ++step)
+    const double before = trialTime_;
+    makeDueSteps(seconds, [&](int, int) {
         trainer_->advance(lesson_.torch.sample(trialTime_ += trainer_->timeStep()), profiler);
+    });
     surfaceIsOld_ = true;
-    clock_.took(now_() - begin, due);
-    nextTrial(trial_.count(seconds, due * trainer_->timeStep()));
+    nextTrial(trial_.count(seconds, trialTime_ - before));
 }
 
 void LessonSession::nextTrial(SpeedTrial::Verdict verdict) {
@@ -210,6 +223,8 @@ void LessonSession::settleTrial(int answer, Controls& controls) {
 
 void LessonSession::reset(Controls& controls) {
     if (!running() || !trial_.offers().empty()) return; // an attempt for score has not begun yet
+    if (demonstration_.shown() && sections_->attempt.forScore) return begin(controls);
+    demonstration_.end();
     controls.reset();
     trainer_->reset();
     records_.check(*trainer_); // the last lines of the record that ended
@@ -261,6 +276,7 @@ void LessonSession::end(std::string_view reason) noexcept {
     question_ = {};
     judge_.forget();
     trial_.stop();
+    demonstration_.end();
     wanted_.clear();
     running_.clear();
     surfaceDistance_ = {};
@@ -307,7 +323,8 @@ void LessonSession::advance(const Controls& controls, double seconds, gl::Profil
     if (!running()) return;
     if (trial_.running()) return measureSpeed(seconds, profiler);
     surfaceIsOld_ |= takeOverChanges(controls);
-    held_ = static_cast<bool>(held);
+    held_ = static_cast<bool>(held) && !demonstration_.shown();
+    if (demonstration_.shown()) return playDemonstration(seconds, profiler);
     if (waits(controls)) {
         clock_.restart();
         return;
@@ -334,14 +351,45 @@ TorchSample LessonSession::nextTorch(const Controls& controls, const TorchSource
 
 void LessonSession::makeSteps(const Controls& controls, double seconds, gl::Profiler* profiler,
                               const TorchSource& held) {
-    const double begin = now_();
-    const int due = clock_.due(seconds, trainer_->timeStep());
-    trainer_->setRealTime(clock_.speed());
-    for (int step = 0; step < due; ++step) {
+    makeDueSteps(seconds, [&](int step, int due) {
+        trainer_->setRealTime(clock_.speed());
         trainer_->advance(nextTorch(controls, held, step, due), profiler);
         surfaceIsOld_ = true;
-    }
+    });
+}
+
+/// Makes the steps that `seconds` of real time are worth, as far as the machine bears.
+void LessonSession::makeDueSteps(double seconds, FunctionRef<void(int step, int due)> make) {
+    const double begin = now_();
+    const int due = clock_.due(seconds, trainer_->timeStep());
+    for (int step = 0; step < due; ++step)
+        make(step, due);
     clock_.took(now_() - begin, due);
+}
+
+void LessonSession::playDemonstration(double seconds, gl::Profiler* profiler) {
+    try {
+        if (demonstration_.takeMetalDue()) {
+            trainer_->reset();
+            clock_.restart();
+            fault_.clear();
+            surfaceIsOld_ = true;
+        }
+        if (!demonstration_.playing() || !fault_.empty()) {
+            clock_.restart();
+        } else if (demonstration_.welds()) {
+            makeDueSteps(seconds, [&](int, int) {
+                trainer_->advanceDemonstration(profiler);
+                surfaceIsOld_ = true;
+            });
+            demonstration_.reach(trainer_->time());
+        } else {
+            demonstration_.reach(demonstration_.time() + seconds);
+        }
+        if (!demonstration_.welds()) trainer_->show(lesson_.torch.sample(demonstration_.time()));
+    } catch (const RuntimeFault& fault) {
+        fault_ = fault.what();
+    }
 }
 
 void LessonSession::sound(const TorchSample& torch) {
@@ -383,7 +431,7 @@ float LessonSession::bottom() const {
 
 void LessonSession::draw(const Controls& controls, glm::ivec2 pixels, float shift, gl::Profiler* profiler) {
     SceneView scene = this->scene(profiler);
-    if (!held_) {
+    if (!held_ && !demonstration_.shown()) {
         const SteeredSource& source = controls.source();
         scene.source.position = glm::inverse(scene.modelToWorld) * glm::vec4(source.position(), 1);
         scene.source.on = source.on();

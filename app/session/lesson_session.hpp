@@ -3,12 +3,14 @@
 
 #include "app/session/attempt/attempt_judge.hpp"
 #include "app/session/attempt/attempt_records.hpp"
+#include "app/session/attempt/demonstration.hpp"
 #include "app/session/attempt/question.hpp"
 #include "app/session/attempt/speed_trial.hpp"
 #include "app/session/attempt/step_clock.hpp"
 #include "app/session/controls.hpp"
 #include "app/session/lesson_figures.hpp"
 #include "app/session/parameter_section.hpp"
+#include "core/base/function_ref.hpp"
 #include "core/render/renderer.hpp"
 #include "core/training/trainer.hpp"
 #include "core/weld/position.hpp"
@@ -67,7 +69,16 @@ class LessonSession {
     /// Makes the metal from the start values: another attempt. Throws InputError or RuntimeFault when memory or driver
     /// do not suffice. What the person must decide first stands in question().
     void begin(Controls& controls);
-    /// Puts metal and source back to their start: another attempt.
+    /// Makes the metal and plays the lesson's demonstration over it. It has no record and is not judged. Throws as
+    /// begin() does.
+    void demonstrate(Controls& controls);
+    /// The lesson has one.
+    bool hasDemonstration() const { return lesson_.torch.duration() > 0; }
+    /// It is played, paused and moved through this; reset() ends it and begins an attempt.
+    Demonstration& demonstration() { return demonstration_; }
+    const Demonstration& demonstration() const { return demonstration_; }
+
+    /// Puts metal and source back to their start: another attempt. Nothing is made anew but the attempt's record.
     void reset(Controls& controls);
     /// Ends the lesson and frees the metal. `reason` stands in the attempt's record.
     void end(std::string_view reason) noexcept;
@@ -113,7 +124,7 @@ class LessonSession {
     void settle(Controls& controls);
 
     /// Whether this lesson's weld can be measured and judged.
-    bool judges() const { return running() && trainer_->technique() != nullptr; }
+    bool judges() const { return running() && !demonstration_.shown() && trainer_->technique() != nullptr; }
     /// Judges the attempt so far; nothing while the arc burns or before the attempt has begun. Waits for the GPU. A
     /// finished weld is judged without being asked for, see AttemptJudge.
     void judge();
@@ -147,6 +158,9 @@ class LessonSession {
     void settleTrial(int answer, Controls& controls);
     bool waits(const Controls& controls);
     TorchSample nextTorch(const Controls& controls, const TorchSource& held, int step, int due);
+    void prepare(Controls& controls);
+    void playDemonstration(double seconds, gl::Profiler* profiler);
+    void makeDueSteps(double seconds, FunctionRef<void(int step, int due)> make);
     void makeSteps(const Controls& controls, double seconds, gl::Profiler* profiler, const TorchSource& held);
 
     gl::ShaderLibrary& shaders_;
@@ -170,6 +184,7 @@ class LessonSession {
     Question question_;
     SpeedTrial trial_;
     double trialTime_ = 0; ///< s in the demonstration
+    Demonstration demonstration_;
 };
 
 } // namespace meltpool

@@ -36,6 +36,7 @@ enum class MenuRequest {
     openLesson,        ///< the one that is chosen in it
     next,              ///< the lesson that follows this one
     start,             ///< the lesson, with the values as they stand
+    demonstrate,       ///< the lesson's demonstration
     startWithDefaults, ///< the lesson, with its own values
     reset,             ///< another attempt
     restart,           ///< back to the lesson's first page

@@ -62,7 +62,7 @@ void Notices::update(LessonSession& session, LessonFigures& figures, const Trigg
                      Messages& messages) {
     figures.slow = {};
     std::string_view sentence;
-    if (session.running()) {
+    if (session.running() && !session.demonstration().shown()) {
         figures.slow = slow_.update(figures.speed, elapsed);
         sentence = arc_.update(session.arc(), session.lesson().process.is<Gmaw>(), elapsed);
         if (lock.holdsBack()) sentence = arcOutSentence(lock.reason());

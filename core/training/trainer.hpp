@@ -73,6 +73,9 @@ class Trainer {
     /// The demonstration's torch for the next step.
     TorchSample demonstration() const { return lesson_.torch.sample(time_ + timeStep()); }
 
+    /// Shows the torch here until the next step; the metal is not touched by it.
+    void show(const TorchSample& torch) { torch_ = torch; }
+
     /// Makes the surface of the metal as it is now, for the pictures to come; nothing is read back.
     void updateSurface(gl::Profiler* profiler);
 

@@ -43,6 +43,10 @@ void viewMenu(Context& context, std::span<const ParameterSection* const> section
 /// The machine's values; closed below them, in the expert drawer, the solver's.
 void machinePart(Context& context, const ParameterSection& section);
 void machineMenu(Context& context, const ParameterSection& section, Controls& controls);
+/// The running demonstration above the status bar: pause, its time, and the way to one's own attempt.
+MenuRequest demonstrationBar(Context& context, LessonSession& session);
+/// The same inside the current window, for the headset's panel.
+MenuRequest demonstrationPart(Context& context, LessonSession& session);
 /// Width of the result panel with its gap to the picture; points.
 float resultReach(const Context& context);
 /// The judged attempt at the left: score, what to correct, verdict, measured weld.

@@ -131,7 +131,7 @@ void values(Context& context, LessonSections& sections, float screenHeight) {
 }
 
 /// The buttons below the values.
-MenuRequest startButtons(Context& context) {
+MenuRequest startButtons(Context& context, bool demonstrated) {
     MenuRequest request = MenuRequest::none;
     const float half = (ImGui::GetContentRegionAvail().x / context.scale - 12) / 2;
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {context.points(12), context.points(11)});
@@ -143,6 +143,10 @@ MenuRequest startButtons(Context& context) {
         request = MenuRequest::startWithDefaults;
     ImGui::PopStyleVar();
     if (button(context, "start.home", "Home", ButtonKind::plain, half, "All lessons (H)")) request = MenuRequest::home;
+    ImGui::SameLine(0, context.points(12));
+    if (demonstrated && button(context, "start.demonstration", "Demonstration", ButtonKind::plain, half,
+                               "The expert's torch welds; it can be stopped and brought to any moment"))
+        request = MenuRequest::demonstrate;
     return request;
 }
 
@@ -198,7 +202,7 @@ MenuRequest startMenu(Context& context, LessonSession& session, Home& home, cons
     ImGui::Dummy({0, context.points(6)});
     values(context, session.sections(), screen.y);
     ImGui::Dummy({0, context.points(8)});
-    const MenuRequest request = startButtons(context);
+    const MenuRequest request = startButtons(context, session.hasDemonstration());
     ImGui::Dummy({0, context.points(2)});
     quietText(context, driver);
     ImGui::End();

@@ -1,0 +1,157 @@
+// The lesson's demonstration in the session: the expert's torch welds, stops, and moves alone to any time.
+#include "app/session/lesson_session.hpp"
+#include "app/session/notices.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+using namespace meltpool;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A bead on a small plate of few particles.
+Lesson smallBead() {
+    Lesson lesson = findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
+    lesson.workpiece.lengthMm = 100; // as long as the expert's path
+    lesson.workpiece.widthMm = 14;
+    lesson.workpiece.thicknessMm = 3;
+    lesson.workpiece.spacingMm = 1.5f;
+    lesson.surface.cells = 32;
+    return lesson;
+}
+
+class Trainee {
+  public:
+    Trainee() : session(test::shaders(), smallBead(), [] { return 0.0; }) {}
+
+    /// Frames of 1/45 s with the trainee's own torch far over the plate.
+    void watch(double seconds) {
+        constexpr double kFrame = 1.0 / 45;
+        for (double time = 0; time < seconds; time += kFrame)
+            session.advance(controls, kFrame, nullptr, [](int, int) { return TorchSample{0, {0, 0.2f, 0}}; });
+    }
+    double torchOff() const {
+        const glm::vec3 expert = session.lesson().torch.sample(session.demonstration().time()).tip;
+        return static_cast<double>(glm::distance(session.torch().tip, expert));
+    }
+
+    Controls controls;
+    LessonSession session;
+};
+
+} // namespace
+
+TEST_CASE("a demonstration is played, paused, moved and begun again", "[app]") {
+    Demonstration shown;
+    CHECK_FALSE(shown.shown());
+    shown.begin(4);
+    CHECK((shown.shown() && shown.playing() && shown.welds()));
+    shown.reach(1.5);
+    CHECK(shown.time() == 1.5);
+    CHECK_FALSE(shown.takeMetalDue());
+    shown.toggle();
+    CHECK_FALSE(shown.playing());
+    CHECK(shown.welds());
+    shown.moveTo(3);
+    CHECK_FALSE(shown.welds());
+    CHECK(shown.takeMetalDue()); // the metal as it was at first, once
+    CHECK_FALSE(shown.takeMetalDue());
+    shown.moveTo(-2);
+    CHECK(shown.time() == 0);
+    shown.moveTo(9);
+    CHECK(shown.time() == 4);
+    CHECK_FALSE(shown.takeMetalDue());
+    shown.toggle(); // at its end
+    CHECK((shown.playing() && shown.welds() && shown.time() == 0));
+    CHECK(shown.takeMetalDue());
+    shown.reach(5);
+    CHECK(shown.time() == 4);
+    CHECK_FALSE(shown.playing());
+    shown.end();
+    CHECK_FALSE(shown.shown());
+}
+
+TEST_CASE("the expert's torch welds in the demonstration; nothing of it is recorded, judged or the trainee's",
+          "[app]") {
+    const fs::path record = test::scratchFolder("demonstration") / "weld.csv";
+    Trainee trainee;
+    LessonSession& session = trainee.session;
+    session.records().use(record, "program", "driver");
+    session.demonstrate(trainee.controls);
+    REQUIRE(session.running());
+    trainee.watch(1.5);
+    CHECK(session.steps() > 10);
+    CHECK(trainee.torchOff() < 1e-4); // the trainee's hand does not lead it
+    CHECK_FALSE(session.held());
+    LessonFigures figures;
+    session.fillFigures(figures);
+    CHECK(figures.time == Approx(session.demonstration().time()));
+    CHECK(figures.time == Approx(1.5).margin(0.1));
+    CHECK(session.arc().burns());
+    CHECK_FALSE(session.judges());
+    session.judge();
+    CHECK_FALSE(session.judged());
+    CHECK_FALSE(fs::exists(record));
+    CHECK(session.records().attempt() == 0);
+    Messages messages;
+    Notices notices;
+    TriggerLock lock;
+    notices.update(session, figures, lock, 1, messages);
+    CHECK(messages.shown().empty());
+
+    SECTION("paused") {
+        session.demonstration().toggle();
+        const size_t steps = session.steps();
+        trainee.watch(0.5);
+        CHECK(session.steps() == steps);
+        session.demonstration().toggle();
+        trainee.watch(0.5);
+        CHECK(session.steps() > steps);
+        CHECK(session.demonstration().time() < 2.1);
+    }
+    SECTION("moved: the torch goes there alone, over fresh metal, and plays on") {
+        session.demonstration().toggle();
+        session.demonstration().moveTo(4);
+        trainee.watch(0.1);
+        CHECK(session.steps() == 0);
+        CHECK(trainee.torchOff() < 1e-6);
+        session.fillFigures(figures);
+        CHECK(figures.molten == 0);
+        session.demonstration().toggle();
+        trainee.watch(1);
+        CHECK(session.demonstration().time() == Approx(5).margin(0.1));
+        CHECK(trainee.torchOff() < 1e-6);
+        CHECK(session.steps() == 0);
+        session.demonstration().again();
+        trainee.watch(0.5);
+        CHECK(session.steps() > 10);
+        CHECK(session.demonstration().time() < 0.6);
+    }
+    SECTION("one's own attempt follows with a record of its own, on fresh metal") {
+        session.reset(trainee.controls);
+        CHECK_FALSE(session.demonstration().shown());
+        CHECK(session.steps() == 0);
+        CHECK(session.judges());
+        trainee.watch(0.2);
+        CHECK(session.held());
+        CHECK(session.records().attempt() == 1);
+        CHECK(fs::exists(record));
+    }
+    SECTION("an attempt for score is measured first") {
+        session.sections().attempt.forScore = true;
+        session.reset(trainee.controls);
+        CHECK_FALSE(session.demonstration().shown());
+        CHECK(session.question().asked());
+    }
+}
+
+TEST_CASE("a lesson without a torch path has no demonstration", "[app]") {
+    Lesson lesson = smallBead();
+    lesson.torch = {};
+    LessonSession session(test::shaders(), std::move(lesson), [] { return 0.0; });
+    Controls controls;
+    CHECK_FALSE(session.hasDemonstration());
+    session.demonstrate(controls);
+    CHECK_FALSE(session.running());
+}

@@ -1,0 +1,117 @@
+// Another attempt begins at once: metal, technique and torch are put back, and no resource is made again.
+#include "app/session/lesson_session.hpp"
+#include "core/training/recorded_attempt.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+#include <chrono>
+
+using namespace meltpool;
+
+namespace {
+
+int made = 0; ///< calls that make buffers, textures or programs
+
+/// Counts the calls of one of OpenGL's functions while it lives.
+template <auto Slot>
+class Counted;
+
+template <class Result, class... Arguments, Result(GLAPIENTRY** Slot)(Arguments...)>
+class Counted<Slot> {
+  public:
+    Counted() {
+        original_ = *Slot;
+        *Slot = &call;
+    }
+    ~Counted() { *Slot = original_; }
+    Counted(const Counted&) = delete;
+    Counted& operator=(const Counted&) = delete;
+
+  private:
+    static Result GLAPIENTRY call(Arguments... arguments) {
+        ++made;
+        return original_(arguments...);
+    }
+    static inline Result(GLAPIENTRY* original_)(Arguments...) = nullptr;
+};
+
+struct MakingCalls {
+    Counted<&glCreateBuffers> buffers;
+    Counted<&glNamedBufferStorage> storage;
+    Counted<&glCreateTextures> textures;
+    Counted<&glCreateFramebuffers> framebuffers;
+    Counted<&glCompileShader> shaders;
+    Counted<&glLinkProgram> programs;
+};
+
+Lesson smallBead() {
+    Lesson lesson = findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
+    lesson.workpiece.lengthMm = 30;
+    lesson.workpiece.widthMm = 18;
+    lesson.workpiece.thicknessMm = 4;
+    lesson.technique->lengthFromMm = -10;
+    lesson.technique->lengthToMm = 10;
+    lesson.surface.cells = 32;
+    return lesson;
+}
+
+/// Welds for `seconds` of frames along the seam.
+void weld(LessonSession& session, Controls& controls, double seconds) {
+    constexpr double kFrame = 1.0 / 45;
+    for (double time = 0; time < seconds; time += kFrame) {
+        session.advance(controls, kFrame, nullptr, [&](int, int) {
+            TorchSample torch;
+            torch.tip = {-0.010f + 8e-3f * static_cast<float>(time), 0.003f, 0};
+            torch.orientation = glm::angleAxis(-1.5707963f, glm::vec3(1, 0, 0));
+            torch.trigger = 1;
+            return torch;
+        });
+        session.scene(nullptr); // the surface, as a frame draws it
+    }
+}
+
+} // namespace
+
+TEST_CASE("again puts everything back in under a second and makes no buffer, texture or program", "[app]") {
+    const auto folder = test::scratchFolder("restart");
+    Controls controls;
+    LessonSession session(test::shaders(), smallBead(), [] { return 0.0; });
+    session.records().use(folder / "weld.csv", "program", "driver");
+    session.begin(controls);
+    weld(session, controls, 0.6);
+    LessonFigures figures;
+    session.fillFigures(figures);
+    CHECK(figures.molten > 0);
+    session.end("start menu");
+
+    MakingCalls counted;
+    made = 0;
+    session.begin(controls);
+    CHECK(made > 20); // what a start makes: the counting sees it
+    weld(session, controls, 0.6);
+    CHECK(session.arc().burns());
+    made = 0;
+    const auto before = std::chrono::steady_clock::now();
+    session.reset(controls);
+    session.scene(nullptr);
+    glFinish();
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
+    WARN("another attempt began after " << 1000 * seconds << " ms, its surface made");
+    CHECK(session.steps() == 0);
+    CHECK_FALSE(session.arc().burns());
+    CHECK_FALSE(session.judged());
+    session.fillFigures(figures);
+    CHECK(figures.time == 0);
+    CHECK(figures.molten == 0);
+    weld(session, controls, 0.6);
+    CHECK(made == 0);
+    CHECK(session.steps() > 20);
+    session.end("start menu");
+
+    // The attempt after it is the one that a fresh start makes, to the last bit.
+    const auto second = readRecordedAttempt(folder / "weld-2.csv"), third = readRecordedAttempt(folder / "weld-3.csv");
+    REQUIRE((second && third));
+    CHECK(second->rows == third->rows);
+    CHECK(second->ended == "reset");
+    CHECK(second->stateHash == third->stateHash);
+}
