@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <optional>
 #include <span>
 #include <utility>
 
@@ -40,6 +39,7 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
       controlSection_("controls", describe(controls_.parameters)),
       panelSection_("panels", describe(menus_.panels)),
       settings_(options.settings),
+      lessons_(home_, session_, settings_, controls_, messages_),
       driver_(driverText(window_.driver())) {
     if (options_.headset != HeadsetUse::off && options_.makeHeadset) headset_ = options_.makeHeadset(settingsFolder());
     session_.records().use(options_.record, programBuild(), window_.driver().renderer);
@@ -141,7 +141,7 @@ void DesktopApp::beginHeadset(double seconds) {
     else
         messages_.hold(headset_->warning(), "headset");
     // The lesson starts when somebody first puts the headset on.
-    if (headsetFrame_ && !headsetStarted_ && !session_.running() && !home_.open) startLesson();
+    if (headsetFrame_ && !headsetStarted_ && !session_.running()) start(&LessonSession::begin);
     headsetStarted_ = headsetStarted_ || headsetFrame_;
 }
 
@@ -232,23 +232,24 @@ void DesktopApp::handleKeys(const InputFrame& input) {
 void DesktopApp::act(MenuRequest request) {
     switch (request) {
     case MenuRequest::home:
-        goHome();
+        lessons_.goHome();
+        menus_.panels.help = false;
         break;
     case MenuRequest::openLesson:
-        openLesson(home_.chosen());
+        lessons_.open(home_.chosen(), now());
         break;
     case MenuRequest::next:
-        if (const CataloguedLesson* next = home_.find(session_.lesson().next)) openLesson(*next);
+        if (const CataloguedLesson* next = home_.find(session_.lesson().next)) lessons_.open(*next, now());
         break;
     case MenuRequest::startWithDefaults:
         session_.sections().restoreDefaults();
-        startLesson();
+        start(&LessonSession::begin);
         break;
     case MenuRequest::start:
-        startLesson();
+        start(&LessonSession::begin);
         break;
     case MenuRequest::demonstrate:
-        startWith(&LessonSession::demonstrate);
+        start(&LessonSession::demonstrate);
         break;
     case MenuRequest::reset:
         session_.reset(controls_);
@@ -258,52 +259,19 @@ void DesktopApp::act(MenuRequest request) {
         menus_.showResult(session_);
         break;
     case MenuRequest::restart:
-        session_.end("start menu");
-        controls_.restart();
+        lessons_.leave();
         menus_.panels.help = false;
         profiler_.reset();
-        messages_.clear("metal");
         break;
     case MenuRequest::none:
         break;
     }
 }
 
-void DesktopApp::goHome() {
-    act(MenuRequest::restart);
-    home_.choose(session_.lesson().key);
-    home_.open = true;
-}
-
-void DesktopApp::openLesson(const CataloguedLesson& lesson) {
-    try {
-        Lesson opened = loadLesson(lesson.key);
-        act(MenuRequest::restart);
-        settings_.takeFrom(session_.lesson(), session_.sections());
-        session_.open(std::move(opened));
-        settings_.giveTo(session_.lesson(), session_.sections());
-        messages_.clear("lesson");
-        home_.open = false;
-    } catch (const InputError& fault) {
-        messages_.warn(fault.what(), now(), "lesson");
-    }
-}
-
-void DesktopApp::startLesson() {
-    startWith(&LessonSession::begin);
-}
-
-/// Runs the lesson by an attempt or a demonstration.
-void DesktopApp::startWith(void (LessonSession::*begin)(Controls&)) {
-    if (home_.open) return;
-    try {
-        (session_.*begin)(controls_);
-        menus_.panels.hidden = false;
-        profiler_.reset();
-    } catch (const std::exception& fault) {
-        session_.end("it could not begin");
-        messages_.warn(fault.what(), now(), "start");
-    }
+void DesktopApp::start(void (LessonSession::*begin)(Controls&)) {
+    if (!lessons_.start(begin, now())) return;
+    menus_.panels.hidden = false;
+    profiler_.reset();
 }
 
 void DesktopApp::simulate(const InputFrame& input, double seconds) {
@@ -336,18 +304,7 @@ void DesktopApp::takeJudgement() {
     if (session_.judgements() == judgements_) return;
     judgements_ = session_.judgements();
     menus_.showResult(session_);
-    const CataloguedLesson* lesson = home_.find(session_.lesson());
-    if (lesson == nullptr || !session_.judged()) return;
-    std::optional<BestScore> score = countedScore(session_.judged()->judgement);
-    if (!score) return;
-    score->zoom = session_.held() && headset_ ? static_cast<double>(headset_->zoom()) : 1;
-    score->forScore = session_.sections().attempt.forScore;
-    score->changed = session_.workpieceChanged();
-    try {
-        home_.scores.offer(lesson->key, *score);
-    } catch (const std::exception& fault) {
-        messages_.warn(std::string("The best score cannot be kept: ") + fault.what(), now(), "scores");
-    }
+    lessons_.keepScore(session_.held() && headset_ ? static_cast<double>(headset_->zoom()) : 1, now());
 }
 
 void DesktopApp::drawPicture(double seconds) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/desktop/desktop.hpp"
+#include "app/desktop/desktop_lessons.hpp"
 #include "app/desktop/desktop_menus.hpp"
 #include "app/desktop/desktop_settings.hpp"
 #include "app/desktop/frame_pacer.hpp"
@@ -42,12 +43,9 @@ class DesktopApp {
     std::vector<ParameterSection*> ownSections();
     void handleKeys(const InputFrame& input);
     void act(MenuRequest request);
-    void goHome();
-    void openLesson(const CataloguedLesson& lesson);
-    void startLesson();
+    void start(void (LessonSession::*begin)(Controls&));
     void moveByKeys(const InputFrame& input);
     void demonstrateByKeys(const InputFrame& input);
-    void startWith(void (LessonSession::*begin)(Controls&));
     void takeJudgement();
     void beginHeadset(double seconds);
     void drawHeadset(double seconds);
@@ -82,6 +80,7 @@ class DesktopApp {
     ParameterSection panelSection_;
 
     DesktopSettings settings_;
+    DesktopLessons lessons_;
     ShaderWatch shaderWatch_;
     FramePacer pacer_;
     std::string screenshot_;
