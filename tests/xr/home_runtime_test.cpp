@@ -1,0 +1,116 @@
+// The whole program on a real runtime: from the list of lessons on the panel to the result, again, and back.
+#include "core/base/text.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/xr/trainee.hpp"
+
+#include <cstdlib>
+#include <memory>
+
+using namespace meltpool;
+using namespace meltpool::test;
+using nlohmann::json;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The build's data with two lessons: the default one, small, and a bead on a small plate that is judged.
+fs::path smallCatalogue(const fs::path& folder) {
+    const fs::path share = folder / "share";
+    const fs::path built = fs::path(MELTPOOL_BINARY_FOLDER) / "share" / "meltpool";
+    fs::create_directories(share / "data" / "lessons");
+    fs::create_directory_symlink(fs::canonical(built / "shaders"), share / "shaders");
+    for (const auto& entry : fs::directory_iterator(fs::canonical(built / "data")))
+        if (entry.path().filename() != "lessons")
+            fs::create_directory_symlink(entry.path(), share / "data" / entry.path().filename());
+    fs::rename(smallLesson(folder), share / "data" / "lessons" / "classic.toml");
+    std::string plate = readTextFile(plateLesson(folder));
+    const size_t at = plate.find("[surface]");
+    plate.insert(at, "[technique]\nlength_from_mm = -8\nlength_to_mm = 8\n"
+                     "travel_speed = { ideal = 8, inner = 4, outer = 8 }\n");
+    writeTextFileAtomically(share / "data" / "lessons" / "plate.toml", plate);
+    return share;
+}
+
+bool onPage(const json& row, const std::string& page) {
+    return row["page"] == page;
+}
+
+/// Starts the program with these data and no lesson named.
+std::unique_ptr<TrainerProcess> startAtHome(const fs::path& folder) {
+    const char* const kVariable = "MELTPOOL_DATA";
+    const std::string before = std::getenv(kVariable) == nullptr ? "" : std::getenv(kVariable);
+    setenv(kVariable, smallCatalogue(folder).c_str(), 1);
+    auto trainer = std::make_unique<TrainerProcess>(folder, std::vector<std::string>{"--headset"});
+    setenv(kVariable, before.c_str(), 1);
+    return trainer;
+}
+
+} // namespace
+
+TEST_CASE("a lesson is picked on the panel, demonstrated, welded, judged and begun again with the other hand's trigger",
+          "[runtime]") {
+    handGeometry();
+    const fs::path folder = benchFolder() / "home";
+    Trainee trainee;
+    trainee.bottom = -0.010f; // 4 mm of plate over 6 mm of supports
+    trainee.zoom = 1;
+    trainee.held = glm::angleAxis(-1.4f, glm::vec3(1, 0, 0)); // nearly straight down
+    const auto process = startAtHome(folder);
+    TrainerProcess& trainer = *process;
+    REQUIRE(trainer.waitFor([](const json& row) {
+        return onPage(row, "home") && row["headset"]["panel"] == true &&
+               row["headset"]["places"].contains("home.lesson.plate");
+    }));
+    CHECK(trainer.now()["metal"]["steps"] == 0);
+    passFrames(trainer, 4);
+    keepPicture(screenshot(), "home.png");
+    trainee.press(trainer, "home.lesson.plate");
+    REQUIRE(trainer.waitFor([](const json& row) {
+        return onPage(row, "start") && row["headset"]["places"].contains("headset.demonstration");
+    }));
+    trainee.press(trainer, "headset.demonstration");
+    REQUIRE(trainer.waitFor([](const json& row) {
+        return !row["demonstration"].is_null() && row["demonstration"]["time"] > 0.1 &&
+               row["headset"]["places"].contains("demonstration.weld");
+    }));
+    keepPicture(screenshot(), "demonstration.png");
+    trainee.press(trainer, "demonstration.weld");
+    REQUIRE(trainer.waitFor([](const json& row) { return onPage(row, "running") && row["demonstration"].is_null(); }));
+    trainee.lookDown();
+    trainee.showPanel(trainer, false);
+
+    REQUIRE(trainee.strike(trainer, {-0.007f, 0.003f, 0}, [](const json& row) { return row["metal"]["molten"] > 5; }));
+    for (int i = 1; i <= 28; ++i) {
+        const float x = -0.007f + 0.0005f * static_cast<float>(i);
+        const double from = trainer.now()["metal"]["time"];
+        trainee.aim({x, 0.003f, 0}, 1.0f);
+        REQUIRE(trainer.waitFor([&](const json& row) { return row["metal"]["time"] > from + 0.05; }));
+        // A runtime that did not answer for a while puts the arc out.
+        if (trainer.now()["headset"]["trigger_locked"] == true)
+            REQUIRE(trainee.strike(trainer, {x, 0.003f, 0}, [](const json& row) {
+                return row["headset"]["trigger_locked"] == false && row["headset"]["tip"]["action"] != "out";
+            }));
+    }
+    trainee.aim({0.03f, 0.05f, 0}, 0.0f);
+    REQUIRE(trainer.waitFor([](const json& row) {
+        return !row["judgement"].is_null() && row["headset"]["places"].contains("result.again");
+    }));
+    INFO(trainer.now()["judgement"].dump());
+    CHECK_THAT(trainer.now()["judgement"]["score"].get<std::string>(), containsText("core")); // scored, or why not
+    CHECK(trainer.now()["panels"]["result"] == true);                                         // in the window too
+    keepPicture(screenshot(), "result.png");
+
+    // The other hand's trigger, pointing nowhere: the next attempt.
+    trainee.state.hands[0].trigger = 1;
+    trainee.send();
+    CHECK(trainer.waitFor([](const json& row) { return row["judgement"].is_null() && row["metal"]["molten"] == 0; }));
+    trainee.state.hands[0].trigger = 0;
+    trainee.send();
+    CHECK(trainer.waitFor([](const json& row) { return row["headset"]["panel"] == false; }));
+    trainee.showPanel(trainer, true);
+    trainee.press(trainer, "headset.home");
+    CHECK(trainer.waitFor([](const json& row) { return onPage(row, "home"); }));
+    CHECK(trainer.stop() == 0);
+    CHECK(trainer.misuses() == "");
+}
