@@ -16,7 +16,8 @@ namespace meltpool {
 
 namespace {
 
-constexpr double kPatienceMinimised = 0.1; ///< s that a minimised window sleeps between looks at its input
+/// s that a window sleeps between looks at its input where nothing moves: minimised, or on a page before the lesson.
+constexpr double kRest = 0.1;
 /// How long a headset that was asked for may take to open, s: far beyond what it takes on a busy machine.
 constexpr double kHeadsetPatience = 120;
 
@@ -91,9 +92,16 @@ void DesktopApp::frame() {
     if (headset != headsetFrame_) meter_.restart(); // frames with and without headset are not comparable
 }
 
+bool DesktopApp::rests() const {
+    if (headsetFrame_) return false;
+    // A headset that is about to open with its lesson is not kept waiting.
+    const bool still = !session_.running() && (home_.open || !headset_);
+    return window_.minimised() || (still && !window_.stirred());
+}
+
 void DesktopApp::runFrame() {
     const Clock::time_point begin = Clock::now();
-    InputFrame input = window_.poll(window_.minimised() && !headsetFrame_ ? kPatienceMinimised : 0);
+    InputFrame input = window_.poll(rests() ? kRest : 0);
     const double time = now();
     const double seconds = time - lastFrame_;
     lastFrame_ = time;

@@ -39,6 +39,7 @@ class DesktopApp {
     using Clock = std::chrono::steady_clock;
 
     void runFrame();
+    bool rests() const;
     /// Sections of the settings file that belong to no lesson.
     std::vector<ParameterSection*> ownSections();
     void handleKeys(const InputFrame& input);

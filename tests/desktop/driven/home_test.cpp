@@ -95,6 +95,7 @@ TEST_CASE("without a lesson named the window opens on the list of lessons, and n
         CHECK(y + height <= 640);
     }
     window.takePicture("home");
+    window.waitFor("the window to rest", [](const json& t) { return t.at("frames_per_second") < 15; });
     for (const auto& [width, height] : {std::pair{640, 480}, {1600, 1000}}) {
         window.xdotool({"search", "--name", "^Meltpool$", "windowsize", std::to_string(width), std::to_string(height)});
         window.waitFor("the new size", [w = width, h = height](const json& t) {
