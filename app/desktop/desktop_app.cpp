@@ -241,13 +241,14 @@ void DesktopApp::act(MenuRequest request) {
     switch (request) {
     case MenuRequest::home:
         lessons_.goHome();
-        menus_.panels.help = false;
+        menus_.panels.help = menus_.panels.result = false;
         break;
     case MenuRequest::openLesson:
         lessons_.open(home_.chosen(), now());
         break;
     case MenuRequest::next:
         if (const CataloguedLesson* next = home_.find(session_.lesson().next)) lessons_.open(*next, now());
+        menus_.panels.result = false;
         break;
     case MenuRequest::startWithDefaults:
         session_.sections().restoreDefaults();
@@ -268,7 +269,7 @@ void DesktopApp::act(MenuRequest request) {
         break;
     case MenuRequest::restart:
         lessons_.leave();
-        menus_.panels.help = false;
+        menus_.panels.help = menus_.panels.result = false;
         profiler_.reset();
         break;
     case MenuRequest::none:

@@ -55,10 +55,10 @@ bool lessonTile(Context& context, Home& home, size_t index, ImVec2 size, bool be
     const std::string name = "home.lesson." + lesson.key;
     const bool clicked = ImGui::InvisibleButton(name.c_str(), size);
     markItem(context, name);
-    const bool hovered = ImGui::IsItemHovered();
+    const bool hovered = ImGui::IsItemHovered(), visible = ImGui::IsItemVisible();
     if (hovered) tooltip(context, lesson.fault.empty() ? lesson.text : lesson.fault);
     if (clicked) home.choose(index);
-    if (!ImGui::IsItemVisible()) return clicked;
+    if (!visible) return clicked;
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     fillRounded(draw, low, high, hovered ? colour::kFieldHot : colour::kField, context.points(4));
     drawLesson(context, home, lesson, low, high, beside);
