@@ -1,6 +1,7 @@
 #include "tests/fuzz/formats.hpp"
 
 #include "app/commands/command_line.hpp"
+#include "app/session/home/best_scores.hpp"
 #include "app/session/lesson_session.hpp"
 #include "app/session/settings.hpp"
 #include "core/base/text.hpp"
@@ -170,6 +171,18 @@ Answer readSettings(const fs::path& file) {
     return faults.empty() ? Answer::taken : Answer::refused;
 }
 
+Answer readBestScores(const fs::path& file) {
+    const BestScores scores(file);
+    for (const std::string& fault : scores.faults())
+        require(fault == printable(fault, 3000), "a fault is not printable: " + printable(fault, 300));
+    for (const char* lesson : {"gmaw-bead", "tee-fillet"})
+        if (const BestScore* best = scores.find(lesson))
+            require(best->score >= 0 && best->score <= 100 && best->zoom >= 1, "a score is out of range");
+    for (const auto& entry : fs::directory_iterator(file.parent_path()))
+        fs::remove(entry.path());
+    return scores.faults().empty() ? Answer::taken : Answer::refused;
+}
+
 Answer readTip(const fs::path& file) {
     const xr::TipCalibration tip = xr::readCalibration(file);
     require(glm::length(tip.offset) < 4, "the tip is metres from the hand");
@@ -188,7 +201,7 @@ Answer readWords(const fs::path& file) {
     return Answer::taken;
 }
 
-const std::array<Format, 10> kFormats{{
+const std::array<Format, 11> kFormats{{
     {"lesson", "lesson.toml", lessonTexts, readLessonFile},
     {"material", "material.toml", [] { return corpusOf("material", "app/data/materials"); }, readMaterialFile},
     {"acceptance", "acceptance.toml", [] { return corpusOf("acceptance", "app/data/acceptance"); }, readAcceptanceFile},
@@ -197,6 +210,7 @@ const std::array<Format, 10> kFormats{{
     {"record", "record.csv", [] { return corpusOf("record", nullptr); }, readRecord},
     {"authored torch path", "path.toml", [] { return corpusOf("torch-toml", "app/data/paths"); }, readPath},
     {"settings", "settings.toml", settingsTexts, readSettings},
+    {"best scores", "best-scores.toml", [] { return corpusOf("best-scores", nullptr); }, readBestScores},
     {"torch tip", "torch-tip.txt", [] { return corpusOf("torch-tip", nullptr); }, readTip},
     {"command line", "words.txt", [] { return corpusOf("command-line", nullptr); }, readWords},
 }};

@@ -18,6 +18,7 @@ namespace {
 
 constexpr NumberRange kScore{0, 100};
 constexpr NumberRange kZoom{1, 10};
+constexpr size_t kMostBytes = 2000; ///< of a fault's sentence
 
 BestScore readBest(TomlTable& table) {
     BestScore best;
@@ -71,7 +72,7 @@ BestScores::BestScores(fs::path file) : file_(std::move(file)) {
         if (!isPlainFile(file_)) throw InputError(file_, 0, "is no file of best scores; expected a text file");
         read();
     } catch (const std::exception& fault) {
-        faults_.push_back(fault.what() + std::string("; the best scores so far are not shown"));
+        faults_.push_back(printable(fault.what(), kMostBytes) + "; the best scores so far are not shown");
         whole = true;
     }
     if (faults_.empty()) return;
@@ -88,7 +89,7 @@ void BestScores::read() {
             TomlTable table = root.table(lesson);
             best_.emplace(lesson, readBest(table));
         } catch (const InputError& fault) {
-            faults_.emplace_back(fault.what());
+            faults_.push_back(printable(fault.what(), kMostBytes));
         }
     }
 }
