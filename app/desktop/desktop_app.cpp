@@ -164,9 +164,10 @@ void DesktopApp::drawHeadset(double seconds) {
 /// Keys of the pages before a lesson runs.
 void DesktopApp::moveByKeys(const InputFrame& input) {
     if (menus_.panels.help) return;
-    if (home_.open)
-        for (const Key key : input.pressed)
-            home_.move(key);
+    for (const Key key : input.pressed) {
+        if (!home_.open) break;
+        home_.move((key == Key::right) - (key == Key::left), (key == Key::down) - (key == Key::up));
+    }
     // Dear ImGui itself takes the key for the control that was chosen by keys.
     if (std::find(input.struck.begin(), input.struck.end(), Key::enter) == input.struck.end()) return;
     if (home_.open)

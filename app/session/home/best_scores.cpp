@@ -1,6 +1,6 @@
 #include "app/session/home/best_scores.hpp"
 
-#include "app/session/aside_file.hpp"
+#include "app/program/aside_file.hpp"
 #include "core/base/error.hpp"
 #include "core/base/output_file.hpp"
 #include "core/base/text.hpp"

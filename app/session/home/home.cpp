@@ -32,14 +32,13 @@ void Home::choose(std::string_view key) {
     if (const CataloguedLesson* lesson = find(key)) choose(static_cast<size_t>(lesson - lessons_.data()));
 }
 
-void Home::move(Key key) {
-    const size_t last = lessons_.size() - 1;
-    const size_t before = chosen_;
-    if (key == Key::left && chosen_ > 0) --chosen_;
-    if (key == Key::right && chosen_ < last) ++chosen_;
-    if (key == Key::up && chosen_ >= columns) chosen_ -= columns;
-    if (key == Key::down) chosen_ = std::min(chosen_ + columns, last);
-    moved_ = moved_ || chosen_ != before;
+void Home::move(int right, int down) {
+    const auto last = static_cast<int>(lessons_.size()) - 1;
+    const auto before = static_cast<int>(chosen_);
+    const int row = before + down * static_cast<int>(columns);
+    const int place = std::clamp((row < 0 ? before : row) + right, 0, last);
+    chosen_ = static_cast<size_t>(place);
+    moved_ = moved_ || place != before;
 }
 
 bool Home::takeMoved() {

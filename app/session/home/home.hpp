@@ -4,7 +4,6 @@
 #include "app/session/home/best_scores.hpp"
 #include "app/session/home/lesson_catalogue.hpp"
 #include "app/session/home/lesson_pictures.hpp"
-#include "app/session/input.hpp"
 #include "core/training/lesson.hpp"
 
 #include <filesystem>
@@ -33,8 +32,8 @@ class Home {
     size_t chosenIndex() const { return chosen_; }
     void choose(size_t index);
     void choose(std::string_view key);
-    /// Moves the choice as the arrow keys do in a page of `columns` columns.
-    void move(Key key);
+    /// Moves the choice by places to the right and rows down in a page of `columns` columns, as the arrow keys do.
+    void move(int right, int down);
     size_t columns = 1; ///< of the window's page as last drawn
     size_t page = 0;    ///< of the headset's list
     /// True once after move(): the page brings the chosen lesson in sight.

@@ -68,23 +68,23 @@ TEST_CASE("arrow keys move the choice through rows of lessons and stop at both e
     const fs::path folder = lessonsWith("home-keys", texts);
     Home home(folder, folder / "best-scores.toml");
     home.columns = 3;
-    const auto after = [&](Key key) {
-        home.move(key);
+    const auto after = [&](int right, int down) {
+        home.move(right, down);
         return home.chosen().key;
     };
-    CHECK(after(Key::left) == "a");
+    CHECK(after(-1, 0) == "a");
     CHECK_FALSE(home.takeMoved());
-    CHECK(after(Key::up) == "a");
-    CHECK(after(Key::right) == "b");
+    CHECK(after(0, -1) == "a");
+    CHECK(after(1, 0) == "b");
     CHECK(home.takeMoved());
     CHECK_FALSE(home.takeMoved());
-    CHECK(after(Key::down) == "e");
-    CHECK(after(Key::down) == "e");
-    CHECK(after(Key::right) == "e");
-    CHECK(after(Key::up) == "b");
-    CHECK(after(Key::enter) == "b");
+    CHECK(after(0, 1) == "e");
+    CHECK(after(0, 1) == "e");
+    CHECK(after(1, 0) == "e");
+    CHECK(after(0, -1) == "b");
+    CHECK(after(0, 0) == "b");
     home.choose("d");
-    CHECK(after(Key::left) == "c");
+    CHECK(after(-1, 0) == "c");
     home.choose("knitting");
     CHECK(home.chosen().key == "c");
 }

@@ -1,4 +1,4 @@
-#include "app/session/aside_file.hpp"
+#include "app/program/aside_file.hpp"
 
 #include <system_error>
 
