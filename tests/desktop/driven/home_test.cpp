@@ -5,6 +5,8 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
+#include <cmath>
+
 namespace meltpool::test {
 
 namespace fs = std::filesystem;
@@ -105,6 +107,43 @@ TEST_CASE("without a lesson named the window opens on the list of lessons, and n
         CHECK(window.place("home.help")[1] < height);
         window.takePicture("home-" + std::to_string(width));
     }
+    window.click("home.lesson.gmaw-bead");
+    waitForPage(window, "start");
+    CHECK(window.settle().at("places").contains("simulation.voltage"));
+    CHECK_FALSE(window.state().at("places").contains("start.spacing_mm")); // in the expert drawer
+    window.takePicture("lesson-page");
+}
+
+TEST_CASE("the demonstration is stopped, moved and left for one's own attempt by keys and mouse") {
+    TrainerWindow window("demonstration", {.settings = kWindow, .lesson = "small-bead", .data = smallCatalogue()});
+    window.click("start.demonstration");
+    const auto shown = [](const json& s) { return s.at("demonstration"); };
+    window.waitFor("the expert's torch to weld",
+                   [&](const json& s) { return !shown(s).is_null() && s.at("metal").at("molten") > 5; });
+    CHECK(shown(window.state()).at("welds") == true);
+    window.takePicture("demonstration");
+    window.key("space");
+    window.waitFor("a pause", [&](const json& s) { return shown(s).at("playing") == false; });
+    const double time = shown(window.settle()).at("time");
+    window.key("Right");
+    window.waitFor("the torch half a second on", [&](const json& s) {
+        return shown(s).at("welds") == false && std::abs(shown(s).at("time").get<double>() - time - 0.5) < 1e-6;
+    });
+    const json moved = window.settle();
+    CHECK(moved.at("metal").at("molten") == 0); // the metal as it was at first
+    window.pull("demonstration.time", 0.75);
+    window.waitFor("the torch near the end", [&](const json& s) {
+        return shown(s).at("time").get<double>() > 0.6 * shown(s).at("duration").get<double>();
+    });
+    CHECK(window.settle().at("torch").at("tip_mm").at(0).get<double>() >
+          moved.at("torch").at("tip_mm").at(0).get<double>() + 5);
+    window.takePicture("demonstration-moved");
+    window.key("Return");
+    window.waitFor("one's own attempt",
+                   [&](const json& s) { return shown(s).is_null() && s.at("metal").at("steps") > 3; });
+    CHECK(window.state().at("judgement").is_null());
+    window.key("h");
+    waitForPage(window, "home");
 }
 
 TEST_CASE("two strokes of Enter start the default lesson; H, Escape and the arrow keys lead through the pages") {
@@ -141,8 +180,6 @@ TEST_CASE("a lesson is picked from the list, welded by keys and mouse, judged, w
     TrainerWindow window("home-weld", {.settings = kWindow, .lesson = "", .data = data});
     window.click("home.lesson.small-bead");
     waitForPage(window, "start");
-    window.takePicture("lesson-page");
-    CHECK_FALSE(window.settle().at("places").contains("start.spacing_mm")); // in the expert drawer
     window.click("start.start");
     window.waitFor("the metal", [](const json& s) { return s.at("metal").at("steps") > 0; });
     goToTheSeam(window, 4);
