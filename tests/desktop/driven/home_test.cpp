@@ -22,7 +22,7 @@ text = "Weld along the plate."
 level = 2
 next = "classic"
 model = "weld"
-torch = "../paths/bead-on-plate.toml"
+torch = "../small-paths/bead.toml"
 [workpiece]
 workpiece = "plate"
 metal = "s235"
@@ -48,6 +48,23 @@ elevation = 30
 name = "metal"
 )";
 
+const char* const kSmallPath = R"(start_mm = [-10, 20, 0]
+work_angle_deg = 90
+travel_angle_deg = 0
+[[move]]
+kind = "line"
+to_mm = [-10, 3, 0]
+speed_mm_s = 60
+[[move]]
+kind = "arc_on"
+[[move]]
+kind = "line"
+to_mm = [10, 3, 0]
+speed_mm_s = 8
+[[move]]
+kind = "arc_off"
+)";
+
 /// The build's data with two lessons only: the classic one and "small-bead".
 fs::path smallCatalogue() {
     const fs::path share = scratchFolder("home-data");
@@ -59,6 +76,8 @@ fs::path smallCatalogue() {
             fs::create_directory_symlink(entry.path(), share / "data" / entry.path().filename());
     fs::copy_file(built / "data" / "lessons" / "classic.toml", share / "data" / "lessons" / "classic.toml");
     writeTextFileAtomically(share / "data" / "lessons" / "small-bead.toml", kSmallBead);
+    fs::create_directories(share / "data" / "small-paths");
+    writeTextFileAtomically(share / "data" / "small-paths" / "bead.toml", kSmallPath);
     return share;
 }
 
