@@ -25,7 +25,7 @@ struct HandsView {
 
 class WorkshopScene {
   public:
-    /// How far a filler rod reaches out of the hand, m. It is not shown, as it does not melt yet.
+    /// How far a filler rod reaches out of the hand, m.
     static constexpr float kRodReach = 0.30f;
 
     WorkshopScene();

@@ -42,7 +42,7 @@ std::span<const std::string_view> idleLook(const Lesson& lesson) {
     static constexpr std::array<std::string_view, 3> kIdle{"arc_light", "material", "show_source"};
     const std::span<const std::string_view> all(kIdle);
     if (lesson.model == LessonModel::Classic) return all.first(1); // no arc
-    return lesson.process.is<Gmaw>() || lesson.process.is<Gtaw>() ? all.last(2) : all;
+    return isArcWelding(lesson.process) ? all.last(2) : all;
 }
 
 bool same(const SurfaceParameters& a, const SurfaceParameters& b) {

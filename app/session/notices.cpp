@@ -8,7 +8,7 @@ namespace meltpool {
 namespace {
 
 /// In the order of NoArc; empty: nothing to tell.
-constexpr std::array<std::string_view, 10> kSentences{
+constexpr std::array<std::string_view, 12> kSentences{
     "",
     "",
     "The arc became too long: it is out. Let the trigger go, then strike nearer.",
@@ -19,11 +19,25 @@ constexpr std::array<std::string_view, 10> kSentences{
     "There is no arc: the electrode touches the metal. Lift it, then strike.",
     "",
     "There is no arc: no wire is fed. Set the wire feed above 0.",
+    "The electrode sticks to the metal. Twist it free, then strike again.",
+    "The electrode has burned down to its stub. Let the trigger go to take a new one.",
 };
-static_assert(kSentences.size() == static_cast<size_t>(NoArc::noWire) + 1);
+static_assert(kSentences.size() == static_cast<size_t>(NoArc::usedUp) + 1);
+
+/// A covered electrode strikes by touch; while it touches, nothing is wrong yet.
+std::string_view touchSentence(NoArc reason) {
+    if (reason == NoArc::tooLong)
+        return "The arc became too long: it is out. Touch the metal and lift, to strike again.";
+    if (reason == NoArc::metalLeft) return "No metal lies before the electrode any more: the arc is out.";
+    if (reason == NoArc::tooFar) return "There is no arc: touch the metal with the electrode and lift it a little.";
+    if (reason == NoArc::touching) return {};
+    return kSentences[static_cast<size_t>(reason)];
+}
 
 /// A wire strikes again by itself when it reaches the metal.
-std::string_view sentenceOf(NoArc reason, bool wire) {
+std::string_view sentenceOf(NoArc reason, Striking striking) {
+    const bool wire = striking == Striking::wire;
+    if (striking == Striking::touch) return touchSentence(reason);
     if (wire && reason == NoArc::tooLong) return "The arc became too long: it is out. Bring the torch nearer.";
     if (wire && reason == NoArc::metalLeft) return "No metal lies before the torch any more: the arc is out.";
     return kSentences[static_cast<size_t>(reason)];
@@ -31,10 +45,15 @@ std::string_view sentenceOf(NoArc reason, bool wire) {
 
 } // namespace
 
-std::string_view ArcNotice::update(const ArcState& arc, bool wire, double elapsed) {
-    const bool stubs = wire && arc.action == ArcAction::stubbed;
+Striking strikingOf(const ProcessSettings& process) {
+    if (process.is<Gmaw>()) return Striking::wire;
+    return process.is<Smaw>() ? Striking::touch : Striking::spark;
+}
+
+std::string_view ArcNotice::update(const ArcState& arc, Striking striking, double elapsed) {
+    const bool stubs = striking == Striking::wire && arc.action == ArcAction::stubbed;
     const std::string_view sentence =
-        stubs ? "The wire stubs: it comes faster than the arc melts it." : sentenceOf(arc.noArc, wire);
+        stubs ? "The wire stubs: it comes faster than the arc melts it." : sentenceOf(arc.noArc, striking);
     waiting_ = sentence.empty() ? 0 : waiting_ + elapsed;
     return waiting_ > kPatience || wentOut(arc.noArc) ? sentence : std::string_view();
 }
@@ -64,7 +83,7 @@ void Notices::update(LessonSession& session, LessonFigures& figures, const Trigg
     std::string_view sentence;
     if (session.running() && !session.demonstration().shown()) {
         figures.slow = slow_.update(figures.speed, elapsed);
-        sentence = arc_.update(session.arc(), session.lesson().process.is<Gmaw>(), elapsed);
+        sentence = arc_.update(session.arc(), strikingOf(session.lesson().process), elapsed);
         if (lock.holdsBack()) sentence = arcOutSentence(lock.reason());
     }
     tellSlow(figures.slow, messages);

@@ -12,15 +12,23 @@
 
 namespace meltpool {
 
+/// How a torch strikes.
+enum class Striking {
+    spark, ///< a spark jumps to the metal: GTAW
+    wire,  ///< by itself when the wire reaches the metal: GMAW
+    touch, ///< when the electrode touches and is lifted: SMAW
+};
+
+Striking strikingOf(const ProcessSettings& process);
+
 /// Why an arc that the trigger asks for does not burn; empty: it does, or nobody asks.
 class ArcNotice {
   public:
     /// s that an arc may take to strike, and a wire may stub, before a word is said.
     static constexpr double kPatience = 0.5;
 
-    /// Takes the state of the last step. `wire`: of a wire that strikes by itself when it reaches the metal. `elapsed`:
-    /// real seconds since the last call.
-    std::string_view update(const ArcState& arc, bool wire, double elapsed);
+    /// Takes the state of the last step. `elapsed`: real seconds since the last call.
+    std::string_view update(const ArcState& arc, Striking striking, double elapsed);
 
   private:
     double waiting_ = 0; ///< s that the arc has not struck, or the wire has stubbed

@@ -16,6 +16,9 @@ constexpr glm::vec3 kCopper(0.62F, 0.29F, 0.17F);
 constexpr glm::vec3 kBrass(0.58F, 0.44F, 0.17F);
 constexpr glm::vec3 kCeramic(0.55F, 0.30F, 0.24F);
 constexpr glm::vec3 kTungsten(0.35F, 0.35F, 0.36F);
+constexpr glm::vec3 kSteelWire(0.42F, 0.41F, 0.40F);
+constexpr glm::vec3 kCovered(0.36F, 0.33F, 0.30F);
+constexpr glm::vec3 kHotBall(6.0F, 2.2F, 0.5F);
 constexpr glm::vec3 kArcColour(0.93F, 1.0F, 1.25F);
 constexpr float kLumenPerWatt = 5;
 
@@ -70,6 +73,29 @@ void addGtaw(Builder& add, const ArcLight& light) {
     add.arc(light);
 }
 
+/// The rod's end has melted back from the pose's tip by `eaten`; m.
+void addRod(std::vector<Solid>& solids, const RodSample& rod, float diameter, const ArcState& arc,
+            const glm::mat4& toWorld) {
+    constexpr float kShown = 0.3F;
+    const glm::vec3 axis = rod.axis();
+    const glm::vec3 end = rod.tip - axis * arc.rodEaten;
+    solids.push_back({SolidShape::cylinder, toWorld * alongLine(end - axis * kShown, end, diameter), kSteelWire, 0.6F});
+    if (arc.rodBall <= 0) return;
+    const glm::mat4 ball = glm::scale(glm::translate(glm::mat4(1.0F), end), glm::vec3(arc.rodBall));
+    solids.push_back({SolidShape::sphere, toWorld * ball, kSteelWire, 0.8F, kHotBall});
+}
+
+/// What is left of the electrode reaches from the holder to its end; its covering ends a little before its core.
+void addSmaw(Builder& add, const SmawSettings& smaw, float left, const ArcLight& light) {
+    const float whole = smaw.lengthMm * 1e-3F, burnt = whole - left, core = smaw.diameterMm * 1e-3F;
+    constexpr float kHeld = 0.025F, kCovering = 1.7F;
+    add.part(SolidShape::cylinder, whole, burnt, core, kTungsten, 0.6F);
+    add.part(SolidShape::cylinder, whole - kHeld, burnt + core / 2, core * kCovering, kCovered, 0.15F);
+    add.part(SolidShape::cylinder, whole + 0.03F, whole - 0.02F, 0.022F, kDarkSteel, 0.3F);
+    add.part(SolidShape::cylinder, whole + 0.16F, whole + 0.03F, 0.028F, kDarkSteel, 0.2F);
+    add.arc(light);
+}
+
 /// The tip of the pose is where the flame is hottest, in front of the burner's nozzle.
 void addFlame(Builder& add, float share) {
     constexpr float kNozzle = 0.012F;
@@ -90,7 +116,9 @@ ArcLight torchArcLight(const TorchSample& torch, const ProcessSettings& process,
     if (!arc.burns() || arc.current <= 0) return {};
     const float candela = kLumenPerWatt * arc.voltage * arc.current / (4 * std::numbers::pi_v<float>);
     // The arc hangs between the wire's or electrode's end and the metal.
-    const float back = process.is<Gmaw>() ? process.of<Gmaw>().stickOutMm * 1e-3F : 0.0F;
+    const float back = process.is<Gmaw>()   ? process.of<Gmaw>().stickOutMm * 1e-3F
+                       : process.is<Smaw>() ? process.of<Smaw>().lengthMm * 1e-3F - arc.extension
+                                            : 0.0F;
     const float middle = arc.distance - std::max(arc.length, kShortestShown) / 2;
     return {torch.tip + torch.axis() * (middle - back), kArcColour * (candela / static_cast<float>(kPaperLuminance)),
             kArcDiameter / 2};
@@ -107,7 +135,15 @@ void buildTorchModel(std::vector<Solid>& solids, const TorchSample& torch, const
         // Before the first step nothing is known of the wire: it is as long as it is set.
         return addGmaw(add, stickOut, arc.extension > 0 ? arc.extension : stickOut, gmaw.wireDiameterMm * 1e-3F, light);
     }
-    if (process.is<Gtaw>()) return addGtaw(add, light);
+    if (process.is<Gtaw>()) {
+        addGtaw(add, light);
+        if (torch.rod) addRod(solids, *torch.rod, process.of<Gtaw>().rodDiameterMm * 1e-3F, arc, workpieceToWorld);
+        return;
+    }
+    if (process.is<Smaw>()) {
+        const SmawSettings& smaw = process.of<Smaw>();
+        return addSmaw(add, smaw, arc.extension > 0 ? arc.extension : smaw.lengthMm * 1e-3F, light);
+    }
     if (process.is<Flame>()) return addFlame(add, arc.burns() ? arc.share : 0);
     addIron(add);
 }

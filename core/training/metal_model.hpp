@@ -44,6 +44,9 @@ class MetalModel {
     virtual ArcState arc(const SurfaceDistance& surface) const = 0;
     /// Radius (m) of what touches the metal first: wire, electrode, soldering tip.
     virtual float touchRadius() const { return 0; }
+    /// See Process::burntOff() and Process::takesRod().
+    virtual float burntOff() const { return 0; }
+    virtual bool takesRod() const { return false; }
     /// Where the wire has gone; nothing for processes without.
     virtual WireAccount wire() const { return {}; }
     /// Box of the particles, their temperatures' meaning and the source under this torch; without a mesh.

@@ -10,8 +10,8 @@ namespace meltpool {
 
 namespace {
 
-/// 23 cells of no more than 24 characters each.
-constexpr size_t kLongestRow = 660;
+/// 31 cells of no more than 24 characters each.
+constexpr size_t kLongestRow = 800;
 /// Below this the metal stands still, and a ratio of times says nothing.
 constexpr double kLeastPace = 1e-3;
 
@@ -20,6 +20,8 @@ std::string columns(const RecordHead& head) {
     for (const std::string_view name : torchColumns())
         names += (names.empty() ? "" : ",") + std::string(name);
     names += ",molten,min_temperature,mean_temperature,max_temperature,lost,non_finite";
+    for (const std::string_view name : head.rod ? rodColumns() : std::span<const std::string_view>{})
+        names += "," + std::string(name);
     if (head.arc) names += ",arc_length_mm,current_a,voltage_v,arc_state,ctwd_mm,extension_mm,power_w";
     if (head.paced) names += ",real_time";
     return names + "\n";
@@ -50,7 +52,7 @@ void appendCell(std::string& text, auto value) {
 } // namespace
 
 Record::Record(const std::filesystem::path& file, const RecordHead& head, bool replace)
-    : file_(file), arc_(head.arc), paced_(head.paced) {
+    : file_(file), arc_(head.arc), rod_(head.rod), paced_(head.paced) {
     std::error_code failure;
     if (!replace && std::filesystem::is_regular_file(file, failure))
         throw InputError(file, 0, "is there already; expected a name that no file has, as a record replaces nothing");
@@ -105,6 +107,10 @@ void Record::complete(const MetalStatistics& metal) {
     appendCell(row_, metal.maxTemperature);
     appendCell(row_, std::uint64_t{metal.lost});
     appendCell(row_, std::uint64_t{metal.nonFinite});
+    if (rod_) {
+        row_ += ',';
+        appendRodCells(row_, oldest.step.torch.rod);
+    }
     if (arc_) appendArc(oldest.step.arc);
     if (paced_) appendCell(row_, static_cast<float>(oldest.step.realTime));
     row_ += '\n';

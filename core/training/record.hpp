@@ -27,6 +27,7 @@ struct RecordHead {
     std::string driver;                                      ///< of the graphics: another may round otherwise
     std::vector<std::pair<std::string, std::string>> values; ///< of the metal and the process, at the start
     bool arc = false;                                        ///< the metal has an arc, whose figures have columns
+    bool rod = false;                                        ///< the process melts a filler rod: columns of it
     bool paced = false;                                      ///< a person welds by the clock: column `real_time`
 };
 
@@ -79,6 +80,7 @@ class Record {
     std::filesystem::path file_;
     std::ofstream stream_;
     bool arc_;
+    bool rod_;
     bool paced_;
     std::array<Waiting, kWaiting> steps_;
     size_t oldest_ = 0;

@@ -5,7 +5,8 @@ namespace meltpool {
 namespace {
 
 ProbeAim aimOf(const MetalModel& metal, const TorchSample& torch) {
-    return {torch.tip / metal.unit(), torch.axis(), TipProbe::kReach / metal.unit()};
+    const glm::vec3 end = torch.tip - torch.axis() * metal.burntOff();
+    return {end / metal.unit(), torch.axis(), TipProbe::kReach / metal.unit()};
 }
 
 /// Metres, and nothing where no metal was met.

@@ -151,6 +151,7 @@ RecordHead Trainer::recordHead(const RecordContext& context) {
     for (const Parameter& parameter : lesson_.metalParameters())
         head.values.emplace_back(parameter.key, parameterText(parameter));
     head.arc = hasArc();
+    head.rod = metal_->takesRod();
     head.paced = context.paced;
     return head;
 }

@@ -19,6 +19,8 @@ class WeldModel : public MetalModel {
     float liquidShare(float temperature) const override;
     ArcState arc(const SurfaceDistance&) const override { return weld_.arc(); }
     float touchRadius() const override { return weld_.process().touchRadius(); }
+    float burntOff() const override { return weld_.process().burntOff(); }
+    bool takesRod() const override { return weld_.process().takesRod(); }
     WireAccount wire() const override { return weld_.process().wire(); }
     /// The torch's solids in it are lent until the next call.
     SceneView scene(const TorchSample& torch) const override;

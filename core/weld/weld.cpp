@@ -68,19 +68,25 @@ Weld::Weld(gl::ShaderLibrary& shaders, const Material& material, const Workpiece
     : shaders_(shaders),
       metal_(shaders, setupOf(stirred(material, settings), workpiece, surroundings)),
       process_(makeProcess(settings, {metal_.table(), metal_.state().density(), workpiece.lattice.spacing,
-                                      surroundings.ambient, boilingPointOf(material)})),
-      probe_(std::make_unique<AxisProbe>(shaders, metal_.state(), metal_.heat())) {}
+                                      surroundings.ambient, boilingPointOf(material)})) {
+    makeProbes();
+}
 
 void Weld::reset() {
     metal_.reset();
     process_->reset();
+    makeProbes();
+}
+
+void Weld::makeProbes() {
     probe_ = std::make_unique<AxisProbe>(shaders_, metal_.state(), metal_.heat());
+    if (process_->takesRod()) rodProbe_ = std::make_unique<AxisProbe>(shaders_, metal_.state(), metal_.heat());
 }
 
 /// The place that was found stays where it is while the torch moves on: its distance along the axis is measured from
 /// where the torch is now. A torch that has gone farther has left it.
-MetalAhead Weld::metalAhead(const TorchRay& ray) {
-    const auto found = probe_->answer();
+MetalAhead Weld::metalAhead(AxisProbe& probe, const TorchRay& ray) {
+    const auto found = probe.answer();
     if (!found || !found->distance) return {};
     const glm::vec3 place = found->ray.origin + found->ray.axis * *found->distance;
     const float distance = glm::dot(place - ray.origin, ray.axis);
@@ -89,11 +95,19 @@ MetalAhead Weld::metalAhead(const TorchRay& ray) {
 }
 
 void Weld::step(const TorchSample& torch, gl::Profiler* profiler) {
-    process_->step(torch, metalAhead(process_->ray(torch)), timeStep());
+    const std::optional<TorchRay> rod = process_->rodRay(torch);
+    process_->step(torch, metalAhead(*probe_, process_->ray(torch)), timeStep(),
+                   rod ? metalAhead(*rodProbe_, *rod) : MetalAhead{});
     metal_.setArc(process_->pressure());
     metal_.step(process_->sources(), process_->drops(), profiler);
+    lookAhead(torch, profiler);
+}
+
+/// A rod that is not held is not looked for: the first answers after it came back are of where it was.
+void Weld::lookAhead(const TorchSample& torch, gl::Profiler* profiler) {
     const TorchRay next = process_->ray(torch);
     probe_->look({next.origin, next.axis, next.reach}, profiler);
+    if (const auto rod = process_->rodRay(torch)) rodProbe_->look({rod->origin, rod->axis, rod->reach}, profiler);
 }
 
 } // namespace meltpool

@@ -38,15 +38,18 @@ class Weld {
     const PhysicalMetal& metal() const { return metal_; }
     PhysicalMetal& metal() { return metal_; }
     double timeStep() const { return static_cast<double>(metal_.timeStep()); }
-    size_t bytes() const { return metal_.bytes() + probe_->bytes(); }
+    size_t bytes() const { return metal_.bytes() + probe_->bytes() + (rodProbe_ ? rodProbe_->bytes() : 0); }
 
   private:
-    MetalAhead metalAhead(const TorchRay& ray);
+    static MetalAhead metalAhead(AxisProbe& probe, const TorchRay& ray);
+    void makeProbes();
+    void lookAhead(const TorchSample& torch, gl::Profiler* profiler);
 
     gl::ShaderLibrary& shaders_;
     PhysicalMetal metal_;
     std::unique_ptr<Process> process_;
     std::unique_ptr<AxisProbe> probe_;
+    std::unique_ptr<AxisProbe> rodProbe_; ///< along the filler rod; null where the process melts none
 };
 
 } // namespace meltpool

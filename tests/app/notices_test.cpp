@@ -22,11 +22,11 @@ ArcState arcOf(ArcAction action, NoArc noArc = NoArc::burns) {
 
 TEST_CASE("why there is no arc is told as the process says it, until it burns or the trigger is let go", "[app]") {
     ArcNotice notice;
-    bool wire = false;
+    Striking striking = Striking::spark;
     const auto told = [&](ArcState arc, int frames = 1) {
         std::string sentence;
         for (int i = 0; i < frames; ++i)
-            sentence = notice.update(arc, wire, kFrame);
+            sentence = notice.update(arc, striking, kFrame);
         return sentence;
     };
     const auto out = [](NoArc reason) { return arcOf(ArcAction::out, reason); };
@@ -45,13 +45,20 @@ TEST_CASE("why there is no arc is told as the process says it, until it burns or
     CHECK_THAT(told(out(NoArc::touching), 6), contains("Lift it"));
     CHECK_THAT(told(out(NoArc::noMetal), 6), contains("no metal"));
     CHECK_THAT(told(out(NoArc::noWire), 6), contains("wire feed"));
-    wire = true;
+    striking = Striking::wire;
     CHECK(told(out(NoArc::feeding), 20).empty());
     CHECK(told(arcOf(ArcAction::shorting), 20).empty());
     CHECK(told(arcOf(ArcAction::stubbed), 5).empty());
     CHECK_THAT(told(arcOf(ArcAction::stubbed)), contains("stubs"));
     CHECK(told(arcOf(ArcAction::burning)).empty());
     CHECK_THAT(told(out(NoArc::tooLong)), contains("Bring the torch nearer"));
+    striking = Striking::touch;
+    CHECK(told(out(NoArc::released)).empty());
+    CHECK_THAT(told(out(NoArc::tooFar), 6), contains("touch the metal"));
+    CHECK(told(out(NoArc::touching), 20).empty());
+    CHECK_THAT(told(out(NoArc::stuck)), contains("Twist it free"));
+    CHECK_THAT(told(out(NoArc::tooLong)), contains("Touch the metal and lift"));
+    CHECK_THAT(told(out(NoArc::usedUp)), contains("new one"));
 }
 
 TEST_CASE("slow metal is told after half a second and until it keeps up", "[app]") {

@@ -146,3 +146,25 @@ TEST_CASE("a place that cannot be written is bad input, a full disk is a fault, 
     { const Record third(file, headOf("c"), true); }
     CHECK(readTextFile(file).find("# lesson c\n") != std::string::npos);
 }
+
+TEST_CASE("the record of a process that melts a filler rod has the rod where one is held", "[training]") {
+    const auto file = test::scratchFolder("record") / "rod.csv";
+    {
+        RecordHead head = headOf("gtaw");
+        head.rod = head.arc = true;
+        Record record(file, head, false);
+        for (int i = 1; i <= 10; ++i) {
+            TorchSample torch = sampleAt(i);
+            if (i > 5) torch.rod = RodSample{{0.01F, 0.002F, 0.001F * static_cast<float>(i)}, torch.orientation, 2e-3F};
+            record.add({torch, {}, 1});
+            record.complete(metalWith(1));
+        }
+    }
+    const TorchRecording recording = readTorchCsv(file);
+    REQUIRE(recording.samples.size() == 10);
+    CHECK_FALSE(recording.samples[4].rod);
+    REQUIRE(recording.samples[5].rod);
+    CHECK(recording.samples[5].rod->tip == glm::vec3(0.01F, 0.002F, 0.006F));
+    CHECK(recording.samples[5].rod->orientation == recording.samples[5].orientation);
+    CHECK(recording.samples[5].rod->feed == 2e-3F);
+}

@@ -157,3 +157,51 @@ TEST_CASE("the same torch gives the same bits after a reset and in another weld"
     CHECK(hashes[0] == hashes[1]);
     CHECK(hashes[0] == hashes[2]);
 }
+
+TEST_CASE("a rod that is dipped into a GTAW pool becomes weld metal, one that is held away from it does not",
+          "[weld]") {
+    double fed[2] = {};
+    for (const bool dipped : {false, true}) {
+        ProcessSettings settings;
+        settings.choose<Gtaw>().current = 130;
+        Weld weld(test::shaders(), steel(), smallPlate(), settings);
+        for (int i = 0; i < 260; ++i) {
+            TorchSample torch = over(2);
+            const double seconds = i * weld.timeStep();
+            RodHold hold;
+            hold.angle = 20 * std::numbers::pi / 180;
+            hold.ahead = 2.5e-3;
+            hold.below = 2e-3;
+            hold.rest = 0.015;
+            hold.depth = 1.5e-3;
+            hold.frequency = dipped && seconds > 1 ? 1 : 0;
+            hold.feed = 3e-3;
+            torch.rod = hold.sample(torch.tip, seconds - 1);
+            weld.step(torch, nullptr);
+        }
+        CHECK(weld.arc().burns());
+        fed[dipped ? 1 : 0] = double(weld.process().filler().fed());
+    }
+    CHECK(fed[0] == 0);
+    CHECK(fed[1] > 3);
+}
+
+TEST_CASE("a stick touches the plate, strikes when it is lifted, and lays metal while the hand follows it", "[weld]") {
+    ProcessSettings settings;
+    settings.choose<Smaw>().current = 115;
+    Weld weld(test::shaders(), steel(), smallPlate(), settings);
+    const double rate = smawBurnOff(0, 115, 3.2e-3);
+    double burning = 0;
+    for (int i = 0; i < 300; ++i) {
+        const double seconds = i * weld.timeStep();
+        const double lifted = std::clamp((seconds - 0.2) / 0.1, 0.0, 1.0) * 3 - 0.2;
+        weld.step(over(float(lifted - 1e3 * rate * burning)), nullptr);
+        if (weld.arc().burns()) burning += weld.timeStep();
+        if (seconds < 0.15) CHECK_FALSE(weld.arc().burns());
+    }
+    CHECK(weld.arc().burns());
+    CHECK(burning > 0.8 * (300 * weld.timeStep() - 0.3));
+    CHECK(double(weld.arc().length) * 1e3 == Approx(3).margin(1.5)); // the bead grows under it
+    CHECK(double(weld.process().burntOff()) == Approx(rate * burning).epsilon(0.1));
+    CHECK(weld.process().filler().fed() > 50);
+}

@@ -43,7 +43,7 @@ const std::array<QuantityInfo, kTechniqueQuantities>& quantities(DistanceKind ki
 }
 
 DistanceKind distanceKindOf(const ProcessSettings& process) {
-    return process.is<Gtaw>() ? DistanceKind::arcLength : DistanceKind::ctwd;
+    return process.is<Gtaw>() || process.is<Smaw>() ? DistanceKind::arcLength : DistanceKind::ctwd;
 }
 
 const QuantityInfo& quantityInfo(TechniqueQuantity quantity, DistanceKind kind) {

@@ -20,9 +20,10 @@ std::string_view arcActionName(ArcAction action) {
 }
 
 std::string_view noArcName(NoArc reason) {
-    constexpr std::array<std::string_view, 10> kNames{"burns",    "released", "too_long", "touched", "metal_left",
-                                                      "no_metal", "too_far",  "touching", "feeding", "no_wire"};
-    static_assert(kNames.size() == static_cast<size_t>(NoArc::noWire) + 1);
+    constexpr std::array<std::string_view, 12> kNames{"burns",      "released", "too_long", "touched",
+                                                      "metal_left", "no_metal", "too_far",  "touching",
+                                                      "feeding",    "no_wire",  "stuck",    "used_up"};
+    static_assert(kNames.size() == static_cast<size_t>(NoArc::usedUp) + 1);
     return kNames[static_cast<size_t>(reason)];
 }
 

@@ -21,7 +21,7 @@ enum class ArcAction {
 /// The word for an action in records and results: "out", "striking" ...
 std::string_view arcActionName(ArcAction action);
 
-/// Why a GMAW or GTAW torch has no arc.
+/// Why a torch has no arc.
 enum class NoArc {
     burns,     ///< it has one; also every process that is no arc
     released,  ///< the trigger is let go
@@ -33,15 +33,18 @@ enum class NoArc {
     touching,  ///< it does not strike: the electrode stands on the metal
     feeding,   ///< it does not strike yet: the wire is on its way to the metal
     noWire,    ///< it does not strike: no wire is fed
+    stuck,     ///< the electrode is frozen to the metal, with or without an arc before
+    usedUp,    ///< it went out: the electrode has burned down to its stub
 };
 
 /// The word for records: "too_long", "touched" ...
 std::string_view noArcName(NoArc reason);
 
-/// An arc burned and went out by itself, the trigger pulled; the reason stays until it strikes again or the trigger is
-/// let go.
+/// An arc burned and went out by itself (one that never burned can be stuck, too), the trigger pulled; the reason stays
+/// until it strikes again or the trigger is let go.
 constexpr bool wentOut(NoArc reason) {
-    return reason == NoArc::tooLong || reason == NoArc::touched || reason == NoArc::metalLeft;
+    return reason == NoArc::tooLong || reason == NoArc::touched || reason == NoArc::metalLeft ||
+           reason == NoArc::stuck || reason == NoArc::usedUp;
 }
 
 /// All lengths in m, in SI.
@@ -50,7 +53,8 @@ struct ArcState {
     NoArc noArc = NoArc::burns;                              ///< why action is `out`
     float distance = std::numeric_limits<float>::infinity(); ///< from the torch's contact tip, electrode or nozzle
                                                              ///< along its axis to the metal; infinite: none in reach
-    float extension = 0;                                     ///< of the wire beyond the contact tip, or 0
+    float extension = 0;                                     ///< of the wire beyond the contact tip, of an electrode
+                                                             ///< that burns off what is left of it; or 0
     float length = 0;                                        ///< of the arc; 0 without one and while the wire touches
     float current = 0;                                       ///< A, mean over the step
     float voltage = 0;                                       ///< V between torch and workpiece, mean over the step
@@ -58,9 +62,12 @@ struct ArcState {
     float radius = 0;                                        ///< sigma of the heat on the surface
     float pressure = 0;                                      ///< Pa on the axis
     float shorts = 0;                                        ///< 1/s, short circuits of the wire
-    float share = 0;   ///< 0..1 of what the process can give: what arrives in the metal
-    float stretch = 0; ///< 0 the length that the settings give .. 1 about to go out
-    float liquid = 0;  ///< 0..1, share of liquid in the metal under the axis
+    float share = 0;    ///< 0..1 of what the process can give: what arrives in the metal
+    float stretch = 0;  ///< 0 the length that the settings give .. 1 about to go out
+    float liquid = 0;   ///< 0..1, share of liquid in the metal under the axis
+    float rodEaten = 0; ///< of a filler rod: how far its end lies behind RodSample::tip
+    float rodBall = 0;  ///< diameter of the ball on its end; 0 without
+    bool rodInPool = false;
 
     bool burns() const { return action != ArcAction::out; }
 };

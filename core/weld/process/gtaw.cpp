@@ -18,6 +18,7 @@ constexpr double kLoadLineSlope = 0.04;  // V/A
 constexpr double kMachineReserve = 1.35; // of the load line, where the arc goes out
 constexpr float kStrikeGap = 4e-3F;      // m that the high-frequency spark jumps; trade knowledge, no document checked
 constexpr float kTouch = 0.25e-3F;       // m: the surface is known to within about that
+constexpr float kDripSpeed = 0.1F;       // m/s at which filler leaves the rod; none: chosen
 
 double loadLine(double current) {
     return kLoadLineVoltage + kLoadLineSlope * current;
@@ -29,6 +30,7 @@ ParameterList describe(GtawSettings& s) {
     return {
         {"current", "Current", "A", &s.current, 5, 500, "the machine holds it; more melts deeper"},
         {"electrode_diameter_mm", "Electrode", "mm", &s.electrodeDiameterMm, 0.5, 6.4, "tungsten"},
+        {"rod_diameter_mm", "Filler rod", "mm", &s.rodDiameterMm, 0.8F, 5, "in the other hand; dipped into the pool"},
     };
 }
 
@@ -43,27 +45,58 @@ double gtawLongestArc(double current) {
 
 void Gtaw::apply(const ProcessSettings& settings) {
     settings_ = settings.of<Gtaw>();
+    rod_.setDiameter(static_cast<double>(settings_.rodDiameterMm) * kMm);
 }
 
 void Gtaw::reset() {
     Process::reset();
+    rod_.reset();
     noArc_ = NoArc::released;
     released_ = true;
     spoiled_ = false;
 }
 
+std::optional<TorchRay> Gtaw::rodRay(const TorchSample& torch) const {
+    return torch.rod ? std::optional(rod_.ray(*torch.rod)) : std::nullopt;
+}
+
+WireAccount Gtaw::wire() const {
+    if (rod_.melted() <= 0) return {};
+    return {rod_.melted(), rod_.melted(), 0, rod_.area(), metal_.density};
+}
+
 /// What keeps this step from an arc, the trigger pulled.
-NoArc Gtaw::whyNot(const MetalAhead& ahead, double current) const {
+NoArc Gtaw::whyNot(const TorchSample& torch, const MetalAhead& ahead, double current) const {
     const bool lit = noArc_ == NoArc::burns;
     if (!lit && !released_) return noArc_;
     if (!std::isfinite(ahead.distance)) return lit ? NoArc::metalLeft : NoArc::noMetal;
     if (ahead.distance <= kTouch) return lit ? NoArc::touched : NoArc::touching;
+    if (torch.rod && rod_.touches(*torch.rod, ray(torch), static_cast<double>(settings_.electrodeDiameterMm) * kMm))
+        return lit ? NoArc::touched : NoArc::touching;
     if (!lit && ahead.distance > kStrikeGap) return NoArc::tooFar;
     if (static_cast<double>(ahead.distance) > gtawLongestArc(current)) return lit ? NoArc::tooLong : NoArc::tooFar;
     return NoArc::burns;
 }
 
-void Gtaw::advance(const TorchSample& torch, const MetalAhead& ahead, double) {
+void Gtaw::advance(const TorchSample& torch, const MetalAhead& ahead, double seconds) {
+    strikeOrBurn(torch, ahead);
+    const double spent = meltRod(torch, seconds);
+    if (arc_.burns()) heatSurface(ray(torch), arc_.power - spent);
+}
+
+/// W that the arc spends on the rod.
+double Gtaw::meltRod(const TorchSample& torch, double seconds) {
+    if (!torch.rod) return 0;
+    const RodArc arc{ray(torch), static_cast<double>(arc_.length), static_cast<double>(arc_.radius), arc_.power};
+    const RodMelt melt = rod_.step(*torch.rod, rodAhead_, arc_.burns() ? &arc : nullptr, metal_, seconds);
+    if (melt.volume > 0) dropFiller(melt.volume, melt.place, torch.axis() * kDripSpeed, melt.temperature);
+    arc_.rodEaten = static_cast<float>(rod_.eaten());
+    arc_.rodBall = static_cast<float>(rod_.ballDiameter());
+    arc_.rodInPool = rod_.inPool();
+    return melt.heat;
+}
+
+void Gtaw::strikeOrBurn(const TorchSample& torch, const MetalAhead& ahead) {
     if (torch.trigger <= 0) {
         arc_.noArc = noArc_ = NoArc::released;
         released_ = true;
@@ -71,7 +104,7 @@ void Gtaw::advance(const TorchSample& torch, const MetalAhead& ahead, double) {
     }
     const bool strikes = noArc_ != NoArc::burns;
     const double current = static_cast<double>(settings_.current * std::min(torch.trigger, 1.0F));
-    arc_.noArc = noArc_ = whyNot(ahead, current);
+    arc_.noArc = noArc_ = whyNot(torch, ahead, current);
     if (noArc_ == NoArc::touched) spoiled_ = true;
     if (noArc_ != NoArc::burns) return;
     released_ = false;
@@ -88,7 +121,6 @@ void Gtaw::advance(const TorchSample& torch, const MetalAhead& ahead, double) {
     arc_.share = std::min(torch.trigger, 1.0F);
     const double atRest = gtawVoltage(2 * kMm, current);
     arc_.stretch = static_cast<float>(std::clamp((voltage - atRest) / std::max(breaking - atRest, 0.1), 0.0, 1.0));
-    heatSurface(ray(torch), arc_.power);
 }
 
 } // namespace meltpool

@@ -1,7 +1,7 @@
 // GTAW (TIG): a tungsten electrode on a machine that holds the current; the arc's voltage follows its length.
 #pragma once
 
-#include "core/weld/process/process.hpp"
+#include "core/weld/process/filler_rod.hpp"
 #include "core/weld/process/weld_constants.hpp"
 
 namespace meltpool {
@@ -9,6 +9,7 @@ namespace meltpool {
 struct GtawSettings {
     float current = 130; ///< A with the trigger or pedal pulled through; less pulled, less current
     float electrodeDiameterMm = 2.4F;
+    float rodDiameterMm = 2.4F; ///< of a filler rod, where the other hand holds one
 };
 ParameterList describe(GtawSettings& settings);
 
@@ -30,18 +31,24 @@ class Gtaw : public Process {
     void apply(const ProcessSettings& settings) override;
     float touchRadius() const override { return settings_.electrodeDiameterMm * 0.5e-3F; }
     double stirring() const override { return arcStirring(static_cast<double>(settings_.current)); }
+    std::optional<TorchRay> rodRay(const TorchSample& torch) const override;
+    bool takesRod() const override { return true; }
+    WireAccount wire() const override;
     void reset() override;
 
-    /// The electrode touched the metal while its arc burned, and is spoiled until it is ground.
+    /// The electrode touched the metal or the rod while its arc burned, and is spoiled until it is ground.
     bool electrodeSpoiled() const { return spoiled_; }
 
   protected:
     void advance(const TorchSample& torch, const MetalAhead& ahead, double seconds) override;
 
   private:
-    NoArc whyNot(const MetalAhead& ahead, double current) const;
+    NoArc whyNot(const TorchSample& torch, const MetalAhead& ahead, double current) const;
+    void strikeOrBurn(const TorchSample& torch, const MetalAhead& ahead);
+    double meltRod(const TorchSample& torch, double seconds);
 
     GtawSettings settings_;
+    FillerRod rod_;
     NoArc noArc_ = NoArc::released; ///< of the last step
     bool released_ = true;          ///< the trigger was let go since the arc last went out
     bool spoiled_ = false;

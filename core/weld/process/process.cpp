@@ -16,7 +16,8 @@ constexpr float kLeastCatch = 0.25F;
 
 } // namespace
 
-void Process::step(const TorchSample& torch, const MetalAhead& ahead, double seconds) {
+void Process::step(const TorchSample& torch, const MetalAhead& ahead, double seconds, const MetalAhead& rodAhead) {
+    rodAhead_ = rodAhead;
     arc_ = {};
     arc_.distance = ahead.distance;
     arc_.liquid = ahead.liquid;

@@ -9,6 +9,7 @@
 #include "core/weld/process/filler.hpp"
 #include "core/weld/torch/torch_sample.hpp"
 
+#include <optional>
 #include <span>
 
 namespace meltpool {
@@ -57,15 +58,22 @@ class Process {
     /// Where the metal is looked for under this torch.
     virtual TorchRay ray(const TorchSample& torch) const { return {torch.tip, torch.axis()}; }
 
+    /// Where the metal is looked for before the filler rod; nothing where none is held or the process melts none.
+    virtual std::optional<TorchRay> rodRay(const TorchSample& /*torch*/) const { return std::nullopt; }
+
     /// Goes on by `seconds` under this torch and makes sources(), drops(), pressure() and arc() anew. What `ahead` says
-    /// was found along ray().
-    void step(const TorchSample& torch, const MetalAhead& ahead, double seconds);
+    /// was found along ray(), `rodAhead` along rodRay().
+    void step(const TorchSample& torch, const MetalAhead& ahead, double seconds, const MetalAhead& rodAhead = {});
 
     std::span<const HeatSource> sources() const { return {&source_, source_.power > 0 ? 1U : 0U}; }
     std::span<const MetalSeed> drops() const { return drops_; }
     ArcPressure pressure() const;
     const ArcState& arc() const { return arc_; }
     virtual WireAccount wire() const { return {}; }
+    /// A filler rod in the other hand matters.
+    virtual bool takesRod() const { return false; }
+    /// m that the tip of the torch's pose lies before what is left of an electrode that burns off.
+    virtual float burntOff() const { return 0; }
     /// The particles that were fed.
     const Filler& filler() const { return filler_; }
 
@@ -89,7 +97,14 @@ class Process {
     /// bring, which are at most `available`: an arc too weak for hot drops makes colder ones.
     double meltWire(double volume, double seconds, const glm::vec3& place, const glm::vec3& velocity, double available);
 
+    /// Lets `volume` (m³) of liquid filler at `temperature` (K) leave `place` with `velocity`; its heat is the caller's
+    /// account.
+    void dropFiller(double volume, const glm::vec3& place, const glm::vec3& velocity, float temperature) {
+        drops_ = filler_.feed(volume, place, velocity, temperature);
+    }
+
     const ProcessMetal metal_;
+    MetalAhead rodAhead_;
     ArcState arc_;
     HeatSource source_;
     Filler filler_;

@@ -56,6 +56,10 @@ ParameterList describe(ProcessSettings& settings) {
     return list;
 }
 
+bool isArcWelding(const ProcessSettings& settings) {
+    return settings.is<Gmaw>() || settings.is<Gtaw>() || settings.is<Smaw>();
+}
+
 std::unique_ptr<Process> makeProcess(const ProcessSettings& settings, const ProcessMetal& metal) {
     auto made = make(settings, metal, AllProcesses{});
     made->apply(settings);

@@ -4,6 +4,7 @@
 #include "core/weld/process/flame.hpp"
 #include "core/weld/process/gmaw.hpp"
 #include "core/weld/process/gtaw.hpp"
+#include "core/weld/process/smaw.hpp"
 #include "core/weld/process/soldering_iron.hpp"
 
 #include <memory>
@@ -18,10 +19,11 @@ struct ProcessList {
     static constexpr size_t kCount = sizeof...(P);
 };
 
-using AllProcesses = ProcessList<Flame, //
-                                 Gtaw,  //
-                                 Gmaw,  //
-                                 SolderingIron>;
+using AllProcesses = ProcessList<Flame,         //
+                                 Gtaw,          //
+                                 Gmaw,          //
+                                 SolderingIron, //
+                                 Smaw>;
 
 /// Which process, and the settings of each: those of the others wait for their turn.
 struct ProcessSettings {
@@ -48,6 +50,9 @@ struct ProcessSettings {
         return of<P>();
     }
 };
+
+/// Welds with an arc: GMAW, GTAW and SMAW.
+bool isArcWelding(const ProcessSettings& settings);
 
 /// The choice of process, and the settings of the one that is chosen.
 ParameterList describe(ProcessSettings& settings);

@@ -73,6 +73,45 @@ inline constexpr double kSprayRange = 0.08;
 /// A of arc by which its stirring adds the liquid's own conductivity once more, see arcStirring(). Fitted on B and C.
 inline constexpr double kStirringCurrent = 80;
 
+// The filler rod of GTAW. No source was found for these; they are chosen by what welders describe.
+
+/// Share of the arc's heat that melts a rod which is dipped into the pool, at most.
+inline constexpr double kRodPoolShare = 0.5;
+/// Share of it that melts a rod which is held in the arc above the pool.
+inline constexpr double kRodArcShare = 0.3;
+/// Rod diameters that a ball on its end grows to before it falls.
+inline constexpr double kRodBall = 1.5;
+
+// The covered electrode (SMAW).
+
+/// Share of SMAW's electric power that reaches the metal. Calorimetry of several authors, 0.66 to 0.85; no document was
+/// checked.
+inline constexpr double kSmawEfficiency = 0.75;
+/// Share of the melted core that reaches the weld: an E7018 of 3.15 mm leaves 18 g of some 19 g that melt.
+inline constexpr double kSmawDeposit = 0.95;
+/// V/m along the arc's column. Trade knowledge, 1 to 2 V/mm; no document was checked.
+inline constexpr double kSmawField = 1500;
+/// V/A by which its arc's voltage grows with the current. None: chosen.
+inline constexpr double kSmawResistance = 0.03;
+/// V and V/A of a stick machine's load line (IEC 60974-1).
+inline constexpr double kSmawLoadVoltage = 20;
+inline constexpr double kSmawLoadSlope = 0.04;
+/// Times the load line, where the arc goes out. None: chosen; it puts the end of an arc of 115 A at some 9 mm.
+inline constexpr double kSmawReserve = 1.35;
+/// Times the set current that flows while the electrode touches. Machines with arc force give 1.2 to 1.5; no document
+/// was checked.
+inline constexpr double kSmawTouchCurrent = 1.3;
+/// V that the touching electrode takes. None: chosen.
+inline constexpr double kSmawTouchVoltage = 5;
+/// s of touch after which the electrode sticks. Trade knowledge; no document was checked.
+inline constexpr double kSmawSticks = 0.3;
+/// rad that a stuck electrode must be twisted or bent to come free: 12 degrees. None: chosen.
+inline constexpr double kSmawFrees = 0.21;
+/// m of gap that an arc jumps when the electrode is lifted off. None: chosen.
+inline constexpr double kSmawLift = 4e-3;
+/// m of electrode that is left over as the stub.
+inline constexpr double kSmawStub = 0.05;
+
 // Wetting of still metal by liquid metal of its own kind. Liquid that reaches cold metal freezes at the line of
 // contact, which stops (Schiaffino and Sonin 1997); it runs on where the metal is so hot that it does not freeze there.
 

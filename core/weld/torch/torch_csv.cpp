@@ -13,6 +13,9 @@ namespace meltpool {
 namespace {
 
 constexpr std::array<std::string_view, 9> kColumns{"time_s", "x_mm", "y_mm", "z_mm", "qx", "qy", "qz", "qw", "trigger"};
+/// A filler rod; a table has all of these columns or none, a row all of their cells or none.
+constexpr std::array<std::string_view, 8> kRodColumns{"rod_x_mm", "rod_y_mm", "rod_z_mm", "rod_qx",
+                                                      "rod_qy",   "rod_qz",   "rod_qw",   "rod_feed"};
 
 struct Range {
     double minimum, maximum;
@@ -24,11 +27,16 @@ constexpr Range kTimes{0, 86400, "a time from 0 to 86400 s"};
 constexpr Range kPlaces{-1e5, 1e5, "a position from -100000 to 100000 mm"};
 constexpr Range kQuaternionParts{-1.1, 1.1, "a part of a unit quaternion"};
 constexpr Range kTriggers{0, 1, "a number from 0 to 1"};
+constexpr Range kFeeds{0, 1000, "a speed from 0 to 1000 mm/s"};
 
 /// Recorders round; farther from 1 than this the four numbers are no orientation.
 constexpr double kQuaternionSlack = 0.1;
 
 constexpr size_t kLongestLine = 65536; ///< bytes
+
+float metres(double millimetres) {
+    return static_cast<float>(millimetres * 1e-3);
+}
 
 const Range& rangeOf(size_t column) {
     if (column == 0) return kTimes;
@@ -36,9 +44,16 @@ const Range& rangeOf(size_t column) {
     return column <= 7 ? kQuaternionParts : kTriggers;
 }
 
+const Range& rangeOfRod(size_t column) {
+    if (column < 3) return kPlaces;
+    return column < 7 ? kQuaternionParts : kFeeds;
+}
+
 /// Where each required column stands in the file's rows, and which others there are.
 struct Header {
     std::array<size_t, kColumns.size()> places{};
+    std::array<size_t, kRodColumns.size()> rodPlaces{};
+    bool rod = false;
     std::vector<size_t> further;
     size_t width = 0;
 };
@@ -93,8 +108,12 @@ class Reader {
             if (!seen.insert(name).second)
                 fail(line_, "the column " + quote(name) + " stands twice; expected each name once");
             const auto required = std::find(kColumns.begin(), kColumns.end(), name);
+            const auto rod = std::find(kRodColumns.begin(), kRodColumns.end(), name);
             if (required != kColumns.end()) {
                 header_.places[static_cast<size_t>(required - kColumns.begin())] = i;
+            } else if (rod != kRodColumns.end()) {
+                header_.rodPlaces[static_cast<size_t>(rod - kRodColumns.begin())] = i;
+                header_.rod = true;
             } else {
                 header_.further.push_back(i);
                 recording_.furtherColumns.emplace_back(name);
@@ -104,26 +123,45 @@ class Reader {
             if (!seen.contains(name))
                 fail(line_,
                      "the column '" + std::string(name) + "' is missing; expected a header row with " + columnList());
+        for (const std::string_view name : kRodColumns)
+            if (header_.rod && !seen.contains(name))
+                fail(line_, "the column '" + std::string(name) +
+                                "' is missing; expected all eight columns of a rod, rod_x_mm to rod_feed, or none");
         header_.width = names.size();
     }
 
-    double number(std::string_view cell, size_t column) const {
-        const Range& range = rangeOf(column);
+    double number(std::string_view cell, std::string_view column, const Range& range) const {
         const auto value = parseDouble(cell);
         if (!value || !std::isfinite(*value) || *value < range.minimum || *value > range.maximum)
-            fail(line_, std::string(kColumns[column]) + " is " + quote(cell) + "; expected " + std::string(range.text));
+            fail(line_, std::string(column) + " is " + quote(cell) + "; expected " + std::string(range.text));
         return *value;
     }
 
-    glm::quat orientation(const std::array<double, kColumns.size()>& v) const {
-        const double length = std::sqrt(v[4] * v[4] + v[5] * v[5] + v[6] * v[6] + v[7] * v[7]);
+    /// `v`: x, y, z and w in the columns qx to qw, whose names begin with `prefix`.
+    glm::quat orientation(std::span<const double, 4> v, const std::string& prefix) const {
+        const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + v[3] * v[3]);
         if (std::abs(length - 1) > kQuaternionSlack)
-            fail(line_, "the quaternion qx,qy,qz,qw has the length " + formatNumber(static_cast<float>(length)) +
-                            "; expected 1");
-        const glm::quat q(static_cast<float>(v[7]), static_cast<float>(v[4]), static_cast<float>(v[5]),
-                          static_cast<float>(v[6]));
+            fail(line_, "the quaternion " + prefix + "qx," + prefix + "qy," + prefix + "qz," + prefix +
+                            "qw has the length " + formatNumber(static_cast<float>(length)) + "; expected 1");
+        const glm::quat q(static_cast<float>(v[3]), static_cast<float>(v[0]), static_cast<float>(v[1]),
+                          static_cast<float>(v[2]));
         // What this program wrote is of unit length to the last bit or two and must come back unchanged.
         return std::abs(length - 1) < 1e-6 ? q : glm::normalize(q);
+    }
+
+    std::optional<RodSample> readRod(const std::vector<std::string_view>& cells) const {
+        if (!header_.rod) return std::nullopt;
+        const auto cell = [&](size_t i) { return trimText(cells[header_.rodPlaces[i]]); };
+        size_t empty = 0;
+        for (size_t i = 0; i < kRodColumns.size(); ++i)
+            if (cell(i).empty()) ++empty;
+        if (empty == kRodColumns.size()) return std::nullopt;
+        std::array<double, kRodColumns.size()> v{};
+        for (size_t i = 0; i < v.size(); ++i)
+            v[i] = number(cell(i), kRodColumns[i], rangeOfRod(i));
+        return RodSample{{metres(v[0]), metres(v[1]), metres(v[2])},
+                         orientation(std::span(v).subspan<3, 4>(), "rod_"),
+                         metres(v[7])};
     }
 
     void readRow(std::string_view content) {
@@ -133,13 +171,15 @@ class Reader {
                             ", one for each column of the header");
         std::array<double, kColumns.size()> v{};
         for (size_t i = 0; i < v.size(); ++i)
-            v[i] = number(trimText(cells[header_.places[i]]), i);
+            v[i] = number(trimText(cells[header_.places[i]]), kColumns[i], rangeOf(i));
         if (!recording_.samples.empty() && v[0] < recording_.samples.back().time)
             fail(line_, "time_s is " + formatNumber(v[0]) + ", before the row above; expected at least " +
                             formatNumber(recording_.samples.back().time));
-        const auto metres = [](double mm) { return static_cast<float>(mm * 1e-3); };
-        recording_.samples.push_back(
-            {v[0], {metres(v[1]), metres(v[2]), metres(v[3])}, orientation(v), static_cast<float>(v[8])});
+        recording_.samples.push_back({v[0],
+                                      {metres(v[1]), metres(v[2]), metres(v[3])},
+                                      orientation(std::span(v).subspan<4, 4>(), ""),
+                                      static_cast<float>(v[8]),
+                                      readRod(cells)});
         if (!keepsFurther_) return;
         auto& further = recording_.furtherCells.emplace_back();
         for (const size_t place : header_.further)
@@ -158,10 +198,25 @@ double millimetres(float metres) {
     return static_cast<double>(metres) * 1e3;
 }
 
+void appendPose(std::string& text, const glm::vec3& place, const glm::quat& orientation) {
+    for (const float each : {place.x, place.y, place.z}) {
+        appendNumber(text, millimetres(each));
+        text += ',';
+    }
+    for (const float each : {orientation.x, orientation.y, orientation.z, orientation.w}) {
+        appendNumber(text, each);
+        text += ',';
+    }
+}
+
 } // namespace
 
 std::span<const std::string_view> torchColumns() {
     return kColumns;
+}
+
+std::span<const std::string_view> rodColumns() {
+    return kRodColumns;
 }
 
 TorchRecording readTorchCsv(const std::filesystem::path& file, FurtherColumns further) {
@@ -170,25 +225,38 @@ TorchRecording readTorchCsv(const std::filesystem::path& file, FurtherColumns fu
 
 void appendTorchRow(std::string& text, const TorchSample& s) {
     appendNumber(text, s.time);
-    for (const float place : {s.tip.x, s.tip.y, s.tip.z}) {
-        text += ',';
-        appendNumber(text, millimetres(place));
+    text += ',';
+    appendPose(text, s.tip, s.orientation);
+    appendNumber(text, s.trigger);
+}
+
+void appendRodCells(std::string& text, const std::optional<RodSample>& rod) {
+    if (!rod) {
+        text.append(kRodColumns.size() - 1, ',');
+        return;
     }
-    for (const float number : {s.orientation.x, s.orientation.y, s.orientation.z, s.orientation.w, s.trigger}) {
-        text += ',';
-        appendNumber(text, number);
-    }
+    appendPose(text, rod->tip, rod->orientation);
+    appendNumber(text, millimetres(rod->feed));
 }
 
 void writeTorchCsv(const std::filesystem::path& file, const TorchRecording& recording) {
     std::string text;
     for (const std::string_view name : kColumns)
         text += (text.empty() ? "" : ",") + std::string(name);
+    const bool rod = std::any_of(recording.samples.begin(), recording.samples.end(),
+                                 [](const TorchSample& sample) { return sample.rod.has_value(); });
+    if (rod)
+        for (const std::string_view name : kRodColumns)
+            text += "," + std::string(name);
     for (const std::string& name : recording.furtherColumns)
         text += "," + name;
     text += "\n";
     for (size_t i = 0; i < recording.samples.size(); ++i) {
         appendTorchRow(text, recording.samples[i]);
+        if (rod) {
+            text += ',';
+            appendRodCells(text, recording.samples[i].rod);
+        }
         if (i < recording.furtherCells.size())
             for (const std::string& cell : recording.furtherCells[i])
                 text += "," + cell;

@@ -20,6 +20,9 @@ constexpr NumberRange kWorkAngles{0, 180};
 constexpr NumberRange kTravelAngles{-80, 80}; ///< beyond, the torch would lie in the seam
 constexpr NumberRange kWidths{0, 1000};       ///< mm
 constexpr NumberRange kFrequencies{0.01, 50}; ///< Hz
+constexpr NumberRange kFollows{0, 100};       ///< mm/s
+constexpr NumberRange kRodAngles{0, 90};
+constexpr NumberRange kRodPlaces{-100, 100}; ///< mm
 constexpr double kMostHalfSwings = 1e6;
 constexpr float kShortest = 1e-6f; ///< m; a line shorter than this has no direction
 
@@ -43,6 +46,7 @@ class Author {
         tip_ = place(root, "start_mm");
         readAngles(root);
         orientation_ = held();
+        readRod(root);
         for (TomlTable& move : root.tables("move")) {
             readMove(move);
             move.finish();
@@ -58,6 +62,40 @@ class Author {
         travel_ = table.number("travel_angle_deg", kTravelAngles, travel_);
     }
 
+    void readRod(TomlTable& root) {
+        root.allow("rod");
+        if (!root.has("rod")) return;
+        TomlTable table = root.table("rod");
+        RodHold rod;
+        rod.angle = glm::radians(table.number("angle_deg", kRodAngles, 20.0));
+        rod.ahead = table.number("ahead_mm", kRodPlaces, 2.0) * 1e-3;
+        rod.below = table.number("below_mm", kRodPlaces, 2.0) * 1e-3;
+        rod.rest = table.number("rest_mm", {0, 200}, 12.0) * 1e-3;
+        rod.depth = table.number("depth_mm", {0, 20}, 1.0) * 1e-3;
+        rod.feed = table.number("feed_mm_s", {0, 100}, 0.0) * 1e-3;
+        table.finish();
+        rod_ = rod;
+    }
+
+    /// What every kind of move may say beside its own.
+    void readBesides(TomlTable& table) {
+        follow_ = table.number("follow_mm_s", kFollows, 0.0) * 1e-3;
+        table.allow("dips_hz");
+        if (!table.has("dips_hz")) return;
+        if (!rod_) table.fail("dips_hz", "needs a rod; expected a table [rod] before the moves");
+        rod_->frequency = table.number("dips_hz", {0, 20});
+    }
+
+    /// The rod comes from ahead of the torch and lies in the plane of seam and handle.
+    std::optional<RodHold> heldRod() const {
+        if (!rod_) return std::nullopt;
+        RodHold rod = *rod_;
+        const glm::vec3 handle = orientation_ * glm::vec3(0, 0, 1);
+        rod.travel = direction_;
+        rod.up = glm::normalize(handle - glm::dot(handle, direction_) * direction_);
+        return rod;
+    }
+
     glm::quat held() const { return heldOrientation(glm::radians(work_), glm::radians(travel_), direction_); }
 
     TorchMove& add(double duration, const glm::vec3& to) {
@@ -69,13 +107,18 @@ class Author {
         move.fromOrientation = orientation_;
         move.toOrientation = orientation_;
         move.trigger = trigger_;
+        move.followed = followed_;
+        move.follow = follow_;
+        move.rod = heldRod();
         time_ += duration;
         tip_ = to;
+        followed_ += follow_ * duration;
         return moves_.emplace_back(move);
     }
 
     void readMove(TomlTable& table) {
         const std::string kind = table.text("kind");
+        readBesides(table);
         if (kind == "hold") return readHold(table);
         if (kind == "line") return static_cast<void>(readLine(table));
         if (kind == "weave") return readWeave(table);
@@ -132,6 +175,9 @@ class Author {
     glm::vec3 direction_{1.0f, 0.0f, 0.0f};
     glm::quat orientation_{1.0f, 0.0f, 0.0f, 0.0f};
     float trigger_ = 0;
+    double followed_ = 0; ///< m
+    double follow_ = 0;   ///< m/s
+    std::optional<RodHold> rod_;
 };
 
 } // namespace
@@ -169,6 +215,19 @@ double weaveOffset(double phase, double dwellShare) {
     return sign * std::sin(glm::half_pi<double>() * fromCentre / rise);
 }
 
+RodSample RodHold::sample(const glm::vec3& tip, double passed) const {
+    const double swing = frequency > 0 ? (1 - std::cos(glm::two_pi<double>() * frequency * passed)) / 2 : 0.0;
+    const auto back = static_cast<float>(std::lerp(rest, -depth, swing));
+    const glm::vec3 out = static_cast<float>(std::cos(angle)) * travel + static_cast<float>(std::sin(angle)) * up;
+    const glm::vec3 place = tip + static_cast<float>(ahead) * travel - static_cast<float>(below) * up;
+    const glm::vec3 right = glm::normalize(glm::cross(up, travel));
+    RodSample rod;
+    rod.tip = place + back * out;
+    rod.orientation = glm::normalize(glm::quat_cast(glm::mat3(right, glm::cross(out, right), out)));
+    rod.feed = static_cast<float>(feed);
+    return rod;
+}
+
 TorchSample TorchMove::sample(double time) const {
     const double passed = time - begin;
     const double share = duration > 0 ? std::clamp(passed / duration, 0.0, 1.0) : 1.0;
@@ -182,6 +241,8 @@ TorchSample TorchMove::sample(double time) const {
         const double offset = weaveOffset(passed / swing, weaveDwell / swing) * weaveWidth / 2;
         result.tip += static_cast<float>(offset) * weaveSide;
     }
+    if (rod) result.rod = rod->sample(result.tip, passed);
+    result.tip += static_cast<float>(followed + follow * std::clamp(passed, 0.0, duration)) * result.axis();
     return result;
 }
 

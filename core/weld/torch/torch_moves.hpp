@@ -4,9 +4,27 @@
 #include "core/weld/torch/torch_sample.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace meltpool {
+
+/// How a filler rod is held before the torch: its tip comes down at an angle, from ahead, to a place in front of the
+/// electrode, and goes back. Unit vectors and m, rad, Hz, m/s.
+struct RodHold {
+    glm::vec3 travel{1, 0, 0}; ///< the way the torch goes
+    glm::vec3 up{0, 1, 0};     ///< out of the joint, at right angles to it
+    double angle = 0;          ///< of the rod over the plane across `up`
+    double ahead = 0;          ///< of the electrode's tip lies the place that is dipped into
+    double below = 0;          ///< so far under the electrode's tip
+    double rest = 0;           ///< between dips the rod's tip is so far back from there, along the rod
+    double depth = 0;          ///< a dip goes so far beyond
+    double frequency = 0;      ///< of the dips, which are a cosine from rest to depth; 0: it stays at rest
+    double feed = 0;           ///< see RodSample::feed
+
+    /// The rod `passed` s after the move began, of a torch with its tip there.
+    RodSample sample(const glm::vec3& tip, double passed) const;
+};
 
 /// A stretch of time with one way of moving. All times s, lengths m.
 struct TorchMove {
@@ -21,6 +39,9 @@ struct TorchMove {
     double weaveWidth = 0;     ///< toe to toe
     int weaveHalfSwings = 0;   ///< crossings from toe to toe in the whole move
     double weaveDwell = 0;     ///< s at each toe
+    double followed = 0;       ///< the torch has gone so far along its own axis before, beside `from` and `to`
+    double follow = 0;         ///< m/s it goes along it in this move, after an electrode that burns off
+    std::optional<RodHold> rod;
 
     /// The torch `time` s after the path began; `time` inside this move.
     TorchSample sample(double time) const;

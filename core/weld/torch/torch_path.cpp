@@ -39,6 +39,11 @@ TorchSample TorchPath::sampleRecording(double time) const {
         if (share > 0) {
             result.tip = glm::mix(last.tip, next->tip, share);
             result.orientation = glm::normalize(glm::slerp(last.orientation, next->orientation, share));
+            if (last.rod && next->rod) {
+                result.rod->tip = glm::mix(last.rod->tip, next->rod->tip, share);
+                result.rod->orientation =
+                    glm::normalize(glm::slerp(last.rod->orientation, next->rod->orientation, share));
+            }
         }
     }
     result.time = time;

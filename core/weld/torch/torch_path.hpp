@@ -16,8 +16,9 @@ class TorchPath {
     /// everything that readTorchCsv() and readTorchMoves() refuse.
     static TorchPath read(const std::filesystem::path& file);
 
-    /// The torch at `time` s. Recorded: place linear and orientation slerp between rows, a row's trigger until the next
-    /// row. Before the first and after the last moment the torch stands there with the trigger released.
+    /// The torch at `time` s. Recorded: place linear and orientation slerp between rows, a row's trigger and rod_feed
+    /// until the next row; so a rod, which is there until the next row even where that has none. Before the first and
+    /// after the last moment the torch stands there with the trigger released.
     TorchSample sample(double time) const;
 
     /// Time of the last moment, s; 0 for an empty path.

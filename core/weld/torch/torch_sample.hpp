@@ -10,8 +10,11 @@ namespace meltpool {
 
 /// A filler rod in the other hand, in the workpiece's frame.
 struct RodSample {
-    glm::vec3 tip{0.0f};                           ///< m
-    glm::quat orientation{1.0f, 0.0f, 0.0f, 0.0f}; ///< points along its -Z
+    glm::vec3 tip{0.0f};                           ///< m, where its end is while nothing of it has melted
+    glm::quat orientation{1.0f, 0.0f, 0.0f, 0.0f}; ///< points along its -Z; unit length
+    float feed = 0;                                ///< m/s that the fingers push it on through the hand
+
+    glm::vec3 axis() const { return orientation * glm::vec3(0.0f, 0.0f, -1.0f); }
 };
 
 struct TorchSample {
@@ -19,7 +22,7 @@ struct TorchSample {
     glm::vec3 tip{0.0f};                           ///< m, workpiece frame: x along the seam, y out, z to the welder
     glm::quat orientation{1.0f, 0.0f, 0.0f, 0.0f}; ///< of the torch in the workpiece frame; unit length
     float trigger = 0;                             ///< 0 released .. 1 pulled through
-    std::optional<RodSample> rod = {};             ///< while a second hand holds one; not recorded yet
+    std::optional<RodSample> rod = {};             ///< while a second hand holds one
 
     /// Unit vector from the handle to the tip: the way the torch points.
     glm::vec3 axis() const { return orientation * glm::vec3(0.0f, 0.0f, -1.0f); }

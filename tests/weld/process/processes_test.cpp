@@ -67,7 +67,7 @@ TEST_CASE("only the settings of the chosen process are described, and each is in
         CHECK(list.front().key == "process");
         CHECK(parameterText(list.front()) == AllProcesses::kNames[kind]);
         CHECK((findParameter(list, "wire_feed_m_min") != nullptr) == settings.is<Gmaw>());
-        CHECK((findParameter(list, "current") != nullptr) == settings.is<Gtaw>());
+        CHECK((findParameter(list, "current") != nullptr) == (settings.is<Gtaw>() || settings.is<Smaw>()));
         CHECK((findParameter(list, "flame_power") != nullptr) == settings.is<Flame>());
         for (const Parameter& parameter : list) // what a default says must be allowed
             CHECK_NOTHROW(setParameter(list, parameter.key, parameterText(parameter), "default"));
@@ -168,9 +168,9 @@ TEST_CASE("a GMAW torch says why it has no arc, and that a wire is on its way or
     process->apply(settings);
     CHECK(why(60) == NoArc::noWire);
     std::set<std::string_view> names;
-    for (int i = 0; i <= static_cast<int>(NoArc::noWire); ++i)
+    for (int i = 0; i <= static_cast<int>(NoArc::usedUp); ++i)
         names.insert(noArcName(NoArc(i)));
-    CHECK(names.size() == 10);
+    CHECK(names.size() == 12);
 }
 
 TEST_CASE("a GTAW electrode that dips in is out and spoiled") {

@@ -77,7 +77,8 @@ TEST_CASE("columns may stand in any order and lines may end as on Windows", "[we
     CHECK(recording.samples[0].trigger == 1);
 }
 
-TEST_CASE("a written recording reads back to the same bits", "[weld]") {
+TEST_CASE("a written recording reads back to the same bits, with and without a filler rod", "[weld]") {
+    const bool rods = GENERATE(false, true);
     std::mt19937 random(7);
     std::uniform_real_distribution<float> any(-1.0f, 1.0f);
     TorchRecording recording;
@@ -87,6 +88,9 @@ TEST_CASE("a written recording reads back to the same bits", "[weld]") {
         time += 1.0 / 60;
         const glm::quat q = glm::normalize(glm::quat(any(random), any(random), any(random), any(random)));
         recording.samples.push_back({time, {any(random), any(random), any(random)}, q, std::abs(any(random))});
+        if (rods && i % 3 > 0) // the hand lets it go now and then
+            recording.samples.back().rod =
+                RodSample{{any(random), any(random), any(random)}, glm::conjugate(q), std::abs(any(random))};
         recording.furtherCells.push_back({std::to_string(i)});
     }
     const auto file = test::scratchFolder("weld") / "again.csv";
@@ -101,8 +105,14 @@ TEST_CASE("a written recording reads back to the same bits", "[weld]") {
         REQUIRE(got.tip == wanted.tip);
         REQUIRE(got.orientation == wanted.orientation);
         REQUIRE(got.trigger == wanted.trigger);
+        REQUIRE(got.rod.has_value() == wanted.rod.has_value());
+        if (!wanted.rod) continue;
+        REQUIRE(got.rod->tip == wanted.rod->tip);
+        REQUIRE(got.rod->orientation == wanted.rod->orientation);
+        REQUIRE(got.rod->feed == wanted.rod->feed);
     }
     CHECK(again.furtherCells == recording.furtherCells);
+    CHECK(again.furtherColumns == recording.furtherColumns);
 }
 
 TEST_CASE("authored moves take the time that their speed asks for", "[weld]") {
@@ -246,4 +256,53 @@ TEST_CASE("a torch path is the same with and without the columns that it does no
     const TorchRecording bare = readTorchCsv(file, FurtherColumns::dropped);
     CHECK(bare.furtherCells.empty());
     CHECK(bare.samples.size() == readTorchCsv(file).samples.size());
+}
+
+TEST_CASE("a rod moves evenly between rows, and a table has all of its columns or none", "[weld]") {
+    const std::string header = "time_s,x_mm,y_mm,z_mm,qx,qy,qz,qw,trigger,rod_x_mm,rod_y_mm,rod_z_mm,"
+                               "rod_qx,rod_qy,rod_qz,rod_qw,rod_feed\n";
+    const TorchPath path = TorchPath::read(written("rod.csv", header + "0,0,0,0,0,0,0,1,1,10,0,0,0,0,0,1,2\n"
+                                                                       "1,0,0,0,0,0,0,1,1,20,4,0,0,0,0,1,3\n"
+                                                                       "2,0,0,0,0,0,0,1,1,,,,,,,,\n"));
+    REQUIRE(path.sample(0.5).rod);
+    CHECK(path.sample(0.5).rod->tip.x == Approx(0.015));
+    CHECK(path.sample(0.5).rod->tip.y == Approx(0.002));
+    CHECK(path.sample(0.5).rod->feed == Approx(0.002));
+    CHECK(path.sample(1.5).rod->tip.x == Approx(0.02)); // until the row that has none
+    CHECK_FALSE(path.sample(2).rod);
+    CHECK_THAT(refusal("rod.csv", "time_s,x_mm,y_mm,z_mm,qx,qy,qz,qw,trigger,rod_x_mm\n0,0,0,0,0,0,0,1,1,2\n"),
+               containsText("rod.csv:1: the column 'rod_y_mm' is missing"));
+    CHECK_THAT(refusal("rod.csv", header + "0,0,0,0,0,0,0,1,1,10,,0,0,0,0,1,2\n"), containsText("rod_y_mm"));
+    CHECK_THAT(refusal("rod.csv", header + "0,0,0,0,0,0,0,1,1,10,0,0,0,0,0,2,2\n"),
+               containsText("rod_qx,rod_qy,rod_qz,rod_qw has the length 2"));
+    CHECK_THAT(refusal("rod.csv", header + "0,0,0,0,0,0,0,1,1,10,0,0,0,0,0,1,-2\n"), containsText("rod_feed"));
+}
+
+TEST_CASE("an authored rod dips in front of the electrode, and the hand follows what burns off", "[weld]") {
+    const std::string text = "start_mm = [0, 2, 0]\n[rod]\nangle_deg = 20\nahead_mm = 3\nbelow_mm = 2\n"
+                             "rest_mm = 12\ndepth_mm = 1\nfeed_mm_s = 1.5\n"
+                             "[[move]]\nkind = 'hold'\nseconds = 1\n"
+                             "[[move]]\nkind = 'line'\nto_mm = [20, 2, 0]\nspeed_mm_s = 2\ndips_hz = 1\n";
+    const TorchPath path = TorchPath::read(written("rod.toml", text));
+    const double c = std::cos(glm::radians(20.0)), s = std::sin(glm::radians(20.0));
+    const RodSample rest = *path.sample(0.5).rod;
+    CHECK(double(rest.tip.x) * 1e3 == Approx(3 + 12 * c));
+    CHECK(double(rest.tip.y) * 1e3 == Approx(12 * s));
+    CHECK(rest.feed == Approx(1.5e-3));
+    CHECK(between(rest.axis(), {-float(c), -float(s), 0}) == Approx(0).margin(1e-3));
+    const RodSample dipped = *path.sample(1.5).rod; // half a swing into the line, which is 1 mm farther
+    CHECK(double(dipped.tip.x) * 1e3 == Approx(1 + 3 - c).margin(1e-3));
+    CHECK(double(dipped.tip.y) * 1e3 == Approx(-s).margin(1e-3));
+    CHECK(double(path.sample(2).rod->tip.x) * 1e3 == Approx(2 + 3 + 12 * c).margin(1e-3));
+    CHECK_THAT(refusal("dips.toml", "start_mm = [0, 2, 0]\n[[move]]\nkind = 'hold'\nseconds = 1\ndips_hz = 1\n"),
+               containsText("expected a table [rod]"));
+
+    const TorchPath follows = TorchPath::read(
+        written("follow.toml", "start_mm = [0, 3, 0]\n[[move]]\nkind = 'hold'\nseconds = 1\n"
+                               "[[move]]\nkind = 'line'\nto_mm = [20, 3, 0]\nspeed_mm_s = 4\nfollow_mm_s = 3\n"
+                               "[[move]]\nkind = 'hold'\nseconds = 1\n"));
+    CHECK(double(follows.sample(1).tip.y) * 1e3 == Approx(3));
+    CHECK(double(follows.sample(3).tip.y) * 1e3 == Approx(3 - 2 * 3));
+    CHECK(double(follows.sample(7).tip.y) * 1e3 == Approx(3 - 5 * 3)); // and stays where it has come to
+    CHECK(double(follows.sample(7).tip.x) * 1e3 == Approx(20));
 }
