@@ -42,7 +42,7 @@ void readProcess(TomlTable& root, ProcessSettings& settings) {
     if (group.has("process")) {
         const std::string kind = group.text("process");
         // Lessons of earlier editions call GTAW by its other name.
-        setParameter(describe(settings), "process", kind == "tig" ? "gtaw" : kind == "stick" ? "smaw" : kind, where);
+        setParameter(describe(settings), "process", kind == "tig" ? "gtaw" : kind, where);
     }
     const ParameterList list = describe(settings);
     for (const Parameter& parameter : list)
