@@ -15,6 +15,8 @@ struct ControlParameters {
     float lookSpeed = 1.0f;        ///< factor on the mouse in view mode
     float cameraSpeed = 1.0f;      ///< factor on the camera keys
     bool invertLook = false;       ///< pulling the mouse looks up
+    float torchMouse = 8;          ///< mm of a welding torch for 100 points of mouse travel
+    float guideSpeed = 0;          ///< mm/s that a welding torch goes along the seam by itself while it welds
 };
 ParameterList describe(ControlParameters& parameters);
 

@@ -18,6 +18,7 @@ enum class Key {
     h,
     j,
     q,
+    r,
     s,
     v,
     w,

@@ -217,12 +217,15 @@ double weaveOffset(double phase, double dwellShare) {
 
 RodSample RodHold::sample(const glm::vec3& tip, double passed) const {
     const double swing = frequency > 0 ? (1 - std::cos(glm::two_pi<double>() * frequency * passed)) / 2 : 0.0;
-    const auto back = static_cast<float>(std::lerp(rest, -depth, swing));
+    return at(tip, std::lerp(rest, -depth, swing));
+}
+
+RodSample RodHold::at(const glm::vec3& tip, double back) const {
     const glm::vec3 out = static_cast<float>(std::cos(angle)) * travel + static_cast<float>(std::sin(angle)) * up;
     const glm::vec3 place = tip + static_cast<float>(ahead) * travel - static_cast<float>(below) * up;
     const glm::vec3 right = glm::normalize(glm::cross(up, travel));
     RodSample rod;
-    rod.tip = place + back * out;
+    rod.tip = place + static_cast<float>(back) * out;
     rod.orientation = glm::normalize(glm::quat_cast(glm::mat3(right, glm::cross(out, right), out)));
     rod.feed = static_cast<float>(feed);
     return rod;

@@ -24,6 +24,8 @@ struct RodHold {
 
     /// The rod `passed` s after the move began, of a torch with its tip there.
     RodSample sample(const glm::vec3& tip, double passed) const;
+    /// The rod with its end `back` m before the place that is dipped into.
+    RodSample at(const glm::vec3& tip, double back) const;
 };
 
 /// A stretch of time with one way of moving. All times s, lengths m.
