@@ -126,3 +126,21 @@ TEST_CASE("a bad check is refused in one sentence with file, line and expectatio
         CHECK(sentence.find('\n') == std::string::npos);
     }
 }
+
+TEST_CASE("a check whose torch is a record takes the attempt's values, and its changes at their places of the path",
+          "[training][check]") {
+    const fs::path folder = test::scratchFolder("check-record");
+    writeTextFileAtomically(folder / "attempt.csv", "# meltpool record 1\n# lesson gmaw-bead\n# value voltage 21\n"
+                                                    "time_s,x_mm,y_mm,z_mm,qx,qy,qz,qw,trigger\n"
+                                                    "0.1,0,3,0,0,0,0,1,1\n0.2,1,3,0,0,0,0,1,1\n# set voltage 26\n"
+                                                    "0.3,2,3,0,0,0,0,1,1\n0.4,3,3,0,0,0,0,1,1\n");
+    writeTextFileAtomically(folder / "one.toml",
+                            kHead + "torch = 'attempt.csv'\n[bend]\ntime = 0.5\n[expect]\nscore = [0, 100]\n");
+    const LessonCheck check = readLessonCheck(folder / "one.toml", lessons());
+    REQUIRE(check.lesson.recorded);
+    CHECK(check.lesson.process.of<Gmaw>().voltage == 21);
+    CHECK(check.lesson.run.seconds == Approx(0.4));
+    REQUIRE(check.lesson.recorded->changes.size() == 1);
+    CHECK(check.lesson.recorded->changes[0].steps == 1); // after two steps of the path, which takes half its time here
+    CHECK(check.lesson.recorded->changes[0].value == "26");
+}

@@ -2,6 +2,7 @@
 #include "core/training/technique/score.hpp"
 
 #include "core/base/error.hpp"
+#include "core/weld/process/processes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/training/technique/synthetic_weld.hpp"
 
@@ -399,4 +400,17 @@ TEST_CASE("faults of a lesson's bands are told with file, line and key", "[train
               "length_from_mm: expected a number from -50 to 50");
     checkTold("[technique]\nlength_from_mm = 10\nlength_to_mm = 4\n", "length_to_mm: expected at least 1 mm more");
     checkTold(head + "speed_window_s = 0\n" + good, "speed_window_s: expected a number from 0.1 to 10");
+}
+
+TEST_CASE("wire, flame and iron are led by the tip's distance, electrodes by the arc's length",
+          "[training][technique]") {
+    ProcessSettings process;
+    process.choose<Gmaw>();
+    CHECK(distanceKindOf(process) == DistanceKind::ctwd);
+    process.choose<Flame>();
+    CHECK(distanceKindOf(process) == DistanceKind::ctwd);
+    process.choose<Gtaw>();
+    CHECK(distanceKindOf(process) == DistanceKind::arcLength);
+    process.choose<Smaw>();
+    CHECK(distanceKindOf(process) == DistanceKind::arcLength);
 }
