@@ -26,6 +26,7 @@ constexpr std::array<std::pair<int, Key>, static_cast<size_t>(Key::count)> kKeys
     {GLFW_KEY_H, Key::h},
     {GLFW_KEY_J, Key::j},
     {GLFW_KEY_Q, Key::q},
+    {GLFW_KEY_R, Key::r},
     {GLFW_KEY_S, Key::s},
     {GLFW_KEY_V, Key::v},
     {GLFW_KEY_W, Key::w},

@@ -41,13 +41,17 @@ void Controls::work(const InputFrame& input, float seconds) {
     const float turn = kOrbitSpeed * parameters.cameraSpeed * seconds;
     orbit_.orbit({axis(input, Key::d, Key::a) * turn, axis(input, Key::w, Key::s) * turn});
     const float away = axis(input, Key::e, Key::q) * kApproachSpeed * parameters.cameraSpeed * seconds;
-    orbit_.approach(std::exp(away - input.scroll * kNotch));
+    const bool wheelForTorch = leadsTorch_ && (captured_ || input.leftHeld);
+    orbit_.approach(std::exp(away - (wheelForTorch ? 0 : input.scroll) * kNotch));
 
-    source_.move(input, orbit_.forward(), parameters);
+    hand_ = input;
+    if (!wheelForTorch) hand_.scroll = 0;
+    if (!leadsTorch_) source_.move(input, orbit_.forward(), parameters);
     source_.setOn(lock_.pass(input.leftHeld ? 1.0f : 0.0f) > 0);
 }
 
 void Controls::look(const InputFrame& input, float seconds) {
+    hand_ = {};
     lock_.pass(input.leftHeld ? 1.0f : 0.0f);
     source_.setOn(false);
     const float turn = kLookSpeed * parameters.lookSpeed;

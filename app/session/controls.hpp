@@ -31,6 +31,11 @@ class Controls {
     void restart();
     /// Where the orbiting camera begins.
     void placeCamera(const OrbitCamera& camera) { orbit_ = camera; }
+    /// Mouse, wheel, arrow and page keys lead a torch along a seam, and the source stays where it is.
+    void leadTorch(bool leads) { leadsTorch_ = leads; }
+    /// What the hand does to that torch in this frame; no wheel where that moves the camera.
+    const InputFrame& hand() const { return hand_; }
+
     void releaseMouse() { capture(false); }
     void captureMouse() { capture(true); }
     void setMode(Mode mode);
@@ -59,6 +64,8 @@ class Controls {
 
     Mode mode_ = Mode::interact;
     bool captured_ = false;
+    bool leadsTorch_ = false;
+    InputFrame hand_;
     FreeCamera free_;
     OrbitCamera orbit_;
     SteeredSource source_;

@@ -61,13 +61,12 @@ void DeskTorch::begin(const Lesson& lesson) {
     left_ = 0;
 }
 
-void DeskTorch::update(const InputFrame& input, const glm::mat3& toScreen, const ControlParameters& parameters,
-                       bool guided) {
+void DeskTorch::update(const InputFrame& input, const glm::mat3& toScreen, const ControlParameters& parameters) {
     if (!seam_) return;
     // The way that the guide has gone since the last frame is the hand's way, too.
     wanted_.place += left_;
     left_ = 0;
-    guide_ = guided ? static_cast<double>(parameters.guideSpeed) * kMm : 0;
+    guide_ = static_cast<double>(parameters.guideSpeed) * kMm;
     const SeamFrame frame = seam_->at(wanted_.place);
     glm::vec2 along(toScreen * glm::vec3(frame.tangent));
     // Seen from its end a seam has no way on the screen: then up is along.

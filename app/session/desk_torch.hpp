@@ -36,9 +36,9 @@ class DeskTorch {
 
     /// Takes a frame's input. `toScreen`: rotates directions of the workpiece's frame into the view, x right and y up.
     /// A moving mouse goes along and across the seam as they lie on the screen; a wheel notch is 0.5 mm of distance, an
-    /// arrow key 1 degree of travel (left, right) or work angle (up, down), a page key 0.5 mm of distance. While
-    /// `guided`, the torch goes on by itself with the guide's speed, in the metal's time.
-    void update(const InputFrame& input, const glm::mat3& toScreen, const ControlParameters& parameters, bool guided);
+    /// arrow key 1 degree of travel (left, right) or work angle (up, down), a page key 0.5 mm of distance. With a guide
+    /// speed the torch goes on by itself while it welds, in the metal's time.
+    void update(const InputFrame& input, const glm::mat3& toScreen, const ControlParameters& parameters);
 
     /// The torch at the end of step `step` of `due` steps (0 <= step < due), each of `seconds`. `burntOff`: see
     /// Process::burntOff(). `trigger`: 0 or 1.

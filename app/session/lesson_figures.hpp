@@ -1,7 +1,10 @@
 // What menus and telemetry show of the metal in a running lesson.
 #pragma once
 
+#include "app/session/desk_torch.hpp"
+
 #include <cstddef>
+#include <optional>
 #include <string_view>
 
 namespace meltpool {
@@ -18,6 +21,9 @@ struct LessonFigures {
     size_t lost = 0;      ///< particles that left the box or whose state became non-finite
     size_t refused = 0;   ///< non-finite new particle states that were not taken over, since the reset
     bool stopped = false; ///< a fault has stopped the simulation
+    /// How the torch of the desk is held, where it leads, and what its distance is.
+    std::optional<DeskPose> torch;
+    DistanceKind distance = DistanceKind::ctwd;
 };
 
 } // namespace meltpool

@@ -129,6 +129,8 @@ void LessonSession::prepare(Controls& controls) {
     end("another attempt began");
     controls.restart();
     controls.source().setCold(lesson_.source.kind == 1);
+    desk_.begin(lesson_);
+    controls.leadTorch(desk_.leads());
     const CameraParameters& camera = lesson_.camera;
     controls.placeCamera(OrbitCamera(glm::radians(camera.azimuth), glm::radians(camera.elevation), camera.distance));
     controls.lens.fieldOfView = glm::radians(camera.fieldOfView);
@@ -226,6 +228,7 @@ void LessonSession::reset(Controls& controls) {
     if (demonstration_.shown() && sections_->attempt.forScore) return begin(controls);
     demonstration_.end();
     controls.reset();
+    desk_.begin(lesson_);
     trainer_->reset();
     records_.check(*trainer_); // the last lines of the record that ended
     clock_.restart();
@@ -346,11 +349,20 @@ TorchSample LessonSession::nextTorch(const Controls& controls, const TorchSource
         out.trigger = 0;
         return out;
     }
-    return held_ ? held(step, due) : torchOf(controls.source(), fixture().turn);
+    if (held_) return held(step, due);
+    if (!desk_.leads()) return torchOf(controls.source(), fixture().turn);
+    const float trigger = controls.source().on() ? 1.0F : 0.0F;
+    return desk_.next(step, due, trainer_->timeStep(), trainer_->burntOff(), trigger);
+}
+
+/// Rotates directions of the workpiece's frame into the desk's view.
+glm::mat3 LessonSession::toScreen(const Controls& controls) const {
+    return glm::mat3(controls.view(1).worldToEye) * fixture().turn;
 }
 
 void LessonSession::makeSteps(const Controls& controls, double seconds, gl::Profiler* profiler,
                               const TorchSource& held) {
+    if (!held_) desk_.update(controls.hand(), toScreen(controls), controls.parameters);
     makeDueSteps(seconds, [&](int step, int due) {
         trainer_->setRealTime(clock_.speed());
         trainer_->advance(nextTorch(controls, held, step, due), profiler);
@@ -455,6 +467,9 @@ void LessonSession::fillFigures(LessonFigures& figures) const {
     figures.lost = metal.lost;
     figures.refused = metal.nonFinite;
     figures.stopped = !fault_.empty();
+    const bool desk = desk_.leads() && !held_ && !demonstration_.shown();
+    figures.torch = desk ? std::optional(desk_.pose()) : std::nullopt;
+    figures.distance = desk_.distanceKind();
 }
 
 } // namespace meltpool

@@ -8,6 +8,7 @@
 #include "app/session/attempt/speed_trial.hpp"
 #include "app/session/attempt/step_clock.hpp"
 #include "app/session/controls.hpp"
+#include "app/session/desk_torch.hpp"
 #include "app/session/lesson_figures.hpp"
 #include "app/session/parameter_section.hpp"
 #include "core/base/function_ref.hpp"
@@ -140,6 +141,8 @@ class LessonSession {
     void fillFigures(LessonFigures& figures) const;
     /// The torch of the last step. Only while running().
     const TorchSample& torch() const { return trainer_->torch(); }
+    /// The torch that mouse and keys lead, in a weld lesson.
+    const DeskTorch& deskTorch() const { return desk_; }
     /// What the metal's temperature numbers mean. Only while running().
     TemperatureMeaning temperature() const { return trainer_->scene().temperature; }
     size_t steps() const { return trainer_ == nullptr ? 0 : trainer_->steps(); }
@@ -159,6 +162,7 @@ class LessonSession {
     bool waits(const Controls& controls);
     TorchSample nextTorch(const Controls& controls, const TorchSource& held, int step, int due);
     void prepare(Controls& controls);
+    glm::mat3 toScreen(const Controls& controls) const;
     void playDemonstration(double seconds, gl::Profiler* profiler);
     void makeDueSteps(double seconds, FunctionRef<void(int step, int due)> make);
     void makeSteps(const Controls& controls, double seconds, gl::Profiler* profiler, const TorchSource& held);
@@ -185,6 +189,7 @@ class LessonSession {
     SpeedTrial trial_;
     double trialTime_ = 0; ///< s in the demonstration
     Demonstration demonstration_;
+    DeskTorch desk_;
 };
 
 } // namespace meltpool

@@ -91,6 +91,8 @@ class Trainer {
     void setSurfaceDistance(const SurfaceDistance& surface) { surfaceDistance_ = surface; }
     /// Radius (m) of what touches the metal first.
     float touchRadius() const { return metal_->touchRadius(); }
+    /// See Process::burntOff().
+    float burntOff() const { return metal_->burntOff(); }
     WireAccount wire() const { return metal_->wire(); }
     /// The lesson's metal has an arc, whose figures stand in the record.
     bool hasArc() const { return lesson_.model == LessonModel::Weld; }

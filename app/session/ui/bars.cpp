@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 namespace meltpool::ui {
 
@@ -45,7 +46,19 @@ void modeSign(Context& context, const Controls& controls, float left, float righ
     ImGui::PopFont();
 }
 
+/// How the torch is held: "CTWD 15.0 mm, work 0°, travel +10°".
+ShortText torchText(const LessonFigures& f) {
+    constexpr double kDegrees = 180 / std::numbers::pi;
+    char text[120];
+    std::snprintf(text, sizeof text, "%s %.1f mm   work %+.0f\xC2\xB0   travel %+.0f\xC2\xB0",
+                  f.distance == DistanceKind::ctwd ? "CTWD" : "arc", f.torch->distance * 1e3, f.torch->work * kDegrees,
+                  f.torch->travel * kDegrees);
+    return ShortText(text);
+}
+
+/// Of the metal; with a torch that is led along a seam, of that.
 ShortText figuresText(const LessonFigures& f) {
+    if (f.torch && !f.stopped && f.slow.empty()) return torchText(f);
     const double share = f.particles > 0 ? 100.0 * static_cast<double>(f.molten) / static_cast<double>(f.particles) : 0;
     const ShortText hottest = hottestText(f);
     char text[160];
@@ -149,10 +162,16 @@ void statusBar(Context& context, const LessonFigures& figures, const Controls& c
         {{"W A S D", "fly"}, {"V", "back to work"}, {"C", "catch the mouse"}, {"F1", "help"}}};
     constexpr std::array<Hint, 3> kCaught{
         {{"Left button", "heat"}, {"Right button", "near and far"}, {"C", "free the mouse"}}};
+    constexpr std::array<Hint, 4> kTorch{
+        {{"Left button", "weld"}, {"Mouse", "along the seam"}, {"Arrows", "lean"}, {"C", "catch the mouse"}}};
+    constexpr std::array<Hint, 4> kCaughtTorch{
+        {{"Left button", "weld"}, {"Wheel", "arc length"}, {"Arrows", "lean"}, {"C", "free the mouse"}}};
     constexpr std::array<Hint, 3> kCaughtLook{{{"Mouse", "look"}, {"W A S D", "fly"}, {"C", "free the mouse"}}};
     const bool working = controls.mode() == Mode::interact;
     std::span<const Hint> hints = working ? std::span<const Hint>(kWork) : std::span<const Hint>(kLook);
     if (controls.captured()) hints = working ? std::span<const Hint>(kCaught) : std::span<const Hint>(kCaughtLook);
+    if (working && figures.torch)
+        hints = controls.captured() ? std::span<const Hint>(kCaughtTorch) : std::span<const Hint>(kTorch);
     for (const Hint& hint : hints) {
         const float need = ImGui::CalcTextSize(hint.key).x + ImGui::CalcTextSize(hint.what).x + context.points(40);
         if (ImGui::GetCursorPosX() + need > right) break;

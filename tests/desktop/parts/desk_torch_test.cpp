@@ -23,7 +23,7 @@ struct Desk {
         torch.begin(lesson);
     }
     void frame(const InputFrame& input = {}, bool welds = true) {
-        torch.update(input, view, parameters, true);
+        torch.update(input, view, parameters);
         for (int i = 0; i < kSteps; ++i) {
             last = torch.next(i, kSteps, kStep, 0, welds ? 1.0F : 0.0F);
             last.time = time += kStep;
@@ -130,7 +130,7 @@ TEST_CASE("steps of a frame go on evenly, whether hand or guide leads") {
     right.mouseMove = {9, 0};
     desk.frames(5, right);
     std::vector<double> ways;
-    desk.torch.update(right, desk.view, desk.parameters, true);
+    desk.torch.update(right, desk.view, desk.parameters);
     double last = double(desk.last.tip.x);
     for (int i = 0; i < kSteps; ++i) {
         const double x = double(desk.torch.next(i, kSteps, kStep, 0, 1).tip.x);
@@ -170,7 +170,7 @@ TEST_CASE("a lesson of the classic model has no seam to lead a torch along") {
     DeskTorch torch;
     torch.begin(shipped("classic"));
     CHECK_FALSE(torch.leads());
-    torch.update({}, glm::mat3(1), {}, true);
+    torch.update({}, glm::mat3(1), {});
 }
 
 } // namespace meltpool
