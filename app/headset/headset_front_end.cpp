@@ -90,7 +90,7 @@ void HeadsetFrontEnd::readHands(LessonSession& session, const Home& home, double
     hands_.update(input, workshop_, elapsed);
     if (panel_.pointingHand() == hands_.torchHand()) hands_.putOut(ArcOut::panel);
     changes_.takeTorch(hands_, session);
-    view_.update(hands_.torch(), elapsed);
+    view_.update(session, hands_.torch(), elapsed);
 }
 
 /// A new judgement opens the panel; a panel that was opened so closes when the weld goes on or begins again.

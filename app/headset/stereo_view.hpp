@@ -14,8 +14,12 @@ class StereoView {
   public:
     explicit StereoView(const HeadsetParameters& parameters) : parameters_(parameters) {}
 
-    /// Darkens the visor with the heat of the torch. `elapsed`: real seconds since the last frame.
-    void update(const TrackedTorch& torch, double elapsed) { visor_.update(torch.trigger() > 0, elapsed); }
+    /// Darkens the visor with the heat of the torch, the hand's or the expert's in a demonstration. `elapsed`: real
+    /// seconds since the last frame.
+    void update(const LessonSession& session, const TrackedTorch& torch, double elapsed) {
+        const float trigger = session.demonstration().shown() ? session.torch().trigger : torch.trigger();
+        visor_.update(trigger > 0, elapsed);
+    }
 
     /// Sets what draw() shows besides the metal.
     void takeHands(const HeadsetHands& hands, const PanelPointer& panel);
