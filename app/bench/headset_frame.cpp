@@ -6,6 +6,7 @@
 #include "app/program/call_counters.hpp"
 #include "app/program/frame_meter.hpp"
 #include "core/base/function_ref.hpp"
+#include "core/base/resources.hpp"
 #include "core/render/view/picture_target.hpp"
 
 #include <array>
@@ -45,6 +46,7 @@ struct Scene {
     LessonSession session;
     Controls controls;
     LessonFigures figures;
+    Home home{resourceFolder() / "data" / "lessons", {}}; // not open, and nobody's scores
     double time = 0;
 };
 
@@ -124,7 +126,7 @@ BenchRow measureWithoutRuntime(Scene& scene, bool counted) {
 bool waitForHeadset(HeadsetFrontEnd& headset, Scene& scene) {
     const Clock::time_point start = Clock::now();
     while (secondsSince(start) < kPatience) {
-        if (headset.begin(scene.session, kFrame)) return true;
+        if (headset.begin(scene.session, scene.home, kFrame)) return true;
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
     return false;
@@ -135,7 +137,7 @@ bool addHeadsetRows(Bench& bench, const std::string& what, bool counted, Headset
     const auto frame = [&] {
         if (!waitForHeadset(headset, scene)) return false;
         scene.advance();
-        headset.draw(scene.session, scene.figures, {}, kFrame, nullptr);
+        headset.draw(scene.session, scene.home, scene.figures, {}, kFrame, nullptr);
         headset.end();
         return true;
     };
