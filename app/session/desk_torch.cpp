@@ -25,7 +25,7 @@ constexpr double kNearest = 0.5 * kMm, kLongest = 60 * kMm; // of the distance
 constexpr double kPointsPerMove = 100;                      // of mouse travel, see ControlParameters::torchMouse
 /// A filler rod: angle over the plate, place before the electrode, way back at rest, way beyond in the pool, and feed
 /// of the fingers while it is dipped.
-constexpr double kRodAngle = 20 * kDegree, kRodAhead = 3 * kMm, kRodRest = 12 * kMm, kRodDepth = 1.5 * kMm;
+constexpr double kRodAngle = 20 * kDegree, kRodAhead = 1.5 * kMm, kRodRest = 12 * kMm, kRodDepth = 3.5 * kMm;
 constexpr double kRodFeed = 4 * kMm; // m/s
 constexpr double kRodTime = 0.15;    // s from rest into the pool
 

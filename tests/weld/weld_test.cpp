@@ -195,7 +195,8 @@ TEST_CASE("a stick touches the plate, strikes when it is lifted, and lays metal 
     for (int i = 0; i < 300; ++i) {
         const double seconds = i * weld.timeStep();
         const double lifted = std::clamp((seconds - 0.2) / 0.1, 0.0, 1.0) * 3 - 0.2;
-        weld.step(over(float(lifted - 1e3 * rate * burning)), nullptr);
+        const double x = -8 + 4 * std::max(seconds - 0.3, 0.0); // mm
+        weld.step(over(float(lifted - 1e3 * rate * burning), 1, float(x)), nullptr);
         if (weld.arc().burns()) burning += weld.timeStep();
         if (seconds < 0.15) CHECK_FALSE(weld.arc().burns());
     }

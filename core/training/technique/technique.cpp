@@ -123,7 +123,7 @@ TechniqueStep Technique::measure(const TorchSample& torch, const ArcState& arc) 
     if (torch.rod) {
         const glm::dvec3 rod(torch.rod->orientation * glm::vec3(0, 0, -1));
         step.rodAngle = std::asin(std::clamp(-glm::dot(glm::normalize(rod), frame.up), -1.0, 1.0));
-        step.rodGap = glm::length(glm::dvec3(torch.rod->tip) - foot);
+        step.rodGap = glm::dot(foot - glm::dvec3(torch.rod->tip), glm::normalize(rod));
     }
     return step;
 }

@@ -38,7 +38,7 @@ struct TechniqueStep {
     double workAngle = 0; ///< rad
     double lean = 0;      ///< rad, travel angle for a travel towards growing places
     double rodAngle = 0;  ///< rad
-    double rodGap = 0;    ///< m from the rod's tip to where the torch's axis meets the seam
+    double rodGap = 0;    ///< m along the rod from its tip to where the torch's axis meets the seam; negative beyond
     bool welds = false;   ///< the arc burns and the torch is tracked
     bool joined = false;  ///< welds, as did the step before, with no gap and no jump between
 };

@@ -155,7 +155,9 @@ TEST_CASE("a GTAW torch melts its rod from its own heat, and a rod on the tungst
     const WireAccount account = process->wire();
     CHECK(double(drops) == Approx(account.melted * account.area / 1e-9).margin(1));
 
-    torch.rod = rodAt({0, 2.4F, 0}); // on the electrode
+    // What is left of it reaches the electrode.
+    const float eaten = process->arc().rodEaten / kMm, angle = 20 * std::numbers::pi_v<float> / 180;
+    torch.rod = rodAt({-eaten * std::cos(angle), 2.4F - eaten * std::sin(angle), 0});
     process->step(torch, plate, kStep, before(2, 1));
     CHECK(process->arc().noArc == NoArc::touched);
     CHECK(dynamic_cast<const Gtaw&>(*process).electrodeSpoiled());
