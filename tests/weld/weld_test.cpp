@@ -202,7 +202,7 @@ TEST_CASE("a stick touches the plate, strikes when it is lifted, and lays metal 
     }
     CHECK(weld.arc().burns());
     CHECK(burning > 0.8 * (300 * weld.timeStep() - 0.3));
-    CHECK(double(weld.arc().length) * 1e3 == Approx(3).margin(1.5)); // the bead grows under it
+    CHECK(double(weld.arc().length) * 1e3 == Approx(2.5).margin(2)); // the bead grows under it
     CHECK(double(weld.process().burntOff()) == Approx(rate * burning).epsilon(0.1));
     CHECK(weld.process().filler().fed() > 50);
 }
