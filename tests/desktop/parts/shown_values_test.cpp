@@ -22,9 +22,10 @@ TEST_CASE("a lesson's pages have the values of its own process only, and all of 
         LessonSections sections(lesson);
         INFO(AllProcesses::kNames[static_cast<size_t>(kind)]);
         CHECK(shows(sections.simulation, "wire_feed_m_min") == lesson.process.is<Gmaw>());
-        CHECK(shows(sections.simulation, "electrode_diameter_mm") == lesson.process.is<Gtaw>());
+        CHECK(shows(sections.simulation, "electrode_diameter_mm") ==
+              (lesson.process.is<Gtaw>() || lesson.process.is<Smaw>()));
         CHECK_FALSE(shows(sections.simulation, "heat_temperature")); // of the classic source
-        const bool arc = lesson.process.is<Gmaw>() || lesson.process.is<Gtaw>();
+        const bool arc = isArcWelding(lesson.process);
         CHECK(shows(sections.view, "arc_light") == arc);
         CHECK_FALSE(shows(sections.view, "material")); // the workpiece's own is shown
         CHECK_FALSE(shows(sections.view, "show_source"));
