@@ -56,6 +56,7 @@ void DesktopLessons::keepScore(double zoom, double now) {
     if (!score) return;
     score->zoom = zoom;
     score->forScore = session_.sections().attempt.forScore;
+    score->guided = session_.deskTorch().guided();
     score->changed = session_.workpieceChanged();
     try {
         home_.scores.offer(lesson->key, *score);

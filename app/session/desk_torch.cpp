@@ -59,6 +59,7 @@ void DeskTorch::begin(const Lesson& lesson) {
     wanted_.place = std::max(first - kRunUp, seam_->begin());
     held_ = wanted_;
     left_ = 0;
+    guided_ = false;
 }
 
 void DeskTorch::update(const InputFrame& input, const glm::mat3& toScreen, const ControlParameters& parameters) {
@@ -96,6 +97,7 @@ void DeskTorch::update(const InputFrame& input, const glm::mat3& toScreen, const
 
 TorchSample DeskTorch::next(int step, int due, double seconds, float burntOff, float trigger) {
     if (trigger > 0) { // both go on by themselves, and only the hand's own way is shared out among the steps
+        guided_ = guided_ || guide_ > 0;
         left_ += guide_ * seconds;
         held_.place += guide_ * seconds;
     }

@@ -48,6 +48,8 @@ class DeskTorch {
     /// What DeskPose::distance is called, and whether a rod is held.
     DistanceKind distanceKind() const { return kind_; }
     bool holdsRod() const { return rod_; }
+    /// The guide has led it since begin().
+    bool guided() const { return guided_; }
 
   private:
     TorchSample sampleOf(const DeskPose& pose, float burntOff) const;
@@ -58,9 +60,10 @@ class DeskTorch {
     double stickOut_ = 0; ///< m that the pose's tip lies before what the distance is measured from
     bool rod_ = false;
     double guide_ = 0; ///< m/s
-    DeskPose wanted_;  ///< by the hand
-    DeskPose held_;    ///< at the last step
-    double left_ = 0;  ///< m that the guide has gone beyond the hand's own way
+    bool guided_ = false;
+    DeskPose wanted_; ///< by the hand
+    DeskPose held_;   ///< at the last step
+    double left_ = 0; ///< m that the guide has gone beyond the hand's own way
 };
 
 } // namespace meltpool

@@ -26,6 +26,7 @@ BestScore readBest(TomlTable& table) {
     best.accepted = table.flag("accepted", false);
     best.zoom = table.number("zoom", kZoom, 1);
     best.forScore = table.flag("for_score", false);
+    best.guided = table.flag("guided", false);
     best.changed = table.flag("changed", false);
     table.finish();
     return best;
@@ -59,6 +60,7 @@ std::string bestScoreText(const BestScore& best) {
     std::string text = "Best " + std::to_string(std::lround(best.score));
     if (best.accepted) text += ", accepted";
     if (best.zoom > 1) text += ", zoom " + formatNumber(best.zoom);
+    if (best.guided) text += ", guided";
     if (best.changed) text += ", changed values";
     return text;
 }
@@ -111,7 +113,8 @@ void BestScores::save() const {
     for (const auto& [lesson, best] : best_)
         text += "\n[" + tomlKey(lesson) + "]\nscore = " + formatNumber(best.score) +
                 "\naccepted = " + flag(best.accepted) + "\nzoom = " + formatNumber(best.zoom) +
-                "\nfor_score = " + flag(best.forScore) + "\nchanged = " + flag(best.changed) + "\n";
+                "\nfor_score = " + flag(best.forScore) + "\nguided = " + flag(best.guided) +
+                "\nchanged = " + flag(best.changed) + "\n";
     std::error_code failed;
     fs::create_directories(file_.parent_path(), failed); // writeFile() tells where there is none
     writeFile(file_, text);

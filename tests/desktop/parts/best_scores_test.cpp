@@ -40,6 +40,7 @@ TEST_CASE("an attempt counts where it is scored; the verdict goes with it") {
     CHECK(countedScore(judgement)->accepted);
     CHECK(bestScoreText({84.4, true, 4, true, false}) == "Best 84, accepted, zoom 4");
     CHECK(bestScoreText({0, false, 1, false, true}) == "Best 0, changed values");
+    CHECK(bestScoreText({70, true, 1, false, false, true}) == "Best 70, accepted, guided");
 }
 
 TEST_CASE("the better score of a lesson stays, with its help, from one start to the next") {

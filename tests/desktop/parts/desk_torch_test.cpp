@@ -68,6 +68,7 @@ TEST_CASE("a guided desk torch is measured as it is held, on plate, tee and unde
         const TechniqueBands& bands = *desk.lesson.technique;
         desk.parameters.guideSpeed = 6;
         desk.frames(60, {});
+        CHECK(desk.torch.guided()); // which is kept with the score
         const TechniqueValues& now = desk.technique.now();
         CHECK(now[TechniqueQuantity::travelSpeed] == Approx(6e-3).epsilon(0.01));
         for (const TechniqueQuantity quantity : {TechniqueQuantity::workAngle, TechniqueQuantity::travelAngle}) {
