@@ -45,7 +45,8 @@ std::vector<MetalSeed> operator+(std::vector<MetalSeed> a, const std::vector<Met
 struct Bench {
     explicit Bench(const std::vector<MetalSeed>& seeds, unsigned contactRoom = 8192)
         : state((test::context(), smallLattice()), steel(), 7850, seeds.size() + 8),
-          fragments(test::shaders(), state, {0, 0.35F, contactRoom, glm::vec3(0), {0.032F, 0.024F, 0.016F}}) {
+          fragments(test::shaders(), state,
+                    {{0, 1, 0}, 0, 0.35F, contactRoom, glm::vec3(0), {0.032F, 0.024F, 0.016F}}) {
         state.add(seeds);
         fragments.relabelNow(nullptr);
     }
