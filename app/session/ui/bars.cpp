@@ -56,16 +56,19 @@ ShortText torchText(const LessonFigures& f) {
     return ShortText(text);
 }
 
-/// Of the metal; with a torch that is led along a seam, of that.
-ShortText figuresText(const LessonFigures& f) {
-    if (f.torch && !f.stopped && f.slow.empty()) return torchText(f);
+ShortText metalText(const LessonFigures& f) {
     const double share = f.particles > 0 ? 100.0 * static_cast<double>(f.molten) / static_cast<double>(f.particles) : 0;
     const ShortText hottest = hottestText(f);
     char text[160];
     std::snprintf(text, sizeof text,
                   "%.1f s   \xC2\xB7   %zu particles   \xC2\xB7   %.1f %% molten   \xC2\xB7   hottest ", f.time,
                   f.particles, share);
-    ShortText all{text, hottest};
+    return {text, hottest};
+}
+
+/// Of the metal, or of the torch where it is led along a seam.
+ShortText figuresText(const LessonFigures& f) {
+    ShortText all = f.torch && !f.stopped ? torchText(f) : metalText(f);
     if (f.stopped) {
         all += "   \xC2\xB7   stopped";
     } else if (!f.slow.empty()) {
