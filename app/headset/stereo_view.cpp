@@ -41,8 +41,8 @@ void StereoView::draw(LessonSession& session, const SceneView& lesson, const Wor
         hands_.arcGlow = scene.arc.intensity / (std::numbers::pi_v<float> * scene.arc.radius * scene.arc.radius);
     scene.modelToWorld = place.modelToWorkshop(session.unit()) * scene.modelToWorld;
     const bool demonstrated = session.demonstration().shown();
-    hands_.expert = demonstrated ? lesson.solids : std::span<const Solid>();
-    hands_.expertToWorkshop = place.modelToWorkshop(session.unit());
+    hands_.tools = demonstrated ? lesson.solids : lesson.solids.last(lesson.rodSolids);
+    hands_.toolsToWorkshop = place.modelToWorkshop(session.unit());
     scene.solids = scene_.build(parameters_, hands_);
     scene.source.shown = demonstrated; // else the drawn torch takes its place
     LookParameters look = session.lesson().look;

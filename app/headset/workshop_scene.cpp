@@ -75,8 +75,8 @@ std::span<const Solid> WorkshopScene::build(const HeadsetParameters& parameters,
     solids_.clear();
     addRoom(parameters.tableHeight);
     if (hands.torch) addTorch(hands);
-    for (Solid solid : hands.expert) {
-        solid.toWorld = hands.expertToWorkshop * solid.toWorld;
+    for (Solid solid : hands.tools) {
+        solid.toWorld = hands.toolsToWorkshop * solid.toWorld;
         solids_.push_back(solid);
     }
     if (hands.rayStart)

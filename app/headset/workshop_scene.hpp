@@ -19,8 +19,8 @@ struct HandsView {
     std::optional<glm::vec3> arcGlow = {}; ///< light of its arc; none: a small glow that follows the heat
     std::optional<glm::vec3> rayStart;     ///< of the pointer
     glm::vec3 rayEnd{0.0f};
-    std::span<const Solid> expert;    ///< torch of the demonstration, in the lesson's world; empty: none
-    glm::mat4 expertToWorkshop{1.0f}; ///< of that world
+    std::span<const Solid> tools;    ///< the demonstration's torch, or the filler rod, in the lesson's world
+    glm::mat4 toolsToWorkshop{1.0f}; ///< of that world
 };
 
 class WorkshopScene {

@@ -79,7 +79,7 @@ class LessonSession {
     Demonstration& demonstration() { return demonstration_; }
     const Demonstration& demonstration() const { return demonstration_; }
 
-    /// Puts metal and source back to their start: another attempt. Nothing is made anew but the attempt's record.
+    /// Puts metal and source back to their start: another attempt. No shader is compiled anew.
     void reset(Controls& controls);
     /// Ends the lesson and frees the metal. `reason` stands in the attempt's record.
     void end(std::string_view reason) noexcept;

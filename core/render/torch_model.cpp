@@ -110,6 +110,22 @@ void addIron(Builder& add) {
     add.part(SolidShape::cylinder, 0.12F, 0.05F, 0.018F, kDarkSteel, 0.3F);
 }
 
+void addTorch(Builder& add, const ProcessSettings& process, const ArcState& arc, const ArcLight& light) {
+    if (process.is<Gmaw>()) {
+        const GmawSettings& gmaw = process.of<Gmaw>();
+        const float stickOut = gmaw.stickOutMm * 1e-3F;
+        // Before the first step nothing is known of the wire: it is as long as it is set.
+        return addGmaw(add, stickOut, arc.extension > 0 ? arc.extension : stickOut, gmaw.wireDiameterMm * 1e-3F, light);
+    }
+    if (process.is<Gtaw>()) return addGtaw(add, light);
+    if (process.is<Smaw>()) {
+        const SmawSettings& smaw = process.of<Smaw>();
+        return addSmaw(add, smaw, arc.extension > 0 ? arc.extension : smaw.lengthMm * 1e-3F, light);
+    }
+    if (process.is<Flame>()) return addFlame(add, arc.burns() ? arc.share : 0);
+    addIron(add);
+}
+
 } // namespace
 
 ArcLight torchArcLight(const TorchSample& torch, const ProcessSettings& process, const ArcState& arc) {
@@ -124,28 +140,15 @@ ArcLight torchArcLight(const TorchSample& torch, const ProcessSettings& process,
             kArcDiameter / 2};
 }
 
-void buildTorchModel(std::vector<Solid>& solids, const TorchSample& torch, const ProcessSettings& process,
-                     const ArcState& arc, const glm::mat4& workpieceToWorld) {
+size_t buildTorchModel(std::vector<Solid>& solids, const TorchSample& torch, const ProcessSettings& process,
+                       const ArcState& arc, const glm::mat4& workpieceToWorld) {
     solids.clear();
     Builder add(solids, torch, workpieceToWorld);
-    const ArcLight light = torchArcLight(torch, process, arc);
-    if (process.is<Gmaw>()) {
-        const GmawSettings& gmaw = process.of<Gmaw>();
-        const float stickOut = gmaw.stickOutMm * 1e-3F;
-        // Before the first step nothing is known of the wire: it is as long as it is set.
-        return addGmaw(add, stickOut, arc.extension > 0 ? arc.extension : stickOut, gmaw.wireDiameterMm * 1e-3F, light);
-    }
-    if (process.is<Gtaw>()) {
-        addGtaw(add, light);
-        if (torch.rod) addRod(solids, *torch.rod, process.of<Gtaw>().rodDiameterMm * 1e-3F, arc, workpieceToWorld);
-        return;
-    }
-    if (process.is<Smaw>()) {
-        const SmawSettings& smaw = process.of<Smaw>();
-        return addSmaw(add, smaw, arc.extension > 0 ? arc.extension : smaw.lengthMm * 1e-3F, light);
-    }
-    if (process.is<Flame>()) return addFlame(add, arc.burns() ? arc.share : 0);
-    addIron(add);
+    addTorch(add, process, arc, torchArcLight(torch, process, arc));
+    const size_t own = solids.size();
+    if (torch.rod && process.is<Gtaw>())
+        addRod(solids, *torch.rod, process.of<Gtaw>().rodDiameterMm * 1e-3F, arc, workpieceToWorld);
+    return solids.size() - own;
 }
 
 } // namespace meltpool

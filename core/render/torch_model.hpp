@@ -10,9 +10,10 @@
 namespace meltpool {
 
 /// Replaces `solids` by the torch of this process at this pose; the wire stands out as far as it does, and an arc or
-/// flame glows where one burns. `workpieceToWorld`: rotation, one scale, translation.
-void buildTorchModel(std::vector<Solid>& solids, const TorchSample& torch, const ProcessSettings& process,
-                     const ArcState& arc, const glm::mat4& workpieceToWorld);
+/// flame glows where one burns. Answers how many of the last solids are a filler rod, which is there where the process
+/// melts one. `workpieceToWorld`: rotation, one scale, translation.
+size_t buildTorchModel(std::vector<Solid>& solids, const TorchSample& torch, const ProcessSettings& process,
+                       const ArcState& arc, const glm::mat4& workpieceToWorld);
 
 /// The light of this arc in the workpiece's frame (m); none for processes without an arc or while none burns. Its
 /// luminous flux is taken as 5 lm for each watt of V I, which gives some 6 klx at half a metre for 200 A: an estimate,

@@ -77,7 +77,7 @@ SceneView WeldModel::scene(const TorchSample& torch) const {
     scene.boxMin = workpiece_.low;
     scene.boxMax = workpiece_.high;
     scene.cubeWidth = kWorldUnit;
-    buildTorchModel(torchSolids_, torch, process_, weld_.arc(), scene.modelToWorld);
+    scene.rodSolids = buildTorchModel(torchSolids_, torch, process_, weld_.arc(), scene.modelToWorld);
     scene.arc = torchArcLight(torch, process_, weld_.arc());
     scene.solids = torchSolids_;
     scene.blocks = workpiece_.blocks;
