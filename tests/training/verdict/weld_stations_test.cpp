@@ -503,7 +503,8 @@ WorkpieceParameters smallPipe(float gap) {
 
 } // namespace
 
-TEST_CASE("a bead around a pipe is measured at all stations within half a spacing", "[stations]") {
+TEST_CASE("a bead around a pipe is measured within half a spacing, one station's width within two thirds",
+          "[stations]") {
     test::context();
     const WeldMeasures weld = measurePipe(
         smallPipe(0), [](glm::vec2 at) { return at.y > 0 && glm::length(at) < 4; },
