@@ -16,6 +16,7 @@ namespace {
 constexpr double kMm = 1e-3;
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kRunUp = 5 * kMm;     // the torch begins so far before what counts
+constexpr double kFromEnd = 3 * kMm;   // but at least so far from the seam's end
 constexpr double kBeyond = 10 * kMm;   // of the seam's ends that it can be led to
 constexpr double kFarthest = 40 * kMm; // across
 constexpr double kNotch = 0.5 * kMm;   // of distance, a wheel notch or page key
@@ -56,7 +57,8 @@ void DeskTorch::begin(const Lesson& lesson) {
     wanted_.work = idealOf(lesson, TechniqueQuantity::workAngle, 0);
     wanted_.travel = idealOf(lesson, TechniqueQuantity::travelAngle, 0);
     const double first = lesson.technique ? lesson.technique->lengthFromMm * kMm : seam_->begin() + kRunUp;
-    wanted_.place = std::max(first - kRunUp, seam_->begin());
+    // An end of the plate is no metal to strike on.
+    wanted_.place = std::max(first - kRunUp, seam_->begin() + kFromEnd);
     held_ = wanted_;
     left_ = 0;
     guided_ = false;

@@ -85,19 +85,6 @@ void waitForPage(TrainerWindow& window, const std::string& page) {
     window.waitFor("the page " + page, [&](const json& s) { return s.at("page") == page; });
 }
 
-/// Leads the torch by keys from its home over the seam's beginning, `mm` over the plate's top.
-void goToTheSeam(TrainerWindow& window, double mm) {
-    const auto torch = [](const json& s, size_t axis) { return s.at("torch").at("tip_mm").at(axis).get<double>(); };
-    const auto stepUntil = [&](const char* key, const std::function<bool(const json&)>& done) {
-        for (int i = 0; i < 60 && !done(window.settle()); ++i)
-            window.key(key);
-        window.waitFor("the torch over the seam", done);
-    };
-    stepUntil("Up", [&](const json& s) { return torch(s, 2) < 1.1; });
-    stepUntil("Left", [&](const json& s) { return torch(s, 0) < -7; });
-    stepUntil("Next", [&](const json& s) { return torch(s, 1) < mm + 1.1; });
-}
-
 } // namespace
 
 TEST_CASE("without a lesson named the window opens on the list of lessons, and nothing runs") {
@@ -201,14 +188,15 @@ TEST_CASE("a lesson is picked from the list, welded by keys and mouse, judged, w
     waitForPage(window, "start");
     window.click("start.start");
     window.waitFor("the metal", [](const json& s) { return s.at("metal").at("steps") > 0; });
-    goToTheSeam(window, 4);
-    window.moveMouse(500, 300);
+    const auto tip = [](const json& s) { return s.at("torch").at("tip_mm").at(0).get<double>(); };
+    window.moveMouse(200, 300);
     window.xdotool({"mousedown", "1"});
-    window.waitFor("a pool", [](const json& s) { return s.at("metal").at("molten") > 5; });
-    for (int i = 0; i < 8; ++i) {
-        window.key("Right");
+    const json pool = window.waitFor("a pool", [](const json& s) { return s.at("metal").at("molten") > 5; });
+    for (int i = 1; i <= 16; ++i) { // 16 mm along the seam
+        window.moveMouse(200 + 12.5 * i, 300);
         window.settle();
     }
+    window.waitFor("the way", [&](const json& s) { return std::abs(tip(s) - tip(pool) - 16) < 1.5; });
     window.takePicture("welding");
     window.xdotool({"mouseup", "1"});
     window.waitFor("the judgement", [](const json& s) { return !s.at("judgement").is_null(); });
