@@ -123,6 +123,7 @@ MenuRequest homePage(Context& context, Home& home, const std::string& driver, bo
     ImGui::BeginChild("lessons", {0, -context.points(44)});
     const bool chosen = lessonGrid(context, home);
     ImGui::EndChild();
+    markItem(context, "home.lessons");
     if (button(context, "home.help", "Help", help ? ButtonKind::lit : ButtonKind::plain, 86, "All keys (F1)"))
         help = !help;
     ImGui::SameLine(0, context.points(14));

@@ -128,6 +128,7 @@ void values(Context& context, LessonSections& sections, float screenHeight) {
     setupPart(context, sections);
     context.startValuesHeight = ImGui::GetCursorPosY();
     ImGui::EndChild();
+    markItem(context, "start.values");
 }
 
 /// The buttons below the values.

@@ -47,6 +47,17 @@ std::string readLine(int descriptor) {
     return line;
 }
 
+/// Whether a control is whole, and not cut by the edge of a part of the page that scrolls.
+bool isWhole(const json& places, const std::array<double, 4>& control) {
+    for (const char* part : {"start.values", "home.lessons"}) {
+        if (!places.contains(part)) continue;
+        const auto area = places.at(part).get<std::array<double, 4>>();
+        const double top = control[1], bottom = control[1] + control[3], end = area[1] + area[3];
+        if (bottom > area[1] && top < end && (top < area[1] - 1 || bottom > end + 1)) return false;
+    }
+    return true;
+}
+
 } // namespace
 
 const char* const kSmallSettings = "[start]\nparticles = 1000\ncells = 16\n"
@@ -188,7 +199,8 @@ std::array<double, 4> TrainerWindow::place(const std::string& name) {
     for (int notch = 0; notch < 24; ++notch) {
         // A control at the panel's edge is in sight but not in reach: it must be whole, above the status bar.
         const double low = now.at("window").at("size").at(1).get<double>() - (now.at("page") == "running" ? 65 : 0);
-        if (const auto found = find(now); found && (*found)[1] + (*found)[3] < low) {
+        if (const auto found = find(now);
+            found && (*found)[1] + (*found)[3] < low && isWhole(now.at("places"), *found)) {
             // A notch of the wheel that is still under way would move the control from under the mouse.
             now = settle();
             if (find(now) == found) return *found;
