@@ -196,7 +196,10 @@ std::array<double, 4> TrainerWindow::place(const std::string& name) {
     const bool left = name.rfind("simulation.", 0) != 0;
     const double width = now.at("window").at("size").at(0);
     bool overPanel = false;
-    for (int notch = 0; notch < 24; ++notch) {
+    // A page's scrolling part is lower than three notches of the wheel: it would jump over a control.
+    const char* const clicks = now.at("page") == "running" ? "3" : "1";
+    constexpr int kDown = 24, kAll = 60;
+    for (int notch = 0; notch < kAll; ++notch) {
         // A control at the panel's edge is in sight but not in reach: it must be whole, above the status bar.
         const double low = now.at("window").at("size").at(1).get<double>() - (now.at("page") == "running" ? 65 : 0);
         if (const auto found = find(now);
@@ -208,7 +211,7 @@ std::array<double, 4> TrainerWindow::place(const std::string& name) {
         }
         if (!overPanel) moveMouse(now.at("page") != "running" ? width / 2 : (left ? 200 : width - 200), 300);
         overPanel = true;
-        xdotool({"click", "--repeat", "3", "--delay", "5", notch < 10 ? "5" : "4"});
+        xdotool({"click", "--repeat", clicks, "--delay", "5", notch < kDown ? "5" : "4"});
         now = settle();
     }
     FAIL("no control '" << name << "' can be brought in sight; in sight: " << now.at("places").dump());
