@@ -101,7 +101,11 @@ TEST_CASE("a lesson is picked on the panel, demonstrated, welded, judged and beg
     CHECK(trainer.now()["panels"]["result"] == true);                                         // in the window too
     keepPicture(screenshot(), "result.png");
 
-    // The other hand's trigger, pointing nowhere: the next attempt.
+    // The other hand's trigger, pointing at the ceiling: the next attempt.
+    trainee.state.hands[0].active = true;
+    trainee.state.hands[0].pose.orientation = glm::angleAxis(1.4f, glm::vec3(1, 0, 0));
+    trainee.send();
+    passFrames(trainer, 10);
     trainee.state.hands[0].trigger = 1;
     trainee.send();
     CHECK(trainer.waitFor([](const json& row) { return row["judgement"].is_null() && row["metal"]["molten"] == 0; }));
