@@ -7,6 +7,7 @@
 #include "core/render/view/camera.hpp"
 #include "core/render/view/picture_target.hpp"
 #include "core/training/result_file.hpp"
+#include "core/training/verdict/section_measures.hpp"
 
 #include <glm/trigonometric.hpp>
 
@@ -32,6 +33,17 @@ View viewOf(const CameraParameters& camera, float aspect) {
     lens.fieldOfView = glm::radians(camera.fieldOfView);
     const OrbitCamera orbit(glm::radians(camera.azimuth), glm::radians(camera.elevation), camera.distance);
     return orbit.view(lens, aspect);
+}
+
+/// What the gauge measures on a section, drawn into its picture as a station of the weld is judged.
+std::vector<SectionStroke> measureStrokes(const WeldSection& section, const WorkpieceParameters& workpiece,
+                                          const View& view, const SceneView& scene) {
+    const WeldKind kind = weldKindOf(workpiece);
+    const WeldStation station = stationOf(section.figures, kind, section.cut.at());
+    std::vector<SectionStroke> strokes;
+    layOutMarks(sectionMarks(station, kind, section.map, section.cut.fusion, SectionFaces::of(workpiece)),
+                layoutIn(view, scene.modelToWorld, scene.section.at), strokes);
+    return strokes;
 }
 
 /// Takes the lesson's pictures at their times.
@@ -64,6 +76,11 @@ class Photographer {
             section = trainer.section(static_cast<double>(*picture.sectionAt));
             scene.section = {true, *picture.sectionAt, section ? &section->map : nullptr};
             scene.solids = {};
+        }
+        std::vector<SectionStroke> strokes;
+        if (picture.measures && section) {
+            strokes = measureStrokes(*section, trainer.lesson().workpiece, view, scene);
+            scene.section.strokes = strokes;
         }
         renderer_.draw(scene, picture.look, {&view, 1}, target_.target(), nullptr);
         try {

@@ -222,6 +222,9 @@ void DesktopApp::handleKeys(const InputFrame& input) {
         case Key::j:
             act(MenuRequest::judge);
             break;
+        case Key::x:
+            act(MenuRequest::cut);
+            break;
         case Key::f5:
             session_.reset(controls_);
             break;
@@ -267,6 +270,10 @@ void DesktopApp::act(MenuRequest request) {
     case MenuRequest::judge:
         session_.judge();
         menus_.showResult(session_);
+        break;
+    case MenuRequest::cut:
+        session_.toggleCut(controls_);
+        if (session_.cut().shown()) menus_.showResult(session_);
         break;
     case MenuRequest::restart:
         lessons_.leave();
@@ -378,6 +385,7 @@ void DesktopApp::writeTelemetry() {
                       screenshot_,
                       session_.judged(),
                       session_.demonstration(),
+                      session_.cut(),
                       headset_ ? headset_->status() : HeadsetStatus{},
                       meter_,
                       callsCounted_});

@@ -30,6 +30,7 @@ constexpr std::array<std::pair<int, Key>, static_cast<size_t>(Key::count)> kKeys
     {GLFW_KEY_S, Key::s},
     {GLFW_KEY_V, Key::v},
     {GLFW_KEY_W, Key::w},
+    {GLFW_KEY_X, Key::x},
     {GLFW_KEY_LEFT, Key::left},
     {GLFW_KEY_RIGHT, Key::right},
     {GLFW_KEY_UP, Key::up},

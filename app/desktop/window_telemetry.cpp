@@ -120,6 +120,15 @@ json demonstration(const Demonstration& shown) {
         {"time", shown.time()}, {"duration", shown.duration()}, {"playing", shown.playing()}, {"welds", shown.welds()}};
 }
 
+/// Null while the weld is not cut open.
+json cut(const CutView& shown) {
+    if (!shown.shown()) return nullptr;
+    json measures = json::array();
+    for (const SectionMark& mark : shown.marks())
+        measures.push_back(mark.label);
+    return {{"place_mm", shown.place() * 1e3}, {"judged", shown.judged()}, {"measures", measures}};
+}
+
 json messageTexts(const Messages& messages) {
     json all = json::array();
     for (const Message& message : messages.shown())
@@ -171,6 +180,7 @@ void WindowTelemetry::write(const TelemetryRow& row) {
         {"screenshot", row.screenshot},
         {"judgement", judgement(row.judged)},
         {"demonstration", demonstration(row.demonstration)},
+        {"cut", cut(row.cut)},
         {"headset", headset(row.headset)},
         {"frame_costs", frameCosts(row.meter, row.callsCounted)},
     };

@@ -6,6 +6,7 @@
 #include "app/session/attempt/demonstration.hpp"
 #include "app/session/controls.hpp"
 #include "app/session/headset_status.hpp"
+#include "app/session/inspection/cut_view.hpp"
 #include "app/session/lesson_figures.hpp"
 #include "app/session/menu_state.hpp"
 #include "app/session/messages.hpp"
@@ -39,6 +40,7 @@ struct TelemetryRow {
     std::string screenshot;                     ///< the last picture saved
     const std::optional<JudgedAttempt>& judged; ///< the attempt
     const Demonstration& demonstration;
+    const CutView& cut;
     HeadsetStatus headset;
     const FrameMeter& meter;   ///< what the frames before this row cost
     bool callsCounted = false; ///< the meter knows of allocations, stalls and the driver

@@ -1,5 +1,6 @@
 #include "app/headset/stereo_view.hpp"
 
+#include <algorithm>
 #include <array>
 #include <numbers>
 #include <optional>
@@ -45,6 +46,11 @@ void StereoView::draw(LessonSession& session, const SceneView& lesson, const Wor
     hands_.toolsToWorkshop = place.modelToWorkshop(session.unit());
     scene.solids = scene_.build(parameters_, hands_);
     scene.source.shown = demonstrated; // else the drawn torch takes its place
+    if (session.cut().shown()) {
+        constexpr float kFigure = 5e-3f; // m in the room, to be read at arm's length
+        const float text = kFigure / std::max(place.zoom, 1.0f);
+        scene.section.strokes = session.cut().strokes(uprightLayout(session.fixture().up(), text));
+    }
     LookParameters look = session.lesson().look;
     look.showBox = false;
     visor_.wear(parameters_, scene.temperature.kelvin, look);

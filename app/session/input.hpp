@@ -22,6 +22,7 @@ enum class Key {
     s,
     v,
     w,
+    x,
     left,
     right,
     up,

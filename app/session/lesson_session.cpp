@@ -7,12 +7,14 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_access.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
 #include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 namespace meltpool {
@@ -227,6 +229,7 @@ void LessonSession::reset(Controls& controls) {
     if (!running() || !trial_.offers().empty()) return; // an attempt for score has not begun yet
     if (demonstration_.shown() && sections_->attempt.forScore) return begin(controls);
     demonstration_.end();
+    closeCut(controls);
     controls.reset();
     desk_.begin(lesson_);
     trainer_->reset();
@@ -246,7 +249,69 @@ void LessonSession::judge() {
     clock_.restart(); // the metal does not make good the time that judging took
 }
 
+bool LessonSession::cuts() const {
+    return judges() && (!arc().burns() || paused_) && !question_.asked() && fault_.empty() &&
+           CutView::canCut(trainer_->lesson());
+}
+
+void LessonSession::toggleCut(Controls& controls) {
+    if (cut_.shown()) return closeCut(controls);
+    if (!cuts()) return;
+    cameraBeforeCut_ = controls.orbitCamera();
+    modeBeforeCut_ = controls.mode();
+    try {
+        cut_.open(*trainer_, judge_);
+    } catch (const RuntimeFault& fault) {
+        cut_.close();
+        fault_ = fault.what();
+        return;
+    }
+    controls.setMode(Mode::interact);
+    controls.putOut(ArcOut::paused);
+    placeCameraBeforeCut(controls);
+    event("cut", "open");
+}
+
+void LessonSession::closeCut(Controls& controls) {
+    if (!cut_.shown()) return;
+    cut_.close();
+    controls.placeCamera(cameraBeforeCut_);
+    controls.setMode(modeBeforeCut_);
+    controls.putOut(ArcOut::paused);
+    event("cut", "closed");
+}
+
+/// Square before the cut, on the side that is taken away, at a distance from which all measures are seen. A seam that
+/// stands upright is looked at from above, turned so that the workpiece's own y points up in the picture.
+void LessonSession::placeCameraBeforeCut(Controls& controls) const {
+    constexpr float kUpright = 0.99f; // of the way to the camera
+    constexpr double kPicture = 6;    // height of the picture in extents of the measures
+    const glm::mat3 turn = fixture().turn;
+    const glm::vec3 way = turn * glm::vec3(1, 0, 0), up = turn * glm::vec3(0, 1, 0);
+    float azimuth = std::atan2(way.x, way.z);
+    if (std::abs(way.y) > kUpright) azimuth = way.y > 0 ? std::atan2(-up.x, -up.z) : std::atan2(up.x, up.z);
+    const auto height = static_cast<float>(kPicture * cut_.extent()) / unit();
+    const float distance = 0.5f * height / std::tan(0.5f * controls.lens.fieldOfView);
+    controls.placeCamera(OrbitCamera(azimuth, std::asin(std::clamp(way.y, -1.0f, 1.0f)), distance));
+}
+
+/// Moves the cut by what the hand does in this frame, and cuts where it is now.
+void LessonSession::inspect(const Controls& controls) {
+    constexpr double kArrow = 1e-3, kPoint = 0.1e-3; // m an arrow key, a point of the mouse's way
+    const InputFrame& hand = controls.hand();
+    double way = kPoint * static_cast<double>(hand.dragMove.x);
+    for (const Key key : hand.pressed)
+        way += kArrow * ((key == Key::right) - (key == Key::left));
+    if (controls.mode() == Mode::interact) cut_.moveTo(cut_.place() + way);
+    try {
+        cut_.update(*trainer_, judge_);
+    } catch (const RuntimeFault& fault) {
+        fault_ = fault.what();
+    }
+}
+
 void LessonSession::beginAttempt() {
+    cut_.close();
     judge_.forget();
     surfaceDistance_ = {};
     fault_.clear();
@@ -278,6 +343,7 @@ void LessonSession::settle(Controls& controls) {
 void LessonSession::end(std::string_view reason) noexcept {
     question_ = {};
     judge_.forget();
+    cut_.close();
     trial_.stop();
     demonstration_.end();
     wanted_.clear();
@@ -314,9 +380,9 @@ bool LessonSession::takeOverChanges(const Controls& controls) {
     return changed;
 }
 
-/// No steps are made in view mode, after a fault and before a question is answered.
+/// No steps are made in view mode, while the weld is cut open, after a fault and before a question is answered.
 bool LessonSession::waits(const Controls& controls) {
-    const bool pause = controls.mode() == Mode::view && !held_;
+    const bool pause = (controls.mode() == Mode::view && !held_) || cut_.shown();
     if (pause != paused_) event(pause ? "paused" : "resumed");
     paused_ = pause;
     return pause || !fault_.empty() || question_.asked();
@@ -328,6 +394,7 @@ void LessonSession::advance(const Controls& controls, double seconds, gl::Profil
     surfaceIsOld_ |= takeOverChanges(controls);
     held_ = static_cast<bool>(held) && !demonstration_.shown();
     if (demonstration_.shown()) return playDemonstration(seconds, profiler);
+    if (cut_.shown()) inspect(controls);
     if (waits(controls)) {
         clock_.restart();
         return;
@@ -420,7 +487,13 @@ SceneView LessonSession::scene(gl::Profiler* profiler) {
         trainer_->updateSurface(profiler);
         surfaceIsOld_ = false;
     }
-    return trainer_->scene();
+    SceneView scene = trainer_->scene();
+    if (cut_.shown()) {
+        scene.section = cut_.view();
+        scene.solids = {};
+        scene.rodSolids = 0;
+    }
+    return scene;
 }
 
 float LessonSession::unit() const {
@@ -451,6 +524,12 @@ void LessonSession::draw(const Controls& controls, glm::ivec2 pixels, float shif
     }
     const float aspect = static_cast<float>(pixels.x) / static_cast<float>(std::max(pixels.y, 1));
     std::array<View, 1> views{controls.view(aspect)};
+    if (cut_.shown()) { // its middle stands where the camera looks
+        const glm::vec3 middle = scene.modelToWorld * glm::vec4(scene.section.at, 0, 0, 1);
+        views[0].worldToEye = glm::translate(views[0].worldToEye, -middle);
+        views[0].eye += middle;
+        scene.section.strokes = cut_.strokes(layoutIn(views[0], scene.modelToWorld, scene.section.at));
+    }
     views[0].eyeToClip[2][0] -= shift; // clip x over w, and w is -z in the eye
     renderer_.draw(scene, lesson_.look, views, {0, {0, 0, pixels.x, pixels.y}}, profiler);
 }

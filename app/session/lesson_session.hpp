@@ -9,6 +9,7 @@
 #include "app/session/attempt/step_clock.hpp"
 #include "app/session/controls.hpp"
 #include "app/session/desk_torch.hpp"
+#include "app/session/inspection/cut_view.hpp"
 #include "app/session/lesson_figures.hpp"
 #include "app/session/parameter_section.hpp"
 #include "core/base/function_ref.hpp"
@@ -133,6 +134,14 @@ class LessonSession {
     const std::optional<JudgedAttempt>& judged() const { return judge_.judged(); }
     size_t judgements() const { return judge_.count(); }
 
+    /// Whether the weld can be cut open now: it can be judged, and the arc does not burn or the person has paused.
+    bool cuts() const;
+    /// Cuts the weld open, the desk's camera square before the cut, or closes it again, with camera and mode as before.
+    /// While it is open no step is made; arrow keys and a dragging mouse move the cut.
+    void toggleCut(Controls& controls);
+    CutView& cut() { return cut_; }
+    const CutView& cut() const { return cut_; }
+
     /// The torch of the last steps came from `held`, not from the controls.
     bool held() const { return held_; }
 
@@ -163,6 +172,9 @@ class LessonSession {
     TorchSample nextTorch(const Controls& controls, const TorchSource& held, int step, int due);
     void prepare(Controls& controls);
     glm::mat3 toScreen(const Controls& controls) const;
+    void closeCut(Controls& controls);
+    void placeCameraBeforeCut(Controls& controls) const;
+    void inspect(const Controls& controls);
     void playDemonstration(double seconds, gl::Profiler* profiler);
     void makeDueSteps(double seconds, FunctionRef<void(int step, int due)> make);
     void makeSteps(const Controls& controls, double seconds, gl::Profiler* profiler, const TorchSource& held);
@@ -185,6 +197,9 @@ class LessonSession {
     ParameterList running_; ///< the same as the running metal has them
     AttemptRecords records_;
     AttemptJudge judge_;
+    CutView cut_;
+    OrbitCamera cameraBeforeCut_;
+    Mode modeBeforeCut_ = Mode::interact;
     Question question_;
     SpeedTrial trial_;
     double trialTime_ = 0; ///< s in the demonstration

@@ -40,7 +40,8 @@ enum class MenuRequest {
     startWithDefaults, ///< the lesson, with its own values
     reset,             ///< another attempt
     restart,           ///< back to the lesson's first page
-    judge
+    judge,
+    cut ///< the weld open, or closed again
 };
 
 } // namespace meltpool

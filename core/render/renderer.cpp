@@ -8,6 +8,7 @@
 #include "core/render/look/noise.hpp"
 #include "core/render/look/temperature_scale.hpp"
 #include "core/render/solids.hpp"
+#include "core/render/stroke_painter.hpp"
 #include "core/render/surface_painter.hpp"
 #include "core/render/toned_program.hpp"
 
@@ -68,6 +69,7 @@ struct Renderer::Parts {
     SurfacePainter surface;
     SolidPainter solids;
     SectionPainter section;
+    StrokePainter strokes;
     TonedProgram points;
     TonedProgram sky;
     TonedProgram box;
@@ -85,6 +87,7 @@ Renderer::Parts::Parts(gl::ShaderLibrary& shaders)
       surface(shaders),
       solids(shaders),
       section(shaders),
+      strokes(shaders),
       points(shaders, "render/points.vert", "render/points.frag"),
       sky(shaders, "render/sky.vert", "render/sky.frag"),
       box(shaders, "render/box.vert", "render/box.frag") {
@@ -105,6 +108,7 @@ void Renderer::Parts::load(ViewSubmission submission) {
     surface.load(submission);
     solids.load(submission);
     section.load(submission);
+    strokes.load(submission);
     for (TonedProgram* program : {&points, &sky, &box})
         program->load(submission);
 }
@@ -193,6 +197,7 @@ void Renderer::Parts::drawBatch(const SceneView& scene, const LookParameters& lo
         const gl::Scope scope(profiler, "draw box");
         drawBox(views, target);
     }
+    if (scene.section.shown) strokes.draw(scene.section.at + scene.section.lift, views, target);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     glDisable(GL_CLIP_DISTANCE0);
@@ -256,6 +261,7 @@ void Renderer::draw(const SceneView& scene, const LookParameters& look, std::spa
     if (scene.section.shown) {
         const gl::Scope uploading(profiler, "upload section");
         parts_->section.upload(scene.section);
+        parts_->strokes.upload(scene.section.strokes);
     }
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
     setSwitch(GL_FRAMEBUFFER_SRGB, target.encodesSrgb);

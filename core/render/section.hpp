@@ -4,6 +4,9 @@
 #include "core/gl/texture.hpp"
 #include "core/render/toned_program.hpp"
 #include "core/weld/gauge/section_map.hpp"
+#include "shaders/shared/render.h"
+
+#include <span>
 
 namespace meltpool {
 
@@ -12,6 +15,8 @@ struct SectionView {
     bool shown = false;
     float at = 0;                    ///< of the plane along x, model units; the metal beyond it (+x) is taken away
     const SectionMap* map = nullptr; ///< drawn on the plane, in model units; null or empty: the plane stays open
+    std::span<const SectionStroke> strokes = {}; ///< measures, a little before the plane; model units
+    float lift = 5e-5f;                          ///< how far before it, model units
 };
 
 class SectionPainter {

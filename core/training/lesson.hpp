@@ -57,6 +57,7 @@ struct PictureLook {
     LookParameters look;
     CameraParameters camera = {};
     std::optional<float> sectionAt = {}; ///< m along the seam: cut there and show the inside; weld lessons only
+    bool measures = false;               ///< draw what the gauge measures into that cut
 
     /// Every value of this picture; the list points into it.
     ParameterList parameters();

@@ -86,8 +86,10 @@ bool isFileNamePart(const std::string& name) {
 }
 
 void readSection(TomlTable& table, const Lesson& lesson, PictureLook& picture) {
-    constexpr std::string_view kKey = "section_at_mm";
+    constexpr std::string_view kKey = "section_at_mm", kMeasures = "measures";
     table.allow(kKey);
+    picture.measures = table.flag(kMeasures, false);
+    if (picture.measures && !table.has(kKey)) table.fail(kMeasures, "expected section_at_mm too");
     if (!table.has(kKey)) return;
     if (lesson.model != LessonModel::Weld) table.fail(kKey, "expected a lesson whose model is weld");
     picture.sectionAt = static_cast<float>(table.number(kKey, {-1000, 1000}) * 1e-3);

@@ -26,6 +26,7 @@
 // Storage bindings of passes that read vertices from buffers by themselves.
 #define PULL_VERTICES_BINDING 0
 #define PULL_INDICES_BINDING 1
+#define STROKES_BINDING 2
 
 // Most views of a frame.
 #define MOST_VIEWS 4
@@ -121,7 +122,18 @@ struct MaterialData {
     vec2 reserved2;
 };
 
+/// A straight line with round ends in the plane of a section, whose axes are the workpiece's z and y; model units.
+struct SectionStroke {
+    vec2 from;
+    vec2 to;
+    vec4 colour; // linear sRGB, cover
+    float width;
+    float reserved;
+    vec2 reserved2;
+};
+
 #ifdef __cplusplus
+static_assert(sizeof(SectionStroke) == 48);
 static_assert(sizeof(ViewData) == 224);
 static_assert(sizeof(FrameData) == 4 * 224 + 64 + (11 + 2 * MOST_SHADOW_BOXES) * 16);
 static_assert(sizeof(MaterialData) == 6 * 16);

@@ -84,12 +84,14 @@ TEST_CASE("a value set on a lesson reaches the looks of its pictures", "[trainin
 TEST_CASE("a picture has its own camera and cut, which begin with the lesson's", "[training]") {
     Lesson lesson = lessonFrom("title = 'T'\nmodel = 'weld'\n[camera]\nazimuth = 10\ndistance = 2\n"
                                "[[picture]]\nname = 'whole'\n"
-                               "[[picture]]\nname = 'cut'\nsection_at_mm = -5\nazimuth = 70\n");
+                               "[[picture]]\nname = 'cut'\nsection_at_mm = -5\nmeasures = true\nazimuth = 70\n");
     CHECK(lesson.pictures[0].camera.azimuth == 10);
     CHECK_FALSE(lesson.pictures[0].sectionAt.has_value());
     CHECK(lesson.pictures[1].camera.azimuth == 70);
     CHECK(lesson.pictures[1].camera.distance == 2);
     CHECK(lesson.pictures[1].sectionAt.value() == Approx(-0.005f));
+    CHECK(lesson.pictures[1].measures);
+    CHECK_FALSE(lesson.pictures[0].measures);
     lesson.set("distance", "4", "--set");
     CHECK(lesson.pictures[1].camera.distance == 4);
 }
@@ -182,6 +184,7 @@ TEST_CASE("a bad lesson is refused in one sentence with file, line and expectati
         {"title = 'x'\nmodel = 'clay'\n", "bad.toml:2: ", "expected classic"},
         {"title = 'x'\ntorch = 'nowhere.csv'\n", "nowhere.csv: ", "expected a readable file"},
         {"title = 'x'\n[[picture]]\nname = 'a'\nsection_at_mm = 1\n", "bad.toml:4: ", "expected a lesson whose model"},
+        {"model = 'weld'\n[[picture]]\nname = 'a'\nmeasures = true\n", "bad.toml:4: ", "expected section_at_mm too"},
         {"model = 'weld'\n[technique]\nlength_from_mm = 0\nlength_to_mm = 9\nskill = { ideal = 1 }\n",
          "bad.toml:5: ", "unknown key"},
         {"model = 'weld'\n[acceptance]\nuse = 'iso5817-z'\n", "bad.toml:3: ", "expected one of"},

@@ -101,6 +101,18 @@ TEST_CASE("a lesson is picked on the panel, demonstrated, welded, judged and beg
     CHECK(trainer.now()["panels"]["result"] == true);                                         // in the window too
     keepPicture(screenshot(), "result.png");
 
+    // Cut open where it lies, and closed again.
+    trainee.press(trainer, "cut.open");
+    REQUIRE(trainer.waitFor(
+        [](const json& row) { return !row["cut"].is_null() && row["headset"]["places"].contains("cut.place"); }));
+    CHECK(trainer.now()["cut"]["judged"] == true);
+    trainee.lookDown();
+    passFrames(trainer, 10);
+    keepPicture(screenshot(), "cut.png");
+    trainee.showPanel(trainer, true);
+    trainee.press(trainer, "cut.open");
+    REQUIRE(trainer.waitFor([](const json& row) { return row["cut"].is_null(); }));
+
     // The other hand's trigger, pointing at the ceiling: the next attempt.
     trainee.state.hands[0].active = true;
     trainee.state.hands[0].pose.orientation = glm::angleAxis(1.4f, glm::vec3(1, 0, 0));

@@ -30,6 +30,8 @@ void AttemptJudge::judge(const Trainer& trainer) {
     judged.judgement = trainer.judge();
     const auto& bands = trainer.lesson().technique;
     judged.rows = judgementRows(judged.judgement, bands ? &*bands : nullptr);
+    if (const auto& weld = judged.judgement.weld)
+        judged.bend = bendTest(*weld, static_cast<double>(trainer.lesson().workpiece.thicknessMm) * 1e-3);
     judged.time = trainer.time();
     judged_ = std::move(judged);
     due_ = false;

@@ -3,6 +3,7 @@
 
 #include "app/session/attempt/judgement_rows.hpp"
 #include "core/training/trainer.hpp"
+#include "core/training/verdict/bend_test.hpp"
 
 #include <limits>
 #include <optional>
@@ -13,7 +14,8 @@ namespace meltpool {
 struct JudgedAttempt {
     Judgement judgement;
     JudgementRows rows;
-    double time = 0; ///< s of the metal's time at which it was judged
+    std::optional<BendTest> bend; ///< of welds that such a test is made of
+    double time = 0;              ///< s of the metal's time at which it was judged
 };
 
 /// Keeps the judgement until the arc burns again or another attempt begins: it stands for what was welded until then.

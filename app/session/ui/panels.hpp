@@ -50,9 +50,13 @@ MenuRequest demonstrationPart(Context& context, LessonSession& session);
 /// Width of the result panel with its gap to the picture; points.
 float resultReach(const Context& context);
 /// The judged attempt at the left: score, what to correct, verdict, measured weld.
-MenuRequest resultPanel(Context& context, const LessonSession& session, const Home& home);
+MenuRequest resultPanel(Context& context, LessonSession& session, const Home& home);
 /// The same inside the current window, for the headset's panel.
-MenuRequest resultPart(Context& context, const LessonSession& session, const Home& home);
+MenuRequest resultPart(Context& context, LessonSession& session, const Home& home);
+/// The button that cuts the weld open, inside the current window, and, while it is open, the place of the cut.
+MenuRequest cutPart(Context& context, LessonSession& session);
+/// The bend test of the judged weld, or the break of a fillet, strap by strap, inside the current window.
+void bendPart(Context& context, const BendTest& test);
 void timingsPanel(Context& context, const gl::Profiler& profiler, const LessonFigures& figures, double frameMs,
                   const std::string& driver, bool besideView);
 /// A question over all other panels, a button for each answer. Nothing where none is asked.

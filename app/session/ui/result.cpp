@@ -85,6 +85,7 @@ void drawJudgement(Context& context, const JudgedAttempt& attempt, const std::st
     drawCorrections(context, rows.corrections);
     for (const JudgementSection* section : {&rows.technique, &rows.judged, &rows.measured})
         if (!section->rows.empty() || section->note != rows.scoreNote) drawSection(context, *section);
+    if (attempt.bend) bendPart(context, *attempt.bend);
     char text[128];
     std::snprintf(text, sizeof text, "This is the attempt as it was after %.1f s. When you weld on, it is judged anew.",
                   attempt.time);
@@ -105,7 +106,7 @@ float resultReach(const Context& context) {
     return context.points(kResultWidth + 10);
 }
 
-MenuRequest resultPart(Context& context, const LessonSession& session, const Home& home) {
+MenuRequest resultPart(Context& context, LessonSession& session, const Home& home) {
     MenuRequest request = MenuRequest::none;
     if (button(context, "result.judge", "Judge the weld", session.judged() ? ButtonKind::plain : ButtonKind::main, 150))
         request = MenuRequest::judge;
@@ -118,6 +119,7 @@ MenuRequest resultPart(Context& context, const LessonSession& session, const Hom
     if (next != nullptr && session.judged() &&
         button(context, "result.next", ShortText{"Next: ", next->title}.c_str(), ButtonKind::plain))
         request = MenuRequest::next;
+    if (const MenuRequest asked = cutPart(context, session); asked != MenuRequest::none) request = asked;
     if (session.judged())
         drawJudgement(context, *session.judged(), bestText(session, home));
     else if (session.arc().burns())
@@ -128,7 +130,7 @@ MenuRequest resultPart(Context& context, const LessonSession& session, const Hom
     return request;
 }
 
-MenuRequest resultPanel(Context& context, const LessonSession& session, const Home& home) {
+MenuRequest resultPanel(Context& context, LessonSession& session, const Home& home) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float gap = context.points(10);
     const float width = std::min(context.points(kResultWidth), screen.x - 2 * gap);

@@ -207,6 +207,19 @@ TEST_CASE("a lesson is picked from the list, welded by keys and mouse, judged, w
     const fs::path scores = window.settingsFile().parent_path() / "best-scores.toml";
     CHECK_THAT(readTextFile(scores), containsText("small-bead") && containsText("score = "));
 
+    window.key("x"); // the weld cut open, and the cut moved by its slider
+    const json cut = window.waitFor(
+        "the cut", [](const json& s) { return !s.at("cut").is_null() && s.at("places").contains("cut.place"); });
+    CHECK(cut.at("cut").at("judged") == true);
+    CHECK(cut.at("cut").at("measures").size() > 2);
+    window.takePicture("cut");
+    window.pull("cut.place", 0.4);
+    window.waitFor("the cut at another place", [&](const json& s) {
+        return std::abs(s.at("cut").at("place_mm").get<double>() - cut.at("cut").at("place_mm").get<double>()) > 0.5;
+    });
+    window.click("cut.open");
+    window.waitFor("the closed weld", [](const json& s) { return s.at("cut").is_null(); });
+
     const json before = window.settle();
     window.click("result.again");
     const json again = window.waitFor("another attempt", [](const json& s) {

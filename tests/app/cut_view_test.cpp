@@ -1,0 +1,175 @@
+// The weld cut open in the session: place, stations, camera, and that the metal waits meanwhile.
+#include "app/session/lesson_session.hpp"
+#include "core/render/view/picture_target.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+
+using namespace meltpool;
+
+namespace {
+
+/// A bead on a small plate of few particles.
+Lesson smallBead() {
+    Lesson lesson = findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
+    lesson.workpiece.lengthMm = 30;
+    lesson.workpiece.widthMm = 18;
+    lesson.workpiece.thicknessMm = 4;
+    lesson.technique->lengthFromMm = -10;
+    lesson.technique->lengthToMm = 10;
+    lesson.surface.cells = 32;
+    return lesson;
+}
+
+constexpr double kFrame = 1.0 / 45;
+
+class Welder {
+  public:
+    Welder() : session(test::shaders(), smallBead(), [] { return 0.0; }) { session.begin(controls); }
+
+    /// Leads the torch along the seam for `seconds`, 3 mm over the plate, at 8 mm/s while the trigger is pulled.
+    void lead(double seconds, float trigger) {
+        for (double time = 0; time < seconds; time += kFrame)
+            session.advance(controls, kFrame, nullptr, [&](int, int steps) {
+                if (trigger > 0) x_ += 8e-3f * static_cast<float>(kFrame / steps);
+                TorchSample torch;
+                torch.tip = {x_, 0.003f, 0};
+                torch.orientation = glm::angleAxis(-1.5707963f, glm::vec3(1, 0, 0));
+                torch.trigger = trigger;
+                return torch;
+            });
+    }
+
+    /// A frame at the desk with this input.
+    void frame(const InputFrame& input) {
+        controls.update(input, kFrame);
+        session.advance(controls, kFrame, nullptr);
+    }
+
+    Controls controls;
+    LessonSession session;
+
+  private:
+    float x_ = -0.010f; ///< m
+};
+
+const WeldStation* stationNear(const LessonSession& session, double place) {
+    const auto& stations = session.judged()->judgement.weld->stations;
+    const auto found = std::min_element(stations.begin(), stations.end(), [&](const auto& a, const auto& b) {
+        return std::abs(a.place - place) < std::abs(b.place - place);
+    });
+    return &*found;
+}
+
+const SectionMark* markOf(const CutView& cut, const std::string& words) {
+    for (const SectionMark& mark : cut.marks())
+        if (mark.label.rfind(words, 0) == 0 && mark.kind == SectionMark::Kind::length) return &mark;
+    return nullptr;
+}
+
+} // namespace
+
+TEST_CASE("the judged weld is cut open with the verdict's own stations, and the metal waits", "[app]") {
+    Welder welder;
+    LessonSession& session = welder.session;
+    CutView& cut = session.cut();
+    welder.lead(2, 1);
+    CHECK_FALSE(session.cuts()); // the arc burns
+    session.toggleCut(welder.controls);
+    CHECK_FALSE(cut.shown());
+    welder.lead(1.5, 0);
+    REQUIRE(session.judged());
+    const OrbitCamera before = welder.controls.orbitCamera();
+    session.toggleCut(welder.controls);
+    REQUIRE(cut.shown());
+    CHECK(cut.judged());
+    REQUIRE(cut.station() != nullptr);
+    const size_t steps = session.steps();
+
+    // The slider's way through the session: station and picture follow.
+    for (const double wanted : {-4e-3, 0.0, 3e-3}) {
+        INFO(wanted);
+        cut.moveTo(wanted);
+        welder.frame({});
+        REQUIRE(cut.station() != nullptr);
+        const WeldStation* station = stationNear(session, wanted);
+        CHECK(cut.station()->place == station->place);
+        CHECK(cut.station()->toeWidth == station->toeWidth);
+        CHECK(session.scene(nullptr).section.shown);
+        CHECK(static_cast<double>(session.scene(nullptr).section.at) == Approx(wanted).margin(1e-7));
+        REQUIRE(session.scene(nullptr).section.map != nullptr);
+        const SectionMark* toes = markOf(cut, "toe to toe");
+        REQUIRE(toes != nullptr);
+        CHECK(static_cast<double>(glm::distance(toes->from, toes->to)) == Approx(*station->toeWidth));
+    }
+    CHECK(session.steps() == steps);
+    CHECK(session.judged()); // it stays
+
+    // Arrow keys and a dragging mouse.
+    InputFrame input;
+    input.pressed = {Key::left, Key::left};
+    welder.frame(input);
+    CHECK(cut.place() == Approx(1e-3));
+    input = {};
+    input.dragMove = {25, 0};
+    welder.frame(input);
+    CHECK(cut.place() == Approx(3.5e-3));
+    cut.moveTo(1);
+    CHECK(cut.place() == Approx(15e-3)); // the plate's end
+    welder.frame({});
+    CHECK(cut.station() == nullptr); // beside what is judged
+    CHECK(cut.marks().empty());
+
+    // Square before the cut, on the side that is taken away.
+    const glm::vec3 forward = welder.controls.orbitCamera().forward();
+    CHECK(glm::distance(forward, glm::vec3(-1, 0, 0)) < 1e-4f);
+    session.toggleCut(welder.controls);
+    CHECK_FALSE(cut.shown());
+    CHECK_FALSE(session.scene(nullptr).section.shown);
+    CHECK(glm::distance(welder.controls.orbitCamera().forward(), before.forward()) < 1e-5f);
+    welder.lead(0.2, 0);
+    CHECK(session.steps() > steps);
+
+    session.toggleCut(welder.controls);
+    session.reset(welder.controls);
+    CHECK_FALSE(cut.shown());
+    CHECK(glm::distance(welder.controls.orbitCamera().forward(), before.forward()) < 1e-5f);
+    welder.lead(0.2, 0);
+    CHECK(session.steps() > 0);
+}
+
+TEST_CASE("a weld that is not judged is cut with the figures of the cut itself; a pause lets it be cut in between",
+          "[app]") {
+    Welder welder;
+    LessonSession& session = welder.session;
+    welder.lead(1.2, 1);
+    REQUIRE(session.arc().burns());
+    CHECK_FALSE(session.cuts());
+    welder.controls.setMode(Mode::view);
+    welder.frame({});
+    REQUIRE(session.cuts());
+    session.toggleCut(welder.controls);
+    REQUIRE(session.cut().shown());
+    CHECK(welder.controls.mode() == Mode::interact); // its camera
+    CHECK_FALSE(session.cut().judged());
+    session.cut().moveTo(-5e-3);
+    welder.frame({});
+    REQUIRE(session.cut().station() != nullptr);
+    CHECK(*session.cut().station()->penetration > 0);
+    CHECK_THAT(cutNote(session.cut()), test::containsText("not judged yet"));
+    session.toggleCut(welder.controls);
+    CHECK(welder.controls.mode() == Mode::view);
+}
+
+TEST_CASE("neither a classic lesson nor a pipe is cut open", "[app]") {
+    Lesson lesson = smallBead();
+    CHECK(CutView::canCut(lesson));
+    lesson.workpiece.kind = static_cast<int>(WorkpieceKind::Pipe);
+    CHECK_FALSE(CutView::canCut(lesson));
+    lesson.model = LessonModel::Classic;
+    lesson.workpiece.kind = static_cast<int>(WorkpieceKind::Plate);
+    CHECK_FALSE(CutView::canCut(lesson));
+}
