@@ -11,7 +11,7 @@ float DesktopMenus::coveredLeft() {
 }
 
 float DesktopMenus::coveredRight() {
-    return panels.simulation && !panels.hidden ? ui::panelReach(interface_.context()) : 0;
+    return panels.simulation && !panels.hidden && !cutOpen_ ? ui::panelReach(interface_.context()) : 0;
 }
 
 float DesktopMenus::middleOfPicture() {
@@ -21,6 +21,7 @@ float DesktopMenus::middleOfPicture() {
 MenuRequest DesktopMenus::draw(const DesktopMenuContent& content) {
     ui::Context& context = interface_.context();
     LessonSession& session = content.session;
+    cutOpen_ = session.cut().shown();
     MenuRequest request = MenuRequest::none;
     if (content.home.open)
         request = ui::homePage(context, content.home, content.driver, panels.help);
@@ -38,7 +39,8 @@ MenuRequest DesktopMenus::draw(const DesktopMenuContent& content) {
 MenuRequest DesktopMenus::drawPanels(const DesktopMenuContent& content) {
     ui::Context& context = interface_.context();
     const Lesson& lesson = content.session.lesson();
-    MenuRequest request = ui::topBar(context, panels, content.controls, lesson.title, content.session.judges());
+    MenuRequest request =
+        ui::topBar(context, panels, content.controls, lesson.title, content.session.judges(), cutOpen_);
     ui::statusBar(context, content.figures, content.controls);
     if (content.session.demonstration().shown())
         if (const MenuRequest asked = ui::demonstrationBar(context, content.session); asked != MenuRequest::none)
@@ -51,7 +53,8 @@ MenuRequest DesktopMenus::drawPanels(const DesktopMenuContent& content) {
             asked != MenuRequest::none)
             request = asked;
     if (panels.view) ui::viewMenu(context, content.viewSections);
-    if (panels.simulation) ui::machineMenu(context, content.session.sections().simulation, content.controls);
+    if (panels.simulation && !cutOpen_)
+        ui::machineMenu(context, content.session.sections().simulation, content.controls);
     if (panels.timings)
         ui::timingsPanel(context, content.profiler, content.figures, content.frameMs, content.driver, panels.view);
     return request;

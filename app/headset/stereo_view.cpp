@@ -1,6 +1,9 @@
 #include "app/headset/stereo_view.hpp"
 
-#include <algorithm>
+#include "app/session/inspection/cut_stand.hpp"
+
+#include <glm/geometric.hpp>
+
 #include <array>
 #include <numbers>
 #include <optional>
@@ -34,6 +37,19 @@ void StereoView::takeHands(const HeadsetHands& hands, const PanelPointer& panel)
     }
 }
 
+/// Turns the cut workpiece to the person, with measures that can be read at arm's length.
+void StereoView::standCut(LessonSession& session, SceneView& scene) const {
+    constexpr float kFigure = 9e-3f; // m in the room
+    const MarkLayout upright = uprightLayout(session.fixture().up(), kFigure);
+    scene.modelToWorld = standOfCut(
+        scene.modelToWorld,
+        {scene.section.at, upright.up, static_cast<float>(session.cut().extent()), scene.boxMin, scene.boxMax},
+        parameters_.tableHeight);
+    MarkLayout layout = upright;
+    layout.text = kFigure / glm::length(glm::vec3(scene.modelToWorld[0]));
+    scene.section.strokes = session.cut().strokes(layout);
+}
+
 void StereoView::draw(LessonSession& session, const SceneView& lesson, const WorkpiecePlace& place,
                       const Workshop& workshop, const xr::BothEyes& eyes, gl::Profiler* profiler) {
     SceneView scene = lesson;
@@ -46,11 +62,7 @@ void StereoView::draw(LessonSession& session, const SceneView& lesson, const Wor
     hands_.toolsToWorkshop = place.modelToWorkshop(session.unit());
     scene.solids = scene_.build(parameters_, hands_);
     scene.source.shown = demonstrated; // else the drawn torch takes its place
-    if (session.cut().shown()) {
-        constexpr float kFigure = 5e-3f; // m in the room, to be read at arm's length
-        const float text = kFigure / std::max(place.zoom, 1.0f);
-        scene.section.strokes = session.cut().strokes(uprightLayout(session.fixture().up(), text));
-    }
+    if (session.cut().shown()) standCut(session, scene);
     LookParameters look = session.lesson().look;
     look.showBox = false;
     visor_.wear(parameters_, scene.temperature.kelvin, look);

@@ -28,6 +28,8 @@ class StereoView {
               const xr::BothEyes& eyes, gl::Profiler* profiler);
 
   private:
+    void standCut(LessonSession& session, SceneView& scene) const;
+
     const HeadsetParameters& parameters_;
     WorkshopScene scene_;
     HandsView hands_;

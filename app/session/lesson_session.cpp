@@ -285,7 +285,7 @@ void LessonSession::closeCut(Controls& controls) {
 /// stands upright is looked at from above, turned so that the workpiece's own y points up in the picture.
 void LessonSession::placeCameraBeforeCut(Controls& controls) const {
     constexpr float kUpright = 0.99f; // of the way to the camera
-    constexpr double kPicture = 6;    // height of the picture in extents of the measures
+    constexpr double kPicture = 4.2;  // height of the picture in extents of the measures
     const glm::mat3 turn = fixture().turn;
     const glm::vec3 way = turn * glm::vec3(1, 0, 0), up = turn * glm::vec3(0, 1, 0);
     float azimuth = std::atan2(way.x, way.z);

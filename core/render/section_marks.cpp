@@ -16,9 +16,9 @@ namespace meltpool {
 
 namespace {
 
-constexpr glm::vec4 kMeasure(1.0f, 0.80f, 0.12f, 1.0f);
+constexpr glm::vec4 kMeasure(0.12f, 0.85f, 1.0f, 1.0f); // unlike any glow or temper colour
 constexpr glm::vec4 kFault(1.0f, 0.13f, 0.06f, 1.0f);
-constexpr glm::vec4 kUnresolved(0.55f, 0.66f, 0.80f, 1.0f);
+constexpr glm::vec4 kUnresolved(0.60f, 0.60f, 0.60f, 1.0f);
 constexpr glm::vec4 kGround(0.004f, 0.005f, 0.007f, 0.8f); ///< behind words, and beside lines
 constexpr float kLine = 0.13f;                             ///< width of a measure's line, in heights of a figure
 constexpr float kLeader = 0.06f;

@@ -1,10 +1,12 @@
 // The weld cut open in the session: place, stations, camera, and that the metal waits meanwhile.
+#include "app/session/inspection/cut_stand.hpp"
 #include "app/session/lesson_session.hpp"
 #include "core/render/view/picture_target.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
 
@@ -162,6 +164,28 @@ TEST_CASE("a weld that is not judged is cut with the figures of the cut itself; 
     CHECK_THAT(cutNote(session.cut()), test::containsText("not judged yet"));
     session.toggleCut(welder.controls);
     CHECK(welder.controls.mode() == Mode::view);
+}
+
+TEST_CASE("the headset turns the section to the reader, large enough, upright and clear of the table", "[app]") {
+    const float table = 0.9f;
+    const glm::mat4 lies = glm::translate(glm::mat4(1), glm::vec3(0.1f, table + 0.01f, -0.05f)); // as it is, size 1
+    const CutFace face{0.004f, {0, 1}, 0.006f, {-0.03f, -0.01f, -0.02f}, {0.03f, 0.014f, 0.02f}};
+    const glm::mat4 stand = standOfCut(lies, face, table);
+    const auto at = [&](float x, float y, float z) { return glm::vec3(stand * glm::vec4(x, y, z, 1)); };
+    CHECK(glm::distance(at(0.004f, 0, 0.003f), at(0.004f, 0, -0.003f)) == Approx(0.12f));
+    const glm::vec3 out = glm::normalize(at(1, 0, 0) - at(0, 0, 0)), up = at(0, 1, 0) - at(0, 0, 0);
+    CHECK(out.z > 0.9f); // to the person before the table
+    CHECK(out.y > 0.2f); // whose eyes are higher
+    CHECK(up.y > 0);
+    CHECK(up.x == Approx(0).margin(1e-6));
+    CHECK(at(0, 0, 1).x < at(0, 0, 0).x); // not mirrored: the welder's side is at the left, as on the desk
+    for (const float x : {face.low.x, face.at})
+        for (const float y : {face.low.y, face.high.y})
+            for (const float z : {face.low.z, face.high.z})
+                CHECK(at(x, y, z).y > table);
+    // One that is shown large already keeps its size.
+    const glm::mat4 large = standOfCut(glm::scale(lies, glm::vec3(25)), face, table);
+    CHECK(glm::length(glm::vec3(large[0])) == Approx(25));
 }
 
 TEST_CASE("neither a classic lesson nor a pipe is cut open", "[app]") {

@@ -28,8 +28,9 @@ SectionMark mark(const std::string& label, glm::vec2 from, glm::vec2 to) {
     return made;
 }
 
-bool isYellow(glm::vec4 colour) {
-    return colour.r > 0.9f && colour.b < 0.2f;
+/// The colour of measures, not of their dark edges.
+bool isBright(glm::vec4 colour) {
+    return colour.g > 0.8f && colour.a == 1;
 }
 
 /// Looks along -x at the plane, 20 mm high.
@@ -102,7 +103,7 @@ TEST_CASE("a measure's line ends where it is asked to, and words lie beside all 
     for (const SectionMark& each : marks) {
         INFO(each.label);
         CHECK(std::any_of(strokes.begin(), strokes.end(), [&](const SectionStroke& s) {
-            return isYellow(s.colour) && glm::distance(s.from, each.from) < 1e-7f &&
+            return isBright(s.colour) && glm::distance(s.from, each.from) < 1e-7f &&
                    glm::distance(s.to, each.to) < 1e-7f;
         }));
     }

@@ -28,9 +28,11 @@ void beginBar(Context& context, const char* name, float y) {
 }
 
 /// A rounded label in the middle of the bar: the mode and what the mouse does.
-void modeSign(Context& context, const Controls& controls, float left, float right) {
-    const bool working = controls.mode() == Mode::interact;
-    const char* text = working ? "Working" : "Looking around \xE2\x80\x93 paused";
+void modeSign(Context& context, const Controls& controls, bool cut, float left, float right) {
+    const bool working = controls.mode() == Mode::interact && !cut;
+    const char* text = cut       ? "Cut open \xE2\x80\x93 paused"
+                       : working ? "Working"
+                                 : "Looking around \xE2\x80\x93 paused";
     const ImU32 tint = working ? colour::kAccent : colour::kCold;
     ImDrawList* draw = ImGui::GetWindowDrawList();
     ImGui::PushFont(context.fonts.strong);
@@ -112,7 +114,7 @@ float barHeight(const Context& context) {
 }
 
 MenuRequest topBar(Context& context, PanelState& panels, const Controls& controls, const std::string& lesson,
-                   bool judges) {
+                   bool judges, bool cut) {
     MenuRequest request = MenuRequest::none;
     beginBar(context, "top bar", 0);
     drawSign(*ImGui::GetWindowDrawList(), {context.points(28), barHeight(context) / 2}, context.points(28));
@@ -132,7 +134,7 @@ MenuRequest topBar(Context& context, PanelState& panels, const Controls& control
     if (judges) tab("bar.result", "Result", panels.result, "The weld judged and measured (J judges it)");
     constexpr float kWidth = 72;
     const float buttons = ImGui::GetIO().DisplaySize.x - 4 * context.points(kWidth) - context.points(14 + 18);
-    modeSign(context, controls, ImGui::GetItemRectMax().x, buttons);
+    modeSign(context, controls, cut, ImGui::GetItemRectMax().x, buttons);
     ImGui::SameLine();
     ImGui::SetCursorPosX(buttons);
     if (button(context, "bar.reset", "Reset", ButtonKind::plain, kWidth,
