@@ -23,6 +23,7 @@ constexpr NumberRange kFrequencies{0.01, 50}; ///< Hz
 constexpr NumberRange kFollows{0, 100};       ///< mm/s
 constexpr NumberRange kRodAngles{0, 90};
 constexpr NumberRange kRodPlaces{-100, 100}; ///< mm
+constexpr NumberRange kDiameters{1, 1e4};    ///< mm, of pipes
 constexpr double kMostHalfSwings = 1e6;
 constexpr float kShortest = 1e-6f; ///< m; a line shorter than this has no direction
 
@@ -46,6 +47,7 @@ class Author {
         tip_ = place(root, "start_mm");
         readAngles(root);
         orientation_ = held();
+        readPipe(root);
         readRod(root);
         for (TomlTable& move : root.tables("move")) {
             readMove(move);
@@ -60,6 +62,11 @@ class Author {
     void readAngles(TomlTable& table) {
         work_ = table.number("work_angle_deg", kWorkAngles, work_);
         travel_ = table.number("travel_angle_deg", kTravelAngles, travel_);
+    }
+
+    void readPipe(TomlTable& root) {
+        root.allow("pipe_diameter_mm");
+        if (root.has("pipe_diameter_mm")) pipeRadius_ = root.number("pipe_diameter_mm", kDiameters) * 0.5e-3;
     }
 
     void readRod(TomlTable& root) {
@@ -110,6 +117,7 @@ class Author {
         move.followed = followed_;
         move.follow = follow_;
         move.rod = heldRod();
+        move.pipeRadius = pipeRadius_;
         time_ += duration;
         tip_ = to;
         followed_ += follow_ * duration;
@@ -178,6 +186,7 @@ class Author {
     double followed_ = 0; ///< m
     double follow_ = 0;   ///< m/s
     std::optional<RodHold> rod_;
+    double pipeRadius_ = 0; ///< m
 };
 
 } // namespace
@@ -231,7 +240,29 @@ RodSample RodHold::at(const glm::vec3& tip, double back) const {
     return rod;
 }
 
+TorchSample aroundPipe(TorchSample torch, double place, double radius) {
+    const auto angle = static_cast<float>(place / radius);
+    const glm::quat turn = glm::angleAxis(-angle, glm::vec3(0.0f, 0.0f, 1.0f));
+    const glm::vec3 rolledOut(static_cast<float>(place), 0.0f, 0.0f);
+    const glm::vec3 face = static_cast<float>(radius) * glm::vec3(std::sin(angle), std::cos(angle) - 1.0f, 0.0f);
+    const auto bring = [&](glm::vec3& tip, glm::quat& orientation) {
+        tip = face + turn * (tip - rolledOut);
+        orientation = glm::normalize(turn * orientation);
+    };
+    bring(torch.tip, torch.orientation);
+    if (torch.rod) bring(torch.rod->tip, torch.rod->orientation);
+    return torch;
+}
+
 TorchSample TorchMove::sample(double time) const {
+    const TorchSample torch = rolledOut(time);
+    if (pipeRadius <= 0) return torch;
+    const double share = duration > 0 ? std::clamp((time - begin) / duration, 0.0, 1.0) : 1.0;
+    return aroundPipe(torch, std::lerp(static_cast<double>(from.x), static_cast<double>(to.x), share), pipeRadius);
+}
+
+/// As it is told, on a pipe's face rolled out or where the workpiece is no pipe.
+TorchSample TorchMove::rolledOut(double time) const {
     const double passed = time - begin;
     const double share = duration > 0 ? std::clamp(passed / duration, 0.0, 1.0) : 1.0;
     TorchSample result;

@@ -44,9 +44,13 @@ struct TorchMove {
     double followed = 0;       ///< the torch has gone so far along its own axis before, beside `from` and `to`
     double follow = 0;         ///< m/s it goes along it in this move, after an electrode that burns off
     std::optional<RodHold> rod;
+    double pipeRadius = 0; ///< of a pipe whose outer face, rolled out, is what all of this is told on; 0: of no pipe
 
     /// The torch `time` s after the path began; `time` inside this move.
     TorchSample sample(double time) const;
+
+  private:
+    TorchSample rolledOut(double time) const;
 };
 
 /// Reads and checks a file of moves. Throws InputError naming file and line for an unknown key or kind, a missing value
@@ -60,6 +64,11 @@ glm::quat heldOrientation(double workAngle, double travelAngle, const glm::vec3&
 
 /// Unit vector across a seam along `direction`, on the welder's side (+z).
 glm::vec3 acrossSeam(const glm::vec3& direction);
+
+/// A torch, with its rod, whose pose is told on a pipe's outer face rolled out (x from the pipe's top towards +x, y out
+/// of the face, z along the axis), in the workpiece's frame: all of it is turned with the frame of the face at `place`
+/// (m, the x there). The pipe's axis lies along z, `radius` (m) under the origin.
+TorchSample aroundPipe(TorchSample torch, double place, double radius);
 
 /// Place across the seam of a weave, -1..1 of half its width: from the centre to one toe, a dwell, to the other toe and
 /// back, `phase` counted in whole swings (0.25 and 0.75 are the toes). `dwellShare`: share of a swing spent at one toe.

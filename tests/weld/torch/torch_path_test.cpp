@@ -164,6 +164,32 @@ TEST_CASE("a weave reaches both toes, rests there, and ends on the seam", "[weld
     CHECK(fastest < 0.001 * 0.1); // no jumps: below 100 mm/s throughout
 }
 
+TEST_CASE("a path on a pipe goes around it at the speed and the angles that are told on its face", "[weld]") {
+    const double radius = 20e-3, quarter = glm::half_pi<double>() * radius, height = 3e-3, lean = glm::radians(10.0);
+    const std::string text = "start_mm = [" + std::to_string(2 * quarter * 1e3) + ", 3, 0]\npipe_diameter_mm = 40\n" +
+                             "travel_angle_deg = 10\n[rod]\nangle_deg = 20\nahead_mm = 3\nbelow_mm = 2\n" +
+                             "rest_mm = 0\ndepth_mm = 0\n[[move]]\nkind = 'line'\nto_mm = [" +
+                             std::to_string(4 * quarter * 1e3) + ", 3, 0]\nspeed_mm_s = 5\n";
+    const TorchPath path = TorchPath::read(written("pipe.toml", text));
+    CHECK(path.duration() == Approx(2 * quarter / 5e-3));
+    for (const double share : {0.0, 0.3, 0.5, 1.0}) { // from the bottom up the left side to the top
+        const double angle = glm::pi<double>() * (1 + share);
+        const TorchSample torch = path.sample(share * path.duration());
+        const glm::dvec2 out(std::sin(angle), std::cos(angle)), along(std::cos(angle), -std::sin(angle));
+        const glm::dvec2 tip = (radius + height) * out - glm::dvec2(0, radius);
+        INFO(share);
+        CHECK(glm::distance(glm::dvec2(torch.tip.x, torch.tip.y), tip) < 1e-6);
+        CHECK(torch.tip.z == Approx(0).margin(1e-7));
+        const glm::dvec2 axis = std::sin(lean) * along - std::cos(lean) * out; // it points where it goes
+        CHECK(between(torch.axis(), glm::vec3(float(axis.x), float(axis.y), 0)) == Approx(0).margin(1e-3));
+        // The rod's end lies before the electrode and under its tip, as the handle leans.
+        const glm::dvec2 rod = tip + 3e-3 * along - 2e-3 * out;
+        CHECK(glm::distance(glm::dvec2(torch.rod->tip.x, torch.rod->tip.y), rod) < 1e-6);
+    }
+    CHECK_THAT(refusal("pipe.toml", "start_mm = [0, 0, 0]\npipe_diameter_mm = 0\n[[move]]\nkind = 'hold'\n"),
+               containsText("pipe.toml:2: ") && containsText("pipe_diameter_mm"));
+}
+
 TEST_CASE("a bad recording is refused in one sentence with file, line and expectation", "[weld]") {
     const std::string good = "0,1,2,3,0,0,0,1,1\n";
     struct Case {
