@@ -103,6 +103,12 @@ class Author {
         return rod;
     }
 
+    /// A weave swings from toe to toe, at right angles to the torch: in a fillet from plate to plate.
+    glm::vec3 acrossHandle() const {
+        const glm::vec3 across = glm::normalize(glm::cross(direction_, orientation_ * glm::vec3(0, 0, 1)));
+        return across.z < 0 ? -across : across;
+    }
+
     glm::quat held() const { return heldOrientation(glm::radians(work_), glm::radians(travel_), direction_); }
 
     TorchMove& add(double duration, const glm::vec3& to) {
@@ -162,7 +168,7 @@ class Author {
 
     void readWeave(TomlTable& table) {
         TorchMove& move = readLine(table);
-        move.weaveSide = acrossSeam(direction_);
+        move.weaveSide = acrossHandle();
         move.weaveWidth = table.number("width_mm", kWidths) * 1e-3;
         const double frequency = table.number("frequency_hz", kFrequencies);
         const double halfSwings = std::round(2 * move.duration * frequency);

@@ -151,16 +151,19 @@ TEST_CASE("a weave reaches both toes, rests there, and ends on the seam", "[weld
     CHECK(weaveOffset(0.75, 0.1) == -1);
     CHECK(weaveOffset(0.5, 0.1) == Approx(0).margin(1e-9));
     const TorchPath path = shipped("authored.toml");
-    float widest = 0, narrowest = 0;
+    float widest = 0, narrowest = 0, highest = 0;
     double fastest = 0;
     for (double t = 6.5; t < 11.5; t += 0.001) {
         const glm::vec3 tip = path.sample(t).tip;
         widest = std::max(widest, tip.z);
         narrowest = std::min(narrowest, tip.z);
+        highest = std::max(highest, tip.y);
         fastest = std::max(fastest, static_cast<double>(glm::length(path.sample(t + 0.001).tip - tip)));
     }
-    CHECK(widest == Approx(0.004).margin(1e-5));
-    CHECK(narrowest == Approx(-0.004).margin(1e-5));
+    // The torch leans at 45 degrees, and the swing of 8 mm goes across it.
+    CHECK(widest == Approx(0.004 * std::sqrt(0.5)).margin(1e-5));
+    CHECK(narrowest == Approx(-0.004 * std::sqrt(0.5)).margin(1e-5));
+    CHECK(highest == Approx(0.015 + 0.004 * std::sqrt(0.5)).margin(1e-5));
     CHECK(fastest < 0.001 * 0.1); // no jumps: below 100 mm/s throughout
 }
 
