@@ -1,6 +1,7 @@
 #include "app/desktop/window.hpp"
 
 #include "app/desktop/desktop.hpp"
+#include "app/desktop/gamepad.hpp"
 #include "app/desktop/window_system.hpp"
 
 #include "core/base/error.hpp"
@@ -135,7 +136,7 @@ void Window::open(const Options& options) {
     glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) { self(w).onMove({x, y}); });
     glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double y) { self(w).onScroll(y); });
     glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { self(w).stir(); });
-    glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { self(w).stir(); });
+    glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int on) { self(w).onFocus(on == GLFW_TRUE); });
     glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int) { self(w).stir(); });
     glfwSetWindowSizeCallback(window_, [](GLFWwindow* w, int x, int y) { self(w).onSize({x, y}); });
     glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int x, int y) { self(w).onPixels({x, y}); });
@@ -182,6 +183,8 @@ InputFrame Window::poll(double patience) {
     gathering_.held |= down_;
     gathering_.leftHeld |= leftDown_;
     gathering_.rightHeld |= rightDown_;
+    // Another program may be led by the same gamepad.
+    if (focused_) gathering_.gamepad = readGamepad();
     return std::exchange(gathering_, InputFrame{});
 }
 
@@ -206,6 +209,11 @@ void Window::onButton(int button, bool down) {
         rightDown_ = down;
         gathering_.rightHeld |= down;
     }
+}
+
+void Window::onFocus(bool focused) {
+    stir();
+    focused_ = focused;
 }
 
 void Window::onScroll(double way) {

@@ -64,6 +64,7 @@ class Window {
     void stir() { quietPolls_ = 0; }
     void onKey(int key, int action);
     void onButton(int button, bool down);
+    void onFocus(bool focused);
     void onScroll(double way);
     void onMove(glm::dvec2 position);
     void onSize(glm::ivec2 size);
@@ -83,6 +84,7 @@ class Window {
     glm::dvec2 mouse_{0};
     bool mouseKnown_ = false;
     bool captured_ = false;
+    bool focused_ = false;
     bool waits_ = true;
     bool fullScreen_ = false;
     bool iconified_ = false;

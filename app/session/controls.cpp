@@ -19,7 +19,17 @@ float axis(const InputFrame& input, Key positive, Key negative) {
     return static_cast<float>(input.isHeld(positive)) - static_cast<float>(input.isHeld(negative));
 }
 
+/// Travel of mouse button or trigger, 0..1.
+float pulled(const InputFrame& input) {
+    return input.leftHeld ? 1.0f : input.gamepad.rightTrigger;
+}
+
 } // namespace
+
+void Controls::pull(float trigger) {
+    trigger_ = trigger;
+    source_.setOn(trigger > 0);
+}
 
 void Controls::update(const InputFrame& frame, double seconds) {
     InputFrame input = frame;
@@ -47,13 +57,13 @@ void Controls::work(const InputFrame& input, float seconds) {
     hand_ = input;
     if (!wheelForTorch) hand_.scroll = 0;
     if (!leadsTorch_) source_.move(input, orbit_.forward(), parameters);
-    source_.setOn(lock_.pass(input.leftHeld ? 1.0f : 0.0f) > 0);
+    pull(lock_.pass(pulled(input)));
 }
 
 void Controls::look(const InputFrame& input, float seconds) {
     hand_ = {};
-    lock_.pass(input.leftHeld ? 1.0f : 0.0f);
-    source_.setOn(false);
+    lock_.pass(pulled(input));
+    pull(0);
     const float turn = kLookSpeed * parameters.lookSpeed;
     const float upwards = parameters.invertLook ? 1.0f : -1.0f;
     free_.look({input.mouseMove.x * turn, input.mouseMove.y * turn * upwards});

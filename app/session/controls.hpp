@@ -19,7 +19,8 @@ class Controls {
 
     /// Applies `seconds` of input. V changes the mode, C captures or frees the mouse, Escape frees it. A captured mouse
     /// moves the source (or looks); a free one does so while a button is held on the picture. After a change of the
-    /// mode, of who has the mouse, and after a reset the left button heats only when it has been let go.
+    /// mode, of who has the mouse, and after a reset the left button heats only when it has been let go. So does a
+    /// gamepad's right trigger.
     void update(const InputFrame& input, double seconds);
 
     /// Puts the source back and switches it off; cameras and mode stay.
@@ -35,6 +36,9 @@ class Controls {
     void leadTorch(bool leads) { leadsTorch_ = leads; }
     /// What the hand does to that torch in this frame; no wheel where that moves the camera.
     const InputFrame& hand() const { return hand_; }
+    /// How far the hand pulls that torch's trigger, 0..1: the mouse's left button all the way, a gamepad's right
+    /// trigger as far as it is pulled.
+    float trigger() const { return trigger_; }
 
     void releaseMouse() { capture(false); }
     void captureMouse() { capture(true); }
@@ -42,7 +46,7 @@ class Controls {
     /// Switches the source off until the left button has been let go.
     void putOut(ArcOut reason) {
         lock_.lock(reason);
-        source_.setOn(false);
+        pull(0);
     }
 
     Mode mode() const { return mode_; }
@@ -58,6 +62,7 @@ class Controls {
     const OrbitCamera& orbitCamera() const { return orbit_; }
 
   private:
+    void pull(float trigger);
     void capture(bool captured);
     void work(const InputFrame& input, float seconds);
     void look(const InputFrame& input, float seconds);
@@ -66,6 +71,7 @@ class Controls {
     bool captured_ = false;
     bool leadsTorch_ = false;
     InputFrame hand_;
+    float trigger_ = 0;
     FreeCamera free_;
     OrbitCamera orbit_;
     SteeredSource source_;

@@ -17,6 +17,8 @@ struct ControlParameters {
     bool invertLook = false;       ///< pulling the mouse looks up
     float torchMouse = 8;          ///< mm of a welding torch for 100 points of mouse travel
     float guideSpeed = 0;          ///< mm/s that a welding torch goes along the seam by itself while it welds
+    float tremor = 0;              ///< of the hand that holds a welding torch, in that of a practised one
+    float gamepadSpeed = 15;       ///< mm/s of a welding torch with a gamepad's stick pushed all the way
 };
 ParameterList describe(ControlParameters& parameters);
 

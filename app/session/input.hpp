@@ -43,6 +43,16 @@ enum class Key {
     count
 };
 
+/// A gamepad; all at rest where there is none. Sticks -1..1, to the right and away from the person positive.
+struct GamepadFrame {
+    glm::vec2 left{0};
+    glm::vec2 right{0};
+    float leftTrigger = 0; ///< 0 released .. 1 pulled through
+    float rightTrigger = 0;
+    bool leftShoulder = false;
+    bool rightShoulder = false;
+};
+
 struct InputFrame {
     std::bitset<static_cast<size_t>(Key::count)> held;
     std::vector<Key> pressed; ///< in order; a key that is held comes again at the keyboard's repeat rate
@@ -52,6 +62,7 @@ struct InputFrame {
     float scroll = 0;         ///< wheel notches, away from the person positive
     bool leftHeld = false;
     bool rightHeld = false;
+    GamepadFrame gamepad;
 
     bool isHeld(Key key) const { return held[static_cast<size_t>(key)]; }
 };

@@ -418,8 +418,7 @@ TorchSample LessonSession::nextTorch(const Controls& controls, const TorchSource
     }
     if (held_) return held(step, due);
     if (!desk_.leads()) return torchOf(controls.source(), fixture().turn);
-    const float trigger = controls.source().on() ? 1.0F : 0.0F;
-    return desk_.next(step, due, trainer_->timeStep(), trainer_->burntOff(), trigger);
+    return desk_.next(step, due, trainer_->timeStep(), trainer_->burntOff(), controls.trigger());
 }
 
 /// Rotates directions of the workpiece's frame into the desk's view.
@@ -429,10 +428,14 @@ glm::mat3 LessonSession::toScreen(const Controls& controls) const {
 
 void LessonSession::makeSteps(const Controls& controls, double seconds, gl::Profiler* profiler,
                               const TorchSource& held) {
-    if (!held_) desk_.update(controls.hand(), toScreen(controls), controls.parameters);
+    if (!held_)
+        desk_.update(controls.hand(), {toScreen(controls), seconds}, controls.parameters, trainer_->lesson().process);
     makeDueSteps(seconds, [&](int step, int due) {
         trainer_->setRealTime(clock_.speed());
-        trainer_->advance(nextTorch(controls, held, step, due), profiler);
+        TorchSample torch = nextTorch(controls, held, step, due);
+        // The other hand may be in sight without a rod in it.
+        if (!holdsRod(trainer_->lesson().process)) torch.rod.reset();
+        trainer_->advance(torch, profiler);
         surfaceIsOld_ = true;
     });
 }

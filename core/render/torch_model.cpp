@@ -113,7 +113,7 @@ void addIron(Builder& add) {
 void addTorch(Builder& add, const ProcessSettings& process, const ArcState& arc, const ArcLight& light) {
     if (process.is<Gmaw>()) {
         const GmawSettings& gmaw = process.of<Gmaw>();
-        const float stickOut = gmaw.stickOutMm * 1e-3F;
+        const auto stickOut = static_cast<float>(heldBehind(process));
         // Before the first step nothing is known of the wire: it is as long as it is set.
         return addGmaw(add, stickOut, arc.extension > 0 ? arc.extension : stickOut, gmaw.wireDiameterMm * 1e-3F, light);
     }
@@ -132,9 +132,8 @@ ArcLight torchArcLight(const TorchSample& torch, const ProcessSettings& process,
     if (!arc.burns() || arc.current <= 0) return {};
     const float candela = kLumenPerWatt * arc.voltage * arc.current / (4 * std::numbers::pi_v<float>);
     // The arc hangs between the wire's or electrode's end and the metal.
-    const float back = process.is<Gmaw>()   ? process.of<Gmaw>().stickOutMm * 1e-3F
-                       : process.is<Smaw>() ? process.of<Smaw>().lengthMm * 1e-3F - arc.extension
-                                            : 0.0F;
+    const float back = process.is<Smaw>() ? process.of<Smaw>().lengthMm * 1e-3F - arc.extension
+                                          : static_cast<float>(heldBehind(process));
     const float middle = arc.distance - std::max(arc.length, kShortestShown) / 2;
     return {torch.tip + torch.axis() * (middle - back), kArcColour * (candela / static_cast<float>(kPaperLuminance)),
             kArcDiameter / 2};
@@ -146,7 +145,7 @@ size_t buildTorchModel(std::vector<Solid>& solids, const TorchSample& torch, con
     Builder add(solids, torch, workpieceToWorld);
     addTorch(add, process, arc, torchArcLight(torch, process, arc));
     const size_t own = solids.size();
-    if (torch.rod && process.is<Gtaw>())
+    if (torch.rod && holdsRod(process))
         addRod(solids, *torch.rod, process.of<Gtaw>().rodDiameterMm * 1e-3F, arc, workpieceToWorld);
     return solids.size() - own;
 }

@@ -10,8 +10,8 @@
 namespace meltpool {
 
 /// Replaces `solids` by the torch of this process at this pose; the wire stands out as far as it does, and an arc or
-/// flame glows where one burns. Answers how many of the last solids are a filler rod, which is there where the process
-/// melts one. `workpieceToWorld`: rotation, one scale, translation.
+/// flame glows where one burns. Answers how many of the last solids are a filler rod, see holdsRod().
+/// `workpieceToWorld`: rotation, one scale, translation.
 size_t buildTorchModel(std::vector<Solid>& solids, const TorchSample& torch, const ProcessSettings& process,
                        const ArcState& arc, const glm::mat4& workpieceToWorld);
 

@@ -2,21 +2,21 @@
 #pragma once
 
 #include "core/training/technique/seam.hpp"
+#include "core/weld/torch/hand_tremor.hpp"
 #include "core/weld/torch/torch_path.hpp"
 
-#include <array>
 #include <cstdint>
 
 namespace meltpool {
 
 struct TorchBend {
-    double time = 1;            ///< the path takes this share of its time
-    double farther = 0;         ///< m, back along the torch's own axis
-    double turn = 0;            ///< rad, about the seam; positive leans the handle to the welder
-    double aside = 0;           ///< m, across the seam; positive to the welder's side
-    std::uint32_t tremor = 0;   ///< seed of a hand's tremor; 0: none
-    double tremorPlace = 3e-4;  ///< m, root mean square on each axis
-    double tremorAngle = 0.035; ///< rad, root mean square about each axis
+    double time = 1;                         ///< the path takes this share of its time
+    double farther = 0;                      ///< m, back along the torch's own axis
+    double turn = 0;                         ///< rad, about the seam; positive leans the handle to the welder
+    double aside = 0;                        ///< m, across the seam; positive to the welder's side
+    std::uint32_t tremor = 0;                ///< seed of a hand's tremor; 0: none
+    double tremorPlace = HandTremor::kPlace; ///< m, root mean square on each axis
+    double tremorAngle = HandTremor::kAngle; ///< rad, root mean square about each axis
 };
 
 /// Samples of a path as a bend makes them.
@@ -29,22 +29,10 @@ class BentPath {
     double duration() const { return path_.duration() * bend_.time; }
 
   private:
-    /// A tremor is the sum of three swings of 7 to 9 Hz (physiological tremor of the hand: 8 to 12 Hz, slower with a
-    /// load in it).
-    struct Swing {
-        double frequency = 0; ///< Hz
-        double phase = 0;     ///< rad
-    };
-    static constexpr size_t kSwings = 3;
-    static constexpr size_t kAxes = 5; ///< three of place, two of angle
-
-    double swing(size_t axis, double time) const;
-    void tremble(TorchSample& torch, double time) const;
-
     const TorchPath& path_;
     const Seam& seam_;
     TorchBend bend_;
-    std::array<std::array<Swing, kSwings>, kAxes> swings_{};
+    HandTremor tremor_;
 };
 
 } // namespace meltpool

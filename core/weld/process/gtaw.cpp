@@ -30,7 +30,8 @@ ParameterList describe(GtawSettings& s) {
     return {
         {"current", "Current", "A", &s.current, 5, 500, "the machine holds it; more melts deeper"},
         {"electrode_diameter_mm", "Electrode", "mm", &s.electrodeDiameterMm, 0.5, 6.4, "tungsten"},
-        {"rod_diameter_mm", "Filler rod", "mm", &s.rodDiameterMm, 0.8F, 5, "in the other hand; dipped into the pool"},
+        {"rod_diameter_mm", "Filler rod", "mm", &s.rodDiameterMm, 0, 5,
+         "in the other hand; dipped into the pool; 0: none is held"},
     };
 }
 
@@ -56,8 +57,13 @@ void Gtaw::reset() {
     spoiled_ = false;
 }
 
+const RodSample* Gtaw::heldRod(const TorchSample& torch) const {
+    return torch.rod && settings_.rodDiameterMm > 0 ? &*torch.rod : nullptr;
+}
+
 std::optional<TorchRay> Gtaw::rodRay(const TorchSample& torch) const {
-    return torch.rod ? std::optional(rod_.ray(*torch.rod)) : std::nullopt;
+    const RodSample* rod = heldRod(torch);
+    return rod != nullptr ? std::optional(rod_.ray(*rod)) : std::nullopt;
 }
 
 WireAccount Gtaw::wire() const {
@@ -71,7 +77,8 @@ NoArc Gtaw::whyNot(const TorchSample& torch, const MetalAhead& ahead, double cur
     if (!lit && !released_) return noArc_;
     if (!std::isfinite(ahead.distance)) return lit ? NoArc::metalLeft : NoArc::noMetal;
     if (ahead.distance <= kTouch) return lit ? NoArc::touched : NoArc::touching;
-    if (torch.rod && rod_.touches(*torch.rod, ray(torch), static_cast<double>(settings_.electrodeDiameterMm) * kMm))
+    const RodSample* rod = heldRod(torch);
+    if (rod != nullptr && rod_.touches(*rod, ray(torch), static_cast<double>(settings_.electrodeDiameterMm) * kMm))
         return lit ? NoArc::touched : NoArc::touching;
     if (!lit && ahead.distance > kStrikeGap) return NoArc::tooFar;
     if (static_cast<double>(ahead.distance) > gtawLongestArc(current)) return lit ? NoArc::tooLong : NoArc::tooFar;
@@ -86,9 +93,10 @@ void Gtaw::advance(const TorchSample& torch, const MetalAhead& ahead, double sec
 
 /// W that the arc spends on the rod.
 double Gtaw::meltRod(const TorchSample& torch, double seconds) {
-    if (!torch.rod) return 0;
+    const RodSample* rod = heldRod(torch);
+    if (rod == nullptr) return 0;
     const RodArc arc{ray(torch), static_cast<double>(arc_.length), static_cast<double>(arc_.radius), arc_.power};
-    const RodMelt melt = rod_.step(*torch.rod, rodAhead_, arc_.burns() ? &arc : nullptr, metal_, seconds);
+    const RodMelt melt = rod_.step(*rod, rodAhead_, arc_.burns() ? &arc : nullptr, metal_, seconds);
     if (melt.volume > 0) dropFiller(melt.volume, melt.place, torch.axis() * kDripSpeed, melt.temperature);
     arc_.rodEaten = static_cast<float>(rod_.eaten());
     arc_.rodBall = static_cast<float>(rod_.ballDiameter());

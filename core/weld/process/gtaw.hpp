@@ -9,7 +9,7 @@ namespace meltpool {
 struct GtawSettings {
     float current = 130; ///< A with the trigger or pedal pulled through; less pulled, less current
     float electrodeDiameterMm = 2.4F;
-    float rodDiameterMm = 2.4F; ///< of a filler rod, where the other hand holds one
+    float rodDiameterMm = 2.4F; ///< of the filler rod in the other hand; 0: none is held
 };
 ParameterList describe(GtawSettings& settings);
 
@@ -43,6 +43,8 @@ class Gtaw : public Process {
     void advance(const TorchSample& torch, const MetalAhead& ahead, double seconds) override;
 
   private:
+    /// The rod that melts; null while none is held.
+    const RodSample* heldRod(const TorchSample& torch) const;
     NoArc whyNot(const TorchSample& torch, const MetalAhead& ahead, double current) const;
     void strikeOrBurn(const TorchSample& torch, const MetalAhead& ahead);
     double meltRod(const TorchSample& torch, double seconds);

@@ -70,7 +70,7 @@ class Process {
     ArcPressure pressure() const;
     const ArcState& arc() const { return arc_; }
     virtual WireAccount wire() const { return {}; }
-    /// A filler rod in the other hand matters.
+    /// Melts a filler rod where the other hand holds one; see holdsRod().
     virtual bool takesRod() const { return false; }
     /// m that the tip of the torch's pose lies before what is left of an electrode that burns off.
     virtual float burntOff() const { return 0; }

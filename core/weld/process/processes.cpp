@@ -60,6 +60,14 @@ bool isArcWelding(const ProcessSettings& settings) {
     return settings.is<Gmaw>() || settings.is<Gtaw>() || settings.is<Smaw>();
 }
 
+bool holdsRod(const ProcessSettings& settings) {
+    return settings.is<Gtaw>() && settings.of<Gtaw>().rodDiameterMm > 0;
+}
+
+double heldBehind(const ProcessSettings& settings) {
+    return settings.is<Gmaw>() ? static_cast<double>(settings.of<Gmaw>().stickOutMm) * 1e-3 : 0.0;
+}
+
 std::unique_ptr<Process> makeProcess(const ProcessSettings& settings, const ProcessMetal& metal) {
     auto made = make(settings, metal, AllProcesses{});
     made->apply(settings);

@@ -54,6 +54,13 @@ struct ProcessSettings {
 /// Welds with an arc: GMAW, GTAW and SMAW.
 bool isArcWelding(const ProcessSettings& settings);
 
+/// The other hand holds a filler rod, which this process melts.
+bool holdsRod(const ProcessSettings& settings);
+
+/// m from the place that a torch's sample names, along the torch, back to what it is held by its distance from: the
+/// contact tip of GMAW. 0 where both are one.
+double heldBehind(const ProcessSettings& settings);
+
 /// The choice of process, and the settings of the one that is chosen.
 ParameterList describe(ProcessSettings& settings);
 

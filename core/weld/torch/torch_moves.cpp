@@ -74,12 +74,12 @@ class Author {
         if (!root.has("rod")) return;
         TomlTable table = root.table("rod");
         RodHold rod;
-        rod.angle = glm::radians(table.number("angle_deg", kRodAngles, 20.0));
-        rod.ahead = table.number("ahead_mm", kRodPlaces, 2.0) * 1e-3;
-        rod.below = table.number("below_mm", kRodPlaces, 2.0) * 1e-3;
-        rod.rest = table.number("rest_mm", {0, 200}, 12.0) * 1e-3;
-        rod.depth = table.number("depth_mm", {0, 20}, 1.0) * 1e-3;
-        rod.feed = table.number("feed_mm_s", {0, 100}, 0.0) * 1e-3;
+        rod.angle = glm::radians(table.number("angle_deg", kRodAngles, glm::degrees(rod.angle)));
+        rod.ahead = table.number("ahead_mm", kRodPlaces, rod.ahead * 1e3) * 1e-3;
+        rod.below = table.number("below_mm", kRodPlaces, rod.below * 1e3) * 1e-3;
+        rod.rest = table.number("rest_mm", {0, 200}, rod.rest * 1e3) * 1e-3;
+        rod.depth = table.number("depth_mm", {0, 20}, rod.depth * 1e3) * 1e-3;
+        rod.feed = table.number("feed_mm_s", {0, 100}, rod.feed * 1e3) * 1e-3;
         table.finish();
         rod_ = rod;
     }

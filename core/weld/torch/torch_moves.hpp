@@ -10,17 +10,20 @@
 namespace meltpool {
 
 /// How a filler rod is held before the torch: its tip comes down at an angle, from ahead, to a place in front of the
-/// electrode, and goes back. Unit vectors and m, rad, Hz, m/s.
+/// electrode, and goes back. Unit vectors and m, rad, Hz, m/s. Where nobody says otherwise it is held as welders are
+/// taught to: flat over the plate, its end kept near the arc.
 struct RodHold {
-    glm::vec3 travel{1, 0, 0}; ///< the way the torch goes
-    glm::vec3 up{0, 1, 0};     ///< out of the joint, at right angles to it
-    double angle = 0;          ///< of the rod over the plane across `up`
-    double ahead = 0;          ///< of the electrode's tip lies the place that is dipped into
-    double below = 0;          ///< so far under the electrode's tip
-    double rest = 0;           ///< between dips the rod's tip is so far back from there, along the rod
-    double depth = 0;          ///< a dip goes so far beyond
-    double frequency = 0;      ///< of the dips, which are a cosine from rest to depth; 0: it stays at rest
-    double feed = 0;           ///< see RodSample::feed
+    static constexpr double kUsualAngle = 0.34906585; ///< 20 degrees
+
+    glm::vec3 travel{1, 0, 0};  ///< the way the torch goes
+    glm::vec3 up{0, 1, 0};      ///< out of the joint, at right angles to it
+    double angle = kUsualAngle; ///< of the rod over the plane across `up`
+    double ahead = 1.5e-3;      ///< of the electrode's tip lies the place that is dipped into
+    double below = 2e-3;        ///< so far under the electrode's tip
+    double rest = 12e-3;        ///< between dips the rod's tip is so far back from there, along the rod
+    double depth = 3.5e-3;      ///< a dip goes so far beyond
+    double frequency = 0;       ///< of the dips, which are a cosine from rest to depth; 0: it stays at rest
+    double feed = 0;            ///< see RodSample::feed
 
     /// The rod `passed` s after the move began, of a torch with its tip there.
     RodSample sample(const glm::vec3& tip, double passed) const;

@@ -3,6 +3,9 @@
 #include "core/training/lesson.hpp"
 #include "tests/support/catch.hpp"
 
+#include <glm/geometric.hpp>
+
+#include <cmath>
 #include <numbers>
 
 namespace meltpool {
@@ -23,7 +26,7 @@ struct Desk {
         torch.begin(lesson);
     }
     void frame(const InputFrame& input = {}, bool welds = true) {
-        torch.update(input, view, parameters);
+        torch.update(input, {view, kSteps * kStep}, parameters, lesson.process);
         for (int i = 0; i < kSteps; ++i) {
             last = torch.next(i, kSteps, kStep, 0, welds ? 1.0F : 0.0F);
             last.time = time += kStep;
@@ -131,7 +134,7 @@ TEST_CASE("steps of a frame go on evenly, whether hand or guide leads") {
     right.mouseMove = {9, 0};
     desk.frames(5, right);
     std::vector<double> ways;
-    desk.torch.update(right, desk.view, desk.parameters);
+    desk.torch.update(right, {desk.view, kSteps * kStep}, desk.parameters, desk.lesson.process);
     double last = double(desk.last.tip.x);
     for (int i = 0; i < kSteps; ++i) {
         const double x = double(desk.torch.next(i, kSteps, kStep, 0, 1).tip.x);
@@ -146,7 +149,7 @@ TEST_CASE("steps of a frame go on evenly, whether hand or guide leads") {
 TEST_CASE(
     "a rod is dipped by its key and goes back, and the tip of a covered electrode goes down with what burns off") {
     Desk desk("gtaw-rod");
-    REQUIRE(desk.torch.holdsRod());
+    REQUIRE(desk.torch.hasRod());
     InputFrame dip;
     dip.held[static_cast<size_t>(Key::r)] = true;
     desk.frame();
@@ -159,19 +162,105 @@ TEST_CASE(
     CHECK(desk.last.rod->tip.y == Approx(rest).margin(1e-5));
     CHECK(desk.last.rod->feed == 0);
 
+    CHECK_FALSE(Desk("gtaw-bead").torch.hasRod()); // a lesson that wants none
+
     Desk stick("smaw-bead");
-    CHECK_FALSE(stick.torch.holdsRod());
+    CHECK_FALSE(stick.torch.hasRod());
     stick.frame();
     const glm::vec3 tip = stick.last.tip;
     const TorchSample burnt = stick.torch.next(0, 1, kStep, 0.05F, 1);
     CHECK(glm::length(burnt.tip - tip - burnt.axis() * 0.05F) < 1e-5F);
 }
 
+TEST_CASE("a stick-out that is set anew leaves the contact tip where it is, and the wire's end goes with it") {
+    Desk desk("gmaw-bead");
+    desk.frames(3, {});
+    const DeskPose pose = desk.torch.pose();
+    const auto contactTip = [&] {
+        const float stickOut = desk.lesson.process.of<Gmaw>().stickOutMm * 1e-3F;
+        return desk.last.tip - desk.last.axis() * stickOut;
+    };
+    const glm::vec3 before = contactTip(), wire = desk.last.tip;
+    desk.lesson.process.of<Gmaw>().stickOutMm += 6;
+    desk.frames(3, {});
+    CHECK(glm::distance(contactTip(), before) < 1e-6F);
+    CHECK(glm::distance(desk.last.tip, wire) == Approx(6e-3F).epsilon(1e-3));
+    CHECK(desk.torch.pose().distance == pose.distance); // which is what the bar tells
+}
+
+TEST_CASE("the guide stops where the torch can be led no farther") {
+    Desk desk("gmaw-bead");
+    desk.parameters.guideSpeed = 30;
+    const Seam seam = seamOf(desk.lesson.workpiece);
+    double last = -1;
+    for (int i = 0; i < 200; ++i) {
+        desk.frame();
+        CHECK(double(desk.last.tip.x) >= last - 1e-9); // and is never pulled back
+        last = double(desk.last.tip.x);
+    }
+    CHECK(desk.torch.pose().place == Approx(seam.end() + 10e-3).margin(1e-9));
+}
+
+TEST_CASE("a gamepad leads the torch: left stick on the screen, right stick leans it, shoulders lift it") {
+    Desk desk("gmaw-bead");
+    constexpr int kFrames = 10;
+    constexpr double kSeconds = kFrames * kSteps * kStep;
+    desk.frame();
+    const DeskPose before = desk.torch.pose();
+    InputFrame input;
+    SECTION("along and across") {
+        input.gamepad.left = {1, 0};
+        desk.frames(kFrames, input);
+        const double along = double(desk.parameters.gamepadSpeed) * 1e-3 * kSeconds;
+        CHECK(desk.torch.pose().place - before.place == Approx(along));
+        input.gamepad.left = {0, 0.5};
+        desk.frames(kFrames, input);
+        CHECK(desk.torch.pose().aim - before.aim == Approx(along / 2));
+    }
+    SECTION("leaning: the handle goes the stick's way on the screen") {
+        const float along = -desk.last.axis().x;
+        input.gamepad.right = {0.5, 0};
+        desk.frames(kFrames, input);
+        CHECK(desk.torch.pose().travel < before.travel);
+        CHECK(-desk.last.axis().x > along);
+        input.gamepad.right = {0, 0.5};
+        const float across = -desk.last.axis().z;
+        desk.frames(kFrames, input);
+        CHECK(-desk.last.axis().z > across);
+    }
+    SECTION("distance") {
+        input.gamepad.rightShoulder = true;
+        desk.frames(kFrames, input);
+        CHECK(desk.torch.pose().distance > before.distance + 1e-3);
+        input.gamepad.rightShoulder = false;
+        input.gamepad.leftShoulder = true;
+        desk.frames(kFrames, input);
+        CHECK(desk.torch.pose().distance == Approx(before.distance));
+    }
+}
+
+TEST_CASE("a desk torch trembles like a hand where that is asked for, and alike each time") {
+    Desk steady("gmaw-bead"), hand("gmaw-bead"), again("gmaw-bead");
+    hand.parameters.tremor = again.parameters.tremor = 1;
+    double sum = 0;
+    constexpr int kFrames = 200;
+    for (int i = 0; i < kFrames; ++i) {
+        steady.frame();
+        hand.frame();
+        again.frame();
+        REQUIRE(hand.last.tip == again.last.tip);
+        const double off = double(hand.last.tip.z - steady.last.tip.z);
+        sum += off * off;
+    }
+    CHECK(std::sqrt(sum / kFrames) == Approx(HandTremor::kPlace).epsilon(0.2));
+    CHECK(hand.torch.pose().aim == steady.torch.pose().aim); // what the hand wants does not tremble
+}
+
 TEST_CASE("a lesson of the classic model has no seam to lead a torch along") {
     DeskTorch torch;
     torch.begin(shipped("classic"));
     CHECK_FALSE(torch.leads());
-    torch.update({}, glm::mat3(1), {});
+    torch.update({}, {}, {}, {});
 }
 
 } // namespace meltpool

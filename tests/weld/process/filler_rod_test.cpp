@@ -163,4 +163,15 @@ TEST_CASE("a GTAW torch melts its rod from its own heat, and a rod on the tungst
     CHECK(dynamic_cast<const Gtaw&>(*process).electrodeSpoiled());
     process->reset();
     CHECK(process->wire().area == 0);
+
+    // Where the lesson says that none is held, nothing melts and nothing touches.
+    settings.of<Gtaw>().rodDiameterMm = 0;
+    CHECK_FALSE(holdsRod(settings));
+    const auto bare = makeProcess(settings, steel());
+    CHECK_FALSE(bare->rodRay(torch));
+    for (int i = 0; i < 50; ++i)
+        bare->step(torch, plate, kStep, before(-3, 1));
+    CHECK(bare->arc().burns());
+    CHECK(bare->arc().rodEaten == 0);
+    CHECK(bare->drops().empty());
 }
