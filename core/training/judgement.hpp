@@ -17,6 +17,7 @@ struct JudgementRules {
 };
 
 struct Judgement {
+    double realTime = 1;                        ///< simulated over real time while a person welded
     DistanceKind distance = DistanceKind::ctwd; ///< what TechniqueQuantity::distance is
     std::vector<SeamMillimetre> seam;           ///< the hand by the millimetre; empty where no arc burned
     std::optional<TechniqueScore> score;        ///< where the lesson has bands

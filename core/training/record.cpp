@@ -77,6 +77,12 @@ void Record::write(std::string_view text) {
     if (!stream_) throw RuntimeFault(file_.string() + ": the record cannot be written on; expected free space");
 }
 
+void RealTimeCount::add(double ratio) {
+    ++steps_;
+    realSteps_ += 1 / std::max(ratio, kLeastPace);
+    least_ = std::min(least_, ratio);
+}
+
 void Record::event(std::string_view name, std::string_view value) {
     appendComment(before_, "event", name, value);
 }
@@ -91,8 +97,7 @@ void Record::add(const RecordStep& step) {
     next.before.swap(before_);
     before_.clear();
     ++waiting_;
-    realSteps_ += 1 / std::max(step.realTime, kLeastPace);
-    leastPace_ = std::min(leastPace_, step.realTime);
+    pace_.add(step.realTime);
 }
 
 void Record::complete(const MetalStatistics& metal) {
@@ -134,8 +139,8 @@ void Record::end(std::string_view reason, std::uint64_t stateHash) {
     appendComment(text, "ended", reason, {});
     appendComment(text, "state_hash", formatHexadecimal(stateHash), {});
     if (paced_ && rows_ > 0) {
-        appendComment(text, "real_time", formatNumber(static_cast<float>(static_cast<double>(rows_) / realSteps_)), {});
-        appendComment(text, "least_real_time", formatNumber(static_cast<float>(leastPace_)), {});
+        appendComment(text, "real_time", formatNumber(static_cast<float>(pace_.ratio())), {});
+        appendComment(text, "least_real_time", formatNumber(static_cast<float>(pace_.least())), {});
     }
     write(text);
 }

@@ -38,6 +38,21 @@ struct RecordStep {
     double realTime = 1; ///< simulated over real time about this step
 };
 
+/// How the metal's time goes against the clock, over many steps.
+class RealTimeCount {
+  public:
+    /// `ratio`: simulated over real time about this step.
+    void add(double ratio);
+    /// Simulated over real time of all steps together; 1 before the first.
+    double ratio() const { return realSteps_ > 0 ? static_cast<double>(steps_) / realSteps_ : 1; }
+    double least() const { return least_; }
+
+  private:
+    size_t steps_ = 0;
+    double realSteps_ = 0; ///< sum of the steps' real over simulated time
+    double least_ = 1;
+};
+
 /// A row is written when the figures of its own step have come from the GPU; until then it waits, in the order of the
 /// steps. Each row reaches the operating system as soon as it is complete, so that an end without warning loses the
 /// waiting rows and no more.
@@ -88,8 +103,7 @@ class Record {
     std::string before_; ///< lines for the next step
     std::string row_;    ///< keeps its room from row to row
     size_t rows_ = 0;
-    double realSteps_ = 0; ///< sum of the steps' real over simulated time
-    double leastPace_ = 1;
+    RealTimeCount pace_;
 };
 
 } // namespace meltpool

@@ -40,6 +40,7 @@ void Trainer::reset() {
     nextChange_ = 0;
     figures_ = metal_->statistics();
     arc_ = {};
+    pace_ = {};
     surfaceDistance_ = {};
     tracked_ = true;
     if (technique_) technique_->reset();
@@ -69,6 +70,7 @@ void Trainer::advance(const TorchSample& torch, gl::Profiler* profiler) {
     arc_ = metal_->arc(surfaceDistance_);
     ++steps_;
     if (technique_) technique_->add(torch_, arc_, tracked_);
+    pace_.add(realTime_);
     if (record_) record_->add({torch_, arc_, realTime_});
     if (burned && wentOut(arc_.noArc)) event("arc_out", noArcName(arc_.noArc));
     updateFigures();
@@ -179,8 +181,10 @@ Judgement Trainer::judge() const {
     std::optional<FaceStretch> wanted;
     if (const auto& bands = lesson_.technique)
         wanted = FaceStretch{bands->lengthFromMm * 1e-3, bands->lengthToMm * 1e-3};
-    return judgeAttempt(*technique_, metal_->measureWeld(wanted),
-                        {lesson_.technique, lesson_.acceptance, lesson_.nominal});
+    Judgement judgement = judgeAttempt(*technique_, metal_->measureWeld(wanted),
+                                       {lesson_.technique, lesson_.acceptance, lesson_.nominal});
+    judgement.realTime = pace_.ratio();
+    return judgement;
 }
 
 std::optional<WeldSection> Trainer::section(std::optional<double> place) const {

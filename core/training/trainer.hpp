@@ -112,7 +112,7 @@ class Trainer {
     /// Notes in the record what happened after the last step, such as `zoom 2`. `torch lost` and `torch seen` tell
     /// whether the torch is tracked from now on.
     void event(std::string_view name, std::string_view value = {});
-    /// Simulated over real time about the next steps, for records of people.
+    /// Simulated over real time about the next steps, for records and judgements of people.
     void setRealTime(double ratio) { realTime_ = ratio; }
 
     /// True: every step waits for its own figures, as a run without a screen may. False (the default): the figures are
@@ -147,6 +147,7 @@ class Trainer {
     std::unique_ptr<Record> record_;
     std::string recordFault_;
     double realTime_ = 1;
+    RealTimeCount pace_;
     size_t nextChange_ = 0; ///< of the demonstration's
     TorchSample torch_;
     MetalStatistics figures_;

@@ -1,6 +1,7 @@
 #include "app/session/home/best_scores.hpp"
 
 #include "app/program/aside_file.hpp"
+#include "app/session/attempt/speed_trial.hpp"
 #include "core/base/error.hpp"
 #include "core/base/output_file.hpp"
 #include "core/base/text.hpp"
@@ -18,6 +19,7 @@ namespace {
 
 constexpr NumberRange kScore{0, 100};
 constexpr NumberRange kZoom{1, 10};
+constexpr NumberRange kRealTime{0, 1};
 constexpr size_t kMostBytes = 2000; ///< of a fault's sentence
 
 BestScore readBest(TomlTable& table) {
@@ -28,6 +30,7 @@ BestScore readBest(TomlTable& table) {
     best.forScore = table.flag("for_score", false);
     best.guided = table.flag("guided", false);
     best.changed = table.flag("changed", false);
+    best.realTime = table.number("real_time", kRealTime, 1);
     table.finish();
     return best;
 }
@@ -53,6 +56,7 @@ std::optional<BestScore> countedScore(const Judgement& judgement) {
     BestScore best;
     best.score = std::clamp(judgement.score->total, kScore.minimum, kScore.maximum);
     best.accepted = judgement.verdict && judgement.verdict->accepted;
+    best.realTime = std::clamp(judgement.realTime, kRealTime.minimum, kRealTime.maximum);
     return best;
 }
 
@@ -62,6 +66,7 @@ std::string bestScoreText(const BestScore& best) {
     if (best.zoom > 1) text += ", zoom " + formatNumber(best.zoom);
     if (best.guided) text += ", guided";
     if (best.changed) text += ", changed values";
+    if (best.realTime < SpeedTrial::kLeast) text += ", metal at " + std::to_string(std::lround(best.realTime * 100)) + " %";
     return text;
 }
 
@@ -114,7 +119,8 @@ void BestScores::save() const {
         text += "\n[" + tomlKey(lesson) + "]\nscore = " + formatNumber(best.score) +
                 "\naccepted = " + flag(best.accepted) + "\nzoom = " + formatNumber(best.zoom) +
                 "\nfor_score = " + flag(best.forScore) + "\nguided = " + flag(best.guided) +
-                "\nchanged = " + flag(best.changed) + "\n";
+                "\nchanged = " + flag(best.changed) +
+                "\nreal_time = " + formatNumber(static_cast<float>(best.realTime)) + "\n";
     std::error_code failed;
     fs::create_directories(file_.parent_path(), failed); // writeFile() tells where there is none
     writeFile(file_, text);

@@ -21,6 +21,7 @@ struct BestScore {
     bool forScore = false; ///< the machine was measured to keep the metal at the clock's time
     bool changed = false;  ///< workpiece or particles were others than the lesson's
     bool guided = false;   ///< the torch of the desk went along the seam by itself
+    double realTime = 1;   ///< simulated over real time: on a slow metal the hand has more time
 };
 
 /// The attempt as far as it can be a best one; nothing where it is not scored. Help is left to the caller.

@@ -41,6 +41,10 @@ TEST_CASE("an attempt counts where it is scored; the verdict goes with it") {
     CHECK(bestScoreText({84.4, true, 4, true, false}) == "Best 84, accepted, zoom 4");
     CHECK(bestScoreText({0, false, 1, false, true}) == "Best 0, changed values");
     CHECK(bestScoreText({70, true, 1, false, false, true}) == "Best 70, accepted, guided");
+    CHECK(bestScoreText({70, false, 1, false, false, false, 0.064}) == "Best 70, metal at 6 %");
+    CHECK(bestScoreText({70, false, 1, false, false, false, 0.96}) == "Best 70"); // as good as the clock
+    judgement.realTime = 0.25;
+    CHECK(countedScore(judgement)->realTime == 0.25);
 }
 
 TEST_CASE("the better score of a lesson stays, with its help, from one start to the next") {
@@ -62,7 +66,9 @@ TEST_CASE("the better score of a lesson stays, with its help, from one start to 
     CHECK(again.find("gmaw-bead")->zoom == 4);
     CHECK(again.find("gmaw-bead")->changed);
     REQUIRE(again.find("tee fillet \"2F\"") != nullptr);
-    CHECK(again.offer("gmaw-bead", {70, true, 1, true, false}));
+    CHECK(again.find("gmaw-bead")->realTime == 1);
+    CHECK(again.offer("gmaw-bead", {70, true, 1, true, false, false, 0.5}));
+    CHECK(BestScores(file).find("gmaw-bead")->realTime == 0.5);
     CHECK(BestScores(file).find("gmaw-bead")->forScore);
 }
 
