@@ -39,8 +39,7 @@ MenuRequest DesktopMenus::draw(const DesktopMenuContent& content) {
 MenuRequest DesktopMenus::drawPanels(const DesktopMenuContent& content) {
     ui::Context& context = interface_.context();
     const Lesson& lesson = content.session.lesson();
-    MenuRequest request =
-        ui::topBar(context, panels, content.controls, lesson.title, content.session.judges(), cutOpen_);
+    MenuRequest request = ui::topBar(context, panels, content.controls, content.session);
     ui::statusBar(context, content.figures, content.controls);
     if (content.session.demonstration().shown())
         if (const MenuRequest asked = ui::demonstrationBar(context, content.session); asked != MenuRequest::none)

@@ -27,13 +27,23 @@ void beginBar(Context& context, const char* name, float y) {
     ImGui::PopStyleVar(3);
 }
 
-/// A rounded label in the middle of the bar: the mode and what the mouse does.
-void modeSign(Context& context, const Controls& controls, bool cut, float left, float right) {
-    const bool working = controls.mode() == Mode::interact && !cut;
-    const char* text = cut       ? "Cut open \xE2\x80\x93 paused"
-                       : working ? "Working"
-                                 : "Looking around \xE2\x80\x93 paused";
-    const ImU32 tint = working ? colour::kAccent : colour::kCold;
+/// Who works, and whether anything moves.
+struct ModeName {
+    const char* text;
+    ImU32 tint;
+};
+
+ModeName modeOf(const Controls& controls, const LessonSession& session) {
+    if (session.cut().shown()) return {"Cut open \xE2\x80\x93 paused", colour::kCold};
+    // A demonstration goes on while the person looks around.
+    if (session.demonstration().shown()) return {"Demonstration", colour::kCold};
+    if (controls.mode() == Mode::interact) return {"Working", colour::kAccent};
+    return {"Looking around \xE2\x80\x93 paused", colour::kCold};
+}
+
+/// A rounded label in the middle of the bar.
+void modeSign(Context& context, const ModeName& mode, float left, float right) {
+    const auto [text, tint] = mode;
     ImDrawList* draw = ImGui::GetWindowDrawList();
     ImGui::PushFont(context.fonts.strong);
     const ImVec2 size = ImGui::CalcTextSize(text);
@@ -113,8 +123,7 @@ float barHeight(const Context& context) {
     return context.points(48);
 }
 
-MenuRequest topBar(Context& context, PanelState& panels, const Controls& controls, const std::string& lesson,
-                   bool judges, bool cut) {
+MenuRequest topBar(Context& context, PanelState& panels, const Controls& controls, const LessonSession& session) {
     MenuRequest request = MenuRequest::none;
     beginBar(context, "top bar", 0);
     drawSign(*ImGui::GetWindowDrawList(), {context.points(28), barHeight(context) / 2}, context.points(28));
@@ -131,10 +140,10 @@ MenuRequest topBar(Context& context, PanelState& panels, const Controls& control
     tab("bar.view", "View", panels.view, "How the metal is shown (F2)");
     tab("bar.simulation", "Machine", panels.simulation, "What heats the metal (F3)");
     tab("bar.timings", "Timings", panels.timings, "Where the time of a frame goes (F4)");
-    if (judges) tab("bar.result", "Result", panels.result, "The weld judged and measured (J judges it)");
+    if (session.judges()) tab("bar.result", "Result", panels.result, "The weld judged and measured (J judges it)");
     constexpr float kWidth = 72;
     const float buttons = ImGui::GetIO().DisplaySize.x - 4 * context.points(kWidth) - context.points(14 + 18);
-    modeSign(context, controls, cut, ImGui::GetItemRectMax().x, buttons);
+    modeSign(context, modeOf(controls, session), ImGui::GetItemRectMax().x, buttons);
     ImGui::SameLine();
     ImGui::SetCursorPosX(buttons);
     if (button(context, "bar.reset", "Reset", ButtonKind::plain, kWidth,
@@ -147,7 +156,7 @@ MenuRequest topBar(Context& context, PanelState& panels, const Controls& control
     if (button(context, "bar.home", "Home", ButtonKind::plain, kWidth, "All lessons (H)")) request = MenuRequest::home;
     ImGui::SameLine(0, context.points(6));
     if (button(context, "bar.help", "Help", panels.help ? ButtonKind::lit : ButtonKind::plain, kWidth,
-               ShortText{"All keys (F1). Lesson: ", lesson}.c_str()))
+               ShortText{"All keys (F1). Lesson: ", session.lesson().title}.c_str()))
         panels.help = !panels.help;
     ImGui::End();
     return request;

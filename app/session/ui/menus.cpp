@@ -135,10 +135,14 @@ float panelReach(const Context& context) {
 void viewMenu(Context& context, std::span<const ParameterSection* const> sections) {
     beginPanel(context, "view menu", Side::left);
     panelTitle(context, "View", "How the metal is shown. Nothing here changes what it does.");
-    static constexpr std::array<Group, 6> kGroups{
+    static constexpr std::array<Group, 7> kGroups{
         {{"view", "Show the metal as", {"mode", "colours", "material", "point_size"}, true},
          {"view", "In the picture", {"show_box", "show_sky", "show_source"}, true},
          {"view", "Light", {"ambient", "diffuse", "specular", "shininess", "exposure", "light_position"}, false},
+         {"controls",
+          "Torch at the desk",
+          {"torch_mouse_mm", "gamepad_speed_mm_s", "guide_speed_mm_s", "hand_tremor"},
+          false},
          {"surface", "Expert: surface", {"influence", "iso_level", "caps"}, false},
          {"controls",
           "Mouse and keys",
@@ -150,7 +154,7 @@ void viewMenu(Context& context, std::span<const ParameterSection* const> section
 }
 
 void machinePart(Context& context, const ParameterSection& section) {
-    drawGroup(context, section, "Machine", true,
+    drawGroup(context, section, "What is set", true,
               [&](const Parameter& p) { return !p.onlyAtStart && !section.isExpert(p); });
     const auto expert = [&](const Parameter& p) { return !p.onlyAtStart && section.shows(p) && section.isExpert(p); };
     if (std::none_of(section.parameters.begin(), section.parameters.end(), expert)) return;

@@ -35,9 +35,7 @@ MenuRequest homePart(Context& context, Home& home);
 MenuRequest startMenu(Context& context, LessonSession& session, Home& home, const std::string& driver);
 /// The values that are chosen before the start, inside the current window.
 void setupPart(Context& context, LessonSections& sections);
-/// `judges`: the lesson's weld can be judged. `cut`: it is cut open.
-MenuRequest topBar(Context& context, PanelState& panels, const Controls& controls, const std::string& lesson,
-                   bool judges, bool cut);
+MenuRequest topBar(Context& context, PanelState& panels, const Controls& controls, const LessonSession& session);
 void statusBar(Context& context, const LessonFigures& figures, const Controls& controls);
 void viewMenu(Context& context, std::span<const ParameterSection* const> sections);
 /// The machine's values; closed below them, in the expert drawer, the solver's.
