@@ -38,6 +38,18 @@ double idealOf(const Lesson& lesson, TechniqueQuantity quantity, double otherwis
     return band->ideal / quantityInfo(quantity, lesson.technique->distance).perSi;
 }
 
+/// DeskPose::distance of the demonstration's torch when it strikes; nothing without one. It allows for the pool, which
+/// in a corner stands some mm over the seam.
+std::optional<double> expertDistance(const Lesson& lesson, const Seam& seam) {
+    const std::optional<double> strikes = lesson.torch.firstPull();
+    if (!strikes) return std::nullopt;
+    const TorchSample torch = lesson.torch.sample(*strikes);
+    const SeamFrame frame = seam.at(seam.nearest(torch.tip).place);
+    const double leaning = glm::dot(-glm::dvec3(torch.axis()), frame.up);
+    if (leaning < std::cos(kSteepest)) return std::nullopt;
+    return heldBehind(lesson.process) + glm::dot(glm::dvec3(torch.tip) - frame.point, frame.up) / leaning;
+}
+
 /// Unit vectors on the screen, x right and y up.
 struct ScreenAxes {
     glm::vec2 along;
@@ -68,6 +80,8 @@ void DeskTorch::begin(const Lesson& lesson) {
     const double usual = kind_ == DistanceKind::arcLength ? 3 * kMm : stickOut_ + 3 * kMm;
     wanted_ = {};
     wanted_.distance = idealOf(lesson, TechniqueQuantity::distance, usual);
+    // The distance of an arc that is struck by touch says nothing of how it is held.
+    if (kind_ == DistanceKind::ctwd) wanted_.distance = expertDistance(lesson, *seam_).value_or(wanted_.distance);
     wanted_.work = idealOf(lesson, TechniqueQuantity::workAngle, 0);
     wanted_.travel = idealOf(lesson, TechniqueQuantity::travelAngle, 0);
     const double first = lesson.technique ? lesson.technique->lengthFromMm * kMm : seam_->begin() + kRunUp;

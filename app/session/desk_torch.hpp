@@ -36,8 +36,8 @@ struct DeskFrame {
 /// the workpiece as it was before welding, not the bead that grows: the mouse cannot feel metal.
 class DeskTorch {
   public:
-    /// Over the beginning of what the lesson's technique wants welded, held as it asks for; nothing to lead in a lesson
-    /// of the classic model.
+    /// Over the beginning of what the lesson's technique wants welded, held as it asks for, a contact tip as far away as
+    /// in the demonstration; nothing to lead in a lesson of the classic model.
     void begin(const Lesson& lesson);
     /// There is a seam to lead it along.
     bool leads() const { return seam_.has_value(); }

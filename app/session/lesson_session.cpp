@@ -172,18 +172,13 @@ void LessonSession::makeTrainer() {
 
 /// Makes the metal of the trial's current offer, and finds where its demonstration begins to heat.
 void LessonSession::beginTrial() {
-    constexpr double kLook = 0.05; // s
     makeTrainer();
     fault_.clear();
     surfaceIsOld_ = true;
     question_ = {};
     question_.text = "Measuring whether this machine keeps up with the clock";
     question_.text += trial_.current().label.empty() ? " ..." : ", with " + trial_.current().label + " ...";
-    trialTime_ = 0;
-    const double last = lesson_.torch.duration();
-    while (trialTime_ < last && lesson_.torch.sample(trialTime_).trigger <= 0)
-        trialTime_ += kLook;
-    if (trialTime_ >= last) trialTime_ = 0;
+    trialTime_ = lesson_.torch.firstPull().value_or(0);
 }
 
 void LessonSession::measureSpeed(double seconds, gl::Profiler* profiler) {

@@ -17,6 +17,12 @@ double TorchPath::duration() const {
     return moves_.empty() ? 0 : moves_.back().begin + moves_.back().duration;
 }
 
+std::optional<double> TorchPath::firstPull() const {
+    for (double time = 0; time < duration(); time += kTriggerGrain)
+        if (sample(time).trigger > 0) return time;
+    return std::nullopt;
+}
+
 TorchSample TorchPath::sample(double time) const {
     if (!samples_.empty()) return sampleRecording(time);
     if (!moves_.empty()) return sampleMoves(time);

@@ -21,6 +21,10 @@ class TorchPath {
     /// after the last moment the torch stands there with the trigger released.
     TorchSample sample(double time) const;
 
+    /// When the trigger is pulled first, s, to kTriggerGrain; nothing where it never is.
+    std::optional<double> firstPull() const;
+    static constexpr double kTriggerGrain = 0.05; ///< s
+
     /// Time of the last moment, s; 0 for an empty path.
     double duration() const;
     bool empty() const { return samples_.empty() && moves_.empty(); }

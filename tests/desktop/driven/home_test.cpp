@@ -236,4 +236,36 @@ TEST_CASE("a lesson is picked from the list, welded by keys and mouse, judged, w
     CHECK(window.finish() == 0);
 }
 
+TEST_CASE("the shipped tee fillet is picked, set up, welded end to end, scored and begun again at the desk", "[long]") {
+    // A teacher lets the guide set the pace and leads the torch by hand and eye.
+    TrainerWindow window("home-tee",
+                         {.settings = std::string(kWindow) + "[controls]\nguide_speed_mm_s = 6.5\n", .lesson = ""});
+    window.click("home.lesson.tee-fillet");
+    waitForPage(window, "start");
+    window.takePicture("tee-set-up");
+    window.click("start.start");
+    window.waitFor("the metal", [](const json& s) { return s.at("metal").at("steps") > 0; });
+    const auto tip = [](const json& s) { return s.at("torch").at("tip_mm").at(0).get<double>(); };
+    window.moveMouse(500, 300);
+    window.xdotool({"mousedown", "1"});
+    for (const double place : {0.0, 25.0}) {
+        window.waitFor("the torch at " + std::to_string(place) + " mm", [&](const json& s) { return tip(s) > place; });
+        window.takePicture(place > 0 ? "tee-end" : "tee-pool");
+    }
+    window.xdotool({"mouseup", "1"});
+    const json judged = window.waitFor("the judgement", [](const json& s) { return !s.at("judgement").is_null(); });
+    const std::string score = judged.at("judgement").at("score");
+    WARN(judged.at("judgement").dump());
+    REQUIRE(score.starts_with("Score "));
+    CHECK(std::stod(score.substr(6)) >= 80);
+    window.settle();
+    window.takePicture("tee-result");
+    window.click("result.again");
+    window.waitFor("another attempt", [](const json& s) {
+        return s.at("judgement").is_null() && s.at("metal").at("molten") == 0 && s.at("metal").at("time") < 2;
+    });
+    window.closeWindow();
+    CHECK(window.finish() == 0);
+}
+
 } // namespace meltpool::test
