@@ -146,7 +146,7 @@ size_t buildTorchModel(std::vector<Solid>& solids, const TorchSample& torch, con
     addTorch(add, process, arc, torchArcLight(torch, process, arc));
     const size_t own = solids.size();
     if (torch.rod && holdsRod(process))
-        addRod(solids, *torch.rod, process.of<Gtaw>().rodDiameterMm * 1e-3F, arc, workpieceToWorld);
+        addRod(solids, *torch.rod, static_cast<float>(rodDiameter(process)), arc, workpieceToWorld);
     return solids.size() - own;
 }
 

@@ -1,4 +1,4 @@
-// A filler rod that the other hand dips into the pool of a GTAW torch: where its end is, and what of it melts.
+// A filler rod that the other hand dips into the pool: where its end is, and what of it melts.
 #pragma once
 
 #include "core/weld/process/process.hpp"
@@ -13,10 +13,10 @@ struct RodMelt {
     double heat = 0;       ///< W that the arc spends on the rod in this step and not on the workpiece
 };
 
-/// The arc that the rod comes near.
+/// The arc, flame or hot tip that the rod comes near.
 struct RodArc {
     TorchRay electrode; ///< its tip and the way it points
-    double length = 0;  ///< m, of the arc
+    double length = 0;  ///< m, of the arc from there
     double radius = 0;  ///< m, ArcState::radius
     double power = 0;   ///< W, ArcState::power
 };

@@ -22,11 +22,14 @@ ParameterList describe(FlameSettings& s) {
          "below 1.5 particle spacings the spot is coarse"},
         {"flame_length_mm", "Length of the flame", "mm", &s.lengthMm, 5, 200,
          "from the tip; the second half of it heats less and less"},
+        {"rod_diameter_mm", "Filler rod", "mm", &s.rodDiameterMm, 0, 5,
+         "in the other hand; dipped into the pool; 0: none is held"},
     };
 }
 
 void Flame::apply(const ProcessSettings& settings) {
     settings_ = settings.of<Flame>();
+    setRod(static_cast<double>(settings_.rodDiameterMm * kMm));
 }
 
 TorchRay Flame::ray(const TorchSample& torch) const {
@@ -40,8 +43,11 @@ float Flame::shareAt(float distance) const {
 
 /// What the axis meets is heated, and what lies beside the axis in front of the tip where it meets nothing, each as far
 /// as it catches the flame.
-void Flame::advance(const TorchSample& torch, const MetalAhead& ahead, double) {
-    if (torch.trigger <= 0) return;
+void Flame::advance(const TorchSample& torch, const MetalAhead& ahead, double seconds) {
+    if (torch.trigger <= 0) {
+        meltRod(torch, nullptr, seconds);
+        return;
+    }
     const bool meets = std::isfinite(ahead.distance);
     const float distance = meets ? ahead.distance : 0;
     const float trigger = std::min(torch.trigger, 1.0F);
@@ -49,9 +55,12 @@ void Flame::advance(const TorchSample& torch, const MetalAhead& ahead, double) {
     arc_.radius = settings_.sigmaMm * kMm;
     arc_.share = trigger * shareAt(distance);
     arc_.power = static_cast<double>(settings_.power * arc_.share);
+    const auto length = static_cast<double>(meets ? distance : settings_.lengthMm * kMm / 2);
+    const RodArc flame{ray(torch), length, static_cast<double>(arc_.radius), arc_.power};
+    const double spent = meltRod(torch, &flame, seconds);
     const float shadow = meets ? 2 * arc_.radius + kRelief * metal_.spacing : settings_.lengthMm * kMm;
     source_ = HeatSource::gaussian(torch.tip + torch.axis() * distance, torch.axis(), arc_.radius,
-                                   static_cast<float>(arc_.power))
+                                   static_cast<float>(arc_.power - spent))
                   .inFront(distance, shadow)
                   .catching(1);
 }

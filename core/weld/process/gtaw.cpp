@@ -18,7 +18,6 @@ constexpr double kLoadLineSlope = 0.04;  // V/A
 constexpr double kMachineReserve = 1.35; // of the load line, where the arc goes out
 constexpr float kStrikeGap = 4e-3F;      // m that the high-frequency spark jumps; trade knowledge, no document checked
 constexpr float kTouch = 0.25e-3F;       // m: the surface is known to within about that
-constexpr float kDripSpeed = 0.1F;       // m/s at which filler leaves the rod; none: chosen
 
 double loadLine(double current) {
     return kLoadLineVoltage + kLoadLineSlope * current;
@@ -46,29 +45,14 @@ double gtawLongestArc(double current) {
 
 void Gtaw::apply(const ProcessSettings& settings) {
     settings_ = settings.of<Gtaw>();
-    rod_.setDiameter(static_cast<double>(settings_.rodDiameterMm) * kMm);
+    setRod(static_cast<double>(settings_.rodDiameterMm) * kMm);
 }
 
 void Gtaw::reset() {
-    Process::reset();
-    rod_.reset();
+    RodProcess::reset();
     noArc_ = NoArc::released;
     released_ = true;
     spoiled_ = false;
-}
-
-const RodSample* Gtaw::heldRod(const TorchSample& torch) const {
-    return torch.rod && settings_.rodDiameterMm > 0 ? &*torch.rod : nullptr;
-}
-
-std::optional<TorchRay> Gtaw::rodRay(const TorchSample& torch) const {
-    const RodSample* rod = heldRod(torch);
-    return rod != nullptr ? std::optional(rod_.ray(*rod)) : std::nullopt;
-}
-
-WireAccount Gtaw::wire() const {
-    if (rod_.melted() <= 0) return {};
-    return {rod_.melted(), rod_.melted(), 0, rod_.area(), metal_.density};
 }
 
 /// What keeps this step from an arc, the trigger pulled.
@@ -77,8 +61,7 @@ NoArc Gtaw::whyNot(const TorchSample& torch, const MetalAhead& ahead, double cur
     if (!lit && !released_) return noArc_;
     if (!std::isfinite(ahead.distance)) return lit ? NoArc::metalLeft : NoArc::noMetal;
     if (ahead.distance <= kTouch) return lit ? NoArc::touched : NoArc::touching;
-    const RodSample* rod = heldRod(torch);
-    if (rod != nullptr && rod_.touches(*rod, ray(torch), static_cast<double>(settings_.electrodeDiameterMm) * kMm))
+    if (rodTouches(torch, static_cast<double>(settings_.electrodeDiameterMm) * kMm))
         return lit ? NoArc::touched : NoArc::touching;
     if (!lit && ahead.distance > kStrikeGap) return NoArc::tooFar;
     if (static_cast<double>(ahead.distance) > gtawLongestArc(current)) return lit ? NoArc::tooLong : NoArc::tooFar;
@@ -87,21 +70,9 @@ NoArc Gtaw::whyNot(const TorchSample& torch, const MetalAhead& ahead, double cur
 
 void Gtaw::advance(const TorchSample& torch, const MetalAhead& ahead, double seconds) {
     strikeOrBurn(torch, ahead);
-    const double spent = meltRod(torch, seconds);
-    if (arc_.burns()) heatSurface(ray(torch), arc_.power - spent);
-}
-
-/// W that the arc spends on the rod.
-double Gtaw::meltRod(const TorchSample& torch, double seconds) {
-    const RodSample* rod = heldRod(torch);
-    if (rod == nullptr) return 0;
     const RodArc arc{ray(torch), static_cast<double>(arc_.length), static_cast<double>(arc_.radius), arc_.power};
-    const RodMelt melt = rod_.step(*rod, rodAhead_, arc_.burns() ? &arc : nullptr, metal_, seconds);
-    if (melt.volume > 0) dropFiller(melt.volume, melt.place, torch.axis() * kDripSpeed, melt.temperature);
-    arc_.rodEaten = static_cast<float>(rod_.eaten());
-    arc_.rodBall = static_cast<float>(rod_.ballDiameter());
-    arc_.rodInPool = rod_.inPool();
-    return melt.heat;
+    const double spent = meltRod(torch, arc_.burns() ? &arc : nullptr, seconds);
+    if (arc_.burns()) heatSurface(ray(torch), arc_.power - spent);
 }
 
 void Gtaw::strikeOrBurn(const TorchSample& torch, const MetalAhead& ahead) {

@@ -1,7 +1,7 @@
 // GTAW (TIG): a tungsten electrode on a machine that holds the current; the arc's voltage follows its length.
 #pragma once
 
-#include "core/weld/process/filler_rod.hpp"
+#include "core/weld/process/rod_process.hpp"
 #include "core/weld/process/weld_constants.hpp"
 
 namespace meltpool {
@@ -22,18 +22,15 @@ double gtawVoltage(double length, double current);
 /// 130 A arc at 11 mm.
 double gtawLongestArc(double current);
 
-class Gtaw : public Process {
+class Gtaw : public RodProcess {
   public:
     using Settings = GtawSettings;
     static constexpr std::string_view kName = "gtaw";
 
-    using Process::Process;
+    using RodProcess::RodProcess;
     void apply(const ProcessSettings& settings) override;
     float touchRadius() const override { return settings_.electrodeDiameterMm * 0.5e-3F; }
     double stirring() const override { return arcStirring(static_cast<double>(settings_.current)); }
-    std::optional<TorchRay> rodRay(const TorchSample& torch) const override;
-    bool takesRod() const override { return true; }
-    WireAccount wire() const override;
     void reset() override;
 
     /// The electrode touched the metal or the rod while its arc burned, and is spoiled until it is ground.
@@ -43,14 +40,10 @@ class Gtaw : public Process {
     void advance(const TorchSample& torch, const MetalAhead& ahead, double seconds) override;
 
   private:
-    /// The rod that melts; null while none is held.
-    const RodSample* heldRod(const TorchSample& torch) const;
     NoArc whyNot(const TorchSample& torch, const MetalAhead& ahead, double current) const;
     void strikeOrBurn(const TorchSample& torch, const MetalAhead& ahead);
-    double meltRod(const TorchSample& torch, double seconds);
 
     GtawSettings settings_;
-    FillerRod rod_;
     NoArc noArc_ = NoArc::released; ///< of the last step
     bool released_ = true;          ///< the trigger was let go since the arc last went out
     bool spoiled_ = false;

@@ -60,8 +60,11 @@ bool isArcWelding(const ProcessSettings& settings) {
     return settings.is<Gmaw>() || settings.is<Gtaw>() || settings.is<Smaw>();
 }
 
-bool holdsRod(const ProcessSettings& settings) {
-    return settings.is<Gtaw>() && settings.of<Gtaw>().rodDiameterMm > 0;
+double rodDiameter(const ProcessSettings& settings) {
+    if (settings.is<Gtaw>()) return static_cast<double>(settings.of<Gtaw>().rodDiameterMm) * 1e-3;
+    if (settings.is<Flame>()) return static_cast<double>(settings.of<Flame>().rodDiameterMm) * 1e-3;
+    if (settings.is<SolderingIron>()) return static_cast<double>(settings.of<SolderingIron>().rodDiameterMm) * 1e-3;
+    return 0;
 }
 
 double heldBehind(const ProcessSettings& settings) {

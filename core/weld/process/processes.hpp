@@ -54,8 +54,11 @@ struct ProcessSettings {
 /// Welds with an arc: GMAW, GTAW and SMAW.
 bool isArcWelding(const ProcessSettings& settings);
 
-/// The other hand holds a filler rod, which this process melts.
-bool holdsRod(const ProcessSettings& settings);
+/// Diameter (m) of the filler rod or wire in the other hand, which this process melts; 0: none is held.
+double rodDiameter(const ProcessSettings& settings);
+inline bool holdsRod(const ProcessSettings& settings) {
+    return rodDiameter(settings) > 0;
+}
 
 /// m from the place that a torch's sample names, along the torch, back to what it is held by its distance from: the
 /// contact tip of GMAW. 0 where both are one.

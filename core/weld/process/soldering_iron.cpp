@@ -18,17 +18,32 @@ ParameterList describe(IronSettings& s) {
     return {
         {"tip_temperature_c", "Iron", "°C", &s.tipTemperatureC, 20, 1500, "temperature of the tip"},
         {"tip_radius_mm", "Iron's tip", "mm", &s.tipRadiusMm, 0.2, 20, "radius that touches the metal"},
+        {"rod_diameter_mm", "Wire solder", "mm", &s.rodDiameterMm, 0, 5,
+         "in the other hand; melts in the pool and at the tip; 0: none is held"},
     };
 }
 
 void SolderingIron::apply(const ProcessSettings& settings) {
     settings_ = settings.of<SolderingIron>();
+    setRod(static_cast<double>(settings_.rodDiameterMm) * 1e-3);
 }
 
-void SolderingIron::advance(const TorchSample& torch, const MetalAhead& ahead, double) {
+/// W that the iron spends on the wire: wherever it meets the tip's ball, or the pool that the tip keeps liquid. A tip
+/// that is colder than the solder's liquidus melts none.
+double SolderingIron::meltSolder(const TorchSample& torch, double seconds) {
+    const auto radius = static_cast<double>(touchRadius());
+    const RodArc tip{{torch.tip - torch.axis() * touchRadius(), torch.axis()}, 2 * radius, radius, kPower};
+    const double melts = metal_.table.temperatureAt(metal_.table.liquidusEnthalpy());
+    const bool hot = torch.trigger > 0 && static_cast<double>(settings_.tipTemperatureC + kKelvin) > melts;
+    return meltRod(torch, hot ? &tip : nullptr, seconds);
+}
+
+void SolderingIron::advance(const TorchSample& torch, const MetalAhead& ahead, double seconds) {
+    const double spent = meltSolder(torch, seconds);
     if (torch.trigger <= 0) return;
     const float radius = touchRadius();
-    source_ = HeatSource::hotTip(torch.tip, radius, settings_.tipTemperatureC + kKelvin, kCoefficient, kPower);
+    source_ = HeatSource::hotTip(torch.tip, radius, settings_.tipTemperatureC + kKelvin, kCoefficient,
+                                 kPower - static_cast<float>(spent));
     arc_.share = std::clamp(1 - std::max(ahead.distance, 0.0F) / radius, 0.0F, 1.0F);
     if (arc_.share <= 0) return; // the source still heats what it touches beside the axis
     arc_.action = ArcAction::burning;

@@ -175,3 +175,63 @@ TEST_CASE("a GTAW torch melts its rod from its own heat, and a rod on the tungst
     CHECK(bare->arc().rodEaten == 0);
     CHECK(bare->drops().empty());
 }
+
+TEST_CASE("a flame and a soldering iron melt a rod or wire in the pool, from their own heat", "[weld]") {
+    TorchSample torch;
+    torch.orientation = glm::angleAxis(-std::numbers::pi_v<float> / 2, glm::vec3(1, 0, 0));
+    torch.trigger = 1;
+    torch.rod = rodAt({3, 0, 0}, 4);
+    for (const bool flame : {false, true}) {
+        INFO((flame ? "flame" : "iron"));
+        ProcessSettings settings;
+        if (flame)
+            settings.choose<Flame>().rodDiameterMm = 1;
+        else
+            settings.choose<SolderingIron>() = {1600, 2, 1}; // hot enough for this metal
+        torch.tip = {0, flame ? 10 * kMm : 0, 0};
+        const MetalAhead plate{torch.tip.y, 1};
+        const auto process = makeProcess(settings, steel());
+        CHECK(process->takesRod());
+        process->step(torch, plate, kStep, before(5, 0)); // outside the pool, away from the tip
+        REQUIRE(process->sources().size() == 1);
+        const double whole = double(process->sources()[0].power);
+        double left = 0, brought = 0;
+        const double begin = double(process->arc().rodEaten);
+        for (int i = 0; i < 300; ++i) {
+            const double eaten = double(process->arc().rodEaten);
+            process->step(torch, plate, kStep, before(-3 + eaten * 1e3, 1));
+            left += (whole - double(process->sources()[0].power)) * kStep;
+            for (const MetalSeed& drop : process->drops())
+                brought += 7850e-9 * (table().enthalpyAt(double(drop.temperature)) - table().enthalpyAt(293.15));
+        }
+        CHECK(process->arc().rodInPool);
+        CHECK(double(process->arc().rodEaten) > begin + 2e-3);
+        CHECK(left > 10);                                           // J
+        CHECK(brought == Approx(left).margin(2 * 7850e-9 * 1.5e6)); // to two particles that wait
+        // A lesson without a rod: nothing melts, and the metal gets all the heat.
+        ProcessSettings none;
+        if (flame)
+            none.choose<Flame>();
+        else
+            none.choose<SolderingIron>();
+        CHECK_FALSE(holdsRod(none));
+        CHECK_FALSE(makeProcess(none, steel())->rodRay(torch));
+    }
+}
+
+TEST_CASE("wire solder melts at the iron's tip too, and a tip colder than its liquidus melts none", "[weld]") {
+    TorchSample torch;
+    torch.orientation = glm::angleAxis(-std::numbers::pi_v<float> / 2, glm::vec3(1, 0, 0));
+    torch.trigger = 1;
+    torch.rod = rodAt({1, 0, 0}, 3);
+    for (const float temperature : {1000.0F, 1600.0F}) { // degrees Celsius; this metal is liquid from some 1500
+        ProcessSettings settings;
+        settings.choose<SolderingIron>() = {temperature, 2, 1};
+        const auto process = makeProcess(settings, steel());
+        for (int i = 0; i < 100; ++i)
+            process->step(torch, {0, 0}, kStep, before(3, 0));
+        const bool hot = temperature > 1500;
+        CHECK((process->arc().rodBall > 0 || process->wire().melted > 0) == hot);
+        CHECK((process->wire().area > 0) == hot);
+    }
+}
