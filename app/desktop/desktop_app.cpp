@@ -369,7 +369,7 @@ void DesktopApp::writeTelemetry() {
         passes.push_back(pass.name);
     const char* page = home_.open ? "home" : session_.running() ? "running" : "start";
     telemetry_.write({page,
-                      now(),
+                      lastFrame_, // which the metal's time belongs to, however long the frame takes
                       pacer_.frames(),
                       session_.steps(),
                       session_.running() ? session_.torch() : TorchSample{},
