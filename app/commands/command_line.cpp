@@ -33,7 +33,9 @@ struct Arguments {
     std::filesystem::path benchJson;
     ValidationRequest validation;
     CheckRequest check;
-    std::string listed; ///< lesson whose values are listed; empty: the catalogue
+    std::filesystem::path reported; ///< folder of a run
+    std::filesystem::path page;     ///< its report; empty: in the folder
+    std::string listed;             ///< lesson whose values are listed; empty: the catalogue
 };
 
 void addDesktop(CLI::App& app, Arguments& arguments) {
@@ -82,6 +84,9 @@ void addOthers(CLI::App& app, Arguments& arguments) {
     check->add_option("CHECK", arguments.check.checks, "Files (.toml) with a table [expect], or folders of them")
         ->required();
     check->add_option("--junit", arguments.check.junit, "Write the results into this file")->type_name("FILE");
+    CLI::App* report = app.add_subcommand("report", "Make one HTML page of a run's results");
+    report->add_option("DIR", arguments.reported, "Folder that a run has written")->required();
+    report->add_option("--out", arguments.page, "The page; by default report.html in the folder")->type_name("FILE");
     app.add_subcommand("doctor", "Tell what this machine has and what is missing");
     CLI::App* lessons = app.add_subcommand("lessons", "List the lessons, or the values of one");
     lessons->add_option("LESSON", arguments.listed, "List the parameters of this lesson that --set takes");
@@ -103,6 +108,8 @@ int dispatch(const CLI::App& app, const Arguments& arguments) {
         return runValidation(arguments.validation) ? kDone : kFailed;
     else if (app.got_subcommand("check"))
         return runChecks(arguments.check) ? kDone : kFailed;
+    else if (app.got_subcommand("report"))
+        writeReport(arguments.reported, arguments.page);
     else if (app.got_subcommand("doctor"))
         return runDoctor() ? kDone : kFailed;
     else if (app.got_subcommand("lessons"))

@@ -53,6 +53,10 @@ struct CheckRequest {
 /// asked to stop.
 bool runChecks(const CheckRequest& request);
 
+/// `meltpool report`: writes the page of a run's folder into `file`, by default report.html in the folder. Throws what
+/// readRunResults(), reportPage() and writeFile() throw.
+void writeReport(const std::filesystem::path& folder, const std::filesystem::path& file);
+
 /// Prints the catalogue.
 void listLessons();
 

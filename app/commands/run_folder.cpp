@@ -61,7 +61,7 @@ std::vector<fs::directory_entry> runFilesIn(const fs::path& folder) {
 bool isRunFile(std::string_view name) {
     const std::string_view base = withoutDraftEnding(name);
     return base == "result.json" || base == "telemetry.csv" || base == "technique.csv" || base == "weld.csv" ||
-           isPictureName(base);
+           base == "report.html" || isPictureName(base);
 }
 
 RunFolder::RunFolder(fs::path folder, std::span<const fs::path> sources) : folder_(std::move(folder)) {

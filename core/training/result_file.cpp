@@ -106,8 +106,8 @@ Json parameterScores(const TechniqueScore& score, DistanceKind distance) {
     return json;
 }
 
-/// Means and deviations of the judged parameters, in their bands' units.
-Json parameterValues(const TechniqueScore& score, DistanceKind distance) {
+/// Means and deviations of the judged parameters, and what was asked for, in their bands' units.
+Json parameterValues(const TechniqueScore& score, DistanceKind distance, const TechniqueBands* bands) {
     Json json = Json::object();
     for (const ParameterScore& each : score.parameters) {
         const QuantityInfo& info = quantityInfo(each.quantity, distance);
@@ -116,16 +116,21 @@ Json parameterValues(const TechniqueScore& score, DistanceKind distance) {
                                        {"deviation", number(each.deviation)},
                                        {"spread", number(each.spread)},
                                        {"worst_at_mm", number(each.worstPlaceMm)}};
+        const TechniqueBand* band = bands == nullptr ? nullptr : bands->find(each.quantity);
+        if (band == nullptr) continue;
+        json[std::string(info.key)]["ideal"] = number(band->ideal);
+        json[std::string(info.key)]["inner"] = number(band->inner);
+        json[std::string(info.key)]["outer"] = number(band->outer);
     }
     return json;
 }
 
-Json scoreOf(const Judgement& judgement) {
+Json scoreOf(const Judgement& judgement, const TechniqueBands* bands) {
     const TechniqueScore& score = *judgement.score;
     Json json{{"total", score.scored ? number(score.total) : Json(nullptr)}, {"scored", score.scored}};
     if (!score.scored) json["reason"] = score.reason;
     json["parameters"] = parameterScores(score, judgement.distance);
-    json["values"] = parameterValues(score, judgement.distance);
+    json["values"] = parameterValues(score, judgement.distance, bands);
     json["coverage_percent"] = number(score.coverage * 100);
     json["corrections"] = Json::array();
     for (const Correction& each : judgement.corrections)
@@ -164,9 +169,25 @@ Json weldOf(const WeldMeasures& weld) {
     return json;
 }
 
+/// Means while the arc burned. Heat input over the whole millimetres of seam on which it did.
+Json arcOf(const Judgement& judgement, const ProcessSettings& process) {
+    const ArcAccount& arc = judgement.arc;
+    Json json{{"seconds", number(arc.seconds)},
+              {"mean_current_a", number(arc.meanCurrent())},
+              {"mean_voltage_v", number(arc.meanVoltage())},
+              {"energy_kj", number(arc.energy * 1e-3)}};
+    const double length = static_cast<double>(judgement.seam.size()) * 1e-3;
+    if (const auto efficiency = standardEfficiency(process); efficiency && length > 0) {
+        json["efficiency_en_1011_1"] = *efficiency;
+        json["heat_input_kj_mm"] = number(arc.heatInput(*efficiency, length) * 1e-6);
+    }
+    return json;
+}
+
 /// Technique, verdict and measured weld, each where there is one.
-void addJudgement(Json& json, const Judgement& judgement) {
-    if (judgement.score) json["score"] = scoreOf(judgement);
+void addJudgement(Json& json, const Judgement& judgement, const Lesson& lesson) {
+    if (judgement.score) json["score"] = scoreOf(judgement, lesson.technique ? &*lesson.technique : nullptr);
+    if (judgement.arc.seconds > 0) json["arc"] = arcOf(judgement, lesson.process);
     if (judgement.verdict) json["verdict"] = verdictOf(*judgement.verdict);
     if (judgement.weld) json["weld"] = weldOf(*judgement.weld);
 }
@@ -228,7 +249,7 @@ void writeResult(const std::filesystem::path& file, Lesson& lesson, const Lesson
     json["lost"] = result.metal.lost;
     json["non_finite"] = result.metal.nonFinite;
     if (context.section) json["section"] = sectionOf(*context.section);
-    addJudgement(json, context.judgement);
+    addJudgement(json, context.judgement, lesson);
     if (result.wire.area > 0) json["wire"] = wireOf(result.wire);
     json["state_hash"] = formatHexadecimal(result.stateHash);
     if (lesson.recorded) json["recorded"] = recordedOf(*lesson.recorded, result);

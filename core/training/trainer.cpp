@@ -41,6 +41,7 @@ void Trainer::reset() {
     figures_ = metal_->statistics();
     arc_ = {};
     pace_ = {};
+    account_ = {};
     surfaceDistance_ = {};
     tracked_ = true;
     if (technique_) technique_->reset();
@@ -71,6 +72,7 @@ void Trainer::advance(const TorchSample& torch, gl::Profiler* profiler) {
     ++steps_;
     if (technique_) technique_->add(torch_, arc_, tracked_);
     pace_.add(realTime_);
+    account_.add(arc_, timeStep());
     if (record_) record_->add({torch_, arc_, realTime_});
     if (burned && wentOut(arc_.noArc)) event("arc_out", noArcName(arc_.noArc));
     updateFigures();
@@ -183,6 +185,7 @@ Judgement Trainer::judge() const {
         wanted = FaceStretch{bands->lengthFromMm * 1e-3, bands->lengthToMm * 1e-3};
     Judgement judgement = judgeAttempt(*technique_, metal_->measureWeld(wanted),
                                        {lesson_.technique, lesson_.acceptance, lesson_.nominal});
+    judgement.arc = account_;
     judgement.realTime = pace_.ratio();
     return judgement;
 }

@@ -148,6 +148,7 @@ class Trainer {
     std::string recordFault_;
     double realTime_ = 1;
     RealTimeCount pace_;
+    ArcAccount account_;
     size_t nextChange_ = 0; ///< of the demonstration's
     TorchSample torch_;
     MetalStatistics figures_;
