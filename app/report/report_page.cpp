@@ -80,8 +80,9 @@ struct Figure {
 };
 
 Figure figureOf(const std::string& key) {
+    // The longest ending first.
     static constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kEndings{
-        {{"_mm2", "mm2"}, {"_mm", "mm"}, {"_deg", "deg"}, {"_percent", "%"}, {"_kj_mm", "kJ/mm"}, {"_s", "s"}}};
+        {{"_kj_mm", "kJ/mm"}, {"_mm2", "mm2"}, {"_mm", "mm"}, {"_deg", "deg"}, {"_percent", "%"}, {"_s", "s"}}};
     Figure figure{key, ""};
     for (const auto& [ending, unit] : kEndings)
         if (key.ends_with(ending)) {
