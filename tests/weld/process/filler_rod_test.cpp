@@ -192,7 +192,9 @@ TEST_CASE("a flame and a soldering iron melt a rod or wire in the pool, from the
         const MetalAhead plate{torch.tip.y, 1};
         const auto process = makeProcess(settings, steel());
         CHECK(process->takesRod());
-        process->step(torch, plate, kStep, before(5, 0)); // outside the pool, away from the tip
+        TorchSample alone = torch;
+        alone.rod.reset();
+        process->step(alone, plate, kStep);
         REQUIRE(process->sources().size() == 1);
         const double whole = double(process->sources()[0].power);
         double left = 0, brought = 0;
