@@ -58,7 +58,7 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
 }
 
 std::vector<ParameterSection*> DesktopApp::ownSections() {
-    std::vector<ParameterSection*> sections{&windowSection_, &controlSection_, &panelSection_};
+    std::vector<ParameterSection*> sections{&windowSection_, &controlSection_, &panelSection_, &session_.cueSection()};
     if (headset_) sections.push_back(&headset_->section());
     return sections;
 }
@@ -341,10 +341,11 @@ void DesktopApp::drawPicture(double seconds) {
 
 MenuRequest DesktopApp::drawMenus() {
     LessonSections& lesson = session_.sections();
-    const std::array<const ParameterSection*, 5> view{&lesson.view, &lesson.surface, &controlSection_, &windowSection_,
-                                                      headset_ ? &headset_->section() : nullptr};
+    const std::array<const ParameterSection*, 6> view{
+        &session_.cueSection(), &lesson.view,    &lesson.surface,
+        &controlSection_,       &windowSection_, headset_ ? &headset_->section() : nullptr};
     return menus_.draw({session_, home_, controls_, messages_, figures_, profiler_, pacer_.frameSeconds() * 1000,
-                        driver_, std::span(view).first(headset_ ? 5 : 4)});
+                        driver_, std::span(view).first(headset_ ? 6 : 5)});
 }
 
 void DesktopApp::takePicture() {
@@ -361,9 +362,9 @@ void DesktopApp::writeTelemetry() {
     if (!telemetry_.due(now())) return;
     meter_.pause();
     const LessonSections& lesson = session_.sections();
-    const std::vector<const ParameterSection*> sections{&lesson.start,      &lesson.view,    &lesson.surface,
-                                                        &lesson.simulation, &windowSection_, &controlSection_,
-                                                        &panelSection_};
+    const std::vector<const ParameterSection*> sections{&lesson.start,      &lesson.view,          &lesson.surface,
+                                                        &lesson.simulation, &windowSection_,       &controlSection_,
+                                                        &panelSection_,     &session_.cueSection()};
     std::vector<std::string> passes;
     for (const gl::PassTime& pass : profiler_.passes())
         passes.push_back(pass.name);

@@ -39,6 +39,8 @@ void DesktopLessons::open(const CataloguedLesson& lesson, double now) {
 
 bool DesktopLessons::start(void (LessonSession::*begin)(Controls&), double now) {
     if (home_.open) return false;
+    if (const CataloguedLesson* lesson = home_.find(session_.lesson()))
+        session_.cues().setSkill(home_.scores.skill(lesson->key));
     try {
         (session_.*begin)(controls_);
         return true;
@@ -58,8 +60,10 @@ void DesktopLessons::keepScore(double zoom, double now) {
     score->forScore = session_.sections().attempt.forScore;
     score->guided = session_.deskTorch().guided();
     score->changed = session_.workpieceChanged();
+    score->cues = session_.cues().used();
     try {
         home_.scores.offer(lesson->key, *score);
+        home_.scores.practise(lesson->key, session_.cues().skill());
     } catch (const std::exception& fault) {
         messages_.warn(std::string("The best score cannot be kept: ") + fault.what(), now, "scores");
     }

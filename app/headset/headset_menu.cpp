@@ -108,6 +108,9 @@ void HeadsetMenu::pagePart(ui::Context& context, LessonSession& session, const H
             ui::setupPart(context, session.sections());
     }
     if (page_ == 2) {
+        if (session.lesson().model == LessonModel::Weld &&
+            ui::groupHeading(context, "cues", "Cues at the torch", false))
+            drawParameters(context, session.cueSection());
         drawParameters(context, session.sections().view);
         if (ui::groupHeading(context, "surface", "Expert", false)) drawParameters(context, session.sections().surface);
     }

@@ -69,6 +69,9 @@ void StereoView::draw(LessonSession& session, const SceneView& lesson, const Wor
     Renderer& renderer = session.renderer();
     renderer.submitBy(wantedSubmission(parameters_));
     const std::array<View, 2> views{viewOf(workshop, eyes.views[0], eyes), viewOf(workshop, eyes.views[1], eyes)};
+    View between = views[0]; // cues stand at one place for both eyes
+    between.eye = (views[0].eye + views[1].eye) * 0.5f;
+    scene.markers = session.cueMarkers(scene, between);
     renderer.draw(scene, look, views, {eyes.framebuffer, {0, 0, 2 * eyes.width, eyes.height}, eyes.encodesSrgb},
                   profiler);
 }

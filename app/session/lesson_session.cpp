@@ -108,7 +108,9 @@ LessonSession::LessonSession(gl::ShaderLibrary& shaders, Lesson lesson, Stopwatc
       lesson_(std::move(lesson)),
       sections_(std::in_place, lesson_),
       renderer_(shaders),
-      now_(stopwatch) {}
+      now_(stopwatch) {
+    openCues();
+}
 
 void LessonSession::open(Lesson lesson) {
     end("another lesson was opened");
@@ -116,6 +118,12 @@ void LessonSession::open(Lesson lesson) {
     lesson_ = std::move(lesson);
     sections_.emplace(lesson_);
     sections_->attempt.forScore = forScore;
+    openCues();
+}
+
+void LessonSession::openCues() {
+    cues_.open(lesson_);
+    cueSection_.idle = cues_.idle();
 }
 
 bool LessonSession::workpieceChanged() {
@@ -237,6 +245,8 @@ void LessonSession::judge() {
     if (!judges() || question_.asked() || !fault_.empty()) return;
     try {
         judge_.judge(*trainer_);
+        if (const auto& judged = judge_.judged(); judged && judged->judgement.score)
+            cues_.practised(*judged->judgement.score);
     } catch (const RuntimeFault& fault) {
         fault_ = fault.what();
         event("fault", fault_);
@@ -308,6 +318,7 @@ void LessonSession::inspect(const Controls& controls) {
 void LessonSession::beginAttempt() {
     cut_.close();
     judge_.forget();
+    cues_.begin();
     surfaceDistance_ = {};
     fault_.clear();
     surfaceIsOld_ = true;
@@ -396,6 +407,7 @@ void LessonSession::advance(const Controls& controls, double seconds, gl::Profil
     }
     try {
         makeSteps(controls, seconds, profiler, held);
+        cues_.update(*trainer_, sections_->attempt.forScore, seconds);
         if (judge_.update(*trainer_)) judge();
     } catch (const RuntimeFault& fault) {
         fault_ = fault.what();
@@ -494,6 +506,11 @@ SceneView LessonSession::scene(gl::Profiler* profiler) {
     return scene;
 }
 
+std::span<const Marker> LessonSession::cueMarkers(const SceneView& scene, const View& eye) {
+    if (!running() || demonstration_.shown() || trial_.running() || cut_.shown()) return {};
+    return cues_.markers(*trainer_, scene, eye);
+}
+
 float LessonSession::unit() const {
     return kClassicUnit;
 }
@@ -529,6 +546,7 @@ void LessonSession::draw(const Controls& controls, glm::ivec2 pixels, float shif
         scene.section.strokes = cut_.strokes(layoutIn(views[0], scene.modelToWorld, scene.section.at));
     }
     views[0].eyeToClip[2][0] -= shift; // clip x over w, and w is -z in the eye
+    scene.markers = cueMarkers(scene, views[0]);
     renderer_.draw(scene, lesson_.look, views, {0, {0, 0, pixels.x, pixels.y}}, profiler);
 }
 

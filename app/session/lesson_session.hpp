@@ -1,6 +1,7 @@
 // The lesson that window and headset share: its values, and the Trainer that runs it.
 #pragma once
 
+#include "app/session/attempt/attempt_cues.hpp"
 #include "app/session/attempt/attempt_judge.hpp"
 #include "app/session/attempt/attempt_records.hpp"
 #include "app/session/attempt/demonstration.hpp"
@@ -142,6 +143,15 @@ class LessonSession {
     CutView& cut() { return cut_; }
     const CutView& cut() const { return cut_; }
 
+    /// What is shown beside the torch, in attempts only.
+    AttemptCues& cues() { return cues_; }
+    const AttemptCues& cues() const { return cues_; }
+    /// Their switches, the same in every lesson; those that do nothing in this one are idle.
+    ParameterSection& cueSection() { return cueSection_; }
+    /// The cues for this eye, or for the middle between two, in the world of `scene`; none outside an attempt. Valid
+    /// until the next call.
+    std::span<const Marker> cueMarkers(const SceneView& scene, const View& eye);
+
     /// The torch of the last steps came from `held`, not from the controls.
     bool held() const { return held_; }
 
@@ -161,6 +171,7 @@ class LessonSession {
     LessonSections& sections() { return *sections_; }
 
   private:
+    void openCues();
     bool takeOverChanges(const Controls& controls);
     void makeTrainer();
     void beginAttempt();
@@ -200,6 +211,8 @@ class LessonSession {
     CutView cut_;
     OrbitCamera cameraBeforeCut_;
     Mode modeBeforeCut_ = Mode::interact;
+    AttemptCues cues_;
+    ParameterSection cueSection_{"cues", describe(cues_.parameters)};
     Question question_;
     SpeedTrial trial_;
     double trialTime_ = 0; ///< s in the demonstration

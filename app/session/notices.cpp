@@ -84,6 +84,7 @@ void Notices::update(LessonSession& session, LessonFigures& figures, const Trigg
     if (session.running() && !session.demonstration().shown()) {
         figures.slow = slow_.update(figures.speed, elapsed);
         sentence = arc_.update(session.arc(), strikingOf(session.lesson().process), elapsed);
+        if (session.cues().withheld(CueKind::arc)) sentence = {};
         if (lock.holdsBack()) sentence = arcOutSentence(lock.reason());
     }
     tellSlow(figures.slow, messages);

@@ -51,8 +51,9 @@ class SlowNotice {
 
 class Notices {
   public:
-    /// Holds or clears the messages "arc" and kSlowTopic, and sets figures.slow. `lock`: of what leads the torch.
-    /// Allocates nothing while nothing changes.
+    /// Holds or clears the messages "arc" and kSlowTopic, and sets figures.slow. `lock`: of what leads the torch. Why
+    /// the arc is out is a cue: it is told where that is not withheld, and that the trigger is locked always. Allocates
+    /// nothing while nothing changes.
     void update(LessonSession& session, LessonFigures& figures, const TriggerLock& lock, double elapsed,
                 Messages& messages);
 

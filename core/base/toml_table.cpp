@@ -196,6 +196,20 @@ std::vector<double> TomlTable::numbers(std::string_view key, NumberRange range, 
     return values;
 }
 
+std::vector<std::string> TomlTable::texts(std::string_view key) {
+    constexpr std::string_view kExpected = "a list of texts, such as [\"speed\", \"aim\"]";
+    const toml::node& node = need(key, kExpected);
+    const toml::array* array = node.as_array();
+    if (!array) failAt(lineAt(node), key, "expected " + std::string(kExpected));
+    std::vector<std::string> values;
+    for (const toml::node& element : *array) {
+        const auto* text = element.as_string();
+        if (!text) failAt(lineAt(element), key, "expected " + std::string(kExpected));
+        values.push_back(text->get());
+    }
+    return values;
+}
+
 std::vector<std::vector<double>> TomlTable::rows(std::string_view key, std::size_t width, std::size_t least) {
     const std::string expected = "a list of " + std::to_string(least) + " or more rows of " + std::to_string(width) +
                                  " numbers, such as [[..], [..]]";

@@ -56,6 +56,9 @@ class TomlTable {
     /// A list of at least `least` numbers, each inside the range.
     std::vector<double> numbers(std::string_view key, NumberRange range = {}, std::size_t least = 1);
 
+    /// A list of texts, which may be empty.
+    std::vector<std::string> texts(std::string_view key);
+
     /// A list of at least `least` rows of exactly `width` numbers.
     std::vector<std::vector<double>> rows(std::string_view key, std::size_t width, std::size_t least = 1);
 

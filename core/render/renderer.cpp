@@ -198,6 +198,12 @@ void Renderer::Parts::drawBatch(const SceneView& scene, const LookParameters& lo
         drawBox(views, target);
     }
     if (scene.section.shown) strokes.draw(scene.section.at + scene.section.lift, views, target);
+    if (!scene.markers.empty()) {
+        const gl::Scope scope(profiler, "draw markers");
+        glEnable(GL_CULL_FACE);
+        solids.draw(scene.markers, views, target);
+        glDisable(GL_CULL_FACE);
+    }
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     glDisable(GL_CLIP_DISTANCE0);

@@ -55,6 +55,7 @@ struct SceneView {
     ArcLight arc;
     std::span<const WorkpieceBlock> blocks; ///< model units; they keep the arc's light off the solids behind them
     std::span<const Solid> solids;          ///< torch, table, clamps
+    std::span<const Marker> markers;        ///< drawn over the rest, where nothing stands before them
     size_t rodSolids = 0;                   ///< how many of the last of them are the filler rod in the other hand
 };
 

@@ -96,7 +96,9 @@ glm::mat4 alongLine(const glm::vec3& from, const glm::vec3& to, float width) {
 }
 
 SolidPainter::SolidPainter(gl::ShaderLibrary& shaders)
-    : program_(shaders, "render/solid.vert", "render/solid.frag"), layout_("solid vertices") {
+    : program_(shaders, "render/solid.vert", "render/solid.frag"),
+      markers_(shaders, "render/solid.vert", "render/marker.frag"),
+      layout_("solid vertices") {
     std::vector<Vertex> all;
     int shape = 0;
     for (const auto add : {addBox, addCylinder, addCone, addSphere}) {
@@ -123,6 +125,18 @@ void SolidPainter::draw(std::span<const Solid> solids, const ViewBatch& views, c
         program.set("paint", solid.colour);
         program.set("gloss", solid.gloss);
         program.set("glow", solid.glow);
+        glDrawArraysInstanced(GL_TRIANGLES, range.first, range.count, views.count);
+    }
+}
+
+void SolidPainter::draw(std::span<const Marker> markers, const ViewBatch& views, const RenderTarget& target) const {
+    const gl::Program& program = markers_.use(target, views);
+    layout_.bind();
+    for (const Marker& marker : markers) {
+        const Range range = shapes_[static_cast<size_t>(marker.shape)];
+        program.set("solidToWorld", marker.toWorld);
+        program.set("paint", marker.colour);
+        program.set("cover", marker.opacity);
         glDrawArraysInstanced(GL_TRIANGLES, range.first, range.count, views.count);
     }
 }

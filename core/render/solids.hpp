@@ -1,4 +1,4 @@
-// Simple painted solids: the heat source, torches, tables, clamps.
+// Simple painted solids: the heat source, torches, tables, clamps; and markers that are signs rather than things.
 #pragma once
 
 #include "core/gl/buffer.hpp"
@@ -24,19 +24,33 @@ struct Solid {
     glm::vec3 glow{0.0f};   ///< emitted light
 };
 
+/// A solid that shows its own colour whatever light falls on it, also through the visor, and lets what is behind it
+/// through.
+struct Marker {
+    SolidShape shape = SolidShape::box;
+    glm::mat4 toWorld{1.0f};
+    glm::vec3 colour{0.5f}; ///< linear sRGB, as displayed
+    float opacity = 1;      ///< 0..1
+};
+
 /// The transform of a solid that reaches from `from` to `to` with the given width; its -z end lies at `to`.
 glm::mat4 alongLine(const glm::vec3& from, const glm::vec3& to, float width);
 
-/// The shapes' meshes and the program that draws them.
+/// The shapes' meshes and the programs that draw them.
 class SolidPainter {
   public:
     explicit SolidPainter(gl::ShaderLibrary& shaders);
 
-    /// Loads the program's form for one way of submission. Throws InputError when the driver does not compile it.
-    void load(ViewSubmission submission) { program_.load(submission); }
+    /// Loads the programs' forms for one way of submission. Throws InputError when the driver does not compile it.
+    void load(ViewSubmission submission) {
+        program_.load(submission);
+        markers_.load(submission);
+    }
 
     /// Expects the frame's uniform blocks bound and its state set.
     void draw(std::span<const Solid> solids, const ViewBatch& views, const RenderTarget& target) const;
+    /// The same; expects blending by alpha. Later ones cover earlier ones.
+    void draw(std::span<const Marker> markers, const ViewBatch& views, const RenderTarget& target) const;
 
   private:
     struct Range {
@@ -45,6 +59,7 @@ class SolidPainter {
     };
 
     TonedProgram program_;
+    TonedProgram markers_;
     gl::Buffer vertices_;
     gl::VertexArray layout_;
     std::array<Range, 4> shapes_;

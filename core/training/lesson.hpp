@@ -5,6 +5,7 @@
 #include "core/metal/classic/classic_parameters.hpp"
 #include "core/render/look/look.hpp"
 #include "core/surface/surface_parameters.hpp"
+#include "core/training/feedback/cues.hpp"
 #include "core/training/recorded_attempt.hpp"
 #include "core/training/technique/bands.hpp"
 #include "core/training/verdict/verdict.hpp"
@@ -91,6 +92,7 @@ struct Lesson {
     std::optional<TechniqueBands> technique; ///< weld
     std::optional<Acceptance> acceptance;    ///< weld
     NominalWeld nominal;                     ///< what the weld was to be, for the acceptance
+    CueSet cues = CueSet::all();             ///< that a trainee may be shown; an attempt for score has none
 
     /// Every adjustable value of this lesson's model. The list points into this lesson, which must outlive it unmoved.
     ParameterList parameters();

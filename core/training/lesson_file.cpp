@@ -133,6 +133,23 @@ void readTechnique(TomlTable& root, Lesson& lesson) {
     group.finish();
 }
 
+/// Reads [cues]: which of them a trainee may be shown, all where it does not say.
+void readCues(TomlTable& root, Lesson& lesson) {
+    root.allow("cues");
+    if (!root.has("cues")) return;
+    TomlTable group = root.table("cues");
+    group.allow("allowed");
+    if (group.has("allowed")) {
+        lesson.cues = {};
+        for (const std::string& name : group.texts("allowed")) {
+            const auto kind = findCue(name);
+            if (!kind) group.fail("allowed", "has " + quote(name) + "; expected some of " + CueSet::all().names());
+            lesson.cues.set(*kind);
+        }
+    }
+    group.finish();
+}
+
 /// Reads [acceptance]: the limits that the weld is judged by, and its nominal sizes. An acceptance of one's own is a
 /// file beside the lesson's.
 void readAcceptanceOf(TomlTable& root, Lesson& lesson) {
@@ -176,6 +193,7 @@ Lesson readLesson(const std::filesystem::path& file) {
         readProcess(root, lesson.process);
         readTechnique(root, lesson);
         readAcceptanceOf(root, lesson);
+        readCues(root, lesson);
         // Metal on a lattice, one particle a cell or more: its flat faces are to look flat.
         lesson.surface.kernel = static_cast<int>(SurfaceKernel::smooth);
         lesson.surface.influence = 3;

@@ -22,6 +22,45 @@ constexpr NumberRange kZoom{1, 10};
 constexpr NumberRange kRealTime{0, 1};
 constexpr size_t kMostBytes = 2000; ///< of a fault's sentence
 
+CueSet readCues(TomlTable& table) {
+    CueSet cues;
+    table.allow("cues");
+    if (!table.has("cues")) return cues;
+    for (const std::string& name : table.texts("cues")) {
+        const auto kind = findCue(name);
+        if (!kind) table.fail("cues", "has " + quote(name) + "; expected some of " + CueSet::all().names());
+        cues.set(*kind);
+    }
+    return cues;
+}
+
+/// `practised`: good attempts by quantity.
+CueSkill readSkill(TomlTable& table) {
+    CueSkill skill;
+    table.allow("practised");
+    if (!table.has("practised")) return skill;
+    TomlTable counts = table.table("practised");
+    for (const CuedQuantity& cued : cuedQuantities())
+        skill.setGood(cued.quantity, static_cast<int>(counts.number(cued.name, {0, CueSkill::kMastered}, 0)));
+    counts.finish();
+    return skill;
+}
+
+std::string cueList(CueSet cues) {
+    std::string list;
+    for (const CueKind kind : kCueKinds)
+        if (cues.has(kind)) list += (list.empty() ? "\"" : ", \"") + std::string(cueName(kind)) + "\"";
+    return "[" + list + "]";
+}
+
+std::string skillTable(const CueSkill& skill) {
+    std::string table;
+    for (const CuedQuantity& cued : cuedQuantities())
+        if (const int good = skill.good(cued.quantity); good > 0)
+            table += (table.empty() ? "" : ", ") + std::string(cued.name) + " = " + std::to_string(good);
+    return "{ " + table + " }";
+}
+
 BestScore readBest(TomlTable& table) {
     BestScore best;
     best.score = table.number("score", kScore);
@@ -31,7 +70,7 @@ BestScore readBest(TomlTable& table) {
     best.guided = table.flag("guided", false);
     best.changed = table.flag("changed", false);
     best.realTime = table.number("real_time", kRealTime, 1);
-    table.finish();
+    best.cues = readCues(table);
     return best;
 }
 
@@ -65,8 +104,10 @@ std::string bestScoreText(const BestScore& best) {
     if (best.accepted) text += ", accepted";
     if (best.zoom > 1) text += ", zoom " + formatNumber(best.zoom);
     if (best.guided) text += ", guided";
+    if (!best.cues.empty()) text += ", with cues";
     if (best.changed) text += ", changed values";
-    if (best.realTime < SpeedTrial::kLeast) text += ", metal at " + std::to_string(std::lround(best.realTime * 100)) + " %";
+    if (best.realTime < SpeedTrial::kLeast)
+        text += ", metal at " + std::to_string(std::lround(best.realTime * 100)) + " %";
     return text;
 }
 
@@ -94,7 +135,11 @@ void BestScores::read() {
     for (const std::string& lesson : root.keys()) {
         try {
             TomlTable table = root.table(lesson);
-            best_.emplace(lesson, readBest(table));
+            const BestScore best = readBest(table);
+            const CueSkill skill = readSkill(table);
+            table.finish();
+            best_.emplace(lesson, best);
+            skills_.emplace(lesson, skill);
         } catch (const InputError& fault) {
             faults_.push_back(printable(fault.what(), kMostBytes));
         }
@@ -113,6 +158,17 @@ bool BestScores::offer(const std::string& lesson, const BestScore& score) {
     return true;
 }
 
+CueSkill BestScores::skill(std::string_view lesson) const {
+    const auto found = skills_.find(lesson);
+    return found == skills_.end() ? CueSkill() : found->second;
+}
+
+void BestScores::practise(const std::string& lesson, const CueSkill& skill) {
+    if (find(lesson) == nullptr || this->skill(lesson) == skill) return;
+    skills_[lesson] = skill;
+    if (writable_) save();
+}
+
 void BestScores::save() const {
     std::string text = "# Best scores of the Meltpool trainer; written after an attempt that beats the one before.\n";
     for (const auto& [lesson, best] : best_)
@@ -120,7 +176,8 @@ void BestScores::save() const {
                 "\naccepted = " + flag(best.accepted) + "\nzoom = " + formatNumber(best.zoom) +
                 "\nfor_score = " + flag(best.forScore) + "\nguided = " + flag(best.guided) +
                 "\nchanged = " + flag(best.changed) +
-                "\nreal_time = " + formatNumber(static_cast<float>(best.realTime)) + "\n";
+                "\nreal_time = " + formatNumber(static_cast<float>(best.realTime)) + "\ncues = " + cueList(best.cues) +
+                "\npractised = " + skillTable(skill(lesson)) + "\n";
     std::error_code failed;
     fs::create_directories(file_.parent_path(), failed); // writeFile() tells where there is none
     writeFile(file_, text);

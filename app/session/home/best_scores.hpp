@@ -1,6 +1,8 @@
-// The best score of each lesson, kept in the user's folder from one start of the program to the next.
+// The best score of each lesson, and how far its cues have faded, kept in the user's folder from one start of the
+// program to the next.
 #pragma once
 
+#include "core/training/feedback/cues.hpp"
 #include "core/training/judgement.hpp"
 
 #include <filesystem>
@@ -22,6 +24,7 @@ struct BestScore {
     bool changed = false;  ///< workpiece or particles were others than the lesson's
     bool guided = false;   ///< the torch of the desk went along the seam by itself
     double realTime = 1;   ///< simulated over real time: on a slow metal the hand has more time
+    CueSet cues = {};      ///< that were on while the arc burned
 };
 
 /// The attempt as far as it can be a best one; nothing where it is not scored. Help is left to the caller.
@@ -46,6 +49,12 @@ class BestScores {
     /// what writeFile() throws; the score is then kept until the program ends.
     bool offer(const std::string& lesson, const BestScore& score);
 
+    /// How far the trainee has come with the lesson, from which its cues fade.
+    CueSkill skill(std::string_view lesson) const;
+    /// Keeps that of a lesson that has a best score, and writes the file where it is another than before. Throws what
+    /// writeFile() throws.
+    void practise(const std::string& lesson, const CueSkill& skill);
+
   private:
     void read();
     void save() const;
@@ -54,6 +63,7 @@ class BestScores {
     bool writable_ = true; ///< no faulty file stands at its place
     std::vector<std::string> faults_;
     std::map<std::string, BestScore, std::less<>> best_;
+    std::map<std::string, CueSkill, std::less<>> skills_; ///< of lessons in best_
 };
 
 } // namespace meltpool

@@ -135,8 +135,9 @@ float panelReach(const Context& context) {
 void viewMenu(Context& context, std::span<const ParameterSection* const> sections) {
     beginPanel(context, "view menu", Side::left);
     panelTitle(context, "View", "How the metal is shown. Nothing here changes what it does.");
-    static constexpr std::array<Group, 7> kGroups{
-        {{"view", "Show the metal as", {"mode", "colours", "material", "point_size"}, true},
+    static constexpr std::array<Group, 8> kGroups{
+        {{"cues", "Cues at the torch", {"speed", "angles", "distance", "aim", "seam", "arc"}, true},
+         {"view", "Show the metal as", {"mode", "colours", "material", "point_size"}, true},
          {"view", "In the picture", {"show_box", "show_sky", "show_source"}, true},
          {"view", "Light", {"ambient", "diffuse", "specular", "shininess", "exposure", "light_position"}, false},
          {"controls",

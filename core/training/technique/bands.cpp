@@ -52,6 +52,19 @@ double TechniqueBand::points(double value) const {
     return off < outer ? 100 * (outer - off) / (outer - inner) : 0;
 }
 
+BandZone TechniqueBand::zone(double value) const {
+    const double off = std::abs(value - ideal);
+    if (off <= inner) return BandZone::inside;
+    return off < outer ? BandZone::between : BandZone::beyond;
+}
+
+double TechniqueBands::judged(const TechniqueValues& values, int sensed, TechniqueQuantity quantity) const {
+    const double value = values[quantity] * quantityInfo(quantity, distance).perSi;
+    const int wanted = direction == TravelDirection::forward ? 1 : direction == TravelDirection::backward ? -1 : 0;
+    const bool against = wanted * sensed < 0;
+    return quantity == TechniqueQuantity::travelSpeed && against ? -value : value;
+}
+
 const TechniqueBand* TechniqueBands::find(TechniqueQuantity quantity) const {
     const auto found =
         std::find_if(bands.begin(), bands.end(), [&](const TechniqueBand& each) { return each.quantity == quantity; });

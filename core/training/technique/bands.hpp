@@ -8,6 +8,13 @@
 
 namespace meltpool {
 
+/// Where a value lies in a band.
+enum class BandZone {
+    inside,  ///< within the inner half width: full points
+    between, ///< some points
+    beyond,  ///< from the outer half width on: none
+};
+
 /// One parameter's window, in the unit of QuantityInfo: mm, mm/s, degrees, Hz, s.
 struct TechniqueBand {
     TechniqueQuantity quantity = TechniqueQuantity::aim;
@@ -19,6 +26,7 @@ struct TechniqueBand {
     /// 0..100 points of a value in this band's unit: 100 to `inner`, then falling linearly to 0 at `outer`. A value
     /// that is not known has 0.
     double points(double value) const;
+    BandZone zone(double value) const;
 };
 
 /// The way along the seam that a lesson asks for.
@@ -34,6 +42,9 @@ struct TechniqueBands {
 
     /// Null for a quantity that is not judged.
     const TechniqueBand* find(TechniqueQuantity quantity) const;
+    /// The value of a quantity as it is judged, in its band's unit: where the torch travels (`sensed`: +1, -1, or 0
+    /// while it is not known) against the demanded direction, its speed counts negative.
+    double judged(const TechniqueValues& values, int sensed, TechniqueQuantity quantity) const;
     TechniqueSettings settings() const { return {distance, speedWindow}; }
 };
 

@@ -23,23 +23,13 @@ std::vector<const SeamMillimetre*> weldedPart(const std::vector<SeamMillimetre>&
     return part;
 }
 
-/// A value in the band's unit. Speed counts against a demanded direction where the torch travels the other way.
-double judgedValue(const SeamMillimetre& mm, const TechniqueBands& bands, TechniqueQuantity quantity) {
-    const double value = mm.values[quantity] * quantityInfo(quantity, bands.distance).perSi;
-    const int wanted = bands.direction == TravelDirection::forward    ? 1
-                       : bands.direction == TravelDirection::backward ? -1
-                                                                      : 0;
-    const bool against = wanted * mm.direction < 0;
-    return quantity == TechniqueQuantity::travelSpeed && against ? -value : value;
-}
-
 ParameterScore scoreParameter(const std::vector<const SeamMillimetre*>& part, const TechniqueBands& bands,
                               const TechniqueBand& band) {
     ParameterScore result;
     result.quantity = band.quantity;
     double count = 0, points = 0, sum = 0, off = 0, worst = -1;
     for (const SeamMillimetre* mm : part) {
-        const double value = judgedValue(*mm, bands, band.quantity);
+        const double value = bands.judged(mm->values, mm->direction, band.quantity);
         if (!mm->judged || std::isnan(value)) continue;
         result.least = count > 0 ? std::min(result.least, value) : value;
         result.most = count > 0 ? std::max(result.most, value) : value;

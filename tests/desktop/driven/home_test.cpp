@@ -189,6 +189,11 @@ TEST_CASE("a lesson is picked from the list, welded by keys and mouse, judged, w
     window.click("start.start");
     window.waitFor("the metal", [](const json& s) { return s.at("metal").at("steps") > 0; });
     const auto tip = [](const json& s) { return s.at("torch").at("tip_mm").at(0).get<double>(); };
+    window.click("bar.view");
+    window.click("cues.seam");
+    window.waitFor("a cue switched off", [](const json& s) { return parameterIn(s, "cues", "seam") == "false"; });
+    window.click("bar.view");
+    window.settle();
     window.moveMouse(200, 300);
     window.xdotool({"mousedown", "1"});
     const json pool = window.waitFor("a pool", [](const json& s) { return s.at("metal").at("molten") > 5; });
@@ -205,7 +210,8 @@ TEST_CASE("a lesson is picked from the list, welded by keys and mouse, judged, w
     CHECK(judged.at("judgement").at("score").get<std::string>().find(" of 100") != std::string::npos);
     window.takePicture("result");
     const fs::path scores = window.settingsFile().parent_path() / "best-scores.toml";
-    CHECK_THAT(readTextFile(scores), containsText("small-bead") && containsText("score = "));
+    CHECK_THAT(readTextFile(scores),
+               containsText("small-bead") && containsText("score = ") && containsText("cues = [\"speed\", \"arc\"]"));
 
     window.key("x"); // the weld cut open, and the cut moved by its slider
     const json cut = window.waitFor(

@@ -45,6 +45,9 @@ TEST_CASE("an attempt counts where it is scored; the verdict goes with it") {
     CHECK(bestScoreText({70, false, 1, false, false, false, 0.96}) == "Best 70"); // as good as the clock
     judgement.realTime = 0.25;
     CHECK(countedScore(judgement)->realTime == 0.25);
+    BestScore helped{70};
+    helped.cues.set(CueKind::aim);
+    CHECK(bestScoreText(helped) == "Best 70, with cues");
 }
 
 TEST_CASE("the better score of a lesson stays, with its help, from one start to the next") {
@@ -70,6 +73,36 @@ TEST_CASE("the better score of a lesson stays, with its help, from one start to 
     CHECK(again.offer("gmaw-bead", {70, true, 1, true, false, false, 0.5}));
     CHECK(BestScores(file).find("gmaw-bead")->realTime == 0.5);
     CHECK(BestScores(file).find("gmaw-bead")->forScore);
+}
+
+TEST_CASE("the cues of a best score, and how far they have faded, stay from one start to the next") {
+    const fs::path file = test::scratchFolder("best-scores-cues") / "best-scores.toml";
+    CueSkill skill;
+    skill.setGood(TechniqueQuantity::travelSpeed, 3);
+    skill.setGood(TechniqueQuantity::aim, 1);
+    {
+        BestScores scores(file);
+        BestScore helped{70};
+        helped.cues.set(CueKind::speed);
+        helped.cues.set(CueKind::seam);
+        scores.practise("gmaw-bead", skill); // without a best score there is nothing to keep it with
+        CHECK_FALSE(fs::exists(file));
+        CHECK(scores.offer("gmaw-bead", helped));
+        CHECK(scores.skill("gmaw-bead") == CueSkill());
+        scores.practise("gmaw-bead", skill);
+        CHECK_FALSE(scores.offer("gmaw-bead", {50})); // no better, but practised
+    }
+    const BestScores again(file);
+    CHECK(joined(again.faults()) == "");
+    REQUIRE(again.find("gmaw-bead") != nullptr);
+    CHECK(again.find("gmaw-bead")->cues.names() == "speed seam");
+    CHECK(again.skill("gmaw-bead") == skill);
+    CHECK(again.skill("tee-fillet") == CueSkill());
+
+    writeTextFileAtomically(file, "[a]\nscore = 5\ncues = [\"voice\"]\n[b]\nscore = 5\npractised = { aim = 9 }\n");
+    const std::string told = joined(BestScores(file).faults());
+    CHECK_THAT(told, test::containsText("best-scores.toml:3: [a] cues: has 'voice'"));
+    CHECK_THAT(told, test::containsText("best-scores.toml:6: "));
 }
 
 TEST_CASE("a fault in one lesson's best score is told with its line; the others are taken and the file is kept") {

@@ -1,0 +1,16 @@
+// A marker: its own colour whatever light there is, a little darker towards its outline, so that its form is seen.
+#version 450 core
+#extension GL_GOOGLE_include_directive : require
+#include "render/tone.glsl"
+
+layout(location = 0) in vec3 normal;
+layout(location = 1) in vec3 way;
+layout(location = 0) out vec4 colour;
+
+layout(location = 5) uniform vec3 paint;  // linear colour
+layout(location = 6) uniform float cover; // 0..1
+
+void main() {
+    float facing = abs(dot(normalize(normal), normalize(way)));
+    colour = finishExact(paint * mix(0.6, 1.0, facing), cover);
+}

@@ -1,0 +1,172 @@
+// Cues in the session: shown beside the torch in an attempt, told to record and score, never in a test.
+#include "app/session/lesson_session.hpp"
+#include "app/session/notices.hpp"
+#include "core/base/text.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+using namespace meltpool;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path lessons() {
+    return test::testFolder().parent_path() / "app" / "data" / "lessons";
+}
+
+/// A bead on a small plate of few particles.
+Lesson smallBead() {
+    Lesson lesson = findLesson("gmaw-bead", lessons());
+    lesson.workpiece.lengthMm = 30;
+    lesson.workpiece.widthMm = 18;
+    lesson.workpiece.thicknessMm = 4;
+    lesson.technique->lengthFromMm = -10;
+    lesson.technique->lengthToMm = 10;
+    lesson.surface.cells = 32;
+    return lesson;
+}
+
+class Welder {
+  public:
+    explicit Welder(const fs::path& record = {}) : session(test::shaders(), smallBead(), [] { return 0.0; }) {
+        session.records().use(record, "program", "driver");
+        session.begin(controls);
+    }
+
+    /// Leads the torch along the seam for `seconds`, at 8 mm/s while the trigger is pulled.
+    void lead(double seconds, float trigger, float height = 3e-3F) {
+        constexpr double kFrame = 1.0 / 45;
+        for (double time = 0; time < seconds; time += kFrame) {
+            session.advance(controls, kFrame, nullptr, [&](int, int steps) {
+                if (trigger > 0) x_ += 8e-3F * static_cast<float>(kFrame / steps);
+                TorchSample torch;
+                torch.tip = {x_, height, 0};
+                torch.orientation = glm::angleAxis(-1.5707963F, glm::vec3(1, 0, 0));
+                torch.trigger = trigger;
+                return torch;
+            });
+        }
+    }
+    /// Another attempt from the seam's beginning.
+    void again() {
+        session.reset(controls);
+        x_ = kBegin;
+    }
+    size_t markers() {
+        const SceneView scene = session.scene(nullptr);
+        return session.cueMarkers(scene, controls.view(1.5F)).size();
+    }
+
+    Controls controls;
+    LessonSession session;
+
+  private:
+    static constexpr float kBegin = -0.010F; // m
+    float x_ = kBegin;
+};
+
+} // namespace
+
+TEST_CASE("an attempt's record and help tell its cues: all, those left on, and none in a test", "[app]") {
+    const fs::path folder = test::scratchFolder("cues"), first = folder / "weld.csv";
+    Welder welder(first);
+    welder.lead(0.1, 0);
+    CHECK(welder.markers() > 5);
+    CHECK(welder.session.cues().used().empty()); // no arc yet
+    welder.lead(1, 1);
+    CHECK(welder.markers() > 10);
+    CHECK(welder.session.cues().used() == CueSet::all());
+    setParameter(welder.session.cueSection().parameters, "seam", "false", "test");
+    setParameter(welder.session.cueSection().parameters, "aim", "false", "test");
+    welder.lead(0.1, 1);
+    welder.again();
+    welder.lead(0.3, 1);
+    CHECK(welder.session.cues().used().names() == "speed angles distance arc");
+
+    welder.session.sections().attempt.forScore = true;
+    welder.again();
+    welder.lead(0.5, 1);
+    CHECK(welder.session.arc().burns());
+    CHECK(welder.markers() == 0);
+    CHECK(welder.session.cues().used().empty());
+    welder.session.end("done");
+    const std::string one = readTextFile(first), two = readTextFile(folder / "weld-2.csv"),
+                      three = readTextFile(folder / "weld-3.csv");
+    CHECK_THAT(one, test::containsText("# event cues speed angles distance aim seam arc\n"));
+    CHECK_THAT(one, test::containsText("# event cues speed angles distance arc\n"));
+    CHECK_THAT(two, test::containsText("# event cues speed angles distance arc\n"));
+    CHECK(three.find("event cues") == std::string::npos);
+}
+
+TEST_CASE("cues fade with the trainee's skill from the next attempt on; each attempt counts once", "[app]") {
+    Welder welder;
+    welder.lead(2, 1);
+    welder.lead(1.2, 0);
+    REQUIRE(welder.session.judged());
+    REQUIRE(welder.session.judged()->judgement.score);
+    const CueSkill expected = CueSkill().after(*welder.session.judged()->judgement.score);
+    CHECK(welder.session.cues().skill() == expected);
+    CHECK(expected.good(TechniqueQuantity::travelSpeed) == 1);
+    welder.session.judge(); // the same attempt once more
+    CHECK(welder.session.cues().skill() == expected);
+
+    CueSkill master;
+    for (const CuedQuantity& cued : cuedQuantities())
+        master.setGood(cued.quantity, CueSkill::kMastered);
+    welder.session.cues().setSkill(master);
+    welder.again();
+    welder.lead(0.5, 1);
+    CHECK(welder.markers() == 0);
+    CHECK(welder.session.cues().used().names() == "arc");
+    welder.session.open(smallBead()); // nothing is known of the trainee in another lesson
+    CHECK(welder.session.cues().skill() == CueSkill());
+}
+
+TEST_CASE("a lesson shows the cues that it allows and can measure, and menus only those", "[app]") {
+    Lesson lesson = smallBead();
+    lesson.cues = {};
+    lesson.cues.set(CueKind::aim);
+    lesson.cues.set(CueKind::speed);
+    std::erase_if(lesson.technique->bands,
+                  [](const TechniqueBand& band) { return band.quantity == TechniqueQuantity::travelSpeed; });
+    Welder welder;
+    welder.session.open(lesson);
+    welder.session.begin(welder.controls);
+    welder.lead(0.3, 1);
+    CHECK(welder.session.cues().used().names() == "aim");
+    size_t shown = 0;
+    for (const Parameter& parameter : welder.session.cueSection().parameters)
+        shown += welder.session.cueSection().shows(parameter) ? 1 : 0;
+    CHECK(shown == 1);
+    welder.session.open(findLesson("classic", lessons()));
+    for (const Parameter& parameter : welder.session.cueSection().parameters)
+        CHECK_FALSE(welder.session.cueSection().shows(parameter));
+}
+
+TEST_CASE("why the arc is out is told unless that cue is off; a demonstration has no cues", "[app]") {
+    Welder welder;
+    const TriggerLock unlocked;
+    const auto told = [&] {
+        Notices notices;
+        Messages messages;
+        LessonFigures figures;
+        for (int i = 0; i < 10; ++i)
+            notices.update(welder.session, figures, unlocked, 0.1, messages);
+        return !messages.shown().empty();
+    };
+    welder.lead(0.5, 1);
+    REQUIRE(welder.session.arc().burns());
+    welder.lead(0.4, 1, 40e-3F);
+    REQUIRE_FALSE(welder.session.arc().burns());
+    const size_t sign = welder.markers();
+    INFO(noArcName(welder.session.arc().noArc));
+    CHECK(told());
+    setParameter(welder.session.cueSection().parameters, "arc", "false", "test");
+    welder.lead(0.03, 1, 40e-3F);
+    CHECK_FALSE(told());
+    CHECK(welder.markers() < sign);
+    welder.session.demonstrate(welder.controls);
+    welder.lead(0.3, 0);
+    CHECK(welder.markers() == 0);
+}
