@@ -25,6 +25,13 @@ AxisProbe::AxisProbe(gl::ShaderLibrary& shaders, const MetalState& state, const 
     full_ = static_cast<float>(std::numbers::pi / 3 * AXIS_PROBE_RADIUS * AXIS_PROBE_RADIUS);
 }
 
+void AxisProbe::reset() {
+    bins_.clear();
+    for (Pending& pending : pending_)
+        pending.readback.forget();
+    looks_ = 0;
+}
+
 AxisProbeBlock AxisProbe::blockOf(const ProbeRay& ray) const {
     const MetalLattice& lattice = state_.lattice();
     const OffLatticeList list = heat_.offLattice();

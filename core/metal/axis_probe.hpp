@@ -41,6 +41,9 @@ class AxisProbe {
 
     AxisProbe(gl::ShaderLibrary& shaders, const MetalState& state, const HeatSolver& heat);
 
+    /// As new, in the same memory.
+    void reset();
+
     /// Looks at the metal as the commands so far leave it. Once a step.
     void look(const ProbeRay& ray, gl::Profiler* profiler);
 

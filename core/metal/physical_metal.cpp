@@ -87,14 +87,11 @@ PhysicalMetal::PhysicalMetal(gl::ShaderLibrary& shaders, const PhysicalSetup& se
         setup_.fragments.low[axis] = setup.space.low[axis];
         setup_.fragments.high[axis] = setup.space.high[axis];
     }
-    reset();
+    make();
+    begin();
 }
 
-void PhysicalMetal::reset() {
-    answers_.forget();
-    fragments_.reset();
-    flow_.reset();
-    heat_.reset();
+void PhysicalMetal::make() {
     state_ = std::make_unique<MetalState>(setup_.lattice, table_, massDensity(setup_.material),
                                           setup_.seeds.size() + setup_.fillerRoom);
     state_->setGravity(setup_.gravity);
@@ -102,10 +99,31 @@ void PhysicalMetal::reset() {
     heat_ = std::make_unique<HeatSolver>(shaders_, *state_, setup_.material, setup_.heat);
     flow_ = std::make_unique<Flow>(shaders_, *state_, fluidOf(setup_), setup_.space);
     fragments_ = std::make_unique<RigidFragments>(shaders_, *state_, setup_.fragments);
+}
+
+void PhysicalMetal::reset() {
+    answers_.forget();
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT); // what shaders wrote is cleared
+    state_->reset();
+    state_->add(setup_.seeds);
+    heat_->reset();
+    flow_->reset();
+    fragments_->reset();
+    begin();
+}
+
+void PhysicalMetal::begin() {
     fragments_->relabelNow(nullptr);
     timeStep_ = static_cast<float>(chooseTimeStep(static_cast<double>(setup_.timeStep), heat_->longestStep(kHottest),
                                                   flow_->constants().longestStep));
     refused_ = 0;
+}
+
+void PhysicalMetal::setLiquidConductivity(const Property& conductivity) {
+    setup_.material.liquidConductivity = conductivity;
+    table_ = HeatTable(setup_.material);
+    state_->setTable(table_);
+    heat_->takeTable();
 }
 
 /// What lies outside the space flies straight into it where it is near; the rest is refused, as the flow would move it

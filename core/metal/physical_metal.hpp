@@ -37,7 +37,12 @@ class PhysicalMetal {
     /// Throws InputError where the material lacks what flow or heat need, RuntimeFault without GPU memory.
     PhysicalMetal(gl::ShaderLibrary& shaders, const PhysicalSetup& setup);
 
+    /// As new: the same bits in the same memory, but for the liquid's conductivity, which stays as it was set.
     void reset();
+
+    /// The liquid conducts heat by these values from the next step on; all else of the material stays. The length of a
+    /// step follows at the next reset.
+    void setLiquidConductivity(const Property& conductivity);
 
     /// One time step: filler enters, heat spreads in as many steps as conduction allows, liquid flows in as many as
     /// surface tension needs, free fragments move. Nothing is read back. Filler beyond the room or outside the
@@ -71,6 +76,8 @@ class PhysicalMetal {
   private:
     using Parts = std::array<MetalPart, METAL_STATISTICS_PARTS>;
 
+    void make();
+    void begin();
     void addFiller(std::span<const MetalSeed> filler);
     void gatherStatistics();
     MetalStatistics joined(const Parts& parts) const;

@@ -21,13 +21,18 @@ constexpr float kGravity = 9.81F; ///< m/s²
 /// None: chosen; 300 mm/s of hand.
 constexpr float kLeavesPlace = 0.01F;
 
+Property times(Property property, double factor) {
+    for (Property::Point& point : property.points)
+        point.value *= factor;
+    return property;
+}
+
 /// The metal as it conducts while this process stirs its pool.
 Material stirred(const Material& material, const ProcessSettings& settings) {
     const HeatTable unused(material);
-    const double factor = makeProcess(settings, {unused, 1, 1e-3F, 293.15})->stirring();
     Material made = material;
-    for (Property::Point& point : made.liquidConductivity.points)
-        point.value *= factor;
+    made.liquidConductivity =
+        times(material.liquidConductivity, makeProcess(settings, {unused, 1, 1e-3F, 293.15})->stirring());
     return made;
 }
 
@@ -65,22 +70,27 @@ PhysicalSetup setupOf(const Material& material, const Workpiece& workpiece, cons
 
 Weld::Weld(gl::ShaderLibrary& shaders, const Material& material, const Workpiece& workpiece,
            const ProcessSettings& settings, const WeldSurroundings& surroundings)
-    : shaders_(shaders),
+    : conductivity_(material.liquidConductivity),
       metal_(shaders, setupOf(stirred(material, settings), workpiece, surroundings)),
       process_(makeProcess(settings, {metal_.table(), metal_.state().density(), workpiece.lattice.spacing,
-                                      surroundings.ambient, boilingPointOf(material)})) {
-    makeProbes();
+                                      surroundings.ambient, boilingPointOf(material)})),
+      stirring_(process_->stirring()),
+      probe_(std::make_unique<AxisProbe>(shaders, metal_.state(), metal_.heat())) {
+    if (process_->takesRod()) rodProbe_ = std::make_unique<AxisProbe>(shaders, metal_.state(), metal_.heat());
 }
 
 void Weld::reset() {
     metal_.reset();
     process_->reset();
-    makeProbes();
+    probe_->reset();
+    if (rodProbe_) rodProbe_->reset();
 }
 
-void Weld::makeProbes() {
-    probe_ = std::make_unique<AxisProbe>(shaders_, metal_.state(), metal_.heat());
-    if (process_->takesRod()) rodProbe_ = std::make_unique<AxisProbe>(shaders_, metal_.state(), metal_.heat());
+void Weld::apply(const ProcessSettings& settings) {
+    process_->apply(settings);
+    if (process_->stirring() == stirring_) return;
+    stirring_ = process_->stirring();
+    metal_.setLiquidConductivity(times(conductivity_, stirring_));
 }
 
 /// The place that was found stays where it is while the torch moves on: its distance along the axis is measured from

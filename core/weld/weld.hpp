@@ -23,9 +23,10 @@ class Weld {
     Weld(gl::ShaderLibrary& shaders, const Material& material, const Workpiece& workpiece,
          const ProcessSettings& settings, const WeldSurroundings& surroundings = {});
 
+    /// Metal and process as new; the settings stay.
     void reset();
-    /// Takes over live settings; the kind of process stays that of the start.
-    void apply(const ProcessSettings& settings) { process_->apply(settings); }
+    /// Takes over live settings, and lets the pool be stirred by them; the kind of process stays that of the start.
+    void apply(const ProcessSettings& settings);
 
     /// One time step of the metal under this torch: the distance of the metal on the torch's axis, as AxisProbe found
     /// it four steps ago and corrected by the torch's own way since -> process -> metal -> the next look. Waits for the
@@ -42,12 +43,12 @@ class Weld {
 
   private:
     static MetalAhead metalAhead(AxisProbe& probe, const TorchRay& ray);
-    void makeProbes();
     void lookAhead(const TorchSample& torch, gl::Profiler* profiler);
 
-    gl::ShaderLibrary& shaders_;
+    const Property conductivity_; ///< of the liquid at rest
     PhysicalMetal metal_;
     std::unique_ptr<Process> process_;
+    double stirring_; ///< that the metal conducts with
     std::unique_ptr<AxisProbe> probe_;
     std::unique_ptr<AxisProbe> rodProbe_; ///< along the filler rod; null where the process melts none
 };

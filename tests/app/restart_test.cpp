@@ -1,4 +1,5 @@
-// Another attempt begins at once: metal, technique and torch are put back, and no shader is compiled again.
+// Another attempt begins at once: metal, technique and torch are put back in place; no shader is compiled again and no
+// buffer made anew.
 #include "app/session/lesson_session.hpp"
 #include "core/training/recorded_attempt.hpp"
 #include "tests/support/catch.hpp"
@@ -10,14 +11,15 @@ using namespace meltpool;
 
 namespace {
 
-int made = 0; ///< calls that make shaders or programs
+int made = 0;    ///< calls that make shaders or programs
+int buffers = 0; ///< calls that make buffers
 
 /// Counts the calls of one of OpenGL's functions while it lives.
-template <auto Slot>
+template <auto Slot, int& calls>
 class Counted;
 
-template <class Result, class... Arguments, Result(GLAPIENTRY** Slot)(Arguments...)>
-class Counted<Slot> {
+template <class Result, class... Arguments, Result(GLAPIENTRY** Slot)(Arguments...), int& calls>
+class Counted<Slot, calls> {
   public:
     Counted() {
         original_ = *Slot;
@@ -29,15 +31,16 @@ class Counted<Slot> {
 
   private:
     static Result GLAPIENTRY call(Arguments... arguments) {
-        ++made;
+        ++calls;
         return original_(arguments...);
     }
     static inline Result(GLAPIENTRY* original_)(Arguments...) = nullptr;
 };
 
 struct MakingCalls {
-    Counted<&glCompileShader> shaders;
-    Counted<&glLinkProgram> programs;
+    Counted<&glCompileShader, made> shaders;
+    Counted<&glLinkProgram, made> programs;
+    Counted<&glCreateBuffers, buffers> memory;
 };
 
 Lesson smallBead() {
@@ -85,10 +88,11 @@ TEST_CASE("again puts everything back in under a second and compiles no shader",
     session.end("start menu");
 
     CHECK(made > 20); // what the first start makes: the counting sees it
+    CHECK(buffers > 20);
     session.begin(controls);
     weld(session, controls, 0.6);
     CHECK(session.arc().burns());
-    made = 0;
+    made = buffers = 0;
     const auto before = std::chrono::steady_clock::now();
     session.reset(controls);
     session.scene(nullptr);
@@ -103,6 +107,7 @@ TEST_CASE("again puts everything back in under a second and compiles no shader",
     CHECK(figures.molten == 0);
     weld(session, controls, 0.6);
     CHECK(made == 0);
+    CHECK(buffers == 0);
     CHECK(session.steps() > 20);
     session.end("start menu");
 

@@ -158,6 +158,39 @@ TEST_CASE("the same torch gives the same bits after a reset and in another weld"
     CHECK(hashes[0] == hashes[2]);
 }
 
+TEST_CASE(
+    "a setting that changes under the arc stirs the pool anew, and after a reset all is as with it from the start",
+    "[weld]") {
+    const auto tig = [](float amperes) {
+        ProcessSettings settings;
+        settings.choose<Gtaw>().current = amperes;
+        return settings;
+    };
+    const auto run = [](Weld& weld, const ProcessSettings& settings) {
+        for (int i = 0; i < 40; ++i) {
+            weld.apply(settings);
+            weld.step(over(2), nullptr);
+        }
+        return weld.metal().stateHash();
+    };
+    const auto hot = [](const Weld& weld) {
+        const HeatTable& table = weld.metal().table();
+        return table.kirchhoffAt(table.enthalpyAt(2500)) - table.kirchhoffAt(table.enthalpyAt(2200));
+    };
+    Weld strong(test::shaders(), steel(), smallPlate(), tig(200));
+    Weld changed(test::shaders(), steel(), smallPlate(), tig(100));
+    CHECK(hot(strong) == Approx(hot(changed) * arcStirring(200) / arcStirring(100)));
+    const double atFirst = hot(changed);
+    run(changed, tig(100));
+    CHECK(hot(changed) == atFirst); // nothing changed
+    const auto first = run(strong, tig(200));
+    run(changed, tig(200));
+    CHECK(hot(changed) == hot(strong));
+    changed.reset();
+    CHECK(run(changed, tig(200)) == first);
+    CHECK(changed.timeStep() == strong.timeStep());
+}
+
 TEST_CASE("a rod that is dipped into a GTAW pool becomes weld metal, one that is held away from it does not",
           "[weld]") {
     double fed[2] = {};

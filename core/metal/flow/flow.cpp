@@ -105,6 +105,7 @@ Flow::Flow(gl::ShaderLibrary& shaders, MetalState& state, const FlowFluid& fluid
       constants_(FlowConstants::of(fluid)),
       restDensity_(fluid.density),
       block_(makeBlock(constants_, fluid, space, state.capacity())),
+      first_(block_),
       classify_(shaders.compute("metal/flow/classify.comp", definesOf(space))),
       compact_(shaders.compute("metal/flow/compact.comp", definesOf(space))),
       bin_(shaders.compute("metal/flow/bin.comp", definesOf(space))),
@@ -124,6 +125,21 @@ Flow::Flow(gl::ShaderLibrary& shaders, MetalState& state, const FlowFluid& fluid
       positionTexels_("flow position texels", state.position, GL_RGBA32F, sizeof(vec4)),
       particleTexels_("flow particle texels", particles_, GL_RGBA32F, sizeof(vec4)),
       cellTexels_("flow cell texels", cells_, GL_RGBA32UI, sizeof(uvec4)) {}
+
+/// The room that lists and pages have grown to is kept: more of it than needed changes no result.
+void Flow::reset() {
+    for (const gl::Buffer* buffer :
+         {&particles_, &cells_, &pages_, &nextInCell_, &lists_, &neighbours_, &counters_, &changed_, &wallSums_})
+        if (*buffer) buffer->clear();
+    FlowBlock block = first_;
+    block.rowCapacity = block_.rowCapacity;
+    block.wallPageCapacity = block_.wallPageCapacity;
+    block.movingPageCapacity = block_.movingPageCapacity;
+    block_ = block;
+    blockChanged_ = true;
+    known_ = 0;
+    regroupings_ = 0;
+}
 
 void Flow::makeNeighbourLists() {
     const size_t old = block_.rowCapacity * sizeof(uint), row = room_.rows() * sizeof(uint);

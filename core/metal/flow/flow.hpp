@@ -38,6 +38,9 @@ class Flow {
     /// `state` must outlive the flow. Throws RuntimeFault where `space` repeats after less than three supports.
     Flow(gl::ShaderLibrary& shaders, MetalState& state, const FlowFluid& fluid, const FlowSpace& space);
 
+    /// As new, in the same memory, for a state that was reset and has its particles again.
+    void reset();
+
     /// Moves all liquid on by `seconds` in as many equal substeps as stability needs. First finds which slots melted,
     /// froze or are new.
     void step(double seconds, gl::Profiler* profiler);
@@ -68,6 +71,7 @@ class Flow {
     FlowConstants constants_;
     double restDensity_;
     FlowBlock block_{};
+    const FlowBlock first_; ///< as made
     bool blockChanged_ = true;
     size_t known_ = 0;         ///< slots that were classified
     unsigned regroupings_ = 0; ///< of the state when all slots were last classified

@@ -38,6 +38,8 @@ size_t filledCells(const std::vector<vec4>& positions, const FlowBlock& block) {
 FlowRoom::FlowRoom() : readback_("flow counters", sizeof(FlowCounters)) {}
 
 void FlowRoom::start(const MetalState& state, const FlowBlock& block) {
+    readback_.forget();
+    requested_ = false;
     mostRows_ = wholeGroups(state.capacity());
     mostPages_ = block.cellCount;
     use_.particles = state.particles();
@@ -45,7 +47,7 @@ void FlowRoom::start(const MetalState& state, const FlowBlock& block) {
     const auto liquid = [](uint bits) { return (bits & PHASE_LIQUID) != 0; };
     use_.rows = kRowsEach / 2 * static_cast<size_t>(std::count_if(phases.begin(), phases.end(), liquid));
     use_.pages = filledCells(state.position.read<vec4>(use_.particles), block);
-    rows_ = std::min(mostRows_, wholeGroups(std::max(kLeastRows, 2 * use_.rows)));
+    rows_ = std::max(rows_, std::min(mostRows_, wholeGroups(std::max(kLeastRows, 2 * use_.rows))));
     growPages(use_.pages);
 }
 

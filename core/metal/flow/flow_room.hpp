@@ -13,7 +13,8 @@ class FlowRoom {
   public:
     FlowRoom();
 
-    /// Room for what the metal is before its first step. `block`: its cells are filled in. Waits for the GPU.
+    /// Room for what the metal is before its first step, no less than there was before. `block`: its cells are filled
+    /// in. Waits for the GPU.
     void start(const MetalState& state, const FlowBlock& block);
 
     /// Makes room for `particles` slots (handed out so far). Waits for the GPU only where its last answer is

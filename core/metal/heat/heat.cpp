@@ -68,10 +68,28 @@ HeatSolver::HeatSolver(gl::ShaderLibrary& shaders, MetalState& state, const Mate
     conductPlain_ = &shaders.compute("metal/heat/conduct_plain.comp", defines);
     advanceMixed_ = &shaders.compute("metal/heat/advance_mixed.comp", defines);
     makeBuffers();
-    writeTable();
     makeTexels();
-    prepareBlock();
+    begin();
+}
+
+void HeatSolver::begin() {
+    block_ = {};
+    time_ = 0;
+    regroupings_ = 0;
+    takeTable();
     refresh();
+}
+
+void HeatSolver::reset() {
+    for (const gl::Buffer* buffer : {&cellTheta_, &cellWeight_, &cellSums_, &cellRanges_, &tiles_, &tileStamps_,
+                                     &lists_, &knownCells_, &sourceSums_, &ledger_})
+        buffer->clear();
+    begin();
+}
+
+void HeatSolver::takeTable() {
+    writeTable();
+    prepareBlock();
 }
 
 void HeatSolver::makeBuffers() {
@@ -79,6 +97,7 @@ void HeatSolver::makeBuffers() {
     const size_t tiles = state_.lattice().tileCount();
     const size_t slots = state_.capacity();
     blockBuffer_ = gl::Buffer("heat block", sizeof(HeatBlock));
+    table_ = gl::Buffer("heat table", HEAT_TABLE_ENTRIES * sizeof(vec4));
     cellTheta_ = gl::Buffer::gpuOnly("heat cell theta", 2 * cells * sizeof(float));
     cellWeight_ = gl::Buffer::gpuOnly("heat cell weight", cells * sizeof(uint));
     cellSums_ = gl::Buffer::gpuOnly("heat cell sums", cells * sizeof(uint));
@@ -104,7 +123,7 @@ void HeatSolver::writeTable() {
             samples.emplace_back(own[0], own[1], next[0], next[1]);
         }
     }
-    table_ = gl::Buffer("heat table", std::span<const vec4>(samples));
+    table_.write(std::span<const vec4>(samples));
 }
 
 void HeatSolver::makeTexels() {

@@ -56,6 +56,11 @@ class HeatSolver {
     /// `state` must outlive the solver.
     HeatSolver(gl::ShaderLibrary& shaders, MetalState& state, const Material& material, const HeatSettings& settings);
 
+    /// As new, in the same memory, for a state that was reset and has its particles again.
+    void reset();
+    /// After the state's table became another one.
+    void takeTable();
+
     /// Longest step for temperatures up to `hottest` (K): stepShare dx²/alpha, in s.
     double longestStep(double hottest) const;
 
@@ -83,6 +88,7 @@ class HeatSolver {
     void makeBuffers();
     void makeTexels();
     void writeTable();
+    void begin();
     void prepareBlock();
     void writeBlock(double seconds, std::span<const HeatSource> sources);
     void writeSource(HeatSourceData& data, const HeatSource& source, int firstRowSum) const;

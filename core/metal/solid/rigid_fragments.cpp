@@ -56,6 +56,16 @@ RigidFragments::RigidFragments(gl::ShaderLibrary& shaders, MetalState& state, co
     blockBuffer_.writeValue(block_);
 }
 
+void RigidFragments::reset() {
+    for (const gl::Buffer* buffer : {&cellHeads_, &cellNext_, &control_, &motions_, &freeSlots_, &contacts_})
+        buffer->clear();
+    labels_.fill(FRAGMENT_NO_LABEL);
+    nextLabels_.fill(FRAGMENT_NO_LABEL);
+    freeParticles_.forget();
+    mayBeFree_ = true;
+    slots_ = 0;
+}
+
 void RigidFragments::bind() const {
     state_.bind();
     blockBuffer_.bindUniform(FRAGMENT_BLOCK);

@@ -33,6 +33,9 @@ class RigidFragments {
     /// `state` must outlive this object.
     RigidFragments(gl::ShaderLibrary& shaders, MetalState& state, const FragmentSetup& setup);
 
+    /// As new, in the same memory, for a state that was reset and has its particles again.
+    void reset();
+
     /// One small part of labelling the fragments, about the same for any amount of metal; a whole cycle takes
     /// FRAGMENT_LABEL_ROUNDS + 2 calls, more where there is much metal. Call it once a frame. Reads positions and
     /// phases; at the end of a cycle writes the fragment bits, takes free metal off the lattice and clears PHASE_FRESH.

@@ -88,6 +88,13 @@ MetalState::MetalState(const MetalLattice& lattice, const HeatTable& table, doub
     writeBlock();
 }
 
+void MetalState::reset() {
+    for (const gl::Buffer* buffer : {&position, &velocity, &heat, &phase, &latticeSlots, &counters, &changes})
+        buffer->clear();
+    particles_ = 0;
+    regroupings_ = 0;
+}
+
 void MetalState::writeBlock() {
     blockBuffer_.writeValue(block_);
 }

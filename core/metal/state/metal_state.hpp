@@ -50,6 +50,11 @@ class MetalState {
     /// particles.
     MetalState(const MetalLattice& lattice, const HeatTable& table, double density, size_t capacity);
 
+    /// As new, in the same memory: without particles.
+    void reset();
+    /// Another table of the same enthalpies and temperatures: only its conductivity differs.
+    void setTable(const HeatTable& table) { table_ = table; }
+
     /// Puts particles into the next free slots. Throws RuntimeFault when there is no room.
     void add(std::span<const MetalSeed> seeds);
 
