@@ -4,6 +4,17 @@
 
 namespace meltpool {
 
+namespace {
+
+/// m/s that the lesson asks for.
+std::optional<double> askedSpeed(const std::optional<TechniqueBands>& bands) {
+    const TechniqueBand* band = bands ? bands->find(TechniqueQuantity::travelSpeed) : nullptr;
+    if (band == nullptr) return std::nullopt;
+    return band->ideal / quantityInfo(band->quantity, bands->distance).perSi;
+}
+
+} // namespace
+
 void ArcAccount::add(const ArcState& arc, double step) {
     if (!arc.burns() || arc.current <= 0) return;
     seconds += step;
@@ -26,7 +37,9 @@ Judgement judgeAttempt(const Technique& technique, std::optional<WeldMeasures> w
         made.corrections = corrections(*made.score, *rules.technique);
     }
     made.weld = std::move(weld);
-    if (rules.acceptance && made.weld) made.verdict = judge(*made.weld, *rules.acceptance, rules.nominal);
+    if (rules.acceptance && made.weld)
+        made.verdict = judge(*made.weld, *rules.acceptance, rules.nominal,
+                             estimateImperfections(made.seam, rules.process, askedSpeed(rules.technique)));
     return made;
 }
 

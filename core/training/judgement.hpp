@@ -15,6 +15,7 @@ struct JudgementRules {
     const std::optional<TechniqueBands>& technique;
     const std::optional<Acceptance>& acceptance;
     const NominalWeld& nominal;
+    const ProcessSettings& process;
 };
 
 /// What the arc of an attempt has done. By time, while it burned.

@@ -155,6 +155,7 @@ Json verdictOf(const Verdict& verdict) {
                    {"unit", item.unit},
                    {"state", nameOf(item.state)}};
         if (item.place) entry["at_mm"] = number(millimetres(*item.place));
+        if (item.state == VerdictState::estimated) entry["rule"] = item.rule;
         json["items"].push_back(std::move(entry));
     }
     return json;

@@ -126,6 +126,20 @@ TEST_CASE("the verdict names standard and level, and what failed comes first, wh
     CHECK(rows.judged.rows[3].name == "Undercut");
     CHECK(rows.judged.rows[3].value == "pass");
 
+    VerdictItem& pores = judgement.verdict->items[3];
+    pores = {"surface_pore", 24.0, {}, LimitKind::atMost, "mm", VerdictState::estimated, true, 0, {}, "Too far off."};
+    const JudgementRows told = judgementRows(judgement, nullptr);
+    CHECK_THAT(told.judged.note, test::containsText("1 is estimated. "));
+    CHECK_THAT(told.judged.note, test::containsText("does not count either way."));
+    CHECK(find(told.judged, "Surface pore").value == "estimated: likely");
+    CHECK(find(told.judged, "Surface pore").detail ==
+          "From your technique, not from the metal: 24 mm of the weld. Too far off.");
+    CHECK(find(told.judged, "Surface pore").state == RowState::open);
+    pores.beyond = false;
+    CHECK(find(judgementRows(judgement, nullptr).judged, "Surface pore").value == "estimated: unlikely");
+    CHECK_THAT(find(judgementRows(judgement, nullptr).judged, "Surface pore").detail,
+               test::containsText("nothing speaks for it"));
+
     judgement.verdict->accepted = true;
     CHECK(judgementRows(judgement, nullptr).verdict == "Accepted by ISO 5817, level C");
 }

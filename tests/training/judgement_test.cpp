@@ -80,6 +80,14 @@ TEST_CASE("an attempt is judged: the hand by the lesson's bands, the weld by the
     CHECK(json.at("verdict").at("accepted") == judged.verdict->accepted);
     REQUIRE(json.at("verdict").at("items").size() == judged.verdict->items.size());
     CHECK(json.at("verdict").at("items")[0].at("name") == judged.verdict->items[0].name);
+    for (const Json& item : json.at("verdict").at("items")) {
+        CHECK(item.contains("rule") == (item.at("state") == "estimated"));
+        if (item.at("name") != "surface_pore") continue;
+        CHECK(item.at("state") == "estimated");
+        CHECK(item.at("value") == 0); // 15 mm from the plate, upright
+        CHECK(item.at("limit").is_null());
+        CHECK_THAT(item.at("rule").get<std::string>(), test::containsText("18 mm"));
+    }
     CHECK(json.at("weld").at("height_mm").get<double>() == Approx(*judged.weld->mean.height * 1e3));
     CHECK(json.at("weld").contains("penetration_mm"));
     CHECK_FALSE(json.at("weld").contains("leg1_mm")); // of fillets

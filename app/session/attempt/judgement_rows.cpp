@@ -110,7 +110,7 @@ std::string stateText(const VerdictItem& item) {
     case VerdictState::fail:
         return "FAIL";
     case VerdictState::estimated:
-        return item.beyond ? "estimated: too much" : "estimated";
+        return item.beyond ? "estimated: likely" : "estimated: unlikely";
     case VerdictState::notResolved:
         break;
     }
@@ -128,6 +128,12 @@ JudgementRow verdictRow(const VerdictItem& item) {
     JudgementRow row{readable(item.name), stateText(item), {}, RowState::open};
     if (item.state == VerdictState::pass) row.state = RowState::good;
     if (item.state == VerdictState::fail) row.state = RowState::bad;
+    if (item.state == VerdictState::estimated) {
+        row.detail = "From your technique, not from the metal: ";
+        row.detail += item.beyond ? rounded(item.value.value_or(0), 0) + " mm of the weld. " + item.rule
+                                  : "nothing speaks for it.";
+        return row;
+    }
     row.detail = item.value ? withUnit(rounded(*item.value, 1), item.unit) : unknownText(item);
     row.detail += "; " + limitText(item);
     if (item.place && item.state != VerdictState::pass) row.detail += ", at " + rounded(*item.place * 1e3, 0) + " mm";
@@ -155,11 +161,15 @@ std::string countText(const Verdict& verdict) {
         ++counts[static_cast<size_t>(rankOf(item.state))];
     std::string text = formatNumber(double(counts[0])) + " fail, " + formatNumber(double(counts[3])) + " pass";
     if (counts[1] > 0) text += ", " + formatNumber(double(counts[1])) + " are not resolved";
-    if (counts[2] > 0) text += ", " + formatNumber(double(counts[2])) + " are estimated";
+    if (counts[2] > 0)
+        text += ", " + formatNumber(double(counts[2])) + (counts[2] == 1 ? " is" : " are") + " estimated";
     text += ".";
     if (counts[1] > 0)
         text += " Not resolved: finer than the particles of this metal, or nothing that it contains; it does not "
                 "count either way.";
+    if (counts[2] > 0)
+        text += " Estimated: this metal contains no pores, spatter or slag, so your technique tells of them; that does "
+                "not count either way.";
     return text;
 }
 

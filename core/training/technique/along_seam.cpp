@@ -46,6 +46,8 @@ class Means {
 struct Bin {
     Means judged, other;
     double direction = 0; ///< s forwards less s backwards
+    double charge = 0;    ///< A s of the arc
+    double flux = 0;      ///< V s
 };
 
 /// The seam's millimetres, from kBeyondMm before its beginning to kBeyondMm behind its end; a circle's are one turn.
@@ -56,16 +58,17 @@ class Bins {
           first_(seam.closed() ? 0 : std::floor(seam.begin() * kMm) - kBeyondMm),
           bins_(static_cast<size_t>(std::ceil(seam.end() * kMm) - first_ + (seam.closed() ? 0 : kBeyondMm))) {}
 
-    /// Shares the time out over the way from `from` to `to` (m).
-    void add(double from, double to, double seconds, const StretchValues& values, bool judged) {
-        if (!std::isfinite(from) || !std::isfinite(to)) return;
-        const double low = std::min(from, to) * kMm, high = std::max(from, to) * kMm;
-        if (high - low < kShortestWayMm) return addAt(low, seconds, values, judged);
+    /// Shares the time of `step` out over the way from the one before it.
+    void add(const TechniqueStep& before, const TechniqueStep& step, const StretchValues& values, bool judged) {
+        if (!std::isfinite(before.place) || !std::isfinite(step.place)) return;
+        const double low = std::min(before.place, step.place) * kMm, high = std::max(before.place, step.place) * kMm;
+        const double seconds = step.time - before.time;
+        if (high - low < kShortestWayMm) return addAt(low, seconds, step, values, judged);
         if (high - low > static_cast<double>(bins_.size())) return;
         for (double mm = std::floor(low); mm < high; ++mm) {
             const double begin = std::max(low, mm), end = std::min(high, mm + 1);
             if (end - begin < kShortestWayMm) continue;
-            addAt((begin + end) / 2, seconds * (end - begin) / (high - low), values, judged);
+            addAt((begin + end) / 2, seconds * (end - begin) / (high - low), step, values, judged);
         }
     }
 
@@ -79,19 +82,23 @@ class Bins {
             mm.seconds = bin.judged.seconds() + bin.other.seconds();
             mm.judged = bin.judged.seconds() > 0;
             mm.direction = bin.direction > 0 ? 1 : bin.direction < 0 ? -1 : 0;
+            mm.current = bin.charge / mm.seconds;
+            mm.voltage = bin.flux / mm.seconds;
             mm.values = (mm.judged ? bin.judged : bin.other).values();
         }
         return all;
     }
 
   private:
-    void addAt(double mm, double seconds, const StretchValues& values, bool judged) {
+    void addAt(double mm, double seconds, const TechniqueStep& step, const StretchValues& values, bool judged) {
         if (seam_.closed()) mm -= std::floor(mm / (seam_.length() * kMm)) * seam_.length() * kMm;
         const double index = std::floor(mm) - first_;
         if (!(index >= 0 && index < static_cast<double>(bins_.size())) || !(seconds > 0)) return;
         Bin& bin = bins_[static_cast<size_t>(index)];
         (judged ? bin.judged : bin.other).add(values.values, seconds);
         bin.direction += values.direction * seconds;
+        bin.charge += step.current * seconds;
+        bin.flux += step.voltage * seconds;
     }
 
     const Seam& seam_;
@@ -139,8 +146,7 @@ std::vector<SeamMillimetre> alongSeam(const Technique& technique) {
             analyseStretch(steps.subspan(range.begin, range.end - range.begin), technique.settings(), direction);
         direction = values.back().direction;
         for (size_t i = range.begin + 1; i < range.end; ++i)
-            bins.add(steps[i - 1].place, steps[i].place, steps[i].time - steps[i - 1].time, values[i - range.begin],
-                     i >= first && i < last);
+            bins.add(steps[i - 1], steps[i], values[i - range.begin], i >= first && i < last);
     }
     return bins.result();
 }

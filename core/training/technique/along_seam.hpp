@@ -23,6 +23,8 @@ struct SeamMillimetre {
     double seconds = 0;     ///< that the arc burned on it
     bool judged = false;    ///< lies neither in the strike nor in the crater
     int direction = 0;      ///< of travel: +1 towards growing places, -1, 0 unknown
+    double current = 0;     ///< A of the arc, mean over the time there
+    double voltage = 0;     ///< V, the same
     TechniqueValues values; ///< means over the time there; that of judged steps where there are some
 };
 

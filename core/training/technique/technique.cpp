@@ -119,6 +119,8 @@ TechniqueStep Technique::measure(const TorchSample& torch, const ArcState& arc) 
     if (settings_.distance == DistanceKind::arcLength) step.distance = arc.burns() ? finite(arc.length) : kUnknown;
     step.workAngle = std::atan2(-glm::dot(axis, frame.across), -glm::dot(axis, frame.up));
     step.lean = std::asin(std::clamp(glm::dot(axis, frame.tangent), -1.0, 1.0));
+    step.current = static_cast<double>(arc.current);
+    step.voltage = static_cast<double>(arc.voltage);
     step.rodAngle = step.rodGap = kUnknown;
     if (torch.rod) {
         const glm::dvec3 rod(torch.rod->orientation * glm::vec3(0, 0, -1));

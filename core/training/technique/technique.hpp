@@ -39,6 +39,8 @@ struct TechniqueStep {
     double lean = 0;      ///< rad, travel angle for a travel towards growing places
     double rodAngle = 0;  ///< rad
     double rodGap = 0;    ///< m along the rod from its tip to where the torch's axis meets the seam; negative beyond
+    double current = 0;   ///< A, of the arc
+    double voltage = 0;   ///< V, of the arc
     bool welds = false;   ///< the arc burns and the torch is tracked
     bool joined = false;  ///< welds, as did the step before, with no gap and no jump between
 };

@@ -52,7 +52,7 @@ class ItemJudge {
     /// Nothing where the item does not hold for this weld.
     std::optional<VerdictItem> judge() const;
     /// What the item says of an estimate.
-    VerdictItem judgeEstimate(double value) const;
+    VerdictItem judgeEstimate(const Estimate& estimate) const;
 
   private:
     Look look(const WeldStation& station, const ImperfectionValue& told, const LimitFormula& formula) const;
@@ -106,11 +106,18 @@ VerdictItem ItemJudge::made(const Look& look, VerdictState state) const {
     return item;
 }
 
-VerdictItem ItemJudge::judgeEstimate(double value) const {
-    VerdictItem item = blank();
-    item.value = value;
+/// Writes an estimate into an item.
+void takeEstimate(VerdictItem& item, const Estimate& estimate) {
+    item.value = estimate.value;
+    item.limit.reset();
     item.state = VerdictState::estimated;
-    if (item.limit) item.beyond = item_.kind == LimitKind::atLeast ? value < *item.limit : value > *item.limit;
+    item.beyond = estimate.value > 0;
+    item.rule = estimate.rule;
+}
+
+VerdictItem ItemJudge::judgeEstimate(const Estimate& estimate) const {
+    VerdictItem item = blank();
+    takeEstimate(item, estimate);
     return item;
 }
 
@@ -181,23 +188,26 @@ void enter(std::vector<VerdictItem>& items, VerdictItem item) {
         *same = std::move(item);
 }
 
-const Estimate* findEstimate(std::span<const Estimate> estimates, std::string_view name) {
-    const auto found =
-        std::find_if(estimates.begin(), estimates.end(), [&](const Estimate& each) { return each.name == name; });
+/// The name of the estimate that tells of an imperfection: one for all pores.
+std::string_view estimateOf(std::string_view imperfection) {
+    return imperfection == "piping_porosity" ? "surface_pore" : imperfection;
+}
+
+const Estimate* findEstimate(std::span<const Estimate> estimates, std::string_view imperfection) {
+    const auto found = std::find_if(estimates.begin(), estimates.end(),
+                                    [&](const Estimate& each) { return each.name == estimateOf(imperfection); });
     return found == estimates.end() ? nullptr : &*found;
 }
 
 /// Estimates of what no item of the file speaks of.
 void enterFreeEstimates(std::span<const Estimate> estimates, std::vector<VerdictItem>& items) {
     for (const Estimate& estimate : estimates) {
-        const auto known = [&](const VerdictItem& each) { return each.name == estimate.name; };
+        const auto known = [&](const VerdictItem& each) { return estimateOf(each.name) == estimate.name; };
         if (std::any_of(items.begin(), items.end(), known)) continue;
         VerdictItem item;
         item.name = estimate.name;
-        item.value = estimate.value;
-        const Imperfection* what = findImperfection(estimate.name);
-        item.unit = what ? what->unit : "";
-        item.state = VerdictState::estimated;
+        item.unit = "mm";
+        takeEstimate(item, estimate);
         items.push_back(std::move(item));
     }
 }
@@ -213,7 +223,7 @@ Verdict judge(const WeldMeasures& measures, const Acceptance& acceptance, const 
         if (!judged) continue;
         if (const Estimate* estimate = findEstimate(estimates, item.imperfection);
             estimate && !findImperfection(item.imperfection)->measure)
-            judged = judge.judgeEstimate(estimate->value);
+            judged = judge.judgeEstimate(*estimate);
         enter(verdict.items, std::move(*judged));
     }
     enterFreeEstimates(estimates, verdict.items);

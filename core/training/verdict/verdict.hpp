@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/training/verdict/acceptance.hpp"
+#include "core/training/verdict/estimates.hpp"
 #include "core/training/verdict/imperfections.hpp"
 
 #include <array>
@@ -16,24 +17,22 @@ constexpr std::string_view nameOf(VerdictState state) {
     return kVerdictStates[static_cast<size_t>(state)];
 }
 
-/// What technique says of an imperfection that the metal does not contain.
-struct Estimate {
-    std::string name; ///< of imperfections()
-    double value = 0; ///< in that imperfection's unit
-};
-
 /// One imperfection by one limit, at the place of the weld where it is worst.
 struct VerdictItem {
     std::string name; ///< of imperfections()
-    /// In `unit`; at least 0 of what is too much or missing. None where neither the metal nor an estimate tells it.
+    /// In `unit`; at least 0 of what is too much or missing. Of an estimate see Estimate::value. None where neither the
+    /// metal nor an estimate tells it.
     std::optional<double> value;
-    std::optional<double> limit; ///< in `unit`; 0 of what is not permitted; none where the standard has none
+    /// In `unit`; 0 of what is not permitted; none where the standard has none, and of an estimate: a limit is of an
+    /// imperfection's size, which no technique tells.
+    std::optional<double> limit;
     LimitKind kind = LimitKind::atMost;
     std::string_view unit; ///< "mm" or "deg"
     VerdictState state = VerdictState::notResolved;
-    bool beyond = false;         ///< the value is beyond the limit; of an estimate that alone does not fail the weld
+    bool beyond = false;         ///< the value is beyond the limit; of an estimate: the imperfection is to be expected
     double resolution = 0;       ///< in `unit`: what the particles resolve of it
     std::optional<double> place; ///< m along the seam of that worst station
+    std::string rule = {};       ///< of an estimate, see Estimate::rule
 };
 
 struct Verdict {

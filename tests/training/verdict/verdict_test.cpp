@@ -243,17 +243,34 @@ TEST_CASE("limits grow with the width at their station, and with nominal sizes t
 }
 
 TEST_CASE("what the metal does not contain is estimated and does not decide", "[verdict]") {
-    const std::vector<Estimate> estimates{{"surface_pore", 3}, {"spatter", 1}, {"undercut", 9}};
+    const std::vector<Estimate> estimates{
+        {"surface_pore", 3, "Too far."}, {"spatter", 0, "In balance."}, {"undercut", 9, "Never asked."}};
     const Verdict verdict = judge(weldOf(WeldKind::fillet), shipped("iso5817-c"), nominal(WeldKind::fillet), estimates);
     const VerdictItem& pore = itemOf(verdict, "surface_pore");
     CHECK(pore.state == VerdictState::estimated);
     CHECK(*pore.value == 3);
-    CHECK(*pore.limit == Approx(0.8));
+    CHECK(pore.rule == "Too far.");
+    CHECK_FALSE(pore.limit); // 0.8 mm is that of a pore's size
     CHECK(pore.beyond);
     CHECK(itemOf(verdict, "spatter").state == VerdictState::estimated);
     CHECK_FALSE(itemOf(verdict, "spatter").limit);
+    CHECK_FALSE(itemOf(verdict, "spatter").beyond);
     CHECK(itemOf(verdict, "undercut").state == VerdictState::pass); // measured
+    CHECK(itemOf(verdict, "undercut").rule.empty());
+    CHECK(itemOf(verdict, "crack").state == VerdictState::notResolved); // no estimate tells of it
     CHECK(verdict.accepted);
+
+    // D1.1 speaks of another kind of pore: the same estimate, once.
+    const Verdict other =
+        judge(weldOf(WeldKind::fillet), shipped("aws-d1-1-static"), nominal(WeldKind::fillet), estimates);
+    CHECK(itemOf(other, "piping_porosity").state == VerdictState::estimated);
+    CHECK(std::none_of(other.items.begin(), other.items.end(),
+                       [](const VerdictItem& each) { return each.name == "surface_pore"; }));
+
+    // A weld that fails goes on failing.
+    const Verdict failed = judge(weldOf(WeldKind::fillet, [](WeldStation& s) { s.undercut1 = 3 * kMm; }),
+                                 shipped("iso5817-c"), nominal(WeldKind::fillet), estimates);
+    CHECK_FALSE(failed.accepted);
 }
 
 TEST_CASE("nothing welded is not accepted", "[verdict]") {
