@@ -59,7 +59,8 @@ void DesktopLessons::keepScore(double zoom, double now) {
     score->zoom = zoom;
     score->forScore = session_.sections().attempt.forScore;
     score->guided = session_.deskTorch().guided();
-    score->changed = session_.workpieceChanged();
+    score->changed = session_.workpieceChanged() || session_.settingsChanged();
+    score->chosen = session_.chosenText();
     score->cues = session_.cues().used();
     try {
         home_.scores.offer(lesson->key, *score);

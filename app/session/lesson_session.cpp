@@ -51,6 +51,17 @@ bool same(const SurfaceParameters& a, const SurfaceParameters& b) {
     return a.influence == b.influence && a.isoLevel == b.isoLevel && a.caps == b.caps;
 }
 
+/// The lesson with its machine as the trainee finds it.
+Lesson machineAtStart(Lesson lesson) {
+    lesson.takeStartSettings();
+    return lesson;
+}
+
+bool sameSettings(ProcessSettings a, ProcessSettings b) {
+    const ParameterList first = describe(a), second = describe(b);
+    return a.kind == b.kind && std::equal(first.begin(), first.end(), second.begin(), second.end(), sameValue);
+}
+
 /// `turn`: from the workpiece's frame to the room's, in which the source is steered.
 TorchSample torchOf(const SteeredSource& source, const glm::mat3& turn) {
     const glm::mat3 toWorkpiece = glm::transpose(turn);
@@ -84,13 +95,19 @@ LessonSections::LessonSections(Lesson& lesson)
     : start("start", startParameters(lesson, attempt)),
       view("view", describe(lesson.look)),
       surface("surface", liveParameters(describe(lesson.surface))),
-      simulation("simulation", liveParameters(lesson.model == LessonModel::Weld ? describe(lesson.process)
+      simulation("simulation", liveParameters(lesson.model == LessonModel::Weld ? lesson.processParameters()
                                                                                 : describe(lesson.metal))) {
     static constexpr std::array<std::string_view, 1> kStart{"for_score"};
     static constexpr std::array<std::string_view, 2> kFlame{"heat_radius", "heat_temperature"};
     view.idle = idleLook(lesson);
     start.everyday = kStart;
     if (lesson.model == LessonModel::Classic) simulation.everyday = kFlame;
+    if (lesson.model == LessonModel::Weld) simulation.fixed = &attempt.forScore;
+    for (const ChosenSetting& each : lesson.choose) {
+        simulation.chosen.push_back(each.key);
+        // What may not be chosen is nothing to go back to.
+        if (each.start && (*each.start < each.from || *each.start > each.to)) simulation.defaults.erase(each.key);
+    }
 }
 
 void LessonSections::restoreDefaults() {
@@ -99,13 +116,19 @@ void LessonSections::restoreDefaults() {
             setParameter(each->parameters, key, text, each->name);
 }
 
+void LessonSections::restoreGiven() {
+    for (const Parameter& p : simulation.parameters)
+        if (simulation.isGiven(p)) setParameter({p}, p.key, simulation.defaults.at(std::string(p.key)), "given");
+}
+
 double machineSeconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 LessonSession::LessonSession(gl::ShaderLibrary& shaders, Lesson lesson, Stopwatch stopwatch)
     : shaders_(shaders),
-      lesson_(std::move(lesson)),
+      given_(lesson.process),
+      lesson_(machineAtStart(std::move(lesson))),
       sections_(std::in_place, lesson_),
       renderer_(shaders),
       now_(stopwatch) {
@@ -115,7 +138,8 @@ LessonSession::LessonSession(gl::ShaderLibrary& shaders, Lesson lesson, Stopwatc
 void LessonSession::open(Lesson lesson) {
     end("another lesson was opened");
     const bool forScore = sections_->attempt.forScore;
-    lesson_ = std::move(lesson);
+    given_ = lesson.process;
+    lesson_ = machineAtStart(std::move(lesson));
     sections_.emplace(lesson_);
     sections_->attempt.forScore = forScore;
     openCues();
@@ -134,6 +158,17 @@ bool LessonSession::workpieceChanged() {
     });
 }
 
+bool LessonSession::settingsChanged() const {
+    const ParameterSection& machine = sections_->simulation;
+    return lesson_.model == LessonModel::Weld &&
+           std::any_of(machine.parameters.begin(), machine.parameters.end(), [&](const Parameter& p) {
+               const auto first = machine.defaults.find(p.key);
+               const bool chosen =
+                   std::find(machine.chosen.begin(), machine.chosen.end(), p.key) != machine.chosen.end();
+               return !chosen && first != machine.defaults.end() && first->second != parameterText(p);
+           });
+}
+
 /// Ends what runs, and puts torch and camera to the lesson's places.
 void LessonSession::prepare(Controls& controls) {
     end("another attempt began");
@@ -148,6 +183,11 @@ void LessonSession::prepare(Controls& controls) {
 
 void LessonSession::begin(Controls& controls) {
     prepare(controls);
+    sections_->restoreGiven();
+    if (const std::string unset = lesson_.unsetSettings(); !unset.empty()) {
+        question_ = {unset, {"Set the machine"}};
+        return;
+    }
     if (sections_->attempt.forScore) {
         trial_.begin(lesson_);
         beginTrial();
@@ -160,22 +200,25 @@ void LessonSession::begin(Controls& controls) {
 void LessonSession::demonstrate(Controls& controls) {
     if (!hasDemonstration()) return;
     prepare(controls);
-    makeTrainer();
+    makeTrainer(lesson_.choose.empty() || sameSettings(lesson_.process, given_) ? nullptr : &given_);
     fault_.clear();
     surfaceIsOld_ = true;
     demonstration_.begin(lesson_.torch.duration());
 }
 
-void LessonSession::makeTrainer() {
+/// `process`: other settings than those of the menus, which then change nothing.
+void LessonSession::makeTrainer(const ProcessSettings* process) {
     trainer_.reset(); // its memory may be needed for the next
     Lesson lesson = lesson_;
     if (trial_.running())
         for (const auto& [key, value] : trial_.current().values)
             lesson.set(key, value, "a value that was offered");
+    if (process != nullptr) lesson.process = *process;
     trainer_ = std::make_unique<Trainer>(shaders_, std::move(lesson));
+    clock_.reset();
+    if (process != nullptr) return;
     wanted_ = liveParameters(lesson_.metalParameters());
     running_ = liveParameters(trainer_->lesson().metalParameters());
-    clock_.reset();
 }
 
 /// Makes the metal of the trial's current offer, and finds where its demonstration begins to heat.
@@ -230,7 +273,8 @@ void LessonSession::settleTrial(int answer, Controls& controls) {
 
 void LessonSession::reset(Controls& controls) {
     if (!running() || !trial_.offers().empty()) return; // an attempt for score has not begun yet
-    if (demonstration_.shown() && sections_->attempt.forScore) return begin(controls);
+    const bool otherSettings = wanted_.empty();         // see makeTrainer()
+    if (demonstration_.shown() && (sections_->attempt.forScore || otherSettings)) return begin(controls);
     demonstration_.end();
     closeCut(controls);
     controls.reset();
@@ -337,6 +381,7 @@ void LessonSession::settle(Controls& controls) {
     const int answer = std::exchange(question_.answered, -1);
     if (answer < 0 || !question_.asked()) return;
     question_ = {};
+    if (!running()) return; // the machine is set on the lesson's first page
     if (!trial_.offers().empty()) return settleTrial(answer, controls);
     if (answer == 0) {
         records_.renounce();
@@ -438,6 +483,7 @@ void LessonSession::makeSteps(const Controls& controls, double seconds, gl::Prof
     if (!held_)
         desk_.update(controls.hand(), {toScreen(controls), seconds}, controls.parameters, trainer_->lesson().process);
     makeDueSteps(seconds, [&](int step, int due) {
+        if (step == 0 && clock_.dropped() && trainer_->arc().burns()) event("samples", "dropped");
         trainer_->setRealTime(clock_.speed());
         TorchSample torch = nextTorch(controls, held, step, due);
         // The other hand may be in sight without a rod in it.

@@ -46,6 +46,8 @@ struct LessonSections {
 
     std::vector<ParameterSection*> all() { return {&start, &view, &surface, &simulation}; }
     void restoreDefaults();
+    /// Puts what the lesson gives back to the lesson's values, where it must not be changed now.
+    void restoreGiven();
 };
 
 /// The lesson of a catalogue name or TOML file. Throws InputError when it cannot be used.
@@ -126,6 +128,11 @@ class LessonSession {
     /// Does what the person answered.
     void settle(Controls& controls);
 
+    /// Settings of the machine that the lesson gives are others than its own.
+    bool settingsChanged() const;
+    /// See Lesson::chosenText().
+    std::string chosenText() { return lesson_.chosenText(); }
+
     /// Whether this lesson's weld can be measured and judged.
     bool judges() const { return running() && !demonstration_.shown() && trainer_->technique() != nullptr; }
     /// Judges the attempt so far; nothing while the arc burns or before the attempt has begun. Waits for the GPU. A
@@ -173,7 +180,7 @@ class LessonSession {
   private:
     void openCues();
     bool takeOverChanges(const Controls& controls);
-    void makeTrainer();
+    void makeTrainer(const ProcessSettings* process = nullptr);
     void beginAttempt();
     void beginTrial();
     void nextTrial(SpeedTrial::Verdict verdict);
@@ -191,6 +198,7 @@ class LessonSession {
     void makeSteps(const Controls& controls, double seconds, gl::Profiler* profiler, const TorchSource& held);
 
     gl::ShaderLibrary& shaders_;
+    ProcessSettings given_; ///< the lesson's own settings
     Lesson lesson_;
     std::optional<LessonSections> sections_; ///< of lesson_; always there
     SurfaceParameters shownSurface_;

@@ -11,6 +11,10 @@ ParameterSection::ParameterSection(std::string theName, ParameterList list)
         defaults[std::string(p.key)] = parameterText(p);
 }
 
+bool ParameterSection::isGiven(const Parameter& parameter) const {
+    return fixed != nullptr && *fixed && std::find(chosen.begin(), chosen.end(), parameter.key) == chosen.end();
+}
+
 bool ParameterSection::isExpert(const Parameter& parameter) const {
     return !everyday.empty() && std::find(everyday.begin(), everyday.end(), parameter.key) == everyday.end();
 }

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace meltpool {
 
@@ -26,6 +27,12 @@ struct ParameterSection {
     /// Keys that a trainee sets; the others stand in the expert drawer. Empty: a trainee sets all of them.
     std::span<const std::string_view> everyday;
 
+    /// Keys that the trainee chooses; all others are given by the lesson while `fixed` (null: never) holds.
+    std::vector<std::string> chosen;
+    const bool* fixed = nullptr;
+
+    /// The trainee cannot change the parameter now: menus show it without a control.
+    bool isGiven(const Parameter& parameter) const;
     /// The parameter belongs into the expert drawer.
     bool isExpert(const Parameter& parameter) const;
     /// Menus show the parameter.

@@ -64,6 +64,14 @@ struct PictureLook {
     ParameterList parameters();
 };
 
+/// A setting of the process that the trainee sets on the machine, within limits.
+struct ChosenSetting {
+    std::string key;
+    double from = 0, to = 0; ///< in the setting's unit, both allowed
+    /// Where the machine stands before the trainee sets it; may be outside of the limits.
+    std::optional<double> start = {};
+};
+
 struct Lesson {
     std::string key;            ///< name in the catalogue; of a lesson from elsewhere the file's name without ".toml"
     std::string title;          ///< one line for lists
@@ -84,6 +92,9 @@ struct Lesson {
     SourceParameters source;       ///< classic
     WorkpieceParameters workpiece; ///< weld
     ProcessSettings process;       ///< weld
+    /// Weld: the settings that the trainee chooses. `process` holds the lesson's own values of them, with which its
+    /// demonstration runs. All other settings are given.
+    std::vector<ChosenSetting> choose;
     SurfaceParameters surface;
     CameraParameters camera;
     LookParameters look;
@@ -98,6 +109,15 @@ struct Lesson {
     ParameterList parameters();
     /// Those of them that decide what the metal does.
     ParameterList metalParameters();
+    /// Those of the process; the ones to be chosen have the lesson's limits as their range.
+    ParameterList processParameters();
+
+    /// Puts the settings to be chosen to where the machine stands at first.
+    void takeStartSettings();
+    /// What the trainee must still set before the weld, a sentence; empty where all settings are within the limits.
+    std::string unsetSettings();
+    /// The settings to be chosen as they are: "voltage 22 V, wire feed 4.5 m/min"; empty where there are none.
+    std::string chosenText();
 
     /// Sets one value from text, in the pictures' looks too where it is one of the look. Throws InputError, beginning
     /// with `where`, for an unknown key or a value that does not fit; the lesson is then unchanged.

@@ -57,6 +57,38 @@ void readProcess(TomlTable& root, ProcessSettings& settings) {
     group.finish();
 }
 
+/// Reads the limits of one setting that the trainee chooses.
+ChosenSetting readLimits(TomlTable table, const Parameter& setting) {
+    if (!std::holds_alternative<float*>(setting.value))
+        table.fail("from", "limits " + quote(setting.key) + ", which is no number; expected a setting that is one");
+    ChosenSetting chosen{std::string(setting.key), 0, 0, {}};
+    chosen.from = table.number("from", {setting.minimum, setting.maximum});
+    chosen.to = table.number("to", {chosen.from, setting.maximum});
+    table.allow("start");
+    if (table.has("start")) chosen.start = table.number("start", {setting.minimum, setting.maximum});
+    table.finish();
+    return chosen;
+}
+
+/// Reads [choose]: the settings that the trainee sets, and within which limits. The lesson's own values lie in them.
+void readChoose(TomlTable& root, Lesson& lesson) {
+    root.allow("choose");
+    if (!root.has("choose")) return;
+    TomlTable group = root.table("choose");
+    for (const Parameter& setting : describe(lesson.process)) {
+        if (setting.onlyAtStart) continue;
+        group.allow(setting.key);
+        if (!group.has(setting.key)) continue;
+        const ChosenSetting chosen = readLimits(group.table(setting.key), setting);
+        const double own = parseDouble(parameterText(setting)).value_or(chosen.from);
+        if (own < chosen.from || own > chosen.to)
+            group.fail(setting.key, "goes from " + formatNumber(chosen.from) + " to " + formatNumber(chosen.to) +
+                                        "; expected limits about the lesson's own value, " + formatNumber(own));
+        lesson.choose.push_back(chosen);
+    }
+    group.finish();
+}
+
 /// Calls `read` for what `key` names; a fault in that is told with this file's line too.
 template <class Read>
 void readNamed(const TomlTable& table, std::string_view key, const Read& read) {
@@ -191,6 +223,7 @@ Lesson readLesson(const std::filesystem::path& file) {
     } else {
         readWorkpiece(root, lesson.workpiece);
         readProcess(root, lesson.process);
+        readChoose(root, lesson);
         readTechnique(root, lesson);
         readAcceptanceOf(root, lesson);
         readCues(root, lesson);

@@ -1,7 +1,9 @@
 #include "core/training/lesson.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/text.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace meltpool {
@@ -12,6 +14,13 @@ constexpr std::array<std::string_view, 2> kSources{"hot", "cold"};
 
 void append(ParameterList& list, ParameterList more) {
     list.insert(list.end(), more.begin(), more.end());
+}
+
+/// A label within a sentence: "Wire feed" -> "wire feed".
+std::string lowerFirst(std::string_view label) {
+    std::string text(label);
+    if (!text.empty() && text[0] >= 'A' && text[0] <= 'Z') text[0] = static_cast<char>(text[0] - 'A' + 'a');
+    return text;
 }
 
 } // namespace
@@ -52,9 +61,52 @@ ParameterList Lesson::metalParameters() {
         append(list, describe(source));
     } else {
         append(list, describe(workpiece));
-        append(list, describe(process));
+        append(list, processParameters());
     }
     return list;
+}
+
+ParameterList Lesson::processParameters() {
+    ParameterList list = describe(process);
+    for (Parameter& parameter : list)
+        for (const ChosenSetting& each : choose)
+            if (each.key == parameter.key) {
+                parameter.minimum = each.from;
+                parameter.maximum = each.to;
+            }
+    return list;
+}
+
+void Lesson::takeStartSettings() {
+    const ParameterList list = describe(process); // a start may lie outside of the limits
+    for (const ChosenSetting& each : choose)
+        if (each.start && findParameter(list, each.key) != nullptr)
+            setParameter(list, each.key, formatNumber(*each.start), "the start of a setting");
+}
+
+std::string Lesson::unsetSettings() {
+    std::string told;
+    const ParameterList list = describe(process);
+    for (const ChosenSetting& each : choose) {
+        const Parameter* parameter = findParameter(list, each.key);
+        if (parameter == nullptr) continue; // another process was chosen
+        const double value = parseDouble(parameterText(*parameter)).value_or(each.from);
+        if (value >= each.from && value <= each.to) continue;
+        told += (told.empty() ? "Set the machine before you weld: " : "; ") + lowerFirst(parameter->label) + " " +
+                formatNumber(each.from) + " to " + formatNumber(each.to) + " " + std::string(parameter->unit) +
+                " (it stands at " + parameterText(*parameter) + ")";
+    }
+    return told.empty() ? told : told + ".";
+}
+
+std::string Lesson::chosenText() {
+    std::string told;
+    const ParameterList list = describe(process);
+    for (const ChosenSetting& each : choose)
+        if (const Parameter* parameter = findParameter(list, each.key))
+            told += (told.empty() ? "" : ", ") + lowerFirst(parameter->label) + " " + parameterText(*parameter) +
+                    (parameter->unit.empty() ? "" : " " + std::string(parameter->unit));
+    return told;
 }
 
 ParameterList Lesson::parameters() {

@@ -66,6 +66,8 @@ Record::Record(const std::filesystem::path& file, const RecordHead& head, bool r
     appendComment(text, "driver", head.driver, {});
     for (const auto& [key, value] : head.values)
         appendComment(text, "value", key, value);
+    for (const std::string& key : head.chosen)
+        appendComment(text, "chosen", key, {});
     text += columns(head);
     write(text);
     row_.reserve(kLongestRow);

@@ -26,6 +26,7 @@ struct RecordHead {
     std::string program;                                     ///< version and commit
     std::string driver;                                      ///< of the graphics: another may round otherwise
     std::vector<std::pair<std::string, std::string>> values; ///< of the metal and the process, at the start
+    std::vector<std::string> chosen;                         ///< keys of values that the trainee chose
     bool arc = false;                                        ///< the metal has an arc, whose figures have columns
     bool rod = false;                                        ///< the process melts a filler rod: columns of it
     bool paced = false;                                      ///< a person welds by the clock: column `real_time`

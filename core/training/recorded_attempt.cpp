@@ -49,16 +49,25 @@ class Reader {
         if (word == "driver") attempt_.driver = text;
         if (word == "value") attempt_.values.push_back(assignment(text));
         if (word == "set") attempt_.changes.push_back(assignment(text));
+        if (word == "event") addEvent(text);
         if (word == "ended") attempt_.ended = text;
         if (word == "state_hash") attempt_.stateHash = text;
         if (word == "real_time") attempt_.realTime = ratio(text);
     }
 
+    void addEvent(std::string_view text) {
+        const std::string_view name = takeWord(text);
+        if (name != "torch" && name != "samples") return;
+        attempt_.events.push_back({stepsBefore(), std::string(name), std::string(text)});
+    }
+
+    size_t stepsBefore() const { return rows_ > 0 ? rows_ - 1 : 0; }
+
     RecordedChange assignment(std::string_view text) const {
         RecordedChange change;
         change.key = takeWord(text);
         change.value = text;
-        change.steps = rows_ > 0 ? rows_ - 1 : 0;
+        change.steps = stepsBefore();
         change.line = line_;
         if (change.key.empty() || change.value.empty())
             throw InputError(attempt_.file, line_, "has no value; expected '# set KEY VALUE' or '# value KEY VALUE'");

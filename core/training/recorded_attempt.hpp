@@ -20,12 +20,20 @@ struct RecordedChange {
     int line = 0; ///< in the record
 };
 
+/// What spoils the score of an attempt, between two steps: `torch lost`, `torch seen`, `samples dropped`.
+struct RecordedEvent {
+    size_t steps = 0; ///< that had been made before
+    std::string name;
+    std::string value;
+};
+
 struct RecordedAttempt {
     std::filesystem::path file;
     std::string lesson;
     std::string driver;
     std::vector<RecordedChange> values;  ///< at the start
     std::vector<RecordedChange> changes; ///< in the order of the steps
+    std::vector<RecordedEvent> events;   ///< in the same order
     std::string ended;                   ///< why; empty where the program ended without warning
     std::string stateHash;               ///< of the metal at the end; empty as above
     std::optional<double> realTime;      ///< simulated over real time; nothing where no person welded

@@ -225,6 +225,9 @@ void finish(const std::filesystem::path& file, Json json, Lesson& lesson, const 
     json["torch"] = lesson.torchFile.filename().string();
     json["version"] = context.version;
     json["commit"] = context.commit;
+    if (!lesson.choose.empty()) json["chosen"] = Json::array();
+    for (const ChosenSetting& each : lesson.choose)
+        json["chosen"].push_back(each.key);
     Json& parameters = json["parameters"];
     for (const Parameter& parameter : lesson.parameters())
         parameters[std::string(parameter.key)] = valueOf(parameter);

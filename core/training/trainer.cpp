@@ -33,11 +33,16 @@ Trainer::~Trainer() = default;
 void Trainer::reset() {
     stopRecord("reset");
     awaitFigures();
+    if (lesson_.recorded) // its changes come again
+        for (const RecordedChange& value : lesson_.recorded->values)
+            lesson_.set(value.key, value.value, "a recorded value");
+    metal_->apply(lesson_); // what was set since the last step holds from the start
     metal_->reset();
     time_ = 0;
     steps_ = 0;
     nextFigures_ = 0;
     nextChange_ = 0;
+    nextEvent_ = 0;
     figures_ = metal_->statistics();
     arc_ = {};
     pace_ = {};
@@ -58,6 +63,7 @@ void Trainer::change(std::string_view key, std::string_view value, std::string_v
 
 void Trainer::event(std::string_view name, std::string_view value) {
     if (name == "torch") tracked_ = value != "lost";
+    if (name == "samples" && technique_) technique_->noteDropped();
     if (record_) record_->event(name, value);
 }
 
@@ -83,6 +89,9 @@ void Trainer::applyRecordedChanges() {
     const std::vector<RecordedChange>& changes = lesson_.recorded->changes;
     for (; nextChange_ < changes.size() && changes[nextChange_].steps <= steps_; ++nextChange_)
         change(changes[nextChange_].key, changes[nextChange_].value, "a recorded change");
+    const std::vector<RecordedEvent>& events = lesson_.recorded->events;
+    for (; nextEvent_ < events.size() && events[nextEvent_].steps <= steps_; ++nextEvent_)
+        event(events[nextEvent_].name, events[nextEvent_].value);
     metal_->apply(lesson_); // the step's length may be among the changes
 }
 
@@ -154,6 +163,8 @@ RecordHead Trainer::recordHead(const RecordContext& context) {
     head.driver = context.driver;
     for (const Parameter& parameter : lesson_.metalParameters())
         head.values.emplace_back(parameter.key, parameterText(parameter));
+    for (const ChosenSetting& each : lesson_.choose)
+        head.chosen.push_back(each.key);
     head.arc = hasArc();
     head.rod = metal_->takesRod();
     head.paced = context.paced;

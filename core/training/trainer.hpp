@@ -62,7 +62,8 @@ class Trainer {
     void advance(const TorchSample& torch, gl::Profiler* profiler);
     /// One step of the demonstration, with the changes of a recorded one.
     void advanceDemonstration(gl::Profiler* profiler);
-    /// Makes the changes of a recorded attempt that fall before the next step.
+    /// Makes the changes of a recorded attempt that fall before the next step; its events that spoil a score happen
+    /// again.
     void applyRecordedChanges();
 
     /// Simulated time, s, and steps since the start.
@@ -110,7 +111,8 @@ class Trainer {
     /// Why a record ended before it was stopped, as a sentence; empty while none did.
     const std::string& recordFault() const { return recordFault_; }
     /// Notes in the record what happened after the last step, such as `zoom 2`. `torch lost` and `torch seen` tell
-    /// whether the torch is tracked from now on.
+    /// whether the torch is tracked from now on, `samples dropped` that places of the torch before the next step are
+    /// missing.
     void event(std::string_view name, std::string_view value = {});
     /// Simulated over real time about the next steps, for records and judgements of people.
     void setRealTime(double ratio) { realTime_ = ratio; }
@@ -150,6 +152,7 @@ class Trainer {
     RealTimeCount pace_;
     ArcAccount account_;
     size_t nextChange_ = 0; ///< of the demonstration's
+    size_t nextEvent_ = 0;  ///< the same
     TorchSample torch_;
     MetalStatistics figures_;
     ArcState arc_;

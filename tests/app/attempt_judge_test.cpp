@@ -40,6 +40,17 @@ class Welder {
         }
     }
 
+    /// One frame of `seconds`, the torch held still.
+    void stall(double seconds, float trigger) {
+        session.advance(controls, seconds, nullptr, [&](int, int) {
+            TorchSample torch;
+            torch.tip = {x_, 0.003f, 0};
+            torch.orientation = glm::angleAxis(-1.5707963f, glm::vec3(1, 0, 0));
+            torch.trigger = trigger;
+            return torch;
+        });
+    }
+
     Controls controls;
     LessonSession session;
 
@@ -126,4 +137,20 @@ TEST_CASE("the classic lesson has nothing to judge", "[app]") {
     CHECK_FALSE(welder.session.judges());
     welder.session.judge();
     CHECK_FALSE(welder.session.judged());
+}
+
+TEST_CASE("an attempt in which the hand went unseen for a long frame under the arc is not scored", "[app]") {
+    Welder welder(smallBead());
+    welder.lead(0.1, 0);
+    welder.stall(0.5, 0); // before the arc it spoils nothing
+    welder.lead(0.9, 1);
+    REQUIRE(welder.session.arc().burns());
+    const bool stalls = GENERATE(false, true);
+    if (stalls) welder.stall(0.5, 1);
+    welder.lead(1, 1);
+    welder.lead(1.5, 0);
+    REQUIRE(welder.session.judged());
+    REQUIRE(welder.session.judged()->judgement.score);
+    CHECK(welder.session.judged()->judgement.score->scored == !stalls);
+    if (stalls) CHECK_THAT(welder.session.judged()->judgement.score->reason, test::containsText("samples"));
 }

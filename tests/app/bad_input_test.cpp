@@ -56,6 +56,7 @@ TEST_CASE("bad command lines are refused", "[app]") {
              {"--headset run classic" + out, "--headset is an option of the trainer's window", "run --help"},
              {"--lesson x bench classic", "--lesson is an option of the trainer's window", "bench --help"},
              {"--record x lessons", "--record is an option of the trainer's window", "lessons --help"},
+             {"run gmaw-bead --set voltage=30" + out, "'voltage' is '30'", "expected a number from 20 to 26 (V)"},
              {"run gmaw-bead --set metal=cheese" + out, "unknown material 'cheese'", "expected one of 304"},
          })
         checkRefusal(bad);

@@ -290,3 +290,87 @@ TEST_CASE("a standing plate stands in the picture, and the torch is led in the r
     // The seam is vertical: 15 mm of it and 6 mm of supports lie under the middle.
     CHECK(session.bottom() == Approx(-0.021F));
 }
+
+namespace {
+
+/// A bead on a small plate, whose voltage is to be chosen and whose machine stands too low at first.
+Lesson beadToSet() {
+    Lesson lesson = findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
+    lesson.workpiece.lengthMm = 30;
+    lesson.workpiece.widthMm = 18;
+    lesson.workpiece.thicknessMm = 4;
+    lesson.surface.cells = 32;
+    lesson.choose = {{"voltage", 20, 26, 15.0}};
+    return lesson;
+}
+
+void set(LessonSession& session, const char* key, const char* value) {
+    setParameter(session.sections().simulation.parameters, key, value, "test");
+}
+
+std::string valueOf(LessonSession& session, const char* key) {
+    return parameterText(*findParameter(session.sections().simulation.parameters, key));
+}
+
+} // namespace
+
+TEST_CASE("a machine that stands outside of a lesson's limits is set before the weld", "[app]") {
+    const fs::path file = test::scratchFolder("unset") / "weld.csv";
+    Controls controls;
+    LessonSession session(test::shaders(), beadToSet(), [] { return 0.0; });
+    session.records().use(file, "program", "driver");
+    CHECK(valueOf(session, "voltage") == "15");
+    session.begin(controls);
+    CHECK_FALSE(session.running());
+    CHECK_THAT(session.question().text, test::containsText("voltage 20 to 26 V (it stands at 15)"));
+    REQUIRE(session.question().answers.size() == 1);
+    session.question().answered = 0;
+    session.settle(controls);
+    CHECK_FALSE(session.question().asked());
+    session.sections().restoreDefaults(); // what may not be chosen is nothing to go back to
+    CHECK(valueOf(session, "voltage") == "15");
+
+    session.demonstrate(controls); // shows the lesson's own settings, whatever the machine stands at
+    REQUIRE(session.running());
+    session.advance(controls, 1.0 / 45, nullptr);
+    session.reset(controls);
+    CHECK_FALSE(session.running());
+    CHECK(session.question().asked());
+    session.question().answered = 0;
+    session.settle(controls);
+
+    CHECK_THROWS_AS(set(session, "voltage", "27"), InputError);
+    set(session, "voltage", "21.5");
+    session.begin(controls);
+    CHECK(session.running());
+    CHECK_FALSE(session.question().asked());
+    session.end("start menu");
+    const std::string record = readTextFile(file);
+    CHECK(record.find("# value voltage 21.5\n") != std::string::npos);
+    CHECK(record.find("# chosen voltage\n") != std::string::npos);
+    CHECK(record.find("# chosen wire_feed_m_min\n") == std::string::npos);
+    CHECK(session.chosenText() == "voltage 21.5 V");
+}
+
+TEST_CASE("for score what a lesson gives stays the lesson's", "[app]") {
+    Controls controls;
+    LessonSession session(test::shaders(), beadToSet(), [] { return 0.0; });
+    LessonSections& sections = session.sections();
+    const auto given = [&](const char* key) {
+        return sections.simulation.isGiven(*findParameter(sections.simulation.parameters, key));
+    };
+    CHECK_FALSE(given("wire_feed_m_min"));
+    set(session, "voltage", "22");
+    set(session, "wire_feed_m_min", "6");
+    CHECK(session.settingsChanged());
+    sections.restoreGiven(); // nothing is given for practice
+    CHECK(valueOf(session, "wire_feed_m_min") == "6");
+    sections.attempt.forScore = true;
+    CHECK(given("wire_feed_m_min"));
+    CHECK_FALSE(given("voltage"));
+    session.begin(controls);
+    CHECK(valueOf(session, "wire_feed_m_min") == "4.5");
+    CHECK(valueOf(session, "voltage") == "22");
+    CHECK_FALSE(session.settingsChanged());
+    session.end("start menu");
+}

@@ -142,6 +142,29 @@ TEST_CASE("a weld lesson names the bands of its technique and the limits of its 
     CHECK_FALSE(lesson.nominal.throat);
 }
 
+TEST_CASE("a lesson lets the trainee choose settings within its limits", "[training]") {
+    const std::string process = "model = 'weld'\n[process]\nprocess = 'gmaw'\nvoltage = 19\nwire_feed_m_min = 4\n";
+    Lesson lesson = lessonFrom(process + "[choose]\nvoltage = { from = 17.4, to = 21, start = 15 }\n"
+                                         "wire_feed_m_min = { from = 3.5, to = 5 }\n");
+    REQUIRE(lesson.choose.size() == 2);
+    CHECK(lesson.choose[0].start == 15);
+    CHECK_FALSE(lesson.choose[1].start);
+    CHECK(lesson.process.of<Gmaw>().voltage == 19); // the lesson's own
+    CHECK(lesson.unsetSettings().empty());
+    CHECK_THROWS_WITH(lesson.set("voltage", "21.1", "--set voltage=21.1"),
+                      containsText("--set voltage=21.1: 'voltage' is '21.1'; expected a number from 17.4 to 21 (V)"));
+    CHECK_THROWS_AS(lesson.set("wire_feed_m_min", "3.4", "test"), InputError);
+    CHECK_NOTHROW(lesson.set("voltage", "17.4", "test"));
+    CHECK_NOTHROW(lesson.set("wire_diameter_mm", "0.8", "test")); // given, but this is no attempt for score
+    CHECK(lesson.chosenText() == "voltage 17.4 V, wire feed 4 m/min");
+    lesson.takeStartSettings();
+    CHECK(lesson.process.of<Gmaw>().voltage == 15);
+    CHECK(lesson.process.of<Gmaw>().wireFeedMPerMin == 4);
+    CHECK(lesson.unsetSettings() == "Set the machine before you weld: voltage 17.4 to 21 V (it stands at 15).");
+    CHECK(lessonFrom(process).chosenText().empty());
+    CHECK(findLesson("gmaw-bead", shippedLessons()).choose.size() == 2);
+}
+
 TEST_CASE("a weld lesson names joint, position and tacks", "[training]") {
     const Lesson lesson = lessonFrom("model = 'weld'\n[workpiece]\nworkpiece = 'corner'\nposition = '3F'\n"
                                      "tack_count = 3\ntack_length_mm = 10\n");
@@ -197,7 +220,19 @@ TEST_CASE("a bad lesson is refused in one sentence with file, line and expectati
         {"model = 'weld'\n[workpiece]\nworkpiece = 'pipe'\ndiameter_mm = 20\nthickness_mm = 10\n",
          "bad.toml:5: ", "expected less than half of diameter_mm"},
         {"model = 'weld'\n[workpiece]\ntack_count = 2\n", "bad.toml:3: ", "expected 0"},
-        {"[technique]\nlength_from_mm = 0\n", "bad.toml:1: ", "unknown key"}, // the classic model has no seam
+        {"model = 'weld'\n[choose]\nvoltage = { from = 1, to = 2 }\n", "bad.toml:3: ", "unknown key"}, // of GTAW
+        {"model = 'weld'\n[choose]\nprocess = { from = 1, to = 2 }\n", "bad.toml:3: ", "unknown key"},
+        {"model = 'weld'\n[choose]\ncurrent = 100\n", "bad.toml:3: ", "expected a table"},
+        {"model = 'weld'\n[choose]\ncurrent = { from = 100 }\n", "bad.toml:3: ", "to"},
+        {"model = 'weld'\n[choose]\ncurrent = { from = 100, to = 90 }\n", "bad.toml:3: ", "expected a number from 100"},
+        {"model = 'weld'\n[choose]\ncurrent = { from = 100, to = 501 }\n", "bad.toml:3: ", "to 500"},
+        {"model = 'weld'\n[choose]\ncurrent = { from = 100, to = 150, by = 5 }\n", "bad.toml:3: ", "unknown key"},
+        {"model = 'weld'\n[process]\ncurrent = 90\n[choose]\ncurrent = { from = 100, to = 150 }\n",
+         "bad.toml:5: ", "expected limits about the lesson's own value, 90"},
+        {"model = 'weld'\n[process]\nprocess = 'smaw'\n[choose]\nelectrode = { from = 0, to = 1 }\n",
+         "bad.toml:5: ", "expected a setting that is one"},
+        {"[choose]\ncurrent = { from = 1, to = 2 }\n", "bad.toml:1: ", "unknown key"}, // classic
+        {"[technique]\nlength_from_mm = 0\n", "bad.toml:1: ", "unknown key"},          // the classic model has no seam
         {"title = 'x'\n[[picture]]\nname = '../evil'\n", "bad.toml:3: ", "expected letters"},
         {"title = 'x'\n[[picture]]\nname = 'a'\n[[picture]]\nname = 'a'\n", "bad.toml:5: ", "stands twice"},
     };

@@ -186,6 +186,78 @@ TEST_CASE("an attempt whose values changed on the way is repeated from its recor
     CHECK(other.result().stateHash != trainer.result().stateHash);
 }
 
+TEST_CASE("a weld whose current changed under the arc is repeated to the same bits, and resets to its start",
+          "[training]") {
+    Lesson lesson = smallBead();
+    lesson.choose.clear();
+    lesson.process.choose<Gtaw>().current = 120;
+    const auto file = test::scratchFolder("weld-changes") / "record.csv";
+    TorchSample torch = upright({0, 0.002f, 0});
+    torch.trigger = 1;
+    Trainer trainer(test::shaders(), lesson);
+    trainer.record(file);
+    repeat(trainer, torch, 30);
+    trainer.change("current", "180", "a menu");
+    repeat(trainer, torch, 30);
+    trainer.stopRecord();
+    const auto attempt = readRecordedAttempt(file);
+    REQUIRE(attempt);
+    Lesson again = lesson;
+    again.torch = TorchPath::read(file);
+    repeatAttempt(again, *attempt);
+    Trainer replay(test::shaders(), again);
+    for (int run = 0; run < 2; ++run) {
+        for (size_t i = 0; i < again.recorded->rows; ++i)
+            replay.advanceDemonstration(nullptr);
+        CHECK(formatHexadecimal(replay.result().stateHash) == attempt->stateHash);
+        replay.reset(); // the recorded change is taken back
+    }
+}
+
+TEST_CASE("a replay of an attempt that lost its torch or samples is not scored, with the attempt's reason",
+          "[training]") {
+    const bool tracking = GENERATE(true, false);
+    const auto file = test::scratchFolder("lost-replay") / "record.csv";
+    TorchSample torch = upright({0, 0.003f, 0});
+    torch.trigger = 1;
+    Trainer trainer(test::shaders(), smallBead());
+    trainer.record(file);
+    repeat(trainer, torch, 40);
+    REQUIRE(trainer.arc().burns());
+    if (tracking)
+        trainer.event("torch", "lost");
+    else
+        trainer.event("samples", "dropped");
+    repeat(trainer, torch, 9);
+    if (tracking) trainer.event("torch", "seen");
+    repeat(trainer, torch, 11);
+    trainer.stopRecord();
+    const TechniqueFaults& faults = trainer.technique()->faults();
+    CHECK(faults.lostSeconds == (tracking ? Approx(9 * trainer.timeStep()) : Approx(0)));
+    CHECK(faults.dropped == (tracking ? 0 : 1));
+
+    Lesson again = smallBead();
+    again.torch = TorchPath::read(file);
+    const auto attempt = readRecordedAttempt(file);
+    REQUIRE(attempt);
+    CHECK(attempt->events.size() == (tracking ? 2 : 1));
+    repeatAttempt(again, *attempt);
+    Trainer replay(test::shaders(), again);
+    const auto copy = file.parent_path() / "copy.csv";
+    replay.record(copy);
+    for (size_t i = 0; i < again.recorded->rows; ++i)
+        replay.advanceDemonstration(nullptr);
+    replay.stopRecord();
+    CHECK(replay.technique()->faults().lostSeconds == Approx(faults.lostSeconds));
+    CHECK(replay.technique()->faults().dropped == faults.dropped);
+    const Judgement first = trainer.judge(), second = replay.judge();
+    REQUIRE((first.score && second.score));
+    CHECK_FALSE(first.score->scored);
+    CHECK_FALSE(second.score->scored);
+    CHECK(second.score->reason == first.score->reason);
+    CHECK(readRecordedAttempt(copy)->events.size() == attempt->events.size()); // of the replay's record, too
+}
+
 TEST_CASE("a disk that is full in mid-attempt ends the record, not the weld", "[training]") {
     const char* full = "/dev/full";
     if (!std::filesystem::exists(full)) return;

@@ -17,16 +17,21 @@ class StepClock {
     /// Steps due after another `elapsed` seconds of real time with steps of `step` seconds. The first call after a
     /// restart only starts the clock.
     int due(double elapsed, double step) {
+        dropped_ = false;
         if (!started_) {
             started_ = true;
             return 0;
         }
+        dropped_ = elapsed > kLongest;
         owed_ += std::max(0.0, elapsed);
         const int steps = std::min(mostSteps(step), static_cast<int>(owed_ / step + 1e-9));
         owed_ = std::min(owed_ - steps * step, step);
         smooth(elapsed, steps * step);
         return steps;
     }
+
+    /// The last frame took longer than can be made good: what the hand did meanwhile is not known.
+    bool dropped() const { return dropped_; }
 
     /// What `steps` steps kept the frame waiting for, s.
     void took(double seconds, int steps) {
@@ -64,6 +69,7 @@ class StepClock {
     double simulated_ = 0;
     double cost_ = 0; ///< s of a step
     bool started_ = false;
+    bool dropped_ = false;
 };
 
 } // namespace meltpool

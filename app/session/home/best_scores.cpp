@@ -21,6 +21,7 @@ constexpr NumberRange kScore{0, 100};
 constexpr NumberRange kZoom{1, 10};
 constexpr NumberRange kRealTime{0, 1};
 constexpr size_t kMostBytes = 2000; ///< of a fault's sentence
+constexpr size_t kMostChosen = 200; ///< bytes of the chosen settings
 
 CueSet readCues(TomlTable& table) {
     CueSet cues;
@@ -71,11 +72,12 @@ BestScore readBest(TomlTable& table) {
     best.changed = table.flag("changed", false);
     best.realTime = table.number("real_time", kRealTime, 1);
     best.cues = readCues(table);
+    best.chosen = printable(table.text("chosen", ""), kMostChosen);
     return best;
 }
 
-/// A key of TOML; only letters, digits, '-' and '_' may stand without quotes.
-std::string tomlKey(const std::string& name) {
+/// A text of TOML, as which a key may stand too.
+std::string tomlText(const std::string& name) {
     std::string quoted = "\"";
     for (const char c : name) {
         if (c == '"' || c == '\\') quoted += '\\';
@@ -108,6 +110,7 @@ std::string bestScoreText(const BestScore& best) {
     if (best.changed) text += ", changed values";
     if (best.realTime < SpeedTrial::kLeast)
         text += ", metal at " + std::to_string(std::lround(best.realTime * 100)) + " %";
+    if (!best.chosen.empty()) text += ", " + best.chosen;
     return text;
 }
 
@@ -172,12 +175,13 @@ void BestScores::practise(const std::string& lesson, const CueSkill& skill) {
 void BestScores::save() const {
     std::string text = "# Best scores of the Meltpool trainer; written after an attempt that beats the one before.\n";
     for (const auto& [lesson, best] : best_)
-        text += "\n[" + tomlKey(lesson) + "]\nscore = " + formatNumber(best.score) +
+        text += "\n[" + tomlText(lesson) + "]\nscore = " + formatNumber(best.score) +
                 "\naccepted = " + flag(best.accepted) + "\nzoom = " + formatNumber(best.zoom) +
                 "\nfor_score = " + flag(best.forScore) + "\nguided = " + flag(best.guided) +
                 "\nchanged = " + flag(best.changed) +
                 "\nreal_time = " + formatNumber(static_cast<float>(best.realTime)) + "\ncues = " + cueList(best.cues) +
-                "\npractised = " + skillTable(skill(lesson)) + "\n";
+                "\npractised = " + skillTable(skill(lesson)) + "\n" +
+                (best.chosen.empty() ? "" : "chosen = " + tomlText(best.chosen) + "\n");
     std::error_code failed;
     fs::create_directories(file_.parent_path(), failed); // writeFile() tells where there is none
     writeFile(file_, text);

@@ -19,18 +19,19 @@ struct BestScore {
     double score = 0;      ///< 0..100
     bool accepted = false; ///< the weld, by the lesson's standard; false where it names none
     // Help that the attempt had.
-    double zoom = 1;       ///< size at which the workpiece was shown
-    bool forScore = false; ///< the machine was measured to keep the metal at the clock's time
-    bool changed = false;  ///< workpiece or particles were others than the lesson's
-    bool guided = false;   ///< the torch of the desk went along the seam by itself
-    double realTime = 1;   ///< simulated over real time: on a slow metal the hand has more time
-    CueSet cues = {};      ///< that were on while the arc burned
+    double zoom = 1;         ///< size at which the workpiece was shown
+    bool forScore = false;   ///< the machine was measured to keep the metal at the clock's time
+    bool changed = false;    ///< workpiece, particles or given settings were others than the lesson's
+    bool guided = false;     ///< the torch of the desk went along the seam by itself
+    double realTime = 1;     ///< simulated over real time: on a slow metal the hand has more time
+    CueSet cues = {};        ///< that were on while the arc burned
+    std::string chosen = {}; ///< the machine's settings that the person chose, see Lesson::chosenText()
 };
 
 /// The attempt as far as it can be a best one; nothing where it is not scored. Help is left to the caller.
 std::optional<BestScore> countedScore(const Judgement& judgement);
 
-/// "Best 84, accepted, zoom 4".
+/// "Best 84, accepted, zoom 4, voltage 22 V".
 std::string bestScoreText(const BestScore& best);
 
 class BestScores {

@@ -60,7 +60,7 @@ void drawGroup(Context& context, const ParameterSection& section, const char* ti
     if (std::none_of(section.parameters.begin(), section.parameters.end(), drawn)) return;
     if (!groupHeading(context, section.name, title, openAtFirst)) return;
     for (const Parameter& parameter : section.parameters)
-        if (drawn(parameter)) parameterControl(context, section.name, parameter, section.defaults);
+        if (drawn(parameter)) parameterControl(context, section, parameter);
 }
 
 /// A group's parameters in the group's order.
@@ -70,7 +70,7 @@ void drawGroup(Context& context, const ParameterSection& section, const Group& g
     if (!groupHeading(context, section.name, group.title, group.openAtFirst)) return;
     for (const std::string_view key : group.keys)
         if (const Parameter* p = findParameter(section.parameters, key); p != nullptr && belongs(*p))
-            parameterControl(context, section.name, *p, section.defaults);
+            parameterControl(context, section, *p);
 }
 
 /// The groups in order, then under "More" whatever no group names.

@@ -154,6 +154,14 @@ ShortText valueWithUnit(const Parameter& p, double value) {
     return isBareUnit(p.unit) ? niceNumber(value) : ShortText{niceNumber(value), " ", p.unit};
 }
 
+/// The value as menus show it, with its unit.
+ShortText givenText(const Parameter& p) {
+    if (const auto* value = std::get_if<float*>(&p.value)) return valueWithUnit(p, static_cast<double>(**value));
+    if (const auto* value = std::get_if<int*>(&p.value))
+        return p.choices.empty() ? valueWithUnit(p, **value) : ShortText(p.choices[static_cast<size_t>(**value)]);
+    return std::string_view(parameterText(p)); // no process has others
+}
+
 struct Draw {
     Context& context;
     std::string_view name;
@@ -223,6 +231,18 @@ bool parameterControl(Context& context, std::string_view prefix, const Parameter
     ImGui::EndGroup();
     ImGui::PopID();
     return changed;
+}
+
+bool parameterControl(Context& context, const ParameterSection& section, const Parameter& parameter) {
+    if (!section.isGiven(parameter)) return parameterControl(context, section.name, parameter, section.defaults);
+    const ShortText name{section.name, ".", parameter.key, ".given"};
+    ImGui::PushID(name.c_str());
+    ImGui::BeginGroup();
+    labelLine(context, name, parameter, ShortText{givenText(parameter), ", given"}, {});
+    ImGui::EndGroup();
+    markItem(context, name);
+    ImGui::PopID();
+    return false;
 }
 
 } // namespace meltpool::ui

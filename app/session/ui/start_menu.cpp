@@ -109,7 +109,7 @@ void introduction(Context& context, const Lesson& lesson, Home& home) {
 
 /// A parameter with what it does below it.
 void explained(Context& context, const ParameterSection& section, const Parameter& parameter) {
-    parameterControl(context, section.name, parameter, section.defaults);
+    parameterControl(context, section, parameter);
     quietText(context, sentence(parameter.note));
     ImGui::Dummy({0, context.points(3)});
 }
@@ -181,6 +181,7 @@ void drawBackdrop(float width, float height) {
 }
 
 void setupPart(Context& context, LessonSections& sections) {
+    sections.restoreGiven(); // "for score" may have been chosen a moment ago
     explainAll(context, sections.start, false);
     if (groupHeading(context, "start", "Machine")) explainAll(context, sections.simulation, false);
     if (!groupHeading(context, "start", "Expert", false)) return;

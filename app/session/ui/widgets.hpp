@@ -37,6 +37,9 @@ void markItem(Context& context, std::string_view name);
 bool parameterControl(Context& context, std::string_view prefix, const Parameter& parameter,
                       const DefaultTexts& defaults);
 
+/// The same for one of a section; a value that the lesson gives is shown without a control.
+bool parameterControl(Context& context, const ParameterSection& section, const Parameter& parameter);
+
 /// A heading of a group; false when it is folded.
 bool groupHeading(Context& context, std::string_view prefix, const char* title, bool openAtFirst = true);
 

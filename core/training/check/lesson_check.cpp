@@ -186,15 +186,22 @@ LessonCheck readLessonCheck(const fs::path& file, const fs::path& lessons) {
     check.name = file.stem().string();
     if (!root.has("lesson")) {
         check.lesson = readLesson(file);
+        if (check.lesson.model != LessonModel::Weld) root.fail("expect", "expected a lesson whose model is weld");
         readExpectations(root, check);
         return check;
     }
     check.lesson = namedLesson(root, lessons);
     readValues(root, check.lesson);
     check.bend = readBend(root);
-    if (check.lesson.recorded) // what was changed at a place of the path is changed there in the bent path, too
+    if (check.lesson.recorded) { // what happened at a place of the path happens there in the bent path, too
+        const auto bent = [&](size_t steps) {
+            return static_cast<size_t>(std::lround(static_cast<double>(steps) * check.bend.time));
+        };
         for (RecordedChange& change : check.lesson.recorded->changes)
-            change.steps = static_cast<size_t>(std::lround(static_cast<double>(change.steps) * check.bend.time));
+            change.steps = bent(change.steps);
+        for (RecordedEvent& event : check.lesson.recorded->events)
+            event.steps = bent(event.steps);
+    }
     readExpectations(root, check);
     root.finish();
     if (check.lesson.model != LessonModel::Weld) root.fail("lesson", "expected a lesson whose model is weld");

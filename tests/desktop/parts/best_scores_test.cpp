@@ -48,6 +48,9 @@ TEST_CASE("an attempt counts where it is scored; the verdict goes with it") {
     BestScore helped{70};
     helped.cues.set(CueKind::aim);
     CHECK(bestScoreText(helped) == "Best 70, with cues");
+    BestScore set{70};
+    set.chosen = "voltage 22 V";
+    CHECK(bestScoreText(set) == "Best 70, voltage 22 V");
 }
 
 TEST_CASE("the better score of a lesson stays, with its help, from one start to the next") {
@@ -70,9 +73,13 @@ TEST_CASE("the better score of a lesson stays, with its help, from one start to 
     CHECK(again.find("gmaw-bead")->changed);
     REQUIRE(again.find("tee fillet \"2F\"") != nullptr);
     CHECK(again.find("gmaw-bead")->realTime == 1);
-    CHECK(again.offer("gmaw-bead", {70, true, 1, true, false, false, 0.5}));
+    BestScore better{70, true, 1, true, false, false, 0.5};
+    better.chosen = "voltage 22 V";
+    CHECK(again.offer("gmaw-bead", better));
     CHECK(BestScores(file).find("gmaw-bead")->realTime == 0.5);
     CHECK(BestScores(file).find("gmaw-bead")->forScore);
+    CHECK(BestScores(file).find("gmaw-bead")->chosen == "voltage 22 V");
+    CHECK(BestScores(file).find("tee fillet \"2F\"")->chosen.empty());
 }
 
 TEST_CASE("the cues of a best score, and how far they have faded, stay from one start to the next") {

@@ -51,6 +51,21 @@ TEST_CASE("a machine that is too slow is slow by as much as its steps are, and i
     CHECK(paceOf(0.2, 0.02, 1.0 / 60) == Approx(kStep / 0.22).margin(0.01)); // a step a frame at least
 }
 
+TEST_CASE("a frame that took longer than can be made good has dropped what the hand did, one after a pause has not") {
+    StepClock clock;
+    clock.due(5, kStep);
+    CHECK_FALSE(clock.dropped());
+    clock.due(0.24, kStep);
+    CHECK_FALSE(clock.dropped());
+    clock.due(0.26, kStep);
+    CHECK(clock.dropped());
+    clock.due(0.02, kStep);
+    CHECK_FALSE(clock.dropped());
+    clock.restart();
+    clock.due(9, kStep);
+    CHECK_FALSE(clock.dropped());
+}
+
 TEST_CASE("after a pause no time is made good, and one long frame is") {
     StepClock clock;
     clock.due(5, kStep);
