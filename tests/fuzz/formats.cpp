@@ -6,6 +6,7 @@
 #include "app/session/settings.hpp"
 #include "core/base/text.hpp"
 #include "core/metal/material/materials.hpp"
+#include "core/training/check/lesson_check.hpp"
 #include "core/training/lesson.hpp"
 #include "core/training/recorded_attempt.hpp"
 #include "core/training/verdict/verdict.hpp"
@@ -143,6 +144,47 @@ Answer readRecord(const fs::path& file) {
     return readPath(file);
 }
 
+/// The kept checks and those of the shipped lessons, which find their paths from anywhere.
+Texts checkTexts() {
+    Texts texts = corpusOf("check", nullptr);
+    std::vector<fs::path> folders;
+    for (const auto& entry : fs::directory_iterator(testFolder() / "checks"))
+        if (entry.is_directory()) folders.push_back(entry.path());
+    std::sort(folders.begin(), folders.end());
+    for (const fs::path& folder : folders) {
+        Texts found;
+        addFolder(found, folder);
+        for (std::string& text : found) {
+            if (text.find("[expect]") == std::string::npos) continue; // a torch path
+            constexpr std::string_view kTorch = "torch = \"";
+            if (const size_t at = text.find(kTorch); at != std::string::npos)
+                text.insert(at + kTorch.size(), folder.string() + "/");
+            texts.push_back(std::move(text));
+        }
+    }
+    return texts;
+}
+
+/// Its lesson is sound, the bent path has places, and an attempt without anything can be held against it.
+Answer readCheckFile(const fs::path& file) {
+    LessonCheck check = readLessonCheck(file, testFolder().parent_path() / "app" / "data" / "lessons");
+    requireInRange(check.lesson.parameters());
+    require(!check.expectations.empty(), "a check expects nothing");
+    require(check.lesson.model == LessonModel::Weld, "a check is of no weld");
+    const Seam seam = seamOf(check.lesson.workpiece);
+    const BentPath path(check.lesson.torch, seam, check.bend);
+    for (int i = 0; i <= 20; ++i) {
+        const TorchSample s = path.sample(check.lesson.torch.duration() * check.bend.time * i / 20);
+        require(std::isfinite(s.tip.x + s.tip.y + s.tip.z), "a bent path's place is not finite");
+        require(std::abs(glm::length(s.orientation) - 1) < 1e-3F, "a bent path's orientation is not of length 1");
+    }
+    const std::vector<CheckedValue> values = checkJudgement(check, {});
+    require(values.size() == check.expectations.size(), "not every expectation is looked at");
+    for (const CheckedValue& value : values)
+        require(!value.passed || value.found == value.expected, "a value passes that is not there");
+    return Answer::taken;
+}
+
 Texts settingsTexts() {
     Texts texts = corpusOf("settings", nullptr);
     Lesson lesson = loadLesson(std::string(kDefaultLesson));
@@ -201,7 +243,7 @@ Answer readWords(const fs::path& file) {
     return Answer::taken;
 }
 
-const std::array<Format, 11> kFormats{{
+const std::array<Format, 12> kFormats{{
     {"lesson", "lesson.toml", lessonTexts, readLessonFile},
     {"material", "material.toml", [] { return corpusOf("material", "app/data/materials"); }, readMaterialFile},
     {"acceptance", "acceptance.toml", [] { return corpusOf("acceptance", "app/data/acceptance"); }, readAcceptanceFile},
@@ -209,6 +251,7 @@ const std::array<Format, 11> kFormats{{
     {"recorded torch path", "path.csv", [] { return corpusOf("torch-csv", nullptr); }, readPath},
     {"record", "record.csv", [] { return corpusOf("record", nullptr); }, readRecord},
     {"authored torch path", "path.toml", [] { return corpusOf("torch-toml", "app/data/paths"); }, readPath},
+    {"check", "check.toml", checkTexts, readCheckFile},
     {"settings", "settings.toml", settingsTexts, readSettings},
     {"best scores", "best-scores.toml", [] { return corpusOf("best-scores", nullptr); }, readBestScores},
     {"torch tip", "torch-tip.txt", [] { return corpusOf("torch-tip", nullptr); }, readTip},
