@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <ctime>
 #include <functional>
 #include <thread>
 
@@ -36,6 +37,40 @@ class LittleTime {
     std::function<void(int)> signal_;
     std::atomic<bool> done_ = false;
     std::thread thread_;
+};
+
+/// The share of a processor that this machine gives a thread that wants one all the time, measured by working for a
+/// second: 1 on a quiet machine.
+inline double shareOfProcessor() {
+    const auto seconds = [](clockid_t clock) {
+        timespec time{};
+        clock_gettime(clock, &time);
+        return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+    };
+    const double begin = seconds(CLOCK_MONOTONIC), worked = seconds(CLOCK_THREAD_CPUTIME_ID);
+    while (seconds(CLOCK_MONOTONIC) < begin + 1) {
+    }
+    return (seconds(CLOCK_THREAD_CPUTIME_ID) - worked) / (seconds(CLOCK_MONOTONIC) - begin);
+}
+
+/// Says when a program that should keep up with the clock need not: after half a minute in which it did not, on a
+/// machine whose other programs leave it too little. A program that is too slow by itself gets no such excuse.
+class BusyMachine {
+  public:
+    bool excuses() {
+        const auto now = Clock::now();
+        if (now < next_) return false;
+        next_ = now + std::chrono::seconds(10);
+        share_ = shareOfProcessor();
+        return share_ < 0.7;
+    }
+    /// The share measured last.
+    double share() const { return share_; }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point next_ = Clock::now() + std::chrono::seconds(30);
+    double share_ = 1;
 };
 
 } // namespace meltpool::test

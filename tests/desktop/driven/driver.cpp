@@ -81,6 +81,8 @@ VirtualDisplay::VirtualDisplay(int dotsPerInch) {
     const std::string resources = "Xft.dpi:\t" + std::to_string(dotsPerInch) + "\n";
     XChangeProperty(display, DefaultRootWindow(display), XA_RESOURCE_MANAGER, XA_STRING, 8, PropModeReplace,
                     reinterpret_cast<const unsigned char*>(resources.data()), static_cast<int>(resources.size()));
+    // A key that xdotool strikes stays down for as long as the machine keeps xdotool waiting, and would be repeated.
+    XAutoRepeatOff(display);
     XCloseDisplay(display);
 }
 
@@ -95,13 +97,13 @@ VirtualDisplay& sharedDisplay() {
 
 TrainerWindow::TrainerWindow(const std::string& name, const Options& options)
     : folder_(scratchFolder(name)),
-      telemetry_(folder_ / "telemetry.jsonl"),
+      rows_(folder_ / "telemetry.jsonl"),
       display_((options.display == nullptr ? sharedDisplay() : *options.display).name()) {
     fs::create_directories(folder_ / "home" / "Pictures");
     fs::create_directories(settingsFile().parent_path());
     if (!options.settings.empty()) writeTextFileAtomically(settingsFile(), options.settings);
     Process::Options process;
-    process.command = {MELTPOOL_PROGRAM, "--telemetry", telemetry_.string()};
+    process.command = {MELTPOOL_PROGRAM, "--telemetry", (folder_ / "telemetry.jsonl").string()};
     if (!options.lesson.empty()) process.command.insert(process.command.end(), {"--lesson", options.lesson});
     process.command.insert(process.command.end(), options.arguments.begin(), options.arguments.end());
     const fs::path data = options.data.empty() ? fs::path(MELTPOOL_BINARY_FOLDER) / "share" / "meltpool" : options.data;
@@ -118,37 +120,34 @@ TrainerWindow::TrainerWindow(const std::string& name, const Options& options)
     process_ = std::make_unique<Process>(process);
     moveMouse(5, 635);
     waitFor("the window's first frames", [](const json& s) { return s.at("frame") > 2; });
+    since_ = 0; // what the window told at its start is news
 }
 
 json TrainerWindow::state() const {
-    std::ifstream in(telemetry_, std::ios::ate);
-    if (!in) return nullptr;
-    const auto size = static_cast<std::streamoff>(in.tellg());
-    constexpr std::streamoff kTail = 64 * 1024;
-    in.seekg(std::max<std::streamoff>(0, size - kTail));
-    std::ostringstream text;
-    text << in.rdbuf();
-    std::string tail = text.str();
-    const size_t end = tail.rfind('\n');
-    if (end == std::string::npos) return nullptr;
-    const size_t begin = end == 0 ? std::string::npos : tail.rfind('\n', end - 1);
-    if (begin == std::string::npos && size > kTail) return nullptr;
-    return json::parse(tail.substr(begin == std::string::npos ? 0 : begin + 1, end - begin - 1), nullptr, false);
+    return rows_.newest();
 }
 
-json TrainerWindow::waitFor(const std::string& what, const std::function<bool(const json&)>& condition) {
+json TrainerWindow::firstRow(std::streamoff& from, const std::string& what,
+                             const std::function<bool(const json&)>& condition) {
     const auto end = Clock::now() + std::chrono::duration<double>(kPatience);
     json last;
-    while (Clock::now() < end) {
-        last = state();
-        if (last.is_object() && condition(last)) return last;
-        if (!process_->running()) break;
-        nap(0.01);
+    for (bool over = false; !over; nap(0.01)) {
+        over = !process_->running() || Clock::now() >= end; // looked at first, so that no row is left out
+        for (std::streamoff next = from;; from = next) {
+            json row = rows_.read(next);
+            if (!row.is_object()) break;
+            if (condition(row)) return row;
+            last = std::move(row);
+        }
     }
     if (last.is_object()) last.erase("places");
     FAIL("waited in vain for " << what << (process_->running() ? "" : "; the program has ended")
                                << "\nits words: " << output() << "\nlast telemetry: " << last.dump());
     return last;
+}
+
+json TrainerWindow::waitFor(const std::string& what, const std::function<bool(const json&)>& condition) {
+    return firstRow(since_, what, condition);
 }
 
 bool TrainerWindow::comesTrue(int frames, const std::function<bool(const json&)>& condition) {
@@ -162,13 +161,29 @@ bool TrainerWindow::comesTrue(int frames, const std::function<bool(const json&)>
 }
 
 json TrainerWindow::settle() {
-    const json before = state();
-    const long long frame = before.is_object() ? before.at("frame").get<long long>() : 0;
-    return waitFor("a few frames", [frame](const json& s) { return s.at("frame").get<long long>() >= frame + 3; });
+    // The frame of the next row may have begun before what was done, those after it have not.
+    std::streamoff from = rows_.end();
+    long long next = -1;
+    return firstRow(from, "a few frames", [&](const json& row) {
+        const long long frame = row.at("frame").get<long long>();
+        if (next < 0) next = frame;
+        return frame >= next + 2;
+    });
+}
+
+void TrainerWindow::change(const std::string& section, const std::string& key, const std::function<void()>& act) {
+    const std::string before = parameterIn(settle(), section, key);
+    const auto changed = [&](const json& row) { return parameterIn(row, section, key) != before; };
+    for (int attempt = 0; attempt < 3; ++attempt) {
+        act();
+        if (comesTrue(60, changed)) return;
+    }
+    waitFor(section + "." + key + " to change", changed);
 }
 
 void TrainerWindow::xdotool(std::vector<std::string> words) const {
     words.insert(words.begin(), "xdotool");
+    since_ = rows_.end();
     const int code = runCommand(words, {{"DISPLAY", display_}});
     INFO("the desktop tests need xdotool; install the package xdotool");
     REQUIRE(code == 0);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/desktop/driven/process.hpp"
+#include "tests/support/telemetry_rows.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -44,15 +45,20 @@ class TrainerWindow {
     /// Starts the program in the scratch folder `name` and waits for its first telemetry.
     TrainerWindow(const std::string& name, const Options& options);
 
-    /// Whether the condition comes true within so many frames.
+    /// Whether a row within so many frames from now fulfils the condition.
     bool comesTrue(int frames, const std::function<bool(const nlohmann::json&)>& condition);
 
     /// The newest telemetry.
     nlohmann::json state() const;
-    /// Waits until the newest telemetry fulfils `condition`; fails the test, saying `what`, when it never does.
+    /// The first row that fulfils `condition` among all since the last word to xdotool or the row of the last such
+    /// wait, whichever is the later; waits for it. What holds for a moment only is seen too, however long this test
+    /// stands still. Fails the test, saying `what`, when there never is one.
     nlohmann::json waitFor(const std::string& what, const std::function<bool(const nlohmann::json&)>& condition);
     /// Waits for a few whole frames after what was done until now.
     nlohmann::json settle();
+    /// Acts, such as by click(), until the parameter has another text than before: a press can fall between two frames
+    /// where they are slow, and a person would press again.
+    void change(const std::string& section, const std::string& key, const std::function<void()>& act);
 
     /// xdotool with these words. A missing xdotool fails the test.
     void xdotool(std::vector<std::string> words) const;
@@ -84,8 +90,13 @@ class TrainerWindow {
     std::string output() const;
 
   private:
+    /// Waits for the first row from `from` on that fulfils the condition; moves `from` to its begin.
+    nlohmann::json firstRow(std::streamoff& from, const std::string& what,
+                            const std::function<bool(const nlohmann::json&)>& condition);
+
     std::filesystem::path folder_;
-    std::filesystem::path telemetry_;
+    TelemetryRows rows_;
+    mutable std::streamoff since_ = 0; ///< where the rows begin that waitFor() looks at
     std::string display_;
     std::unique_ptr<Process> process_;
 };
