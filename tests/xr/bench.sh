@@ -88,7 +88,7 @@ startDisplay() {
     # -noreset: a server that resets when its last client leaves refuses the clients that come while it does so.
     setpriv --pdeathsig KILL Xvfb -displayfd 8 -screen 0 "${MELTPOOL_XR_SCREEN:-1280x720x24}" -noreset -nolisten tcp 8>"$run/display" >"$run/xvfb.log" 2>&1 </dev/null &
     display_pid=$!
-    for _ in $(seq 600); do
+    for _ in $(seq 3000); do
         read -r number <"$run/display" 2>/dev/null && [ -n "$number" ] && break
         sleep 0.1
     done

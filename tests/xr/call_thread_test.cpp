@@ -14,6 +14,9 @@ using namespace std::chrono_literals;
 
 namespace {
 
+/// Far beyond what anything here takes, sanitizer and busy machine included.
+constexpr auto kPatience = 300s;
+
 /// A runtime that hangs until it is told to go on.
 struct Gate {
     std::mutex mutex;
@@ -91,12 +94,12 @@ TEST_CASE("calls run one after the other on a thread of their own, and their fau
         xr::CallThread thread(std::make_unique<Caller>(gate));
         for (int i = 1; i <= 100; ++i) {
             thread.begin(count);
-            REQUIRE(thread.wait(5s));
+            REQUIRE(thread.wait(kPatience));
             REQUIRE(gate.calls == i);
         }
         CHECK(gate.thread != std::this_thread::get_id());
         thread.begin(fail);
-        REQUIRE(thread.wait(5s));
+        REQUIRE(thread.wait(kPatience));
         CHECK_THROWS_WITH(thread.rethrow(), "lost");
         CHECK_NOTHROW(thread.rethrow());
         CHECK_FALSE(gate.destroyed);
@@ -112,10 +115,10 @@ TEST_CASE("a call that hangs is given up, others are refused meanwhile, and all 
     CHECK_FALSE(thread.over());
     CHECK_THROWS_AS(thread.begin(count), xr::Stalled);
     gate.release();
-    CHECK(thread.wait(5s));
+    CHECK(thread.wait(kPatience));
     CHECK(gate.calls == 1);
     thread.begin(count);
-    CHECK(thread.wait(5s));
+    CHECK(thread.wait(kPatience));
     CHECK(gate.calls == 2);
 }
 
@@ -124,7 +127,7 @@ TEST_CASE("a call's work is told to who measures it: without drivers, without wa
     xr::CallThread thread(std::make_unique<Caller>(gate));
     const auto took = [&](xr::CallThread::Call call) {
         thread.begin(call);
-        REQUIRE(thread.wait(5s));
+        REQUIRE(thread.wait(kPatience));
         return thread.work().cpuSeconds;
     };
     CHECK(took(work) == 0); // nobody measures
@@ -151,7 +154,7 @@ TEST_CASE("what a hanging call works on outlives its owner, and is gone soon aft
     CHECK_FALSE(*gone);
     CHECK_FALSE(gate.destroyed);
     gate.release();
-    for (int i = 0; i < 500 && !*gone; ++i)
+    for (int i = 0; i < 30000 && !*gone; ++i)
         std::this_thread::sleep_for(10ms);
     CHECK(*gone);
     CHECK(gate.destroyed);

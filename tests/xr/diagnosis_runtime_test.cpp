@@ -31,7 +31,13 @@ TEST_CASE("the doctor sees runtime, headset, formats, rate and controllers", "[r
     // The validation layer does not know the EGL binding's struct and refuses the session.
     const std::string layers = std::getenv("XR_ENABLE_API_LAYERS");
     unsetenv("XR_ENABLE_API_LAYERS");
-    const xr::Diagnosis told = xr::diagnose(true);
+    // The doctor gives controllers a few seconds, and tells the rate at which this machine's frames come.
+    xr::Diagnosis told;
+    CHECK(waitUntil([&] {
+        told = xr::diagnose(true);
+        return valueOf(told, "right controller").find(", tracked") != std::string::npos &&
+               valueOf(told, "refresh rate") == "60.0 Hz";
+    }));
     setenv("XR_ENABLE_API_LAYERS", layers.c_str(), 1);
     for (const xr::Fact& fact : told.facts)
         UNSCOPED_INFO(fact.name << ": " << fact.value);

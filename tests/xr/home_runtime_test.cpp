@@ -65,17 +65,17 @@ TEST_CASE("a lesson is picked on the panel, demonstrated, welded, judged and beg
     CHECK(trainer.now()["metal"]["steps"] == 0);
     passFrames(trainer, 4);
     keepPicture(screenshot(), "home.png");
-    trainee.press(trainer, "home.lesson.plate");
+    trainee.press(trainer, "home.lesson.plate", [](const json& row) { return onPage(row, "start"); });
     REQUIRE(trainer.waitFor([](const json& row) {
         return onPage(row, "start") && row["headset"]["places"].contains("headset.demonstration");
     }));
-    trainee.press(trainer, "headset.demonstration");
+    trainee.press(trainer, "headset.demonstration", [](const json& row) { return !row["demonstration"].is_null(); });
     REQUIRE(trainer.waitFor([](const json& row) {
         return !row["demonstration"].is_null() && row["demonstration"]["time"] > 0.1 &&
                row["headset"]["places"].contains("demonstration.weld");
     }));
     keepPicture(screenshot(), "demonstration.png");
-    trainee.press(trainer, "demonstration.weld");
+    trainee.press(trainer, "demonstration.weld", [](const json& row) { return row["demonstration"].is_null(); });
     REQUIRE(trainer.waitFor([](const json& row) { return onPage(row, "running") && row["demonstration"].is_null(); }));
     trainee.lookDown();
     trainee.showPanel(trainer, false);
@@ -121,15 +121,20 @@ TEST_CASE("a lesson is picked on the panel, demonstrated, welded, judged and beg
     trainee.state.hands[0].pose.orientation = glm::angleAxis(1.4f, glm::vec3(1, 0, 0));
     trainee.send();
     passFrames(trainer, 10);
-    trainee.state.hands[0].trigger = 1;
-    trainee.send();
-    CHECK(trainer.waitFor([](const json& row) { return row["judgement"].is_null() && row["metal"]["molten"] == 0; }));
-    trainee.state.hands[0].trigger = 0;
-    trainee.send();
+    bool again = false;
+    for (int attempt = 0; attempt < 5 && !again; ++attempt) { // a frame that the runtime does not answer loses a pull
+        trainee.state.hands[0].trigger = 1;
+        trainee.send();
+        again = comesTrue(trainer, 60, [](const json& row) { return row["judgement"].is_null(); });
+        trainee.state.hands[0].trigger = 0;
+        trainee.send();
+        passFrames(trainer, 4);
+    }
+    CHECK(again);
+    CHECK(trainer.waitFor([](const json& row) { return row["metal"]["molten"] == 0; }));
     CHECK(trainer.waitFor([](const json& row) { return row["headset"]["panel"] == false; }));
     trainee.showPanel(trainer, true);
-    trainee.press(trainer, "headset.home");
-    CHECK(trainer.waitFor([](const json& row) { return onPage(row, "home"); }));
+    trainee.press(trainer, "headset.home", [](const json& row) { return onPage(row, "home"); });
     CHECK(trainer.stop() == 0);
     CHECK(trainer.misuses() == "");
 }

@@ -3,6 +3,8 @@
 #include "tests/support/catch.hpp"
 #include "tests/xr/bench.hpp"
 
+#include <optional>
+
 using namespace meltpool;
 using namespace meltpool::test;
 using xr::Hand;
@@ -43,6 +45,56 @@ struct Hands {
     const xr::HandInput& hand(Hand which) { return headset->input().hand(which); }
 };
 
+/// How often a button tells that it went down while it is held for six frames. A frame that the runtime does not answer
+/// takes the word with it, and the button is pressed again.
+int edgesOfMenu(Hands& hands) {
+    int edges = 0;
+    bool answered = false;
+    for (int attempt = 0; attempt < 20 && !answered; ++attempt) {
+        hands.state.hands[1].b = false;
+        hands.step();
+        hands.state.hands[1].b = true;
+        hands.send();
+        edges = 0;
+        answered = true;
+        for (int held = 0; held < 6; held += hands.arrived() ? 1 : 0) {
+            if (stepFrame(*hands.headset, {}).displayTime == 0) answered = false;
+            edges += hands.hand(Hand::right).menu ? 1 : 0;
+            if (!answered) break;
+        }
+    }
+    CHECK(answered);
+    return edges;
+}
+
+/// Plays five frames, the last word of each being `pulse`, then is silent for five; what the runtime was asked for.
+/// Nothing where it did not answer in one of them, which is then played again.
+std::optional<xr::Input::HapticCalls> playAndStop(xr::Headset& headset, const xr::HapticPulse& pulse) {
+    int begun = 0;
+    const auto play = [&] {
+        ++begun;
+        headset.play(Hand::right, {0.1f, 100.0f, 0.05f});
+        headset.play(Hand::right, pulse);
+    };
+    const auto stop = [&] {
+        ++begun;
+        headset.play(Hand::right, {});
+    };
+    REQUIRE(stepFrames(headset, 2, {}, stop));
+    begun = 0;
+    const xr::Input::HapticCalls before = headset.hapticCalls();
+    REQUIRE(stepFrames(headset, 5, {}, play));
+    const xr::Input::HapticCalls played = headset.hapticCalls();
+    REQUIRE(stepFrames(headset, 5, {}, stop));
+    if (begun != 10) return std::nullopt;
+    CHECK(played.stopped == before.stopped);
+    xr::Input::HapticCalls calls = headset.hapticCalls();
+    CHECK(calls.applied == played.applied);
+    calls.applied -= before.applied;
+    calls.stopped -= before.stopped;
+    return calls;
+}
+
 } // namespace
 
 TEST_CASE("a controller's grip pose, trigger and buttons arrive", "[runtime]") {
@@ -72,15 +124,7 @@ TEST_CASE("a controller's grip pose, trigger and buttons arrive", "[runtime]") {
     CHECK(std::abs(glm::dot(after.orientation, before.orientation)) > 0.99999f);
     CHECK(glm::distance(after.position, hands.state.hands[1].pose.position) < 0.2f);
 
-    hands.state.hands[1].b = true;
-    hands.send();
-    int edges = 0;
-    const auto countEdges = [&] { edges += hands.hand(Hand::right).menu ? 1 : 0; };
-    for (int held = 0; held < 6; held += hands.arrived() ? 1 : 0) {
-        REQUIRE(stepFrames(*hands.headset, 1));
-        countEdges();
-    }
-    CHECK(edges == 1); // once, when it went down, however long it is held
+    CHECK(edgesOfMenu(hands) == 1); // once, when it went down, however long it is held
     CHECK(misuses() == "");
 }
 
@@ -109,18 +153,16 @@ TEST_CASE("a controller that is switched off is told at once and comes back", "[
 TEST_CASE("the controller vibrates once a frame and is stopped once", "[runtime]") {
     Hands hands;
     xr::Headset& headset = *hands.headset;
-    REQUIRE(stepFrames(headset, 5, {}, [&] {
-        headset.play(Hand::right, {0.1f, 100.0f, 0.05f});
-        headset.play(Hand::right, {0.5f, 170.0f, 0.05f}); // the last word of the frame
-    }));
-    CHECK(headset.hapticCalls().applied == 5);
-    CHECK(headset.hapticCalls().stopped == 0);
-    REQUIRE(stepFrames(headset, 5, {}, [&] { headset.play(Hand::right, {}); }));
-    CHECK(headset.hapticCalls().applied == 5);
-    CHECK(headset.hapticCalls().stopped == 1);
+    std::optional<xr::Input::HapticCalls> calls;
+    for (int attempt = 0; attempt < 20 && !calls; ++attempt)
+        calls = playAndStop(headset, {0.5f, 170.0f, 0.05f});
+    REQUIRE(calls);
+    CHECK(calls->applied == 5);
+    CHECK(calls->stopped == 1);
+    const unsigned applied = headset.hapticCalls().applied;
     headset.playTracker(0, {0.5f, 170.0f, 0.05f}); // none is bound: nothing happens
-    stepFrame(headset, {});
-    CHECK(headset.hapticCalls().applied == 5);
+    REQUIRE(stepFrames(headset, 1));
+    CHECK(headset.hapticCalls().applied == applied);
     CHECK(misuses() == "");
 }
 

@@ -73,7 +73,7 @@ TEST_CASE("the runtime is killed: the loop goes on without it and the headset is
     // While it is away, for two seconds at least, the loop turns.
     const Turns absence = turnUntil(link, xr::ConnectionState::running);
     REQUIRE(absence.reached);
-    CHECK(absence.count > 20);
+    CHECK(absence.count > 5); // of 10 ms; a loop that waits for a runtime makes one or two
     WARN("longest turn of the loop: " << loss.longest << " s at the loss, " << absence.longest << " s in the absence, "
                                       << absence.count << " turns");
     CHECK(servicePid() != killed);

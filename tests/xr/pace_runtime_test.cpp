@@ -40,19 +40,34 @@ struct Stretch {
     double speedInMetal() const { return way / metal; }
 };
 
-/// Of the rows in the last `seconds` of real time, those after row `from` alone.
-Stretch lastStretch(const std::vector<json>& rows, size_t from, double seconds) {
-    Stretch stretch;
-    for (size_t i = rows.size() - 1; i > from && stretch.real < seconds; --i) {
-        const auto change = [&](const auto& value) { return value(rows[i]) - value(rows[i - 1]); };
-        stretch.real += change([](const json& row) { return row["seconds"].get<double>(); });
-        stretch.metal += change([](const json& row) { return row["metal"]["time"].get<double>(); });
-        stretch.steps += change([](const json& row) { return row["metal"]["steps"].get<double>(); });
-        stretch.frames += change([](const json& row) { return row["frame"].get<double>(); });
-        stretch.way += 1e-3 * std::abs(change([](const json& row) { return row["torch"]["tip_mm"][0].get<double>(); }));
+/// The rows that it is given, one after the other.
+class Rows {
+  public:
+    void add(const json& row) {
+        const json& metal = row["metal"];
+        rows_.push_back({row["seconds"], metal["time"], 1e-3 * row["torch"]["tip_mm"][0].get<double>(), metal["steps"],
+                         row["frame"]});
     }
-    return stretch;
-}
+    /// Of the last `seconds` of real time.
+    Stretch last(double seconds) const {
+        Stretch stretch;
+        for (size_t i = rows_.size(); i-- > 1 && stretch.real < seconds;) {
+            const Row &now = rows_[i], &before = rows_[i - 1];
+            stretch.real += now.real - before.real;
+            stretch.metal += now.metal - before.metal;
+            stretch.way += std::abs(now.x - before.x);
+            stretch.steps += now.steps - before.steps;
+            stretch.frames += now.frames - before.frames;
+        }
+        return stretch;
+    }
+
+  private:
+    struct Row {
+        double real, metal, x, steps, frames;
+    };
+    std::vector<Row> rows_;
+};
 
 bool toldSlow(const json& row) {
     return row["headset"]["notice"].get<std::string>().find("% of real time") != std::string::npos;
@@ -81,24 +96,36 @@ TEST_CASE("the metal goes at the hand's speed at the display's rate; what it can
     TrainerProcess trainer(folder,
                            {"--headset", "--lesson", smallLesson(folder).string(), "--record", record.string()});
     REQUIRE(trainer.waitFor(ready));
-    CHECK(trainer.now()["headset"]["display_hz"].get<double>() == Approx(askedRate()).epsilon(0.03));
+    // A runtime that finds a program slow asks it for every second frame, or third ...
+    const double frames = askedRate() / trainer.now()["headset"]["display_hz"].get<double>();
+    CHECK(frames > 0.9);
+    CHECK(frames == Approx(std::round(frames)).epsilon(0.03));
     const Clock::time_point begin = Clock::now();
     const auto signal = [&](int number) { trainer.signal(number); };
     // The torch's way in the metal's time is the hand's in real time, as soon as the machine has time for three
     // seconds.
     const auto keepsUp = [&](const std::string& when) {
-        const size_t from = trainer.rows().size();
+        Rows rows;
         Stretch stretch;
+        BusyMachine machine;
+        const char* why = "";
         const bool reached = trainer.waitFor(
             [&](const json& row) {
-                stretch = lastStretch(trainer.rows(), from, 3);
+                rows.add(row);
+                stretch = rows.last(3);
+                why = "in time";
+                if (row["metal"]["speed"] > 0.95 && !toldSlow(row) && stretch.real >= 3 && stretch.ratio() > 0.95 &&
+                    std::abs(stretch.speedInMetal() / kHandSpeed - 1) < 0.1)
+                    return true;
+                why = "the machine is busy, which is told";
                 if (machineIsBusy(row, stretch)) return true;
-                return row["metal"]["speed"] > 0.95 && !toldSlow(row) && stretch.real >= 3 && stretch.ratio() > 0.95 &&
-                       std::abs(stretch.speedInMetal() / kHandSpeed - 1) < 0.1;
+                why = "the machine is too busy to judge";
+                return machine.excuses();
             },
             [&] { sweep(trainee, begin, 1); });
-        WARN(when << ": metal at " << stretch.ratio() << " of real time, the torch at " << 1000 * stretch.speedInMetal()
-                  << " mm/s in it, " << trainer.now()["frames_per_second"].get<double>() << " frames a second");
+        WARN(when << ", " << why << ": metal at " << stretch.ratio() << " of real time, the torch at "
+                  << 1000 * stretch.speedInMetal() << " mm/s in it, "
+                  << trainer.now()["frames_per_second"].get<double>() << " frames a second");
         CHECK(reached);
     };
     keepsUp("left alone");
@@ -111,9 +138,13 @@ TEST_CASE("the metal goes at the hand's speed at the display's rate; what it can
         CHECK(trainer.waitFor([](const json& row) { return toldSlow(row) && row["metal"]["speed"] < 0.8; },
                               [&] { sweep(trainee, begin, 1); }));
     }
-    const size_t from = trainer.rows().size();
+    Rows rows;
+    BusyMachine machine;
     CHECK(trainer.waitFor(
-        [&](const json& row) { return !toldSlow(row) || machineIsBusy(row, lastStretch(trainer.rows(), from, 3)); },
+        [&](const json& row) {
+            rows.add(row);
+            return !toldSlow(row) || machineIsBusy(row, rows.last(3)) || machine.excuses();
+        },
         [&] { sweep(trainee, begin, 1); }));
     CHECK(trainer.stop() == 0);
     CHECK(trainer.misuses() == "");

@@ -38,13 +38,11 @@ TEST_CASE("Reset, Start menu and Start in the headset leave a whole record of ea
     trainee.aim(glm::vec3(0.05f), 0.0f);
     trainee.showPanel(trainer, true);
     weldALittle(trainer);
-    trainee.press(trainer, "headset.reset");
-    REQUIRE(trainer.waitFor([&](const json&) { return fs::exists(folder / "weld-2.csv"); }));
+    trainee.press(trainer, "headset.reset", [&](const json&) { return fs::exists(folder / "weld-2.csv"); });
     weldALittle(trainer);
-    trainee.press(trainer, "headset.restart");
-    REQUIRE(trainer.waitFor(
-        [](const json& row) { return row["page"] == "start" && row["headset"]["places"].contains("headset.start"); }));
-    trainee.press(trainer, "headset.start");
+    trainee.press(trainer, "headset.restart", [](const json& row) { return row["page"] == "start"; });
+    REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["places"].contains("headset.start"); }));
+    trainee.press(trainer, "headset.start", [](const json& row) { return row["page"] == "running"; });
     weldALittle(trainer);
     CHECK(trainer.stop() == 0);
     CHECK(trainer.misuses() == "");

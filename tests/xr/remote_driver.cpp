@@ -96,7 +96,7 @@ RemoteDriver::RemoteDriver(int port) {
     address.sin_family = AF_INET;
     address.sin_port = htons(static_cast<std::uint16_t>(port));
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    for (int i = 0; i < 600; ++i) {
+    for (int i = 0; i < 3000; ++i) { // minutes: a busy machine takes its time to start the runtime
         socket_ = ::socket(AF_INET, SOCK_STREAM, 0);
         if (::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0) {
             const int on = 1;

@@ -92,13 +92,27 @@ void Trainee::aim(const glm::vec3& place, float trigger) {
 }
 
 bool Trainee::strike(TrainerProcess& trainer, const glm::vec3& place, const std::function<bool(const json&)>& done) {
+    return pullUntil(
+        trainer, [&](float trigger) { aim(place, trigger); }, done);
+}
+
+bool Trainee::pull(TrainerProcess& trainer, const std::function<bool(const json&)>& done) {
+    const auto hold = [&](float trigger) {
+        state.hands[hand].trigger = trigger;
+        send();
+    };
+    return pullUntil(trainer, hold, done);
+}
+
+bool Trainee::pullUntil(TrainerProcess& trainer, const std::function<void(float)>& hold,
+                        const std::function<bool(const json&)>& done) {
     bool pulled = state.hands[hand].trigger > 0;
     return trainer.waitFor(done, [&] {
         const json row = trainer.now();
         const bool locked = row["headset"]["trigger_locked"] == true;
         if (locked == !pulled) return;
         pulled = !locked;
-        aim(place, pulled ? 1.0f : 0.0f);
+        hold(pulled ? 1.0f : 0.0f);
     });
 }
 
@@ -118,7 +132,12 @@ void Trainee::pointAtPixel(float x, float y, float trigger) {
 }
 
 void Trainee::pointAtControl(TrainerProcess& trainer, const std::string& name, float trigger) {
-    const json place = trainer.now()["headset"]["places"][name];
+    const json places = trainer.now()["headset"]["places"];
+    if (!places.contains(name)) { // it went with what was pressed
+        pointer().trigger = trigger;
+        return send();
+    }
+    const json& place = places[name];
     pointAtPixel(place[0].get<float>() + place[2].get<float>() / 2, place[1].get<float>() + place[3].get<float>() / 2,
                  trigger);
 }
@@ -128,7 +147,8 @@ void Trainee::scrollTo(TrainerProcess& trainer, const std::string& name) {
         const json& places = row["headset"]["places"];
         return places.contains(name) && places[name][1] > 30 && places[name][1] < 1030;
     };
-    for (const float way : {-1.0f, 1.0f}) {
+    // A test that stands still scrolls too far, so there is more than one turn of both ways.
+    for (const float way : {-1.0f, 1.0f, -1.0f, 1.0f, -1.0f, 1.0f}) {
         pointAtPixel(450, 550, 0);
         passFrames(trainer, 2);
         pointer().thumbstickY = inSight(trainer.now()) ? 0.0f : way;
@@ -149,12 +169,16 @@ void Trainee::scrollTo(TrainerProcess& trainer, const std::string& name) {
     FAIL("the panel has no control " << name);
 }
 
-void Trainee::press(TrainerProcess& trainer, const std::string& name) {
-    scrollTo(trainer, name);
-    for (const float trigger : {0.0f, 1.0f, 0.0f}) {
-        pointAtControl(trainer, name, trigger);
-        passFrames(trainer, 4);
+void Trainee::press(TrainerProcess& trainer, const std::string& name, const std::function<bool(const json&)>& done) {
+    for (int attempt = 0; attempt < 5; ++attempt) {
+        scrollTo(trainer, name);
+        for (const float trigger : {0.0f, 1.0f, 0.0f}) {
+            pointAtControl(trainer, name, trigger);
+            passFrames(trainer, 4);
+        }
+        if (comesTrue(trainer, 60, done)) return;
     }
+    FAIL("presses of " << name << " do nothing");
 }
 
 void Trainee::showPanel(TrainerProcess& trainer, bool open) {
@@ -180,9 +204,40 @@ bool ready(const json& row) {
     return running(row) && row["headset"]["tracked"] == true && row["headset"]["trigger_locked"] == false;
 }
 
+namespace {
+
+/// Frames with the headset in use, from the first row that it is given to the last.
+class FramesInUse {
+  public:
+    long long passed(const json& row) {
+        const bool inUse = row["headset"]["state"] == "running";
+        const long long frame = row["frame"];
+        if (inUse && last_ >= 0) passed_ += frame - last_;
+        last_ = inUse ? frame : -1;
+        return passed_;
+    }
+
+  private:
+    long long last_ = -1, passed_ = 0;
+};
+
+} // namespace
+
 void passFrames(TrainerProcess& trainer, long long count) {
-    const long long from = trainer.now()["frame"];
-    CHECK(trainer.waitFor([&](const json& row) { return row["frame"] >= from + count; }));
+    FramesInUse frames;
+    const long long before = trainer.now()["frame"];
+    // The frame of the next row may have begun before now, those after it have not.
+    CHECK(trainer.waitFor([&](const json& row) { return row["frame"] > before && frames.passed(row) >= count; }));
+}
+
+bool comesTrue(TrainerProcess& trainer, long long count, const std::function<bool(const json&)>& done) {
+    FramesInUse frames;
+    bool came = false;
+    CHECK(trainer.waitFor([&](const json& row) {
+        came = done(row);
+        return came || frames.passed(row) >= count;
+    }));
+    return came;
 }
 
 namespace {

@@ -45,6 +45,8 @@ struct Trainee {
     /// trigger is let go and pulled again. False after kPatience.
     bool strike(TrainerProcess& trainer, const glm::vec3& place,
                 const std::function<bool(const nlohmann::json&)>& done);
+    /// The same where the torch is held.
+    bool pull(TrainerProcess& trainer, const std::function<bool(const nlohmann::json&)>& done);
     /// Points the pointing hand's ray from a place of the session's space at another.
     void point(const glm::vec3& from, const glm::vec3& target, float trigger);
     /// Holds the ray at a control of the open panel, by its name in the program's telemetry.
@@ -53,14 +55,20 @@ struct Trainee {
     void pointAtPixel(float x, float y, float trigger);
     /// Scrolls the panel with the stick until the control is well in sight.
     void scrollTo(TrainerProcess& trainer, const std::string& name);
-    /// Scrolls to the control, points at it, pulls the trigger there and lets go.
-    void press(TrainerProcess& trainer, const std::string& name);
+    /// Scrolls to the control, points at it, pulls the trigger there and lets go, until `done(row)`: where the runtime
+    /// did not answer just then, a person would press again. `done` comes true a few frames after the press, and stays.
+    void press(TrainerProcess& trainer, const std::string& name,
+               const std::function<bool(const nlohmann::json&)>& done);
     /// Presses the pointing hand's menu button and waits until the panel is open (or closed).
     void showPanel(TrainerProcess& trainer, bool open);
     /// Lets the trigger go until the program has seen it.
     void letGo(TrainerProcess& trainer);
     void send() { driver.send(state); }
     RemoteHand& pointer() { return state.hands[pointingHand.value_or(hand)]; }
+
+  private:
+    bool pullUntil(TrainerProcess& trainer, const std::function<void(float trigger)>& hold,
+                   const std::function<bool(const nlohmann::json&)>& done);
 };
 
 /// The headset is in use and the lesson runs.
@@ -68,8 +76,11 @@ bool running(const nlohmann::json& row);
 /// The same, and a pulled trigger counts.
 bool ready(const nlohmann::json& row);
 
-/// Waits until the window has gone on by so many frames, however slow this machine draws them.
+/// Waits until so many frames with the headset in use have begun and are over, however slow this machine draws them.
+/// While the runtime does not answer, the window's frames know nothing of the hands and do not count.
 void passFrames(TrainerProcess& trainer, long long count);
+/// Whether `done(row)` comes true within so many frames of that kind.
+bool comesTrue(TrainerProcess& trainer, long long count, const std::function<bool(const nlohmann::json&)>& done);
 
 /// The eye (0 left, 1 right) as the compositor shows it once its picture no longer changes from frame to frame.
 Image settledEye(TrainerProcess& trainer, int eye);

@@ -58,7 +58,7 @@ int waitForEnd(int pid) {
 
 TrainerProcess::TrainerProcess(fs::path folder, std::vector<std::string> arguments, const std::string& headset,
                                const std::string& preload)
-    : folder_(std::move(folder)) {
+    : folder_(std::move(folder)), rows_(folder_ / "window.jsonl") {
     fs::create_directories(folder_ / "meltpool");
     writeTextFileAtomically(folder_ / "meltpool" / "settings.toml", "[headset]\nresolution_scale = 0.4\nsamples = 1\n" +
                                                                         headset +
@@ -85,34 +85,26 @@ bool TrainerProcess::alive() {
 
 std::vector<nlohmann::json> TrainerProcess::rows() {
     std::vector<nlohmann::json> rows;
-    const fs::path file = folder_ / "window.jsonl";
-    if (!fs::exists(file)) return rows;
-    const std::string text = readTextFile(file);
-    // The last line may be half written.
-    const std::string_view whole = std::string_view(text).substr(0, text.rfind('\n') + 1);
-    for (const std::string_view line : splitText(whole, '\n'))
-        if (!line.empty()) rows.push_back(nlohmann::json::parse(line));
+    std::streamoff at = 0;
+    for (nlohmann::json row = rows_.read(at); row.is_object(); row = rows_.read(at))
+        rows.push_back(std::move(row));
     return rows;
 }
 
 nlohmann::json TrainerProcess::now() {
-    const fs::path file = folder_ / "window.jsonl";
-    if (!fs::exists(file)) return {};
-    const std::string text = readTextFile(file);
-    const size_t end = text.rfind('\n');
-    if (end == std::string::npos) return {};
-    const size_t begin = end == 0 ? 0 : text.rfind('\n', end - 1) + 1;
-    return nlohmann::json::parse(text.substr(begin, end - begin));
+    return rows_.newest();
 }
 
 bool TrainerProcess::waitFor(const std::function<bool(const nlohmann::json&)>& done,
                              const std::function<void()>& meanwhile) {
+    std::streamoff at = rows_.newestBegin();
     bool came = false;
     waitUntil([&] {
         if (meanwhile) meanwhile();
-        const nlohmann::json row = now();
-        came = !row.empty() && done(row);
-        return came || !alive();
+        const bool ended = !alive(); // looked at first, so that no row is left out
+        for (nlohmann::json row = rows_.read(at); row.is_object(); row = rows_.read(at))
+            if (done(row)) return came = true;
+        return ended;
     });
     return came;
 }

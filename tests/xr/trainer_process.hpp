@@ -1,6 +1,7 @@
 // Runs the real program in a process of its own and reads the telemetry that its window writes.
 #pragma once
 
+#include "tests/support/telemetry_rows.hpp"
 #include "tests/xr/bench.hpp"
 
 #include <nlohmann/json.hpp>
@@ -26,8 +27,8 @@ class TrainerProcess {
     nlohmann::json now();
     /// Every row so far.
     std::vector<nlohmann::json> rows();
-    /// Looks 20 times a second until `done(row)`; `meanwhile` runs before each look. False when the program has ended,
-    /// or after kPatience.
+    /// Looks 20 times a second until `done(row)` for the newest row or any after it; `meanwhile` runs before each look.
+    /// False when the program has ended, or after kPatience.
     bool waitFor(const std::function<bool(const nlohmann::json&)>& done, const std::function<void()>& meanwhile = {});
     /// Asks the program to end as Ctrl+C does; its exit status.
     int stop();
@@ -41,6 +42,7 @@ class TrainerProcess {
 
   private:
     std::filesystem::path folder_;
+    TelemetryRows rows_;
     int pid_ = -1;
     int status_ = -1;
 };

@@ -58,10 +58,10 @@ TEST_CASE("a tracked torch melts the cube's corner, and its record melts it agai
         trainee.aim(glm::mix(glm::vec3(0.04f), glm::vec3(0.018f), float(i) / 20), i > 10 ? 1.0f : 0.0f);
         sleepFor(0.03);
     }
-    CHECK(trainer.waitFor([](const json& row) { return row["metal"]["molten"] > 100; }));
+    CHECK(trainee.strike(trainer, glm::vec3(0.018f), [](const json& row) { return row["metal"]["molten"] > 100; }));
     keepPicture(screenshot(), "melting.png");
     trainee.aim(glm::vec3(0.018f), 0.0f);
-    sleepFor(0.1);
+    passFrames(trainer, 4);
     const long long steps = trainer.now()["metal"]["steps"];
     CHECK(trainer.waitFor([&](const json& row) { return row["metal"]["steps"] > steps + 6; }));
     CHECK(trainer.stop() == 0);
@@ -89,14 +89,16 @@ TEST_CASE("the torch's controller goes off in mid-weld: the arc is out, it is sa
     TrainerProcess trainer(folder, {"--headset", "--lesson", smallLesson(folder).string(), "--record",
                                     (folder / "telemetry.csv").string()});
     REQUIRE(trainer.waitFor(ready));
-    trainee.aim(glm::vec3(0.018f), 1.0f);
-    REQUIRE(trainer.waitFor([](const json& row) { return row["metal"]["hottest"] > 0.05; }));
+    REQUIRE(trainee.strike(trainer, glm::vec3(0.018f), [](const json& row) { return row["metal"]["hottest"] > 0.05; }));
     trainee.state.hands[1].active = false;
     trainee.driver.send(trainee.state);
-    REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["tracked"] == false; }));
-    const json lost = trainer.now();
-    CHECK_THAT(lost["headset"]["warning"].get<std::string>(), containsText("arc is out"));
-    CHECK_THAT(lost["messages"].dump(), containsText("arc is out"));
+    json lost;
+    REQUIRE(trainer.waitFor([&](const json& row) {
+        lost = row;
+        return row["headset"]["tracked"] == false &&
+               row["headset"]["warning"].dump().find("arc is out") != std::string::npos &&
+               row["messages"].dump().find("arc is out") != std::string::npos;
+    }));
     // The lesson goes on.
     CHECK(trainer.waitFor(
         [&](const json& row) { return row["metal"]["steps"] > lost["metal"]["steps"].get<int>() + 10; }));
@@ -122,12 +124,15 @@ TEST_CASE("the runtime is killed in mid-weld: the window goes on, the headset is
     auto trainee = std::make_unique<Trainee>();
     TrainerProcess trainer(folder, {"--lesson", smallLesson(folder).string(), "--record", record.string()});
     REQUIRE(trainer.waitFor(ready));
-    trainee->aim(glm::vec3(0.018f), 1.0f);
-    REQUIRE(trainer.waitFor([](const json& row) { return row["metal"]["hottest"] > 0.05; }));
+    REQUIRE(
+        trainee->strike(trainer, glm::vec3(0.018f), [](const json& row) { return row["metal"]["hottest"] > 0.05; }));
     const double before = trainer.now()["seconds"];
     REQUIRE(kill(servicePid(), SIGKILL) == 0);
-    REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["state"] == "searching"; }));
-    const json lost = trainer.now();
+    json lost;
+    REQUIRE(trainer.waitFor([&](const json& row) {
+        lost = row;
+        return row["headset"]["state"] == "searching";
+    }));
     CHECK_THAT(lost["headset"]["warning"].get<std::string>(), containsText("has stopped"));
     REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["state"] == "running"; }));
     CHECK(trainer.now()["headset"]["openings"] == 2);
@@ -145,14 +150,14 @@ TEST_CASE("the runtime is killed in mid-weld: the window goes on, the headset is
     }
     WARN("longest pause of the window around the loss and the return: " << longest << " s; " << framesAlone
                                                                         << " frames without a runtime");
-    CHECK(framesAlone > 5);
+    CHECK(framesAlone > 2); // a window that waits for the runtime has none
 
     const double molten = trainer.now()["metal"]["molten"];
     trainee = std::make_unique<Trainee>();
     trainee->letGo(trainer);
-    trainee->aim({-0.018f, 0.018f, 0.018f}, 1.0f); // the other upper corner, still solid
-    CHECK(trainer.waitFor([](const json& row) { return row["headset"]["tracked"] == true; }));
-    const bool melts = trainer.waitFor([&](const json& row) { return row["metal"]["molten"] > molten + 10; });
+    const bool melts = // the other upper corner, still solid
+        trainee->strike(trainer, {-0.018f, 0.018f, 0.018f},
+                        [&](const json& row) { return row["metal"]["molten"] > molten + 10; });
     const json then = trainer.now();
     CHECK(trainer.stop() == 0);
     const std::vector<std::string> row = lastRow(record);
@@ -182,8 +187,7 @@ TEST_CASE("the panel opens and its buttons are pressed with the pointer's ray: r
     trainee.pointAtControl(trainer, "headset.reset", 0.0f);
     passFrames(trainer, 4);
     keepPicture(screenshot(), "panel.png");
-    trainee.press(trainer, "headset.reset");
-    CHECK(trainer.waitFor([&](const json&) { return wasReset(trainer.rows()); }));
+    trainee.press(trainer, "headset.reset", [&](const json&) { return wasReset(trainer.rows()); });
 
     // The window shows the trainee's eye and follows the head, then a camera of its own that does not.
     showWindow("Meltpool");
@@ -199,18 +203,22 @@ TEST_CASE("the panel opens and its buttons are pressed with the pointer's ray: r
         keepPicture(after, trainer.now()["headset"]["mirrored"] == true ? "mirror.png" : "camera.png");
         return compareImages(before, after, 24).farPixels;
     };
-    CHECK(trainer.now()["headset"]["mirrored"] == true);
-    CHECK(turned() > 0.1);
-    trainee.press(trainer, "headset.desk_view.camera");
-    REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["mirrored"] == false; }));
-    CHECK(turned() < 0.02);
+    CHECK(trainer.waitFor([](const json& row) { return row["headset"]["mirrored"] == true; }));
+    // A message may come or go between two pictures; a view that does not do what it should never does.
+    CHECK(waitUntil([&] { return turned() > 0.1; }));
+    trainee.press(trainer, "headset.desk_view.camera", [](const json& row) {
+        return row["headset"]["state"] == "running" && row["headset"]["mirrored"] == false;
+    });
+    CHECK(waitUntil([&] { return turned() < 0.02; }));
 
     // A controller fixed to a real torch, 0.3 mm of noise: the tip is found, and kept.
     const glm::vec3 offset(0.012f, -0.03f, -0.18f), dent(0.2f, 1.0f, -0.3f);
-    trainee.press(trainer, "headset.tip");
-    REQUIRE(trainer.waitFor([](const json& row) {
-        return row["headset"]["tip_report"].get<std::string>().find("Rest the tip") != std::string::npos;
-    }));
+    const auto reports = [](const char* words) {
+        return [words](const json& row) {
+            return row["headset"]["tip_report"].get<std::string>().find(words) != std::string::npos;
+        };
+    };
+    trainee.press(trainer, "headset.tip", reports("Rest the tip"));
     std::mt19937 random(11);
     std::normal_distribution<float> noise(0.0f, 0.0003f);
     const auto begin = std::chrono::steady_clock::now();
@@ -229,6 +237,8 @@ TEST_CASE("the panel opens and its buttons are pressed with the pointer's ray: r
             swing();
             sleepFor(0.01);
         }
+        // Too few of the poses may have come to the program.
+        if (reports("was not found")(trainer.now())) trainee.press(trainer, "headset.tip", reports("Rest the tip"));
         return fs::exists(kept);
     });
     INFO(trainer.now()["headset"]["tip_report"]);

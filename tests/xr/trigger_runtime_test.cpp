@@ -29,9 +29,20 @@ void checkOutUntilLetGo(TrainerProcess& trainer, Trainee& trainee) {
     passFrames(trainer, 6);
     CHECK(isOut(trainer.now()));
     trainee.letGo(trainer);
-    trainee.state.hands[trainee.hand].trigger = 1;
-    trainee.send();
-    CHECK(trainer.waitFor(burns));
+    CHECK(trainee.pull(trainer, burns));
+}
+
+/// Does what puts the arc out for that reason; again where the runtime did not answer just before, which is a reason,
+/// too, and the first one counts.
+void putOutFor(const char* reason, TrainerProcess& trainer, Trainee& trainee, const fs::path& record,
+               const std::function<void(int attempt)>& provoke) {
+    const std::string event = std::string("# event arc_out ") + reason;
+    for (int attempt = 0; attempt < 5; ++attempt) {
+        REQUIRE(trainee.pull(trainer, burns));
+        provoke(attempt);
+        checkOutUntilLetGo(trainer, trainee);
+        if (readTextFile(record).find(event) != std::string::npos) return;
+    }
 }
 
 /// Longest way (m, workpiece's frame) between two steps of the record of which one at least has the trigger pulled.
@@ -57,34 +68,35 @@ TEST_CASE("recentre, zoom, other hand, lost controller: the arc is out first and
     const glm::vec3 place(0.018f);
     trainee.aim(place, 0.0f);
     passFrames(trainer, 4);
-    trainee.aim(place, 1.0f);
-    REQUIRE(trainer.waitFor(burns));
     const json before = trainer.now();
-
-    // Brought before another place of the head, half a metre away, with the trigger pulled.
-    trainee.state.head = {glm::angleAxis(0.5f, glm::vec3(0, 1, 0)), {0.4f, 1.6f, 0.2f}};
-    trainee.state.hands[0].thumbstickClick = true;
-    trainee.send();
-    REQUIRE(trainer.waitFor(isOut));
-    trainee.state.hands[0].thumbstickClick = false;
-    checkOutUntilLetGo(trainer, trainee);
     const auto moved = [&](const json& row) {
         return std::abs(row["torch"]["tip_mm"][0].get<float>() - before["torch"]["tip_mm"][0].get<float>()) > 20;
     };
-    CHECK(moved(trainer.now()));
+
+    // Brought before another place of the head, half a metre away, with the trigger pulled.
+    putOutFor("recentred", trainer, trainee, record, [&](int attempt) {
+        trainee.state.head = {glm::angleAxis(0.5f, glm::vec3(0, 1, 0)), {attempt % 2 == 0 ? 0.4f : 0.8f, 1.6f, 0.2f}};
+        trainee.state.hands[0].thumbstickClick = true;
+        trainee.send();
+        REQUIRE(trainer.waitFor([&](const json& row) { return isOut(row) && moved(row); }));
+        trainee.state.hands[0].thumbstickClick = false;
+    });
 
     // The controller goes off and comes back with its trigger pulled.
-    trainee.state.hands[1].active = false;
-    trainee.send();
-    REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["tracked"] == false; }));
-    trainee.state.hands[1].active = true;
-    trainee.send();
-    checkOutUntilLetGo(trainer, trainee);
+    putOutFor("torch_lost", trainer, trainee, record, [&](int) {
+        trainee.state.hands[1].active = false;
+        trainee.send();
+        REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["tracked"] == false; }));
+        passFrames(trainer, 4);
+        trainee.state.hands[1].active = true;
+        trainee.send();
+    });
 
-    // Thrown: no hand is so fast, however long a frame is.
-    trainee.state.hands[1].pose.position += glm::vec3(-4, 0.2f, 0);
-    trainee.send();
-    checkOutUntilLetGo(trainer, trainee);
+    // Thrown: no hand is so fast, however long a frame is, be it seconds.
+    putOutFor("jump", trainer, trainee, record, [&](int attempt) {
+        trainee.state.hands[1].pose.position += glm::vec3(attempt % 2 == 0 ? -40 : 40, 0.2f, 0);
+        trainee.send();
+    });
 
     // Back to the first place.
     trainee.state.hands[1].trigger = 0;
@@ -99,25 +111,26 @@ TEST_CASE("recentre, zoom, other hand, lost controller: the arc is out first and
     trainee.aim(place, 0.0f);
     passFrames(trainer, 4);
     trainee.letGo(trainer);
-    trainee.aim(place, 1.0f);
     trainee.pointingHand = 0;
     trainee.showPanel(trainer, true);
-    REQUIRE(trainer.waitFor(burns));
-    trainee.press(trainer, "headset.zoom");
-    checkOutUntilLetGo(trainer, trainee);
+    putOutFor("zoomed", trainer, trainee, record, [&](int) {
+        trainee.scrollTo(trainer, "headset.zoom");
+        const bool changed = trainer.now()["headset"]["places"].contains("headset.zoom.back");
+        trainee.press(trainer, changed ? "headset.zoom.back" : "headset.zoom", isOut);
+    });
     trainee.showPanel(trainer, false);
     trainee.pointingHand = {};
 
     // The hand by the panel, pointed at with the torch's hand.
     trainee.state.hands[1].trigger = 0;
     trainee.showPanel(trainer, true);
-    trainee.press(trainer, "headset.hand.left");
+    trainee.press(trainer, "headset.hand.left",
+                  [&](const json&) { return readTextFile(record).find("# event hand left") != std::string::npos; });
     trainee.hand = 0;
     trainee.aim(place, 0.0f);
     passFrames(trainer, 4);
     trainee.showPanel(trainer, false);
-    trainee.aim(place, 1.0f);
-    REQUIRE(trainer.waitFor(burns));
+    REQUIRE(trainee.pull(trainer, burns));
     CHECK(trainer.stop() == 0);
     CHECK(trainer.misuses() == "");
     const std::string text = readTextFile(record);
