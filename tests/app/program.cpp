@@ -46,7 +46,7 @@ Outcome runUntilRecorded(const std::string& arguments, const std::filesystem::pa
     const std::filesystem::path script = scratchFolder("until") / "stop.sh";
     writeTextFileAtomically(script, "\"$@\" & pid=$!\n"
                                     "tries=0\n"
-                                    "while [ $tries -lt 1200 ]; do\n"
+                                    "while [ $tries -lt 3000 ]; do\n"
                                     "  rows=$(cat \"$RECORD\" 2>/dev/null | wc -l)\n"
                                     "  [ \"$rows\" -gt 50 ] && break\n"
                                     "  sleep 0.1; tries=$((tries + 1))\n"
@@ -62,7 +62,7 @@ Outcome runBeside(const std::string& first, const std::string& signal, const std
     writeTextFileAtomically(script, "rm -f '" + telemetry.string() + "'\n" + built.string() + " " + first +
                                         " >/dev/null 2>&1 & pid=$!\n"
                                         "tries=0\n"
-                                        "while [ $tries -lt 1200 ]; do\n"
+                                        "while [ $tries -lt 3000 ]; do\n"
                                         "  rows=$(cat '" +
                                         telemetry.string() +
                                         "' 2>/dev/null | wc -l)\n"
