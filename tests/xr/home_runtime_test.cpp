@@ -102,9 +102,8 @@ TEST_CASE("a lesson is picked on the panel, demonstrated, welded, judged and beg
     keepPicture(screenshot(), "result.png");
 
     // Cut open where it lies, and closed again.
-    trainee.press(trainer, "cut.open");
-    REQUIRE(trainer.waitFor(
-        [](const json& row) { return !row["cut"].is_null() && row["headset"]["places"].contains("cut.place"); }));
+    trainee.press(trainer, "cut.open", [](const json& row) { return !row["cut"].is_null(); });
+    REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["places"].contains("cut.place"); }));
     CHECK(trainer.now()["cut"]["judged"] == true);
     trainee.state.head.position = {0.05f, 1.3f, 0.12f}; // leans over it
     trainee.state.head.orientation = glm::angleAxis(-0.5f, glm::vec3(1, 0, 0));
@@ -113,8 +112,7 @@ TEST_CASE("a lesson is picked on the panel, demonstrated, welded, judged and beg
     keepPicture(screenshot(), "cut.png");
     trainee.lookDown();
     trainee.showPanel(trainer, true);
-    trainee.press(trainer, "cut.open");
-    REQUIRE(trainer.waitFor([](const json& row) { return row["cut"].is_null(); }));
+    trainee.press(trainer, "cut.open", [](const json& row) { return row["cut"].is_null(); });
 
     // The other hand's trigger, pointing at the ceiling: the next attempt.
     trainee.state.hands[0].active = true;
