@@ -182,12 +182,16 @@ void Trainee::press(TrainerProcess& trainer, const std::string& name, const std:
 }
 
 void Trainee::showPanel(TrainerProcess& trainer, bool open) {
-    pointer().b = true;
-    send();
-    REQUIRE(trainer.waitFor([&](const json& row) { return row["headset"]["panel"] == open; }));
-    pointer().b = false;
-    send();
-    passFrames(trainer, 2);
+    const auto isSo = [open](const json& row) { return row["headset"]["panel"] == open; };
+    for (int attempt = 0; attempt < 5 && !isSo(trainer.now()); ++attempt) {
+        pointer().b = true;
+        send();
+        comesTrue(trainer, 60, isSo);
+        pointer().b = false;
+        send();
+        passFrames(trainer, 4);
+    }
+    REQUIRE(isSo(trainer.now()));
 }
 
 void Trainee::letGo(TrainerProcess& trainer) {

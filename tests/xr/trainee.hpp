@@ -59,7 +59,7 @@ struct Trainee {
     /// did not answer just then, a person would press again. `done` comes true a few frames after the press, and stays.
     void press(TrainerProcess& trainer, const std::string& name,
                const std::function<bool(const nlohmann::json&)>& done);
-    /// Presses the pointing hand's menu button and waits until the panel is open (or closed).
+    /// Presses the pointing hand's menu button where the panel is not open (or closed) yet, until it is.
     void showPanel(TrainerProcess& trainer, bool open);
     /// Lets the trigger go until the program has seen it.
     void letGo(TrainerProcess& trainer);
