@@ -60,12 +60,10 @@ TEST_CASE("the shipped tee fillet is picked, welded end to end, scored and begun
     TrainerProcess trainer(benchFolder() / "tee", {"--headset"});
     const std::string tile = "home.lesson.tee-fillet";
     REQUIRE(trainer.waitFor([](const json& row) { return row["page"] == "home" && row["headset"]["panel"] == true; }));
-    trainee.press(trainer, tile);
-    REQUIRE(trainer.waitFor([](const json& row) { return row["page"] == "start"; }));
+    trainee.press(trainer, tile, [](const json& row) { return row["page"] == "start"; });
     passFrames(trainer, 4);
     keepPicture(screenshot(), "tee-set-up.png");
-    trainee.press(trainer, "start.start");
-    REQUIRE(trainer.waitFor([](const json& row) { return row["page"] == "running"; }));
+    trainee.press(trainer, "start.start", [](const json& row) { return row["page"] == "running"; });
     trainee.lookDown();
     trainee.showPanel(trainer, false);
 
@@ -85,8 +83,8 @@ TEST_CASE("the shipped tee fillet is picked, welded end to end, scored and begun
     CHECK(scoreIn(judgement["score"]) >= 80);
     passFrames(trainer, 4);
     keepPicture(screenshot(), "tee-result.png");
-    trainee.press(trainer, "result.again");
-    CHECK(trainer.waitFor([](const json& row) { return row["judgement"].is_null() && row["metal"]["molten"] == 0; }));
+    trainee.press(trainer, "result.again", [](const json& row) { return row["judgement"].is_null(); });
+    CHECK(trainer.waitFor([](const json& row) { return row["metal"]["molten"] == 0; }));
     CHECK(trainer.stop() == 0);
     CHECK(trainer.misuses() == "");
 }
