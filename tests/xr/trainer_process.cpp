@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
+#include "tests/support/catch.hpp"
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -106,6 +107,7 @@ bool TrainerProcess::waitFor(const std::function<bool(const nlohmann::json&)>& d
             if (done(row)) return came = true;
         return ended;
     });
+    if (!came && !alive()) UNSCOPED_INFO("the program has ended with status " << status_);
     return came;
 }
 
