@@ -10,9 +10,10 @@ namespace meltpool {
 /// that a slow machine simulates more slowly instead of taking ever longer frames; speed() tells.
 class StepClock {
   public:
-    static constexpr double kBusy = 0.08;    ///< s that a frame may spend on steps
-    static constexpr double kLongest = 0.25; ///< s of real time that a frame may make good
-    static constexpr int kFewest = 1;        ///< steps that a frame may take however slow they are
+    static constexpr double kBusy = 0.08;      ///< s that a frame may spend on steps
+    static constexpr double kLongest = 0.25;   ///< s of real time that a frame may make good
+    static constexpr double kLongestGap = 0.1; ///< s of the metal that may pass between two places of the hand
+    static constexpr int kFewest = 1;          ///< steps that a frame may take however slow they are
 
     /// Steps due after another `elapsed` seconds of real time with steps of `step` seconds. The first call after a
     /// restart only starts the clock.
@@ -22,15 +23,16 @@ class StepClock {
             started_ = true;
             return 0;
         }
-        dropped_ = elapsed > kLongest;
         owed_ += std::max(0.0, elapsed);
         const int steps = std::min(mostSteps(step), static_cast<int>(owed_ / step + 1e-9));
         owed_ = std::min(owed_ - steps * step, step);
+        dropped_ = elapsed > kLongest && steps * step > kLongestGap;
         smooth(elapsed, steps * step);
         return steps;
     }
 
-    /// The last frame took longer than can be made good: what the hand did meanwhile is not known.
+    /// The last frame took longer than can be made good, and much of the metal's time passed in it: what the hand did
+    /// meanwhile is not known. Metal that is far slower than the clock passes little time in any frame.
     bool dropped() const { return dropped_; }
 
     /// What `steps` steps kept the frame waiting for, s.
