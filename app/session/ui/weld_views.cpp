@@ -15,7 +15,7 @@ constexpr ImU32 kSteel = IM_COL32(112, 120, 132, 255);
 constexpr ImU32 kWeld = IM_COL32(176, 158, 128, 255);
 constexpr ImU32 kOpening = IM_COL32(20, 12, 10, 255);
 constexpr ImU32 kEdge = IM_COL32(232, 74, 50, 255);
-constexpr float kLargest = 4; ///< points a millimetre of a drawing
+constexpr float kLargest = 8; ///< points a millimetre of a drawing
 
 /// The place of the cut as a slider over the whole seam.
 void placeSlider(Context& context, CutView& cut) {
