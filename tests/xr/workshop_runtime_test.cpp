@@ -65,6 +65,9 @@ void checkReplay(const fs::path& lesson, const fs::path& record, const fs::path&
     CHECK(burning > 10);
 }
 
+/// The grip of the hand that holds a rod, in the session's space.
+const xr::Pose kRodGrip{glm::angleAxis(0.3f, glm::vec3(0, 1, 0)), {-0.1f, 1.0f, -0.2f}};
+
 void pressKey(const std::string& key) {
     REQUIRE(std::system(("xdotool search --name '^Meltpool$' windowfocus --sync key " + key).c_str()) == 0);
 }
@@ -108,9 +111,8 @@ TEST_CASE(
     CHECK(trainer.misuses() == "");
 }
 
-TEST_CASE(
-    "a bead is welded in the headset: the arc strikes, follows its length and goes out, wire arrives, the rod is there",
-    "[runtime]") {
+TEST_CASE("a bead is welded in the headset: the arc strikes, follows its length and goes out, wire arrives",
+          "[runtime]") {
     handGeometry();
     const fs::path folder = benchFolder() / "weld";
     const fs::path file = plateLesson(folder), record = folder / "telemetry.csv";
@@ -140,13 +142,37 @@ TEST_CASE(
     CHECK(weldsUntil([](const json& row) { return row["headset"]["tip"]["liquid"] > 0.5; })); // over the pool
     keepPicture(screenshot(), "welding.png");
 
-    // The other hand's rod: its grip in the session's space, its tip 300 mm before it.
-    const xr::Pose grip{glm::angleAxis(0.3f, glm::vec3(0, 1, 0)), {-0.1f, 1.0f, -0.2f}};
-    trainee.state.hands[0].pose = grip * handGeometry().grip.inverse();
+    // A hand without a rod in it, as GMAW melts none.
+    trainee.state.hands[0].pose = kRodGrip * handGeometry().grip.inverse();
     trainee.aim({0, 0.06f, 0}, 1.0f); // torn off: the arc is out until the wire has come down again
     CHECK(trainer.waitFor(actionIs("out")));
+    passFrames(trainer, 8);
+    CHECK_FALSE(trainer.now()["torch"].contains("rod_mm"));
+    trainee.state.hands[0].active = false;
+    trainee.aim({0, 0.003f, 0}, 0.0f);
+    CHECK(trainer.waitFor(actionIs("out")));
+    CHECK(trainer.stop() == 0);
+    CHECK(trainer.misuses() == "");
+    checkReplay(file, record, folder / "again");
+}
+
+TEST_CASE("a filler rod in a GTAW lesson is where the other hand holds it, and gone with the hand", "[runtime]") {
+    handGeometry();
+    const fs::path folder = benchFolder() / "rod";
+    const fs::path file = plateLesson(folder);
+    std::string text = readTextFile(file);
+    const size_t from = text.find("process = \"gmaw\""), to = text.find("[surface]");
+    REQUIRE(from < to);
+    writeTextFileAtomically(file, text.replace(from, to - from, "process = \"gtaw\"\ncurrent = 100\n"));
+    Trainee trainee;
+    trainee.bottom = makeWorkpiece(readLesson(file).workpiece).low.y;
+    trainee.zoom = 1;
+    TrainerProcess trainer(folder, {"--headset", "--lesson", file.string()});
+    REQUIRE(trainer.waitFor(ready));
+    trainee.state.hands[0].pose = kRodGrip * handGeometry().grip.inverse();
+    trainee.aim({0, 0.06f, 0}, 0.0f);
     REQUIRE(trainer.waitFor([](const json& row) { return row["torch"].contains("rod_mm"); }));
-    const glm::vec3 tip = grip * glm::vec3(0, 0, -0.30f);
+    const glm::vec3 tip = kRodGrip * glm::vec3(0, 0, -0.30f); // its tip lies 300 mm before the grip
     const glm::vec3 expected = (tip - trainee.inRoom(glm::vec3(0))) / trainee.zoom * 1000.0f;
     const auto rodThere = [&](const json& row) {
         return row["torch"].contains("rod_mm") && glm::distance(vectorOf(row["torch"]["rod_mm"]), expected) < 2.0f;
@@ -155,12 +181,10 @@ TEST_CASE(
                    << expected.z);
     CHECK(trainer.waitFor(rodThere)); // the grips of both scripted hands are alike to a mm or two
     trainee.state.hands[0].active = false;
-    trainee.aim({0, 0.003f, 0}, 0.0f);
+    trainee.send();
     CHECK(trainer.waitFor([](const json& row) { return !row["torch"].contains("rod_mm"); }));
-    CHECK(trainer.waitFor(actionIs("out")));
     CHECK(trainer.stop() == 0);
     CHECK(trainer.misuses() == "");
-    checkReplay(file, record, folder / "again");
 }
 
 TEST_CASE("--desktop asks no runtime for anything", "[runtime]") {
