@@ -19,6 +19,14 @@ namespace fs = std::filesystem;
 constexpr glm::vec3 kAlong(1, 0, 0);
 constexpr float kMm = 1e-3F;
 
+/// The names of the lessons that the panel shows.
+json lessonsIn(const json& row) {
+    json names = json::array();
+    for (const auto& [name, place] : row["headset"]["places"].items())
+        if (name.starts_with("home.lesson.")) names.push_back(name);
+    return names;
+}
+
 /// "Score 84 of 100".
 double scoreIn(const std::string& text) {
     const size_t digits = text.find_first_of("0123456789");
@@ -61,8 +69,9 @@ TEST_CASE("the shipped tee fillet is picked, welded end to end, scored and begun
     const std::string tile = "home.lesson.tee-fillet";
     REQUIRE(trainer.waitFor([](const json& row) { return row["page"] == "home" && row["headset"]["panel"] == true; }));
     for (int page = 0; page < 10 && !trainer.now()["headset"]["places"].contains(tile); ++page) {
-        trainee.press(trainer, "home.following"); // a few lessons a page
-        passFrames(trainer, 4);
+        // A few lessons a page: another page has other lessons.
+        const json before = lessonsIn(trainer.now());
+        trainee.press(trainer, "home.following", [&](const json& row) { return lessonsIn(row) != before; });
     }
     trainee.press(trainer, tile, [](const json& row) { return row["page"] == "start"; });
     passFrames(trainer, 4);
