@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace meltpool {
 
@@ -38,12 +39,13 @@ double idealOf(const Lesson& lesson, TechniqueQuantity quantity, double otherwis
     return band->ideal / quantityInfo(quantity, lesson.technique->distance).perSi;
 }
 
-/// DeskPose::distance of the demonstration's torch when it strikes; nothing without one. It allows for the pool, which
-/// in a corner stands some mm over the seam.
+/// DeskPose::distance of the demonstration's torch halfway through its weld; nothing without one. It allows for the
+/// pool, which in a corner stands some mm over the seam.
 std::optional<double> expertDistance(const Lesson& lesson, const Seam& seam) {
     const std::optional<double> strikes = lesson.torch.firstPull();
     if (!strikes) return std::nullopt;
-    const TorchSample torch = lesson.torch.sample(*strikes);
+    const double halfway = std::midpoint(*strikes, lesson.torch.duration());
+    const TorchSample torch = lesson.torch.sample(halfway);
     const SeamFrame frame = seam.at(seam.nearest(torch.tip).place);
     const double leaning = glm::dot(-glm::dvec3(torch.axis()), frame.up);
     if (leaning < std::cos(kSteepest)) return std::nullopt;

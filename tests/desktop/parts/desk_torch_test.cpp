@@ -54,15 +54,13 @@ struct Desk {
 /// mm, of the shipped lessons, whose seams run along x.
 double distanceOfExpert(const Lesson& lesson) {
     if (!lesson.process.is<Gmaw>()) return lesson.technique->find(TechniqueQuantity::distance)->ideal;
-    for (double time = 0;; time += 0.01) {
-        const TorchSample torch = lesson.torch.sample(time);
-        if (torch.trigger <= 0) continue;
-        // Down the torch's axis to the height of the seam, in a corner to the plane across its bisector.
-        const bool corner = lesson.workpiece.kind == static_cast<int>(WorkpieceKind::Tee);
-        const glm::vec3 up = corner ? glm::normalize(glm::vec3(0, 1, 1)) : glm::vec3(0, 1, 0);
-        return double(lesson.process.of<Gmaw>().stickOutMm) +
-               1e3 * double(glm::dot(torch.tip, up) / -glm::dot(torch.axis(), up));
-    }
+    const TorchSample torch = lesson.torch.sample(lesson.torch.duration() / 2);
+    REQUIRE(torch.trigger > 0);
+    // Down the torch's axis to the height of the seam, in a corner to the plane across its bisector.
+    const bool corner = lesson.workpiece.kind == static_cast<int>(WorkpieceKind::Tee);
+    const glm::vec3 up = corner ? glm::normalize(glm::vec3(0, 1, 1)) : glm::vec3(0, 1, 0);
+    return double(lesson.process.of<Gmaw>().stickOutMm) +
+           1e3 * double(glm::dot(torch.tip, up) / -glm::dot(torch.axis(), up));
 }
 
 InputFrame pressed(Key key, int times = 1) {
