@@ -76,7 +76,7 @@ TEST_CASE("the shipped tee fillet is picked, welded end to end, scored and begun
     trainee.press(trainer, tile, [](const json& row) { return row["page"] == "start"; });
     passFrames(trainer, 4);
     keepPicture(screenshot(), "tee-set-up.png");
-    trainee.press(trainer, "start.start", [](const json& row) { return row["page"] == "running"; });
+    trainee.press(trainer, "headset.start", [](const json& row) { return row["page"] == "running"; });
     trainee.lookDown();
     trainee.showPanel(trainer, false);
 
