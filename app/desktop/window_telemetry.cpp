@@ -109,6 +109,7 @@ json judgement(const std::optional<JudgedAttempt>& judged) {
     if (!judged) return nullptr;
     return {{"time", judged->time},
             {"score", judged->rows.score},
+            {"note", judged->rows.scoreNote},
             {"verdict", judged->rows.verdict},
             {"corrections", judged->rows.corrections}};
 }
