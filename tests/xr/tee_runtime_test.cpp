@@ -84,9 +84,8 @@ TEST_CASE("the shipped tee fillet is picked, welded end to end, scored and begun
     const glm::vec3 from(-25 * kMm, 3.4F * kMm, 3.7F * kMm), to(25 * kMm, 3.4F * kMm, 3.7F * kMm);
     REQUIRE(trainee.strike(trainer, from, [](const json& row) { return row["metal"]["molten"] > 20; }));
     INFO("tip at " << trainer.now()["torch"]["tip_mm"].dump());
-    weldAlong(trainee, trainer, from, glm::vec3(0, from.y, from.z), 6.5e-3);
-    keepPicture(screenshot(), "tee-pool.png");
-    weldAlong(trainee, trainer, glm::vec3(0, from.y, from.z), to, 6.5e-3);
+    // No picture is taken meanwhile: it would take the processors for so long that samples of the torch are missing.
+    weldAlong(trainee, trainer, from, to, 6.5e-3);
     trainee.aim(to + glm::vec3(0, 40 * kMm, 40 * kMm), 0);
     REQUIRE(trainer.waitFor([](const json& row) {
         return !row["judgement"].is_null() && row["headset"]["places"].contains("result.again");
@@ -98,6 +97,11 @@ TEST_CASE("the shipped tee fillet is picked, welded end to end, scored and begun
     keepPicture(screenshot(), "tee-result.png");
     trainee.press(trainer, "result.again", [](const json& row) { return row["judgement"].is_null(); });
     CHECK(trainer.waitFor([](const json& row) { return row["metal"]["molten"] == 0; }));
+    trainee.showPanel(trainer, false);
+    REQUIRE(trainee.strike(trainer, from, [](const json& row) { return row["metal"]["molten"] > 20; }));
+    weldAlong(trainee, trainer, from, from + 8 * kMm * kAlong, 6.5e-3);
+    keepPicture(screenshot(), "tee-pool.png");
+    trainee.letGo(trainer);
     CHECK(trainer.stop() == 0);
     CHECK(trainer.misuses() == "");
 }
