@@ -65,7 +65,8 @@ std::string reasonAgainst(const TechniqueFaults& faults, const TechniqueScore& s
                " s from a moment when the arc burned, so this attempt has no score.";
     if (faults.dropped > 0)
         return tellNumber(static_cast<double>(faults.dropped)) +
-               " samples of the torch were missing while the arc burned, so this attempt has no score.";
+               (faults.dropped == 1 ? " sample of the torch was" : " samples of the torch were") +
+               " missing while the arc burned, so this attempt has no score.";
     if (faults.arcSeconds <= 0) return "The arc was never lit, so there is nothing to score.";
     if (score.judgedMm <= 0)
         return "The arc burned too short a way on the wanted seam (" + tellNumber(score.weldedMm) +

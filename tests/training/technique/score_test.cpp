@@ -276,7 +276,9 @@ TEST_CASE("an attempt that was not seen whole has no score, and says why", "[tra
     Technique dropped = bentWeld({});
     dropped.noteDropped();
     CHECK_FALSE(scoreOf(dropped).scored);
-    CHECK_THAT(scoreOf(dropped).reason, test::containsText("samples of the torch were missing"));
+    CHECK_THAT(scoreOf(dropped).reason, test::containsText("1 sample of the torch was missing"));
+    dropped.noteDropped();
+    CHECK_THAT(scoreOf(dropped).reason, test::containsText("2 samples of the torch were missing"));
 }
 
 TEST_CASE("a demanded direction makes the other way's speed wrong", "[training][technique]") {
