@@ -2,6 +2,7 @@
 #include "tests/support/catch.hpp"
 #include "xr/call_thread.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <ctime>
@@ -130,13 +131,20 @@ TEST_CASE("a call's work is told to who measures it: without drivers, without wa
         REQUIRE(thread.wait(kPatience));
         return thread.work().cpuSeconds;
     };
+    /// The least of some calls: a host that takes the processor away, or a sanitizer at work, adds to single ones.
+    const auto least = [&](xr::CallThread::Call call) {
+        double seconds = took(call);
+        for (int i = 1; i < 8; ++i)
+            seconds = std::min(seconds, took(call));
+        return seconds;
+    };
     CHECK(took(work) == 0); // nobody measures
     WorkMeter meter;
     meter.begin();
-    const double busy = took(work);
+    const double busy = least(work);
     CHECK(busy > 0.0095);
     CHECK(busy < 0.0145);
-    const double asleep = took(sleep);
+    const double asleep = least(sleep);
     CHECK(asleep > 0);
     CHECK(asleep < 0.005);
     meter.end();
