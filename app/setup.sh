@@ -4,11 +4,11 @@
 meltpoolBuildPackages=(
     g++ cmake ninja-build pkg-config glslang-tools git
     libglfw3-dev libglew-dev libglm-dev libopenxr-dev libimgui-dev libgl-dev libegl-dev
-    libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libpugixml-dev libstb-dev catch2
+    libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libpugixml-dev zlib1g-dev libstb-dev libopenal-dev catch2
     libgl1-mesa-dri libegl1 libglx-mesa0 fonts-open-sans
 )
 meltpoolTestPackages=(
-    dpkg-dev file xvfb xauth xdotool libx11-dev x11-apps x11-utils imagemagick mmdebstrap
+    assimp-utils dpkg-dev file xvfb xauth xdotool libx11-dev x11-apps x11-utils imagemagick mmdebstrap
 )
 # Used where the distribution has them.
 meltpoolOptionalTestPackages=(clang)
@@ -68,7 +68,7 @@ meltpoolListNeeds() {
     done
     [ ${#absent[@]} -eq 0 ] && return
     echo "Please install ${absent[*]}, and the development files of GLFW, GLEW, GLM, OpenXR, Dear ImGui, toml++," >&2
-    echo "CLI11, nlohmann-json, stb, Catch2 and EGL; then start this again." >&2
+    echo "CLI11, nlohmann-json, stb, zlib, OpenAL Soft, Catch2 and EGL; then start this again." >&2
     exit 2
 }
 

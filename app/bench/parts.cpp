@@ -23,6 +23,8 @@ std::span<const BenchPart> benchParts() {
                   benchEmptyDispatches},
         BenchPart{"lesson", "the lesson gmaw-bead with surface and thirty pictures of 1280x720 a simulated second",
                   benchLesson},
+        BenchPart{"lesson", "the lesson gmaw-bead after 4 s: its whole state saved, packed, unpacked and restored",
+                  benchCheckpoint},
         BenchPart{"stereo", "both eyes of a headset over one, in three ways: 672x756 pixels an eye, 4 samples",
                   benchStereo},
         BenchPart{"stereo", "the processor's own work for a headset's frame, and with a headset where there is one",

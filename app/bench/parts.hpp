@@ -14,6 +14,7 @@ void benchWeldMetal(Bench& bench);
 void benchWeldSurface(Bench& bench);
 void benchEmptyDispatches(Bench& bench);
 void benchLesson(Bench& bench);
+void benchCheckpoint(Bench& bench);
 void benchStereo(Bench& bench);
 void benchHeadsetFrame(Bench& bench);
 

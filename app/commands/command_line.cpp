@@ -1,8 +1,10 @@
 #include "app/commands/command_line.hpp"
 
 #include "app/bench/bench.hpp"
+#include "app/commands/attempt_options.hpp"
 #include "app/commands/commands.hpp"
 #include "app/program/program_info.hpp"
+#include "app/sound/openal_device.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 
@@ -29,13 +31,15 @@ struct Arguments {
     DesktopOptions desktop;
     bool headset = false;
     bool desktopOnly = false;
+    bool unrecorded = false;
+    RecordingsRequest recordings;
     std::string suite;
     std::filesystem::path benchJson;
     ValidationRequest validation;
     CheckRequest check;
-    std::filesystem::path reported; ///< folder of a run
-    std::filesystem::path page;     ///< its report; empty: in the folder
-    std::string listed;             ///< lesson whose values are listed; empty: the catalogue
+    ReportRequest report;
+    AttemptArguments attempts;
+    std::string listed; ///< lesson whose values are listed; empty: the catalogue
 };
 
 void addDesktop(CLI::App& app, Arguments& arguments) {
@@ -47,6 +51,12 @@ void addDesktop(CLI::App& app, Arguments& arguments) {
         ->type_name("FILE");
     app.add_option("--record", arguments.desktop.record, "Write every step of the lesson here, as a torch path")
         ->type_name("FILE");
+    app.add_option("--replay", arguments.desktop.replay,
+                   "The window opens on this kept attempt and plays it; a torch path needs --lesson too")
+        ->type_name("FILE");
+    app.add_option("--ghost", arguments.desktop.ghost, "Show the torch of this attempt or torch path beside one's own")
+        ->type_name("FILE");
+    app.add_flag("--no-recording", arguments.unrecorded, "Keep no recordings of attempts");
     CLI::Option* wanted = app.add_flag("--headset", arguments.headset,
                                        "Use the headset; without one the program ends and names the reason");
     app.add_flag("--desktop", arguments.desktopOnly, "Do not search for a headset")->excludes(wanted);
@@ -61,12 +71,27 @@ void addRun(CLI::App& app, Arguments& arguments) {
         ->required()
         ->type_name("DIR");
     run->add_option("--torch", r.torch, "Torch path, .csv or .toml, instead of the lesson's")->type_name("FILE");
+    run->add_option("--ghost", r.ghost, "Draw the torch of this attempt or torch path beside the lesson's")
+        ->type_name("FILE");
     run->add_option("--seconds", r.seconds, "Simulated time, s")->type_name("S");
     run->add_option("--pictures", r.picturesEvery, "Time between pictures, s; 0: one at the end")->type_name("EVERY_S");
     run->add_option("--size", r.size, "Size of the pictures, pixels")->type_name("WxH");
+    run->add_option("--sound", r.sound, "Write what is heard of the weld here, as a WAV file")->type_name("FILE");
+    run->add_option("--mesh", r.mesh, "Write the surface of the metal at the end here: .glb, .gltf or .ply")
+        ->type_name("FILE");
     run->add_option("--set", r.sets, "Set a value (meltpool lessons LESSON); may be given again")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
+}
+
+void addRecordings(CLI::App& app, RecordingsRequest& r) {
+    CLI::App* recordings = app.add_subcommand("recordings", "List the recordings of attempts, or look into one");
+    recordings->add_option("--folder", r.folder, "Folder of recordings; by default the user's")->type_name("FOLDER");
+    CLI::Option* table = recordings->add_option("--csv", r.table, "Write a recording's torch as a record into a table");
+    table->type_name("FILE OUT")->expected(2);
+    recordings->add_option("--check", r.checked, "Tell whether a recording is whole, and else how much of it")
+        ->type_name("FILE")
+        ->excludes(table);
 }
 
 void addOthers(CLI::App& app, Arguments& arguments) {
@@ -84,9 +109,16 @@ void addOthers(CLI::App& app, Arguments& arguments) {
     check->add_option("CHECK", arguments.check.checks, "Files (.toml) with a table [expect], or folders of them")
         ->required();
     check->add_option("--junit", arguments.check.junit, "Write the results into this file")->type_name("FILE");
-    CLI::App* report = app.add_subcommand("report", "Make one HTML page of a run's results");
-    report->add_option("DIR", arguments.reported, "Folder that a run has written")->required();
-    report->add_option("--out", arguments.page, "The page; by default report.html in the folder")->type_name("FILE");
+    CLI::App* report = app.add_subcommand("report", "Make one HTML page of each attempt");
+    report->add_option("DIR", arguments.report.sources, "Folder that a run has written, or an attempt's record (.csv)")
+        ->required();
+    report
+        ->add_option("--out", arguments.report.page,
+                     "The page; by default report.html in the folder, or beside the record under its name")
+        ->type_name("FILE");
+    report->add_option("--lesson", arguments.report.lesson,
+                       "Lesson of the records, a TOML file, where the catalogue does not have it");
+    addRecordings(app, arguments.recordings);
     app.add_subcommand("doctor", "Tell what this machine has and what is missing");
     CLI::App* lessons = app.add_subcommand("lessons", "List the lessons, or the values of one");
     lessons->add_option("LESSON", arguments.listed, "List the parameters of this lesson that --set takes");
@@ -95,6 +127,7 @@ void addOthers(CLI::App& app, Arguments& arguments) {
 DesktopOptions trainerOptions(const Arguments& arguments) {
     DesktopOptions options = arguments.desktop;
     if (arguments.headset) options.headset = HeadsetUse::wanted;
+    options.recordings = !arguments.unrecorded;
     if (arguments.desktopOnly) options.headset = HeadsetUse::off;
     return options;
 }
@@ -109,12 +142,14 @@ int dispatch(const CLI::App& app, const Arguments& arguments) {
     else if (app.got_subcommand("check"))
         return runChecks(arguments.check) ? kDone : kFailed;
     else if (app.got_subcommand("report"))
-        writeReport(arguments.reported, arguments.page);
+        writeReports(arguments.report);
+    else if (app.got_subcommand("recordings"))
+        return runRecordings(arguments.recordings) ? kDone : kFailed;
     else if (app.got_subcommand("doctor"))
         return runDoctor() ? kDone : kFailed;
     else if (app.got_subcommand("lessons"))
         arguments.listed.empty() ? listLessons() : listParameters(arguments.listed);
-    else
+    else if (!runAttemptCommand(app, arguments.attempts))
         return runTrainer(trainerOptions(arguments)) ? kDone : kFailed;
     return kDone;
 }
@@ -162,6 +197,7 @@ void declare(CLI::App& app, Arguments& arguments) {
     app.require_subcommand(0, 1);
     addDesktop(app, arguments);
     addRun(app, arguments);
+    addAttemptCommands(app, arguments.attempts);
     addOthers(app, arguments);
 }
 
@@ -199,6 +235,7 @@ int parseAndRun(int argc, char** argv) {
 
 int runProgram(int argc, char** argv) {
     tellWritesOfTheirFaults();
+    OpenAlDevice::quietLibrary();
     try {
         return parseAndRun(argc, argv);
     } catch (const InputError& error) {

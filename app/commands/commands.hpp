@@ -15,11 +15,14 @@ struct RunRequest {
     std::string lesson;
     std::filesystem::path folder;
     std::filesystem::path torch;
+    std::filesystem::path ghost; ///< drawn into the pictures; empty: none
     std::string seconds;
     std::string picturesEvery;
     std::string size;              ///< "WIDTHxHEIGHT"
     std::vector<std::string> sets; ///< "key=value"
     std::filesystem::path record;  ///< where telemetry.csv goes; empty: into the folder
+    std::filesystem::path sound;   ///< WAV file of what is heard; empty: none
+    std::filesystem::path mesh;    ///< where the weld's surface goes at the end; empty: nowhere
 };
 
 /// The lesson with all that the request changes. Throws InputError for what is not there or does not fit.
@@ -53,9 +56,70 @@ struct CheckRequest {
 /// asked to stop.
 bool runChecks(const CheckRequest& request);
 
-/// `meltpool report`: writes the page of a run's folder into `file`, by default report.html in the folder. Throws what
-/// readRunResults(), reportPage() and writeFile() throw.
-void writeReport(const std::filesystem::path& folder, const std::filesystem::path& file);
+/// `meltpool report`.
+struct ReportRequest {
+    std::vector<std::filesystem::path> sources; ///< folders of runs, their result.json, or records
+    std::filesystem::path page;                 ///< empty: report.html in the folder, or beside the record
+    std::string lesson;                         ///< of the records; empty: the one of the catalogue that they name
+};
+
+/// Writes a page for each source. Throws InputError where one is none, and what readRunResults(), readRecordResults()
+/// and writeFile() throw.
+void writeReports(const ReportRequest& request);
+
+/// `meltpool recordings`.
+struct RecordingsRequest {
+    std::filesystem::path folder;             ///< empty: the user's
+    std::vector<std::filesystem::path> table; ///< a recording and the table that is made of it; empty: none
+    std::filesystem::path checked;            ///< a recording; empty: none
+};
+
+/// Lists recordings, makes a table of one, or checks one. Returns false where a recording is damaged. Throws
+/// InputError for a file that is no recording.
+bool runRecordings(const RecordingsRequest& request);
+
+/// `meltpool replay`; what is left empty keeps the lesson's own value.
+struct ReplayRequest {
+    std::filesystem::path file; ///< of the attempt
+    std::string lesson;         ///< name or file; empty: the one that the attempt names
+    std::filesystem::path folder;
+    std::string seek;                ///< s; empty: to the end
+    std::string picturesEvery;       ///< s
+    std::string size;                ///< "WIDTHxHEIGHT"
+    std::vector<std::string> views;  ///< "key=value" of what pictures show
+    std::vector<std::string> whatIf; ///< "key=value", see readWhatIf()
+    bool page = true;                ///< of a what-if: comparison.html
+};
+
+/// Welds a recorded attempt again into the folder, and says whether its metal ended in the same bits. With what-ifs the
+/// attempt is welded into `original` and, changed, into `what-if` in the folder, and both are compared. Throws
+/// InputError for what is not there or does not fit, and what runHeadless() throws.
+void replayAttempt(const ReplayRequest& request);
+
+/// `meltpool compare`.
+struct CompareRequest {
+    std::filesystem::path first, second; ///< files of attempts, folders of runs or their result.json
+    std::string lesson;                  ///< of the attempts; empty: what they name
+    std::filesystem::path folder;
+    std::string picturesEvery; ///< s, of attempts that are welded; empty: one at the end
+    std::string size;
+    bool page = true;
+};
+
+/// Welds the attempts into `first` and `second` in the folder, says how the second differs from the first and writes
+/// comparison.html. Throws as replayAttempt().
+void compareAttemptFiles(const CompareRequest& request);
+
+/// `meltpool demonstration`.
+struct DemonstrationRequest {
+    std::filesystem::path file; ///< of the attempt
+    std::string lesson;         ///< as in ReplayRequest
+    std::filesystem::path out;  ///< .csv: the torch path; .toml: a lesson, with its path beside it
+};
+
+/// Writes an attempt as a demonstration, without the time before and after the weld, that `run` and the trainer take.
+/// Throws InputError for an attempt without a pull of the trigger and a file that is neither.
+void makeDemonstration(const DemonstrationRequest& request);
 
 /// Prints the catalogue.
 void listLessons();

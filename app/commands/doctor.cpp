@@ -5,6 +5,7 @@
 #include "app/commands/headset_doctor.hpp"
 #include "app/desktop/window_system.hpp"
 #include "app/program/program_info.hpp"
+#include "app/sound/openal_device.hpp"
 #include "core/base/error.hpp"
 #include "core/base/resources.hpp"
 #include "core/gl/context.hpp"
@@ -107,6 +108,16 @@ void inspectFiles(std::vector<Finding>& findings) {
     findings.push_back({"settings", State::good, settingsFolder().string(), ""});
 }
 
+void inspectSound(std::vector<Finding>& findings) {
+    try {
+        findings.push_back({"sound", State::good, "device " + OpenAlDevice::openDefault()->name(), ""});
+    } catch (const std::exception& error) {
+        findings.push_back({"sound", State::note, error.what(),
+                            "a sound card or sound server; without one the "
+                            "trainer is silent, and captions tell what is heard"});
+    }
+}
+
 const char* stateWord(State state) {
     if (state == State::good) return "ok";
     return state == State::note ? "note" : "MISSING";
@@ -130,6 +141,7 @@ bool runDoctor() {
     inspectDriver(findings);
     inspectDisplay(findings);
     inspectFiles(findings);
+    inspectSound(findings);
     inspectHeadset(findings);
     const bool complete = printFindings(findings);
     std::printf(complete ? "Everything that a lesson needs is here.\n"

@@ -1,15 +1,16 @@
 #include "app/commands/headless_runner.hpp"
 
+#include "app/mesh/mesh_file.hpp"
 #include "app/program/program_info.hpp"
 #include "app/program/progress_bar.hpp"
+#include "app/report/attempt_pictures.hpp"
+#include "app/session/attempt/attempt_ghost.hpp"
 #include "core/base/error.hpp"
+#include "core/base/text.hpp"
 #include "core/render/renderer.hpp"
-#include "core/render/view/camera.hpp"
 #include "core/render/view/picture_target.hpp"
-#include "core/training/result_file.hpp"
-#include "core/training/verdict/section_measures.hpp"
-
-#include <glm/trigonometric.hpp>
+#include "core/training/feedback/sound/sound_track.hpp"
+#include "core/training/result/result_file.hpp"
 
 #include <chrono>
 #include <cmath>
@@ -20,30 +21,13 @@ namespace meltpool {
 
 namespace {
 
-constexpr int kSamples = 4; ///< of a pixel, for smooth edges
+constexpr int kSamples = 4;     ///< of a pixel, for smooth edges
+constexpr double kLongAgo = 10; ///< s since the last picture, for a ghost that need not move smoothly
 constexpr int kManyPixels = 4096 * 2304;
 
 /// Above kManyPixels the samples would cost gigabytes, and pixels that small need none.
 int samplesFor(const RunParameters& run) {
     return run.width * run.height > kManyPixels ? 1 : kSamples;
-}
-
-View viewOf(const CameraParameters& camera, float aspect) {
-    Lens lens;
-    lens.fieldOfView = glm::radians(camera.fieldOfView);
-    const OrbitCamera orbit(glm::radians(camera.azimuth), glm::radians(camera.elevation), camera.distance);
-    return orbit.view(lens, aspect);
-}
-
-/// What the gauge measures on a section, drawn into its picture as a station of the weld is judged.
-std::vector<SectionStroke> measureStrokes(const WeldSection& section, const WorkpieceParameters& workpiece,
-                                          const View& view, const SceneView& scene) {
-    const WeldKind kind = weldKindOf(workpiece);
-    const WeldStation station = stationOf(section.figures, kind, section.cut.at());
-    std::vector<SectionStroke> strokes;
-    layOutMarks(sectionMarks(station, kind, section.map, section.cut.fusion, SectionFaces::of(workpiece)),
-                layoutIn(view, scene.modelToWorld, scene.section.at), strokes);
-    return strokes;
 }
 
 /// Takes the lesson's pictures at their times.
@@ -55,36 +39,32 @@ class Photographer {
           folder_(std::move(folder)),
           every_(static_cast<double>(run.picturesEvery)) {}
 
+    /// Another torch for the pictures to come; an empty path is none.
+    void showGhost(const Trainer& trainer, const TorchPath& torch) {
+        ghost_.parameters.ghost = static_cast<int>(GhostChoice::file);
+        ghost_.open(trainer.lesson());
+        ghost_.begin(trainer, torch);
+    }
+
     void takeDue(Trainer& trainer, bool last) {
         const double half = trainer.timeStep() / 2;
         const bool due = every_ > 0 && trainer.time() + half >= static_cast<double>(taken_) * every_;
         if (!due && !last) return;
         ++taken_;
         trainer.updateSurface(nullptr);
+        ghost_.update(trainer, false, 1, kLongAgo);
         for (const PictureLook& picture : trainer.lesson().pictures)
             take(trainer, picture);
     }
 
   private:
     void take(Trainer& trainer, const PictureLook& picture) {
-        const float aspect = static_cast<float>(target_.width()) / static_cast<float>(target_.height());
-        const View view = viewOf(picture.camera, aspect);
-        SceneView scene = trainer.scene();
-        if (!picture.look.showSource) scene.solids = {}; // the torch is the source of a weld
-        std::optional<WeldSection> section;
-        if (picture.sectionAt) {
-            section = trainer.section(static_cast<double>(*picture.sectionAt));
-            scene.section = {true, *picture.sectionAt, section ? &section->map : nullptr};
-            scene.solids = {};
-        }
-        std::vector<SectionStroke> strokes;
-        if (picture.measures && section) {
-            strokes = measureStrokes(*section, trainer.lesson().workpiece, view, scene);
-            scene.section.strokes = strokes;
-        }
-        renderer_.draw(scene, picture.look, {&view, 1}, target_.target(), nullptr);
+        const auto ghost = [&](SceneView& scene, const View& view) {
+            if (picture.look.showSource && !picture.sectionAt) scene.ghost = ghost_.markers(trainer, scene, view);
+        };
+        const Image image = takePicture(renderer_, target_, trainer, picture, ghost);
         try {
-            writePng(folder_ / runPictureName(trainer.time(), picture.name), target_.read());
+            writePng(folder_ / runPictureName(trainer.time(), picture.name), image);
         } catch (const InputError& error) {
             // The folder was writable when the run began: by now it is the disk that fails, not the input.
             throw RuntimeFault(error.what());
@@ -92,6 +72,7 @@ class Photographer {
     }
 
     Renderer renderer_;
+    AttemptGhost ghost_;
     PictureTarget target_;
     std::filesystem::path folder_;
     double every_;
@@ -104,21 +85,14 @@ ResultContext contextOf(const gl::ContextInfo& driver, const std::string& error)
     context.commit = programCommit();
     context.renderer = driver.renderer;
     context.error = error;
+    context.date = formatDate(std::chrono::system_clock::now());
     return context;
-}
-
-/// Steps of the whole run: those of the recorded attempt where it is repeated to its end.
-size_t stepsOf(const Trainer& trainer) {
-    const Lesson& lesson = trainer.lesson();
-    if (lesson.recorded && lesson.run.seconds == static_cast<float>(lesson.torch.duration()))
-        return lesson.recorded->rows;
-    return stepsFor(static_cast<double>(lesson.run.seconds), trainer.timeStep());
 }
 
 class Run {
   public:
-    Run(const gl::ContextInfo& driver, Trainer& trainer, const RunPlaces& places)
-        : driver_(driver), trainer_(trainer), places_(places) {}
+    Run(const gl::ContextInfo& driver, Trainer& trainer, const RunPlaces& places, const RunHooks& hooks)
+        : driver_(driver), trainer_(trainer), places_(places), hooks_(hooks) {}
 
     LessonResult toTheEnd(gl::ShaderLibrary& shaders, const RunStop& stop) {
         try {
@@ -126,6 +100,8 @@ class Run {
             trainer_.stopRecord();
             requireRecorded();
             stop.grant();
+            writeSound();
+            keepMesh(shaders);
             return keepResult("");
         } catch (const std::exception& error) {
             stop.grant();
@@ -142,17 +118,36 @@ class Run {
         context.driver = driver_.renderer;
         trainer_.record(places_.telemetry, context);
         const RunParameters& run = trainer_.lesson().run;
-        const size_t whole = stepsOf(trainer_);
+        const size_t whole = stepsOfRun(trainer_); // before a moment brings other values
+        if (hooks_.start) hooks_.start(trainer_);
+        const size_t before = trainer_.steps();
+        if (before > 0) trainer_.event("begun_at", std::to_string(before));
         Photographer photographer(shaders, run, places_.folder);
+        if (!hooks_.ghost.empty()) photographer.showGhost(trainer_, hooks_.ghost);
         ProgressBar bar(trainer_.lesson().key);
-        photographer.takeDue(trainer_, whole == 0);
-        for (size_t step = 1; step <= whole; ++step) {
+        photographer.takeDue(trainer_, whole <= before);
+        for (size_t step = before + 1; step <= whole; ++step) {
             if (stop.asked()) throw RuntimeFault("the run was stopped before its end");
-            trainer_.advanceDemonstration(nullptr);
+            advance();
+            if (!places_.sound.empty()) sound_.add(trainer_.heard());
             requireRecorded();
             requireFinite(trainer_);
             photographer.takeDue(trainer_, step == whole);
             bar.show(static_cast<double>(step), static_cast<double>(whole));
+        }
+    }
+
+    void advance() {
+        trainer_.applyRecordedChanges();
+        trainer_.advance(hooks_.torch ? hooks_.torch(trainer_) : trainer_.demonstration(), nullptr);
+    }
+
+    void keepMesh(gl::ShaderLibrary& shaders) const {
+        if (places_.mesh.empty()) return;
+        try {
+            writeMesh(shaders, trainer_, places_.mesh);
+        } catch (const InputError& error) { // as with pictures: it could be written when the run began
+            throw RuntimeFault(error.what());
         }
     }
 
@@ -167,9 +162,21 @@ class Run {
         context.wallSeconds = wall;
         context.section = trainer_.section();
         context.judgement = trainer_.judge();
+        if (const auto& recorded = trainer_.lesson().recorded) context.attempt = factsOf(*recorded);
+        context.whatIf = hooks_.whatIf;
         writeTables(context.judgement);
         writeResult(places_.result, trainer_.lesson(), result, context);
         return result;
+    }
+
+    void writeSound() const {
+        if (places_.sound.empty()) return;
+        try {
+            sound_.write(places_.sound);
+        } catch (const InputError& error) {
+            // The place was writable when the run began: by now it is the disk that fails, not the input.
+            throw RuntimeFault(error.what());
+        }
     }
 
     /// What was measured along the seam, by the hand and on the weld.
@@ -186,6 +193,10 @@ class Run {
         } catch (const std::exception&) {
         }
         try {
+            writeSound();
+        } catch (const std::exception&) {
+        }
+        try {
             keepResult(error);
         } catch (const std::exception&) {
         }
@@ -194,13 +205,15 @@ class Run {
     const gl::ContextInfo& driver_;
     Trainer& trainer_;
     RunPlaces places_;
+    SoundTrack sound_;
+    const RunHooks& hooks_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 } // namespace
 
 LessonResult runHeadless(const gl::ContextInfo& driver, gl::ShaderLibrary& shaders, const Lesson& lesson,
-                         const RunPlaces& places, const RunStop& stop) {
+                         const RunPlaces& places, const RunStop& stop, const RunHooks& hooks) {
     Lesson copy = lesson;
     writeUnfinishedResult(places.result, copy,
                           contextOf(driver, "the run has not ended; if it is over, it was killed"));
@@ -219,7 +232,7 @@ LessonResult runHeadless(const gl::ContextInfo& driver, gl::ShaderLibrary& shade
         writeUnfinishedResult(places.result, copy, contextOf(driver, fault.what()));
         throw;
     }
-    return Run(driver, *trainer, places).toTheEnd(shaders, stop);
+    return Run(driver, *trainer, places, hooks).toTheEnd(shaders, stop);
 }
 
 void requireFinite(const Trainer& trainer) {
@@ -231,6 +244,13 @@ void requireFinite(const Trainer& trainer) {
                   "gas stiffness may keep it stable",
                   trainer.time(), broken);
     throw RuntimeFault(sentence);
+}
+
+size_t stepsOfRun(const Trainer& trainer) {
+    const Lesson& lesson = trainer.lesson();
+    if (lesson.recorded && lesson.run.seconds == static_cast<float>(lesson.torch.duration()))
+        return lesson.recorded->rows;
+    return stepsFor(static_cast<double>(lesson.run.seconds), trainer.timeStep());
 }
 
 size_t stepsFor(double seconds, double timeStep) {

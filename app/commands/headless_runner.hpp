@@ -7,6 +7,9 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace meltpool {
 
@@ -23,7 +26,19 @@ struct RunStop {
 struct RunPlaces {
     std::filesystem::path result;
     std::filesystem::path telemetry;
-    std::filesystem::path folder; ///< of the pictures, technique.csv and weld.csv
+    std::filesystem::path folder;     ///< of the pictures, technique.csv and weld.csv
+    std::filesystem::path sound = {}; ///< WAV file of what is heard; empty: none
+    std::filesystem::path mesh = {};  ///< of the metal at the end, see writeMesh(); empty: none
+};
+
+/// How a run differs from the lesson's demonstration; what is empty is as that has it.
+struct RunHooks {
+    /// The torch of the next step, after the recorded changes before it are made.
+    std::function<TorchSample(const Trainer&)> torch = {};
+    /// Puts the metal where the run begins, such as at a checkpoint; the steps that the trainer then has count.
+    std::function<void(Trainer&)> start = {};
+    TorchPath ghost = {}; ///< goes through the pictures by place on the seam and touches nothing else
+    std::vector<std::pair<std::string, std::string>> whatIf = {}; ///< see ResultContext
 };
 
 /// Runs the lesson to its end. From the first moment on the result says that the run is not finished. When it fails,
@@ -31,13 +46,17 @@ struct RunPlaces {
 /// folder cannot be written at all, RuntimeFault for a full disk, a metal that is no longer finite or a run that was
 /// stopped.
 LessonResult runHeadless(const gl::ContextInfo& driver, gl::ShaderLibrary& shaders, const Lesson& lesson,
-                         const RunPlaces& places, const RunStop& stop);
+                         const RunPlaces& places, const RunStop& stop, const RunHooks& hooks = {});
 
 /// Throws RuntimeFault where the metal is no longer finite, by the trainer's newest figures.
 void requireFinite(const Trainer& trainer);
 
 /// How many fixed steps make `seconds`: the smallest number that reaches them.
 size_t stepsFor(double seconds, double timeStep);
+
+/// Steps of a whole run of the lesson that the trainer has begun: those of the recorded attempt where it is repeated to
+/// its end.
+size_t stepsOfRun(const Trainer& trainer);
 
 /// The name of a picture at `time` s, such as "001.500s-metal.png"; names sort by time.
 std::string runPictureName(double time, const std::string& look);

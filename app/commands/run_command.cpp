@@ -2,13 +2,17 @@
 
 #include "app/commands/headless_runner.hpp"
 #include "app/commands/run_folder.hpp"
+#include "app/mesh/mesh_file.hpp"
+#include "app/program/program_info.hpp"
 #include "app/program/stop_signals.hpp"
+#include "app/session/attempt/attempt_ghost.hpp"
 #include "core/base/error.hpp"
 #include "core/base/output_file.hpp"
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"
 #include "core/training/lesson.hpp"
 #include "core/training/lesson_room.hpp"
+#include "core/training/result/repetition.hpp"
 
 #include <chrono>
 #include <cstdio>
@@ -47,26 +51,37 @@ void setSize(Lesson& lesson, const std::string& size) {
     lesson.set("height", size.substr(cross + 1), "--size " + size);
 }
 
-/// Says whether the attempt was repeated to the same bits, and what may be the reason where it was not.
-void tellRepetition(const RecordedAttempt& attempt, const LessonResult& result, const std::string& driver) {
-    const auto same = sameEnd(attempt, result.steps, result.stateHash);
-    if (!same) return;
-    if (*same)
-        std::printf("The metal ended in the same bits as in the record.\n");
-    else
-        std::printf(
-            "The metal did not end in the bits of the record: this is a simulation of the recording. It was made "
-            "with '%s'; this is '%s'.\n",
-            shown(attempt.driver).c_str(), driver.c_str());
-}
-
-/// The record must be no file that the run reads.
-void requireNoSource(const std::filesystem::path& record, const std::vector<std::filesystem::path>& sources) {
+/// What the run writes must be no file that it reads.
+void requireNoSource(const char* option, const std::filesystem::path& written,
+                     const std::vector<std::filesystem::path>& sources) {
     for (const auto& source : sources) {
         std::error_code missing;
-        if (!record.empty() && std::filesystem::equivalent(record, source, missing))
-            throw InputError(record, 0, "--record names a file that the run reads; expected another file");
+        if (!written.empty() && std::filesystem::equivalent(written, source, missing))
+            throw InputError(written, 0,
+                             std::string(option) + " names a file that the run reads; expected another file");
     }
+}
+
+/// The file for the sound can be written, and there is something to hear.
+void requireSound(const std::filesystem::path& sound, const Lesson& lesson) {
+    if (sound.empty()) return;
+    if (lesson.model != LessonModel::Weld)
+        throw InputError(sound, 0,
+                         "--sound asks for the sound of a classic lesson, whose metal has no arc; expected a weld");
+    requireNoSource("--sound", sound, lessonSources(lesson));
+    requireWritable(sound);
+}
+
+/// The path that goes through the pictures as a ghost; empty where none is asked for.
+TorchPath requestedGhost(const RunRequest& request, const Lesson& lesson) {
+    if (request.ghost.empty()) return {};
+    if (lesson.model != LessonModel::Weld)
+        throw InputError("--ghost is for weld lessons, and " + quote(lesson.key) +
+                         " is none; expected a lesson with a seam, or no --ghost");
+    TorchPath torch = ghostTorch(lesson, request.ghost);
+    if (!torch.firstPull())
+        throw InputError(request.ghost, 0, "never pulls the trigger; expected a path that welds, for --ghost");
+    return torch;
 }
 
 } // namespace
@@ -90,10 +105,19 @@ Lesson requestedLesson(const RunRequest& request) {
 void runLesson(const RunRequest& request) {
     StopSignals signals;
     signals.endAfter(kPatience, {});
-    const Lesson lesson = requestedLesson(request);
-    requireNoSource(request.record, lessonSources(lesson));
+    Lesson lesson = requestedLesson(request);
+    lesson.ghost = lesson.ghost || !request.ghost.empty(); // nobody is practising
+    RunHooks hooks;
+    hooks.ghost = requestedGhost(request, lesson);
+    std::vector<std::filesystem::path> sources = lessonSources(lesson);
+    if (!request.ghost.empty()) sources.push_back(request.ghost);
+    requireNoSource("--record", request.record, sources);
     if (!request.record.empty()) requireWritable(request.record);
-    RunFolder folder(request.folder, lessonSources(lesson));
+    requireSound(request.sound, lesson);
+    requireNoSource("--mesh", request.mesh, sources);
+    if (!request.mesh.empty()) meshFormat(request.mesh); // throws for an unknown ending
+    RunFolder folder(request.folder, sources);
+    if (!request.mesh.empty()) requireWritable(request.mesh); // it may lie in the folder
     const gl::HeadlessContext context;
     gl::ShaderLibrary shaders(resourceFolder() / "shaders");
     requireRoom(lesson, machineRoom());
@@ -106,14 +130,17 @@ void runLesson(const RunRequest& request) {
     stop.endAfter = [&signals](const std::function<void()>& last) { signals.endAfter(kPatience, last); };
     const auto& telemetry = request.record.empty() ? folder.telemetry() : request.record;
     const LessonResult result =
-        runHeadless(context.info(), shaders, lesson, {folder.result(), telemetry, folder.path()}, stop);
+        runHeadless(context.info(), shaders, lesson,
+                    {folder.result(), telemetry, folder.path(), request.sound, request.mesh}, stop, hooks);
     std::printf(
         "%s: %.2f s in %zu steps, %zu of %zu particles molten, temperature %.3g to %.3g, %zu lost; pictures and "
         "result are in %s\n",
         shown(lesson.key).c_str(), result.seconds, result.steps, result.metal.molten, result.metal.particles,
         result.metal.minTemperature, result.metal.maxTemperature, result.metal.lost,
         shown(request.folder.string()).c_str());
-    if (lesson.recorded) tellRepetition(*lesson.recorded, result, context.info().renderer);
+    if (!request.mesh.empty()) std::printf("The mesh is in %s.\n", shown(request.mesh.string()).c_str());
+    if (lesson.recorded)
+        std::printf("%s\n", repetitionText(*lesson.recorded, result, programBuild(), context.info().renderer).c_str());
 }
 
 void listLessons() {

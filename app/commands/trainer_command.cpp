@@ -16,6 +16,7 @@ void refuseWithoutDisplay(const DesktopOptions& options, const std::string& miss
     const char* option = nullptr;
     if (options.headset == HeadsetUse::wanted) option = "--headset";
     if (!options.telemetry.empty()) option = "--telemetry";
+    if (!options.replay.empty()) option = "--replay";
     if (options.watchShaders) option = "--watch-shaders";
     if (option != nullptr)
         throw InputError("there is no display (" + missing + "), and " + option +
@@ -38,6 +39,7 @@ bool runTrainer(const DesktopOptions& options) {
     demonstration.lesson = options.lesson.empty() ? std::string(kDefaultLesson) : options.lesson;
     demonstration.folder = std::filesystem::path("out") / std::filesystem::path(demonstration.lesson).stem();
     demonstration.record = options.record;
+    demonstration.ghost = options.ghost;
     std::printf("There is no display (%s); the demonstration of lesson '%s' runs without one instead.\n",
                 missing.c_str(), printable(demonstration.lesson, 200).c_str());
     std::fflush(stdout);

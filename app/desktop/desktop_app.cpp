@@ -3,8 +3,11 @@
 #include "app/desktop/screenshot.hpp"
 #include "app/program/call_counters.hpp"
 #include "app/program/program_info.hpp"
+#include "app/session/recordings/best_kept.hpp"
+#include "app/session/recordings/kept_attempts.hpp"
 #include "core/base/error.hpp"
 #include "core/base/resources.hpp"
+#include "core/base/text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -36,35 +39,55 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
       shaders_(resourceFolder() / "shaders"),
       home_(resourceFolder() / "data" / "lessons", settingsFolder() / "best-scores.toml"),
       session_(shaders_, loadLesson(options.lesson.empty() ? std::string(kDefaultLesson) : options.lesson)),
+      sound_(session_),
       windowSection_("window", describe(windowParameters_)),
       controlSection_("controls", describe(controls_.parameters)),
       panelSection_("panels", describe(menus_.panels)),
+      recordingSection_("recordings", describe(session_.recordings().parameters)),
       settings_(options.settings),
       lessons_(home_, session_, settings_, controls_, messages_),
       driver_(driverText(window_.driver())) {
     if (options_.headset != HeadsetUse::off && options_.makeHeadset) headset_ = options_.makeHeadset(settingsFolder());
     session_.records().use(options_.record, programBuild(), window_.driver().renderer);
+    if (options_.recordings) session_.recordings().use(recordingsFolder(), programBuild(), window_.driver().renderer);
     if (telemetry_.enabled()) callsCounted_ = joinCallCounters();
     for (std::string& fault : settings_.load(ownSections()))
         messages_.warn(std::move(fault), now());
+    takeGhost();
     settings_.giveTo(session_.lesson(), session_.sections());
     for (const std::string& fault : home_.scores.faults())
         messages_.warn(fault, now());
     home_.open = options.lesson.empty();
     home_.choose(session_.lesson().key);
+    if (!options.replay.empty()) lessons_.openAttempt(options.replay, options.lesson);
     window_.resize({windowParameters_.width, windowParameters_.height}, windowParameters_.maximised);
     window_.show();
     lastFrame_ = now();
 }
 
+/// A file that is wrong ends the program before the window shows anything, as far as it is known for which lesson.
+void DesktopApp::takeGhost() {
+    session_.ghost().findBestBy([](const std::string& lesson) { return bestKept(recordingsFolder(), lesson); });
+    if (options_.ghost.empty()) return;
+    std::error_code missing;
+    if (!std::filesystem::is_regular_file(options_.ghost, missing))
+        throw InputError(options_.ghost, 0, "is no file for --ghost; expected an attempt or a torch path");
+    const Lesson& lesson = session_.lesson();
+    if (!options_.lesson.empty() && lesson.model == LessonModel::Weld) ghostTorch(lesson, options_.ghost);
+    session_.ghost().choose(std::filesystem::absolute(options_.ghost));
+}
+
 std::vector<ParameterSection*> DesktopApp::ownSections() {
-    std::vector<ParameterSection*> sections{&windowSection_, &controlSection_, &panelSection_, &session_.cueSection()};
+    std::vector<ParameterSection*> sections{&windowSection_,        &controlSection_,         &panelSection_,
+                                            &session_.cueSection(), &session_.soundSection(), &session_.ghostSection(),
+                                            &recordingSection_};
     if (headset_) sections.push_back(&headset_->section());
     return sections;
 }
 
 bool DesktopApp::finish() {
     session_.end("the program ended");
+    session_.recordings().finish();
     const glm::ivec2 size = window_.normalSize();
     windowParameters_.width = std::clamp(size.x, 640, 16384);
     windowParameters_.height = std::clamp(size.y, 480, 16384);
@@ -80,7 +103,9 @@ bool DesktopApp::finish() {
     if (session_.records().lost())
         std::fprintf(stderr, "meltpool: an attempt was not recorded to its end, as the window told; expected %s\n",
                      "a place for --record that can be written, with free space");
-    return kept && !session_.records().lost() && telemetry_.fault().empty();
+    const std::string& unrecorded = session_.recordings().lost();
+    if (!unrecorded.empty()) std::fprintf(stderr, "meltpool: %s\n", printable(unrecorded, 3000).c_str());
+    return kept && unrecorded.empty() && !session_.records().lost() && telemetry_.fault().empty();
 }
 
 void DesktopApp::frame() {
@@ -95,7 +120,7 @@ void DesktopApp::frame() {
 bool DesktopApp::rests() const {
     if (headsetFrame_) return false;
     // A headset that is about to open with its lesson is not kept waiting.
-    const bool still = !session_.running() && (home_.open || !headset_);
+    const bool still = !session_.running() && (home_.open || !headset_) && !home_.comparison.welding();
     return window_.minimised() || (still && !window_.stirred());
 }
 
@@ -114,9 +139,11 @@ void DesktopApp::runFrame() {
     interface_.begin(windowParameters_.interfaceSize, captured, !session_.running() && !home_.open);
     interface_.takeInput(input, captured);
     handleKeys(input);
+    tellRecordings(session_.recordings(), time, messages_);
     const bool timed = menus_.panels.timings && !menus_.panels.hidden;
     if (timed) profiler_.beginFrame();
     simulate(input, seconds);
+    if (home_.open) home_.comparison.update(shaders_, seconds, machineSeconds);
     drawHeadset(seconds);
     drawPicture(seconds);
     MenuRequest request = MenuRequest::none;
@@ -126,6 +153,7 @@ void DesktopApp::runFrame() {
         interface_.end();
     }
     if (timed) profiler_.endFrame();
+    sound_.update(session_, controls_, headsetFrame_ ? headset_.get() : nullptr);
     if (pictureAsked_) takePicture();
     pacer_.count(seconds);
     figures_.framesPerSecond = pacer_.framesPerSecond();
@@ -161,86 +189,6 @@ void DesktopApp::drawHeadset(double seconds) {
     act(request);
 }
 
-/// Keys of the pages before a lesson runs.
-void DesktopApp::moveByKeys(const InputFrame& input) {
-    if (menus_.panels.help) return;
-    for (const Key key : input.pressed) {
-        if (!home_.open) break;
-        home_.move((key == Key::right) - (key == Key::left), (key == Key::down) - (key == Key::up));
-    }
-    // Dear ImGui itself takes the key for the control that was chosen by keys.
-    if (std::find(input.struck.begin(), input.struck.end(), Key::enter) == input.struck.end()) return;
-    if (home_.open)
-        act(MenuRequest::openLesson);
-    else if (!ImGui::GetIO().NavVisible)
-        act(MenuRequest::start);
-}
-
-/// Keys of the demonstration: pause, its time, and Enter for one's own attempt.
-void DesktopApp::demonstrateByKeys(const InputFrame& input) {
-    Demonstration& demonstration = session_.demonstration();
-    if (!demonstration.shown() || menus_.panels.help) return;
-    for (const Key key : input.pressed) {
-        if (key == Key::left) demonstration.moveTo(demonstration.time() - Demonstration::kKeyStep);
-        if (key == Key::right) demonstration.moveTo(demonstration.time() + Demonstration::kKeyStep);
-    }
-    for (const Key key : input.struck) {
-        if (key == Key::space) demonstration.toggle();
-        if (key == Key::enter) act(MenuRequest::reset);
-    }
-}
-
-void DesktopApp::handleKeys(const InputFrame& input) {
-    if (session_.running())
-        demonstrateByKeys(input);
-    else
-        moveByKeys(input);
-    for (const Key key : input.struck) {
-        switch (key) {
-        case Key::escape:
-            if (!session_.running() && !menus_.panels.help) act(MenuRequest::home);
-            menus_.panels.help = false;
-            break;
-        case Key::tab:
-            menus_.panels.hidden = session_.running() && !menus_.panels.hidden;
-            break;
-        case Key::f1:
-            menus_.panels.help = !menus_.panels.help;
-            break;
-        case Key::f2:
-            menus_.panels.view = !menus_.panels.view;
-            break;
-        case Key::f3:
-            menus_.panels.simulation = !menus_.panels.simulation;
-            break;
-        case Key::f4:
-            menus_.panels.timings = !menus_.panels.timings;
-            break;
-        case Key::h:
-            if (session_.demonstration().shown() || !session_.arc().burns()) act(MenuRequest::home);
-            break;
-        case Key::j:
-            act(MenuRequest::judge);
-            break;
-        case Key::x:
-            act(MenuRequest::cut);
-            break;
-        case Key::f5:
-            session_.reset(controls_);
-            break;
-        case Key::f11:
-            window_.toggleFullScreen();
-            break;
-        case Key::f12:
-            pictureAsked_ = true;
-            messages_.clear("picture"); // the last picture's message is not for this one
-            break;
-        default:
-            break;
-        }
-    }
-}
-
 void DesktopApp::act(MenuRequest request) {
     switch (request) {
     case MenuRequest::home:
@@ -256,20 +204,37 @@ void DesktopApp::act(MenuRequest request) {
         break;
     case MenuRequest::startWithDefaults:
         session_.sections().restoreDefaults();
-        start(&LessonSession::begin);
-        break;
+        [[fallthrough]];
     case MenuRequest::start:
         start(&LessonSession::begin);
         break;
     case MenuRequest::demonstrate:
         start(&LessonSession::demonstrate);
         break;
+    case MenuRequest::replay:
+        if (lessons_.replay(home_.attempts.chosen(), now())) showAll();
+        break;
+    case MenuRequest::ghost:
+        if (lessons_.weldBeside(home_.attempts.chosen(), now())) showAll();
+        break;
+    case MenuRequest::compare:
+        lessons_.compare(now());
+        break;
     case MenuRequest::reset:
-        session_.reset(controls_);
+        if (session_.replay().shown())
+            start(&LessonSession::begin);
+        else
+            session_.reset(controls_);
         break;
     case MenuRequest::judge:
         session_.judge();
         menus_.showResult(session_);
+        break;
+    case MenuRequest::page:
+        lessons_.writePage(driver_, now());
+        break;
+    case MenuRequest::redo:
+        session_.redo(controls_);
         break;
     case MenuRequest::cut:
         session_.toggleCut(controls_);
@@ -286,7 +251,11 @@ void DesktopApp::act(MenuRequest request) {
 }
 
 void DesktopApp::start(void (LessonSession::*begin)(Controls&)) {
-    if (!lessons_.start(begin, now())) return;
+    if (lessons_.start(begin, now())) showAll();
+}
+
+/// As at the start of a lesson.
+void DesktopApp::showAll() {
     menus_.panels.hidden = false;
     profiler_.reset();
 }
@@ -321,6 +290,7 @@ void DesktopApp::takeJudgement() {
     if (session_.judgements() == judgements_) return;
     judgements_ = session_.judgements();
     menus_.showResult(session_);
+    sound_.judged(session_);
     lessons_.keepScore(session_.held() && headset_ ? static_cast<double>(headset_->zoom()) : 1, now());
 }
 
@@ -341,11 +311,12 @@ void DesktopApp::drawPicture(double seconds) {
 
 MenuRequest DesktopApp::drawMenus() {
     LessonSections& lesson = session_.sections();
-    const std::array<const ParameterSection*, 6> view{
-        &session_.cueSection(), &lesson.view,    &lesson.surface,
-        &controlSection_,       &windowSection_, headset_ ? &headset_->section() : nullptr};
+    const std::array<const ParameterSection*, 9> view{
+        &session_.cueSection(), &session_.ghostSection(), &lesson.view,
+        &lesson.surface,        &session_.soundSection(), &controlSection_,
+        &windowSection_,        &recordingSection_,       headset_ ? &headset_->section() : nullptr};
     return menus_.draw({session_, home_, controls_, messages_, figures_, profiler_, pacer_.frameSeconds() * 1000,
-                        driver_, std::span(view).first(headset_ ? 6 : 5)});
+                        driver_, std::span(view).first(headset_ ? 9 : 8)});
 }
 
 void DesktopApp::takePicture() {
@@ -362,9 +333,9 @@ void DesktopApp::writeTelemetry() {
     if (!telemetry_.due(now())) return;
     meter_.pause();
     const LessonSections& lesson = session_.sections();
-    const std::vector<const ParameterSection*> sections{&lesson.start,      &lesson.view,          &lesson.surface,
-                                                        &lesson.simulation, &windowSection_,       &controlSection_,
-                                                        &panelSection_,     &session_.cueSection()};
+    const std::vector<const ParameterSection*> sections{
+        &lesson.start,    &lesson.view,   &lesson.surface,        &lesson.simulation,       &windowSection_,
+        &controlSection_, &panelSection_, &session_.cueSection(), &session_.soundSection(), &session_.ghostSection()};
     std::vector<std::string> passes;
     for (const gl::PassTime& pass : profiler_.passes())
         passes.push_back(pass.name);
@@ -386,6 +357,7 @@ void DesktopApp::writeTelemetry() {
                       screenshot_,
                       session_.judged(),
                       session_.demonstration(),
+                      session_.replay(),
                       session_.cut(),
                       headset_ ? headset_->status() : HeadsetStatus{},
                       meter_,

@@ -5,6 +5,7 @@
 #include "app/desktop/desktop_lessons.hpp"
 #include "app/desktop/desktop_menus.hpp"
 #include "app/desktop/desktop_settings.hpp"
+#include "app/desktop/desktop_sound.hpp"
 #include "app/desktop/frame_pacer.hpp"
 #include "app/desktop/interface.hpp"
 #include "app/desktop/shader_watch.hpp"
@@ -38,6 +39,7 @@ class DesktopApp {
   private:
     using Clock = std::chrono::steady_clock;
 
+    void takeGhost();
     void runFrame();
     bool rests() const;
     /// Sections of the settings file that belong to no lesson.
@@ -47,6 +49,8 @@ class DesktopApp {
     void start(void (LessonSession::*begin)(Controls&));
     void moveByKeys(const InputFrame& input);
     void demonstrateByKeys(const InputFrame& input);
+    void replayByKeys(const InputFrame& input);
+    void showAll();
     void takeJudgement();
     void beginHeadset(double seconds);
     void drawHeadset(double seconds);
@@ -72,6 +76,7 @@ class DesktopApp {
     gl::ShaderLibrary shaders_;
     Home home_;
     LessonSession session_;
+    DesktopSound sound_;
     std::unique_ptr<WindowHeadset> headset_;
     gl::Profiler profiler_;
     FrameMeter meter_;
@@ -79,6 +84,7 @@ class DesktopApp {
     ParameterSection windowSection_;
     ParameterSection controlSection_;
     ParameterSection panelSection_;
+    ParameterSection recordingSection_;
 
     DesktopSettings settings_;
     DesktopLessons lessons_;

@@ -1,5 +1,7 @@
 #include "app/desktop/desktop_lessons.hpp"
 
+#include "app/program/open_file.hpp"
+#include "app/session/replay/attempt_lesson.hpp"
 #include "core/base/error.hpp"
 
 #include <array>
@@ -12,7 +14,7 @@ namespace meltpool {
 void DesktopLessons::leave() {
     session_.end("start menu");
     controls_.restart();
-    for (const std::string_view topic : std::array<std::string_view, 4>{"metal", "arc", kSlowTopic, "record"})
+    for (const std::string_view topic : std::array<std::string_view, 5>{"metal", "arc", "ghost", kSlowTopic, "record"})
         messages_.clear(topic);
 }
 
@@ -20,18 +22,24 @@ void DesktopLessons::goHome() {
     if (home_.open) return;
     leave();
     home_.choose(session_.lesson().key);
+    if (home_.attempts.shown()) home_.attempts.show(); // there may be more of them now
     home_.open = true;
+}
+
+/// Its values become those of the settings file; what was set in the lesson before is kept there.
+void DesktopLessons::take(Lesson opened) {
+    leave();
+    home_.comparison.stop();
+    settings_.takeFrom(session_.lesson(), session_.sections());
+    session_.open(std::move(opened));
+    settings_.giveTo(session_.lesson(), session_.sections());
+    messages_.clear("lesson");
+    home_.open = false;
 }
 
 void DesktopLessons::open(const CataloguedLesson& lesson, double now) {
     try {
-        Lesson opened = loadLesson(lesson.key);
-        leave();
-        settings_.takeFrom(session_.lesson(), session_.sections());
-        session_.open(std::move(opened));
-        settings_.giveTo(session_.lesson(), session_.sections());
-        messages_.clear("lesson");
-        home_.open = false;
+        take(loadLesson(lesson.key));
     } catch (const InputError& fault) {
         messages_.warn(fault.what(), now, "lesson");
     }
@@ -51,9 +59,52 @@ bool DesktopLessons::start(void (LessonSession::*begin)(Controls&), double now) 
     }
 }
 
+void DesktopLessons::openAttempt(const std::filesystem::path& file, const std::string& lesson) {
+    Lesson attempt = lessonOfAttempt(file, lesson);
+    take(loadLesson(attempt.file.string()));
+    session_.openReplay(std::move(attempt), controls_);
+}
+
+bool DesktopLessons::replay(const std::filesystem::path& file, double now) {
+    try {
+        openAttempt(file);
+        return true;
+    } catch (const std::exception& fault) {
+        messages_.warn(fault.what(), now, "start");
+        return false;
+    }
+}
+
+bool DesktopLessons::weldBeside(const std::filesystem::path& file, double now) {
+    try {
+        const Lesson attempt = lessonOfAttempt(file);
+        if (attempt.model != LessonModel::Weld || !attempt.ghost)
+            throw InputError(file, 0, "is of lesson '" + attempt.key + "', which allows no ghost");
+        take(loadLesson(attempt.file.string()));
+        session_.ghost().choose(file);
+    } catch (const std::exception& fault) {
+        messages_.warn(fault.what(), now, "start");
+        return false;
+    }
+    bool& forScore = session_.sections().attempt.forScore;
+    if (std::exchange(forScore, false))
+        messages_.note("This attempt is practice: one for score has no ghost.", now, "start");
+    return start(&LessonSession::begin, now);
+}
+
+void DesktopLessons::compare(double now) {
+    const auto& [first, second] = home_.attempts.pair();
+    try {
+        home_.comparison.begin({first.file, first.detail}, {second.file, second.detail});
+    } catch (const std::exception& fault) {
+        messages_.warn(std::string("These attempts cannot be compared: ") + fault.what(), now, "start");
+    }
+}
+
 void DesktopLessons::keepScore(double zoom, double now) {
+    zoom_ = zoom;
     const CataloguedLesson* lesson = home_.find(session_.lesson());
-    if (lesson == nullptr || !session_.judged()) return;
+    if (lesson == nullptr || !session_.judged() || session_.earlierMoments().redone() > 0) return;
     std::optional<BestScore> score = countedScore(session_.judged()->judgement);
     if (!score) return;
     score->zoom = zoom;
@@ -62,11 +113,22 @@ void DesktopLessons::keepScore(double zoom, double now) {
     score->changed = session_.workpieceChanged() || session_.settingsChanged();
     score->chosen = session_.chosenText();
     score->cues = session_.cues().used();
+    score->ghost = session_.ghost().used();
     try {
         home_.scores.offer(lesson->key, *score);
         home_.scores.practise(lesson->key, session_.cues().skill());
     } catch (const std::exception& fault) {
         messages_.warn(std::string("The best score cannot be kept: ") + fault.what(), now, "scores");
+    }
+}
+
+void DesktopLessons::writePage(const std::string& driver, double now) {
+    try {
+        const std::filesystem::path page = session_.writePage(zoom_, driver);
+        if (!session_.held()) openForPerson(page); // a browser is of no use in a headset
+        messages_.note("The page of this attempt is " + page.string(), now, "page");
+    } catch (const std::exception& fault) {
+        messages_.warn(std::string("The page cannot be written: ") + fault.what(), now, "page");
     }
 }
 

@@ -2,10 +2,13 @@
 #pragma once
 
 #include "app/desktop/desktop_settings.hpp"
-#include "app/session/controls.hpp"
+#include "app/session/hand/controls.hpp"
 #include "app/session/home/home.hpp"
 #include "app/session/lesson_session.hpp"
 #include "app/session/messages.hpp"
+
+#include <filesystem>
+#include <string>
 
 namespace meltpool {
 
@@ -25,15 +28,33 @@ class DesktopLessons {
     /// Runs the lesson by an attempt or a demonstration. False, with a message, where it cannot begin.
     bool start(void (LessonSession::*begin)(Controls&), double now);
 
+    /// Plays a kept attempt in its lesson, or in the one named, see lessonOfAttempt(), which this throws as, and as
+    /// LessonSession::begin().
+    void openAttempt(const std::filesystem::path& file, const std::string& lesson = {});
+    /// The same from a menu: false, with a message and nothing changed, where the file cannot be used.
+    bool replay(const std::filesystem::path& file, double now);
+
+    /// Begins an attempt in the lesson of a kept one, whose torch goes along as the ghost. False, with a message, where
+    /// it cannot.
+    bool weldBeside(const std::filesystem::path& file, double now);
+    /// Compares the two attempts that were marked in their list; where it cannot, a message says why.
+    void compare(double now);
+
     /// Keeps the judged attempt's score where it is the lesson's best. `zoom` at which the workpiece was shown.
     void keepScore(double zoom, double now);
+    /// Writes the judged attempt's page, tells where it is, and shows it where the desktop can. `driver` of the
+    /// graphics.
+    void writePage(const std::string& driver, double now);
 
   private:
+    void take(Lesson opened);
+
     Home& home_;
     LessonSession& session_;
     DesktopSettings& settings_;
     Controls& controls_;
     Messages& messages_;
+    double zoom_ = 1; ///< of the newest judgement
 };
 
 } // namespace meltpool

@@ -11,7 +11,7 @@ float DesktopMenus::coveredLeft() {
 }
 
 float DesktopMenus::coveredRight() {
-    return panels.simulation && !panels.hidden && !cutOpen_ ? ui::panelReach(interface_.context()) : 0;
+    return panels.simulation && !panels.hidden && !machineWaits_ ? ui::panelReach(interface_.context()) : 0;
 }
 
 float DesktopMenus::middleOfPicture() {
@@ -21,7 +21,7 @@ float DesktopMenus::middleOfPicture() {
 MenuRequest DesktopMenus::draw(const DesktopMenuContent& content) {
     ui::Context& context = interface_.context();
     LessonSession& session = content.session;
-    cutOpen_ = session.cut().shown();
+    machineWaits_ = session.cut().shown() || session.replay().shown();
     MenuRequest request = MenuRequest::none;
     if (content.home.open)
         request = ui::homePage(context, content.home, content.driver, panels.help);
@@ -41,8 +41,13 @@ MenuRequest DesktopMenus::drawPanels(const DesktopMenuContent& content) {
     const Lesson& lesson = content.session.lesson();
     MenuRequest request = ui::topBar(context, panels, content.controls, content.session);
     ui::statusBar(context, content.figures, content.controls);
+    if (!content.figures.caption.empty())
+        ui::captionLine(context, content.figures.caption, coveredLeft(), coveredRight());
     if (content.session.demonstration().shown())
         if (const MenuRequest asked = ui::demonstrationBar(context, content.session); asked != MenuRequest::none)
+            request = asked;
+    if (content.session.replay().shown())
+        if (const MenuRequest asked = ui::replayBar(context, content.session); asked != MenuRequest::none)
             request = asked;
     ui::temperatureScale(context, lesson.look.colours, content.session.temperature(), coveredLeft());
     panels.result = panels.result && content.session.judges();
@@ -52,7 +57,7 @@ MenuRequest DesktopMenus::drawPanels(const DesktopMenuContent& content) {
             asked != MenuRequest::none)
             request = asked;
     if (panels.view) ui::viewMenu(context, content.viewSections);
-    if (panels.simulation && !cutOpen_)
+    if (panels.simulation && !machineWaits_)
         ui::machineMenu(context, content.session.sections().simulation, content.controls);
     if (panels.timings)
         ui::timingsPanel(context, content.profiler, content.figures, content.frameMs, content.driver, panels.view);

@@ -48,7 +48,7 @@ class DesktopMenus {
 
     const Window& window_;
     ui::Interface& interface_;
-    bool cutOpen_ = false;         ///< the metal waits, so the machine's values make room for the section
+    bool machineWaits_ = false;    ///< its values would change nothing: the weld is cut open, or an attempt replayed
     bool resultIsNewer_ = false;   ///< than the panels at its place
     bool timingsAreNewer_ = false; ///< if both panels at the left are open in the next frame
 };

@@ -40,6 +40,7 @@ constexpr std::array<std::pair<int, Key>, static_cast<size_t>(Key::count)> kKeys
     {GLFW_KEY_PAGE_DOWN, Key::pageDown},
     {GLFW_KEY_ESCAPE, Key::escape},
     {GLFW_KEY_ENTER, Key::enter},
+    {GLFW_KEY_BACKSPACE, Key::backspace},
     {GLFW_KEY_SPACE, Key::space},
     {GLFW_KEY_TAB, Key::tab},
     {GLFW_KEY_F1, Key::f1},

@@ -1,7 +1,7 @@
 // A window with an OpenGL 4.5 context, and the input of keyboard and mouse.
 #pragma once
 
-#include "app/session/input.hpp"
+#include "app/session/hand/input.hpp"
 #include "core/gl/context.hpp"
 
 #include <glm/vec2.hpp>

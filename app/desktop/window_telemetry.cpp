@@ -121,6 +121,18 @@ json demonstration(const Demonstration& shown) {
         {"time", shown.time()}, {"duration", shown.duration()}, {"playing", shown.playing()}, {"welds", shown.welds()}};
 }
 
+/// Null while none is shown; `same` is null before the end and where there is nothing to compare with.
+json replay(const AttemptReplay& shown) {
+    if (!shown.shown()) return nullptr;
+    const ReplayTimeline& line = shown.line();
+    json same = nullptr;
+    if (const auto& end = shown.comparison(); end && end->verdict != ReplayEnd::Verdict::unknown)
+        same = end->verdict == ReplayEnd::Verdict::same;
+    return {{"time", line.time()},   {"duration", line.duration()}, {"playing", line.playing()},
+            {"speed", line.speed()}, {"seeking", line.seeking()},   {"over", line.over()},
+            {"same", same}};
+}
+
 /// Null while the weld is not cut open.
 json cut(const CutView& shown) {
     if (!shown.shown()) return nullptr;
@@ -181,6 +193,7 @@ void WindowTelemetry::write(const TelemetryRow& row) {
         {"screenshot", row.screenshot},
         {"judgement", judgement(row.judged)},
         {"demonstration", demonstration(row.demonstration)},
+        {"replay", replay(row.replay)},
         {"cut", cut(row.cut)},
         {"headset", headset(row.headset)},
         {"frame_costs", frameCosts(row.meter, row.callsCounted)},

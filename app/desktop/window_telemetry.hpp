@@ -4,12 +4,13 @@
 #include "app/program/frame_meter.hpp"
 #include "app/session/attempt/attempt_judge.hpp"
 #include "app/session/attempt/demonstration.hpp"
-#include "app/session/controls.hpp"
+#include "app/session/hand/controls.hpp"
 #include "app/session/headset_status.hpp"
 #include "app/session/inspection/cut_view.hpp"
 #include "app/session/lesson_figures.hpp"
 #include "app/session/menu_state.hpp"
 #include "app/session/messages.hpp"
+#include "app/session/replay/attempt_replay.hpp"
 #include "app/session/ui/widgets.hpp"
 #include "core/weld/torch/torch_sample.hpp"
 
@@ -40,6 +41,7 @@ struct TelemetryRow {
     std::string screenshot;                     ///< the last picture saved
     const std::optional<JudgedAttempt>& judged; ///< the attempt
     const Demonstration& demonstration;
+    const AttemptReplay& replay;
     const CutView& cut;
     HeadsetStatus headset;
     const FrameMeter& meter;   ///< what the frames before this row cost

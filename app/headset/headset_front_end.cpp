@@ -45,7 +45,7 @@ bool HeadsetFrontEnd::begin(LessonSession& session, const Home& home, double ela
     mirrored_ = false;
     if (changes_.lessonBegan(session)) {
         hands_.forgetSteps();
-        hands_.putOut(ArcOut::lessonBegan);
+        hands_.putOut(session.earlierMoments().redone() > 0 ? ArcOut::redone : ArcOut::lessonBegan);
     }
     const bool weld = session.lesson().model == LessonModel::Weld;
     if (weld && changes_.lessonStarted()) parameters_.weldZoom = 1;
@@ -135,6 +135,7 @@ MenuRequest HeadsetFrontEnd::draw(LessonSession& session, Home& home, const Less
                                   const Messages& messages, double elapsed, gl::Profiler* profiler) {
     if (!inFrame_) return MenuRequest::none;
     drawEyes(session, elapsed, profiler);
+    recordPerson(session);
     if (inFrame_) drawNotice(figures, messages, elapsed);
     const MenuRequest asked = inFrame_ && panel_.open() ? drawMenu(session, home, figures, elapsed) : MenuRequest::none;
     return again_ && asked == MenuRequest::none ? MenuRequest::reset : asked;
@@ -156,6 +157,26 @@ void HeadsetFrontEnd::drawEyes(LessonSession& session, double elapsed, gl::Profi
         feedback_.play(headset, hands_);
     });
     busy_ += std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Where head and hands are in this frame, for the recording.
+void HeadsetFrontEnd::recordPerson(LessonSession& session) {
+    if (!drawn_ || !inFrame_ || session.recordings().current() == nullptr) return;
+    const auto inWorkpiece = [this](const xr::Pose& inSession) {
+        const xr::Pose pose = workshop_.toWorkshop(inSession);
+        return RecordingPose{place_.toWorkpiece(pose.position),
+                             glm::normalize(place_.toWorkpiece(glm::normalize(pose.orientation)))};
+    };
+    xr::Headset& headset = *connection_.headset();
+    const std::array<xr::EyeView, 2>& eyes = headset.views();
+    RecordingPerson person;
+    person.steps = session.steps();
+    person.head = inWorkpiece(xr::interpolate(eyes[0].pose, eyes[1].pose, 0.5f));
+    if (const auto& left = headset.input().hand(xr::Hand::left); left.tracked) person.left = inWorkpiece(left.grip);
+    if (const auto& right = headset.input().hand(xr::Hand::right); right.tracked)
+        person.right = inWorkpiece(right.grip);
+    person.zoom = place_.zoom;
+    session.recordings().person(person);
 }
 
 void HeadsetFrontEnd::drawNotice(const LessonFigures& figures, const Messages& messages, double elapsed) {
@@ -213,6 +234,13 @@ bool HeadsetFrontEnd::blitLeftEye(glm::ivec2 pixels) const {
     glBlitNamedFramebuffer(eyes.resolved(), 0, x, y, x + width, y + height, 0, 0, pixels.x, pixels.y,
                            GL_COLOR_BUFFER_BIT, GL_LINEAR);
     return true;
+}
+
+std::optional<glm::vec3> HeadsetFrontEnd::arcFromHead(const LessonSession& session) const {
+    if (!drawn_ || !session.running() || connection_.headset() == nullptr) return std::nullopt;
+    const std::array<xr::EyeView, 2>& eyes = connection_.headset()->views();
+    const xr::Pose head = workshop_.toWorkshop(xr::interpolate(eyes[0].pose, eyes[1].pose, 0.5f));
+    return head.inverse() * place_.toWorkshop(session.torch().tip);
 }
 
 std::string HeadsetFrontEnd::sentence() const {

@@ -30,6 +30,7 @@ class HeadsetFrontEnd final : public WindowHeadset {
     const TriggerLock& triggerLock() const override { return hands_.torch().triggerLock(); }
     MenuRequest draw(LessonSession& session, Home& home, const LessonFigures& figures, const Messages& messages,
                      double elapsed, gl::Profiler* profiler) override;
+    std::optional<glm::vec3> arcFromHead(const LessonSession& session) const override;
     float zoom() const override { return place_.zoom; }
     void end() override;
     bool mirror(glm::ivec2 pixels) override;
@@ -49,6 +50,7 @@ class HeadsetFrontEnd final : public WindowHeadset {
     void placeWorkshop(LessonSession& session);
     bool leadsTorch() const { return inFrame_ && changes_.lessonRuns() && hands_.torch().known(); }
     void drawEyes(LessonSession& session, double elapsed, gl::Profiler* profiler);
+    void recordPerson(LessonSession& session);
     void drawNotice(const LessonFigures& figures, const Messages& messages, double elapsed);
     MenuRequest drawMenu(LessonSession& session, Home& home, const LessonFigures& figures, double elapsed);
     bool blitLeftEye(glm::ivec2 pixels) const;

@@ -61,6 +61,9 @@ void HeadsetMenu::lessonPart(ui::Context& context, LessonSession& session, const
     if (session.demonstration().shown())
         if (const MenuRequest asked = ui::demonstrationPart(context, session); asked != MenuRequest::none)
             answer_.request = asked;
+    if (session.replay().shown())
+        if (const MenuRequest asked = ui::replayPart(context, session); asked != MenuRequest::none)
+            answer_.request = asked;
     lessonButtons(context, session);
 }
 
@@ -111,7 +114,10 @@ void HeadsetMenu::pagePart(ui::Context& context, LessonSession& session, const H
         if (session.lesson().model == LessonModel::Weld &&
             ui::groupHeading(context, "cues", "Cues at the torch", false))
             drawParameters(context, session.cueSection());
+        if (session.ghostSection().idle.empty() && ui::groupHeading(context, "ghost", "Ghost torch", false))
+            drawParameters(context, session.ghostSection());
         drawParameters(context, session.sections().view);
+        if (ui::groupHeading(context, "sound", "Sound", false)) drawParameters(context, session.soundSection());
         if (ui::groupHeading(context, "surface", "Expert", false)) drawParameters(context, session.sections().surface);
     }
 }

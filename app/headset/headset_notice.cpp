@@ -39,6 +39,7 @@ void NoticeText::compose(const Messages& messages, const LessonFigures& figures,
         if (warns(message) && left-- <= kMostWarnings) addLine(message.text);
     if (!figures.slow.empty()) addLine(figures.slow);
     quietFrom_ = length_;
+    if (!figures.caption.empty()) addLine(figures.caption);
     if (zoom == 1) return;
     std::array<char, 96> line{};
     std::snprintf(line.data(), line.size(),

@@ -17,12 +17,12 @@ namespace meltpool {
 /// The notice's text, built in each frame without allocating.
 class NoticeText {
   public:
-    /// The newest warnings, then that the metal is slow, then the zoom where it is not 1.
+    /// The newest warnings, then that the metal is slow, then what is heard, then the zoom where it is not 1.
     void compose(const Messages& messages, const LessonFigures& figures, float zoom);
 
     /// All of it, a line each.
     std::string_view text() const { return {text_.data(), length_}; }
-    /// The part that warns, and the zoom's line.
+    /// The part that warns, and what is heard with the zoom's line.
     std::string_view warnings() const { return text().substr(0, quietFrom_); }
     std::string_view quiet() const { return text().substr(quietFrom_); }
 

@@ -57,7 +57,7 @@ void StereoView::draw(LessonSession& session, const SceneView& lesson, const Wor
     if (scene.arc.intensity.g > 0)
         hands_.arcGlow = scene.arc.intensity / (std::numbers::pi_v<float> * scene.arc.radius * scene.arc.radius);
     scene.modelToWorld = place.modelToWorkshop(session.unit()) * scene.modelToWorld;
-    const bool demonstrated = session.demonstration().shown();
+    const bool demonstrated = session.played();
     hands_.tools = demonstrated ? lesson.solids : lesson.solids.last(lesson.rodSolids);
     hands_.toolsToWorkshop = place.modelToWorkshop(session.unit());
     scene.solids = scene_.build(parameters_, hands_);
@@ -71,6 +71,7 @@ void StereoView::draw(LessonSession& session, const SceneView& lesson, const Wor
     const std::array<View, 2> views{viewOf(workshop, eyes.views[0], eyes), viewOf(workshop, eyes.views[1], eyes)};
     View between = views[0]; // cues stand at one place for both eyes
     between.eye = (views[0].eye + views[1].eye) * 0.5f;
+    scene.ghost = session.ghostMarkers(scene, between, place.zoom);
     scene.markers = session.cueMarkers(scene, between);
     renderer.draw(scene, look, views, {eyes.framebuffer, {0, 0, 2 * eyes.width, eyes.height}, eyes.encodesSrgb},
                   profiler);

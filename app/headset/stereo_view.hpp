@@ -14,10 +14,10 @@ class StereoView {
   public:
     explicit StereoView(const HeadsetParameters& parameters) : parameters_(parameters) {}
 
-    /// Darkens the visor with the heat of the torch, the hand's or the expert's in a demonstration. `elapsed`: real
+    /// Darkens the visor with the heat of the torch, the hand's or that of a demonstration or replay. `elapsed`: real
     /// seconds since the last frame.
     void update(const LessonSession& session, const TrackedTorch& torch, double elapsed) {
-        const float trigger = session.demonstration().shown() ? session.torch().trigger : torch.trigger();
+        const float trigger = session.played() ? session.torch().trigger : torch.trigger();
         visor_.update(trigger > 0, elapsed);
     }
 

@@ -11,6 +11,7 @@ void TorchFeedback::update(const LessonSession& session, const TrackedTorch& tor
         touch_.forget();
     const bool welds = session.held() && torch.trigger() > 0;
     feel_ = {time_, welds ? session.arc() : ArcState{}, touch_.since(), touch_.speed()};
+    feel_.shorts = session.shortPhase();
     feel_.arc.liquid = surface_.liquid;
     vibration_ = feel(feel_);
     vibration_.amplitude *= strength;

@@ -24,30 +24,41 @@ std::vector<std::string_view> cellsOf(std::string_view line) {
     }
 }
 
-nlohmann::json readJson(const fs::path& file) {
+nlohmann::json resultIn(const std::string& text, const fs::path& file) {
+    nlohmann::json result;
     try {
-        return nlohmann::json::parse(readTextFile(file));
+        result = nlohmann::json::parse(text);
     } catch (const nlohmann::json::exception&) {
         throw InputError(file, 0, "is no JSON; expected the result.json of a run");
     }
+    if (!result.is_object() || !result.contains("lesson") || !result.contains("finished"))
+        throw InputError(file, 0, "is not what a run writes; expected \"lesson\" and \"finished\"");
+    if (result["finished"] != true)
+        throw InputError(file, 0, "is of a run that has not ended; expected a finished one");
+    return result;
 }
 
 /// Pictures are called by their time, "012.000s-metal.png": those of the last time.
-std::vector<fs::path> lastPictures(const fs::path& folder) {
+std::vector<ReportPicture> lastPictures(const fs::path& folder) {
     std::vector<fs::path> pictures;
     std::error_code failed;
     for (const auto& entry : fs::directory_iterator(folder, failed))
         if (entry.path().extension() == ".png" && entry.path().filename().string().find("s-") != std::string::npos)
             pictures.push_back(entry.path());
     std::sort(pictures.begin(), pictures.end());
-    if (pictures.empty()) return pictures;
+    if (pictures.empty()) return {};
     const auto timeOf = [](const fs::path& picture) {
         const std::string name = picture.filename().string();
         return name.substr(0, name.find("s-"));
     };
     const std::string last = timeOf(pictures.back());
-    std::erase_if(pictures, [&](const fs::path& picture) { return timeOf(picture) != last; });
-    return pictures;
+    std::vector<ReportPicture> read;
+    for (const fs::path& picture : pictures) {
+        if (timeOf(picture) != last) continue;
+        const std::string stem = picture.stem().string();
+        read.push_back({stem.substr(stem.find("s-") + 2), readTextFile(picture)});
+    }
+    return read;
 }
 
 } // namespace
@@ -64,8 +75,12 @@ std::vector<double> NumberTable::column(std::string_view name) const {
 }
 
 NumberTable readNumberTable(const fs::path& file) {
+    return numberTable(readTextFile(file), file);
+}
+
+NumberTable numberTable(const std::string& text, const fs::path& file) {
     NumberTable table;
-    std::istringstream lines(readTextFile(file));
+    std::istringstream lines(text);
     std::string line;
     for (int number = 1; std::getline(lines, line); ++number) {
         const std::vector<std::string_view> cells = cellsOf(line);
@@ -85,18 +100,23 @@ NumberTable readNumberTable(const fs::path& file) {
     return table;
 }
 
-RunResults readRunResults(const fs::path& folder) {
-    const fs::path file = folder / "result.json";
-    std::error_code failed;
-    if (!fs::is_regular_file(file, failed))
-        throw InputError(folder, 0, "holds no result.json; expected the folder of a run");
+RunResults resultsOf(const std::string& result, const std::string& technique, const std::string& weld,
+                     const fs::path& origin) {
     RunResults results;
-    results.folder = folder;
-    results.result = readJson(file);
-    if (!results.result.is_object() || !results.result.contains("lesson") || !results.result.contains("finished"))
-        throw InputError(file, 0, "is not what a run writes; expected \"lesson\" and \"finished\"");
-    if (results.result["finished"] != true)
-        throw InputError(file, 0, "is of a run that has not ended; expected a finished one");
+    results.result = resultIn(result, origin);
+    results.technique = numberTable(technique, origin);
+    results.weld = numberTable(weld, origin);
+    return results;
+}
+
+RunResults readRunResults(const fs::path& place) {
+    std::error_code failed;
+    const fs::path file = place.filename() == "result.json" ? place : place / "result.json";
+    const fs::path folder = file.parent_path();
+    if (!fs::is_regular_file(file, failed))
+        throw InputError(place, 0, "holds no result.json; expected the folder of a run");
+    RunResults results;
+    results.result = resultIn(readTextFile(file), file);
     if (fs::exists(folder / "technique.csv", failed)) results.technique = readNumberTable(folder / "technique.csv");
     if (fs::exists(folder / "weld.csv", failed)) results.weld = readNumberTable(folder / "weld.csv");
     results.pictures = lastPictures(folder);

@@ -19,20 +19,36 @@ struct NumberTable {
     std::vector<double> column(std::string_view name) const;
 };
 
+/// Reads one from its text; `file` is named in faults. Throws as readNumberTable().
+NumberTable numberTable(const std::string& text, const std::filesystem::path& file);
+
 /// Reads one. Throws InputError naming file and line for a row that is not as long as the head, and for a file that
 /// cannot be read.
 NumberTable readNumberTable(const std::filesystem::path& file);
 
-struct RunResults {
-    std::filesystem::path folder;
-    nlohmann::json result;
-    NumberTable technique; ///< empty where the lesson has none
-    NumberTable weld;
-    std::vector<std::filesystem::path> pictures; ///< of the last moment, in the order of their names
+/// A picture of the weld, as part of a page.
+struct ReportPicture {
+    std::string name; ///< of the lesson's picture, such as "metal" or "section"
+    std::string png;  ///< bytes of the file
 };
 
-/// Reads result.json, technique.csv, weld.csv and the pictures' names of a run's folder. Throws InputError for a folder
-/// without a finished run, and for files that are not what a run writes.
-RunResults readRunResults(const std::filesystem::path& folder);
+/// What is known of an attempt. All of it is read, nothing computed.
+struct RunResults {
+    nlohmann::json result; ///< result.json
+    NumberTable technique; ///< technique.csv; empty where the lesson has none
+    NumberTable weld;      ///< weld.csv
+    std::vector<ReportPicture> pictures;
+    std::vector<std::string> notes; ///< sentences of what a reader should know, such as that parts are missing
+};
+
+/// The results that these texts hold, as files of a run's folder do. Throws InputError for a text that no run writes;
+/// `origin` is named in faults.
+RunResults resultsOf(const std::string& result, const std::string& technique, const std::string& weld,
+                     const std::filesystem::path& origin);
+
+/// Reads result.json, technique.csv, weld.csv and the pictures of the last moment of a run's folder. `place`: the
+/// folder, or the result.json in it. Throws InputError for a folder without a finished run, and for files that are not
+/// what a run writes.
+RunResults readRunResults(const std::filesystem::path& place);
 
 } // namespace meltpool

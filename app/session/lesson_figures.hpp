@@ -1,7 +1,7 @@
 // What menus and telemetry show of the metal in a running lesson.
 #pragma once
 
-#include "app/session/desk_torch.hpp"
+#include "app/session/hand/desk_torch.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -10,9 +10,10 @@
 namespace meltpool {
 
 struct LessonFigures {
-    double time = 0;            ///< simulated seconds
-    double speed = 1;           ///< simulated over real time
-    std::string_view slow = {}; ///< that the metal runs slowly, for the person; empty: it keeps up
+    double time = 0;               ///< simulated seconds
+    double speed = 1;              ///< simulated over real time
+    std::string_view slow = {};    ///< that the metal runs slowly, for the person; empty: it keeps up
+    std::string_view caption = {}; ///< what is heard; empty: nothing, or captions are off
     double framesPerSecond = 0;
     size_t particles = 0;
     size_t molten = 0;

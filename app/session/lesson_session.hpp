@@ -2,17 +2,22 @@
 #pragma once
 
 #include "app/session/attempt/attempt_cues.hpp"
+#include "app/session/attempt/attempt_ghost.hpp"
 #include "app/session/attempt/attempt_judge.hpp"
 #include "app/session/attempt/attempt_records.hpp"
 #include "app/session/attempt/demonstration.hpp"
+#include "app/session/attempt/hearing.hpp"
 #include "app/session/attempt/question.hpp"
+#include "app/session/attempt/redo.hpp"
 #include "app/session/attempt/speed_trial.hpp"
 #include "app/session/attempt/step_clock.hpp"
-#include "app/session/controls.hpp"
-#include "app/session/desk_torch.hpp"
+#include "app/session/hand/controls.hpp"
+#include "app/session/hand/desk_torch.hpp"
 #include "app/session/inspection/cut_view.hpp"
 #include "app/session/lesson_figures.hpp"
-#include "app/session/parameter_section.hpp"
+#include "app/session/recordings/recording_keeper.hpp"
+#include "app/session/replay/attempt_replay.hpp"
+#include "app/session/values/lesson_sections.hpp"
 #include "core/base/function_ref.hpp"
 #include "core/render/renderer.hpp"
 #include "core/training/trainer.hpp"
@@ -26,29 +31,6 @@
 #include <vector>
 
 namespace meltpool {
-
-/// How an attempt is made.
-struct AttemptParameters {
-    bool forScore = false; ///< it starts only where the machine keeps up with the clock
-};
-ParameterList describe(AttemptParameters& parameters);
-
-/// A lesson's values as the menus group them. They point into the lesson, which must outlive them unmoved; the defaults
-/// are what the lesson held when this was made.
-struct LessonSections {
-    explicit LessonSections(Lesson& lesson);
-
-    AttemptParameters attempt; ///< shown with the start values
-    ParameterSection start;    ///< what is chosen before the metal is made
-    ParameterSection view;
-    ParameterSection surface;
-    ParameterSection simulation;
-
-    std::vector<ParameterSection*> all() { return {&start, &view, &surface, &simulation}; }
-    void restoreDefaults();
-    /// Puts what the lesson gives back to the lesson's values, where it must not be changed now.
-    void restoreGiven();
-};
 
 /// The lesson of a catalogue name or TOML file. Throws InputError when it cannot be used.
 Lesson loadLesson(const std::string& name);
@@ -83,6 +65,16 @@ class LessonSession {
     Demonstration& demonstration() { return demonstration_; }
     const Demonstration& demonstration() const { return demonstration_; }
 
+    /// Makes the metal of a kept attempt, see lessonOfAttempt(), and plays it. It has no record and is not judged; the
+    /// menus' values change nothing of it. reset() ends it and begins an attempt. Throws as begin() does.
+    void openReplay(Lesson attempt, Controls& controls);
+    AttemptReplay& replay() { return replay_; }
+    const AttemptReplay& replay() const { return replay_; }
+    /// Attempt's time over real time that this machine plays it at.
+    double replaySpeed() const;
+    /// The torch is that of a demonstration or a replay: nobody leads it.
+    bool played() const { return demonstration_.shown() || replay_.shown(); }
+
     /// Puts metal and source back to their start: another attempt. No shader is compiled anew.
     void reset(Controls& controls);
     /// Ends the lesson and frees the metal. `reason` stands in the attempt's record.
@@ -116,6 +108,9 @@ class LessonSession {
     /// From the next start on each attempt has a record; see AttemptRecords.
     AttemptRecords& records() { return records_; }
     const AttemptRecords& records() const { return records_; }
+    /// The same of recordings, which nobody has to ask for.
+    RecordingKeeper& recordings() { return recordings_; }
+    const RecordingKeeper& recordings() const { return recordings_; }
     /// Notes in the attempt's record what happened after the last step: `recentred`, `torch_lost`, `zoom 2`. Nothing
     /// without a running lesson.
     void event(std::string_view name, std::string_view value = {});
@@ -134,13 +129,27 @@ class LessonSession {
     std::string chosenText() { return lesson_.chosenText(); }
 
     /// Whether this lesson's weld can be measured and judged.
-    bool judges() const { return running() && !demonstration_.shown() && trainer_->technique() != nullptr; }
+    bool judges() const { return running() && !played() && trainer_->technique() != nullptr; }
     /// Judges the attempt so far; nothing while the arc burns or before the attempt has begun. Waits for the GPU. A
     /// finished weld is judged without being asked for, see AttemptJudge.
     void judge();
     /// The judgement of the attempt, until the arc burns again or another attempt begins, and how many there were.
     const std::optional<JudgedAttempt>& judged() const { return judge_.judged(); }
     size_t judgements() const { return judge_.count(); }
+
+    /// Writes the page of the judged attempt: beside its record, where it has one, else into the user's folder. `zoom`
+    /// at which the workpiece was shown; `driver` of the graphics. Answers where it is. Waits for the GPU. Throws
+    /// InputError where nothing is judged or nothing can be written there, RuntimeFault where the machine fails.
+    std::filesystem::path writePage(double zoom, const std::string& driver);
+
+    /// Whether the attempt can go back to an earlier moment now.
+    bool redoes();
+    /// Goes back to before the fault that was chosen in earlierMoments(), or some seconds: the metal is as it was then,
+    /// and the torch welds on from there once its trigger was let go. The attempt is practice from here on. Waits for
+    /// the GPU.
+    void redo(Controls& controls);
+    Redo& earlierMoments() { return redo_; }
+    const Redo& earlierMoments() const { return redo_; }
 
     /// Whether the weld can be cut open now: it can be judged, and the arc does not burn or the person has paused.
     bool cuts() const;
@@ -158,6 +167,24 @@ class LessonSession {
     /// The cues for this eye, or for the middle between two, in the world of `scene`; none outside an attempt. Valid
     /// until the next call.
     std::span<const Marker> cueMarkers(const SceneView& scene, const View& eye);
+
+    /// What is heard of the lesson, and the switches of it, the same in every lesson.
+    Hearing& hearing() { return hearing_; }
+    const Hearing& hearing() const { return hearing_; }
+    ParameterSection& soundSection() { return soundSection_; }
+    /// Where the arc is from an eye of this view matrix, in the eye's directions, m. Nothing without a running weld
+    /// lesson.
+    std::optional<glm::vec3> arcFrom(const glm::mat4& worldToEye) const;
+    /// See ShortCircuits::phase(); 0 without a running lesson.
+    double shortPhase() const { return running() ? trainer_->heard().shortPhase : 0; }
+    /// Another's torch beside one's own, in attempts only.
+    AttemptGhost& ghost() { return ghost_; }
+    const AttemptGhost& ghost() const { return ghost_; }
+    /// Whose it is and how it is paced, the same in every lesson; all idle where a lesson allows none.
+    ParameterSection& ghostSection() { return ghostSection_; }
+    /// The ghost for this eye, or for the middle between two, in the world of `scene`; none outside an attempt. `zoom`:
+    /// see AttemptGhost::markers(). Valid until the next call.
+    std::span<const Marker> ghostMarkers(const SceneView& scene, const View& eye, float zoom = 1);
 
     /// The torch of the last steps came from `held`, not from the controls.
     bool held() const { return held_; }
@@ -182,6 +209,7 @@ class LessonSession {
     bool takeOverChanges(const Controls& controls);
     void makeTrainer(const ProcessSettings* process = nullptr);
     void beginAttempt();
+    void tellRecordingJudgement();
     void beginTrial();
     void nextTrial(SpeedTrial::Verdict verdict);
     void measureSpeed(double seconds, gl::Profiler* profiler);
@@ -193,7 +221,10 @@ class LessonSession {
     void closeCut(Controls& controls);
     void placeCameraBeforeCut(Controls& controls) const;
     void inspect(const Controls& controls);
+    void beginMoments();
+    void keepMoment();
     void playDemonstration(double seconds, gl::Profiler* profiler);
+    void playReplay(double seconds, gl::Profiler* profiler);
     void makeDueSteps(double seconds, FunctionRef<void(int step, int due)> make);
     void makeSteps(const Controls& controls, double seconds, gl::Profiler* profiler, const TorchSource& held);
 
@@ -215,16 +246,23 @@ class LessonSession {
     ParameterList wanted_;  ///< the live values of metal and process as the menus have them
     ParameterList running_; ///< the same as the running metal has them
     AttemptRecords records_;
+    RecordingKeeper recordings_;
     AttemptJudge judge_;
+    Redo redo_;
     CutView cut_;
     OrbitCamera cameraBeforeCut_;
     Mode modeBeforeCut_ = Mode::interact;
     AttemptCues cues_;
     ParameterSection cueSection_{"cues", describe(cues_.parameters)};
+    Hearing hearing_;
+    ParameterSection soundSection_{"sound", describe(hearing_.parameters)};
+    AttemptGhost ghost_;
+    ParameterSection ghostSection_{"ghost", describe(ghost_.parameters)};
     Question question_;
     SpeedTrial trial_;
     double trialTime_ = 0; ///< s in the demonstration
     Demonstration demonstration_;
+    AttemptReplay replay_;
     DeskTorch desk_;
 };
 

@@ -37,11 +37,16 @@ enum class MenuRequest {
     next,              ///< the lesson that follows this one
     start,             ///< the lesson, with the values as they stand
     demonstrate,       ///< the lesson's demonstration
+    replay,            ///< the kept attempt that is chosen in their list
+    ghost,             ///< an attempt of one's own, with the chosen one's torch beside
+    compare,           ///< the two kept attempts that were marked
     startWithDefaults, ///< the lesson, with its own values
     reset,             ///< another attempt
     restart,           ///< back to the lesson's first page
     judge,
-    cut ///< the weld open, or closed again
+    page, ///< of the judged attempt, written as a file
+    redo, ///< back to before the chosen fault, or some seconds
+    cut   ///< the weld open, or closed again
 };
 
 } // namespace meltpool

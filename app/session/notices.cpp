@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace meltpool {
 
@@ -69,6 +70,16 @@ std::string_view SlowNotice::update(double speed, double elapsed) {
     return {text_.data(), static_cast<size_t>(length)};
 }
 
+void tellRecordings(RecordingKeeper& recordings, double now, Messages& messages) {
+    recordings.update();
+    if (recordings.fault().empty())
+        messages.clear("recording");
+    else
+        messages.hold(recordings.fault(), "recording");
+    if (std::string notice = recordings.takeNotice(); !notice.empty())
+        messages.warn(std::move(notice), now, "recordings");
+}
+
 void Notices::tellSlow(std::string_view slow, Messages& messages) {
     if (slow.empty()) return messages.clear(kSlowTopic);
     const int length = std::snprintf(slowSentence_.data(), slowSentence_.size(),
@@ -81,13 +92,17 @@ void Notices::update(LessonSession& session, LessonFigures& figures, const Trigg
                      Messages& messages) {
     figures.slow = {};
     std::string_view sentence;
-    if (session.running() && !session.demonstration().shown()) {
+    if (session.running() && !session.played()) {
         figures.slow = slow_.update(figures.speed, elapsed);
         sentence = arc_.update(session.arc(), strikingOf(session.lesson().process), elapsed);
         if (session.cues().withheld(CueKind::arc)) sentence = {};
         if (lock.holdsBack()) sentence = arcOutSentence(lock.reason());
     }
     tellSlow(figures.slow, messages);
+    if (session.ghost().fault().empty())
+        messages.clear("ghost");
+    else
+        messages.hold(session.ghost().fault(), "ghost");
     if (sentence.empty())
         messages.clear("arc");
     else

@@ -1,11 +1,11 @@
-// What a person must be told while they weld, in one sentence each for window and headset: why there is no arc, and
-// that the metal is slow.
+// What a person must be told while they weld, in one sentence each for window and headset: why there is no arc, that
+// the metal is slow, and that an attempt is not recorded.
 #pragma once
 
+#include "app/session/hand/trigger_lock.hpp"
 #include "app/session/lesson_figures.hpp"
 #include "app/session/lesson_session.hpp"
 #include "app/session/messages.hpp"
-#include "app/session/trigger_lock.hpp"
 
 #include <array>
 #include <string_view>
@@ -49,11 +49,15 @@ class SlowNotice {
     bool told_ = false;
 };
 
+/// Holds or clears the message "recording", and warns of recordings that were removed. `now`: on the program's clock,
+/// s. To be called in each frame. Allocates nothing while nothing changes.
+void tellRecordings(RecordingKeeper& recordings, double now, Messages& messages);
+
 class Notices {
   public:
-    /// Holds or clears the messages "arc" and kSlowTopic, and sets figures.slow. `lock`: of what leads the torch. Why
-    /// the arc is out is a cue: it is told where that is not withheld, and that the trigger is locked always. Allocates
-    /// nothing while nothing changes.
+    /// Holds or clears the messages "arc", "ghost" and kSlowTopic, and sets figures.slow. `lock`: of what leads the
+    /// torch. Why the arc is out is a cue: it is told where that is not withheld, and that the trigger is locked
+    /// always. Allocates nothing while nothing changes.
     void update(LessonSession& session, LessonFigures& figures, const TriggerLock& lock, double elapsed,
                 Messages& messages);
 

@@ -1,15 +1,16 @@
 // The headset as the window's frame drives it: what window and headset know of each other.
 #pragma once
 
+#include "app/session/hand/trigger_lock.hpp"
 #include "app/session/headset_status.hpp"
 #include "app/session/home/home.hpp"
 #include "app/session/lesson_session.hpp"
 #include "app/session/messages.hpp"
-#include "app/session/trigger_lock.hpp"
 
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -35,6 +36,9 @@ class WindowHeadset {
     /// what was asked for on the panel.
     virtual MenuRequest draw(LessonSession& session, Home& home, const LessonFigures& figures, const Messages& messages,
                              double elapsed, gl::Profiler* profiler) = 0;
+    /// Where the lesson's arc is from the head, m in its directions (x to the right, z backwards). Nothing while the
+    /// head is not tracked or no lesson runs.
+    virtual std::optional<glm::vec3> arcFromHead(const LessonSession& session) const = 0;
     /// The size at which the workpiece is shown, 1 is real.
     virtual float zoom() const = 0;
     /// Submits the frame to the runtime.

@@ -10,15 +10,19 @@
 
 namespace meltpool {
 
-void writePng(const std::filesystem::path& file, const Image& image) {
+std::string pngBytes(const Image& image) {
     // stb tells no fault of a file that it writes itself.
     std::string bytes;
     const auto append = [](void* to, void* data, int size) {
         static_cast<std::string*>(to)->append(static_cast<const char*>(data), static_cast<size_t>(size));
     };
     if (stbi_write_png_to_func(append, &bytes, image.width, image.height, 3, image.rgb.data(), image.width * 3) == 0)
-        throw RuntimeFault(file.string() + ": there is not enough memory to make the picture's file");
-    writeFile(file, bytes);
+        throw RuntimeFault("there is not enough memory to make a picture's file");
+    return bytes;
+}
+
+void writePng(const std::filesystem::path& file, const Image& image) {
+    writeFile(file, pngBytes(image));
 }
 
 Image readPng(const std::filesystem::path& file) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace meltpool {
@@ -13,6 +14,9 @@ struct Image {
     int height = 0;
     std::vector<std::uint8_t> rgb;
 };
+
+/// The bytes of the picture's PNG file. Throws RuntimeFault where memory does not suffice.
+std::string pngBytes(const Image& image);
 
 /// Writes the whole picture or nothing; throws what writeFile() throws.
 void writePng(const std::filesystem::path& file, const Image& image);

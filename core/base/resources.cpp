@@ -53,4 +53,14 @@ std::filesystem::path settingsFolder() {
 #endif
 }
 
+std::filesystem::path keptFolder() {
+#ifdef _WIN32
+    return std::filesystem::path(environment("LOCALAPPDATA")) / "meltpool";
+#else
+    const std::string base = environment("XDG_DATA_HOME");
+    if (!base.empty()) return std::filesystem::path(base) / "meltpool";
+    return std::filesystem::path(environment("HOME")) / ".local" / "share" / "meltpool";
+#endif
+}
+
 } // namespace meltpool

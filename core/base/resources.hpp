@@ -16,4 +16,8 @@ std::filesystem::path resourceFolder();
 /// Does not create it.
 std::filesystem::path settingsFolder();
 
+/// The user's folder for what this program keeps ($XDG_DATA_HOME/meltpool, ~/.local/share/meltpool,
+/// %LOCALAPPDATA%/meltpool). Does not create it.
+std::filesystem::path keptFolder();
+
 } // namespace meltpool

@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cstdio>
 #include <cstring>
+#include <ctime>
 #include <memory>
 #include <system_error>
 
@@ -123,6 +124,13 @@ std::string formatHexadecimal(std::uint64_t value) {
     for (int shift = 60; shift >= 0; shift -= 4)
         text += kDigits[(value >> shift) & 15U];
     return text;
+}
+
+std::string formatDate(std::chrono::system_clock::time_point moment) {
+    const std::time_t seconds = std::chrono::system_clock::to_time_t(moment);
+    char text[32];
+    const std::tm* local = std::localtime(&seconds);
+    return local != nullptr && std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", local) > 0 ? text : std::string();
 }
 
 std::vector<std::string_view> splitText(std::string_view text, char separator) {

@@ -1,6 +1,7 @@
 // Numbers as text, independent of the user's locale, and text files.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -24,6 +25,9 @@ void appendNumber(std::string& text, double value);
 void appendNumber(std::string& text, std::uint64_t value);
 /// 64 bits as 16 hexadecimal digits: JSON readers keep only 53 bits of a number.
 std::string formatHexadecimal(std::uint64_t value);
+
+/// "2026-11-23 08:30", in the user's time zone.
+std::string formatDate(std::chrono::system_clock::time_point moment);
 
 /// `text` as a terminal may show it, in at most about `mostBytes`: control characters, bytes that are no UTF-8 and
 /// characters that turn the direction of writing are escaped, ends of line are blanks, and the middle of a longer text

@@ -39,6 +39,11 @@ class Readback {
 
     /// The same without copying: nullptr while there is none; valid until the next request.
     const void* pollInPlace();
+    /// An answer is under way or was not taken yet.
+    bool pending() const { return fence_ != nullptr; }
+    /// Its memory on the GPU, for those who save a state.
+    GLuint name() const { return handle_.name(); }
+    size_t bytes() const { return bytes_; }
     /// Discards a pending request.
     void forget();
     /// Waits until the answer is there; returns at once where none was asked for.

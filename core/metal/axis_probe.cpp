@@ -2,6 +2,7 @@
 
 #include <glm/common.hpp>
 
+#include <limits>
 #include <numbers>
 
 namespace meltpool {
@@ -30,6 +31,15 @@ void AxisProbe::reset() {
     for (Pending& pending : pending_)
         pending.readback.forget();
     looks_ = 0;
+}
+
+void AxisProbe::transfer(gl::StateArchive& archive) {
+    archive.count(looks_, std::numeric_limits<size_t>::max());
+    for (Pending& pending : pending_) {
+        archive.values(pending.ray.origin, pending.ray.axis, pending.ray.reach);
+        archive.answer(pending.readback, answer_);
+    }
+    if (archive.restores()) bins_.clear();
 }
 
 AxisProbeBlock AxisProbe::blockOf(const ProbeRay& ray) const {

@@ -44,6 +44,9 @@ class AxisProbe {
     /// As new, in the same memory.
     void reset();
 
+    /// Saves or restores what was found and not told yet.
+    void transfer(gl::StateArchive& archive);
+
     /// Looks at the metal as the commands so far leave it. Once a step.
     void look(const ProbeRay& ray, gl::Profiler* profiler);
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace meltpool {
 
@@ -117,6 +118,16 @@ void PhysicalMetal::begin() {
     timeStep_ = static_cast<float>(chooseTimeStep(static_cast<double>(setup_.timeStep), heat_->longestStep(kHottest),
                                                   flow_->constants().longestStep));
     refused_ = 0;
+}
+
+void PhysicalMetal::transfer(gl::StateArchive& archive) {
+    archive.values(timeStep_);
+    archive.count(refused_, std::numeric_limits<size_t>::max());
+    state_->transfer(archive);
+    heat_->transfer(archive);
+    flow_->transfer(archive);
+    fragments_->transfer(archive);
+    if (archive.restores()) answers_.forget();
 }
 
 void PhysicalMetal::setLiquidConductivity(const Property& conductivity) {

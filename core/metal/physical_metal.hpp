@@ -49,6 +49,10 @@ class PhysicalMetal {
     /// space is refused and counted.
     void step(std::span<const HeatSource> sources, std::span<const MetalSeed> filler, gl::Profiler* profiler);
 
+    /// Saves or restores all that the next step reads; the conductivity is the caller's. Answers that are pending are
+    /// dropped where it restores.
+    void transfer(gl::StateArchive& archive);
+
     /// Pressure of the arc from the next step on; none with a peak of 0.
     void setArc(const ArcPressure& arc) { flow_->setArc(arc); }
 

@@ -198,9 +198,10 @@ void Renderer::Parts::drawBatch(const SceneView& scene, const LookParameters& lo
         drawBox(views, target);
     }
     if (scene.section.shown) strokes.draw(scene.section.at + scene.section.lift, views, target);
-    if (!scene.markers.empty()) {
+    if (!scene.ghost.empty() || !scene.markers.empty()) {
         const gl::Scope scope(profiler, "draw markers");
         glEnable(GL_CULL_FACE);
+        solids.draw(scene.ghost, views, target);
         solids.draw(scene.markers, views, target);
         glDisable(GL_CULL_FACE);
     }

@@ -55,7 +55,8 @@ struct SceneView {
     ArcLight arc;
     std::span<const WorkpieceBlock> blocks; ///< model units; they keep the arc's light off the solids behind them
     std::span<const Solid> solids;          ///< torch, table, clamps
-    std::span<const Marker> markers;        ///< drawn over the rest, where nothing stands before them
+    std::span<const Marker> ghost;          ///< drawn over the rest, where nothing stands before it
+    std::span<const Marker> markers;        ///< the same, after the ghost
     size_t rodSolids = 0;                   ///< how many of the last of them are the filler rod in the other hand
 };
 

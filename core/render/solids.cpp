@@ -137,6 +137,7 @@ void SolidPainter::draw(std::span<const Marker> markers, const ViewBatch& views,
         program.set("solidToWorld", marker.toWorld);
         program.set("paint", marker.colour);
         program.set("cover", marker.opacity);
+        program.set("face", marker.face);
         glDrawArraysInstanced(GL_TRIANGLES, range.first, range.count, views.count);
     }
 }

@@ -31,6 +31,7 @@ struct Marker {
     glm::mat4 toWorld{1.0f};
     glm::vec3 colour{0.5f}; ///< linear sRGB, as displayed
     float opacity = 1;      ///< 0..1
+    float face = 1;         ///< share of it where the surface faces the eye; below 1 the outline stands out
 };
 
 /// The transform of a solid that reaches from `from` to `to` with the given width; its -z end lies at `to`.

@@ -36,6 +36,7 @@ constexpr std::array kGlyphs{
     Glyph{'9', "031232434738180706153546"},
     Glyph{'.', "0202"},
     Glyph{'-', "0545"},
+    Glyph{'/', "0248"},
     Glyph{'<', "360432"},
     Glyph{kDegree, "1728372617"},
     Glyph{'a', "16364542 441403123243"},

@@ -25,6 +25,11 @@ class SurfaceProbe {
     void request(const Surface& surface, const ProbeAim& aim);
     /// The answer when it has arrived, once; never waits.
     std::optional<SurfaceProbeAnswer> poll();
+    /// Drops what was asked for: the metal is another one now.
+    void forget() {
+        readback_.forget();
+        pending_ = false;
+    }
     /// Waits for the GPU.
     SurfaceProbeAnswer now(const Surface& surface, const ProbeAim& aim);
 

@@ -30,6 +30,10 @@ class ClassicModel : public MetalModel {
     void requestStatistics() override { metal_.requestStatistics(); }
     std::optional<MetalStatistics> pollStatistics() override { return metal_.pollStatistics(); }
     std::optional<MetalStatistics> awaitStatistics() override { return metal_.awaitStatistics(); }
+    void transfer(gl::StateArchive& archive) override {
+        archive.values(trigger_);
+        metal_.transfer(archive);
+    }
     std::uint64_t stateHash() const override { return metal_.stateHash(); }
     size_t bytes() const override { return metal_.bytes(); }
 

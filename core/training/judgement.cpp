@@ -28,6 +28,13 @@ std::optional<double> standardEfficiency(const ProcessSettings& process) {
     return std::nullopt;
 }
 
+Technique techniqueOf(const WorkpieceParameters& workpiece, const ProcessSettings& process,
+                      const std::optional<TechniqueBands>& bands) {
+    TechniqueSettings settings;
+    settings.distance = distanceKindOf(process);
+    return Technique(seamOf(workpiece), bands ? bands->settings() : settings);
+}
+
 Judgement judgeAttempt(const Technique& technique, std::optional<WeldMeasures> weld, const JudgementRules& rules) {
     Judgement made;
     made.distance = technique.settings().distance;

@@ -47,6 +47,10 @@ struct Judgement {
     std::optional<Verdict> verdict;             ///< where the lesson has an acceptance and there is a weld to measure
 };
 
+/// What measures the hand in a weld lesson of this workpiece and process, with the lesson's bands where it has some.
+Technique techniqueOf(const WorkpieceParameters& workpiece, const ProcessSettings& process,
+                      const std::optional<TechniqueBands>& bands);
+
 /// Judges technique and weld, whichever there are rules and figures for.
 Judgement judgeAttempt(const Technique& technique, std::optional<WeldMeasures> weld, const JudgementRules& rules);
 

@@ -104,6 +104,7 @@ struct Lesson {
     std::optional<Acceptance> acceptance;    ///< weld
     NominalWeld nominal;                     ///< what the weld was to be, for the acceptance
     CueSet cues = CueSet::all();             ///< that a trainee may be shown; an attempt for score has none
+    bool ghost = true;                       ///< a trainee may have one; an attempt for score has none
 
     /// Every adjustable value of this lesson's model. The list points into this lesson, which must outlive it unmoved.
     ParameterList parameters();

@@ -165,7 +165,8 @@ void readTechnique(TomlTable& root, Lesson& lesson) {
     group.finish();
 }
 
-/// Reads [cues]: which of them a trainee may be shown, all where it does not say.
+/// Reads [cues]: which of them a trainee may be shown, all where it does not say; and whether a ghost may, without a
+/// word wherever any cue may.
 void readCues(TomlTable& root, Lesson& lesson) {
     root.allow("cues");
     if (!root.has("cues")) return;
@@ -179,6 +180,7 @@ void readCues(TomlTable& root, Lesson& lesson) {
             lesson.cues.set(*kind);
         }
     }
+    lesson.ghost = group.flag("ghost", !lesson.cues.empty());
     group.finish();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/gl/profiler.hpp"
+#include "core/gl/state_archive.hpp"
 #include "core/metal/state/particle_view.hpp"
 #include "core/metal/state/statistics.hpp"
 #include "core/render/scene.hpp"
@@ -37,6 +38,8 @@ class MetalModel {
     virtual ParticleView particles() const = 0;
     /// Metres of a unit of particles() and of the surface.
     virtual float unit() const = 0;
+    /// How far apart the particles of whole metal lie, in units of particles(); nothing for metal without a lattice.
+    virtual std::optional<float> spacing() const { return std::nullopt; }
     /// 0 solid .. 1 liquid, of a temperature of this metal.
     virtual float liquidShare(float temperature) const = 0;
     /// The arc of the last step. `surface`: the shown metal under the torch, for metals whose process has no arc of its
@@ -73,6 +76,10 @@ class MetalModel {
     virtual std::optional<MetalStatistics> pollStatistics() = 0;
     /// The same, waiting for the GPU; nothing only where none is pending.
     virtual std::optional<MetalStatistics> awaitStatistics() = 0;
+
+    /// Saves or restores all that the next step reads but the lesson's values, which are applied before it. Answers
+    /// that were requested are dropped where it restores.
+    virtual void transfer(gl::StateArchive& archive) = 0;
 
     /// Number that the whole state gives; equal states give equal numbers. Waits for the GPU.
     virtual std::uint64_t stateHash() const = 0;

@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
+#include "core/training/recording/record_text.hpp"
 #include "core/weld/torch/torch_csv.hpp"
 
 #include <algorithm>
@@ -22,31 +23,13 @@ std::string columns(const RecordHead& head) {
     names += ",molten,min_temperature,mean_temperature,max_temperature,lost,non_finite";
     for (const std::string_view name : head.rod ? rodColumns() : std::span<const std::string_view>{})
         names += "," + std::string(name);
-    if (head.arc) names += ",arc_length_mm,current_a,voltage_v,arc_state,ctwd_mm,extension_mm,power_w";
+    if (head.arc) names += "," + std::string(kArcColumns);
     if (head.paced) names += ",real_time";
     return names + "\n";
 }
 
-/// A comment holds one line, whatever a file or a person has put into the text.
-void appendPlain(std::string& text, std::string_view part) {
-    for (const char c : part)
-        text += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? ' ' : c;
-}
-
 void appendComment(std::string& text, std::string_view word, std::string_view name, std::string_view value) {
-    text += "# ";
-    text += word;
-    for (const std::string_view part : {name, value}) {
-        if (part.empty()) continue;
-        text += ' ';
-        appendPlain(text, part);
-    }
-    text += '\n';
-}
-
-void appendCell(std::string& text, auto value) {
-    text += ',';
-    appendNumber(text, value);
+    appendRecordLine(text, "#", word, name, value);
 }
 
 } // namespace
@@ -59,7 +42,8 @@ Record::Record(const std::filesystem::path& file, const RecordHead& head, bool r
     stream_.open(file, std::ios::binary | std::ios::trunc);
     if (!stream_) throw InputError(file, 0, "cannot be written; expected a folder with write permission");
     std::string text;
-    appendComment(text, "meltpool record 1", {}, {});
+    text += kRecordFirstLine;
+    text += '\n';
     appendComment(text, "lesson", head.lesson, {});
     appendComment(text, "attempt", std::to_string(head.attempt), {});
     appendComment(text, "program", head.program, {});
@@ -118,22 +102,11 @@ void Record::complete(const MetalStatistics& metal) {
         row_ += ',';
         appendRodCells(row_, oldest.step.torch.rod);
     }
-    if (arc_) appendArc(oldest.step.arc);
+    if (arc_) appendArcCells(row_, oldest.step.arc);
     if (paced_) appendCell(row_, static_cast<float>(oldest.step.realTime));
     row_ += '\n';
     ++rows_;
     write(row_);
-}
-
-void Record::appendArc(const ArcState& arc) {
-    appendCell(row_, static_cast<double>(arc.length) * 1e3);
-    appendCell(row_, static_cast<double>(arc.current));
-    appendCell(row_, static_cast<double>(arc.voltage));
-    row_ += ',';
-    row_ += arcActionName(arc.action);
-    appendCell(row_, static_cast<double>(arc.distance) * 1e3);
-    appendCell(row_, static_cast<double>(arc.extension) * 1e3);
-    appendCell(row_, arc.power);
 }
 
 void Record::end(std::string_view reason, std::uint64_t stateHash) {

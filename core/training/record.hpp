@@ -17,6 +17,10 @@
 #include <utility>
 #include <vector>
 
+namespace meltpool::gl {
+class StateArchive;
+}
+
 namespace meltpool {
 
 /// What stands at the head of a record: enough to repeat the attempt.
@@ -47,6 +51,7 @@ class RealTimeCount {
     /// Simulated over real time of all steps together; 1 before the first.
     double ratio() const { return realSteps_ > 0 ? static_cast<double>(steps_) / realSteps_ : 1; }
     double least() const { return least_; }
+    void transfer(gl::StateArchive& archive); ///< saves or restores it
 
   private:
     size_t steps_ = 0;
@@ -86,7 +91,6 @@ class Record {
   private:
     void line(std::string_view word, std::string_view name, std::string_view value);
     void write(std::string_view text);
-    void appendArc(const ArcState& arc);
 
     struct Waiting {
         RecordStep step;

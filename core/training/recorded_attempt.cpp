@@ -3,14 +3,16 @@
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/training/lesson.hpp"
+#include "core/training/recording/record_text.hpp"
+#include "core/training/recording/recording_reader.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 
 namespace meltpool {
 
 namespace {
-
-constexpr std::string_view kFirstLine = "# meltpool record 1";
 
 /// Cuts the first word off `text`.
 std::string_view takeWord(std::string_view& text) {
@@ -20,13 +22,29 @@ std::string_view takeWord(std::string_view& text) {
     return word;
 }
 
+bool spoilsScore(std::string_view event) {
+    return event == "torch" || event == "samples";
+}
+
+/// When the file was written last; empty where the system does not say, as of a pipe.
+std::string fileDate(const std::filesystem::path& file) {
+    std::error_code failure;
+    const auto written = std::filesystem::last_write_time(file, failure);
+    if (failure || !std::filesystem::is_regular_file(file, failure)) return {};
+    const auto moment = std::chrono::file_clock::to_sys(written);
+    return formatDate(std::chrono::time_point_cast<std::chrono::system_clock::duration>(moment));
+}
+
 class Reader {
   public:
-    explicit Reader(const std::filesystem::path& file) { attempt_.file = file; }
+    explicit Reader(const std::filesystem::path& file) {
+        attempt_.file = file;
+        attempt_.date = fileDate(file);
+    }
 
     std::optional<RecordedAttempt> read() {
         const std::string text = readTextFile(attempt_.file);
-        if (!text.starts_with(kFirstLine)) return std::nullopt;
+        if (!text.starts_with(kRecordFirstLine)) return std::nullopt;
         for (size_t start = 0; start < text.size();) { // line by line: a record of hours is large
             const size_t end = std::min(text.find('\n', start), text.size());
             const std::string_view content = trimText(std::string_view(text).substr(start, end - start));
@@ -46,6 +64,7 @@ class Reader {
     void readComment(std::string_view text) {
         const std::string_view word = takeWord(text);
         if (word == "lesson") attempt_.lesson = text;
+        if (word == "program") attempt_.program = text;
         if (word == "driver") attempt_.driver = text;
         if (word == "value") attempt_.values.push_back(assignment(text));
         if (word == "set") attempt_.changes.push_back(assignment(text));
@@ -57,8 +76,31 @@ class Reader {
 
     void addEvent(std::string_view text) {
         const std::string_view name = takeWord(text);
-        if (name != "torch" && name != "samples") return;
-        attempt_.events.push_back({stepsBefore(), std::string(name), std::string(text)});
+        if (name == "redo") return goBack(text);
+        if (name == "begun_at")
+            throw InputError(attempt_.file, line_,
+                             "begins in the middle of an attempt, as of 'meltpool replay --seek'; expected a record "
+                             "from the first step on");
+        (spoilsScore(name) ? attempt_.events : attempt_.notes)
+            .push_back({stepsBefore(), std::string(name), std::string(text)});
+    }
+
+    /// What came after this step belongs to an end that was given up.
+    void goBack(std::string_view text) {
+        const auto step = parseDouble(text);
+        if (!step || *step != std::floor(*step) || *step < 0 || *step > static_cast<double>(stepsBefore()))
+            throw InputError(attempt_.file, line_,
+                             "goes back to a step that was not made; expected '# event redo' and a whole number from 0 "
+                             "to " +
+                                 std::to_string(stepsBefore()));
+        const auto steps = static_cast<size_t>(*step);
+        attempt_.notes.push_back({stepsBefore(), "redo", std::string(text)});
+        if (rows_ > 0) rows_ = steps + 1;
+        std::erase_if(attempt_.changes, [&](const RecordedChange& change) { return change.steps > steps; });
+        std::erase_if(attempt_.events, [&](const RecordedEvent& event) {
+            return event.name == "samples" ? event.steps >= steps : event.steps > steps; // missing before the next step
+        });
+        ++attempt_.redone;
     }
 
     size_t stepsBefore() const { return rows_ > 0 ? rows_ - 1 : 0; }
@@ -86,13 +128,55 @@ class Reader {
     size_t rows_ = 0;
 };
 
+RecordedChange changeOf(const RecordingNote& note) {
+    return {static_cast<size_t>(note.steps), note.name, note.value, static_cast<int>(note.frame), note.seconds};
+}
+
+/// What stands in the frames of a recording.
+RecordedAttempt attemptOf(const Recording& recording) {
+    RecordedAttempt attempt;
+    attempt.file = recording.file;
+    attempt.framed = true;
+    attempt.date = recording.head.date;
+    attempt.lesson = recording.head.lesson;
+    attempt.lessonFile = recording.head.lessonFile;
+    attempt.lessonHash = recording.head.lessonHash;
+    attempt.driver = recording.head.driver;
+    attempt.program = recording.head.program;
+    for (const auto& [key, value] : recording.head.values)
+        attempt.values.push_back({0, key, value, 1, 0});
+    for (const RecordingNote& note : recording.changes)
+        attempt.changes.push_back(changeOf(note));
+    for (const RecordingNote& note : recording.events)
+        (spoilsScore(note.name) ? attempt.events : attempt.notes)
+            .push_back({static_cast<size_t>(note.steps), note.name, note.value});
+    attempt.rows = recording.steps.size();
+    attempt.redone = recording.redone;
+    if (!recording.end) return attempt;
+    attempt.ended = recording.end->reason;
+    attempt.stateHash = recording.end->stateHash;
+    attempt.realTime = recording.end->realTime;
+    return attempt;
+}
+
 std::string placeOf(const RecordedAttempt& attempt, const RecordedChange& change) {
-    return attempt.file.string() + ":" + std::to_string(change.line);
+    if (!attempt.framed) return attempt.file.string() + ":" + std::to_string(change.line);
+    std::string seconds = formatNumber(static_cast<float>(std::round(change.seconds * 100) / 100));
+    return attempt.file.string() + ": frame " + std::to_string(change.line) + ", after " + seconds + " s";
+}
+
+void takeRecording(Lesson& lesson, const std::filesystem::path& file) {
+    const Recording recording = readSoundRecording(file);
+    repeatAttempt(lesson, attemptOf(recording));
+    lesson.torchFile = file;
+    lesson.torch = torchPathOf(recording);
+    lesson.run.seconds = static_cast<float>(lesson.torch.duration());
 }
 
 } // namespace
 
 std::optional<RecordedAttempt> readRecordedAttempt(const std::filesystem::path& file) {
+    if (isRecording(file)) return attemptOf(readSoundRecording(file));
     return Reader(file).read();
 }
 
@@ -102,10 +186,14 @@ std::optional<bool> sameEnd(const RecordedAttempt& attempt, size_t steps, std::u
 }
 
 void repeatAttempt(Lesson& lesson, const RecordedAttempt& attempt) {
+    if (attempt.lesson != lesson.key && attempt.framed)
+        throw InputError(attempt.file, 0,
+                         "is a recording of lesson '" + attempt.lesson + "'; expected one of '" + lesson.key + "'");
     if (attempt.lesson != lesson.key)
         throw InputError(attempt.file, 2,
                          "is a record of lesson '" + attempt.lesson + "'; expected one of '" + lesson.key +
-                             "', or a plain torch path, whose first line is not '" + std::string(kFirstLine) + "'");
+                             "', or a plain torch path, whose first line is not '" + std::string(kRecordFirstLine) +
+                             "'");
     Lesson checked = lesson;
     for (const RecordedChange& value : attempt.values)
         checked.set(value.key, value.value, placeOf(attempt, value));
@@ -117,6 +205,7 @@ void repeatAttempt(Lesson& lesson, const RecordedAttempt& attempt) {
 }
 
 void takeTorch(Lesson& lesson, const std::filesystem::path& file) {
+    if (isRecording(file)) return takeRecording(lesson, file);
     lesson.torchFile = file;
     lesson.torch = TorchPath::read(file);
     if (file.extension() != ".csv") return;

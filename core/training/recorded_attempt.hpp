@@ -1,4 +1,5 @@
-// What a record says beside its torch path: which lesson with which values it was, and what was changed on the way.
+// What a record or a recording says beside its torch path: which lesson with which values it was, and what was changed
+// on the way.
 #pragma once
 
 #include <cstddef>
@@ -17,10 +18,11 @@ struct RecordedChange {
     size_t steps = 0; ///< that had been made before
     std::string key;
     std::string value;
-    int line = 0; ///< in the record
+    int line = 0;       ///< in the record; of a recording the frame
+    double seconds = 0; ///< of a recording: the metal's time
 };
 
-/// What spoils the score of an attempt, between two steps: `torch lost`, `torch seen`, `samples dropped`.
+/// Something that happened between two steps. `torch lost`, `torch seen` and `samples dropped` spoil the score.
 struct RecordedEvent {
     size_t steps = 0; ///< that had been made before
     std::string name;
@@ -29,19 +31,27 @@ struct RecordedEvent {
 
 struct RecordedAttempt {
     std::filesystem::path file;
-    std::string lesson;
+    bool framed = false;    ///< the file is a recording; else a record
+    std::string date;       ///< of the file, local, as formatDate(); empty where nobody knows
+    std::string lesson;     ///< key
+    std::string lessonFile; ///< of a recording whose lesson is not in the catalogue; else empty
+    std::string lessonHash; ///< of a recording: fileHash() of the lesson's file; else empty
+    std::string program;    ///< version and commit
     std::string driver;
     std::vector<RecordedChange> values;  ///< at the start
     std::vector<RecordedChange> changes; ///< in the order of the steps
     std::vector<RecordedEvent> events;   ///< in the same order
+    std::vector<RecordedEvent> notes;    ///< all other events: zoom, cues, redo ..., as they came
     std::string ended;                   ///< why; empty where the program ended without warning
     std::string stateHash;               ///< of the metal at the end; empty as above
     std::optional<double> realTime;      ///< simulated over real time; nothing where no person welded
     size_t rows = 0;
+    size_t redone = 0; ///< times that it went back and on to another end: practice, where it is not 0
 };
 
-/// The record's own lines of a torch path in the recorded form; nothing where it is no record of this program. Throws
-/// InputError naming file and line for a line of the record that cannot be understood, or a file that cannot be read.
+/// What a record or a recording says of its attempt; nothing for a torch path that is neither. Throws InputError naming
+/// file and line (of a recording frame and second) for what cannot be understood, a file that cannot be read, or a
+/// recording that is damaged.
 std::optional<RecordedAttempt> readRecordedAttempt(const std::filesystem::path& file);
 
 /// Whether a repetition of `steps` steps that ended in this state has the attempt's bits; nothing where it is of
@@ -52,8 +62,8 @@ std::optional<bool> sameEnd(const RecordedAttempt& attempt, size_t steps, std::u
 /// and line where the lesson is another one or a value does not fit.
 void repeatAttempt(Lesson& lesson, const RecordedAttempt& attempt);
 
-/// Gives the lesson the torch path of a file as its demonstration; where the file is a record, also the values, changes
-/// and length of its attempt. Throws as TorchPath::read(), readRecordedAttempt() and repeatAttempt().
+/// Gives the lesson the torch path of a file as its demonstration; where the file is a record or a recording, also the
+/// values, changes and length of its attempt. Throws as TorchPath::read(), readRecordedAttempt() and repeatAttempt().
 void takeTorch(Lesson& lesson, const std::filesystem::path& file);
 
 } // namespace meltpool

@@ -18,6 +18,8 @@ class TipProbe {
     void request(const Surface& surface, const MetalModel& metal, const TorchSample& torch);
     /// The answer, once, frames later; never waits.
     std::optional<SurfaceDistance> poll(const MetalModel& metal);
+    /// Drops what was asked for: the metal is another one now.
+    void forget() { probe_.forget(); }
     /// Waits for the GPU.
     SurfaceDistance now(const Surface& surface, const MetalModel& metal, const TorchSample& torch);
 

@@ -1,6 +1,8 @@
 #include "core/training/trainer.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/text.hpp"
+#include "core/training/body_mesh.hpp"
 
 #include <utility>
 
@@ -15,17 +17,20 @@ constexpr double kFiguresPeriod = 0.1;
 } // namespace
 
 Trainer::Trainer(gl::ShaderLibrary& shaders, Lesson lesson)
-    : lesson_(std::move(lesson)), metal_(makeMetalModel(shaders, lesson_)), probe_(shaders) {
+    : lesson_(std::move(lesson)),
+      metal_(makeMetalModel(shaders, lesson_)),
+      identity_(identityOf(lesson_)),
+      live_(liveParameters(lesson_)),
+      probe_(shaders) {
     const SceneView scene = metal_->scene({});
     surface_ = std::make_unique<Surface>(shaders, lesson_.surface, scene.boxMin, scene.boxMax);
     torch_ = lesson_.torch.sample(0);
     torch_.trigger = 0;
     figures_ = metal_->statistics();
     if (lesson_.model != LessonModel::Weld) return;
-    TechniqueSettings settings;
-    settings.distance = distanceKindOf(lesson_.process);
-    if (lesson_.technique) settings = lesson_.technique->settings();
-    technique_.emplace(seamOf(lesson_.workpiece), settings);
+    technique_.emplace(techniqueOf(lesson_.workpiece, lesson_.process, lesson_.technique));
+    // Aluminium is welded with alternating current, which breaks its oxide.
+    sound_.setAlternating(std::string_view(lesson_.workpiece.metal).starts_with("aluminium"));
 }
 
 Trainer::~Trainer() = default;
@@ -45,6 +50,7 @@ void Trainer::reset() {
     nextEvent_ = 0;
     figures_ = metal_->statistics();
     arc_ = {};
+    sound_.reset();
     pace_ = {};
     account_ = {};
     surfaceDistance_ = {};
@@ -59,12 +65,14 @@ double Trainer::timeStep() const {
 void Trainer::change(std::string_view key, std::string_view value, std::string_view where) {
     lesson_.set(key, value, where);
     if (record_) record_->change(key, value);
+    if (recording_) recording_->change(steps_, key, value);
 }
 
 void Trainer::event(std::string_view name, std::string_view value) {
     if (name == "torch") tracked_ = value != "lost";
     if (name == "samples" && technique_) technique_->noteDropped();
     if (record_) record_->event(name, value);
+    if (recording_) recording_->event(steps_, name, value);
 }
 
 void Trainer::advance(const TorchSample& torch, gl::Profiler* profiler) {
@@ -80,8 +88,17 @@ void Trainer::advance(const TorchSample& torch, gl::Profiler* profiler) {
     pace_.add(realTime_);
     account_.add(arc_, timeStep());
     if (record_) record_->add({torch_, arc_, realTime_});
+    if (recording_) recording_->step({steps_, torch_, arc_, realTime_});
     if (burned && wentOut(arc_.noArc)) event("arc_out", noArcName(arc_.noArc));
     updateFigures();
+    hear();
+}
+
+/// After the figures: a run that waits for them hears those of its own step.
+void Trainer::hear() {
+    if (lesson_.model != LessonModel::Weld) return;
+    sound_.step(lesson_.process, arc_, torch_, timeStep(), figures_.maxTemperature);
+    if (ear_ != nullptr) ear_->hear(sound_.last());
 }
 
 void Trainer::applyRecordedChanges() {
@@ -155,6 +172,10 @@ SceneView Trainer::scene() const {
     return scene;
 }
 
+MeshCopy Trainer::bodyMesh(gl::ShaderLibrary& shaders) const {
+    return meltpool::bodyMesh(shaders, *metal_, lesson_.surface);
+}
+
 RecordHead Trainer::recordHead(const RecordContext& context) {
     RecordHead head;
     head.lesson = lesson_.key;
@@ -172,16 +193,50 @@ RecordHead Trainer::recordHead(const RecordContext& context) {
 }
 
 void Trainer::record(const std::filesystem::path& file, const RecordContext& context) {
-    stopRecord("another record began");
-    awaitFigures(); // from here on each answer belongs to a row
+    awaitFigures();
+    if (record_) guardRecord([&] { endRecord("another record began", metal_->stateHash()); });
+    record_ = nullptr; // from here on each answer belongs to a row
     recordFault_.clear();
     record_ = std::make_unique<Record>(file, recordHead(context), context.replace);
 }
 
+RecordingHead Trainer::recordingHead() {
+    RecordHead known = recordHead({});
+    RecordingHead head;
+    head.lesson = std::move(known.lesson);
+    head.values = std::move(known.values);
+    head.chosen = std::move(known.chosen);
+    head.arc = known.arc;
+    head.rod = known.rod;
+    return head;
+}
+
 void Trainer::stopRecord(std::string_view reason) {
     awaitFigures();
-    if (record_) guardRecord([&] { record_->end(reason, metal_->stateHash()); });
+    if (record_ || recording_)
+        guardRecord([&] {
+            const std::uint64_t hash = metal_->stateHash();
+            endRecording(reason, hash); // first: a record on a full disk does not keep it from its end
+            endRecord(reason, hash);
+        });
     record_ = nullptr;
+    recording_ = nullptr;
+}
+
+void Trainer::endRecord(std::string_view reason, std::uint64_t stateHash) {
+    if (record_) record_->end(reason, stateHash);
+}
+
+void Trainer::endRecording(std::string_view reason, std::uint64_t stateHash) {
+    if (!recording_) return;
+    RecordingEnd end;
+    end.reason = reason;
+    end.stateHash = formatHexadecimal(stateHash);
+    end.steps = steps_;
+    end.seconds = time_;
+    end.realTime = pace_.ratio();
+    end.leastRealTime = pace_.least();
+    recording_->end(std::move(end));
 }
 
 LessonResult Trainer::result() const {

@@ -6,15 +6,20 @@
 #include "core/gl/profiler.hpp"
 #include "core/gl/program.hpp"
 #include "core/render/scene.hpp"
+#include "core/surface/mesh_copy.hpp"
 #include "core/surface/surface.hpp"
+#include "core/training/checkpoint/checkpoint_capture.hpp"
+#include "core/training/feedback/sound/ear.hpp"
 #include "core/training/judgement.hpp"
 #include "core/training/lesson.hpp"
 #include "core/training/metal_model.hpp"
 #include "core/training/record.hpp"
+#include "core/training/recording/recording_writer.hpp"
 #include "core/training/tip_probe.hpp"
 
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace meltpool {
 
@@ -88,6 +93,10 @@ class Trainer {
     SurfaceDistance distanceNow(const TorchSample& torch) { return probe_.now(*surface_, *metal_, torch); }
     /// The arc of the last step: one state for hand, eye, score and record.
     const ArcState& arc() const { return arc_; }
+    /// What is heard of the last step, its short circuits one by one; the classic model makes no sound.
+    const SoundStep& heard() const { return sound_.last(); }
+    /// From the next step on each one is given to `ear` (null: to nobody), which must outlive this.
+    void listen(Ear* ear) { ear_ = ear; }
     /// Tells models without an arc of their own where the shown metal lies from the tip.
     void setSurfaceDistance(const SurfaceDistance& surface) { surfaceDistance_ = surface; }
     /// Radius (m) of what touches the metal first.
@@ -102,10 +111,19 @@ class Trainer {
     SceneView scene() const;
     const TorchSample& torch() const { return torch_; }
     Surface& surface() { return *surface_; }
+    /// The bodies of the metal as they are now, for files; see bodyMesh() in body_mesh.hpp. Waits for the GPU. What an
+    /// earlier scene() lends is no longer valid.
+    MeshCopy bodyMesh(gl::ShaderLibrary& shaders) const;
 
     /// Writes every following step to `file`; see Record. Throws InputError when it cannot be written.
     void record(const std::filesystem::path& file, const RecordContext& context = {});
-    /// Ends the record; `reason` stands in it. Waits for the GPU.
+    /// Brings every following step to `recording` too, until stopRecord(). What is written there is the same whether or
+    /// not there is a record.
+    void recordInto(std::shared_ptr<RecordingWriter> recording) { recording_ = std::move(recording); }
+    /// What the head of a recording says of the lesson as it is now; file, attempt, date, program and driver are left
+    /// to the caller.
+    RecordingHead recordingHead();
+    /// Ends record and recording; `reason` stands in them. Waits for the GPU.
     void stopRecord(std::string_view reason = "finished");
     bool recording() const { return record_ != nullptr; }
     /// Why a record ended before it was stopped, as a sentence; empty while none did.
@@ -123,6 +141,20 @@ class Trainer {
     void waitForFigures(bool wait) { wait_ = wait; }
     const MetalStatistics& figures() const { return figures_; }
 
+    /// The whole state after the last step. Waits for the GPU. The hand's steps before number `historyFrom` are left
+    /// out, see Checkpoint.
+    Checkpoint save(size_t historyFrom = 0) const;
+    /// The same without waiting: copies on the GPU, and comes frames later through `capture`, which must not be busy.
+    void capture(CheckpointCapture& capture, size_t historyFrom) const;
+    /// Back to that state: the steps from there on have the same bits as they had after it. A record in progress goes
+    /// on; whoever reads it must be told with an event. Waits for the GPU. Throws InputError where the checkpoint is of
+    /// another lesson, of another workpiece or damaged; the state is then as before.
+    void restore(const Checkpoint& checkpoint);
+
+    /// The same in an attempt that goes on from there as another end of it: record and recording tell it, event `redo
+    /// STEP`, and repeat the values as they are then.
+    void redo(const Checkpoint& checkpoint);
+
     /// Waits for the GPU.
     LessonResult result() const;
 
@@ -136,17 +168,28 @@ class Trainer {
     Judgement judge() const;
 
   private:
+    void hear();
     void updateFigures();
     void takeFigures(const MetalStatistics& figures);
     void awaitFigures(size_t left = 0);
     void guardRecord(FunctionRef<void()> write);
+    void endRecord(std::string_view reason, std::uint64_t stateHash);
+    void endRecording(std::string_view reason, std::uint64_t stateHash);
     RecordHead recordHead(const RecordContext& context);
+    void transfer(gl::StateArchive& archive);
+    void transferLesson(gl::StateArchive& archive);
+    void requireFit(const Checkpoint& checkpoint) const;
+    static std::uint64_t identityOf(Lesson& lesson);
+    static ParameterList liveParameters(Lesson& lesson);
 
     Lesson lesson_;
     std::unique_ptr<MetalModel> metal_;
+    std::uint64_t identity_; ///< of lesson, workpiece and process, which other checkpoints do not have
+    ParameterList live_;     ///< the lesson's values that may change while it is welded
     std::unique_ptr<Surface> surface_;
     TipProbe probe_;
     std::unique_ptr<Record> record_;
+    std::shared_ptr<RecordingWriter> recording_;
     std::string recordFault_;
     double realTime_ = 1;
     RealTimeCount pace_;
@@ -156,6 +199,8 @@ class Trainer {
     TorchSample torch_;
     MetalStatistics figures_;
     ArcState arc_;
+    SoundSource sound_;
+    Ear* ear_ = nullptr;
     std::optional<Technique> technique_;
     bool tracked_ = true; ///< the torch, since the last event of it
     SurfaceDistance surfaceDistance_;

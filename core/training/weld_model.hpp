@@ -16,6 +16,7 @@ class WeldModel : public MetalModel {
     double timeStep() const override { return weld_.timeStep(); }
     ParticleView particles() const override { return weld_.metal().particles(); }
     float unit() const override { return 1; }
+    std::optional<float> spacing() const override { return workpiece_.lattice.spacing; }
     float liquidShare(float temperature) const override;
     ArcState arc(const SurfaceDistance&) const override { return weld_.arc(); }
     float touchRadius() const override { return weld_.process().touchRadius(); }
@@ -31,6 +32,7 @@ class WeldModel : public MetalModel {
     void requestStatistics() override { weld_.metal().requestStatistics(); }
     std::optional<MetalStatistics> pollStatistics() override { return weld_.metal().pollStatistics(); }
     std::optional<MetalStatistics> awaitStatistics() override { return weld_.metal().awaitStatistics(); }
+    void transfer(gl::StateArchive& archive) override { weld_.transfer(archive); }
     std::uint64_t stateHash() const override { return weld_.metal().stateHash(); }
     size_t bytes() const override { return weld_.bytes(); }
 

@@ -93,6 +93,16 @@ void Weld::apply(const ProcessSettings& settings) {
     metal_.setLiquidConductivity(times(conductivity_, stirring_));
 }
 
+void Weld::transfer(gl::StateArchive& archive) {
+    const double before = stirring_;
+    archive.values(stirring_);
+    if (stirring_ != before) metal_.setLiquidConductivity(times(conductivity_, stirring_));
+    metal_.transfer(archive);
+    process_->transfer(archive);
+    probe_->transfer(archive);
+    if (rodProbe_) rodProbe_->transfer(archive);
+}
+
 /// The place that was found stays where it is while the torch moves on: its distance along the axis is measured from
 /// where the torch is now. A torch that has gone farther has left it.
 MetalAhead Weld::metalAhead(AxisProbe& probe, const TorchRay& ray) {

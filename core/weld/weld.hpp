@@ -28,6 +28,9 @@ class Weld {
     /// Takes over live settings, and lets the pool be stirred by them; the kind of process stays that of the start.
     void apply(const ProcessSettings& settings);
 
+    /// Saves or restores all that the next step reads but the settings, which come before it.
+    void transfer(gl::StateArchive& archive);
+
     /// One time step of the metal under this torch: the distance of the metal on the torch's axis, as AxisProbe found
     /// it four steps ago and corrected by the torch's own way since -> process -> metal -> the next look. Waits for the
     /// GPU only where it is more than four steps behind.

@@ -24,4 +24,15 @@ vec3 tintOf(float peakKelvin) {
     return heatColour(peakKelvin, 0.75);
 }
 
+// Factor of the oxide on the reflectance of metal that is liquid to this share. Only solid metal has oxide: a pool is
+// clean.
+vec3 oxideOn(float kelvin, float peakKelvin, float liquid) {
+    return mix(vec3(1.0), tintOf(max(peakKelvin, kelvin)), material.oxideTint * (1.0 - liquid));
+}
+
+// Light of the metal itself.
+vec3 metalGlow(float kelvin) {
+    return material.emissivity * glowOf(kelvin);
+}
+
 #endif

@@ -28,7 +28,7 @@ void main() {
         textureLod(roughEnvironment, mirrored, kLiquidLevel + (kSolidLevel - kLiquidLevel) * dullness).rgb);
     float towardsLamp = max(dot(normalize(mirrored), frame.lampDirection), 0.0);
     float glint = frame.specular * (1.0 - 0.65 * dullness) * pow(towardsLamp, frame.shininess * (1.0 - 0.8 * dullness));
-    vec3 glow = material.emissivity * glowOf(temperature);
+    vec3 glow = metalGlow(temperature);
     vec3 light = body + mirrorBrightness * mirrorTint * seen + glint * material.highlight + glow;
     if (frame.arcLight.g > 0.0)
         light += mirrorBrightness * mirrorTint * arcMirrored(toArc, mirrored, kLiquidLobe * pow(kSolidLobe / kLiquidLobe, dullness));

@@ -27,8 +27,7 @@ void main() {
     float liquid = meltShares(vertexTemperature).mirror;
     float light = frame.ambient + frame.diffuse * max(dot(n, normalize(frame.lamp - world)), 0.0);
     float mirror = mix(material.solidMirror, material.liquidMirror, liquid);
-    // Only solid metal has oxide: a pool is clean.
-    vec3 tint = mix(vec3(1.0), tintOf(max(peak, vertexTemperature)), material.oxideTint * (1.0 - liquid));
+    vec3 tint = oxideOn(vertexTemperature, peak, liquid);
     float scale = 1.0 - dot(tint, vec3(1.0 / 3.0));
     toArc = frame.arc - world;
     vec3 lit = vec3(light) + arcDiffuse(toArc, n);

@@ -28,6 +28,11 @@
 #define PULL_INDICES_BINDING 1
 #define STROKES_BINDING 2
 
+// Storage bindings and group of the pass that colours vertices for files.
+#define COLOURED_HEATS_BINDING 0
+#define COLOURS_BINDING 1
+#define COLOURS_GROUP 64
+
 // Most views of a frame.
 #define MOST_VIEWS 4
 #define MOST_SHADOW_BOXES 3 // blocks of a workpiece: a bridge has three

@@ -3,7 +3,7 @@
 #include "core/base/text.hpp"
 #include "core/training/check/lesson_check.hpp"
 #include "core/training/lesson.hpp"
-#include "core/training/result_file.hpp"
+#include "core/training/result/result_file.hpp"
 #include "core/training/technique/along_seam.hpp"
 #include "core/training/verdict/acceptance.hpp"
 #include "core/training/verdict/imperfections.hpp"
@@ -220,7 +220,8 @@ TEST_CASE("commands that the handbook shows run", "[app][handbook]") {
 
 TEST_CASE("suites and options that the handbook shows exist", "[app][handbook]") {
     Names options;
-    for (const char* command : {"", "run ", "check ", "bench ", "validate ", "lessons ", "doctor "}) {
+    for (const char* command : {"", "run ", "replay ", "compare ", "demonstration ", "check ", "bench ", "validate ",
+                                "lessons ", "recordings ", "doctor "}) {
         const std::string help = runMeltpool(std::string(command) + "--help").output;
         const std::regex kOption("--[a-z-]+");
         for (std::sregex_iterator option(help.begin(), help.end(), kOption), end; option != end; ++option)
@@ -400,7 +401,7 @@ TEST_CASE("the handbook names what the program writes", "[app][handbook]") {
     further.insert("real_time"); // of attempts that a person made
     CHECK(told("columns of telemetry.csv").column(0) == further);
     const auto result = nlohmann::json::parse(readTextFile(folder / "result.json"));
-    Names section, top{"error", "recorded", "arc"}; // of failed runs, of records, of an arc that burned
+    Names section, top{"error", "recorded", "attempt", "what_if", "arc"}; // not of every run
     addKeys(result.at("section"), section);
     addKeys(wholeSection(folder / "section.json"), section);
     for (const auto& [key, value] : result.items())

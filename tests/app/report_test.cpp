@@ -1,42 +1,24 @@
 // `meltpool report`: a run's results as one page that loads nothing.
-#include "app/report/curve_drawing.hpp"
+#include "app/report/record_results.hpp"
 #include "app/report/report_page.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
+#include "tests/app/markup.hpp"
 #include "tests/app/program.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 using namespace meltpool;
 using meltpool::test::containsText;
+using meltpool::test::firstUnclosed;
 using meltpool::test::runMeltpool;
 
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The name of the first tag that is not closed as HTML wants it; empty where all are. Names are in lower case here.
-std::string firstUnclosed(const std::string& html) {
-    constexpr std::array<std::string_view, 4> kVoid{"meta", "input", "img", "!doctype"};
-    std::vector<std::string> open;
-    for (size_t at = html.find('<'); at != std::string::npos; at = html.find('<', at + 1)) {
-        const size_t end = html.find('>', at);
-        if (end == std::string::npos) return "<";
-        std::string name = html.substr(at + 1, html.find_first_of(" />\n", at + 2) - at - 1);
-        std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
-        if (name.starts_with('/')) {
-            if (open.empty() || open.back() != name.substr(1)) return name;
-            open.pop_back();
-        } else if (html[end - 1] != '/' && std::find(kVoid.begin(), kVoid.end(), name) == kVoid.end()) {
-            open.push_back(name);
-        }
-    }
-    return open.empty() ? std::string() : open.back();
-}
 
 /// A finished run as a file says so, without a weld.
 fs::path writtenRun(const char* name, const std::string& result) {
@@ -47,14 +29,26 @@ fs::path writtenRun(const char* name, const std::string& result) {
 
 const char* const kResult = R"({"lesson": "tee <b>", "finished": true, "torch": "a.toml", "seconds": 11,
  "version": "1", "commit": "c", "renderer": "r & s", "state_hash": "00ff",
+ "title": "A tee & more", "chosen_text": "voltage 22 V",
+ "attempt": {"date": "2026-11-23 08:30", "driver": "other", "for_score": true, "real_time": 0.97, "zoom": 2, "guided": false,
+  "changed": false, "cues": "speed aim", "ghost": "expert"},
  "score": {"total": 84.4, "scored": true, "parameters": {"travel_speed": 62.5, "unknown": 1},
-  "values": {"travel_speed": {"unit": "mm/s", "mean": 7.2, "ideal": 6.5, "inner": 0.6, "outer": 2}},
+  "values": {"travel_speed": {"unit": "mm/s", "mean": 7.2, "ideal": 6.5, "inner": 0.6, "outer": 2, "lost_points": 12.3,
+   "worst_at_mm": 1}},
+  "wanted_mm": 40, "welded_mm": 38, "lost_to_length_points": 1.5,
   "corrections": ["Travel slower."]},
- "arc": {"seconds": 7, "mean_current_a": 251.4, "mean_voltage_v": 29.1, "heat_input_kj_mm": 0.9},
+ "arc": {"process": "gmaw", "seconds": 8, "mean_current_a": 250, "mean_voltage_v": 28, "energy_kj": 56, "seam_mm": 40,
+  "travel_speed_mm_s": 5, "efficiency_en_1011_1": 0.8, "heat_input_kj_mm": 1.12},
  "verdict": {"standard": "ISO 5817", "edition": "2014", "level": "C", "accepted": false, "items": [
-  {"name": "undercut", "value": 0.8, "limit": 0.5, "unit": "mm", "state": "fail", "at_mm": 2},
-  {"name": "porosity", "value": null, "limit": null, "unit": "mm", "state": "estimated"}]},
- "weld": {"kind": "fillet", "stations": 3, "toe_width_mm": 8.5}})";
+  {"name": "overlap", "value": 0, "limit": 0.5, "limit_kind": "at_most", "unit": "mm", "state": "pass", "at_mm": 1},
+  {"name": "toe_angle", "value": 100, "limit": 110, "limit_kind": "at_least", "unit": "deg", "state": "not_resolved",
+   "at_mm": 3},
+  {"name": "undercut", "value": 0.8, "limit": 0.5, "limit_kind": "at_most", "unit": "mm", "state": "fail", "at_mm": 2,
+   "stretches_mm": [[1, 3]]},
+  {"name": "surface_pore", "value": 12, "limit": null, "unit": "mm", "state": "estimated", "beyond": true,
+   "rule": "The torch pushes."}]},
+ "weld": {"kind": "bead", "stations": 3, "pitch_mm": 2, "toe_width_mm": 8.5, "height_mm": 2, "penetration_mm": 1.5,
+  "fused_width_mm": 8}})";
 
 } // namespace
 
@@ -67,51 +61,116 @@ TEST_CASE("bytes as base64", "[app]") { // the test vectors of RFC 4648
     CHECK(base64(std::string_view("\xFF\x00\xFE", 3)) == "/wD+");
 }
 
-TEST_CASE("ticks are round numbers within the range", "[app]") {
-    CHECK(ticks(0, 10, 5) == std::vector<double>{0, 2, 4, 6, 8, 10});
-    const std::vector<double> odd = ticks(-0.3, 1.7, 4);
-    REQUIRE(odd.size() >= 4);
-    CHECK(odd[1] == Approx(0.5));
-    CHECK(ticks(1, 1, 4).empty());
-}
-
-TEST_CASE("a curve is broken where nothing is known, and drawn inside its sheet however far it wanders", "[app]") {
-    Curve curve{"speed <x>", "mm/s", {0, 1, 2, 3, 4}, {5, 6, NAN, 5, 900}, CurveBand{5.5, 0.5, 2}};
-    const std::string svg = curveDrawing(curve);
-    CHECK(firstUnclosed(svg) == "");
-    CHECK_THAT(svg, containsText("speed &lt;x&gt;") && containsText("class=\"ideal\""));
-    size_t lines = 0;
-    for (size_t at = svg.find("<polyline"); at != std::string::npos; at = svg.find("<polyline", at + 1))
-        ++lines;
-    CHECK(lines == 2);
-    for (size_t at = svg.find("points=\""); at != std::string::npos; at = svg.find("points=\"", at + 1)) {
-        const std::string first = svg.substr(at + 8, svg.find(' ', at) - at - 8);
-        const double y = std::stod(first.substr(first.find(',') + 1));
-        CHECK(y >= 22);
-        CHECK(y <= 106);
-    }
-    curve.values.assign(5, NAN);
-    CHECK(curveDrawing(curve).empty());
-}
-
-TEST_CASE("the page tells score, correction, verdict and weld, in both systems, and loads nothing", "[app]") {
+TEST_CASE("the page tells how the attempt was made, its score, verdict and weld, in both systems", "[app]") {
     const fs::path folder = writtenRun("report-page", kResult);
-    writeTextFileAtomically(folder / "technique.csv", "place_mm,arc_s,judged,direction,speed_mm_s\n-1,0.1,1,1,6\n"
-                                                      "0,0.1,1,1,7\n1,0.1,1,1,8\n");
+    writeTextFileAtomically(folder / "technique.csv", "place_mm,arc_s,judged,direction,speed_mm_s,current_a,voltage_v\n"
+                                                      "-1,0.1,1,1,6,240,27\n0,0.1,1,1,7,250,28\n1,0.1,1,1,8,260,29\n");
     writeTextFileAtomically(folder / "weld.csv", "place_mm,toe_width_mm\n0,8\n2,8.5\n4,9\n");
     writeTextFileAtomically(folder / "001.000s-metal.png", "old");
     writeTextFileAtomically(folder / "011.000s-metal.png", "foobar");
     const std::string html = reportPage(readRunResults(folder));
     CHECK(firstUnclosed(html) == "");
-    for (const char* text : {"tee &lt;b&gt;", "r &amp; s", ">84<", "Travel slower.", "travel speed", "62.50",
-                             "7.20 mm/s", "17.0 in/min", "not accepted", "undercut", "8.50 mm<", "0.335 in", "251 A",
-                             "22.9 kJ/in", "data:image/png;base64,Zm9vYmFy", "<polyline", "seam-fail"}) {
+    for (const char* text : {"A tee &amp; more",
+                             "tee &lt;b&gt;",
+                             "an attempt for score",
+                             "2026-11-23 08:30",
+                             "voltage 22 V",
+                             "97 % of the clock",
+                             "<b>Zoom:</b> 2.0",
+                             "cues: speed aim, ghost: expert",
+                             "r &amp; s, attempt made on other",
+                             ">84<",
+                             "Travel slower.",
+                             "Travel speed",
+                             "62.5",
+                             "12.3",
+                             "7.20 mm/s",
+                             "17.0 in/min",
+                             "38.00 mm",
+                             "What was not welded",
+                             "not accepted",
+                             "FAILS",
+                             "at most <span",
+                             "0.50 mm",
+                             "at least 110.0\xC2\xB0",
+                             "passes",
+                             "estimated: likely. The torch pushes.",
+                             "8.50 mm<",
+                             "0.335 in",
+                             "250 A",
+                             "1.12 kJ/mm",
+                             "28.4 kJ/in",
+                             "0.8 \xC2\xB7 28.0 V \xC2\xB7 250 A / (",
+                             "data:image/png;base64,Zm9vYmFy",
+                             "<polyline",
+                             "Arc current (A)",
+                             "drawn to scale from its measured sizes"}) {
         INFO(text);
         CHECK_THAT(html, containsText(text));
     }
-    CHECK(html.find("http") == std::string::npos);
-    CHECK(html.find("<script") == std::string::npos);
     CHECK(html.find(base64("old")) == std::string::npos); // only the last moment is shown
+    CHECK(html.find("Not scored") == std::string::npos);
+}
+
+TEST_CASE("the page loads nothing and runs nothing", "[app]") {
+    const fs::path folder = writtenRun("report-alone", kResult);
+    writeTextFileAtomically(folder / "011.000s-metal.png", "foobar");
+    const std::string html = reportPage(readRunResults(folder));
+    for (const char* text : {"http", "<script", "<link", "<iframe", "@import", "url(", "onload"}) {
+        INFO(text);
+        CHECK(html.find(text) == std::string::npos);
+    }
+    size_t sources = 0;
+    for (size_t at = html.find("src=\""); at != std::string::npos; at = html.find("src=\"", at + 1), ++sources)
+        CHECK(html.compare(at + 5, 22, "data:image/png;base64,") == 0);
+    CHECK(sources == 1);
+    for (size_t at = html.find("<img"); at != std::string::npos; at = html.find("<img", at + 1))
+        CHECK(html.compare(at + 4, 6, " alt=\"") == 0);
+    CHECK_THAT(html, containsText("<html lang=\"en\">"));
+}
+
+TEST_CASE("imperfections are lettered, failures first, and stand at their places on the strip", "[app]") {
+    const fs::path folder = writtenRun("report-strip", kResult);
+    writeTextFileAtomically(folder / "weld.csv", "place_mm\n0\n2\n4\n"); // with the pitch: from -1 to 5 mm
+    const std::string html = reportPage(readRunResults(folder));
+    const size_t undercut = html.find("<td>A</td><td>undercut</td>"), angle = html.find("<td>B</td><td>toe angle</td>");
+    REQUIRE(undercut != std::string::npos);
+    REQUIRE(angle != std::string::npos);
+    CHECK(undercut < angle);
+    CHECK(html.find("<td></td><td>overlap</td>") > angle);
+    // 2 mm lies at 20 + 3/6 of 600, 1 to 3 mm are the third of the strip around it.
+    CHECK_THAT(html, containsText("class=\"mark-fail\" x1=\"320.0\""));
+    CHECK_THAT(html, containsText("class=\"fault\" x=\"220.0\" y=\"34.0\" width=\"200.0\""));
+    CHECK_THAT(html, containsText("text-anchor=\"middle\">A</text>"));
+    CHECK_THAT(html, containsText("class=\"mark-other\" x1=\"420.0\""));
+}
+
+TEST_CASE("words from files cannot become markup", "[app]") {
+    const std::string html = reportPage(readRunResults(
+        writtenRun("report-hostile",
+                   R"({"lesson": "<script>alert(1)</script>", "title": "\"><img src=x onerror=y>", "finished": true,
+ "torch": "</title><b>", "attempt": {"cues": "'><i>", "program": "<u>"}, "chosen_text": "<s>",
+ "score": {"scored": false, "reason": "<em>"}, "weld": {"<p>_mm": 1},
+ "verdict": {"standard": "<q>", "level": "<r>", "edition": "<v>", "items": [
+  {"name": "<w>", "unit": "<x>", "value": 1, "state": "\"><y>", "rule": "<z>", "at_mm": 1}]}})")));
+    CHECK(firstUnclosed(html) == "");
+    for (const char* text : {"<script>", "<img", "<b>\n", "<i>", "<u>", "<s>", "<em>", "<q>", "<r>", "<v>", "<w>",
+                             "<x>", "<y>", "<z>", "<p>_"}) {
+        INFO(text);
+        CHECK(html.find(text) == std::string::npos);
+    }
+    CHECK_THAT(html, containsText("&lt;script&gt;alert(1)"));
+}
+
+TEST_CASE("what is missing is told, not drawn", "[app]") {
+    const std::string html =
+        reportPage(readRunResults(writtenRun("report-bare", R"({"lesson": "classic", "finished": true})")));
+    CHECK(firstUnclosed(html) == "");
+    for (const char* text : {"there is no score", "There is no picture", "There are no curves", "no person's attempt"})
+        CHECK_THAT(html, containsText(text));
+    CHECK(html.find("<svg") == std::string::npos);
+    CHECK(html.find("<img") == std::string::npos);
+    CHECK(html.find("class=\"turn\"") == std::string::npos); // one side is enough
 }
 
 TEST_CASE("what is no finished run is refused in one sentence", "[app]") {
@@ -130,6 +189,17 @@ TEST_CASE("what is no finished run is refused in one sentence", "[app]") {
                    R"({"lesson": 3, "finished": true, "score": 4, "verdict": [], "weld": "x", "arc": {"a": "b"}})")));
     CHECK(firstUnclosed(odd) == "");
     CHECK(runMeltpool("report '" + empty.string() + "'").code == 2);
+    // A page never takes the place of what it is made of.
+    const fs::path whole = writtenRun("report-kept", kResult);
+    const test::Outcome over =
+        runMeltpool("report '" + whole.string() + "' --out '" + (whole / "result.json").string() + "'");
+    CHECK(over.code == 2);
+    CHECK_THAT(over.errors, containsText("written over"));
+    CHECK(readTextFile(whole / "result.json") == kResult);
+    CHECK(runMeltpool("report '" + whole.string() + "' '" + whole.string() + "' --out a.html").code == 2);
+    const test::Outcome file = runMeltpool("report '" + (whole / "result.json").string() + "'");
+    CHECK(file.code == 0);
+    CHECK(fs::exists(whole / "report.html"));
 }
 
 TEST_CASE("a run's folder becomes a page by one command", "[app]") {
@@ -144,5 +214,28 @@ TEST_CASE("a run's folder becomes a page by one command", "[app]") {
     const std::string html = readTextFile(folder / "report.html");
     CHECK(firstUnclosed(html) == "");
     CHECK_THAT(html, containsText("gmaw-bead") && containsText("data:image/png;base64,iVBOR"));
-    CHECK_THAT(readTextFile(folder / "result.json"), containsText("heat_input_kj_mm"));
+    const std::string result = readTextFile(folder / "result.json");
+    CHECK_THAT(result, containsText("heat_input_kj_mm"));
+
+    // The record alone gives the same hand.
+    const test::Outcome alone = runMeltpool("report '" + (folder / "telemetry.csv").string() + "'");
+    INFO(alone.errors);
+    REQUIRE(alone.code == 0);
+    const std::string page = readTextFile(folder / "telemetry.html");
+    CHECK(firstUnclosed(page) == "");
+    CHECK_THAT(page, containsText("made of the record alone"));
+    const RunResults hand =
+        readRecordResults(folder / "telemetry.csv",
+                          findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons"));
+    const RunResults whole = readRunResults(folder);
+    CHECK(hand.result.at("score").at("scored") == whole.result.at("score").at("scored"));
+    CHECK(hand.result.at("arc").at("energy_kj").get<double>() ==
+          Approx(whole.result.at("arc").at("energy_kj").get<double>()).epsilon(1e-6));
+    CHECK_FALSE(hand.result.contains("weld"));
+    REQUIRE(hand.technique.columns == whole.technique.columns);
+    REQUIRE(hand.technique.rows.size() == whole.technique.rows.size());
+    const auto speeds = hand.technique.column("speed_mm_s"), first = whole.technique.column("speed_mm_s");
+    for (size_t i = 0; i < speeds.size(); ++i)
+        if (std::isfinite(first[i])) CHECK(speeds[i] == Approx(first[i]).epsilon(1e-5));
+    CHECK(runMeltpool("report '" + (folder / "technique.csv").string() + "'").code == 2); // no record
 }

@@ -162,9 +162,37 @@ TEST_CASE("a weld lesson melts steel, tells its section, and repeats bit by bit"
     for (const char* size : {"width_mm", "height_mm", "depth_mm", "area_mm2"})
         CHECK(section.at("heat_affected").at(size) >= section.at("fusion").at(size));
     CHECK(section.at("heat_affected").at("area_mm2") > 1);
-    const Json second = runInto(folder / "second", arguments);
+    // A ghost is only drawn.
+    const auto other = folder / "other.toml";
+    writeTextFileAtomically(other, "start_mm = [-4, 3, 0]\ntravel_angle_deg = -30\n"
+                                   "[[move]]\nkind = 'arc_on'\n"
+                                   "[[move]]\nkind = 'line'\nto_mm = [6, 3, 0]\nspeed_mm_s = 5\n");
+    const Json second = runInto(folder / "second", arguments + " --ghost '" + other.string() + "'");
     CHECK(second.at("state_hash") == first.at("state_hash"));
     CHECK(second.at("section") == section);
+    const auto picture = [&](const char* run) {
+        for (const auto& entry : fs::directory_iterator(folder / run))
+            if (entry.path().filename().string().ends_with("-metal.png")) return readPng(entry.path());
+        return Image{};
+    };
+    CHECK(compareImages(picture("first"), picture("second"), 10).farPixels > 0.002);
+}
+
+TEST_CASE("a ghost that cannot be one is refused with a sentence", "[app]") {
+    const auto folder = test::scratchFolder("no-ghost");
+    const auto still = folder / "still.toml";
+    writeTextFileAtomically(still, "start_mm = [0, 3, 0]\n[[move]]\nkind = 'hold'\nseconds = 1\n");
+    const std::string into = " --seconds 0.1 --out '" + (folder / "out").string() + "' --ghost '";
+    for (const auto& [arguments, sentence] :
+         {std::pair<std::string, std::string>{kQuick + into + still.string(), "--ghost is for weld lessons"},
+          {"run gmaw-bead" + into + (folder / "none.csv").string(), "none.csv"},
+          {"run gmaw-bead" + into + still.string(), "still.toml: never pulls the trigger; expected"}}) {
+        INFO(arguments);
+        const test::Outcome outcome = runMeltpool(arguments + "'");
+        CHECK(outcome.code == 2);
+        CHECK_THAT(outcome.errors, containsText(sentence));
+    }
+    CHECK_FALSE(fs::exists(folder / "out" / "result.json"));
 }
 
 TEST_CASE("a size limit on files ends a run with a sentence and without a cut picture", "[app]") {

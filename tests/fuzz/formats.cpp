@@ -3,21 +3,28 @@
 #include "app/commands/command_line.hpp"
 #include "app/session/home/best_scores.hpp"
 #include "app/session/lesson_session.hpp"
-#include "app/session/settings.hpp"
+#include "app/session/values/settings.hpp"
+#include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/metal/material/materials.hpp"
 #include "core/training/check/lesson_check.hpp"
+#include "core/training/comparison/changed_path.hpp"
+#include "core/training/comparison/what_if.hpp"
 #include "core/training/lesson.hpp"
 #include "core/training/recorded_attempt.hpp"
+#include "core/training/recording/recording_csv.hpp"
+#include "core/training/recording/recording_reader.hpp"
 #include "core/training/verdict/verdict.hpp"
 #include "core/validation/validation_case.hpp"
 #include "core/weld/torch/torch_path.hpp"
 #include "tests/support/gl_fixture.hpp"
+#include "tests/support/recording_bytes.hpp"
 #include "xr/input/pivot.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <stdexcept>
 
 namespace meltpool::test {
@@ -119,8 +126,7 @@ Answer readCaseFile(const fs::path& file) {
     return Answer::taken;
 }
 
-Answer readPath(const fs::path& file) {
-    const TorchPath path = TorchPath::read(file);
+void requireSound(const TorchPath& path) {
     require(std::isfinite(path.duration()), "a path's time is not finite");
     for (int i = -1; i <= 21; ++i) {
         const TorchSample s = path.sample(path.duration() * i / 20);
@@ -128,6 +134,10 @@ Answer readPath(const fs::path& file) {
         require(std::abs(glm::length(s.orientation) - 1) < 1e-3F, "an orientation is not of length 1");
         require(s.trigger >= 0 && s.trigger <= 1, "a trigger is out of range");
     }
+}
+
+Answer readPath(const fs::path& file) {
+    requireSound(TorchPath::read(file));
     return Answer::taken;
 }
 
@@ -142,6 +152,46 @@ Answer readRecord(const fs::path& file) {
     repeatAttempt(lesson, *attempt);
     requireInRange(lesson.metalParameters());
     return readPath(file);
+}
+
+Texts recordingTexts() {
+    Texts texts;
+    texts.push_back(recordingOf(std::string(kDefaultLesson), 4));
+    texts.push_back(recordingOf(std::string(kDefaultLesson), 40));
+    texts.push_back(texts.back().substr(0, texts.back().size() / 2));
+    RecordingBytes wentBack;
+    wentBack.head(recordedHead(std::string(kDefaultLesson)));
+    for (int i = 1; i <= 6; ++i)
+        wentBack.step(recordedStep(i));
+    wentBack.checkpoint({2, 0}, "a state").note(FrameKind::event, 3, "redo", "3").checkpoint({5, 0}, "another");
+    texts.push_back(wentBack.step(recordedStep(4)).bytes());
+    return texts;
+}
+
+/// As it is, and with hashes that fit: else every damage ends at the first hash.
+Answer readRecordingFile(const fs::path& file) {
+    static const Lesson standard = loadLesson(std::string(kDefaultLesson));
+    const fs::path sealed = fs::path(file).replace_filename("sealed.meltrec");
+    std::ofstream(sealed, std::ios::binary | std::ios::trunc) << resealed(readTextFile(file));
+    Answer answer = Answer::refused;
+    for (const fs::path& each : {file, sealed}) {
+        try {
+            const Recording recording = readRecording(each);
+            require(!recording.stateSentence().empty(), "nothing is told of it");
+            for (const RecordingCheckpoint& checkpoint : recording.checkpoints)
+                require(readCheckpoint(each, checkpoint).size() == checkpoint.size, "a checkpoint is not whole");
+            if (recording.frames > 0) readRecordingSummary(each);
+            require(!recordingCsv(recording).empty(), "its table is empty");
+            Lesson lesson = standard;
+            takeTorch(lesson, each);
+            requireInRange(lesson.metalParameters());
+            requireSound(lesson.torch);
+            answer = Answer::taken;
+        } catch (const InputError&) {
+            if (each == sealed && answer == Answer::refused) throw;
+        }
+    }
+    return answer;
 }
 
 /// The kept checks and those of the shipped lessons, which find their paths from anywhere.
@@ -234,28 +284,79 @@ Answer readTip(const fs::path& file) {
 }
 
 /// A word a line.
-Answer readWords(const fs::path& file) {
+std::vector<std::string> wordsIn(const std::string& text) {
     std::vector<std::string> words;
-    const std::string text = readTextFile(file);
     for (const std::string_view word : splitText(text, '\n'))
         if (!word.empty()) words.emplace_back(word);
-    checkCommandLine(words);
+    return words;
+}
+
+Answer readWords(const fs::path& file) {
+    checkCommandLine(wordsIn(readTextFile(file)));
     return Answer::taken;
 }
 
-const std::array<Format, 12> kFormats{{
+/// A short way of the hand along the seam, with its arc burning.
+std::vector<AttemptStep> anySteps() {
+    std::vector<AttemptStep> steps(40);
+    for (size_t i = 0; i < steps.size(); ++i) {
+        const auto moved = static_cast<float>(i);
+        TorchSample& torch = steps[i].torch;
+        torch.time = static_cast<double>(i + 1) / 90;
+        torch.tip = {-0.01F + 1e-4F * moved, 0.003F + 1e-4F * std::sin(moved), 0.002F};
+        torch.orientation = heldOrientation(0.8, 0.2, {1, 0, 0});
+        torch.trigger = 1;
+        steps[i].burntOff = 1e-5 * static_cast<double>(i);
+        steps[i].burned = i > 3;
+    }
+    return steps;
+}
+
+void requireSound(const ChangedPath& path) {
+    require(std::isfinite(path.duration()) && path.duration() > 0, "a changed path's time is not finite");
+    for (int i = -1; i <= 21; ++i) {
+        const TorchSample s = path.sample(path.duration() * i / 20, 1e-4);
+        require(std::isfinite(s.tip.x + s.tip.y + s.tip.z), "a changed place is not finite");
+        require(std::abs(glm::length(s.orientation) - 1) < 1e-3F, "a changed orientation is not of length 1");
+    }
+}
+
+/// A wish a line, of an attempt in one of four lessons: which, the text's length says.
+Answer readWishes(const fs::path& file) {
+    static const std::array<Lesson, 4> lessons{loadLesson("gmaw-bead"), loadLesson("gtaw-rod"),
+                                               loadLesson("tee-fillet"), loadLesson("classic")};
+    const std::string text = readTextFile(file);
+    Lesson lesson = lessons[text.size() % lessons.size()];
+    const std::vector<std::string> wishes = wordsIn(text);
+    const WhatIf whatIf = readWhatIf(wishes, lesson);
+    require(whatIf.asked.size() == wishes.size(), "not every wish was taken");
+    const PathChange change = whatIf.path.resolved(5e-3);
+    require(change.speed >= 0.1 && change.speed <= 10, "a speed is out of range");
+    RecordedAttempt& recorded = lesson.recorded.emplace();
+    recorded.changes = {{20, "no-key", "1", 1}};
+    recorded.events = {{30, "torch", "lost"}};
+    takeWhatIf(lesson, whatIf, change.speed);
+    require(recorded.changes[0].steps <= 200 && recorded.events[0].steps <= 300, "a change stands behind the end");
+    requireInRange(lesson.metalParameters());
+    if (lesson.model == LessonModel::Weld) requireSound(ChangedPath(anySteps(), seamOf(lesson.workpiece), change));
+    return Answer::taken;
+}
+
+const std::array<Format, 14> kFormats{{
     {"lesson", "lesson.toml", lessonTexts, readLessonFile},
     {"material", "material.toml", [] { return corpusOf("material", "app/data/materials"); }, readMaterialFile},
     {"acceptance", "acceptance.toml", [] { return corpusOf("acceptance", "app/data/acceptance"); }, readAcceptanceFile},
     {"validation case", "case.toml", [] { return corpusOf("case", "tests/validation/cases"); }, readCaseFile},
     {"recorded torch path", "path.csv", [] { return corpusOf("torch-csv", nullptr); }, readPath},
     {"record", "record.csv", [] { return corpusOf("record", nullptr); }, readRecord},
+    {"recording", "attempt.meltrec", recordingTexts, readRecordingFile},
     {"authored torch path", "path.toml", [] { return corpusOf("torch-toml", "app/data/paths"); }, readPath},
     {"check", "check.toml", checkTexts, readCheckFile},
     {"settings", "settings.toml", settingsTexts, readSettings},
     {"best scores", "best-scores.toml", [] { return corpusOf("best-scores", nullptr); }, readBestScores},
     {"torch tip", "torch-tip.txt", [] { return corpusOf("torch-tip", nullptr); }, readTip},
     {"command line", "words.txt", [] { return corpusOf("command-line", nullptr); }, readWords},
+    {"what-if", "wishes.txt", [] { return corpusOf("what-if", nullptr); }, readWishes},
 }};
 
 } // namespace

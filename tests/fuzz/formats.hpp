@@ -1,4 +1,4 @@
-// The text formats that the program reads, each with what a reader must make of any bytes whatever.
+// The formats of files that the program reads, each with what a reader must make of any bytes whatever.
 #pragma once
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 // The judgement of a real attempt: technique, measured weld and verdict of the same metal, and how result.json tells
 // them.
 #include "core/base/text.hpp"
-#include "core/training/result_file.hpp"
+#include "core/training/result/result_file.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
@@ -88,6 +88,18 @@ TEST_CASE("an attempt is judged: the hand by the lesson's bands, the weld by the
         CHECK(item.at("limit").is_null());
         CHECK_THAT(item.at("rule").get<std::string>(), test::containsText("18 mm"));
     }
+    // EN 1011-1: k U I / v, with means over the time of the arc.
+    const Json& arc = json.at("arc");
+    CHECK(arc.at("process") == "gmaw");
+    CHECK(arc.at("efficiency_en_1011_1") == 0.8);
+    CHECK(arc.at("travel_speed_mm_s").get<double>() ==
+          Approx(arc.at("seam_mm").get<double>() / arc.at("seconds").get<double>()));
+    CHECK(arc.at("heat_input_kj_mm").get<double>() ==
+          Approx(0.8 * arc.at("mean_voltage_v").get<double>() * arc.at("mean_current_a").get<double>() /
+                 arc.at("travel_speed_mm_s").get<double>() * 1e-3));
+    CHECK(json.at("score").at("values").at("travel_speed").at("lost_points") ==
+          judged.score->find(TechniqueQuantity::travelSpeed)->lost);
+    CHECK(json.at("score").at("wanted_mm") == 20);
     CHECK(json.at("weld").at("height_mm").get<double>() == Approx(*judged.weld->mean.height * 1e3));
     CHECK(json.at("weld").contains("penetration_mm"));
     CHECK_FALSE(json.at("weld").contains("leg1_mm")); // of fillets

@@ -146,7 +146,7 @@ fi
 findRuntime
 [ "$1" = --prepare ] && exit 0
 
-export XDG_RUNTIME_DIR=$run/runtime XDG_CONFIG_HOME=$run/config
+export XDG_RUNTIME_DIR=$run/runtime XDG_CONFIG_HOME=$run/config XDG_DATA_HOME=$run/data
 mkdir -m 700 "$XDG_RUNTIME_DIR"
 mkdir -p "$XDG_CONFIG_HOME/monado"
 MELTPOOL_XR_PORT=$(freePort)

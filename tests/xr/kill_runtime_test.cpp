@@ -1,10 +1,13 @@
-// A lesson in the headset ends without warning or on a signal: the record is whole and nearly all of the metal's time
-// is in it.
+// A lesson in the headset ends without warning or on a signal: record and recording are whole and nearly all of the
+// metal's time is in them.
+#include "core/training/recording/recording_reader.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/newest_recording.hpp"
 #include "tests/support/record_check.hpp"
 #include "tests/xr/trainee.hpp"
 
 #include <csignal>
+#include <initializer_list>
 #include <random>
 
 using namespace meltpool;
@@ -13,7 +16,7 @@ using nlohmann::json;
 
 namespace {
 
-/// s of the metal's time that may be missing in a record.
+/// s of the metal's time that may be missing in a record or a recording.
 constexpr double kMayBeMissing = 0.2;
 
 /// Welds in the headset, ends the program by the signal after `seconds`, and looks at the record.
@@ -35,26 +38,39 @@ void endInMidWeld(Trainee& trainee, int signal, double seconds, int number) {
     CHECK(check.whole());
     CHECK(check.lastTime >= time - kMayBeMissing);
     CHECK(check.ended.empty() == (signal == SIGKILL));
+    const Recording recording = readRecording(newestRecording(folder / "meltpool" / "recordings"));
+    UNSCOPED_INFO(recording.stateSentence());
+    CHECK_FALSE(recording.damaged());
+    CHECK(recording.seconds() >= time - kMayBeMissing);
+    CHECK(recording.end.has_value() == (signal != SIGKILL));
+    // The person in the headset stands in it too.
+    REQUIRE_FALSE(recording.people.empty());
+    CHECK(recording.people.back().head.has_value());
+    CHECK((recording.people.back().left.has_value() || recording.people.back().right.has_value()));
     trainee.aim(glm::vec3(0.06f), 0.0f);
 }
 
-void endAtRandomMoments(int count) {
+void endAtRandomMoments(int count, std::initializer_list<int> signals, unsigned seed = 20) {
     handGeometry();
     Trainee trainee;
-    std::mt19937 random(20);
+    std::mt19937 random(seed);
     std::uniform_real_distribution<double> moment(0, 2);
     int number = 0;
     for (int i = 0; i < count; ++i)
-        for (const int signal : {SIGKILL, SIGTERM, SIGINT})
+        for (const int signal : signals)
             endInMidWeld(trainee, signal, moment(random), ++number);
 }
 
 } // namespace
 
 TEST_CASE("a lesson in the headset that is killed, ended or interrupted leaves a whole record", "[runtime]") {
-    endAtRandomMoments(1);
+    endAtRandomMoments(1, {SIGKILL, SIGTERM, SIGINT});
 }
 
-TEST_CASE("a lesson in the headset ended at 51 random moments leaves a whole record", "[runtime][long]") {
-    endAtRandomMoments(17);
+TEST_CASE("a lesson in the headset killed at 50 random moments leaves record and recording whole", "[runtime][long]") {
+    endAtRandomMoments(50, {SIGKILL}, 21);
+}
+
+TEST_CASE("a lesson in the headset ended at 34 random moments leaves a whole record", "[runtime][long]") {
+    endAtRandomMoments(17, {SIGTERM, SIGINT}, 22);
 }

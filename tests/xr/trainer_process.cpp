@@ -39,6 +39,7 @@ int start(const std::vector<std::string>& arguments, const fs::path& folder, con
     std::signal(SIGHUP, SIG_DFL); // the tests may run under nohup, which children inherit
     if (!folder.empty()) {
         setenv("XDG_CONFIG_HOME", folder.c_str(), 1);
+        setenv("XDG_DATA_HOME", folder.c_str(), 1);
         setenv("XR_CORE_VALIDATION_FILE_NAME", (folder / "validation.txt").c_str(), 1);
     }
     if (!preload.empty()) setenv("LD_PRELOAD", preload.c_str(), 1);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/headset/torch/workshop.hpp"
-#include "app/session/trigger_lock.hpp"
+#include "app/session/hand/trigger_lock.hpp"
 #include "core/weld/torch/torch_sample.hpp"
 #include "xr/input/input.hpp"
 #include "xr/input/pivot.hpp"

@@ -40,6 +40,24 @@ CuePose poseOf(const Trainer& trainer) {
 
 } // namespace
 
+CuePose followedPose(const CuePose* before, const Trainer& trainer, double elapsed) {
+    CuePose pose = poseOf(trainer);
+    if (before == nullptr || std::hypot(pose.place - before->place, pose.aim - before->aim) > kJumps) return pose;
+    const double share = 1 - std::exp(-elapsed / kFollowing);
+    pose.place = before->place + (pose.place - before->place) * share;
+    pose.aim = before->aim + (pose.aim - before->aim) * share;
+    return pose;
+}
+
+CueEye cueEye(const SceneView& scene, const View& eye) {
+    const glm::mat4 toModel = glm::inverse(scene.modelToWorld);
+    CueEye from;
+    from.position = toModel * glm::vec4(eye.eye, 1);
+    from.up = glm::normalize(glm::mat3(toModel) * glm::vec3(glm::row(eye.worldToEye, 1)));
+    from.toClip = eye.eyeToClip * eye.worldToEye * scene.modelToWorld;
+    return from;
+}
+
 ParameterList describe(CueParameters& c) {
     return {
         {"speed", "Speed", "", &c.speed, 0, 1, "an arrow on a bar along the seam: ahead of the middle is too fast"},
@@ -93,13 +111,7 @@ void AttemptCues::update(Trainer& trainer, bool test, double elapsed) {
     on_ = on;
     if (trainer.technique() == nullptr || trainer.technique()->steps().empty()) return;
     if (trainer.arc().burns()) used_.add(on);
-    const CuePose now = poseOf(trainer);
-    const bool jumps = !pose_ || std::hypot(now.place - pose_->place, now.aim - pose_->aim) > kJumps;
-    const double share = jumps ? 1 : 1 - std::exp(-elapsed / kFollowing);
-    const CuePose last = pose_.value_or(now);
-    pose_ = now;
-    pose_->place = last.place + (now.place - last.place) * share;
-    pose_->aim = last.aim + (now.aim - last.aim) * share;
+    pose_ = followedPose(pose_ ? &*pose_ : nullptr, trainer, elapsed);
 }
 
 std::span<const Marker> AttemptCues::markers(const Trainer& trainer, const SceneView& scene, const View& eye) {
@@ -107,12 +119,7 @@ std::span<const Marker> AttemptCues::markers(const Trainer& trainer, const Scene
     const Technique& technique = *trainer.technique();
     const auto& bands = trainer.lesson().technique;
     const CueList cues = liveCues(technique, trainer.arc(), bands ? &*bands : nullptr, on_, before_);
-    const glm::mat4 toModel = glm::inverse(scene.modelToWorld);
-    CueEye from;
-    from.position = toModel * glm::vec4(eye.eye, 1);
-    from.up = glm::normalize(glm::mat3(toModel) * glm::vec3(glm::row(eye.worldToEye, 1)));
-    from.toClip = eye.eyeToClip * eye.worldToEye * scene.modelToWorld;
-    return shapes_.build(cues, technique.seam(), *pose_, from, scene.blocks, scene.modelToWorld);
+    return shapes_.build(cues, technique.seam(), *pose_, cueEye(scene, eye), scene.blocks, scene.modelToWorld);
 }
 
 } // namespace meltpool

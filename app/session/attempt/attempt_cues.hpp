@@ -25,6 +25,13 @@ struct CueParameters {
 };
 ParameterList describe(CueParameters& parameters);
 
+/// Where one's own torch welds in the last step, drawn a little late behind `before` (null: none), so that a trembling
+/// hand does not blur what stands beside it. `elapsed`: real seconds since then. Expects a step of a weld lesson.
+CuePose followedPose(const CuePose* before, const Trainer& trainer, double elapsed);
+
+/// Who looks at a scene, in the workpiece's frame.
+CueEye cueEye(const SceneView& scene, const View& eye);
+
 class AttemptCues {
   public:
     CueParameters parameters;
@@ -37,6 +44,8 @@ class AttemptCues {
     /// How far the trainee has come with this lesson before the next attempt.
     void setSkill(const CueSkill& skill) { skill_ = before_ = skill; }
     const CueSkill& skill() const { return skill_; }
+    /// 0..1 of other help in this attempt that fades as the cues do; see CueSkill::strength().
+    double strength(const TechniqueBands* bands) const { return before_.strength(bands); }
 
     /// An attempt begins.
     void begin();

@@ -22,6 +22,7 @@ constexpr NumberRange kZoom{1, 10};
 constexpr NumberRange kRealTime{0, 1};
 constexpr size_t kMostBytes = 2000; ///< of a fault's sentence
 constexpr size_t kMostChosen = 200; ///< bytes of the chosen settings
+constexpr size_t kMostGhost = 20;   ///< bytes of a ghost's name
 
 CueSet readCues(TomlTable& table) {
     CueSet cues;
@@ -72,6 +73,7 @@ BestScore readBest(TomlTable& table) {
     best.changed = table.flag("changed", false);
     best.realTime = table.number("real_time", kRealTime, 1);
     best.cues = readCues(table);
+    best.ghost = printable(table.text("ghost", ""), kMostGhost);
     best.chosen = printable(table.text("chosen", ""), kMostChosen);
     return best;
 }
@@ -107,6 +109,7 @@ std::string bestScoreText(const BestScore& best) {
     if (best.zoom > 1) text += ", zoom " + formatNumber(best.zoom);
     if (best.guided) text += ", guided";
     if (!best.cues.empty()) text += ", with cues";
+    if (!best.ghost.empty()) text += ", with a ghost";
     if (best.changed) text += ", changed values";
     if (best.realTime < SpeedTrial::kLeast)
         text += ", metal at " + std::to_string(std::lround(best.realTime * 100)) + " %";
@@ -181,6 +184,7 @@ void BestScores::save() const {
                 "\nchanged = " + flag(best.changed) +
                 "\nreal_time = " + formatNumber(static_cast<float>(best.realTime)) + "\ncues = " + cueList(best.cues) +
                 "\npractised = " + skillTable(skill(lesson)) + "\n" +
+                (best.ghost.empty() ? "" : "ghost = " + tomlText(best.ghost) + "\n") +
                 (best.chosen.empty() ? "" : "chosen = " + tomlText(best.chosen) + "\n");
     std::error_code failed;
     fs::create_directories(file_.parent_path(), failed); // writeFile() tells where there is none

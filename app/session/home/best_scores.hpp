@@ -25,6 +25,7 @@ struct BestScore {
     bool guided = false;     ///< the torch of the desk went along the seam by itself
     double realTime = 1;     ///< simulated over real time: on a slow metal the hand has more time
     CueSet cues = {};        ///< that were on while the arc burned
+    std::string ghost = {};  ///< whose was on while the arc burned, see ghostName(); empty: none
     std::string chosen = {}; ///< the machine's settings that the person chose, see Lesson::chosenText()
 };
 

@@ -1,9 +1,11 @@
 // The home page that window and headset share: which lessons there are, which one is chosen, the best scores.
 #pragma once
 
+#include "app/session/compare/attempt_comparison.hpp"
 #include "app/session/home/best_scores.hpp"
 #include "app/session/home/lesson_catalogue.hpp"
 #include "app/session/home/lesson_pictures.hpp"
+#include "app/session/replay/replay_list.hpp"
 #include "core/training/lesson.hpp"
 
 #include <filesystem>
@@ -44,6 +46,8 @@ class Home {
 
     BestScores scores;
     LessonPictures pictures;
+    ReplayList attempts;
+    AttemptComparison comparison; ///< of two of them; while it is shown it stands in their list's place
 
   private:
     std::vector<CataloguedLesson> lessons_;

@@ -37,6 +37,7 @@ ModeName modeOf(const Controls& controls, const LessonSession& session) {
     if (session.cut().shown()) return {"Cut open \xE2\x80\x93 paused", colour::kCold};
     // A demonstration goes on while the person looks around.
     if (session.demonstration().shown()) return {"Demonstration", colour::kCold};
+    if (session.replay().shown()) return {"Replay", colour::kCold};
     if (controls.mode() == Mode::interact) return {"Working", colour::kAccent};
     return {"Looking around \xE2\x80\x93 paused", colour::kCold};
 }
@@ -160,6 +161,18 @@ MenuRequest topBar(Context& context, PanelState& panels, const Controls& control
         panels.help = !panels.help;
     ImGui::End();
     return request;
+}
+
+void captionLine(Context& context, std::string_view caption, float left, float right) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const ImVec2 size = ImGui::CalcTextSize(caption.data(), caption.data() + caption.size());
+    const float edge = context.points(8);
+    const float x = (left + screen.x - right - size.x) / 2;
+    const float y = screen.y - barHeight(context) - size.y - context.points(24);
+    ImDrawList* draw = ImGui::GetBackgroundDrawList();
+    fillRounded(*draw, {x - edge, y - edge / 2}, {x + size.x + edge, y + size.y + edge / 2}, IM_COL32(22, 25, 31, 190),
+                context.points(6));
+    draw->AddText({x, y}, colour::kText, caption.data(), caption.data() + caption.size());
 }
 
 void statusBar(Context& context, const LessonFigures& figures, const Controls& controls) {

@@ -7,10 +7,12 @@ namespace meltpool::ui {
 
 namespace {
 
-constexpr float kTileWidth = 214;  ///< points, the least in the window
-constexpr float kWidestTile = 300; ///< points
-constexpr float kRowHeight = 70;   ///< points, of a lesson on the headset's panel
-constexpr size_t kRowsAPage = 4;   ///< of those
+constexpr float kTileWidth = 214;    ///< points, the least in the window
+constexpr float kWidestTile = 300;   ///< points
+constexpr float kRowHeight = 70;     ///< points, of a lesson on the headset's panel
+constexpr size_t kRowsAPage = 4;     ///< of those
+constexpr size_t kAttemptsAPage = 8; ///< in the window
+constexpr size_t kAttemptsOnPanel = 6;
 constexpr float kPictureShape = 16.0f / 9;
 
 /// A place for a picture that there is none of: the logo on a dark ground.
@@ -89,6 +91,19 @@ bool lessonGrid(Context& context, Home& home) {
     return chosen;
 }
 
+/// Between the lessons and the attempts that were kept.
+void attemptsButton(Context& context, Home& home) {
+    const bool shown = home.attempts.shown();
+    if (home.comparison.shown()) return; // which has its own way back
+    if (!button(context, "home.attempts", shown ? "Lessons" : "Attempts", ButtonKind::plain, 100,
+                shown ? "All lessons" : "What was welded before, to be seen again"))
+        return;
+    if (shown)
+        home.attempts.hide();
+    else
+        home.attempts.show();
+}
+
 } // namespace
 
 void drawPicture(ImDrawList& draw, GLuint texture, ImVec2 low, ImVec2 high) {
@@ -116,32 +131,49 @@ MenuRequest homePage(Context& context, Home& home, const std::string& driver, bo
     ImGui::SameLine(0, context.points(14));
     ImGui::BeginGroup();
     ImGui::PushFont(context.fonts.title);
-    ImGui::TextUnformatted("Lessons");
+    const bool attempts = home.attempts.shown();
+    const bool both = attempts && home.comparison.shown();
+    ImGui::TextUnformatted(both ? "Two attempts" : attempts ? "Attempts" : "Lessons");
     ImGui::PopFont();
-    quietText(context, "Click a lesson, or choose one with the arrow keys and press Enter.");
+    quietText(context, both       ? "What the second is otherwise than the first."
+                       : attempts ? "See one again, weld beside its torch, or compare two of a lesson."
+                                  : "Click a lesson, or choose one with the arrow keys and press Enter.");
     ImGui::EndGroup();
     ImGui::BeginChild("lessons", {0, -context.points(44)});
-    const bool chosen = lessonGrid(context, home);
+    MenuRequest request = MenuRequest::none;
+    if (attempts)
+        request = attemptList(context, home, kAttemptsAPage);
+    else if (lessonGrid(context, home))
+        request = MenuRequest::openLesson;
     ImGui::EndChild();
     markItem(context, "home.lessons");
     if (button(context, "home.help", "Help", help ? ButtonKind::lit : ButtonKind::plain, 86, "All keys (F1)"))
         help = !help;
     ImGui::SameLine(0, context.points(14));
+    attemptsButton(context, home);
+    ImGui::SameLine(0, context.points(14));
     ImGui::AlignTextToFramePadding();
     quietText(context, driver);
     ImGui::End();
-    return chosen ? MenuRequest::openLesson : MenuRequest::none;
+    return request;
 }
 
 MenuRequest homePart(Context& context, Home& home) {
     MenuRequest request = MenuRequest::none;
+    if (home.attempts.shown()) {
+        request = attemptList(context, home, kAttemptsOnPanel);
+        attemptsButton(context, home);
+        return request;
+    }
     const size_t count = home.lessons().size();
     const size_t pages = (count + kRowsAPage - 1) / kRowsAPage;
     home.page = std::min(home.page, pages - 1);
     const ImVec2 size{ImGui::GetContentRegionAvail().x, context.points(kRowHeight)};
     for (size_t i = home.page * kRowsAPage; i < std::min(count, (home.page + 1) * kRowsAPage); ++i)
         if (lessonTile(context, home, i, size, true)) request = MenuRequest::openLesson;
+    attemptsButton(context, home);
     if (pages == 1) return request;
+    ImGui::SameLine();
     if (button(context, "home.previous", "Previous", ButtonKind::plain, 100) && home.page > 0) --home.page;
     ImGui::SameLine();
     if (button(context, "home.following", "More", ButtonKind::plain, 100) && home.page + 1 < pages) ++home.page;

@@ -135,8 +135,9 @@ float panelReach(const Context& context) {
 void viewMenu(Context& context, std::span<const ParameterSection* const> sections) {
     beginPanel(context, "view menu", Side::left);
     panelTitle(context, "View", "How the metal is shown. Nothing here changes what it does.");
-    static constexpr std::array<Group, 8> kGroups{
+    static constexpr std::array<Group, 11> kGroups{
         {{"cues", "Cues at the torch", {"speed", "angles", "distance", "aim", "seam", "arc"}, true},
+         {"ghost", "Ghost torch", {"ghost", "ghost_pace", "ghost_file"}, false},
          {"view", "Show the metal as", {"mode", "colours", "material", "point_size"}, true},
          {"view", "In the picture", {"show_box", "show_sky", "show_source"}, true},
          {"view", "Light", {"ambient", "diffuse", "specular", "shininess", "exposure", "light_position"}, false},
@@ -144,12 +145,14 @@ void viewMenu(Context& context, std::span<const ParameterSection* const> section
           "Torch at the desk",
           {"torch_mouse_mm", "gamepad_speed_mm_s", "guide_speed_mm_s", "hand_tremor"},
           false},
+         {"sound", "Sound", {"volume", "captions"}, false},
          {"surface", "Expert: surface", {"influence", "iso_level", "caps"}, false},
          {"controls",
           "Mouse and keys",
           {"source_step", "source_mouse_speed", "look_speed", "camera_speed", "invert_look"},
           false},
-         {"window", "Window", {"interface_size"}, false}}};
+         {"window", "Window", {"interface_size"}, false},
+         {"recordings", "Recordings", {"keep_recordings", "recordings_limit_mb"}, false}}};
     drawGroups(context, sections, kGroups);
     ImGui::End();
 }

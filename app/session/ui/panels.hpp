@@ -2,14 +2,14 @@
 #pragma once
 
 #include "app/session/attempt/question.hpp"
-#include "app/session/controls.hpp"
+#include "app/session/hand/controls.hpp"
 #include "app/session/home/home.hpp"
 #include "app/session/lesson_figures.hpp"
 #include "app/session/lesson_session.hpp"
 #include "app/session/menu_state.hpp"
 #include "app/session/messages.hpp"
-#include "app/session/parameter_section.hpp"
 #include "app/session/ui/widgets.hpp"
+#include "app/session/values/parameter_section.hpp"
 #include "core/gl/profiler.hpp"
 #include "core/render/scene.hpp"
 
@@ -37,6 +37,9 @@ MenuRequest startMenu(Context& context, LessonSession& session, Home& home, cons
 void setupPart(Context& context, LessonSections& sections);
 MenuRequest topBar(Context& context, PanelState& panels, const Controls& controls, const LessonSession& session);
 void statusBar(Context& context, const LessonFigures& figures, const Controls& controls);
+/// What is heard, above the status bar in the middle of what panels leave free; `left`, `right`: what they cover,
+/// points.
+void captionLine(Context& context, std::string_view caption, float left, float right);
 void viewMenu(Context& context, std::span<const ParameterSection* const> sections);
 /// The machine's values; closed below them, in the expert drawer, the solver's.
 void machinePart(Context& context, const ParameterSection& section);
@@ -45,6 +48,16 @@ void machineMenu(Context& context, const ParameterSection& section, Controls& co
 MenuRequest demonstrationBar(Context& context, LessonSession& session);
 /// The same inside the current window, for the headset's panel.
 MenuRequest demonstrationPart(Context& context, LessonSession& session);
+/// A kept attempt above the status bar: pause, its time, speed, curves and events, and what its end was compared with.
+MenuRequest replayBar(Context& context, LessonSession& session);
+/// The same inside the current window, for the headset's panel.
+MenuRequest replayPart(Context& context, LessonSession& session);
+/// The attempts that were kept, newest first, `rows` a page, inside the current window; in their place the comparison
+/// of two of them while one is shown.
+MenuRequest attemptList(Context& context, Home& home, size_t rows);
+/// Two attempts beside each other: what is still to be welded, then difference, figures and curves of both, inside the
+/// current window.
+void comparisonPart(Context& context, AttemptComparison& comparison);
 /// Width of the result panel with its gap to the picture; points.
 float resultReach(const Context& context);
 /// The judged attempt at the left: score, what to correct, verdict, measured weld.
@@ -53,6 +66,9 @@ MenuRequest resultPanel(Context& context, LessonSession& session, const Home& ho
 MenuRequest resultPart(Context& context, LessonSession& session, const Home& home);
 /// The button that cuts the weld open, inside the current window, and, while it is open, the place of the cut.
 MenuRequest cutPart(Context& context, LessonSession& session);
+/// The hand of the judged attempt along the seam, with the lesson's bands (null: it has none), inside the current
+/// window, folded at first. Allocates nothing.
+void curvesPart(Context& context, const Judgement& judgement, const TechniqueBands* bands);
 /// The bend test of the judged weld, or the break of a fillet, strap by strap, inside the current window.
 void bendPart(Context& context, const BendTest& test);
 void timingsPanel(Context& context, const gl::Profiler& profiler, const LessonFigures& figures, double frameMs,

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
+#include <optional>
 #include <string>
 
 namespace meltpool::ui {
@@ -59,38 +61,69 @@ void drawSection(Context& context, const JudgementSection& section) {
         drawRow(context, row);
 }
 
-void drawCorrections(Context& context, const std::vector<std::string>& corrections) {
-    if (corrections.empty()) return;
-    ImGui::Dummy({0, context.points(4)});
-    strongText(context, "Correct this first");
-    for (const std::string& sentence : corrections) {
-        ImGui::Bullet();
-        ImGui::SameLine();
-        wrapped(sentence);
-    }
+/// m along the seam where what is to be corrected was worst; nothing where it has no place.
+std::optional<double> worstPlace(const Judgement& judgement, const Correction& correction) {
+    if (!correction.quantity || !judgement.score) return std::nullopt;
+    const ParameterScore* parameter = judgement.score->find(*correction.quantity);
+    if (parameter == nullptr || !std::isfinite(parameter->worstPlaceMm)) return std::nullopt;
+    return parameter->worstPlaceMm * 1e-3;
 }
 
-void drawJudgement(Context& context, const JudgedAttempt& attempt, const std::string& best) {
+/// What to correct first; below each that has a place a button that goes back before it.
+MenuRequest drawCorrections(Context& context, LessonSession& session) {
+    static constexpr std::array<const char*, 3> kButtons{"result.redo.1", "result.redo.2", "result.redo.3"};
+    const JudgedAttempt& attempt = *session.judged();
+    const std::vector<Correction>& corrections = attempt.judgement.corrections;
+    MenuRequest request = MenuRequest::none;
+    if (attempt.rows.corrections.empty()) return request;
+    ImGui::Dummy({0, context.points(4)});
+    strongText(context, "Correct this first");
+    for (size_t i = 0; i < attempt.rows.corrections.size(); ++i) {
+        ImGui::Bullet();
+        ImGui::SameLine();
+        wrapped(attempt.rows.corrections[i]);
+        if (i >= kButtons.size() || i >= corrections.size() || !session.redoes()) continue;
+        const auto place = worstPlace(attempt.judgement, corrections[i]);
+        if (!place || !button(context, kButtons[i], "Redo from here", ButtonKind::plain, 150,
+                              "Back to a second before the place where this was worst; the rest is practice"))
+            continue;
+        session.earlierMoments().choose(*place);
+        request = MenuRequest::redo;
+    }
+    return request;
+}
+
+MenuRequest drawJudgement(Context& context, LessonSession& session, const TechniqueBands* bands,
+                          const std::string& best) {
+    const JudgedAttempt& attempt = *session.judged();
     const JudgementRows& rows = attempt.rows;
     ImGui::PushFont(context.fonts.title);
     ImGui::TextUnformatted(rows.score.c_str());
     ImGui::PopFont();
     markItem(context, "result.score");
     if (!best.empty()) quietText(context, best);
+    if (session.earlierMoments().redone() > 0)
+        quietText(context, "Practice: this attempt went back to an earlier moment, so its score does not count.");
     quietText(context, rows.scoreNote);
     ImGui::PushFont(context.fonts.strong);
     wrapped(rows.verdict, tintOf(rows.verdictState));
     ImGui::PopFont();
     if (!rows.verdictNote.empty()) quietText(context, rows.verdictNote);
-    drawCorrections(context, rows.corrections);
+    const MenuRequest request = drawCorrections(context, session);
     for (const JudgementSection* section : {&rows.technique, &rows.judged, &rows.measured})
         if (!section->rows.empty() || section->note != rows.scoreNote) drawSection(context, *section);
     if (attempt.bend) bendPart(context, *attempt.bend);
+    curvesPart(context, attempt.judgement, bands);
     char text[128];
     std::snprintf(text, sizeof text, "This is the attempt as it was after %.1f s. When you weld on, it is judged anew.",
                   attempt.time);
     ImGui::Dummy({0, context.points(4)});
     quietText(context, text);
+    return request;
+}
+
+const TechniqueBands* bandsOf(const Lesson& lesson) {
+    return lesson.technique ? &*lesson.technique : nullptr;
 }
 
 /// The best score of the session's lesson; empty where there is none.
@@ -119,14 +152,25 @@ MenuRequest resultPart(Context& context, LessonSession& session, const Home& hom
     if (next != nullptr && session.judged() &&
         button(context, "result.next", ShortText{"Next: ", next->title}.c_str(), ButtonKind::plain))
         request = MenuRequest::next;
+    if (session.judged()) {
+        if (button(context, "result.page", "Page", ButtonKind::plain, 80,
+                   "Writes this result as a page that a browser shows and prints"))
+            request = MenuRequest::page;
+        if (session.cut().shown() || session.cuts()) ImGui::SameLine();
+    }
     if (const MenuRequest asked = cutPart(context, session); asked != MenuRequest::none) request = asked;
-    if (session.judged())
-        drawJudgement(context, *session.judged(), bestText(session, home));
-    else if (session.arc().burns())
+    if (session.redoes() && button(context, "result.redo", "Back 3 s", ButtonKind::plain, 110,
+                                   "The metal as it was; the rest is practice (Backspace)"))
+        request = MenuRequest::redo;
+    if (session.judged()) {
+        const MenuRequest asked = drawJudgement(context, session, bandsOf(session.lesson()), bestText(session, home));
+        if (asked != MenuRequest::none) request = asked;
+    } else if (session.arc().burns()) {
         quietText(context, "The arc burns. Let it go out, then the weld can be judged.");
-    else
+    } else {
         quietText(context, "Nothing is judged yet. A finished weld of 10 mm or more is judged by itself a second after "
                            "the arc is out, where the lesson says what is asked for; the button judges any weld.");
+    }
     return request;
 }
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "app/session/menu_state.hpp"
-#include "app/session/parameter_section.hpp"
 #include "app/session/ui/short_text.hpp"
 #include "app/session/ui/theme.hpp"
+#include "app/session/values/parameter_section.hpp"
 #include "core/base/parameter.hpp"
 
 #include <map>

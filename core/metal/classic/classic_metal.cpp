@@ -78,6 +78,17 @@ ClassicMetal::Snapshot ClassicMetal::snapshot() const {
     return state;
 }
 
+/// The order of the slots changes no sum: particles of a cell are sorted by number.
+void ClassicMetal::transfer(gl::StateArchive& archive) {
+    archive.buffer(movedPositions_, count_ * sizeof(vec4));
+    archive.buffer(movedVelocities_, count_ * sizeof(vec4));
+    archive.list(movedNumbers_, count_ * sizeof(uint));
+    archive.buffer(refused_, sizeof(uint));
+    if (!archive.restores()) return;
+    order_.discardCounts();
+    reader_.discard();
+}
+
 void ClassicMetal::writeStep(const ClassicSource& source) {
     const ClassicParameters& p = parameters;
     const ClassicKernels kernels(static_cast<double>(p.supportRadius));

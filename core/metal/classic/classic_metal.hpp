@@ -4,6 +4,7 @@
 #include "core/gl/buffer_view.hpp"
 #include "core/gl/profiler.hpp"
 #include "core/gl/program.hpp"
+#include "core/gl/state_archive.hpp"
 #include "core/metal/classic/cell_order.hpp"
 #include "core/metal/classic/classic_parameters.hpp"
 #include "core/metal/classic/statistics_reader.hpp"
@@ -66,6 +67,9 @@ class ClassicMetal {
         std::vector<glm::vec4> velocities; ///< and density in the last step
     };
     Snapshot snapshot() const;
+    /// Saves or restores all that the next step reads but the parameters. Answers that are pending are dropped where it
+    /// restores.
+    void transfer(gl::StateArchive& archive);
     /// Sets such a state. Throws RuntimeFault unless both lists have an entry a particle.
     void restore(const Snapshot& state);
 

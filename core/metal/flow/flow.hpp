@@ -47,6 +47,9 @@ class Flow {
     /// The same with a given number of substeps.
     void step(double seconds, unsigned substeps, gl::Profiler* profiler);
 
+    /// Saves or restores all that the next step reads; the state comes before it. Waits for the GPU where it restores.
+    void transfer(gl::StateArchive& archive);
+
     void setAcceleration(glm::vec3 acceleration); ///< body force over density besides gravity, m/s²
 
     void setArc(const ArcPressure& arc);
@@ -61,6 +64,7 @@ class Flow {
 
   private:
     void makeRoom(bool waits);
+    void takeSavedRoom();
     void makeNeighbourLists();
     void makePages();
     void bind() const;

@@ -81,6 +81,18 @@ void FlowRoom::request(size_t particles, const gl::Buffer& counters) {
     stepsBehind_ = 0;
 }
 
+void FlowRoom::transfer(gl::StateArchive& archive) {
+    constexpr size_t kMost = size_t(1) << 31;
+    for (size_t* each : {&mostRows_, &mostPages_})
+        archive.count(*each, kMost);
+    archive.count(rows_, mostRows_);
+    archive.count(pages_, mostPages_);
+    if (!archive.restores()) return;
+    readback_.forget();
+    requested_ = false;
+    stepsBehind_ = 0;
+}
+
 void FlowRoom::growRows(size_t need) {
     if (2 * need <= rows_) return;
     rows_ = std::min(mostRows_, wholeGroups(std::max(2 * rows_, 3 * need)));

@@ -27,6 +27,9 @@ class FlowRoom {
     /// Asks how much of the room is in use now, for a later update().
     void request(size_t particles, const gl::Buffer& counters);
 
+    /// Saves or restores how much room there is. What is in use is known again after readNow().
+    void transfer(gl::StateArchive& archive);
+
     size_t rows() const { return rows_; }       ///< neighbour lists, a multiple of GROUP_SIZE
     size_t wallPages() const { return pages_; } ///< lists of cells of wall metal
 

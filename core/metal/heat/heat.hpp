@@ -77,6 +77,9 @@ class HeatSolver {
     unsigned readActiveTiles() const;
     HeatBalance readBalance() const;
 
+    /// Saves or restores all that the next step reads; the state comes before it.
+    void transfer(gl::StateArchive& archive);
+
     size_t bytes() const; ///< GPU memory of the solver itself
 
   private:

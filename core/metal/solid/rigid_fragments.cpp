@@ -184,6 +184,20 @@ void RigidFragments::moveOnce() const {
     indirect(movePass_, offsetof(FragmentControl, particleGroups));     // motions -> positions, velocities
 }
 
+/// Whether anything is free is found again by the end of the next cycle: until then passes run that have nothing to do.
+void RigidFragments::transfer(gl::StateArchive& archive) {
+    archive.values(stage_);
+    archive.count(slots_, state_.capacity());
+    archive.count(done_, state_.capacity());
+    for (const gl::Buffer* buffer : {&cellHeads_, &cellNext_, &labels_, &nextLabels_, &control_, &freeSlots_})
+        archive.list(*buffer, buffer->bytes());
+    for (const gl::Buffer* buffer : {&motions_, &contacts_})
+        archive.buffer(*buffer, buffer->bytes());
+    if (!archive.restores()) return;
+    freeParticles_.forget();
+    mayBeFree_ = true;
+}
+
 FragmentReport RigidFragments::report() const {
     const FragmentControl control = control_.read<FragmentControl>(1).front();
     return {control.particles == 0 ? 0 : control.fragments, control.particles, control.rejected};

@@ -50,6 +50,9 @@ class RigidFragments {
     /// groups as are needed, which are none while nothing is free: when the number arrives changes no result.
     void move(float dt, int steps, gl::Profiler* profiler);
 
+    /// Saves or restores all that the next step reads; the state comes before it.
+    void transfer(gl::StateArchive& archive);
+
     /// Waits for the GPU.
     FragmentReport report() const;
 

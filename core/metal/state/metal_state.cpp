@@ -141,6 +141,17 @@ void MetalState::add(std::span<const MetalSeed> seeds) {
     counters.writeValue(static_cast<uint>(particles_), offsetof(MetalCounters, particles));
 }
 
+void MetalState::transfer(gl::StateArchive& archive) {
+    archive.count(particles_, capacity_);
+    archive.values(regroupings_);
+    for (const gl::Buffer* each : {&position, &velocity, &heat})
+        archive.buffer(*each, particles_ * sizeof(vec4));
+    archive.buffer(phase, particles_ * sizeof(uint));
+    archive.list(latticeSlots, latticeSlots.bytes());
+    archive.buffer(counters, sizeof(MetalCounters));
+    archive.list(changes, (1 + particles_) * sizeof(uint));
+}
+
 void MetalState::bind() const {
     position.bindStorage(METAL_POSITION);
     velocity.bindStorage(METAL_VELOCITY);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/gl/buffer.hpp"
+#include "core/gl/state_archive.hpp"
 #include "core/metal/material/heat_table.hpp"
 #include "shaders/shared/metal.h"
 
@@ -57,6 +58,9 @@ class MetalState {
 
     /// Puts particles into the next free slots. Throws RuntimeFault when there is no room.
     void add(std::span<const MetalSeed> seeds);
+
+    /// Saves or restores all that the next step reads. The table is the owner's.
+    void transfer(gl::StateArchive& archive);
 
     /// Binds the particle buffers and the block to their fixed places.
     void bind() const;

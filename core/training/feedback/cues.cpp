@@ -129,6 +129,17 @@ double CueSkill::strength(CueKind kind) const {
     return most;
 }
 
+double CueSkill::strength(const TechniqueBands* bands) const {
+    double most = 0;
+    bool judged = false;
+    for (const CuedQuantity& cued : kCued) {
+        if (bands == nullptr || bands->find(cued.quantity) == nullptr) continue;
+        most = std::max(most, strength(cued.quantity));
+        judged = true;
+    }
+    return judged ? most : 1;
+}
+
 const Cue* CueList::find(CueKind kind) const {
     const auto found = std::find_if(all().begin(), all().end(), [kind](const Cue& each) { return each.kind == kind; });
     return found == all().end() ? nullptr : &*found;

@@ -80,6 +80,9 @@ class CueSkill {
     /// Of the angles the greater of both; the seam's stretch fades with the aim; that the arc is out does not fade, as
     /// no points measure it.
     double strength(CueKind kind) const;
+    /// Of help that shows all at once, as a ghost does: that of the cued quantity which is mastered least among those
+    /// that the lesson judges; 1 where it judges none. `bands` may be null.
+    double strength(const TechniqueBands* bands) const;
 
     bool operator==(const CueSkill&) const = default;
 

@@ -33,8 +33,13 @@ Vibration hum(const ArcState& arc) {
 }
 
 /// The pulse for the first half of each beat, silence for the second.
-Vibration stutter(const Vibration& pulse, double time, double rate) {
-    return std::fmod(time * rate, 1.0) < 0.5 ? pulse : Vibration{};
+Vibration stutter(const Vibration& pulse, double beats) {
+    return std::fmod(beats, 1.0) < 0.5 ? pulse : Vibration{};
+}
+
+/// Beats of an arc that drops bridge, since the start.
+double shortBeats(const TipFeel& tip) {
+    return tip.arc.shorts > 0 ? tip.shorts / kShortsPerPulse : tip.time * kTouchRate;
 }
 
 } // namespace
@@ -48,9 +53,9 @@ Vibration feel(const TipFeel& tip) {
     case ArcAction::burning:
         return hum(tip.arc);
     case ArcAction::shorting:
-        return stutter(hum(tip.arc), tip.time, kShortRate);
+        return stutter(hum(tip.arc), shortBeats(tip));
     case ArcAction::breaking:
-        return stutter(hum(tip.arc), tip.time, kBreakRate);
+        return stutter(hum(tip.arc), tip.time * kBreakRate);
     case ArcAction::stubbed:
         return {kBuzzAmplitude, kBuzzFrequency, kRenewal};
     }

@@ -155,7 +155,7 @@ std::string techniqueCsv(std::span<const SeamMillimetre> seam, DistanceKind dist
     std::string text = "place_mm,arc_s,judged,direction";
     for (const QuantityInfo& info : quantities(distance))
         text += "," + std::string(info.column);
-    text += '\n';
+    text += ",current_a,voltage_v\n";
     for (const SeamMillimetre& mm : seam) {
         appendNumber(text, static_cast<float>(mm.place * kMm));
         appendCell(text, mm.seconds);
@@ -163,6 +163,8 @@ std::string techniqueCsv(std::span<const SeamMillimetre> seam, DistanceKind dist
         text += std::to_string(mm.direction);
         for (const QuantityInfo& info : quantities(distance))
             appendCell(text, mm.values[info.quantity] * info.perSi);
+        appendCell(text, mm.current);
+        appendCell(text, mm.voltage);
         text += '\n';
     }
     return text;

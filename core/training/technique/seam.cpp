@@ -10,6 +10,10 @@ namespace meltpool {
 namespace {
 
 constexpr double kMm = 1e-3;
+/// Cosine to the bisector below which a torch lies so flat that its axis has no place on the seam.
+constexpr double kFlattest = 0.1;
+/// Times that the foot of the axis is looked for on a circle's tangents; each brings several digits.
+constexpr int kFootRounds = 4;
 
 /// A frame with this tangent, and `up` as near as a right angle allows.
 SeamFrame frameOf(const glm::dvec3& point, const glm::dvec3& tangent, const glm::dvec3& up) {
@@ -89,6 +93,17 @@ Seam seamOf(const WorkpieceParameters& workpiece) {
         break;
     }
     return Seam::line({}, along, outOfPlate, -half, half);
+}
+
+glm::dvec3 footOf(const Seam& seam, const glm::dvec3& tip, const glm::dvec3& axis) {
+    glm::dvec3 foot = tip;
+    for (int i = 0; i < (seam.closed() ? kFootRounds : 1); ++i) {
+        const SeamFrame frame = seam.at(seam.nearest(foot).place);
+        const double down = -glm::dot(axis, frame.up);
+        if (down < kFlattest) return tip;
+        foot = tip + axis * (glm::dot(tip - frame.point, frame.up) / down);
+    }
+    return foot;
 }
 
 } // namespace meltpool

@@ -63,4 +63,8 @@ class Seam {
 /// the top towards +x.
 Seam seamOf(const WorkpieceParameters& workpiece);
 
+/// Where the axis (unit vector) of a torch with this tip (m) meets the height of the seam; the tip itself where the
+/// torch lies too flat for that.
+glm::dvec3 footOf(const Seam& seam, const glm::dvec3& tip, const glm::dvec3& axis);
+
 } // namespace meltpool

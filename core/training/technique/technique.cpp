@@ -13,25 +13,9 @@ using enum TechniqueQuantity;
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr size_t kStepsAtFirst = size_t(1) << 15;
-/// Cosine to the bisector below which a torch lies so flat that its axis has no place on the seam.
-constexpr double kFlattest = 0.1;
-/// Times that the foot of the axis is looked for on a circle's tangents; each brings several digits.
-constexpr int kFootRounds = 4;
 
 double finite(float value) {
     return std::isfinite(value) ? static_cast<double>(value) : kUnknown;
-}
-
-/// Where a torch's axis meets the height of the seam; right under the tip where it lies too flat.
-glm::dvec3 footOf(const Seam& seam, const glm::dvec3& tip, const glm::dvec3& axis) {
-    glm::dvec3 foot = tip;
-    for (int i = 0; i < (seam.closed() ? kFootRounds : 1); ++i) {
-        const SeamFrame frame = seam.at(seam.nearest(foot).place);
-        const double down = -glm::dot(axis, frame.up);
-        if (down < kFlattest) return tip;
-        foot = tip + axis * (glm::dot(tip - frame.point, frame.up) / down);
-    }
-    return foot;
 }
 
 /// No samples are missing between two steps that weld, and the torch did not jump.

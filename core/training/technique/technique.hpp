@@ -8,6 +8,10 @@
 
 #include <vector>
 
+namespace meltpool::gl {
+class StateArchive;
+}
+
 namespace meltpool {
 
 struct TechniqueSettings {
@@ -45,12 +49,16 @@ struct TechniqueStep {
     bool joined = false;  ///< welds, as did the step before, with no gap and no jump between
 };
 
+/// Of a step in a saved state: eleven numbers, and two times yes or no.
+inline constexpr size_t kTechniqueStepBytes = 11 * sizeof(double) + 2;
+
 /// Finds the direction of travel while places come in: +1 towards growing places, -1, or 0 while it is not known.
 class DirectionSense {
   public:
     void reset() { *this = {}; }
     int add(double place);
     int direction() const { return direction_; }
+    void transfer(gl::StateArchive& archive); ///< saves or restores it
 
   private:
     bool begun_ = false;
@@ -65,6 +73,7 @@ class SlidingSlope {
     void remove(double time, double value);
     /// Of the points in it; NaN with fewer than two moments.
     double slope() const;
+    void transfer(gl::StateArchive& archive); ///< saves or restores it
 
   private:
     double count_ = 0, sumT_ = 0, sumV_ = 0, sumTT_ = 0, sumTV_ = 0;
@@ -88,6 +97,12 @@ class Technique {
     void noteDropped();
     /// Everything is forgotten but seam and settings.
     void reset();
+
+    /// Saves or restores all but seam, settings and steps(), which come before it.
+    void transfer(gl::StateArchive& archive);
+    /// Saves the steps from number `from` to before `to`, each as kTechniqueStepBytes. Where they are restored those
+    /// before `from` are kept, and must be there, and those from `to` on forgotten.
+    void transferSteps(gl::StateArchive& archive, size_t from, size_t to);
 
     /// Of the last step, for cues: what the hand does at this moment. The speed is that of the last speedWindow
     /// seconds; the travel angle waits until the direction is known, and so the speed's sign; weave and whip are

@@ -58,6 +58,8 @@ class ItemJudge {
     Look look(const WeldStation& station, const ImperfectionValue& told, const LimitFormula& formula) const;
     VerdictItem blank() const;
     VerdictItem made(const Look& look, VerdictState state) const;
+    VerdictItem decide(const std::vector<Look>& looks, const std::vector<Look>& shortLooks) const;
+    std::vector<FaceStretch> failing(const std::vector<Look>& looks) const;
     VerdictItem judgeShort(const std::vector<Look>& looks, const std::vector<Look>& shortLooks) const;
     /// mm of stations that `counts` takes, in the window of ShortAllowance::per in which they are longest.
     template <class Counts>
@@ -135,10 +137,30 @@ std::optional<VerdictItem> ItemJudge::judge() const {
     }
     if (!told) return blank();
     if (looks.empty()) return std::nullopt;
+    VerdictItem item = decide(looks, shortLooks);
+    if (item.state == VerdictState::fail) item.failing = failing(looks);
+    return item;
+}
+
+VerdictItem ItemJudge::decide(const std::vector<Look>& looks, const std::vector<Look>& shortLooks) const {
     if (item_.shortOnes) return judgeShort(looks, shortLooks);
     const Look& worst =
         *std::max_element(looks.begin(), looks.end(), [](const Look& a, const Look& b) { return worse(b, a); });
     return made(worst, worst.state);
+}
+
+/// Looks stand in the order of the stations.
+std::vector<FaceStretch> ItemJudge::failing(const std::vector<Look>& looks) const {
+    std::vector<FaceStretch> stretches;
+    for (const Look& look : looks) {
+        if (look.state != VerdictState::fail) continue;
+        const double low = look.place - measures_.pitch / 2, high = look.place + measures_.pitch / 2;
+        if (!stretches.empty() && low - stretches.back().high < measures_.pitch / 2)
+            stretches.back().high = high;
+        else
+            stretches.push_back({low, high});
+    }
+    return stretches;
 }
 
 template <class Counts>

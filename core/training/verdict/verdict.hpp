@@ -33,6 +33,9 @@ struct VerdictItem {
     double resolution = 0;       ///< in `unit`: what the particles resolve of it
     std::optional<double> place; ///< m along the seam of that worst station
     std::string rule = {};       ///< of an estimate, see Estimate::rule
+    /// Where stations are beyond the limit that is not of short ones, each a pitch long, neighbours together, m along
+    /// the seam; of an item that fails.
+    std::vector<FaceStretch> failing = {};
 };
 
 struct Verdict {

@@ -1,5 +1,6 @@
 #include "core/weld/process/arc.hpp"
 
+#include "core/gl/state_archive.hpp"
 #include "core/weld/process/weld_constants.hpp"
 
 #include <algorithm>
@@ -25,6 +26,11 @@ std::string_view noArcName(NoArc reason) {
                                                       "feeding",    "no_wire",  "stuck",    "used_up"};
     static_assert(kNames.size() == static_cast<size_t>(NoArc::usedUp) + 1);
     return kNames[static_cast<size_t>(reason)];
+}
+
+void ArcState::transfer(gl::StateArchive& archive) {
+    archive.values(action, noArc, distance, extension, length, current, voltage, power, radius, pressure, shorts, share,
+                   stretch, liquid, rodEaten, rodBall, rodInPool);
 }
 
 double arcHeatRadius(double length, double current) {

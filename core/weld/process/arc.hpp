@@ -7,6 +7,10 @@
 #include <limits>
 #include <string_view>
 
+namespace meltpool::gl {
+class StateArchive;
+}
+
 namespace meltpool {
 
 enum class ArcAction {
@@ -70,6 +74,8 @@ struct ArcState {
     bool rodInPool = false;
 
     bool burns() const { return action != ArcAction::out; }
+    /// Saves or restores it.
+    void transfer(gl::StateArchive& archive);
 };
 
 /// Standard deviation (m) of the heat flux of an arc of `length` (m) and `current` (A) on the surface:

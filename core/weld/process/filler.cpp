@@ -1,8 +1,17 @@
 #include "core/weld/process/filler.hpp"
 
+#include "core/gl/state_archive.hpp"
+
 #include <glm/geometric.hpp>
 
+#include <limits>
+
 namespace meltpool {
+
+void Filler::transfer(gl::StateArchive& archive) {
+    archive.values(waiting_);
+    archive.count(fed_, std::numeric_limits<size_t>::max());
+}
 
 std::span<const MetalSeed> Filler::feed(double volume, glm::vec3 place, glm::vec3 velocity, float temperature) {
     const double each = static_cast<double>(spacing_) * static_cast<double>(spacing_) * static_cast<double>(spacing_);

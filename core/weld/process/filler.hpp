@@ -18,6 +18,9 @@ class Filler {
     /// Several at once stand in a row against the velocity, a spacing apart. They stay until the next call.
     std::span<const MetalSeed> feed(double volume, glm::vec3 place, glm::vec3 velocity, float temperature);
 
+    /// Saves or restores what is kept for the next call.
+    void transfer(gl::StateArchive& archive);
+
     size_t fed() const { return fed_; }
     void reset() {
         waiting_ = 0;

@@ -1,5 +1,6 @@
 #include "core/weld/process/filler_rod.hpp"
 
+#include "core/gl/state_archive.hpp"
 #include "core/weld/process/weld_constants.hpp"
 
 #include <glm/common.hpp>
@@ -51,6 +52,10 @@ double ballVolume(double diameter) {
 void FillerRod::reset() {
     eaten_ = melted_ = ball_ = falling_ = 0;
     inPool_ = false;
+}
+
+void FillerRod::transfer(gl::StateArchive& archive) {
+    archive.values(eaten_, melted_, ball_, falling_, inPool_);
 }
 
 double FillerRod::area() const {

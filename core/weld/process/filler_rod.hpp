@@ -40,6 +40,9 @@ class FillerRod {
     /// The rod meets the electrode of this torch.
     bool touches(const RodSample& rod, const TorchRay& electrode, double electrodeDiameter) const;
 
+    /// Saves or restores all but the diameter.
+    void transfer(gl::StateArchive& archive);
+
     double eaten() const { return eaten_; }   ///< m that the end lies behind RodSample::tip
     double ballDiameter() const;              ///< m; 0 without a ball
     double melted() const { return melted_; } ///< m of rod since the start

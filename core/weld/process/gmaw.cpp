@@ -1,5 +1,6 @@
 #include "core/weld/process/gmaw.hpp"
 
+#include "core/gl/state_archive.hpp"
 #include "core/weld/process/processes.hpp"
 
 #include <algorithm>
@@ -51,6 +52,12 @@ void Gmaw::reset() {
     Process::reset();
     wire_ = WireArc(static_cast<double>(settings_.stickOutMm * kMm));
     fed_ = melted_ = 0;
+}
+
+void Gmaw::transfer(gl::StateArchive& archive) {
+    Process::transfer(archive);
+    wire_.transfer(archive);
+    archive.values(fed_, melted_);
 }
 
 WireFeed Gmaw::feed() const {

@@ -30,6 +30,7 @@ class Gmaw : public Process {
     float touchRadius() const override { return settings_.wireDiameterMm * 0.5e-3F; }
     double stirring() const override;
     void reset() override;
+    void transfer(gl::StateArchive& archive) override;
 
   protected:
     void advance(const TorchSample& torch, const MetalAhead& ahead, double seconds) override;

@@ -1,5 +1,6 @@
 #include "core/weld/process/gtaw.hpp"
 
+#include "core/gl/state_archive.hpp"
 #include "core/weld/process/processes.hpp"
 
 #include <algorithm>
@@ -53,6 +54,11 @@ void Gtaw::reset() {
     noArc_ = NoArc::released;
     released_ = true;
     spoiled_ = false;
+}
+
+void Gtaw::transfer(gl::StateArchive& archive) {
+    RodProcess::transfer(archive);
+    archive.values(noArc_, released_, spoiled_);
 }
 
 /// What keeps this step from an arc, the trigger pulled.

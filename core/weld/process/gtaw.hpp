@@ -32,6 +32,7 @@ class Gtaw : public RodProcess {
     float touchRadius() const override { return settings_.electrodeDiameterMm * 0.5e-3F; }
     double stirring() const override { return arcStirring(static_cast<double>(settings_.current)); }
     void reset() override;
+    void transfer(gl::StateArchive& archive) override;
 
     /// The electrode touched the metal or the rod while its arc burned, and is spoiled until it is ground.
     bool electrodeSpoiled() const { return spoiled_; }

@@ -1,5 +1,6 @@
 #include "core/weld/process/process.hpp"
 
+#include "core/gl/state_archive.hpp"
 #include "core/weld/process/weld_constants.hpp"
 
 #include <algorithm>
@@ -31,6 +32,14 @@ void Process::reset() {
     source_ = {};
     drops_ = {};
     filler_.reset();
+}
+
+void Process::transfer(gl::StateArchive& archive) {
+    arc_.transfer(archive);
+    filler_.transfer(archive);
+    if (!archive.restores()) return;
+    source_ = {};
+    drops_ = {};
 }
 
 ArcPressure Process::pressure() const {

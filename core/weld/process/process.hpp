@@ -86,6 +86,10 @@ class Process {
     /// Back to how it began; the settings stay.
     virtual void reset();
 
+    /// Saves or restores all that the next step reads but the settings, which come before it. sources() and drops() are
+    /// empty after it was restored.
+    virtual void transfer(gl::StateArchive& archive);
+
   protected:
     /// Sets arc_ and, where there is heat, source_ and drops_.
     virtual void advance(const TorchSample& torch, const MetalAhead& ahead, double seconds) = 0;

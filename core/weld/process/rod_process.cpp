@@ -1,5 +1,7 @@
 #include "core/weld/process/rod_process.hpp"
 
+#include "core/gl/state_archive.hpp"
+
 namespace meltpool {
 
 namespace {
@@ -35,6 +37,11 @@ WireAccount RodProcess::wire() const {
 void RodProcess::reset() {
     Process::reset();
     rod_.reset();
+}
+
+void RodProcess::transfer(gl::StateArchive& archive) {
+    Process::transfer(archive);
+    rod_.transfer(archive);
 }
 
 double RodProcess::meltRod(const TorchSample& torch, const RodArc* heat, double seconds) {

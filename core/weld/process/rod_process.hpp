@@ -12,6 +12,7 @@ class RodProcess : public Process {
     std::optional<TorchRay> rodRay(const TorchSample& torch) const override;
     WireAccount wire() const override;
     void reset() override;
+    void transfer(gl::StateArchive& archive) override;
 
   protected:
     /// `diameter`: m; 0: none is held.

@@ -1,5 +1,6 @@
 #include "core/weld/process/smaw.hpp"
 
+#include "core/gl/state_archive.hpp"
 #include "core/weld/process/processes.hpp"
 #include "core/weld/process/weld_constants.hpp"
 
@@ -106,6 +107,11 @@ void Smaw::reset() {
 TorchRay Smaw::ray(const TorchSample& torch) const {
     const glm::vec3 axis = torch.axis();
     return {torch.tip - axis * (static_cast<float>(burnt_) + kLookBefore), axis, kLookBefore + kLookBeyond};
+}
+
+void Smaw::transfer(gl::StateArchive& archive) {
+    Process::transfer(archive);
+    archive.values(noArc_, touched_, live_, touching_, held_, burnt_, melted_);
 }
 
 /// The trigger is let go: the holder is dead, and a burnt electrode is replaced.

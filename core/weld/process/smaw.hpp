@@ -44,6 +44,7 @@ class Smaw : public Process {
     WireAccount wire() const override;
     float burntOff() const override { return static_cast<float>(burnt_); }
     void reset() override;
+    void transfer(gl::StateArchive& archive) override;
 
   protected:
     void advance(const TorchSample& torch, const MetalAhead& ahead, double seconds) override;

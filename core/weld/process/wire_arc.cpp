@@ -1,5 +1,7 @@
 #include "core/weld/process/wire_arc.hpp"
 
+#include "core/gl/state_archive.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -63,6 +65,10 @@ void WireArc::release() {
     action_ = ArcAction::out;
     noArc_ = NoArc::released;
     length_ = current_ = voltage_ = fed_ = melted_ = stretch_ = 0;
+}
+
+void WireArc::transfer(gl::StateArchive& archive) {
+    archive.values(extension_, lit_, action_, noArc_, length_, current_, voltage_, fed_, melted_, stretch_);
 }
 
 /// The machine holds its open-circuit voltage, which here is the set one.

@@ -43,6 +43,9 @@ class WireArc {
     /// The wire stands still and the arc is out.
     void release();
 
+    /// Saves or restores it.
+    void transfer(gl::StateArchive& archive);
+
     ArcAction action() const { return action_; }
     NoArc noArc() const { return noArc_; }          ///< why action() is `out`
     double extension() const { return extension_; } ///< m; more than the distance: the wire is bent

@@ -33,6 +33,8 @@ constexpr Range kFeeds{0, 1000, "a speed from 0 to 1000 mm/s"};
 constexpr double kQuaternionSlack = 0.1;
 
 constexpr size_t kLongestLine = 65536; ///< bytes
+/// Of a record whose attempt went back to the row of this number and on to another end.
+constexpr std::string_view kRedo = "# event redo ";
 
 float metres(double millimetres) {
     return static_cast<float>(millimetres * 1e-3);
@@ -91,12 +93,23 @@ class Reader {
         ++line_;
         if (row.size() > kLongestLine)
             fail(line_, "the line is too long; expected at most " + std::to_string(kLongestLine) + " bytes");
+        if (row.starts_with(kRedo)) return goBack(trimText(row.substr(kRedo.size())));
         const std::string_view content = trimText(row.substr(0, row.find('#')));
         if (content.empty()) return;
         if (header_.width == 0)
             readHeader(content);
         else
             readRow(content);
+    }
+
+    /// The attempt went on from an earlier row as another end: the rows behind that one are those of the first end.
+    void goBack(std::string_view step) {
+        const auto rows = parseDouble(step);
+        if (!rows || *rows != std::floor(*rows) || *rows < 0 || *rows > static_cast<double>(recording_.samples.size()))
+            fail(line_, "goes back to row " + quote(step) + "; expected a whole number from 0 to " +
+                            std::to_string(recording_.samples.size()) + ", the rows above");
+        recording_.samples.resize(static_cast<size_t>(*rows));
+        if (keepsFurther_) recording_.furtherCells.resize(recording_.samples.size());
     }
 
     void readHeader(std::string_view content) {

@@ -46,12 +46,16 @@ class Author {
         TomlTable root(parsed, file);
         tip_ = place(root, "start_mm");
         readAngles(root);
-        orientation_ = held();
         readPipe(root);
         readRod(root);
-        for (TomlTable& move : root.tables("move")) {
-            readMove(move);
-            move.finish();
+        std::vector<TomlTable> moves = root.tables("move");
+        findSeams(moves);
+        takeSeam(0);
+        orientation_ = held();
+        for (size_t i = 0; i < moves.size(); ++i) {
+            takeSeam(i);
+            readMove(moves[i]);
+            moves[i].finish();
         }
         root.finish();
         if (moves_.empty()) root.fail("move", "is missing; expected at least one table that begins with [[move]]");
@@ -62,6 +66,31 @@ class Author {
     void readAngles(TomlTable& table) {
         work_ = table.number("work_angle_deg", kWorkAngles, work_);
         travel_ = table.number("travel_angle_deg", kTravelAngles, travel_);
+    }
+
+    /// Finds for each move the direction of the line that is welded next, which only the moves after it tell.
+    void findSeams(std::vector<TomlTable>& moves) {
+        seams_.resize(moves.size());
+        glm::vec3 tip = tip_;
+        float trigger = 0;
+        size_t first = 0; // of the moves that wait for a seam
+        for (size_t i = 0; i < moves.size(); ++i) {
+            const std::string kind = moves[i].text("kind");
+            if (kind == "arc_on" || kind == "arc_off") trigger = readTrigger(moves[i], kind);
+            if (kind != "line" && kind != "weave") continue;
+            const glm::vec3 to = place(moves[i], "to_mm");
+            const std::optional<glm::vec3> seam = directionOf(to - tip);
+            tip = to;
+            if (trigger == 0 || !seam) continue;
+            for (; first <= i; ++first)
+                seams_[first] = seam;
+            hasSeams_ = true;
+        }
+    }
+
+    /// With the trigger released the torch is held for the seam to come, so that it strikes as it goes on to weld.
+    void takeSeam(size_t move) {
+        if (trigger_ == 0 && move < seams_.size() && seams_[move]) direction_ = *seams_[move];
     }
 
     void readPipe(TomlTable& root) {
@@ -137,11 +166,15 @@ class Author {
         if (kind == "line") return static_cast<void>(readLine(table));
         if (kind == "weave") return readWeave(table);
         if (kind == "arc_on" || kind == "arc_off") {
-            trigger_ = kind == "arc_off" ? 0.0f : static_cast<float>(table.number("trigger", {0, 1}, 1.0));
+            trigger_ = readTrigger(table, kind);
             add(0, tip_);
             return;
         }
         table.fail("kind", "is " + quote(kind) + "; expected one of hold, line, weave, arc_on, arc_off");
+    }
+
+    static float readTrigger(TomlTable& table, const std::string& kind) {
+        return kind == "arc_off" ? 0.0f : static_cast<float>(table.number("trigger", {0, 1}, 1.0));
     }
 
     void readHold(TomlTable& table) {
@@ -152,6 +185,15 @@ class Author {
         move.toOrientation = orientation_;
     }
 
+    /// Unit vector; nothing straight up or down, where there is no seam and the torch keeps the direction it had.
+    static std::optional<glm::vec3> directionOf(const glm::vec3& way) {
+        const float length = glm::length(way);
+        if (length < kShortest) return std::nullopt;
+        const glm::vec3 along = way / length;
+        if (glm::length(glm::vec2(along.x, along.z)) <= 1e-3f) return std::nullopt;
+        return along;
+    }
+
     TorchMove& readLine(TomlTable& table) {
         const glm::vec3 to = place(table, "to_mm");
         const double speed = table.number("speed_mm_s", kSpeeds) * 1e-3;
@@ -159,9 +201,10 @@ class Author {
         const glm::vec3 way = to - tip_;
         const float length = glm::length(way);
         if (length < kShortest) table.fail("to_mm", "is where the torch already stands; expected another place");
-        const glm::vec3 along = way / length;
-        // Straight up or down there is no seam; the torch keeps the direction that it had.
-        if (glm::length(glm::vec2(along.x, along.z)) > 1e-3f) direction_ = along;
+        const std::optional<glm::vec3> along = directionOf(way);
+        // On its way to a seam, or from the last one, the torch does not turn to where it goes.
+        const bool aside = trigger_ == 0 && hasSeams_;
+        if (along && !aside) direction_ = *along;
         orientation_ = held();
         return add(static_cast<double>(length) / speed, to);
     }
@@ -182,6 +225,8 @@ class Author {
     }
 
     std::vector<TorchMove> moves_;
+    std::vector<std::optional<glm::vec3>> seams_; ///< of each move the direction of the line that is welded next
+    bool hasSeams_ = false;
     double time_ = 0;
     glm::vec3 tip_{0.0f};
     double work_ = 90;

@@ -27,6 +27,8 @@ class TorchPath {
 
     /// Time of the last moment, s; 0 for an empty path.
     double duration() const;
+    /// Of the recorded form, as they were read; empty for the authored one.
+    const std::vector<TorchSample>& samples() const { return samples_; }
     bool empty() const { return samples_.empty() && moves_.empty(); }
 
   private:

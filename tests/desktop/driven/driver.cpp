@@ -110,6 +110,7 @@ TrainerWindow::TrainerWindow(const std::string& name, const Options& options)
     process.environment = {{"DISPLAY", display_},
                            {"HOME", (folder_ / "home").string()},
                            {"XDG_CONFIG_HOME", (folder_ / "config").string()},
+                           {"XDG_DATA_HOME", (folder_ / "data").string()},
                            {"XDG_PICTURES_DIR", ""},
                            {"WAYLAND_DISPLAY", ""},
                            {"MELTPOOL_DATA", data.string()}};

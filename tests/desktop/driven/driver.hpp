@@ -86,6 +86,7 @@ class TrainerWindow {
     Process& process() { return *process_; }
 
     const std::filesystem::path& folder() const { return folder_; }
+    std::filesystem::path recordingsFolder() const { return folder_ / "data" / "meltpool" / "recordings"; }
     std::filesystem::path settingsFile() const { return folder_ / "config" / "meltpool" / "settings.toml"; }
     std::string output() const;
 

@@ -1,13 +1,16 @@
-// The window ends without warning or on a signal in mid-lesson: the record is whole and nearly all of the metal's time
-// is in it.
+// The window ends without warning or on a signal in mid-lesson: record and recording are whole and nearly all of the
+// metal's time is in them.
 #include "core/base/text.hpp"
+#include "core/training/recording/recording_reader.hpp"
 #include "tests/desktop/driven/driver.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
+#include "tests/support/newest_recording.hpp"
 #include "tests/support/record_check.hpp"
 
 #include <chrono>
 #include <csignal>
+#include <initializer_list>
 #include <random>
 #include <thread>
 
@@ -17,7 +20,7 @@ using nlohmann::json;
 
 namespace {
 
-/// s of the metal's time that may be missing in a record.
+/// s of the metal's time that may be missing in a record or a recording.
 constexpr double kMayBeMissing = 0.2;
 
 /// The record of an ended window is whole; `ended`: it says why it ended.
@@ -29,6 +32,11 @@ void checkLeft(const TrainerWindow& window, bool ended) {
     CHECK(record.whole());
     CHECK(record.lastTime >= last.at("metal").at("time").get<double>() - kMayBeMissing);
     CHECK(record.ended == (ended ? "the program ended" : ""));
+    const Recording recording = readRecording(newestRecording(window.recordingsFolder()));
+    INFO(recording.stateSentence());
+    CHECK_FALSE(recording.damaged());
+    CHECK(recording.seconds() >= last.at("metal").at("time").get<double>() - kMayBeMissing);
+    CHECK((recording.end ? recording.end->reason : "") == record.ended);
 }
 
 /// Starts a lesson, ends it by the signal after `seconds`, and looks at its record.
@@ -47,18 +55,18 @@ auto stepsPast(long long count) {
     return [count](const json& s) { return s.at("metal").at("steps") > count; };
 }
 
-void endAtRandomMoments(int count) {
-    std::mt19937 random(20);
+void endAtRandomMoments(int count, std::initializer_list<int> signals, unsigned seed = 20) {
+    std::mt19937 random(seed);
     std::uniform_real_distribution<double> moment(0, 2);
     for (int i = 0; i < count; ++i)
-        for (const int signal : {SIGKILL, SIGTERM, SIGINT})
+        for (const int signal : signals)
             endInMidLesson(signal, moment(random));
 }
 
 } // namespace
 
 TEST_CASE("a killed, ended or interrupted window leaves a whole record") {
-    endAtRandomMoments(2);
+    endAtRandomMoments(2, {SIGKILL, SIGTERM, SIGINT});
 }
 
 TEST_CASE("a window whose terminal is closed ends like one that is asked to: settings and record are whole") {
@@ -85,8 +93,12 @@ TEST_CASE("a window whose display goes away keeps settings and record, and says 
     CHECK(readTextFile(window.settingsFile()) != before);
 }
 
-TEST_CASE("a window killed, ended or interrupted at 51 random moments leaves a whole record", "[long]") {
-    endAtRandomMoments(17);
+TEST_CASE("a window killed at 50 random moments leaves a whole record and a whole recording", "[long]") {
+    endAtRandomMoments(50, {SIGKILL}, 21);
+}
+
+TEST_CASE("a window ended or interrupted at 34 random moments leaves a whole record", "[long]") {
+    endAtRandomMoments(17, {SIGTERM, SIGINT}, 22);
 }
 
 } // namespace meltpool::test

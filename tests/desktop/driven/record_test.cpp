@@ -5,6 +5,7 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 #include "tests/support/little_time.hpp"
+#include "tests/support/newest_recording.hpp"
 
 namespace meltpool::test {
 
@@ -54,6 +55,27 @@ void waitForFullPace(TrainerWindow& window) {
 
 } // namespace
 
+TEST_CASE("an attempt that cannot be recorded is told in the window, which goes on, and by the exit code") {
+    TrainerWindow window("no-recording", {.environment = {{"XDG_DATA_HOME", "/proc/nowhere"}}});
+    window.start();
+    window.waitFor("a sentence over the picture", [](const json& s) {
+        return s.at("messages").dump().find("This attempt is not recorded") != std::string::npos;
+    });
+    window.waitFor("some steps", stepsPast(5));
+    window.closeWindow();
+    CHECK(window.finish() == 1);
+    CHECK_THAT(window.output(), containsText("This attempt is not recorded"));
+}
+
+TEST_CASE("who wants no recordings has none") {
+    TrainerWindow window("unrecorded", {.arguments = {"--no-recording"}});
+    window.start();
+    window.waitFor("some steps", stepsPast(5));
+    window.closeWindow();
+    CHECK(window.finish() == 0);
+    CHECK_FALSE(fs::exists(window.recordingsFolder()));
+}
+
 TEST_CASE("Reset, Restart and the window's cross leave a whole record of each attempt") {
     const fs::path folder = scratchFolder("desk-records");
     TrainerWindow window("desk-records-window", {.arguments = {"--record", (folder / "weld.csv").string()}});
@@ -71,6 +93,16 @@ TEST_CASE("Reset, Restart and the window's cross leave a whole record of each at
     CHECK(endOf(folder / "weld.csv") == "reset");
     CHECK(endOf(folder / "weld-2.csv") == "start menu");
     CHECK(endOf(folder / "weld-3.csv") == "the program ended");
+    // Nobody has asked for recordings; each attempt has one, with the end of its record.
+    std::vector<std::string> ended;
+    for (const fs::path& file : recordingsIn(window.recordingsFolder())) {
+        const auto attempt = readRecordedAttempt(file);
+        REQUIRE(attempt);
+        ended.push_back(attempt->ended);
+    }
+    CHECK(ended == std::vector<std::string>{"reset", "start menu", "the program ended"});
+    CHECK(readRecordedAttempt(recordingsIn(window.recordingsFolder())[1])->stateHash ==
+          readRecordedAttempt(folder / "weld-2.csv")->stateHash);
 }
 
 TEST_CASE("a record that cannot be written is asked about; the exit code tells of the attempt without one") {

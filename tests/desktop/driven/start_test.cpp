@@ -139,6 +139,7 @@ TEST_CASE("too little OpenGL is refused in one sentence, a telemetry file that c
         environment["DISPLAY"] = sharedDisplay().name();
         environment["WAYLAND_DISPLAY"] = "";
         environment["XDG_CONFIG_HOME"] = folder.string();
+        environment["XDG_DATA_HOME"] = folder.string();
         Process process(
             {.command = arguments, .environment = environment, .output = folder / "output.txt", .folder = folder});
         CHECK(process.wait(300) == 2);

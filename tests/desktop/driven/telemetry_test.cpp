@@ -44,6 +44,7 @@ struct BlindWindow {
         start.environment = {{"DISPLAY", sharedDisplay().name()},
                              {"HOME", (folder / "home").string()},
                              {"XDG_CONFIG_HOME", (folder / "config").string()},
+                             {"XDG_DATA_HOME", (folder / "data").string()},
                              {"XDG_PICTURES_DIR", ""},
                              {"WAYLAND_DISPLAY", ""},
                              {"MELTPOOL_DATA", (fs::path(MELTPOOL_BINARY_FOLDER) / "share" / "meltpool").string()}};

@@ -48,6 +48,8 @@ TEST_CASE("an attempt counts where it is scored; the verdict goes with it") {
     BestScore helped{70};
     helped.cues.set(CueKind::aim);
     CHECK(bestScoreText(helped) == "Best 70, with cues");
+    helped.ghost = "expert";
+    CHECK(bestScoreText(helped) == "Best 70, with cues, with a ghost");
     BestScore set{70};
     set.chosen = "voltage 22 V";
     CHECK(bestScoreText(set) == "Best 70, voltage 22 V");
@@ -92,6 +94,7 @@ TEST_CASE("the cues of a best score, and how far they have faded, stay from one 
         BestScore helped{70};
         helped.cues.set(CueKind::speed);
         helped.cues.set(CueKind::seam);
+        helped.ghost = "best";
         scores.practise("gmaw-bead", skill); // without a best score there is nothing to keep it with
         CHECK_FALSE(fs::exists(file));
         CHECK(scores.offer("gmaw-bead", helped));
@@ -103,6 +106,7 @@ TEST_CASE("the cues of a best score, and how far they have faded, stay from one 
     CHECK(joined(again.faults()) == "");
     REQUIRE(again.find("gmaw-bead") != nullptr);
     CHECK(again.find("gmaw-bead")->cues.names() == "speed seam");
+    CHECK(again.find("gmaw-bead")->ghost == "best");
     CHECK(again.skill("gmaw-bead") == skill);
     CHECK(again.skill("tee-fillet") == CueSkill());
 

@@ -2,7 +2,7 @@
 #include "app/desktop/desktop_settings.hpp"
 #include "app/desktop/screenshot.hpp"
 #include "app/session/messages.hpp"
-#include "app/session/settings.hpp"
+#include "app/session/values/settings.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "tests/support/catch.hpp"

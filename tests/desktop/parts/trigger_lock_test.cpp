@@ -1,5 +1,5 @@
 // The heat stays out until the trigger, or the mouse's button, has been let go.
-#include "app/session/controls.hpp"
+#include "app/session/hand/controls.hpp"
 #include "tests/support/catch.hpp"
 
 namespace meltpool {
@@ -48,7 +48,7 @@ TEST_CASE("a locked trigger counts when it was let go, and not while nobody know
     CHECK(lock.pass(0.04f) == 0.04f);
     CHECK_FALSE(lock.locked());
     CHECK(lock.pass(1.0f) == 1.0f);
-    for (int i = 0; i <= static_cast<int>(ArcOut::measuring); ++i) {
+    for (int i = 0; i <= static_cast<int>(ArcOut::redone); ++i) {
         CHECK_FALSE(arcOutName(ArcOut(i)).empty());
         CHECK_FALSE(arcOutSentence(ArcOut(i)).empty());
     }

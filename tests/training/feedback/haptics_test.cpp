@@ -1,6 +1,9 @@
 // What the hand feels, as a function of the tip's state.
 #include "core/training/feedback/haptics.hpp"
+#include "core/training/feedback/sound/short_circuits.hpp"
 #include "tests/support/catch.hpp"
+
+#include <cmath>
 
 using namespace meltpool;
 
@@ -62,12 +65,33 @@ TEST_CASE("the hum grows with power and sinks with a long arc and over a pool") 
     CHECK(changesInSecond(burning(1)) == 0);
 }
 
-TEST_CASE("an arc about to break stutters nine times a second, one bridged by drops twenty times") {
+TEST_CASE("an arc about to break stutters nine times a second, an electrode in the pool twenty times") {
     TipFeel tip = burning(1, 1);
     tip.arc.action = ArcAction::breaking;
     CHECK(changesInSecond(tip) == 17); // nine halves on, nine off, starting with on and ending with off
     tip.arc.action = ArcAction::shorting;
     CHECK(changesInSecond(tip) == 39);
+}
+
+TEST_CASE("a wire that shorts stutters with its short circuits, a pulse for each six") {
+    TipFeel tip = burning(1);
+    tip.arc.action = ArcAction::shorting;
+    for (const float rate : {60.0f, 120.0f, 168.0f}) {
+        tip.arc.shorts = rate;
+        ShortCircuits shorts;
+        int pulses = 0;
+        bool on = false;
+        for (int i = 0; i < 2000; ++i) {
+            shorts.step(tip.arc, 0.001);
+            tip.shorts = shorts.phase();
+            tip.time = 0; // the clock has no part in it
+            pulses += !feel(tip).silent() && !on ? 1 : 0;
+            on = !feel(tip).silent();
+        }
+        CHECK(shorts.count() / 6 <= static_cast<std::uint64_t>(pulses));
+        CHECK(static_cast<std::uint64_t>(pulses) <= shorts.count() / 6 + 1);
+        CHECK(std::abs(static_cast<double>(shorts.count()) - 2 * static_cast<double>(rate)) <= 5);
+    }
 }
 
 TEST_CASE("a stubbed wire buzzes, lower and stronger than any hum") {

@@ -295,3 +295,20 @@ TEST_CASE("nothing welded is not accepted", "[verdict]") {
     CHECK(nameOf(VerdictState::notResolved) == "not_resolved");
     CHECK(nameOf(VerdictState::estimated) == "estimated");
 }
+
+TEST_CASE("an item that fails tells where, neighbours together", "[verdict]") {
+    const Acceptance c = shipped("iso5817-c");
+    WeldMeasures weld = weldOf(
+        WeldKind::bead, [](WeldStation& s) { s.hole = 3 * kMm; }, 10, 12);
+    weld.stations[30].hole = 3 * kMm;
+    const Verdict verdict = judge(weld, c, nominal(WeldKind::bead));
+    const VerdictItem& hole = itemOf(verdict, "burn_through");
+    CHECK(hole.state == VerdictState::fail);
+    REQUIRE(hole.failing.size() == 2);
+    CHECK(hole.failing[0].low == Approx(20 * kMm));
+    CHECK(hole.failing[0].high == Approx(26 * kMm));
+    CHECK(hole.failing[1].low == Approx(60 * kMm));
+    CHECK(hole.failing[1].high == Approx(62 * kMm));
+    const Verdict fine = judge(weldOf(WeldKind::bead), c, nominal(WeldKind::bead));
+    CHECK(itemOf(fine, "burn_through").failing.empty());
+}

@@ -143,6 +143,54 @@ TEST_CASE("work and travel angle lean the torch as welders count them", "[weld]"
     CHECK(glm::determinant(glm::mat3_cast(q)) == Approx(1));
 }
 
+TEST_CASE("a torch that comes from the side strikes at the angles asked for, and keeps them along the seam", "[weld]") {
+    struct Seam {
+        const char* path;
+        double work, travel, strike; ///< degrees, degrees, s
+    };
+    const double tee = std::hypot(25 - 3.4, 25 - 3.7) / 80, thin = std::hypot(25 - 2.1, 25 - 2.3) / 80,
+                 lap = std::hypot(25 - 2.1, 25 - 2.4) / 80;
+    for (const Seam& seam : {Seam{"tee-fillet.toml", 45, 20, tee + 0.3}, Seam{"tee-thin.toml", 45, 15, thin + 0.3},
+                             Seam{"lap-2f.toml", 45, 15, lap + 0.3}}) {
+        INFO(seam.path);
+        const auto folder = test::testFolder().parent_path() / "app" / "data" / "paths";
+        const TorchPath path = TorchPath::read(folder / seam.path);
+        const glm::vec3 asked =
+            heldOrientation(glm::radians(seam.work), glm::radians(seam.travel), {1, 0, 0}) * glm::vec3(0, 0, -1);
+        CHECK(path.sample(seam.strike - 0.01).trigger == 0);
+        CHECK(path.sample(seam.strike + 0.01).trigger == 1);
+        for (const double time : {0.0, seam.strike - 0.15, seam.strike, seam.strike + 0.2, seam.strike + 1.0}) {
+            INFO(time);
+            CHECK(glm::degrees(between(path.sample(time).axis(), asked)) < 0.5);
+        }
+    }
+}
+
+TEST_CASE("between two seams a released torch is held for the second, after the last it stays as it is", "[weld]") {
+    const auto line = [](const char* to) {
+        return std::string("[[move]]\nkind = 'line'\nspeed_mm_s = 10\nto_mm = ") + to + "\n";
+    };
+    const std::string on = "[[move]]\nkind = 'arc_on'\n", off = "[[move]]\nkind = 'arc_off'\n";
+    const std::string start = "start_mm = [0, 20, 20]\ntravel_angle_deg = 30\n";
+    const auto axis = [](const TorchPath& path, double time) { return path.sample(time).axis(); };
+    const auto asked = [](glm::vec3 along) {
+        return heldOrientation(glm::half_pi<double>(), glm::radians(30.0), along) * glm::vec3(0, 0, -1);
+    };
+    const TorchPath path = TorchPath::read(written("seams.toml", start + line("[0, 0, 20]") + on + line("[10, 0, 20]") +
+                                                                     off + line("[10, 0, 10]") + on +
+                                                                     line("[20, 0, 0]") + off + line("[0, 0, 0]")));
+    const glm::vec3 second = glm::normalize(glm::vec3(1, 0, -1));
+    CHECK(between(axis(path, 1), asked({1, 0, 0})) == Approx(0).margin(1e-3));
+    CHECK(between(axis(path, 2.5), asked({1, 0, 0})) == Approx(0).margin(1e-3));
+    CHECK(between(axis(path, 3.5), asked(second)) == Approx(0).margin(1e-3));
+    CHECK(between(axis(path, 4.5), asked(second)) == Approx(0).margin(1e-3));
+    CHECK(between(axis(path, 6), asked(second)) == Approx(0).margin(1e-3));
+    // Without a line that is welded there is no seam: the torch turns to where it goes.
+    const TorchPath spot = TorchPath::read(
+        written("spot.toml", start + line("[0, 20, 10]") + on + "[[move]]\nkind = 'hold'\nseconds = 1\n"));
+    CHECK(between(axis(spot, 1.5), asked({0, 0, -1})) == Approx(0).margin(1e-3));
+}
+
 TEST_CASE("a weave reaches both toes, rests there, and ends on the seam", "[weld]") {
     CHECK(weaveOffset(0, 0.1) == 0);
     CHECK(weaveOffset(0.25, 0.1) == 1);

@@ -1,0 +1,112 @@
+// The part of DesktopApp that answers to keys.
+#include "app/desktop/desktop_app.hpp"
+
+#include <algorithm>
+
+namespace meltpool {
+
+/// Keys of the pages before a lesson runs.
+void DesktopApp::moveByKeys(const InputFrame& input) {
+    if (menus_.panels.help) return;
+    if (home_.open && home_.attempts.shown()) {
+        if (std::find(input.struck.begin(), input.struck.end(), Key::escape) == input.struck.end()) return;
+        if (home_.comparison.shown())
+            home_.comparison.stop();
+        else
+            home_.attempts.hide();
+        return;
+    }
+    for (const Key key : input.pressed) {
+        if (!home_.open) break;
+        home_.move((key == Key::right) - (key == Key::left), (key == Key::down) - (key == Key::up));
+    }
+    // Dear ImGui itself takes the key for the control that was chosen by keys.
+    if (std::find(input.struck.begin(), input.struck.end(), Key::enter) == input.struck.end()) return;
+    if (home_.open)
+        act(MenuRequest::openLesson);
+    else if (!ImGui::GetIO().NavVisible)
+        act(MenuRequest::start);
+}
+
+/// Keys of the demonstration: pause, its time, and Enter for one's own attempt.
+void DesktopApp::demonstrateByKeys(const InputFrame& input) {
+    Demonstration& demonstration = session_.demonstration();
+    if (!demonstration.shown() || menus_.panels.help) return;
+    for (const Key key : input.pressed) {
+        if (key == Key::left) demonstration.moveTo(demonstration.time() - Demonstration::kKeyStep);
+        if (key == Key::right) demonstration.moveTo(demonstration.time() + Demonstration::kKeyStep);
+    }
+    for (const Key key : input.struck) {
+        if (key == Key::space) demonstration.toggle();
+        if (key == Key::enter) act(MenuRequest::reset);
+    }
+}
+
+/// Keys of a kept attempt: pause and its time.
+void DesktopApp::replayByKeys(const InputFrame& input) {
+    if (menus_.panels.help) return;
+    ReplayTimeline& line = session_.replay().line();
+    for (const Key key : input.pressed) {
+        if (key == Key::left) line.seek(line.target() - ReplayTimeline::kKeyStep);
+        if (key == Key::right) line.seek(line.target() + ReplayTimeline::kKeyStep);
+    }
+    if (std::find(input.struck.begin(), input.struck.end(), Key::space) != input.struck.end()) line.toggle();
+}
+
+void DesktopApp::handleKeys(const InputFrame& input) {
+    if (!session_.running())
+        moveByKeys(input);
+    else if (session_.replay().shown())
+        replayByKeys(input);
+    else
+        demonstrateByKeys(input);
+    for (const Key key : input.struck) {
+        switch (key) {
+        case Key::escape:
+            if (!session_.running() && !menus_.panels.help) act(MenuRequest::home);
+            menus_.panels.help = false;
+            break;
+        case Key::tab:
+            menus_.panels.hidden = session_.running() && !menus_.panels.hidden;
+            break;
+        case Key::f1:
+            menus_.panels.help = !menus_.panels.help;
+            break;
+        case Key::f2:
+            menus_.panels.view = !menus_.panels.view;
+            break;
+        case Key::f3:
+            menus_.panels.simulation = !menus_.panels.simulation;
+            break;
+        case Key::f4:
+            menus_.panels.timings = !menus_.panels.timings;
+            break;
+        case Key::h:
+            if (session_.played() || !session_.arc().burns()) act(MenuRequest::home);
+            break;
+        case Key::j:
+            act(MenuRequest::judge);
+            break;
+        case Key::backspace:
+            act(MenuRequest::redo);
+            break;
+        case Key::x:
+            act(MenuRequest::cut);
+            break;
+        case Key::f5:
+            act(MenuRequest::reset);
+            break;
+        case Key::f11:
+            window_.toggleFullScreen();
+            break;
+        case Key::f12:
+            pictureAsked_ = true;
+            messages_.clear("picture"); // the last picture's message is not for this one
+            break;
+        default:
+            break;
+        }
+    }
+}
+
+} // namespace meltpool

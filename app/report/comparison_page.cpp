@@ -1,0 +1,215 @@
+#include "app/report/comparison_page.hpp"
+
+#include "app/report/drawings/twin_curve.hpp"
+#include "app/report/report_page.hpp"
+#include "core/base/text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace meltpool {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr double kInch = 25.4; // mm
+
+constexpr const char* kStyle = R"(
+@page { size: A4; margin: 14mm }
+body { font: 10pt/1.35 sans-serif; color: #1c1f24; max-width: 190mm; margin: 8mm auto; padding: 0 4mm }
+h1 { font-size: 17pt; margin: 0 } h2 { font-size: 12pt; margin: 6mm 0 2mm; break-after: avoid }
+table { border-collapse: collapse; width: 100% } td, th { padding: 0.6mm 2mm; text-align: left; border-bottom: 1px solid #dde1e6 }
+td.n, th.n { text-align: right; white-space: nowrap } .quiet { color: #5b6470 } .differs td { font-weight: bold }
+svg { width: 100%; height: auto; display: block; break-inside: avoid } svg text { font: 9px sans-serif; fill: #3a424c }
+.outer { fill: #f2efe2 } .inner { fill: #d9ead9 } .ideal { stroke: #2f7d4a; stroke-dasharray: 2 4 }
+.axis { stroke: #8a929c } .first { fill: none; stroke: #a34a00; stroke-width: 1.4; stroke-dasharray: 6 3 }
+.second { fill: none; stroke: #1f5fbf; stroke-width: 1.4 }
+.pair { break-inside: avoid } .pair img { width: 49%; vertical-align: top }
+input[name=unit] { accent-color: #1f5fbf } .in { display: none }
+#inch:checked ~ main .in { display: inline } #inch:checked ~ main .mm { display: none }
+@media print { input, label { display: none } }
+)";
+
+std::string fixed(double value, int decimals) {
+    std::array<char, 48> text{};
+    std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
+    return text.data();
+}
+
+/// A number with its unit, a length also in inches, of which the page shows one. `sign`: a plus before what is not
+/// negative.
+std::string measure(double value, const std::string& unit, int decimals, bool sign) {
+    const auto text = [&](double number, int places, const std::string& name) {
+        const std::string plus = sign && number >= 0 ? "+" : "";
+        return plus + fixed(number, places) + (name.empty() || name == "%" || name == "°" ? "" : " ") + escaped(name);
+    };
+    const auto both = [&](double inches, int places, const std::string& name) {
+        return "<span class=\"mm\">" + text(value, decimals, unit == "mm2" ? "mm²" : unit) +
+               "</span><span class=\"in\">" + text(inches, places, name) + "</span>";
+    };
+    if (unit == "mm") return both(value / kInch, decimals + 2, "in");
+    if (unit == "mm2") return both(value / (kInch * kInch), decimals + 3, "in²");
+    if (unit == "mm/s") return both(value / kInch * 60, decimals, "in/min");
+    if (unit == "kJ/mm") return both(value * kInch, std::max(decimals - 1, 0), "kJ/in");
+    return text(value, decimals, unit);
+}
+
+std::string textIn(const json& object, const char* key) {
+    if (!object.is_object()) return {};
+    const auto found = object.find(key);
+    return found != object.end() && found->is_string() ? escaped(found->get<std::string>()) : std::string();
+}
+
+/// What a repetition is of its recording, and the verdict, in a few words.
+std::string describe(const ComparedRun& run) {
+    const json& result = run.results.result;
+    std::string text = textIn(result, "lesson") + " · " + textIn(result, "torch");
+    if (const auto found = result.find("recorded"); found != result.end())
+        if (const std::string kind = textIn(*found, "repetition"); !kind.empty()) text += " · " + kind;
+    if (const auto found = result.find("verdict"); found != result.end() && found->is_object())
+        text += found->value("accepted", json()) == true ? " · accepted" : " · not accepted";
+    return text + " · state " + textIn(result, "state_hash");
+}
+
+std::string headPart(const ComparedRun& first, const ComparedRun& second) {
+    std::string html = "<h1>" + escaped(second.name) + " against " + escaped(first.name) + "</h1>\n";
+    for (const ComparedRun* run : {&first, &second})
+        html += "<p class=\"quiet\">" + escaped(run->name) + ": " + describe(*run) + "</p>\n";
+    if (textIn(first.results.result, "lesson") != textIn(second.results.result, "lesson"))
+        html += "<p>The attempts are of different lessons: the figures tell how the welds differ, not who welded "
+                "better.</p>\n";
+    return html;
+}
+
+std::string wordsPart(const Comparison& comparison) {
+    std::string list;
+    for (const FigurePair& pair : comparison.differences())
+        list += "<li>" + measure(std::abs(pair.difference()), pair.figure.unit, pair.decimals(), false) + " " +
+                escaped(pair.words()) + "</li>\n";
+    if (const auto points = comparison.morePoints())
+        list += "<li>" + fixed(std::abs(*points), 0) + (*points > 0 ? " points more" : " points less") + "</li>\n";
+    std::string html = "<h2>The difference</h2>\n";
+    html += list.empty() ? "<p>No difference that the metal resolves.</p>\n" : "<ol>\n" + list + "</ol>\n";
+    if (comparison.halfSpacing > 0)
+        html += "<p class=\"quiet\">Lengths of the weld that differ by less than " +
+                measure(comparison.halfSpacing * 1e3, "mm", 2, false) +
+                ", half a particle spacing, are no difference.</p>\n";
+    return html;
+}
+
+std::string headsOf(const std::string& what, const ComparedRun& first, const ComparedRun& second) {
+    return "<tr><th>" + what + "</th><th class=\"n\">" + escaped(first.name) + "</th><th class=\"n\">" +
+           escaped(second.name) + "</th><th class=\"n\">difference</th></tr>\n";
+}
+
+std::string rowOf(const std::string& name, const std::string& first, const std::string& second,
+                  const std::string& difference) {
+    return "<tr" + std::string(difference.empty() ? "" : " class=\"differs\"") + "><td>" + escaped(name) +
+           "</td><td class=\"n\">" + first + "</td><td class=\"n\">" + second + "</td><td class=\"n\">" +
+           (difference.empty() ? "–" : difference) + "</td></tr>\n";
+}
+
+std::string scorePart(const Comparison& comparison, const ComparedRun& first, const ComparedRun& second) {
+    if (comparison.scores.empty()) return {};
+    const auto points = [](const std::optional<double>& value) { return value ? fixed(*value, 0) : std::string("–"); };
+    std::string html = "<h2>Points of 100</h2>\n<table>\n" + headsOf("technique", first, second);
+    for (const ScorePair& pair : comparison.scores) {
+        std::string difference;
+        if (pair.first && pair.second && std::abs(*pair.second - *pair.first) >= 1)
+            difference = measure(*pair.second - *pair.first, "", 0, true);
+        html += rowOf(pair.name, points(pair.first), points(pair.second), difference);
+    }
+    return html + "</table>\n";
+}
+
+std::string figuresPart(const Comparison& comparison, const ComparedRun& first, const ComparedRun& second) {
+    constexpr std::array<std::pair<FigureGroup, const char*>, 3> kGroups{
+        {{FigureGroup::weld, "The weld"}, {FigureGroup::hand, "The hand"}, {FigureGroup::arc, "The arc"}}};
+    std::string html;
+    for (const auto& [group, title] : kGroups) {
+        std::string rows;
+        for (const FigurePair& pair : comparison.pairs) {
+            if (pair.figure.group != group) continue;
+            const auto shown = [&](double value) { return measure(value, pair.figure.unit, pair.decimals(), false); };
+            rows += rowOf(pair.figure.name, shown(pair.first), shown(pair.second),
+                          pair.differs() ? measure(pair.difference(), pair.figure.unit, pair.decimals(), true) : "");
+        }
+        if (!rows.empty())
+            html +=
+                "<h2>" + std::string(title) + "</h2>\n<table>\n" + headsOf("mean", first, second) + rows + "</table>\n";
+    }
+    return html;
+}
+
+std::string pictureOf(const ReportPicture& picture, const std::string& attempt) {
+    return "<img alt=\"" + escaped(picture.name + " of " + attempt) + "\" src=\"data:image/png;base64," +
+           base64(picture.png) + "\">\n";
+}
+
+std::string picturesPart(const ComparedRun& first, const ComparedRun& second) {
+    std::string html;
+    for (const auto& one : first.results.pictures)
+        for (const auto& other : second.results.pictures)
+            if (one.name == other.name)
+                html += "<div class=\"pair\">\n<h2>" + escaped(one.name) + "</h2>\n" + pictureOf(one, first.name) +
+                        pictureOf(other, second.name) + "</div>\n";
+    return html.empty() ? html
+                        : "<p class=\"quiet\">Left " + escaped(first.name) + ", right " + escaped(second.name) +
+                              ".</p>\n" + html;
+}
+
+Curve curveOf(const NumberTable& table, std::string_view column, const std::string& title, const std::string& unit) {
+    Curve curve{title, unit, table.column("place_mm"), table.column(column), std::nullopt};
+    return curve.values.size() == curve.places.size() ? curve : Curve{title, unit, {}, {}, std::nullopt};
+}
+
+/// What the first attempt's lesson asks of a quantity.
+std::optional<CurveBand> bandOf(const json& result, const std::string& key) {
+    try {
+        const json& value = result.at("score").at("values").at(key);
+        return CurveBand{value.at("ideal").get<double>(), value.at("inner").get<double>(),
+                         value.at("outer").get<double>()};
+    } catch (const json::exception&) {
+        return std::nullopt;
+    }
+}
+
+std::string curvesPart(const Comparison& comparison, const ComparedRun& first, const ComparedRun& second) {
+    std::string weld, hand;
+    const DistanceKind distance = figuresOf(second.results).distance;
+    for (const FigurePair& pair : comparison.pairs) {
+        const ComparedFigure& figure = pair.figure;
+        if (figure.group == FigureGroup::weld && pair.isDrawn())
+            weld += twinCurveDrawing(curveOf(first.results.weld, figure.key, figure.name, figure.unit),
+                                     curveOf(second.results.weld, figure.key, figure.name, figure.unit));
+        for (const QuantityInfo& info : quantities(distance)) {
+            if (figure.group != FigureGroup::hand || info.key != figure.key) continue;
+            Curve one = curveOf(first.results.technique, info.column, figure.name, figure.unit);
+            one.band = bandOf(first.results.result, figure.key);
+            hand += twinCurveDrawing(one, curveOf(second.results.technique, info.column, figure.name, figure.unit));
+        }
+    }
+    if (weld.empty() && hand.empty()) return {};
+    return "<h2>Along the seam</h2>\n<p class=\"quiet\">Dashed " + escaped(first.name) + ", whole " +
+           escaped(second.name) + ".</p>\n" + hand + weld;
+}
+
+} // namespace
+
+std::string comparisonPage(const ComparedRun& first, const ComparedRun& second) {
+    const Comparison comparison = compareRuns(first, second);
+    const std::string title = escaped(second.name) + " against " + escaped(first.name);
+    return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" + title +
+           " – Meltpool</title>\n<style>" + kStyle +
+           "</style>\n</head>\n<body>\n"
+           "<input type=\"radio\" name=\"unit\" id=\"metric\" checked><label for=\"metric\">mm</label>\n"
+           "<input type=\"radio\" name=\"unit\" id=\"inch\"><label for=\"inch\">inch</label>\n<main>\n" +
+           headPart(first, second) + wordsPart(comparison) + scorePart(comparison, first, second) +
+           figuresPart(comparison, first, second) + picturesPart(first, second) +
+           curvesPart(comparison, first, second) + "</main>\n</body>\n</html>\n";
+}
+
+} // namespace meltpool

@@ -1,0 +1,30 @@
+// A section of the weld drawn to scale from its measured sizes, for pages without a picture of it.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace meltpool {
+
+/// All in mm; what is not known or does not apply is left out of the drawing.
+struct SectionSizes {
+    std::optional<double> thickness;        ///< of the plate
+    std::optional<double> toeWidth, height; ///< of a bead
+    std::optional<double> legLying, legStanding, throat;
+    std::optional<double> fusedWidth, penetration;
+
+    bool fillet() const { return legLying && legStanding; }
+};
+
+/// Units of the drawing, which is kSectionWidth x kSectionHeight.
+inline constexpr double kSectionWidth = 320, kSectionHeight = 130;
+
+/// Units a millimetre, so that everything that is drawn has room; 0 where there is nothing to draw.
+double sectionScale(const SectionSizes& sizes);
+
+/// An <svg> element with the sizes beside it; empty where neither a bead's width and height nor a fillet's legs are
+/// known. The outline of a bead is a parabola over its toes, that of a fillet one through its throat; the fused zone is
+/// an ellipse of its width and depth.
+std::string sectionDrawing(const SectionSizes& sizes);
+
+} // namespace meltpool

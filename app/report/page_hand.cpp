@@ -1,0 +1,110 @@
+// The part of the page that is about the hand: what each quantity scored, and the curves along the seam.
+#include "app/report/drawings/curve_drawing.hpp"
+#include "app/report/page_parts.hpp"
+#include "app/report/page_text.hpp"
+#include "core/training/technique/quantity.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace meltpool {
+
+namespace {
+
+using nlohmann::json;
+
+/// The quantity of a key of result.json, whichever kind of distance the process has; null for none.
+const QuantityInfo* quantityOf(const std::string& key) {
+    for (const DistanceKind kind : {DistanceKind::ctwd, DistanceKind::arcLength})
+        for (const QuantityInfo& info : quantities(kind))
+            if (!info.key.empty() && info.key == key) return &info;
+    return nullptr;
+}
+
+std::string capitalised(std::string_view words) {
+    std::string text(words);
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
+}
+
+std::string points(std::optional<double> value) {
+    return value ? rounded(*value, 1) : std::string(kDash);
+}
+
+std::string techniqueRow(const QuantityInfo& info, const json& score, const json& value) {
+    const std::string key(info.key), unit(info.unit);
+    const auto ideal = numberIn(value, "ideal"), inner = numberIn(value, "inner");
+    const std::string asked = ideal ? measure(ideal, unit) + " \xC2\xB1 " + measure(inner, unit) : std::string(kDash);
+    return "<tr><td>" + capitalised(info.words) + "</td>" +
+           numberCell(points(numberIn(partIn(score, "parameters"), key.c_str()))) +
+           numberCell(points(numberIn(value, "lost_points"))) + numberCell(measure(numberIn(value, "mean"), unit)) +
+           numberCell(asked) + numberCell(measure(numberIn(value, "worst_at_mm"), "mm")) + "</tr>\n";
+}
+
+std::optional<CurveBand> bandOf(const json& value) {
+    const auto ideal = numberIn(value, "ideal"), inner = numberIn(value, "inner"), outer = numberIn(value, "outer");
+    if (!ideal || !inner || !outer) return std::nullopt;
+    return CurveBand{*ideal, *inner, *outer};
+}
+
+/// The curve of a column of technique.csv; empty where it has nothing in it.
+std::string drawn(const RunResults& results, std::string_view column, std::string title, std::string_view unit,
+                  std::optional<CurveBand> band) {
+    return curveDrawing({std::move(title), std::string(unit), results.technique.column("place_mm"),
+                         results.technique.column(column), band});
+}
+
+/// Of a lesson that judges no technique: what every weld is led by.
+std::string plainCurves(const RunResults& results) {
+    std::string curves;
+    for (const DistanceKind kind : {DistanceKind::ctwd, DistanceKind::arcLength})
+        for (const TechniqueQuantity quantity :
+             {TechniqueQuantity::travelSpeed, TechniqueQuantity::workAngle, TechniqueQuantity::travelAngle,
+              TechniqueQuantity::distance, TechniqueQuantity::aim}) {
+            // Only the distance is another one.
+            if (kind == DistanceKind::arcLength && quantity != TechniqueQuantity::distance) continue;
+            const QuantityInfo& info = quantityInfo(quantity, kind);
+            curves += drawn(results, info.column, capitalised(info.words), info.unit, {});
+        }
+    return curves;
+}
+
+} // namespace
+
+std::string techniquePart(const RunResults& results) {
+    const json& score = partIn(results.result, "score");
+    const json& values = partIn(score, "values");
+    if (!values.is_object() || values.empty()) return {};
+    std::string rows;
+    for (const auto& [key, value] : values.items())
+        if (const QuantityInfo* info = quantityOf(key)) rows += techniqueRow(*info, score, value);
+    if (const auto lost = numberIn(score, "lost_to_length_points"); lost && *lost > 0)
+        rows += "<tr><td>What was not welded</td>" + numberCell(kDash) + numberCell(points(lost)) + numberCell(kDash) +
+                numberCell(kDash) + numberCell(kDash) + "</tr>\n";
+    return "<h2>The hand</h2>\n<table><thead><tr><th>technique</th><th>points of 100</th><th>lost of the score</th>"
+           "<th>mean</th><th>asked for</th><th>worst at</th></tr></thead>\n<tbody>" +
+           rows + "</tbody></table>\n";
+}
+
+std::string curvePart(const RunResults& results) {
+    const json& values = partIn(partIn(results.result, "score"), "values");
+    std::string curves;
+    if (values.is_object())
+        for (const auto& [key, value] : values.items())
+            if (const QuantityInfo* info = quantityOf(key))
+                curves += drawn(results, info->column, capitalised(info->words), info->unit, bandOf(value));
+    const bool judged = !curves.empty();
+    if (!judged) curves = plainCurves(results);
+    const auto volts = results.technique.column("voltage_v");
+    if (std::any_of(volts.begin(), volts.end(), [](double value) { return value > 0; }))
+        curves +=
+            drawn(results, "current_a", "Arc current", "A", {}) + drawn(results, "voltage_v", "Arc voltage", "V", {});
+    if (curves.empty()) return "<p class=\"quiet\">There are no curves: no arc burned on the seam.</p>\n";
+    return "<h2>Along the seam</h2>\n<div class=\"pair\">\n" + curves + "</div>\n" +
+           (judged
+                ? "<p class=\"quiet\">Dashed: what the lesson asks for. Green: full points. Dotted: the limits, beyond "
+                  "which there are none.</p>\n"
+                : "");
+}
+
+} // namespace meltpool

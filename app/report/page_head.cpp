@@ -1,0 +1,174 @@
+// What the page says first: lesson, how the attempt was made, score, what to correct, and the weld's pictures.
+#include "app/report/drawings/section_drawing.hpp"
+#include "app/report/drawings/svg_text.hpp"
+#include "app/report/page_parts.hpp"
+#include "app/report/page_text.hpp"
+
+#include <algorithm>
+
+namespace meltpool {
+
+namespace {
+
+using nlohmann::json;
+
+/// A list item of the head; nothing where there is no value.
+std::string fact(const char* name, const std::string& value) {
+    return value.empty() ? std::string() : "<li><b>" + std::string(name) + ":</b> " + value + "</li>\n";
+}
+
+std::string numberFact(const char* name, std::optional<double> value, int decimals, const char* unit) {
+    return value ? fact(name, rounded(*value, decimals) + unit) : std::string();
+}
+
+/// Who led the torch, and how it counts.
+std::string kindOf(const json& result) {
+    const json& attempt = partIn(result, "attempt");
+    if (attempt.is_null()) return "a torch path from a file, no person's attempt";
+    const json& forScore = partIn(attempt, "for_score");
+    if (forScore == true) return "an attempt for score";
+    if (forScore == false) return "practice";
+    return "an attempt; whether it was for score is not recorded";
+}
+
+/// What helped the hand; "none" only where all of it is known.
+std::string helpOf(const json& attempt) {
+    std::string help;
+    const auto add = [&](const std::string& word) { help += (help.empty() ? "" : ", ") + word; };
+    if (partIn(attempt, "guided") == true) add("the torch was guided along the seam");
+    if (partIn(attempt, "changed") == true) add("workpiece or given settings were changed");
+    if (const std::string cues = textIn(attempt, "cues"); !cues.empty()) add("cues: " + cues);
+    if (const std::string ghost = textIn(attempt, "ghost"); !ghost.empty()) add("ghost: " + ghost);
+    const bool known = attempt.is_object() && attempt.contains("guided") && attempt.contains("changed");
+    return help.empty() && known ? "none" : help;
+}
+
+/// Of the attempt where a person made it, else of the run.
+std::string dateOf(const json& result) {
+    const std::string attempt = textIn(partIn(result, "attempt"), "date");
+    return attempt.empty() ? textIn(result, "date") : attempt;
+}
+
+std::string programOf(const json& result) {
+    const std::string version = textIn(result, "version");
+    const std::string run = version.empty() ? version : version + " (" + textIn(result, "commit") + ")";
+    const std::string attempt = textIn(partIn(result, "attempt"), "program");
+    return attempt.empty() || attempt == run ? run : run + ", attempt made with " + attempt;
+}
+
+std::string driverOf(const json& result) {
+    const std::string run = textIn(result, "renderer"), attempt = textIn(partIn(result, "attempt"), "driver");
+    return attempt.empty() || attempt == run ? run : run + ", attempt made on " + attempt;
+}
+
+/// Whether a repeated record ended in the attempt's bits of metal.
+std::string sameOf(const json& result) {
+    const json& same = partIn(partIn(result, "recorded"), "same");
+    if (same == true) return "the same bits of metal as in the attempt";
+    return same == false ? "other metal than in the attempt: a simulation of the record, on another driver or version"
+                         : std::string();
+}
+
+std::string realTimeOf(const json& attempt) {
+    const auto ratio = numberIn(attempt, "real_time");
+    return ratio ? rounded(*ratio * 100, 0) + " % of the clock" : std::string();
+}
+
+/// What the weld is known by of a result: `section`, else the means of `weld`.
+SectionSizes sizesOf(const json& result) {
+    SectionSizes sizes;
+    const json& section = partIn(result, "section");
+    const json& weld = partIn(result, "weld");
+    const auto known = [&](const char* inSection, const char* inWeld) {
+        const auto cut = numberIn(section, inSection);
+        return cut ? cut : numberIn(weld, inWeld);
+    };
+    sizes.thickness = numberIn(partIn(result, "parameters"), "thickness_mm");
+    sizes.toeWidth = known("toe_width_mm", "toe_width_mm");
+    sizes.height = known("height_mm", "height_mm");
+    sizes.legLying = known("leg_lying_mm", "leg1_mm");
+    sizes.legStanding = known("leg_standing_mm", "leg2_mm");
+    sizes.throat = known("throat_mm", "throat_mm");
+    sizes.fusedWidth = known("fused_width_mm", "fused_width_mm");
+    sizes.penetration = known("penetration_mm", "penetration_mm");
+    return sizes;
+}
+
+bool isSection(const ReportPicture& picture) {
+    return picture.name.find("section") != std::string::npos;
+}
+
+/// The weld from outside: the lesson's "metal", else its first picture that is no section.
+const ReportPicture* outsideOf(const std::vector<ReportPicture>& pictures) {
+    const auto metal = std::find_if(pictures.begin(), pictures.end(), [](const auto& p) { return p.name == "metal"; });
+    if (metal != pictures.end()) return &*metal;
+    const auto first = std::find_if(pictures.begin(), pictures.end(), [](const auto& p) { return !isSection(p); });
+    return first == pictures.end() ? nullptr : &*first;
+}
+
+std::string imageOf(const ReportPicture& picture, const std::string& caption) {
+    return "<figure><img alt=\"" + escaped(caption) + "\" src=\"data:image/png;base64," + base64(picture.png) +
+           "\"><figcaption>" + escaped(caption) + "</figcaption></figure>\n";
+}
+
+std::string sectionCaption(const json& result) {
+    const auto at = numberIn(partIn(result, "section"), "at_mm");
+    return at ? "The weld cut across at " + rounded(*at, 1) + " mm of the seam" : "The weld cut across";
+}
+
+} // namespace
+
+std::string headPart(const RunResults& results) {
+    const json& result = results.result;
+    const json& attempt = partIn(result, "attempt");
+    const std::string key = textIn(result, "lesson"), title = textIn(result, "title");
+    std::string html = "<h1>" + (title.empty() ? key : title) + "</h1>\n<ul class=\"facts\">\n";
+    html += fact("Lesson", key) + fact("What it is", kindOf(result)) + fact("Date", dateOf(result));
+    html += fact("Settings chosen", textIn(result, "chosen_text"));
+    html += fact("Torch path", textIn(result, "torch")) + numberFact("Simulated", numberIn(result, "seconds"), 1, " s");
+    html += fact("Metal ran at", realTimeOf(attempt)) + numberFact("Zoom", numberIn(attempt, "zoom"), 1, "");
+    html += fact("Help", helpOf(attempt)) + fact("Repeated", sameOf(result));
+    html += fact("Program", programOf(result)) + fact("Driver", driverOf(result));
+    html += fact("State of the metal", textIn(result, "state_hash")) + "</ul>\n";
+    for (const std::string& note : results.notes)
+        html += "<p class=\"quiet\">" + escaped(note) + "</p>\n";
+    return html;
+}
+
+std::string scorePart(const RunResults& results) {
+    const json& score = partIn(results.result, "score");
+    if (!score.is_object()) return "<p class=\"quiet\">This lesson asks for no technique: there is no score.</p>\n";
+    const auto total = numberIn(score, "total");
+    if (!total) return "<p class=\"fail\">Not scored: " + textIn(score, "reason") + "</p>\n";
+    std::string html = "<div class=\"top\"><div><span class=\"score\">" + rounded(*total, 0) +
+                       "</span><br>of 100 points<br>of technique";
+    const auto welded = numberIn(score, "welded_mm"), wanted = numberIn(score, "wanted_mm");
+    if (welded && wanted) html += "<br>" + measure(welded, "mm") + " of<br>" + measure(wanted, "mm") + " welded";
+    html += "</div>\n<div>\n";
+    const json& corrections = partIn(score, "corrections");
+    if (corrections.is_array() && !corrections.empty()) {
+        html += "<h2>What to correct first</h2>\n<ol>\n";
+        for (const json& sentence : corrections)
+            if (sentence.is_string()) html += "<li>" + escaped(sentence.get<std::string>()) + "</li>\n";
+        html += "</ol>\n";
+    } else {
+        html += "<p>Nothing in particular is to be corrected.</p>\n";
+    }
+    return html + "</div></div>\n";
+}
+
+std::string picturePart(const RunResults& results) {
+    std::string html;
+    if (const ReportPicture* outside = outsideOf(results.pictures)) html += imageOf(*outside, "The weld at the end");
+    const auto cut = std::find_if(results.pictures.begin(), results.pictures.end(), isSection);
+    if (cut != results.pictures.end())
+        html += imageOf(*cut, sectionCaption(results.result));
+    else if (const std::string drawn = sectionDrawing(sizesOf(results.result)); !drawn.empty())
+        html += "<figure>" + drawn +
+                "<figcaption>Section, drawn to scale from its measured sizes; there is no picture of "
+                "it.</figcaption></figure>\n";
+    return html.empty() ? "<p class=\"quiet\">There is no picture of this weld.</p>\n"
+                        : "<div class=\"pair\">\n" + html + "</div>\n";
+}
+
+} // namespace meltpool

@@ -1,0 +1,99 @@
+#include "app/report/page_text.hpp"
+
+#include "app/report/drawings/svg_text.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace meltpool {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr double kInch = 25.4; // mm
+
+} // namespace
+
+std::string base64(std::string_view bytes) {
+    constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    for (size_t i = 0; i < bytes.size(); i += 3) {
+        std::uint32_t three = 0;
+        for (size_t k = 0; k < 3; ++k)
+            three = three << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+        for (size_t k = 0; k < 4; ++k)
+            text += i + k > bytes.size() ? '=' : kDigits[three >> (18 - 6 * k) & 63U];
+    }
+    return text;
+}
+
+std::optional<double> numberIn(const json& object, const char* key) {
+    const json& found = partIn(object, key);
+    return found.is_number() ? std::optional(found.get<double>()) : std::nullopt;
+}
+
+std::string rawIn(const json& object, const char* key) {
+    const json& found = partIn(object, key);
+    return found.is_string() ? found.get<std::string>() : std::string();
+}
+
+std::string textIn(const json& object, const char* key) {
+    return escaped(rawIn(object, key));
+}
+
+const json& partIn(const json& object, const char* key) {
+    static const json kNone;
+    if (!object.is_object()) return kNone;
+    const auto found = object.find(key);
+    return found == object.end() ? kNone : *found;
+}
+
+std::string measure(std::optional<double> value, std::string_view unit) {
+    if (!value || !std::isfinite(*value)) return kDash;
+    const auto both = [&](std::string_view shown, double inches, std::string_view inchUnit, int decimals) {
+        return "<span class=\"mm\">" + rounded(*value, 2) + " " + std::string(shown) + "</span><span class=\"in\">" +
+               rounded(inches, decimals) + " " + std::string(inchUnit) + "</span>";
+    };
+    if (unit == "mm") return both(unit, *value / kInch, "in", 3);
+    if (unit == "mm2") return both("mm\xC2\xB2", *value / (kInch * kInch), "in\xC2\xB2", 4);
+    if (unit == "mm/s") return both(unit, *value / kInch * 60, "in/min", 1);
+    if (unit == "kJ/mm") return both(unit, *value * kInch, "kJ/in", 1);
+    if (unit.empty()) return rounded(*value, 2);
+    if (unit == "deg" || unit == "\xC2\xB0") return rounded(*value, 1) + "\xC2\xB0";
+    return rounded(*value, 2) + " " + escaped(unit);
+}
+
+NamedUnit namedUnit(const std::string& key) {
+    // The longest ending first.
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kEndings{{{"_kj_mm", "kJ/mm"},
+                                                                                            {"_mm_s", "mm/s"},
+                                                                                            {"_mm2", "mm2"},
+                                                                                            {"_mm", "mm"},
+                                                                                            {"_deg", "deg"},
+                                                                                            {"_percent", "%"},
+                                                                                            {"_s", "s"}}};
+    NamedUnit figure{key, ""};
+    for (const auto& [ending, unit] : kEndings)
+        if (key.ends_with(ending)) {
+            figure = {key.substr(0, key.size() - ending.size()), std::string(unit)};
+            break;
+        }
+    for (char& c : figure.words)
+        if (c == '_') c = ' ';
+    figure.words = escaped(figure.words);
+    return figure;
+}
+
+std::string tableRow(const std::string& name, const std::string& value) {
+    return "<tr><td>" + name + "</td>" + numberCell(value) + "</tr>\n";
+}
+
+std::string numberCell(const std::string& value) {
+    return "<td class=\"n\">" + value + "</td>";
+}
+
+} // namespace meltpool

@@ -1,0 +1,13 @@
+// A person's best attempt among those that are kept.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace meltpool {
+
+/// The recording of a folder with the highest score at the lesson of this key, the newest of equal ones; an empty path
+/// where none has a score that counts. Reads heads and ends only.
+std::filesystem::path bestKept(const std::filesystem::path& folder, const std::string& lesson);
+
+} // namespace meltpool

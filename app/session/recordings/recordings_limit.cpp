@@ -1,0 +1,123 @@
+#include "app/session/recordings/recordings_limit.hpp"
+
+#include "core/training/recording/recording_reader.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <vector>
+
+namespace meltpool {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double kNear = 0.9;         ///< of the limit, from which on it is told
+constexpr size_t kLongestLesson = 60; ///< characters of its key in a name
+constexpr std::string_view kDate = "0000-00-00_00-00-00_";
+
+struct File {
+    fs::path path;
+    std::uint64_t bytes = 0;
+};
+
+bool isDigit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+/// recordingName() has made this name.
+bool isOwnName(const fs::path& file) {
+    const std::string name = file.filename().string();
+    if (!isRecording(file) || name.size() <= kDate.size()) return false;
+    for (size_t i = 0; i < kDate.size(); ++i)
+        if (isDigit(kDate[i]) ? !isDigit(name[i]) : name[i] != kDate[i]) return false;
+    return true;
+}
+
+/// The oldest first.
+std::vector<File> ownFiles(const fs::path& folder) {
+    std::vector<File> files;
+    std::error_code failure;
+    for (const auto& entry : fs::directory_iterator(folder, failure)) {
+        if (!isOwnName(entry.path())) continue;
+        const std::uint64_t bytes = fs::file_size(entry.path(), failure);
+        if (!failure) files.push_back({entry.path(), bytes});
+    }
+    std::sort(files.begin(), files.end(), [](const File& a, const File& b) { return a.path < b.path; });
+    return files;
+}
+
+std::uint64_t sum(const std::vector<File>& files) {
+    std::uint64_t bytes = 0;
+    for (const File& file : files)
+        bytes += file.bytes;
+    return bytes;
+}
+
+std::string megabytes(std::uint64_t bytes) {
+    return std::to_string((bytes + 500'000) / 1'000'000);
+}
+
+std::string stem(const File& file) {
+    return file.path.stem().string();
+}
+
+} // namespace
+
+ParameterList describe(RecordingParameters& r) {
+    return {{"keep_recordings", "Record every attempt", "", &r.keep, 0, 1,
+             "from the next attempt on; a recording replays the attempt and takes up to 5 MB a minute"},
+            {"recordings_limit_mb", "Recordings, at most", "MB", &r.limitMb, 50, 1'000'000,
+             "of the disk; beyond it the oldest recordings are removed, which is told"}};
+}
+
+fs::path recordingName(const fs::path& folder, const std::string& date, const std::string& lesson, int attempt) {
+    std::string name = date.substr(0, 19);
+    std::replace(name.begin(), name.end(), 'T', '_');
+    std::replace(name.begin(), name.end(), ':', '-');
+    name += '_';
+    for (const char c : lesson.substr(0, kLongestLesson)) {
+        const bool plain = isDigit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-';
+        name += plain ? c : '_';
+    }
+    name += "_" + std::to_string(attempt);
+    std::error_code failure;
+    fs::path file = folder / (name + std::string(kRecordingEnding));
+    for (int number = 2; fs::exists(fs::symlink_status(file, failure)); ++number) // two programs in one second
+        file = folder / (name + "-" + std::to_string(number) + std::string(kRecordingEnding));
+    return file;
+}
+
+std::uint64_t recordedBytes(const fs::path& folder) {
+    return sum(ownFiles(folder));
+}
+
+std::string keepWithinLimit(const fs::path& folder, std::uint64_t limit) {
+    const std::vector<File> files = ownFiles(folder);
+    std::uint64_t bytes = sum(files);
+    std::vector<const File*> removed;
+    for (size_t i = 0; i < files.size() && bytes > limit; ++i) {
+        std::error_code failure;
+        if (!fs::remove(files[i].path, failure)) continue;
+        bytes -= files[i].bytes;
+        removed.push_back(&files[i]);
+    }
+    if (removed.empty()) return {};
+    std::ofstream list(folder / kRemovedList, std::ios::app);
+    for (const File* file : removed)
+        list << file->path.filename().string() << "\n";
+    std::string sentence = "All recordings together are limited to " + megabytes(limit) + " MB: ";
+    if (removed.size() == 1) return sentence + "the oldest, " + stem(*removed.front()) + ", was removed.";
+    return sentence + "the " + std::to_string(removed.size()) + " oldest, " + stem(*removed.front()) + " to " +
+           stem(*removed.back()) + ", were removed.";
+}
+
+std::string nearLimit(const fs::path& folder, std::uint64_t limit) {
+    const std::vector<File> files = ownFiles(folder);
+    const std::uint64_t bytes = sum(files);
+    if (files.empty() || static_cast<double>(bytes) < kNear * static_cast<double>(limit)) return {};
+    return "The recordings take " + megabytes(bytes) + " of " + megabytes(limit) +
+           " MB. Beyond that the oldest are removed, first " + stem(files.front()) + ".";
+}
+
+} // namespace meltpool

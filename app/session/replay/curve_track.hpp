@@ -1,0 +1,30 @@
+// A quantity over the time of an attempt, at even moments, as far as it has been played.
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace meltpool {
+
+class CurveTrack {
+  public:
+    static constexpr size_t kPlaces = 400; ///< as many as a time line is wide
+
+    /// All unknown. `duration` s.
+    void begin(double duration);
+    /// The value at `time`; NaN is unknown. A known value stays where the same moment is played again.
+    void add(double time, double value);
+
+    /// kPlaces values from the start to the end, NaN where none is known.
+    std::span<const float> values() const { return values_; }
+    float least() const { return least_; } ///< of those known; 0 without any
+    float most() const { return most_; }
+
+  private:
+    std::vector<float> values_;
+    double duration_ = 0;
+    float least_ = 0, most_ = 0;
+    bool known_ = false;
+};
+
+} // namespace meltpool

@@ -1,0 +1,200 @@
+#include "core/gl/state_archive.hpp"
+
+#include "core/base/error.hpp"
+
+#include <cstring>
+
+namespace meltpool::gl {
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& found) {
+    throw InputError("the saved state " + found + "; expected one that this program saved of this lesson");
+}
+
+} // namespace
+
+StateArchive::StateArchive(StateParts& into) : numbers_(&into.numbers), parts_(&into) {}
+
+StateArchive::StateArchive(std::span<const std::byte> from) : from_(from) {
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT); // what shaders wrote is written over
+}
+
+std::span<const std::byte> StateArchive::take(size_t bytes) {
+    if (bytes > from_.size() - at_)
+        refuse("ends after " + std::to_string(from_.size()) + " bytes, in the middle of a value");
+    const auto taken = from_.subspan(at_, bytes);
+    at_ += bytes;
+    return taken;
+}
+
+void StateArchive::plain(void* data, size_t bytes) {
+    if (restores()) {
+        std::memcpy(data, take(bytes).data(), bytes);
+        return;
+    }
+    const auto* first = static_cast<const std::byte*>(data);
+    numbers_->insert(numbers_->end(), first, first + bytes);
+    if (parts_ == nullptr) return;
+    if (parts_->parts.empty() || parts_->parts.back().onGpu) parts_->parts.push_back({});
+    parts_->parts.back().bytes += bytes;
+}
+
+void StateArchive::value(bool& each) {
+    auto byte = static_cast<std::uint8_t>(each);
+    plain(&byte, 1);
+    if (byte > 1) refuse("has " + std::to_string(byte) + " where yes or no stands");
+    each = byte != 0;
+}
+
+void StateArchive::count(size_t& number, size_t most) {
+    std::uint64_t wide = number;
+    plain(&wide, sizeof wide);
+    if (restores() && wide > most)
+        refuse("counts " + std::to_string(wide) + " where there can be " + std::to_string(most));
+    number = static_cast<size_t>(wide);
+}
+
+void StateArchive::text(std::string& words) {
+    size_t length = words.size();
+    count(length, restores() ? from_.size() : length);
+    if (restores()) {
+        const auto letters = take(length);
+        words.assign(reinterpret_cast<const char*>(letters.data()), letters.size());
+    } else {
+        plain(words.data(), length);
+    }
+}
+
+const Buffer& StateArchive::upload() {
+    if (!upload_) upload_.emplace("restored state", from_);
+    return *upload_;
+}
+
+void StateArchive::region(GLuint buffer, size_t bytes, bool list) {
+    if (parts_ == nullptr) throw RuntimeFault("a state of numbers alone was to hold a GPU buffer");
+    parts_->parts.push_back({bytes, list, true});
+    parts_->regions.push_back({buffer, bytes});
+}
+
+void StateArchive::part(const Buffer& buffer, size_t bytes, bool list) {
+    size_t size = bytes;
+    count(size, bytes);
+    if (!restores()) {
+        if (bytes > buffer.bytes()) throw RuntimeFault("a state was to hold more of a GPU buffer than there is");
+        return region(buffer.name(), bytes, list);
+    }
+    if (size != bytes || bytes > buffer.bytes())
+        refuse("has " + std::to_string(size) + " bytes of a buffer, not " + std::to_string(bytes));
+    const size_t begin = at_;
+    take(bytes);
+    upload().copyTo(buffer, bytes, begin);
+    constexpr GLuint kNone = 0;
+    if (bytes < buffer.bytes())
+        glClearNamedBufferSubData(buffer.name(), GL_R32UI, static_cast<GLintptr>(bytes),
+                                  static_cast<GLsizeiptr>(buffer.bytes() - bytes), GL_RED_INTEGER, GL_UNSIGNED_INT,
+                                  &kNone);
+}
+
+void StateArchive::answer(Readback& readback, Buffer& source) {
+    bool asked = readback.pending();
+    value(asked);
+    const size_t bytes = readback.bytes();
+    if (!restores()) {
+        if (asked) region(readback.name(), bytes, false);
+        return;
+    }
+    readback.forget();
+    if (!asked) return;
+    const size_t begin = at_;
+    take(bytes);
+    upload().copyTo(source, bytes, begin);
+    readback.request(source);
+}
+
+StateCapture::~StateCapture() {
+    forget();
+}
+
+void StateCapture::forget() {
+    if (fence_ != nullptr) glDeleteSync(fence_);
+    fence_ = nullptr;
+    arrived_ = false;
+}
+
+StateParts& StateCapture::begin() {
+    forget();
+    state_.numbers.clear();
+    state_.parts.clear();
+    state_.regions.clear();
+    return state_;
+}
+
+/// Room for more than is needed, as a metal grows while it is fed.
+void StateCapture::makeRoom(size_t bytes) {
+    if (bytes <= room_) return;
+    const size_t room = bytes + bytes / 4;
+    GLuint name = 0;
+    glCreateBuffers(1, &name);
+    copy_ = Handle<destroy>(name);
+    labelObject(GL_BUFFER, name, "copy of a state");
+    constexpr GLbitfield kFlags = GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
+    glNamedBufferStorage(name, static_cast<GLsizeiptr>(room), nullptr, kFlags | GL_CLIENT_STORAGE_BIT);
+    mapped_ = glMapNamedBufferRange(name, 0, static_cast<GLsizeiptr>(room), kFlags);
+    room_ = mapped_ == nullptr ? 0 : room;
+    if (mapped_ == nullptr)
+        throw RuntimeFault("the graphics driver has no room for " + std::to_string(room >> 20) +
+                           " MiB of a saved state; use fewer particles");
+}
+
+void StateCapture::request() {
+    size_t bytes = 0;
+    for (const StateParts::Region& region : state_.regions)
+        bytes += region.bytes;
+    makeRoom(bytes);
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
+    GLintptr to = 0;
+    for (const StateParts::Region& region : state_.regions) {
+        glCopyNamedBufferSubData(region.buffer, copy_.name(), 0, to, static_cast<GLsizeiptr>(region.bytes));
+        to += static_cast<GLintptr>(region.bytes);
+    }
+    fence_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+}
+
+bool StateCapture::arrived() {
+    if (fence_ == nullptr) return arrived_;
+    const GLenum state = glClientWaitSync(fence_, GL_SYNC_FLUSH_COMMANDS_BIT, 0);
+    if (state != GL_ALREADY_SIGNALED && state != GL_CONDITION_SATISFIED) return false;
+    forget();
+    return arrived_ = true;
+}
+
+void StateCapture::wait() {
+    constexpr GLuint64 kPatience = 1'000'000'000; // ns
+    while (fence_ != nullptr && glClientWaitSync(fence_, GL_SYNC_FLUSH_COMMANDS_BIT, kPatience) == GL_TIMEOUT_EXPIRED) {
+    }
+    if (fence_ == nullptr) return;
+    forget();
+    arrived_ = true;
+}
+
+void StateCapture::assemble(std::vector<std::byte>& bytes, std::vector<StatePart>& parts) const {
+    if (!arrived_) throw RuntimeFault("a saved state was to be read before it came from the GPU");
+    parts = state_.parts;
+    size_t all = 0;
+    for (const StatePart& part : parts)
+        all += part.bytes;
+    bytes.resize(all);
+    std::byte* to = bytes.data();
+    const std::byte* number = state_.numbers.data();
+    const auto* copied = static_cast<const std::byte*>(mapped_);
+    for (StatePart& part : parts) {
+        const std::byte*& from = part.onGpu ? copied : number;
+        if (part.bytes > 0) std::memcpy(to, from, part.bytes);
+        from += part.bytes;
+        to += part.bytes;
+        part.onGpu = false;
+    }
+}
+
+} // namespace meltpool::gl

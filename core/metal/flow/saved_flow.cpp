@@ -1,0 +1,51 @@
+// What of the flow belongs to a saved state.
+#include "core/base/error.hpp"
+#include "core/metal/flow/flow.hpp"
+
+namespace meltpool {
+
+namespace {
+
+constexpr size_t kNeighbourWords = FLOW_NEIGHBOUR_CAPACITY + 2; // of a row: the list, and see flow/common.glsl
+constexpr size_t kPageBytes = FLOW_PAGE_WORDS * sizeof(uint);
+
+} // namespace
+
+/// Lists and pages as large as they were: the places of their parts follow from their size.
+void Flow::takeSavedRoom() {
+    if (block_.rowCapacity > room_.rows() || block_.wallPageCapacity > 1 + room_.wallPages() ||
+        block_.movingPageCapacity > 1 + block_.cellCount)
+        throw InputError("the saved state has more room for the flow than the flow asked for; expected one that this "
+                         "program saved of this lesson");
+    neighbours_ = {};
+    pages_ = {};
+    if (block_.rowCapacity == 0) return; // no step was made
+    neighbours_ = gl::Buffer::gpuOnly("flow neighbours", kNeighbourWords * block_.rowCapacity * sizeof(uint));
+    neighbourTexels_ = gl::BufferView("flow neighbour texels", neighbours_, GL_R32UI, sizeof(uint));
+    pages_ = gl::Buffer::gpuOnly("flow pages", (block_.wallPageCapacity + block_.movingPageCapacity) * kPageBytes);
+    pageSlotTexels_ = gl::BufferView("flow page slot texels", pages_, GL_R32UI, sizeof(uint));
+    pagePositionTexels_ = gl::BufferView("flow page position texels", pages_, GL_RGBA32UI, sizeof(uvec4));
+}
+
+/// Pages of moving metal hold for one search only and are left out.
+void Flow::transfer(gl::StateArchive& archive) {
+    const size_t capacity = state_.capacity();
+    archive.values(block_, regroupings_);
+    archive.count(known_, capacity);
+    room_.transfer(archive);
+    if (archive.restores()) takeSavedRoom();
+    archive.buffer(particles_, state_.particles() * sizeof(FlowParticle));
+    for (const gl::Buffer* buffer : {&cells_, &lists_, &counters_, &changed_})
+        archive.list(*buffer, buffer->bytes());
+    archive.list(nextInCell_, capacity * sizeof(uint));
+    archive.buffer(wallSums_, state_.particles() * sizeof(ivec4));
+    if (block_.rowCapacity > 0) {
+        archive.list(neighbours_, kNeighbourWords * block_.rowCapacity * sizeof(uint));
+        archive.list(pages_, block_.wallPageCapacity * kPageBytes);
+    }
+    if (!archive.restores()) return;
+    blockChanged_ = true;
+    if (known_ > 0) room_.readNow(state_.particles(), counters_);
+}
+
+} // namespace meltpool

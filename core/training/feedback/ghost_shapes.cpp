@@ -1,0 +1,151 @@
+#include "core/training/feedback/ghost_shapes.hpp"
+
+#include "core/render/ghost_model.hpp"
+#include "core/render/stroke_text.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace meltpool {
+
+namespace {
+
+constexpr size_t kMostMarkers = 1024;
+constexpr size_t kMostStrokes = 512;
+
+constexpr glm::vec3 kGround(0.008F, 0.010F, 0.014F);
+constexpr float kGroundOpacity = 0.6F, kWordsOpacity = 0.95F;
+
+constexpr float kFigure = 0.017F;      // height of a figure over its distance from the eye
+constexpr float kLine = 1.9F;          // height of a line, in figures
+constexpr float kMargin = 0.7F;        // around the words, in figures
+constexpr float kStroke = 0.13F;       // width of a stroke, in figures
+constexpr float kLayer = 0.1F;         // of the ground behind the words, in figures
+constexpr float kOverBoard = 0.2F;     // over the eye's distance: higher than the cues' board
+constexpr float kLift = 20e-3F;        // m before the pool
+constexpr float kLargestLift = 0.4F;   // of the eye's distance
+constexpr float kClear = 1.15F;        // room beside the pool, of the disc's radius
+constexpr float kClearPerLift = 0.13F; // and of the lift, for eyes beside the middle
+
+/// m that a covered electrode's end is shown over the seam, where its path does not say what is left of it.
+constexpr double kElectrodeOver = 3e-3;
+constexpr double kShortestElectrode = 20e-3; // m
+/// Cosine between torch and seam's normal below which the torch lies too flat to tell where its axis meets the seam.
+constexpr double kFlattest = 0.1;
+
+bool outside(const glm::mat4& toClip, const glm::vec3& point) {
+    const glm::vec4 clip = toClip * glm::vec4(point, 1);
+    return clip.w <= 0 || std::abs(clip.x) > clip.w || std::abs(clip.y) > clip.w;
+}
+
+/// As much of a covered electrode as ends over the seam; its path tells where the end of a whole one would be.
+ArcState arcOf(const GhostMoment& moment, const ProcessSettings& process, const Seam& seam) {
+    ArcState arc;
+    if (!process.is<Smaw>()) return arc;
+    const double whole = static_cast<double>(process.of<Smaw>().lengthMm) * 1e-3;
+    const glm::dvec3 up = seam.at(moment.place).up;
+    const double down = std::max(-glm::dot(glm::dvec3(moment.torch.axis()), up), kFlattest);
+    const double burnt = std::max((kElectrodeOver - moment.height) / down, 0.0);
+    arc.extension = static_cast<float>(std::max(whole - burnt, std::min(kShortestElectrode, whole)));
+    return arc;
+}
+
+} // namespace
+
+GhostShapes::GhostShapes() {
+    markers_.reserve(kMostMarkers);
+    strokes_.reserve(kMostStrokes);
+}
+
+GhostShapes::Page GhostShapes::pageAt(const glm::vec3& pool, const CueEye& eye, float side, float row) {
+    Page page;
+    const float distance = std::max(glm::distance(eye.position, pool), 1e-3F);
+    const float lift = std::min(kLift, kLargestLift * distance);
+    page.toEye = (eye.position - pool) / distance;
+    page.right = glm::normalize(glm::cross(eye.up, page.toEye));
+    page.up = glm::cross(page.toEye, page.right);
+    page.side = side;
+    page.figure = kFigure * (distance - lift);
+    // What is nearer looks farther from the middle, and the more so from an eye beside the middle.
+    const float clear = kClear * static_cast<float>(kPoolDisc) * (distance - lift) / distance + kClearPerLift * lift;
+    page.corner = pool + page.toEye * lift + page.right * (side * clear) + page.up * (row * (distance - lift));
+    return page;
+}
+
+/// The first page that lies whole in the picture, else the first of all.
+GhostShapes::Page GhostShapes::pageFor(const GhostLook& look, const Seam& seam, const CueEye& eye, float width,
+                                       float height) {
+    const SeamFrame frame = seam.at(look.hand.place);
+    const glm::vec3 pool(frame.point + frame.across * look.hand.aim);
+    const Page first = pageAt(pool, eye, 1, 0);
+    const float ahead = static_cast<float>(look.hand.direction) * glm::dot(glm::vec3(frame.tangent), first.right);
+    const float behind = ahead < -0.1F ? 1.0F : -1.0F;
+    const Page beside = pageAt(pool, eye, behind, 0);
+    if (!eye.toClip) return beside;
+    for (const auto& [side, row] : {std::pair(behind, 0.0F), {-behind, kOverBoard}, {behind, kOverBoard}}) {
+        const Page page = pageAt(pool, eye, side, row);
+        const float far = side * width * page.figure, high = height * page.figure;
+        if (!outside(*eye.toClip, page.at(far, 0)) && !outside(*eye.toClip, page.at(far, high)) &&
+            !outside(*eye.toClip, page.at(0, high)))
+            return page;
+    }
+    return beside;
+}
+
+/// `left` and `base`: where the line begins on the page.
+void GhostShapes::addLine(const Page& page, std::string_view text, float left, float base, float opacity,
+                          const glm::mat4& toWorld) {
+    strokes_.clear();
+    StrokeTextStyle style;
+    style.height = page.figure;
+    appendStrokeText(strokes_, text, {left, base}, style);
+    const float half = kStroke * page.figure / 2;
+    for (const SectionStroke& stroke : strokes_) {
+        const glm::vec2 way = stroke.to - stroke.from;
+        const float length = glm::length(way);
+        const glm::vec2 end = (length > 0 ? way / length : glm::vec2(1, 0)) * half; // a point is as long as wide
+        const glm::vec2 from = stroke.from - end, to = stroke.to + end;
+        markers_.push_back({SolidShape::box,
+                            toWorld * alongLine(page.at(from.x, from.y), page.at(to.x, to.y), 2 * half), kGhostColour,
+                            opacity});
+    }
+}
+
+void GhostShapes::addWords(const GhostWords& words, const Seam& seam, const GhostLook& look, const CueEye& eye,
+                           const glm::mat4& toWorld) {
+    if (words.lines() == 0) return;
+    float width = 0;
+    for (size_t i = 0; i < words.lines(); ++i)
+        width = std::max(width, strokeTextLength(words.line(i), 1));
+    width += 2 * kMargin;
+    const float height = kLine * static_cast<float>(words.lines()) + kMargin;
+    const Page page = pageFor(look, seam, eye, width, height);
+    const auto strength = static_cast<float>(look.strength);
+    const glm::vec3 middle = page.at(page.side * width / 2 * page.figure, height / 2 * page.figure);
+    const glm::mat4 ground{glm::vec4(page.right * (width * page.figure), 0),
+                           glm::vec4(page.up * (height * page.figure), 0),
+                           glm::vec4(page.toEye * (0.5F * kLayer * page.figure), 0),
+                           glm::vec4(middle - page.toEye * (kLayer * page.figure), 1)};
+    markers_.push_back({SolidShape::box, toWorld * ground, kGround, kGroundOpacity * strength});
+    for (size_t i = 0; i < words.lines(); ++i) {
+        const float left = page.side > 0 ? kMargin : kMargin - width;
+        const float base = kMargin + kLine * static_cast<float>(words.lines() - 1 - i);
+        addLine(page, words.line(i), left * page.figure, base * page.figure, kWordsOpacity * strength, toWorld);
+    }
+}
+
+std::span<const Marker> GhostShapes::build(const GhostMoment& moment, const GhostWords& words,
+                                           const ProcessSettings& process, const Seam& seam, const GhostLook& look,
+                                           const CueEye& eye, const glm::mat4& toWorld) {
+    markers_.clear();
+    if (look.strength <= 0) return markers_;
+    addGhostTorch(markers_, parts_, moment.torch, process, arcOf(moment, process, seam),
+                  static_cast<float>(look.strength), look.size, toWorld);
+    addWords(words, seam, look, eye, toWorld);
+    return markers_;
+}
+
+} // namespace meltpool

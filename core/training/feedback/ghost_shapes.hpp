@@ -1,0 +1,58 @@
+// The ghost as it is drawn: its torch, and beside the pool what the hand does otherwise, in words that face the eye.
+#pragma once
+
+#include "core/render/solids.hpp"
+#include "core/training/feedback/cue_shapes.hpp"
+#include "core/training/feedback/ghost.hpp"
+#include "core/weld/process/processes.hpp"
+#include "shaders/shared/render.h"
+
+#include <span>
+#include <vector>
+
+namespace meltpool {
+
+/// What is drawn of a ghost.
+struct GhostLook {
+    double strength = 1; ///< 0 gone .. 1
+    float size = 1;      ///< of its torch over that of the workpiece
+    CuePose hand;        ///< where one's own torch welds: the words stand beside it, away from the cues' board
+};
+
+/// Draws a ghost. The words stand where the torch came from, nearer to the eye than the pool; where the picture ends
+/// there, over the cues' board. They leave the pool's disc free, as cues do.
+class GhostShapes {
+  public:
+    GhostShapes();
+
+    /// The markers in the world, from the workpiece's frame by `toWorld`; valid until the next call. Allocates nothing
+    /// after the first, for words of usual length.
+    std::span<const Marker> build(const GhostMoment& moment, const GhostWords& words, const ProcessSettings& process,
+                                  const Seam& seam, const GhostLook& look, const CueEye& eye, const glm::mat4& toWorld);
+
+  private:
+    /// A plane that faces the eye, with its lower corner nearest to the pool.
+    struct Page {
+        glm::vec3 corner{0};
+        glm::vec3 right{1, 0, 0};
+        glm::vec3 up{0, 1, 0};
+        glm::vec3 toEye{0, 0, 1};
+        float side = 1;   ///< 1: it lies to the right of its corner, -1: to the left
+        float figure = 0; ///< height of a figure
+
+        glm::vec3 at(float x, float y) const { return corner + right * x + up * y; }
+    };
+
+    static Page pageAt(const glm::vec3& pool, const CueEye& eye, float side, float row);
+    static Page pageFor(const GhostLook& look, const Seam& seam, const CueEye& eye, float width, float height);
+    void addWords(const GhostWords& words, const Seam& seam, const GhostLook& look, const CueEye& eye,
+                  const glm::mat4& toWorld);
+    void addLine(const Page& page, std::string_view text, float left, float base, float opacity,
+                 const glm::mat4& toWorld);
+
+    std::vector<Marker> markers_;
+    std::vector<Solid> parts_;
+    std::vector<SectionStroke> strokes_;
+};
+
+} // namespace meltpool

@@ -1,0 +1,66 @@
+#include "core/training/feedback/sound/captions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace meltpool {
+
+namespace {
+
+constexpr double kMemory = 0.4;      // s over which the evenness of short circuits is judged
+constexpr double kUneven = 0.35;     // standard deviation of their rate over its mean
+constexpr double kLeastRate = 10;    // 1/s that are told as short circuits
+constexpr double kForgotten = 5;     // 1/s of weighted rate below which an arc without them has none any more
+constexpr float kLongArc = 0.5F;     // stretch
+constexpr float kFastDrops = 100;    // 1/s: a hum
+constexpr double kMomentStays = 1.0; // s that ticks and strokes are told
+
+} // namespace
+
+/// Mean and square of the rate over the last kMemory, from the first short circuit on.
+void Captions::followRate(const SoundStep& step) {
+    const bool shorts = step.arc.action == ArcAction::shorting && step.process == SoundProcess::gmaw;
+    const double rate = shorts ? static_cast<double>(step.arc.shorts) : 0;
+    if (!shorts && mean_ < kForgotten) {
+        mean_ = square_ = weight_ = 0;
+        return;
+    }
+    const double share = 1 - std::exp(-step.seconds / kMemory);
+    weight_ += (1 - weight_) * share;
+    mean_ += (rate - mean_) * share;
+    square_ += (rate * rate - square_) * share;
+}
+
+std::string_view Captions::nameOf(const SoundStep& step) const {
+    const SoundLevels& levels = state_.levels();
+    if (levels.stub > 0) return "The wire stubs";
+    if (levels.hiss > 0 && step.arc.stretch > kLongArc) return "A long arc hisses";
+    const double mean = weight_ > 0 ? mean_ / weight_ : 0;
+    if (mean > kLeastRate && step.arc.burns()) {
+        const double spread = std::sqrt(std::max(square_ / weight_ - mean * mean, 0.0));
+        return spread > kUneven * mean ? "Short circuits, uneven" : "Short circuits, even";
+    }
+    if (levels.crackle > 0) return "The electrode crackles";
+    if (levels.buzz > 0) return "Alternating current buzzes";
+    if (levels.drops > 0) return levels.dropRate >= kFastDrops ? "Drops hum" : "Large drops fall";
+    if (levels.hiss > 0) return "The arc hisses softly";
+    if (levels.roar > 0) return "The flame roars";
+    if (levels.scratch > 0) return "The electrode scratches";
+    if (chips_ > 0) return "The slag is chipped off";
+    if (state_.gasAlone()) return "Gas flows";
+    if (ticks_ > 0) return "Cooling metal ticks";
+    return {};
+}
+
+void Captions::step(const SoundStep& step) {
+    state_.step(step);
+    followRate(step);
+    chips_ = step.chips > 0 ? kMomentStays : std::max(chips_ - step.seconds, 0.0);
+    ticks_ = state_.ticks() > 0 ? kMomentStays : std::max(ticks_ - step.seconds, 0.0);
+    const std::string_view heard = nameOf(step);
+    since_ = heard == next_ ? since_ + step.seconds : 0;
+    next_ = heard;
+    if (since_ >= (heard.empty() ? kStays : kPatience)) text_ = heard;
+}
+
+} // namespace meltpool

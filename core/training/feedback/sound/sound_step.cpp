@@ -1,0 +1,77 @@
+#include "core/training/feedback/sound/sound_step.hpp"
+
+#include "core/weld/process/weld_constants.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace meltpool {
+
+namespace {
+
+constexpr double kMm = 1e-3;
+constexpr double kMetresPerMinute = 1.0 / 60;
+constexpr double kGlobularDrop = 2; // wire diameters
+
+SoundProcess processOf(const ProcessSettings& settings) {
+    if (settings.is<Gmaw>()) return SoundProcess::gmaw;
+    if (settings.is<Gtaw>()) return SoundProcess::gtaw;
+    if (settings.is<Smaw>()) return SoundProcess::smaw;
+    if (settings.is<Flame>()) return SoundProcess::flame;
+    return SoundProcess::iron;
+}
+
+bool isOpen(const ArcState& arc) {
+    return arc.action == ArcAction::burning || arc.action == ArcAction::breaking;
+}
+
+} // namespace
+
+double wireDropRate(double diameter, double speed, double current) {
+    const double sprays = kSprayCurrent * std::pow(diameter / kMm, kSprayExponent);
+    const double share = std::clamp((current / sprays - 1) / kSprayRange + 0.5, 0.0, 1.0);
+    const double drop = diameter * std::lerp(kGlobularDrop, 1.0, share);
+    // A cylinder of wire becomes balls: speed pi d²/4 = rate pi D³/6.
+    return 1.5 * speed * diameter * diameter / (drop * drop * drop);
+}
+
+void SoundSource::reset() {
+    shorts_.reset();
+    last_ = {};
+    tip_.reset();
+}
+
+void SoundSource::transfer(gl::StateArchive& archive) {
+    shorts_.transfer(archive);
+    bool known = tip_.has_value();
+    archive.values(known);
+    if (archive.restores()) tip_ = known ? std::optional(glm::vec3(0)) : std::nullopt;
+    if (tip_) archive.values(*tip_);
+}
+
+void SoundSource::step(const ProcessSettings& settings, const ArcState& arc, const TorchSample& torch, double seconds,
+                       double hottest) {
+    shorts_.step(arc, seconds);
+    last_ = {};
+    last_.seconds = seconds;
+    last_.process = processOf(settings);
+    last_.arc = arc;
+    last_.trigger = std::clamp(torch.trigger, 0.0F, 1.0F);
+    last_.hottest = static_cast<float>(hottest);
+    if (tip_ && seconds > 0) last_.tipSpeed = glm::distance(*tip_, torch.tip) / static_cast<float>(seconds);
+    tip_ = torch.tip;
+    if (alternating_ && last_.process == SoundProcess::gtaw) last_.alternating = kAlternating;
+    if (last_.process == SoundProcess::gmaw && isOpen(arc)) {
+        const GmawSettings& set = settings.of<Gmaw>();
+        last_.dropRate = static_cast<float>(wireDropRate(static_cast<double>(set.wireDiameterMm) * kMm,
+                                                         static_cast<double>(set.wireFeedMPerMin) * kMetresPerMinute,
+                                                         static_cast<double>(arc.current)));
+    }
+    last_.shortPhase = shorts_.phase();
+    last_.shortCount = shorts_.last().size();
+    std::copy(shorts_.last().begin(), shorts_.last().end(), last_.shorts.begin());
+}
+
+} // namespace meltpool

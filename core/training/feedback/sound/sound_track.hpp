@@ -1,0 +1,27 @@
+// The sound of a whole run, kept for a file.
+#pragma once
+
+#include "core/training/feedback/sound/sound.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace meltpool {
+
+class SoundTrack {
+  public:
+    /// Adds a step's sound: some 96 kB a second of it.
+    void add(const SoundStep& step);
+    /// Samples so far, one channel of Sound::kRate.
+    const std::vector<std::int16_t>& samples() const { return samples_; }
+    /// Writes them as a WAV file. Throws as writeFile() does.
+    void write(const std::filesystem::path& file) const;
+
+  private:
+    Sound sound_;
+    std::vector<float> room_;
+    std::vector<std::int16_t> samples_;
+};
+
+} // namespace meltpool

@@ -1,0 +1,35 @@
+// Frames on their way from the thread that welds to the thread that writes.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace meltpool {
+
+/// Room that is made once. One thread puts, another takes; neither waits for the other, and put() neither allocates nor
+/// calls the system.
+class FrameRing {
+  public:
+    explicit FrameRing(size_t bytes) : room_(bytes) {}
+
+    /// A frame of this kind whose content is all parts in turn. False where there is no room for it.
+    bool put(std::uint32_t kind, std::initializer_list<std::string_view> parts);
+    /// The oldest frame; false where there is none.
+    bool take(std::uint32_t& kind, std::string& content);
+
+  private:
+    static constexpr size_t kHeadBytes = 8; ///< kind and length
+
+    void write(size_t at, const char* bytes, size_t count);
+    void read(size_t at, char* bytes, size_t count) const;
+
+    std::vector<char> room_;
+    std::atomic<size_t> put_{0};   ///< bytes ever put
+    std::atomic<size_t> taken_{0}; ///< bytes ever taken
+};
+
+} // namespace meltpool

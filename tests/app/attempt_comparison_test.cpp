@@ -1,0 +1,105 @@
+// Two kept attempts in the window's comparison: welded a frame's share at a time, to their own bits, and kept.
+#include "app/session/compare/attempt_comparison.hpp"
+#include "core/base/error.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+using namespace meltpool;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A bead on a small plate at so many mm/s, as a record.
+fs::path recordedBead(const fs::path& folder, const std::string& name, float speed) {
+    Lesson lesson = findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
+    lesson.workpiece.lengthMm = 24;
+    lesson.workpiece.widthMm = 14;
+    lesson.workpiece.thicknessMm = 3;
+    lesson.workpiece.spacingMm = 1.5f;
+    lesson.surface.cells = 32;
+    const fs::path file = folder / name;
+    Trainer trainer(test::shaders(), std::move(lesson));
+    trainer.record(file, {1, "some program", "some driver"});
+    while (trainer.time() < 2.2) {
+        TorchSample torch;
+        torch.tip = {-0.008f + speed * 1e-3f * static_cast<float>(trainer.time()), 0.003f, 0};
+        torch.orientation = glm::angleAxis(-1.5707963f, glm::vec3(1, 0, 0));
+        torch.trigger = trainer.time() > 0.1 && trainer.time() < 2 ? 1 : 0;
+        trainer.advance(torch, nullptr);
+    }
+    trainer.stopRecord();
+    return file;
+}
+
+/// Frames of a clock that stands still, until both are welded; how many there were.
+int untilBoth(AttemptComparison& comparison) {
+    int frames = 0;
+    double before = 0;
+    while (comparison.welding() && frames < 3000) {
+        comparison.update(test::shaders(), 1.0 / 45, [] { return 0.0; });
+        ++frames;
+        CHECK(comparison.progress() >= before - 1e-9);
+        before = comparison.progress();
+    }
+    return frames;
+}
+
+double meanOf(const AttemptComparison& comparison, size_t number, const char* key) {
+    return comparison.attempt(number)->figures.values.at(key);
+}
+
+} // namespace
+
+TEST_CASE("two attempts are welded again in shares of frames, held against each other, and known from then on",
+          "[app]") {
+    const fs::path folder = test::scratchFolder("window-comparison");
+    const fs::path slow = recordedBead(folder, "slow.csv", 5), fast = recordedBead(folder, "fast.csv", 8);
+    AttemptComparison comparison;
+    CHECK_FALSE(comparison.shown());
+    comparison.begin({slow, "slow"}, {fast, "fast"});
+    REQUIRE(comparison.welding());
+    CHECK(comparison.current() == 0);
+    CHECK(comparison.progress() == 0);
+    CHECK(untilBoth(comparison) > 6); // not all at once
+    INFO(comparison.fault());
+    REQUIRE(comparison.rows());
+    CHECK(comparison.progress() == 1);
+    CHECK(comparison.welded() == 2);
+    for (size_t i = 0; i < 2; ++i)
+        CHECK(comparison.attempt(i)->end.verdict == ReplayEnd::Verdict::same);
+    CHECK(meanOf(comparison, 1, "travel_speed") > 1.3 * meanOf(comparison, 0, "travel_speed"));
+    CHECK_THAT(comparison.rows()->words, test::containsText("faster travel"));
+    CHECK(comparison.bands() != nullptr);
+
+    comparison.begin({fast, "fast"}, {slow, "slow"}); // nothing is welded a second time
+    CHECK_FALSE(comparison.welding());
+    REQUIRE(comparison.rows());
+    CHECK_THAT(comparison.rows()->words, test::containsText("slower travel"));
+    const fs::path third = recordedBead(folder, "third.csv", 6);
+    comparison.begin({slow, "slow"}, {third, "third"});
+    CHECK(comparison.current() == 1);
+    untilBoth(comparison);
+    CHECK(comparison.welded() == 3);
+    comparison.stop();
+    CHECK_FALSE(comparison.shown());
+}
+
+TEST_CASE("what is no pair of welds of a lesson is refused, and stopping frees the metal", "[app]") {
+    const fs::path folder = test::scratchFolder("window-comparison-faults");
+    const fs::path one = recordedBead(folder, "one.csv", 8);
+    AttemptComparison comparison;
+    CHECK_THROWS_WITH(comparison.begin({one, ""}, {one, ""}), test::containsText("with itself"));
+    CHECK_THROWS_AS(comparison.begin({one, ""}, {folder / "nowhere.csv", ""}), InputError);
+    CHECK_FALSE(comparison.shown());
+    const fs::path two = recordedBead(folder, "two.csv", 9);
+    comparison.begin({one, "one"}, {two, "two"});
+    for (int frame = 0; frame < 4; ++frame)
+        comparison.update(test::shaders(), 1.0 / 45, [] { return 0.0; });
+    CHECK(comparison.welding());
+    CHECK(comparison.progress() > 0);
+    comparison.stop();
+    CHECK_FALSE(comparison.welding());
+    comparison.update(test::shaders(), 1.0 / 45, [] { return 0.0; });
+    CHECK(comparison.welded() == 0);
+}

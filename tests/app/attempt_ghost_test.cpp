@@ -1,0 +1,246 @@
+// The ghost in the session: shown beside the torch in an attempt, told to record and score, never in a test, and
+// without a trace in the metal.
+#include "app/session/lesson_session.hpp"
+#include "app/session/notices.hpp"
+#include "core/base/text.hpp"
+#include "core/render/ghost_model.hpp"
+#include "core/training/recorded_attempt.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+using namespace meltpool;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path lessons() {
+    return test::testFolder().parent_path() / "app" / "data" / "lessons";
+}
+
+/// A bead on a small plate of few particles; its demonstration goes from -36 to 36 mm at 8 mm/s and pushes 10 degrees.
+Lesson smallBead() {
+    Lesson lesson = findLesson("gmaw-bead", lessons());
+    lesson.workpiece.lengthMm = 30;
+    lesson.workpiece.widthMm = 18;
+    lesson.workpiece.thicknessMm = 4;
+    lesson.technique->lengthFromMm = -10;
+    lesson.technique->lengthToMm = 10;
+    lesson.surface.cells = 32;
+    return lesson;
+}
+
+class Welder {
+  public:
+    explicit Welder(GhostChoice ghost, const fs::path& record = {}, const Lesson& lesson = smallBead())
+        : session(test::shaders(), lesson, [] { return 0.0; }) {
+        session.records().use(record, "program", "driver");
+        session.ghost().parameters.ghost = static_cast<int>(ghost);
+        session.ghost().findBestBy([this](const std::string& key) {
+            asked = key;
+            return best;
+        });
+    }
+
+    /// Leads the torch along the seam for `seconds`, upright, at 8 mm/s while the trigger is pulled.
+    void lead(double seconds, float trigger) {
+        constexpr double kFrame = 1.0 / 45;
+        for (double time = 0; time < seconds; time += kFrame)
+            frame(kFrame, trigger);
+    }
+    void frame(double seconds, float trigger) {
+        session.advance(controls, seconds, nullptr, [&](int, int steps) {
+            if (trigger > 0) x_ += 8e-3F * static_cast<float>(seconds / steps);
+            TorchSample torch;
+            torch.tip = {x_, 3e-3F, 0};
+            torch.orientation = glm::angleAxis(-1.5707963F, glm::vec3(1, 0, 0));
+            torch.trigger = trigger;
+            return torch;
+        });
+    }
+    void begin() { session.begin(controls); }
+    /// Another attempt from the seam's beginning.
+    void again() {
+        session.reset(controls);
+        x_ = kBegin;
+    }
+    std::vector<Marker> ghost() {
+        const SceneView scene = session.scene(nullptr);
+        const auto markers = session.ghostMarkers(scene, controls.view(1.5F));
+        return {markers.begin(), markers.end()};
+    }
+    std::string words() const {
+        std::string all;
+        for (size_t i = 0; i < session.ghost().words().lines(); ++i)
+            all += std::string(session.ghost().words().line(i)) + "\n";
+        return all;
+    }
+    std::string fault() const { return std::string(session.ghost().fault()); }
+    double place() const { return static_cast<double>(x_); }
+
+    std::string asked; ///< for its best attempt
+    fs::path best;
+    Controls controls;
+    LessonSession session;
+
+  private:
+    static constexpr float kBegin = -0.010F; // m
+    float x_ = kBegin;
+};
+
+} // namespace
+
+TEST_CASE("the expert's ghost stands at the torch's place, is told to the record, and a test has none", "[app]") {
+    const fs::path folder = test::scratchFolder("ghost"), first = folder / "weld.csv";
+    Welder welder(GhostChoice::expert, first);
+    welder.begin();
+    welder.lead(0.1, 0);
+    CHECK(welder.ghost().size() > 3);
+    CHECK(welder.session.ghost().used().empty()); // no arc yet
+    welder.lead(1.2, 1);
+    REQUIRE(welder.session.ghost().moment());
+    CHECK(welder.session.ghost().moment()->place == Approx(welder.place()).margin(2e-3)); // it follows a little late
+    CHECK(welder.session.ghost().used() == "expert");
+    INFO(welder.words());
+    CHECK_THAT(welder.words(), test::containsText("travel angle 10\xC2\xB0 less\n"));
+    welder.session.sections().attempt.forScore = true;
+    welder.again();
+    welder.lead(0.3, 1);
+    CHECK(welder.session.arc().burns());
+    CHECK(welder.ghost().empty());
+    CHECK(welder.session.ghost().used().empty());
+    welder.session.sections().attempt.forScore = false;
+    welder.session.demonstrate(welder.controls);
+    welder.lead(0.1, 0);
+    CHECK(welder.ghost().empty());
+    welder.session.end("done");
+    CHECK_THAT(readTextFile(first), test::containsText("# event ghost expert place\n"));
+    CHECK(readTextFile(folder / "weld-2.csv").find("event ghost") == std::string::npos);
+}
+
+TEST_CASE("a ghost changes no bit of the metal", "[app]") {
+    const fs::path folder = test::scratchFolder("ghost-bits");
+    std::vector<std::string> hashes;
+    for (const GhostChoice choice : {GhostChoice::none, GhostChoice::expert}) {
+        const fs::path record = folder / (std::string(ghostName(choice)) + ".csv");
+        Welder welder(choice, record);
+        welder.begin();
+        welder.lead(0.5, 1);
+        CHECK(welder.ghost().empty() == (choice == GhostChoice::none));
+        welder.session.end("done");
+        const auto attempt = readRecordedAttempt(record);
+        REQUIRE(attempt);
+        REQUIRE_FALSE(attempt->stateHash.empty());
+        hashes.push_back(attempt->stateHash);
+    }
+    CHECK(hashes[0] == hashes[1]);
+}
+
+TEST_CASE("a ghost fades as cues do, and a master has none", "[app]") {
+    Welder welder(GhostChoice::expert);
+    CueSkill skill;
+    for (const CuedQuantity& cued : cuedQuantities())
+        skill.setGood(cued.quantity, CueSkill::kMastered / 2);
+    welder.session.cues().setSkill(skill);
+    welder.begin();
+    welder.lead(0.1, 1);
+    REQUIRE_FALSE(welder.ghost().empty());
+    CHECK(welder.ghost().front().opacity == Approx(kGhostOpacity / 2));
+    for (const CuedQuantity& cued : cuedQuantities())
+        skill.setGood(cued.quantity, CueSkill::kMastered);
+    welder.session.cues().setSkill(skill);
+    welder.again();
+    welder.lead(0.1, 1);
+    CHECK(welder.ghost().empty());
+    CHECK(welder.session.ghost().used().empty());
+}
+
+TEST_CASE("the best kept attempt and a named file are ghosts too; what is missing is told for a while", "[app]") {
+    const fs::path folder = test::scratchFolder("ghost-files"), kept = folder / "kept.csv";
+    {
+        Welder welder(GhostChoice::none, kept);
+        welder.begin();
+        welder.lead(0.3, 1);
+        CHECK(welder.ghost().empty());
+    }
+    REQUIRE(readRecordedAttempt(kept));
+    Welder welder(GhostChoice::best);
+    welder.begin();
+    welder.lead(0.05, 1);
+    CHECK(welder.asked == "gmaw-bead");
+    CHECK_THAT(welder.fault(), test::containsText("no scored attempt"));
+    Notices notices;
+    Messages messages;
+    LessonFigures figures;
+    const TriggerLock unlocked;
+    notices.update(welder.session, figures, unlocked, 0.1, messages);
+    REQUIRE(messages.shown().size() == 1);
+    CHECK_THAT(messages.shown().front().text, test::containsText("There is no ghost"));
+    welder.frame(9, 0); // s; the metal makes only a part of them
+    notices.update(welder.session, figures, unlocked, 0.1, messages);
+    CHECK(messages.shown().empty());
+
+    welder.best = kept;
+    welder.again();
+    welder.lead(0.3, 1);
+    CHECK(welder.fault().empty());
+    CHECK_FALSE(welder.ghost().empty());
+    CHECK(welder.session.ghost().used() == "best");
+
+    welder.session.ghost().choose(folder / "nowhere.csv"); // in the middle of the attempt
+    welder.lead(0.05, 1);
+    CHECK(welder.ghost().empty());
+    CHECK_THAT(welder.fault(), test::containsText("next attempt"));
+    welder.again();
+    welder.lead(0.05, 1);
+    CHECK_THAT(welder.fault(), test::containsText("nowhere.csv"));
+    welder.session.ghost().choose(kept);
+    welder.again();
+    welder.lead(0.3, 1);
+    CHECK_FALSE(welder.ghost().empty());
+    CHECK(welder.session.ghost().used() == "file");
+    welder.session.ghost().parameters.ghost = static_cast<int>(GhostChoice::none); // at once
+    welder.lead(0.05, 1);
+    CHECK(welder.ghost().empty());
+    CHECK(welder.fault().empty());
+}
+
+TEST_CASE("paced by time the ghost goes its own way from the strike on", "[app]") {
+    Welder welder(GhostChoice::expert);
+    welder.session.ghost().parameters.pace = static_cast<int>(GhostPace::time);
+    welder.begin();
+    welder.lead(0.1, 0);
+    REQUIRE(welder.session.ghost().moment());
+    const double waits = welder.session.ghost().moment()->torch.time;
+    CHECK(waits < 1); // where it struck, before the plate
+    welder.lead(0.6, 1);
+    REQUIRE(welder.session.arc().burns());
+    const double since = welder.session.ghost().moment()->torch.time - waits;
+    CHECK(since > 0.1);
+    CHECK(since < 0.65);
+    CHECK_THAT(welder.words(), test::containsText("mm ahead\n"));
+}
+
+TEST_CASE("a lesson that allows no ghost shows none, and menus do not offer it", "[app]") {
+    Lesson lesson = smallBead();
+    lesson.ghost = false;
+    Welder welder(GhostChoice::expert, {}, lesson);
+    welder.begin();
+    welder.lead(0.1, 1);
+    CHECK(welder.ghost().empty());
+    CHECK(welder.fault().empty());
+    const auto offered = [&] {
+        const ParameterSection& section = welder.session.ghostSection();
+        return std::count_if(section.parameters.begin(), section.parameters.end(),
+                             [&](const Parameter& parameter) { return section.shows(parameter); });
+    };
+    CHECK(offered() == 0);
+    welder.session.open(smallBead());
+    CHECK(offered() == 3);
+    welder.session.open(findLesson("classic", lessons()));
+    CHECK(offered() == 0);
+}

@@ -1,0 +1,88 @@
+// The page that the result panel's button writes, from an attempt that is still there.
+#include "app/report/record_results.hpp"
+#include "app/session/attempt/attempt_page.hpp"
+#include "app/session/lesson_session.hpp"
+#include "core/base/error.hpp"
+#include "core/base/text.hpp"
+#include "tests/app/markup.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+#include <cstdlib>
+
+using namespace meltpool;
+using meltpool::test::containsText;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A bead on a small plate of few particles.
+Lesson smallBead() {
+    Lesson lesson = findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
+    lesson.workpiece.lengthMm = 30;
+    lesson.workpiece.widthMm = 18;
+    lesson.workpiece.thicknessMm = 4;
+    lesson.technique->lengthFromMm = -10;
+    lesson.technique->lengthToMm = 10;
+    lesson.surface.cells = 32;
+    return lesson;
+}
+
+/// Leads the torch 3 mm over the plate at 8 mm/s for `seconds` while the trigger is pulled, else holds it still.
+void lead(LessonSession& session, const Controls& controls, float& x, double seconds, float trigger) {
+    constexpr double kFrame = 1.0 / 45;
+    for (double time = 0; time < seconds; time += kFrame)
+        session.advance(controls, kFrame, nullptr, [&](int, int steps) {
+            if (trigger > 0) x += 8e-3f * static_cast<float>(kFrame / steps);
+            TorchSample torch;
+            torch.tip = {x, 0.003f, 0};
+            torch.orientation = glm::angleAxis(-1.5707963f, glm::vec3(1, 0, 0));
+            torch.trigger = trigger;
+            return torch;
+        });
+}
+
+} // namespace
+
+TEST_CASE("a judged attempt becomes a page beside its record, and the record alone gives the same score", "[app]") {
+    const fs::path folder = test::scratchFolder("attempt-page"), record = folder / "weld.csv";
+    LessonSession session(test::shaders(), smallBead(), [] { return 0.0; });
+    Controls controls;
+    session.records().use(record, "program", "driver");
+    session.begin(controls);
+    CHECK_THROWS_AS(session.writePage(1, "driver"), InputError); // nothing is judged
+    float x = -0.010f;
+    lead(session, controls, x, 2, 1);
+    lead(session, controls, x, 1.3, 0);
+    REQUIRE(session.judged());
+    const fs::path page = session.writePage(2, "a driver");
+    CHECK(page == folder / "weld.html");
+    const std::string html = readTextFile(page);
+    CHECK(test::firstUnclosed(html) == "");
+    for (const char* text :
+         {"practice", "<b>Zoom:</b> 2.0", "<b>Help:</b> none", "a driver", "Travel speed", "ISO 5817",
+          "data:image/png;base64,iVBOR", "The weld cut across at", "<polyline", "class=\"seam\""}) {
+        INFO(text);
+        CHECK_THAT(html, containsText(text));
+    }
+    CHECK(session.writePage(1, "a driver") == folder / "weld (2).html"); // none is replaced
+    REQUIRE(session.judged()->judgement.score);
+    const double score = session.judged()->judgement.score->total;
+    session.end("start menu");
+    const RunResults hand = readRecordResults(record, smallBead());
+    CHECK(hand.result.at("score").at("total").get<double>() == Approx(score).margin(0.01));
+    CHECK(hand.notes.size() == 1);
+}
+
+TEST_CASE("the page of an attempt without a record goes into the user's folder", "[app]") {
+    const fs::path folder = test::scratchFolder("attempt-pages");
+    ::setenv("XDG_DATA_HOME", folder.c_str(), 1);
+    const fs::path page = attemptPageName({}, "gmaw-bead", "2026-11-23 08:30");
+    CHECK(page == folder / "meltpool" / "pages" / "gmaw-bead 2026-11-23 08.30.html");
+    writeTextFileAtomically(page, "first");
+    CHECK(attemptPageName({}, "gmaw-bead", "2026-11-23 08:30").filename() == "gmaw-bead 2026-11-23 08.30 (2).html");
+    ::setenv("XDG_DATA_HOME", "/dev/null", 1);
+    CHECK_THROWS_WITH(attemptPageName({}, "gmaw-bead", "2026-11-23 08:30"), containsText("cannot be made"));
+    ::unsetenv("XDG_DATA_HOME");
+}

@@ -1,0 +1,282 @@
+// Recordings of people's attempts: each attempt has one that replays to the same bits, they keep within their limit,
+// and nothing is lost in silence.
+#include "app/session/lesson_session.hpp"
+#include "app/session/notices.hpp"
+#include "app/session/recordings/best_kept.hpp"
+#include "app/session/recordings/kept_attempts.hpp"
+#include "core/base/error.hpp"
+#include "core/base/text.hpp"
+#include "core/training/recording/recording_reader.hpp"
+#include "core/weld/torch/torch_csv.hpp"
+#include "tests/app/program.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+#include "tests/support/recording_bytes.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+using namespace meltpool;
+using namespace meltpool::test;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+Lesson smallLesson() {
+    Lesson lesson = findLesson("classic", testFolder().parent_path() / "app" / "data" / "lessons");
+    lesson.setup.particles = 1728;
+    lesson.metal.supportRadius = 0.12f;
+    lesson.surface.cells = 32;
+    return lesson;
+}
+
+/// Welds in a session whose attempts are recorded, with the flame wandering from frame to frame.
+class Welder {
+  public:
+    explicit Welder(const fs::path& folder) : session(shaders(), smallLesson(), [] { return 0.0; }) {
+        session.recordings().use(folder, "program", "driver");
+    }
+
+    void weld(int frames) {
+        for (int i = 0; i < frames; ++i) {
+            const float place = 0.021f - 1e-4f * static_cast<float>(++frame_ % 40);
+            const TorchSource torch = [&](int, int) { return TorchSample{0, glm::vec3(place), {1, 0, 0, 0}, 1}; };
+            session.advance(controls, 1.0 / 45, nullptr, torch);
+            session.settle(controls);
+            tellRecordings(session.recordings(), 0, messages);
+        }
+    }
+
+    bool warned(const std::string& text) const {
+        return std::any_of(messages.shown().begin(), messages.shown().end(),
+                           [&](const Message& m) { return m.text.find(text) != std::string::npos; });
+    }
+
+    Controls controls;
+    LessonSession session;
+    Messages messages;
+
+  private:
+    int frame_ = 0;
+};
+
+std::string hashOfRepeat(const fs::path& file) {
+    Lesson lesson = smallLesson();
+    takeTorch(lesson, file);
+    REQUIRE(lesson.recorded);
+    Trainer trainer(shaders(), lesson);
+    for (size_t i = 0; i < lesson.recorded->rows; ++i)
+        trainer.advanceDemonstration(nullptr);
+    return formatHexadecimal(trainer.result().stateHash);
+}
+
+/// A recording of `bytes` bytes about, of the day.
+fs::path keptFile(const fs::path& folder, int day, size_t bytes) {
+    const std::string date = "2026-01-0" + std::to_string(day) + "T10:00:00+0000";
+    const fs::path file = recordingName(folder, date, "classic", day);
+    RecordingHead head = recordedHead("classic");
+    head.date = date;
+    RecordingBytes recording;
+    recording.head(head).add(frameKind("FILL"), std::string(bytes, 'x')).step(recordedStep(1)).end(recordedEnd(1));
+    std::ofstream(file, std::ios::binary) << recording.bytes();
+    return file;
+}
+
+} // namespace
+
+TEST_CASE("each attempt has a recording that replays to the same bits, whatever was changed while it ran", "[app]") {
+    const fs::path folder = scratchFolder("recordings") / "made" / "by the program";
+    const fs::path record = scratchFolder("recordings-record") / "weld.csv";
+    std::vector<fs::path> files;
+    {
+        Welder welder(folder);
+        welder.session.records().use(record, "program", "driver");
+        welder.session.begin(welder.controls);
+        files.push_back(welder.session.recordings().file());
+        const auto& live = welder.session.sections().simulation.parameters;
+        welder.weld(15);
+        setParameter(live, "heat_temperature", "0.3", "test");
+        welder.session.event("zoom", "2");
+        welder.session.event("torch", "lost");
+        welder.weld(15);
+        welder.session.reset(welder.controls);
+        files.push_back(welder.session.recordings().file());
+        welder.weld(10);
+        setParameter(live, "viscosity", "4", "test");
+        welder.weld(10);
+        welder.session.end("start menu");
+        welder.session.recordings().finish();
+        CHECK(welder.session.recordings().lost() == "");
+        CHECK(welder.messages.shown().empty());
+    }
+    for (const fs::path& file : files) {
+        const auto attempt = readRecordedAttempt(file);
+        REQUIRE(attempt);
+        CHECK(attempt->rows > 10);
+        CHECK(attempt->changes.size() == 1);
+        CHECK(attempt->lessonFile == "");
+        CHECK(attempt->lessonHash == fileHash(smallLesson().file));
+        CHECK(hashOfRepeat(file) == attempt->stateHash);
+    }
+    CHECK(readRecordedAttempt(files[0])->ended == "reset");
+    CHECK(readRecordedAttempt(files[1])->ended == "start menu");
+    // The record of the same attempt says the same.
+    const Recording recording = readRecording(files[0]);
+    const TorchRecording rows = readTorchCsv(record);
+    REQUIRE(rows.samples.size() == recording.steps.size());
+    for (size_t i = 0; i < rows.samples.size(); ++i) {
+        CHECK(rows.samples[i].time == recording.steps[i].torch.time);
+        CHECK(rows.samples[i].tip == recording.steps[i].torch.tip);
+    }
+    CHECK(readRecordedAttempt(record)->stateHash == readRecordedAttempt(files[0])->stateHash);
+    CHECK(readRecordedAttempt(record)->events.size() == readRecordedAttempt(files[0])->events.size());
+    const auto kept = keptRecordings(folder);
+    REQUIRE(kept.size() == 2);
+    CHECK(kept[0].lesson == "classic");
+    CHECK(kept[0].ended == "start menu"); // the newest first
+    CHECK(kept[0].seconds == Approx(readRecording(files[1]).seconds()));
+    CHECK(kept[0].when.size() == 16);
+    WARN("a recording takes " << static_cast<double>(kept[1].bytes) / kept[1].seconds * 60 / 1e6 << " MB a minute at "
+                              << static_cast<double>(recording.steps.size()) / recording.seconds()
+                              << " steps a second");
+}
+
+TEST_CASE("the desk's camera stands in the recording as the person's head", "[app]") {
+    const fs::path folder = scratchFolder("recordings-person");
+    Welder welder(folder);
+    welder.session.begin(welder.controls);
+    welder.weld(3);
+    const View view = welder.controls.view(1);
+    welder.session.recordings().person(deskPerson(view, glm::mat3(1.0f), 2.0f, welder.session.steps()));
+    welder.session.end("start menu");
+    welder.session.recordings().finish();
+    const Recording recording = readRecording(welder.session.recordings().file());
+    REQUIRE(recording.people.size() == 1);
+    REQUIRE(recording.people[0].head);
+    CHECK(recording.people[0].steps == recording.steps.size());
+    const RecordingPose head = *recording.people[0].head;
+    CHECK(glm::distance(head.position, view.eye * 2.0f) < 1e-5f);
+    // What lies before the head lies before the eye.
+    const glm::vec3 ahead = view.eye + head.orientation * glm::vec3(0, 0, -1);
+    const glm::vec4 inEye = view.worldToEye * glm::vec4(ahead, 1);
+    CHECK(glm::distance(glm::vec3(inEye), glm::vec3(0, 0, -1)) < 1e-4f);
+}
+
+TEST_CASE("an attempt that cannot be recorded is told, goes on, and is told in the end", "[app]") {
+    Welder welder("/proc/nowhere/recordings");
+    welder.session.begin(welder.controls);
+    welder.weld(5);
+    CHECK(welder.session.steps() > 0);
+    CHECK(welder.warned("This attempt is not recorded: "));
+    CHECK(welder.warned("/proc/nowhere/recordings"));
+    welder.session.end("start menu");
+    welder.session.recordings().finish();
+    CHECK_THAT(welder.session.recordings().lost(), containsText("This attempt is not recorded"));
+}
+
+TEST_CASE("a folder that is removed under an attempt is told at its end at the latest", "[app]") {
+    const fs::path folder = scratchFolder("recordings-gone") / "recordings";
+    Welder welder(folder);
+    welder.session.begin(welder.controls);
+    welder.weld(5);
+    fs::remove_all(folder);
+    welder.session.reset(welder.controls);
+    welder.session.recordings().finish();
+    welder.weld(1);
+    CHECK(welder.session.steps() > 0);
+    CHECK(welder.warned("the recording is no longer there"));
+    CHECK_THAT(welder.session.recordings().lost(), containsText("is no longer there"));
+}
+
+TEST_CASE("no recordings are made where nobody wants them, nor of demonstrations", "[app]") {
+    const fs::path folder = scratchFolder("recordings-unwanted");
+    Welder welder(folder);
+    welder.session.recordings().parameters.keep = false;
+    welder.session.begin(welder.controls);
+    welder.weld(3);
+    welder.session.end("start menu");
+    welder.session.recordings().parameters.keep = true;
+    welder.session.demonstrate(welder.controls);
+    welder.weld(3);
+    welder.session.end("start menu");
+    CHECK(fs::is_empty(folder));
+    CHECK(welder.messages.shown().empty());
+}
+
+TEST_CASE("recordings keep within their limit: the oldest are removed and named, others are left alone", "[app]") {
+    const fs::path folder = scratchFolder("recordings-limit");
+    std::vector<fs::path> files;
+    for (int day = 1; day <= 4; ++day)
+        files.push_back(keptFile(folder, day, 100'000));
+    const fs::path own = folder / "my best weld.meltrec";
+    fs::copy_file(files[0], own);
+    const std::uint64_t bytes = recordedBytes(folder);
+    CHECK(bytes > 400'000);
+    CHECK(bytes < 410'000);
+    CHECK(keepWithinLimit(folder, bytes) == "");
+    CHECK_THAT(nearLimit(folder, bytes), containsText("first 2026-01-01_10-00-00_classic_1."));
+    CHECK(nearLimit(folder, 2 * bytes) == "");
+    const std::string told = keepWithinLimit(folder, 250'000);
+    CHECK_THAT(told, containsText("2 oldest, 2026-01-01_10-00-00_classic_1 to 2026-01-02_10-00-00_classic_2"));
+    CHECK_FALSE(fs::exists(files[0]));
+    CHECK_FALSE(fs::exists(files[1]));
+    CHECK(fs::exists(files[2]));
+    CHECK(fs::exists(own));
+    CHECK_THAT(readTextFile(folder / kRemovedList), containsText(files[1].filename().string()));
+    // The newest first; the copy is of the first day.
+    const auto kept = keptRecordings(folder);
+    REQUIRE(kept.size() == 3);
+    CHECK(kept[0].file == files[3]);
+    CHECK(kept[2].file == own);
+    CHECK(kept[0].when == "2026-01-04 10:00");
+    CHECK(kept[0].score == 84);
+    CHECK(kept[0].verdict == "accepted");
+    CHECK(keptRecordings(folder / "nowhere").empty());
+    CHECK(bestKept(folder, kept[0].lesson) == files[3]); // the newest of equal ones
+    CHECK(bestKept(folder, "no-such-lesson").empty());
+}
+
+TEST_CASE("a start near the limit is told before anything is removed, and a removal when it happens", "[app]") {
+    const fs::path folder = scratchFolder("recordings-near");
+    for (int day = 1; day <= 2; ++day)
+        keptFile(folder, day, 24'000'000);
+    Welder welder(folder);
+    welder.session.recordings().parameters.limitMb = 50;
+    welder.session.begin(welder.controls);
+    welder.weld(1);
+    CHECK(welder.warned("The recordings take 48 of 50 MB."));
+    keptFile(folder, 3, 24'000'000);
+    welder.session.begin(welder.controls);
+    welder.weld(1);
+    CHECK(welder.warned("the oldest, 2026-01-01_10-00-00_classic_1, was removed"));
+}
+
+TEST_CASE("the command lists recordings, makes a table of one and tells what is whole", "[app]") {
+    const fs::path folder = scratchFolder("recordings-command");
+    const fs::path file = keptFile(folder, 5, 10), table = folder / "out.csv", damaged = folder / "damaged.meltrec";
+    std::string bytes = readTextFile(file);
+    bytes[bytes.size() - 300] = static_cast<char>(bytes[bytes.size() - 300] ^ 4);
+    std::ofstream(damaged, std::ios::binary) << bytes;
+    std::ofstream(folder / "none.meltrec") << "not a recording";
+    const Outcome list = runMeltpool("recordings --folder '" + folder.string() + "'");
+    INFO(list.output << list.errors);
+    CHECK(list.code == 0);
+    CHECK_THAT(list.output, containsText("2026-01-05 10:00  classic"));
+    CHECK_THAT(list.output, containsText("84 accepted"));
+    CHECK_THAT(list.output, containsText("none.meltrec"));
+    const Outcome whole = runMeltpool("recordings --check '" + file.string() + "'");
+    CHECK(whole.code == 0);
+    CHECK_THAT(whole.output, containsText("are whole; the attempt ended: start menu"));
+    const Outcome broken = runMeltpool("recordings --check '" + damaged.string() + "'");
+    CHECK(broken.code == 1);
+    CHECK_THAT(broken.output, containsText("is damaged"));
+    const Outcome csv = runMeltpool("recordings --csv '" + file.string() + "' '" + table.string() + "'");
+    CHECK(csv.code == 0);
+    CHECK(readTorchCsv(table).samples.size() == 1);
+    const Outcome empty = runMeltpool("recordings", "XDG_DATA_HOME='" + (folder / "none").string() + "'");
+    CHECK(empty.code == 0);
+    CHECK_THAT(empty.output, containsText("There are no recordings in " + (folder / "none").string()));
+    CHECK(runMeltpool("recordings --folder /nowhere/at/all").code == 2);
+    CHECK(runMeltpool("recordings --check '" + (folder / "none.meltrec").string() + "'").code == 2);
+}

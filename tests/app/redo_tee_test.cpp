@@ -1,0 +1,68 @@
+// Going back ten times from the same moment of the shipped tee lesson: the same metal each time, and no more memory.
+#include "app/session/attempt/redo.hpp"
+#include "core/training/lesson.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+#include "tests/support/resident_bytes.hpp"
+
+#include <chrono>
+#include <thread>
+
+using namespace meltpool;
+
+namespace {
+
+constexpr double kBegun = 4;       ///< s of the metal at which one goes back
+constexpr double kFault = -0.0105; ///< m along the seam, welded some time before that
+constexpr int kTimes = 10;
+constexpr int kWarmedUp = 3; ///< rounds after which all memory that is kept from one to the next is there
+
+/// Welds the demonstration and keeps moments as the session does.
+void weldTo(Trainer& trainer, Redo& redo, double time) {
+    for (int step = 1; trainer.time() < time; ++step) {
+        trainer.advanceDemonstration(nullptr);
+        redo.update(trainer);
+        if (step % 10 != 0) continue;
+        (void)trainer.result(); // the GPU comes to its end, so that a moment can arrive
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+}
+
+} // namespace
+
+TEST_CASE("ten ways back at the tee begin with the same metal and take no more memory", "[app][long]") {
+    Trainer trainer(test::shaders(),
+                    findLesson("tee-fillet", test::testFolder().parent_path() / "app" / "data" / "lessons"));
+    Redo redo;
+    redo.begin();
+    weldTo(trainer, redo, kBegun);
+    REQUIRE(redo.can());
+    REQUIRE(trainer.result().metal.molten > 0);
+    REQUIRE(firstTimeAt(*trainer.technique(), kFault));
+    const std::uint64_t end = trainer.result().stateHash;
+    std::uint64_t start = 0;
+    size_t startSteps = 0, before = 0;
+    for (int i = 0; i < kTimes; ++i) {
+        INFO("number " << i + 1);
+        redo.choose(kFault);
+        REQUIRE(redo.back(trainer));
+        CHECK(redo.redone() == static_cast<size_t>(i) + 1);
+        const LessonResult now = trainer.result();
+        if (i == 0) {
+            start = now.stateHash;
+            startSteps = now.steps;
+            CHECK(now.seconds > 1); // the arc burned already
+            CHECK(start != end);
+        }
+        CHECK(now.stateHash == start);
+        CHECK(now.steps == startSteps);
+        weldTo(trainer, redo, kBegun);
+        CHECK(trainer.result().stateHash == end);
+        if (i + 1 == kWarmedUp) before = test::residentBytes();
+    }
+    const size_t after = test::residentBytes();
+    INFO(before << " bytes, then " << after);
+    CHECK(redo.fault() == "");
+    CHECK(before > 0);
+    CHECK(static_cast<double>(after) < 1.01 * static_cast<double>(before));
+}

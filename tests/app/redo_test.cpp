@@ -1,0 +1,147 @@
+// Going back to an earlier moment of the attempt: the metal is as it was, the record tells both ends and repeats the
+// last one, and the attempt is practice.
+#include "app/session/lesson_session.hpp"
+#include "core/base/text.hpp"
+#include "core/training/recorded_attempt.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <thread>
+
+using namespace meltpool;
+
+namespace {
+
+/// A bead on a plate of 24 x 14 mm, without values to choose.
+Lesson smallBead() {
+    Lesson lesson = findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
+    lesson.choose.clear();
+    lesson.workpiece.lengthMm = 24;
+    lesson.workpiece.widthMm = 14;
+    lesson.workpiece.thicknessMm = 4;
+    lesson.surface.cells = 24;
+    return lesson;
+}
+
+/// Straight down, 3 mm over the plate, 3 mm/s.
+TorchSample torchAt(size_t step, double timeStep) {
+    TorchSample torch;
+    torch.tip = {-0.008F + 3e-3F * static_cast<float>(static_cast<double>(step) * timeStep), 0.003F, 0};
+    torch.orientation = glm::angleAxis(-1.5707963F, glm::vec3(1, 0, 0));
+    torch.trigger = 1;
+    return torch;
+}
+
+class Welder {
+  public:
+    explicit Welder(const std::filesystem::path& record = {})
+        : session(test::shaders(), smallBead(), [] { return 0.0; }) {
+        session.records().use(record, "program", "driver");
+    }
+
+    /// Frames of 1/45 s; in each the moment that was begun before has time to be kept.
+    void weld(int frames) {
+        const TorchSource torch = [&](int step, int) {
+            return torchAt(session.steps() + static_cast<size_t>(step), 1.0 / 90);
+        };
+        for (int i = 0; i < frames; ++i) {
+            session.advance(controls, 1.0 / 45, nullptr, torch);
+            if (i % 10 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+    }
+
+    Controls controls;
+    LessonSession session;
+};
+
+std::string hashOfRepeat(const std::filesystem::path& file) {
+    Lesson lesson = smallBead();
+    takeTorch(lesson, file);
+    Trainer trainer(test::shaders(), lesson);
+    for (size_t i = 0; i < lesson.recorded->rows; ++i)
+        trainer.advanceDemonstration(nullptr);
+    return formatHexadecimal(trainer.result().stateHash);
+}
+
+} // namespace
+
+TEST_CASE("an attempt goes back three seconds and on to another end, which its record repeats", "[app]") {
+    const auto file = test::scratchFolder("redo") / "attempt.csv";
+    {
+        Welder welder(file);
+        welder.session.begin(welder.controls);
+        CHECK_FALSE(welder.session.redoes());
+        welder.weld(200);
+        REQUIRE(welder.session.redoes());
+        CHECK(welder.session.earlierMoments().redone() == 0);
+        const double before = welder.session.torch().time;
+        const size_t steps = welder.session.steps();
+        welder.session.redo(welder.controls);
+        REQUIRE(welder.session.steps() < steps);
+        CHECK(welder.session.torch().time <= before - Redo::kBack + 1e-6);
+        CHECK(welder.session.earlierMoments().redone() == 1);
+        CHECK(welder.controls.triggerLock().locked());
+        CHECK(welder.controls.triggerLock().reason() == ArcOut::redone);
+        welder.weld(30);
+        CHECK(welder.session.fault().empty());
+        welder.session.end("the test ended");
+    }
+    const auto attempt = readRecordedAttempt(file);
+    REQUIRE(attempt);
+    CHECK(attempt->redone == 1);
+    const auto mark = std::find_if(attempt->notes.begin(), attempt->notes.end(),
+                                   [](const RecordedEvent& note) { return note.name == "redo"; });
+    REQUIRE(mark != attempt->notes.end()); // of the time line of a replay
+    CHECK(std::stoul(mark->value) < mark->steps);
+    CHECK(attempt->stateHash == hashOfRepeat(file));
+}
+
+TEST_CASE("one goes back before a fault by its place, and another attempt knows of nothing earlier", "[app]") {
+    Welder welder;
+    welder.session.begin(welder.controls);
+    welder.weld(200);
+    CHECK_FALSE(firstTimeAt(Technique(seamOf(smallBead().workpiece)), 0));
+    REQUIRE(welder.session.redoes());
+    welder.session.earlierMoments().choose(-0.002); // where the torch was after 2 s
+    welder.session.redo(welder.controls);
+    CHECK(welder.session.torch().time < 1.2);
+    welder.session.reset(welder.controls);
+    CHECK(welder.session.earlierMoments().redone() == 0);
+    CHECK_FALSE(welder.session.redoes());
+    welder.session.redo(welder.controls);
+    CHECK(welder.session.steps() == 0);
+}
+
+TEST_CASE("an attempt that goes back ten times from the same place takes no more memory", "[app]") {
+    Welder welder;
+    welder.session.begin(welder.controls);
+    welder.weld(60);
+    size_t first = 0;
+    for (int i = 0; i < 10; ++i) {
+        welder.weld(30);
+        REQUIRE(welder.session.redoes());
+        welder.session.earlierMoments().choose(-0.0078);
+        welder.session.redo(welder.controls);
+        CHECK(welder.session.earlierMoments().redone() == static_cast<size_t>(i) + 1);
+        if (i == 1) first = welder.session.earlierMoments().bytes();
+    }
+    CHECK(welder.session.earlierMoments().bytes() < first + first / 4);
+}
+
+TEST_CASE("a record that goes back where it cannot is refused with its line", "[app]") {
+    const auto folder = test::scratchFolder("redo-lines");
+    const std::string head = "# meltpool record 1\n# lesson gmaw-bead\n"
+                             "time_s,x_mm,y_mm,z_mm,qx,qy,qz,qw,trigger\n0.1,0,3,0,0,0,0,1,0\n0.2,1,3,0,0,0,0,1,0\n";
+    const auto file = folder / "attempt.csv";
+    writeTextFileAtomically(file, head + "# event redo 1\n0.15,9,3,0,0,0,0,1,1\n");
+    CHECK(TorchPath::read(file).duration() == Approx(0.15));
+    CHECK(readRecordedAttempt(file)->rows == 2);
+    for (const std::string step : {"3", "-1", "1.5", "soon"}) {
+        writeTextFileAtomically(file, head + "# event redo " + step + "\n");
+        CHECK_THROWS_WITH(TorchPath::read(file), test::containsText("attempt.csv:6"));
+        CHECK_THROWS_WITH(readRecordedAttempt(file), test::containsText("attempt.csv:6"));
+    }
+}

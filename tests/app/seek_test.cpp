@@ -1,0 +1,197 @@
+// Recordings of the session hold moments of the whole metal: a replay goes to them at once, comes to the same bits as
+// without them, and does not use those of another program or driver. An attempt that went back repeats its last end.
+#include "app/program/program_info.hpp"
+#include "app/session/lesson_session.hpp"
+#include "app/session/recordings/best_kept.hpp"
+#include "app/session/recordings/kept_attempts.hpp"
+#include "app/session/replay/moments_of_attempt.hpp"
+#include "app/session/replay/replay_end.hpp"
+#include "core/base/text.hpp"
+#include "core/training/recording/recording_reader.hpp"
+#include "tests/app/program.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+#include "tests/support/recording_bytes.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+using namespace meltpool;
+using meltpool::test::containsText;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kFrame = 1.0 / 45;
+
+/// A bead on a plate of 24 x 14 mm, without values to choose.
+Lesson smallBead() {
+    Lesson lesson = findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
+    lesson.choose.clear();
+    lesson.workpiece.lengthMm = 24;
+    lesson.workpiece.widthMm = 14;
+    lesson.workpiece.thicknessMm = 4;
+    lesson.surface.cells = 24;
+    return lesson;
+}
+
+/// Welds at 3 mm/s in a session whose attempts are recorded.
+class Welder {
+  public:
+    explicit Welder(const fs::path& folder) : session(test::shaders(), smallBead(), [] { return 0.0; }) {
+        session.recordings().use(folder, thisMachine().program, thisMachine().driver);
+        session.begin(controls);
+    }
+
+    /// In each frame the moment that was begun before has time to be kept.
+    void weld(int frames) {
+        const TorchSource lead = [&](int step, int) {
+            TorchSample torch;
+            const double time = static_cast<double>(session.steps() + static_cast<size_t>(step)) / 90;
+            torch.tip = {-0.008F + 3e-3F * static_cast<float>(time), 0.003F, 0};
+            torch.orientation = glm::angleAxis(-1.5707963F, glm::vec3(1, 0, 0));
+            torch.trigger = 1;
+            return torch;
+        };
+        for (int i = 0; i < frames; ++i) {
+            session.advance(controls, kFrame, nullptr, lead);
+            if (i % 10 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        }
+        CHECK(session.fault().empty());
+    }
+
+    fs::path end() {
+        session.end("the test ended");
+        session.recordings().finish();
+        CHECK(session.recordings().lost() == "");
+        return session.recordings().file();
+    }
+
+    Controls controls;
+    LessonSession session;
+};
+
+Lesson attemptIn(const fs::path& file) {
+    Lesson lesson = smallBead();
+    takeTorch(lesson, file);
+    return lesson;
+}
+
+/// The same without its moments.
+fs::path withoutMoments(const fs::path& file) {
+    test::RecordingBytes copy;
+    FrameReader frames(file);
+    RecordingFrame frame;
+    while (frames.next(frame))
+        if (!frame.is(FrameKind::checkpoint)) copy.add(frame.kind, frame.content);
+    const fs::path stripped = file.parent_path() / "without.meltrec";
+    std::ofstream(stripped, std::ios::binary) << copy.bytes();
+    return stripped;
+}
+
+/// State of the metal at this second, sought by the program.
+std::string hashAt(const fs::path& file, const std::string& second, const std::string& told) {
+    const fs::path folder = test::scratchFolder("seek-run");
+    const test::Outcome outcome = test::runMeltpool("replay '" + file.string() + "' --seek " + second +
+                                                    " --size 64x36 --out '" + folder.string() + "'");
+    INFO(outcome.errors << outcome.output);
+    REQUIRE(outcome.code == 0);
+    CHECK((outcome.output.find("It begins at") != std::string::npos) == !told.empty());
+    return nlohmann::json::parse(readTextFile(folder / "result.json")).at("state_hash");
+}
+
+} // namespace
+
+TEST_CASE("a replay goes to the moments that its recording holds, and to the same bits as without", "[app][seek]") {
+    Welder welder(test::scratchFolder("seek"));
+    welder.weld(240); // over five seconds
+    const fs::path file = welder.end();
+    const Recording recording = readSoundRecording(file);
+    REQUIRE(recording.checkpoints.size() >= 2);
+    WARN(recording.checkpoints.size() << " moments in " << recording.seconds() << " s; the recording takes "
+                                      << static_cast<double>(fs::file_size(file)) / recording.seconds() * 60 / 1e6
+                                      << " MB a minute, of them at first "
+                                      << static_cast<double>(recording.checkpoints[0].size) / 1e6 << " MB once");
+    const double seconds = recording.seconds();
+    CHECK(static_cast<double>(fs::file_size(file) - recording.checkpoints[0].size) < 5e6 / 60 * seconds + 1e5);
+
+    SECTION("in the window") {
+        LessonSession session(test::shaders(), smallBead(), [] { return 0.0; });
+        Controls controls;
+        session.openReplay(attemptIn(file), controls);
+        AttemptReplay& replay = session.replay();
+        CHECK(replay.recordedMoments() == recording.checkpoints.size());
+        CHECK(replay.momentsRefused().empty());
+        const auto frame = [&] { session.advance(controls, kFrame, nullptr, {}); };
+        const double last = recording.steps[recording.checkpoints.back().steps - 1].torch.time;
+        replay.line().seek(seconds - 0.05);
+        frame();
+        CHECK(session.torch().time >= last);
+        for (int i = 0; i < 3000 && (replay.line().playing() || replay.line().seeking()); ++i)
+            frame();
+        REQUIRE(replay.comparison());
+        CHECK(replay.comparison()->verdict == ReplayEnd::Verdict::same);
+        CHECK(session.fault().empty());
+    }
+    SECTION("by the command") {
+        const fs::path stripped = withoutMoments(file);
+        const std::string second = formatNumber(static_cast<float>(seconds - 0.2));
+        CHECK(hashAt(file, second, "from a moment") == hashAt(stripped, second, ""));
+    }
+    SECTION("not to those of another program, driver or lesson") {
+        const Lesson lesson = attemptIn(file);
+        CHECK(momentsOfAttempt(lesson, thisMachine()).moments);
+        CHECK(momentsOfAttempt(lesson, thisMachine()).refused.empty());
+        ReplayMachine other = thisMachine();
+        other.program += "x";
+        CHECK_FALSE(momentsOfAttempt(lesson, other).moments);
+        CHECK_THAT(momentsOfAttempt(lesson, other).refused, containsText("another version, " + programBuild()));
+        other = thisMachine();
+        other.driver += "x";
+        CHECK_THAT(momentsOfAttempt(lesson, other).refused, containsText("another driver"));
+        Lesson changed = lesson;
+        changed.recorded->lessonHash = "0123456789abcdef";
+        CHECK_THAT(momentsOfAttempt(changed, thisMachine()).refused, containsText("version of its lesson"));
+    }
+    SECTION("the page of the hand is made of the recording alone") {
+        const fs::path page = test::scratchFolder("seek-page") / "page.html";
+        const test::Outcome outcome = test::runMeltpool("report '" + file.string() + "' --out '" + page.string() + "'");
+        INFO(outcome.errors << outcome.output);
+        REQUIRE(outcome.code == 0);
+        CHECK_THAT(readTextFile(page), containsText("holds the hand and the arc but no metal"));
+    }
+}
+
+TEST_CASE("the recording of an attempt that went back repeats its last end and is practice", "[app][seek]") {
+    const fs::path folder = test::scratchFolder("seek-redo");
+    Welder welder(folder);
+    welder.weld(200);
+    REQUIRE(welder.session.redoes());
+    welder.session.redo(welder.controls);
+    REQUIRE(welder.session.earlierMoments().redone() == 1);
+    welder.weld(80);
+    const fs::path file = welder.end();
+    const Lesson lesson = attemptIn(file);
+    REQUIRE(lesson.recorded);
+    CHECK(lesson.recorded->redone == 1);
+    Trainer trainer(test::shaders(), lesson);
+    for (size_t i = 0; i < lesson.recorded->rows; ++i)
+        trainer.advanceDemonstration(nullptr);
+    CHECK(formatHexadecimal(trainer.result().stateHash) == lesson.recorded->stateHash);
+    const MomentsOfAttempt recorded = momentsOfAttempt(lesson, thisMachine());
+    REQUIRE(recorded.moments);
+    const auto moment = recorded.moments->before(lesson.torch.duration());
+    REQUIRE(moment);
+    trainer.restore(*moment);
+    while (trainer.steps() < lesson.recorded->rows)
+        trainer.advanceDemonstration(nullptr);
+    CHECK(formatHexadecimal(trainer.result().stateHash) == lesson.recorded->stateHash);
+    const auto kept = keptRecordings(folder);
+    REQUIRE(kept.size() == 1);
+    CHECK(kept[0].practice);
+    CHECK(bestKept(folder, "gmaw-bead").empty());
+}

@@ -1,0 +1,64 @@
+// A kept attempt in the running window: it plays to its end, is brought to another moment, and has the same bits again.
+#include "core/base/text.hpp"
+#include "tests/desktop/driven/driver.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+namespace meltpool::test {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+/// The classic demonstration with few particles; the telemetry of a run is a record.
+fs::path recordedAttempt() {
+    const fs::path folder = scratchFolder("replay-record");
+    REQUIRE(runCommand({MELTPOOL_PROGRAM, "run", "classic", "--out", folder.string(), "--seconds", "2", "--set",
+                        "particles=1000", "--set", "cells=16", "--size", "64x48"},
+                       {{"MELTPOOL_DATA", (fs::path(MELTPOOL_BINARY_FOLDER) / "share" / "meltpool").string()}}) == 0);
+    return folder / "telemetry.csv";
+}
+
+} // namespace
+
+TEST_CASE("a kept attempt plays in the window, goes to any moment, and ends in its own bits") {
+    const fs::path file = recordedAttempt();
+    TrainerWindow window("replay", {.lesson = "", .arguments = {"--replay", file.string()}});
+    const auto shown = [](const json& s) { return s.at("replay"); };
+    window.waitFor("the attempt", [&](const json& s) { return s.at("page") == "running" && !shown(s).is_null(); });
+    window.waitFor("the attempt's end", [&](const json& s) { return shown(s).at("over") == true; });
+    window.waitFor("its bits", [&](const json& s) { return shown(s).at("same") == true; });
+    window.takePicture("replay");
+    window.pull("replay.time", 0.4);
+    window.waitFor("another moment", [&](const json& s) {
+        return shown(s).at("seeking") == false && shown(s).at("over") == false &&
+               shown(s).at("time").get<double>() < 0.6 * shown(s).at("duration").get<double>();
+    });
+    const json there = window.settle();
+    CHECK(shown(there).at("playing") == false);
+    CHECK(shown(there).at("same").is_null());
+    CHECK(there.at("metal").at("steps") > 0);
+    window.key("space");
+    window.waitFor("its bits again", [&](const json& s) { return shown(s).at("same") == true; });
+    window.click("replay.weld");
+    window.waitFor("one's own attempt", [&](const json& s) { return shown(s).is_null() && s.at("page") == "running"; });
+}
+
+TEST_CASE("a file that is no attempt ends the program with a sentence") {
+    const fs::path folder = scratchFolder("replay-fault");
+    writeTextFileAtomically(folder / "other.csv", "a,b\n1,2\n");
+    Process::Options options;
+    options.command = {MELTPOOL_PROGRAM, "--replay", (folder / "other.csv").string(), "--desktop"};
+    options.environment = {{"DISPLAY", sharedDisplay().name()},
+                           {"HOME", folder.string()},
+                           {"XDG_CONFIG_HOME", folder.string()},
+                           {"MELTPOOL_DATA", (fs::path(MELTPOOL_BINARY_FOLDER) / "share" / "meltpool").string()},
+                           {"WAYLAND_DISPLAY", ""}};
+    options.output = folder / "output.txt";
+    Process process(options);
+    CHECK(process.wait(60) == 2);
+    CHECK_THAT(readTextFile(folder / "output.txt"), containsText("other.csv: names no lesson; expected"));
+}
+
+} // namespace meltpool::test

@@ -1,0 +1,84 @@
+// Panels drawn by the installed Dear ImGui without a window: what they show, where, and what a click on them does.
+#pragma once
+
+#include "app/session/ui/widgets.hpp"
+#include "core/base/function_ref.hpp"
+
+#include <cstddef>
+#include <cstdlib>
+#include <string>
+
+namespace meltpool::test {
+
+class DrawnInterface {
+  public:
+    using Content = FunctionRef<void(ui::Context&)>;
+
+    DrawnInterface() {
+        ImGui::GetAllocatorFunctions(&take_, &give_, &data_);
+        ImGui::SetAllocatorFunctions(
+            [](size_t bytes, void* self) {
+                ++static_cast<DrawnInterface*>(self)->requests_;
+                return std::malloc(bytes);
+            },
+            [](void* memory, void*) { std::free(memory); }, this);
+        ImGui::CreateContext();
+        ImGuiIO& io = ImGui::GetIO();
+        io.IniFilename = nullptr;
+        io.DisplaySize = {1280, 2000};
+        context_.fonts.body = io.Fonts->AddFontDefault();
+        context_.fonts.strong = context_.fonts.small = context_.fonts.title = context_.fonts.body;
+        unsigned char* pixels = nullptr;
+        int width = 0, height = 0;
+        io.Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
+        ui::applyTheme(1);
+    }
+    ~DrawnInterface() {
+        ImGui::DestroyContext();
+        ImGui::SetAllocatorFunctions(take_, give_, data_);
+    }
+    DrawnInterface(const DrawnInterface&) = delete;
+    DrawnInterface& operator=(const DrawnInterface&) = delete;
+
+    /// One frame with the content in a window; the corners of the triangles that came out of it.
+    int draw(Content content) {
+        ImGui::NewFrame();
+        context_.beginFrame();
+        ImGui::SetNextWindowPos({0, 0});
+        ImGui::SetNextWindowSize({430, 1900});
+        ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoSavedSettings);
+        content(context_);
+        ImGui::End();
+        ImGui::Render();
+        return ImGui::GetDrawData()->TotalVtxCount;
+    }
+
+    /// Presses and lets go of the mouse in the middle of what was drawn there under this name.
+    void click(const std::string& name, Content content) {
+        const ui::Place at = place(name);
+        ImGuiIO& io = ImGui::GetIO();
+        io.MousePos = {at.x + at.width / 2, at.y + at.height / 2};
+        for (const bool down : {false, true, false}) {
+            io.MouseDown[0] = down;
+            draw(content);
+        }
+    }
+
+    bool shows(const std::string& name) const {
+        const auto found = context_.places.find(name);
+        return found != context_.places.end() && context_.shown(found->second);
+    }
+    const ui::Place& place(const std::string& name) const { return context_.places.at(name); }
+
+    /// Of Dear ImGui to the heap.
+    size_t requests() const { return requests_; }
+
+  private:
+    ui::Context context_;
+    size_t requests_ = 0;
+    ImGuiMemAllocFunc take_ = nullptr;
+    ImGuiMemFreeFunc give_ = nullptr;
+    void* data_ = nullptr;
+};
+
+} // namespace meltpool::test

@@ -1,0 +1,239 @@
+// A kept attempt's time line without a window: positions and seconds, how far a frame goes, and what is told.
+#include "app/session/replay/curve_track.hpp"
+#include "app/session/replay/replay_end.hpp"
+#include "app/session/replay/replay_list.hpp"
+#include "app/session/replay/seek_pace.hpp"
+#include "app/session/replay/timeline.hpp"
+#include "app/session/replay/timeline_marks.hpp"
+#include "core/training/technique/seam.hpp"
+#include "tests/support/catch.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace meltpool {
+
+namespace {
+
+constexpr double kStep = 0.02;
+
+RecordedAttempt attemptOf(size_t rows) {
+    RecordedAttempt attempt;
+    attempt.rows = rows;
+    attempt.stateHash = "00000000000000ff";
+    attempt.program = "0.1.0 (abc)";
+    attempt.driver = "one driver";
+    return attempt;
+}
+
+} // namespace
+
+TEST_CASE("an attempt plays to its end, pauses, and begins again from there") {
+    ReplayTimeline line;
+    CHECK_FALSE(line.shown());
+    line.begin(4);
+    CHECK((line.shown() && line.playing() && !line.seeking()));
+    CHECK(line.target() == 0);
+    line.reach(1.5, kStep, false);
+    CHECK(line.time() == 1.5);
+    line.toggle();
+    CHECK_FALSE(line.playing());
+    line.toggle();
+    CHECK(line.playing());
+    line.reach(4.005, kStep, true);
+    CHECK(line.time() == 4);
+    CHECK((line.over() && !line.playing()));
+    line.toggle();
+    CHECK((line.playing() && line.seeking()));
+    CHECK(line.target() == 0);
+    line.end();
+    CHECK_FALSE(line.shown());
+}
+
+TEST_CASE("a moment that is asked for is reached by the step that is nearest to it") {
+    ReplayTimeline line;
+    line.begin(4);
+    line.reach(1, kStep, false);
+    line.seek(2);
+    CHECK((line.seeking() && line.playing()));
+    line.reach(2, kStep, false); // a step that was under way says nothing
+    CHECK(line.seeking());
+    CHECK(line.takeFresh());
+    CHECK_FALSE(line.takeFresh());
+    line.stepFrom(1);
+    CHECK(line.progress() == 0);
+    line.reach(1.5, kStep, false);
+    CHECK(line.progress() == Approx(0.5));
+    line.reach(1.98, kStep, false);
+    CHECK(line.seeking());
+    line.reach(1.995, kStep, false);
+    CHECK_FALSE(line.seeking());
+    CHECK(line.playing());
+
+    line.seek(99);
+    CHECK(line.target() == 4);
+    line.takeFresh();
+    line.reach(3.97, kStep, true); // the last step may end before the path does
+    CHECK((!line.seeking() && line.over() && !line.playing()));
+    line.seek(-3);
+    CHECK(line.target() == 0);
+    line.takeFresh();
+    line.stepFrom(0);
+    CHECK_FALSE(line.over());
+    line.reach(0, kStep, false);
+    CHECK_FALSE(line.seeking());
+}
+
+TEST_CASE("the speed keeps within what is offered") {
+    ReplayTimeline line;
+    line.begin(1);
+    CHECK(line.speed() == 1);
+    line.setSpeed(0.01);
+    CHECK(line.speed() == ReplayTimeline::kSlowest);
+    line.setSpeed(9);
+    CHECK(line.speed() == ReplayTimeline::kFastest);
+}
+
+TEST_CASE("a way to another moment takes more steps a frame while frames stay short, and fewer when they do not") {
+    SeekPace pace;
+    pace.begin();
+    CHECK(pace.steps() == 1);
+    for (int frame = 0; frame < 5; ++frame)
+        pace.frame(0.02);
+    CHECK(pace.steps() == 32);
+    pace.frame(2 * SeekPace::kLongest);
+    CHECK(pace.steps() == 16);
+    for (int frame = 0; frame < 100; ++frame)
+        pace.frame(1);
+    CHECK(pace.steps() == 1);
+    for (int frame = 0; frame < 100; ++frame)
+        pace.frame(0);
+    CHECK(pace.steps() == SeekPace::kMost);
+}
+
+TEST_CASE("a curve stands over the time of the attempt as far as it is known") {
+    CurveTrack curve;
+    curve.begin(10);
+    REQUIRE(curve.values().size() == CurveTrack::kPlaces);
+    curve.add(5, 7);
+    curve.add(10, 3);
+    curve.add(2, std::numeric_limits<double>::quiet_NaN());
+    CHECK(curve.values()[CurveTrack::kPlaces / 2] == 7);
+    CHECK(curve.values().back() == 3);
+    CHECK(std::isnan(curve.values()[CurveTrack::kPlaces / 5]));
+    CHECK((curve.least() == 3 && curve.most() == 7));
+    curve.begin(0);
+    curve.add(0, 1); // an attempt without a step has no places
+    CHECK(std::isnan(curve.values().front()));
+}
+
+TEST_CASE("changes and events are marks at their moments, in their order") {
+    RecordedAttempt attempt = attemptOf(100);
+    attempt.changes.push_back({50, "voltage", "24", 0});
+    attempt.events.push_back({25, "torch", "lost"});
+    attempt.events.push_back({30, "torch", "seen"});
+    const auto marks = timelineMarks(attempt, 4);
+    REQUIRE(marks.size() == 3);
+    CHECK(marks[0].time == Approx(1));
+    CHECK(marks[0].text == "The torch was lost");
+    CHECK((marks[0].fault && !marks[1].fault));
+    CHECK(marks[2].time == Approx(2));
+    CHECK(marks[2].text == "voltage 24");
+    CHECK(timelineMarks(RecordedAttempt{}, 4).empty());
+}
+
+TEST_CASE("each way back is a mark where the attempt went on, but for those in an end that was given up") {
+    RecordedAttempt attempt = attemptOf(100);
+    attempt.notes = {{40, "zoom", "2"}, {60, "redo", "50"}, {70, "redo", "25"}, {80, "redo", "75"}};
+    const auto marks = timelineMarks(attempt, 4);
+    REQUIRE(marks.size() == 2);
+    CHECK((marks[0].redo && marks[1].redo));
+    CHECK(marks[0].time == Approx(1));
+    CHECK(marks[1].time == Approx(3));
+    CHECK_FALSE(marks[0].fault);
+}
+
+TEST_CASE("faults with a place are marks at the moment when the arc first burned there") {
+    Technique technique(seamOf(WorkpieceParameters{}));
+    ArcState arc;
+    arc.action = ArcAction::burning;
+    for (int i = 0; i <= 200; ++i) { // 5 mm/s from the seam's middle on
+        TorchSample torch;
+        torch.time = i * 0.02;
+        torch.tip = {static_cast<float>(i) * 1e-4F, 0.003F, 0};
+        torch.orientation = glm::angleAxis(-1.5707963F, glm::vec3(1, 0, 0));
+        torch.trigger = 1;
+        technique.add(torch, arc);
+    }
+    Judgement judgement;
+    CHECK(faultMarks(technique, judgement).empty());
+    judgement.score.emplace();
+    judgement.score->parameters.push_back({});
+    judgement.score->parameters.back().quantity = TechniqueQuantity::travelSpeed;
+    judgement.score->parameters.back().worstPlaceMm = 10;
+    judgement.corrections = {{TechniqueQuantity::travelSpeed, 5, "Travel slower."},
+                             {TechniqueQuantity::aim, 3, "Aim better."}, // has no place
+                             {std::nullopt, 2, "Weld all of it."}};
+    judgement.verdict.emplace();
+    VerdictItem item;
+    item.name = "lack_of_fusion";
+    item.state = VerdictState::fail;
+    item.value = 1.3;
+    item.unit = "mm";
+    item.place = 5e-3;
+    judgement.verdict->items = {item, item};
+    judgement.verdict->items[1].place = 0.5; // no arc burned there
+    const auto marks = faultMarks(technique, judgement);
+    REQUIRE(marks.size() == 2);
+    CHECK(marks[0].text == "Lack of fusion fails: 1.3 mm at 5 mm of the seam");
+    CHECK(marks[0].time == Approx(1).margin(0.11));
+    CHECK(marks[1].text == "Travel slower.");
+    CHECK(marks[1].time == Approx(2).margin(0.11));
+    CHECK((marks[0].fault && marks[1].fault));
+}
+
+TEST_CASE("two attempts of one lesson are marked for a comparison, the older one first") {
+    ReplayList list;
+    list.show({{"c", "bead", "c"}, {"b", "tee", "b"}, {"a", "bead", "a"}});
+    CHECK_FALSE(list.marks());
+    CHECK_FALSE(list.mark(0));
+    CHECK((list.marks() && list.marked(0)));
+    CHECK_FALSE(list.mark(0)); // taken away again
+    CHECK_FALSE(list.marks());
+    list.mark(0);
+    CHECK_FALSE(list.mark(1)); // of another lesson: given up for it
+    CHECK((list.marked(1) && !list.marked(0)));
+    list.mark(2);
+    REQUIRE(list.mark(0));
+    CHECK_FALSE(list.marks());
+    CHECK(list.pair()[0].file == "a");
+    CHECK(list.pair()[1].file == "c");
+}
+
+TEST_CASE("the end says whether the metal is the attempt's, and names both machines where it is not") {
+    using End = ReplayEnd::Verdict;
+    const RecordedAttempt attempt = attemptOf(100);
+    const ReplayMachine machine{"0.2.0 (def)", "another driver"};
+    CHECK(replayEnd(&attempt, 100, 0xff, machine).verdict == End::same);
+    const ReplayEnd other = replayEnd(&attempt, 100, 0xfe, machine);
+    CHECK(other.verdict == End::different);
+    for (const char* part : {"simulation of the recording", "version 0.1.0 (abc) on one driver",
+                             "version 0.2.0 (def) on another driver"}) {
+        INFO(other.text);
+        CHECK(other.text.find(part) != std::string::npos);
+    }
+    CHECK(replayEnd(&attempt, 99, 0xff, machine).verdict == End::unknown);
+    CHECK(replayEnd(nullptr, 100, 0xff, machine).verdict == End::unknown);
+    RecordedAttempt broken = attempt;
+    broken.stateHash.clear();
+    CHECK(replayEnd(&broken, 100, 0xff, machine).text.find("broke off") != std::string::npos);
+}
+
+TEST_CASE("an attempt's length is told in seconds, from a minute on in minutes") {
+    CHECK(lengthText(12.34) == "12.3 s");
+    CHECK(lengthText(59.94) == "59.9 s");
+    CHECK(lengthText(59.96) == "1:00 min");
+    CHECK(lengthText(125) == "2:05 min");
+}
+
+} // namespace meltpool

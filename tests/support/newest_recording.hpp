@@ -1,0 +1,26 @@
+// Where a program of a test has left its recordings.
+#pragma once
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+namespace meltpool::test {
+
+/// The recordings of a folder by their names: the oldest first.
+inline std::vector<std::filesystem::path> recordingsIn(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    std::error_code none;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, none))
+        if (entry.path().extension() == ".meltrec") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+/// An empty name where there is none.
+inline std::filesystem::path newestRecording(const std::filesystem::path& folder) {
+    const auto files = recordingsIn(folder);
+    return files.empty() ? std::filesystem::path() : files.back();
+}
+
+} // namespace meltpool::test

@@ -1,0 +1,86 @@
+// What is heard, in words.
+#include "core/training/feedback/sound/ear.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/training/feedback/sound/sound_steps.hpp"
+
+using namespace meltpool;
+using namespace meltpool::test;
+
+namespace {
+
+/// The caption after `seconds` of steps that are all alike.
+std::string after(Captions& captions, const SoundStep& step, double seconds) {
+    for (double time = 0; time < seconds; time += step.seconds)
+        captions.step(step);
+    return std::string(captions.text());
+}
+
+} // namespace
+
+TEST_CASE("captions name what is heard", "[sound]") {
+    Captions captions;
+    CHECK(after(captions, noArc(SoundProcess::gmaw), 1).empty());
+    CHECK(after(captions, noArc(SoundProcess::gmaw, 1), 1) == "Gas flows");
+    SoundStep spray = openArc(SoundProcess::gmaw);
+    spray.dropRate = 250;
+    CHECK(after(captions, spray, 1) == "Drops hum");
+    spray.dropRate = 20;
+    CHECK(after(captions, spray, 1) == "Large drops fall");
+    CHECK(after(captions, openArc(SoundProcess::gmaw, 0.9F), 1) == "A long arc hisses");
+    CHECK(after(captions, noArc(SoundProcess::gmaw), 0.4) == "Gas flows"); // after the arc
+    CHECK(after(captions, noArc(SoundProcess::gmaw), 2).empty());
+    CHECK(after(captions, openArc(SoundProcess::smaw), 1) == "The electrode crackles");
+    CHECK(after(captions, openArc(SoundProcess::gtaw), 1) == "The arc hisses softly");
+    CHECK(after(captions, noArc(SoundProcess::flame, 1), 1) == "The flame roars");
+}
+
+TEST_CASE("captions tell even short circuits from uneven ones", "[sound]") {
+    Captions captions;
+    ShortCircuits shorts;
+    for (int i = 0; i < 45; ++i)
+        captions.step(shorting(shorts));
+    CHECK(captions.text() == "Short circuits, even");
+    for (int i = 0; i < 180; ++i)
+        captions.step(i % 40 < 20 ? shorting(shorts, 120) : openArc(SoundProcess::gmaw));
+    CHECK(captions.text() == "Short circuits, uneven");
+    SoundStep stubs = openArc(SoundProcess::gmaw);
+    stubs.arc.action = ArcAction::stubbed;
+    CHECK(after(captions, stubs, 0.5) == "The wire stubs");
+}
+
+TEST_CASE("a caption does not flicker", "[sound]") {
+    Captions captions;
+    after(captions, openArc(SoundProcess::smaw), 1);
+    int changes = 0;
+    std::string last(captions.text());
+    for (int i = 0; i < 900; ++i) { // an arc that goes out for a moment again and again
+        captions.step(i % 20 < 3 ? noArc(SoundProcess::smaw, 1) : openArc(SoundProcess::smaw));
+        changes += captions.text() != last ? 1 : 0;
+        last = captions.text();
+    }
+    CHECK(changes == 0);
+}
+
+TEST_CASE("an ear hands steps on in order, drops what nobody takes, and chips with the next step", "[sound]") {
+    Ear ear;
+    for (size_t i = 0; i < SoundFeed::kRoom + 10; ++i) {
+        SoundStep step = noArc(SoundProcess::smaw);
+        step.hottest = static_cast<float>(i);
+        ear.hear(step);
+    }
+    CHECK(ear.feed().waiting() == SoundFeed::kRoom);
+    SoundStep taken;
+    for (size_t i = 0; i < SoundFeed::kRoom; ++i) {
+        REQUIRE(ear.feed().pop(taken));
+        CHECK(taken.hottest == static_cast<float>(i));
+        CHECK(taken.chips == 0);
+    }
+    CHECK_FALSE(ear.feed().pop(taken));
+    ear.chip(3);
+    ear.hear(noArc(SoundProcess::smaw));
+    ear.hear(noArc(SoundProcess::smaw));
+    REQUIRE(ear.feed().pop(taken));
+    CHECK(taken.chips == 3);
+    REQUIRE(ear.feed().pop(taken));
+    CHECK(taken.chips == 0);
+}
