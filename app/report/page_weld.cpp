@@ -1,4 +1,4 @@
-// The part of the page that is about the weld: verdict with its places, figures, heat input.
+// The part of the page that is about the verdict, with its places on the seam.
 #include "app/report/drawings/seam_strip.hpp"
 #include "app/report/drawings/svg_text.hpp"
 #include "app/report/page_parts.hpp"
@@ -112,53 +112,6 @@ std::string itemRow(const LetteredItem& each) {
            "</td><td class=\"" + textIn(item, "state") + "\">" + stateText(item) + "</td></tr>\n";
 }
 
-/// Names of entries that have words of their own, or that stand elsewhere on the page.
-std::string figureRow(const std::string& key, double value) {
-    if (key == "mean_current_a") return tableRow("mean current", rounded(value, 0) + " A");
-    if (key == "mean_voltage_v") return tableRow("mean voltage", rounded(value, 1) + " V");
-    if (key == "energy_kj") return tableRow("energy of the arc", rounded(value, 1) + " kJ");
-    if (key == "seconds") return tableRow("time of the arc", rounded(value, 1) + " s");
-    if (key == "seam_mm") return tableRow("seam on which it burned", measure(value, "mm"));
-    if (key == "pitch_mm") return tableRow("seam that a station stands for", measure(value, "mm"));
-    if (key == "spacing_mm") return tableRow("particles lie apart", measure(value, "mm"));
-    if (key == "t85_s")
-        return tableRow("cooling from 800 to 500 \xC2\xB0"
-                        "C",
-                        measure(value, "s"));
-    if (key == "stations") return tableRow("stations", rounded(value, 0));
-    if (key == "efficiency_en_1011_1" || key == "heat_input_kj_mm") return {};
-    const NamedUnit figure = namedUnit(key);
-    return tableRow(figure.words, measure(value, figure.unit));
-}
-
-std::string figuresOf(const json& part) {
-    std::string rows;
-    if (!part.is_object()) return rows;
-    for (const auto& [key, value] : part.items())
-        if (value.is_number()) rows += figureRow(key, value.get<double>());
-    return rows;
-}
-
-std::string table(const std::string& rows) {
-    return rows.empty() ? rows : "<table>\n" + rows + "</table>\n";
-}
-
-/// The formula with its numbers, so that a reader can repeat it.
-std::string heatPart(const json& arc) {
-    const auto heat = numberIn(arc, "heat_input_kj_mm"), k = numberIn(arc, "efficiency_en_1011_1");
-    if (!heat) return {};
-    std::string html = "<h2>Heat input by EN 1011-1</h2>\n<p><b>" + measure(heat, "kJ/mm") + "</b>";
-    const auto volts = numberIn(arc, "mean_voltage_v"), amperes = numberIn(arc, "mean_current_a"),
-               speed = numberIn(arc, "travel_speed_mm_s");
-    if (k && volts && amperes && speed)
-        html += " = k \xC2\xB7 U \xC2\xB7 I / v = " + rounded(*k, 1) + " \xC2\xB7 " + rounded(*volts, 1) +
-                " V \xC2\xB7 " + rounded(*amperes, 0) + " A / (" + measure(speed, "mm/s") + ")";
-    html +=
-        "</p>\n<p class=\"quiet\">k is the thermal efficiency by EN 1011-1: 0.8 for GMAW and covered electrodes, 0.6 "
-        "for GTAW. U and I are means while the arc burned, v the seam on which it burned over that time.</p>\n";
-    return html;
-}
-
 } // namespace
 
 std::string verdictPart(const RunResults& results) {
@@ -181,14 +134,6 @@ std::string verdictPart(const RunResults& results) {
            "</tbody></table>\n<p class=\"quiet\">Letters: on the strip, at the worst place; hatched: where it "
            "fails. Not resolved: finer than the particles, or nothing that the metal contains. Estimated: from the "
            "technique, in mm of weld. Neither passes nor fails.</p>\n";
-}
-
-std::string figurePart(const RunResults& results) {
-    const json& arc = partIn(results.result, "arc");
-    const std::string weld = figuresOf(partIn(results.result, "weld")), burned = figuresOf(arc);
-    if (weld.empty() && burned.empty()) return {};
-    return "<h2>The weld in figures</h2>\n<div class=\"columns\">\n" + table(weld) + table(burned) + "</div>\n" +
-           heatPart(arc);
 }
 
 } // namespace meltpool

@@ -71,18 +71,20 @@ const Buffer& StateArchive::upload() {
     return *upload_;
 }
 
-void StateArchive::region(GLuint buffer, size_t bytes, bool list) {
+void StateArchive::region(GLuint buffer, const StatePart& as) {
     if (parts_ == nullptr) throw RuntimeFault("a state of numbers alone was to hold a GPU buffer");
-    parts_->parts.push_back({bytes, list, true});
-    parts_->regions.push_back({buffer, bytes});
+    parts_->parts.push_back(as);
+    parts_->parts.back().onGpu = true;
+    parts_->regions.push_back({buffer, as.bytes});
 }
 
-void StateArchive::part(const Buffer& buffer, size_t bytes, bool list) {
+void StateArchive::part(const Buffer& buffer, const StatePart& as) {
+    const size_t bytes = as.bytes;
     size_t size = bytes;
     count(size, bytes);
     if (!restores()) {
         if (bytes > buffer.bytes()) throw RuntimeFault("a state was to hold more of a GPU buffer than there is");
-        return region(buffer.name(), bytes, list);
+        return region(buffer.name(), as);
     }
     if (size != bytes || bytes > buffer.bytes())
         refuse("has " + std::to_string(size) + " bytes of a buffer, not " + std::to_string(bytes));
@@ -101,7 +103,7 @@ void StateArchive::answer(Readback& readback, Buffer& source) {
     value(asked);
     const size_t bytes = readback.bytes();
     if (!restores()) {
-        if (asked) region(readback.name(), bytes, false);
+        if (asked) region(readback.name(), {bytes});
         return;
     }
     readback.forget();

@@ -17,8 +17,9 @@ namespace meltpool::gl {
 /// A stretch of a state's bytes that changes, and packs, as one.
 struct StatePart {
     size_t bytes = 0;
-    bool list = false;  ///< of slots or other whole numbers that mostly differ little from the one before
-    bool onGpu = false; ///< while it is being saved: it comes from a buffer
+    bool list = false;   ///< of slots or other whole numbers that mostly differ little from the one before
+    bool onGpu = false;  ///< while it is being saved: it comes from a buffer
+    size_t rowWords = 1; ///< 4-byte words of a row, where it is a table: a column's words resemble each other
 
     bool operator==(const StatePart&) const = default;
 };
@@ -60,9 +61,13 @@ class StateArchive {
     void text(std::string& words);
 
     /// The first `bytes` bytes of a buffer. Where it is restored the rest of the buffer becomes zero.
-    void buffer(const Buffer& buffer, size_t bytes) { part(buffer, bytes, false); }
+    void buffer(const Buffer& buffer, size_t bytes) { part(buffer, {bytes}); }
     /// The same of whole numbers, see StatePart::list.
-    void list(const Buffer& buffer, size_t bytes) { part(buffer, bytes, true); }
+    void list(const Buffer& buffer, size_t bytes) { part(buffer, {bytes, true}); }
+    /// The same of `count` vectors or structs of `rowBytes`, a multiple of 4.
+    void rows(const Buffer& buffer, size_t count, size_t rowBytes) {
+        part(buffer, {count * rowBytes, false, false, rowBytes / 4});
+    }
 
     /// An answer that is under way or has not been taken yet. Where it is restored it comes again by way of `source`,
     /// the buffer that it was read from.
@@ -77,8 +82,8 @@ class StateArchive {
     void value(bool& each);
 
     void plain(void* data, size_t bytes);
-    void part(const Buffer& buffer, size_t bytes, bool list);
-    void region(GLuint buffer, size_t bytes, bool list);
+    void part(const Buffer& buffer, const StatePart& as);
+    void region(GLuint buffer, const StatePart& as);
     std::span<const std::byte> take(size_t bytes);
     const Buffer& upload();
 

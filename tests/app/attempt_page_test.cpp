@@ -60,9 +60,9 @@ TEST_CASE("a judged attempt becomes a page beside its record, and the record alo
     CHECK(page == folder / "weld.html");
     const std::string html = readTextFile(page);
     CHECK(test::firstUnclosed(html) == "");
-    for (const char* text :
-         {"practice", "<b>Zoom:</b> 2.0", "<b>Help:</b> none", "a driver", "Travel speed", "ISO 5817",
-          "data:image/png;base64,iVBOR", "The weld cut across at", "<polyline", "class=\"seam\""}) {
+    for (const char* text : {"practice", "<b>Zoom:</b> 2.0", "<b>Help:</b> cues: speed angles distance aim seam arc",
+                             "a driver", "Travel speed", "ISO 5817", "data:image/png;base64,iVBOR",
+                             "The weld cut across at", "<polyline", "class=\"seam\""}) {
         INFO(text);
         CHECK_THAT(html, containsText(text));
     }

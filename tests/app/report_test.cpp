@@ -112,6 +112,22 @@ TEST_CASE("the page tells how the attempt was made, its score, verdict and weld,
     CHECK(html.find("Not scored") == std::string::npos);
 }
 
+TEST_CASE("figures stand on the page in the order of an inspector, those of a newer program last", "[app]") {
+    const fs::path folder = writtenRun(
+        "report-figures",
+        R"({"lesson": "tee", "finished": true, "seconds": 1, "weld": {"a_new_one_mm": 7, "haz_width_mm": 3, "leg1_mm": 6,
+        "leg2_mm": 5, "root_fused_percent": 98.4, "stations": 15, "throat_mm": 4}, "arc": {"mean_current_a": 250.2}})");
+    const std::string html = reportPage(readRunResults(folder));
+    size_t last = 0;
+    for (const char* text : {"leg on the lying plate", "leg on the standing plate", "throat", "root fused", "98 %",
+                             "heat-affected zone", "sections measured", ">15<", "a new one", "mean current", "250 A"}) {
+        INFO(text);
+        const size_t place = html.find(text, last);
+        REQUIRE(place != std::string::npos);
+        last = place;
+    }
+}
+
 TEST_CASE("the page loads nothing and runs nothing", "[app]") {
     const fs::path folder = writtenRun("report-alone", kResult);
     writeTextFileAtomically(folder / "011.000s-metal.png", "foobar");

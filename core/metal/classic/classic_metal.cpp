@@ -80,8 +80,8 @@ ClassicMetal::Snapshot ClassicMetal::snapshot() const {
 
 /// The order of the slots changes no sum: particles of a cell are sorted by number.
 void ClassicMetal::transfer(gl::StateArchive& archive) {
-    archive.buffer(movedPositions_, count_ * sizeof(vec4));
-    archive.buffer(movedVelocities_, count_ * sizeof(vec4));
+    archive.rows(movedPositions_, count_, sizeof(vec4));
+    archive.rows(movedVelocities_, count_, sizeof(vec4));
     archive.list(movedNumbers_, count_ * sizeof(uint));
     archive.buffer(refused_, sizeof(uint));
     if (!archive.restores()) return;

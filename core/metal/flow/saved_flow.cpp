@@ -34,11 +34,11 @@ void Flow::transfer(gl::StateArchive& archive) {
     archive.count(known_, capacity);
     room_.transfer(archive);
     if (archive.restores()) takeSavedRoom();
-    archive.buffer(particles_, state_.particles() * sizeof(FlowParticle));
+    archive.rows(particles_, state_.particles(), sizeof(FlowParticle));
     for (const gl::Buffer* buffer : {&cells_, &lists_, &counters_, &changed_})
         archive.list(*buffer, buffer->bytes());
     archive.list(nextInCell_, capacity * sizeof(uint));
-    archive.buffer(wallSums_, state_.particles() * sizeof(ivec4));
+    archive.rows(wallSums_, state_.particles(), sizeof(ivec4));
     if (block_.rowCapacity > 0) {
         archive.list(neighbours_, kNeighbourWords * block_.rowCapacity * sizeof(uint));
         archive.list(pages_, block_.wallPageCapacity * kPageBytes);

@@ -145,7 +145,7 @@ void MetalState::transfer(gl::StateArchive& archive) {
     archive.count(particles_, capacity_);
     archive.values(regroupings_);
     for (const gl::Buffer* each : {&position, &velocity, &heat})
-        archive.buffer(*each, particles_ * sizeof(vec4));
+        archive.rows(*each, particles_, sizeof(vec4));
     archive.buffer(phase, particles_ * sizeof(uint));
     archive.list(latticeSlots, latticeSlots.bytes());
     archive.buffer(counters, sizeof(MetalCounters));

@@ -46,27 +46,37 @@ class Differences {
     std::uint32_t before_ = 0, referenceBefore_ = 0;
 };
 
+/// Where word number `i` of `words` stands: columns one after the other, then the words that make no whole row.
+size_t placeOf(size_t i, size_t words, size_t rowWords) {
+    const size_t rows = words / rowWords;
+    return i < rows * rowWords ? i % rowWords * rows + i / rowWords : i;
+}
+
 } // namespace
 
-void codeBlock(std::span<const std::byte> own, std::span<const std::byte> reference, bool list, std::byte* coded) {
+void codeBlock(std::span<const std::byte> own, std::span<const std::byte> reference, const gl::StatePart& part,
+               std::byte* coded) {
     const size_t words = own.size() / 4;
-    Differences differences(reference, list);
+    Differences differences(reference, part.list);
     for (size_t i = 0; i < words; ++i) {
         const std::uint32_t word = differences.code(i, wordAt(own, i));
+        const size_t place = placeOf(i, words, part.rowWords);
         for (size_t plane = 0; plane < 4; ++plane)
-            coded[plane * words + i] = static_cast<std::byte>(word >> (8 * plane) & 0xFFU);
+            coded[plane * words + place] = static_cast<std::byte>(word >> (8 * plane) & 0xFFU);
     }
     const size_t rest = own.size() - 4 * words;
     if (rest > 0) std::memcpy(coded + 4 * words, own.data() + 4 * words, rest);
 }
 
-void decodeBlock(const std::byte* coded, std::span<const std::byte> reference, bool list, std::span<std::byte> own) {
+void decodeBlock(const std::byte* coded, std::span<const std::byte> reference, const gl::StatePart& part,
+                 std::span<std::byte> own) {
     const size_t words = own.size() / 4;
-    Differences differences(reference, list);
+    Differences differences(reference, part.list);
     for (size_t i = 0; i < words; ++i) {
+        const size_t place = placeOf(i, words, part.rowWords);
         std::uint32_t word = 0;
         for (size_t plane = 0; plane < 4; ++plane)
-            word |= std::to_integer<std::uint32_t>(coded[plane * words + i]) << (8 * plane);
+            word |= std::to_integer<std::uint32_t>(coded[plane * words + place]) << (8 * plane);
         const std::uint32_t value = differences.decode(i, word);
         std::memcpy(own.data() + 4 * i, &value, 4);
     }

@@ -16,7 +16,7 @@ std::uint64_t hashOf(const Checkpoint& checkpoint) {
         checkpoint.parts.size(), checkpoint.bytes.size()};
     std::uint64_t hash = hashOfBytes(std::as_bytes(std::span(head)));
     for (const gl::StatePart& part : checkpoint.parts) {
-        const std::array<std::uint64_t, 2> numbers{part.bytes, part.list};
+        const std::array<std::uint64_t, 3> numbers{part.bytes, part.list, part.rowWords};
         hash = hashOfBytes(std::as_bytes(std::span(numbers)), hash);
     }
     return hashOfBytes(checkpoint.bytes, hashOfBytes(checkpoint.history, hash));

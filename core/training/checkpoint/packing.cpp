@@ -18,6 +18,8 @@ namespace {
 
 constexpr std::uint64_t kMagic = 0x314B43454843504DU; // "MPCHECK1"
 constexpr int kFastest = 1;
+constexpr unsigned kPartBits = 8; ///< below a part's bytes: the words of its rows, and whether it is a list
+constexpr std::uint64_t kMostRowWords = 127;
 constexpr std::uint64_t kMostBytes = std::uint64_t(1) << 34;
 
 /// The numbers before the compressed bytes.
@@ -82,18 +84,18 @@ class PartWalk {
 
 /// A bit a block that differs from the reference's, then those blocks.
 void appendPart(std::vector<std::byte>& raw, std::span<const std::byte> own, std::span<const std::byte> reference,
-                bool list) {
-    const size_t blocks = (own.size() + kStateBlock - 1) / kStateBlock;
+                const gl::StatePart& part) {
+    const size_t block = blockBytes(part), blocks = (own.size() + block - 1) / block;
     const size_t bits = raw.size();
     raw.resize(bits + (blocks + 7) / 8);
-    for (size_t block = 0; block < blocks; ++block) {
-        const auto mine = cut(own, block * kStateBlock, kStateBlock);
-        const auto other = cut(reference, block * kStateBlock, kStateBlock);
+    for (size_t i = 0; i < blocks; ++i) {
+        const auto mine = cut(own, i * block, block);
+        const auto other = cut(reference, i * block, block);
         if (same(mine, other)) continue;
-        raw[bits + block / 8] |= std::byte{1} << (block % 8);
+        raw[bits + i / 8] |= std::byte{1} << (i % 8);
         const size_t at = raw.size();
         raw.resize(at + mine.size());
-        codeBlock(mine, other, list, raw.data() + at);
+        codeBlock(mine, other, part, raw.data() + at);
     }
 }
 
@@ -106,15 +108,15 @@ std::span<const std::byte> take(std::span<const std::byte>& raw, size_t bytes) {
 }
 
 void takePart(std::span<const std::byte>& raw, std::span<std::byte> own, std::span<const std::byte> reference,
-              bool list) {
-    const size_t blocks = (own.size() + kStateBlock - 1) / kStateBlock;
+              const gl::StatePart& part) {
+    const size_t block = blockBytes(part), blocks = (own.size() + block - 1) / block;
     const auto bits = take(raw, (blocks + 7) / 8);
-    for (size_t block = 0; block < blocks; ++block) {
-        const size_t from = block * kStateBlock;
-        const auto mine = own.subspan(from, std::min(kStateBlock, own.size() - from));
-        const auto other = cut(reference, from, kStateBlock);
-        if ((bits[block / 8] >> (block % 8) & std::byte{1}) != std::byte{0}) {
-            decodeBlock(take(raw, mine.size()).data(), other, list, mine);
+    for (size_t i = 0; i < blocks; ++i) {
+        const size_t from = i * block;
+        const auto mine = own.subspan(from, std::min(block, own.size() - from));
+        const auto other = cut(reference, from, block);
+        if ((bits[i / 8] >> (i % 8) & std::byte{1}) != std::byte{0}) {
+            decodeBlock(take(raw, mine.size()).data(), other, part, mine);
         } else {
             if (other.size() != mine.size()) refuse("leaves out a block that its reference does not have");
             std::copy(other.begin(), other.end(), mine.begin());
@@ -124,10 +126,10 @@ void takePart(std::span<const std::byte>& raw, std::span<std::byte> own, std::sp
 
 std::vector<std::byte> rawOf(const Checkpoint& checkpoint, const Checkpoint& reference) {
     std::vector<std::byte> raw;
-    raw.reserve(checkpoint.bytes.size() / 4 + checkpoint.history.size() + kStateBlock);
-    appendPart(raw, checkpoint.history, {}, false);
+    raw.reserve(checkpoint.bytes.size() / 4 + checkpoint.history.size());
+    appendPart(raw, checkpoint.history, {}, {});
     for (PartWalk walk(reference, checkpoint.parts); walk.more(); walk.next())
-        appendPart(raw, cut(checkpoint.bytes, walk.begin(), walk.part().bytes), walk.reference(), walk.part().list);
+        appendPart(raw, cut(checkpoint.bytes, walk.begin(), walk.part().bytes), walk.reference(), walk.part());
     return raw;
 }
 
@@ -147,7 +149,7 @@ std::vector<std::uint64_t> numbersOf(const Checkpoint& checkpoint, const Checkpo
     numbers[stateHash] = checkpoint.hash;
     numbers[rawBytes] = raw;
     for (const gl::StatePart& part : checkpoint.parts)
-        numbers.push_back(std::uint64_t{part.bytes} << 1U | (part.list ? 1U : 0U));
+        numbers.push_back(std::uint64_t{part.bytes} << kPartBits | part.rowWords << 1U | (part.list ? 1U : 0U));
     return numbers;
 }
 
@@ -182,9 +184,10 @@ Checkpoint headOf(std::span<const std::byte> packed) {
     std::uint64_t all = 0;
     for (std::uint64_t i = 0; i < numberAt(packed, stateParts); ++i) {
         const std::uint64_t part = numberAt(packed, headNumbers + i);
-        if (part >> 1U > kMostBytes) refuse("has a size that no checkpoint has");
-        made.parts.push_back({part >> 1U, (part & 1U) != 0, false});
-        all += part >> 1U;
+        const std::uint64_t bytes = part >> kPartBits, rowWords = part >> 1U & kMostRowWords;
+        if (bytes > kMostBytes || rowWords == 0) refuse("has a size that no checkpoint has");
+        made.parts.push_back({bytes, (part & 1U) != 0, false, rowWords});
+        all += bytes;
     }
     if (all != numberAt(packed, stateBytes)) refuse("has parts of another size in all");
     made.history.resize(numberAt(packed, historyBytes));
@@ -231,10 +234,9 @@ Checkpoint unpack(std::span<const std::byte> packed, const Checkpoint& reference
     const size_t head = kHeadBytes + made.parts.size() * sizeof(std::uint64_t);
     const std::vector<std::byte> raw = inflated(packed.subspan(head), numberAt(packed, rawBytes));
     std::span<const std::byte> rest = raw;
-    takePart(rest, made.history, {}, false);
+    takePart(rest, made.history, {}, {});
     for (PartWalk walk(reference, made.parts); walk.more(); walk.next())
-        takePart(rest, std::span(made.bytes).subspan(walk.begin(), walk.part().bytes), walk.reference(),
-                 walk.part().list);
+        takePart(rest, std::span(made.bytes).subspan(walk.begin(), walk.part().bytes), walk.reference(), walk.part());
     requireWhole(made);
     return made;
 }

@@ -31,7 +31,8 @@ Checkpoint madeOf(const std::vector<size_t>& sizes, unsigned seed) {
     made.history = noise(180, seed + 1);
     size_t all = 0;
     for (const size_t size : sizes) {
-        made.parts.push_back({size, made.parts.size() % 2 == 1, false});
+        const size_t number = made.parts.size();
+        made.parts.push_back({size, number % 2 == 1, false, number % 2 == 1 ? size_t(1) : 1 + number});
         all += size;
     }
     made.bytes = noise(all, seed);
@@ -52,13 +53,14 @@ const std::vector<size_t> kSizes{0, 1, 3, 4, 4095, 4096, 4097, 20000, 7, 0, 6553
 TEST_CASE("a block comes back from its code, whatever its length and its reference", "[training]") {
     for (const size_t size : {0, 1, 3, 4, 5, 8, 4095, 4096})
         for (const size_t known : {0, 1, 6, 4096})
-            for (const bool list : {false, true}) {
-                INFO(size << " bytes, " << known << " of the reference, list " << list);
+            for (const gl::StatePart part : {gl::StatePart{}, {0, true}, {0, false, false, 4}, {0, false, false, 16}}) {
+                INFO(size << " bytes, " << known << " of the reference, list " << part.list << ", rows of "
+                          << part.rowWords);
                 const auto own = noise(size, 1);
                 const auto reference = noise(std::min(known, size), 2);
                 std::vector<std::byte> coded(size), back(size);
-                codeBlock(own, reference, list, coded.data());
-                decodeBlock(coded.data(), reference, list, back);
+                codeBlock(own, reference, part, coded.data());
+                decodeBlock(coded.data(), reference, part, back);
                 CHECK(back == own);
             }
 }
