@@ -34,7 +34,7 @@ constexpr std::array kGlyphs{
     Glyph{'7', "084812"},
     Glyph{'8', "15354647381807061504031232434435"},
     Glyph{'9', "031232434738180706153546"},
-    Glyph{'.', "0202"},
+    Glyph{'.', "1213"}, // taller than a point: it must not be overlooked
     Glyph{'-', "0545"},
     Glyph{'/', "0248"},
     Glyph{'<', "360432"},

@@ -97,13 +97,18 @@ TEST_CASE("one thing changed on the tee lesson changes the fillet as physics has
     CHECK(weldOf(longer, "penetration_mm") < weldOf(own, "penetration_mm") + kResolved / 2);
     CHECK(legOf(longer) == Approx(legOf(own)).margin(2 * kResolved));
 
-    // A handle that leans towards the welder points the arc at the standing plate, one that stands up at the lying one.
+    // Turned about the corner, a handle that leans towards the welder brings the wire's end down to the lying plate, and
+    // the pool stands between it and the corner: its metal stays there, and the root is fused less. One that stands up
+    // does the opposite.
     const Json flat = tee.weldIf("flat-torch", "work_angle=15");
     const Json steep = tee.weldIf("steep-torch", "work_angle=-15");
     const auto standingMore = [](const Json& result) { return weldOf(result, "leg2_mm") - weldOf(result, "leg1_mm"); };
     WARN("standing leg less lying leg: " << standingMore(flat) << " mm flat, " << standingMore(own) << " as it was, "
                                          << standingMore(steep) << " steep");
-    CHECK(standingMore(flat) > standingMore(steep) + kResolved);
+    CHECK(standingMore(flat) < standingMore(own) - kResolved);
+    CHECK(standingMore(steep) > standingMore(own));
+    CHECK(weldOf(flat, "root_fused_percent") < weldOf(own, "root_fused_percent") - 10);
+    CHECK(weldOf(steep, "root_fusion_mm") > weldOf(own, "root_fusion_mm") - kResolved / 2);
     CHECK(currentOf(flat) == Approx(currentOf(own)).epsilon(0.05));
 
     // More wire takes more current, fills more and melts deeper.

@@ -78,16 +78,21 @@ void marksOfTime(Context& context, AttemptReplay& replay, const CurveAnswer& cha
     if (const TimelineMark* mark = markAt(replay, chart.under, line.duration() * 0.01)) tooltip(context, mark->text);
 }
 
-void curvesOfTime(Context& context, LessonSession& session) {
+void speedOverTime(Context& context, LessonSession& session) {
     AttemptReplay& replay = session.replay();
     if (!(replay.line().duration() > 0)) return;
     ImGui::PushFont(context.fonts.small);
     marksOfTime(context, replay,
                 overTime(context, session, TechniqueQuantity::travelSpeed, replay.speed(), "replay.curve.speed"));
-    if (session.lesson().model == LessonModel::Weld)
-        marksOfTime(
-            context, replay,
-            overTime(context, session, TechniqueQuantity::distance, replay.distance(), "replay.curve.distance"));
+    ImGui::PopFont();
+}
+
+void distanceOverTime(Context& context, LessonSession& session) {
+    AttemptReplay& replay = session.replay();
+    if (session.lesson().model != LessonModel::Weld || !(replay.line().duration() > 0)) return;
+    ImGui::PushFont(context.fonts.small);
+    marksOfTime(context, replay,
+                overTime(context, session, TechniqueQuantity::distance, replay.distance(), "replay.curve.distance"));
     ImGui::PopFont();
 }
 
@@ -131,22 +136,45 @@ MenuRequest replayButtons(Context& context, ReplayTimeline& line) {
     return request;
 }
 
+/// Curves beside each other, then buttons beside the speed: low, so that the metal above stays in view.
+MenuRequest wideRows(Context& context, LessonSession& session) {
+    MenuRequest request = MenuRequest::none;
+    ReplayTimeline& line = session.replay().line();
+    if (!ImGui::BeginTable("replay.wide", 2, ImGuiTableFlags_SizingStretchSame)) return request;
+    ImGui::TableNextColumn();
+    speedOverTime(context, session);
+    ImGui::TableNextColumn();
+    distanceOverTime(context, session);
+    ImGui::TableNextColumn();
+    request = replayButtons(context, line);
+    quietText(context, stateText(session));
+    ImGui::TableNextColumn();
+    speedSlider(context, line);
+    ImGui::EndTable();
+    return request;
+}
+
 } // namespace
 
 MenuRequest replayPart(Context& context, LessonSession& session) {
-    AttemptReplay& replay = session.replay();
+    constexpr float kWide = 900; // points in which two columns have room for the buttons
+    ReplayTimeline& line = session.replay().line();
     strongText(context, "Attempt again");
-    timeSlider(context, replay.line());
-    curvesOfTime(context, session);
-    speedSlider(context, replay.line());
-    const MenuRequest request = replayButtons(context, replay.line());
+    timeSlider(context, line);
+    if (ImGui::GetContentRegionAvail().x >= context.points(kWide)) return wideRows(context, session);
+    speedOverTime(context, session);
+    distanceOverTime(context, session);
+    speedSlider(context, line);
+    const MenuRequest request = replayButtons(context, line);
     quietText(context, stateText(session));
     return request;
 }
 
 MenuRequest replayBar(Context& context, LessonSession& session) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const float width = std::min(context.points(500), screen.x - context.points(20));
+    const float room = screen.x - context.points(20);
+    const float width =
+        room >= context.points(930) ? std::min(context.points(1400), room) : std::min(context.points(500), room);
     ImGui::SetNextWindowPos({screen.x / 2, screen.y - barHeight(context) - context.points(10)}, ImGuiCond_Always,
                             {0.5f, 1});
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, screen.y});
