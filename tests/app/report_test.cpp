@@ -1,4 +1,5 @@
 // `meltpool report`: a run's results as one page that loads nothing.
+#include "app/report/drawings/curve_scale.hpp"
 #include "app/report/record_results.hpp"
 #include "app/report/report_page.hpp"
 #include "core/base/error.hpp"
@@ -126,6 +127,15 @@ TEST_CASE("figures stand on the page in the order of an inspector, those of a ne
         REQUIRE(place != std::string::npos);
         last = place;
     }
+}
+
+TEST_CASE("a curve that stays the same has an axis of its size", "[app]") {
+    const CurveRange flat = shownRange({29.5, 29.5}, std::nullopt);
+    CHECK(flat.from == Approx(28.025));
+    CHECK(flat.to == Approx(30.975));
+    CHECK(curveTicks(flat, 2).count > 0);
+    CHECK(shownRange({0, 0}, std::nullopt).to == Approx(0.05));
+    CHECK(shownRange({20, 21}, std::nullopt).to == 21);
 }
 
 TEST_CASE("the page loads nothing and runs nothing", "[app]") {
