@@ -61,7 +61,7 @@ void StereoView::draw(LessonSession& session, const SceneView& lesson, const Wor
     hands_.tools = demonstrated ? lesson.solids : lesson.solids.last(lesson.rodSolids);
     hands_.toolsToWorkshop = place.modelToWorkshop(session.unit());
     scene.solids = scene_.build(parameters_, hands_);
-    scene.source.shown = demonstrated; // else the drawn torch takes its place
+    scene.source.shown &= demonstrated; // else the drawn torch takes its place
     if (session.cut().shown()) standCut(session, scene);
     LookParameters look = session.lesson().look;
     look.showBox = false;

@@ -7,7 +7,7 @@
 namespace meltpool::gl {
 
 Buffer::Buffer(std::string_view label, size_t bytes, GLbitfield storageFlags)
-    : bytes_(std::max<size_t>(bytes, 4)), writable_((storageFlags & GL_DYNAMIC_STORAGE_BIT) != 0) {
+    : bytes_((std::max<size_t>(bytes, 1) + 3) / 4 * 4), writable_((storageFlags & GL_DYNAMIC_STORAGE_BIT) != 0) {
     GLuint name = 0;
     glCreateBuffers(1, &name);
     handle_ = Handle<destroy>(name);

@@ -12,7 +12,7 @@ class Buffer {
   public:
     Buffer() = default;
 
-    /// Zero-filled memory of `bytes` (at least 4 are taken so that an empty list can still be bound).
+    /// Zero-filled memory of `bytes` (whole words, at least one, are taken, so that an empty list can be bound).
     /// Throws RuntimeFault when the driver has no room.
     Buffer(std::string_view label, size_t bytes) : Buffer(label, bytes, GL_DYNAMIC_STORAGE_BIT) {}
 

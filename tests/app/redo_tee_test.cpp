@@ -63,6 +63,8 @@ TEST_CASE("ten ways back at the tee begin with the same metal and take no more m
     const size_t after = test::residentBytes();
     INFO(before << " bytes, then " << after);
     CHECK(redo.fault() == "");
+#ifndef __SANITIZE_ADDRESS__ // residentBytes() tells nothing there
     CHECK(before > 0);
     CHECK(static_cast<double>(after) < 1.01 * static_cast<double>(before));
+#endif
 }

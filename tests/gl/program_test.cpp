@@ -46,6 +46,16 @@ TEST_CASE("a buffer starts at zero and keeps what is written") {
     CHECK_THROWS_AS(buffer.write(std::span<const unsigned>(values), 4), RuntimeFault);
 }
 
+TEST_CASE("a buffer of any number of bytes has whole words and is cleared without a complaint of the driver") {
+    while (glGetError() != GL_NO_ERROR) {
+    }
+    const std::vector<std::uint8_t> odd{1, 2, 3, 4, 5};
+    const gl::Buffer buffer("odd", std::span<const std::uint8_t>(odd));
+    CHECK(glGetError() == GL_NO_ERROR);
+    CHECK(buffer.bytes() == 8);
+    CHECK(buffer.read<std::uint8_t>(8) == std::vector<std::uint8_t>{1, 2, 3, 4, 5, 0, 0, 0});
+}
+
 TEST_CASE("every dispatch is counted, and an indirect one takes its group counts from the buffer") {
     test::context();
     ShaderLibrary library(shaderFolder(kCountShader));

@@ -46,6 +46,29 @@ std::unique_ptr<TrainerProcess> startAtHome(const fs::path& folder) {
     return trainer;
 }
 
+/// From the list of attempts on the panel: the attempt that was judged, the last but one, is played to its end, to the
+/// bits of its recording, and taken back to its first second.
+void replayTheWeld(Trainee& trainee, TrainerProcess& trainer) {
+    const auto offers = [](const std::string& place) {
+        return [place](const json& row) { return row["headset"]["places"].contains(place); };
+    };
+    REQUIRE(trainer.waitFor(offers("home.attempts")));
+    trainee.press(trainer, "home.attempts", offers("home.attempt.1.play"));
+    passFrames(trainer, 4);
+    keepPicture(screenshot(), "attempts.png");
+    trainee.press(trainer, "home.attempt.1.play", [](const json& row) { return !row["replay"].is_null(); });
+    REQUIRE(trainer.waitFor([](const json& row) {
+        return !row["replay"].is_null() && row["replay"]["over"] == true &&
+               row["headset"]["places"].contains("replay.back");
+    }));
+    CHECK(trainer.now()["replay"]["same"] == true);
+    passFrames(trainer, 10);
+    keepPicture(screenshot(), "replay.png");
+    const double end = trainer.now()["replay"]["time"];
+    trainee.press(trainer, "replay.back", [end](const json& row) { return row["replay"]["time"] < end - 0.5; });
+    CHECK(trainer.waitFor([](const json& row) { return row["replay"]["seeking"] == false; }));
+}
+
 } // namespace
 
 TEST_CASE("a lesson is picked on the panel, demonstrated, welded, judged and begun again with the other hand's trigger",
@@ -133,6 +156,7 @@ TEST_CASE("a lesson is picked on the panel, demonstrated, welded, judged and beg
     CHECK(trainer.waitFor([](const json& row) { return row["headset"]["panel"] == false; }));
     trainee.showPanel(trainer, true);
     trainee.press(trainer, "headset.home", [](const json& row) { return onPage(row, "home"); });
+    replayTheWeld(trainee, trainer);
     CHECK(trainer.stop() == 0);
     CHECK(trainer.misuses() == "");
 }

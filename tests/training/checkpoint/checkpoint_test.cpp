@@ -155,7 +155,7 @@ TEST_CASE("ten restores in a row give the same metal and take no more memory", "
         trainer.restore(checkpoint);
     CHECK(trainer.result().stateHash != 0);
     INFO(before << " bytes, " << checkpoint.bytes.size() << " of the checkpoint");
-    CHECK(test::residentBytes() < before + kMore / 3 * checkpoint.bytes.size());
+    CHECK(test::residentBytes() <= before + kMore / 3 * checkpoint.bytes.size());
 }
 
 TEST_CASE("a checkpoint that was damaged is refused, and the metal stays as it is", "[training]") {
