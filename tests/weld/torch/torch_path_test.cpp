@@ -149,9 +149,9 @@ TEST_CASE("a torch that comes from the side strikes at the angles asked for, and
         double work, travel, strike; ///< degrees, degrees, s
     };
     const double tee = std::hypot(25 - 3.4, 25 - 3.7) / 80, thin = std::hypot(25 - 2.1, 25 - 2.3) / 80,
-                 lap = std::hypot(25 - 2.1, 25 - 2.4) / 80;
+                 lap = std::hypot(25 - 2.1, 25 - 2.4) / 80, stick = (25.0 - 4) / 80;
     for (const Seam& seam : {Seam{"tee-fillet.toml", 45, 20, tee + 0.3}, Seam{"tee-thin.toml", 45, 15, thin + 0.3},
-                             Seam{"lap-2f.toml", 45, 15, lap + 0.3}}) {
+                             Seam{"lap-2f.toml", 45, 15, lap + 0.3}, Seam{"smaw-tee.toml", 42, -15, stick}}) {
         INFO(seam.path);
         const auto folder = test::testFolder().parent_path() / "app" / "data" / "paths";
         const TorchPath path = TorchPath::read(folder / seam.path);
