@@ -9,9 +9,9 @@ namespace meltpool {
 /// counts is how long the whole last frame took.
 class SeekPace {
   public:
-    static constexpr double kSlice = 0.04;   ///< s of a frame that may go into ordering steps
-    static constexpr double kLongest = 0.12; ///< s; a longer frame was too long
-    static constexpr int kMost = 4096;       ///< steps
+    static constexpr double kSlice = 0.1;   ///< s of a frame that may go into ordering steps
+    static constexpr double kLongest = 0.2; ///< s; a longer frame was too long
+    static constexpr int kMost = 4096;      ///< steps
 
     void begin() { steps_ = 1; }
     /// The last frame took `seconds`.

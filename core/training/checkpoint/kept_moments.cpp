@@ -51,7 +51,7 @@ void KeptMoments::clear(MomentTaker taker, bool keeps) {
 }
 
 bool KeptMoments::due(double time) {
-    if (std::abs(time - last_) < (keeps_ ? 1 : 2) * limits_.period) return false;
+    if (std::abs(time - last_) < limits_.period) return false;
     const std::lock_guard lock(mutex_);
     return stage_ == Stage::idle && fault_.empty() && !covers(time);
 }

@@ -47,7 +47,7 @@ class KeptMoments {
 
     /// Another attempt: nothing is kept. `taker` is given each of its moments, on the thread that packs, before
     /// anything that waits for it, such as before(), goes on. `keeps`: false where nobody goes back, and moments are
-    /// made for the taker alone, half as often.
+    /// made for the taker alone.
     void clear(MomentTaker taker = {}, bool keeps = true);
 
     /// A moment should be taken now, at this time of the metal (s): hand capture() and historyTo() to

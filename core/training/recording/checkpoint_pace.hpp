@@ -9,12 +9,13 @@ namespace meltpool {
 
 class CheckpointPace {
   public:
-    /// s of the metal's time between two that are taken, at least: two cores weld 30,000 particles a little faster than
-    /// the clock, so a replay that begins at one of them is anywhere within 2 s.
-    static constexpr double kPeriod = 2;
+    /// s of the metal's time between two that are taken, at least: two cores weld 30,000 particles on a hot plate at
+    /// 0.7 of the clock, so a replay that begins at one of them is anywhere in some two seconds, drawing included.
+    static constexpr double kPeriod = 1;
     /// Bytes for each second that was welded, without the first moment, which stands alone. Moments of 30,000 particles
-    /// on a hot plate have some 750 kB; with the steps' own 16 kB a second this makes 25 MB a minute.
-    static constexpr double kBytesPerSecond = 400e3;
+    /// have some 750 kB on a hot plate, 1 MB on one that is hot all over; with the steps' own 16 kB a second this makes
+    /// 60 MB a minute at most.
+    static constexpr double kBytesPerSecond = 970e3;
     static constexpr double kAtOnce = 1e6; ///< bytes ahead of that, for the first seconds
 
     /// Whether the moment of this time (s) and size is taken. Moments come in the order in which they were welded;

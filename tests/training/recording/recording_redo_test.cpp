@@ -144,18 +144,18 @@ TEST_CASE("a way back that no attempt has gone is refused", "[training]") {
     CHECK_THAT(refusal(wentBack().checkpoint({3, 2}, "x")), containsText("expected at most 1"));
 }
 
-TEST_CASE("a recording takes a moment each two seconds as far as 25 megabytes a minute allow", "[training]") {
+TEST_CASE("a recording takes a moment each second as far as 60 megabytes a minute allow", "[training]") {
     CheckpointPace small, large;
     int smallTaken = 0, largeTaken = 0;
-    constexpr size_t kSmall = 20'000, kLarge = 4'000'000;
+    constexpr size_t kSmall = 20'000, kLarge = 9'700'000;
     for (int second = 0; second <= 60; ++second) {
         smallTaken += small.take(second + 0.02, kSmall) ? 1 : 0;
         largeTaken += large.take(second + 0.02, kLarge) ? 1 : 0;
     }
-    CHECK(smallTaken == 31);
-    CHECK(largeTaken == 7); // the first, then one each 10 s, of which the first comes sooner
+    CHECK(smallTaken == 61);
+    CHECK(largeTaken == 7); // the first, then one each 10 s, the first of them sooner
     // Back to 30 s: what was taken behind that is given up, and the next one is taken where there is room.
     CHECK(small.take(31.02, kSmall));
-    CHECK_FALSE(small.take(32.02, kSmall));
+    CHECK_FALSE(small.take(31.52, kSmall));
     CHECK_FALSE(large.take(31.02, kLarge));
 }
