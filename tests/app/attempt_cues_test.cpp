@@ -2,6 +2,7 @@
 #include "app/session/lesson_session.hpp"
 #include "app/session/notices.hpp"
 #include "core/base/text.hpp"
+#include "tests/app/small_lessons.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
@@ -11,25 +12,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path lessons() {
-    return test::testFolder().parent_path() / "app" / "data" / "lessons";
-}
-
-/// A bead on a small plate of few particles.
-Lesson smallBead() {
-    Lesson lesson = findLesson("gmaw-bead", lessons());
-    lesson.workpiece.lengthMm = 30;
-    lesson.workpiece.widthMm = 18;
-    lesson.workpiece.thicknessMm = 4;
-    lesson.technique->lengthFromMm = -10;
-    lesson.technique->lengthToMm = 10;
-    lesson.surface.cells = 32;
-    return lesson;
-}
-
 class Welder {
   public:
-    explicit Welder(const fs::path& record = {}) : session(test::shaders(), smallBead(), [] { return 0.0; }) {
+    explicit Welder(const fs::path& record = {}) : session(test::shaders(), test::smallBead(), [] { return 0.0; }) {
         session.records().use(record, "program", "driver");
         session.begin(controls);
     }
@@ -119,12 +104,12 @@ TEST_CASE("cues fade with the trainee's skill from the next attempt on; each att
     welder.lead(0.5, 1);
     CHECK(welder.markers() == 0);
     CHECK(welder.session.cues().used().names() == "arc");
-    welder.session.open(smallBead()); // nothing is known of the trainee in another lesson
+    welder.session.open(test::smallBead()); // nothing is known of the trainee in another lesson
     CHECK(welder.session.cues().skill() == CueSkill());
 }
 
 TEST_CASE("a lesson shows the cues that it allows and can measure, and menus only those", "[app]") {
-    Lesson lesson = smallBead();
+    Lesson lesson = test::smallBead();
     lesson.cues = {};
     lesson.cues.set(CueKind::aim);
     lesson.cues.set(CueKind::speed);
@@ -139,7 +124,7 @@ TEST_CASE("a lesson shows the cues that it allows and can measure, and menus onl
     for (const Parameter& parameter : welder.session.cueSection().parameters)
         shown += welder.session.cueSection().shows(parameter) ? 1 : 0;
     CHECK(shown == 1);
-    welder.session.open(findLesson("classic", lessons()));
+    welder.session.open(findLesson("classic", test::shippedLessons()));
     for (const Parameter& parameter : welder.session.cueSection().parameters)
         CHECK_FALSE(welder.session.cueSection().shows(parameter));
 }

@@ -5,6 +5,7 @@
 #include "core/base/text.hpp"
 #include "core/render/ghost_model.hpp"
 #include "core/training/recorded_attempt.hpp"
+#include "tests/app/small_lessons.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
@@ -18,25 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path lessons() {
-    return test::testFolder().parent_path() / "app" / "data" / "lessons";
-}
-
-/// A bead on a small plate of few particles; its demonstration goes from -36 to 36 mm at 8 mm/s and pushes 10 degrees.
-Lesson smallBead() {
-    Lesson lesson = findLesson("gmaw-bead", lessons());
-    lesson.workpiece.lengthMm = 30;
-    lesson.workpiece.widthMm = 18;
-    lesson.workpiece.thicknessMm = 4;
-    lesson.technique->lengthFromMm = -10;
-    lesson.technique->lengthToMm = 10;
-    lesson.surface.cells = 32;
-    return lesson;
-}
-
 class Welder {
   public:
-    explicit Welder(GhostChoice ghost, const fs::path& record = {}, const Lesson& lesson = smallBead())
+    explicit Welder(GhostChoice ghost, const fs::path& record = {}, const Lesson& lesson = test::smallBead())
         : session(test::shaders(), lesson, [] { return 0.0; }) {
         session.records().use(record, "program", "driver");
         session.ghost().parameters.ghost = static_cast<int>(ghost);
@@ -226,7 +211,7 @@ TEST_CASE("paced by time the ghost goes its own way from the strike on", "[app]"
 }
 
 TEST_CASE("a lesson that allows no ghost shows none, and menus do not offer it", "[app]") {
-    Lesson lesson = smallBead();
+    Lesson lesson = test::smallBead();
     lesson.ghost = false;
     Welder welder(GhostChoice::expert, {}, lesson);
     welder.begin();
@@ -239,8 +224,8 @@ TEST_CASE("a lesson that allows no ghost shows none, and menus do not offer it",
                              [&](const Parameter& parameter) { return section.shows(parameter); });
     };
     CHECK(offered() == 0);
-    welder.session.open(smallBead());
+    welder.session.open(test::smallBead());
     CHECK(offered() == 3);
-    welder.session.open(findLesson("classic", lessons()));
+    welder.session.open(findLesson("classic", test::shippedLessons()));
     CHECK(offered() == 0);
 }

@@ -1,23 +1,12 @@
 // The judgement that window and headset share: when it is made, by itself and on request, and when it goes.
 #include "app/session/lesson_session.hpp"
+#include "tests/app/small_lessons.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
 using namespace meltpool;
 
 namespace {
-
-/// A bead on a small plate of few particles.
-Lesson smallBead() {
-    Lesson lesson = findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
-    lesson.workpiece.lengthMm = 30;
-    lesson.workpiece.widthMm = 18;
-    lesson.workpiece.thicknessMm = 4;
-    lesson.technique->lengthFromMm = -10;
-    lesson.technique->lengthToMm = 10;
-    lesson.surface.cells = 32;
-    return lesson;
-}
 
 class Welder {
   public:
@@ -61,7 +50,7 @@ class Welder {
 } // namespace
 
 TEST_CASE("a finished weld is judged by itself once, and welding on or another attempt drops the judgement", "[app]") {
-    Welder welder(smallBead());
+    Welder welder(test::smallBead());
     CHECK(welder.session.judges());
     welder.lead(0.1, 0);
     CHECK_FALSE(welder.session.judged());
@@ -108,7 +97,7 @@ TEST_CASE("a finished weld is judged by itself once, and welding on or another a
 }
 
 TEST_CASE("a short weld, and one of a lesson that asks for nothing, is judged on request only", "[app]") {
-    Lesson lesson = smallBead();
+    Lesson lesson = test::smallBead();
     const bool asks = GENERATE(true, false);
     if (!asks) {
         lesson.technique.reset();
@@ -140,7 +129,7 @@ TEST_CASE("the classic lesson has nothing to judge", "[app]") {
 }
 
 TEST_CASE("an attempt in which the hand went unseen for a long frame under the arc is not scored", "[app]") {
-    Welder welder(smallBead());
+    Welder welder(test::smallBead());
     welder.lead(0.1, 0);
     welder.stall(0.5, 0); // before the arc it spoils nothing
     welder.lead(0.9, 1);

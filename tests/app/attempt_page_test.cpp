@@ -5,6 +5,7 @@
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "tests/app/markup.hpp"
+#include "tests/app/small_lessons.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
@@ -16,18 +17,6 @@ using meltpool::test::containsText;
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A bead on a small plate of few particles.
-Lesson smallBead() {
-    Lesson lesson = findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
-    lesson.workpiece.lengthMm = 30;
-    lesson.workpiece.widthMm = 18;
-    lesson.workpiece.thicknessMm = 4;
-    lesson.technique->lengthFromMm = -10;
-    lesson.technique->lengthToMm = 10;
-    lesson.surface.cells = 32;
-    return lesson;
-}
 
 /// Leads the torch 3 mm over the plate at 8 mm/s for `seconds` while the trigger is pulled, else holds it still.
 void lead(LessonSession& session, const Controls& controls, float& x, double seconds, float trigger) {
@@ -47,7 +36,7 @@ void lead(LessonSession& session, const Controls& controls, float& x, double sec
 
 TEST_CASE("a judged attempt becomes a page beside its record, and the record alone gives the same score", "[app]") {
     const fs::path folder = test::scratchFolder("attempt-page"), record = folder / "weld.csv";
-    LessonSession session(test::shaders(), smallBead(), [] { return 0.0; });
+    LessonSession session(test::shaders(), test::smallBead(), [] { return 0.0; });
     Controls controls;
     session.records().use(record, "program", "driver");
     session.begin(controls);
@@ -70,7 +59,7 @@ TEST_CASE("a judged attempt becomes a page beside its record, and the record alo
     REQUIRE(session.judged()->judgement.score);
     const double score = session.judged()->judgement.score->total;
     session.end("start menu");
-    const RunResults hand = readRecordResults(record, smallBead());
+    const RunResults hand = readRecordResults(record, test::smallBead());
     CHECK(hand.result.at("score").at("total").get<double>() == Approx(score).margin(0.01));
     CHECK(hand.notes.size() == 1);
 }

@@ -2,6 +2,7 @@
 #include "app/session/inspection/cut_stand.hpp"
 #include "app/session/lesson_session.hpp"
 #include "core/render/view/picture_target.hpp"
+#include "tests/app/small_lessons.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
@@ -14,23 +15,11 @@ using namespace meltpool;
 
 namespace {
 
-/// A bead on a small plate of few particles.
-Lesson smallBead() {
-    Lesson lesson = findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
-    lesson.workpiece.lengthMm = 30;
-    lesson.workpiece.widthMm = 18;
-    lesson.workpiece.thicknessMm = 4;
-    lesson.technique->lengthFromMm = -10;
-    lesson.technique->lengthToMm = 10;
-    lesson.surface.cells = 32;
-    return lesson;
-}
-
 constexpr double kFrame = 1.0 / 45;
 
 class Welder {
   public:
-    Welder() : session(test::shaders(), smallBead(), [] { return 0.0; }) { session.begin(controls); }
+    Welder() : session(test::shaders(), test::smallBead(), [] { return 0.0; }) { session.begin(controls); }
 
     /// Leads the torch along the seam for `seconds`, 3 mm over the plate, at 8 mm/s while the trigger is pulled.
     void lead(double seconds, float trigger) {
@@ -189,7 +178,7 @@ TEST_CASE("the headset turns the section to the reader, large enough, upright an
 }
 
 TEST_CASE("neither a classic lesson nor a pipe is cut open", "[app]") {
-    Lesson lesson = smallBead();
+    Lesson lesson = test::smallBead();
     CHECK(CutView::canCut(lesson));
     lesson.workpiece.kind = static_cast<int>(WorkpieceKind::Pipe);
     CHECK_FALSE(CutView::canCut(lesson));

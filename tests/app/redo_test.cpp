@@ -3,6 +3,7 @@
 #include "app/session/lesson_session.hpp"
 #include "core/base/text.hpp"
 #include "core/training/recorded_attempt.hpp"
+#include "tests/app/small_lessons.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
@@ -14,17 +15,6 @@
 using namespace meltpool;
 
 namespace {
-
-/// A bead on a plate of 24 x 14 mm, without values to choose.
-Lesson smallBead() {
-    Lesson lesson = findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
-    lesson.choose.clear();
-    lesson.workpiece.lengthMm = 24;
-    lesson.workpiece.widthMm = 14;
-    lesson.workpiece.thicknessMm = 4;
-    lesson.surface.cells = 24;
-    return lesson;
-}
 
 /// Straight down, 3 mm over the plate, 3 mm/s.
 TorchSample torchAt(size_t step, double timeStep) {
@@ -38,7 +28,7 @@ TorchSample torchAt(size_t step, double timeStep) {
 class Welder {
   public:
     explicit Welder(const std::filesystem::path& record = {})
-        : session(test::shaders(), smallBead(), [] { return 0.0; }) {
+        : session(test::shaders(), test::plainBead(), [] { return 0.0; }) {
         session.records().use(record, "program", "driver");
     }
 
@@ -58,7 +48,7 @@ class Welder {
 };
 
 std::string hashOfRepeat(const std::filesystem::path& file) {
-    Lesson lesson = smallBead();
+    Lesson lesson = test::plainBead();
     takeTorch(lesson, file);
     Trainer trainer(test::shaders(), lesson);
     for (size_t i = 0; i < lesson.recorded->rows; ++i)
@@ -104,7 +94,7 @@ TEST_CASE("one goes back before a fault by its place, and another attempt knows 
     Welder welder;
     welder.session.begin(welder.controls);
     welder.weld(200);
-    CHECK_FALSE(firstTimeAt(Technique(seamOf(smallBead().workpiece)), 0));
+    CHECK_FALSE(firstTimeAt(Technique(seamOf(test::plainBead().workpiece)), 0));
     REQUIRE(welder.session.redoes());
     welder.session.earlierMoments().choose(-0.002); // where the torch was after 2 s
     welder.session.redo(welder.controls);

@@ -2,6 +2,7 @@
 // buffer made anew.
 #include "app/session/lesson_session.hpp"
 #include "core/training/recorded_attempt.hpp"
+#include "tests/app/small_lessons.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
@@ -43,17 +44,6 @@ struct MakingCalls {
     Counted<&glCreateBuffers, buffers> memory;
 };
 
-Lesson smallBead() {
-    Lesson lesson = findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
-    lesson.workpiece.lengthMm = 30;
-    lesson.workpiece.widthMm = 18;
-    lesson.workpiece.thicknessMm = 4;
-    lesson.technique->lengthFromMm = -10;
-    lesson.technique->lengthToMm = 10;
-    lesson.surface.cells = 32;
-    return lesson;
-}
-
 /// Welds for `seconds` of frames along the seam.
 void weld(LessonSession& session, Controls& controls, double seconds) {
     constexpr double kFrame = 1.0 / 45;
@@ -78,7 +68,7 @@ TEST_CASE("again puts everything back in under a second and compiles no shader",
     // Shaders of its own, so that the first start has something to compile.
     gl::ShaderLibrary shaders(test::testFolder().parent_path() / "shaders");
     MakingCalls counted;
-    LessonSession session(shaders, smallBead(), [] { return 0.0; });
+    LessonSession session(shaders, test::smallBead(), [] { return 0.0; });
     session.records().use(folder / "weld.csv", "program", "driver");
     session.begin(controls);
     weld(session, controls, 0.6);

@@ -10,6 +10,7 @@
 #include "core/training/recording/checkpoint_pace.hpp"
 #include "core/training/recording/recording_reader.hpp"
 #include "tests/app/program.hpp"
+#include "tests/app/small_lessons.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 #include "tests/support/recording_bytes.hpp"
@@ -29,21 +30,10 @@ namespace fs = std::filesystem;
 
 constexpr double kFrame = 1.0 / 45;
 
-/// A bead on a plate of 24 x 14 mm, without values to choose.
-Lesson smallBead() {
-    Lesson lesson = findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
-    lesson.choose.clear();
-    lesson.workpiece.lengthMm = 24;
-    lesson.workpiece.widthMm = 14;
-    lesson.workpiece.thicknessMm = 4;
-    lesson.surface.cells = 24;
-    return lesson;
-}
-
 /// Welds at 3 mm/s in a session whose attempts are recorded.
 class Welder {
   public:
-    explicit Welder(const fs::path& folder) : session(test::shaders(), smallBead(), [] { return 0.0; }) {
+    explicit Welder(const fs::path& folder) : session(test::shaders(), test::plainBead(), [] { return 0.0; }) {
         session.recordings().use(folder, thisMachine().program, thisMachine().driver);
         session.begin(controls);
     }
@@ -77,7 +67,7 @@ class Welder {
 };
 
 Lesson attemptIn(const fs::path& file) {
-    Lesson lesson = smallBead();
+    Lesson lesson = test::plainBead();
     takeTorch(lesson, file);
     return lesson;
 }
@@ -123,7 +113,7 @@ TEST_CASE("a replay goes to the moments that its recording holds, and to the sam
           CheckpointPace::kAtOnce + (CheckpointPace::kBytesPerSecond + kSteps) * seconds + 1e5);
 
     SECTION("in the window") {
-        LessonSession session(test::shaders(), smallBead(), [] { return 0.0; });
+        LessonSession session(test::shaders(), test::plainBead(), [] { return 0.0; });
         Controls controls;
         session.openReplay(attemptIn(file), controls);
         AttemptReplay& replay = session.replay();

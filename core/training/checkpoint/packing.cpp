@@ -148,8 +148,11 @@ std::vector<std::uint64_t> numbersOf(const Checkpoint& checkpoint, const Checkpo
     numbers[stateParts] = checkpoint.parts.size();
     numbers[stateHash] = checkpoint.hash;
     numbers[rawBytes] = raw;
-    for (const gl::StatePart& part : checkpoint.parts)
+    for (const gl::StatePart& part : checkpoint.parts) {
+        if (part.rowWords == 0 || part.rowWords > kMostRowWords)
+            throw RuntimeFault("a checkpoint was to pack rows of " + std::to_string(part.rowWords) + " words");
         numbers.push_back(std::uint64_t{part.bytes} << kPartBits | part.rowWords << 1U | (part.list ? 1U : 0U));
+    }
     return numbers;
 }
 
