@@ -16,8 +16,8 @@
 #define FRAGMENT_CLAMPED 0x80000000u // set in the number of members at a root: one of them is clamped
 
 // Storage buffers behind those of the metal itself.
-#define FRAGMENT_CELL_HEADS 6  // uint per coarse cell (2 x 2 x 2 lattice cells): slot + 1 of the first solid off the lattice
-#define FRAGMENT_CELL_NEXT 7   // uint per slot: slot + 1 of the next one in its coarse cell
+#define FRAGMENT_CELL_HEADS 6  // uint per coarse cell (2 x 2 x 2 lattice cells): slot + 1 of the first fixed solid off the lattice; then the same of free ones
+#define FRAGMENT_CELL_NEXT 7   // uint per slot: slot + 1 of the next one in its list
 #define FRAGMENT_LABELS 8      // uint per slot: smallest slot known to be bonded to it
 #define FRAGMENT_NEXT_LABELS 9 // the same after this round
 #define FRAGMENT_MEMBERS 9     // in their place after the last round: uint per slot, used at roots, see FRAGMENT_CLAMPED

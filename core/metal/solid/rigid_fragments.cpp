@@ -19,7 +19,7 @@ RigidFragments::RigidFragments(gl::ShaderLibrary& shaders, MetalState& state, co
     : state_(state),
       freeParticles_("number of free particles", sizeof(uint)),
       blockBuffer_("fragment block", sizeof(FragmentBlock)),
-      cellHeads_(gl::Buffer::gpuOnly("fragment cell heads", state.lattice().cellCount() / 8 * sizeof(uint))),
+      cellHeads_(gl::Buffer::gpuOnly("fragment cell heads", state.lattice().cellCount() / 8 * 2 * sizeof(uint))),
       cellNext_(gl::Buffer::gpuOnly("fragment cell lists", state.capacity() * sizeof(uint))),
       labels_(gl::Buffer::gpuOnly("fragment labels", state.capacity() * sizeof(uint))),
       nextLabels_(gl::Buffer::gpuOnly("fragment next labels", state.capacity() * sizeof(uint))),
@@ -35,6 +35,7 @@ RigidFragments::RigidFragments(gl::ShaderLibrary& shaders, MetalState& state, co
       clearCells_(shaders.compute("metal/solid/clear_cells.comp")),
       beginLabels_(shaders.compute("metal/solid/link_cells.comp", {{"BEGIN", "1"}})),
       linkCells_(shaders.compute("metal/solid/link_cells.comp")),
+      linkFree_(shaders.compute("metal/solid/link_free.comp")),
       label_(shaders.compute("metal/solid/label.comp")),
       countMembers_(shaders.compute("metal/solid/count_members.comp")),
       numberFragments_(shaders.compute("metal/solid/number_fragments.comp")),
@@ -172,16 +173,17 @@ void RigidFragments::move(float dt, int steps, gl::Profiler* profiler) {
     }
     bind();
     glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, control_.name());
+    indirect(clearCells_, offsetof(FragmentControl, cellGroups)); // -> empty lists and counts of contacts
+    indirect(linkCells_, offsetof(FragmentControl, slotGroups));  // positions -> lists of the coarse cells
     for (int i = 0; i < steps; ++i)
         moveOnce();
 }
 
 void RigidFragments::moveOnce() const {
-    indirect(clearCells_, offsetof(FragmentControl, cellGroups));       // -> coarse cells and contacts, empty
-    indirect(linkCells_, offsetof(FragmentControl, slotGroups));        // positions -> lists of the coarse cells
     indirect(contactsPass_, offsetof(FragmentControl, particleGroups)); // positions, velocities -> contacts
     indirect(rigidMotion_, offsetof(FragmentControl, fragmentGroups));  // contacts -> motions
-    indirect(movePass_, offsetof(FragmentControl, particleGroups));     // motions -> positions, velocities
+    indirect(movePass_, offsetof(FragmentControl, particleGroups));     // motions -> positions, velocities, empty lists
+    indirect(linkFree_, offsetof(FragmentControl, particleGroups));     // positions -> lists of the free
 }
 
 /// Whether anything is free is found again by the end of the next cycle: until then passes run that have nothing to do.

@@ -46,7 +46,7 @@ class RigidFragments {
 
     /// Moves every free fragment on by `steps` times `dt` seconds: forces that others added to the velocities of its
     /// particles, gravity, contact with the floor, with fixed metal and with other fragments. Dispatches nothing once
-    /// the number of free particles has come back from the GPU as zero. Until then, five passes a step of as many
+    /// the number of free particles has come back from the GPU as zero. Until then, four passes a step of as many
     /// groups as are needed, which are none while nothing is free: when the number arrives changes no result.
     void move(float dt, int steps, gl::Profiler* profiler);
 
@@ -76,7 +76,7 @@ class RigidFragments {
     gl::Readback freeParticles_;
     gl::Buffer blockBuffer_, cellHeads_, cellNext_, labels_, nextLabels_, control_, motions_, freeSlots_, contacts_;
     gl::BufferView labelTexels_, nextLabelTexels_, latticeTexels_, positionTexels_;
-    const gl::Program &clearCells_, &beginLabels_, &linkCells_, &label_, &countMembers_, &numberFragments_,
+    const gl::Program &clearCells_, &beginLabels_, &linkCells_, &linkFree_, &label_, &countMembers_, &numberFragments_,
         &assignFragments_, &listFree_, &contactsPass_, &rigidMotion_, &movePass_;
 };
 

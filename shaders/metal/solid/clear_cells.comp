@@ -1,4 +1,4 @@
-// Empties the coarse cells and sets the number of contacts of each fragment to zero.
+// Empties the lists of the coarse cells and sets the number of contacts of each fragment to zero.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "metal/solid/common.glsl"
@@ -8,6 +8,9 @@ layout(std430, binding = FRAGMENT_MOTIONS) buffer Motions { FragmentMotion motio
 
 void main() {
     uint cell = linearInvocation();
-    if (cell < coarseCellCount()) head[cell] = 0;
+    if (cell < coarseCellCount()) {
+        head[fixedList(cell)] = 0;
+        head[freeList(cell)] = 0;
+    }
     if (cell <= FRAGMENT_MAX_COUNT) motion[cell].fixedContacts = 0;
 }

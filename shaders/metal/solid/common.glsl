@@ -24,3 +24,15 @@ uint coarseCellCount() {
     ivec3 size = fragmentBlock.coarseCells;
     return uint(size.x * size.y * size.z);
 }
+
+// Each coarse cell has two lists of solid metal off the lattice: of what is fixed, which stands still while fragments move,
+// and of what is free. Fixed here is whatever belongs to no free fragment.
+uint fixedList(uint cell) { return cell; }
+uint freeList(uint cell) { return coarseCellCount() + cell; }
+
+/// Puts a particle into the list that it belongs to. The order within a list is arbitrary: every sum over one is in integers,
+/// every choice a minimum.
+void link(uint slot, uint bits, vec3 place) {
+    uint cell = coarseIndex(coarseCell(place));
+    next[slot] = atomicExchange(head[fragmentOf(bits) == 0 ? fixedList(cell) : freeList(cell)], slot + 1);
+}

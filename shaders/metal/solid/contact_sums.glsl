@@ -37,19 +37,28 @@ void addLatticeContacts(vec3 place, vec3 own, inout FragmentContact sum) {
             }
 }
 
+void addFixedContacts(uint cell, vec3 place, vec3 own, inout FragmentContact sum) {
+    for (uint other = head[fixedList(cell)]; other != 0; other = next[other - 1])
+        addContact(place - position[other - 1].xyz, own, true, sum);
+}
+
+void addFreeContacts(uint cell, vec3 place, vec3 own, uint fragment, inout FragmentContact sum) {
+    for (uint other = head[freeList(cell)]; other != 0; other = next[other - 1])
+        if (fragmentOf(phase[other - 1]) != fragment)
+            addContact(place - position[other - 1].xyz, own - velocity[other - 1].xyz, false, sum);
+}
+
 void addOffLatticeContacts(vec3 place, vec3 own, uint fragment, inout FragmentContact sum) {
     ivec3 centre = coarseCell(place);
     ivec3 low = max(centre - 1, ivec3(0));
     ivec3 high = min(centre + 1, fragmentBlock.coarseCells - 1);
     for (int z = low.z; z <= high.z; ++z)
         for (int y = low.y; y <= high.y; ++y)
-            for (int x = low.x; x <= high.x; ++x)
-                for (uint other = head[coarseIndex(ivec3(x, y, z))]; other != 0; other = next[other - 1]) {
-                    uint otherFragment = fragmentOf(phase[other - 1]);
-                    if (otherFragment == fragment) continue;
-                    vec3 relative = own - (otherFragment == 0 ? vec3(0) : velocity[other - 1].xyz);
-                    addContact(place - position[other - 1].xyz, relative, otherFragment == 0, sum);
-                }
+            for (int x = low.x; x <= high.x; ++x) {
+                uint cell = coarseIndex(ivec3(x, y, z));
+                addFixedContacts(cell, place, own, sum);
+                addFreeContacts(cell, place, own, fragment, sum);
+            }
 }
 
 /// Adds the contact with a plane that the centre is `height` (m) in front of: the particle's rim touches it, half a spacing

@@ -86,15 +86,23 @@ uint smallestOfLattice(ivec3 centre, uint bits, vec3 place, uint own, uint small
     return smallest;
 }
 
+uint smallestInList(uint list, uint bits, vec3 place, uint smallest) {
+    for (uint other = head[list]; other != 0; other = next[other - 1])
+        if (isBondedNeighbour(other - 1, bits, place)) smallest = min(smallest, labelOf(other - 1));
+    return smallest;
+}
+
 /// The smallest label among the particles off the lattice that are bonded to one off the lattice.
 uint smallestOffLattice(ivec3 centre, uint bits, vec3 place, uint smallest) {
     ivec3 low = max(centre - 1, ivec3(0));
     ivec3 high = min(centre + 1, fragmentBlock.coarseCells - 1);
     for (int z = low.z; z <= high.z; ++z)
         for (int y = low.y; y <= high.y; ++y)
-            for (int x = low.x; x <= high.x; ++x)
-                for (uint other = head[coarseIndex(ivec3(x, y, z))]; other != 0; other = next[other - 1])
-                    if (isBondedNeighbour(other - 1, bits, place)) smallest = min(smallest, labelOf(other - 1));
+            for (int x = low.x; x <= high.x; ++x) {
+                uint cell = coarseIndex(ivec3(x, y, z));
+                smallest = smallestInList(fixedList(cell), bits, place, smallest);
+                smallest = smallestInList(freeList(cell), bits, place, smallest);
+            }
     return smallest;
 }
 

@@ -1,5 +1,5 @@
 // Links the solid particles off the lattice into the lists of their coarse cells; BEGIN 1 also gives every solid particle its
-// first label. The order within a list is arbitrary: every sum over one is in integers, every choice a minimum.
+// first label.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "metal/solid/common.glsl"
@@ -16,8 +16,7 @@ void main() {
     if (slot >= counters.particles) return;
     uint bits = phase[slot];
     bool solid = isSolid(bits);
-    if (solid && (bits & PHASE_LATTICE) == 0)
-        next[slot] = atomicExchange(head[coarseIndex(coarseCell(position[slot].xyz))], slot + 1);
+    if (solid && (bits & PHASE_LATTICE) == 0) link(slot, bits, position[slot].xyz);
 #if BEGIN
     label[slot] = solid ? slot : FRAGMENT_NO_LABEL;
     if (slot == 0) control.lastChange = 0;

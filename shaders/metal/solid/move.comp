@@ -1,4 +1,5 @@
-// Moves the particles of free fragments as rigid bodies, with exact rotations so that a fragment keeps its shape.
+// Moves the particles of free fragments as rigid bodies, with exact rotations so that a fragment keeps its shape. Empties the
+// lists that they were in: link_free.comp makes them anew.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "metal/solid/common.glsl"
@@ -14,6 +15,7 @@ void main() {
     uint slot = freeSlots[entry];
     uint bits = phase[slot];
     if (!isSolid(bits) || fragmentOf(bits) == 0) return;
+    head[freeList(coarseIndex(coarseCell(position[slot].xyz)))] = 0;
     FragmentMotion body = motion[fragmentOf(bits)];
     float dt = fragmentBlock.timeStep;
     vec3 arm = rotated(position[slot].xyz - body.centre, body.angularVelocity * dt);

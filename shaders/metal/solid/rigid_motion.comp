@@ -17,13 +17,20 @@ const float kDamper = 0.5;
 
 shared vec4 sums[FRAGMENT_GROUP];
 
-/// Sum over the group, in the order of a binary tree.
+/// Smallest power of two that is no less than the number of lanes that have a particle.
+uint busyLanes() {
+    uint lanes = 1;
+    while (lanes < min(control.particles, uint(FRAGMENT_GROUP))) lanes *= 2;
+    return lanes;
+}
+
+/// Sum over the group, in the order of a binary tree; the other lanes have nothing to add.
 vec4 total(vec4 value) {
     uint lane = gl_LocalInvocationID.x;
     barrier();
     sums[lane] = value;
     barrier();
-    for (uint reach = FRAGMENT_GROUP / 2; reach > 0; reach /= 2) {
+    for (uint reach = busyLanes() / 2; reach > 0; reach /= 2) {
         if (lane < reach) sums[lane] += sums[lane + reach];
         barrier();
     }
@@ -91,6 +98,7 @@ void main() {
     diagonal = total(vec4(diagonal, 0)).xyz;
     mixed = total(vec4(mixed, 0)).xyz;
     if (lane != 0) return;
+    motion[fragment].fixedContacts = 0; // for the next step; all of the group have read it
     // A lone particle or a straight row has neither inertia nor angular momentum about some axis: a small share of the trace
     // keeps the inverse finite.
     diagonal += 1e-5 * (diagonal.x + diagonal.y + diagonal.z + metal.spacing * metal.spacing);
