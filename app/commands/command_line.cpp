@@ -3,6 +3,7 @@
 #include "app/bench/bench.hpp"
 #include "app/commands/attempt_options.hpp"
 #include "app/commands/commands.hpp"
+#include "app/program/memory.hpp"
 #include "app/program/program_info.hpp"
 #include "app/sound/openal_device.hpp"
 #include "core/base/error.hpp"
@@ -234,6 +235,7 @@ int parseAndRun(int argc, char** argv) {
 } // namespace
 
 int runProgram(int argc, char** argv) {
+    giveLargeBlocksBack();
     tellWritesOfTheirFaults();
     OpenAlDevice::quietLibrary();
     try {

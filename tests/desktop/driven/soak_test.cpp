@@ -8,6 +8,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
 
 namespace meltpool::test {
 
@@ -21,12 +22,13 @@ double since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// Memory that a process holds now, KiB.
-double residentKib(int pid) {
+/// A line of a process's status, KiB: `VmRSS` is what it holds, `RssAnon` its own part, `RssFile` what is read of
+/// files.
+double statusKib(int pid, const std::string& line) {
     const std::string status = readTextFile("/proc/" + std::to_string(pid) + "/status");
-    const size_t at = status.find("VmRSS:");
+    const size_t at = status.find(line + ":");
     REQUIRE(at != std::string::npos);
-    return std::strtod(status.c_str() + at + 6, nullptr);
+    return std::strtod(status.c_str() + at + line.size() + 1, nullptr);
 }
 
 void openEveryPanel(TrainerWindow& window) {
@@ -78,11 +80,16 @@ Soak soak(const std::string& name, double length, int turns) {
     window.start();
     openEveryPanel(window);
     Soak memory;
+    std::ofstream course(window.folder() / "memory.csv"); // to see when it grew, if it did
+    course << "s,VmRSS_kib,RssAnon_kib,RssFile_kib\n";
+    const int pid = window.process().pid();
     const auto begin = Clock::now();
     for (int turn = 0; turn < turns || since(begin) < length; ++turn) {
         work(window, turn);
         memory.seconds.push_back(since(begin));
-        memory.kib.push_back(residentKib(window.process().pid()));
+        memory.kib.push_back(statusKib(pid, "VmRSS"));
+        course << memory.seconds.back() << ',' << memory.kib.back() << ',' << statusKib(pid, "RssAnon") << ','
+               << statusKib(pid, "RssFile") << std::endl;
     }
     openEveryPanel(window); // all are still there
     window.process().signal(SIGTERM);

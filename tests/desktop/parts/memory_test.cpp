@@ -1,0 +1,33 @@
+// Large blocks of memory go back to the system when they are freed.
+#include "app/program/memory.hpp"
+#include "tests/support/catch.hpp"
+
+#include <malloc.h>
+
+#include <cstdlib>
+
+using namespace meltpool;
+
+namespace {
+
+/// Bytes of blocks that the C library took from the system one by one.
+size_t largeBlocks() {
+    return mallinfo2().hblkhd;
+}
+
+} // namespace
+
+#ifndef __SANITIZE_ADDRESS__ // whose memory is not the C library's
+TEST_CASE("a large block goes back to the system as often as one is freed") {
+    giveLargeBlocksBack();
+    const size_t before = largeBlocks();
+    constexpr size_t kBytes = size_t(3) << 20;
+    for (int round = 0; round < 3; ++round) {
+        void* block = std::malloc(kBytes);
+        REQUIRE(block != nullptr);
+        CHECK(largeBlocks() >= before + kBytes);
+        std::free(block);
+        CHECK(largeBlocks() == before);
+    }
+}
+#endif
