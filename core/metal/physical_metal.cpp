@@ -130,6 +130,15 @@ void PhysicalMetal::transfer(gl::StateArchive& archive) {
     if (archive.restores()) answers_.forget();
 }
 
+void PhysicalMetal::fold() {
+    constexpr GLbitfield kBarrier = GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
+                                    GL_BUFFER_UPDATE_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT;
+    glMemoryBarrier(kBarrier);
+    heat_->fold(); // neither reads what the other changes
+    flow_->fold();
+    glMemoryBarrier(kBarrier);
+}
+
 void PhysicalMetal::setLiquidConductivity(const Property& conductivity) {
     setup_.material.liquidConductivity = conductivity;
     table_ = HeatTable(setup_.material);

@@ -52,6 +52,10 @@ class PhysicalMetal {
     /// Saves or restores all that the next step reads; the conductivity is the caller's. Answers that are pending are
     /// dropped where it restores.
     void transfer(gl::StateArchive& archive);
+    /// Folds away what follows from the rest of the state: it becomes the bits in which it differs from that, which are
+    /// mostly none and pack to nothing. A second call unfolds it, to the bit. A state is saved and restored folded,
+    /// and of no other use meanwhile.
+    void fold();
 
     /// Pressure of the arc from the next step on; none with a peak of 0.
     void setArc(const ArcPressure& arc) { flow_->setArc(arc); }

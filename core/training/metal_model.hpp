@@ -80,6 +80,9 @@ class MetalModel {
     /// Saves or restores all that the next step reads but the lesson's values, which are applied before it. Answers
     /// that were requested are dropped where it restores.
     virtual void transfer(gl::StateArchive& archive) = 0;
+    /// Folds the state away before it is copied, unfolds it afterwards and once it is restored; see
+    /// PhysicalMetal::fold(). Models whose state holds nothing that follows from the rest do nothing.
+    virtual void fold() {}
 
     /// Number that the whole state gives; equal states give equal numbers. Waits for the GPU.
     virtual std::uint64_t stateHash() const = 0;

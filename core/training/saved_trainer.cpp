@@ -100,7 +100,9 @@ void Trainer::capture(CheckpointCapture& capture, size_t historyFrom) const {
     if (technique_) self.technique_->transferSteps(history, head.historyFrom, known);
     gl::StateArchive archive(capture.state());
     self.transfer(archive);
+    metal_->fold();
     capture.request();
+    metal_->fold();
 }
 
 Checkpoint Trainer::save(size_t historyFrom) const {
@@ -141,6 +143,7 @@ void Trainer::restore(const Checkpoint& checkpoint) {
     if (!archive.atEnd())
         throw InputError("the checkpoint of step " + std::to_string(checkpoint.step) +
                          " has more bytes than this lesson's state; expected one that this program saved");
+    metal_->fold();
     probe_.forget();
     figures_ = metal_->statistics();
     if (!lesson_.recorded) return;

@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace meltpool {
@@ -72,6 +73,36 @@ TEST_CASE("an arc's pool takes exactly the arc's energy, flows, is fed and freez
     CHECK(allFinite(metal));
     CHECK(metal.statistics().particles == plate().seeds.size() + 40);
     CHECK(metal.flow().readMoving() < mostMoving / 2);
+}
+
+TEST_CASE("a folded state holds no temperatures of its own and is unfolded to the bit", "[physical]") {
+    test::context();
+    PhysicalMetal metal(test::shaders(), plate()), twin(test::shaders(), plate());
+    Filler filler(kMm), twinFiller(kMm);
+    const auto weld = [](PhysicalMetal& each, Filler& wire) {
+        const std::vector<HeatSource> burning{arc()};
+        for (int frame = 0; frame < 40; ++frame)
+            each.step(burning, wire.feed(0.405e-9, glm::vec3(0, 4, 0) * kMm, glm::vec3(0, -0.3F, 0), 2200), nullptr);
+    };
+    const auto places = [&] { return metal.state().position.read<vec4>(metal.state().particles()); };
+    weld(metal, filler);
+    weld(twin, twinFiller);
+    REQUIRE(metal.flow().readMoving() > 20);
+    const std::uint64_t before = metal.stateHash();
+    REQUIRE(twin.stateHash() == before);
+    const auto unfolded = places();
+    REQUIRE(std::all_of(unfolded.begin(), unfolded.end(), [](const vec4& place) { return place.w > 290; }));
+
+    metal.fold();
+    const auto folded = places();
+    CHECK(metal.stateHash() != before);
+    CHECK(std::count_if(folded.begin(), folded.end(), [](const vec4& place) { return place.w == 0; }) ==
+          std::ptrdiff_t(folded.size()));
+    metal.fold();
+    CHECK(metal.stateHash() == before);
+    weld(metal, filler);
+    weld(twin, twinFiller);
+    CHECK(metal.stateHash() == twin.stateHash());
 }
 
 TEST_CASE("wire that is fed outside the space or beyond the room is refused and counted", "[physical]") {

@@ -114,6 +114,7 @@ Flow::Flow(gl::ShaderLibrary& shaders, MetalState& state, const FlowFluid& fluid
       boundary_(shaders.compute("metal/flow/boundary.comp", definesOf(space))),
       density_(shaders.compute("metal/flow/density.comp", definesOf(space))),
       move_(shaders.compute("metal/flow/move.comp", definesOf(fluid, space))),
+      fold_(shaders.compute("metal/flow/fold.comp", definesOf(space))),
       blockBuffer_("flow block", sizeof(FlowBlock)),
       particles_(gl::Buffer::gpuOnly("flow particles", state.capacity() * sizeof(FlowParticle))),
       cells_(gl::Buffer::gpuOnly("flow cells", block_.cellCount * sizeof(FlowCell))),
@@ -180,12 +181,12 @@ void Flow::makeRoom(bool waits) {
     if (room_.rows() != block_.rowCapacity) makeNeighbourLists();
     if (1 + room_.wallPages() != block_.wallPageCapacity || 1 + movingPages(room_, block_) != block_.movingPageCapacity)
         makePages();
-    if (blockChanged_) blockBuffer_.writeValue(block_);
-    blockChanged_ = false;
     bind();
 }
 
-void Flow::bind() const {
+void Flow::bind() {
+    if (blockChanged_) blockBuffer_.writeValue(block_);
+    blockChanged_ = false;
     state_.bind();
     blockBuffer_.bindUniform(FLOW_BLOCK);
     particles_.bindStorage(FLOW_PARTICLES);

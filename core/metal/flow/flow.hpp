@@ -49,6 +49,8 @@ class Flow {
 
     /// Saves or restores all that the next step reads; the state comes before it. Waits for the GPU where it restores.
     void transfer(gl::StateArchive& archive);
+    /// See PhysicalMetal::fold(): the flow's copies of places and velocities against the metal's.
+    void fold();
 
     void setAcceleration(glm::vec3 acceleration); ///< body force over density besides gravity, m/s²
 
@@ -67,7 +69,7 @@ class Flow {
     void takeSavedRoom();
     void makeNeighbourLists();
     void makePages();
-    void bind() const;
+    void bind();
     void updateGroups(gl::Profiler* profiler);
     void substep(gl::Profiler* profiler);
 
@@ -87,6 +89,7 @@ class Flow {
     const gl::Program& boundary_;
     const gl::Program& density_;
     const gl::Program& move_;
+    const gl::Program& fold_;
     FlowRoom room_;
     gl::Buffer blockBuffer_, particles_, cells_, pages_, nextInCell_, lists_, neighbours_, counters_, changed_,
         wallSums_;

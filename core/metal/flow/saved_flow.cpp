@@ -1,12 +1,13 @@
 // What of the flow belongs to a saved state.
 #include "core/base/error.hpp"
 #include "core/metal/flow/flow.hpp"
+#include "shaders/shared/dispatch.h"
 
 namespace meltpool {
 
 namespace {
 
-constexpr size_t kNeighbourWords = FLOW_NEIGHBOUR_CAPACITY + 2; // of a row: the list, and see flow/common.glsl
+constexpr size_t kNeighbourWords = FLOW_NEIGHBOUR_CAPACITY + 2; // of a row, see flow/common.glsl
 constexpr size_t kPageBytes = FLOW_PAGE_WORDS * sizeof(uint);
 
 } // namespace
@@ -27,7 +28,8 @@ void Flow::takeSavedRoom() {
     pagePositionTexels_ = gl::BufferView("flow page position texels", pages_, GL_RGBA32UI, sizeof(uvec4));
 }
 
-/// Pages of moving metal hold for one search only and are left out.
+/// Pages of moving metal hold for one search only, neighbour lists for one step: the next one begins with a search for
+/// all. Both are left out.
 void Flow::transfer(gl::StateArchive& archive) {
     const size_t capacity = state_.capacity();
     archive.values(block_, regroupings_);
@@ -39,13 +41,17 @@ void Flow::transfer(gl::StateArchive& archive) {
         archive.list(*buffer, buffer->bytes());
     archive.list(nextInCell_, capacity * sizeof(uint));
     archive.rows(wallSums_, state_.particles(), sizeof(ivec4));
-    if (block_.rowCapacity > 0) {
-        archive.list(neighbours_, kNeighbourWords * block_.rowCapacity * sizeof(uint));
-        archive.list(pages_, block_.wallPageCapacity * kPageBytes);
-    }
+    if (block_.rowCapacity > 0) archive.list(pages_, block_.wallPageCapacity * kPageBytes);
     if (!archive.restores()) return;
     blockChanged_ = true;
     if (known_ > 0) room_.readNow(state_.particles(), counters_);
+}
+
+void Flow::fold() {
+    if (block_.rowCapacity == 0) return; // no step was made
+    bind();
+    fold_.set("slots", static_cast<unsigned>(state_.particles()));
+    fold_.dispatch(state_.particles() + block_.cellCount, GROUP_SIZE);
 }
 
 } // namespace meltpool

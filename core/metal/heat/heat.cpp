@@ -67,6 +67,7 @@ HeatSolver::HeatSolver(gl::ShaderLibrary& shaders, MetalState& state, const Mate
     advanceOffLattice_ = &shaders.compute("metal/heat/advance_off_lattice.comp", defines);
     conductPlain_ = &shaders.compute("metal/heat/conduct_plain.comp", defines);
     advanceMixed_ = &shaders.compute("metal/heat/advance_mixed.comp", defines);
+    fold_ = &shaders.compute("metal/heat/fold.comp");
     makeBuffers();
     makeTexels();
     begin();

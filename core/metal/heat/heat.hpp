@@ -79,6 +79,8 @@ class HeatSolver {
 
     /// Saves or restores all that the next step reads; the state comes before it.
     void transfer(gl::StateArchive& archive);
+    /// See PhysicalMetal::fold(): temperatures, peaks and Kirchhoff variables against the enthalpies.
+    void fold();
 
     size_t bytes() const; ///< GPU memory of the solver itself
 
@@ -111,7 +113,7 @@ class HeatSolver {
     unsigned regroupings_ = 0;
     double time_ = 0; ///< s
     const gl::Program *refresh_, *listOffLattice_, *deposit_, *listTiles_, *averageCells_, *sourceWeights_,
-        *normaliseSources_, *conductMixed_, *advanceOffLattice_, *conductPlain_, *advanceMixed_;
+        *normaliseSources_, *conductMixed_, *advanceOffLattice_, *conductPlain_, *advanceMixed_, *fold_;
     gl::Buffer blockBuffer_, table_, cellTheta_, cellWeight_, cellSums_, cellRanges_, tiles_, tileStamps_, lists_,
         control_, knownCells_, sourceSums_, ledger_;
     std::vector<Texels> texels_;

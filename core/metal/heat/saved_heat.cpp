@@ -16,4 +16,12 @@ void HeatSolver::transfer(gl::StateArchive& archive) {
     if (archive.restores()) blockBuffer_.writeValue(block_);
 }
 
+void HeatSolver::fold() {
+    const size_t cells = state_.lattice().cellCount();
+    bind();
+    fold_->set("cells", static_cast<unsigned>(cells));
+    fold_->set("slots", static_cast<unsigned>(state_.particles()));
+    fold_->dispatch(cells + state_.particles(), GROUP_SIZE);
+}
+
 } // namespace meltpool

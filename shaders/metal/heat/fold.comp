@@ -1,0 +1,43 @@
+#version 450 core
+// Takes out of a state that is to be saved what follows from the enthalpies: temperature and Kirchhoff variable become the bits
+// in which they differ from what the enthalpy gives, mostly none. A second run puts them back, to the bit, whatever they were.
+// An invocation a cell, then one a slot.
+#extension GL_GOOGLE_include_directive : require
+#include "shared/dispatch.h"
+layout(local_size_x = GROUP_SIZE) in;
+#include "metal/heat/common.glsl"
+
+// The same memory as words: a float that is no number keeps its bits on every driver only as one of these.
+layout(std430, binding = METAL_POSITION) buffer PositionWords { uvec4 positionWords[]; };
+layout(std430, binding = METAL_HEAT) buffer HeatWords { uvec4 heatWords[]; };
+layout(std430, binding = HEAT_CELL_THETA) buffer ThetaWords { uint thetaWords[]; };
+
+uniform uint cells;
+uniform uint slots;
+
+vec2 stateOf(uint slot) { return thermalState(uintBitsToFloat(heatWords[slot].x)); }
+
+/// The half of the buffer that the next step does not read gets zeros.
+void foldCell(uint cell) {
+    const int stamp = tileStamp[cell / TILE_CELLS];
+    const uint half_ = uint((stamp ^ (stamp >> 1)) & TILE_HALF); // a plain step changed halves
+    const uint entry = latticeSlot[cell];
+    const float theta = entry == 0u ? kEmpty : stateOf(entry - 1u).y;
+    thetaWords[half_ * cells + cell] ^= floatBitsToUint(theta);
+    thetaWords[(1u - half_) * cells + cell] = 0u;
+}
+
+/// The peak is the temperature itself as long as metal gets hotter.
+void foldSlot(uint slot) {
+    const uint temperature = floatBitsToUint(stateOf(slot).x);
+    positionWords[slot].w ^= temperature;
+    heatWords[slot].z ^= temperature;
+}
+
+void main() {
+    const uint at = linearInvocation();
+    if (at < cells)
+        foldCell(at);
+    else if (at - cells < slots)
+        foldSlot(at - cells);
+}
