@@ -36,7 +36,8 @@ void LessonSession::beginMoments() {
 }
 
 void LessonSession::keepMoment() {
-    if (redo_.goes() || recordings_.current() != nullptr) redo_.update(*trainer_);
+    if (redo_.goes() || recordings_.current() != nullptr)
+        redo_.update(*trainer_, clock_.speedOfSteps(trainer_->timeStep()));
 }
 
 } // namespace meltpool

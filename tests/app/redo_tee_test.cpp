@@ -21,7 +21,7 @@ constexpr int kWarmedUp = 3; ///< rounds after which all memory that is kept fro
 void weldTo(Trainer& trainer, Redo& redo, double time) {
     for (int step = 1; trainer.time() < time; ++step) {
         trainer.advanceDemonstration(nullptr);
-        redo.update(trainer);
+        redo.update(trainer, 1);
         if (step % 10 != 0) continue;
         (void)trainer.result(); // the GPU comes to its end, so that a moment can arrive
         std::this_thread::sleep_for(std::chrono::milliseconds(20));

@@ -42,9 +42,9 @@ void Redo::begin(std::shared_ptr<RecordingWriter> recording, bool goes) {
     redone_ = 0;
 }
 
-void Redo::update(const Trainer& trainer) {
+void Redo::update(const Trainer& trainer, double speed) {
     moments_.update();
-    if (trainer.steps() == 0 || !moments_.due(trainer.time())) return;
+    if (trainer.steps() == 0 || !moments_.due(trainer.time(), CheckpointPace::period(speed))) return;
     const Technique* technique = trainer.technique();
     trainer.capture(moments_.capture(), moments_.historyTo());
     moments_.begun(trainer.time(), technique == nullptr ? 0 : technique->steps().size());

@@ -21,8 +21,8 @@ class Redo {
     /// null: there is none. `goes`: false where the attempt cannot go back.
     void begin(std::shared_ptr<RecordingWriter> recording = {}, bool goes = true);
     /// After the steps of a frame: begins to keep this moment where it is time to, and goes on with what is under way.
-    /// Never waits, and allocates nothing.
-    void update(const Trainer& trainer);
+    /// `speed`: of making steps alone, over the clock. Never waits, and allocates nothing.
+    void update(const Trainer& trainer, double speed);
 
     /// Chooses the fault at this place (m along the seam) to go back before.
     void choose(double place) { place_ = place; }

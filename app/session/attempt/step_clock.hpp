@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 
 namespace meltpool {
 
@@ -52,6 +53,12 @@ class StepClock {
 
     /// Simulated over real time, smoothed over about a second; 1 when the machine keeps up.
     double speed() const { return real_ > 0 ? simulated_ / real_ : 1; }
+
+    /// Simulated over real time while nothing but steps of `step` seconds is made; infinite while none was measured. On
+    /// a card it counts what the processor does for them.
+    double speedOfSteps(double step) const {
+        return cost_ > 0 ? step / cost_ : std::numeric_limits<double>::infinity();
+    }
 
   private:
     int mostSteps(double step) const {

@@ -50,19 +50,19 @@ void KeptMoments::clear(MomentTaker taker, bool keeps) {
     historyTo_ = 0;
 }
 
-bool KeptMoments::due(double time) {
-    if (std::abs(time - last_) < limits_.period) return false;
+bool KeptMoments::due(double time, double period) {
+    if (std::abs(time - last_) < period) return false;
     const std::lock_guard lock(mutex_);
-    return stage_ == Stage::idle && fault_.empty() && !covers(time);
+    return stage_ == Stage::idle && fault_.empty() && !covers(time, period);
 }
 
 /// One that is kept is less than a period away.
-bool KeptMoments::covers(double time) const {
+bool KeptMoments::covers(double time, double period) const {
     if (!keeps_) return false;
     const auto after = std::partition_point(moments_.begin(), moments_.end(),
                                             [&](const Moment& moment) { return moment.time <= time; });
-    if (after != moments_.end() && after->time - time < limits_.period) return true;
-    return after != moments_.begin() && time - std::prev(after)->time < limits_.period;
+    if (after != moments_.end() && after->time - time < period) return true;
+    return after != moments_.begin() && time - std::prev(after)->time < period;
 }
 
 void KeptMoments::begun(double time, size_t historyTo) {

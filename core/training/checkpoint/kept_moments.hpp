@@ -51,8 +51,10 @@ class KeptMoments {
     void clear(MomentTaker taker = {}, bool keeps = true);
 
     /// A moment should be taken now, at this time of the metal (s): hand capture() and historyTo() to
-    /// Trainer::capture(), then call begun(). Never waits.
-    bool due(double time);
+    /// Trainer::capture(), then call begun(). `period`: s from one moment to the next, where not the limits' own. Never
+    /// waits.
+    bool due(double time) { return due(time, limits_.period); }
+    bool due(double time, double period);
     CheckpointCapture& capture() { return capture_; }
     /// Steps of the hand that are kept already.
     size_t historyTo() const { return historyTo_; }
@@ -88,7 +90,7 @@ class KeptMoments {
     Moment packed();
     void addHistory();
     void give(const Moment& moment) const;
-    bool covers(double time) const;
+    bool covers(double time, double period) const;
     void thinOut();
     size_t bytesNow() const;
     std::unique_lock<std::mutex> whenIdle();

@@ -9,13 +9,16 @@ namespace meltpool {
 
 class CheckpointPace {
   public:
-    /// s of the metal's time between two that are taken, at least. Two cores weld 30,000 particles about as fast as the
-    /// clock, and half as fast on a plate that is hot all over: from the moments of ten beads on such a plate a replay
-    /// came to any second in 1.4 s on average, 3.7 s at most.
-    static constexpr double kPeriod = 1;
+    /// s of the metal's time between two moments, at most and at least.
+    static constexpr double kPeriod = 1, kLeastPeriod = 0.4;
+
+    /// s from one moment to the next where making steps alone runs at `speed` times the clock: as far as this machine
+    /// welds in a second, so that from a moment it comes to any time before the next one in about as long.
+    static double period(double speed) { return std::clamp(speed, kLeastPeriod, kPeriod); }
+
     /// Bytes for each second that was welded, without the first moment, which stands alone. Moments of 30,000 particles
-    /// have some 750 kB on a hot plate, 1 MB on one that is hot all over; with the steps' own 16 kB a second this makes
-    /// 60 MB a minute at most.
+    /// have some 300 kB at first, 550 kB on a plate that ten beads have made hot all over; with the steps' own 16 kB a
+    /// second this makes 60 MB a minute at most.
     static constexpr double kBytesPerSecond = 970e3;
     static constexpr double kAtOnce = 1e6; ///< bytes ahead of that, for the first seconds
 
@@ -23,10 +26,10 @@ class CheckpointPace {
     /// where the attempt went back, from there on again.
     bool take(double time, size_t bytes) {
         welded_ += std::max(0.0, time - seen_);
-        if (time < seen_) last_ = time - kPeriod;
+        if (time < seen_) last_ = time - kLeastPeriod;
         seen_ = time;
         const bool first = last_ == -std::numeric_limits<double>::infinity();
-        if (!first && time < last_ + kPeriod - kSlack) return false;
+        if (!first && time < last_ + kLeastPeriod - kSlack) return false;
         const double sum = first ? 0 : taken_ + static_cast<double>(bytes);
         if (sum > kAtOnce + kBytesPerSecond * welded_) return false;
         taken_ = sum;

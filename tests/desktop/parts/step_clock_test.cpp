@@ -1,5 +1,6 @@
 // The metal's time against the hand's time at different frame rates and on machines of different speed.
 #include "app/session/attempt/step_clock.hpp"
+#include "core/training/recording/checkpoint_pace.hpp"
 #include "tests/support/catch.hpp"
 
 namespace meltpool {
@@ -68,6 +69,25 @@ TEST_CASE("a frame that took longer than can be made good has dropped what the h
     for (int i = 0; i < 20; ++i)
         clock.due(0.5, kStep);
     CHECK_FALSE(clock.dropped());
+}
+
+TEST_CASE("the speed of steps alone is that of the time they took") {
+    StepClock clock;
+    CHECK(clock.speedOfSteps(kStep) > 1e6);
+    clock.took(0.08, 2);
+    CHECK(clock.speedOfSteps(kStep) == Approx(kStep / 0.04));
+    for (int i = 0; i < 40; ++i)
+        clock.took(0.02, 1);
+    CHECK(clock.speedOfSteps(kStep) == Approx(kStep / 0.02).epsilon(0.01));
+    clock.reset();
+    CHECK(clock.speedOfSteps(kStep) > 1e6);
+}
+
+TEST_CASE("moments lie as far apart as the machine welds in a second") {
+    CHECK(CheckpointPace::period(StepClock().speedOfSteps(kStep)) == 1);
+    CHECK(CheckpointPace::period(3) == 1);
+    CHECK(CheckpointPace::period(0.7) == 0.7);
+    CHECK(CheckpointPace::period(0.1) == 0.4);
 }
 
 TEST_CASE("after a pause no time is made good, and one long frame is") {
