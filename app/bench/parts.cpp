@@ -25,6 +25,8 @@ std::span<const BenchPart> benchParts() {
                   benchLesson},
         BenchPart{"lesson", "the lesson gmaw-bead after 4 s: its whole state saved, packed, unpacked and restored",
                   benchCheckpoint},
+        BenchPart{"lesson", "the lesson gmaw-bead recorded with moments of its metal, over the same without",
+                  benchRecording},
         BenchPart{"stereo", "both eyes of a headset over one, in three ways: 672x756 pixels an eye, 4 samples",
                   benchStereo},
         BenchPart{"stereo", "the processor's own work for a headset's frame, and with a headset where there is one",

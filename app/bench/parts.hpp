@@ -15,6 +15,7 @@ void benchWeldSurface(Bench& bench);
 void benchEmptyDispatches(Bench& bench);
 void benchLesson(Bench& bench);
 void benchCheckpoint(Bench& bench);
+void benchRecording(Bench& bench);
 void benchStereo(Bench& bench);
 void benchHeadsetFrame(Bench& bench);
 
