@@ -90,6 +90,43 @@ void waitForPage(TrainerWindow& window, const std::string& page) {
     window.waitFor("the page " + page, [&](const json& s) { return s.at("page") == page; });
 }
 
+/// A person leads the torch 16 mm along the seam and lets go; answers what is seen with the result.
+json weldSmallBead(TrainerWindow& window) {
+    const auto tip = [](const json& s) { return s.at("torch").at("tip_mm").at(0).get<double>(); };
+    window.moveMouse(200, 300);
+    window.xdotool({"mousedown", "1"});
+    const json pool = window.waitFor("a pool", [](const json& s) { return s.at("metal").at("molten") > 5; });
+    json now = pool;
+    for (int i = 1; i <= 16; ++i) { // 16 mm along the seam, at no more than 10 mm/s in the metal's time
+        window.moveMouse(200 + 12.5 * i, 300);
+        const double from = now.at("metal").at("time").get<double>();
+        now = window.waitFor("the metal to go on",
+                             [&](const json& s) { return s.at("metal").at("time").get<double>() > from + 0.1; });
+    }
+    window.waitFor("the way", [&](const json& s) { return std::abs(tip(s) - tip(pool) - 16) < 1.5; });
+    window.takePicture("welding");
+    window.xdotool({"mouseup", "1"});
+    window.waitFor("the judgement", [](const json& s) { return !s.at("judgement").is_null(); });
+    return window.waitFor("the result", [](const json& s) { return s.at("panels").at("result") == true; });
+}
+
+/// Welds again where the machine was so busy that samples of the torch were lost, for which there is no score.
+json weldToScore(TrainerWindow& window) {
+    json judged = weldSmallBead(window);
+    const auto lost = [&] {
+        return judged.at("judgement").dump().find("of the torch was missing") != std::string::npos ||
+               judged.at("judgement").dump().find("of the torch were missing") != std::string::npos;
+    };
+    for (int again = 0; again < 4 && lost(); ++again) {
+        WARN("welded again: " << judged.at("judgement").dump());
+        window.click("result.again");
+        window.waitFor("another attempt",
+                       [](const json& s) { return s.at("judgement").is_null() && s.at("metal").at("molten") == 0; });
+        judged = weldSmallBead(window);
+    }
+    return judged;
+}
+
 } // namespace
 
 TEST_CASE("without a lesson named the window opens on the list of lessons, and nothing runs") {
@@ -193,27 +230,12 @@ TEST_CASE("a lesson is picked from the list, welded by keys and mouse, judged, w
     waitForPage(window, "start");
     window.click("start.start");
     window.waitFor("the metal", [](const json& s) { return s.at("metal").at("steps") > 0; });
-    const auto tip = [](const json& s) { return s.at("torch").at("tip_mm").at(0).get<double>(); };
     window.click("bar.view");
     window.click("cues.seam");
     window.waitFor("a cue switched off", [](const json& s) { return parameterIn(s, "cues", "seam") == "false"; });
     window.click("bar.view");
     window.settle();
-    window.moveMouse(200, 300);
-    window.xdotool({"mousedown", "1"});
-    const json pool = window.waitFor("a pool", [](const json& s) { return s.at("metal").at("molten") > 5; });
-    json now = pool;
-    for (int i = 1; i <= 16; ++i) { // 16 mm along the seam, at no more than 10 mm/s in the metal's time
-        window.moveMouse(200 + 12.5 * i, 300);
-        const double from = now.at("metal").at("time").get<double>();
-        now = window.waitFor("the metal to go on",
-                             [&](const json& s) { return s.at("metal").at("time").get<double>() > from + 0.1; });
-    }
-    window.waitFor("the way", [&](const json& s) { return std::abs(tip(s) - tip(pool) - 16) < 1.5; });
-    window.takePicture("welding");
-    window.xdotool({"mouseup", "1"});
-    window.waitFor("the judgement", [](const json& s) { return !s.at("judgement").is_null(); });
-    const json judged = window.waitFor("the result", [](const json& s) { return s.at("panels").at("result") == true; });
+    const json judged = weldToScore(window);
     INFO(judged.at("judgement").dump());
     CHECK(judged.at("judgement").at("score").get<std::string>().find(" of 100") != std::string::npos);
     window.takePicture("result");
