@@ -261,7 +261,11 @@ void DesktopApp::showAll() {
 }
 
 void DesktopApp::simulate(const InputFrame& input, double seconds) {
-    if (!session_.running()) return;
+    if (!session_.running()) { // what was told of the lesson is over
+        figures_.caption = {};
+        notices_.update(session_, figures_, controls_.triggerLock(), seconds, messages_);
+        return;
+    }
     controls_.update(input, seconds);
     // While the mouse is captured it leads the torch, even with a headset in use.
     const TorchSource held = headsetFrame_ && !controls_.captured() ? headset_->torch() : TorchSource{};

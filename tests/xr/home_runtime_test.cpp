@@ -1,9 +1,13 @@
 // The whole program on a real runtime: from the list of lessons on the panel to the result, again, and back.
 #include "core/base/text.hpp"
+#include "core/training/recording/recording_reader.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/newest_recording.hpp"
 #include "tests/xr/trainee.hpp"
 
+#include <algorithm>
 #include <cstdlib>
+#include <functional>
 #include <memory>
 
 using namespace meltpool;
@@ -46,12 +50,40 @@ std::unique_ptr<TrainerProcess> startAtHome(const fs::path& folder) {
     return trainer;
 }
 
+std::function<bool(const json&)> offers(const std::string& place) {
+    return [place](const json& row) { return row["headset"]["places"].contains(place); };
+}
+
+/// The head goes there and looks so far down, radians.
+void look(Trainee& trainee, const glm::vec3& from, float down) {
+    trainee.state.head.position = from;
+    trainee.state.head.orientation = glm::angleAxis(down, glm::vec3(1, 0, 0));
+    trainee.send();
+}
+
+/// Welds 14 mm along the seam, takes the torch away and waits for the result.
+void weldBead(Trainee& trainee, TrainerProcess& trainer) {
+    REQUIRE(trainee.strike(trainer, {-0.007f, 0.003f, 0}, [](const json& row) { return row["metal"]["molten"] > 5; }));
+    for (int i = 1; i <= 28; ++i) {
+        const float x = -0.007f + 0.0005f * static_cast<float>(i);
+        const double from = trainer.now()["metal"]["time"];
+        trainee.aim({x, 0.003f, 0}, 1.0f);
+        REQUIRE(trainer.waitFor([&](const json& row) { return row["metal"]["time"] > from + 0.05; }));
+        // A runtime that did not answer for a while puts the arc out.
+        if (trainer.now()["headset"]["trigger_locked"] == true)
+            REQUIRE(trainee.strike(trainer, {x, 0.003f, 0}, [](const json& row) {
+                return row["headset"]["trigger_locked"] == false && row["headset"]["tip"]["action"] != "out";
+            }));
+    }
+    trainee.aim({0.03f, 0.05f, 0}, 0.0f);
+    REQUIRE(trainer.waitFor([](const json& row) {
+        return !row["judgement"].is_null() && row["headset"]["places"].contains("result.again");
+    }));
+}
+
 /// From the list of attempts on the panel: the attempt that was judged, the last but one, is played to its end, to the
 /// bits of its recording, and taken back to its first second.
 void replayTheWeld(Trainee& trainee, TrainerProcess& trainer) {
-    const auto offers = [](const std::string& place) {
-        return [place](const json& row) { return row["headset"]["places"].contains(place); };
-    };
     REQUIRE(trainer.waitFor(offers("home.attempts")));
     trainee.press(trainer, "home.attempts", offers("home.attempt.1.play"));
     passFrames(trainer, 4);
@@ -103,22 +135,7 @@ TEST_CASE("a lesson is picked on the panel, demonstrated, welded, judged and beg
     trainee.lookDown();
     trainee.showPanel(trainer, false);
 
-    REQUIRE(trainee.strike(trainer, {-0.007f, 0.003f, 0}, [](const json& row) { return row["metal"]["molten"] > 5; }));
-    for (int i = 1; i <= 28; ++i) {
-        const float x = -0.007f + 0.0005f * static_cast<float>(i);
-        const double from = trainer.now()["metal"]["time"];
-        trainee.aim({x, 0.003f, 0}, 1.0f);
-        REQUIRE(trainer.waitFor([&](const json& row) { return row["metal"]["time"] > from + 0.05; }));
-        // A runtime that did not answer for a while puts the arc out.
-        if (trainer.now()["headset"]["trigger_locked"] == true)
-            REQUIRE(trainee.strike(trainer, {x, 0.003f, 0}, [](const json& row) {
-                return row["headset"]["trigger_locked"] == false && row["headset"]["tip"]["action"] != "out";
-            }));
-    }
-    trainee.aim({0.03f, 0.05f, 0}, 0.0f);
-    REQUIRE(trainer.waitFor([](const json& row) {
-        return !row["judgement"].is_null() && row["headset"]["places"].contains("result.again");
-    }));
+    weldBead(trainee, trainer);
     INFO(trainer.now()["judgement"].dump());
     CHECK_THAT(trainer.now()["judgement"]["score"].get<std::string>(), containsText("core")); // scored, or why not
     CHECK(trainer.now()["panels"]["result"] == true);                                         // in the window too
@@ -128,9 +145,7 @@ TEST_CASE("a lesson is picked on the panel, demonstrated, welded, judged and beg
     trainee.press(trainer, "cut.open", [](const json& row) { return !row["cut"].is_null(); });
     REQUIRE(trainer.waitFor([](const json& row) { return row["headset"]["places"].contains("cut.place"); }));
     CHECK(trainer.now()["cut"]["judged"] == true);
-    trainee.state.head.position = {0.05f, 1.3f, 0.12f}; // leans over it
-    trainee.state.head.orientation = glm::angleAxis(-0.5f, glm::vec3(1, 0, 0));
-    trainee.send();
+    look(trainee, {0.05f, 1.3f, 0.12f}, -0.5f); // leans over it
     passFrames(trainer, 10);
     keepPicture(screenshot(), "cut.png");
     trainee.lookDown();
@@ -159,4 +174,71 @@ TEST_CASE("a lesson is picked on the panel, demonstrated, welded, judged and beg
     replayTheWeld(trainee, trainer);
     CHECK(trainer.stop() == 0);
     CHECK(trainer.misuses() == "");
+}
+
+TEST_CASE("in the headset an attempt goes back, is held against another one, and is the ghost of a third",
+          "[runtime]") {
+    handGeometry();
+    const fs::path folder = benchFolder() / "back";
+    Trainee trainee;
+    trainee.bottom = -0.010f;
+    trainee.zoom = 1;
+    trainee.held = glm::angleAxis(-1.4f, glm::vec3(1, 0, 0));
+    const auto process = startAtHome(folder);
+    TrainerProcess& trainer = *process;
+    REQUIRE(trainer.waitFor(offers("home.lesson.plate")));
+    trainee.press(trainer, "home.lesson.plate", offers("headset.start"));
+    trainee.press(trainer, "headset.start", running);
+    trainee.lookDown();
+    trainee.showPanel(trainer, false);
+    weldBead(trainee, trainer);
+
+    // Back by three seconds, or to the beginning, and on to another end: practice.
+    trainee.showPanel(trainer, true);
+    REQUIRE(trainer.waitFor(offers("result.redo")));
+    const double end = trainer.now()["metal"]["time"];
+    trainee.press(trainer, "result.redo", [end](const json& row) { return row["metal"]["time"] < end - 1; });
+    CHECK(trainer.waitFor([](const json& row) { return row["judgement"].is_null(); }));
+    trainee.showPanel(trainer, false);
+    passFrames(trainer, 6);
+    keepPicture(screenshot(), "redo.png");
+    weldBead(trainee, trainer);
+    keepPicture(screenshot(), "practice.png");
+
+    trainee.showPanel(trainer, true);
+    trainee.press(trainer, "result.again", [](const json& row) { return row["judgement"].is_null(); });
+    trainee.showPanel(trainer, false);
+    weldBead(trainee, trainer);
+    trainee.showPanel(trainer, true);
+    trainee.press(trainer, "headset.home", offers("home.attempts"));
+    trainee.press(trainer, "home.attempts", offers("home.attempt.1.compare"));
+    trainee.press(trainer, "home.attempt.1.compare", offers("home.attempts.marked"));
+    trainee.press(trainer, "home.attempt.0.compare", offers("comparison.back"));
+    REQUIRE(trainer.waitFor(offers("comparison.words")));
+    CHECK_THAT(trainer.now()["headset"]["notice"].get<std::string>(), !containsText("real time")); // no metal runs
+    look(trainee, {0, 1.6f, 0}, 0);
+    passFrames(trainer, 10);
+    keepPicture(screenshot(), "comparison.png");
+    trainee.press(trainer, "comparison.back", offers("home.attempt.0.ghost"));
+
+    trainee.press(trainer, "home.attempt.0.ghost", running);
+    trainee.lookDown();
+    trainee.showPanel(trainer, false);
+    REQUIRE(trainee.strike(trainer, {-0.007f, 0.003f, 0}, [](const json& row) { return row["metal"]["molten"] > 5; }));
+    for (int i = 1; i <= 8; ++i) {
+        const double from = trainer.now()["metal"]["time"];
+        trainee.aim({-0.007f + 0.0005f * static_cast<float>(i), 0.003f, 0.003f}, 1.0f);
+        REQUIRE(trainer.waitFor([&](const json& row) { return row["metal"]["time"] > from + 0.05; }));
+    }
+    trainee.held = glm::angleAxis(-0.8f, glm::vec3(1, 0, 0));
+    trainee.aim({-0.003f, 0.008f, 0.012f}, 0.0f); // a look at both torches by the room's light
+    look(trainee, {0.12f, 1.15f, -0.25f}, -0.75f);
+    passFrames(trainer, 40);
+    keepPicture(screenshot(), "ghost.png");
+    CHECK(trainer.stop() == 0);
+    CHECK(trainer.misuses() == "");
+    const Recording last = readRecording(newestRecording(folder / "meltpool" / "recordings"));
+    CHECK(std::any_of(last.events.begin(), last.events.end(), [](const RecordingNote& note) {
+        return note.name == "ghost" && note.value.find("file") != std::string::npos;
+    }));
 }

@@ -83,7 +83,10 @@ MenuRequest attemptList(Context& context, Home& home, size_t rows) {
         if (list.fault().empty()) quietText(context, "No attempt has been kept yet.");
         return request;
     }
-    if (list.marks()) quietText(context, "One attempt is marked: choose Compare at another one of the same lesson.");
+    if (list.marks()) {
+        quietText(context, "One attempt is marked: choose Compare at another one of the same lesson.");
+        markItem(context, "home.attempts.marked");
+    }
     const size_t pages = (count + rows - 1) / rows;
     list.page = std::min(list.page, pages - 1);
     for (size_t i = list.page * rows; i < std::min(count, (list.page + 1) * rows); ++i)
