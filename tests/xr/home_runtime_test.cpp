@@ -177,7 +177,7 @@ TEST_CASE("a lesson is picked on the panel, demonstrated, welded, judged and beg
 }
 
 TEST_CASE("in the headset an attempt goes back, is held against another one, and is the ghost of a third",
-          "[runtime]") {
+          "[runtime][long]") {
     handGeometry();
     const fs::path folder = benchFolder() / "back";
     Trainee trainee;
