@@ -28,10 +28,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kWarmUps = 2;
 
-double millisecondsSince(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
 std::string today() {
     const std::time_t now = std::time(nullptr);
     char text[32];

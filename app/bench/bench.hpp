@@ -5,6 +5,7 @@
 #include "core/gl/profiler.hpp"
 #include "core/gl/program.hpp"
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <span>
@@ -27,6 +28,11 @@ struct BenchRow {
     /// Further numbers under names of their own: ratios, rates, grid sizes.
     std::vector<std::pair<std::string, double>> further;
 };
+
+/// Wall time, ms.
+inline double millisecondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
 
 /// What a suite works with.
 class Bench {

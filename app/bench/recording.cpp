@@ -21,10 +21,6 @@ using Clock = std::chrono::steady_clock;
 constexpr double kWarmUp = 2; ///< s of the demonstration
 constexpr int kSeconds = 4;   ///< measured, each of them a repeat
 
-double millisecondsSince(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
 /// A file of this process alone, until the end of the benchmark.
 class ScratchFile {
   public:
