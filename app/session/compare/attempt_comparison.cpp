@@ -68,11 +68,11 @@ void AttemptComparison::update(gl::ShaderLibrary& shaders, double seconds, doubl
     try {
         if (!trainer_) {
             trainer_ = std::make_unique<Trainer>(shaders, *lessons_[current()]);
-            return pace_.begin();
+            return pace_.begin(seconds);
         }
         pace_.frame(seconds);
         const double begin = now();
-        for (int made = 0; !isOver() && made < pace_.steps() && now() - begin < SeekPace::kSlice; ++made)
+        for (int made = 0; !isOver() && made < pace_.steps() && now() - begin < pace_.slice(); ++made)
             trainer_->advanceDemonstration(nullptr);
         if (isOver()) finishSide();
     } catch (const std::exception& fault) {

@@ -89,7 +89,7 @@ class AttemptComparison {
     std::string fault_;
     std::vector<Kept> kept_; ///< the newest last
     size_t welded_ = 0;
-    SeekPace pace_;
+    SeekPace pace_{0.1};
     std::unique_ptr<Trainer> trainer_; ///< of the attempt that is welded
 };
 

@@ -56,11 +56,12 @@ bool AttemptReplay::seek(Trainer& trainer, double seconds, gl::Profiler* profile
         goBack(trainer);
         line_.stepFrom(trainer.time());
         line_.reach(trainer.time(), trainer.timeStep(), isOver(trainer));
-        pace_.begin();
+        pace_.begin(seconds);
+    } else {
+        pace_.frame(seconds);
     }
-    pace_.frame(seconds);
     const double begin = now_();
-    for (int made = 0; line_.seeking() && made < pace_.steps() && now_() - begin < SeekPace::kSlice; ++made)
+    for (int made = 0; line_.seeking() && made < pace_.steps() && now_() - begin < pace_.slice(); ++made)
         step(trainer, profiler);
     return !line_.seeking();
 }

@@ -95,20 +95,31 @@ TEST_CASE("the speed keeps within what is offered") {
 }
 
 TEST_CASE("a way to another moment takes more steps a frame while frames stay short, and fewer when they do not") {
-    SeekPace pace;
-    pace.begin();
-    CHECK(pace.steps() == 1);
-    for (int frame = 0; frame < 5; ++frame)
-        pace.frame(0.02);
-    CHECK(pace.steps() == 32);
-    pace.frame(2 * SeekPace::kLongest);
-    CHECK(pace.steps() == 16);
+    SeekPace pace(0.2);
+    pace.begin(0.02);
+    CHECK(pace.steps() == SeekPace::kFirst);
+    for (int frame = 0; frame < 3; ++frame)
+        pace.frame(0.1);
+    CHECK(pace.steps() == 8 * SeekPace::kFirst);
+    pace.frame(0.4);
+    CHECK(pace.steps() == 4 * SeekPace::kFirst);
     for (int frame = 0; frame < 100; ++frame)
         pace.frame(1);
     CHECK(pace.steps() == 1);
     for (int frame = 0; frame < 100; ++frame)
         pace.frame(0);
     CHECK(pace.steps() == SeekPace::kMost);
+}
+
+TEST_CASE("a slow picture takes nothing from the steps of a way to another moment") {
+    SeekPace pace(0.2);
+    pace.begin(0.3);
+    for (int frame = 0; frame < 3; ++frame)
+        pace.frame(0.5);
+    CHECK(pace.steps() == 8 * SeekPace::kFirst);
+    pace.begin(60); // a frame that something else held up says nothing of pictures
+    pace.frame(1);
+    CHECK(pace.steps() == SeekPace::kFirst / 2);
 }
 
 TEST_CASE("a curve stands over the time of the attempt as far as it is known") {
