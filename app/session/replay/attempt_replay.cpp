@@ -110,9 +110,12 @@ void AttemptReplay::noteCurves(const Trainer& trainer) {
     distance_.add(trainer.time(), technique->now()[TechniqueQuantity::distance] * kMilli);
 }
 
-/// What was kept stays where the attempt goes back: it comes to the same bits there again.
+/// What was kept stays where the attempt goes back: it comes to the same bits there again. On the way to another moment
+/// the recording's own ones do, where it has one just before.
 void AttemptReplay::keepMoment(const Trainer& trainer) {
     if (!moments_->due(trainer.time())) return;
+    const auto recorded = recorded_.moments ? recorded_.moments->timeBefore(trainer.time()) : std::nullopt;
+    if (line_.seeking() && recorded && trainer.time() - *recorded < 2 * kSpacing) return;
     const Technique* technique = trainer.technique();
     trainer.capture(moments_->capture(), moments_->historyTo());
     moments_->begun(trainer.time(), technique == nullptr ? 0 : technique->steps().size());

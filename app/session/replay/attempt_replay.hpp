@@ -24,7 +24,7 @@ class AttemptReplay {
   public:
     static constexpr double kSpacing = 0.5;            ///< s of the metal between two moments that are kept
     static constexpr size_t kRoom = size_t(384) << 20; ///< bytes, of the moments that are kept
-    static constexpr double kSeekSlice = 0.3;          ///< s of a frame that a seek's steps may take
+    static constexpr double kSeekSlice = 0.45;         ///< s of a frame that a seek's steps may take
 
     /// At the start, playing. `now`: s of a clock that never goes back. Reads the recording's moments.
     void begin(const Trainer& trainer, ReplayMachine machine, double (*now)());
