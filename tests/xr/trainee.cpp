@@ -178,7 +178,9 @@ void Trainee::press(TrainerProcess& trainer, const std::string& name, const std:
         }
         if (comesTrue(trainer, 60, done)) return;
     }
-    FAIL("presses of " << name << " do nothing");
+    keepPicture(screenshot(), "no-press.png");
+    FAIL("presses of " << name << " do nothing; page " << trainer.now()["page"] << ", headset "
+                       << trainer.now()["headset"].dump());
 }
 
 void Trainee::showPanel(TrainerProcess& trainer, bool open) {
