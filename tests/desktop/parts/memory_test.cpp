@@ -8,6 +8,7 @@
 
 using namespace meltpool;
 
+#ifndef __SANITIZE_ADDRESS__ // whose memory is not the C library's
 namespace {
 
 /// Bytes of blocks that the C library took from the system one by one.
@@ -17,7 +18,6 @@ size_t largeBlocks() {
 
 } // namespace
 
-#ifndef __SANITIZE_ADDRESS__ // whose memory is not the C library's
 TEST_CASE("a large block goes back to the system as often as one is freed") {
     giveLargeBlocksBack();
     const size_t before = largeBlocks();
