@@ -26,6 +26,12 @@ constexpr float kMostShorts = 120;
 /// m of arc over which the shorts become fewer; none: chosen.
 constexpr float kShortingLength = 1e-3F;
 
+/// 0 where a wire of `diameter` (mm) dips or lets large drops fall at this current (A), 1 where it sprays.
+double sprayShare(double current, double diameter) {
+    const double sprays = kSprayCurrent * std::pow(diameter, kSprayExponent);
+    return std::clamp((current / sprays - 1) / kSprayRange + 0.5, 0.0, 1.0);
+}
+
 } // namespace
 
 ParameterList describe(GmawSettings& s) {
@@ -73,13 +79,11 @@ double Gmaw::stirring() const {
     return arcStirring(fed.melting.current(fed.speed, static_cast<double>(settings_.stickOutMm * kMm)));
 }
 
-/// In spray the arc envelops the wire's end and is no longer narrow.
+/// In spray the arc envelops the wire's end, and its width no longer follows its length.
 double Gmaw::heatRadius() const {
     const auto current = static_cast<double>(arc_.current);
-    const double narrow = arcHeatRadius(wire_.length(), current);
-    const double sprays = kSprayCurrent * std::pow(static_cast<double>(settings_.wireDiameterMm), kSprayExponent);
-    const double share = std::clamp((current / sprays - 1) / kSprayRange + 0.5, 0.0, 1.0);
-    return std::lerp(narrow, std::max(narrow, kSprayRadius), share);
+    return std::lerp(arcHeatRadius(wire_.length(), current), kSprayRadius,
+                     sprayShare(current, static_cast<double>(settings_.wireDiameterMm)));
 }
 
 double Gmaw::wireArea() const {
@@ -131,12 +135,14 @@ void Gmaw::takeOver() {
 void Gmaw::transferHeat(const TorchSample& torch, double seconds) {
     const auto current = static_cast<double>(arc_.current);
     arc_.radius = static_cast<float>(heatRadius());
-    arc_.pressure = static_cast<float>(arcPressurePeak(current, static_cast<double>(arc_.radius)));
+    const double sprays = sprayShare(current, static_cast<double>(settings_.wireDiameterMm));
+    pressSurface(current, std::lerp(arcHeatRadius(wire_.length(), current), kSprayPressureRadius, sprays));
     arc_.power = kGmawEfficiency * static_cast<double>(arc_.voltage) * current;
     const TorchRay from = ray(torch);
     const float end = std::max(std::min(arc_.extension, arc_.distance - kFreeWay * metal_.spacing), 0.0F);
-    const double brought = meltWire(wire_.melted() * wireArea(), seconds, from.origin + from.axis * end,
-                                    from.axis * kDropSpeed, arc_.power);
+    const double brought =
+        meltWire(wire_.melted() * wireArea(), seconds, from.origin + from.axis * end,
+                 from.axis * std::lerp(kDropSpeed, kSprayDropSpeed, static_cast<float>(sprays)), arc_.power);
     heatSurface(from, arc_.power - brought);
 }
 

@@ -102,7 +102,7 @@ void Gtaw::strikeOrBurn(const TorchSample& torch, const MetalAhead& ahead) {
     arc_.voltage = static_cast<float>(voltage);
     arc_.power = kGtawEfficiency * voltage * current;
     arc_.radius = static_cast<float>(arcHeatRadius(length, current));
-    arc_.pressure = static_cast<float>(arcPressurePeak(current, static_cast<double>(arc_.radius)));
+    pressSurface(current, static_cast<double>(arc_.radius));
     arc_.share = std::min(torch.trigger, 1.0F);
     const double atRest = gtawVoltage(2 * kMm, current);
     arc_.stretch = static_cast<float>(std::clamp((voltage - atRest) / std::max(breaking - atRest, 0.1), 0.0, 1.0));

@@ -23,6 +23,7 @@ void Process::step(const TorchSample& torch, const MetalAhead& ahead, double sec
     arc_.distance = ahead.distance;
     arc_.liquid = ahead.liquid;
     source_ = {};
+    pressureRadius_ = 0;
     drops_ = {};
     advance(torch, ahead, seconds);
 }
@@ -30,6 +31,7 @@ void Process::step(const TorchSample& torch, const MetalAhead& ahead, double sec
 void Process::reset() {
     arc_ = {};
     source_ = {};
+    pressureRadius_ = 0;
     drops_ = {};
     filler_.reset();
 }
@@ -39,12 +41,13 @@ void Process::transfer(gl::StateArchive& archive) {
     filler_.transfer(archive);
     if (!archive.restores()) return;
     source_ = {};
+    pressureRadius_ = 0;
     drops_ = {};
 }
 
 ArcPressure Process::pressure() const {
     if (arc_.pressure <= 0) return {};
-    return {source_.position, source_.axis, arc_.radius, arc_.pressure};
+    return {source_.position, source_.axis, pressureRadius_, arc_.pressure};
 }
 
 void Process::heatSurface(const TorchRay& ray, double power) {
@@ -53,6 +56,11 @@ void Process::heatSurface(const TorchRay& ray, double power) {
                                    static_cast<float>(std::max(power, 0.0)))
                   .inFront(arc_.distance, shadow)
                   .catching(kLeastCatch);
+}
+
+void Process::pressSurface(double current, double radius) {
+    pressureRadius_ = static_cast<float>(radius);
+    arc_.pressure = static_cast<float>(arcPressurePeak(current, radius));
 }
 
 double Process::meltWire(double volume, double seconds, const glm::vec3& place, const glm::vec3& velocity,

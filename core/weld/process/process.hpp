@@ -97,6 +97,8 @@ class Process {
     /// Heat of `power` W on the surface that the axis meets at the arc's distance, as wide as the arc. Nothing behind
     /// the ray's origin or far beyond that surface is heated.
     void heatSurface(const TorchRay& ray, double power);
+    /// Presses on that surface with the force of an arc of `current` (A); sigma is `radius` (m).
+    void pressSurface(double current, double radius);
     /// Melts `volume` (m³) of wire in `seconds` into drops that leave `place` with `velocity`; gives the W that they
     /// bring, which are at most `available`: an arc too weak for hot drops makes colder ones.
     double meltWire(double volume, double seconds, const glm::vec3& place, const glm::vec3& velocity, double available);
@@ -114,6 +116,7 @@ class Process {
     Filler filler_;
 
   private:
+    float pressureRadius_ = 0; ///< m, sigma of the arc's pressure
     std::span<const MetalSeed> drops_;
 };
 

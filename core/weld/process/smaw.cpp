@@ -183,7 +183,7 @@ void Smaw::burn(double length) {
     arc_.voltage = static_cast<float>(voltage);
     arc_.power = kSmawEfficiency * voltage * current;
     arc_.radius = static_cast<float>(arcHeatRadius(length, current));
-    arc_.pressure = touched_ ? 0.0F : static_cast<float>(arcPressurePeak(current, static_cast<double>(arc_.radius)));
+    if (!touched_) pressSurface(current, static_cast<double>(arc_.radius));
     arc_.share = 1;
     // A welder holds the arc as long as the core is thick.
     const double atRest = smawVoltage(settings_.electrode, static_cast<double>(settings_.diameterMm) * kMm, set);

@@ -53,16 +53,22 @@ inline constexpr double kGtawEfficiency = 0.77;
 inline constexpr double kGmawEfficiency = 0.85;
 /// K at which drops leave the wire: 2200 °C; measured ones lie between 2000 and 2600 °C.
 inline constexpr double kDropTemperature = 2473.15;
-/// m/s at which they leave it. High-speed films of dip and globular transfer.
+/// m/s at which they leave it in dip and globular transfer. High-speed films of both.
 inline constexpr float kDropSpeed = 0.3F;
+/// m/s at which they leave it in spray, where the plasma jet drives them. None: chosen. Trade knowledge, 1 to 3 m/s; no
+/// document was checked, and liquid steel of 1 mm particles flies at 1.1 m/s at most.
+inline constexpr float kSprayDropSpeed = 1.0F;
 /// Times the radius of heat that was measured on copper anodes with GTAW, see arcHeatRadius(). Fitted on B: GMAW arcs
 /// are narrower.
 inline constexpr double kArcSpread = 0.45;
 /// m; a shorter arc spreads its heat as one of this length does: the mean length in dip transfer. Fitted on A.
 inline constexpr double kShortestSpread = 0.5e-3;
-/// m, radius of heat of GMAW in spray transfer, whose arc envelops the wire's end: no narrower than this. Fitted on A
-/// and C; 0.53 mm (I/A)^0.294, as measured on copper anodes with GTAW, gives 2.6 to 3.3 mm from 220 to 475 A.
+/// m, radius of heat of GMAW in spray transfer, whose arc envelops the wire's end, whatever its length. Fitted on A and
+/// C; 0.53 mm (I/A)^0.294, as measured on copper anodes with GTAW, gives 2.6 to 3.3 mm from 220 to 475 A.
 inline constexpr double kSprayRadius = 2.4e-3;
+/// m, radius of its pressure, at any length too: the jet from the wire's end is narrower than the arc around it. Fitted
+/// on C, which penetrates deeper with more voltage: a longer arc does not press more widely there.
+inline constexpr double kSprayPressureRadius = 1.8e-3;
 /// A above which a wire of 1 mm sprays: the logged beads' machine changes from dip to spray there.
 inline constexpr double kSprayCurrent = 207;
 /// Power of the wire's diameter that this current rises with. Table of a maker of wires for 98 % argon, 2 % oxygen:
@@ -117,9 +123,10 @@ inline constexpr double kSmawStub = 0.05;
 
 /// Degrees, contact angle on cold metal, see wettingForAngle(). Fitted on A.
 inline constexpr double kColdAngle = 119;
-/// Of the solidus in K: all metal up to here is cold. Fitted on A.
-inline constexpr double kColdShare = 0.76;
-/// Of the solidus in K: metal from here on is wetted wholly. Fitted on A.
-inline constexpr double kWarmShare = 0.83;
+/// Of the solidus in K: all metal up to here is cold. Fitted on A, last on its B008, B014 and B018; at 0.83 B014 no
+/// longer wets the plate.
+inline constexpr double kColdShare = 0.80;
+/// Of the solidus in K: metal from here on is wetted wholly. Fitted with the former: a contact line freezes or it runs.
+inline constexpr double kWarmShare = 0.81;
 
 } // namespace meltpool

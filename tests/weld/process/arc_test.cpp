@@ -98,11 +98,19 @@ TEST_CASE("a GMAW arc's width does not jump between dip and spray") {
     CHECK(double(before) >= kSprayRadius * (1 - 1e-6));
 }
 
-TEST_CASE("a GMAW arc presses with the whole of its force over the width of its heat") {
+TEST_CASE("a GMAW arc in spray is as wide at any length") {
+    const ArcState near = settled(gmawAt(300, 25)).first, far = settled(gmawAt(300, 31)).first;
+    CHECK(double(far.length) > double(near.length) + 2e-3);
+    CHECK(double(near.radius) == Approx(kSprayRadius));
+    CHECK(double(far.radius) == Approx(kSprayRadius));
+}
+
+TEST_CASE("a GMAW arc presses with the whole of its force, in spray more narrowly than it heats") {
     for (const double wanted : {140.0, 260.0}) {
         const auto [arc, pressure] = settled(gmawAt(wanted, wanted < 200 ? 17 : 26));
-        CHECK(pressure.sigma == arc.radius);
-        const double force = 2 * std::numbers::pi * double(arc.radius) * double(arc.radius) * double(pressure.peak);
+        CHECK(double(pressure.sigma) == Approx(wanted < 200 ? double(arc.radius) : kSprayPressureRadius));
+        const double sigma = double(pressure.sigma);
+        const double force = 2 * std::numbers::pi * sigma * sigma * double(pressure.peak);
         CHECK(force == Approx(1e-7 * double(arc.current) * double(arc.current)).epsilon(1e-4)); // V s/(A m)
     }
 }
