@@ -166,9 +166,8 @@ void PhysicalMetal::step(std::span<const HeatSource> sources, std::span<const Me
     for (int i = 0; i < static_cast<int>(heatSteps); ++i)
         heat_->step(frame / heatSteps, sources, profiler);
 
+    fragments_->relabel(profiler); // before the flow: what becomes a fragment flies on with it and not with both
     flow_->step(frame, profiler);
-
-    fragments_->relabel(profiler);
     fragments_->move(timeStep_ / kFragmentSteps, kFragmentSteps, profiler);
 }
 

@@ -1,8 +1,9 @@
 // Buffers and constants of the flow, shared by C++ and GLSL. core/metal/flow/flow_constants.hpp says how the constants
 // follow from a liquid's properties.
 //
-// Moving metal is liquid, or part of a loose solid fragment. Wall metal is all other solid metal: it stands still and
-// bounds the liquid.
+// Moving metal is liquid, or part of a loose solid fragment, or froze in flight and belongs to no fragment yet: that flies on
+// with the liquid until it touches what stands still. Wall metal is all other solid metal: it stands still and bounds the
+// liquid.
 //
 // Space is cut into cells at least one kernel support wide, so that a particle's neighbours lie in its own cell and the
 // 26 around it. Each cell lists its wall particles, which change only where the phase changes, and its moving particles,
@@ -115,11 +116,12 @@ struct FlowParticle {
     vec3 normal;       // weighted sum of kernel gradients, points into the metal, 1/m
     float temperature; // K
     vec3 velocity;     // at the start of the substep, m/s
-    uint renews;       // of moving metal: 1 where the search in progress makes its neighbour list anew
+    float tether;      // of liquid: PHASE_TETHER_BITS at the start of the substep
     uint cell;         // that it is listed in
     uint group;        // FLOW_GROUP_...
     uint listedSince;  // of solid metal: FlowCounters.fullSearch at the time when it last became a boundary particle
-    uint wallSumGeneration; // of wall metal: FlowCounters.wallSumGeneration at the time when its wall sums were made
+    uint wallSumGeneration; // of wall metal: FlowCounters.wallSumGeneration at the time when its wall sums were made; of moving
+                            // metal: 1 where the search in progress makes its neighbour list anew
 };
 
 struct FlowCell {

@@ -13,6 +13,7 @@
 #define FRAGMENT_LABEL_ROUNDS 24 // of a cycle; a cycle whose labels still change in the last one has no effect
 #define FRAGMENT_BOND_LENGTH 1.3 // spacings
 #define FRAGMENT_NO_LABEL 0xFFFFFFFFu
+#define FRAGMENT_WAY_UNIT 65536.0
 #define FRAGMENT_CLAMPED 0x80000000u // set in the number of members at a root: one of them is clamped
 
 // Storage buffers behind those of the metal itself.
@@ -64,9 +65,10 @@ struct FragmentMotion {
     vec3 centre; // of mass, m
     uint fixedContacts; // of its particles, in all
     vec3 velocity; // m/s
-    float reserved2;
+    float wayShare; // of its way in this step that it goes, see heldBack
     vec3 angularVelocity; // rad/s, over this step
-    float reserved0;
+    uint heldBack; // greatest share of its way that one of its particles must not go, in 1/FRAGMENT_WAY_UNIT: it would pass
+                   // through metal that stands still
     vec3 endAngularVelocity; // rad/s, at the step's end: the axis moves, the angular momentum does not
     float reserved1;
 };

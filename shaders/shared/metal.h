@@ -5,7 +5,8 @@
 //   velocity  vec4   xyz m/s, w free for the flow             (flow)
 //   heat      vec4   x specific enthalpy J/kg, y its residual (what float cannot hold of x, to be added to it),
 //                    z highest temperature so far in K, w seconds spent between 800 and 500 degrees C while cooling   (heat)
-//   phase     uint   bits below                               (LIQUID, LATTICE, FRESH: heat; rest: who makes the particle)
+//   phase     uint   bits below                               (LIQUID, LATTICE, FRESH: heat; TETHER: flow; rest: who makes
+//                    the particle)
 //
 // Solid metal that never moved sits on a lattice of cubes with the particle spacing as edge; `lattice` holds slot + 1 for
 // each cell, 0 where no particle sits. Cells are stored tile by tile, 4 x 4 x 4 cells a tile.
@@ -27,6 +28,9 @@
 #define PHASE_FRESH 32u   // froze since solid fragments were last labelled: bonds with whatever it touches
 #define PHASE_FRAGMENT_SHIFT 8 // from this bit on: number of the free solid fragment it belongs to, 0 for what clamps hold
 #define PHASE_FRAGMENT_BITS (255u << PHASE_FRAGMENT_SHIFT)
+#define PHASE_TETHER_SHIFT 16 // from this bit on: how the flow's metal hangs together with metal that stands still, see PHASE_TETHER_MOST
+#define PHASE_TETHER_MOST 31u // beside standing metal; one less from neighbour to neighbour. 0: it flies
+#define PHASE_TETHER_BITS (PHASE_TETHER_MOST << PHASE_TETHER_SHIFT)
 
 #define TILE_EDGE 4
 #define TILE_CELLS 64

@@ -85,7 +85,7 @@ class Beads {
             sum += velocity;
             if (phases[i] & PHASE_LIQUID)
                 liquid += 1;
-            else if ((phases[i] >> PHASE_FRAGMENT_SHIFT) == 0)
+            else if ((phases[i] & PHASE_FRAGMENT_BITS) == 0)
                 stillSpeed = std::max(stillSpeed, glm::length(velocity));
         }
         CHECK(stillSpeed == 0);

@@ -15,8 +15,10 @@ vec3 weightCorrection(float temperature) {
     return fluid.expansion * (temperature - fluid.referenceTemperature) * metal.gravity;
 }
 
-/// Share of the velocity that mushy metal keeps over a substep: Carman-Kozeny drag (Voller and Prakash 1987), implicit.
-float mushyShare(float enthalpy) {
+/// Share of the velocity that mushy metal keeps over a substep: Carman-Kozeny drag (Voller and Prakash 1987), implicit. What
+/// flies has no crystals around it that stand still, and keeps all of it.
+float mushyShare(float enthalpy, uint tether) {
+    if (tether == 0) return 1;
     // Pure metal melts at one temperature: its two enthalpies are apart by the latent heat alone.
     const float f = clamp((enthalpy - metal.solidusEnthalpy) / max(metal.liquidusEnthalpy - metal.solidusEnthalpy, 1), 0, 1);
     return 1 / (1 + fluid.timeStep * fluid.mushyDrag * (1 - f) * (1 - f) / (f * f * f + 1e-3));

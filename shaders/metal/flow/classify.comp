@@ -40,7 +40,9 @@ void ceaseToBeWall(uint slot) {
     noteWallChange(slot | FLOW_NO_LONGER_WALL);
 }
 
-void becomeMoving(uint slot) {
+/// What was wall a moment ago still hangs together with it.
+void becomeMoving(uint slot, bool wasWall) {
+    if (wasWall) phase[slot] |= PHASE_TETHER_BITS;
     lists[liquidIndex(atomicAdd(counters.liquids, 1u))] = slot;
     particles[slot].cell = cellIndex(cellAt(position[slot].xyz));
 }
@@ -50,7 +52,8 @@ void ceaseToMove(uint slot) { cells[particles[slot].cell].moving = 0; }
 
 void classify(uint slot) {
     const uint bits = phase[slot];
-    const bool moves = (bits & PHASE_LIQUID) != 0 || (bits >> PHASE_FRAGMENT_SHIFT) != 0;
+    const bool flies = flows(bits) && particles[slot].group != FLOW_GROUP_WALL; // liquid, or frozen in flight
+    const bool moves = flies || (bits & (PHASE_LIQUID | PHASE_FRAGMENT_BITS)) != 0;
     const uint now = (bits & PHASE_ALIVE) == 0 ? FLOW_GROUP_NONE : moves ? FLOW_GROUP_MOVING : FLOW_GROUP_WALL;
     if (particles[slot].group == now) return;
     // A slot that is listed twice is dealt with once.
@@ -59,7 +62,7 @@ void classify(uint slot) {
     if (before == FLOW_GROUP_WALL) ceaseToBeWall(slot);
     if (before == FLOW_GROUP_MOVING) ceaseToMove(slot);
     if (now == FLOW_GROUP_WALL) becomeWall(slot);
-    if (now == FLOW_GROUP_MOVING) becomeMoving(slot);
+    if (now == FLOW_GROUP_MOVING) becomeMoving(slot, before == FLOW_GROUP_WALL);
 }
 
 void main() {

@@ -61,6 +61,13 @@ uint neighbourBase(uint row) {
 /// Neighbour `k` of the list that begins at `base`.
 uint neighbourTexel(uint base, uint k) { return texelFetch(neighbourTexels, int(base + GROUP_SIZE * k)).x; }
 
+/// True for metal that the flow moves: liquid, and what froze in flight until it touches what stands still or has become a
+/// fragment of its own.
+bool flows(uint bits) {
+    return (bits & PHASE_LIQUID) != 0 ||
+           ((bits & PHASE_FRESH) != 0 && (bits & (PHASE_TETHER_BITS | PHASE_FRAGMENT_BITS | PHASE_LATTICE)) == 0);
+}
+
 vec3 positionTexel(uint slot) { return texelFetch(positionTexels, int(slot)).xyz; }
 
 /// Attraction of liquid by solid metal of this temperature (K), over that by liquid. Own derivation: the contact line stops

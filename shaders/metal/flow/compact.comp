@@ -53,7 +53,7 @@ void finishFrame() {
 void compactMoving(uint slot) {
     if (particles[slot].group != FLOW_GROUP_MOVING) return;
     cells[particles[slot].cell].moving = 0;
-    const uint index = (phase[slot] & PHASE_LIQUID) != 0
+    const uint index = flows(phase[slot])
                            ? liquidIndex(atomicAdd(counters.compactedLiquids, 1u))
                            : fragmentIndex(atomicAdd(counters.compactedFragments, 1u));
     lists[compactedIndex(index)] = slot;

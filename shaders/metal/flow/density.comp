@@ -40,6 +40,7 @@ void sumDensity(uint row) {
     particles[slot].normal = -8 * fluid.kernelSelf * inverse * sum.xyz;
     particles[slot].temperature = place.w;
     particles[slot].velocity = isWall ? vec3(0) : velocity[slot].xyz;
+    if (row < counters.liquids) particles[slot].tether = float((phase[slot] & PHASE_TETHER_BITS) >> PHASE_TETHER_SHIFT);
 }
 
 void main() {

@@ -6,6 +6,8 @@ layout(local_size_x = GROUP_SIZE) in;
 #include "metal/flow/pair_forces.glsl"
 #include "metal/flow/body_forces.glsl"
 
+layout(std430, binding = FLOW_PHASE_CHANGES) buffer PhaseChanges { uint phaseChanges[]; };
+
 /// A particle of the liquid with fewer neighbours than this flies alone or in a drop of a few particles.
 const uint kFlyingBelow = 20;
 
@@ -14,20 +16,21 @@ struct PairSums {
     vec3 acceleration;   // m/s²
     float fastest2;      // square of the fastest relative velocity of a neighbour that is not much faster than the particle, m²/s²
     SolidAround solids;
+    float tether; // greatest of a neighbour, PHASE_TETHER_MOST + 1 of what stands still
 #ifdef MARANGONI
     Warming warming;
 #endif
 };
 
 /// The pair of a particle with the neighbour of an entry of its list, and what else the neighbour's texels hold.
-Pair readPair(FlowParticle own, uint neighbour, out float density, out vec3 normal, out vec3 velocity) {
+Pair readPair(FlowParticle own, uint neighbour, out float density, out vec3 normal, out vec4 velocity) {
     const float inverse = fluid.inverseSupport * fluid.inverseSupport;
     const int texel = int(neighbour & FLOW_SLOT) * FLOW_PARTICLE_TEXELS;
     const vec4 place = texelFetch(particleTexels, texel);
     const vec4 surface = texelFetch(particleTexels, texel + 1);
     density = place.w;
     normal = surface.xyz;
-    velocity = texelFetch(particleTexels, texel + 2).xyz;
+    velocity = texelFetch(particleTexels, texel + 2);
     Pair pair;
     pair.d = displacement(own.position, place.xyz);
     pair.distance2 = dot(pair.d, pair.d);
@@ -36,7 +39,7 @@ Pair readPair(FlowParticle own, uint neighbour, out float density, out vec3 norm
     const float u = 1 - pair.q2;
     pair.slope = -8 * fluid.kernelSelf * inverse * u * u * u;
     pair.solid = (neighbour & FLOW_SOLID) != 0;
-    pair.relative = own.velocity - velocity;
+    pair.relative = own.velocity - velocity.xyz;
     pair.approach = dot(pair.relative, pair.d);
     pair.temperature = surface.w;
     pair.weight = surfaceWeight(pair.solid, pair.temperature, own.density, density);
@@ -48,6 +51,7 @@ PairSums sumPairs(uint row, FlowParticle own, uint found) {
     sums.acceleration = vec3(0);
     sums.fastest2 = 0;
     sums.solids = SolidAround(vec3(0), 0, 0);
+    sums.tether = 0;
 #ifdef MARANGONI
     sums.warming = Warming(vec3(0), 0);
 #endif
@@ -56,11 +60,16 @@ PairSums sumPairs(uint row, FlowParticle own, uint found) {
     const float slower = 2 * dot(own.velocity, own.velocity);
     for (uint k = 0; k < found; ++k) {
         float density;
-        vec3 normal, velocity;
-        const Pair pair = readPair(own, neighbourTexel(base, k), density, normal, velocity);
+        vec3 normal;
+        vec4 velocity; // w: tether
+        const uint neighbour = neighbourTexel(base, k);
+        const Pair pair = readPair(own, neighbour, density, normal, velocity);
         // A single fast particle has a stale list, not all those around it.
-        if (dot(velocity, velocity) < slower) sums.fastest2 = max(sums.fastest2, dot(pair.relative, pair.relative));
+        if (dot(velocity.xyz, velocity.xyz) < slower) sums.fastest2 = max(sums.fastest2, dot(pair.relative, pair.relative));
         addSolid(sums.solids, pair);
+        sums.tether = max(sums.tether, (neighbour & FLOW_WALL) != 0 ? float(PHASE_TETHER_MOST + 1)
+                                       : pair.solid                   ? 0.0
+                                                                      : velocity.w);
         sums.acceleration += (pair.slope * (viscosityOf(pair) - pressureOf(ownPressure, density)) - cohesionOf(pair) -
                               areaForceOf(pair, own.normal, normal)) *
                              pair.d;
@@ -72,12 +81,14 @@ PairSums sumPairs(uint row, FlowParticle own, uint found) {
     return sums;
 }
 
-/// Acceleration by all neighbours, the arc and the buoyancy, and the fastest that a neighbour goes against the particle, m/s.
-vec3 acceleration(uint row, uint slot, out float fastest, out SolidAround solids) {
+/// Acceleration by all neighbours, the arc and the buoyancy, the fastest that a neighbour goes against the particle (m/s), and
+/// how the particle hangs together with what stands still.
+vec3 acceleration(uint row, uint slot, out float fastest, out SolidAround solids, out uint tether) {
     const FlowParticle own = particles[slot];
     const uint found = neighbourCount(row);
     const PairSums sums = sumPairs(row, own, found);
     solids = sums.solids;
+    tether = uint(max(sums.tether - 1, 0));
     vec3 sum = sums.acceleration;
     // The particle's surface per volume, 1/m; half of the gradient lies outside, where no particle feels it.
     const vec3 inward = 2 * own.normal / fluid.densityScale;
@@ -116,14 +127,28 @@ void noteStale(uint slot, float way) {
     if (k < FLOW_STALE_CAPACITY) lists[staleIndex(k)] = slot;
 }
 
+/// Writes how a particle hangs together with what stands still; what froze in flight and has come down is wall from the next
+/// step on.
+void writeTether(uint slot, uint tether) {
+    const uint before = phase[slot];
+    const uint after = (before & ~PHASE_TETHER_BITS) | tether << PHASE_TETHER_SHIFT;
+    if (after == before) return;
+    phase[slot] = after;
+    if (flows(after)) return;
+    const uint entry = atomicAdd(phaseChanges[0], 1u);
+    if (entry < uint(fluid.capacity)) phaseChanges[entry + 1u] = slot;
+}
+
 void moveLiquid(uint row, uint slot) {
     const vec4 before = position[slot];
     const float dt = fluid.timeStep;
     float fastest;
     SolidAround solids;
-    const vec3 forces = acceleration(row, slot, fastest, solids);
+    uint tether;
+    const vec3 forces = acceleration(row, slot, fastest, solids, tether);
+    writeTether(slot, tether);
     vec3 newVelocity = velocity[slot].xyz + dt * (forces + (metal.gravity + fluid.acceleration));
-    newVelocity *= mushyShare(heat[slot].x);
+    newVelocity *= mushyShare(heat[slot].x, tether);
     newVelocity = stopAtSolid(solids, newVelocity - velocity[slot].xyz, newVelocity);
     newVelocity = limitSpeed(newVelocity);
     const vec3 free = stopAtLattice(before.xyz, before.xyz + dt * newVelocity, newVelocity);

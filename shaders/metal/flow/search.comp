@@ -37,7 +37,7 @@ void listSolids(uint base, uint found) {
     }
 }
 
-bool renews(uint slot) { return particles[slot].renews != 0; }
+bool renews(uint slot) { return particles[slot].wallSumGeneration != 0; }
 
 /// Keeps the moving neighbours that do not renew their lists, in their order; gives their number. They list this particle as
 /// long as it lists them: each pair is on both lists or on none, so that its two forces cancel.

@@ -37,7 +37,7 @@ void main() {
     const uint solid = k < counters.liquids ? 0u : FLOW_SOLID;
     const vec3 place = position[slot].xyz;
     const bool renews = nearStale(place);
-    particles[slot].renews = renews ? 1 : 0;
+    particles[slot].wallSumGeneration = renews ? 1 : 0;
     if (rank < FLOW_CELL_CAPACITY)
         writePageEntry(movingBase(cells[cell].movingPage) + rank, packPosition(place),
                        slot | solid | (renews ? FLOW_RENEWS : 0u));

@@ -75,9 +75,56 @@ void addWallContacts(vec3 place, vec3 own, inout FragmentContact sum) {
     addPlaneContact(high.z, vec3(0, 0, -1), own, sum);
 }
 
+FragmentContact noContact() { return FragmentContact(ivec3(0), 0, ivec3(0), 0, ivec3(0), 0, ivec3(0), 0); }
+
+/// True where a particle at `place` would touch metal that stands still.
+bool touchesFixed(vec3 place) {
+    FragmentContact sum = noContact();
+    addLatticeContacts(place, vec3(0), sum);
+    ivec3 centre = coarseCell(place);
+    ivec3 low = max(centre - 1, ivec3(0));
+    ivec3 high = min(centre + 1, fragmentBlock.coarseCells - 1);
+    for (int z = low.z; z <= high.z; ++z)
+        for (int y = low.y; y <= high.y; ++y)
+            for (int x = low.x; x <= high.x; ++x) addFixedContacts(coarseIndex(ivec3(x, y, z)), place, vec3(0), sum);
+    return sum.fixedContacts != 0;
+}
+
+/// Spacings that a particle may go in a step without being looked after: it cannot pass what it touches.
+const float kSlowWay = 0.3;
+/// Spacings between the places of a longer way that are looked at, unless those would be more than kMostPieces.
+const float kPiece = 0.2;
+const float kMostPieces = 16;
+
+/// True inside the face of solid metal of the lattice.
+bool insideLattice(vec3 place) {
+    ivec3 cell = latticeCell(place);
+    if (!inLattice(cell)) return false;
+    uint filled = latticeSlot[latticeIndex(cell)];
+    return filled != 0 && isSolid(phase[filled - 1]);
+}
+
+/// Share of a long way that a particle goes until it touches metal that stands still; the contact stops it in the steps that
+/// follow. What touches already goes on by one piece.
+float shareUntilTouch(vec3 place, vec3 way, FragmentContact touched) {
+    float pieces = min(ceil(length(way) / (kPiece * metal.spacing)), kMostPieces);
+    if (touched.fixedContacts != 0 && dot(vec3(touched.overlap), vec3(touched.normalVelocity)) < 0) return 1.0 / pieces;
+    for (float piece = 1; piece < pieces; ++piece)
+        if (touchesFixed(place + way * (piece / pieces))) return piece / pieces;
+    return 1.0;
+}
+
+/// Share of its way in this step that a particle may go. A lone one would squeeze through the faces of a lattice, whose particles
+/// push it aside more than back: none goes behind such a face.
+float freeShare(vec3 place, vec3 own, FragmentContact touched) {
+    vec3 way = own * fragmentBlock.timeStep;
+    float share = length(way) > kSlowWay * metal.spacing ? shareUntilTouch(place, way, touched) : 1.0;
+    return insideLattice(place + way * share) && !insideLattice(place) ? 0.0 : share;
+}
+
 /// Sums over the contacts of the particle in `slot`; nothing once it melted.
 FragmentContact contactsOf(uint slot) {
-    FragmentContact sum = FragmentContact(ivec3(0), 0, ivec3(0), 0, ivec3(0), 0, ivec3(0), 0);
+    FragmentContact sum = noContact();
     uint bits = phase[slot];
     if (!isSolid(bits)) return sum;
     vec3 place = position[slot].xyz;

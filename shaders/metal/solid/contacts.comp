@@ -1,4 +1,4 @@
-// Sums up the contacts of each particle of a free fragment and counts those of each fragment. The sums of particles beyond the
+// Sums up the contacts of each particle of a free fragment, counts those of each fragment and finds how far it may go. The sums of particles beyond the
 // room for them are not kept: rigid_motion.comp makes them again.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
@@ -17,4 +17,7 @@ void main() {
     FragmentContact sum = contactsOf(slot);
     if (sum.fixedContacts != 0) atomicAdd(motion[fragmentOf(phase[slot])].fixedContacts, uint(sum.fixedContacts));
     if (entry < fragmentBlock.contactRoom) contact[entry] = sum;
+    if (!isSolid(phase[slot])) return;
+    const uint heldBack = uint((1 - freeShare(position[slot].xyz, velocity[slot].xyz, sum)) * FRAGMENT_WAY_UNIT);
+    if (heldBack != 0) atomicMax(motion[fragmentOf(phase[slot])].heldBack, heldBack);
 }

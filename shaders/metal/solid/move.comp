@@ -17,7 +17,7 @@ void main() {
     if (!isSolid(bits) || fragmentOf(bits) == 0) return;
     head[freeList(coarseIndex(coarseCell(position[slot].xyz)))] = 0;
     FragmentMotion body = motion[fragmentOf(bits)];
-    float dt = fragmentBlock.timeStep;
+    float dt = fragmentBlock.timeStep * body.wayShare;
     vec3 arm = rotated(position[slot].xyz - body.centre, body.angularVelocity * dt);
     // Contacts give way where metal presses on both sides: what they leave outside the space is moved to its edge.
     position[slot].xyz = clamp(body.centre + body.velocity * dt + arm, fragmentBlock.low, fragmentBlock.high);

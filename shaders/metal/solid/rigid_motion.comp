@@ -61,6 +61,13 @@ vec3 contactForce(uint entry, float share) {
     return normal + friction + vec3(c.impact) * 1e-3;
 }
 
+/// Angular velocity (rad/s) of a body with this inertia and angular momentum. `inverted`: of the inertia with a little added, which
+/// is finite; the second step takes out again what the first loses by that, as a body that turns for long would slow down.
+vec3 angularVelocityOf(mat3 inertia, mat3 inverted, vec3 angularMomentum) {
+    vec3 first = inverted * angularMomentum;
+    return first + inverted * (angularMomentum - inertia * first);
+}
+
 void main() {
     uint fragment = gl_WorkGroupID.x + 1;
     uint lane = gl_LocalInvocationID.x;
@@ -101,16 +108,20 @@ void main() {
     motion[fragment].fixedContacts = 0; // for the next step; all of the group have read it
     // A lone particle or a straight row has neither inertia nor angular momentum about some axis: a small share of the trace
     // keeps the inverse finite.
-    diagonal += 1e-5 * (diagonal.x + diagonal.y + diagonal.z + metal.spacing * metal.spacing);
+    float little = 1e-5 * (diagonal.x + diagonal.y + diagonal.z + metal.spacing * metal.spacing);
     mat3 inertia = mat3(diagonal.x, mixed.x, mixed.z, mixed.x, diagonal.y, mixed.y, mixed.z, mixed.y, diagonal.z);
+    mat3 inverted = inverse(inertia + mat3(little));
     float dt = fragmentBlock.timeStep;
     vec3 velocityNow = speed.xyz / members + dt * (metal.gravity + force / members);
     angularMomentum += dt * torque;
-    vec3 angularVelocity = inverse(inertia) * angularMomentum;
+    vec3 angularVelocity = angularVelocityOf(inertia, inverted, angularMomentum);
     // In the rotated fragment's own frame.
-    vec3 atEnd = rotated(inverse(inertia) * rotated(angularMomentum, -angularVelocity * dt), angularVelocity * dt);
+    vec3 turned = rotated(angularMomentum, -angularVelocity * dt);
+    vec3 atEnd = rotated(angularVelocityOf(inertia, inverted, turned), angularVelocity * dt);
     motion[fragment].centre = centre;
     motion[fragment].velocity = velocityNow;
+    motion[fragment].wayShare = 1 - float(motion[fragment].heldBack) / FRAGMENT_WAY_UNIT;
+    motion[fragment].heldBack = 0; // for the next step
     motion[fragment].angularVelocity = angularVelocity;
     motion[fragment].endAngularVelocity = atEnd;
 }

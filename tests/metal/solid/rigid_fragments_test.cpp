@@ -175,7 +175,7 @@ TEST_CASE("a bridge cut through in the middle falls, comes to rest and is not le
     const auto velocities = bench.velocities();
     std::vector<size_t> fragment;
     for (size_t i = first; i < end.size(); ++i)
-        if (bench.phases()[i] >> PHASE_FRAGMENT_SHIFT != 0) fragment.push_back(i);
+        if ((bench.phases()[i] & PHASE_FRAGMENT_BITS) != 0) fragment.push_back(i);
     REQUIRE(fragment.size() > 400);
     for (const size_t i : fragment) {
         lowest = std::min(lowest, end[i].y);
