@@ -1,12 +1,9 @@
 #include "xr/runtime_manifest.hpp"
 
+#include "core/base/system/environment.hpp"
 #include "core/base/text.hpp"
-#include "xr/session/platform.hpp"
 
 #include <nlohmann/json.hpp>
-
-#include <array>
-#include <cstdlib>
 
 namespace meltpool::xr {
 
@@ -16,11 +13,6 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 constexpr std::uintmax_t kLargest = 1 << 20; // bytes; manifests have a few hundred
-
-std::string fromEnvironment(const char* name) {
-    const char* value = std::getenv(name);
-    return value == nullptr ? std::string() : std::string(value);
-}
 
 /// What is wrong with the file before anybody reads it; empty: nothing.
 std::string faultOfFile(const fs::path& file) {
@@ -70,47 +62,14 @@ RuntimeManifest readRuntimeManifest(const fs::path& file) {
     return found;
 }
 
-std::vector<fs::path> activeRuntimePlaces() {
-#ifdef _WIN32
-    return {};
-#else
-    std::vector<fs::path> folders;
-    if (const std::string config = fromEnvironment("XDG_CONFIG_HOME"); !config.empty())
-        folders.emplace_back(config);
-    else if (const std::string home = fromEnvironment("HOME"); !home.empty())
-        folders.emplace_back(fs::path(home) / ".config");
-    std::string shared = fromEnvironment("XDG_CONFIG_DIRS");
-    if (shared.empty()) shared = "/etc/xdg";
-    for (const std::string_view folder : splitText(shared, ':'))
-        if (!folder.empty()) folders.emplace_back(folder);
-    folders.emplace_back("/usr/local/etc");
-    folders.emplace_back("/etc");
-    for (fs::path& folder : folders)
-        folder = folder / "openxr" / "1" / "active_runtime.json";
-    return folders;
-#endif
-}
-
 RuntimeManifest findRuntimeManifest() {
-    if (const std::string file = fromEnvironment("XR_RUNTIME_JSON"); !file.empty()) {
+    if (const std::string file = environmentVariable("XR_RUNTIME_JSON"); !file.empty()) {
         RuntimeManifest named = readRuntimeManifest(file);
         if (!named.fault.empty()) named.fault += " (the variable XR_RUNTIME_JSON names it)";
         return named;
     }
-#ifdef _WIN32
-    std::array<char, 1024> value{};
-    DWORD size = DWORD(value.size());
-    if (RegGetValueA(HKEY_LOCAL_MACHINE, "SOFTWARE\\Khronos\\OpenXR\\1", "ActiveRuntime", RRF_RT_REG_SZ, nullptr,
-                     value.data(), &size) == ERROR_SUCCESS)
-        return readRuntimeManifest(value.data());
-#else
-    for (const fs::path& place : activeRuntimePlaces()) {
-        std::error_code ignored;
-        // A link that leads nowhere is found by nobody, but was meant.
-        if (fs::exists(fs::symlink_status(place, ignored))) return readRuntimeManifest(place);
-    }
-#endif
-    return {};
+    const fs::path set = activeRuntimeFile();
+    return set.empty() ? RuntimeManifest{} : readRuntimeManifest(set);
 }
 
 } // namespace meltpool::xr

@@ -14,8 +14,8 @@ struct RuntimeManifest {
 };
 
 /// Looks where the loader looks: $XR_RUNTIME_JSON, else openxr/1/active_runtime.json in $XDG_CONFIG_HOME (or
-/// ~/.config), $XDG_CONFIG_DIRS (or /etc/xdg), /usr/local/etc and /etc; in Windows' registry there. Loads no library.
-/// Throws nothing.
+/// ~/.config), $XDG_CONFIG_DIRS (or /etc/xdg), /usr/local/etc and /etc; under Windows what the registry names. Loads no
+/// library. Throws nothing.
 RuntimeManifest findRuntimeManifest();
 
 /// Reads one file. A library that is named without a folder is looked for by the system and not checked here.
@@ -23,5 +23,8 @@ RuntimeManifest readRuntimeManifest(const std::filesystem::path& file);
 
 /// The places of active_runtime.json, in the loader's order; empty under Windows.
 std::vector<std::filesystem::path> activeRuntimePlaces();
+
+/// The file that the system names as the active runtime's, whether it exists or not; empty: it names none.
+std::filesystem::path activeRuntimeFile();
 
 } // namespace meltpool::xr

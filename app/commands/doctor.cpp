@@ -12,7 +12,6 @@
 #include "core/render/view/view_submission.hpp"
 #include "core/training/lesson.hpp"
 
-#include <EGL/egl.h>
 #include <GLFW/glfw3.h>
 
 #include <array>
@@ -42,14 +41,9 @@ constexpr std::array<Limit, 6> kLimits{{
     {"edge of a picture", GL_MAX_TEXTURE_SIZE, 8192},
 }};
 
-std::string eglVersion() {
-    const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_VERSION);
-    if (client == nullptr) client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
-    return client == nullptr ? "too old to be asked" : std::string(client).substr(0, 60);
-}
-
 void inspectDriver(std::vector<Finding>& findings) {
-    findings.push_back({"EGL", State::good, eglVersion(), ""});
+    const gl::ContextSystem system = gl::contextSystem();
+    findings.push_back({system.name, State::good, system.version, ""});
     try {
         const gl::HeadlessContext context(false);
         const gl::ContextInfo& info = context.info();
@@ -70,8 +64,7 @@ void inspectDriver(std::vector<Finding>& findings) {
         findings.push_back({"both eyes of a headset", best ? State::good : State::note, eyes.sentence,
                             best ? "" : "a newer graphics driver"});
     } catch (const std::exception& error) {
-        findings.push_back({"OpenGL", State::missing, error.what(),
-                            "on Debian and Ubuntu: apt-get install libegl1 libgl1-mesa-dri, or the card's own driver"});
+        findings.push_back({"OpenGL", State::missing, error.what(), system.remedy});
     }
 }
 

@@ -1,13 +1,7 @@
 #include "app/program/stop_signals.hpp"
 
 #include <atomic>
-#include <csignal>
 #include <cstdlib>
-#include <cstring>
-
-#ifndef _WIN32
-#include <unistd.h>
-#endif
 
 namespace meltpool {
 
@@ -28,41 +22,27 @@ static_assert(std::atomic<long long>::is_always_lock_free, "a signal handler mus
 
 std::atomic<const char*> answerToFirst{nullptr};
 
-/// May be called in a signal handler.
-void say(const char* sentence) {
-#ifdef _WIN32
-    (void)sentence;
-#else
-    [[maybe_unused]] const auto written = write(STDERR_FILENO, sentence, std::strlen(sentence));
-#endif
-}
-
 [[noreturn]] void endAtOnce() {
     std::_Exit(1);
 }
 
-extern "C" void askToStop(int signal) {
+} // namespace
+
+void StopSignals::wish(bool interrupt) {
     long long first = 0;
     if (askedAt.compare_exchange_strong(first, now())) {
         if (const char* answer = answerToFirst) say(answer);
         return;
     }
-    if (signal != SIGINT || now() - first < kSecondWish) return;
+    if (!interrupt || now() - first < kSecondWish) return;
     say("\nmeltpool: ended at once; what was written up to here is kept\n");
     endAtOnce();
 }
 
-} // namespace
-
 StopSignals::StopSignals(const char* answer) {
     askedAt = 0;
     answerToFirst = answer;
-    interrupt_ = std::signal(SIGINT, askToStop);
-    terminate_ = std::signal(SIGTERM, askToStop);
-#ifdef SIGHUP
-    hangUp_ = std::signal(SIGHUP, askToStop);
-    if (hangUp_ == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
-#endif
+    catchSignals();
 }
 
 StopSignals::~StopSignals() {
@@ -73,11 +53,7 @@ StopSignals::~StopSignals() {
     }
     changed_.notify_all();
     if (watcher_.joinable()) watcher_.join();
-    std::signal(SIGINT, interrupt_);
-    std::signal(SIGTERM, terminate_);
-#ifdef SIGHUP
-    std::signal(SIGHUP, hangUp_);
-#endif
+    leaveSignals();
 }
 
 bool StopSignals::asked() {

@@ -1,13 +1,13 @@
 #include "app/sound/openal_device.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/system/environment.hpp"
 
 #include <AL/al.h>
 #include <AL/alc.h>
 #include <AL/alext.h>
 
 #include <array>
-#include <cstdlib>
 #include <utility>
 
 #ifdef __linux__
@@ -52,11 +52,7 @@ struct OpenAlDevice::Handles {
 OpenAlDevice::OpenAlDevice(std::unique_ptr<Handles> handles) : handles_(std::move(handles)) {}
 
 void OpenAlDevice::quietLibrary() {
-#ifdef _WIN32
-    _putenv_s("ALSOFT_LOGLEVEL", "0");
-#else
-    setenv("ALSOFT_LOGLEVEL", "0", 0);
-#endif
+    setEnvironmentDefault("ALSOFT_LOGLEVEL", "0");
 }
 
 std::unique_ptr<OpenAlDevice> OpenAlDevice::openDefault() {

@@ -1,6 +1,7 @@
 #include "core/base/output_file.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/system/files.hpp"
 
 #include <cerrno>
 #include <cstdio>
@@ -8,13 +9,6 @@
 #include <string>
 #include <system_error>
 #include <utility>
-
-#ifdef _WIN32
-#include <io.h>
-#include <process.h>
-#else
-#include <unistd.h>
-#endif
 
 namespace meltpool {
 
@@ -43,39 +37,23 @@ bool isMachineFault(int code) {
 class Stream {
   public:
     Stream(const fs::path& file, const char* mode) {
-#ifdef _WIN32
-        stream_ = _wfopen(file.c_str(), std::wstring(mode, mode + std::strlen(mode)).c_str());
-#else
-        stream_ = std::fopen(file.c_str(), mode);
-#endif
+        stream_ = openFile(file, mode);
         code_ = stream_ == nullptr ? errno : 0;
         if (stream_ != nullptr) std::setvbuf(stream_, nullptr, _IONBF, 0);
     }
-    ~Stream() {
-        close();
-    }
+    ~Stream() { close(); }
     Stream(const Stream&) = delete;
     Stream& operator=(const Stream&) = delete;
 
-    bool open() const {
-        return stream_ != nullptr;
-    }
+    bool open() const { return stream_ != nullptr; }
     /// Why it is not open, or what failed last; 0: nothing.
-    int code() const {
-        return code_;
-    }
+    int code() const { return code_; }
 
     bool write(std::string_view bytes) {
         return note(std::fwrite(bytes.data(), 1, bytes.size(), stream_) == bytes.size());
     }
     /// Brings all to the disk. Pipes and some devices have none.
-    bool sync() {
-#ifdef _WIN32
-        return note(_commit(_fileno(stream_)) == 0);
-#else
-        return note(fsync(fileno(stream_)) == 0 || errno == EINVAL || errno == EROFS);
-#endif
-    }
+    bool sync() { return note(syncFile(stream_)); }
     bool close() {
         std::FILE* open = std::exchange(stream_, nullptr);
         return open == nullptr || note(std::fclose(open) == 0);
@@ -104,13 +82,8 @@ fs::path endOfLinks(fs::path file) {
 
 /// A name beside `file` that no other process uses.
 fs::path draftName(const fs::path& file) {
-#ifdef _WIN32
-    const int process = _getpid();
-#else
-    const int process = getpid();
-#endif
     fs::path name = file;
-    name += "." + std::to_string(process) + ".tmp";
+    name += "." + std::to_string(processNumber()) + ".tmp";
     return name;
 }
 

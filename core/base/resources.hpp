@@ -1,15 +1,14 @@
 // Folders of the program's own files (shaders, data) and of the user's settings.
 #pragma once
 
+#include "core/base/system/places.hpp"
+
 #include <filesystem>
 
 namespace meltpool {
 
-/// The folder that holds the running program.
-std::filesystem::path programFolder();
-
 /// The folder with `shaders/` and `data/`: $MELTPOOL_DATA where set, else ../share/meltpool relative to the program's
-/// folder. Throws InputError when there is no such folder.
+/// folder, or under Windows that folder itself. Throws InputError when there is no such folder.
 std::filesystem::path resourceFolder();
 
 /// The user's settings folder for this program ($XDG_CONFIG_HOME/meltpool, ~/.config/meltpool, %APPDATA%/meltpool).

@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/output_file.hpp"
+#include "core/base/system/files.hpp"
 
 #include <algorithm>
 #include <array>
@@ -184,11 +185,7 @@ std::string readTextFile(const std::filesystem::path& file, std::size_t mostByte
     if (std::filesystem::is_directory(file, ignored))
         throw InputError(file, 0, "this is a folder; expected a readable file");
     const auto close = [](std::FILE* open) { std::fclose(open); };
-#ifdef _WIN32
-    const std::unique_ptr<std::FILE, decltype(close)> stream(_wfopen(file.c_str(), L"rb"), close);
-#else
-    const std::unique_ptr<std::FILE, decltype(close)> stream(std::fopen(file.c_str(), "rb"), close);
-#endif
+    const std::unique_ptr<std::FILE, decltype(close)> stream(openFile(file, "rb"), close);
     if (!stream) throw InputError(file, 0, "cannot be opened; expected a readable file");
     std::string text;
     std::array<char, 65536> part{};

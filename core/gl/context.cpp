@@ -1,6 +1,7 @@
 #include "core/gl/context.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/system/last_facts.hpp"
 
 #include <cstdio>
 #include <cstring>
@@ -45,6 +46,7 @@ ContextInfo useCurrentContext(bool debug) {
     glGetIntegerv(GL_MAJOR_VERSION, &info.major);
     glGetIntegerv(GL_MINOR_VERSION, &info.minor);
     info.software = drawsOnCpu(info.renderer);
+    noteFact(LastFact::driver, info.version + " on " + info.renderer);
     if (info.major * 10 + info.minor < 45)
         throw InputError("the graphics driver '" + info.renderer + "' offers OpenGL " + std::to_string(info.major) +
                          "." + std::to_string(info.minor) + "; expected 4.5 core or newer");

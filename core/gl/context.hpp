@@ -32,7 +32,18 @@ constexpr bool debugBuild() {
 #endif
 }
 
-/// An OpenGL 4.5 core context on EGL without any display: a GPU where there is one, else Mesa's software driver.
+/// What contexts without a window are made with.
+struct ContextSystem {
+    std::string name; ///< "EGL", "WGL"
+    std::string version;
+    std::string remedy; ///< how to get a driver where there is none
+};
+
+/// Asks the system; makes no context.
+ContextSystem contextSystem();
+
+/// An OpenGL 4.5 core context without a window on the screen: a GPU where there is one, else a software driver. On
+/// Linux it comes from EGL and needs no display; on Windows from WGL and a window that is never shown.
 class HeadlessContext {
   public:
     /// Creates the context and makes it current. Throws InputError that names the packages to install.
@@ -45,8 +56,8 @@ class HeadlessContext {
     void makeCurrent() const;
 
   private:
-    struct Egl;
-    std::unique_ptr<Egl> egl_;
+    struct Handles;
+    std::unique_ptr<Handles> handles_;
     ContextInfo info_;
 };
 

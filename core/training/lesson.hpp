@@ -135,8 +135,8 @@ Lesson readLesson(const std::filesystem::path& file);
 /// The names of the lessons in a folder, in alphabetical order.
 std::vector<std::string> lessonNames(const std::filesystem::path& folder);
 
-/// The lesson that a person named: a file where the name ends in ".toml", else one of the folder's. Throws InputError,
-/// listing what there is, for an unknown name.
+/// The lesson that a person named: a file where the name ends in ".toml" or ".meltpool", else one of the folder's.
+/// Throws InputError, listing what there is, for an unknown name.
 Lesson findLesson(const std::string& name, const std::filesystem::path& folder);
 
 /// The lesson that is shown where none was named.

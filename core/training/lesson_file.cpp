@@ -260,14 +260,15 @@ std::vector<std::string> lessonNames(const std::filesystem::path& folder) {
 }
 
 Lesson findLesson(const std::string& name, const std::filesystem::path& folder) {
-    if (std::filesystem::path(name).extension() == ".toml") return readLesson(name);
+    const std::filesystem::path extension = std::filesystem::path(name).extension();
+    if (extension == ".toml" || extension == ".meltpool") return readLesson(name);
     const auto names = lessonNames(folder);
     if (std::find(names.begin(), names.end(), name) != names.end()) return readLesson(folder / (name + ".toml"));
     std::string known;
     for (const std::string& each : names)
         known += (known.empty() ? "" : ", ") + each;
     throw InputError("lesson " + quote(name) + " is not in the catalogue; expected one of " + known +
-                     ", or a file that ends in .toml");
+                     ", or a file that ends in .toml or .meltpool");
 }
 
 } // namespace meltpool

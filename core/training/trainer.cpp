@@ -1,6 +1,7 @@
 #include "core/training/trainer.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/system/last_facts.hpp"
 #include "core/base/text.hpp"
 #include "core/training/body_mesh.hpp"
 
@@ -22,6 +23,7 @@ Trainer::Trainer(gl::ShaderLibrary& shaders, Lesson lesson)
       identity_(identityOf(lesson_)),
       live_(liveParameters(lesson_)),
       probe_(shaders) {
+    noteFact(LastFact::lesson, lesson_.key);
     const SceneView scene = metal_->scene({});
     surface_ = std::make_unique<Surface>(shaders, lesson_.surface, scene.boxMin, scene.boxMax);
     torch_ = lesson_.torch.sample(0);

@@ -21,6 +21,9 @@ class GraphicsBinding {
     /// "GLX", "EGL" or "WGL".
     const char* kind() const { return kind_; }
 
+    /// Which runtimes take an OpenGL context on this system, and how one of them is made the active one.
+    static const char* runtimesWithOpenGl();
+
   private:
     std::shared_ptr<void> chain_;
     const char* extension_ = nullptr;
@@ -43,11 +46,8 @@ class SharedContext {
     void release();
 
   private:
-    void* display_ = nullptr;
-    void* context_ = nullptr;
-    unsigned long window_ = 0;    ///< GLX: of one pixel, never shown
-    unsigned long colourmap_ = 0; ///< of that
-    bool egl_ = false;
+    struct Handles;
+    std::unique_ptr<Handles> handles_;
 };
 
 /// Remembers the current context and drawables. Its destructor makes them current again where the runtime changed them,

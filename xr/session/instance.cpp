@@ -1,11 +1,12 @@
 // Making the instance, choosing its extensions, finding the headset.
 #include "xr/session/instance.hpp"
 
+#include "core/base/system/environment.hpp"
+#include "xr/session/graphics_binding.hpp"
 #include "xr/session/profiles.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <cstring>
 
 namespace meltpool::xr {
@@ -35,11 +36,7 @@ std::vector<std::string> wantedExtensions(const std::vector<std::string>& offere
 } // namespace
 
 void quietLoader() {
-#ifdef _WIN32
-    if (std::getenv("XR_LOADER_DEBUG") == nullptr) _putenv_s("XR_LOADER_DEBUG", "none");
-#else
-    setenv("XR_LOADER_DEBUG", "none", 0);
-#endif
+    setEnvironmentDefault("XR_LOADER_DEBUG", "none");
 }
 
 std::vector<std::string> offeredExtensions() {
@@ -78,8 +75,9 @@ void Instance::create() {
                       XR_ERROR_RUNTIME_UNAVAILABLE);
     if (!contains(offered, kOpenGl))
         throw InputError(
-            "the active OpenXR runtime does not work with OpenGL; expected the extension XR_KHR_opengl_enable "
-            "(SteamVR, Meta Link, Monado and WiVRn have it)");
+            std::string(
+                "the active OpenXR runtime does not work with OpenGL; expected the extension XR_KHR_opengl_enable (") +
+            GraphicsBinding::runtimesWithOpenGl() + ")");
     enabled_ = wantedExtensions(offered);
     std::vector<const char*> names;
     for (const std::string& name : enabled_)

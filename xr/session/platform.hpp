@@ -4,10 +4,9 @@
 #include "core/gl/gl.hpp"
 
 #ifdef _WIN32
-#ifndef NOMINMAX
-#define NOMINMAX
-#endif
 #include <windows.h>
+
+#include <unknwn.h>
 #define XR_USE_PLATFORM_WIN32
 #else
 #include <EGL/egl.h>

@@ -2,11 +2,11 @@
 
 #include "core/base/error.hpp"
 #include "core/base/resources.hpp"
+#include "core/base/system/files.hpp"
 #include "core/training/recording/recording_reader.hpp"
 
 #include <glm/matrix.hpp>
 
-#include <array>
 #include <ctime>
 #include <utility>
 
@@ -15,20 +15,6 @@ namespace meltpool {
 namespace fs = std::filesystem;
 
 namespace {
-
-/// "2026-11-23T08:10:43+0100"
-std::string dateNow() {
-    const std::time_t now = std::time(nullptr);
-    std::tm parts{};
-#ifdef _WIN32
-    localtime_s(&parts, &now);
-#else
-    localtime_r(&now, &parts);
-#endif
-    std::array<char, 32> text{};
-    std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%S%z", &parts);
-    return text.data();
-}
 
 /// Lessons of the catalogue are found by their key; others by their file.
 std::string fileOutsideCatalogue(const Lesson& lesson) {
@@ -68,7 +54,7 @@ void RecordingKeeper::open(Trainer& trainer, int attempt) {
     head.lessonFile = fileOutsideCatalogue(trainer.lesson());
     head.lessonHash = fileHash(trainer.lesson().file);
     head.attempt = attempt;
-    head.date = dateNow();
+    head.date = isoDate(std::time(nullptr));
     head.program = program_;
     head.driver = driver_;
     const fs::path file = recordingName(folder_, head.date, head.lesson, attempt);

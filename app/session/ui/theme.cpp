@@ -41,12 +41,17 @@ ImFont* load(const char* file, float size) {
     return atlas->AddFontDefault(&config);
 }
 
-const FontFiles* installedFonts() {
+/// The fonts that came with the program, else the first that the system has; empty names where there are none.
+std::array<std::string, 2> installedFonts() {
     std::error_code unreadable;
+    const fs::path own = resourceFolder() / "fonts";
+    const fs::path regular = own / "OpenSans-Regular.ttf", strong = own / "OpenSans-Semibold.ttf";
+    if (fs::is_regular_file(regular, unreadable) && fs::is_regular_file(strong, unreadable))
+        return {regular.string(), strong.string()};
     for (const FontFiles& files : kFontFiles)
         if (fs::is_regular_file(files.regular, unreadable) && fs::is_regular_file(files.strong, unreadable))
-            return &files;
-    return nullptr;
+            return {files.regular, files.strong};
+    return {};
 }
 
 ImVec4 vec(ImU32 packed) {
@@ -57,9 +62,9 @@ ImVec4 vec(ImU32 packed) {
 
 Fonts loadFonts(float scale, float pixelScale) {
     ImGui::GetIO().Fonts->Clear();
-    const FontFiles* files = installedFonts();
-    const char* regular = files == nullptr ? nullptr : files->regular;
-    const char* strong = files == nullptr ? nullptr : files->strong;
+    const std::array<std::string, 2> files = installedFonts();
+    const char* regular = files[0].empty() ? nullptr : files[0].c_str();
+    const char* strong = files[1].empty() ? nullptr : files[1].c_str();
     const float unit = scale * pixelScale;
     Fonts fonts;
     fonts.body = load(regular, 18 * unit);

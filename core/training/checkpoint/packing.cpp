@@ -200,7 +200,7 @@ Checkpoint headOf(std::span<const std::byte> packed) {
 
 std::vector<std::byte> inflated(std::span<const std::byte> from, size_t bytes) {
     std::vector<std::byte> raw(bytes + 1); // never empty
-    uLongf length = raw.size();
+    auto length = static_cast<uLongf>(raw.size());
     const int answer = uncompress(reinterpret_cast<Bytef*>(raw.data()), &length,
                                   reinterpret_cast<const Bytef*>(from.data()), static_cast<uLong>(from.size()));
     if (answer != Z_OK || length != bytes) refuse("cannot be inflated");
@@ -216,7 +216,7 @@ std::vector<std::byte> pack(const Checkpoint& checkpoint, const Checkpoint& refe
     const auto head = std::as_bytes(std::span(numbers));
     std::vector<std::byte> packed(head.size() + compressBound(static_cast<uLong>(raw.size())));
     std::copy(head.begin(), head.end(), packed.begin());
-    uLongf length = packed.size() - head.size();
+    auto length = static_cast<uLongf>(packed.size() - head.size());
     const int answer = compress2(reinterpret_cast<Bytef*>(packed.data() + head.size()), &length,
                                  reinterpret_cast<const Bytef*>(raw.data()), static_cast<uLong>(raw.size()), kFastest);
     if (answer != Z_OK) throw RuntimeFault("there is no memory to pack a checkpoint of the lesson");

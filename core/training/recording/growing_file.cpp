@@ -1,28 +1,19 @@
 #include "core/training/recording/growing_file.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/system/files.hpp"
 
 #include <cerrno>
 #include <cstring>
 #include <system_error>
 #include <utility>
 
-#ifdef _WIN32
-#include <io.h>
-#else
-#include <unistd.h>
-#endif
-
 namespace meltpool {
 
 namespace fs = std::filesystem;
 
 GrowingFile::GrowingFile(fs::path file) : file_(std::move(file)) {
-#ifdef _WIN32
-    stream_ = _wfopen(file_.c_str(), L"wbx");
-#else
-    stream_ = std::fopen(file_.c_str(), "wbx");
-#endif
+    stream_ = openFile(file_, "wbx");
     const int code = errno;
     if (stream_ != nullptr) {
         std::setvbuf(stream_, nullptr, _IONBF, 0); // each append() is the system's when it returns
@@ -68,11 +59,7 @@ bool GrowingFile::there() const {
 bool GrowingFile::finish() {
     std::FILE* open = std::exchange(stream_, nullptr);
     if (open == nullptr) return true;
-#ifdef _WIN32
-    const bool synced = note(_commit(_fileno(open)) == 0);
-#else
-    const bool synced = note(fsync(fileno(open)) == 0 || errno == EINVAL || errno == EROFS);
-#endif
+    const bool synced = note(syncFile(open));
     const bool closed = note(std::fclose(open) == 0);
     return synced && closed;
 }

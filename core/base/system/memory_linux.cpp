@@ -1,4 +1,4 @@
-#include "core/base/memory.hpp"
+#include "core/base/system/memory.hpp"
 
 #include <fstream>
 #include <limits>

@@ -1,6 +1,5 @@
 #include "app/program/open_file.hpp"
 
-#ifdef __linux__
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -11,11 +10,8 @@
 #include <string>
 #include <string_view>
 #include <thread>
-#endif
 
 namespace meltpool {
-
-#ifdef __linux__
 
 namespace {
 
@@ -55,13 +51,5 @@ bool openForPerson(const std::filesystem::path& file) {
     if (begun) std::thread([child] { ::waitpid(child, nullptr, 0); }).detach();
     return begun;
 }
-
-#else
-
-bool openForPerson(const std::filesystem::path&) {
-    return false;
-}
-
-#endif
 
 } // namespace meltpool

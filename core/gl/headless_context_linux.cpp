@@ -70,24 +70,31 @@ EGLContext makeContext(EGLDisplay display, bool debug) {
 
 } // namespace
 
-struct HeadlessContext::Egl {
+struct HeadlessContext::Handles {
     EGLDisplay display = EGL_NO_DISPLAY;
     EGLContext context = EGL_NO_CONTEXT;
 
-    ~Egl() {
+    ~Handles() {
         if (context == EGL_NO_CONTEXT) return;
         eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         eglDestroyContext(display, context);
     }
 };
 
-HeadlessContext::HeadlessContext(bool debug) : egl_(std::make_unique<Egl>()) {
+ContextSystem contextSystem() {
+    const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_VERSION);
+    if (client == nullptr) client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+    return {"EGL", client == nullptr ? "too old to be asked" : std::string(client).substr(0, 60),
+            "on Debian and Ubuntu: apt-get install libegl1 libgl1-mesa-dri, or the card's own driver"};
+}
+
+HeadlessContext::HeadlessContext(bool debug) : handles_(std::make_unique<Handles>()) {
     for (const EGLDisplay display : candidateDisplays()) {
-        egl_->context = makeContext(display, debug);
-        egl_->display = display;
-        if (egl_->context != EGL_NO_CONTEXT) break;
+        handles_->context = makeContext(display, debug);
+        handles_->display = display;
+        if (handles_->context != EGL_NO_CONTEXT) break;
     }
-    if (egl_->context == EGL_NO_CONTEXT)
+    if (handles_->context == EGL_NO_CONTEXT)
         throw InputError("no OpenGL 4.5 core context could be made through EGL; expected a graphics driver, or Mesa's "
                          "software driver (packages libegl1 and libgl1-mesa-dri)");
     info_ = useCurrentContext(debug);
@@ -96,7 +103,7 @@ HeadlessContext::HeadlessContext(bool debug) : egl_(std::make_unique<Egl>()) {
 HeadlessContext::~HeadlessContext() = default;
 
 void HeadlessContext::makeCurrent() const {
-    eglMakeCurrent(egl_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, egl_->context);
+    eglMakeCurrent(handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, handles_->context);
 }
 
 } // namespace meltpool::gl

@@ -1,4 +1,4 @@
-// The only place that knows which window system made the OpenGL context.
+// The OpenGL context of GLX and of EGL.
 #include "xr/session/platform.hpp"
 
 #include "core/base/error.hpp"
@@ -17,8 +17,6 @@ template <class Struct>
 std::shared_ptr<void> keep(const Struct& value) {
     return std::make_shared<Struct>(value);
 }
-
-#ifndef _WIN32
 
 EGLConfig configOf(EGLDisplay display, EGLContext context) {
     EGLint id = 0;
@@ -58,22 +56,10 @@ XrGraphicsBindingOpenGLXlibKHR glxBinding(GLXContext context) {
     return binding;
 }
 
-#endif
-
 } // namespace
 
 GraphicsBinding GraphicsBinding::ofCurrentContext() {
     GraphicsBinding made;
-#ifdef _WIN32
-    XrGraphicsBindingOpenGLWin32KHR binding{XR_TYPE_GRAPHICS_BINDING_OPENGL_WIN32_KHR};
-    binding.hDC = wglGetCurrentDC();
-    binding.hGLRC = wglGetCurrentContext();
-    if (binding.hGLRC != nullptr) {
-        made.chain_ = keep(binding);
-        made.kind_ = "WGL";
-        return made;
-    }
-#else
     if (const GLXContext context = glXGetCurrentContext(); context != nullptr) {
         made.chain_ = keep(glxBinding(context));
         made.kind_ = "GLX";
@@ -85,8 +71,11 @@ GraphicsBinding GraphicsBinding::ofCurrentContext() {
         made.kind_ = "EGL";
         return made;
     }
-#endif
     throw InputError("the headset needs an OpenGL context, and none is current");
+}
+
+const char* GraphicsBinding::runtimesWithOpenGl() {
+    return "SteamVR, Meta Link, Monado and WiVRn have it";
 }
 
 namespace {
@@ -97,32 +86,6 @@ namespace {
 }
 
 } // namespace
-
-#ifdef _WIN32
-
-SharedContext::SharedContext() : display_(wglGetCurrentDC()) {
-    using Create = HGLRC(WINAPI*)(HDC, HGLRC, const int*);
-    const auto create = reinterpret_cast<Create>(wglGetProcAddress("wglCreateContextAttribsARB"));
-    if (display_ == nullptr || create == nullptr) noSecondContext();
-    // WGL_CONTEXT_MAJOR_VERSION_ARB, MINOR, PROFILE_MASK: core
-    const std::array<int, 7> wanted{0x2091, 4, 0x2092, 5, 0x9126, 1, 0};
-    context_ = create(static_cast<HDC>(display_), wglGetCurrentContext(), wanted.data());
-    if (context_ == nullptr) noSecondContext();
-}
-
-SharedContext::~SharedContext() {
-    wglDeleteContext(static_cast<HGLRC>(context_));
-}
-
-void SharedContext::makeCurrent() {
-    if (wglMakeCurrent(static_cast<HDC>(display_), static_cast<HGLRC>(context_)) == FALSE) noSecondContext();
-}
-
-void SharedContext::release() {
-    wglMakeCurrent(nullptr, nullptr);
-}
-
-#else
 
 namespace {
 
@@ -149,76 +112,78 @@ EGLContext eglBeside(EGLDisplay display, EGLContext first) {
 
 } // namespace
 
-SharedContext::SharedContext() {
-    if (const GLXContext first = glXGetCurrentContext(); first != nullptr) {
-        const XrGraphicsBindingOpenGLXlibKHR binding = glxBinding(first);
-        Display* display = binding.xDisplay;
-        XVisualInfo* visual = glXGetVisualFromFBConfig(display, binding.glxFBConfig);
-        if (visual == nullptr) noSecondContext();
-        display_ = display;
-        context_ = glxBeside(display, binding.glxFBConfig, first);
-        const Window root = RootWindow(display, visual->screen);
-        colourmap_ = XCreateColormap(display, root, visual->visual, AllocNone);
-        XSetWindowAttributes attributes{};
-        attributes.colormap = colourmap_;
-        window_ = XCreateWindow(display, root, 0, 0, 1, 1, 0, visual->depth, InputOutput, visual->visual,
-                                CWColormap | CWBorderPixel, &attributes);
-        XFree(visual);
-        XSync(display, 0);
+struct SharedContext::Handles {
+    void* display = nullptr;
+    void* context = nullptr;
+    unsigned long window = 0;    ///< GLX: of one pixel, never shown
+    unsigned long colourmap = 0; ///< of that
+    bool egl = false;
+
+    void useGlx(GLXContext first);
+    ~Handles();
+};
+
+void SharedContext::Handles::useGlx(GLXContext first) {
+    const XrGraphicsBindingOpenGLXlibKHR binding = glxBinding(first);
+    XVisualInfo* visual = glXGetVisualFromFBConfig(binding.xDisplay, binding.glxFBConfig);
+    if (visual == nullptr) noSecondContext();
+    context = glxBeside(binding.xDisplay, binding.glxFBConfig, first);
+    display = binding.xDisplay;
+    const Window root = RootWindow(binding.xDisplay, visual->screen);
+    colourmap = XCreateColormap(binding.xDisplay, root, visual->visual, AllocNone);
+    XSetWindowAttributes attributes{};
+    attributes.colormap = colourmap;
+    window = XCreateWindow(binding.xDisplay, root, 0, 0, 1, 1, 0, visual->depth, InputOutput, visual->visual,
+                           CWColormap | CWBorderPixel, &attributes);
+    XFree(visual);
+    XSync(binding.xDisplay, 0);
+}
+
+SharedContext::Handles::~Handles() {
+    if (context == nullptr) return;
+    if (egl) {
+        eglDestroyContext(display, context);
         return;
     }
-    egl_ = true;
+    auto* server = static_cast<Display*>(display);
+    glXDestroyContext(server, static_cast<GLXContext>(context));
+    XDestroyWindow(server, window);
+    XFreeColormap(server, colourmap);
+}
+
+SharedContext::SharedContext() : handles_(std::make_unique<Handles>()) {
+    if (const GLXContext first = glXGetCurrentContext(); first != nullptr) {
+        handles_->useGlx(first);
+        return;
+    }
+    handles_->egl = true;
     const EGLContext first = eglGetCurrentContext();
     if (first == EGL_NO_CONTEXT) throw InputError("the headset needs an OpenGL context, and none is current");
-    display_ = eglGetCurrentDisplay();
-    context_ = eglBeside(display_, first);
+    handles_->display = eglGetCurrentDisplay();
+    handles_->context = eglBeside(handles_->display, first);
 }
 
-SharedContext::~SharedContext() {
-    if (egl_) {
-        eglDestroyContext(display_, context_);
-        return;
-    }
-    auto* display = static_cast<Display*>(display_);
-    glXDestroyContext(display, static_cast<GLXContext>(context_));
-    XDestroyWindow(display, window_);
-    XFreeColormap(display, colourmap_);
-}
+SharedContext::~SharedContext() = default;
 
 void SharedContext::makeCurrent() {
-    if (egl_) {
+    const Handles& h = *handles_;
+    if (h.egl) {
         eglBindAPI(EGL_OPENGL_API); // a new thread is bound to OpenGL ES
-        if (eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE) noSecondContext();
+        if (eglMakeCurrent(h.display, EGL_NO_SURFACE, EGL_NO_SURFACE, h.context) == EGL_FALSE) noSecondContext();
         return;
     }
-    if (glXMakeContextCurrent(static_cast<Display*>(display_), window_, window_, static_cast<GLXContext>(context_)) ==
-        0)
+    if (glXMakeContextCurrent(static_cast<Display*>(h.display), h.window, h.window,
+                              static_cast<GLXContext>(h.context)) == 0)
         noSecondContext();
 }
 
 void SharedContext::release() {
-    if (egl_)
-        eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    const Handles& h = *handles_;
+    if (h.egl)
+        eglMakeCurrent(h.display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     else
-        glXMakeContextCurrent(static_cast<Display*>(display_), 0, 0, nullptr);
+        glXMakeContextCurrent(static_cast<Display*>(h.display), 0, 0, nullptr);
 }
-
-#endif
-
-#ifdef _WIN32
-
-ContextGuard::ContextGuard() : display_(wglGetCurrentDC()), context_(wglGetCurrentContext()) {}
-
-ContextGuard::~ContextGuard() {
-    if (wglGetCurrentContext() != context_ || wglGetCurrentDC() != display_) {
-        wglMakeCurrent(static_cast<HDC>(display_), static_cast<HGLRC>(context_));
-        ++counted.contexts;
-    }
-    for (int limit = 16; limit > 0 && glGetError() != GL_NO_ERROR; --limit)
-        ++counted.errors;
-}
-
-#else
 
 namespace {
 
@@ -261,8 +226,6 @@ ContextGuard::~ContextGuard() {
     for (int limit = 16; limit > 0 && glGetError() != GL_NO_ERROR; --limit)
         ++counted.errors;
 }
-
-#endif
 
 const ContextGuard::Repairs& ContextGuard::repairs() {
     return counted;

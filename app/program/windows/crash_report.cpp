@@ -1,0 +1,181 @@
+#include "app/program/windows/crash_report.hpp"
+
+#include "app/program/program_info.hpp"
+#include "core/base/system/last_facts.hpp"
+
+#include <windows.h>
+
+#include <dbghelp.h>
+
+#include <array>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <cwchar>
+#include <exception>
+#include <string>
+
+namespace meltpool {
+
+namespace {
+
+constexpr int kMostCalls = 48;
+constexpr ULONG kStackForReport = 64 << 10; ///< bytes, kept for a report of a stack that is full
+constexpr DWORD kAbort = 0xE0000A0B;        ///< the code of abort() and of exceptions of C++ in a report
+
+std::wstring reportFolder;
+std::string reportVersion;
+std::array<char, 256> reason{}; ///< what an exception of C++ says
+LONG reporting = 0;
+
+void write(HANDLE file, const char* text) {
+    DWORD written = 0;
+    WriteFile(file, text, static_cast<DWORD>(std::char_traits<char>::length(text)), &written, nullptr);
+}
+
+template <class... Texts>
+void writeLine(HANDLE file, Texts... texts) {
+    (write(file, texts), ...);
+    write(file, "\r\n");
+}
+
+/// "0x1234"
+struct Hexadecimal {
+    explicit Hexadecimal(DWORD64 value) { std::snprintf(text.data(), text.size(), "0x%llx", value); }
+    const char* c_str() const { return text.data(); }
+    std::array<char, 24> text{};
+};
+
+/// "meltpool.exe+0x1234" for an address in the code of a module.
+void writePlace(HANDLE file, DWORD64 address) {
+    DWORD64 base = 0;
+    RtlLookupFunctionEntry(address, &base, nullptr);
+    std::array<char, MAX_PATH> name{};
+    if (base != 0) GetModuleFileNameA(reinterpret_cast<HMODULE>(base), name.data(), MAX_PATH - 1);
+    const char* slash = std::strrchr(name.data(), '\\');
+    const char* last = slash == nullptr ? name.data() : slash + 1;
+    if (base == 0)
+        writeLine(file, "    ", Hexadecimal(address).c_str(), ", in no module");
+    else
+        writeLine(file, "    ", last, "+", Hexadecimal(address - base).c_str());
+}
+
+/// The calls that led to `context`, the newest first.
+void writeCalls(HANDLE file, CONTEXT context) {
+    for (int i = 0; i < kMostCalls && context.Rip != 0; ++i) {
+        writePlace(file, context.Rip);
+        DWORD64 base = 0, frame = 0;
+        void* handler = nullptr;
+        if (RUNTIME_FUNCTION* function = RtlLookupFunctionEntry(context.Rip, &base, nullptr)) {
+            RtlVirtualUnwind(UNW_FLAG_NHANDLER, base, context.Rip, function, &context, &handler, &frame, nullptr);
+            continue;
+        }
+        // A function without an entry keeps nothing on the stack but the way back.
+        if (IsBadReadPtr(reinterpret_cast<void*>(context.Rsp), sizeof(DWORD64)) != FALSE) return;
+        context.Rip = *reinterpret_cast<DWORD64*>(context.Rsp);
+        context.Rsp += sizeof(DWORD64);
+    }
+}
+
+void writeText(HANDLE file, const EXCEPTION_POINTERS& what) {
+    SYSTEMTIME now{};
+    GetSystemTime(&now);
+    std::array<char, 64> date{};
+    std::snprintf(date.data(), date.size(), "%04d-%02d-%02d %02d:%02d:%02d UTC", now.wYear, now.wMonth, now.wDay,
+                  now.wHour, now.wMinute, now.wSecond);
+    writeLine(file, "Meltpool ", reportVersion.c_str(), " ended by a fault of its own.");
+    writeLine(file, "when: ", date.data());
+    writeLine(file, "driver: ", lastFact(LastFact::driver));
+    writeLine(file, "last lesson: ", lastFact(LastFact::lesson));
+    writeLine(file, "exception: ", Hexadecimal(what.ExceptionRecord->ExceptionCode).c_str());
+    if (reason.front() != '\0') writeLine(file, "it says: ", reason.data());
+    writeLine(file, "calls, the newest first:");
+    writeCalls(file, *what.ContextRecord);
+}
+
+HANDLE makeFile(const std::wstring& stem, const wchar_t* extension) {
+    return CreateFileW((stem + extension).c_str(), GENERIC_WRITE, FILE_SHARE_READ, nullptr, CREATE_ALWAYS,
+                       FILE_ATTRIBUTE_NORMAL, nullptr);
+}
+
+void writeDump(const std::wstring& stem, EXCEPTION_POINTERS* what) {
+    using Write = BOOL(WINAPI*)(HANDLE, DWORD, HANDLE, MINIDUMP_TYPE, PMINIDUMP_EXCEPTION_INFORMATION, void*, void*);
+    const HMODULE library = LoadLibraryW(L"dbghelp.dll");
+    if (library == nullptr) return;
+    const auto writeIt = reinterpret_cast<Write>(reinterpret_cast<void*>(GetProcAddress(library, "MiniDumpWriteDump")));
+    const HANDLE file = makeFile(stem, L".dmp");
+    if (writeIt == nullptr || file == INVALID_HANDLE_VALUE) return;
+    MINIDUMP_EXCEPTION_INFORMATION exception{GetCurrentThreadId(), what, FALSE};
+    writeIt(GetCurrentProcess(), GetCurrentProcessId(), file, MiniDumpNormal, &exception, nullptr, nullptr);
+    CloseHandle(file);
+}
+
+void tell(const std::wstring& file) {
+    std::array<char, 1024> narrow{};
+    WideCharToMultiByte(CP_UTF8, 0, file.c_str(), -1, narrow.data(), static_cast<int>(narrow.size()) - 1, nullptr,
+                        nullptr);
+    const HANDLE error = GetStdHandle(STD_ERROR_HANDLE);
+    write(error, "meltpool: the program ended by a fault of its own; ");
+    write(error, narrow.data());
+    write(error, " tells its makers where; what was recorded up to here is kept\n");
+}
+
+LONG WINAPI report(EXCEPTION_POINTERS* what) {
+    // A second thread that crashes meanwhile waits until the first has ended the process.
+    if (InterlockedExchange(&reporting, 1) != 0) Sleep(INFINITE);
+    CreateDirectoryW(reportFolder.c_str(), nullptr);
+    SYSTEMTIME now{};
+    GetLocalTime(&now);
+    std::array<wchar_t, 96> name{};
+    std::swprintf(name.data(), name.size(), L"\\crash-%04d-%02d-%02dT%02d%02d%02d-%lu", now.wYear, now.wMonth, now.wDay,
+                  now.wHour, now.wMinute, now.wSecond, GetCurrentProcessId());
+    const std::wstring stem = reportFolder + name.data();
+    const HANDLE file = makeFile(stem, L".txt");
+    if (file != INVALID_HANDLE_VALUE) {
+        writeText(file, *what);
+        CloseHandle(file);
+        tell(stem + L".txt");
+    }
+    writeDump(stem, what);
+    return EXCEPTION_EXECUTE_HANDLER; // the process ends with the exception's code
+}
+
+/// abort() and std::terminate() raise no exception of Windows by themselves.
+void reportHere() {
+    CONTEXT context{};
+    RtlCaptureContext(&context);
+    EXCEPTION_RECORD record{};
+    record.ExceptionCode = kAbort;
+    record.ExceptionAddress = reinterpret_cast<void*>(context.Rip);
+    EXCEPTION_POINTERS what{&record, &context};
+    report(&what);
+    std::_Exit(1);
+}
+
+[[noreturn]] void onTerminate() {
+    try {
+        if (const auto exception = std::current_exception()) std::rethrow_exception(exception);
+    } catch (const std::exception& fault) {
+        std::snprintf(reason.data(), reason.size(), "%s", fault.what());
+    } catch (...) {
+        std::snprintf(reason.data(), reason.size(), "an exception without a text");
+    }
+    reportHere();
+    std::_Exit(1);
+}
+
+} // namespace
+
+void reportCrashes(const std::filesystem::path& folder) {
+    reportFolder = folder.wstring();
+    reportVersion = programBuild();
+    SetErrorMode(SEM_FAILCRITICALERRORS | SEM_NOGPFAULTERRORBOX);
+    ULONG kept = kStackForReport;
+    SetThreadStackGuarantee(&kept);
+    SetUnhandledExceptionFilter(report);
+    std::set_terminate(onTerminate);
+    std::signal(SIGABRT, [](int) { reportHere(); });
+}
+
+} // namespace meltpool

@@ -1,0 +1,40 @@
+// The program's entry under Windows.
+#include "app/commands/command_line.hpp"
+#include "app/program/windows/console.hpp"
+#include "app/program/windows/crash_report.hpp"
+#include "core/base/resources.hpp"
+
+#include <windows.h>
+
+#include <mmsystem.h>
+
+#include <string>
+#include <vector>
+
+// Laptops with two graphics cards give the program the faster one where it exports these.
+extern "C" {
+__declspec(dllexport) DWORD NvOptimusEnablement = 1;
+__declspec(dllexport) int AmdPowerXpressRequestHighPerformance = 1;
+}
+
+namespace {
+
+/// While it lives waits end within a millisecond of their time; else Windows rounds them to 15.6 ms.
+struct FineTimer {
+    FineTimer() { timeBeginPeriod(1); }
+    ~FineTimer() { timeEndPeriod(1); }
+};
+
+} // namespace
+
+int main() {
+    const FineTimer timer;
+    const meltpool::Utf8Console console;
+    meltpool::reportCrashes(meltpool::settingsFolder());
+    std::vector<std::string> words = meltpool::commandLineWords();
+    std::vector<char*> pointers;
+    for (std::string& word : words)
+        pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    return meltpool::runProgram(static_cast<int>(words.size()), pointers.data());
+}

@@ -1,0 +1,30 @@
+#include "core/base/system/files.hpp"
+
+#include <array>
+#include <cerrno>
+
+#include <unistd.h>
+
+namespace meltpool {
+
+std::FILE* openFile(const std::filesystem::path& file, const char* mode) {
+    return std::fopen(file.c_str(), mode);
+}
+
+bool syncFile(std::FILE* stream) {
+    return fsync(fileno(stream)) == 0 || errno == EINVAL || errno == EROFS;
+}
+
+long long processNumber() {
+    return getpid();
+}
+
+std::string isoDate(std::time_t moment) {
+    std::tm parts{};
+    localtime_r(&moment, &parts);
+    std::array<char, 32> text{};
+    std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%S%z", &parts);
+    return text.data();
+}
+
+} // namespace meltpool

@@ -1,0 +1,18 @@
+// Where the system keeps programs, their files and the user's folders.
+#pragma once
+
+#include <filesystem>
+
+namespace meltpool {
+
+/// The folder that holds the running program.
+std::filesystem::path programFolder();
+
+/// Where the program's own files (shaders, data) lie, seen from its folder.
+std::filesystem::path filesOfProgram();
+
+/// The user's folder in which programs keep settings, and the one for what else they keep.
+std::filesystem::path userSettings();
+std::filesystem::path userFiles();
+
+} // namespace meltpool
