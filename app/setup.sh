@@ -10,16 +10,24 @@ meltpoolBuildPackages=(
 meltpoolTestPackages=(
     assimp-utils dpkg-dev file xvfb xauth xdotool libx11-dev x11-apps x11-utils imagemagick mmdebstrap
 )
+# For the program for Windows, and for running it without Windows.
+meltpoolWindowsPackages=(
+    g++-mingw-w64-x86-64-posix libz-mingw-w64-dev nsis dpkg-dev cmake ninja-build glslang-tools git imagemagick
+    libglm-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libstb-dev libopenal-dev catch2 fonts-open-sans
+)
+meltpoolWindowsTestPackages=(wine wine64 xvfb xauth xdotool libgl1-mesa-dri imagemagick unzip)
 # Used where the distribution has them.
 meltpoolOptionalTestPackages=(clang)
 
-# meltpoolInstall KIND...: installs the missing packages of the kinds build and test; asks for sudo only when something is missing.
+# meltpoolInstall KIND...: installs the missing packages of the kinds build, test, windows and windows-test; asks for sudo only when something is missing.
 meltpoolInstall() {
     local wanted=() optional=() missing=() kind package
     for kind in "$@"; do
         case $kind in
         build) wanted+=("${meltpoolBuildPackages[@]}") ;;
         test) wanted+=("${meltpoolTestPackages[@]}") optional+=("${meltpoolOptionalTestPackages[@]}") ;;
+        windows) wanted+=("${meltpoolWindowsPackages[@]}") ;;
+        windows-test) wanted+=("${meltpoolWindowsTestPackages[@]}") ;;
         esac
     done
     if ! command -v apt-get >/dev/null; then
