@@ -4,14 +4,16 @@
 #include <cstddef>
 #include <fstream>
 
+#ifdef __linux__
 #include <unistd.h>
+#endif
 
 namespace meltpool::test {
 
 /// Bytes of memory that this program has in use; 0 where the system does not tell, and under the address sanitizer,
 /// which keeps what was given back.
 inline std::size_t residentBytes() {
-#ifdef __SANITIZE_ADDRESS__
+#if defined(__SANITIZE_ADDRESS__) || !defined(__linux__)
     return 0;
 #else
     std::ifstream statm("/proc/self/statm");

@@ -1,0 +1,331 @@
+#!/usr/bin/env bash
+# Runs the program for Windows as a person would, under Wine and Xvfb: tests/windows/check.sh [CHECK...]
+# app/packaging/windows.sh --tests has made everything before. Without arguments all checks run; ./test.sh --windows
+# does that. Compares with the Linux program of build/release, or the one that MELTPOOL_LINUX names.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+root=$PWD
+linux=${MELTPOOL_LINUX:-build/release/bin/meltpool}
+work=$root/build/windows/check
+folder="$work/Größe und Länge" # what people call their folders
+program=
+failed=()
+
+export WINEPREFIX=$work/wine WINEDEBUG=-all WINEDLLOVERRIDES='mscoree=;mshtml=' ALSOFT_DRIVERS=null
+unset MELTPOOL_DATA
+
+fail() {
+    echo "    $*" >&2
+    return 1
+}
+
+# runs CODE WORD...: the program ends with that code; its words are kept in $work/output and $work/errors.
+runs() {
+    local wanted=$1 code=0
+    shift
+    timeout 1800 wine "$program" "$@" >"$work/output" 2>"$work/errors" </dev/null || code=$?
+    sed -i 's/\r$//' "$work/output" "$work/errors"
+    [ "$code" = "$wanted" ] && return
+    tail -n 5 "$work/output" "$work/errors" >&2
+    fail "meltpool $* ended with $code; expected $wanted"
+}
+
+says() {
+    grep -qF -- "$1" "$work/output" "$work/errors" || fail "not said: $1"
+}
+
+# value FILE KEY: a number or text of a result file.
+value() {
+    sed -n "s/^ *\"$2\": \"\{0,1\}\([^\",]*\)\"\{0,1\},\{0,1\}\r\{0,1\}$/\1/p" "$1" | head -n 1
+}
+
+# agree A B KEY SHARE: the values of two result files differ by no more than this share.
+agree() {
+    local a b
+    a=$(value "$1" "$3") b=$(value "$2" "$3")
+    awk -v a="$a" -v b="$b" -v share="$4" -v key="$3" 'BEGIN {
+        d = a - b; if (d < 0) d = -d; m = (b < 0 ? -b : b);
+        printf "    %s: Windows %s, Linux %s\n", key, a, b
+        exit !(a != "" && b != "" && d <= share * m) }' || fail "$3 differs by more than $4"
+}
+
+check_doctor() {
+    runs 0 doctor
+    says 'OpenGL'
+    says 'WGL'
+    says 'Everything that a lesson needs is here.'
+    sed -n '2,4p' "$work/output"
+}
+
+check_lessons() {
+    runs 0 lessons
+    says 'gmaw-bead'
+    says 'classic'
+    runs 0 lessons gmaw-bead
+}
+
+check_classic() {
+    runs 0 run classic --out "$work/Übung eins/classic" --seconds 1 --pictures 0 --size 320x180
+    "$linux" run classic --out "$work/linux-classic" --seconds 1 --pictures 0 --size 320x180 >/dev/null
+    local here=$work/Übung\ eins/classic/result.json there=$work/linux-classic/result.json key
+    echo "    state: Windows $(value "$here" state_hash), Linux $(value "$there" state_hash)"
+    for key in molten mean_temperature max_temperature; do
+        agree "$here" "$there" $key 0.001
+    done
+}
+
+check_gmaw() {
+    runs 0 run gmaw-bead --out "$work/gmaw" --seconds 2 --pictures 0 --size 640x360
+    "$linux" run gmaw-bead --out "$work/linux-gmaw" --seconds 2 --pictures 0 --size 640x360 >/dev/null
+    echo "    state: Windows $(value "$work/gmaw/result.json" state_hash), Linux $(value "$work/linux-gmaw/result.json" state_hash)"
+    agree "$work/gmaw/result.json" "$work/linux-gmaw/result.json" mean_temperature 0.001
+    [ -s "$work/gmaw/"*metal.png ] || fail 'no picture'
+}
+
+check_bad_input() {
+    runs 2 run nosuch --out "$work/nothing"
+    says "lesson 'nosuch' is not in the catalogue"
+    printf 'title = "x"\nmodel = \n' >"$work/Schlechte Übung.toml"
+    runs 2 run "Z:$work/Schlechte Übung.toml" --out "$work/nothing"
+    says 'Schlechte Übung.toml'
+    [ "$(wc -l <"$work/errors")" = 1 ] || fail 'more than one line'
+    runs 2 run classic --out 'Q:\nowhere\at all'
+    runs 2 --nosuch
+    runs 2 validate "$work/Schlechte Übung.toml"
+    runs 2 lessons 'Öffnung'
+    says "'Öffnung'"
+}
+
+check_long_path() {
+    local long=$work/lang i
+    for i in 1 2 3 4 5 6; do
+        long=$long/eine-recht-lange-Bezeichnung-eines-Ordners-mit-Umlauten-äöü-$i
+    done
+    runs 0 run classic --out "$long" --seconds 0.1 --pictures 0 --size 64x64
+    [ -s "$long/result.json" ] || fail 'no result in a folder with a long name'
+    echo "    a path of ${#long} characters"
+}
+
+check_lesson_file() {
+    sed 's/^title = .*/title = "Eigene Übung"/' app/data/lessons/classic.toml >"$work/Eigene Übung.meltpool"
+    cp app/data/paths/classic-corner.toml "$work/" 2>/dev/null || true
+    sed -i "s#\"\(\.\./\)*paths/#\"$root/app/data/paths/#" "$work/Eigene Übung.meltpool"
+    runs 0 run "$work/Eigene Übung.meltpool" --out "$work/eigene" --seconds 0.1 --pictures 0 --size 64x64
+}
+
+check_ctrl_c() {
+    local helper=build/windows/bin/test_interrupt.exe code=0
+    rm -rf "$work/interrupted"
+    timeout 300 wine "$helper" "$work/interrupted/telemetry.csv" 2000 "$program" run gmaw-bead \
+        --out "$work/interrupted" --seconds 60 --pictures 0 --size 320x180 >"$work/output" 2>"$work/errors" </dev/null || code=$?
+    tail -n 2 "$work/errors" | sed 's/^/    /'
+    [ -s "$work/interrupted/result.json" ] || fail "no result after Ctrl-C (code $code)"
+    [ "$(value "$work/interrupted/result.json" finished)" = false ] || fail 'Ctrl-C did not end the run early'
+}
+
+# Starts the trainer's window on gmaw-bead with the space bar held down until a recording grows; its process in $pid.
+start_welding() {
+    rm -rf "$WINEPREFIX"/drive_c/users/*/AppData/*/meltpool
+    wine "$program" --desktop --lesson gmaw-bead --telemetry "Z:$work/window.jsonl" >"$work/output" 2>"$work/errors" </dev/null &
+    local tries
+    for tries in $(seq 300); do
+        xdotool search --onlyvisible --name '^Meltpool' >"$work/window" 2>/dev/null && [ -s "$work/window" ] && break
+        sleep 0.2
+    done
+    [ -s "$work/window" ] || fail 'no window came'
+    sleep 8
+    xdotool mousemove 640 500 keydown space
+    for tries in $(seq 200); do
+        recording=$(find "$WINEPREFIX/drive_c/users" -name '*.meltrec' -size +20k 2>/dev/null | head -n 1)
+        [ -n "$recording" ] && break
+        sleep 0.3
+    done
+    xdotool keyup space
+    [ -n "$recording" ] || fail 'no recording grew'
+}
+
+# The processes of the program under Wine, as Linux counts them.
+processes() {
+    pgrep -f '^[^ ]*meltpool\.exe' || true
+}
+
+check_window() {
+    start_welding
+    import -window root "$work/window.png"
+    echo "    picture: $work/window.png"
+    [ "$(identify -format %k "$work/window.png")" -gt 500 ] || fail 'the picture shows next to nothing'
+    xdotool key alt+F4 || true
+    local tries
+    for tries in $(seq 100); do
+        [ -z "$(processes)" ] && break
+        sleep 0.2
+    done
+    [ -z "$(processes)" ] || fail 'the window did not close'
+    find "$WINEPREFIX/drive_c/users" -path '*AppData/Roaming/meltpool/*' -name '*.toml' | grep -q . || fail 'no settings in %APPDATA%'
+}
+
+check_kill() {
+    start_welding
+    local process
+    for process in $(processes); do kill -KILL "$process"; done
+    wait 2>/dev/null || true
+    runs 0 recordings --check "Z:$recording"
+    head -n 2 "$work/output" | sed 's/^/    /'
+}
+
+check_crash() {
+    start_welding
+    wine build/windows/bin/test_crash.exe meltpool.exe || fail "no crash could be made ($?)"
+    wait 2>/dev/null || true
+    local report
+    report=$(find "$WINEPREFIX/drive_c/users" -path '*Roaming/meltpool/crash-*.txt' | head -n 1)
+    [ -n "$report" ] || fail 'no report of the crash'
+    sed 's/\r$//; s/^/    /' "$report" | head -n 8
+    grep -q 'last lesson: gmaw-bead' "$report" || fail 'the report does not name the lesson'
+    grep -q 'driver: 4\.' "$report" || fail 'the report does not name the driver'
+    [ -s "${report%.txt}.dmp" ] || fail 'no minidump'
+    runs 0 recordings --check "Z:$recording"
+}
+
+# with_runtime LOSE WORD...: the program with the tests' own OpenXR runtime; its calls are then in $work/calls.
+with_runtime() {
+    local lose=$1 manifest=$work/runtime.json
+    shift
+    printf '{"file_format_version": "1.0.0", "runtime": {"library_path": "Z:%s"}}' \
+        "${root//\//\\\\}\\\\build\\\\windows\\\\bin\\\\test_runtime.dll" >"$manifest"
+    rm -f "$work/calls"
+    XR_RUNTIME_JSON="Z:${manifest//\//\\}" MELTPOOL_TEST_RUNTIME_LOG="Z:$work/calls" MELTPOOL_TEST_RUNTIME_LOSE=$lose \
+        runs "$@"
+}
+
+# in_order CALL...: the first of each of these calls comes after the first of the one before.
+in_order() {
+    local call line before=0
+    for call in "$@"; do
+        line=$(tr -d '\r' <"$work/calls" | grep -nx -- "$call" | head -n 1 | cut -d: -f1)
+        [ -n "$line" ] || fail "the runtime saw no $call"
+        [ "$line" -gt "$before" ] || fail "$call came too early"
+        before=$line
+    done
+}
+
+check_headset() {
+    with_runtime 0 0 doctor
+    says 'runtime.json'
+    says 'stub headset'
+    says 'WGL'
+    in_order xrNegotiateLoaderRuntimeInterface xrGetOpenGLGraphicsRequirementsKHR xrCreateSession xrCreateSwapchain xrWaitFrame \
+        xrBeginFrame xrEndFrame xrDestroySession
+    ! grep FAULT "$work/calls" || fail 'the runtime complains'
+}
+
+# The trainer in the headset, with a session that the runtime loses after 40 frames.
+check_headset_trainer() {
+    local manifest=$work/runtime.json
+    with_runtime 0 0 doctor >/dev/null
+    rm -f "$work/calls"
+    XR_RUNTIME_JSON="Z:${manifest//\//\\}" MELTPOOL_TEST_RUNTIME_LOG="Z:$work/calls" MELTPOOL_TEST_RUNTIME_LOSE=40 \
+        wine "$program" --headset --lesson gmaw-bead >"$work/output" 2>"$work/errors" </dev/null &
+    local tries
+    for tries in $(seq 300); do
+        [ "$(tr -d '\r' <"$work/calls" 2>/dev/null | grep -cx xrCreateSession || true)" -ge 2 ] &&
+            [ "$(tr -d '\r' <"$work/calls" | sed '1,/the session is lost/d' | grep -c 'xrEndFrame with layers')" -ge 5 ] && break
+        sleep 0.3
+    done
+    local process
+    for process in $(processes); do kill -TERM "$process"; done
+    wait 2>/dev/null || true
+    in_order xrGetOpenGLGraphicsRequirementsKHR xrCreateSession xrCreateSwapchain xrWaitFrame xrBeginFrame \
+        xrAcquireSwapchainImage xrWaitSwapchainImage xrReleaseSwapchainImage 'xrEndFrame with layers' 'the session is lost'
+    tr -d '\r' <"$work/calls" | sed '1,/the session is lost/d' >"$work/after"
+    grep -qx xrDestroySession "$work/after" || fail 'the lost session was not destroyed'
+    grep -qx xrCreateSession "$work/after" || fail 'no session was made after the lost one'
+    grep -qx 'xrEndFrame with layers' "$work/after" || fail 'no pictures after the lost session'
+    ! grep FAULT "$work/calls" || fail 'the runtime complains'
+}
+
+check_registry() {
+    wine reg add 'HKLM\SOFTWARE\Khronos\OpenXR\1' /v ActiveRuntime /t REG_SZ /d 'Z:\nowhere\runtime.json' /f >/dev/null 2>&1
+    runs 0 doctor
+    says 'runtime.json'
+    says 'does not exist'
+    wine reg delete 'HKLM\SOFTWARE\Khronos\OpenXR\1' /v ActiveRuntime /f >/dev/null 2>&1
+}
+
+check_installer() {
+    local before=$program installed
+    wine build/windows/meltpool-*-setup.exe /S || fail 'the installer ended with a fault'
+    installed=$(find "$WINEPREFIX/drive_c/users" -path '*Local/Programs/Meltpool/meltpool.exe' | head -n 1)
+    [ -n "$installed" ] || fail 'nothing was installed'
+    find "$WINEPREFIX/drive_c/users" -name 'Meltpool.lnk' | grep -q . || fail 'no entry in the start menu'
+    wine reg query 'HKCU\Software\Classes\Meltpool.Lesson\shell\open\command' 2>/dev/null | grep -q meltpool-window || fail 'lessons are not associated'
+    program=$installed
+    runs 0 run classic --out 'C:\results of mine' --seconds 0.1 --pictures 0 --size 64x64
+    runs 0 doctor
+    program=$before
+    mkdir -p "$(dirname "$(dirname "$(dirname "$(dirname "$installed")")")")/meltpool"
+    echo kept >"$(dirname "$(dirname "$(dirname "$(dirname "$installed")")")")/meltpool/kept.txt"
+    wine "$(dirname "$installed")/uninstall.exe" /S "_?=C:\\users\\$(id -un)\\AppData\\Local\\Programs\\Meltpool" || fail 'the uninstaller ended with a fault'
+    find "$WINEPREFIX/drive_c" -ipath '*programs/meltpool/*' ! -name uninstall.exe | grep . && fail 'left behind'
+    find "$WINEPREFIX/drive_c" -name 'Meltpool*.lnk' | grep . && fail 'left in the start menu'
+    wine reg query 'HKCU\Software\Classes\Meltpool.Lesson' >/dev/null 2>&1 && fail 'left in the registry'
+    [ -s "$WINEPREFIX/drive_c/results of mine/result.json" ] || fail 'the results are gone'
+    [ -s "$(dirname "$(dirname "$(dirname "$(dirname "$installed")")")")/meltpool/kept.txt" ] || fail 'what the trainee kept is gone'
+}
+
+# The ten cases that Linux needs the least time for.
+quickest=()
+check_validate() {
+    local case
+    for case in "${quickest[@]}"; do
+        runs 0 validate "validation/$case.toml" || return 1
+        echo "    $case holds"
+    done
+}
+
+check_units() {
+    local suite
+    for suite in house base gl metal validation surface render weld training desktop_parts; do
+        (cd build/windows && MELTPOOL_DATA="Z:$root/build/windows/share/meltpool" timeout 1800 wine bin/test_$suite.exe '~[long]') \
+            >"$work/suite-$suite" 2>&1 || { tail -n 30 "$work/suite-$suite" >&2; fail "suite $suite"; }
+        tail -n 3 "$work/suite-$suite" | grep -a 'assertions' | sed "s/^/    $suite: /"
+    done
+}
+
+prepare() {
+    rm -rf "$folder"
+    mkdir -p "$work" "$folder"
+    unzip -q -o build/windows/meltpool-*-windows.zip -d "$folder"
+    program=$(find "$folder" -name meltpool.exe)
+    timeout 300 wineboot -i >/dev/null 2>&1
+}
+
+main() {
+    local name code
+    prepare
+    for name in "$@"; do
+        echo "$name"
+        set +e # in a condition the first fault of a check would not end it
+        (
+            set -e
+            "check_$name"
+        )
+        code=$?
+        set -e
+        [ $code -eq 0 ] || failed+=("$name")
+    done
+    [ ${#failed[@]} -eq 0 ] || {
+        echo "Failed under Wine: ${failed[*]}" >&2
+        exit 1
+    }
+    echo 'Everything holds under Wine.'
+}
+
+all=(doctor lessons classic gmaw bad_input long_path lesson_file ctrl_c window kill crash headset headset_trainer registry
+    installer units validate)
+[ $# -gt 0 ] || set -- "${all[@]}"
+if [ -z "${DISPLAY:-}" ] || [ -z "${MELTPOOL_SHOWN:-}" ]; then
+    export MELTPOOL_SHOWN=1
+    exec xvfb-run -a -s '-screen 0 1600x1000x24' "$0" "$@"
+fi
+main "$@"

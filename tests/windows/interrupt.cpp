@@ -1,0 +1,41 @@
+// Presses Ctrl-C in a program's console: test_interrupt.exe FILE BYTES PROGRAM WORD...
+// starts the program, waits until the file has that many bytes, and answers the program's exit code.
+#include <windows.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+int main(int count, char** words) {
+    if (count < 4) return 100;
+    AllocConsole(); // where there is one already, it stays
+    std::string line;
+    for (int i = 3; i < count; ++i)
+        line += (i > 3 ? " \"" : "\"") + std::string(words[i]) + "\"";
+    STARTUPINFOA start{};
+    start.cb = sizeof start;
+    start.dwFlags = STARTF_USESTDHANDLES;
+    start.hStdInput = GetStdHandle(STD_INPUT_HANDLE);
+    start.hStdOutput = GetStdHandle(STD_OUTPUT_HANDLE);
+    start.hStdError = GetStdHandle(STD_ERROR_HANDLE);
+    PROCESS_INFORMATION process{};
+    if (CreateProcessA(nullptr, line.data(), nullptr, nullptr, TRUE, 0, nullptr, nullptr, &start, &process) == FALSE)
+        return 101;
+    const auto wanted = static_cast<std::uintmax_t>(std::atoll(words[2]));
+    std::error_code missing;
+    for (int tries = 0; tries < 6000; ++tries) {
+        const std::uintmax_t bytes = std::filesystem::file_size(words[1], missing);
+        if (!missing && bytes >= wanted) break;
+        if (WaitForSingleObject(process.hProcess, 50) == WAIT_OBJECT_0) return 102; // it ended by itself
+    }
+    SetConsoleCtrlHandler(nullptr, TRUE); // this program is to outlive it
+    if (GenerateConsoleCtrlEvent(CTRL_C_EVENT, 0) == FALSE) return 103;
+    if (WaitForSingleObject(process.hProcess, 120'000) != WAIT_OBJECT_0) {
+        TerminateProcess(process.hProcess, 104);
+        return 104;
+    }
+    DWORD code = 0;
+    GetExitCodeProcess(process.hProcess, &code);
+    return static_cast<int>(code);
+}

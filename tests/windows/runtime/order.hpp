@@ -1,0 +1,48 @@
+// Whether a program keeps the order that OpenXR asks for: what the test runtime for Windows judges.
+#pragma once
+
+#include <fstream>
+#include <map>
+#include <mutex>
+#include <string>
+
+#include "xr/session/platform.hpp"
+
+namespace meltpool::test {
+
+/// Writes each call into the file that MELTPOOL_TEST_RUNTIME_LOG names, and "FAULT: ..." where its order is wrong.
+class CallOrder {
+  public:
+    static CallOrder& only();
+
+    void note(const std::string& call);
+    void fault(const std::string& what);
+
+    void requirementsAsked();
+    void sessionMade(const XrSessionCreateInfo& info);
+    void sessionDestroyed();
+    /// A call that needs the program's context.
+    void needsContext(const char* call);
+    void acquired(XrSwapchain swapchain);
+    void waited(XrSwapchain swapchain);
+    void released(XrSwapchain swapchain);
+    void frameWaited();
+    void frameBegun();
+    void frameEnded(const XrFrameEndInfo& info);
+
+  private:
+    enum class Image { free, acquired, waited };
+    enum class Frame { none, waited, begun };
+
+    CallOrder();
+
+    std::mutex mutex_;
+    std::ofstream log_;
+    bool asked_ = false;
+    HGLRC context_ = nullptr;
+    HDC deviceContext_ = nullptr;
+    std::map<XrSwapchain, Image> images_;
+    Frame frame_ = Frame::none;
+};
+
+} // namespace meltpool::test
