@@ -11,7 +11,7 @@ folder="$work/Größe und Länge" # what people call their folders
 program=
 failed=()
 
-export WINEPREFIX=$work/wine WINEDEBUG=-all WINEDLLOVERRIDES='mscoree=;mshtml=' ALSOFT_DRIVERS=null
+export LC_ALL=C.UTF-8 WINEPREFIX=$work/wine WINEDEBUG=-all WINEDLLOVERRIDES='mscoree=;mshtml=' ALSOFT_DRIVERS=null
 unset MELTPOOL_DATA
 
 fail() {
