@@ -196,6 +196,7 @@ void requireOutput() {
 void declare(CLI::App& app, Arguments& arguments) {
     app.set_version_flag("--version", "meltpool " + programBuild());
     app.require_subcommand(0, 1);
+    app.allow_windows_style_options(false); // a path may begin with a slash under Windows too
     addDesktop(app, arguments);
     addRun(app, arguments);
     addAttemptCommands(app, arguments.attempts);

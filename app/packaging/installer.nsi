@@ -1,6 +1,6 @@
 ; The installer of the program for Windows. makensis -DVERSION=... -DFILES=folder -DOUTPUT=file app/packaging/installer.nsi
 ; For the user alone, without an administrator. Silent with /S; into another folder with /D=folder as the last word.
-Unicode true
+Target amd64-unicode
 !include MUI2.nsh
 
 Name "Meltpool"
