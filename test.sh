@@ -5,6 +5,7 @@
 # The halves take turns from day to day; MELTPOOL_TURN=0 or 1 chooses, MELTPOOL_TURN=all takes both.
 # --checks takes both and has clang check all sources.
 # --long does so too, and adds the soak, fuzzing and validation runs that take hours of patience rather than minutes.
+# --windows alone cross-compiles the program for Windows with its tests and checks it under Wine beside the Linux program.
 set -euo pipefail
 cd "$(dirname "$0")"
 # shellcheck source=app/setup.sh
@@ -13,6 +14,13 @@ configuration=()
 checks=
 always=fuzz
 turn=${MELTPOOL_TURN:-$((10#$(date +%j) % 2))}
+if [ "${1:-}" = --windows ]; then
+    shift
+    meltpoolInstall build
+    meltpoolBuild release
+    app/packaging/windows.sh --tests
+    exec tests/windows/check.sh "$@"
+fi
 if [ "${1:-}" = --long ]; then
     configuration=(-C Long)
     always='fuzz fuzz-long'
