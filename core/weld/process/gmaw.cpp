@@ -79,13 +79,6 @@ double Gmaw::stirring() const {
     return arcStirring(fed.melting.current(fed.speed, static_cast<double>(settings_.stickOutMm * kMm)));
 }
 
-/// In spray the arc envelops the wire's end, and its width no longer follows its length.
-double Gmaw::heatRadius() const {
-    const auto current = static_cast<double>(arc_.current);
-    return std::lerp(arcHeatRadius(wire_.length(), current), kSprayRadius,
-                     sprayShare(current, static_cast<double>(settings_.wireDiameterMm)));
-}
-
 double Gmaw::wireArea() const {
     const auto diameter = static_cast<double>(settings_.wireDiameterMm * kMm);
     return std::numbers::pi / 4 * diameter * diameter;
@@ -131,12 +124,14 @@ void Gmaw::takeOver() {
                       std::exp(-arc_.length / kShortingLength);
 }
 
-/// Efficiency times U I goes into the metal: a part with the drops, the rest onto the surface.
+/// Efficiency times U I goes into the metal: a part with the drops, the rest onto the surface. In spray the arc
+/// envelops the wire's end, and its width no longer follows its length.
 void Gmaw::transferHeat(const TorchSample& torch, double seconds) {
     const auto current = static_cast<double>(arc_.current);
-    arc_.radius = static_cast<float>(heatRadius());
+    const double narrow = arcHeatRadius(wire_.length(), current);
     const double sprays = sprayShare(current, static_cast<double>(settings_.wireDiameterMm));
-    pressSurface(current, std::lerp(arcHeatRadius(wire_.length(), current), kSprayPressureRadius, sprays));
+    arc_.radius = static_cast<float>(std::lerp(narrow, kSprayRadius, sprays));
+    pressSurface(current, std::lerp(narrow, kSprayPressureRadius, sprays));
     arc_.power = kGmawEfficiency * static_cast<double>(arc_.voltage) * current;
     const TorchRay from = ray(torch);
     const float end = std::max(std::min(arc_.extension, arc_.distance - kFreeWay * metal_.spacing), 0.0F);

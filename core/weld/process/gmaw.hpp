@@ -38,7 +38,6 @@ class Gmaw : public Process {
   private:
     WireFeed feed() const;
     double wireArea() const;
-    double heatRadius() const;
     void takeOver();
     void transferHeat(const TorchSample& torch, double seconds);
 

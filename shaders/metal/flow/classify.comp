@@ -52,8 +52,8 @@ void ceaseToMove(uint slot) { cells[particles[slot].cell].moving = 0; }
 
 void classify(uint slot) {
     const uint bits = phase[slot];
-    const bool flies = flows(bits) && particles[slot].group != FLOW_GROUP_WALL; // liquid, or frozen in flight
-    const bool moves = flies || (bits & (PHASE_LIQUID | PHASE_FRAGMENT_BITS)) != 0;
+    const bool fliesOn = flows(bits) && particles[slot].group != FLOW_GROUP_WALL; // also where it froze in flight
+    const bool moves = fliesOn || (bits & (PHASE_LIQUID | PHASE_FRAGMENT_BITS)) != 0;
     const uint now = (bits & PHASE_ALIVE) == 0 ? FLOW_GROUP_NONE : moves ? FLOW_GROUP_MOVING : FLOW_GROUP_WALL;
     if (particles[slot].group == now) return;
     // A slot that is listed twice is dealt with once.
