@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # Sets up what is missing, builds everything and runs every test: ./test.sh [--long] [--checks] [CTEST ARGUMENTS]
-# Then, unless arguments chose tests: the headset's threads under the thread sanitizer; under address and
-# undefined-behaviour sanitizers the damage to all text formats and half of the suites that need no window.
-# The halves take turns from day to day; MELTPOOL_TURN=0 or 1 chooses, MELTPOOL_TURN=all takes both.
-# --checks takes both and has clang check all sources.
+# Then, unless arguments chose tests: the headset's threads under the thread sanitizer, and a quarter of the suites that
+# need no window under address and undefined-behaviour sanitizers.
+# The quarters take turns from day to day; MELTPOOL_TURN=0 to 3 chooses, MELTPOOL_TURN=all takes all four, and with them
+# the tests of the whole program.
+# --checks takes all and has clang check all sources.
 # --long does so too, and adds the soak, fuzzing and validation runs that take hours of patience rather than minutes.
 # --windows alone cross-compiles the program for Windows with its tests and checks it under Wine beside the Linux program.
 set -euo pipefail
@@ -12,8 +13,8 @@ cd "$(dirname "$0")"
 . app/setup.sh
 configuration=()
 checks=
-always=fuzz
-turn=${MELTPOOL_TURN:-$((10#$(date +%j) % 2))}
+long=
+turn=${MELTPOOL_TURN:-$((10#$(date +%j) % 4))}
 if [ "${1:-}" = --windows ]; then
     shift
     meltpoolInstall build
@@ -23,7 +24,7 @@ if [ "${1:-}" = --windows ]; then
 fi
 if [ "${1:-}" = --long ]; then
     configuration=(-C Long)
-    always='fuzz fuzz-long'
+    long=fuzz-long
     turn=all
     checks=yes
     shift
@@ -34,9 +35,12 @@ if [ "${1:-}" = --checks ]; then
     shift
 fi
 
-# The suites that need no window, about half of the time each.
-suites0='base gl weld surface render app desktop_parts'
-suites1='house metal validation training xr xr-threads'
+# The suites that need no window, about a quarter of the time each. Two quarters need no part of app/ to be built.
+suites0='base gl surface weld xr xr-threads'
+suites1='fuzz render desktop_parts house'
+suites2='metal validation'
+suites3='training'
+suitesOfProgram='app'
 
 checkWithClang() {
     command -v clang++ >/dev/null || return 0
@@ -69,10 +73,12 @@ if [ $# -eq 0 ]; then
     case $turn in
     0) suites=$suites0 ;;
     1) suites=$suites1 ;;
-    *) suites="$suites0 $suites1" ;;
+    2) suites=$suites2 ;;
+    3) suites=$suites3 ;;
+    *) suites="$suites0 $suites1 $suites2 $suites3 $suitesOfProgram $long" ;;
     esac
     # shellcheck disable=SC2086
-    runSanitized sanitize $always $suites
+    runSanitized sanitize $suites
 fi
 
 known=$(sed 's/#.*//' tests/validation/known_failures.txt | grep -v '^[[:space:]]*$' || true)
