@@ -142,6 +142,7 @@ void DesktopApp::runFrame() {
     tellRecordings(session_.recordings(), time, messages_);
     const bool timed = menus_.panels.timings && !menus_.panels.hidden;
     if (timed) profiler_.beginFrame();
+    picture_.count(session_, seconds);
     simulate(input, seconds);
     if (home_.open) home_.comparison.update(shaders_, seconds, machineSeconds);
     drawHeadset(seconds);
@@ -305,7 +306,8 @@ void DesktopApp::drawPicture(double seconds) {
         if (headsetFrame_ && headset_->mirror(pixels)) return;
         // The metal moves smoothly to the middle of what the panels leave free.
         shift_ += (menus_.middleOfPicture() - shift_) * std::min(1.0f, static_cast<float>(seconds) * 10);
-        session_.draw(controls_, pixels, shift_, &profiler_);
+        picture_.draw(session_, controls_, {pixels, shift_, windowParameters_.picture, pictureAsked_}, &profiler_);
+        figures_.picture = picture_.sentence();
         return;
     }
     glViewport(0, 0, pixels.x, pixels.y);

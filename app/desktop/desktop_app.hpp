@@ -8,6 +8,7 @@
 #include "app/desktop/desktop_sound.hpp"
 #include "app/desktop/frame_pacer.hpp"
 #include "app/desktop/interface.hpp"
+#include "app/desktop/picture/window_picture.hpp"
 #include "app/desktop/shader_watch.hpp"
 #include "app/desktop/window.hpp"
 #include "app/desktop/window_telemetry.hpp"
@@ -90,6 +91,7 @@ class DesktopApp {
     DesktopLessons lessons_;
     ShaderWatch shaderWatch_;
     FramePacer pacer_;
+    WindowPicture picture_;
     std::string screenshot_;
     std::string driver_;
     size_t judgements_ = 0; ///< that the menus have shown

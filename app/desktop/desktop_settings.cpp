@@ -1,5 +1,6 @@
 #include "app/desktop/desktop_settings.hpp"
 
+#include "app/desktop/picture/picture_quality.hpp"
 #include "core/base/resources.hpp"
 
 #include <algorithm>
@@ -26,6 +27,8 @@ ParameterList describe(WindowParameters& w) {
         {"maximised", "Maximised", "", &w.maximised, 0, 1, "at the next start"},
         {"interface_size", "Size of text and menus", "", &w.interfaceSize, 0.7, 2,
          "On top of what the desktop asks for; large menus cover more of the picture."},
+        {"picture", "Picture", "", &w.picture, 0, kPictureLevels,
+         "automatic: as fine as leaves the metal its time; text and menus are always full", pictureChoices()},
     };
 }
 

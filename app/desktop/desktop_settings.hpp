@@ -16,6 +16,7 @@ struct WindowParameters {
     int height = 720; ///< screen points
     bool maximised = false;
     float interfaceSize = 1; ///< factor on what the desktop asks for
+    int picture = 0;         ///< see pictureChoices()
 };
 ParameterList describe(WindowParameters& parameters);
 

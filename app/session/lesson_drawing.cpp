@@ -62,7 +62,7 @@ float LessonSession::bottom() const {
     return (glm::dot(vertical, lowest) + scene.modelToWorld[3].y) * unit();
 }
 
-void LessonSession::draw(const Controls& controls, glm::ivec2 pixels, float shift, gl::Profiler* profiler) {
+void LessonSession::draw(const Controls& controls, const RenderTarget& target, float shift, gl::Profiler* profiler) {
     SceneView scene = this->scene(profiler);
     if (!held_ && !played()) {
         const SteeredSource& source = controls.source();
@@ -70,7 +70,8 @@ void LessonSession::draw(const Controls& controls, glm::ivec2 pixels, float shif
         scene.source.on = source.on();
         scene.source.cold = source.cold();
     }
-    const float aspect = static_cast<float>(pixels.x) / static_cast<float>(std::max(pixels.y, 1));
+    const Viewport& shape = target.viewport;
+    const float aspect = static_cast<float>(shape.width) / static_cast<float>(std::max(shape.height, 1));
     std::array<View, 1> views{controls.view(aspect)};
     if (cut_.shown()) { // its middle stands where the camera looks
         const glm::vec3 middle = scene.modelToWorld * glm::vec4(scene.section.at, 0, 0, 1);
@@ -82,7 +83,7 @@ void LessonSession::draw(const Controls& controls, glm::ivec2 pixels, float shif
     views[0].eyeToClip[2][0] -= shift; // clip x over w, and w is -z in the eye
     scene.ghost = ghostMarkers(scene, views[0]);
     scene.markers = cueMarkers(scene, views[0]);
-    renderer_.draw(scene, lesson_.look, views, {0, {0, 0, pixels.x, pixels.y}}, profiler);
+    renderer_.draw(scene, lesson_.look, views, target, profiler);
 }
 
 void LessonSession::fillFigures(LessonFigures& figures) const {

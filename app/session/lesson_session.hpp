@@ -72,6 +72,15 @@ class LessonSession {
     const AttemptReplay& replay() const { return replay_; }
     /// Attempt's time over real time that this machine plays it at.
     double replaySpeed() const;
+    /// It jumps to another time, and takes all the time that it can get.
+    bool seeks() const { return replay_.shown() && replay_.line().seeking(); }
+
+    /// What the metal's steps cost of the frames.
+    const StepClock& clock() const { return clock_; }
+    /// Real time (s) that the steps of a second of the metal take; 0 without a running lesson or before the first.
+    double loadOfSteps() const { return running() ? 1 / clock_.speedOfSteps(trainer_->timeStep()) : 0; }
+    /// The machine's speed is being measured, see SpeedTrial.
+    bool measuresSpeed() const { return trial_.running(); }
     /// The torch is that of a demonstration or a replay: nobody leads it.
     bool played() const { return demonstration_.shown() || replay_.shown(); }
 
@@ -85,7 +94,7 @@ class LessonSession {
     /// empty; then nothing runs in view mode.
     void advance(const Controls& controls, double seconds, gl::Profiler* profiler, const TorchSource& held = {});
     /// `shift`: how far right of the window's middle the picture's middle is, as a share of half its width.
-    void draw(const Controls& controls, glm::ivec2 pixels, float shift, gl::Profiler* profiler);
+    void draw(const Controls& controls, const RenderTarget& target, float shift, gl::Profiler* profiler);
 
     /// Asks where the metal lies under the torch in the hand. The answer comes frames later; nothing waits for it.
     void sound(const TorchSample& torch);

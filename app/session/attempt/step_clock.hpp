@@ -20,6 +20,7 @@ class StepClock {
     /// restart only starts the clock.
     int due(double elapsed, double step) {
         dropped_ = false;
+        busy_ = 0;
         if (!started_) {
             started_ = true;
             return 0;
@@ -39,13 +40,18 @@ class StepClock {
     /// What `steps` steps kept the frame waiting for, s.
     void took(double seconds, int steps) {
         if (steps <= 0) return;
+        busy_ = seconds;
         const double each = seconds / steps;
         cost_ += (each - cost_) * (cost_ > 0 ? 0.2 : 1.0);
     }
 
+    /// What the steps of the newest frame kept it waiting for, s.
+    double busy() const { return busy_; }
+
     /// Drops the time that has not been simulated yet, after a pause.
     void restart() {
         owed_ = 0;
+        busy_ = 0;
         started_ = false;
     }
     /// As at first: what was measured is forgotten too.
@@ -77,6 +83,7 @@ class StepClock {
     double real_ = 0;
     double simulated_ = 0;
     double cost_ = 0; ///< s of a step
+    double busy_ = 0; ///< s of the newest frame's steps
     bool started_ = false;
     bool dropped_ = false;
 };

@@ -88,6 +88,10 @@ ShortText figuresText(const LessonFigures& f) {
         all += "   \xC2\xB7   ";
         all += f.slow;
     }
+    if (!f.picture.empty()) {
+        all += "   \xC2\xB7   ";
+        all += f.picture;
+    }
     return all;
 }
 

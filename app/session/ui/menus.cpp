@@ -151,7 +151,7 @@ void viewMenu(Context& context, std::span<const ParameterSection* const> section
           "Mouse and keys",
           {"source_step", "source_mouse_speed", "look_speed", "camera_speed", "invert_look"},
           false},
-         {"window", "Window", {"interface_size"}, false},
+         {"window", "Window", {"interface_size", "picture"}, false},
          {"recordings", "Recordings", {"keep_recordings", "recordings_limit_mb"}, false}}};
     drawGroups(context, sections, kGroups);
     ImGui::End();

@@ -1,0 +1,37 @@
+#include "app/desktop/picture/scaled_picture.hpp"
+
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+
+namespace meltpool {
+
+RenderTarget ScaledPicture::begin(glm::ivec2 window, float share) {
+    window_ = window;
+    const glm::ivec2 size = glm::max(glm::ivec2(glm::round(glm::vec2(window) * share)), glm::ivec2(1));
+    if (share >= 1) {
+        buffers_.reset();
+        size_ = {};
+        return {0, {0, 0, window.x, window.y}};
+    }
+    if (!buffers_ || size != size_) {
+        buffers_.reset(); // its memory may be needed for the next
+        buffers_.emplace();
+        buffers_->colour = gl::Texture("scaled picture", {.width = size.x, .height = size.y});
+        buffers_->depth =
+            gl::Texture("scaled picture depth", {.format = GL_DEPTH_COMPONENT24, .width = size.x, .height = size.y});
+        buffers_->framebuffer.attach(GL_COLOR_ATTACHMENT0, buffers_->colour);
+        buffers_->framebuffer.attach(GL_DEPTH_ATTACHMENT, buffers_->depth);
+        buffers_->framebuffer.requireComplete();
+        size_ = size;
+    }
+    return {buffers_->framebuffer.name(), {0, 0, size.x, size.y}};
+}
+
+void ScaledPicture::end(GLuint window) const {
+    if (buffers_) // displayed values, so that the filter sees what the eye does
+        glBlitNamedFramebuffer(buffers_->framebuffer.name(), window, 0, 0, size_.x, size_.y, 0, 0, window_.x, window_.y,
+                               GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    glBindFramebuffer(GL_FRAMEBUFFER, window);
+}
+
+} // namespace meltpool

@@ -1,0 +1,30 @@
+// The metal's picture with fewer pixels than the window has, enlarged to the window.
+#pragma once
+
+#include "core/gl/texture.hpp"
+#include "core/render/view/view.hpp"
+
+#include <glm/vec2.hpp>
+
+#include <optional>
+
+namespace meltpool {
+
+class ScaledPicture {
+  public:
+    /// Where to draw a picture with this share of the window's width and height: the window itself for 1.
+    RenderTarget begin(glm::ivec2 window, float share);
+    /// Enlarges what was drawn to the window, whose frame buffer is left bound.
+    void end(GLuint window = 0) const;
+
+  private:
+    struct Buffers {
+        gl::Texture colour, depth;
+        gl::Framebuffer framebuffer{"scaled picture"};
+    };
+    std::optional<Buffers> buffers_;
+    glm::ivec2 window_{0};
+    glm::ivec2 size_{0};
+};
+
+} // namespace meltpool

@@ -1,0 +1,35 @@
+// The picture of the running lesson in the window, drawn as finely as the setting says or as the metal leaves time for.
+#pragma once
+
+#include "app/desktop/picture/picture_quality.hpp"
+#include "app/desktop/picture/scaled_picture.hpp"
+#include "app/session/lesson_session.hpp"
+
+namespace meltpool {
+
+/// What the window knows of a picture to be drawn.
+struct PictureWish {
+    glm::ivec2 pixels{0}; ///< of the window
+    float shift = 0;      ///< see LessonSession::draw()
+    int setting = 0;      ///< of pictureChoices()
+    bool whole = false;   ///< with all pixels whatever the setting: it is to be kept
+};
+
+class WindowPicture {
+  public:
+    /// Counts the last frame, which took `seconds`. To be called before the next steps are made.
+    void count(const LessonSession& session, double seconds);
+    /// Leaves the window's frame buffer bound.
+    void draw(LessonSession& session, const Controls& controls, const PictureWish& wish, gl::Profiler* profiler);
+    /// What the last picture was drawn at, see pictureSentence().
+    std::string_view sentence() const { return sentence_; }
+
+  private:
+    PictureBudget budget_;
+    ScaledPicture scaled_;
+    glm::ivec2 pixels_{0};
+    std::string_view sentence_;
+    bool counts_ = false; ///< the last picture was drawn at the budget's level
+};
+
+} // namespace meltpool

@@ -1,0 +1,138 @@
+// How finely the window's picture is drawn on machines of different speed, with the steps of the metal that they make.
+#include "app/desktop/picture/picture_quality.hpp"
+#include "app/desktop/picture/scaled_picture.hpp"
+#include "app/session/attempt/step_clock.hpp"
+#include "core/render/view/picture_target.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+#include <algorithm>
+
+namespace meltpool {
+
+namespace {
+
+constexpr double kStep = 1.0 / 90; // s, of the metal
+
+/// A machine, s.
+struct Machine {
+    double step = 0;     ///< a step of the metal
+    double rest = 0;     ///< what a frame costs besides steps and pixels
+    double pixels = 0;   ///< all pixels of the window
+    double shortest = 0; ///< a frame: the display is waited for
+};
+
+/// What the last ten of sixty seconds were like.
+struct Outcome {
+    PictureLevel level = PictureLevel::full;
+    double speed = 0;     ///< simulated over real time
+    double perSecond = 0; ///< pictures
+    int changes = 0;      ///< of the level, in all sixty seconds after the first five
+};
+
+class DrawnWeld {
+  public:
+    explicit DrawnWeld(const Machine& machine) : machine_(machine) {}
+
+    Outcome run(double seconds) {
+        Outcome outcome;
+        double simulated = 0, real = 0, frames = 0;
+        for (double now = 0; now < seconds; now += elapsed_) {
+            const PictureLevel before = budget.level();
+            budget.add({elapsed_, clock_.busy(), clock_.busy() > 0 ? machine_.step / kStep : 0});
+            if (now > 5 && budget.level() != before) ++outcome.changes;
+            const int due = clock_.due(elapsed_, kStep);
+            clock_.took(due * machine_.step, due);
+            const double share = static_cast<double>(kPictureShares[static_cast<size_t>(budget.level())]);
+            elapsed_ =
+                std::max(machine_.shortest, due * machine_.step + machine_.rest + machine_.pixels * share * share);
+            if (now < seconds - 10) continue;
+            simulated += due * kStep;
+            real += elapsed_;
+            ++frames;
+        }
+        outcome.level = budget.level();
+        outcome.speed = simulated / real;
+        outcome.perSecond = frames / real;
+        return outcome;
+    }
+
+    PictureBudget budget;
+
+  private:
+    Machine machine_;
+    StepClock clock_;
+    double elapsed_ = 0.02;
+};
+
+Outcome outcomeOn(const Machine& machine) {
+    return DrawnWeld(machine).run(60);
+}
+
+} // namespace
+
+TEST_CASE("a machine with time left draws with all pixels, whatever it waits for") {
+    for (const double display : {1.0 / 144, 1.0 / 60, 1.0 / 30}) {
+        const Outcome outcome = outcomeOn({0.0005, 0.001, 0.002, display});
+        INFO("display " << display);
+        CHECK(outcome.level == PictureLevel::full);
+        CHECK(outcome.changes == 0);
+        CHECK(outcome.speed == Approx(1).margin(0.02));
+    }
+}
+
+TEST_CASE("where pixels keep the metal from the clock, there are fewer of them") {
+    const Outcome outcome = outcomeOn({0.006, 0.006, 0.025, 0});
+    CHECK(outcome.level != PictureLevel::full);
+    CHECK(outcome.speed == Approx(1).margin(0.03));
+    CHECK(outcome.perSecond >= 20);
+    CHECK(outcome.changes <= 6);
+}
+
+TEST_CASE("a picture is no coarser than the metal needs") {
+    CHECK(outcomeOn({0.004, 0.004, 0.02, 0}).level == PictureLevel::full);
+    const Outcome outcome = outcomeOn({0.004, 0.006, 0.04, 0}); // may take 32 ms besides steps
+    CHECK(outcome.level == PictureLevel::fine);
+    CHECK(outcome.speed == Approx(1).margin(0.03));
+}
+
+TEST_CASE("on a machine that is too slow for the metal the picture is coarse and leaves it the time") {
+    const Outcome outcome = outcomeOn({0.02, 0.008, 0.05, 0});
+    CHECK(outcome.level == PictureLevel::coarse);
+    CHECK(outcome.speed > 0.42); // 0.56 if it were all steps
+    CHECK(outcome.changes <= 6);
+}
+
+TEST_CASE("a long frame at the start makes the picture coarse for some seconds only") {
+    DrawnWeld weld({0.002, 0.002, 0.01, 0});
+    for (int i = 0; i < 8; ++i)
+        weld.budget.add({3.0, 0.0, 0.0}); // shaders are made
+    CHECK(weld.budget.level() != PictureLevel::full);
+    CHECK(weld.run(30).level == PictureLevel::full);
+}
+
+TEST_CASE("a picture with fewer pixels fills the window") {
+    test::context();
+    const PictureTarget window(64, 48, 1);
+    ScaledPicture scaled;
+    const RenderTarget whole = scaled.begin({64, 48}, 1);
+    CHECK(whole.framebuffer == 0);
+    CHECK(whole.viewport.width == 64);
+    const RenderTarget target = scaled.begin({64, 48}, 0.375f);
+    CHECK(target.framebuffer != 0);
+    CHECK(target.viewport.width == 24);
+    CHECK(target.viewport.height == 18);
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+    glClearColor(0, 1, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    scaled.end(window.target().framebuffer);
+    const Image image = window.read();
+    for (const auto& [x, y] : {std::pair(0, 0), std::pair(63, 0), std::pair(63, 47), std::pair(31, 20)}) {
+        INFO(x << ", " << y);
+        const size_t first = 3 * (static_cast<size_t>(y) * 64 + static_cast<size_t>(x));
+        CHECK(image.rgb[first] == 0);
+        CHECK(image.rgb[first + 1] == 255);
+    }
+}
+
+} // namespace meltpool
