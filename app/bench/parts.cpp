@@ -31,6 +31,10 @@ std::span<const BenchPart> benchParts() {
                   benchStereo},
         BenchPart{"stereo", "the processor's own work for a headset's frame, and with a headset where there is one",
                   benchHeadsetFrame},
+        BenchPart{"card",
+                  "two minutes on a graphics card: price of a pass, substep by pool size, gmaw-bead at 1 and 0.5 mm, "
+                  "both eyes of 2064x2208",
+                  benchCard},
     };
     return kParts;
 }

@@ -96,6 +96,7 @@ class BenchWeld {
     void updateSurface(gl::Profiler* profiler) { surface_->update(model_.particles(), profiler); }
 
     double timeStep() const { return model_.timeStep(); }
+    int steps() const { return frame_; }
     const WeldModel& model() const { return model_; }
 
     BenchRow row(BenchRow row) const {
@@ -151,6 +152,7 @@ BenchRow physicsRow(BenchRow row, const BenchWeld& weld, const FrameTimes& physi
                    {"simulated_over_cpu_of_two_cores", 2 * frame / mean(physics.processor)},
                    {"dispatches", dispatches.mean()},
                    {"moving_particles", metal.flow().readMoving()},
+                   {"searches", metal.flow().readSearches() / static_cast<double>(weld.steps())},
                    {"active_tiles", metal.heat().readActiveTiles()},
                    {"tiles", static_cast<double>(metal.state().lattice().tileCount())},
                    {"faults", metal.flow().readFaults().any() ? 1.0 : 0.0}};

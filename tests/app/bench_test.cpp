@@ -1,5 +1,6 @@
 // The benchmark's frame: what a measurement keeps, and the report that other programs read.
 #include "app/bench/bench.hpp"
+#include "app/bench/card.hpp"
 #include "app/bench/lesson.hpp"
 #include "app/bench/parts.hpp"
 #include "core/base/resources.hpp"
@@ -94,6 +95,43 @@ TEST_CASE("a measured lesson tells its speed and the share of each part", "[app]
         shares += further(row, part);
     }
     CHECK(shares == Approx(1));
+}
+
+TEST_CASE("the card's suite measures pools until one is slow, and a weld with both eyes", "[app]") {
+    Bench bench(test::shaders(), "card");
+    CardLimits limits;
+    limits.seconds = 1e6; // repeats end it, however slow the machine is
+    limits.longestPool = 1e6;
+    limits.repeats = 5;
+    limits.largestPool = 512 * 4;
+    limits.eyeWidth = 64;
+    limits.eyeHeight = 48;
+    limits.weldSeconds = 0.05;
+    measurePools(bench, limits);
+    REQUIRE(bench.rows().size() == 2);
+    CHECK(bench.rows()[0].particles == 8 * 8 * 8);
+    CHECK(bench.rows()[1].particles == 13 * 13 * 13);
+    for (const BenchRow& row : bench.rows()) {
+        CHECK(row.suite == "card");
+        CHECK(further(row, "faults") == 0);
+        CHECK(further(row, "searches") >= 1);
+        CHECK(row.stepMs <= further(row, "median_ms"));
+        CHECK(further(row, "median_ms") <= further(row, "ms_99"));
+    }
+    limits.longestPool = 0;
+    measurePools(bench, limits);
+    CHECK(bench.rows().size() == 3); // the smallest is slow already
+
+    measureWeldAndEyes(bench, smallBead(), limits);
+    REQUIRE(bench.rows().size() == 6);
+    const BenchRow& weld = bench.rows()[3];
+    CHECK(weld.particles > 100);
+    CHECK(further(weld, "welded_s") >= 0.04);
+    CHECK(further(weld, "dispatches") > 10);
+    CHECK(further(weld, "simulated_over_wall") == Approx(further(weld, "simulated_ms") / further(weld, "median_ms")));
+    CHECK(bench.rows()[4].what == "gmaw-bead, surface");
+    CHECK(further(bench.rows()[5], "eye_width") == 64);
+    CHECK(bench.rows()[5].stepMs > 0);
 }
 
 TEST_CASE("empty dispatches are 200 and timed on the GPU and by the clock", "[app]") {

@@ -1,0 +1,27 @@
+// The suite `card`: what a graphics card costs in about two minutes, from the driver's price of a pass to both eyes of
+// a headset over a fine weld.
+#pragma once
+
+#include "app/bench/bench.hpp"
+#include "core/training/lesson.hpp"
+
+namespace meltpool {
+
+/// Where a measurement stops, so that a slow machine answers too.
+struct CardLimits {
+    double seconds = 20;       ///< of wall time for each row at most, begun repeats aside
+    int repeats = 400;         ///< of what is timed, at most
+    double longestPool = 2;    ///< s: no larger pool is measured after one that takes longer
+    int largestPool = 1 << 20; ///< moving particles
+    int eyeWidth = 2064;       ///< pixels of an eye: what a headset of 2023 asks for
+    int eyeHeight = 2208;      ///< pixels
+    double weldSeconds = 1;    ///< simulated s of a fine weld before its steps are measured
+};
+
+/// Eight substeps of the flow, about what a weld's step has, with free liquid of 512 particles, then four times as many
+/// each, in a row each.
+void measurePools(Bench& bench, const CardLimits& limits);
+/// A step of the lesson's weld, and both eyes' picture of it in one submission with 4 samples.
+void measureWeldAndEyes(Bench& bench, const Lesson& lesson, const CardLimits& limits);
+
+} // namespace meltpool
