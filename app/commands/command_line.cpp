@@ -41,6 +41,7 @@ struct Arguments {
     ReportRequest report;
     AttemptArguments attempts;
     std::string listed; ///< lesson whose values are listed; empty: the catalogue
+    bool speed = false; ///< the doctor welds too
 };
 
 void addDesktop(CLI::App& app, Arguments& arguments) {
@@ -120,7 +121,8 @@ void addOthers(CLI::App& app, Arguments& arguments) {
     report->add_option("--lesson", arguments.report.lesson,
                        "Lesson of the records, a TOML file, where the catalogue does not have it");
     addRecordings(app, arguments.recordings);
-    app.add_subcommand("doctor", "Tell what this machine has and what is missing");
+    app.add_subcommand("doctor", "Tell what this machine has and what is missing")
+        ->add_flag("--speed", arguments.speed, "Weld for ten seconds and advise a particle spacing");
     CLI::App* lessons = app.add_subcommand("lessons", "List the lessons, or the values of one");
     lessons->add_option("LESSON", arguments.listed, "List the parameters of this lesson that --set takes");
 }
@@ -147,7 +149,7 @@ int dispatch(const CLI::App& app, const Arguments& arguments) {
     else if (app.got_subcommand("recordings"))
         return runRecordings(arguments.recordings) ? kDone : kFailed;
     else if (app.got_subcommand("doctor"))
-        return runDoctor() ? kDone : kFailed;
+        return runDoctor(arguments.speed) ? kDone : kFailed;
     else if (app.got_subcommand("lessons"))
         arguments.listed.empty() ? listLessons() : listParameters(arguments.listed);
     else if (!runAttemptCommand(app, arguments.attempts))

@@ -127,7 +127,8 @@ void listLessons();
 /// Prints every value of a lesson that --set takes, with what it is there, unit, range and meaning.
 void listParameters(const std::string& lesson);
 
-/// Prints what the machine has and what is missing. Returns false where something is missing that every run needs.
-bool runDoctor();
+/// Prints what the machine has and what is missing; with `speed` also what it bears, which takes ten seconds. Returns
+/// false where something is missing that every run needs.
+bool runDoctor(bool speed = false);
 
 } // namespace meltpool

@@ -3,6 +3,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/headset_doctor.hpp"
+#include "app/commands/speed_doctor.hpp"
 #include "app/desktop/window_system.hpp"
 #include "app/program/program_info.hpp"
 #include "app/sound/openal_device.hpp"
@@ -128,7 +129,7 @@ bool printFindings(const std::vector<Finding>& findings) {
     return complete;
 }
 
-bool runDoctor() {
+bool runDoctor(bool speed) {
     std::printf("meltpool %s\n", programBuild().c_str());
     std::vector<Finding> findings;
     inspectDriver(findings);
@@ -136,6 +137,7 @@ bool runDoctor() {
     inspectFiles(findings);
     inspectSound(findings);
     inspectHeadset(findings);
+    if (speed) inspectSpeed(findings);
     const bool complete = printFindings(findings);
     std::printf(complete ? "Everything that a lesson needs is here.\n"
                          : "Something that every lesson needs is missing.\n");
