@@ -67,6 +67,7 @@ FrameData makeFrame(const SceneView& scene, const LookParameters& look) {
     frame.colourMode = static_cast<float>(look.colours);
     frame.scaleRow = static_cast<float>(std::max(look.colours - kTemperatureColours, 0));
     frame.dullness = look.dullness;
+    frame.glowSoftening = look.visorShade > 0 ? 0.0f : look.glowSoftening;
     frame.pointRadius = look.pointSize * unit;
     frame.perCubeWidth = 1.0f / scene.cubeWidth;
     frame.boxMin = scene.boxMin;

@@ -5,6 +5,7 @@
 #include "core/render/look/environment.hpp"
 #include "core/render/look/heat_colours.hpp"
 #include "core/render/look/material_presets.hpp"
+#include "core/render/look/mirror_shares.hpp"
 #include "core/render/look/noise.hpp"
 #include "core/render/look/temperature_scale.hpp"
 #include "core/render/solids.hpp"
@@ -66,6 +67,7 @@ struct Renderer::Parts {
     gl::Texture scales = makeScaleTexture();
     gl::Texture noise = makeNoiseTexture();
     gl::Texture heat = makeHeatTexture();
+    gl::Texture mirrorShares = makeMirrorShareTexture();
     SurfacePainter surface;
     SolidPainter solids;
     SectionPainter section;
@@ -154,6 +156,7 @@ void Renderer::Parts::prepare(const SceneView& scene, const LookParameters& look
     scales.bind(SCALE_UNIT);
     noise.bind(NOISE_UNIT);
     heat.bind(HEAT_UNIT);
+    mirrorShares.bind(MIRROR_SHARE_UNIT);
 }
 
 void Renderer::Parts::drawBatch(const SceneView& scene, const LookParameters& look, const ViewBatch& views, int count,
@@ -255,6 +258,10 @@ Renderer::~Renderer() = default;
 
 const SubmissionChoice& Renderer::submitBy(std::optional<ViewSubmission> wanted) {
     return parts_->choose(wanted);
+}
+
+const gl::Texture& Renderer::environment() const {
+    return parts_->environment.texture();
 }
 
 void Renderer::draw(const SceneView& scene, const LookParameters& look, std::span<const View> views,

@@ -33,6 +33,9 @@ class Renderer {
     void draw(const SceneView& scene, const LookParameters& look, std::span<const View> views,
               const RenderTarget& target, gl::Profiler* profiler);
 
+    /// What metal mirrors and the sky shows, see Environment.
+    const gl::Texture& environment() const;
+
     static constexpr size_t kMostViews = 4;
 
   private:

@@ -1,10 +1,19 @@
-// Light of hot metal and temper colours.
+// Light of hot metal, its oxide and what it reflects.
 #ifndef MELTPOOL_RENDER_HOT_GLSL
 #define MELTPOOL_RENDER_HOT_GLSL
 
 #include "render/frame.glsl"
 
 layout(binding = HEAT_UNIT) uniform sampler2D heatColours;
+
+// Highest temperatures (K) at which steel's scale begins to cover the metal and at which it is closed, see temperTint().
+const float kScaleBegins = 673.0;
+const float kScaleClosed = 1173.0;
+// Reflectance of what was molten and scaled while it cooled, over that of scale on rolled metal. None: chosen so that a
+// finished bead stands out a little.
+const float kFrozenScale = 1.5;
+// Colour of scale: a little blue. None: chosen.
+const vec3 kScaleColour = vec3(0.93, 0.97, 1.05);
 
 // A texel of the heat texture; `row`: texture coordinate of the row.
 vec3 heatColour(float kelvin, float row) {
@@ -24,15 +33,46 @@ vec3 tintOf(float peakKelvin) {
     return heatColour(peakKelvin, 0.75);
 }
 
-// Factor of the oxide on the reflectance of metal that is liquid to this share. Only solid metal has oxide: a pool is
-// clean.
-vec3 oxideOn(float kelvin, float peakKelvin, float liquid) {
-    return mix(vec3(1.0), tintOf(max(peakKelvin, kelvin)), material.oxideTint * (1.0 - liquid));
+// How far metal is molten, 0..1. Over the freezing range, or one kelvin, the look changes from that of the solid to that of
+// the liquid.
+float liquidShare(float kelvin) {
+    return clamp((kelvin - frame.solidus) * frame.perMushyRange, 0.0, 1.0);
 }
 
-// Light of the metal itself.
-vec3 metalGlow(float kelvin) {
-    return material.emissivity * glowOf(kelvin);
+// Share of solid metal's surface that is under scale.
+float scaledShare(float peakKelvin) {
+    return material.oxideTint * smoothstep(kScaleBegins, kScaleClosed, peakKelvin);
+}
+
+float scaleReflectance(float peakKelvin) {
+    return (1.0 - material.scaledEmissivity) * mix(1.0, kFrozenScale, liquidShare(peakKelvin));
+}
+
+// Emissivity of solid metal; with liquidEmissivity it jumps at the melting point.
+float solidEmissivity(float kelvin, float peakKelvin) {
+    float peak = max(kelvin, peakKelvin);
+    return mix(material.cleanEmissivity, 1.0 - scaleReflectance(peak), scaledShare(peak));
+}
+
+// Reflectance of solid metal: temper colours where it was clean, scale where it was hotter.
+vec3 solidReflectance(float kelvin, float peakKelvin) {
+    float peak = max(kelvin, peakKelvin);
+    vec3 tint = mix(vec3(1.0), tintOf(peak), material.oxideTint);
+    return mix(material.cleanReflectance * tint, kScaleColour * scaleReflectance(peak), scaledShare(peak));
+}
+
+// frame.dullness 0: solid metal mirrors as sharply as liquid.
+float solidRoughness() {
+    return max(frame.dullness * material.solidRoughness, material.liquidRoughness);
+}
+
+// Light of metal of this emissivity. Without a visor it is compressed: the eye would be dazzled and the pool's edge, where
+// twice as much light falls off within a millimetre, would be white in white.
+vec3 metalGlow(float kelvin, float emissivity) {
+    vec3 glow = emissivity * glowOf(kelvin);
+    if (frame.glowSoftening <= 0.0) return glow;
+    float luminance = max(dot(glow, vec3(0.2126, 0.7152, 0.0722)), 1e-6);
+    return glow * (frame.glowSoftening * log(1.0 + luminance / frame.glowSoftening) / luminance);
 }
 
 #endif

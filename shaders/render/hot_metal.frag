@@ -1,36 +1,48 @@
-// Metal with a temperature in kelvin: mirrors its surroundings and glows.
+// Metal with a temperature in kelvin: mirrors its surroundings and glows. At the melting point it turns from dull and
+// bright to mirroring and darker: that is how a welder sees the pool's edge.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/arc.glsl"
 #include "render/environment.glsl"
 #include "render/hot.glsl"
+#include "render/reflectance.glsl"
 #include "render/tone.glsl"
 
-layout(location = 0) in vec3 mirrored;
-layout(location = 1) in vec3 body;
-layout(location = 2) in float mirrorBrightness;
-layout(location = 6) in float dullness;
-layout(location = 3) in vec3 mirrorTint;
+layout(location = 0) in vec3 normal;
+layout(location = 1) in vec3 way;
+layout(location = 2) in vec3 diffuse;
+layout(location = 3) in vec3 solidMirrored;
 layout(location = 4) in float temperature;
-layout(location = 5) in vec3 toArc;
+layout(location = 5) in float emissivity;
+layout(location = 6) in float lampLight;
+layout(location = 8) in float solidShare;
+layout(location = 7) flat in int view;
 layout(location = 0) out vec4 colour;
 
 layout(binding = ROUGH_UNIT) uniform samplerCube roughEnvironment;
 
-const float kLiquidLevel = 1.0;
-const float kSolidLevel = 3.0;
-// Sharpness of the arc's image in a liquid and in a rolled or scaled surface.
-const float kLiquidLobe = 600.0;
-const float kSolidLobe = 8.0;
+// The arc's mirror image: its ball widens the lobe. `share`: of an even room that the lobe holds.
+vec3 arcImage(vec3 n, vec3 toEye, vec3 mirrored, float roughness, float share) {
+    vec3 toArc = frame.arc - frame.views[view].eye - way;
+    float perDistance = inversesqrt(max(dot(toArc, toArc), 1e-12));
+    vec3 towards = toArc * perDistance;
+    float alpha = roughness * roughness;
+    float ball = 0.5 * frame.modelUnit * perDistance * sqrt(frame.arcMinDistanceSquared); // half its angle: of half vectors
+    alpha = min(sqrt(alpha * alpha + ball * ball), 1.0);
+    float lobe = mirrorLobe(max(dot(n, normalize(towards + toEye)), 0.0), max(dot(n, towards), 0.0),
+                            max(dot(n, toEye), 1e-3), alpha);
+    return arcOn(toArc) * (3.14159265 * lobe / share) * mirrored;
+}
 
 void main() {
-    vec3 seen = decodeEnvironment(
-        textureLod(roughEnvironment, mirrored, kLiquidLevel + (kSolidLevel - kLiquidLevel) * dullness).rgb);
-    float towardsLamp = max(dot(normalize(mirrored), frame.lampDirection), 0.0);
-    float glint = frame.specular * (1.0 - 0.65 * dullness) * pow(towardsLamp, frame.shininess * (1.0 - 0.8 * dullness));
-    vec3 glow = metalGlow(temperature);
-    vec3 light = body + mirrorBrightness * mirrorTint * seen + glint * material.highlight + glow;
-    if (frame.arcLight.g > 0.0)
-        light += mirrorBrightness * mirrorTint * arcMirrored(toArc, mirrored, kLiquidLobe * pow(kSolidLobe / kLiquidLobe, dullness));
+    float liquid = liquidShare(temperature);
+    vec3 n = normalize(normal), toEye = -normalize(way);
+    float cosine = max(dot(n, toEye), 0.0);
+    float roughness = mix(solidRoughness(), material.liquidRoughness, liquid);
+    vec3 mirrored = mix(solidMirrored, mirroredShare(material.liquidReflectance, smoothShares(cosine)), liquid);
+    vec3 room = decodeEnvironment(textureLod(roughEnvironment, reflect(-toEye, n), roomLevel(roughness)).rgb);
+    vec3 light = diffuse * (1.0 - liquid) + lampLight * mirrored * room;
+    light += metalGlow(temperature, mix(emissivity, material.liquidEmissivity, liquid));
+    if (frame.arcLight.g > 0.0) light += arcImage(n, toEye, mirrored, roughness, mix(solidShare, 1.0, liquid));
     colour = finish(light, 1.0);
 }

@@ -1,40 +1,44 @@
-// A vertex of metal with a temperature in kelvin: as metal.vert, with temper colours and glow.
+// A vertex of metal with a temperature in kelvin: as metal.vert, with temper colours. What jumps at the melting point is
+// computed for each pixel.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/view.glsl"
 #include "render/arc.glsl"
 #include "render/hot.glsl"
-#include "render/metal_look.glsl"
+#include "render/reflectance.glsl"
 
 layout(location = POSITION_ATTRIBUTE) in vec3 position; // model units
 layout(location = NORMAL_ATTRIBUTE) in vec3 outward;   // unit, model
 layout(location = TEMPERATURE_ATTRIBUTE) in float vertexTemperature; // K
 layout(location = PEAK_ATTRIBUTE) in float peak; // highest temperature so far, K
 
-layout(location = 0) out vec3 mirrored;    // world direction that the eye sees in the metal, not unit
-layout(location = 1) out vec3 body;        // light of the material itself
-layout(location = 2) out float mirrorBrightness;
-layout(location = 3) out vec3 mirrorTint;  // colour of the mirror image
-layout(location = 4) out float temperature;
-layout(location = 5) out vec3 toArc;
-layout(location = 6) out float dullness;
+layout(location = 0) out vec3 normal;        // world, not unit
+layout(location = 1) out vec3 way;           // world, from the eye to the vertex
+layout(location = 2) out vec3 diffuse;       // light that the metal scatters evenly while it is solid
+layout(location = 3) out vec3 solidMirrored; // share of the room's light that it mirrors while it is solid
+layout(location = 4) out float temperature;  // K
+layout(location = 5) out float emissivity;   // while it is solid
+layout(location = 6) out float lampLight;
+layout(location = 8) out float solidShare;   // share of an even room that its lobe holds while it is solid
+layout(location = 7) flat out int view;
 
 void main() {
     vec3 world = toWorld(position);
     vec3 n = normalize(mat3(frame.modelToWorld) * outward);
-    mirrored = reflect(world - frame.views[viewIndex()].eye, n);
+    view = viewIndex();
+    normal = n;
+    way = world - frame.views[view].eye;
+    lampLight = frame.ambient + frame.diffuse * max(dot(n, normalize(frame.lamp - world)), 0.0);
 
-    float liquid = meltShares(vertexTemperature).mirror;
-    float light = frame.ambient + frame.diffuse * max(dot(n, normalize(frame.lamp - world)), 0.0);
-    float mirror = mix(material.solidMirror, material.liquidMirror, liquid);
-    vec3 tint = oxideOn(vertexTemperature, peak, liquid);
-    float scale = 1.0 - dot(tint, vec3(1.0 / 3.0));
-    toArc = frame.arc - world;
-    vec3 lit = vec3(light) + arcDiffuse(toArc, n);
-    body = lit * (1.0 - mirror) * materialColour(liquid) * tint;
-    mirrorTint = mix(vec3(1.0), material.mirrorColour, 0.8) * tint;
-    mirrorBrightness = light * mirror * (1.0 - 0.5 * scale * (1.0 - liquid));
-    dullness = frame.dullness * (1.0 - liquid);
+    vec3 reflectance = solidReflectance(vertexTemperature, peak);
+    vec3 lit = vec3(lampLight);
+    if (frame.arcLight.g > 0.0) lit += arcDiffuse(frame.arc - world, n);
+    diffuse = lit * (1.0 - material.solidMirror) * reflectance;
+    float cosine = max(-dot(n, normalize(way)), 0.0);
+    vec2 shares = roomShares(solidRoughness(), cosine);
+    solidMirrored = material.solidMirror * mirroredShare(reflectance, shares);
+    solidShare = shares.x + shares.y;
     temperature = vertexTemperature;
+    emissivity = solidEmissivity(vertexTemperature, peak);
     showCut(world);
 }

@@ -59,5 +59,5 @@ void main() {
 
     float light = frame.ambient + frame.diffuse * 0.8;
     vec3 body = light * reflectance * vec3(1.0, 0.98, 0.95);
-    colour = finish(body + material.emissivity * glowOf(temperature), 1.0);
+    colour = finish(body + metalGlow(temperature, mix(solidEmissivity(temperature, peak), material.liquidEmissivity, liquidShare(temperature))), 1.0);
 }

@@ -14,7 +14,9 @@ vec3 lightOf(float temperature, float peak) {
     if (frame.colourMode > 0.0) return scaleColour(temperature);
     MeltShares share = meltShares(temperature);
     if (frame.perMushyRange == 0.0) return materialColour(share.colour); // the classic model knows no kelvin
-    return materialColour(share.colour) * oxideOn(temperature, peak, share.mirror) + metalGlow(temperature);
+    float liquid = liquidShare(temperature);
+    vec3 body = mix(solidReflectance(temperature, peak), materialColour(1.0), liquid);
+    return body + metalGlow(temperature, mix(solidEmissivity(temperature, peak), material.liquidEmissivity, liquid));
 }
 
 void main() {

@@ -16,6 +16,7 @@
 #define NOISE_UNIT 4   // smooth random values in space, repeating
 #define HEAT_UNIT 5    // glow and tint over temperature
 #define SECTION_UNIT 6 // the map of the section
+#define MIRROR_SHARE_UNIT 7 // share of an even room's light that rough metal mirrors
 
 // Vertex attributes of the metal's surface (SurfaceVertex) and of particles drawn as points.
 #define POSITION_ATTRIBUTE 0
@@ -52,6 +53,9 @@
 #define HEAT_COLUMNS 512
 #define HEAT_COLDEST 300.0
 #define HEAT_HOTTEST 4300.0
+
+// Texels of an edge of the mirror share texture.
+#define MIRROR_SHARE_SIZE 32
 
 // The section: weight of the metal (1 inside solid metal) at its outline.
 #define SECTION_INSIDE 0.5
@@ -107,7 +111,8 @@ struct FrameData {
     float colourMode;             // ColourMode
     float scaleRow;               // row of the temperature colour texture
     int shadowBoxCount;
-    vec2 reserved2;
+    float glowSoftening;          // hot metal's light is compressed from about this on; 0: drawn as bright as it is
+    float reserved;
     ShadowBox shadowBoxes[MOST_SHADOW_BOXES];
 };
 
@@ -119,12 +124,17 @@ struct MaterialData {
     vec3 mirrorColour;     // linear colour of the mirror image
     float refractiveIndex; // of translucent materials
     vec3 highlight;        // linear colour of the lamp's highlight
-    float emissivity;      // share of a black body's light
+    float oxideTint;       // strength of the temper colours, 0..1
     vec3 absorption;       // over the width of a classic cube
     float scattering;      // over the width of a classic cube
-    float oxideTint;       // strength of the temper colours, 0..1
+    vec3 cleanReflectance; // of physical metal, linear: solid and bare
+    float cleanEmissivity; // shares of a black body's light, as the next two
+    vec3 liquidReflectance;
+    float liquidEmissivity;
+    float scaledEmissivity; // solid, under scale
+    float solidRoughness;   // 0 mirror .. 1 dull
+    float liquidRoughness;
     float reserved;
-    vec2 reserved2;
 };
 
 /// A straight line with round ends in the plane of a section, whose axes are the workpiece's z and y; model units.
@@ -141,7 +151,7 @@ struct SectionStroke {
 static_assert(sizeof(SectionStroke) == 48);
 static_assert(sizeof(ViewData) == 224);
 static_assert(sizeof(FrameData) == 4 * 224 + 64 + (11 + 2 * MOST_SHADOW_BOXES) * 16);
-static_assert(sizeof(MaterialData) == 6 * 16);
+static_assert(sizeof(MaterialData) == 8 * 16);
 } // namespace meltpool
 #endif
 

@@ -11,6 +11,7 @@
 #include "tests/support/gl_fixture.hpp"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include <array>
 #include <cmath>
@@ -55,6 +56,12 @@ vec3 toned(vec3 light) {
         light[i] = std::min(light[i], 0.6f) + 0.4f * over / (1 + over);
     }
     return light;
+}
+
+/// Glow as it is drawn without a visor: its luminance compressed.
+vec3 softened(const vec3& glow) {
+    const float luminance = glm::dot(glow, vec3(0.2126f, 0.7152f, 0.0722f)), from = LookParameters().glowSoftening;
+    return luminance > 0 ? glow * (from * std::log1p(luminance / from) / luminance) : glow;
 }
 
 vec3 colourOf(const SceneView& scene, const LookParameters& look, vec2 heat) {
@@ -119,13 +126,17 @@ TEST_CASE("hot metal has its own light in the picture and at the vertices, by on
     const MaterialData material = physicalMaterial(kSteel);
     for (const float kelvin : {300.0f, 1300.0f, 1600.0f, 1850.0f, 2100.0f}) {
         INFO(kelvin << " K");
-        const vec3 glow = material.emissivity * blackBodyLight(double(kelvin));
+        const float liquid = glm::clamp((kelvin - 1700) / 100, 0.0f, 1.0f);
+        const float scaled = glm::smoothstep(673.0f, 1173.0f, kelvin); // share of its surface under scale
+        const float scale = (1 - material.scaledEmissivity) * glm::mix(1.0f, 1.5f, liquid);
+        const float solid = glm::mix(material.cleanEmissivity, 1 - scale, scaled);
+        const vec3 glow = softened(glm::mix(solid, material.liquidEmissivity, liquid) * blackBodyLight(double(kelvin)));
         const vec3 picture = wallInPicture(steelScene(), withoutLamp(0), kelvin);
         for (int i = 0; i < 3; ++i)
             CHECK(double(picture[i]) == Approx(shownByte(toned(glow)[i])).margin(4));
-        const float liquid = glm::clamp((kelvin - 1700) / 100, 0.0f, 1.0f);
-        const vec3 tint = glm::mix(vec3(1), temperTint(double(kelvin)), 1 - liquid);
-        const vec3 body = linearOf(glm::mix(material.solidColour, material.liquidColour, liquid)) * tint;
+        const vec3 dull =
+            glm::mix(material.cleanReflectance * temperTint(double(kelvin)), scale * vec3(0.93f, 0.97f, 1.05f), scaled);
+        const vec3 body = glm::mix(dull, linearOf(material.liquidColour), liquid);
         checkColour(colourOf(steelScene(), {}, {kelvin, 0}), toned(body + glow));
     }
 }
@@ -136,7 +147,7 @@ TEST_CASE("cold metal keeps the oxide of its peak, and molten metal has none") {
                blue = colourOf(scene, {}, {300, 583});
     CHECK(straw.b / straw.r < 0.8f * clean.b / clean.r);
     CHECK(blue.b / blue.r > 1.2f * clean.b / clean.r);
-    checkColour(straw, toned(linearOf(physicalMaterial(kSteel).solidColour) * temperTint(503)));
+    checkColour(straw, toned(physicalMaterial(kSteel).cleanReflectance * temperTint(503)));
     checkColour(colourOf(scene, {}, {1850, 1850}), colourOf(scene, {}, {1850, 2500}));
 }
 

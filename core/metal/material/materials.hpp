@@ -36,7 +36,10 @@ struct MaterialLooks {
     float liquidRoughness = 0.05F; ///< same, molten
     float metalness = 1.0F;        ///< 0 dielectric, 1 metal
     float heatTint = 0.0F; ///< strength of the oxide's interference colours on metal that was hot, 0 none .. 1 as steel
-    float visibleEmissivity = 0.3F; ///< share of black-body light that the hot surface gives in the visible
+    /// Shares of a black body's light in the visible. What is not given out is mirrored: reflectance is 1 - emissivity.
+    float liquidEmissivity = 0.3F;
+    float cleanEmissivity = 0.45F;  ///< solid, bare
+    float scaledEmissivity = 0.85F; ///< solid, under the scale that grows where heat_tint is above 0
     float translucency = 0.0F;      ///< 0 opaque .. 1 clear
     float refractiveIndex = 1.0F;   ///< of translucent stuff
     std::string source;

@@ -117,7 +117,13 @@ MaterialLooks readLooks(TomlTable& file) {
     looks.liquidRoughness = share("liquid_roughness");
     looks.metalness = share("metalness");
     looks.heatTint = share("heat_tint");
-    looks.visibleEmissivity = share("visible_emissivity");
+    // One number may stand for all three states.
+    const auto emissivity = [&](std::string_view key) {
+        return share(!table.has(key) && table.has("visible_emissivity") ? "visible_emissivity" : key);
+    };
+    looks.liquidEmissivity = emissivity("liquid_emissivity");
+    looks.cleanEmissivity = emissivity("clean_emissivity");
+    looks.scaledEmissivity = emissivity("scaled_emissivity");
     looks.translucency = static_cast<float>(table.number("translucency", {0, 1}, 0));
     looks.refractiveIndex = static_cast<float>(table.number("refractive_index", {1, 3}, 1));
     looks.source = table.text("source");

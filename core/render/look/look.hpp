@@ -24,10 +24,11 @@ struct LookParameters {
     bool showBox = true;
     bool showSky = true;
     bool showSource = true;
-    float pointSize = 0.02f; ///< radius of a drawn particle, model units
-    float exposure = 1.0f;   ///< factor on all light
-    float arcLight = 5e-5f;  ///< share of an arc's light that is drawn without a visor
-    float visorShade = 0.0f; ///< shade number of the welding filter; 0: none
+    float pointSize = 0.02f;     ///< radius of a drawn particle, model units
+    float exposure = 1.0f;       ///< factor on all light
+    float arcLight = 5e-5f;      ///< share of an arc's light that is drawn without a visor
+    float glowSoftening = 0.08f; ///< light of hot metal from which on it is compressed without a visor
+    float visorShade = 0.0f;     ///< shade number of the welding filter; 0: none
 };
 
 /// Description for menus, files and `--set`; it points into `look`.

@@ -2,6 +2,9 @@
 
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
+#include <glm/gtx/component_wise.hpp>
+
+#include <algorithm>
 
 namespace meltpool {
 
@@ -45,6 +48,12 @@ MaterialData makeTranslucent(const Finish& solid, const Finish& liquid, float re
     return data;
 }
 
+/// An opaque surface reflects what it does not absorb, and absorbs as much as it emits (Kirchhoff): the brightest
+/// channel has this reflectance, the others keep the colour.
+glm::vec3 reflectance(const glm::vec3& colour, float emissivity) {
+    return colour * ((1 - emissivity) / std::max(glm::compMax(colour), 1e-3f));
+}
+
 } // namespace
 
 MaterialData presetMaterial(MaterialLook look) {
@@ -76,8 +85,14 @@ MaterialData physicalMaterial(const MaterialLooks& looks) {
     MaterialData data = makeMaterial({shown(looks.solidColour), mirrorShare(looks.solidRoughness)},
                                      {shown(looks.liquidColour * 0.35f), mirrorShare(looks.liquidRoughness)},
                                      glm::mix(looks.solidColour, glm::vec3(1.0f), 0.15f), looks.refractiveIndex);
-    data.emissivity = looks.visibleEmissivity;
     data.oxideTint = looks.heatTint;
+    data.cleanReflectance = reflectance(looks.solidColour, looks.cleanEmissivity);
+    data.cleanEmissivity = looks.cleanEmissivity;
+    data.liquidReflectance = reflectance(looks.liquidColour, looks.liquidEmissivity);
+    data.liquidEmissivity = looks.liquidEmissivity;
+    data.scaledEmissivity = looks.scaledEmissivity;
+    data.solidRoughness = looks.solidRoughness;
+    data.liquidRoughness = looks.liquidRoughness;
     return data;
 }
 

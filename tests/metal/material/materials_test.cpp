@@ -103,6 +103,18 @@ TEST_CASE("The heat table follows its definition", "[materials]") {
     CHECK(HeatTable(m, 2).kirchhoffAt(table.enthalpyAt(2000)) == Approx(30 * 1700 + 75 * 100 + 120 * 200));
 }
 
+TEST_CASE("One visible emissivity stands for liquid, clean and scaled metal where they have none of their own",
+          "[materials]") {
+    const std::string text = readTextFile(sourceMaterial("s235"));
+    const auto file = test::scratchFolder("material") / "own.toml";
+    writeTextFileAtomically(file, replaced(text, "clean_emissivity = 0.45", "visible_emissivity = 0.5"));
+    const MaterialLooks own = readMaterial(file).looks;
+    CHECK(own.liquidEmissivity == 0.35f);
+    CHECK(own.cleanEmissivity == 0.5f);
+    CHECK(own.scaledEmissivity == 0.85f);
+    CHECK_THAT(faultOf("clean_emissivity = 0.45\n", ""), test::containsText("clean_emissivity: is missing"));
+}
+
 TEST_CASE("A material file's faults are named with their line", "[materials]") {
     using test::containsText;
     CHECK_THAT(faultOf("7850", "-1"), containsText("bad.toml:12: [solid.density] value: expected a number from 1"));
