@@ -38,6 +38,21 @@ void addShadowBoxes(FrameData& frame, const SceneView& scene) {
     }
 }
 
+/// The nearest cylinders and cones to the tool's tip, which come first among the solids.
+void addTorchParts(FrameData& frame, const SceneView& scene) {
+    constexpr float kConeWidth = 0.5f; // of its base: a cone counts as the cylinder of about its size
+    for (const Solid& solid : scene.solids) {
+        if (frame.torchPartCount == MOST_TORCH_PARTS) return;
+        const bool cone = solid.shape == SolidShape::cone;
+        if (!cone && solid.shape != SolidShape::cylinder) continue;
+        TorchPart& part = frame.torchParts[frame.torchPartCount++];
+        part.from = solid.toWorld * glm::vec4(0, 0, 0.5f, 1);
+        part.to = solid.toWorld * glm::vec4(0, 0, -0.5f, 1);
+        part.radius = 0.5f * glm::length(glm::vec3(solid.toWorld[0])) * (cone ? kConeWidth : 1.0f);
+        part.colour = solid.colour;
+    }
+}
+
 } // namespace
 
 FrameData makeFrame(const SceneView& scene, const LookParameters& look) {
@@ -74,6 +89,7 @@ FrameData makeFrame(const SceneView& scene, const LookParameters& look) {
     frame.boxMax = scene.boxMax;
     addSection(frame, scene);
     addShadowBoxes(frame, scene);
+    addTorchParts(frame, scene);
     frame.arc = scene.modelToWorld * glm::vec4(scene.arc.position, 1.0f);
     frame.arcMinDistanceSquared = scene.arc.radius * scene.arc.radius;
     frame.arcLight = scene.arc.intensity * (look.visorShade > 0 ? 1.0f : look.arcLight);

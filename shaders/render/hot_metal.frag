@@ -7,6 +7,7 @@
 #include "render/hot.glsl"
 #include "render/reflectance.glsl"
 #include "render/tone.glsl"
+#include "render/torch_parts.glsl"
 
 layout(location = 0) in vec3 normal;
 layout(location = 1) in vec3 way;
@@ -40,8 +41,15 @@ void main() {
     float cosine = max(dot(n, toEye), 0.0);
     float roughness = mix(solidRoughness(), material.liquidRoughness, liquid);
     vec3 mirrored = mix(solidMirrored, mirroredShare(material.liquidReflectance, smoothShares(cosine)), liquid);
-    vec3 room = decodeEnvironment(textureLod(roughEnvironment, reflect(-toEye, n), roomLevel(roughness)).rgb);
-    vec3 light = diffuse * (1.0 - liquid) + lampLight * mirrored * room;
+    vec3 towards = reflect(-toEye, n);
+    vec3 room = lampLight * decodeEnvironment(textureLod(roughEnvironment, towards, roomLevel(roughness)).rgb);
+    // Solid metal is too dull to show more than the room. The loops are bounded instead of skipped: software drivers
+    // leave a loop but compute both sides of a branch.
+    bool mirrors = liquid > 0.0;
+    vec3 things = mirroredThings(frame.views[view].eye + way, towards, room, mirrors ? frame.torchPartCount : 0,
+                                 mirrors ? frame.shadowBoxCount : 0);
+    room = mix(room, things, liquid);
+    vec3 light = diffuse * (1.0 - liquid) + mirrored * room;
     light += metalGlow(temperature, mix(emissivity, material.liquidEmissivity, liquid));
     if (frame.arcLight.g > 0.0) light += arcImage(n, toEye, mirrored, roughness, mix(solidShare, 1.0, liquid));
     colour = finish(light, 1.0);

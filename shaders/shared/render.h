@@ -37,6 +37,7 @@
 // Most views of a frame.
 #define MOST_VIEWS 4
 #define MOST_SHADOW_BOXES 3 // blocks of a workpiece: a bridge has three
+#define MOST_TORCH_PARTS 5  // a TIG torch with its filler rod has five
 
 // The environment is stored as sqrt(light / ENVIRONMENT_RANGE) in ten bits: fine steps in the dark, room for lamps
 // brighter than white, and the filtering cost of an ordinary texture.
@@ -82,6 +83,16 @@ struct ShadowBox {
     float reserved;
 };
 
+/// A cylinder of the torch or of the filler, which pools mirror.
+struct TorchPart {
+    vec3 from; // middle of an end, world
+    float radius;
+    vec3 to;
+    float reserved;
+    vec3 colour; // linear reflectance
+    float reserved2;
+};
+
 struct FrameData {
     ViewData views[MOST_VIEWS];
     mat4 modelToWorld;
@@ -112,8 +123,9 @@ struct FrameData {
     float scaleRow;               // row of the temperature colour texture
     int shadowBoxCount;
     float glowSoftening;          // hot metal's light is compressed from about this on; 0: drawn as bright as it is
-    float reserved;
+    int torchPartCount;
     ShadowBox shadowBoxes[MOST_SHADOW_BOXES];
+    TorchPart torchParts[MOST_TORCH_PARTS];
 };
 
 struct MaterialData {
@@ -150,7 +162,7 @@ struct SectionStroke {
 #ifdef __cplusplus
 static_assert(sizeof(SectionStroke) == 48);
 static_assert(sizeof(ViewData) == 224);
-static_assert(sizeof(FrameData) == 4 * 224 + 64 + (11 + 2 * MOST_SHADOW_BOXES) * 16);
+static_assert(sizeof(FrameData) == 4 * 224 + 64 + (11 + 2 * MOST_SHADOW_BOXES + 3 * MOST_TORCH_PARTS) * 16);
 static_assert(sizeof(MaterialData) == 8 * 16);
 } // namespace meltpool
 #endif

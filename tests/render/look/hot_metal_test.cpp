@@ -152,6 +152,63 @@ TEST_CASE("the light of an arc that rough metal reflects towards the eye adds up
     }
 }
 
+TEST_CASE("a pool mirrors torch and workpiece in the light of the arc, solid metal the room alone") {
+    Renderer& renderer = test::patchRenderer();
+    paintEvenly(renderer, 0.1f);
+    LookParameters look = roomOnly(0);
+    look.exposure = 0.5f;
+    look.ambient = 1;
+    MaterialLooks looks;
+    looks.liquidColour = vec3(1);
+    looks.liquidRoughness = 0;
+    looks.liquidEmissivity = 0;
+    const Patch pool(2000, 2000), solid(300, 300);
+    const vec3 eye(0.5f, 0, 0.5f); // looks at the pool at 45 degrees and sees what stands on the other side
+    SceneView scene = pool.scene(looks);
+    CHECK(double(lightOf(renderer, scene, look, eye).g) == Approx(0.5 * 0.1).epsilon(0.02));
+
+    SECTION("a torch part, by the side that it shows to the pool") {
+        Solid nozzle;
+        nozzle.shape = SolidShape::cylinder;
+        nozzle.colour = {0.8f, 0.4f, 0.2f};
+        nozzle.toWorld = alongLine({-0.4f, -0.2f, 0.4f}, {-0.4f, 0.2f, 0.4f}, 0.1f);
+        scene.solids = {&nozzle, 1};
+        const vec3 dark = lightOf(renderer, scene, look, eye);
+        for (int i = 0; i < 3; ++i) // the lamp's light alone
+            CHECK(double(dark[i]) == Approx(0.5 * double(nozzle.colour[i])).epsilon(0.01));
+        // The arc stands 0.15 before the place that is mirrored, 60 degrees beside its normal.
+        const vec3 normal = glm::normalize(vec3(1, 0, -1)), place = vec3(-0.4f, 0, 0.4f) + 0.05f * normal;
+        scene.arc = {place + 0.15f * (0.5f * normal + std::sqrt(0.75f) * vec3(0, 1, 0)),
+                     vec3(0.15f * 0.15f * float(std::numbers::pi) * 0.8f), 1e-6f};
+        const vec3 image = lightOf(renderer, scene, look, eye);
+        for (int i = 0; i < 3; ++i)
+            CHECK(double(image[i]) == Approx(0.5 * 1.4 * double(nozzle.colour[i])).epsilon(0.02));
+        scene.solids = {&nozzle, 1};
+        scene.arc = {};
+        nozzle.toWorld = alongLine({-0.4f, -0.2f, 0.4f}, {-0.4f, -0.1f, 0.4f}, 0.1f); // ends before the ray
+        CHECK(double(lightOf(renderer, scene, look, eye).g) == Approx(0.5 * 0.1).epsilon(0.02));
+    }
+    SECTION("another plate, which stands on this one") {
+        const std::array<WorkpieceBlock, 2> blocks{
+            {{{-1, -1, -0.1f}, {1, 1, 0.001f}}, {{-0.4f, -1, 0}, {-0.3f, 1, 1}}}};
+        scene.blocks = blocks;
+        CHECK(double(lightOf(renderer, scene, look, eye).g) == Approx(0.5 * 0.25).epsilon(0.02));
+        look.diffuse = 1; // the lamp shines on the side that the pool sees
+        look.lightPosition = {2, 0, 1};
+        const double lamp = 2 / std::sqrt(5.0);
+        CHECK(double(lightOf(renderer, scene, look, eye).g) == Approx(0.5 * 0.25 * (1 + lamp)).epsilon(0.02));
+    }
+    SECTION("solid metal shows no torch") {
+        SceneView cold = solid.scene(looks);
+        const vec3 before = lightOf(renderer, cold, look, eye);
+        Solid nozzle;
+        nozzle.shape = SolidShape::cylinder;
+        nozzle.toWorld = alongLine({-0.4f, -0.2f, 0.4f}, {-0.4f, 0.2f, 0.4f}, 0.1f);
+        cold.solids = {&nozzle, 1};
+        CHECK(lightOf(renderer, cold, look, eye) == before);
+    }
+}
+
 TEST_CASE("shares of an even room: a smooth mirror's by Schlick's law, a rough one's smaller") {
     for (const float cosine : {0.2f, 0.5f, 0.9f}) {
         const glm::vec2 smooth = mirrorShares(0.02f, cosine);
