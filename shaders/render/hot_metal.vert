@@ -5,6 +5,7 @@
 #include "render/view.glsl"
 #include "render/arc.glsl"
 #include "render/hot.glsl"
+#include "render/lamp_shadow.glsl"
 #include "render/reflectance.glsl"
 
 layout(location = POSITION_ATTRIBUTE) in vec3 position; // model units
@@ -28,7 +29,8 @@ void main() {
     view = viewIndex();
     normal = n;
     way = world - frame.views[view].eye;
-    lampLight = frame.ambient + frame.diffuse * max(dot(n, normalize(frame.lamp - world)), 0.0);
+    vec3 toLamp = frame.lamp - world;
+    lampLight = frame.ambient + frame.diffuse * max(dot(n, normalize(toLamp)), 0.0) * lampPastTorch(world, toLamp);
 
     vec3 reflectance = solidReflectance(vertexTemperature, peak);
     vec3 lit = vec3(lampLight);
