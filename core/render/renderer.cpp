@@ -62,6 +62,7 @@ struct Renderer::Parts {
     void drawPoints(const ParticleView& particles, const ViewBatch& views, const RenderTarget& target) const;
     void drawSky(const ViewBatch& views, const RenderTarget& target) const;
     void drawBox(const ViewBatch& views, const RenderTarget& target) const;
+    void drawGlare(const ViewBatch& views, const RenderTarget& target) const;
 
     Environment environment;
     gl::Texture scales = makeScaleTexture();
@@ -75,6 +76,7 @@ struct Renderer::Parts {
     TonedProgram points;
     TonedProgram sky;
     TonedProgram box;
+    TonedProgram glare;
     gl::VertexArray pointLayout{"points"};
     gl::VertexArray empty{"no vertices"};
     std::array<gl::Buffer, kFramesInFlight> frames;
@@ -92,7 +94,8 @@ Renderer::Parts::Parts(gl::ShaderLibrary& shaders)
       strokes(shaders),
       points(shaders, "render/points.vert", "render/points.frag"),
       sky(shaders, "render/sky.vert", "render/sky.frag"),
-      box(shaders, "render/box.vert", "render/box.frag") {
+      box(shaders, "render/box.vert", "render/box.frag"),
+      glare(shaders, "render/glare.vert", "render/glare.frag") {
     for (gl::Buffer& buffer : frames)
         buffer = gl::Buffer("frame block", sizeof(FrameData));
     for (gl::Buffer& buffer : materials)
@@ -111,7 +114,7 @@ void Renderer::Parts::load(ViewSubmission submission) {
     solids.load(submission);
     section.load(submission);
     strokes.load(submission);
-    for (TonedProgram* program : {&points, &sky, &box})
+    for (TonedProgram* program : {&points, &sky, &box, &glare})
         program->load(submission);
 }
 
@@ -208,6 +211,10 @@ void Renderer::Parts::drawBatch(const SceneView& scene, const LookParameters& lo
         solids.draw(scene.markers, views, target);
         glDisable(GL_CULL_FACE);
     }
+    if (scene.arc.intensity.g > 0) {
+        const gl::Scope scope(profiler, "draw glare");
+        drawGlare(views, target);
+    }
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     glDisable(GL_CLIP_DISTANCE0);
@@ -243,6 +250,17 @@ void Renderer::Parts::drawSky(const ViewBatch& views, const RenderTarget& target
     glDrawArraysInstanced(GL_TRIANGLES, 0, 3, views.count);
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_LESS);
+}
+
+/// Over everything: it is light inside the eye. Adds what leaves the picture below white, so that it also serves
+/// targets whose values the shaders encode.
+void Renderer::Parts::drawGlare(const ViewBatch& views, const RenderTarget& target) const {
+    glDisable(GL_DEPTH_TEST);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_COLOR);
+    glare.use(target, views);
+    empty.bind();
+    glDrawArraysInstanced(GL_TRIANGLES, 0, 6, views.count);
+    glEnable(GL_DEPTH_TEST);
 }
 
 void Renderer::Parts::drawBox(const ViewBatch& views, const RenderTarget& target) const {

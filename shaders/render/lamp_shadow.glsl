@@ -14,9 +14,10 @@ float discBeyond(float x) {
     return 0.5 + x * (0.64 - 0.14 * x * x);
 }
 
-// Share of the lamp's light that passes a torch part. `toLamp`: from the surface, world. The part counts as a capsule that
-// fits into it; seen from the surface, the lamp's disc at the part's distance is covered by a strip of its width.
-float lampPast(TorchPart part, vec3 at, vec3 toLamp) {
+// Share of a lamp's light that passes a torch part. `toLamp`: from the surface, world; `radius`: of the lamp, likewise. The
+// part counts as a capsule that fits into it; seen from the surface, the lamp's disc at the part's distance is covered by a
+// strip of its width.
+float lampPast(TorchPart part, vec3 at, vec3 toLamp, float radius) {
     float far = length(toLamp);
     vec3 towards = toLamp / far, axis = part.to - part.from;
     float whole = length(axis), shorter = min(part.radius, 0.5 * whole) / max(whole, 1e-9);
@@ -27,7 +28,7 @@ float lampPast(TorchPart part, vec3 at, vec3 toLamp) {
     float on = clamp((below - along * turned) / max(square - turned * turned, 1e-9 * square), shorter, 1.0 - shorter);
     float distance_ = turned * on - along;
     float gap = length(start + towards * distance_ - axis * on);
-    float lamp = max(kLampRadius * frame.modelUnit * distance_ / far, 1e-6 * far);
+    float lamp = max(radius * distance_ / far, 1e-6 * far);
     float covered = discBeyond((gap + part.radius) / lamp) - discBeyond((gap - part.radius) / lamp);
     return distance_ > 0.0 && distance_ < far ? 1.0 - covered : 1.0;
 }
@@ -36,7 +37,7 @@ float lampPast(TorchPart part, vec3 at, vec3 toLamp) {
 float lampPastTorch(vec3 at, vec3 toLamp) {
     float share = 1.0;
     for (int i = 0; i < frame.torchPartCount; ++i)
-        share *= lampPast(frame.torchParts[i], at, toLamp);
+        share *= lampPast(frame.torchParts[i], at, toLamp, kLampRadius * frame.modelUnit);
     return share;
 }
 

@@ -58,6 +58,9 @@
 // Texels of an edge of the mirror share texture.
 #define MIRROR_SHARE_SIZE 32
 
+// Veiling luminance (cd/m²) a lux at the eye and over square degrees: 10 (1 + (25 / 70)^4), see glare.frag.
+#define GLARE_PER_SQUARE_DEGREE 10.163
+
 // The section: weight of the metal (1 inside solid metal) at its outline.
 #define SECTION_INSIDE 0.5
 

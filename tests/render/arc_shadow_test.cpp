@@ -38,7 +38,7 @@ Image tableUnder(std::span<const WorkpieceBlock> blocks, bool burns) {
         glm::lookAt(glm::vec3(0, 10, 0), glm::vec3(0), glm::vec3(scene.modelToWorld * glm::vec4(0, 0, -1, 0)));
     const float half = 0.1f * kUnit;
     view.eyeToClip = glm::ortho(-half, half, -half, half, 1.0f, 20.0f);
-    view.eye = {0, 10, 0};
+    view.eye = {0, 1e4f, 0}; // as far as parallel rays come from: the arc's glare in the eye is nothing
     const PictureTarget target(kSize, kSize, 1);
     renderer.draw(scene, look, {&view, 1}, target.target(), nullptr);
     return target.read();

@@ -93,7 +93,8 @@ double plateUnderArc(Renderer& renderer, float intensity, float visorShade, floa
     look.ambient = look.diffuse = look.specular = 0;
     look.arcLight = 1;
     look.visorShade = visorShade;
-    const View view = FreeCamera({0, 0, 0.5f * modelScale}, {0, 0, 0}).view({.nearest = 0.005f}, 1);
+    // From aside: in line with the arc the eye sees its glare and no plate.
+    const View view = FreeCamera(glm::vec3(0.3f, 0, 0.3f) * modelScale, {0, 0, 0}).view({.nearest = 0.005f}, 1);
     renderer.draw(scene, look, {&view, 1}, target.target(), nullptr);
     const Image picture = target.read();
     const double shown = picture.rgb[3 * (kSize * kSize / 2 + kSize / 2) + 1] / 255.0;
