@@ -18,8 +18,8 @@ struct CardLimits {
     double weldSeconds = 1;    ///< simulated s of a fine weld before its steps are measured
 };
 
-/// Eight substeps of the flow, about what a weld's step has, with free liquid of 512 particles, then four times as many
-/// each, in a row each.
+/// Eight substeps of the flow, about what a weld's step has, with free liquid of some 256 particles, then four times as
+/// many each, in a row each.
 void measurePools(Bench& bench, const CardLimits& limits);
 /// A step of the lesson's weld, and both eyes' picture of it in one submission with 4 samples.
 void measureWeldAndEyes(Bench& bench, const Lesson& lesson, const CardLimits& limits);

@@ -103,14 +103,14 @@ TEST_CASE("the card's suite measures pools until one is slow, and a weld with bo
     limits.seconds = 1e6; // repeats end it, however slow the machine is
     limits.longestPool = 1e6;
     limits.repeats = 5;
-    limits.largestPool = 512 * 4;
+    limits.largestPool = 256 * 4;
     limits.eyeWidth = 64;
     limits.eyeHeight = 48;
     limits.weldSeconds = 0.05;
     measurePools(bench, limits);
     REQUIRE(bench.rows().size() == 2);
-    CHECK(bench.rows()[0].particles == 8 * 8 * 8);
-    CHECK(bench.rows()[1].particles == 13 * 13 * 13);
+    CHECK(bench.rows()[0].particles == 6 * 6 * 6);
+    CHECK(bench.rows()[1].particles == 10 * 10 * 10);
     for (const BenchRow& row : bench.rows()) {
         CHECK(row.suite == "card");
         CHECK(further(row, "faults") == 0);
