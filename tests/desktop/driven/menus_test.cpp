@@ -5,6 +5,7 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
+#include <csignal>
 #include <set>
 
 namespace meltpool::test {
@@ -79,6 +80,22 @@ TEST_CASE("everything in the view menu is live") {
     CHECK(window.settle().at("metal").at("stopped") == false);
     changes(window, "view.ambient", [&] { window.click("view.ambient.back"); });
     CHECK(valueOf(window.settle(), "view.ambient") == "0.4");
+}
+
+TEST_CASE("the picture is as coarse as the view menu says, the window tells, and the next start remembers") {
+    TrainerWindow window("picture-level", {.settings = kSmallSettings});
+    window.start();
+    window.key("F3");
+    window.click("bar.view");
+    window.click("window.group.Window");
+    for (const auto& [level, told] :
+         {std::pair("coarse", "picture at 3/8"), {"full", ""}, {"medium", "picture at 1/2"}}) {
+        changes(window, "window.picture", [&] { window.click(std::string("window.picture.") + level); });
+        CHECK(window.settle().at("picture") == told);
+    }
+    window.process().signal(SIGTERM);
+    CHECK(window.finish() == 0);
+    CHECK_THAT(readTextFile(window.settingsFile()), containsText("picture = \"medium\""));
 }
 
 TEST_CASE("everything in the machine menu and its expert drawer is live") {
