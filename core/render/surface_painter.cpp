@@ -17,7 +17,12 @@ constexpr std::array<GLuint, MOST_VIEWS + 1> kCounts{0, 1, 2, 3, 4};
 
 SurfacePainter::SurfacePainter(gl::ShaderLibrary& shaders)
     : metal_(shaders, "render/metal.vert", "render/metal.frag"),
-      hotMetal_(shaders, "render/hot_metal.vert", "render/hot_metal.frag"),
+      hotMetalLight_(shaders, "render/hot_metal.vert", "render/hot_metal.frag", {{"DRAWN_TWICE", "1"}}),
+      hotMetalShown_(shaders, "render/hot_metal.vert", "render/hot_metal.frag",
+                     {{"DRAWN_TWICE", "1"}, {"ENCODE_SRGB", "1"}}),
+      poolLight_(shaders, "render/hot_metal.vert", "render/hot_metal.frag", {{"DRAWN_TWICE", "1"}, {"POOL", "1"}}),
+      poolShown_(shaders, "render/hot_metal.vert", "render/hot_metal.frag",
+                 {{"DRAWN_TWICE", "1"}, {"POOL", "1"}, {"ENCODE_SRGB", "1"}}),
       wax_(shaders, "render/surface.vert", "render/wax.frag"),
       ice_(shaders, "render/surface.vert", "render/ice.frag"),
       temperature_(shaders, "render/temperature.vert", "render/temperature.frag"),
@@ -41,9 +46,10 @@ void SurfacePainter::addVertexAttribute(GLuint attribute, GLint components, size
 }
 
 void SurfacePainter::load(ViewSubmission submission) {
-    for (TonedProgram* program : {&metal_, &hotMetal_, &wax_, &ice_, &temperature_, &wire_})
+    for (TonedProgram* program : {&metal_, &wax_, &ice_, &temperature_, &wire_})
         program->load(submission);
-    back_.load(submission);
+    for (ViewProgram* program : {&hotMetalLight_, &hotMetalShown_, &poolLight_, &poolShown_, &back_})
+        program->load(submission);
 }
 
 void SurfacePainter::prepare(const SurfaceMesh& mesh, int instances) {
@@ -66,14 +72,27 @@ void SurfacePainter::draw(const SceneView& scene, const LookParameters& look, co
     const bool translucent = look.colours == kMaterialColours && kind != SurfaceKind::metal;
     if (translucent) drawFarSide(scene.mesh, views, count, target);
     if (!scene.meshIsOpen) glEnable(GL_CULL_FACE);
-    const TonedProgram& program = look.colours != kMaterialColours ? temperature_
-                                  : kind == SurfaceKind::ice       ? ice_
-                                  : kind == SurfaceKind::wax       ? wax_
-                                  : scene.temperature.kelvin       ? hotMetal_
-                                                                   : metal_;
-    program.use(target, views);
-    drawMesh(scene.mesh, views);
+    const bool coloured = look.colours != kMaterialColours;
+    if (!coloured && kind == SurfaceKind::metal && scene.temperature.kelvin) {
+        drawHotMetal(scene.mesh, views, target);
+    } else {
+        const TonedProgram& program = coloured                   ? temperature_
+                                      : kind == SurfaceKind::ice ? ice_
+                                      : kind == SurfaceKind::wax ? wax_
+                                                                 : metal_;
+        program.use(target, views);
+        drawMesh(scene.mesh, views);
+    }
     glDisable(GL_CULL_FACE);
+}
+
+void SurfacePainter::drawHotMetal(const SurfaceMesh& mesh, const ViewBatch& views, const RenderTarget& target) const {
+    (target.encodesSrgb ? hotMetalLight_ : hotMetalShown_).use(views);
+    drawMesh(mesh, views);
+    glDepthFunc(GL_LEQUAL);
+    (target.encodesSrgb ? poolLight_ : poolShown_).use(views);
+    drawMesh(mesh, views);
+    glDepthFunc(GL_LESS);
 }
 
 void SurfacePainter::drawWireframe(const SurfaceMesh& mesh, const ViewBatch& views, const RenderTarget& target) const {

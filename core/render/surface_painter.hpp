@@ -40,11 +40,14 @@ class SurfacePainter {
     void addVertexAttribute(GLuint attribute, GLint components, size_t offset);
     void drawFarSide(const SurfaceMesh& mesh, const ViewBatch& views, int count, const RenderTarget& target);
     void fitFarSide(int width, int height);
+    void drawHotMetal(const SurfaceMesh& mesh, const ViewBatch& views, const RenderTarget& target) const;
     void drawMesh(const SurfaceMesh& mesh, const ViewBatch& views) const;
     const gl::Buffer& commandFor(const SurfaceMesh& mesh, const ViewBatch& views) const;
 
     TonedProgram metal_;
-    TonedProgram hotMetal_;
+    /// Twice: all of it, then the pool over it. For targets that encode sRGB and for those that do not.
+    ViewProgram hotMetalLight_, hotMetalShown_;
+    ViewProgram poolLight_, poolShown_;
     TonedProgram wax_;
     TonedProgram ice_;
     TonedProgram temperature_;

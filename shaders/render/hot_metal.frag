@@ -1,5 +1,7 @@
 // Metal with a temperature in kelvin: mirrors its surroundings and glows. At the melting point it turns from dull and
 // bright to mirroring and darker: that is how a welder sees the pool's edge.
+// POOL: what is liquid mirrors torch and workpiece too. Solid metal is too dull to show more than the room. It is another
+// program and no branch, of which software drivers compute both sides.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/arc.glsl"
@@ -43,12 +45,9 @@ void main() {
     vec3 mirrored = mix(solidMirrored, mirroredShare(material.liquidReflectance, smoothShares(cosine)), liquid);
     vec3 towards = reflect(-toEye, n);
     vec3 room = lampLight * decodeEnvironment(textureLod(roughEnvironment, towards, roomLevel(roughness)).rgb);
-    // Solid metal is too dull to show more than the room. The loops are bounded instead of skipped: software drivers
-    // leave a loop but compute both sides of a branch.
-    bool mirrors = liquid > 0.0;
-    vec3 things = mirroredThings(frame.views[view].eye + way, towards, room, mirrors ? frame.torchPartCount : 0,
-                                 mirrors ? frame.shadowBoxCount : 0);
-    room = mix(room, things, liquid);
+#ifdef POOL
+    room = mix(room, mirroredThings(frame.views[view].eye + way, towards, room), liquid);
+#endif
     vec3 light = diffuse * (1.0 - liquid) + mirrored * room;
     light += metalGlow(temperature, mix(emissivity, material.liquidEmissivity, liquid));
     if (frame.arcLight.g > 0.0) light += arcImage(n, toEye, mirrored, roughness, mix(solidShare, 1.0, liquid));

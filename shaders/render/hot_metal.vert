@@ -1,5 +1,5 @@
 // A vertex of metal with a temperature in kelvin: as metal.vert, with temper colours. What jumps at the melting point is
-// computed for each pixel.
+// computed for each pixel. POOL: only triangles with a liquid corner are drawn, over the others.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/view.glsl"
@@ -42,5 +42,8 @@ void main() {
     solidShare = shares.x + shares.y;
     temperature = vertexTemperature;
     emissivity = solidEmissivity(vertexTemperature, peak);
+#ifdef POOL
+    gl_CullDistance[0] = vertexTemperature - frame.solidus;
+#endif
     showCut(world);
 }

@@ -53,12 +53,12 @@ void meetBlock(ShadowBox block, vec3 at, vec3 towards, inout Mirrored nearest) {
 }
 
 // What a mirror at `at` shows in the direction `towards`: the torch and the workpiece in the light of arc and lamp, else
-// the room. `parts`, `blocks`: how many of them to look at.
-vec3 mirroredThings(vec3 at, vec3 towards, vec3 room, int parts, int blocks) {
+// the room.
+vec3 mirroredThings(vec3 at, vec3 towards, vec3 room) {
     Mirrored nearest = Mirrored(1e9, vec3(0.0), vec3(0.0));
-    for (int i = 0; i < parts; ++i)
+    for (int i = 0; i < frame.torchPartCount; ++i)
         meetPart(frame.torchParts[i], at, towards, nearest);
-    for (int i = 0; i < blocks; ++i)
+    for (int i = 0; i < frame.shadowBoxCount; ++i)
         meetBlock(frame.shadowBoxes[i], at, towards, nearest);
     if (nearest.distance >= 1e9) return room;
     vec3 place = at + towards * nearest.distance;

@@ -10,6 +10,10 @@
 
 #include "render/frame.glsl"
 
+#ifdef DRAWN_TWICE // by programs that differ: both must find the same depth
+invariant gl_Position;
+#endif
+
 #ifdef VIEWS_BY_CLIPPING
 const int kCutPlane = 2; // clip distances 0 and 1 are the column's sides
 #else
