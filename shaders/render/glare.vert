@@ -9,7 +9,9 @@ layout(location = 0) out vec3 way;            // world, from the eye
 layout(location = 1) flat out vec3 toArc;     // world, from the eye
 layout(location = 2) flat out vec3 atEye;     // light that the arc throws into the eye: illuminance, see FrameData.arcLight
 
-const float kFaintest = 2e-3; // of paper white: less is not drawn
+// Of paper white: less is not drawn. Behind a filter all is dark and two steps of 255 are seen, else not. None: chosen.
+const float kFaintest = 2e-3;
+const float kFaintestFiltered = 5e-4;
 const float kWidest = 0.5236; // rad, 30 degrees: as far as the law holds
 // Model units, which are metres where there is an arc: a camera nearer than a welder's eye is a magnifying glass, whose
 // picture must not drown in the arc's light. None: chosen as the distance of a face from the arc.
@@ -25,7 +27,8 @@ void main() {
     float far = max(distance_ / frame.modelUnit, kNearestEye);
     atEye = seen * frame.arcLight / (far * far);
     vec3 drawn = atEye * frame.exposure;
-    float widest = sqrt(GLARE_PER_SQUARE_DEGREE * max(drawn.r, max(drawn.g, drawn.b)) / kFaintest) / 57.29578;
+    float faintest = frame.exposure.g < 0.1 ? kFaintestFiltered : kFaintest;
+    float widest = sqrt(GLARE_PER_SQUARE_DEGREE * max(drawn.r, max(drawn.g, drawn.b)) / faintest) / 57.29578;
     // A square across the view, wide enough for an arc beside its middle too.
     float half_ = 1.3 * distance_ * tan(min(widest, kWidest));
     int corner = gl_VertexID < 3 ? gl_VertexID : 6 - gl_VertexID; // 0 1 2, 3 2 1

@@ -51,7 +51,7 @@ TEST_CASE("an arc's glare follows the CIE law of veiling luminance") {
     // A camera nearer than a welder's eye sees no stronger veil than that has.
     CHECK(veilBeside(renderer, 2, illuminance * kFar * kFar, look, 1, {}, 0.1) ==
           Approx(illuminance * kFar * kFar / (0.35 * 0.35) * 10.163 / 4).epsilon(0.05));
-    CHECK(veilBeside(renderer, 20, illuminance * kFar * kFar, look) == 0); // too faint to be seen
+    CHECK(veilBeside(renderer, 20, illuminance / 20 * kFar * kFar, look) == 0); // too faint to be seen
     LookParameters filtered = look;
     filtered.visorShade = 9;
     const double through = veilBeside(renderer, 2, illuminance * kFar * kFar / double(filterShare(9)), filtered);
