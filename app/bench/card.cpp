@@ -38,23 +38,30 @@ struct Times {
     std::vector<double> wall;
     double processor = 0; ///< ms of all threads, mean
 
-    template <typename Work>
-    Times(double seconds, int repeats, const Work& work) {
+    /// `between`: before each repeat, not timed.
+    template <typename Work, typename Between>
+    Times(double seconds, int repeats, const Work& work, const Between& between) {
         const auto begin = Clock::now();
-        const std::clock_t spent = std::clock();
         const auto more = [&] {
             const auto count = static_cast<int>(wall.size());
             return count < kLeastRepeats || (count < repeats && millisecondsSince(begin) < seconds * 1e3);
         };
         while (more()) {
+            between();
+            glFinish();
             const auto start = Clock::now();
+            const std::clock_t spent = std::clock();
             work();
             glFinish();
             wall.push_back(millisecondsSince(start));
+            processor += millisecondsOfProcessor(spent);
         }
-        processor = millisecondsOfProcessor(spent) / static_cast<double>(wall.size());
+        processor /= static_cast<double>(wall.size());
         std::sort(wall.begin(), wall.end());
     }
+
+    template <typename Work>
+    Times(double seconds, int repeats, const Work& work) : Times(seconds, repeats, work, [] {}) {}
 
     double at(double share) const {
         return wall[static_cast<size_t>(share * static_cast<double>(wall.size() - 1) + 0.5)];
@@ -161,9 +168,9 @@ void measureWeldAndEyes(Bench& bench, const Lesson& lesson, const CardLimits& li
                                              {"dispatches", static_cast<double>(gl::dispatchCount() - dispatches) /
                                                                 static_cast<double>(trainer.steps() - steps)}});
     bench.add(std::move(weld));
-    bench.add(Times(limits.seconds / 4, limits.repeats, [&] {
-                  trainer.updateSurface(nullptr);
-              }).row(lesson.key + ", surface", result.metal.particles));
+    const Times surface(
+        limits.seconds / 4, limits.repeats, [&] { trainer.updateSurface(nullptr); }, step);
+    bench.add(surface.row(lesson.key + ", surface after a step", result.metal.particles));
     Renderer renderer(bench.shaders());
     const PictureTarget target(2 * limits.eyeWidth, limits.eyeHeight, kSamples);
     const auto eyes = eyesOver(static_cast<float>(limits.eyeWidth) / static_cast<float>(limits.eyeHeight));

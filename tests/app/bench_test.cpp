@@ -129,7 +129,7 @@ TEST_CASE("the card's suite measures pools until one is slow, and a weld with bo
     CHECK(further(weld, "welded_s") >= 0.04);
     CHECK(further(weld, "dispatches") > 10);
     CHECK(further(weld, "simulated_over_wall") == Approx(further(weld, "simulated_ms") / further(weld, "median_ms")));
-    CHECK(bench.rows()[4].what == "gmaw-bead, surface");
+    CHECK(bench.rows()[4].what == "gmaw-bead, surface after a step");
     CHECK(further(bench.rows()[5], "eye_width") == 64);
     CHECK(bench.rows()[5].stepMs > 0);
 }
