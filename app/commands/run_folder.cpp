@@ -1,6 +1,7 @@
 #include "app/commands/run_folder.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/system/files.hpp"
 
 #include <algorithm>
 #include <string>
@@ -47,11 +48,11 @@ void makeFolder(const fs::path& folder) {
         throw InputError(folder, 0, "cannot be made; expected a place where a folder may be made and written");
 }
 
-std::vector<fs::directory_entry> runFilesIn(const fs::path& folder) {
-    std::vector<fs::directory_entry> found;
+std::vector<fs::path> runFilesIn(const fs::path& folder) {
+    std::vector<fs::path> found;
     std::error_code failure;
-    for (const auto& entry : fs::directory_iterator(folder, failure))
-        if (isRunFile(entry.path().filename().string())) found.push_back(entry);
+    for (const fs::path& file : listFolder(folder, failure))
+        if (isRunFile(file.filename().string())) found.push_back(file);
     if (failure) throw InputError(folder, 0, "cannot be read; expected a folder with read permission");
     return found;
 }
@@ -67,10 +68,10 @@ bool isRunFile(std::string_view name) {
 RunFolder::RunFolder(fs::path folder, std::span<const fs::path> sources) : folder_(std::move(folder)) {
     makeFolder(folder_);
     lock_.emplace(folder_ / kLockName, folder_);
-    for (const fs::directory_entry& entry : runFilesIn(folder_))
+    for (const fs::path& file : runFilesIn(folder_))
         for (const fs::path& source : sources) {
             std::error_code missing;
-            if (!source.empty() && fs::equivalent(source, entry.path(), missing))
+            if (!source.empty() && fs::equivalent(source, file, missing))
                 throw InputError(source, 0,
                                  "the run would write over this file, which it reads; expected another folder for "
                                  "--out, or a copy of the file");
@@ -79,11 +80,11 @@ RunFolder::RunFolder(fs::path folder, std::span<const fs::path> sources) : folde
 
 size_t RunFolder::clear() {
     size_t removed = 0;
-    for (const fs::directory_entry& entry : runFilesIn(folder_)) {
+    for (const fs::path& file : runFilesIn(folder_)) {
         std::error_code failure;
-        if (!fs::is_regular_file(entry.symlink_status(failure))) continue;
-        if (!fs::remove(entry.path(), failure))
-            throw InputError(entry.path(), 0, "an earlier run's file cannot be removed; expected write permission");
+        if (!fs::is_regular_file(fs::symlink_status(file, failure))) continue;
+        if (!fs::remove(file, failure))
+            throw InputError(file, 0, "an earlier run's file cannot be removed; expected write permission");
         ++removed;
     }
     return removed;

@@ -46,7 +46,6 @@ class SizeLimit {
     rlimit before_{};
     void (*signal_)(int);
 };
-#endif
 
 /// A picture that no compression makes small.
 Image noise() {
@@ -58,6 +57,7 @@ Image noise() {
     }
     return image;
 }
+#endif
 
 } // namespace
 

@@ -53,7 +53,8 @@ bool matchesGolden(const std::string& name, const Image& picture, double farShar
         const fs::path kept = fs::path(MELTPOOL_BINARY_FOLDER) / (fs::path(name).filename().string() + ".actual.png");
         writePng(kept, picture);
         std::fprintf(stderr, "%s differs from its golden: mean %.2f, far pixels %.3f %%, largest %d; kept as %s\n",
-                     name.c_str(), difference.mean, difference.farPixels * 100, difference.largest, kept.c_str());
+                     name.c_str(), difference.mean, difference.farPixels * 100, difference.largest,
+                     kept.string().c_str());
     }
     return same;
 }

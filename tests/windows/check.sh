@@ -123,7 +123,14 @@ check_ctrl_c() {
     [ "$(value "$work/interrupted/result.json" finished)" = false ] || fail 'Ctrl-C did not end the run early'
 }
 
-# Starts the trainer's window on gmaw-bead with the space bar held down until a recording grows; its process in $pid.
+# place NAME: where the middle of a control lies in the window, by the newest row of its telemetry.
+place() {
+    tail -n 2 "$work/window.jsonl" | grep -o "\"$1\":\[[^]]*" | tail -n 1 | tr ':[,' '   ' |
+        awk '{ printf "%d %d", $2 + $4 / 2, $3 + $5 / 2 }'
+}
+
+# Starts the trainer's window on gmaw-bead with the mouse button held down until a recording grows, whose name is then in
+# $recording.
 start_welding() {
     rm -rf "$WINEPREFIX"/drive_c/users/*/AppData/*/meltpool
     wine "$program" --desktop --lesson gmaw-bead --telemetry "Z:$work/window.jsonl" >"$work/output" 2>"$work/errors" </dev/null &
@@ -133,14 +140,26 @@ start_welding() {
         sleep 0.2
     done
     [ -s "$work/window" ] || fail 'no window came'
-    sleep 8
-    xdotool mousemove 640 500 keydown space
+    local window
+    window=$(tail -n 1 "$work/window")
+    for tries in $(seq 100); do
+        [ -n "$(place start.start)" ] && break
+        sleep 0.3
+    done
+    [ -n "$(place start.start)" ] || fail 'no start menu came'
+    # shellcheck disable=SC2046
+    xdotool mousemove --window "$window" $(place start.start) sleep 0.5 click 1
+    for tries in $(seq 100); do
+        tail -n 1 "$work/window.jsonl" | grep -q '"page":"start"' || break
+        sleep 0.3
+    done
+    xdotool mousemove --window "$window" 600 380 sleep 0.5 mousedown 1
     for tries in $(seq 200); do
         recording=$(find "$WINEPREFIX/drive_c/users" -name '*.meltrec' -size +20k 2>/dev/null | head -n 1)
         [ -n "$recording" ] && break
         sleep 0.3
     done
-    xdotool keyup space
+    xdotool mouseup 1
     [ -n "$recording" ] || fail 'no recording grew'
 }
 

@@ -11,6 +11,13 @@ std::FILE* openFile(const std::filesystem::path& file, const char* mode) {
     return std::fopen(file.c_str(), mode);
 }
 
+std::vector<std::filesystem::path> listFolder(const std::filesystem::path& folder, std::error_code& failure) {
+    std::vector<std::filesystem::path> found;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, failure))
+        found.push_back(entry.path());
+    return found;
+}
+
 bool syncFile(std::FILE* stream) {
     return fsync(fileno(stream)) == 0 || errno == EINVAL || errno == EROFS;
 }

@@ -9,6 +9,7 @@
 #include <process.h>
 #include <share.h>
 #include <sys/stat.h>
+#include <windows.h>
 
 namespace meltpool {
 
@@ -31,6 +32,27 @@ std::FILE* makeNewFile(const std::filesystem::path& file) {
 std::FILE* openFile(const std::filesystem::path& file, const char* mode) {
     if (std::strchr(mode, 'x') != nullptr) return makeNewFile(file);
     return _wfopen(file.c_str(), std::wstring(mode, mode + std::strlen(mode)).c_str());
+}
+
+// The C library, and with it std::filesystem's iterator, lists no folder whose path is longer than 260 characters.
+std::vector<std::filesystem::path> listFolder(const std::filesystem::path& folder, std::error_code& failure) {
+    failure.clear();
+    std::filesystem::path all = std::filesystem::absolute(folder).make_preferred() / L"*";
+    if (!all.native().starts_with(L"\\\\")) all = L"\\\\?\\" + all.native(); // else a share, or so already
+    std::vector<std::filesystem::path> found;
+    WIN32_FIND_DATAW entry;
+    const HANDLE search = FindFirstFileW(all.c_str(), &entry);
+    bool more = search != INVALID_HANDLE_VALUE;
+    while (more) {
+        const std::wstring_view name(entry.cFileName);
+        if (name != L"." && name != L"..") found.push_back(folder / name);
+        more = FindNextFileW(search, &entry) != 0;
+    }
+    const DWORD ended = GetLastError();
+    if (search != INVALID_HANDLE_VALUE) FindClose(search);
+    if (ended == ERROR_NO_MORE_FILES) return found;
+    failure = std::error_code(static_cast<int>(ended), std::system_category());
+    return {};
 }
 
 bool syncFile(std::FILE* stream) {
