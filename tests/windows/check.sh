@@ -165,7 +165,7 @@ start_welding() {
 
 # The processes of the program under Wine, as Linux counts them.
 processes() {
-    pgrep -f '^[^ ]*meltpool\.exe' || true
+    pgrep -f 'meltpool\.exe --(desktop|headset)' || true # its folder's name has spaces
 }
 
 check_window() {

@@ -36,9 +36,8 @@ ParameterList describe(LookParameters& l) {
         {"arc_light", "Arc's light", "", &l.arcLight, 0, 1,
          "share of it that is drawn without a visor: at 1 it dazzles, as in reality; with a visor all of it is drawn"},
         {"glow_softening", "Softening of glow", "", &l.glowSoftening, 0, 10,
-         "without a visor hot metal's light is compressed from about this on, so that the pool's edge can be seen; 0: "
-         "as "
-         "bright as it is, which dazzles"},
+         "without a visor hot metal's light is compressed from about this on, so that the pool's edge can be seen; "
+         "0: as bright as it is, which dazzles"},
         {"visor_shade", "Visor shade", "", &l.visorShade, 0, 15,
          "0: no visor; 10 transmits 1/7000, for an arc of 200 A"},
     };
