@@ -15,13 +15,6 @@ configuration=()
 checks=
 long=
 turn=${MELTPOOL_TURN:-$((10#$(date +%j) % 4))}
-if [ "${1:-}" = --windows ]; then
-    shift
-    meltpoolInstall build
-    meltpoolBuild release
-    app/packaging/windows.sh --tests
-    exec tests/windows/check.sh "$@"
-fi
 if [ "${1:-}" = --long ]; then
     configuration=(-C Long)
     long=fuzz-long
@@ -41,6 +34,18 @@ suites1='fuzz render desktop_parts house'
 suites2='metal validation'
 suites3='training'
 suitesOfProgram='app'
+
+# checkForWindows [CHECK...]: makes the program for Windows with its tests, and tries it beside the Linux program.
+checkForWindows() {
+    meltpoolInstall build
+    meltpoolBuild release --target meltpool
+    app/packaging/windows.sh --tests
+    if command -v clang++ >/dev/null; then
+        echo 'Clang looks at all sources as for Windows'
+        meltpoolBuild windows-clang -DMELTPOOL_TESTS=ON
+    fi
+    tests/windows/check.sh "$@"
+}
 
 checkWithClang() {
     command -v clang++ >/dev/null || return 0
@@ -63,6 +68,11 @@ runSanitized() {
     ctest --test-dir "build/$preset" --output-on-failure "${configuration[@]}" -j 2 -R "^($(IFS='|'; echo "${names[*]}"))\$"
 }
 
+if [ "${1:-}" = --windows ]; then
+    shift
+    checkForWindows "$@"
+    exit
+fi
 meltpoolInstall build test
 meltpoolBuild release -DMELTPOOL_TESTS=ON
 ctest --test-dir build/release --output-on-failure "${configuration[@]}" -j 2 "$@"
@@ -79,6 +89,7 @@ if [ $# -eq 0 ]; then
     esac
     # shellcheck disable=SC2086
     runSanitized sanitize $suites
+    [ -z "$long" ] || checkForWindows
 fi
 
 known=$(sed 's/#.*//' tests/validation/known_failures.txt | grep -v '^[[:space:]]*$' || true)

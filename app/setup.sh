@@ -27,7 +27,7 @@ meltpoolInstall() {
         build) wanted+=("${meltpoolBuildPackages[@]}") ;;
         test) wanted+=("${meltpoolTestPackages[@]}") optional+=("${meltpoolOptionalTestPackages[@]}") ;;
         windows) wanted+=("${meltpoolWindowsPackages[@]}") ;;
-        windows-test) wanted+=("${meltpoolWindowsTestPackages[@]}") ;;
+        windows-test) wanted+=("${meltpoolWindowsTestPackages[@]}") optional+=("${meltpoolOptionalTestPackages[@]}") ;;
         esac
     done
     if ! command -v apt-get >/dev/null; then

@@ -142,6 +142,10 @@ Diagnosis diagnose(bool session) {
     const RuntimeManifest manifest = findRuntimeManifest();
     const std::string named = manifest.file.empty() ? "none is set" : manifest.file;
     diagnosis.facts.push_back({"active runtime", named, !manifest.file.empty() && manifest.fault.empty()});
+    if (!manifest.unheeded.empty())
+        diagnosis.facts.push_back({"XR_RUNTIME_JSON",
+                                   manifest.unheeded + " is not looked at: the program has an administrator's rights",
+                                   false});
     if (!manifest.fault.empty()) {
         diagnosis.facts.push_back({"headset", "none to be used", false});
         diagnosis.advice = manifest.fault;

@@ -47,7 +47,7 @@ std::string faultOfContents(const fs::path& file, std::string& library) {
 } // namespace
 
 RuntimeManifest readRuntimeManifest(const fs::path& file) {
-    RuntimeManifest found{file.string(), {}, {}};
+    RuntimeManifest found{file.string(), {}, {}, {}};
     std::string wrong = faultOfFile(file);
     try {
         if (wrong.empty()) wrong = faultOfContents(file, found.library);
@@ -63,13 +63,16 @@ RuntimeManifest readRuntimeManifest(const fs::path& file) {
 }
 
 RuntimeManifest findRuntimeManifest() {
-    if (const std::string file = environmentVariable("XR_RUNTIME_JSON"); !file.empty()) {
-        RuntimeManifest named = readRuntimeManifest(file);
+    const std::string variable = environmentVariable("XR_RUNTIME_JSON");
+    if (!variable.empty() && runtimeVariableHeeded()) {
+        RuntimeManifest named = readRuntimeManifest(variable);
         if (!named.fault.empty()) named.fault += " (the variable XR_RUNTIME_JSON names it)";
         return named;
     }
     const fs::path set = activeRuntimeFile();
-    return set.empty() ? RuntimeManifest{} : readRuntimeManifest(set);
+    RuntimeManifest found = set.empty() ? RuntimeManifest{} : readRuntimeManifest(set);
+    found.unheeded = variable;
+    return found;
 }
 
 } // namespace meltpool::xr

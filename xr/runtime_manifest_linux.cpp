@@ -23,6 +23,10 @@ std::vector<fs::path> activeRuntimePlaces() {
     return folders;
 }
 
+bool runtimeVariableHeeded() {
+    return true;
+}
+
 fs::path activeRuntimeFile() {
     for (const fs::path& place : activeRuntimePlaces()) {
         std::error_code ignored;

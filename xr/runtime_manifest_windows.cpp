@@ -2,12 +2,30 @@
 
 #include <windows.h>
 
+#include <array>
+#include <cstddef>
+
 namespace meltpool::xr {
 
 namespace fs = std::filesystem;
 
 std::vector<fs::path> activeRuntimePlaces() {
     return {};
+}
+
+/// What a person without an administrator's rights can set must not choose the code that one with them runs, so the
+/// loader looks at the level that Windows trusts the process with.
+bool runtimeVariableHeeded() {
+    HANDLE token = nullptr;
+    if (OpenProcessToken(GetCurrentProcess(), TOKEN_QUERY, &token) == FALSE) return true;
+    alignas(TOKEN_MANDATORY_LABEL) std::array<std::byte, sizeof(TOKEN_MANDATORY_LABEL) + SECURITY_MAX_SID_SIZE> answer;
+    DWORD bytes = 0;
+    const BOOL told = GetTokenInformation(token, TokenIntegrityLevel, answer.data(), answer.size(), &bytes);
+    CloseHandle(token);
+    if (told == FALSE) return true;
+    PSID label = reinterpret_cast<const TOKEN_MANDATORY_LABEL*>(answer.data())->Label.Sid;
+    const DWORD last = *GetSidSubAuthorityCount(label) - 1u;
+    return *GetSidSubAuthority(label, last) <= SECURITY_MANDATORY_MEDIUM_RID;
 }
 
 fs::path activeRuntimeFile() {

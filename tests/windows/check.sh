@@ -206,15 +206,21 @@ check_crash() {
     runs 0 recordings --check "Z:$recording"
 }
 
-# with_runtime LOSE WORD...: the program with the tests' own OpenXR runtime; its calls are then in $work/calls.
-with_runtime() {
-    local lose=$1 manifest=$work/runtime.json
-    shift
+openxr_key='HKLM\SOFTWARE\Khronos\OpenXR\1'
+
+# The registry names the tests' own OpenXR runtime: the loader looks at XR_RUNTIME_JSON only where a process has no
+# administrator's rights, and Wine gives them to each.
+install_runtime() {
+    local manifest=$work/runtime.json
     printf '{"file_format_version": "1.0.0", "runtime": {"library_path": "Z:%s"}}' \
         "${root//\//\\\\}\\\\build\\\\windows\\\\bin\\\\test_runtime.dll" >"$manifest"
     rm -f "$work/calls"
-    XR_RUNTIME_JSON="Z:${manifest//\//\\}" MELTPOOL_TEST_RUNTIME_LOG="Z:$work/calls" MELTPOOL_TEST_RUNTIME_LOSE=$lose \
-        runs "$@"
+    wine reg add "$openxr_key" /v ActiveRuntime /t REG_SZ /d "Z:${manifest//\//\\}" /f >/dev/null 2>&1
+    export MELTPOOL_TEST_RUNTIME_LOG=Z:$work/calls
+}
+
+remove_runtime() {
+    wine reg delete "$openxr_key" /v ActiveRuntime /f >/dev/null 2>&1
 }
 
 # in_order CALL...: the first of each of these calls comes after the first of the one before.
@@ -229,8 +235,11 @@ in_order() {
 }
 
 check_headset() {
-    with_runtime 0 0 doctor
+    install_runtime
+    XR_RUNTIME_JSON='Z:\nowhere\other.json' runs 0 doctor
+    remove_runtime
     says 'runtime.json'
+    says 'other.json is not looked at'
     says 'stub headset'
     says 'WGL'
     in_order xrNegotiateLoaderRuntimeInterface xrGetOpenGLGraphicsRequirementsKHR xrCreateSession xrCreateSwapchain xrWaitFrame \
@@ -240,11 +249,8 @@ check_headset() {
 
 # The trainer in the headset, with a session that the runtime loses after 40 frames.
 check_headset_trainer() {
-    local manifest=$work/runtime.json
-    with_runtime 0 0 doctor >/dev/null
-    rm -f "$work/calls"
-    XR_RUNTIME_JSON="Z:${manifest//\//\\}" MELTPOOL_TEST_RUNTIME_LOG="Z:$work/calls" MELTPOOL_TEST_RUNTIME_LOSE=40 \
-        wine "$program" --headset --lesson gmaw-bead >"$work/output" 2>"$work/errors" </dev/null &
+    install_runtime
+    MELTPOOL_TEST_RUNTIME_LOSE=40 wine "$program" --headset --lesson gmaw-bead >"$work/output" 2>"$work/errors" </dev/null &
     local tries
     for tries in $(seq 300); do
         [ "$(tr -d '\r' <"$work/calls" 2>/dev/null | grep -cx xrCreateSession || true)" -ge 2 ] &&
@@ -254,6 +260,7 @@ check_headset_trainer() {
     local process
     for process in $(processes); do kill -TERM "$process"; done
     wait 2>/dev/null || true
+    remove_runtime
     in_order xrGetOpenGLGraphicsRequirementsKHR xrCreateSession xrCreateSwapchain xrWaitFrame xrBeginFrame \
         xrAcquireSwapchainImage xrWaitSwapchainImage xrReleaseSwapchainImage 'xrEndFrame with layers' 'the session is lost'
     tr -d '\r' <"$work/calls" | sed '1,/the session is lost/d' >"$work/after"
@@ -264,11 +271,11 @@ check_headset_trainer() {
 }
 
 check_registry() {
-    wine reg add 'HKLM\SOFTWARE\Khronos\OpenXR\1' /v ActiveRuntime /t REG_SZ /d 'Z:\nowhere\runtime.json' /f >/dev/null 2>&1
+    wine reg add "$openxr_key" /v ActiveRuntime /t REG_SZ /d 'Z:\nowhere\runtime.json' /f >/dev/null 2>&1
     runs 0 doctor
+    remove_runtime
     says 'runtime.json'
     says 'does not exist'
-    wine reg delete 'HKLM\SOFTWARE\Khronos\OpenXR\1' /v ActiveRuntime /f >/dev/null 2>&1
 }
 
 check_installer() {
@@ -318,6 +325,7 @@ prepare() {
     unzip -q -o build/windows/meltpool-*-windows.zip -d "$folder"
     program=$(find "$folder" -name meltpool.exe)
     timeout 300 wineboot -i >/dev/null 2>&1
+    remove_runtime || true # where a check before this one broke off
 }
 
 main() {

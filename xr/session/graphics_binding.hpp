@@ -69,9 +69,10 @@ class ContextGuard {
   private:
     void* display_ = nullptr;
     void* context_ = nullptr;
-    void* draw_ = nullptr;
-    void* read_ = nullptr;
-    bool egl_ = false;
+    // Of GLX and EGL; WGL's context has one drawable, its device context.
+    [[maybe_unused]] void* draw_ = nullptr;
+    [[maybe_unused]] void* read_ = nullptr;
+    [[maybe_unused]] bool egl_ = false;
 };
 
 } // namespace meltpool::xr

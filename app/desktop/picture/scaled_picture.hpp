@@ -19,8 +19,10 @@ class ScaledPicture {
 
   private:
     struct Buffers {
+        // Members' own values are not known to std::optional before the outer class is complete.
+        Buffers() : framebuffer("scaled picture") {}
         gl::Texture colour, depth;
-        gl::Framebuffer framebuffer{"scaled picture"};
+        gl::Framebuffer framebuffer;
     };
     std::optional<Buffers> buffers_;
     glm::ivec2 window_{0};

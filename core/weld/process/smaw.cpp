@@ -57,7 +57,7 @@ ParameterList describe(SmawSettings& s) {
         {"current", "Current", "A", &s.current, 20, 400, "the machine holds it; more melts deeper and faster"},
         {"electrode", "Electrode", "", &s.electrode, 0, 2, "rutile, basic or cellulosic; a new one when it is burnt",
          kNames},
-        {"electrode_diameter_mm", "Core diameter", "mm", &s.diameterMm, 1.6F, 6, "thicker takes more current"},
+        {"electrode_diameter_mm", "Core diameter", "mm", &s.diameterMm, 1.6, 6, "thicker takes more current"},
         {"electrode_length_mm", "Electrode length", "mm", &s.lengthMm, 100, 450, "of a new one, with its stub"},
     };
 }

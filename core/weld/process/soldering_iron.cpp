@@ -32,7 +32,8 @@ void SolderingIron::apply(const ProcessSettings& settings) {
 /// that is colder than the solder's liquidus melts none.
 double SolderingIron::meltSolder(const TorchSample& torch, double seconds) {
     const auto radius = static_cast<double>(touchRadius());
-    const RodArc tip{{torch.tip - torch.axis() * touchRadius(), torch.axis()}, 2 * radius, radius, kPower};
+    const RodArc tip{
+        {torch.tip - torch.axis() * touchRadius(), torch.axis()}, 2 * radius, radius, static_cast<double>(kPower)};
     const double melts = metal_.table.temperatureAt(metal_.table.liquidusEnthalpy());
     const bool hot = torch.trigger > 0 && static_cast<double>(settings_.tipTemperatureC + kKelvin) > melts;
     return meltRod(torch, hot ? &tip : nullptr, seconds);
