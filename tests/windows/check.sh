@@ -333,6 +333,7 @@ main() {
     prepare
     for name in "$@"; do
         echo "$name"
+        SECONDS=0
         set +e # in a condition the first fault of a check would not end it
         (
             set -e
@@ -340,6 +341,7 @@ main() {
         )
         code=$?
         set -e
+        echo "    $SECONDS s"
         [ $code -eq 0 ] || failed+=("$name")
     done
     [ ${#failed[@]} -eq 0 ] || {
