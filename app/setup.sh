@@ -12,8 +12,8 @@ meltpoolTestPackages=(
 )
 # For the program for Windows, and for running it without Windows.
 meltpoolWindowsPackages=(
-    g++-mingw-w64-x86-64-posix libz-mingw-w64-dev nsis dpkg-dev cmake ninja-build glslang-tools git imagemagick python3
-    libglm-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libstb-dev libopenal-dev catch2 fonts-open-sans
+    g++-mingw-w64-x86-64-posix libz-mingw-w64-dev nsis dpkg-dev cmake ninja-build glslang-tools git imagemagick
+    python3-jinja2 libglm-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libstb-dev libopenal-dev catch2 fonts-open-sans
 )
 meltpoolWindowsTestPackages=(wine wine64 xvfb xauth xdotool libgl1-mesa-dri imagemagick unzip)
 # Used where the distribution has them.

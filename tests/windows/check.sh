@@ -168,6 +168,12 @@ processes() {
     pgrep -f 'meltpool\.exe --(desktop|headset)' || true # its folder's name has spaces
 }
 
+# end_processes SIGNAL: the first of them may take the others along.
+end_processes() {
+    local process
+    for process in $(processes); do kill "$1" "$process" 2>/dev/null || true; done
+}
+
 check_window() {
     start_welding
     import -window root "$work/window.png"
@@ -185,8 +191,7 @@ check_window() {
 
 check_kill() {
     start_welding
-    local process
-    for process in $(processes); do kill -KILL "$process"; done
+    end_processes -KILL
     wait 2>/dev/null || true
     runs 0 recordings --check "Z:$recording"
     head -n 2 "$work/output" | sed 's/^/    /'
@@ -214,7 +219,7 @@ install_runtime() {
     local manifest=$work/runtime.json
     printf '{"file_format_version": "1.0.0", "runtime": {"library_path": "Z:%s"}}' \
         "${root//\//\\\\}\\\\build\\\\windows\\\\bin\\\\test_runtime.dll" >"$manifest"
-    rm -f "$work/calls"
+    : >"$work/calls"
     wine reg add "$openxr_key" /v ActiveRuntime /t REG_SZ /d "Z:${manifest//\//\\}" /f >/dev/null 2>&1
     export MELTPOOL_TEST_RUNTIME_LOG=Z:$work/calls
 }
@@ -253,12 +258,11 @@ check_headset_trainer() {
     MELTPOOL_TEST_RUNTIME_LOSE=40 wine "$program" --headset --lesson gmaw-bead >"$work/output" 2>"$work/errors" </dev/null &
     local tries
     for tries in $(seq 300); do
-        [ "$(tr -d '\r' <"$work/calls" 2>/dev/null | grep -cx xrCreateSession || true)" -ge 2 ] &&
+        [ "$(tr -d '\r' <"$work/calls" | grep -cx xrCreateSession || true)" -ge 2 ] &&
             [ "$(tr -d '\r' <"$work/calls" | sed '1,/the session is lost/d' | grep -c 'xrEndFrame with layers')" -ge 5 ] && break
         sleep 0.3
     done
-    local process
-    for process in $(processes); do kill -TERM "$process"; done
+    end_processes -TERM
     wait 2>/dev/null || true
     remove_runtime
     in_order xrGetOpenGLGraphicsRequirementsKHR xrCreateSession xrCreateSwapchain xrWaitFrame xrBeginFrame \
