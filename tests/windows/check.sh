@@ -36,7 +36,12 @@ says() {
 
 # value FILE KEY: a number or text of a result file.
 value() {
-    sed -n "s/^ *\"$2\": \"\{0,1\}\([^\",]*\)\"\{0,1\},\{0,1\}\r\{0,1\}$/\1/p" "$1" | head -n 1
+    sed -n "/^ *\"$2\": /{s/^ *\"$2\": \"\{0,1\}\([^\",]*\)\"\{0,1\},\{0,1\}\r\{0,1\}$/\1/p;q}" "$1"
+}
+
+# found CONDITION...: whether the user's folders under Wine hold such a file.
+found() {
+    [ -n "$(find "$WINEPREFIX/drive_c/users" "$@" -print -quit)" ]
 }
 
 # agree A B KEY SHARE: the values of two result files differ by no more than this share.
@@ -150,12 +155,12 @@ start_welding() {
     # shellcheck disable=SC2046
     xdotool mousemove --window "$window" $(place start.start) sleep 0.5 click 1
     for tries in $(seq 100); do
-        tail -n 1 "$work/window.jsonl" | grep -q '"page":"start"' || break
+        grep -q '"page":"start"' <<<"$(tail -n 1 "$work/window.jsonl")" || break
         sleep 0.3
     done
     xdotool mousemove --window "$window" 600 380 sleep 0.5 mousedown 1
     for tries in $(seq 200); do
-        recording=$(find "$WINEPREFIX/drive_c/users" -name '*.meltrec' -size +20k 2>/dev/null | head -n 1)
+        recording=$(find "$WINEPREFIX/drive_c/users" -name '*.meltrec' -size +20k -print -quit 2>/dev/null)
         [ -n "$recording" ] && break
         sleep 0.3
     done
@@ -186,7 +191,7 @@ check_window() {
         sleep 0.2
     done
     [ -z "$(processes)" ] || fail 'the window did not close'
-    find "$WINEPREFIX/drive_c/users" -path '*AppData/Roaming/meltpool/*' -name '*.toml' | grep -q . || fail 'no settings in %APPDATA%'
+    found -path '*AppData/Roaming/meltpool/*' -name '*.toml' || fail 'no settings in %APPDATA%'
 }
 
 check_kill() {
@@ -202,9 +207,9 @@ check_crash() {
     wine build/windows/bin/test_crash.exe meltpool.exe || fail "no crash could be made ($?)"
     wait 2>/dev/null || true
     local report
-    report=$(find "$WINEPREFIX/drive_c/users" -path '*Roaming/meltpool/crash-*.txt' | head -n 1)
+    report=$(find "$WINEPREFIX/drive_c/users" -path '*Roaming/meltpool/crash-*.txt' -print -quit)
     [ -n "$report" ] || fail 'no report of the crash'
-    sed 's/\r$//; s/^/    /' "$report" | head -n 8
+    sed -n '1,8 { s/\r$//; s/^/    /; p }' "$report"
     grep -q 'last lesson: gmaw-bead' "$report" || fail 'the report does not name the lesson'
     grep -q 'driver: 4\.' "$report" || fail 'the report does not name the driver'
     [ -s "${report%.txt}.dmp" ] || fail 'no minidump'
@@ -232,7 +237,7 @@ remove_runtime() {
 in_order() {
     local call line before=0
     for call in "$@"; do
-        line=$(tr -d '\r' <"$work/calls" | grep -nx -- "$call" | head -n 1 | cut -d: -f1)
+        line=$(awk -v call="$call" '{ sub(/\r$/, "") } $0 == call { print NR; exit }' "$work/calls")
         [ -n "$line" ] || fail "the runtime saw no $call"
         [ "$line" -gt "$before" ] || fail "$call came too early"
         before=$line
@@ -282,25 +287,39 @@ check_registry() {
     says 'does not exist'
 }
 
+# kept KEY: whether the user's registry has this key.
+kept() {
+    wine reg query "HKCU\\Software\\$1" >/dev/null 2>&1
+}
+
 check_installer() {
-    local before=$program installed
+    local before=$program folder tries key
     wine build/windows/meltpool-*-setup.exe /S || fail 'the installer ended with a fault'
-    installed=$(find "$WINEPREFIX/drive_c/users" -path '*Local/Programs/Meltpool/meltpool.exe' | head -n 1)
-    [ -n "$installed" ] || fail 'nothing was installed'
-    find "$WINEPREFIX/drive_c/users" -name 'Meltpool.lnk' | grep -q . || fail 'no entry in the start menu'
-    wine reg query 'HKCU\Software\Classes\Meltpool.Lesson\shell\open\command' 2>/dev/null | grep -q meltpool-window || fail 'lessons are not associated'
-    program=$installed
+    program=$(find "$WINEPREFIX/drive_c/users" -path '*Local/Programs/Meltpool/meltpool.exe' -print -quit)
+    [ -n "$program" ] || fail 'nothing was installed'
+    folder=$(dirname "$program")
+    found -name 'Meltpool.lnk' || fail 'no entry in the start menu'
+    wine reg query 'HKCU\Software\Classes\Meltpool.Lesson\shell\open\command' 2>/dev/null |
+        grep meltpool-window >/dev/null || fail 'lessons are not associated'
     runs 0 run classic --out 'C:\results of mine' --seconds 0.1 --pictures 0 --size 64x64
     runs 0 doctor
-    program=$before
-    mkdir -p "$(dirname "$(dirname "$(dirname "$(dirname "$installed")")")")/meltpool"
-    echo kept >"$(dirname "$(dirname "$(dirname "$(dirname "$installed")")")")/meltpool/kept.txt"
-    wine "$(dirname "$installed")/uninstall.exe" /S "_?=C:\\users\\$(id -un)\\AppData\\Local\\Programs\\Meltpool" || fail 'the uninstaller ended with a fault'
-    find "$WINEPREFIX/drive_c" -ipath '*programs/meltpool/*' ! -name uninstall.exe | grep . && fail 'left behind'
-    find "$WINEPREFIX/drive_c" -name 'Meltpool*.lnk' | grep . && fail 'left in the start menu'
-    wine reg query 'HKCU\Software\Classes\Meltpool.Lesson' >/dev/null 2>&1 && fail 'left in the registry'
+    local attempts=${folder%/Programs/Meltpool}/meltpool
+    mkdir -p "$attempts"
+    echo kept >"$attempts/kept.txt"
+    # The uninstaller goes on as a copy of itself, so that it can delete the one that was started.
+    wine "$folder/uninstall.exe" /S || fail 'the uninstaller ended with a fault'
+    for tries in $(seq 100); do
+        [ -e "$folder" ] || break
+        sleep 0.3
+    done
+    [ ! -e "$folder" ] || fail "left behind: $(find "$folder" | head -n 5)"
+    ! found -name 'Meltpool*.lnk' || fail 'left in the start menu'
+    for key in Meltpool 'Classes\Meltpool.Lesson' 'Classes\.meltpool' 'Microsoft\Windows\CurrentVersion\Uninstall\Meltpool'; do
+        ! kept "$key" || fail "left in the registry: $key"
+    done
     [ -s "$WINEPREFIX/drive_c/results of mine/result.json" ] || fail 'the results are gone'
-    [ -s "$(dirname "$(dirname "$(dirname "$(dirname "$installed")")")")/meltpool/kept.txt" ] || fail 'what the trainee kept is gone'
+    [ -s "$attempts/kept.txt" ] || fail 'what the trainee kept is gone'
+    program=$before
 }
 
 # Ten of the shipped cases that Linux needs some seconds for at most.
@@ -309,7 +328,7 @@ quickest=(conduction_step conduction_flux stefan_one_phase stefan_one_phase_1mm 
 check_validate() {
     local case
     for case in "${quickest[@]}"; do
-        runs 0 validate "validation/$case.toml" || return 1
+        runs 0 validate "$(dirname "$program")/validation/$case.toml" || return 1
         echo "    $case holds"
     done
 }

@@ -93,7 +93,8 @@ bool slider(Context& context, std::string_view name, const Scale& scale, bool wh
     if (hovered && (ImGui::IsMouseDoubleClicked(0) || (ImGui::IsMouseClicked(0) && ImGui::GetIO().KeyCtrl))) {
         startTyping(name, value);
     } else if (held) {
-        const double share = std::clamp((ImGui::GetIO().MousePos.x - corner.x - radius) / length, 0.0f, 1.0f);
+        const float along = (ImGui::GetIO().MousePos.x - corner.x - radius) / length;
+        const double share = static_cast<double>(std::clamp(along, 0.0f, 1.0f));
         const double wanted = scale.rounded(scale.fromShare(share), whole);
         changed = wanted != value;
         value = wanted;

@@ -46,8 +46,9 @@ void readSection(const fs::path& file, const toml::table& table, const SettingsS
 void readSections(const fs::path& file, const toml::table& root, const std::vector<SettingsSection>& sections,
                   std::vector<std::string>& faults) {
     for (const auto& [key, node] : root) {
-        const auto known = std::find_if(sections.begin(), sections.end(),
-                                        [&](const SettingsSection& s) { return s.name == key.str(); });
+        const std::string_view name = key.str(); // Clang's lambdas take no structured binding
+        const auto known =
+            std::find_if(sections.begin(), sections.end(), [&](const SettingsSection& s) { return s.name == name; });
         if (known != sections.end() && node.is_table()) {
             readSection(file, *node.as_table(), *known, faults);
             continue;
@@ -55,7 +56,7 @@ void readSections(const fs::path& file, const toml::table& root, const std::vect
         std::string names;
         for (const SettingsSection& s : sections)
             names += (names.empty() ? "[" : ", [") + s.name + "]";
-        faults.push_back(place(file, node) + ": unknown entry " + quote(key.str()) + "; expected a table of " + names);
+        faults.push_back(place(file, node) + ": unknown entry " + quote(name) + "; expected a table of " + names);
     }
 }
 
