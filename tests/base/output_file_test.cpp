@@ -66,9 +66,10 @@ TEST_CASE("a file is replaced as a whole, keeps its permissions and leaves nothi
     const fs::path file = folder / "a.txt";
     writeFile(file, "first");
     fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
+    const fs::perms before = fs::status(file).permissions(); // Windows keeps less of them
     writeFile(file, std::string("second\0part", 11));
     CHECK(readTextFile(file) == std::string("second\0part", 11));
-    CHECK(fs::status(file).permissions() == (fs::perms::owner_read | fs::perms::owner_write));
+    CHECK(fs::status(file).permissions() == before);
     CHECK(filesIn(folder) == 1);
 }
 
@@ -95,6 +96,8 @@ TEST_CASE("asking whether a file can be written changes nothing", "[base]") {
     CHECK(filesIn(folder) == 1);
 }
 
+#ifndef _WIN32 // where MinGW's library makes no links, and a disk is not filled so easily
+
 TEST_CASE("a link stays a link, and what it names is replaced", "[base]") {
     const fs::path folder = test::scratchFolder("link");
     fs::create_directories(folder / "far");
@@ -107,8 +110,6 @@ TEST_CASE("a link stays a link, and what it names is replaced", "[base]") {
     CHECK(readTextFile(folder / "far" / "real.txt") == "new");
     CHECK(readTextFile(folder / "far" / "fresh.txt") == "made");
 }
-
-#ifndef _WIN32
 
 TEST_CASE("a disk that fills midway leaves the old file whole and nothing else", "[base]") {
     const fs::path folder = test::scratchFolder("filling");

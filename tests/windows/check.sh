@@ -334,12 +334,15 @@ check_validate() {
 }
 
 check_units() {
-    local suite
+    local suite broken=()
     for suite in house base gl metal validation surface render weld training desktop_parts; do
+        SECONDS=0
         (cd build/windows && MELTPOOL_DATA="Z:$root/build/windows/share/meltpool" timeout 1800 wine bin/test_$suite.exe '~[long]') \
-            >"$work/suite-$suite" 2>&1 || { tail -n 30 "$work/suite-$suite" >&2; fail "suite $suite"; }
-        tail -n 3 "$work/suite-$suite" | grep -a 'assertions' | sed "s/^/    $suite: /"
+            >"$work/suite-$suite" 2>&1 || broken+=("$suite")
+        echo "    $suite, $SECONDS s: $(tail -n 3 "$work/suite-$suite" | grep -a assertions)"
     done
+    for suite in "${broken[@]}"; do tail -n 30 "$work/suite-$suite" >&2; done
+    [ ${#broken[@]} -eq 0 ] || fail "suites ${broken[*]}"
 }
 
 prepare() {
@@ -352,11 +355,11 @@ prepare() {
 }
 
 main() {
-    local name code
+    local name code started
     prepare
     for name in "$@"; do
         echo "$name"
-        SECONDS=0
+        started=$(date +%s)
         set +e # in a condition the first fault of a check would not end it
         (
             set -e
@@ -364,7 +367,7 @@ main() {
         )
         code=$?
         set -e
-        echo "    $SECONDS s"
+        echo "    $(($(date +%s) - started)) s"
         [ $code -eq 0 ] || failed+=("$name")
     done
     [ ${#failed[@]} -eq 0 ] || {
