@@ -1,4 +1,5 @@
 // The installed program and the Debian package run from anywhere, without the source tree.
+#include "core/base/text.hpp"
 #include "tests/app/handbook.hpp"
 #include "tests/app/program.hpp"
 #include "tests/support/catch.hpp"
@@ -63,5 +64,10 @@ TEST_CASE("the Debian package holds a program that runs", "[app]") {
                      folder.string() + "'"));
     REQUIRE(succeeds("dpkg-deb -x '" + folder.string() + "'/meltpool_*.deb '" + (folder / "root").string() + "'"));
     checkRuns(folder / "root" / "usr" / "bin" / "meltpool");
-    checkHandbook(folder / "root" / "usr" / "share" / "doc" / "meltpool");
+    const fs::path documents = folder / "root" / "usr" / "share" / "doc" / "meltpool";
+    checkHandbook(documents);
+    if (!fs::exists("/usr/share/doc/libimgui-dev/copyright")) return; // not every machine keeps them
+    const std::string notices = readTextFile(documents / "licences.txt");
+    for (const char* linked : {"libimgui-dev", "libglm-dev", "libcli11-dev", "nlohmann-json3-dev"})
+        CHECK_THAT(notices, containsText(std::string("======== ") + linked));
 }
