@@ -130,28 +130,43 @@ check_ctrl_c() {
 
 # place NAME: where the middle of a control lies in the window, by the newest row of its telemetry.
 place() {
-    tail -n 2 "$work/window.jsonl" | grep -o "\"$1\":\[[^]]*" | tail -n 1 | tr ':[,' '   ' |
+    tail -n 2 "$work/window.jsonl" 2>/dev/null | grep -o "\"$1\":\[[^]]*" | tail -n 1 | tr ':[,' '   ' |
         awk '{ printf "%d %d", $2 + $4 / 2, $3 + $5 / 2 }'
 }
 
-# Starts the trainer's window on gmaw-bead with the mouse button held down until a recording grows, whose name is then in
-# $recording.
-start_welding() {
-    rm -rf "$WINEPREFIX"/drive_c/users/*/AppData/*/meltpool
-    wine "$program" --desktop --lesson gmaw-bead --telemetry "Z:$work/window.jsonl" >"$work/output" 2>"$work/errors" </dev/null &
+# open_window PROGRAM: starts the trainer's window on gmaw-bead and waits for its start menu; its number is in $window.
+open_window() {
+    rm -f "$work/window.jsonl" "$work/window"
+    wine "$1" --desktop --lesson gmaw-bead --telemetry "Z:$work/window.jsonl" >"$work/output" 2>"$work/errors" </dev/null &
     local tries
     for tries in $(seq 300); do
         xdotool search --onlyvisible --name '^Meltpool' >"$work/window" 2>/dev/null && [ -s "$work/window" ] && break
         sleep 0.2
     done
     [ -s "$work/window" ] || fail 'no window came'
-    local window
     window=$(tail -n 1 "$work/window")
     for tries in $(seq 100); do
         [ -n "$(place start.start)" ] && break
         sleep 0.3
     done
     [ -n "$(place start.start)" ] || fail 'no start menu came'
+}
+
+close_window() {
+    xdotool key alt+F4 || true
+    local tries
+    for tries in $(seq 100); do
+        [ -z "$(processes)" ] && return
+        sleep 0.2
+    done
+    fail 'the window did not close'
+}
+
+# Starts the trainer's window with the mouse button held down until a recording grows, whose name is then in $recording.
+start_welding() {
+    rm -rf "$WINEPREFIX"/drive_c/users/*/AppData/*/meltpool
+    open_window "$program"
+    local tries
     # shellcheck disable=SC2046
     xdotool mousemove --window "$window" $(place start.start) sleep 0.5 click 1
     for tries in $(seq 100); do
@@ -168,9 +183,13 @@ start_welding() {
     [ -n "$recording" ] || fail 'no recording grew'
 }
 
-# The processes of the program under Wine, as Linux counts them.
+# The processes of the program in this Wine, as Linux counts them.
 processes() {
-    pgrep -f 'meltpool\.exe --(desktop|headset)' || true # its folder's name has spaces
+    local process
+    for process in $(pgrep -f 'meltpool\.exe --(desktop|headset)' || true); do # its folder's name has spaces
+        grep -qzxF "WINEPREFIX=$WINEPREFIX" "/proc/$process/environ" 2>/dev/null && echo "$process"
+    done
+    return 0
 }
 
 # end_processes SIGNAL: the first of them may take the others along.
@@ -184,13 +203,7 @@ check_window() {
     import -window root "$work/window.png"
     echo "    picture: $work/window.png"
     [ "$(identify -format %k "$work/window.png")" -gt 500 ] || fail 'the picture shows next to nothing'
-    xdotool key alt+F4 || true
-    local tries
-    for tries in $(seq 100); do
-        [ -z "$(processes)" ] && break
-        sleep 0.2
-    done
-    [ -z "$(processes)" ] || fail 'the window did not close'
+    close_window
     found -path '*AppData/Roaming/meltpool/*' -name '*.toml' || fail 'no settings in %APPDATA%'
 }
 
@@ -303,6 +316,8 @@ check_installer() {
         grep meltpool-window >/dev/null || fail 'lessons are not associated'
     runs 0 run classic --out 'C:\results of mine' --seconds 0.1 --pictures 0 --size 64x64
     runs 0 doctor
+    open_window "$folder/meltpool-window.exe"
+    close_window
     local attempts=${folder%/Programs/Meltpool}/meltpool
     mkdir -p "$attempts"
     echo kept >"$attempts/kept.txt"
