@@ -259,12 +259,15 @@ in_order() {
 
 check_headset() {
     install_runtime
+    MELTPOOL_TEST_RUNTIME_NO_OPENGL=1 runs 0 doctor
+    says 'SteamVR has it'
+    : >"$work/calls"
     XR_RUNTIME_JSON='Z:\nowhere\other.json' runs 0 doctor
     remove_runtime
     says 'runtime.json'
     says 'other.json is not looked at'
     says 'stub headset'
-    says 'WGL'
+    says 'OpenGL handed over by                WGL'
     in_order xrNegotiateLoaderRuntimeInterface xrGetOpenGLGraphicsRequirementsKHR xrCreateSession xrCreateSwapchain xrWaitFrame \
         xrBeginFrame xrEndFrame xrDestroySession
     ! grep FAULT "$work/calls" || fail 'the runtime complains'

@@ -1,5 +1,6 @@
 // The stub runtime as a library that Windows' OpenXR loader takes: it answers the loader's negotiation, and each call
-// that has an order goes past CallOrder. With MELTPOOL_TEST_RUNTIME_LOSE=N it loses its session at the Nth frame's end.
+// that has an order goes past CallOrder. With MELTPOOL_TEST_RUNTIME_LOSE=N it loses its session at the Nth frame's end,
+// and with MELTPOOL_TEST_RUNTIME_NO_OPENGL it takes no OpenGL.
 #include "tests/windows/runtime/order.hpp"
 #include "tests/xr/stub/stub_runtime.hpp"
 
@@ -15,6 +16,14 @@ namespace {
 
 CallOrder& order() {
     return CallOrder::only();
+}
+
+XrResult listExtensions(const char* layer, uint32_t capacity, uint32_t* count, XrExtensionProperties* out) {
+    if (std::getenv("MELTPOOL_TEST_RUNTIME_NO_OPENGL") == nullptr)
+        return xrEnumerateInstanceExtensionProperties(layer, capacity, count, out);
+    *count = 1;
+    if (capacity > 0) std::strcpy(out->extensionName, "XR_KHR_composition_layer_depth");
+    return XR_SUCCESS;
 }
 
 XrResult askRequirements(XrInstance instance, XrSystemId system, XrGraphicsRequirementsOpenGLKHR* needed) {
@@ -112,7 +121,7 @@ XrResult find(XrInstance, const char* name, PFN_xrVoidFunction* function) {
         entry("xrBeginFrame", beginFrame),
         entry("xrEndFrame", endFrame),
         entry("xrGetInstanceProcAddr", find),
-        entry("xrEnumerateInstanceExtensionProperties", xrEnumerateInstanceExtensionProperties),
+        entry("xrEnumerateInstanceExtensionProperties", listExtensions),
         entry("xrCreateInstance", xrCreateInstance),
         entry("xrDestroyInstance", xrDestroyInstance),
         entry("xrGetInstanceProperties", xrGetInstanceProperties),
