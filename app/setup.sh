@@ -61,7 +61,7 @@ meltpoolOffers() {
     local package any=1
     for package in "$@"; do
         meltpoolInstalled "$package" && continue
-        apt-cache policy "$package" 2>/dev/null | grep -q 'Candidate: [0-9]' || continue
+        apt-cache policy "$package" 2>/dev/null | grep 'Candidate: [0-9]' >/dev/null || continue # reads to the end
         echo "$package"
         any=0
     done

@@ -116,7 +116,7 @@ windowsImgui() {
     mkdir -p "$windowsWork/build/imgui" "$windowsPrefix/include" "$windowsPrefix/lib"
     for file in "$source"/imgui*.cpp "$source"/backends/imgui_impl_{glfw,opengl3}.cpp; do
         objects+=("$windowsWork/build/imgui/$(basename "$file" .cpp).o")
-        $windowsTriple-g++-posix -std=c++20 -O2 -I"$source" -I"$source/backends" -I"$windowsPrefix/include" \
+        $windowsTriple-g++-posix -std=c++20 -O2 -fno-ipa-ra -I"$source" -I"$source/backends" -I"$windowsPrefix/include" \
             -I"$windowsPrefix/include/stb" -c "$file" -o "${objects[-1]}"
     done
     $windowsTriple-ar rcs "$windowsPrefix/lib/libimgui.a" "${objects[@]}"

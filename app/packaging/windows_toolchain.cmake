@@ -23,6 +23,12 @@ set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
 
+# For Windows g++ 12 takes its own copy of an inline function for the one that is linked in. Where that one was compiled
+# elsewhere with other options, it may change registers that a caller believes to be left alone.
+if(NOT CMAKE_CXX_COMPILER MATCHES "clang")
+    add_compile_options(-fno-ipa-ra)
+endif()
+
 # The program takes its run-time libraries along inside itself.
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-static")
 set(CMAKE_SHARED_LINKER_FLAGS_INIT "-static")

@@ -11,7 +11,7 @@ folder="$work/Größe und Länge" # what people call their folders
 program=
 failed=()
 
-export LC_ALL=C.UTF-8 WINEPREFIX=$work/wine WINEDEBUG=-all WINEDLLOVERRIDES='mscoree=;mshtml=' ALSOFT_DRIVERS=null
+export LC_ALL=C.UTF-8 WINEPREFIX=$work/wine WINEDEBUG=-all WINEDLLOVERRIDES='mscoree=;mshtml=;winedbg.exe=d' ALSOFT_DRIVERS=null
 unset MELTPOOL_DATA
 
 fail() {
@@ -218,8 +218,12 @@ check_kill() {
 check_crash() {
     start_welding
     wine build/windows/bin/test_crash.exe meltpool.exe || fail "no crash could be made ($?)"
-    wait 2>/dev/null || true
-    local report
+    local report tries
+    for tries in $(seq 100); do
+        [ -z "$(processes)" ] && break
+        sleep 0.2
+    done
+    [ -z "$(processes)" ] || fail 'the program goes on after its crash'
     report=$(find "$WINEPREFIX/drive_c/users" -path '*Roaming/meltpool/crash-*.txt' -print -quit)
     [ -n "$report" ] || fail 'no report of the crash'
     sed -n '1,8 { s/\r$//; s/^/    /; p }' "$report"

@@ -8,6 +8,7 @@
 #include <dbghelp.h>
 
 #include <array>
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -26,8 +27,8 @@ constexpr DWORD kAbort = 0xE0000A0B;        ///< the code of abort() and of exce
 
 std::wstring reportFolder;
 std::string reportVersion;
-std::array<char, 256> reason{}; ///< what an exception of C++ says
-LONG reporting = 0;
+std::array<char, 256> reason{};  ///< what an exception of C++ says
+std::atomic<DWORD> reporter = 0; ///< the thread that writes the report
 
 void write(HANDLE file, const char* text) {
     DWORD written = 0;
@@ -121,9 +122,18 @@ void tell(const std::wstring& file) {
     write(error, " tells its makers where; what was recorded up to here is kept\n");
 }
 
-LONG WINAPI report(EXCEPTION_POINTERS* what) {
-    // A second thread that crashes meanwhile waits until the first has ended the process.
-    if (InterlockedExchange(&reporting, 1) != 0) Sleep(INFINITE);
+/// Without the way out through destructors and libraries, which a crash may have left in any state.
+[[noreturn]] void endProcess(DWORD code) {
+    TerminateProcess(GetCurrentProcess(), code);
+    std::_Exit(1);
+}
+
+[[noreturn]] void report(EXCEPTION_POINTERS* what, DWORD code) {
+    DWORD other = 0;
+    if (!reporter.compare_exchange_strong(other, GetCurrentThreadId())) {
+        if (other == GetCurrentThreadId()) endProcess(code); // writing the report crashed
+        Sleep(INFINITE);                                     // the other thread ends the process
+    }
     CreateDirectoryW(reportFolder.c_str(), nullptr);
     SYSTEMTIME now{};
     GetLocalTime(&now);
@@ -138,19 +148,22 @@ LONG WINAPI report(EXCEPTION_POINTERS* what) {
         tell(stem + L".txt");
     }
     writeDump(stem, what);
-    return EXCEPTION_EXECUTE_HANDLER; // the process ends with the exception's code
+    endProcess(code);
+}
+
+LONG WINAPI onException(EXCEPTION_POINTERS* what) {
+    report(what, what->ExceptionRecord->ExceptionCode);
 }
 
 /// abort() and std::terminate() raise no exception of Windows by themselves.
-void reportHere() {
+[[noreturn]] void reportHere() {
     CONTEXT context{};
     RtlCaptureContext(&context);
     EXCEPTION_RECORD record{};
     record.ExceptionCode = kAbort;
     record.ExceptionAddress = reinterpret_cast<void*>(context.Rip);
     EXCEPTION_POINTERS what{&record, &context};
-    report(&what);
-    std::_Exit(1);
+    report(&what, 1);
 }
 
 [[noreturn]] void onTerminate() {
@@ -162,7 +175,6 @@ void reportHere() {
         std::snprintf(reason.data(), reason.size(), "an exception without a text");
     }
     reportHere();
-    std::_Exit(1);
 }
 
 } // namespace
@@ -173,7 +185,7 @@ void reportCrashes(const std::filesystem::path& folder) {
     SetErrorMode(SEM_FAILCRITICALERRORS | SEM_NOGPFAULTERRORBOX);
     ULONG kept = kStackForReport;
     SetThreadStackGuarantee(&kept);
-    SetUnhandledExceptionFilter(report);
+    SetUnhandledExceptionFilter(onException);
     std::set_terminate(onTerminate);
     std::signal(SIGABRT, [](int) { reportHere(); });
 }
