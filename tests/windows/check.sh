@@ -162,8 +162,10 @@ close_window() {
     fail 'the window did not close'
 }
 
-# Starts the trainer's window with the mouse button held down until a recording grows, whose name is then in $recording.
+# Starts the trainer's window and welds until the recording grows, whose name is then in $recording. The mouse button stays
+# down.
 start_welding() {
+    xdotool mouseup 1 # where a check before this one broke off
     rm -rf "$WINEPREFIX"/drive_c/users/*/AppData/*/meltpool
     open_window "$program"
     local tries
@@ -179,7 +181,6 @@ start_welding() {
         [ -n "$recording" ] && break
         sleep 0.3
     done
-    xdotool mouseup 1
     [ -n "$recording" ] || fail 'no recording grew'
 }
 
@@ -200,7 +201,9 @@ end_processes() {
 
 check_window() {
     start_welding
+    sleep 2 # the arc burns
     import -window root "$work/window.png"
+    xdotool mouseup 1
     echo "    picture: $work/window.png"
     [ "$(identify -format %k "$work/window.png")" -gt 500 ] || fail 'the picture shows next to nothing'
     close_window
