@@ -40,9 +40,15 @@ void PictureBudget::restart() {
     *this = {};
 }
 
-/// Steps that are slower than the clock take all they can get; a share is left so that the picture moves at all.
-double PictureBudget::allowed() const {
-    return kFrame * std::max(1 - load_, kLeastShare);
+/// Steps that are slower than the clock take all they can get and make frames long. A picture that takes a small share
+/// of such a frame stays as it is: fewer pixels would save next to nothing.
+double PictureBudget::allowed(double rest) const {
+    const double frame = frame_ - known_[static_cast<size_t>(level_)].rest + rest;
+    return std::max(kFrame * (1 - load_), kLeastShare * std::max(kFrame, frame));
+}
+
+bool PictureBudget::fits(double rest, double share) const {
+    return rest <= share * allowed(rest);
 }
 
 double PictureBudget::expectedAt(int level) const {
@@ -76,14 +82,14 @@ void PictureBudget::add(const FrameCost& frame) {
     known.age = 0;
     frame_ = frame_ == 0 ? frame.seconds : frame_ + (frame.seconds - frame_) * kSmooth;
     if (frames_ < kFewestFrames) return;
-    if (known.rest > kTooMuch * allowed() && frame_ > kFrame) {
+    if (!fits(known.rest, kTooMuch) && frame_ > kFrame) {
         int coarser = level_;
-        while (coarser + 1 < static_cast<int>(kPictureLevels) && expectedAt(coarser) > kTooMuch * allowed())
+        while (coarser + 1 < static_cast<int>(kPictureLevels) && !fits(expectedAt(coarser), kTooMuch))
             ++coarser;
         if (coarser != level_) moveTo(coarser);
         return;
     }
-    if (level_ > 0 && here_ > patience_ && expectedAt(level_ - 1) < kSurelyEnough * allowed()) moveTo(level_ - 1);
+    if (level_ > 0 && here_ > patience_ && fits(expectedAt(level_ - 1), kSurelyEnough)) moveTo(level_ - 1);
 }
 
 } // namespace meltpool

@@ -43,7 +43,10 @@ class PictureBudget {
     void restart();
 
   private:
-    double allowed() const;
+    /// s that a frame may spend on what is not steps, where that takes `rest`.
+    double allowed(double rest) const;
+    /// Whether `rest` is at most `share` of what is allowed.
+    bool fits(double rest, double share) const;
     double expectedAt(int level) const;
     void moveTo(int level);
 
