@@ -162,13 +162,15 @@ struct FlowCounters {
     uint wallPages;   // handed out so far
     uint movingPages; // handed out for the next search
     uint reserved0, reserved1;
+    uvec3 listGroups; // indirect dispatch over the rows whose lists a search makes anew
+    uint listed;      // number of these rows, which stand where slots are while they are compacted
 };
 
 #ifdef __cplusplus
 static_assert(sizeof(FlowBlock) == 224);
 static_assert(sizeof(FlowParticle) == 64);
 static_assert(sizeof(FlowCell) == 32);
-static_assert(sizeof(FlowCounters) == 144);
+static_assert(sizeof(FlowCounters) == 160);
 } // namespace meltpool
 #endif
 

@@ -14,11 +14,13 @@ namespace {
 
 // Windows counts a thread's processor time by ticks of up to 16 ms.
 #ifdef _WIN32
-constexpr double kUnit = 0.1; // s
-constexpr int kCalls = 20;    // each takes a tick
+constexpr double kUnit = 0.1;   // s
+constexpr int kCalls = 20;      // each takes a tick
+constexpr double kTick = 0.016; // s; one may end between this test's look at the time and the meter's
 #else
 constexpr double kUnit = 0.01;
 constexpr int kCalls = 1000;
+constexpr double kTick = 0;
 #endif
 
 double threadSeconds() {
@@ -87,7 +89,7 @@ TEST_CASE("work between many short calls of a driver is counted, and the calls a
         timed(driver, 20e-6);
     }
     meter.end();
-    CHECK(meter.cpuSeconds(WorkPlace::own) > 0.95 * own);
+    CHECK(meter.cpuSeconds(WorkPlace::own) > 0.95 * own - kTick);
     CHECK(meter.cpuSeconds(WorkPlace::own) < own + 0.4 * driver);
 }
 

@@ -265,7 +265,7 @@ void Flow::substep(gl::Profiler* profiler) {
         glMemoryBarrier(kBarrier);
     };
     pass(sort_, "flow sort", offsetof(FlowCounters, searchGroups));
-    pass(search_, "flow search", offsetof(FlowCounters, searchGroups));
+    pass(search_, "flow search", offsetof(FlowCounters, listGroups));
     pass(boundary_, "flow boundary", offsetof(FlowCounters, boundaryGroups));
     pass(density_, "flow density", offsetof(FlowCounters, densityGroups));
     pass(move_, "flow move", offsetof(FlowCounters, movingGroups));

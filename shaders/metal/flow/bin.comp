@@ -45,6 +45,8 @@ void setCounters(uint liquids, uint fragments) {
     counters.fullSearch = 0;
     counters.searchDue = 0;
     counters.changedCells = 0;
+    counters.listed = 0;
+    counters.listGroups = uvec3(0, 1, 1);
 }
 
 void main() {

@@ -24,7 +24,8 @@ layout(binding = FLOW_TEXELS_PAGE_SLOTS) uniform usamplerBuffer pageSlotTexels;
 layout(binding = FLOW_TEXELS_PAGE_POSITIONS) uniform usamplerBuffer pagePositionTexels;
 
 // `lists` holds the moving slots, liquid ones from the front on and those of fragments from the end back (capacity in all);
-// the same while they are compacted (likewise); the slots with stale neighbour lists.
+// the same while they are compacted (likewise), and in a search the rows whose neighbour lists it makes anew; the slots with
+// stale neighbour lists.
 uint liquidIndex(uint k) { return k; }
 uint fragmentIndex(uint k) { return uint(fluid.capacity) - 1 - k; }
 uint compactedIndex(uint index) { return uint(fluid.capacity) + index; }

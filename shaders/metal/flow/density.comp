@@ -9,6 +9,8 @@ void endSearch() {
     counters.stale = 0;
     counters.searchDue = 0;
     counters.movingPages = 0;
+    counters.listed = 0;
+    counters.listGroups.x = 0;
 }
 
 /// What a particle's sums of gradient (xyz) and density (w) are before its listed neighbours are added.

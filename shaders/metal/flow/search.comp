@@ -4,7 +4,6 @@
 // neighbours of boundary particles that were listed before.
 #include "metal/flow/common.glsl"
 layout(local_size_x = GROUP_SIZE) in;
-#include "metal/flow/choose.glsl"
 #include "metal/flow/neighbours.glsl"
 
 /// Lists solid metal that has come to lie beside liquid, each slot once.
@@ -51,16 +50,9 @@ uint keepOthers(uint base, uint found) {
     return kept;
 }
 
-/// Whether a row must be made anew.
-bool isWanted(uint row) {
-    if (row >= min(counters.liquids + counters.boundaryBefore, fluid.rowCapacity)) return false;
-    const uint slot = slotOf(row);
-    return row < counters.liquids ? renews(slot) : nearStale(positionTexel(slot));
-}
-
 void main() {
-    uint row = gl_GlobalInvocationID.x;
-    if (!choose(isWanted(row), row)) return;
+    if (gl_GlobalInvocationID.x >= counters.listed) return;
+    const uint row = lists[compactedIndex(gl_GlobalInvocationID.x)];
     const bool liquid = row < counters.liquids;
     const uint slot = slotOf(row);
     const bool moves = liquid || particles[slot].group == FLOW_GROUP_MOVING;

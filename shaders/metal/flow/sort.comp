@@ -1,6 +1,8 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-// Orders the moving metal of each cell by slot: the first of three passes that make neighbour lists.
+// Orders the moving metal of each cell by slot and notes the rows whose neighbour lists are to be made anew: the first of
+// three passes that make them. Few rows in few groups: the next pass costs a driver on the CPU as much for a group in which
+// one row is wanted as for one in which all are.
 #include "metal/flow/common.glsl"
 layout(local_size_x = GROUP_SIZE) in;
 
@@ -27,18 +29,33 @@ uint rankInCell(uint slot, uint cell) {
     return rank;
 }
 
-void main() {
-    const uint k = gl_GlobalInvocationID.x;
-    if (k == 0) beginSearch();
-    if (k >= counters.liquids + counters.fragments) return;
+/// Puts the moving slot number k among those of its cell. `renews`: its list is made anew.
+void sortMoving(uint k, bool renews) {
     const uint slot = movingSlot(k);
     const uint cell = particles[slot].cell;
     const uint rank = rankInCell(slot, cell);
     const uint solid = k < counters.liquids ? 0u : FLOW_SOLID;
-    const vec3 place = position[slot].xyz;
-    const bool renews = nearStale(place);
     particles[slot].wallSumGeneration = renews ? 1 : 0;
     if (rank < FLOW_CELL_CAPACITY)
-        writePageEntry(movingBase(cells[cell].movingPage) + rank, packPosition(place),
+        writePageEntry(movingBase(cells[cell].movingPage) + rank, packPosition(position[slot].xyz),
                        slot | solid | (renews ? FLOW_RENEWS : 0u));
+}
+
+/// Notes a row whose list is to be made anew.
+void noteRow(uint row) {
+    const uint k = atomicAdd(counters.listed, 1u);
+    lists[compactedIndex(k)] = row;
+    if (k % GROUP_SIZE == 0) atomicMax(counters.listGroups.x, k / GROUP_SIZE + 1);
+}
+
+void main() {
+    const uint k = gl_GlobalInvocationID.x;
+    if (k == 0) beginSearch();
+    const uint liquids = counters.liquids, moving = liquids + counters.fragments;
+    // Where all lists are made anew, there are no boundary particles yet, whatever beginSearch() has done by now.
+    const uint rows = min(counters.stale > FLOW_STALE_CAPACITY ? liquids : liquids + counters.boundary, fluid.rowCapacity);
+    if (k >= max(moving, rows)) return;
+    const bool renewsMoving = k < moving && nearStale(position[movingSlot(k)].xyz);
+    if (k < moving) sortMoving(k, renewsMoving);
+    if (k < rows && (k < liquids ? renewsMoving : nearStale(positionTexel(slotOf(k))))) noteRow(k);
 }
