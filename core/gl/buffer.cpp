@@ -1,6 +1,7 @@
 #include "core/gl/buffer.hpp"
 
 #include "core/base/error.hpp"
+#include "core/gl/order.hpp"
 
 #include <algorithm>
 
@@ -44,7 +45,7 @@ void Buffer::writeBytes(const void* data, size_t bytes, size_t offset) {
 void Buffer::readBytes(void* data, size_t bytes, size_t offset) const {
     if (bytes == 0) return;
     if (offset + bytes > bytes_) throw RuntimeFault("a read past the end of a GPU buffer was refused");
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     glGetNamedBufferSubData(name(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
 }
 

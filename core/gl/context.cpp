@@ -50,12 +50,14 @@ ContextInfo useCurrentContext(bool debug) {
     if (info.major * 10 + info.minor < 45)
         throw InputError("the graphics driver '" + info.renderer + "' offers OpenGL " + std::to_string(info.major) +
                          "." + std::to_string(info.minor) + "; expected 4.5 core or newer");
-    if (debug) {
-        glEnable(GL_DEBUG_OUTPUT);
-        glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
-        glDebugMessageCallback(reportDebugMessage, nullptr);
-    }
+    if (debug) reportFaults();
     return info;
+}
+
+void reportFaults() {
+    glEnable(GL_DEBUG_OUTPUT);
+    glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+    glDebugMessageCallback(reportDebugMessage, nullptr);
 }
 
 } // namespace meltpool::gl

@@ -20,6 +20,9 @@ struct ContextInfo {
 /// when it is less than OpenGL 4.5 core. `debug`: from now on the driver's errors and warnings go to standard error.
 ContextInfo useCurrentContext(bool debug);
 
+/// From now on the errors and warnings of the current context, whose functions are loaded, go to standard error.
+void reportFaults();
+
 /// Whether the driver of the current context draws on the CPU.
 bool drawnOnProcessor();
 

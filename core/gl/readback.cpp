@@ -1,6 +1,7 @@
 #include "core/gl/readback.hpp"
 
 #include "core/base/error.hpp"
+#include "core/gl/order.hpp"
 
 #include <cstring>
 #include <string>
@@ -25,24 +26,28 @@ Readback::~Readback() {
 void Readback::forget() {
     if (fence_ != nullptr) glDeleteSync(fence_);
     fence_ = nullptr;
+    asked_ = false;
 }
 
 void Readback::request(const Buffer& source, size_t offset) {
-    if (fence_ != nullptr) return;
+    if (asked_) return;
     if (offset + bytes_ > source.bytes())
         throw RuntimeFault("a read of " + std::to_string(bytes_) + " bytes from byte " + std::to_string(offset) +
                            " on reaches past the end of a GPU buffer of " + std::to_string(source.bytes()) + " bytes");
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
+    memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
     glCopyNamedBufferSubData(source.name(), handle_.name(), static_cast<GLintptr>(offset), 0,
                              static_cast<GLsizeiptr>(bytes_));
-    fence_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    fence_ = fence();
+    asked_ = true;
 }
 
 const void* Readback::pollInPlace() {
-    if (fence_ == nullptr) return nullptr;
-    // Without the flush the commands might not start while nothing else is drawn.
-    const GLenum state = glClientWaitSync(fence_, GL_SYNC_FLUSH_COMMANDS_BIT, 0);
-    if (state != GL_ALREADY_SIGNALED && state != GL_CONDITION_SATISFIED) return nullptr;
+    if (!asked_) return nullptr;
+    if (fence_ != nullptr) {
+        // Without the flush the commands might not start while nothing else is drawn.
+        const GLenum state = glClientWaitSync(fence_, GL_SYNC_FLUSH_COMMANDS_BIT, 0);
+        if (state != GL_ALREADY_SIGNALED && state != GL_CONDITION_SATISFIED) return nullptr;
+    }
     forget();
     return mapped_;
 }

@@ -40,7 +40,7 @@ class Readback {
     /// The same without copying: nullptr while there is none; valid until the next request.
     const void* pollInPlace();
     /// An answer is under way or was not taken yet.
-    bool pending() const { return fence_ != nullptr; }
+    bool pending() const { return asked_; }
     /// Its memory on the GPU, for those who save a state.
     GLuint name() const { return handle_.name(); }
     size_t bytes() const { return bytes_; }
@@ -55,7 +55,8 @@ class Readback {
     static void destroy(GLuint name) { glDeleteBuffers(1, &name); }
     Handle<destroy> handle_;
     const void* mapped_ = nullptr;
-    GLsync fence_ = nullptr;
+    GLsync fence_ = nullptr; ///< null also where the copy has ended at once
+    bool asked_ = false;
     size_t bytes_ = 0;
 };
 

@@ -1,6 +1,7 @@
 #include "core/gl/state_archive.hpp"
 
 #include "core/base/error.hpp"
+#include "core/gl/order.hpp"
 
 #include <cstring>
 
@@ -17,7 +18,7 @@ namespace {
 StateArchive::StateArchive(StateParts& into) : numbers_(&into.numbers), parts_(&into) {}
 
 StateArchive::StateArchive(std::span<const std::byte> from) : from_(from) {
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT); // what shaders wrote is written over
+    memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT); // what shaders wrote is written over
 }
 
 std::span<const std::byte> StateArchive::take(size_t bytes) {
@@ -154,7 +155,7 @@ void StateCapture::request() {
     for (const StateParts::Region& region : state_.regions)
         bytes += region.bytes;
     makeRoom(bytes);
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
+    memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
     GLintptr to = 0;
     for (const StateParts::Region& region : state_.regions) {
         glCopyNamedBufferSubData(region.buffer, copy_.name(), 0, to, static_cast<GLsizeiptr>(region.bytes));

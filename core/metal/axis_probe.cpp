@@ -1,5 +1,7 @@
 #include "core/metal/axis_probe.hpp"
 
+#include "core/gl/order.hpp"
+
 #include <glm/common.hpp>
 
 #include <limits>
@@ -74,11 +76,11 @@ void AxisProbe::look(const ProbeRay& ray, gl::Profiler* profiler) {
     answer_.bindStorage(AXIS_PROBE_ANSWER);
     list.slots.bindStorage(AXIS_PROBE_SLOTS);
     list.control.bindStorage(AXIS_PROBE_CONTROL);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    gl::memoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     count_.dispatchGroups(AXIS_PROBE_LATTICE_GROUPS + kSlotGroups); // particles -> bins
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    gl::memoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     find_.dispatchGroups(1); // bins -> answer
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    gl::memoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     Pending& pending = pending_[looks_++ % kDelay];
     pending.ray = ray;
     pending.readback.request(answer_);

@@ -2,6 +2,7 @@
 
 #include "core/base/hash.hpp"
 #include "core/gl/buffer_view.hpp"
+#include "core/gl/order.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
@@ -104,7 +105,7 @@ void PhysicalMetal::make() {
 
 void PhysicalMetal::reset() {
     answers_.forget();
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT); // what shaders wrote is cleared
+    gl::memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT); // what shaders wrote is cleared
     state_->reset();
     state_->add(setup_.seeds);
     heat_->reset();
@@ -133,10 +134,10 @@ void PhysicalMetal::transfer(gl::StateArchive& archive) {
 void PhysicalMetal::fold() {
     constexpr GLbitfield kBarrier = GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
                                     GL_BUFFER_UPDATE_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT;
-    glMemoryBarrier(kBarrier);
+    gl::memoryBarrier(kBarrier);
     heat_->fold(); // neither reads what the other changes
     flow_->fold();
-    glMemoryBarrier(kBarrier);
+    gl::memoryBarrier(kBarrier);
 }
 
 void PhysicalMetal::setLiquidConductivity(const Property& conductivity) {
@@ -172,7 +173,7 @@ void PhysicalMetal::step(std::span<const HeatSource> sources, std::span<const Me
 }
 
 void PhysicalMetal::gatherStatistics() {
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    gl::memoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
     const gl::BufferView positions("metal positions", state_->position, GL_RGBA32F, sizeof(vec4));
     const gl::BufferView phases("metal phases", state_->phase, GL_R32UI, sizeof(uint));
     positions.bind(METAL_STATISTICS_POSITIONS);
@@ -182,7 +183,7 @@ void PhysicalMetal::gatherStatistics() {
     count_.set("low", setup_.space.low);
     count_.set("high", setup_.space.high);
     count_.dispatchGroups(METAL_STATISTICS_PARTS);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    gl::memoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
 MetalStatistics PhysicalMetal::joined(const Parts& parts) const {

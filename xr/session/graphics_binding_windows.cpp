@@ -2,7 +2,7 @@
 #include "xr/session/platform.hpp"
 
 #include "core/base/error.hpp"
-#include "core/gl/hidden_window.hpp"
+#include "core/gl/windows/hidden_window.hpp"
 #include "xr/session/graphics_binding.hpp"
 
 namespace meltpool::xr {

@@ -1,5 +1,7 @@
 #include "core/metal/classic/cell_order.hpp"
 
+#include "core/gl/order.hpp"
+
 #include "shaders/shared/classic.h"
 #include "shaders/shared/dispatch.h"
 
@@ -58,29 +60,29 @@ void CellOrder::sort(gl::Profiler* profiler) {
     {
         const gl::Scope scope(profiler, "classic scatter");
         scatter_.dispatch(particles_, GROUP_SIZE);
-        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+        gl::memoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
     const gl::Scope scope(profiler, "classic gather");
     gather_.dispatch(particles_, GROUP_SIZE);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    gl::memoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
 /// Reads moved positions, writes slots and counts.
 void CellOrder::count(gl::Profiler* profiler) {
     const gl::Scope scope(profiler, "classic count");
     cellCounts_.clear();
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    gl::memoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     count_.dispatch(particles_, GROUP_SIZE);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+    gl::memoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 /// Reads counts, writes starts; zeroes the counts.
 void CellOrder::scan(gl::Profiler* profiler) {
     const gl::Scope scope(profiler, "classic scan");
     sumChunks_.dispatchGroups(chunks_);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    gl::memoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     scan_.dispatchGroups(chunks_);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    gl::memoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     cellCounts_.clear();
     counted_ = true;
 }

@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/hash.hpp"
+#include "core/gl/order.hpp"
 #include "core/metal/classic/arrangement.hpp"
 #include "core/metal/classic/classic_kernels.hpp"
 #include "shaders/shared/classic.h"
@@ -153,22 +154,22 @@ void ClassicMetal::keepOrder() {
     movedPositions_.copyTo(sortedPositions_, count_ * sizeof(vec4));
     movedVelocities_.copyTo(sortedVelocities_, count_ * sizeof(vec4));
     order_.discardCounts();
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+    gl::memoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 /// Reads sorted positions, writes 1 / density into the fourth component of the sorted velocities.
 void ClassicMetal::computeDensity(gl::Profiler* profiler) {
     const gl::Scope scope(profiler, "classic density");
     (allPairs_ ? pairs_ : grid_).density.dispatch(count_, GROUP_SIZE);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+    gl::memoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 /// Reads the sorted state, writes the moved one and counts it for the next sort.
 void ClassicMetal::moveParticles(gl::Profiler* profiler) {
     const gl::Scope scope(profiler, "classic move");
     (allPairs_ ? pairs_ : grid_).move.dispatch(count_, GROUP_SIZE);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT |
-                    GL_TEXTURE_FETCH_BARRIER_BIT);
+    gl::memoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT |
+                      GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 MetalStatistics ClassicMetal::statistics() const {

@@ -1,5 +1,7 @@
 #include "core/metal/classic/statistics_reader.hpp"
 
+#include "core/gl/order.hpp"
+
 #include "shaders/shared/classic.h"
 
 #include <algorithm>
@@ -18,7 +20,7 @@ StatisticsReader::StatisticsReader(gl::ShaderLibrary& library, size_t particles)
 void StatisticsReader::reduce(const gl::Buffer& refused) const {
     sums_.bindStorage(CLASSIC_STATISTICS);
     program_.dispatchGroups(static_cast<unsigned>(chunks_));
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    gl::memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     refused.copyTo(sums_, sizeof(uint), 0, chunks_ * sizeof(ClassicChunk));
 }
 

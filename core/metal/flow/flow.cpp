@@ -1,6 +1,7 @@
 #include "core/metal/flow/flow.hpp"
 
 #include "core/base/error.hpp"
+#include "core/gl/order.hpp"
 #include "shaders/shared/dispatch.h"
 
 #include <glm/common.hpp>
@@ -146,7 +147,7 @@ void Flow::makeNeighbourLists() {
     const size_t old = block_.rowCapacity * sizeof(uint), row = room_.rows() * sizeof(uint);
     auto rows = gl::Buffer::gpuOnly("flow neighbours", (FLOW_NEIGHBOUR_CAPACITY + 2) * row);
     if (neighbours_) {
-        glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+        gl::memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
         neighbours_.copyTo(rows, FLOW_NEIGHBOUR_CAPACITY * old);
         for (const size_t part : {FLOW_NEIGHBOUR_CAPACITY, FLOW_NEIGHBOUR_CAPACITY + 1})
             neighbours_.copyTo(rows, old, part * old, part * row);
@@ -164,7 +165,7 @@ void Flow::makePages() {
     auto pages = gl::Buffer::gpuOnly("flow pages", count * FLOW_PAGE_WORDS * sizeof(uint));
     if (pages_) {
         // Those of wall metal; the others hold for one search only.
-        glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+        gl::memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
         pages_.copyTo(pages, std::min(pages.bytes(), pages_.bytes()));
     }
     pages_ = std::move(pages);
@@ -251,18 +252,18 @@ void Flow::updateGroups(gl::Profiler* profiler) {
     classify_.set("known", static_cast<unsigned>(known));
     classify_.set("slots", static_cast<unsigned>(known_));
     classify_.dispatchGroups(std::clamp(groupsOf(known_ - known), kChangeGroups, kMostChangeGroups));
-    glMemoryBarrier(kBarrier);
+    gl::memoryBarrier(kBarrier);
     compact_.dispatchGroups(kChangeGroups);
-    glMemoryBarrier(kBarrier);
+    gl::memoryBarrier(kBarrier);
     bin_.dispatchGroups(kChangeGroups);
-    glMemoryBarrier(kBarrier);
+    gl::memoryBarrier(kBarrier);
 }
 
 void Flow::substep(gl::Profiler* profiler) {
     const auto pass = [&](const gl::Program& program, const char* name, size_t groups) {
         const gl::Scope scope(profiler, name);
         program.dispatchIndirect(groups);
-        glMemoryBarrier(kBarrier);
+        gl::memoryBarrier(kBarrier);
     };
     pass(sort_, "flow sort", offsetof(FlowCounters, searchGroups));
     pass(search_, "flow search", offsetof(FlowCounters, listGroups));

@@ -1,6 +1,7 @@
 #include "core/metal/heat/heat.hpp"
 
 #include "core/base/error.hpp"
+#include "core/gl/order.hpp"
 
 #include <glm/common.hpp>
 
@@ -43,11 +44,11 @@ constexpr uvec4 kNoGroups(0, 1, 1, 0);
 constexpr size_t kOffLatticeDispatch = offsetof(HeatControl, offLatticeGroups);
 
 void storageBarrier() {
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+    gl::memoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 void indirectBarrier() {
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+    gl::memoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }
 
 } // namespace

@@ -1,5 +1,7 @@
 #include "core/metal/solid/rigid_fragments.hpp"
 
+#include "core/gl/order.hpp"
+
 #include <algorithm>
 
 namespace meltpool {
@@ -10,7 +12,7 @@ constexpr unsigned kLabelGroups = 16;
 constexpr size_t kPart = 32768; ///< slots that a call looks at in a round: a frame costs no more with more metal
 
 void storageBarrier() {
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+    gl::memoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 } // namespace
@@ -108,7 +110,7 @@ void RigidFragments::relabelNow(gl::Profiler* profiler) {
 void RigidFragments::begin() {
     slots_ = state_.particles();
     cellHeads_.clear();
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    gl::memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     beginLabels_.dispatch(slots_, FRAGMENT_GROUP);
     storageBarrier();
     done_ = slots_;
@@ -116,7 +118,7 @@ void RigidFragments::begin() {
 
 void RigidFragments::partOfRound(unsigned round) {
     if (done_ == 0) {
-        glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+        gl::memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
         labels_.copyTo(nextLabels_, slots_ * sizeof(uint));
     }
     const size_t last = std::min(slots_, done_ + kPart);
@@ -136,7 +138,7 @@ void RigidFragments::finish() {
     const size_t particles = state_.particles();
     // No round follows: the next labels' memory counts members. The next cycle labels all these slots again.
     constexpr GLuint kNone = 0;
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    gl::memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     glClearNamedBufferSubData(nextLabels_.name(), GL_R32UI, 0, static_cast<GLsizeiptr>(particles * sizeof(uint)),
                               GL_RED_INTEGER, GL_UNSIGNED_INT, &kNone);
     countMembers_.dispatch(particles, FRAGMENT_GROUP);
@@ -147,7 +149,7 @@ void RigidFragments::finish() {
     storageBarrier();
     state_.noteRegrouping();
     listFree_.dispatchGroups(1);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+    gl::memoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
     freeParticles_.forget();
     freeParticles_.request(control_, offsetof(FragmentControl, particles));
     mayBeFree_ = true;

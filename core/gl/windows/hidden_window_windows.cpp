@@ -1,4 +1,4 @@
-#include "core/gl/hidden_window.hpp"
+#include "core/gl/windows/hidden_window.hpp"
 
 #include "core/base/error.hpp"
 

@@ -1,6 +1,6 @@
 #include "core/base/error.hpp"
 #include "core/gl/context.hpp"
-#include "core/gl/hidden_window.hpp"
+#include "core/gl/windows/hidden_window.hpp"
 
 #include <windows.h>
 
