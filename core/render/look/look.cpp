@@ -9,6 +9,7 @@ namespace {
 constexpr std::array<std::string_view, 3> kModes{"surface", "wireframe", "points"};
 constexpr std::array<std::string_view, 4> kColours{"material", "temperature", "even", "grey"};
 constexpr std::array<std::string_view, 5> kMaterials{"solder", "copper", "gold", "wax", "ice"};
+constexpr std::array<std::string_view, 3> kDetails{"low", "medium", "high"};
 
 } // namespace
 
@@ -18,6 +19,7 @@ ParameterList describe(LookParameters& l) {
         {"colours", "Colours", "", &l.colours, 0, 3,
          "temperature: the classic scale; even: equal steps look equally large", kColours},
         {"material", "Material", "", &l.material, 0, 4, "ice and wax draw the surface twice", kMaterials},
+        {"detail", "Detail", "", &l.detail, 0, 2, "lower draws faster; the metal is the same", kDetails},
         {"ambient", "Ambient light", "", &l.ambient, 0, 2,
          "above 1 together with diffuse, bright parts lose their colour"},
         {"diffuse", "Diffuse light", "", &l.diffuse, 0, 2,

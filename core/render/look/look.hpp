@@ -10,11 +10,14 @@ namespace meltpool {
 enum RenderMode : int { kSurfaceMode, kWireframeMode, kPointsMode };
 enum ColourMode : int { kMaterialColours, kTemperatureColours, kEvenColours, kGreyColours };
 enum MaterialLook : int { kSolder, kCopper, kGold, kWax, kIce };
+/// How much of light and metal a picture computes; each level adds to the one before.
+enum PictureDetail : int { kLowDetail, kMediumDetail, kHighDetail };
 
 struct LookParameters {
     int mode = kSurfaceMode;        ///< RenderMode
     int colours = kMaterialColours; ///< ColourMode
     int material = kSolder;         ///< MaterialLook
+    int detail = kHighDetail;       ///< PictureDetail
     float ambient = 0.4f;
     float diffuse = 0.6f;
     float specular = 0.6f;
