@@ -11,6 +11,7 @@ namespace meltpool {
 
 int runDesktop(const DesktopOptions& options) {
     const StopSignals signals;
+    if (options.headset != HeadsetUse::wanted) spareDriverThreads(); // both eyes' pictures are wide
     DesktopApp app(options);
     surviveLostDisplay();
     while (!app.closing() && !StopSignals::asked() && !displayLost())

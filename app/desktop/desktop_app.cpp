@@ -8,6 +8,7 @@
 #include "core/base/error.hpp"
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"
+#include "core/gl/order.hpp"
 
 #include <algorithm>
 #include <array>
@@ -60,6 +61,7 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
     home_.open = options.lesson.empty();
     home_.choose(session_.lesson().key);
     if (!options.replay.empty()) lessons_.openAttempt(options.replay, options.lesson);
+    if (gl::dispatchesEndAtOnce()) stepThread_ = std::make_unique<StepThread>(window_.makeSharingContext());
     window_.resize({windowParameters_.width, windowParameters_.height}, windowParameters_.maximised);
     window_.show();
     lastFrame_ = now();
@@ -142,28 +144,34 @@ void DesktopApp::runFrame() {
     tellRecordings(session_.recordings(), time, messages_);
     const bool timed = menus_.panels.timings && !menus_.panels.hidden;
     if (timed) profiler_.beginFrame();
-    picture_.count(session_, seconds);
+    picture_.count(session_, seconds, stepsBeside_);
     simulate(input, seconds);
     if (home_.open) home_.comparison.update(shaders_, seconds, machineSeconds);
     drawHeadset(seconds);
-    drawPicture(seconds);
-    MenuRequest request = MenuRequest::none;
-    {
-        const gl::Scope scope(&profiler_, "interface");
-        request = drawMenus();
-        interface_.end();
-    }
-    if (timed) profiler_.endFrame();
+    preparePicture(seconds);
+    const MenuRequest request = drawMenus();
     sound_.update(session_, controls_, headsetFrame_ ? headset_.get() : nullptr);
-    if (pictureAsked_) takePicture();
     pacer_.count(seconds);
     figures_.framesPerSecond = pacer_.framesPerSecond();
     writeTelemetry();
+    show();
+    if (timed) profiler_.endFrame();
+    if (pictureAsked_) takePicture();
     window_.swap();
+    finishSteps(seconds);
     act(request);
     session_.settle(controls_);
     window_.captureMouse(session_.running() && controls_.captured());
     if (!headsetFrame_) pacer_.pace(begin);
+}
+
+/// Picture and menus, and beside them, where the processor draws, the metal's steps. The picture is of the metal before
+/// these steps.
+void DesktopApp::show() {
+    if (stepsDue_) stepThread_->begin([this] { session_.makeSteps(nullptr); });
+    drawPicture();
+    const gl::Scope scope(&profiler_, "interface");
+    interface_.end();
 }
 
 void DesktopApp::beginHeadset(double seconds) {
@@ -271,14 +279,45 @@ void DesktopApp::simulate(const InputFrame& input, double seconds) {
     // While the mouse is captured it leads the torch, even with a headset in use.
     const TorchSource held = headsetFrame_ && !controls_.captured() ? headset_->torch() : TorchSource{};
     if (held) controls_.putOut(ArcOut::takenOver);
-    session_.advance(controls_, seconds, &profiler_, held);
+    stepsDue_ = session_.beginSteps(controls_, seconds, &profiler_, held);
+    if (stepsDue_ && stepsBesidePicture()) return;
+    if (std::exchange(stepsDue_, false)) {
+        session_.makeSteps(&profiler_);
+        session_.finishSteps();
+    }
+    tellLesson(seconds);
+}
+
+/// Who looks at timings sees each pass alone. The headset's frame ends when its runtime says so.
+bool DesktopApp::stepsBesidePicture() const {
+    const bool timed = menus_.panels.timings && !menus_.panels.hidden;
+    return stepThread_ && stepThread_->usable() && !headsetFrame_ && !timed && session_.showsSurface();
+}
+
+void DesktopApp::finishSteps(double seconds) {
+    stepsBeside_.reset();
+    if (!std::exchange(stepsDue_, false)) return;
+    {
+        const InWork waiting(WorkPlace::waiting);
+        stepThread_->wait();
+    }
+    stepsBeside_ = {stepThread_->seconds(), stepThread_->waited()};
+    if (telemetry_.enabled()) meter_.add(stepThread_->meter());
+    session_.finishSteps();
+    tellLesson(seconds);
+}
+
+/// What the newest steps have changed, for menus, messages and headset.
+void DesktopApp::tellLesson(double seconds) {
     session_.fillFigures(figures_);
     takeJudgement();
     if (session_.recordFault().empty())
         messages_.clear("record");
     else
         messages_.hold("The record of this attempt has stopped: " + session_.recordFault(), "record");
-    notices_.update(session_, figures_, held ? headset_->triggerLock() : controls_.triggerLock(), seconds, messages_);
+    const bool handHolds = headsetFrame_ && !controls_.captured();
+    notices_.update(session_, figures_, handHolds ? headset_->triggerLock() : controls_.triggerLock(), seconds,
+                    messages_);
     if (!session_.fault().empty())
         messages_.hold("The simulation has stopped: " + session_.fault() + ". Reset starts it again.", "metal");
     else if (figures_.refused > 0)
@@ -299,17 +338,24 @@ void DesktopApp::takeJudgement() {
     lessons_.keepScore(session_.held() && headset_ ? static_cast<double>(headset_->zoom()) : 1, now());
 }
 
-void DesktopApp::drawPicture(double seconds) {
+void DesktopApp::preparePicture(double seconds) {
+    picturePrepared_ = false;
+    if (!session_.running()) return;
     const glm::ivec2 pixels = window_.pixels();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    if (session_.running()) {
-        if (headsetFrame_ && headset_->mirror(pixels)) return;
-        // The metal moves smoothly to the middle of what the panels leave free.
-        shift_ += (menus_.middleOfPicture() - shift_) * std::min(1.0f, static_cast<float>(seconds) * 10);
-        picture_.draw(session_, controls_, {pixels, shift_, windowParameters_.picture, pictureAsked_}, &profiler_);
-        figures_.picture = picture_.sentence();
-        return;
-    }
+    if (headsetFrame_ && headset_->mirror(pixels)) return;
+    // The metal moves smoothly to the middle of what the panels leave free.
+    shift_ += (menus_.middleOfPicture() - shift_) * std::min(1.0f, static_cast<float>(seconds) * 10);
+    picture_.prepare(session_, controls_, {pixels, shift_, windowParameters_.picture, pictureAsked_}, &profiler_);
+    figures_.picture = picture_.sentence();
+    picturePrepared_ = true;
+}
+
+void DesktopApp::drawPicture() {
+    if (picturePrepared_) return picture_.draw(session_, &profiler_);
+    if (session_.running()) return; // the headset's mirror is there
+    const glm::ivec2 pixels = window_.pixels();
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, pixels.x, pixels.y);
     glClearColor(0.07f, 0.08f, 0.1f, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

@@ -10,6 +10,7 @@
 #include "app/desktop/interface.hpp"
 #include "app/desktop/picture/window_picture.hpp"
 #include "app/desktop/shader_watch.hpp"
+#include "app/desktop/steps/step_thread.hpp"
 #include "app/desktop/window.hpp"
 #include "app/desktop/window_telemetry.hpp"
 #include "app/program/frame_meter.hpp"
@@ -56,7 +57,12 @@ class DesktopApp {
     void beginHeadset(double seconds);
     void drawHeadset(double seconds);
     void simulate(const InputFrame& input, double seconds);
-    void drawPicture(double seconds);
+    bool stepsBesidePicture() const;
+    void finishSteps(double seconds);
+    void tellLesson(double seconds);
+    void preparePicture(double seconds);
+    void drawPicture();
+    void show();
     MenuRequest drawMenus();
     void takePicture();
     void writeTelemetry();
@@ -96,10 +102,14 @@ class DesktopApp {
     std::string driver_;
     size_t judgements_ = 0; ///< that the menus have shown
     bool pictureAsked_ = false;
-    bool headsetFrame_ = false;   ///< the headset paces this frame
-    bool headsetStarted_ = false; ///< a headset has had frames before
+    bool picturePrepared_ = false;           ///< of the running lesson, in this frame
+    bool stepsDue_ = false;                  ///< in this frame, beside its picture
+    std::optional<StepsBeside> stepsBeside_; ///< in the last frame
+    bool headsetFrame_ = false;              ///< the headset paces this frame
+    bool headsetStarted_ = false;            ///< a headset has had frames before
     double lastFrame_ = 0;
-    float shift_ = 0; ///< of the picture's middle, where panels cover a part of the window
+    float shift_ = 0;                        ///< of the picture's middle, where panels cover a part of the window
+    std::unique_ptr<StepThread> stepThread_; ///< null on a card, which works beside the processor anyway
 };
 
 } // namespace meltpool

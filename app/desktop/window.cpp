@@ -80,6 +80,38 @@ void start() {
     if (!startWindowSystem()) throw InputError("no window can be opened here: " + lastProblem());
 }
 
+/// What is wanted of the next window made, which is hidden at first.
+void hintContext(int samples) {
+    glfwDefaultWindowHints();
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, gl::debugBuild() ? GLFW_TRUE : GLFW_FALSE);
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    glfwWindowHint(GLFW_SAMPLES, samples);
+    glfwWindowHint(GLFW_DEPTH_BITS, 24);
+}
+
+/// A context of GLFW's, which has none without a window.
+class SharingWindow final : public SharingContext {
+  public:
+    explicit SharingWindow(GLFWwindow* window) : window_(window) {}
+    ~SharingWindow() override { glfwDestroyWindow(window_); }
+    SharingWindow(const SharingWindow&) = delete;
+    SharingWindow& operator=(const SharingWindow&) = delete;
+
+    bool enter() override {
+        glfwMakeContextCurrent(window_);
+        if (glfwGetCurrentContext() != window_) return false;
+        if (gl::debugBuild()) gl::reportFaults();
+        return true;
+    }
+    void leave() override { glfwMakeContextCurrent(nullptr); }
+
+  private:
+    GLFWwindow* window_;
+};
+
 Window& self(GLFWwindow* window) {
     return *static_cast<Window*>(glfwGetWindowUserPointer(window));
 }
@@ -113,14 +145,7 @@ Window::Window(const Options& options) : normalSize_(options.width, options.heig
 }
 
 void Window::open(const Options& options) {
-    glfwDefaultWindowHints();
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, gl::debugBuild() ? GLFW_TRUE : GLFW_FALSE);
-    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
-    glfwWindowHint(GLFW_SAMPLES, options.samples);
-    glfwWindowHint(GLFW_DEPTH_BITS, 24);
+    hintContext(options.samples);
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "meltpool");
     glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "meltpool");
     window_ = glfwCreateWindow(options.width, options.height, "Meltpool", nullptr, nullptr);
@@ -150,6 +175,12 @@ void Window::open(const Options& options) {
 Window::~Window() {
     glfwDestroyWindow(window_);
     glfwTerminate();
+}
+
+std::unique_ptr<SharingContext> Window::makeSharingContext() {
+    hintContext(0);
+    GLFWwindow* hidden = glfwCreateWindow(16, 16, "Steps of the metal", nullptr, window_);
+    return hidden == nullptr ? nullptr : std::make_unique<SharingWindow>(hidden);
 }
 
 void Window::resize(glm::ivec2 size, bool maximised) {

@@ -33,6 +33,8 @@ class FrameMeter {
     void pause();
     void resume();
     void end();
+    /// Adds what another thread did for this frame.
+    void add(const WorkMeter& other);
     /// Forgets the frames so far.
     void restart();
 

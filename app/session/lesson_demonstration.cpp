@@ -1,6 +1,5 @@
 // The part of LessonSession that plays the lesson's demonstration.
 #include "app/session/lesson_session.hpp"
-#include "core/base/error.hpp"
 
 #include <algorithm>
 
@@ -24,29 +23,24 @@ void LessonSession::demonstrate(Controls& controls) {
     demonstration_.begin(lesson_.torch.duration());
 }
 
-void LessonSession::playDemonstration(double seconds, gl::Profiler* profiler) {
-    try {
-        if (demonstration_.takeMetalDue()) {
-            trainer_->reset();
-            clock_.restart();
-            fault_.clear();
-            surfaceIsOld_ = true;
-        }
-        if (!demonstration_.playing() || !fault_.empty()) {
-            clock_.restart();
-        } else if (demonstration_.welds()) {
-            makeDueSteps(seconds, [&](int, int) {
-                trainer_->advanceDemonstration(profiler);
-                surfaceIsOld_ = true;
-            });
-            demonstration_.reach(trainer_->time());
-        } else {
-            demonstration_.reach(demonstration_.time() + seconds);
-        }
-        if (!demonstration_.welds()) trainer_->show(lesson_.torch.sample(demonstration_.time()));
-    } catch (const RuntimeFault& fault) {
-        fault_ = fault.what();
+/// The metal is welded only where the demonstration asks for it; else the torch alone moves.
+bool LessonSession::beginDemonstration(double seconds) {
+    guarded([&] {
+        if (!demonstration_.takeMetalDue()) return;
+        trainer_->reset();
+        clock_.restart();
+        fault_.clear();
+        surfaceIsOld_ = true;
+    });
+    const bool plays = demonstration_.playing() && fault_.empty();
+    if (!plays) clock_.restart();
+    if (plays && demonstration_.welds()) {
+        steps_.due = clock_.due(seconds, trainer_->timeStep());
+        return true;
     }
+    if (plays) demonstration_.reach(demonstration_.time() + seconds);
+    if (!demonstration_.welds()) trainer_->show(lesson_.torch.sample(demonstration_.time()));
+    return false;
 }
 
 } // namespace meltpool

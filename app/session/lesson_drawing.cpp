@@ -7,8 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/vector_relational.hpp>
 
-#include <algorithm>
-#include <array>
+#include <span>
 
 namespace meltpool {
 
@@ -62,28 +61,31 @@ float LessonSession::bottom() const {
     return (glm::dot(vertical, lowest) + scene.modelToWorld[3].y) * unit();
 }
 
-void LessonSession::draw(const Controls& controls, const RenderTarget& target, float shift, gl::Profiler* profiler) {
-    SceneView scene = this->scene(profiler);
+DeskPicture LessonSession::picture(const Controls& controls, float aspect, float shift, gl::Profiler* profiler) {
+    DeskPicture picture{scene(profiler), controls.view(aspect)};
+    SceneView& scene = picture.scene;
+    View& view = picture.view;
     if (!held_ && !played()) {
         const SteeredSource& source = controls.source();
         scene.source.position = glm::inverse(scene.modelToWorld) * glm::vec4(source.position(), 1);
         scene.source.on = source.on();
         scene.source.cold = source.cold();
     }
-    const Viewport& shape = target.viewport;
-    const float aspect = static_cast<float>(shape.width) / static_cast<float>(std::max(shape.height, 1));
-    std::array<View, 1> views{controls.view(aspect)};
     if (cut_.shown()) { // its middle stands where the camera looks
         const glm::vec3 middle = scene.modelToWorld * glm::vec4(scene.section.at, 0, 0, 1);
-        views[0].worldToEye = glm::translate(views[0].worldToEye, -middle);
-        views[0].eye += middle;
-        scene.section.strokes = cut_.strokes(layoutIn(views[0], scene.modelToWorld, scene.section.at));
+        view.worldToEye = glm::translate(view.worldToEye, -middle);
+        view.eye += middle;
+        scene.section.strokes = cut_.strokes(layoutIn(view, scene.modelToWorld, scene.section.at));
     }
-    if (!held_) recordings_.person(deskPerson(views[0], fixture().turn, unit(), steps()));
-    views[0].eyeToClip[2][0] -= shift; // clip x over w, and w is -z in the eye
-    scene.ghost = ghostMarkers(scene, views[0]);
-    scene.markers = cueMarkers(scene, views[0]);
-    renderer_.draw(scene, lesson_.look, views, target, profiler);
+    if (!held_) recordings_.person(deskPerson(view, fixture().turn, unit(), steps()));
+    view.eyeToClip[2][0] -= shift; // clip x over w, and w is -z in the eye
+    scene.ghost = ghostMarkers(scene, view);
+    scene.markers = cueMarkers(scene, view);
+    return picture;
+}
+
+void LessonSession::draw(const DeskPicture& picture, const RenderTarget& target, gl::Profiler* profiler) {
+    renderer_.draw(picture.scene, lesson_.look, std::span(&picture.view, 1), target, profiler);
 }
 
 void LessonSession::fillFigures(LessonFigures& figures) const {

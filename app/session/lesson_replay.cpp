@@ -1,6 +1,5 @@
 // The part of LessonSession that plays a kept attempt again.
 #include "app/session/lesson_session.hpp"
-#include "core/base/error.hpp"
 
 #include <utility>
 
@@ -21,26 +20,30 @@ double LessonSession::replaySpeed() const {
     return replay_.line().speed() * clock_.speed();
 }
 
-void LessonSession::playReplay(double seconds, gl::Profiler* profiler) {
+/// A seek is done here: it takes all the time that it can get.
+bool LessonSession::beginReplay(double seconds, gl::Profiler* profiler) {
     ReplayTimeline& line = replay_.line();
     trainer_->listen(line.seeking() ? nullptr : &hearing_.ear);
     if (!fault_.empty() || (!line.seeking() && !line.playing())) {
         clock_.restart();
-        return replay_.collect();
-    }
-    try {
-        if (line.seeking()) {
-            surfaceIsOld_ |= replay_.seek(*trainer_, seconds, profiler);
-            clock_.restart();
-        } else {
-            makeDueSteps(seconds * line.speed(), [&](int, int) { replay_.step(*trainer_, profiler); });
-            surfaceIsOld_ = true;
-        }
-        if (replay_.findFaults(*trainer_)) clock_.restart();
         replay_.collect();
-    } catch (const std::runtime_error& fault) { // also a state that is damaged
-        fault_ = fault.what();
+        return false;
     }
+    if (!line.seeking()) {
+        steps_.due = clock_.due(seconds * line.speed(), trainer_->timeStep());
+        return true;
+    }
+    guarded([&] {
+        surfaceIsOld_ |= replay_.seek(*trainer_, seconds, profiler);
+        clock_.restart();
+        finishReplay();
+    });
+    return false;
+}
+
+void LessonSession::finishReplay() {
+    if (replay_.findFaults(*trainer_)) clock_.restart();
+    replay_.collect();
 }
 
 } // namespace meltpool

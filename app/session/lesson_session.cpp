@@ -4,7 +4,6 @@
 #include "core/base/resources.hpp"
 #include "core/training/classic_model.hpp"
 
-#include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 
 #include <chrono>
@@ -22,17 +21,6 @@ bool same(const SurfaceParameters& a, const SurfaceParameters& b) {
 Lesson machineAtStart(Lesson lesson) {
     lesson.takeStartSettings();
     return lesson;
-}
-
-/// `turn`: from the workpiece's frame to the room's, in which the source is steered.
-TorchSample torchOf(const SteeredSource& source, const glm::mat3& turn) {
-    const glm::mat3 toWorkpiece = glm::transpose(turn);
-    TorchSample sample;
-    sample.tip = toWorkpiece * (source.position() * kClassicUnit);
-    const glm::quat down = glm::angleAxis(-glm::half_pi<float>(), glm::vec3(1, 0, 0));
-    sample.orientation = glm::quat_cast(toWorkpiece) * down;
-    sample.trigger = source.on() ? 1.0f : 0.0f;
-    return sample;
 }
 
 } // namespace
@@ -242,81 +230,6 @@ bool LessonSession::takeOverChanges(const Controls& controls) {
     running.surface = lesson_.surface;
     shownSurface_ = lesson_.surface;
     return changed;
-}
-
-/// No steps are made in view mode, while the weld is cut open, after a fault and before a question is answered.
-bool LessonSession::waits(const Controls& controls) {
-    const bool pause = (controls.mode() == Mode::view && !held_) || cut_.shown();
-    if (pause != paused_) event(pause ? "paused" : "resumed");
-    paused_ = pause;
-    return pause || !fault_.empty() || question_.asked();
-}
-
-void LessonSession::advance(const Controls& controls, double seconds, gl::Profiler* profiler, const TorchSource& held) {
-    if (!running()) return;
-    if (trial_.running()) return measureSpeed(seconds, profiler);
-    surfaceIsOld_ |= takeOverChanges(controls);
-    held_ = static_cast<bool>(held) && !played();
-    if (replay_.shown()) return playReplay(seconds, profiler);
-    if (demonstration_.shown()) return playDemonstration(seconds, profiler);
-    if (cut_.shown()) inspect(controls);
-    if (waits(controls)) {
-        clock_.restart();
-        return;
-    }
-    try {
-        makeSteps(controls, seconds, profiler, held);
-        keepMoment();
-        cues_.update(*trainer_, sections_->attempt.forScore, seconds);
-        const auto& bands = lesson_.technique;
-        ghost_.update(*trainer_, sections_->attempt.forScore, cues_.strength(bands ? &*bands : nullptr), seconds);
-        if (judge_.update(*trainer_)) judge();
-    } catch (const RuntimeFault& fault) {
-        fault_ = fault.what();
-        event("fault", fault_);
-    }
-    records_.check(*trainer_);
-}
-
-/// Where another one leads the torch than in the last step, the arc goes out before the torch is elsewhere.
-TorchSample LessonSession::nextTorch(const Controls& controls, const TorchSource& held, int step, int due) {
-    if (std::exchange(handLed_, held_) != held_ && trainer_->torch().trigger > 0) {
-        TorchSample out = trainer_->torch();
-        out.trigger = 0;
-        return out;
-    }
-    if (held_) return held(step, due);
-    if (!desk_.leads()) return torchOf(controls.source(), fixture().turn);
-    return desk_.next(step, due, trainer_->timeStep(), trainer_->burntOff(), controls.trigger());
-}
-
-/// Rotates directions of the workpiece's frame into the desk's view.
-glm::mat3 LessonSession::toScreen(const Controls& controls) const {
-    return glm::mat3(controls.view(1).worldToEye) * fixture().turn;
-}
-
-void LessonSession::makeSteps(const Controls& controls, double seconds, gl::Profiler* profiler,
-                              const TorchSource& held) {
-    if (!held_)
-        desk_.update(controls.hand(), {toScreen(controls), seconds}, controls.parameters, trainer_->lesson().process);
-    makeDueSteps(seconds, [&](int step, int due) {
-        if (step == 0 && clock_.dropped() && trainer_->arc().burns()) event("samples", "dropped");
-        trainer_->setRealTime(clock_.speed());
-        TorchSample torch = nextTorch(controls, held, step, due);
-        // The other hand may be in sight without a rod in it.
-        if (!holdsRod(trainer_->lesson().process)) torch.rod.reset();
-        trainer_->advance(torch, profiler);
-        surfaceIsOld_ = true;
-    });
-}
-
-/// Makes the steps that `seconds` of real time are worth, as far as the machine bears.
-void LessonSession::makeDueSteps(double seconds, FunctionRef<void(int step, int due)> make) {
-    const double begin = now_();
-    const int due = clock_.due(seconds, trainer_->timeStep());
-    for (int step = 0; step < due; ++step)
-        make(step, due);
-    clock_.took(now_() - begin, due);
 }
 
 void LessonSession::sound(const TorchSample& torch) {

@@ -42,6 +42,12 @@ using TorchSource = std::function<TorchSample(int step, int steps)>;
 using Stopwatch = double (*)();
 double machineSeconds();
 
+/// A scene and the eye that sees it.
+struct DeskPicture {
+    SceneView scene;
+    View view;
+};
+
 class LessonSession {
   public:
     /// `stopwatch` tells how long steps take. Throws InputError when the shaders cannot be used.
@@ -93,8 +99,21 @@ class LessonSession {
     /// Runs the steps that fit into `seconds` of real time. The torch follows `held`, or the controls where that is
     /// empty; then nothing runs in view mode.
     void advance(const Controls& controls, double seconds, gl::Profiler* profiler, const TorchSource& held = {});
-    /// `shift`: how far right of the window's middle the picture's middle is, as a share of half its width.
-    void draw(const Controls& controls, const RenderTarget& target, float shift, gl::Profiler* profiler);
+    /// The same in three parts. True: makeSteps() and then finishSteps() are to be called before anything else of this
+    /// but draw(); `controls` must stay as they are until then. False: all is done.
+    bool beginSteps(const Controls& controls, double seconds, gl::Profiler* profiler, const TorchSource& held = {});
+    /// May run on another thread with a context that shares this one's objects, while draw() shows the metal as it was:
+    /// steps write nothing that pictures of the surface read.
+    void makeSteps(gl::Profiler* profiler);
+    void finishSteps();
+    /// Pictures show the metal's surface, not its particles, which the steps move.
+    bool showsSurface() const { return lesson_.look.mode != kPointsMode; }
+
+    /// What the desk's picture shows of the lesson as it is now. `aspect`: width over height; `shift`: how far right of
+    /// the window's middle the picture's middle is, as a share of half its width. What it lends is valid until the
+    /// lesson's next steps are finished.
+    DeskPicture picture(const Controls& controls, float aspect, float shift, gl::Profiler* profiler);
+    void draw(const DeskPicture& picture, const RenderTarget& target, gl::Profiler* profiler);
 
     /// Asks where the metal lies under the torch in the hand. The answer comes frames later; nothing waits for it.
     void sound(const TorchSample& torch);
@@ -232,10 +251,13 @@ class LessonSession {
     void inspect(const Controls& controls);
     void beginMoments();
     void keepMoment();
-    void playDemonstration(double seconds, gl::Profiler* profiler);
-    void playReplay(double seconds, gl::Profiler* profiler);
+    bool beginDemonstration(double seconds);
+    bool beginReplay(double seconds, gl::Profiler* profiler);
+    void finishReplay();
+    void makeStep(int step, int due, gl::Profiler* profiler);
     void makeDueSteps(double seconds, FunctionRef<void(int step, int due)> make);
-    void makeSteps(const Controls& controls, double seconds, gl::Profiler* profiler, const TorchSource& held);
+    void timeSteps(int due, FunctionRef<void(int step, int due)> make);
+    void guarded(FunctionRef<void()> work);
 
     gl::ShaderLibrary& shaders_;
     ProcessSettings given_; ///< the lesson's own settings
@@ -246,6 +268,13 @@ class LessonSession {
     std::unique_ptr<Trainer> trainer_;
     Stopwatch now_;
     StepClock clock_;
+    /// Between beginSteps() and finishSteps().
+    struct {
+        const Controls* controls = nullptr;
+        TorchSource held;
+        double seconds = 0;
+        int due = 0;
+    } steps_;
     std::string fault_;
     bool surfaceIsOld_ = true;
     SurfaceDistance surfaceDistance_;

@@ -41,10 +41,11 @@ void PictureBudget::restart() {
 }
 
 /// Steps that are slower than the clock take all they can get and make frames long. A picture that takes a small share
-/// of such a frame stays as it is: fewer pixels would save next to nothing.
+/// of such a frame stays as it is: fewer pixels would save next to nothing. Beside steps a picture is free that is
+/// ready before they are.
 double PictureBudget::allowed(double rest) const {
     const double frame = frame_ - known_[static_cast<size_t>(level_)].rest + rest;
-    return std::max(kFrame * (1 - load_), kLeastShare * std::max(kFrame, frame));
+    return std::max({kFrame * (1 - load_), kLeastShare * std::max(kFrame, frame), least_});
 }
 
 bool PictureBudget::fits(double rest, double share) const {
@@ -75,6 +76,7 @@ void PictureBudget::add(const FrameCost& frame) {
         each.age += frame.seconds;
     here_ += frame.seconds;
     load_ += (frame.load - load_) * kSmooth;
+    least_ += (frame.least - least_) * kSmooth;
     if (++frames_ <= 1) return; // its picture was the last one of the level before
     Known& known = known_[static_cast<size_t>(level_)];
     const double rest = std::max(frame.seconds - frame.steps, 1e-6);

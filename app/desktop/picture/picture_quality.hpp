@@ -26,7 +26,8 @@ std::string_view pictureSentence(PictureLevel level);
 struct FrameCost {
     double seconds = 0; ///< from the frame's begin to the next one's
     double steps = 0;   ///< s of it that went into steps of the metal
-    double load = 0;    ///< s that the steps of a second of the metal take; 0: none are made
+    double load = 0;    ///< s of the frames that the steps of a second of the metal take; 0: they take none
+    double least = 0;   ///< s that the frame would take without a picture, where steps are made beside that
 };
 
 /// Chooses the finest level with which frames leave the metal its time: what a frame does besides steps may take its
@@ -57,6 +58,7 @@ class PictureBudget {
     std::array<Known, kPictureLevels> known_{};
     double load_ = 0;
     double frame_ = 0; ///< s
+    double least_ = 0; ///< s
     int level_ = 0;
     int frames_ = 0;      ///< at this level
     double here_ = 0;     ///< s at this level

@@ -1,26 +1,35 @@
 #include "app/desktop/picture/window_picture.hpp"
 
+#include <algorithm>
+
 namespace meltpool {
 
-void WindowPicture::count(const LessonSession& session, double seconds) {
+void WindowPicture::count(const LessonSession& session, double seconds, const std::optional<StepsBeside>& beside) {
     if (!session.running()) return budget_.restart();
     // A seek and a trial of the machine's speed take all the time that they can get.
     if (!counts_ || session.seeks() || session.measuresSpeed()) return;
-    budget_.add({seconds, session.clock().busy(), session.clock().busy() > 0 ? session.loadOfSteps() : 0});
+    const double steps = session.clock().busy();
+    if (beside) return budget_.add({seconds, beside->waited, 0, seconds - beside->seconds + steps});
+    budget_.add({seconds, steps, steps > 0 ? session.loadOfSteps() : 0, 0});
 }
 
-void WindowPicture::draw(LessonSession& session, const Controls& controls, const PictureWish& wish,
-                         gl::Profiler* profiler) {
+void WindowPicture::prepare(LessonSession& session, const Controls& controls, const PictureWish& wish,
+                            gl::Profiler* profiler) {
     if (wish.pixels != pixels_) budget_.restart();
     pixels_ = wish.pixels;
     counts_ = wish.setting == 0 && !wish.whole;
-    const PictureLevel level = wish.whole          ? PictureLevel::full
-                               : wish.setting == 0 ? budget_.level()
-                                                   : static_cast<PictureLevel>(wish.setting - 1);
-    const RenderTarget target = scaled_.begin(wish.pixels, kPictureShares[static_cast<size_t>(level)]);
-    session.draw(controls, target, wish.shift, profiler);
+    level_ = wish.whole          ? PictureLevel::full
+             : wish.setting == 0 ? budget_.level()
+                                 : static_cast<PictureLevel>(wish.setting - 1);
+    const float aspect = static_cast<float>(pixels_.x) / static_cast<float>(std::max(pixels_.y, 1));
+    shown_ = session.picture(controls, aspect, wish.shift, profiler);
+    sentence_ = pictureSentence(level_);
+}
+
+void WindowPicture::draw(LessonSession& session, gl::Profiler* profiler) {
+    const RenderTarget target = scaled_.begin(pixels_, kPictureShares[static_cast<size_t>(level_)]);
+    session.draw(shown_, target, profiler);
     scaled_.end();
-    sentence_ = pictureSentence(level);
 }
 
 } // namespace meltpool

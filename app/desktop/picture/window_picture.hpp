@@ -5,6 +5,8 @@
 #include "app/desktop/picture/scaled_picture.hpp"
 #include "app/session/lesson_session.hpp"
 
+#include <optional>
+
 namespace meltpool {
 
 /// What the window knows of a picture to be drawn.
@@ -15,18 +17,29 @@ struct PictureWish {
     bool whole = false;   ///< with all pixels whatever the setting: it is to be kept
 };
 
+/// Steps made on another thread beside a picture, s.
+struct StepsBeside {
+    double seconds = 0; ///< from their begin until picture and steps were done
+    double waited = 0;  ///< of that, after the picture
+};
+
 class WindowPicture {
   public:
-    /// Counts the last frame, which took `seconds`. To be called before the next steps are made.
-    void count(const LessonSession& session, double seconds);
-    /// Leaves the window's frame buffer bound.
-    void draw(LessonSession& session, const Controls& controls, const PictureWish& wish, gl::Profiler* profiler);
+    /// Counts the last frame, which took `seconds`. `beside`: empty where the steps were made before the picture. To be
+    /// called before the next steps are made.
+    void count(const LessonSession& session, double seconds, const std::optional<StepsBeside>& beside);
+    /// Takes what the picture shows from the lesson as it is now.
+    void prepare(LessonSession& session, const Controls& controls, const PictureWish& wish, gl::Profiler* profiler);
+    /// Draws that. Leaves the window's frame buffer bound.
+    void draw(LessonSession& session, gl::Profiler* profiler);
     /// What the last picture was drawn at, see pictureSentence().
     std::string_view sentence() const { return sentence_; }
 
   private:
     PictureBudget budget_;
     ScaledPicture scaled_;
+    DeskPicture shown_;
+    PictureLevel level_ = PictureLevel::full; ///< of shown_
     glm::ivec2 pixels_{0};
     std::string_view sentence_;
     bool counts_ = false; ///< the last picture was drawn at the budget's level

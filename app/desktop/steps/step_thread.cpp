@@ -1,0 +1,82 @@
+#include "app/desktop/steps/step_thread.hpp"
+
+#include "core/gl/order.hpp"
+
+#include <utility>
+
+namespace meltpool {
+
+StepThread::StepThread(std::unique_ptr<SharingContext> context) : context_(std::move(context)) {
+    if (context_ == nullptr) return;
+    thread_ = std::thread([this] { run(); });
+    // The window's thread makes no call of the window system while the other one takes its context.
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return ready_; });
+}
+
+StepThread::~StepThread() {
+    if (!thread_.joinable()) return;
+    {
+        const std::lock_guard lock(mutex_);
+        ending_ = true;
+    }
+    changed_.notify_all();
+    thread_.join();
+}
+
+void StepThread::run() {
+    usable_ = context_->enter();
+    const gl::InOrderThread inOrder;
+    std::unique_lock lock(mutex_);
+    ready_ = true;
+    changed_.notify_all();
+    while (true) {
+        changed_.wait(lock, [this] { return work_ != nullptr || ending_; });
+        if (work_ == nullptr) break;
+        serve(lock);
+        changed_.notify_all();
+    }
+    lock.unlock();
+    context_->leave();
+}
+
+/// Does the work that is there, without the lock.
+void StepThread::serve(std::unique_lock<std::mutex>& lock) {
+    lock.unlock();
+    std::exception_ptr fault;
+    meter_.begin();
+    try {
+        work_();
+    } catch (...) {
+        fault = std::current_exception();
+    }
+    meter_.end();
+    lock.lock();
+    fault_ = fault;
+    work_ = nullptr;
+}
+
+void StepThread::begin(std::function<void()> work) {
+    began_ = std::chrono::steady_clock::now();
+    {
+        const std::lock_guard lock(mutex_);
+        work_ = std::move(work);
+        begun_ = true;
+    }
+    changed_.notify_all();
+}
+
+void StepThread::wait() {
+    if (!begun_) return;
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return work_ == nullptr; });
+    begun_ = false;
+    const Clock::time_point end = Clock::now();
+    waited_ = std::chrono::duration<double>(end - start).count();
+    seconds_ = std::chrono::duration<double>(end - began_).count();
+    if (fault_ != nullptr) std::rethrow_exception(std::exchange(fault_, nullptr));
+}
+
+} // namespace meltpool
