@@ -5,6 +5,7 @@
 #include "core/render/look/environment.hpp"
 #include "core/render/look/heat_colours.hpp"
 #include "core/render/look/material_presets.hpp"
+#include "core/render/look/measures.hpp"
 #include "core/render/look/mirror_shares.hpp"
 #include "core/render/look/noise.hpp"
 #include "core/render/look/temperature_scale.hpp"
@@ -211,7 +212,7 @@ void Renderer::Parts::drawBatch(const SceneView& scene, const LookParameters& lo
         solids.draw(scene.markers, views, target);
         glDisable(GL_CULL_FACE);
     }
-    if (scene.arc.intensity.g > 0) {
+    if (scene.arc.intensity.g > 0 && has(look, Measure::glare)) {
         const gl::Scope scope(profiler, "draw glare");
         drawGlare(views, target);
     }
@@ -306,7 +307,8 @@ void Renderer::draw(const SceneView& scene, const LookParameters& look, std::spa
     glDepthFunc(GL_LESS);
     const auto count = static_cast<int>(views.size());
     const int together = submission == ViewSubmission::passes ? 1 : count;
-    parts_->surface.prepare(scene.mesh, together);
+    parts_->surface.prepare(scene, look, together);
+    parts_->solids.prepare(measuresOf(look));
     for (int first = 0; first < count; first += together)
         parts_->drawBatch(scene, look, {first, together, submission}, count, target, profiler);
     glDisable(GL_SCISSOR_TEST);

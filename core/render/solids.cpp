@@ -1,5 +1,7 @@
 #include "core/render/solids.hpp"
 
+#include "core/render/look/measures.hpp"
+
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
@@ -96,7 +98,7 @@ glm::mat4 alongLine(const glm::vec3& from, const glm::vec3& to, float width) {
 }
 
 SolidPainter::SolidPainter(gl::ShaderLibrary& shaders)
-    : program_(shaders, "render/solid.vert", "render/solid.frag"),
+    : program_(shaders, "render/solid.vert", "render/solid.frag", {{bitOf(Measure::torchShadow), "TORCH_SHADOW"}}),
       markers_(shaders, "render/solid.vert", "render/marker.frag"),
       layout_("solid vertices") {
     std::vector<Vertex> all;

@@ -3,7 +3,7 @@
 
 #include "core/gl/buffer.hpp"
 #include "core/gl/texture.hpp"
-#include "core/render/toned_program.hpp"
+#include "core/render/measured_program.hpp"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
@@ -48,6 +48,9 @@ class SolidPainter {
         markers_.load(submission);
     }
 
+    /// Call before the first draw of a frame. `measures`: see measuresOf().
+    void prepare(unsigned measures) { program_.choose(measures); }
+
     /// Expects the frame's uniform blocks bound and its state set.
     void draw(std::span<const Solid> solids, const ViewBatch& views, const RenderTarget& target) const;
     /// The same; expects blending by alpha. Later ones cover earlier ones.
@@ -59,7 +62,7 @@ class SolidPainter {
         int count = 0;
     };
 
-    TonedProgram program_;
+    MeasuredProgram program_;
     TonedProgram markers_;
     gl::Buffer vertices_;
     gl::VertexArray layout_;

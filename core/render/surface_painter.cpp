@@ -1,5 +1,6 @@
 #include "core/render/surface_painter.hpp"
 
+#include "core/render/look/measures.hpp"
 #include "shaders/shared/render.h"
 #include "shaders/shared/surface.h"
 
@@ -12,17 +13,24 @@ namespace {
 
 constexpr GLuint kVertexBuffer = 0, kPeakBuffer = 1; // bindings of the vertex array
 constexpr std::array<GLuint, MOST_VIEWS + 1> kCounts{0, 1, 2, 3, 4};
+const std::vector<std::pair<unsigned, std::string>> kOfHotMetal{{bitOf(Measure::torchShadow), "TORCH_SHADOW"},
+                                                                {bitOf(Measure::roughLobes), "ROUGH_LOBES"}};
+
+SurfaceKind kindOf(const SceneView& scene, const LookParameters& look) {
+    return scene.looks != nullptr ? physicalKind(*scene.looks) : presetKind(static_cast<MaterialLook>(look.material));
+}
+
+bool isHotMetal(const SceneView& scene, const LookParameters& look) {
+    return look.colours == kMaterialColours && kindOf(scene, look) == SurfaceKind::metal && scene.temperature.kelvin;
+}
 
 } // namespace
 
 SurfacePainter::SurfacePainter(gl::ShaderLibrary& shaders)
     : metal_(shaders, "render/metal.vert", "render/metal.frag"),
-      hotMetalLight_(shaders, "render/hot_metal.vert", "render/hot_metal.frag", {{"DRAWN_TWICE", "1"}}),
-      hotMetalShown_(shaders, "render/hot_metal.vert", "render/hot_metal.frag",
-                     {{"DRAWN_TWICE", "1"}, {"ENCODE_SRGB", "1"}}),
-      poolLight_(shaders, "render/hot_metal.vert", "render/hot_metal.frag", {{"DRAWN_TWICE", "1"}, {"POOL", "1"}}),
-      poolShown_(shaders, "render/hot_metal.vert", "render/hot_metal.frag",
-                 {{"DRAWN_TWICE", "1"}, {"POOL", "1"}, {"ENCODE_SRGB", "1"}}),
+      hotMetal_(shaders, "render/hot_metal.vert", "render/hot_metal.frag", kOfHotMetal, {{"DRAWN_TWICE", "1"}}),
+      pool_(shaders, "render/hot_metal.vert", "render/hot_metal.frag", kOfHotMetal,
+            {{"DRAWN_TWICE", "1"}, {"POOL", "1"}}),
       wax_(shaders, "render/surface.vert", "render/wax.frag"),
       ice_(shaders, "render/surface.vert", "render/ice.frag"),
       temperature_(shaders, "render/temperature.vert", "render/temperature.frag"),
@@ -48,11 +56,17 @@ void SurfacePainter::addVertexAttribute(GLuint attribute, GLint components, size
 void SurfacePainter::load(ViewSubmission submission) {
     for (TonedProgram* program : {&metal_, &wax_, &ice_, &temperature_, &wire_})
         program->load(submission);
-    for (ViewProgram* program : {&hotMetalLight_, &hotMetalShown_, &poolLight_, &poolShown_, &back_})
-        program->load(submission);
+    hotMetal_.load(submission);
+    pool_.load(submission);
+    back_.load(submission);
 }
 
-void SurfacePainter::prepare(const SurfaceMesh& mesh, int instances) {
+void SurfacePainter::prepare(const SceneView& scene, const LookParameters& look, int instances) {
+    if (isHotMetal(scene, look)) {
+        hotMetal_.choose(measuresOf(look));
+        if (has(look, Measure::poolMirror)) pool_.choose(measuresOf(look));
+    }
+    const SurfaceMesh& mesh = scene.mesh;
     if (instances < 2 || mesh.drawCommand == nullptr) return;
     // The draw command of the mesh has one instance, and only the GPU knows its size.
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -67,14 +81,13 @@ const gl::Buffer& SurfacePainter::commandFor(const SurfaceMesh& mesh, const View
 
 void SurfacePainter::draw(const SceneView& scene, const LookParameters& look, const ViewBatch& views, int count,
                           const RenderTarget& target) {
-    const SurfaceKind kind =
-        scene.looks != nullptr ? physicalKind(*scene.looks) : presetKind(static_cast<MaterialLook>(look.material));
+    const SurfaceKind kind = kindOf(scene, look);
     const bool translucent = look.colours == kMaterialColours && kind != SurfaceKind::metal;
     if (translucent) drawFarSide(scene.mesh, views, count, target);
     if (!scene.meshIsOpen) glEnable(GL_CULL_FACE);
     const bool coloured = look.colours != kMaterialColours;
-    if (!coloured && kind == SurfaceKind::metal && scene.temperature.kelvin) {
-        drawHotMetal(scene.mesh, views, target);
+    if (isHotMetal(scene, look)) {
+        drawHotMetal(scene.mesh, look, views, target);
     } else {
         const TonedProgram& program = coloured                   ? temperature_
                                       : kind == SurfaceKind::ice ? ice_
@@ -86,11 +99,13 @@ void SurfacePainter::draw(const SceneView& scene, const LookParameters& look, co
     glDisable(GL_CULL_FACE);
 }
 
-void SurfacePainter::drawHotMetal(const SurfaceMesh& mesh, const ViewBatch& views, const RenderTarget& target) const {
-    (target.encodesSrgb ? hotMetalLight_ : hotMetalShown_).use(views);
+void SurfacePainter::drawHotMetal(const SurfaceMesh& mesh, const LookParameters& look, const ViewBatch& views,
+                                  const RenderTarget& target) const {
+    hotMetal_.use(target, views);
     drawMesh(mesh, views);
+    if (!has(look, Measure::poolMirror)) return;
     glDepthFunc(GL_LEQUAL);
-    (target.encodesSrgb ? poolLight_ : poolShown_).use(views);
+    pool_.use(target, views);
     drawMesh(mesh, views);
     glDepthFunc(GL_LESS);
 }

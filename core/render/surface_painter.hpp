@@ -5,6 +5,7 @@
 #include "core/gl/texture.hpp"
 #include "core/render/look/look.hpp"
 #include "core/render/look/material_presets.hpp"
+#include "core/render/measured_program.hpp"
 #include "core/render/scene.hpp"
 #include "core/render/toned_program.hpp"
 #include "core/render/view/view.hpp"
@@ -21,7 +22,7 @@ class SurfacePainter {
     void load(ViewSubmission submission);
 
     /// Call before the first draw of a frame whose batches have `instances` views.
-    void prepare(const SurfaceMesh& mesh, int instances);
+    void prepare(const SceneView& scene, const LookParameters& look, int instances);
 
     /// Expects the frame's uniform blocks bound. `count`: number of all views of the target. Translucent materials
     /// first draw their far side into a texture of the target's size.
@@ -40,14 +41,14 @@ class SurfacePainter {
     void addVertexAttribute(GLuint attribute, GLint components, size_t offset);
     void drawFarSide(const SurfaceMesh& mesh, const ViewBatch& views, int count, const RenderTarget& target);
     void fitFarSide(int width, int height);
-    void drawHotMetal(const SurfaceMesh& mesh, const ViewBatch& views, const RenderTarget& target) const;
+    void drawHotMetal(const SurfaceMesh& mesh, const LookParameters& look, const ViewBatch& views,
+                      const RenderTarget& target) const;
     void drawMesh(const SurfaceMesh& mesh, const ViewBatch& views) const;
     const gl::Buffer& commandFor(const SurfaceMesh& mesh, const ViewBatch& views) const;
 
     TonedProgram metal_;
-    /// Twice: all of it, then the pool over it. For targets that encode sRGB and for those that do not.
-    ViewProgram hotMetalLight_, hotMetalShown_;
-    ViewProgram poolLight_, poolShown_;
+    /// All of it, then what the pool mirrors over it.
+    MeasuredProgram hotMetal_, pool_;
     TonedProgram wax_;
     TonedProgram ice_;
     TonedProgram temperature_;

@@ -48,8 +48,9 @@ class ViewProgram {
 class TonedProgram {
   public:
     /// As ViewProgram.
-    TonedProgram(gl::ShaderLibrary& shaders, const std::string& vertex, const std::string& fragment)
-        : light_(shaders, vertex, fragment), shown_(shaders, vertex, fragment, {{"ENCODE_SRGB", "1"}}) {}
+    TonedProgram(gl::ShaderLibrary& shaders, const std::string& vertex, const std::string& fragment,
+                 const gl::Defines& defines = {})
+        : light_(shaders, vertex, fragment, defines), shown_(shaders, vertex, fragment, encoding(defines)) {}
 
     void load(ViewSubmission submission) {
         light_.load(submission);
@@ -62,6 +63,11 @@ class TonedProgram {
     }
 
   private:
+    static gl::Defines encoding(gl::Defines defines) {
+        defines["ENCODE_SRGB"] = "1";
+        return defines;
+    }
+
     ViewProgram light_;
     ViewProgram shown_;
 };

@@ -2,6 +2,7 @@
 // bright to mirroring and darker: that is how a welder sees the pool's edge.
 // POOL: what is liquid mirrors torch and workpiece too. Solid metal is too dull to show more than the room. It is another
 // program and no branch, of which software drivers compute both sides.
+// ROUGH_LOBES: lamp, arc and room are mirrored as rough metal does; else by Phong's lobes.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/arc.glsl"
@@ -11,19 +12,25 @@
 #include "render/tone.glsl"
 #include "render/torch_parts.glsl"
 
+#ifdef ROUGH_LOBES
 layout(location = 0) in vec3 normal;
 layout(location = 1) in vec3 way;
+layout(location = 7) flat in int view;
+layout(location = 8) in float solidShare;
+#else
+layout(location = 0) in vec3 mirrorWay;
+layout(location = 1) in vec3 toArc;
+#endif
 layout(location = 2) in vec3 diffuse;
 layout(location = 3) in vec3 solidMirrored;
 layout(location = 4) in float temperature;
 layout(location = 5) in float emissivity;
 layout(location = 6) in float lampLight;
-layout(location = 8) in float solidShare;
-layout(location = 7) flat in int view;
 layout(location = 0) out vec4 colour;
 
 layout(binding = ROUGH_UNIT) uniform samplerCube roughEnvironment;
 
+#ifdef ROUGH_LOBES
 // The arc's mirror image: its ball widens the lobe. `share`: of an even room that the lobe holds.
 vec3 arcImage(vec3 n, vec3 toEye, vec3 mirrored, float roughness, float share) {
     vec3 toArc = frame.arc - frame.views[view].eye - way;
@@ -37,8 +44,7 @@ vec3 arcImage(vec3 n, vec3 toEye, vec3 mirrored, float roughness, float share) {
     return arcOn(toArc) * (3.14159265 * lobe / share) * mirrored;
 }
 
-void main() {
-    float liquid = liquidShare(temperature);
+vec3 mirrorLight(float liquid) {
     vec3 n = normalize(normal), toEye = -normalize(way);
     float cosine = max(dot(n, toEye), 0.0);
     float roughness = mix(solidRoughness(), material.liquidRoughness, liquid);
@@ -48,8 +54,32 @@ void main() {
 #ifdef POOL
     room = mix(room, mirroredThings(frame.views[view].eye + way, towards, room), liquid);
 #endif
-    vec3 light = diffuse * (1.0 - liquid) + mirrored * room;
-    light += metalGlow(temperature, mix(emissivity, material.liquidEmissivity, liquid));
+    vec3 light = mirrored * room;
     if (frame.arcLight.g > 0.0) light += arcImage(n, toEye, mirrored, roughness, mix(solidShare, 1.0, liquid));
+    return light;
+}
+#else
+// Levels of the environment, and binary logarithms of the exponents of the arc's image, in a liquid and in a rolled or
+// scaled surface. None: chosen.
+const vec2 kLevels = vec2(1.0, 3.0);
+const vec2 kSharpness = vec2(9.2, 3.0);
+
+vec3 mirrorLight(float liquid) {
+    float dull = frame.dullness * (1.0 - liquid);
+    // A whole level: between two, software drivers read both.
+    float level = floor(mix(kLevels.x, kLevels.y, dull) + 0.5);
+    vec3 seen = lampLight * decodeEnvironment(textureLod(roughEnvironment, mirrorWay, level).rgb);
+#ifdef POOL
+    seen = mix(seen, mirroredThings(frame.arc - toArc, normalize(mirrorWay), seen), liquid);
+#endif
+    if (frame.arcLight.g > 0.0) seen += arcMirrored(toArc, mirrorWay, exp2(mix(kSharpness.x, kSharpness.y, dull)));
+    return mix(solidMirrored, material.liquidReflectance, liquid) * seen;
+}
+#endif
+
+void main() {
+    float liquid = liquidShare(temperature);
+    vec3 light = diffuse * (1.0 - liquid) + mirrorLight(liquid);
+    light += metalGlow(temperature, mix(emissivity, material.liquidEmissivity, liquid));
     colour = finish(light, 1.0);
 }

@@ -1,5 +1,6 @@
 // A vertex of metal with a temperature in kelvin: as metal.vert, with temper colours. What jumps at the melting point is
-// computed for each pixel. POOL: only triangles with a liquid corner are drawn, over the others.
+// computed for each pixel. POOL: only triangles with a liquid corner are drawn, over the others. TORCH_SHADOW, ROUGH_LOBES:
+// see core/render/look/measures.hpp.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/view.glsl"
@@ -13,33 +14,49 @@ layout(location = NORMAL_ATTRIBUTE) in vec3 outward;   // unit, model
 layout(location = TEMPERATURE_ATTRIBUTE) in float vertexTemperature; // K
 layout(location = PEAK_ATTRIBUTE) in float peak; // highest temperature so far, K
 
+#ifdef ROUGH_LOBES
 layout(location = 0) out vec3 normal;        // world, not unit
 layout(location = 1) out vec3 way;           // world, from the eye to the vertex
+layout(location = 7) flat out int view;
+layout(location = 8) out float solidShare;   // share of an even room that its lobe holds while it is solid
+#else
+layout(location = 0) out vec3 mirrorWay;     // world direction that the eye sees in the metal, not unit
+layout(location = 1) out vec3 toArc;         // world
+#endif
 layout(location = 2) out vec3 diffuse;       // light that the metal scatters evenly while it is solid
 layout(location = 3) out vec3 solidMirrored; // share of the room's light that it mirrors while it is solid
 layout(location = 4) out float temperature;  // K
 layout(location = 5) out float emissivity;   // while it is solid
 layout(location = 6) out float lampLight;
-layout(location = 8) out float solidShare;   // share of an even room that its lobe holds while it is solid
-layout(location = 7) flat out int view;
 
 void main() {
     vec3 world = toWorld(position);
     vec3 n = normalize(mat3(frame.modelToWorld) * outward);
-    view = viewIndex();
-    normal = n;
-    way = world - frame.views[view].eye;
+    vec3 fromEye = world - frame.views[viewIndex()].eye;
     vec3 toLamp = frame.lamp - world;
-    lampLight = frame.ambient + frame.diffuse * max(dot(n, normalize(toLamp)), 0.0) * lampPastTorch(world, toLamp);
+    float lamp = frame.diffuse * max(dot(n, normalize(toLamp)), 0.0);
+#ifdef TORCH_SHADOW
+    lamp *= lampPastTorch(world, toLamp);
+#endif
+    lampLight = frame.ambient + lamp;
 
     vec3 reflectance = solidReflectance(vertexTemperature, peak);
     vec3 lit = vec3(lampLight);
     if (frame.arcLight.g > 0.0) lit += arcDiffuse(frame.arc - world, n);
     diffuse = lit * (1.0 - material.solidMirror) * reflectance;
+#ifdef ROUGH_LOBES
+    normal = n;
+    way = fromEye;
+    view = viewIndex();
     float cosine = max(-dot(n, normalize(way)), 0.0);
     vec2 shares = roomShares(solidRoughness(), cosine);
     solidMirrored = material.solidMirror * mirroredShare(reflectance, shares);
     solidShare = shares.x + shares.y;
+#else
+    solidMirrored = material.solidMirror * reflectance;
+    mirrorWay = reflect(fromEye, n);
+    toArc = frame.arc - world;
+#endif
     temperature = vertexTemperature;
     emissivity = solidEmissivity(vertexTemperature, peak);
 #ifdef POOL

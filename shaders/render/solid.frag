@@ -1,4 +1,4 @@
-// A painted solid: mirrors a little and may emit light.
+// A painted solid: mirrors a little and may emit light. TORCH_SHADOW: see core/render/look/measures.hpp.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/arc.glsl"
@@ -24,8 +24,11 @@ void main() {
     vec3 mirrored = reflect(normalize(way), n);
     vec3 image = decodeEnvironment(textureLod(roughEnvironment, mirrored, mix(5.0, 0.0, gloss)).rgb);
     float glance = pow(clamp(1.0 - dot(mirrored, n), 0.0, 1.0), 5.0);
-    vec3 world = frame.lamp - toLamp;
-    float light = frame.ambient + frame.diffuse * max(dot(n, lamp), 0.0) * lampPastTorch(world, toLamp);
+    float direct = frame.diffuse * max(dot(n, lamp), 0.0);
+#ifdef TORCH_SHADOW
+    direct *= lampPastTorch(frame.lamp - toLamp, toLamp);
+#endif
+    float light = frame.ambient + direct;
     float highlight = frame.specular * gloss * pow(max(dot(mirrored, lamp), 0.0), mix(8.0, 80.0, gloss));
     vec3 seen = light * paint + image * gloss * mix(0.12, 0.9, glance) + highlight + glow;
     if (frame.arcLight.g > 0.0) {

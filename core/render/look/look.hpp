@@ -32,6 +32,8 @@ struct LookParameters {
     float arcLight = 5e-5f;      ///< share of an arc's light that is drawn without a visor
     float glowSoftening = 0.08f; ///< light of hot metal from which on it is compressed without a visor
     float visorShade = 0.0f;     ///< shade number of the welding filter; 0: none
+    /// Measures that are left out whatever the detail, a bit each (see measures.hpp): what one costs is measured so.
+    unsigned leftOut = 0;
 };
 
 /// Description for menus, files and `--set`; it points into `look`.

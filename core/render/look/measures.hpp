@@ -1,0 +1,48 @@
+// What each level of detail has: the measures that bring a picture nearer to what a welder sees, and what they are.
+#pragma once
+
+#include "core/render/look/look.hpp"
+
+#include <array>
+#include <string_view>
+
+namespace meltpool {
+
+/// A part of a picture that a level may leave out. What shows the pool's edge is none: emissivity that jumps at the
+/// melting point, and solid metal duller than liquid metal.
+enum class Measure : unsigned { torchShadow, glare, roughLobes, poolMirror };
+
+/// A row of the table of levels.
+struct MeasureRow {
+    Measure measure;
+    PictureDetail from;        ///< the lowest level that has it
+    std::string_view key;      ///< one word, for figures
+    std::string_view sentence; ///< what a person sees of it
+};
+
+/// The table, in the order of Measure. `meltpool bench looks` tells what each costs.
+constexpr std::array<MeasureRow, 4> kMeasures{{
+    {Measure::torchShadow, kMediumDetail, "torch_shadow", "the torch's shadow in the lamp's light"},
+    {Measure::glare, kMediumDetail, "glare", "the veil that an arc throws in the eye"},
+    {Measure::roughLobes, kHighDetail, "rough_lobes",
+     "lamp, arc and room mirrored as rough metal does, and the light that roughness hides; without it Phong's lobes"},
+    {Measure::poolMirror, kHighDetail, "pool_mirror", "torch, filler and workpiece mirrored in the pool"},
+}};
+
+constexpr unsigned bitOf(Measure measure) {
+    return 1u << static_cast<unsigned>(measure);
+}
+
+/// The measures of a picture of this look, a bit each: those that its level has and that are not left out.
+constexpr unsigned measuresOf(const LookParameters& look) {
+    unsigned bits = 0;
+    for (const MeasureRow& row : kMeasures)
+        if (look.detail >= row.from) bits |= bitOf(row.measure);
+    return bits & ~look.leftOut;
+}
+
+constexpr bool has(const LookParameters& look, Measure measure) {
+    return (measuresOf(look) & bitOf(measure)) != 0;
+}
+
+} // namespace meltpool
