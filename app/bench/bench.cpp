@@ -107,6 +107,18 @@ void Bench::add(BenchRow row) {
     if (StopSignals::asked()) throw RuntimeFault("the measurement was stopped before its end");
 }
 
+void keepLeast(BenchRow& row, BenchRow again) {
+    if (row.what.empty()) {
+        row = std::move(again);
+        return;
+    }
+    row.stepMs = std::min(row.stepMs, again.stepMs);
+    for (size_t i = 0; i < row.passes.size(); ++i)
+        row.passes[i].second = std::min(row.passes[i].second, again.passes[i].second);
+    for (size_t i = 0; i < row.further.size(); ++i)
+        row.further[i].second = std::min(row.further[i].second, again.further[i].second);
+}
+
 std::string benchJson(const gl::ContextInfo& driver, const std::vector<BenchRow>& rows, bool complete) {
     nlohmann::ordered_json json;
     json["complete"] = complete;

@@ -34,6 +34,9 @@ inline double millisecondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// Makes `row` the lesser of two rows of the same measurement, number by number; takes `again` where it is empty.
+void keepLeast(BenchRow& row, BenchRow again);
+
 /// What a suite works with.
 class Bench {
   public:

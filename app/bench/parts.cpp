@@ -31,6 +31,9 @@ std::span<const BenchPart> benchParts() {
                   benchStereo},
         BenchPart{"stereo", "the processor's own work for a headset's frame, and with a headset where there is one",
                   benchHeadsetFrame},
+        BenchPart{"looks",
+                  "one moment of gmaw-bead, 1280x720: each level of detail and each measure of it, one eye and two",
+                  benchLooks},
         BenchPart{"card",
                   "two minutes on a graphics card: price of a pass, substep by pool size, gmaw-bead at 1 and 0.5 mm, "
                   "both eyes of 2064x2208",

@@ -18,6 +18,7 @@ void benchCheckpoint(Bench& bench);
 void benchRecording(Bench& bench);
 void benchStereo(Bench& bench);
 void benchHeadsetFrame(Bench& bench);
+void benchLooks(Bench& bench);
 void benchCard(Bench& bench);
 
 /// The row of benchEmptyDispatches(): wall time of all of them, and by the GPU timer under `passes`.

@@ -33,19 +33,6 @@ View eyeAt(float x) {
     return makeView({x, 1.55f, 0.42f}, down, lens, static_cast<float>(kEyeWidth) / kEyeHeight);
 }
 
-/// The lesser of two rows of the same measurement, pass by pass.
-void keepLeast(BenchRow& row, BenchRow again) {
-    if (row.what.empty()) {
-        row = std::move(again);
-        return;
-    }
-    row.stepMs = std::min(row.stepMs, again.stepMs);
-    for (size_t i = 0; i < row.passes.size(); ++i)
-        row.passes[i].second = std::min(row.passes[i].second, again.passes[i].second);
-    for (size_t i = 0; i < row.further.size(); ++i)
-        row.further[i].second = std::min(row.further[i].second, again.further[i].second);
-}
-
 } // namespace
 
 void benchStereo(Bench& bench) {

@@ -2,9 +2,11 @@
 #include "app/bench/bench.hpp"
 #include "app/bench/card.hpp"
 #include "app/bench/lesson.hpp"
+#include "app/bench/looks.hpp"
 #include "app/bench/parts.hpp"
 #include "core/base/resources.hpp"
 #include "core/gl/buffer.hpp"
+#include "core/render/look/measures.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
@@ -145,4 +147,31 @@ TEST_CASE("empty dispatches are 200 and timed on the GPU and by the clock", "[ap
     CHECK(further(row, "us_per_dispatch") == Approx(row.stepMs * 1e3 / 200));
     REQUIRE(row.passes.size() == 1);
     CHECK(row.passes[0].second > 0);
+}
+
+TEST_CASE("the suite of looks measures the levels, and each measure left out, for one eye and for two", "[app]") {
+    Bench bench(test::shaders(), "looks");
+    measureLooks(bench, smallBead(), {0.6, 160, 90, 1, 0});
+    const size_t ofAnEye = 3 + kMeasures.size();
+    REQUIRE(bench.rows().size() == 2 * ofAnEye);
+    CHECK(bench.rows()[0].what == "high, one eye");
+    CHECK(bench.rows()[2].what == "low, one eye");
+    CHECK(bench.rows()[ofAnEye].what == "high, two eyes");
+    const BenchRow& high = bench.rows()[0];
+    CHECK(further(high, "cpu_over_high") == 1);
+    for (size_t i = 0; i < kMeasures.size(); ++i) {
+        const BenchRow& row = bench.rows()[3 + i];
+        CHECK(row.suite == "looks");
+        CHECK(row.what == "high without " + std::string(kMeasures[i].key) + ", one eye");
+        CHECK(further(row, "measure_cpu_ms") == Approx(further(high, "cpu_ms") - further(row, "cpu_ms")));
+        CHECK(further(row, "measure_gpu_ms") == Approx(further(high, "gpu_ms") - further(row, "gpu_ms")));
+    }
+    const auto passesOf = [](const BenchRow& row) {
+        std::string names;
+        for (const auto& [name, ms] : row.passes)
+            names += name + ";";
+        return names;
+    };
+    CHECK_THAT(passesOf(high), Catch::Contains("draw glare"));
+    CHECK_THAT(passesOf(bench.rows()[2]), !Catch::Contains("draw glare"));
 }
