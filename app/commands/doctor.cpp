@@ -52,6 +52,9 @@ void inspectDriver(std::vector<Finding>& findings) {
         if (info.software)
             findings.push_back({"graphics card", State::note, "none in use: the processor draws",
                                 "install the graphics card's driver for larger lessons and a headset"});
+        findings.push_back(
+            {"automatic detail of pictures", State::good,
+             info.software ? "low, as the processor draws" : "measured when a lesson begins, from high down", ""});
         for (const Limit& limit : kLimits) {
             GLint64 value = 0;
             glGetInteger64v(limit.query, &value);

@@ -1,6 +1,6 @@
 #include "app/desktop/desktop_app.hpp"
 
-#include "app/desktop/screenshot.hpp"
+#include "app/desktop/picture/screenshot.hpp"
 #include "app/program/call_counters.hpp"
 #include "app/program/program_info.hpp"
 #include "app/session/recordings/best_kept.hpp"
@@ -47,6 +47,7 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
       recordingSection_("recordings", describe(session_.recordings().parameters)),
       settings_(options.settings),
       lessons_(home_, session_, settings_, controls_, messages_),
+      detail_(window_.driver().software),
       driver_(driverText(window_.driver())) {
     if (options_.headset != HeadsetUse::off && options_.makeHeadset) headset_ = options_.makeHeadset(settingsFolder());
     session_.records().use(options_.record, programBuild(), window_.driver().renderer);
@@ -142,6 +143,9 @@ void DesktopApp::runFrame() {
     interface_.takeInput(input, captured);
     handleKeys(input);
     tellRecordings(session_.recordings(), time, messages_);
+    detail_.update(windowParameters_.detail, session_.running(), headsetFrame_);
+    session_.setDetail(detail_.level());
+    figures_.detail = detailSentence(detail_.level());
     const bool timed = menus_.panels.timings && !menus_.panels.hidden;
     if (timed) profiler_.beginFrame();
     picture_.count(session_, seconds, stepsBeside_);
@@ -156,7 +160,7 @@ void DesktopApp::runFrame() {
     writeTelemetry();
     show();
     if (timed) profiler_.endFrame();
-    if (pictureAsked_) takePicture();
+    if (pictureAsked_ || largeAsked_) takePicture();
     window_.swap();
     finishSteps(seconds);
     act(request);
@@ -193,7 +197,8 @@ void DesktopApp::beginHeadset(double seconds) {
 void DesktopApp::drawHeadset(double seconds) {
     if (!headsetFrame_) return;
     const gl::Scope scope(&profiler_, "headset");
-    const MenuRequest request = headset_->draw(session_, home_, figures_, messages_, seconds, &profiler_);
+    MenuRequest request = MenuRequest::none;
+    detail_.draw([&] { request = headset_->draw(session_, home_, figures_, messages_, seconds, &profiler_); });
     headset_->end();
     act(request);
 }
@@ -352,7 +357,7 @@ void DesktopApp::preparePicture(double seconds) {
 }
 
 void DesktopApp::drawPicture() {
-    if (picturePrepared_) return picture_.draw(session_, &profiler_);
+    if (picturePrepared_) return detail_.draw([this] { picture_.draw(session_, &profiler_); });
     if (session_.running()) return; // the headset's mirror is there
     const glm::ivec2 pixels = window_.pixels();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -372,9 +377,10 @@ MenuRequest DesktopApp::drawMenus() {
 }
 
 void DesktopApp::takePicture() {
+    const bool large = std::exchange(largeAsked_, false) && picturePrepared_;
     pictureAsked_ = false;
     try {
-        screenshot_ = saveScreenshot(window_.pixels()).string();
+        screenshot_ = (large ? savePicture(picture_.large(session_)) : saveScreenshot(window_.pixels())).string();
         messages_.note("Picture saved as " + screenshot_, now(), "picture");
     } catch (const std::exception& fault) {
         messages_.warn(fault.what(), now(), "picture");

@@ -8,6 +8,7 @@
 #include "app/desktop/desktop_sound.hpp"
 #include "app/desktop/frame_pacer.hpp"
 #include "app/desktop/interface.hpp"
+#include "app/desktop/picture/detail_choice.hpp"
 #include "app/desktop/picture/window_picture.hpp"
 #include "app/desktop/shader_watch.hpp"
 #include "app/desktop/steps/step_thread.hpp"
@@ -98,10 +99,12 @@ class DesktopApp {
     ShaderWatch shaderWatch_;
     FramePacer pacer_;
     WindowPicture picture_;
+    DetailChoice detail_;
     std::string screenshot_;
     std::string driver_;
-    size_t judgements_ = 0; ///< that the menus have shown
-    bool pictureAsked_ = false;
+    size_t judgements_ = 0;                  ///< that the menus have shown
+    bool pictureAsked_ = false;              ///< of the window, with its menus
+    bool largeAsked_ = false;                ///< of the metal
     bool picturePrepared_ = false;           ///< of the running lesson, in this frame
     bool stepsDue_ = false;                  ///< in this frame, beside its picture
     std::optional<StepsBeside> stepsBeside_; ///< in the last frame

@@ -99,8 +99,9 @@ void DesktopApp::handleKeys(const InputFrame& input) {
         case Key::f11:
             window_.toggleFullScreen();
             break;
+        case Key::f10:
         case Key::f12:
-            pictureAsked_ = true;
+            (key == Key::f12 && session_.running() && !headsetFrame_ ? largeAsked_ : pictureAsked_) = true;
             messages_.clear("picture"); // the last picture's message is not for this one
             break;
         default:

@@ -1,5 +1,6 @@
 #include "app/desktop/desktop_settings.hpp"
 
+#include "app/desktop/picture/detail_choice.hpp"
 #include "app/desktop/picture/picture_quality.hpp"
 #include "core/base/resources.hpp"
 
@@ -29,6 +30,11 @@ ParameterList describe(WindowParameters& w) {
          "On top of what the desktop asks for; large menus cover more of the picture."},
         {"picture", "Picture", "", &w.picture, 0, kPictureLevels,
          "automatic: as fine as leaves the metal its time; text and menus are always full", pictureChoices()},
+        {"detail", "Detail", "", &w.detail, 0, 3,
+         "of light and metal, in the headset too; automatic: low without a graphics card, on one as much as it draws "
+         "in "
+         "time",
+         detailChoices()},
     };
 }
 

@@ -17,6 +17,7 @@ struct WindowParameters {
     bool maximised = false;
     float interfaceSize = 1; ///< factor on what the desktop asks for
     int picture = 0;         ///< see pictureChoices()
+    int detail = 0;          ///< see detailChoices(), in the headset too
 };
 ParameterList describe(WindowParameters& parameters);
 

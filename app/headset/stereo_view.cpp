@@ -63,7 +63,7 @@ void StereoView::draw(LessonSession& session, const SceneView& lesson, const Wor
     scene.solids = scene_.build(parameters_, hands_);
     scene.source.shown &= demonstrated; // else the drawn torch takes its place
     if (session.cut().shown()) standCut(session, scene);
-    LookParameters look = session.lesson().look;
+    LookParameters look = session.look();
     look.showBox = false;
     visor_.wear(parameters_, scene.temperature.kelvin, look);
     Renderer& renderer = session.renderer();

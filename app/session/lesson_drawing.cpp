@@ -85,7 +85,13 @@ DeskPicture LessonSession::picture(const Controls& controls, float aspect, float
 }
 
 void LessonSession::draw(const DeskPicture& picture, const RenderTarget& target, gl::Profiler* profiler) {
-    renderer_.draw(picture.scene, lesson_.look, std::span(&picture.view, 1), target, profiler);
+    renderer_.draw(picture.scene, look(), std::span(&picture.view, 1), target, profiler);
+}
+
+LookParameters LessonSession::look() const {
+    LookParameters look = lesson_.look;
+    look.detail = detail_;
+    return look;
 }
 
 void LessonSession::fillFigures(LessonFigures& figures) const {

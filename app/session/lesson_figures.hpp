@@ -14,6 +14,7 @@ struct LessonFigures {
     double speed = 1;              ///< simulated over real time
     std::string_view slow = {};    ///< that the metal runs slowly, for the person; empty: it keeps up
     std::string_view picture = {}; ///< that it is drawn with fewer pixels than the window has; empty: with all
+    std::string_view detail = {};  ///< that its detail is not the highest; empty: it is
     std::string_view caption = {}; ///< what is heard; empty: nothing, or captions are off
     double framesPerSecond = 0;
     size_t particles = 0;

@@ -114,6 +114,10 @@ class LessonSession {
     /// lesson's next steps are finished.
     DeskPicture picture(const Controls& controls, float aspect, float shift, gl::Profiler* profiler);
     void draw(const DeskPicture& picture, const RenderTarget& target, gl::Profiler* profiler);
+    /// The detail of the pictures to come, whatever the lesson's file says; the highest at first.
+    void setDetail(PictureDetail detail) { detail_ = detail; }
+    /// The lesson's look with that detail.
+    LookParameters look() const;
 
     /// Asks where the metal lies under the torch in the hand. The answer comes frames later; nothing waits for it.
     void sound(const TorchSample& torch);
@@ -276,6 +280,7 @@ class LessonSession {
         int due = 0;
     } steps_;
     std::string fault_;
+    PictureDetail detail_ = kHighDetail;
     bool surfaceIsOld_ = true;
     SurfaceDistance surfaceDistance_;
     bool handLed_ = false; ///< the torch of the last step

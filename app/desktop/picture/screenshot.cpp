@@ -1,4 +1,4 @@
-#include "app/desktop/screenshot.hpp"
+#include "app/desktop/picture/screenshot.hpp"
 
 #include "core/gl/texture.hpp"
 
@@ -40,7 +40,10 @@ fs::path pictureName(const fs::path& folder) {
 }
 
 fs::path saveScreenshot(glm::ivec2 pixels) {
-    const Image image = gl::readPixels(0, pixels.x, pixels.y);
+    return savePicture(gl::readPixels(0, pixels.x, pixels.y));
+}
+
+fs::path savePicture(const Image& image) {
     const fs::path name = pictureName(picturesFolder());
     writePng(name, image);
     return name;

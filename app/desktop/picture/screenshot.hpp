@@ -1,6 +1,8 @@
 // Pictures of the window as PNG files named by the time.
 #pragma once
 
+#include "core/base/image.hpp"
+
 #include <glm/vec2.hpp>
 
 #include <filesystem>
@@ -12,6 +14,9 @@ std::filesystem::path picturesFolder();
 
 /// A name in `folder` made of the local time that no file has yet, such as meltpool-2031-05-04-13.45.10.png.
 std::filesystem::path pictureName(const std::filesystem::path& folder);
+
+/// Saves the picture under such a name there. Throws as saveScreenshot().
+std::filesystem::path savePicture(const Image& image);
 
 /// Saves what has been drawn into the window (not yet swapped), `pixels` large. Waits for the GPU. Throws what
 /// writeFile() throws; no part of a picture is left then.

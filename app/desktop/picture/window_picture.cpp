@@ -1,5 +1,7 @@
 #include "app/desktop/picture/window_picture.hpp"
 
+#include "core/render/view/large_picture.hpp"
+
 #include <algorithm>
 
 namespace meltpool {
@@ -24,12 +26,29 @@ void WindowPicture::prepare(LessonSession& session, const Controls& controls, co
     const float aspect = static_cast<float>(pixels_.x) / static_cast<float>(std::max(pixels_.y, 1));
     shown_ = session.picture(controls, aspect, wish.shift, profiler);
     sentence_ = pictureSentence(level_);
+    offset_ = wish.shift;
 }
 
 void WindowPicture::draw(LessonSession& session, gl::Profiler* profiler) {
     const RenderTarget target = scaled_.begin(pixels_, kPictureShares[static_cast<size_t>(level_)]);
     session.draw(shown_, target, profiler);
     scaled_.end();
+}
+
+Image WindowPicture::large(LessonSession& session) {
+    counts_ = false; // this frame is longer than its picture
+    LargePicture wish;
+    wish.size = fitInto(pixels_, wish.size);
+    View view = shown_.view;
+    view.eyeToClip[2][0] += offset_;
+    session.setDetail(kHighDetail);
+    DeskPicture tile = shown_;
+    const Image image = drawLargePicture(wish, view, [&](const View& part, const RenderTarget& target) {
+        tile.view = part;
+        session.draw(tile, target, nullptr);
+    });
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    return image;
 }
 
 } // namespace meltpool

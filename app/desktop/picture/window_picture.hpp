@@ -32,6 +32,9 @@ class WindowPicture {
     void prepare(LessonSession& session, const Controls& controls, const PictureWish& wish, gl::Profiler* profiler);
     /// Draws that. Leaves the window's frame buffer bound.
     void draw(LessonSession& session, gl::Profiler* profiler);
+    /// The same moment without panels and with all detail, 4K or as much of that as has the window's shape. Waits for
+    /// the driver, which a software driver makes seconds. Throws RuntimeFault when it cannot draw it.
+    Image large(LessonSession& session);
     /// What the last picture was drawn at, see pictureSentence().
     std::string_view sentence() const { return sentence_; }
 
@@ -41,6 +44,7 @@ class WindowPicture {
     DeskPicture shown_;
     PictureLevel level_ = PictureLevel::full; ///< of shown_
     glm::ivec2 pixels_{0};
+    float offset_ = 0; ///< of shown_, see PictureWish::shift
     std::string_view sentence_;
     bool counts_ = false; ///< the last picture was drawn at the budget's level
 };

@@ -88,9 +88,10 @@ ShortText figuresText(const LessonFigures& f) {
         all += "   \xC2\xB7   ";
         all += f.slow;
     }
-    if (!f.picture.empty()) {
+    for (const std::string_view drawn : {f.picture, f.detail}) {
+        if (drawn.empty()) continue;
         all += "   \xC2\xB7   ";
-        all += f.picture;
+        all += drawn;
     }
     return all;
 }

@@ -151,7 +151,7 @@ void viewMenu(Context& context, std::span<const ParameterSection* const> section
           "Mouse and keys",
           {"source_step", "source_mouse_speed", "look_speed", "camera_speed", "invert_look"},
           false},
-         {"window", "Window", {"interface_size", "picture"}, false},
+         {"window", "Window", {"interface_size", "picture", "detail"}, false},
          {"recordings", "Recordings", {"keep_recordings", "recordings_limit_mb"}, false}}};
     drawGroups(context, sections, kGroups);
     ImGui::End();
@@ -241,13 +241,14 @@ void helpOverlay(Context& context, bool& open) {
                                               {"Wheel", "nearer and farther"}}};
     constexpr std::array<Shortcut, 4> kFly{
         {{"Mouse", "look"}, {"W  S", "forwards and back"}, {"A  D", "to the sides"}, {"Q  E", "down and up"}}};
-    constexpr std::array<Shortcut, 8> kProgram{{{"V", "work, or pause and look around"},
+    constexpr std::array<Shortcut, 9> kProgram{{{"V", "work, or pause and look around"},
                                                 {"H", "home: all lessons"},
                                                 {"C  Escape", "catch or free the mouse"},
                                                 {"F1", "this page"},
                                                 {"F2  F3  F4", "view, machine, timings"},
                                                 {"Tab", "hide and show all panels"},
-                                                {"F11  F12", "full screen; save a picture"},
+                                                {"F10  F12", "save the window; the metal's picture in 4K"},
+                                                {"F11", "full screen"},
                                                 {"Arrows  Enter", "in the list of lessons"}}};
     ImGui::Columns(2, "help columns", false);
     shortcutColumn(context, "The torch, while working", kTorch);

@@ -20,6 +20,13 @@ ParameterList startParameters(Lesson& lesson, AttemptParameters& attempt) {
     return list;
 }
 
+/// The picture's detail is a setting of the window, for all lessons.
+ParameterList viewParameters(LookParameters& look) {
+    ParameterList list = describe(look);
+    std::erase_if(list, [](const Parameter& p) { return p.key == "detail"; });
+    return list;
+}
+
 /// Keys of the look that change nothing in this lesson.
 std::span<const std::string_view> idleLook(const Lesson& lesson) {
     static constexpr std::array<std::string_view, 3> kIdle{"arc_light", "material", "show_source"};
@@ -49,7 +56,7 @@ ParameterList describe(AttemptParameters& a) {
 
 LessonSections::LessonSections(Lesson& lesson)
     : start("start", startParameters(lesson, attempt)),
-      view("view", describe(lesson.look)),
+      view("view", viewParameters(lesson.look)),
       surface("surface", liveParameters(describe(lesson.surface))),
       simulation("simulation", liveParameters(lesson.model == LessonModel::Weld ? lesson.processParameters()
                                                                                 : describe(lesson.metal))) {

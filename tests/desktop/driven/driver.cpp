@@ -265,7 +265,7 @@ void TrainerWindow::start() {
 
 fs::path TrainerWindow::takePicture(const std::string& name) {
     const std::string before = state().at("screenshot");
-    key("F12");
+    key("F10");
     const json now = waitFor("a picture", [&](const json& s) { return s.at("screenshot") != before; });
     const fs::path kept = fs::path(MELTPOOL_BINARY_FOLDER) / "desktop-pictures" / (name + ".png");
     fs::create_directories(kept.parent_path());

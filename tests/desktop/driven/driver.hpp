@@ -76,7 +76,7 @@ class TrainerWindow {
 
     /// Start with the values as they stand, and wait until the metal runs.
     void start();
-    /// F12; the picture goes to the build folder's desktop-pictures/NAME.png. Returns where.
+    /// F10; the picture goes to the build folder's desktop-pictures/NAME.png. Returns where.
     std::filesystem::path takePicture(const std::string& name);
 
     /// As the cross of the window does.

@@ -69,7 +69,7 @@ struct BlindWindow {
         for (const fs::path& older : pictures())
             fs::remove(older);
         waitUntil("a picture", [&] {
-            if (pictures().empty()) runCommand({"xdotool", "key", "F12"}, display);
+            if (pictures().empty()) runCommand({"xdotool", "key", "F10"}, display);
             std::this_thread::sleep_for(std::chrono::milliseconds(500));
             return !pictures().empty();
         });
