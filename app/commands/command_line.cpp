@@ -81,6 +81,14 @@ void addRun(CLI::App& app, Arguments& arguments) {
     run->add_option("--sound", r.sound, "Write what is heard of the weld here, as a WAV file")->type_name("FILE");
     run->add_option("--mesh", r.mesh, "Write the surface of the metal at the end here: .glb, .gltf or .ply")
         ->type_name("FILE");
+    run->add_flag(
+        "--video", r.video,
+        "Make a time-lapse of the pictures' size: video.mp4 where ffmpeg is in PATH, else video-000000.png, ..");
+    run->add_option("--video-rate", r.videoRate, "Pictures of a second of the time-lapse; 30")->type_name("N");
+    run->add_option("--video-speed", r.videoSpeed, "Simulated seconds in each second of the time-lapse; 4")
+        ->type_name("TIMES");
+    run->add_option("--turntable", r.turntable, "Take so many pictures round the finished piece: turntable-000.png, ..")
+        ->type_name("N");
     run->add_option("--set", r.sets, "Set a value (meltpool lessons LESSON); may be given again")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);

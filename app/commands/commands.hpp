@@ -23,6 +23,10 @@ struct RunRequest {
     std::filesystem::path record;  ///< where telemetry.csv goes; empty: into the folder
     std::filesystem::path sound;   ///< WAV file of what is heard; empty: none
     std::filesystem::path mesh;    ///< where the weld's surface goes at the end; empty: nowhere
+    bool video = false;            ///< a time-lapse, see FilmRequest
+    std::string videoRate;         ///< its pictures a second
+    std::string videoSpeed;        ///< simulated seconds in each of its seconds
+    std::string turntable;         ///< pictures round the finished piece
 };
 
 /// The lesson with all that the request changes. Throws InputError for what is not there or does not fit.

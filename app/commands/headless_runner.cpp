@@ -33,9 +33,11 @@ int samplesFor(const RunParameters& run) {
 /// Takes the lesson's pictures at their times.
 class Photographer {
   public:
-    Photographer(gl::ShaderLibrary& shaders, const RunParameters& run, std::filesystem::path folder)
+    Photographer(gl::ShaderLibrary& shaders, const RunParameters& run, const FilmRequest& film,
+                 std::filesystem::path folder)
         : renderer_(shaders),
           target_(run.width, run.height, samplesFor(run)),
+          film_(film, folder),
           folder_(std::move(folder)),
           every_(static_cast<double>(run.picturesEvery)) {}
 
@@ -49,22 +51,39 @@ class Photographer {
     void takeDue(Trainer& trainer, bool last) {
         const double half = trainer.timeStep() / 2;
         const bool due = every_ > 0 && trainer.time() + half >= static_cast<double>(taken_) * every_;
-        if (!due && !last) return;
-        ++taken_;
+        const size_t frames = film_.due(trainer.time(), half);
+        if (!due && !last && frames == 0) return;
         trainer.updateSurface(nullptr);
         ghost_.update(trainer, false, 1, kLongAgo);
-        for (const PictureLook& picture : trainer.lesson().pictures)
-            take(trainer, picture);
+        if (frames > 0) film_.add(picture(trainer, filmLook(trainer.lesson())), frames);
+        if (due || last) takePictures(trainer);
+        if (last) turn(trainer);
     }
 
   private:
-    void take(Trainer& trainer, const PictureLook& picture) {
+    void takePictures(Trainer& trainer) {
+        ++taken_;
+        for (const PictureLook& look : trainer.lesson().pictures)
+            keep(trainer, look);
+    }
+
+    void turn(Trainer& trainer) {
+        const int pictures = film_.request().turntable;
+        for (int i = 0; i < pictures; ++i)
+            film_.addTurned(picture(trainer, turnedLook(filmLook(trainer.lesson()), i, pictures)), i);
+    }
+
+    Image picture(Trainer& trainer, const PictureLook& look) {
         const auto ghost = [&](SceneView& scene, const View& view) {
-            if (picture.look.showSource && !picture.sectionAt) scene.ghost = ghost_.markers(trainer, scene, view);
+            if (look.look.showSource && !look.sectionAt) scene.ghost = ghost_.markers(trainer, scene, view);
         };
-        const Image image = takePicture(renderer_, target_, trainer, picture, ghost);
+        return takePicture(renderer_, target_, trainer, look, ghost);
+    }
+
+    void keep(Trainer& trainer, const PictureLook& look) {
+        const Image image = picture(trainer, look);
         try {
-            writePng(folder_ / runPictureName(trainer.time(), picture.name), image);
+            writePng(folder_ / runPictureName(trainer.time(), look.name), image);
         } catch (const InputError& error) {
             // The folder was writable when the run began: by now it is the disk that fails, not the input.
             throw RuntimeFault(error.what());
@@ -74,6 +93,7 @@ class Photographer {
     Renderer renderer_;
     AttemptGhost ghost_;
     PictureTarget target_;
+    Film film_;
     std::filesystem::path folder_;
     double every_;
     size_t taken_ = 0;
@@ -122,7 +142,7 @@ class Run {
         if (hooks_.start) hooks_.start(trainer_);
         const size_t before = trainer_.steps();
         if (before > 0) trainer_.event("begun_at", std::to_string(before));
-        Photographer photographer(shaders, run, places_.folder);
+        Photographer photographer(shaders, run, hooks_.film, places_.folder);
         if (!hooks_.ghost.empty()) photographer.showGhost(trainer_, hooks_.ghost);
         ProgressBar bar(trainer_.lesson().key);
         photographer.takeDue(trainer_, whole <= before);

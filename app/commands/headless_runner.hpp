@@ -1,6 +1,7 @@
 // Runs a lesson's demonstration without a screen and leaves result.json, telemetry.csv and pictures in a folder.
 #pragma once
 
+#include "app/film/film.hpp"
 #include "core/gl/context.hpp"
 #include "core/gl/program.hpp"
 #include "core/training/trainer.hpp"
@@ -39,6 +40,7 @@ struct RunHooks {
     std::function<void(Trainer&)> start = {};
     TorchPath ghost = {}; ///< goes through the pictures by place on the seam and touches nothing else
     std::vector<std::pair<std::string, std::string>> whatIf = {}; ///< see ResultContext
+    FilmRequest film = {};
 };
 
 /// Runs the lesson to its end. From the first moment on the result says that the run is not finished. When it fails,

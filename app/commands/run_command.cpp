@@ -84,6 +84,19 @@ TorchPath requestedGhost(const RunRequest& request, const Lesson& lesson) {
     return torch;
 }
 
+FilmRequest requestedFilm(const RunRequest& request) {
+    FilmRequest film;
+    film.video = request.video;
+    const ParameterList list = describe(film);
+    if (!request.videoRate.empty()) setParameter(list, "rate", request.videoRate, "--video-rate");
+    if (!request.videoSpeed.empty()) setParameter(list, "speed", request.videoSpeed, "--video-speed");
+    if (!request.turntable.empty()) setParameter(list, "turntable", request.turntable, "--turntable");
+    if (!film.video && !(request.videoRate.empty() && request.videoSpeed.empty()))
+        throw InputError("--video-rate and --video-speed are of a time-lapse, which is not asked for; expected --video "
+                         "too");
+    return film;
+}
+
 } // namespace
 
 Lesson requestedLesson(const RunRequest& request) {
@@ -109,6 +122,7 @@ void runLesson(const RunRequest& request) {
     lesson.ghost = lesson.ghost || !request.ghost.empty(); // nobody is practising
     RunHooks hooks;
     hooks.ghost = requestedGhost(request, lesson);
+    hooks.film = requestedFilm(request);
     std::vector<std::filesystem::path> sources = lessonSources(lesson);
     if (!request.ghost.empty()) sources.push_back(request.ghost);
     requireNoSource("--record", request.record, sources);
@@ -138,6 +152,7 @@ void runLesson(const RunRequest& request) {
         shown(lesson.key).c_str(), result.seconds, result.steps, result.metal.molten, result.metal.particles,
         result.metal.minTemperature, result.metal.maxTemperature, result.metal.lost,
         shown(request.folder.string()).c_str());
+    if (hooks.film.video) std::printf("%s\n", shown(finishFilm(hooks.film, request.folder)).c_str());
     if (!request.mesh.empty()) std::printf("The mesh is in %s.\n", shown(request.mesh.string()).c_str());
     if (lesson.recorded)
         std::printf("%s\n", repetitionText(*lesson.recorded, result, programBuild(), context.info().renderer).c_str());

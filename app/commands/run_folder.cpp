@@ -1,5 +1,6 @@
 #include "app/commands/run_folder.hpp"
 
+#include "app/film/film.hpp"
 #include "core/base/error.hpp"
 #include "core/base/system/files.hpp"
 
@@ -62,7 +63,7 @@ std::vector<fs::path> runFilesIn(const fs::path& folder) {
 bool isRunFile(std::string_view name) {
     const std::string_view base = withoutDraftEnding(name);
     return base == "result.json" || base == "telemetry.csv" || base == "technique.csv" || base == "weld.csv" ||
-           base == "report.html" || isPictureName(base);
+           base == "report.html" || isPictureName(base) || isFilmFile(base);
 }
 
 RunFolder::RunFolder(fs::path folder, std::span<const fs::path> sources) : folder_(std::move(folder)) {

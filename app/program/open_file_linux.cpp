@@ -1,14 +1,14 @@
 #include "app/program/open_file.hpp"
 
+#include "app/program/other_program.hpp"
+
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <string>
-#include <string_view>
 #include <thread>
 
 namespace meltpool {
@@ -20,22 +20,11 @@ bool set(const char* variable) {
     return value != nullptr && *value != '\0';
 }
 
-/// Where the program is; empty where it is not.
-std::string programIn(std::string_view path, const char* name) {
-    while (!path.empty()) {
-        const size_t end = std::min(path.find(':'), path.size());
-        const std::string file = std::string(path.substr(0, end)) + "/" + name;
-        if (end > 0 && ::access(file.c_str(), X_OK) == 0) return file;
-        path.remove_prefix(std::min(end + 1, path.size()));
-    }
-    return {};
-}
-
 } // namespace
 
 bool openForPerson(const std::filesystem::path& file) {
-    if (!set("PATH") || !(set("DISPLAY") || set("WAYLAND_DISPLAY"))) return false;
-    const std::string program = programIn(std::getenv("PATH"), "xdg-open");
+    if (!set("DISPLAY") && !set("WAYLAND_DISPLAY")) return false;
+    const std::filesystem::path program = findProgram("xdg-open");
     if (program.empty()) return false;
     std::error_code failed;
     std::string whole = std::filesystem::absolute(file, failed).string(); // no word that begins with '-'

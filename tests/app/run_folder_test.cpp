@@ -12,12 +12,13 @@ using namespace meltpool;
 namespace fs = std::filesystem;
 
 TEST_CASE("only names that a run gives are a run's files", "[app]") {
-    for (const char* name : {"result.json", "telemetry.csv", "technique.csv", "weld.csv", "001.500s-metal.png",
-                             "1234.000s-my_look.png", "result.json.312.tmp", "000.000s-a.png.7.tmp"})
-        CHECK(isRunFile(name));
     for (const char* name :
-         {"result.json.tmp", "my-result.json", "telemetry.csv.bak", "01.500s-metal.png", "001.50s-x.png",
-          "001.500-metal.png", "001.500s-metal.jpg", "photo.png", "", ".tmp", "001.", "notes.7.tmp"})
+         {"result.json", "telemetry.csv", "technique.csv", "weld.csv", "001.500s-metal.png", "1234.000s-my_look.png",
+          "result.json.312.tmp", "000.000s-a.png.7.tmp", "video-000000.png", "turntable-011.png", "video.mp4"})
+        CHECK(isRunFile(name));
+    for (const char* name : {"result.json.tmp", "my-result.json", "telemetry.csv.bak", "01.500s-metal.png",
+                             "001.50s-x.png", "001.500-metal.png", "video-00.png", "my-video.mp4", "001.500s-metal.jpg",
+                             "photo.png", "", ".tmp", "001.", "notes.7.tmp"})
         CHECK_FALSE(isRunFile(name));
 }
 
