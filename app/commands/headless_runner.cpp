@@ -67,10 +67,14 @@ class Photographer {
             keep(trainer, look);
     }
 
+    /// The piece alone: an arc that still burns gives no light.
     void turn(Trainer& trainer) {
         const int pictures = film_.request().turntable;
-        for (int i = 0; i < pictures; ++i)
-            film_.addTurned(picture(trainer, turnedLook(filmLook(trainer.lesson()), i, pictures)), i);
+        const auto putOut = [](SceneView& scene, const View&) { scene.arc = {}; };
+        for (int i = 0; i < pictures; ++i) {
+            const PictureLook look = turnedLook(filmLook(trainer.lesson()), i, pictures);
+            film_.addTurned(takePicture(renderer_, target_, trainer, look, putOut), i);
+        }
     }
 
     Image picture(Trainer& trainer, const PictureLook& look) {

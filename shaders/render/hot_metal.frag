@@ -59,10 +59,10 @@ vec3 mirrorLight(float liquid) {
     return light;
 }
 #else
-// Levels of the environment, and binary logarithms of the exponents of the arc's image, in a liquid and in a rolled or
-// scaled surface. None: chosen.
+// Levels of the environment in a liquid and in a rolled or scaled surface. None: chosen.
 const vec2 kLevels = vec2(1.0, 3.0);
-const vec2 kSharpness = vec2(9.2, 3.0);
+// Exponent of the arc's image. Rolled metal makes it about as wide, and over its pool the arc's ball is as wide from there.
+const float kArcSharpness = 24.0;
 
 vec3 mirrorLight(float liquid) {
     float dull = frame.dullness * (1.0 - liquid);
@@ -72,7 +72,7 @@ vec3 mirrorLight(float liquid) {
 #ifdef POOL
     seen = mix(seen, mirroredThings(frame.arc - toArc, normalize(mirrorWay), seen), liquid);
 #endif
-    if (frame.arcLight.g > 0.0) seen += arcMirrored(toArc, mirrorWay, exp2(mix(kSharpness.x, kSharpness.y, dull)));
+    if (frame.arcLight.g > 0.0) seen += arcMirrored(toArc, mirrorWay, kArcSharpness);
     return mix(solidMirrored, material.liquidReflectance, liquid) * seen;
 }
 #endif
