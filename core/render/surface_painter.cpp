@@ -14,7 +14,8 @@ namespace {
 constexpr GLuint kVertexBuffer = 0, kPeakBuffer = 1; // bindings of the vertex array
 constexpr std::array<GLuint, MOST_VIEWS + 1> kCounts{0, 1, 2, 3, 4};
 const std::vector<std::pair<unsigned, std::string>> kOfHotMetal{{bitOf(Measure::torchShadow), "TORCH_SHADOW"},
-                                                                {bitOf(Measure::roughLobes), "ROUGH_LOBES"}};
+                                                                {bitOf(Measure::roughLobes), "ROUGH_LOBES"},
+                                                                {bitOf(Measure::calmHighlights), "SPECULAR_AA"}};
 
 SurfaceKind kindOf(const SceneView& scene, const LookParameters& look) {
     return scene.looks != nullptr ? physicalKind(*scene.looks) : presetKind(static_cast<MaterialLook>(look.material));

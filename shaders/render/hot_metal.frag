@@ -3,12 +3,14 @@
 // POOL: what is liquid mirrors torch and workpiece too. Solid metal is too dull to show more than the room. It is another
 // program and no branch, of which software drivers compute both sides.
 // ROUGH_LOBES: lamp, arc and room are mirrored as rough metal does; else by Phong's lobes.
+// SPECULAR_AA: highlights are as wide as the normals within a pixel make them.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/arc.glsl"
 #include "render/environment.glsl"
 #include "render/hot.glsl"
 #include "render/reflectance.glsl"
+#include "render/specular_aa.glsl"
 #include "render/tone.glsl"
 #include "render/torch_parts.glsl"
 
@@ -48,6 +50,9 @@ vec3 mirrorLight(float liquid) {
     vec3 n = normalize(normal), toEye = -normalize(way);
     float cosine = max(dot(n, toEye), 0.0);
     float roughness = mix(solidRoughness(), material.liquidRoughness, liquid);
+#ifdef SPECULAR_AA
+    roughness = calmRoughness(roughness, n);
+#endif
     vec3 mirrored = mix(solidMirrored, mirroredShare(material.liquidReflectance, smoothShares(cosine)), liquid);
     vec3 towards = reflect(-toEye, n);
     vec3 room = lampLight * decodeEnvironment(textureLod(roughEnvironment, towards, roomLevel(roughness)).rgb);

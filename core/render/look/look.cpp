@@ -42,6 +42,15 @@ ParameterList describe(LookParameters& l) {
          "0: as bright as it is, which dazzles"},
         {"visor_shade", "Visor shade", "", &l.visorShade, 0, 15,
          "0: no visor; 10 transmits 1/7000, for an arc of 200 A"},
+        {"visor_light_shade", "Visor shade without an arc", "", &l.visorLightShade, 0, 7,
+         "0: the visor is always dark; 3 or 4: it darkens by itself when the arc strikes; in the window"},
+        {"visor_switching", "Visor darkens in", "s", &l.visorSwitching, 1e-4, 1,
+         "0.0001 protects; a slow one lets the arc dazzle"},
+        {"adaptation", "Eye adapts", "", &l.adaptation, 0, 1,
+         "the eye gets used to bright and dark, and an arc without a visor dazzles it; in the window"},
+        {"spatter", "Spatter", "", &l.spatter, 0, 1,
+         "drops that the arc throws, and those of the wire; not at low detail"},
+        {"fume", "Fume", "", &l.fume, 0, 1, "smoke that the arc lights; costs time per pixel; not at low detail"},
     };
 }
 

@@ -27,11 +27,16 @@ struct LookParameters {
     bool showBox = true;
     bool showSky = true;
     bool showSource = true;
-    float pointSize = 0.02f;     ///< radius of a drawn particle, model units
-    float exposure = 1.0f;       ///< factor on all light
-    float arcLight = 5e-5f;      ///< share of an arc's light that is drawn without a visor
-    float glowSoftening = 0.08f; ///< light of hot metal from which on it is compressed without a visor
-    float visorShade = 0.0f;     ///< shade number of the welding filter; 0: none
+    float pointSize = 0.02f;      ///< radius of a drawn particle, model units
+    float exposure = 1.0f;        ///< factor on all light
+    float arcLight = 5e-5f;       ///< share of an arc's light that is drawn without a visor
+    float glowSoftening = 0.08f;  ///< light of hot metal from which on it is compressed without a visor
+    float visorShade = 0.0f;      ///< shade number of the welding filter; 0: none
+    bool spatter = true;          ///< drops that the arc throws, the wire's drops, and the beads that lie
+    bool fume = true;             ///< smoke that the arc lights
+    float visorLightShade = 0.0f; ///< of an auto-darkening filter without an arc; 0: always as dark as its shade
+    float visorSwitching = 1e-4f; ///< s in which such a filter darkens
+    bool adaptation = false;      ///< the eye gets used to bright and dark, and is dazzled; of a person who watches
     /// Measures that are left out whatever the detail, a bit each (see measures.hpp): what one costs is measured so.
     unsigned leftOut = 0;
 };
