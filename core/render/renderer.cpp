@@ -1,6 +1,7 @@
 #include "core/render/renderer.hpp"
 
 #include "core/base/error.hpp"
+#include "core/render/effects_painter.hpp"
 #include "core/render/frame_block.hpp"
 #include "core/render/look/environment.hpp"
 #include "core/render/look/heat_colours.hpp"
@@ -74,6 +75,7 @@ struct Renderer::Parts {
     SolidPainter solids;
     SectionPainter section;
     StrokePainter strokes;
+    EffectsPainter effects;
     TonedProgram points;
     TonedProgram sky;
     TonedProgram box;
@@ -93,6 +95,7 @@ Renderer::Parts::Parts(gl::ShaderLibrary& shaders)
       solids(shaders),
       section(shaders),
       strokes(shaders),
+      effects(shaders),
       points(shaders, "render/points.vert", "render/points.frag"),
       sky(shaders, "render/sky.vert", "render/sky.frag"),
       box(shaders, "render/box.vert", "render/box.frag"),
@@ -115,6 +118,7 @@ void Renderer::Parts::load(ViewSubmission submission) {
     solids.load(submission);
     section.load(submission);
     strokes.load(submission);
+    effects.load(submission);
     for (TonedProgram* program : {&points, &sky, &box, &glare})
         program->load(submission);
 }
@@ -204,6 +208,11 @@ void Renderer::Parts::drawBatch(const SceneView& scene, const LookParameters& lo
         const gl::Scope scope(profiler, "draw box");
         drawBox(views, target);
     }
+    if (effects.shows()) {
+        const gl::Scope scope(profiler, "draw effects");
+        effects.drawSparks(views, target);
+        effects.drawHaze(views, target);
+    }
     if (scene.section.shown) strokes.draw(scene.section.at + scene.section.lift, views, target);
     if (!scene.ghost.empty() || !scene.markers.empty()) {
         const gl::Scope scope(profiler, "draw markers");
@@ -216,6 +225,7 @@ void Renderer::Parts::drawBatch(const SceneView& scene, const LookParameters& lo
         const gl::Scope scope(profiler, "draw glare");
         drawGlare(views, target);
     }
+    effects.drawAfterImage(scene.afterImage, views, target);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     glDisable(GL_CLIP_DISTANCE0);
@@ -296,6 +306,7 @@ void Renderer::draw(const SceneView& scene, const LookParameters& look, std::spa
         parts_->section.upload(scene.section);
         parts_->strokes.upload(scene.section.strokes);
     }
+    parts_->effects.upload(scene, look);
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
     setSwitch(GL_FRAMEBUFFER_SRGB, target.encodesSrgb);
     glViewport(target.viewport.x, target.viewport.y, target.viewport.width, target.viewport.height);

@@ -3,6 +3,8 @@
 
 #include "core/metal/material/materials.hpp"
 #include "core/metal/state/particle_view.hpp"
+#include "core/render/effects/eye.hpp"
+#include "core/render/effects/spark.hpp"
 #include "core/render/section.hpp"
 #include "core/render/solids.hpp"
 #include "core/surface/surface_mesh.hpp"
@@ -53,6 +55,9 @@ struct SceneView {
     const MaterialLooks* looks = nullptr; ///< physical material; null: LookParameters::material
     SectionView section;
     ArcLight arc;
+    ArcEffectsView effects;
+    AfterImage afterImage;
+    bool tableShown = false;                ///< a table is among the solids, on which spatter lies
     std::span<const WorkpieceBlock> blocks; ///< model units; they keep the arc's light off the solids behind them
     std::span<const Solid> solids;          ///< torch, table, clamps
     std::span<const Marker> ghost;          ///< drawn over the rest, where nothing stands before it

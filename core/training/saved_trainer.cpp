@@ -83,6 +83,7 @@ void Trainer::transfer(gl::StateArchive& archive) {
     arc_.transfer(archive);
     transferTorch(archive, torch_);
     sound_.transfer(archive);
+    if (archive.restores()) sight_.reset();
     if (technique_) technique_->transfer(archive);
 }
 

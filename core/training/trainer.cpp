@@ -30,6 +30,7 @@ Trainer::Trainer(gl::ShaderLibrary& shaders, Lesson lesson)
     torch_.trigger = 0;
     figures_ = metal_->statistics();
     if (lesson_.model != LessonModel::Weld) return;
+    sight_.open(scene);
     technique_.emplace(techniqueOf(lesson_.workpiece, lesson_.process, lesson_.technique));
     // Aluminium is welded with alternating current, which breaks its oxide.
     sound_.setAlternating(std::string_view(lesson_.workpiece.metal).starts_with("aluminium"));
@@ -53,6 +54,7 @@ void Trainer::reset() {
     figures_ = metal_->statistics();
     arc_ = {};
     sound_.reset();
+    sight_.reset();
     pace_ = {};
     account_ = {};
     surfaceDistance_ = {};
@@ -93,14 +95,15 @@ void Trainer::advance(const TorchSample& torch, gl::Profiler* profiler) {
     if (recording_) recording_->step({steps_, torch_, arc_, realTime_});
     if (burned && wentOut(arc_.noArc)) event("arc_out", noArcName(arc_.noArc));
     updateFigures();
-    hear();
+    hearAndSee();
 }
 
 /// After the figures: a run that waits for them hears those of its own step.
-void Trainer::hear() {
+void Trainer::hearAndSee() {
     if (lesson_.model != LessonModel::Weld) return;
     sound_.step(lesson_.process, arc_, torch_, timeStep(), figures_.maxTemperature);
     if (ear_ != nullptr) ear_->hear(sound_.last());
+    sight_.step(lesson_.process, sound_.last(), torch_, steps_);
 }
 
 void Trainer::applyRecordedChanges() {
@@ -171,6 +174,7 @@ SceneView Trainer::scene() const {
     SceneView scene = metal_->scene(torch_);
     scene.mesh = surface_->mesh();
     scene.meshIsOpen = !lesson_.surface.caps;
+    scene.effects = sight_.view();
     return scene;
 }
 

@@ -9,6 +9,7 @@
 #include "core/surface/mesh_copy.hpp"
 #include "core/surface/surface.hpp"
 #include "core/training/checkpoint/checkpoint_capture.hpp"
+#include "core/training/feedback/sight.hpp"
 #include "core/training/feedback/sound/ear.hpp"
 #include "core/training/judgement.hpp"
 #include "core/training/lesson.hpp"
@@ -168,7 +169,7 @@ class Trainer {
     Judgement judge() const;
 
   private:
-    void hear();
+    void hearAndSee();
     void updateFigures();
     void takeFigures(const MetalStatistics& figures);
     void awaitFigures(size_t left = 0);
@@ -201,6 +202,7 @@ class Trainer {
     ArcState arc_;
     SoundSource sound_;
     Ear* ear_ = nullptr;
+    mutable Sight sight_; ///< what it shows is made when somebody looks
     std::optional<Technique> technique_;
     bool tracked_ = true; ///< the torch, since the last event of it
     SurfaceDistance surfaceDistance_;

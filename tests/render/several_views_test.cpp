@@ -162,6 +162,35 @@ TEST_CASE("hot metal, its section and the far view of an open mesh look the same
     }
 }
 
+TEST_CASE("sparks, smoke, glare and an after-image look the same in each eye") {
+    test::context();
+    const test::SyntheticWeld weld;
+    SceneView scene = weld.view();
+    std::vector<Spark> sparks;
+    for (int i = 0; i < 60; ++i) {
+        const float x = 0.010f + 0.0002f * float(i), z = 0.0003f * float((i * 7) % 31 - 15);
+        sparks.push_back(
+            {{x, 0.001f + 0.0002f * float(i % 17), z}, 0.0002f, {0.0001f * float(i % 13), 0.001f, z}, 2000});
+    }
+    scene.effects = {sparks, 0, {20}};
+    scene.arc = {{0.015f, 0.002f, 0}, glm::vec3(1), 1e-3f};
+    scene.afterImage = {0.8f, glm::normalize(glm::vec3(0.1f, 0.05f, -1))};
+    const Lens lens{.nearest = 0.002f};
+    const std::array<View, 2> eyes{FreeCamera({0.046f, 0.020f, 0.017f}, {0.015f, 0.0f, 0.0f}).view(lens, 1),
+                                   FreeCamera({0.047f, 0.020f, 0.010f}, {0.015f, 0.0f, 0.0f}).view(lens, 1)};
+    LookParameters look;
+    checkAllWays("effects", scene, look, eyes);
+    look.visorShade = 5;
+    checkAllWays("effects-visor", scene, look, eyes);
+    look.spatter = look.fume = false; // what is compared above is in the picture
+    const PictureTarget with(kSize, kSize, kSamples), without(kSize, kSize, kSamples);
+    const View& view = eyes[0];
+    rendererBy(ViewSubmission::passes).draw(scene, look, {&view, 1}, without.target(), nullptr);
+    look.spatter = look.fume = true;
+    rendererBy(ViewSubmission::passes).draw(scene, look, {&view, 1}, with.target(), nullptr);
+    CHECK(compareImages(with.read(), without.read(), 8).farPixels > 0.01);
+}
+
 TEST_CASE("three views are three columns") {
     const std::array<View, 3> views{OrbitCamera(0.2f, 0.4f, 2.4f).view({}, 1),
                                     OrbitCamera(0.8f, 0.4f, 2.4f).view({}, 1),

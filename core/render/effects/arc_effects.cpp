@@ -1,0 +1,39 @@
+#include "core/render/effects/arc_effects.hpp"
+
+#include <cmath>
+
+namespace meltpool {
+
+float fumeScattering(const ProcessSettings& process) {
+    if (process.is<Gmaw>()) return 1.0F;
+    if (process.is<Smaw>()) return 1.5F;
+    return 0;
+}
+
+ArcEffects::ArcEffects() {
+    sparks_.reserve(Spatter::kMostFlying + Spatter::kMostBeads + 16);
+}
+
+void ArcEffects::reset() {
+    spatter_.reset();
+    wire_.reset();
+    time_ = smoke_ = 0;
+}
+
+void ArcEffects::step(const ArcEffectsStep& step) {
+    time_ = step.time;
+    spatter_.step(step);
+    wire_.step(step);
+    if (step.process != nullptr) scattering_ = fumeScattering(*step.process);
+    const double aim = step.arc.burns() ? 1 : 0;
+    smoke_ += (aim - smoke_) * (1 - std::exp(-step.seconds / kGathers));
+}
+
+ArcEffectsView ArcEffects::view() {
+    sparks_.clear();
+    wire_.show(sparks_);
+    const size_t onTable = spatter_.show(time_, sparks_);
+    return {sparks_, onTable, {scattering_ * static_cast<float>(smoke_)}};
+}
+
+} // namespace meltpool

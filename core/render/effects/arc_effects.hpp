@@ -1,0 +1,40 @@
+// What flies about an arc, fed with its state step by step: spatter, the wire's drops and fume. The eye's part of what
+// the ear hears.
+#pragma once
+
+#include "core/render/effects/spatter.hpp"
+#include "core/render/effects/wire_drops.hpp"
+
+namespace meltpool {
+
+/// Share of light that a metre of this process's fume scatters: its mass in the air about the arc (some tenths of a
+/// gram a cubic metre for a wire, more for a covered electrode, as fume rates of 0.2 to 0.8 g/min leave it) times about
+/// 3 m²/g. No source gives it so near the arc.
+float fumeScattering(const ProcessSettings& process);
+
+class ArcEffects {
+  public:
+    /// s in which the smoke gathers after the arc has struck, and thins out after it. None: chosen.
+    static constexpr double kGathers = 0.7;
+
+    ArcEffects();
+    /// Another attempt, or another moment of this one: nothing flies or lies.
+    void reset();
+    void setGround(const SpatterGround& ground) { spatter_.setGround(ground); }
+    void step(const ArcEffectsStep& step);
+
+    /// As it is now. What it lends is valid until the next call.
+    ArcEffectsView view();
+
+    const Spatter& spatter() const { return spatter_; }
+
+  private:
+    Spatter spatter_;
+    WireDrops wire_;
+    double time_ = 0;
+    double smoke_ = 0; ///< 0..1 of what the process gives
+    float scattering_ = 0;
+    std::vector<Spark> sparks_;
+};
+
+} // namespace meltpool

@@ -1,0 +1,23 @@
+// What the picture draws about an arc: spatter and drops as glowing balls, and the smoke that the arc lights.
+#pragma once
+
+#include "shaders/shared/effects.h"
+
+#include <cstddef>
+#include <span>
+
+namespace meltpool {
+
+/// The smoke about an arc.
+struct Fume {
+    /// Share of light that a metre of it scatters out of a ray; 0: none.
+    float scattering = 0;
+};
+
+struct ArcEffectsView {
+    std::span<const Spark> sparks;
+    size_t onTable = 0; ///< how many of the last of them lie on the table, not on the workpiece
+    Fume fume;
+};
+
+} // namespace meltpool

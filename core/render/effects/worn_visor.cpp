@@ -1,0 +1,48 @@
+#include "core/render/effects/worn_visor.hpp"
+
+#include "core/render/look/heat_colours.hpp"
+
+#include <cstdio>
+
+namespace meltpool {
+
+namespace {
+
+constexpr double kMetal = 0.3; // reflectance of steel in the lamps' light; none: chosen
+
+} // namespace
+
+VisorSettings visorOf(const LookParameters& look) {
+    return {look.visorShade, look.visorLightShade, look.visorSwitching};
+}
+
+void WornVisor::update(const SeenArc& arc, const VisorSettings& visor, const LookParameters& look, double elapsed) {
+    filter_.update(arc.intensity > 0, elapsed, visor);
+    const float shade = filter_.shade(visor);
+    EyeScene scene;
+    scene.arc = arc.intensity;
+    scene.height = arc.height;
+    scene.room = kMetal * static_cast<double>(look.ambient + 0.5F * look.diffuse);
+    scene.passed = static_cast<double>(filterShare(shade));
+    scene.drawn = shade > 0 ? 1 : static_cast<double>(look.arcLight);
+    scene.exposed = arc.inSight && shade < kProtects;
+    scene.towards = arc.towards;
+    eye_.update(scene, elapsed);
+    if (eye_.exposed()) worn_ = visor.darkShade > 0;
+    tell();
+}
+
+void WornVisor::wear(const VisorSettings& visor, LookParameters& look) const {
+    look.visorShade = filter_.shade(visor);
+    if (look.adaptation) look.exposure *= eye_.exposure();
+}
+
+void WornVisor::tell() {
+    length_ = 0;
+    if (eye_.looked() < kLeastLook || eye_.sinceLook() > kTold) return;
+    const char* begin = worn_ ? "The visor was still light: you looked into the arc for"
+                              : "You looked into the arc without a visor for";
+    length_ = static_cast<size_t>(std::snprintf(text_.data(), text_.size(), "%s %.1f s.", begin, eye_.looked()));
+}
+
+} // namespace meltpool

@@ -1,0 +1,50 @@
+// Draws what flies about an arc: sparks as quads along their way, and the smoke that the arc lights.
+#pragma once
+
+#include "core/gl/buffer.hpp"
+#include "core/gl/texture.hpp"
+#include "core/render/effects/spark.hpp"
+#include "core/render/look/look.hpp"
+#include "core/render/scene.hpp"
+#include "core/render/toned_program.hpp"
+
+#include <array>
+
+namespace meltpool {
+
+class EffectsPainter {
+  public:
+    explicit EffectsPainter(gl::ShaderLibrary& shaders);
+
+    /// Loads the programs' forms for one way of submission. Throws InputError when the driver does not compile one.
+    void load(ViewSubmission submission) {
+        sparks_.load(submission);
+        haze_.load(submission);
+        afterImage_.load(submission);
+    }
+
+    /// Copies the scene's sparks to the GPU for the draws to come, as far as the look shows them: not where the metal
+    /// is cut or shown in colours of its temperature, and not at low detail.
+    void upload(const SceneView& scene, const LookParameters& look);
+
+    /// Draws them. Expects the frame's uniform blocks bound, blending on and the depth as it is after all things.
+    void drawSparks(const ViewBatch& views, const RenderTarget& target) const;
+    /// Draws the smoke over all that stands behind it.
+    void drawHaze(const ViewBatch& views, const RenderTarget& target) const;
+
+    /// Draws what an arc has left in the eye, over everything.
+    void drawAfterImage(const AfterImage& image, const ViewBatch& views, const RenderTarget& target) const;
+
+    bool shows() const { return count_ > 0 || scattering_ > 0; }
+
+  private:
+    TonedProgram sparks_, haze_, afterImage_;
+    gl::VertexArray empty_;
+    /// Frames use them in turn, so that writing one does not wait for frames that the GPU still draws.
+    std::array<gl::Buffer, 3> buffers_;
+    size_t current_ = 0;
+    size_t count_ = 0;
+    float scattering_ = 0;
+};
+
+} // namespace meltpool

@@ -1,0 +1,39 @@
+// The smoke about the arc, in closed form along the ray: nothing is marched, and the same in both eyes.
+#version 450 core
+#extension GL_GOOGLE_include_directive : require
+#include "render/haze.glsl"
+#include "render/tone.glsl"
+
+layout(location = 0) in vec3 way;
+layout(location = 1) flat in vec3 toArc;
+layout(location = 2) flat in vec3 eye;
+layout(location = 0) out vec4 colour;
+
+layout(location = 5) uniform float scattering; // share of light a metre
+
+// How far the ray goes before it meets the workpiece, in lengths of `ray`.
+float wayFree(vec3 from, vec3 ray) {
+    vec3 perWay = 1.0 / mix(ray, vec3(1e-9), lessThan(abs(ray), vec3(1e-9)));
+    float free = 1e9;
+    for (int i = 0; i < frame.shadowBoxCount; ++i) {
+        vec3 toLow = (frame.shadowBoxes[i].low - from) * perWay, toHigh = (frame.shadowBoxes[i].high - from) * perWay;
+        vec3 first = min(toLow, toHigh), last = max(toLow, toHigh);
+        float entry = max(max(first.x, first.y), first.z), exit = min(min(last.x, last.y), last.z);
+        if (entry > 0.0 && entry < exit) free = min(free, entry);
+    }
+    return free;
+}
+
+void main() {
+    float unit = frame.modelUnit;
+    vec3 ray = normalize(way);
+    float nearest = dot(toArc, ray) / unit;
+    float square = dot(toArc, toArc) / (unit * unit) - nearest * nearest;
+    float half_ = sqrt(max(kSmokeReach * kSmokeReach - square, 0.0));
+    mat3 toModel = transpose(mat3(frame.modelToWorld)) / (unit * unit);
+    float free = wayFree(toModel * (eye - frame.modelToWorld[3].xyz), toModel * ray * unit);
+    float begin = max(nearest - half_, 0.0), end = min(nearest + half_, free);
+    if (end <= begin) discard;
+    vec3 light = scattering * hazeLight(sqrt(max(square, 0.0)), nearest, begin, end);
+    colour = encoded(min(light * frame.exposure, 1.0), 0.0);
+}
