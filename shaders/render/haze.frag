@@ -25,14 +25,11 @@ float wayFree(vec3 from, vec3 ray) {
 }
 
 void main() {
-    float unit = frame.modelUnit;
     vec3 ray = normalize(way);
-    float nearest = dot(toArc, ray) / unit;
-    float square = dot(toArc, toArc) / (unit * unit) - nearest * nearest;
+    float nearest = dot(toArc, ray);
+    float square = dot(toArc, toArc) - nearest * nearest;
     float half_ = sqrt(max(kSmokeReach * kSmokeReach - square, 0.0));
-    mat3 toModel = transpose(mat3(frame.modelToWorld)) / (unit * unit);
-    float free = wayFree(toModel * (eye - frame.modelToWorld[3].xyz), toModel * ray * unit);
-    float begin = max(nearest - half_, 0.0), end = min(nearest + half_, free);
+    float begin = max(nearest - half_, 0.0), end = min(nearest + half_, wayFree(eye, ray));
     if (end <= begin) discard;
     vec3 light = scattering * hazeLight(sqrt(max(square, 0.0)), nearest, begin, end);
     colour = encoded(min(light * frame.exposure, 1.0), 0.0);

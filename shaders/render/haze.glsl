@@ -5,13 +5,14 @@
 #include "render/frame.glsl"
 
 // m from the arc to where the smoke has thinned out. None: chosen, about the width of the plume at a hand's height.
-const float kSmokeReach = 0.03;
+const float kSmokeReach = 0.02;
 
 // Light that a ray gathers between two places on it, for a scattering of 1; see core/render/effects/haze.hpp. `passing`: from
 // the arc where the ray is nearest to it, `nearest`: along the ray to there; model units.
 vec3 hazeLight(float passing, float nearest, float begin, float end) {
     float h = max(passing, sqrt(frame.arcMinDistanceSquared));
-    float even = (atan((end - nearest) / h) - atan((begin - nearest) / h)) / h;
+    // The difference of both arcs' tangents is one: between 0 and pi.
+    float even = atan((end - begin) * h, h * h + (end - nearest) * (begin - nearest)) / h;
     return frame.arcLight / 12.56637 * max(even - (end - begin) / (kSmokeReach * kSmokeReach), 0.0);
 }
 
