@@ -269,7 +269,7 @@ std::string_view HeadsetFrontEnd::warning() const {
         // At the start the runtime gives the input a few frames after the picture.
         if (connection_.headset()->mode() != xr::SessionMode::focused && focusedOpening_ == connection_.openings())
             return "The headset shows something else than the trainer, so the arc is out.";
-        return hands_.warning();
+        return view_.dazzled().empty() ? hands_.warning() : view_.dazzled();
     case xr::ConnectionState::asleep:
     case xr::ConnectionState::ended:
         return {};

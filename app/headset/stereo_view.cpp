@@ -1,5 +1,6 @@
 #include "app/headset/stereo_view.hpp"
 
+#include "app/session/attempt/seeing.hpp"
 #include "app/session/inspection/cut_stand.hpp"
 
 #include <glm/geometric.hpp>
@@ -7,6 +8,7 @@
 #include <array>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 namespace meltpool {
 
@@ -50,6 +52,16 @@ void StereoView::standCut(LessonSession& session, SceneView& scene) const {
     scene.section.strokes = session.cut().strokes(layout);
 }
 
+/// A weld without an arc needs no visor.
+void StereoView::wearVisor(const LessonSession& session, SceneView& scene, const View& between, LookParameters& look) {
+    if (!scene.temperature.kelvin) return visor_.wear(parameters_, false, look);
+    if (!isArcWelding(session.lesson().process)) return;
+    const double elapsed = std::exchange(sinceSeen_, 0);
+    visor_.update(parameters_, seenArc(scene, between, session.arc().length), look, elapsed);
+    visor_.wear(parameters_, true, look);
+    scene.afterImage = visor_.afterImage(parameters_);
+}
+
 void StereoView::draw(LessonSession& session, const SceneView& lesson, const WorkpiecePlace& place,
                       const Workshop& workshop, const xr::BothEyes& eyes, gl::Profiler* profiler) {
     SceneView scene = lesson;
@@ -61,16 +73,17 @@ void StereoView::draw(LessonSession& session, const SceneView& lesson, const Wor
     hands_.tools = demonstrated ? lesson.solids : lesson.solids.last(lesson.rodSolids);
     hands_.toolsToWorkshop = place.modelToWorkshop(session.unit());
     scene.solids = scene_.build(parameters_, hands_);
+    scene.tableShown = true;
     scene.source.shown &= demonstrated; // else the drawn torch takes its place
     if (session.cut().shown()) standCut(session, scene);
     LookParameters look = session.look();
     look.showBox = false;
-    visor_.wear(parameters_, scene.temperature.kelvin, look);
+    View between = viewOf(workshop, eyes.views[0], eyes); // cues stand at one place for both eyes
+    between.eye = (between.eye + viewOf(workshop, eyes.views[1], eyes).eye) * 0.5f;
+    wearVisor(session, scene, between, look);
     Renderer& renderer = session.renderer();
     renderer.submitBy(wantedSubmission(parameters_));
     const std::array<View, 2> views{viewOf(workshop, eyes.views[0], eyes), viewOf(workshop, eyes.views[1], eyes)};
-    View between = views[0]; // cues stand at one place for both eyes
-    between.eye = (views[0].eye + views[1].eye) * 0.5f;
     scene.ghost = session.ghostMarkers(scene, between, place.zoom);
     scene.markers = session.cueMarkers(scene, between);
     renderer.draw(scene, look, views, {eyes.framebuffer, {0, 0, 2 * eyes.width, eyes.height}, eyes.encodesSrgb},

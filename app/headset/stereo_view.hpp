@@ -14,12 +14,15 @@ class StereoView {
   public:
     explicit StereoView(const HeadsetParameters& parameters) : parameters_(parameters) {}
 
-    /// Darkens the visor with the heat of the torch, the hand's or that of a demonstration or replay. `elapsed`: real
-    /// seconds since the last frame.
+    /// Darkens the visor of the classic lesson with the heat of the torch, the hand's or that of a demonstration or
+    /// replay; that of a weld sees the arc when it is drawn. `elapsed`: real seconds since the last frame.
     void update(const LessonSession& session, const TrackedTorch& torch, double elapsed) {
         const float trigger = session.played() ? session.torch().trigger : torch.trigger();
         visor_.update(trigger > 0, elapsed);
+        sinceSeen_ += elapsed;
     }
+    /// See WornVisor::sentence().
+    std::string_view dazzled() const { return visor_.sentence(parameters_); }
 
     /// Sets what draw() shows besides the metal.
     void takeHands(const HeadsetHands& hands, const PanelPointer& panel);
@@ -29,11 +32,13 @@ class StereoView {
 
   private:
     void standCut(LessonSession& session, SceneView& scene) const;
+    void wearVisor(const LessonSession& session, SceneView& scene, const View& between, LookParameters& look);
 
     const HeadsetParameters& parameters_;
     WorkshopScene scene_;
     HandsView hands_;
     Visor visor_;
+    double sinceSeen_ = 0; ///< s since the eye last saw a picture
 };
 
 } // namespace meltpool

@@ -1,30 +1,50 @@
-// An auto-darkening welder's visor: dark while the arc burns, clear again a moment later.
+// The welder's visor in the headset, with the eye behind it: dark while the arc burns, clear again a moment later.
 #pragma once
 
 #include "app/headset/torch/headset_parameters.hpp"
+#include "core/render/effects/worn_visor.hpp"
 #include "core/render/look/look.hpp"
+
+#include <algorithm>
 
 namespace meltpool {
 
 class Visor {
   public:
-    /// How long the visor stays dark after the arc went out, and how long it takes to clear, s.
-    static constexpr double kHold = 0.15;
-    static constexpr double kClearing = 0.25;
+    static constexpr double kHold = VisorFilter::kHold, kClearing = VisorFilter::kClearing;
 
-    /// `elapsed`: real seconds since the last frame. Real visors darken within 0.1 ms, so the first frame with heat is
-    /// dark.
-    void update(bool heat, double elapsed) { sinceHeat_ = heat ? 0.0 : sinceHeat_ + elapsed; }
+    /// Heat of a source that gives no light of its own, in the classic lesson. `elapsed`: real seconds since the last
+    /// frame.
+    void update(bool heat, double elapsed) { heat_.update(heat, elapsed, {}); }
+    /// The arc of a weld. `look`: the lesson's.
+    void update(const HeadsetParameters& parameters, const SeenArc& arc, const LookParameters& look, double elapsed) {
+        worn_.update(arc, settingsOf(parameters), look, elapsed);
+    }
 
     /// Sets the visor in `look`. With temperatures in kelvin the metal radiates physically and the visor is a filter of
     /// its shade; in the classic lesson, whose source gives no light, the picture is only dimmed.
     void wear(const HeadsetParameters& parameters, bool kelvin, LookParameters& look) const;
 
     /// 1 dark .. 0 clear.
-    float darkness(const HeadsetParameters& parameters) const;
+    float darkness(const HeadsetParameters& parameters) const { return parameters.visor ? heat_.darkness() : 0; }
+    /// What an arc has left in the eye; nothing where it does not adapt.
+    AfterImage afterImage(const HeadsetParameters& parameters) const {
+        return parameters.adaptation ? worn_.eye().afterImage() : AfterImage{};
+    }
+    /// See WornVisor::sentence().
+    std::string_view sentence(const HeadsetParameters& parameters) const {
+        return parameters.adaptation ? worn_.sentence() : std::string_view();
+    }
 
   private:
-    double sinceHeat_ = kHold + kClearing;
+    static VisorSettings settingsOf(const HeadsetParameters& parameters) {
+        // A light shade of 0 is a clear pane, which no filter is; the least one passes almost all.
+        return {parameters.visor ? parameters.visorShade : 0, std::max(parameters.visorLightShade, 1.0f),
+                parameters.visorSwitching};
+    }
+
+    VisorFilter heat_;
+    WornVisor worn_;
 };
 
 } // namespace meltpool

@@ -1,4 +1,5 @@
 // The part of LessonSession that shows the lesson: its scene, the desk's picture, and the figures beside it.
+#include "app/session/attempt/seeing.hpp"
 #include "app/session/lesson_session.hpp"
 #include "core/training/classic_model.hpp"
 
@@ -8,6 +9,7 @@
 #include <glm/vector_relational.hpp>
 
 #include <span>
+#include <utility>
 
 namespace meltpool {
 
@@ -78,6 +80,9 @@ DeskPicture LessonSession::picture(const Controls& controls, float aspect, float
         scene.section.strokes = cut_.strokes(layoutIn(view, scene.modelToWorld, scene.section.at));
     }
     if (!held_) recordings_.person(deskPerson(view, fixture().turn, unit(), steps()));
+    visor_.update(seenArc(scene, view, arc().length), visorOf(lesson_.look), lesson_.look,
+                  std::exchange(sinceSeen_, 0));
+    if (lesson_.look.adaptation) scene.afterImage = visor_.eye().afterImage();
     view.eyeToClip[2][0] -= shift; // clip x over w, and w is -z in the eye
     scene.ghost = ghostMarkers(scene, view);
     scene.markers = cueMarkers(scene, view);
@@ -85,7 +90,9 @@ DeskPicture LessonSession::picture(const Controls& controls, float aspect, float
 }
 
 void LessonSession::draw(const DeskPicture& picture, const RenderTarget& target, gl::Profiler* profiler) {
-    renderer_.draw(picture.scene, look(), std::span(&picture.view, 1), target, profiler);
+    LookParameters seen = look();
+    visor_.wear(visorOf(seen), seen);
+    renderer_.draw(picture.scene, seen, std::span(&picture.view, 1), target, profiler);
 }
 
 LookParameters LessonSession::look() const {

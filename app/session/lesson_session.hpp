@@ -19,6 +19,7 @@
 #include "app/session/replay/attempt_replay.hpp"
 #include "app/session/values/lesson_sections.hpp"
 #include "core/base/function_ref.hpp"
+#include "core/render/effects/worn_visor.hpp"
 #include "core/render/renderer.hpp"
 #include "core/training/trainer.hpp"
 #include "core/weld/position.hpp"
@@ -209,6 +210,8 @@ class LessonSession {
     std::optional<glm::vec3> arcFrom(const glm::mat4& worldToEye) const;
     /// See ShortCircuits::phase(); 0 without a running lesson.
     double shortPhase() const { return running() ? trainer_->heard().shortPhase : 0; }
+    /// The visor and the eye of the window's picture, see WornVisor. They are those of lesson().look.
+    const WornVisor& visor() const { return visor_; }
     /// Another's torch beside one's own, in attempts only.
     AttemptGhost& ghost() { return ghost_; }
     const AttemptGhost& ghost() const { return ghost_; }
@@ -299,6 +302,8 @@ class LessonSession {
     ParameterSection cueSection_{"cues", describe(cues_.parameters)};
     Hearing hearing_;
     ParameterSection soundSection_{"sound", describe(hearing_.parameters)};
+    WornVisor visor_;
+    double sinceSeen_ = 0; ///< real s since the last picture
     AttemptGhost ghost_;
     ParameterSection ghostSection_{"ghost", describe(ghost_.parameters)};
     Question question_;

@@ -42,6 +42,7 @@ void LessonSession::advance(const Controls& controls, double seconds, gl::Profil
 bool LessonSession::beginSteps(const Controls& controls, double seconds, gl::Profiler* profiler,
                                const TorchSource& held) {
     if (!running()) return false;
+    sinceSeen_ += seconds;
     if (trial_.running()) {
         measureSpeed(seconds, profiler);
         return false;

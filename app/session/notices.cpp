@@ -99,6 +99,11 @@ void Notices::update(LessonSession& session, LessonFigures& figures, const Trigg
         if (lock.holdsBack()) sentence = arcOutSentence(lock.reason());
     }
     tellSlow(figures.slow, messages);
+    const bool eye = session.running() && session.lesson().look.adaptation;
+    if (eye && !session.visor().sentence().empty())
+        messages.hold(session.visor().sentence(), "visor");
+    else
+        messages.clear("visor");
     if (session.ghost().fault().empty())
         messages.clear("ghost");
     else

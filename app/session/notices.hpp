@@ -55,9 +55,9 @@ void tellRecordings(RecordingKeeper& recordings, double now, Messages& messages)
 
 class Notices {
   public:
-    /// Holds or clears the messages "arc", "ghost" and kSlowTopic, and sets figures.slow. `lock`: of what leads the
-    /// torch. Why the arc is out is a cue: it is told where that is not withheld, and that the trigger is locked
-    /// always. Allocates nothing while nothing changes.
+    /// Holds or clears the messages "arc", "ghost", "visor" and kSlowTopic, and sets figures.slow. `lock`: of what
+    /// leads the torch. Why the arc is out is a cue: it is told where that is not withheld, and that the trigger is
+    /// locked always. Allocates nothing while nothing changes.
     void update(LessonSession& session, LessonFigures& figures, const TriggerLock& lock, double elapsed,
                 Messages& messages);
 

@@ -1,5 +1,7 @@
 #include "core/render/effects_painter.hpp"
 
+#include "core/render/look/measures.hpp"
+
 namespace meltpool {
 
 namespace {
@@ -8,8 +10,7 @@ namespace {
 constexpr size_t kRoom = 1024;
 
 bool showsEffects(const SceneView& scene, const LookParameters& look) {
-    return look.detail > kLowDetail && look.colours == kMaterialColours && look.mode == kSurfaceMode &&
-           look.showSource && !scene.section.shown;
+    return look.colours == kMaterialColours && look.mode == kSurfaceMode && look.showSource && !scene.section.shown;
 }
 
 } // namespace
@@ -26,9 +27,10 @@ EffectsPainter::EffectsPainter(gl::ShaderLibrary& shaders)
 void EffectsPainter::upload(const SceneView& scene, const LookParameters& look) {
     const bool shown = showsEffects(scene, look);
     const ArcEffectsView& effects = scene.effects;
-    scattering_ = shown && look.fume && scene.arc.intensity.g > 0 ? effects.fume.scattering : 0;
+    scattering_ =
+        shown && look.fume && has(look, Measure::fume) && scene.arc.intensity.g > 0 ? effects.fume.scattering : 0;
     count_ = 0;
-    if (!shown || !look.spatter) return;
+    if (!shown || !look.spatter || !has(look, Measure::spatter)) return;
     const size_t all = scene.tableShown ? effects.sparks.size() : effects.sparks.size() - effects.onTable;
     count_ = std::min(all, kRoom);
     if (count_ == 0) return;

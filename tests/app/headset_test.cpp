@@ -156,19 +156,40 @@ TEST_CASE("the visor is a filter of its shade where metal shines, and dims where
     HeadsetParameters parameters;
     parameters.visorShade = 11;
     parameters.visorShare = 0.25f;
+    parameters.adaptation = false;
     Visor visor;
     LookParameters clear;
     visor.wear(parameters, true, clear);
-    CHECK(clear.visorShade == 0.0f);
+    CHECK(clear.visorShade == 3.0f); // its light state
     CHECK(clear.exposure == 1.0f);
     visor.update(true, 0.011);
+    visor.update(parameters, {100, 1e-3, true, {0, 0, -1}}, {}, 0.011);
     LookParameters weld, classic;
     visor.wear(parameters, true, weld);
     CHECK(weld.visorShade == 11.0f);
     CHECK(weld.exposure == 1.0f);
+    CHECK(visor.sentence(parameters).empty());
     visor.wear(parameters, false, classic);
     CHECK(classic.visorShade == 0.0f);
     CHECK(classic.exposure == 0.25f);
+}
+
+TEST_CASE("an eye without a visor is dazzled by the arc, and told so") {
+    HeadsetParameters parameters;
+    parameters.visor = false;
+    Visor visor;
+    const SeenArc arc{10, 1e-3, true, {0, 0, -1}};
+    for (int i = 0; i < 90; ++i)
+        visor.update(parameters, i < 36 ? SeenArc{} : arc, {}, 1.0 / 45);
+    CHECK(visor.sentence(parameters) == "You looked into the arc without a visor for 1.2 s.");
+    CHECK(visor.afterImage(parameters).strength > 0.8f);
+    LookParameters look;
+    visor.wear(parameters, true, look);
+    CHECK(look.visorShade == 0.0f);
+    CHECK(look.exposure < 0.9f);
+    parameters.adaptation = false;
+    CHECK(visor.sentence(parameters).empty());
+    CHECK(visor.afterImage(parameters).strength == 0.0f);
 }
 
 namespace {

@@ -16,8 +16,9 @@ constexpr std::array<std::string_view, 2> kPostures{"standing", "seated"};
 
 std::span<const std::string_view> idleParameters(bool weld) {
     static constexpr std::array<std::string_view, 2> kInWelds{"zoom", "visor_share"};
-    static constexpr std::array<std::string_view, 2> kInClassic{"weld_zoom", "visor_shade"};
-    return weld ? kInWelds : kInClassic;
+    static constexpr std::array<std::string_view, 5> kInClassic{"weld_zoom", "visor_shade", "visor_light_shade",
+                                                                "visor_switching", "adaptation"};
+    return weld ? std::span<const std::string_view>(kInWelds) : kInClassic;
 }
 
 ParameterList describe(HeadsetParameters& p) {
@@ -46,6 +47,12 @@ ParameterList describe(HeadsetParameters& p) {
          "all give the same picture; passes cost most, the others need a driver that supports them", kBothEyes},
         {"visor", "Visor", "", &p.visor, 0, 1, "darkens the view while the heat is on"},
         {"visor_shade", "Visor's shade", "", &p.visorShade, 3, 14, "9 to 11 for arcs of 100 to 250 A; in weld lessons"},
+        {"visor_light_shade", "Visor's shade without an arc", "", &p.visorLightShade, 0, 7,
+         "3 or 4 of real ones; 0: clear; in weld lessons"},
+        {"visor_switching", "Visor darkens in", "s", &p.visorSwitching, 1e-4, 1,
+         "0.0001 protects; a slow one lets the arc dazzle; in weld lessons"},
+        {"adaptation", "Eye adapts", "", &p.adaptation, 0, 1,
+         "the eye gets used to bright and dark, and an arc without a visor dazzles it; in weld lessons"},
         {"visor_share", "Visor lets through", "", &p.visorShare, 0.02, 1, "share of the light, in the classic lesson"},
         {"desk_view", "The window shows", "", &p.deskView, 0, 1, "the trainee's left eye, or a camera of its own",
          kDeskViews},

@@ -26,6 +26,9 @@ struct HeadsetParameters {
     int bothEyes = kAutomatic;    ///< BothEyes: how one frame gets to two eyes
     bool visor = true;            ///< darkens while the heat is on
     float visorShade = 10;        ///< EN 169 number of the dark visor over an arc
+    float visorLightShade = 3;    ///< the same without an arc; 0: clear
+    float visorSwitching = 1e-4f; ///< s from light to dark
+    bool adaptation = true;       ///< the eye gets used to bright and dark, and is dazzled
     float visorShare = 0.25f;     ///< share of the light that it transmits where the source gives none
     int deskView = kTrainee;      ///< DeskView: what the window shows while the headset is in use
     float hapticStrength = 1.0f;  ///< factor on every vibration

@@ -29,9 +29,11 @@ ParameterList viewParameters(LookParameters& look) {
 
 /// Keys of the look that change nothing in this lesson.
 std::span<const std::string_view> idleLook(const Lesson& lesson) {
-    static constexpr std::array<std::string_view, 3> kIdle{"arc_light", "material", "show_source"};
+    static constexpr std::array<std::string_view, 8> kIdle{"arc_light",         "spatter",         "fume",
+                                                           "visor_light_shade", "visor_switching", "adaptation",
+                                                           "material",          "show_source"};
     const std::span<const std::string_view> all(kIdle);
-    if (lesson.model == LessonModel::Classic) return all.first(1); // no arc
+    if (lesson.model == LessonModel::Classic) return all.first(6); // no arc
     return isArcWelding(lesson.process) ? all.last(2) : all;
 }
 

@@ -1,5 +1,6 @@
 // Highlights on metal whose normals vary within a pixel: calmer with antialiasing, and nearer to what many samples
 // show.
+#include "core/render/look/measures.hpp"
 #include "core/render/view/camera.hpp"
 #include "shaders/shared/surface.h"
 #include "tests/render/look/patch.hpp"
