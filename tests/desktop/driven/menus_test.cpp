@@ -134,6 +134,43 @@ TEST_CASE("the timings panel names the passes, the help page opens and closes by
     window.waitFor("no help", [](const json& t) { return t.at("panels").at("help") == false; });
 }
 
+TEST_CASE(
+    "the detail is low without a graphics card, as the view menu says where it is set, and the next start remembers") {
+    TrainerWindow window("detail", {.settings = kSmallSettings});
+    window.start();
+    window.key("F3");
+    window.click("bar.view");
+    window.click("window.group.Window");
+    CHECK(valueOf(window.settle(), "window.detail") == "automatic");
+    for (const char* level : {"high", "low", "medium"})
+        changes(window, "window.detail", [&] { window.click(std::string("window.detail.") + level); });
+    window.takePicture("medium-detail");
+    window.process().signal(SIGTERM);
+    CHECK(window.finish() == 0);
+    CHECK_THAT(readTextFile(window.settingsFile()), containsText("detail = \"medium\""));
+}
+
+TEST_CASE("F12 saves the metal without panels, as large as fits into 4K in the window's shape; F10 the window") {
+    TrainerWindow window("large-picture", {.settings = kSmallSettings});
+    window.start();
+    const auto pixels = window.state().at("window").at("pixels").get<std::array<int, 2>>();
+    const Image small = readPng(window.takePicture("window"));
+    CHECK(small.width == pixels[0]);
+    CHECK(small.height == pixels[1]);
+    const std::string before = window.state().at("screenshot");
+    window.key("F12");
+    const json now = window.waitFor("the large picture", [&](const json& s) { return s.at("screenshot") != before; });
+    const fs::path file = now.at("screenshot").get<std::string>();
+    const Image large = readPng(file);
+    fs::copy_file(file, fs::path(MELTPOOL_BINARY_FOLDER) / "desktop-pictures" / "large.png",
+                  fs::copy_options::overwrite_existing);
+    CHECK((large.width == 3840 || large.height == 2160));
+    CHECK(large.width <= 3840);
+    CHECK(large.height <= 2160);
+    CHECK(double(large.width) / large.height == Approx(double(pixels[0]) / pixels[1]).epsilon(1e-3));
+    CHECK(window.state().at("page") == "running");
+}
+
 TEST_CASE("the window can be resized and goes full screen and back") {
     TrainerWindow window("resize", {});
     window.start();
