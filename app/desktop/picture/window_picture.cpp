@@ -35,10 +35,14 @@ void WindowPicture::draw(LessonSession& session, gl::Profiler* profiler) {
     scaled_.end();
 }
 
+/// Pixels; half a particle's width in the large picture is less, unless the camera stands in the metal.
+constexpr int kPointMargin = 64;
+
 Image WindowPicture::large(LessonSession& session) {
     counts_ = false; // this frame is longer than its picture
     LargePicture wish;
     wish.size = fitInto(pixels_, wish.size);
+    if (session.look().mode == kPointsMode) wish.margin = kPointMargin;
     View view = shown_.view;
     view.eyeToClip[2][0] += offset_;
     session.setDetail(kHighDetail);

@@ -39,16 +39,19 @@ struct Curve {
     }
 };
 
-/// Averages the light of `finer` x `finer` pixels of the tile into each pixel of the picture from `left`, `top` on.
-void place(const Image& tile, int finer, int left, int top, const Curve& curve, Image& picture) {
-    const int width = std::min(tile.width / finer, picture.width - left);
-    const int height = std::min(tile.height / finer, picture.height - top);
+/// Averages the light of `finer` x `finer` pixels of the tile, but for its margin, into each pixel of the picture from
+/// `left`, `top` on.
+void place(const Image& tile, const LargePicture& wish, int left, int top, const Curve& curve, Image& picture) {
+    const int finer = wish.finer, margin = wish.margin;
+    const int width = std::min(tile.width / finer - 2 * margin, picture.width - left);
+    const int height = std::min(tile.height / finer - 2 * margin, picture.height - top);
     const float share = 1.0f / static_cast<float>(finer * finer);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             std::array<float, 3> sum{};
-            for (int row = y * finer; row < (y + 1) * finer; ++row) {
-                const auto* pixel = &tile.rgb[3 * (size_t(row) * size_t(tile.width) + size_t(x * finer))];
+            const int first = (y + margin) * finer, column = (x + margin) * finer;
+            for (int row = first; row < first + finer; ++row) {
+                const auto* pixel = &tile.rgb[3 * (size_t(row) * size_t(tile.width) + size_t(column))];
                 for (int i = 0; i < finer; ++i)
                     for (float& channel : sum)
                         channel += curve.light[*pixel++];
@@ -83,7 +86,8 @@ glm::ivec2 fitInto(glm::ivec2 shape, glm::ivec2 most) {
 Image drawLargePicture(const LargePicture& wish, const View& view,
                        const std::function<void(const View&, const RenderTarget&)>& draw) {
     const glm::ivec2 part = glm::min(wish.tile, wish.size);
-    const PictureTarget target(part.x * wish.finer, part.y * wish.finer, wish.samples);
+    const glm::ivec2 drawn = part + 2 * wish.margin;
+    const PictureTarget target(drawn.x * wish.finer, drawn.y * wish.finer, wish.samples);
     Image picture{wish.size.x, wish.size.y, {}};
     picture.rgb.resize(3 * size_t(wish.size.x) * size_t(wish.size.y));
     const Curve curve;
@@ -91,8 +95,8 @@ Image drawLargePicture(const LargePicture& wish, const View& view,
         for (int left = 0; left < wish.size.x; left += part.x) {
             // Rows of the picture begin at its top, the view's at its bottom.
             const glm::ivec2 corner(left, wish.size.y - top - part.y);
-            draw(viewOfPart(view, wish.size, corner, part), target.target());
-            place(target.read(), wish.finer, left, top, curve, picture);
+            draw(viewOfPart(view, wish.size, corner - wish.margin, drawn), target.target());
+            place(target.read(), wish, left, top, curve, picture);
         }
     return picture;
 }

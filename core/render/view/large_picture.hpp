@@ -23,6 +23,8 @@ struct LargePicture {
     int finer = 2;             ///< drawn pixels of a pixel, each way; their light is averaged
     int samples = 4;           ///< of a drawn pixel
     glm::ivec2 tile{960, 540}; ///< pixels that are drawn at a time
+    /// Pixels around a tile that are drawn too and thrown away: particles drawn as points vanish with their middle.
+    int margin = 0;
 };
 
 /// Draws the view by `draw`, which gets the view of each tile and the target for it. Waits for the GPU. Throws

@@ -49,6 +49,28 @@ TEST_CASE("tiles of a picture show what the whole picture shows, also where they
     CHECK(jagged < 4);
 }
 
+TEST_CASE("particles drawn as points are whole where tiles meet") {
+    test::context();
+    const test::SyntheticWeld weld;
+    const SceneView scene = weld.view();
+    LookParameters look;
+    look.mode = kPointsMode;
+    look.pointSize = 0.0006f;
+    const glm::ivec2 size(120, 90);
+    const View view =
+        FreeCamera({0.016f, 0.010f, 0.007f}, {-0.01f, -0.0015f, 0}).view({.nearest = 0.002f}, 120.0f / 90);
+    const auto pictureBy = [&](glm::ivec2 tile, int margin) {
+        return drawLargePicture({size, 1, 1, tile, margin}, view, [&](const View& part, const RenderTarget& target) {
+            test::patchRenderer().draw(scene, look, {&part, 1}, target, nullptr);
+        });
+    };
+    const Image whole = pictureBy(size, 0);
+    const double cut = compareImages(whole, pictureBy({30, 30}, 0), 16).farPixels;
+    const double kept = compareImages(whole, pictureBy({30, 30}, 12), 16).farPixels;
+    CHECK(kept < 0.01);
+    CHECK(cut > 2 * kept);
+}
+
 TEST_CASE("the light of finer pixels is averaged, not their displayed values") {
     const auto stripes = [](const View&, const RenderTarget& target) {
         glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
