@@ -1,0 +1,92 @@
+// The visor and the eye of the window's picture, in a lesson in progress.
+#include "app/session/lesson_session.hpp"
+#include "app/session/notices.hpp"
+#include "core/render/view/picture_target.hpp"
+#include "tests/app/small_lessons.hpp"
+#include "tests/support/catch.hpp"
+
+using namespace meltpool;
+
+namespace {
+
+/// Somebody who watches the demonstration in a window of 45 frames a second.
+class Watcher {
+  public:
+    explicit Watcher(const LookParameters& look) : session(test::shaders(), lessonWith(look), [] { return 0.0; }) {
+        session.demonstrate(controls);
+    }
+
+    void watch(double seconds) {
+        constexpr double kFrame = 1.0 / 45;
+        for (double time = 0; time < seconds; time += kFrame) {
+            session.advance(controls, kFrame, nullptr);
+            session.draw(session.picture(controls, 1, 0, nullptr), target.target(), nullptr);
+            LessonFigures figures;
+            session.fillFigures(figures);
+            notices.update(session, figures, lock, kFrame, messages);
+        }
+    }
+    bool told(std::string_view text) const {
+        for (const Message& message : messages.shown())
+            if (message.text.find(text) != std::string::npos) return true;
+        return false;
+    }
+    float shade() const { return session.visor().filter().shade(visorOf(session.lesson().look)); }
+
+    Controls controls;
+    LessonSession session;
+    PictureTarget target{32, 32};
+    Messages messages;
+    Notices notices;
+    TriggerLock lock;
+
+  private:
+    static Lesson lessonWith(const LookParameters& look) {
+        Lesson lesson = test::plainBead();
+        lesson.workpiece.lengthMm = 100; // as long as the expert's path
+        lesson.look.adaptation = look.adaptation;
+        lesson.look.visorShade = look.visorShade;
+        lesson.look.visorLightShade = look.visorLightShade;
+        return lesson;
+    }
+};
+
+} // namespace
+
+TEST_CASE("who watches an arc without a visor is dazzled and told so, where the eye adapts", "[app]") {
+    LookParameters look;
+    look.adaptation = true;
+    Watcher watcher(look);
+    watcher.watch(0.2);
+    CHECK_FALSE(watcher.session.arc().burns());
+    const float before = watcher.session.visor().eye().exposure();
+    CHECK_FALSE(watcher.told("You looked"));
+    watcher.watch(1);
+    REQUIRE(watcher.session.arc().burns());
+    CHECK(watcher.told("You looked into the arc without a visor for "));
+    CHECK(watcher.session.visor().eye().exposure() < 0.8f * before);
+    CHECK(watcher.session.visor().eye().afterImage().strength > 0.5f);
+}
+
+TEST_CASE("the window's auto-darkening visor is light before the arc and dark while it burns", "[app]") {
+    LookParameters look;
+    look.adaptation = true;
+    look.visorShade = 10;
+    look.visorLightShade = 3;
+    Watcher watcher(look);
+    watcher.watch(0.2);
+    CHECK(watcher.shade() == 3);
+    watcher.watch(1);
+    REQUIRE(watcher.session.arc().burns());
+    CHECK(watcher.shade() == 10);
+    CHECK(watcher.messages.shown().empty());
+    CHECK(watcher.session.visor().eye().afterImage().strength == 0);
+}
+
+TEST_CASE("a look without adaptation tells and changes nothing", "[app]") {
+    Watcher watcher({});
+    watcher.watch(1.2);
+    REQUIRE(watcher.session.arc().burns());
+    CHECK(watcher.messages.shown().empty());
+    CHECK(watcher.shade() == 0);
+}
