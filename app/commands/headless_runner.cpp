@@ -5,6 +5,7 @@
 #include "app/program/progress_bar.hpp"
 #include "app/report/attempt_pictures.hpp"
 #include "app/session/attempt/attempt_ghost.hpp"
+#include "app/session/attempt/seeing.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/render/renderer.hpp"
@@ -16,6 +17,7 @@
 #include <cmath>
 #include <cstdio>
 #include <optional>
+#include <vector>
 
 namespace meltpool {
 
@@ -48,6 +50,18 @@ class Photographer {
         ghost_.begin(trainer, torch);
     }
 
+    /// To be called after each step: visors that darken by themselves and eyes that adapt have a past.
+    void see(const Trainer& trainer) {
+        const std::vector<PictureLook>& pictures = trainer.lesson().pictures;
+        seen_.resize(pictures.size());
+        for (size_t i = 0; i < pictures.size(); ++i) {
+            const LookParameters& look = pictures[i].look;
+            if (!hasPast(look)) continue;
+            const SeenArc arc = seenArc(trainer.scene(), {}, trainer.arc().length);
+            seen_[i].update({arc.intensity, arc.height, true, arc.towards}, visorOf(look), look, trainer.timeStep());
+        }
+    }
+
     void takeDue(Trainer& trainer, bool last) {
         const double half = trainer.timeStep() / 2;
         const bool due = every_ > 0 && trainer.time() + half >= static_cast<double>(taken_) * every_;
@@ -61,10 +75,17 @@ class Photographer {
     }
 
   private:
+    static bool hasPast(const LookParameters& look) { return look.adaptation || look.visorLightShade > 0; }
+
     void takePictures(Trainer& trainer) {
         ++taken_;
-        for (const PictureLook& look : trainer.lesson().pictures)
-            keep(trainer, look);
+        const std::vector<PictureLook>& pictures = trainer.lesson().pictures;
+        seen_.resize(pictures.size());
+        for (size_t i = 0; i < pictures.size(); ++i) {
+            PictureLook picture = pictures[i];
+            if (hasPast(picture.look)) seen_[i].wear(visorOf(picture.look), picture.look);
+            keep(trainer, picture);
+        }
     }
 
     /// The piece alone: an arc that still burns gives no light.
@@ -96,6 +117,7 @@ class Photographer {
 
     Renderer renderer_;
     AttemptGhost ghost_;
+    std::vector<WornVisor> seen_; ///< one for each of the lesson's pictures
     PictureTarget target_;
     Film film_;
     std::filesystem::path folder_;
@@ -156,6 +178,7 @@ class Run {
             if (!places_.sound.empty()) sound_.add(trainer_.heard());
             requireRecorded();
             requireFinite(trainer_);
+            photographer.see(trainer_);
             photographer.takeDue(trainer_, step == whole);
             bar.show(static_cast<double>(step), static_cast<double>(whole));
         }
