@@ -2,6 +2,7 @@
 #include "app/session/lesson_session.hpp"
 #include "app/session/notices.hpp"
 #include "core/render/view/picture_target.hpp"
+#include "tests/app/program.hpp"
 #include "tests/app/small_lessons.hpp"
 #include "tests/support/catch.hpp"
 
@@ -51,6 +52,15 @@ class Watcher {
     }
 };
 
+/// Mean of all channels, 0..255, of the picture that a run took of its lesson's first look.
+double brightness(const std::filesystem::path& folder, const std::string& time) {
+    const Image picture = readPng(folder / (time + "-metal.png"));
+    double sum = 0;
+    for (const unsigned char value : picture.rgb)
+        sum += value;
+    return sum / static_cast<double>(picture.rgb.size());
+}
+
 } // namespace
 
 TEST_CASE("who watches an arc without a visor is dazzled and told so, where the eye adapts", "[app]") {
@@ -89,4 +99,23 @@ TEST_CASE("a look without adaptation tells and changes nothing", "[app]") {
     REQUIRE(watcher.session.arc().burns());
     CHECK(watcher.messages.shown().empty());
     CHECK(watcher.shade() == 0);
+}
+
+TEST_CASE("pictures of a run follow visor and eye where the look asks for it, and only there", "[app]") {
+    const auto taken = [](const std::string& name, const std::string& values) {
+        const std::filesystem::path folder = test::scratchFolder(name);
+        const test::Outcome run = test::runMeltpool(
+            "run gmaw-bead --seconds 0.9 --size 96x54 --out '" + folder.string() +
+            "' --set pictures_every=0.3 --set spacing_mm=1.5 --set cells=32 --set visor_shade=10" + values);
+        INFO(run.errors);
+        REQUIRE(run.code == 0);
+        return folder;
+    };
+    const auto fixed = taken("fixed visor", ""), own = taken("own visor", " --set visor_light_shade=3"),
+               eye = taken("eye", " --set visor_light_shade=3 --set adaptation=true");
+    CHECK(brightness(fixed, "000.000s") < 2);
+    CHECK(brightness(own, "000.000s") > 20);                                // its light state
+    CHECK(brightness(own, "000.900s") == brightness(fixed, "000.900s"));    // its dark one
+    CHECK(brightness(eye, "000.900s") < 0.8 * brightness(own, "000.900s")); // used to the arc
+    CHECK(brightness(eye, "000.300s") > brightness(own, "000.300s"));       // used to the dim room
 }
