@@ -63,7 +63,16 @@ class PhysicalMetal {
     /// Of one step(), s. Shorter than the setup's where that saves much heat: if one step of heat is only a little too
     /// short for it, two would be needed.
     float timeStep() const { return timeStep_; }
-    ParticleView particles() const { return {&state_->position, state_->particles(), nullptr, &state_->heat}; }
+    ParticleView particles() const {
+        return {&state_->position,
+                state_->particles(),
+                nullptr,
+                &state_->heat,
+                &state_->frozenAt,
+                &state_->lattice(),
+                &state_->latticeSlots,
+                static_cast<float>(setup_.material.solidus)};
+    }
     const MetalState& state() const { return *state_; }
     const HeatTable& table() const { return table_; }
     const HeatSolver& heat() const { return *heat_; }

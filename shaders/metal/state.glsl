@@ -4,7 +4,9 @@
 layout(std140, binding = METAL_BLOCK) uniform Metal { MetalBlock metal; };
 
 layout(std430, binding = METAL_POSITION) restrict buffer Positions { vec4 position[]; };
+#ifndef METAL_WITHOUT_VELOCITIES // a pass may declare few buffers
 layout(std430, binding = METAL_VELOCITY) restrict buffer Velocities { vec4 velocity[]; };
+#endif
 layout(std430, binding = METAL_HEAT) restrict buffer Heats { vec4 heat[]; };
 layout(std430, binding = METAL_PHASE) restrict buffer Phases { uint phase[]; };
 layout(std430, binding = METAL_LATTICE) restrict buffer Lattice { uint latticeSlot[]; };

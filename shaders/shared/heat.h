@@ -25,6 +25,7 @@
 #define HEAT_LEDGER 13      // vec4 a cell, then a particle: joules gained, their residual, joules lost, their residual
 #define HEAT_TILE_STAMPS 14 // int a tile: TILE_... below
 #define HEAT_CELL_WEIGHT 5  // uint a cell (replaces the counters): how many particles share it, in 1/SHARE_UNIT
+#define HEAT_FROZEN_AT 15     // the metal's times of freezing
 #define HEAT_KNOWN_CELLS 12 // uint a slot: lattice cell + 1 that heat knows it in, or (not beside the sums of sources)
 #define HEAT_OFF_LATTICE 0xffffffffu // it is in the list of slots off the lattice
 
@@ -127,7 +128,7 @@ struct HeatBlock {
     vec3 weldingTableNormal;       // unit vector out of the table
     float weldingTableConductance; // to metal that lies on it, W/(m² K)
     float evaporatesFrom;          // K
-    float reserved0;
+    float time;                    // s since the start, at the end of the step
     float reserved1;
     float reserved2;
     HeatSourceData sources[HEAT_SOURCES];

@@ -5,6 +5,8 @@
 //   velocity  vec4   xyz m/s, w free for the flow             (flow)
 //   heat      vec4   x specific enthalpy J/kg, y its residual (what float cannot hold of x, to be added to it),
 //                    z highest temperature so far in K, w seconds spent between 800 and 500 degrees C while cooling   (heat)
+//   frozenAt  float  time at which it last froze, s since the start; METAL_MOLTEN: it is molten; 0: it never was. For pictures
+//                    alone: no pass of the metal reads it      (heat)
 //   phase     uint   bits below                               (LIQUID, LATTICE, FRESH: heat; TETHER: flow; rest: who makes
 //                    the particle)
 //
@@ -31,6 +33,8 @@
 #define PHASE_TETHER_SHIFT 16 // from this bit on: how the flow's metal hangs together with metal that stands still, see PHASE_TETHER_MOST
 #define PHASE_TETHER_MOST 31u // beside standing metal; one less from neighbour to neighbour. 0: it flies
 #define PHASE_TETHER_BITS (PHASE_TETHER_MOST << PHASE_TETHER_SHIFT)
+
+#define METAL_MOLTEN -1.0f // as a time of freezing
 
 #define TILE_EDGE 4
 #define TILE_CELLS 64

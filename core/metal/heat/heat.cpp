@@ -184,6 +184,7 @@ void HeatSolver::bind() const {
     for (const Texels& texels : texels_)
         texels.view.bind(texels.unit);
     state_.changes.bindStorage(HEAT_CHANGES);
+    state_.frozenAt.bindStorage(HEAT_FROZEN_AT);
     cellTheta_.bindStorage(HEAT_CELL_THETA);
     cellWeight_.bindStorage(HEAT_CELL_WEIGHT);
     cellSums_.bindStorage(HEAT_CELL_SUMS);
@@ -246,6 +247,7 @@ void HeatSolver::writeBlock(double seconds, std::span<const HeatSource> sources)
     block_.stepNumber += 1;
     block_.sourceCount = static_cast<int>(sources.size());
     time_ += seconds;
+    block_.time = static_cast<float>(time_);
     block_.endTime = static_cast<uint>(std::llround(time_ * 1e6)); // wraps, which differences do not mind
     int firstRowSum = HEAT_SOURCES;                                // behind the sums of the sources
     for (size_t i = 0; i < sources.size(); ++i) {

@@ -67,6 +67,7 @@ MetalState::MetalState(const MetalLattice& lattice, const HeatTable& table, doub
       phase("metal phase", capacity * sizeof(uint)),
       latticeSlots("metal lattice", lattice.cellCount() * sizeof(uint)),
       counters("metal counters", sizeof(MetalCounters)),
+      frozenAt("metal freezing times", capacity * sizeof(float)),
       changes("metal changes", (1 + capacity) * sizeof(uint)),
       lattice_(lattice),
       table_(table),
@@ -89,7 +90,8 @@ MetalState::MetalState(const MetalLattice& lattice, const HeatTable& table, doub
 }
 
 void MetalState::reset() {
-    for (const gl::Buffer* buffer : {&position, &velocity, &heat, &phase, &latticeSlots, &counters, &changes})
+    for (const gl::Buffer* buffer :
+         {&position, &velocity, &heat, &phase, &latticeSlots, &counters, &frozenAt, &changes})
         buffer->clear();
     particles_ = 0;
     regroupings_ = 0;
@@ -108,9 +110,10 @@ void MetalState::add(std::span<const MetalSeed> seeds) {
     if (particles_ + seeds.size() > capacity_)
         throw RuntimeFault("no room for " + std::to_string(seeds.size()) + " more particles beside " +
                            std::to_string(particles_) + " of " + std::to_string(capacity_));
-    auto& [positions, velocities, heats, phases, cells] = staging_;
+    auto& [positions, velocities, heats, notFrozen, phases, cells] = staging_;
     for (auto* values : {&positions, &velocities, &heats})
         values->clear();
+    notFrozen.clear();
     phases.clear();
     cells.clear();
     for (const MetalSeed& seed : seeds) {
@@ -120,6 +123,7 @@ void MetalState::add(std::span<const MetalSeed> seeds) {
         positions.emplace_back(seed.position, seed.temperature);
         velocities.emplace_back(seed.velocity, 0.0F);
         heats.emplace_back(rounded, residual, seed.temperature, 0.0F);
+        notFrozen.push_back((seed.phase & PHASE_LIQUID) != 0 ? METAL_MOLTEN : 0.0F);
         phases.push_back(seed.phase);
         if (!(seed.phase & PHASE_LATTICE)) continue;
         const glm::ivec3 cell = lattice_.cellAt(seed.position);
@@ -136,6 +140,7 @@ void MetalState::add(std::span<const MetalSeed> seeds) {
     position.write(std::span<const vec4>(positions), particles_ * sizeof(vec4));
     velocity.write(std::span<const vec4>(velocities), particles_ * sizeof(vec4));
     heat.write(std::span<const vec4>(heats), particles_ * sizeof(vec4));
+    frozenAt.write(std::span<const float>(notFrozen), particles_ * sizeof(float));
     phase.write(std::span<const uint>(phases), particles_ * sizeof(uint));
     particles_ += seeds.size();
     counters.writeValue(static_cast<uint>(particles_), offsetof(MetalCounters, particles));
@@ -146,6 +151,7 @@ void MetalState::transfer(gl::StateArchive& archive) {
     archive.values(regroupings_);
     for (const gl::Buffer* each : {&position, &velocity, &heat})
         archive.rows(*each, particles_, sizeof(vec4));
+    archive.rows(frozenAt, particles_, sizeof(float));
     archive.buffer(phase, particles_ * sizeof(uint));
     archive.list(latticeSlots, latticeSlots.bytes());
     archive.buffer(counters, sizeof(MetalCounters));
@@ -164,7 +170,7 @@ void MetalState::bind() const {
 
 size_t MetalState::bytes() const {
     return position.bytes() + velocity.bytes() + heat.bytes() + phase.bytes() + latticeSlots.bytes() +
-           counters.bytes() + changes.bytes();
+           counters.bytes() + frozenAt.bytes() + changes.bytes();
 }
 
 double MetalState::readEnergy() const {

@@ -85,7 +85,8 @@ class MetalState {
     void noteRegrouping() { ++regroupings_; }
 
     gl::Buffer position, velocity, heat, phase, latticeSlots, counters;
-    gl::Buffer changes; ///< see shaders/shared/metal.h; bound by those who use it
+    gl::Buffer frozenAt; ///< likewise
+    gl::Buffer changes;  ///< see shaders/shared/metal.h; bound by those who use it
 
   private:
     void writeBlock();
@@ -97,6 +98,7 @@ class MetalState {
     /// What add() writes, kept so that filler costs no allocation.
     struct {
         std::vector<vec4> positions, velocities, heats;
+        std::vector<float> frozenAt;
         std::vector<uint> phases;
         std::vector<std::pair<size_t, uint>> cells;
     } staging_;

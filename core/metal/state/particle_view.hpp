@@ -5,6 +5,8 @@
 
 namespace meltpool {
 
+struct MetalLattice;
+
 struct ParticleView {
     /// One vec4 a particle: xyz in model units, w = temperature (classic 0..1; physical K).
     const gl::Buffer* positions = nullptr;
@@ -13,6 +15,13 @@ struct ParticleView {
     const gl::Buffer* phases = nullptr;
     /// Where the metal remembers how hot it was: one vec4 a slot, z = highest temperature so far.
     const gl::Buffer* heats = nullptr;
+    /// Where the metal remembers when it froze: one float a slot, s; 0 where it never was molten,
+    /// METAL_MOLTEN where it is.
+    const gl::Buffer* frozenAt = nullptr;
+    /// The lattice that metal stands on until it melts, in model units, and which cells hold metal still.
+    const MetalLattice* lattice = nullptr;
+    const gl::Buffer* latticeSlots = nullptr;
+    float solidus = 0; ///< K, of the metal on the lattice; 0: not known
 };
 
 } // namespace meltpool

@@ -59,5 +59,5 @@ void main() {
     uint after = nextPhase(before, heated.enthalpy);
     if (after == before) return;
     phase[slot] = after;
-    noteChange(slot);
+    noteChange(slot, after);
 }

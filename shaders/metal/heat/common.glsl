@@ -1,5 +1,6 @@
 // Buffers and small functions that every heat pass uses. Included after the #version line.
 #include "shared/heat.h"
+#define METAL_WITHOUT_VELOCITIES
 #include "metal/state.glsl"
 
 layout(std140, binding = HEAT_BLOCK) uniform Heat { HeatBlock heatBlock; };

@@ -1,13 +1,15 @@
-// How a particle that melts leaves the lattice for the list of slots off the lattice, and the list of phase changes that the
-// flow follows.
+// How a particle that melts leaves the lattice for the list of slots off the lattice, the list of phase changes that the flow
+// follows, and when metal froze.
 // Included after common.glsl.
 layout(std430, binding = HEAT_CHANGES) restrict buffer Changes { uint changes[]; };
 layout(std430, binding = HEAT_LISTS) restrict buffer Lists { uint lists[]; };
 layout(std430, binding = HEAT_CONTROL) restrict buffer Control { HeatControl control; };
+layout(std430, binding = HEAT_FROZEN_AT) restrict writeonly buffer FrozenAt { float frozenAt[]; };
 layout(std430, binding = HEAT_KNOWN_CELLS) restrict buffer KnownCells { uint knownCell[]; };
 
-/// Notes a slot whose phase bits changed.
-void noteChange(uint slot) {
+/// Notes a slot that melted or froze: its phase bits are `after` now.
+void noteChange(uint slot, uint after) {
+    frozenAt[slot] = (after & PHASE_LIQUID) != 0u ? METAL_MOLTEN : heatBlock.time;
     uint entry = atomicAdd(changes[0], 1u);
     if (entry < uint(metal.capacity)) changes[entry + 1u] = slot;
 }
@@ -35,7 +37,7 @@ void writePhase(uint slot, int cell, int index, float enthalpy) {
     if (after == before) return;
     bool leaves = (after & PHASE_LIQUID) != 0u && heatBlock.meltLeavesLattice != 0;
     phase[slot] = leaves ? after & ~PHASE_LATTICE : after;
-    noteChange(slot);
+    noteChange(slot, after);
     if (!leaves) return;
     latticeSlot[cell] = 0u;
     emptyCell(cell, index);
