@@ -13,6 +13,7 @@
 #include "core/training/feedback/sound/sound_track.hpp"
 #include "core/training/result/result_file.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -67,6 +68,7 @@ class Photographer {
         const bool due = every_ > 0 && trainer.time() + half >= static_cast<double>(taken_) * every_;
         const size_t frames = film_.due(trainer.time(), half);
         if (!due && !last && frames == 0) return;
+        trainer.lesson().look.detail = mostDetail(trainer.lesson());
         trainer.updateSurface(nullptr);
         ghost_.update(trainer, false, 1, kLongAgo);
         if (frames > 0) film_.add(picture(trainer, filmLook(trainer.lesson())), frames);
@@ -75,6 +77,15 @@ class Photographer {
     }
 
   private:
+    /// Of all pictures: the surface holds what they show.
+    int mostDetail(const Lesson& lesson) const {
+        const bool filmed = film_.request().video || film_.request().turntable > 0;
+        int most = filmed ? filmLook(lesson).look.detail : static_cast<int>(kLowDetail);
+        for (const PictureLook& picture : lesson.pictures)
+            most = std::max(most, picture.look.detail);
+        return most;
+    }
+
     static bool hasPast(const LookParameters& look) { return look.adaptation || look.visorLightShade > 0; }
 
     void takePictures(Trainer& trainer) {

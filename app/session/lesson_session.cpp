@@ -227,9 +227,11 @@ bool LessonSession::takeOverChanges(const Controls& controls) {
             trainer_->change(wanted_[i].key, parameterText(wanted_[i]), "the menu");
     Lesson& running = trainer_->lesson();
     const bool changed = !same(shownSurface_, lesson_.surface);
+    const bool detailed = running.look.detail != detail_; // decides what the surface holds
     running.surface = lesson_.surface;
+    running.look.detail = detail_;
     shownSurface_ = lesson_.surface;
-    return changed;
+    return changed || detailed;
 }
 
 void LessonSession::sound(const TorchSample& torch) {

@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/gl/buffer_view.hpp"
 #include "core/gl/readback.hpp"
+#include "core/metal/state/metal_state.hpp"
 #include "core/surface/cell_cases.hpp"
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 
 namespace meltpool {
@@ -20,7 +22,8 @@ constexpr GLbitfield kStorage = GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH
 
 int dataOf(const ParticleView& particles) {
     return (particles.phases != nullptr ? SURFACE_WITH_PHASES : 0) |
-           (particles.heats != nullptr ? SURFACE_WITH_PEAKS : 0);
+           (particles.heats != nullptr ? SURFACE_WITH_PEAKS : 0) |
+           (particles.frozenAt != nullptr ? SURFACE_WITH_FREEZING : 0);
 }
 
 SurfaceStatistics statisticsOf(const SurfaceCommands& commands) {
@@ -34,17 +37,52 @@ struct Peaks {
     gl::BufferView volumeTexels, heatTexels;
 };
 
+/// When metal froze: a volume of two words a corner, and programs of its own, so that it costs nothing where nobody
+/// asks for it.
+struct Freezing {
+    explicit Freezing(gl::ShaderLibrary& shaders);
+
+    const gl::Program& comparePass;
+    std::array<const gl::Program*, 2> splatAllPass, splatChangedPass; // by SurfaceKernel
+    const gl::Program& vertexPass;
+    gl::Buffer volume, splatted, vertices; // two words a corner, one a particle, a SurfaceFreezing a vertex
+    gl::BufferView volumeTexels, particleTexels, splattedTexels, latticeTexels;
+};
+
+Freezing::Freezing(gl::ShaderLibrary& shaders)
+    : comparePass(shaders.compute("surface/compare.comp", {{"SURFACE_FREEZING", "1"}})),
+      splatAllPass{&shaders.compute("surface/splat.comp", {{"SURFACE_FREEZING", "1"}, {"SURFACE_REBUILD", "1"}}),
+                   &shaders.compute("surface/splat.comp",
+                                    {{"SURFACE_FREEZING", "1"}, {"SURFACE_REBUILD", "1"}, {"SURFACE_SMOOTH", "1"}})},
+      splatChangedPass{&shaders.compute("surface/splat.comp", {{"SURFACE_FREEZING", "1"}}),
+                       &shaders.compute("surface/splat.comp", {{"SURFACE_FREEZING", "1"}, {"SURFACE_SMOOTH", "1"}})},
+      vertexPass(shaders.compute("surface/vertices.comp", {{"SURFACE_FREEZING", "1"}})) {}
+
+/// Share of the solidus in K up to which metal of the lattice is taken to lie as it did: hotter metal has neighbours
+/// that melted. None: chosen; at the toe of a bead on steel it is 2 mm.
+constexpr float kFlatBelow = 0.65F;
+
+/// What stands for a weight of 1 in the freezing volume: the wider a particle reaches, the more of them meet in a
+/// corner, whose sum of at most one particle a cell must not exceed 4096.
+float freezingUnit(int influence) {
+    constexpr float kFinest = 64, kCoarsest = 4, kInReach = 8000;
+    const auto across = static_cast<float>(2 * influence - 1);
+    return std::clamp(std::floor(kInReach / (across * across * across)), kCoarsest, kFinest);
+}
+
 } // namespace
 
 /// The compute passes and their buffers.
 struct Surface::Work {
-    Work(gl::ShaderLibrary& shaders, const SurfaceGrid& theGrid);
+    Work(gl::ShaderLibrary& theShaders, const SurfaceGrid& theGrid);
 
     void growParticleBuffers(size_t particles);
     void clearVolumes();
     void makePeaks();
+    void makeFreezing();
     void bindParticles(const ParticleView& particles);
     void bindPeaks(const ParticleView& particles);
+    void bindFreezing(const ParticleView& particles);
     void splatAll(const ParticleView& particles);
     void splatChanged(const ParticleView& particles);
     void listBlocks();
@@ -52,12 +90,16 @@ struct Surface::Work {
     void makeMesh(gl::Profiler* profiler);
     void dispatchIndirect(const gl::Program& program, size_t command) const;
 
+    bool withFreezing() const { return (particleData & SURFACE_WITH_FREEZING) != 0; }
+
+    gl::ShaderLibrary& shaders;
     SurfaceGrid grid;
     SurfaceSetup setup;
     SurfaceParameters used;   ///< parameters that the volumes were made with
     size_t splattedCount = 0; ///< particles in the volumes; 0: the next update rebuilds
     int particleData = 0;     ///< SURFACE_WITH_* of the particles
     std::optional<Peaks> peaks;
+    std::optional<Freezing> freezing;
 
     const gl::Program& comparePass;
     std::array<const gl::Program*, 2> splatAllPass, splatChangedPass; // by SurfaceKernel
@@ -84,8 +126,9 @@ struct Surface::Work {
     gl::Readback readback;
 };
 
-Surface::Work::Work(gl::ShaderLibrary& shaders, const SurfaceGrid& theGrid)
-    : grid(theGrid),
+Surface::Work::Work(gl::ShaderLibrary& theShaders, const SurfaceGrid& theGrid)
+    : shaders(theShaders),
+      grid(theGrid),
       setup(grid.setup()),
       comparePass(shaders.compute("surface/compare.comp")),
       splatAllPass{&shaders.compute("surface/splat.comp", {{"SURFACE_REBUILD", "1"}}),
@@ -152,11 +195,25 @@ void Surface::Work::makePeaks() {
     if (peaks->splatted.bytes() < bytes) peaks->splatted = gl::Buffer("surface splatted peaks", bytes);
 }
 
+void Surface::Work::makeFreezing() {
+    if (!freezing) {
+        freezing.emplace(shaders);
+        freezing->volume = gl::Buffer("surface freezing", 2 * density.bytes());
+        freezing->vertices = gl::Buffer("surface vertex freezing", grid.mostVertices() * sizeof(SurfaceFreezing));
+        freezing->volumeTexels = gl::BufferView("surface freezing", freezing->volume, GL_RG32UI, 8);
+    }
+    const size_t bytes = splatted ? splatted.bytes() / 4 : 4; // a float a particle instead of a vec4
+    if (freezing->splatted.bytes() >= bytes) return;
+    freezing->splatted = gl::Buffer("surface splatted freezing times", bytes);
+    freezing->splattedTexels = gl::BufferView("surface splatted freezing times", freezing->splatted, GL_R32F, 4);
+}
+
 /// Empties the volumes and marks every particle as not splatted.
 void Surface::Work::clearVolumes() {
     for (const gl::Buffer* buffer : {&density, &temperature, &blockStates, &insideBits})
         buffer->clear();
     if (peaks) peaks->volume.clear();
+    if (withFreezing()) freezing->volume.clear();
     if (splatted) splatted.fill(std::bit_cast<GLuint>(SURFACE_NOWHERE));
     glMemoryBarrier(kStorage);
 }
@@ -179,6 +236,7 @@ void Surface::Work::bindParticles(const ParticleView& particles) {
     blockFlags.bindStorage(SURFACE_BIND_BLOCK_FLAGS);
     commands.bindStorage(SURFACE_BIND_COMMANDS);
     bindPeaks(particles);
+    if (withFreezing()) bindFreezing(particles);
 }
 
 void Surface::Work::bindPeaks(const ParticleView& particles) {
@@ -189,18 +247,31 @@ void Surface::Work::bindPeaks(const ParticleView& particles) {
     peaks->heatTexels.bind(SURFACE_TEXELS_HEATS);
 }
 
+void Surface::Work::bindFreezing(const ParticleView& particles) {
+    freezing->volume.bindStorage(SURFACE_BIND_FREEZING);
+    freezing->splatted.bindStorage(SURFACE_BIND_SPLATTED_FREEZING);
+    freezing->particleTexels = gl::BufferView("surface freezing times", *particles.frozenAt, GL_R32F, sizeof(float));
+    freezing->particleTexels.bind(SURFACE_TEXELS_FROZEN_AT);
+    if (particles.lattice == nullptr) return;
+    freezing->latticeTexels = gl::BufferView("surface lattice", *particles.latticeSlots, GL_R32UI, 4);
+    freezing->latticeTexels.bind(SURFACE_TEXELS_LATTICE);
+}
+
 void Surface::Work::splatAll(const ParticleView& particles) {
     bindParticles(particles);
-    splatAllPass[size_t(used.kernel)]->dispatch(particles.count, SURFACE_GROUP);
+    (withFreezing() ? freezing->splatAllPass : splatAllPass)[size_t(used.kernel)]->dispatch(particles.count,
+                                                                                            SURFACE_GROUP);
     glMemoryBarrier(kStorage);
 }
 
 void Surface::Work::splatChanged(const ParticleView& particles) {
     bindParticles(particles);
     splattedTexels.bind(SURFACE_TEXELS_SPLATTED);
-    comparePass.dispatch(particles.count, SURFACE_GROUP);
+    if (withFreezing()) freezing->splattedTexels.bind(SURFACE_TEXELS_FREEZING);
+    (withFreezing() ? freezing->comparePass : comparePass).dispatch(particles.count, SURFACE_GROUP);
     glMemoryBarrier(kStorage | GL_COMMAND_BARRIER_BIT);
-    dispatchIndirect(*splatChangedPass[size_t(used.kernel)], offsetof(SurfaceCommands, changed));
+    dispatchIndirect(*(withFreezing() ? freezing->splatChangedPass : splatChangedPass)[size_t(used.kernel)],
+                     offsetof(SurfaceCommands, changed));
 }
 
 void Surface::Work::listBlocks() {
@@ -246,7 +317,11 @@ void Surface::Work::makeMesh(gl::Profiler* profiler) {
         vertices.bindStorage(SURFACE_BIND_VERTICES);
         (peaks ? peaks->vertices : commands).bindStorage(SURFACE_BIND_VERTEX_PEAKS);
         if (peaks) peaks->volumeTexels.bind(SURFACE_TEXELS_PEAK);
-        dispatchIndirect(vertexPass, offsetof(SurfaceCommands, vertices));
+        if (withFreezing()) {
+            freezing->vertices.bindStorage(SURFACE_BIND_VERTEX_FREEZING);
+            freezing->volumeTexels.bind(SURFACE_TEXELS_FREEZING);
+        }
+        dispatchIndirect(withFreezing() ? freezing->vertexPass : vertexPass, offsetof(SurfaceCommands, vertices));
     }
     {
         const gl::Scope scope(profiler, "surface triangles");
@@ -278,14 +353,26 @@ bool Surface::mustRebuild(const ParticleView& particles) const {
            used.caps != parameters.caps;
 }
 
-void Surface::writeSetup(size_t particles, bool rebuild) {
+void Surface::writeSetup(const ParticleView& particles, bool rebuild) {
     SurfaceSetup& setup = work_->setup;
     setup.influence = std::clamp(parameters.influence, 1, 8);
-    setup.particleCount = static_cast<unsigned>(particles);
+    setup.particleCount = static_cast<unsigned>(particles.count);
     setup.isoLevel = static_cast<unsigned>(std::max(std::lround(double(parameters.isoLevel) * SURFACE_UNIT), 1L));
     setup.caps = parameters.caps ? 1 : 0;
     setup.rebuild = rebuild ? 1 : 0;
     setup.particleData = work_->particleData;
+    setup.freezingUnit = freezingUnit(setup.influence);
+    setup.latticeTiles = ivec3(0);
+    setup.flatPlaneCount = 0;
+    if (const MetalLattice* lattice = particles.lattice) {
+        setup.latticeOrigin = lattice->low;
+        setup.perLatticeSpacing = 1 / lattice->spacing;
+        setup.latticeTiles = lattice->tiles;
+        setup.flatPlaneCount = flatFaces.count;
+        for (size_t i = 0; i < size_t(flatFaces.count); ++i)
+            setup.flatPlanes[i] = vec4((flatFaces.corners[i] - lattice->low) / lattice->spacing, 0);
+        setup.flatBelow = particles.solidus > 0 ? kFlatBelow * particles.solidus : std::numeric_limits<float>::max();
+    }
     setup.incremental = incremental.enabled ? 1 : 0;
     setup.positionTolerance = incremental.positionTolerance;
     setup.temperatureTolerance = incremental.temperatureTolerance;
@@ -303,7 +390,8 @@ void Surface::update(const ParticleView& particles, gl::Profiler* profiler) {
     w.splattedCount = incremental.enabled ? particles.count : 0;
     w.particleData = dataOf(particles);
     if (particles.heats != nullptr) w.makePeaks();
-    writeSetup(particles.count, rebuild);
+    if (w.withFreezing()) w.makeFreezing();
+    writeSetup(particles, rebuild);
     glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, w.commands.name());
     if (rebuild) {
         const gl::Scope scope(profiler, "surface clear");
@@ -323,7 +411,8 @@ void Surface::update(const ParticleView& particles, gl::Profiler* profiler) {
 
 SurfaceMesh Surface::mesh() const {
     const bool withPeaks = (work_->particleData & SURFACE_WITH_PEAKS) != 0;
-    return {&work_->vertices, &work_->indices, &work_->commands, withPeaks ? &work_->peaks->vertices : nullptr};
+    return {&work_->vertices, &work_->indices, &work_->commands, withPeaks ? &work_->peaks->vertices : nullptr,
+            work_->withFreezing() ? &work_->freezing->vertices : nullptr};
 }
 
 const SurfaceGrid& Surface::grid() const {
@@ -336,6 +425,10 @@ const gl::Buffer& Surface::densityVolume() const {
 
 const gl::Buffer& Surface::temperatureVolume() const {
     return work_->temperature;
+}
+
+const gl::Buffer* Surface::freezingVolume() const {
+    return work_->withFreezing() ? &work_->freezing->volume : nullptr;
 }
 
 void Surface::bindVolumes() const {
@@ -354,6 +447,7 @@ size_t Surface::bytes() const {
           &w.edgeList,   &w.triangleList, &w.vertices,      &w.indices,   &w.commands})
         sum += buffer->bytes();
     if (w.peaks) sum += w.peaks->volume.bytes() + w.peaks->splatted.bytes() + w.peaks->vertices.bytes();
+    if (w.freezing) sum += w.freezing->volume.bytes() + w.freezing->splatted.bytes() + w.freezing->vertices.bytes();
     return sum;
 }
 

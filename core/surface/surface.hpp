@@ -8,6 +8,7 @@
 #include "core/surface/surface_mesh.hpp"
 #include "core/surface/surface_parameters.hpp"
 
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -32,6 +33,12 @@ struct IncrementalUpdate {
     float temperatureTolerance = 0; ///< ... or its temperature changed by more than this share of the range
 };
 
+/// Where a workpiece's faces are flat, in model units: each corner gives a plane across every axis.
+struct FlatFaces {
+    std::array<glm::vec3, SURFACE_FLAT_PLANES> corners{};
+    int count = 0;
+};
+
 /// The density volume holds at every corner of the grid the sum of the weights 1 - d / d_max of the particles around, d
 /// in cells, d_max = sqrt(3) / 2 + sqrt(3) (influence - 1), as integers of 1/10000. The temperature volume holds the
 /// sum of weight x temperature; the surface's temperature is the quotient of the two, the weighted mean, so that it
@@ -40,6 +47,12 @@ struct IncrementalUpdate {
 ///
 /// Particles that store their highest temperature fill a third volume, from which the mesh gets its peaks in the same
 /// way.
+///
+/// Particles that store when they froze fill a volume of their own: sums of weights and of weight x time over the metal
+/// that froze alone, so that a neighbour that never melted does not count. The mesh gets from it the time and its
+/// gradient (SurfaceFreezing), and the share of frozen metal. With them vertices beside metal that stands on its
+/// lattice still are put on the lattice's own surface where that lies in FlatFaces: flat, with edges. The volumes stay
+/// as they are. What froze after SURFACE_FREEZING_LONGEST does not count.
 ///
 /// The smooth kernel has other weights (SurfaceKernel).
 ///
@@ -59,6 +72,7 @@ class Surface {
     /// Live values; `cells` is only read at construction.
     SurfaceParameters parameters;
     IncrementalUpdate incremental;
+    FlatFaces flatFaces; ///< read where the particles store when they froze and have a lattice
 
     /// Range of temperatures that the volume stores; others are clamped to it. The default, 0..1, is the classic
     /// model's. Throws InputError when the range is empty.
@@ -73,6 +87,9 @@ class Surface {
     /// The volumes, indexed by SurfaceGrid::address(): 32-bit unsigned integers.
     const gl::Buffer& densityVolume() const;
     const gl::Buffer& temperatureVolume() const;
+    /// Two integers a corner, sums of weights and of weight x ticks; null where the last particles had no freezing
+    /// times.
+    const gl::Buffer* freezingVolume() const;
     /// Binds setup and both volumes to their binding points (shaders/shared/surface.h), for passes that read them.
     void bindVolumes() const;
 
@@ -87,7 +104,7 @@ class Surface {
 
   private:
     bool mustRebuild(const ParticleView& particles) const;
-    void writeSetup(size_t particles, bool rebuild);
+    void writeSetup(const ParticleView& particles, bool rebuild);
 
     struct Work;
     std::unique_ptr<Work> work_;

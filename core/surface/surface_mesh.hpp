@@ -12,6 +12,8 @@ struct SurfaceMesh {
     const gl::Buffer* drawCommand = nullptr; ///< one DrawElementsIndirectCommand
     /// One float a vertex: the highest temperature so far, K. Null when the particles do not store it.
     const gl::Buffer* peaks = nullptr;
+    /// One SurfaceFreezing a vertex. Null when the particles do not store when they froze, or nobody asked.
+    const gl::Buffer* freezing = nullptr;
 };
 
 } // namespace meltpool

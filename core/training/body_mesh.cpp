@@ -41,7 +41,9 @@ MeshCopy bodyMesh(gl::ShaderLibrary& shaders, const MetalModel& metal, const Sur
     Surface surface(shaders, parameters, scene.boxMin, scene.boxMax);
     metal.prepare(surface);
     surface.incremental = {};
-    surface.update(metal.particles(), nullptr);
+    ParticleView particles = metal.particles();
+    particles.frozenAt = nullptr; // files have no ripples
+    surface.update(particles, nullptr);
     MeshCopy mesh = outerBodies(copyMesh(surface));
     const glm::mat3 turn = glm::mat3(scene.modelToWorld) / glm::length(glm::vec3(scene.modelToWorld[0]));
     for (SurfaceVertex& vertex : mesh.vertices) {

@@ -167,7 +167,9 @@ void Trainer::updateSurface(gl::Profiler* profiler) {
     surface_->parameters = lesson_.surface;
     surface_->parameters.cells = cells;
     metal_->prepare(*surface_);
-    surface_->update(metal_->particles(), profiler);
+    ParticleView particles = metal_->particles();
+    if (lesson_.look.detail == kLowDetail) particles.frozenAt = nullptr; // ripples are not drawn
+    surface_->update(particles, profiler);
 }
 
 SceneView Trainer::scene() const {

@@ -97,6 +97,11 @@ float WeldModel::liquidShare(float temperature) const {
 void WeldModel::prepare(Surface& surface) const {
     surface.setTemperatureRange(kRoomTemperature, 3500);
     surface.parameters.isoLevel *= flatFaceLevel(surface.parameters, surface.grid(), workpiece_.lattice.spacing);
+    surface.flatFaces.count = 0;
+    for (const WorkpieceBlock& block : workpiece_.blocks)
+        for (const glm::vec3& corner : {block.low, block.high})
+            if (surface.flatFaces.count < SURFACE_FLAT_PLANES)
+                surface.flatFaces.corners[size_t(surface.flatFaces.count++)] = corner;
     // Particles keep their slots; less than a fiftieth of a cell or 3 K is seen by nobody.
     surface.incremental = {true, 0.02F, 0.001F};
 }

@@ -20,6 +20,13 @@
 /// The integer that stands for a weight of 1 in the volumes' sums.
 #define SURFACE_UNIT 10000
 
+/// A corner of the freezing volume: x the sum of weights of metal that froze, and times SURFACE_LOOSE that of all metal that
+/// ever melted; y the sum of weight x time of what froze. Weights in units of 1 / SurfaceSetup.freezingUnit, time in ticks. A
+/// corner holds weights of 4095 units up to the longest time.
+#define SURFACE_LOOSE 65536u
+#define SURFACE_FREEZING_TICKS 512.0    // a second: fine against the time in which metal as wide as a cell freezes
+#define SURFACE_FREEZING_LONGEST 2048.0 // s: what froze later has no time
+
 /// Bits of one coordinate in packed edges and cells.
 #define SURFACE_COORDINATE_BITS 10
 
@@ -47,8 +54,11 @@
 #define SURFACE_BIND_PHASES 7
 #define SURFACE_BIND_PEAK 8
 #define SURFACE_BIND_SPLATTED_PEAKS 9
+#define SURFACE_BIND_FREEZING 10
+#define SURFACE_BIND_SPLATTED_FREEZING 11
 // So does the pass that makes the vertices,
 #define SURFACE_BIND_VERTEX_PEAKS 8
+#define SURFACE_BIND_VERTEX_FREEZING 9
 // and the passes that list and place the blocks.
 #define SURFACE_BIND_BLOCK_STATES 1
 #define SURFACE_BIND_BASE_TRIANGLES 2
@@ -64,10 +74,17 @@
 #define SURFACE_TEXELS_CASES 6
 #define SURFACE_TEXELS_HEATS 7
 #define SURFACE_TEXELS_PEAK 8
+#define SURFACE_TEXELS_FROZEN_AT 9
+#define SURFACE_TEXELS_FREEZING 10
+#define SURFACE_TEXELS_LATTICE 11
 
 /// What the particles bring besides position and temperature.
 #define SURFACE_WITH_PHASES 1
 #define SURFACE_WITH_PEAKS 2
+#define SURFACE_WITH_FREEZING 4
+
+/// Most planes along each axis that flat faces lie in.
+#define SURFACE_FLAT_PLANES 6
 
 /// Coordinates of a particle that adds nothing to the volumes: not yet splatted, or no metal any more.
 #define SURFACE_NOWHERE 3.0e38f
@@ -87,7 +104,13 @@ struct SurfaceVertex {
     vec3 position;
     float temperature; ///< mean of the particles around, with the weights of the density volume
     vec3 normal;       ///< outward unit normal
-    float reserved;
+    float frozen;      ///< share of the metal around that was molten and froze, 0..1; 0 where it was not asked for
+};
+
+/// When the metal around a vertex froze.
+struct SurfaceFreezing {
+    vec3 slope; ///< gradient of the time, s per model unit
+    float time; ///< s; mean of the particles around that froze, 0 where there is none
 };
 
 /// What glDrawElementsIndirect reads.
@@ -151,14 +174,21 @@ struct SurfaceSetup {
     int incremental;            ///< 1: store each particle as splatted, for the next update
     float positionTolerance;    ///< movement up to which a particle counts as unchanged, cells
     float temperatureTolerance; ///< the same for its temperature, as a share of the temperature range
-    vec2 reserved;
+    float freezingUnit;         ///< what stands for a weight of 1 in the freezing volume
+    int flatPlaneCount;         ///< corners in flatPlanes
+    vec3 latticeOrigin;         ///< low corner of the lattice that the metal began on, model units
+    float perLatticeSpacing;    ///< lattice cells in a model unit
+    ivec3 latticeTiles;         ///< 0: no lattice, or not asked for
+    float flatBelow;            ///< highest temperature so far up to which metal of the lattice is taken to lie as it did
+    vec4 flatPlanes[SURFACE_FLAT_PLANES]; ///< xyz: planes along each axis that flat faces lie in, lattice cells from its low corner
 };
 
 #ifdef __cplusplus
 static_assert(sizeof(SurfaceVertex) == 32);
+static_assert(sizeof(SurfaceFreezing) == 16);
 static_assert(sizeof(SurfaceDraw) == 20);
 static_assert(sizeof(SurfaceCommands) == 136);
-static_assert(sizeof(SurfaceSetup) == 112);
+static_assert(sizeof(SurfaceSetup) == 144 + 16 * SURFACE_FLAT_PLANES);
 } // namespace meltpool
 #endif
 

@@ -1,6 +1,6 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-// Lists the particles that moved or changed temperature since they were last splatted. The order of the list does not
+// Lists the particles that moved, changed temperature or (SURFACE_FREEZING) froze or melted since they were last splatted. The order of the list does not
 // matter: the volumes are sums of integers.
 #include "surface/grid.glsl"
 layout(local_size_x = SURFACE_GROUP) in;
@@ -10,6 +10,18 @@ layout(binding = SURFACE_TEXELS_SPLATTED) uniform samplerBuffer splatted;
 layout(std430, binding = SURFACE_BIND_CHANGED_LIST) writeonly buffer ChangedList { uint changedList[]; };
 layout(std430, binding = SURFACE_BIND_COMMANDS) buffer Commands { SurfaceCommands commands; };
 
+#ifdef SURFACE_FREEZING
+layout(binding = SURFACE_TEXELS_FREEZING) uniform samplerBuffer splattedFreezing; // not the volume, which this does not read
+
+bool sameFreezing(uint index) {
+    return frozenNow(index) == texelFetch(splattedFreezing, int(index)).x;
+}
+#else
+bool sameFreezing(uint index) {
+    return true;
+}
+#endif
+
 void main() {
     uint index = linearInvocation();
     if (index >= setup.particleCount) return;
@@ -18,7 +30,7 @@ void main() {
     // Written so that a temperature that is not a number counts as a change.
     bool unchanged = all(lessThanEqual(cells, vec3(setup.positionTolerance))) &&
                      abs(now.temperature - before.temperature) <= setup.temperatureTolerance * setup.temperatureRange;
-    if (unchanged) return;
+    if (unchanged && sameFreezing(index)) return;
     uint slot = atomicAdd(commands.changedCount, 1u);
     changedList[slot] = index;
     if (slot % SURFACE_GROUP == 0u) atomicAdd(commands.changed.x, 1u);

@@ -25,4 +25,13 @@ Particle particleNow(uint index) {
     return alive && somewhere ? particle : Particle(vec3(SURFACE_NOWHERE), SURFACE_NOWHERE);
 }
 
+#ifdef SURFACE_FREEZING
+layout(binding = SURFACE_TEXELS_FROZEN_AT) uniform samplerBuffer frozenAt;
+
+/// When a particle froze, s; negative where it is molten, 0 where it never was.
+float frozenNow(uint index) {
+    return texelFetch(frozenAt, int(index)).x;
+}
+#endif
+
 #endif

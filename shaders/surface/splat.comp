@@ -6,6 +6,7 @@
 // SURFACE_SMOOTH: the weight (1 - d²/r²)³ with r = influence - 1/2 cells falls smoothly to zero inside the reached
 // corners. Without it: the linear weight of the founding thesis, which ends in a step.
 // SURFACE_REBUILD: the volumes are empty and every particle is added.
+// SURFACE_FREEZING: what froze is also added to the freezing volume.
 #include "surface/grid.glsl"
 layout(local_size_x = SURFACE_GROUP) in;
 #include "surface/particles.glsl"
@@ -17,6 +18,10 @@ layout(std430, binding = SURFACE_BIND_SPLATTED) buffer Splatted { Particle splat
 layout(std430, binding = SURFACE_BIND_PEAK) buffer Peak { uint peak[]; };
 layout(std430, binding = SURFACE_BIND_SPLATTED_PEAKS) buffer SplattedPeaks { float splattedPeaks[]; };
 layout(binding = SURFACE_TEXELS_HEATS) uniform samplerBuffer heats;
+#ifdef SURFACE_FREEZING
+layout(std430, binding = SURFACE_BIND_FREEZING) buffer Freezing { uvec2 freezing[]; };
+layout(std430, binding = SURFACE_BIND_SPLATTED_FREEZING) buffer SplattedFreezing { float splattedFreezing[]; };
+#endif
 layout(std430, binding = SURFACE_BIND_CHANGED_LIST) readonly buffer ChangedList { uint changedList[]; };
 layout(std430, binding = SURFACE_BIND_COMMANDS) readonly buffer Commands { SurfaceCommands commands; };
 
@@ -72,11 +77,46 @@ float shareOf(float temperature_) {
     return share > 0.0 ? min(share, 1.0) : 0.0;
 }
 
+/// What a particle brings beside its place and temperature.
+struct History {
+    float hottest;  ///< in the volumes' temperatures
+    float frozenAt; ///< s; negative: molten; 0: never molten, or not asked for
+};
+
+History historyNow(uint index) {
+#ifdef SURFACE_FREEZING
+    return History(peakNow(index), frozenNow(index));
+#else
+    return History(peakNow(index), 0.0);
+#endif
+}
+
+/// As it was last splatted.
+History historySplatted(uint index, History now) {
+    History history = now;
+    if (withPeaks()) history.hottest = splattedPeaks[index];
+#ifdef SURFACE_FREEZING
+    history.frozenAt = splattedFreezing[index];
+#endif
+    return history;
+}
+
+void storeHistory(uint index, History history) {
+    if (withPeaks()) splattedPeaks[index] = history.hottest;
+#ifdef SURFACE_FREEZING
+    splattedFreezing[index] = history.frozenAt;
+#endif
+}
+
 /// Adds the particle to the volumes (`sign_` 1) or subtracts it (-1).
-void addParticle(Particle particle, float hottest, int sign_) {
+void addParticle(Particle particle, History history, int sign_) {
     precise vec3 place = (particle.position - setup.origin) * (vec3(setup.cells) / setup.extent) + 1.0;
     if (!all(lessThan(abs(place), vec3(1e6)))) return;
-    float share = shareOf(particle.temperature), peakShare = shareOf(hottest);
+    float share = shareOf(particle.temperature), peakShare = shareOf(history.hottest);
+#ifdef SURFACE_FREEZING
+    bool frozen = history.frozenAt > 0.0 && history.frozenAt < SURFACE_FREEZING_LONGEST, loose = history.frozenAt != 0.0;
+    uint ticks = frozen ? uint(history.frozenAt * SURFACE_FREEZING_TICKS + 0.5) : 0u;
+#endif
 
     int reach = setup.influence - 1;
     ivec3 nearest = ivec3(floor(place + 0.5));
@@ -109,6 +149,14 @@ void addParticle(Particle particle, float hottest, int sign_) {
                     precise float heat = float(weight) * peakShare + 0.5;
                     atomicAdd(peak[address], uint(int(heat) * sign_));
                 }
+#ifdef SURFACE_FREEZING
+                if (loose) {
+                    precise float scaledCoarse = near * setup.freezingUnit + 0.5;
+                    uint coarse = uint(int(scaledCoarse) * sign_);
+                    atomicAdd(freezing[address].x, coarse * (frozen ? SURFACE_LOOSE + 1u : SURFACE_LOOSE));
+                    if (frozen) atomicAdd(freezing[address].y, coarse * ticks);
+                }
+#endif
             }
         }
     }
@@ -119,12 +167,12 @@ void main() {
     uint index = linearInvocation();
     if (index >= setup.particleCount) return;
     Particle now = particleNow(index);
-    float hottest = peakNow(index);
+    History history = historyNow(index);
     if (setup.incremental != 0) {
         splatted[index] = now;
-        if (withPeaks()) splattedPeaks[index] = hottest;
+        storeHistory(index, history);
     }
-    addParticle(now, hottest, 1);
+    addParticle(now, history, 1);
 }
 #else
 void main() {
@@ -133,14 +181,14 @@ void main() {
     uint index = changedList[slot];
     Particle now = particleNow(index);
     Particle particle = splatted[index];
-    float hottestNow = peakNow(index), hottest = withPeaks() ? splattedPeaks[index] : hottestNow;
+    History historyThen = historyNow(index), history = historySplatted(index, historyThen);
     splatted[index] = now;
-    if (withPeaks()) splattedPeaks[index] = hottestNow;
+    storeHistory(index, historyThen);
     // One loop instead of two calls: the compiler makes the body once.
     for (int sign_ = -1; sign_ <= 1; sign_ += 2) {
-        addParticle(particle, hottest, sign_);
+        addParticle(particle, history, sign_);
         particle = now;
-        hottest = hottestNow;
+        history = historyThen;
     }
 }
 #endif

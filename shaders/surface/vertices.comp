@@ -1,6 +1,6 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-// Makes the vertex of every listed edge: position, temperature, normal.
+// Makes the vertex of every listed edge: position, temperature, normal. SURFACE_FREEZING: when the metal around it froze, too.
 #include "surface/grid.glsl"
 layout(local_size_x = SURFACE_GROUP) in;
 
@@ -10,6 +10,11 @@ layout(std430, binding = SURFACE_BIND_EDGE_LIST) readonly buffer EdgeList { uint
 layout(std430, binding = SURFACE_BIND_VERTICES) writeonly buffer Vertices { SurfaceVertex vertices[]; };
 layout(binding = SURFACE_TEXELS_PEAK) uniform usamplerBuffer peak;
 layout(std430, binding = SURFACE_BIND_VERTEX_PEAKS) writeonly buffer VertexPeaks { float vertexPeaks[]; };
+#ifdef SURFACE_FREEZING
+layout(std430, binding = SURFACE_BIND_VERTEX_FREEZING) writeonly buffer VertexFreezing { SurfaceFreezing vertexFreezing[]; };
+#include "surface/freezing.glsl"
+#include "surface/lattice.glsl"
+#endif
 layout(std430, binding = SURFACE_BIND_COMMANDS) readonly buffer Commands { SurfaceCommands commands; };
 
 bool inGrid(ivec3 corner) {
@@ -51,6 +56,51 @@ float temperatureOf(float heat, float weight) {
     return setup.coldest + setup.temperatureRange * (heat / weight);
 }
 
+#ifdef SURFACE_FREEZING
+/// Puts a vertex beside metal of the lattice on the lattice's own surface; `loose`: share of other metal around, `hottest`: its
+/// highest temperature so far. `inside`: the
+/// corner of its edge that is inside, `edge`: from there to the outside, in corners.
+void flatten(inout SurfaceVertex vertex, ivec3 inside, ivec3 edge, float loose, float hottest) {
+    vec3 n = vertex.normal, size = abs(n);
+    ivec3 signs = ivec3(sign(setup.extent)); // of the corners' axes in the model
+    ivec3 axis = edge * signs;
+    if (dot(n, vec3(axis)) < kFacing)
+        axis = size.x >= max(size.y, size.z) ? ivec3(sign(n.x), 0, 0) : size.y >= size.z ? ivec3(0, sign(n.y), 0) : ivec3(0, 0, sign(n.z));
+    // Beside metal that melted the lattice has holes whose walls are no faces.
+    float cold = 1.0 - smoothstep(kFlatFrom, 1.0, hottest / setup.flatBelow);
+    float share = cold * (1.0 - smoothstep(0.02, 0.25, loose));
+    vec3 place = (vertex.position - setup.latticeOrigin) * setup.perLatticeSpacing;
+    LatticeFace face = faceAt(place, place - 0.05 * n, axis, share > 0.0 ? 3 : 0);
+    bool ends = face.found && loose < kNoneLoose;
+    for (int i = 0; i < 3; ++i) {
+        ivec3 way = ivec3(i == 0, i == 1, i == 2);
+        if (abs(axis[i]) == 1) continue;
+        // The surface does not go on beyond the inside corner: the face ends there.
+        bool after = densityAt(min(inside + way, setup.cells + 1)) < float(setup.isoLevel);
+        bool before = densityAt(max(inside - way, ivec3(1))) < float(setup.isoLevel);
+        moveToEdge(face, axis, way * signs, ends && after ? 3 : 0);
+        moveToEdge(face, axis, -way * signs, ends && before ? 3 : 0);
+    }
+    share = face.found ? share : 0.0;
+    vertex.position = mix(vertex.position, setup.latticeOrigin + face.place / setup.perLatticeSpacing, share);
+    vertex.normal = normalised(mix(n, vec3(axis), share), n);
+}
+
+/// Writes when the metal at a vertex between `a` and `b` froze; gives the shares of the metal there, of density `weight`, that
+/// did (x) and that ever melted (y).
+vec2 writeFreezing(uint index, ivec3 a, ivec3 b, float part, float weight) {
+    FreezingSums atA = freezingAt(a), atB = freezingAt(b);
+    float frozen = mix(atA.weight, atB.weight, part);
+    float time = mix(atA.weight * atA.time, atB.weight * atB.time, part) / max(frozen, 1e-6);
+    // An empty box where nothing froze: drivers that run on the CPU skip a loop that no invocation makes.
+    ivec3 first = frozen > 0.0 ? max(a - 1, ivec3(1)) : ivec3(1), last = frozen > 0.0 ? min(b + 1, setup.cells + 1) : ivec3(0);
+    SurfaceFreezing fit = fitFreezing(first, last, mix(vec3(a), vec3(b), part), time);
+    fit.slope *= vec3(setup.cells) / setup.extent;
+    vertexFreezing[index] = fit;
+    return min(vec2(frozen, mix(atA.loose, atB.loose, part)) * float(SURFACE_UNIT) / weight, 1.0);
+}
+#endif
+
 void main() {
     uint index = linearInvocation();
     if (commands.firstVertex + index >= min(commands.vertexCount, setup.maxVertices)) return;
@@ -71,9 +121,22 @@ void main() {
     vertex.position = modelPosition(mix(vec3(a), vec3(b), part));
     vertex.temperature = temperatureOf(heat, mix(weightA, weightB, part));
     vertex.normal = cap ? outward : normalised(falling, outward);
-    vertex.reserved = 0.0;
+#ifdef SURFACE_FREEZING
+    vec2 shares = writeFreezing(commands.firstVertex + index, a, b, part, mix(weightA, weightB, part));
+    vertex.frozen = shares.x;
+#else
+    vertex.frozen = 0.0;
+#endif
+    bool withPeaks = (setup.particleData & SURFACE_WITH_PEAKS) != 0;
+    float hottest = setup.coldest;
+    if (withPeaks) {
+        float sum = mix(float(texelFetch(peak, cornerAddress(a)).x), float(texelFetch(peak, cornerAddress(b)).x), part);
+        hottest = temperatureOf(sum, mix(weightA, weightB, part));
+        vertexPeaks[commands.firstVertex + index] = hottest;
+    }
+#ifdef SURFACE_FREEZING
+    if (setup.flatPlaneCount > 0 && !cap)
+        flatten(vertex, weightA > weightB ? a : b, weightA > weightB ? axis : -axis, shares.y, hottest);
+#endif
     vertices[commands.firstVertex + index] = vertex;
-    if ((setup.particleData & SURFACE_WITH_PEAKS) == 0) return;
-    float hottest = mix(float(texelFetch(peak, cornerAddress(a)).x), float(texelFetch(peak, cornerAddress(b)).x), part);
-    vertexPeaks[commands.firstVertex + index] = temperatureOf(hottest, mix(weightA, weightB, part));
 }

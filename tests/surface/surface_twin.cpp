@@ -108,6 +108,33 @@ Volumes twinVolumes(const SurfaceGrid& grid, const SurfaceParameters& parameters
     return volumes;
 }
 
+std::vector<glm::uvec2> twinFreezing(const SurfaceGrid& grid, const SurfaceParameters& parameters,
+                                     const std::vector<glm::vec4>& particles, const std::vector<float>& frozenAt) {
+    const SurfaceSetup s = grid.setup();
+    const int reach = parameters.influence - 1, across = 2 * reach + 1;
+    const float unit = float(std::min(64, 8000 / (across * across * across)));
+    std::vector<glm::uvec2> volume(grid.blockCount() * SURFACE_BLOCK_CORNERS, glm::uvec2(0));
+    for (size_t i = 0; i < particles.size(); ++i) {
+        if (frozenAt[i] == 0) continue;
+        const bool frozen = frozenAt[i] > 0 && frozenAt[i] < 2048.0f;
+        const unsigned ticks = frozen ? static_cast<unsigned>(frozenAt[i] * 512.0f + 0.5f) : 0;
+        const vec3 place = placeInGrid(s, particles[i]);
+        const ivec3 nearest(glm::floor(place + 0.5f));
+        for (int z = nearest.z - reach; z <= nearest.z + reach; ++z)
+            for (int y = nearest.y - reach; y <= nearest.y + reach; ++y)
+                for (int x = nearest.x - reach; x <= nearest.x + reach; ++x) {
+                    const vec3 d = place - vec3(ivec3(x, y, z));
+                    const float value = weightOf(static_cast<SurfaceKernel>(parameters.kernel), parameters.influence,
+                                                 d.x * d.x + (d.y * d.y + d.z * d.z));
+                    if (!isOwn(grid, {x, y, z}) || value <= 0.0f) continue;
+                    const auto weight = static_cast<unsigned>(value * unit + 0.5f);
+                    volume[grid.address({x, y, z})] +=
+                        glm::uvec2(65536u * weight + (frozen ? weight : 0), weight * ticks);
+                }
+    }
+    return volume;
+}
+
 namespace {
 
 /// Edges in the order of the vertices: by row of 8 corners, then axis, then corner.

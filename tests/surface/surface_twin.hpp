@@ -3,6 +3,7 @@
 
 #include "core/surface/surface.hpp"
 
+#include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
 #include <vector>
@@ -17,6 +18,11 @@ struct Volumes {
 /// The volumes that Surface::update() makes, in the same order of operations of each weight.
 Volumes twinVolumes(const SurfaceGrid& grid, const SurfaceParameters& parameters, float coldest, float hottest,
                     const std::vector<glm::vec4>& particles);
+
+/// The freezing volume likewise; `frozenAt`: s, a particle each; 0: it never melted, negative: it is
+/// molten.
+std::vector<glm::uvec2> twinFreezing(const SurfaceGrid& grid, const SurfaceParameters& parameters,
+                                     const std::vector<glm::vec4>& particles, const std::vector<float>& frozenAt);
 
 struct Mesh {
     std::vector<SurfaceVertex> vertices;
