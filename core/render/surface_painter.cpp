@@ -11,11 +11,12 @@ namespace meltpool {
 
 namespace {
 
-constexpr GLuint kVertexBuffer = 0, kPeakBuffer = 1; // bindings of the vertex array
+constexpr GLuint kVertexBuffer = 0, kPeakBuffer = 1, kFreezingBuffer = 2; // bindings of the vertex array
 constexpr std::array<GLuint, MOST_VIEWS + 1> kCounts{0, 1, 2, 3, 4};
 const std::vector<std::pair<unsigned, std::string>> kOfHotMetal{{bitOf(Measure::torchShadow), "TORCH_SHADOW"},
                                                                 {bitOf(Measure::roughLobes), "ROUGH_LOBES"},
-                                                                {bitOf(Measure::calmHighlights), "SPECULAR_AA"}};
+                                                                {bitOf(Measure::calmHighlights), "SPECULAR_AA"},
+                                                                {bitOf(Measure::ripples), "RIPPLES"}};
 
 SurfaceKind kindOf(const SceneView& scene, const LookParameters& look) {
     return scene.looks != nullptr ? physicalKind(*scene.looks) : presetKind(static_cast<MaterialLook>(look.material));
@@ -46,6 +47,10 @@ SurfacePainter::SurfacePainter(gl::ShaderLibrary& shaders)
     addVertexAttribute(TEMPERATURE_ATTRIBUTE, 1, offsetof(SurfaceVertex, temperature));
     glVertexArrayAttribFormat(layout_.name(), PEAK_ATTRIBUTE, 1, GL_FLOAT, GL_FALSE, 0);
     glVertexArrayAttribBinding(layout_.name(), PEAK_ATTRIBUTE, kPeakBuffer);
+    glVertexArrayAttribFormat(layout_.name(), FREEZING_ATTRIBUTE, 4, GL_FLOAT, GL_FALSE, 0);
+    glVertexArrayAttribBinding(layout_.name(), FREEZING_ATTRIBUTE, kFreezingBuffer);
+    glVertexArrayAttribFormat(layout_.name(), FROZEN_ATTRIBUTE, 1, GL_FLOAT, GL_FALSE, offsetof(SurfaceVertex, frozen));
+    glVertexArrayAttribBinding(layout_.name(), FROZEN_ATTRIBUTE, kVertexBuffer);
 }
 
 void SurfacePainter::addVertexAttribute(GLuint attribute, GLint components, size_t offset) {
@@ -64,8 +69,10 @@ void SurfacePainter::load(ViewSubmission submission) {
 
 void SurfacePainter::prepare(const SceneView& scene, const LookParameters& look, int instances) {
     if (isHotMetal(scene, look)) {
-        hotMetal_.choose(measuresOf(look));
-        if (has(look, Measure::poolMirror)) pool_.choose(measuresOf(look));
+        rippled_ = scene.mesh.freezing != nullptr && has(look, Measure::ripples) && has(look, Measure::roughLobes);
+        const unsigned measures = measuresOf(look) & ~(rippled_ ? 0u : bitOf(Measure::ripples));
+        hotMetal_.choose(measures);
+        if (has(look, Measure::poolMirror)) pool_.choose(measures);
     }
     const SurfaceMesh& mesh = scene.mesh;
     if (instances < 2 || mesh.drawCommand == nullptr) return;
@@ -102,13 +109,23 @@ void SurfacePainter::draw(const SceneView& scene, const LookParameters& look, co
 
 void SurfacePainter::drawHotMetal(const SurfaceMesh& mesh, const LookParameters& look, const ViewBatch& views,
                                   const RenderTarget& target) const {
+    if (rippled_) bindFreezing(mesh);
     hotMetal_.use(target, views);
     drawMesh(mesh, views);
-    if (!has(look, Measure::poolMirror)) return;
-    glDepthFunc(GL_LEQUAL);
-    pool_.use(target, views);
-    drawMesh(mesh, views);
-    glDepthFunc(GL_LESS);
+    if (has(look, Measure::poolMirror)) {
+        glDepthFunc(GL_LEQUAL);
+        pool_.use(target, views);
+        drawMesh(mesh, views);
+        glDepthFunc(GL_LESS);
+    }
+    for (const GLuint attribute : {FREEZING_ATTRIBUTE, FROZEN_ATTRIBUTE})
+        glDisableVertexArrayAttrib(layout_.name(), attribute);
+}
+
+void SurfacePainter::bindFreezing(const SurfaceMesh& mesh) const {
+    glVertexArrayVertexBuffer(layout_.name(), kFreezingBuffer, mesh.freezing->name(), 0, sizeof(SurfaceFreezing));
+    for (const GLuint attribute : {FREEZING_ATTRIBUTE, FROZEN_ATTRIBUTE})
+        glEnableVertexArrayAttrib(layout_.name(), attribute);
 }
 
 void SurfacePainter::drawWireframe(const SurfaceMesh& mesh, const ViewBatch& views, const RenderTarget& target) const {

@@ -38,6 +38,7 @@ class SurfacePainter {
         gl::Framebuffer framebuffer;
     };
 
+    void bindFreezing(const SurfaceMesh& mesh) const;
     void addVertexAttribute(GLuint attribute, GLint components, size_t offset);
     void drawFarSide(const SurfaceMesh& mesh, const ViewBatch& views, int count, const RenderTarget& target);
     void fitFarSide(int width, int height);
@@ -49,6 +50,7 @@ class SurfacePainter {
     TonedProgram metal_;
     /// All of it, then what the pool mirrors over it.
     MeasuredProgram hotMetal_, pool_;
+    bool rippled_ = false; ///< they show ripples
     TonedProgram wax_;
     TonedProgram ice_;
     TonedProgram temperature_;

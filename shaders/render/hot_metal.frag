@@ -4,6 +4,7 @@
 // program and no branch, of which software drivers compute both sides.
 // ROUGH_LOBES: lamp, arc and room are mirrored as rough metal does; else by Phong's lobes.
 // SPECULAR_AA: highlights are as wide as the normals within a pixel make them.
+// RIPPLES, only with ROUGH_LOBES: solid metal has the ripples of its freezing.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/arc.glsl"
@@ -11,6 +12,9 @@
 #include "render/hot.glsl"
 #include "render/reflectance.glsl"
 #include "render/specular_aa.glsl"
+#ifdef RIPPLES
+#include "render/ripples.glsl"
+#endif
 #include "render/tone.glsl"
 #include "render/torch_parts.glsl"
 
@@ -28,6 +32,10 @@ layout(location = 3) in vec3 solidMirrored;
 layout(location = 4) in float temperature;
 layout(location = 5) in float emissivity;
 layout(location = 6) in float lampLight;
+#ifdef RIPPLES
+layout(location = 9) in vec3 rippleSlope;
+layout(location = 10) in float cycles;
+#endif
 layout(location = 0) out vec4 colour;
 
 layout(binding = ROUGH_UNIT) uniform samplerCube roughEnvironment;
@@ -46,8 +54,29 @@ vec3 arcImage(vec3 n, vec3 toEye, vec3 mirrored, float roughness, float share) {
     return arcOn(toArc) * (3.14159265 * lobe / share) * mirrored;
 }
 
-vec3 mirrorLight(float liquid) {
-    vec3 n = normalize(normal), toEye = -normalize(way);
+#ifdef RIPPLES
+// Light of lamp and arc on a surface with this normal, but for shadows.
+float litBy(vec3 n) {
+    float lit = frame.ambient + frame.diffuse * max(dot(n, frame.lampDirection), 0.0);
+    if (frame.arcLight.g > 0.0) lit += arcDiffuse(frame.arc - frame.views[view].eye - way, n).g;
+    return lit;
+}
+#endif
+
+// The metal's own normal, unit, world. `scattered`: light that it scatters, over that without ripples.
+vec3 shownNormal(float liquid, out float scattered) {
+    vec3 n = normalize(normal);
+    scattered = 1.0;
+#ifdef RIPPLES
+    vec3 smooth_ = n;
+    n = bentNormal(n, rippleSlope * (waveSlope(cycles) * rippleSeen(vec2(dFdx(cycles), dFdy(cycles))) * (1.0 - liquid)));
+    scattered = litBy(n) / max(litBy(smooth_), 1e-4);
+#endif
+    return n;
+}
+
+vec3 mirrorLight(float liquid, out float scattered) {
+    vec3 n = shownNormal(liquid, scattered), toEye = -normalize(way);
     float cosine = max(dot(n, toEye), 0.0);
     float roughness = mix(solidRoughness(), material.liquidRoughness, liquid);
 #ifdef SPECULAR_AA
@@ -69,7 +98,8 @@ const vec2 kLevels = vec2(1.0, 3.0);
 // Exponent of the arc's image. Rolled metal makes it about as wide, and over its pool the arc's ball is as wide from there.
 const float kArcSharpness = 24.0;
 
-vec3 mirrorLight(float liquid) {
+vec3 mirrorLight(float liquid, out float scattered) {
+    scattered = 1.0;
     float dull = frame.dullness * (1.0 - liquid);
     // A whole level: between two, software drivers read both.
     float level = floor(mix(kLevels.x, kLevels.y, dull) + 0.5);
@@ -84,7 +114,9 @@ vec3 mirrorLight(float liquid) {
 
 void main() {
     float liquid = liquidShare(temperature);
-    vec3 light = diffuse * (1.0 - liquid) + mirrorLight(liquid);
+    float scattered;
+    vec3 mirrored = mirrorLight(liquid, scattered);
+    vec3 light = diffuse * (scattered * (1.0 - liquid)) + mirrored;
     light += metalGlow(temperature, mix(emissivity, material.liquidEmissivity, liquid));
     colour = finish(light, 1.0);
 }

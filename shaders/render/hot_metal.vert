@@ -1,6 +1,6 @@
 // A vertex of metal with a temperature in kelvin: as metal.vert, with temper colours. What jumps at the melting point is
-// computed for each pixel. POOL: only triangles with a liquid corner are drawn, over the others. TORCH_SHADOW, ROUGH_LOBES:
-// see core/render/look/measures.hpp.
+// computed for each pixel. POOL: only triangles with a liquid corner are drawn, over the others. TORCH_SHADOW, ROUGH_LOBES,
+// RIPPLES (only with ROUGH_LOBES): see core/render/look/measures.hpp.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/view.glsl"
@@ -8,11 +8,21 @@
 #include "render/hot.glsl"
 #include "render/lamp_shadow.glsl"
 #include "render/reflectance.glsl"
+#ifdef RIPPLES
+#include "render/ripples.glsl"
+#endif
 
 layout(location = POSITION_ATTRIBUTE) in vec3 position; // model units
 layout(location = NORMAL_ATTRIBUTE) in vec3 outward;   // unit, model
 layout(location = TEMPERATURE_ATTRIBUTE) in float vertexTemperature; // K
 layout(location = PEAK_ATTRIBUTE) in float peak; // highest temperature so far, K
+
+#ifdef RIPPLES
+layout(location = FREEZING_ATTRIBUTE) in vec4 freezing; // slope of the time, s per model unit; the time, s
+layout(location = FROZEN_ATTRIBUTE) in float frozen;    // share of the metal around
+layout(location = 9) out vec3 rippleSlope;              // world; of the first harmonic where it is steepest
+layout(location = 10) out float cycles;                 // of the ripples' wave since the start
+#endif
 
 #ifdef ROUGH_LOBES
 layout(location = 0) out vec3 normal;        // world, not unit
@@ -59,6 +69,11 @@ void main() {
 #endif
     temperature = vertexTemperature;
     emissivity = solidEmissivity(vertexTemperature, peak);
+#ifdef RIPPLES
+    cycles = material.rippleFrequency * freezing.w;
+    // Where little of the metal froze the time is that of what lies beside: the bead's edge has none.
+    rippleSlope = mat3(frame.modelToWorld) * rippleSlopeOf(freezing.xyz) * (smoothstep(0.3, 0.7, frozen) / frame.modelUnit);
+#endif
 #ifdef POOL
     gl_CullDistance[0] = vertexTemperature - frame.solidus;
 #endif

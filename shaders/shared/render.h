@@ -23,6 +23,8 @@
 #define NORMAL_ATTRIBUTE 1
 #define PEAK_ATTRIBUTE 2
 #define TEMPERATURE_ATTRIBUTE 3
+#define FREEZING_ATTRIBUTE 4 // SurfaceFreezing
+#define FROZEN_ATTRIBUTE 5
 
 // Storage bindings of passes that read vertices from buffers by themselves.
 #define PULL_VERTICES_BINDING 0
@@ -149,7 +151,10 @@ struct MaterialData {
     float scaledEmissivity; // solid, under scale
     float solidRoughness;   // 0 mirror .. 1 dull
     float liquidRoughness;
+    float rippleFrequency; // of metal that froze, Hz
+    float rippleHeight;    // model units
     float reserved;
+    vec2 reserved2;
 };
 
 /// A straight line with round ends in the plane of a section, whose axes are the workpiece's z and y; model units.
@@ -166,7 +171,7 @@ struct SectionStroke {
 static_assert(sizeof(SectionStroke) == 48);
 static_assert(sizeof(ViewData) == 224);
 static_assert(sizeof(FrameData) == 4 * 224 + 64 + (11 + 2 * MOST_SHADOW_BOXES + 3 * MOST_TORCH_PARTS) * 16);
-static_assert(sizeof(MaterialData) == 8 * 16);
+static_assert(sizeof(MaterialData) == 9 * 16);
 } // namespace meltpool
 #endif
 

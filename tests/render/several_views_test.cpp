@@ -1,4 +1,5 @@
 // Several views with one draw call or one after the other: the same pictures, whichever way the driver takes.
+#include "core/render/look/measures.hpp"
 #include "core/render/renderer.hpp"
 #include "core/render/view/camera.hpp"
 #include "core/render/view/picture_target.hpp"
@@ -189,6 +190,23 @@ TEST_CASE("sparks, smoke, glare and an after-image look the same in each eye") {
     look.spatter = look.fume = true;
     rendererBy(ViewSubmission::passes).draw(scene, look, {&view, 1}, with.target(), nullptr);
     CHECK(compareImages(with.read(), without.read(), 8).farPixels > 0.01);
+}
+
+TEST_CASE("a bead's ripples look the same in each eye") {
+    test::context();
+    const test::SyntheticWeld weld;
+    const Lens lens{.nearest = 0.002f};
+    const std::array<View, 2> eyes{FreeCamera({0.003f, 0.009f, 0.007f}, {-0.01f, 0.0015f, 0.0f}).view(lens, 1),
+                                   FreeCamera({0.003f, 0.009f, 0.004f}, {-0.01f, 0.0015f, 0.0f}).view(lens, 1)};
+    LookParameters look;
+    look.showBox = false;
+    checkAllWays("ripples", weld.rippledView(), look, eyes);
+    PictureTarget rippled(kSize, kSize, kSamples), plain(kSize, kSize, kSamples);
+    rendererBy(ViewSubmission::passes).draw(weld.rippledView(), look, {&eyes[0], 1}, rippled.target(), nullptr);
+    look.leftOut = bitOf(Measure::ripples);
+    rendererBy(ViewSubmission::passes).draw(weld.rippledView(), look, {&eyes[0], 1}, plain.target(), nullptr);
+    CHECK(compareImages(rippled.read(), plain.read(), 8).farPixels > 0.02); // there are some
+    CHECK(test::matchesGolden("render/ripples", rippled.read()));
 }
 
 TEST_CASE("three views are three columns") {

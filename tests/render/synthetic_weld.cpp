@@ -33,6 +33,11 @@ glm::dvec3 surfacePoint(double x, double z) {
     return {x, beadHeight(x, z), z};
 }
 
+/// Behind the pool the edges freeze before the middle.
+SurfaceFreezing freezingAt(double x, double z) {
+    return {glm::dvec3(1 / kSpeed, 0, -600 * z / kSpeed), static_cast<float>(20 + (x - 300 * z * z) / kSpeed)};
+}
+
 constexpr int kLayers = 12; ///< of the slab that is cut
 
 /// Particles only where the section cuts: a slab across the seam, behind the pool. w: temperature.
@@ -67,15 +72,18 @@ double weldPeak(double behind, double aside, double deep) {
 SyntheticWeld::SyntheticWeld() {
     std::vector<SurfaceVertex> vertices;
     std::vector<float> peaks;
+    std::vector<SurfaceFreezing> freezing;
     for (int i = 0; i <= kAlong; ++i)
         for (int j = 0; j <= kAcross; ++j) {
             const double x = i * kSpacing - kLength / 2, z = j * kSpacing - kWidth / 2;
             constexpr double step = 1e-4;
             const glm::dvec3 normal = glm::normalize(glm::cross(surfacePoint(x, z + step) - surfacePoint(x, z - step),
                                                                 surfacePoint(x + step, z) - surfacePoint(x - step, z)));
-            vertices.push_back(
-                {surfacePoint(x, z), static_cast<float>(weldTemperature({x - kSourceX, 0, z})), normal, 0.0f});
-            peaks.push_back(static_cast<float>(weldPeak(kSourceX - x, z, 0)));
+            const double temperature = weldTemperature({x - kSourceX, 0, z}), peak = weldPeak(kSourceX - x, z, 0);
+            const bool frozen = peak > kLiquidus && temperature < kSolidus;
+            vertices.push_back({surfacePoint(x, z), static_cast<float>(temperature), normal, frozen ? 1.0f : 0.0f});
+            peaks.push_back(static_cast<float>(peak));
+            freezing.push_back(frozen ? freezingAt(x, z) : SurfaceFreezing{});
         }
     std::vector<GLuint> indices;
     constexpr GLuint row = kAcross + 1;
@@ -89,6 +97,7 @@ SyntheticWeld::SyntheticWeld() {
     vertices_ = gl::Buffer("weld vertices", std::span<const SurfaceVertex>(vertices));
     indices_ = gl::Buffer("weld indices", std::span<const GLuint>(indices));
     peaks_ = gl::Buffer("weld peaks", std::span<const float>(peaks));
+    freezing_ = gl::Buffer("weld freezing", std::span<const SurfaceFreezing>(freezing));
     command_ = gl::Buffer("weld draw command", sizeof draw);
     command_.writeValue(draw);
     particles_ = gl::Buffer("weld particles", std::span<const glm::vec4>(particles));
@@ -114,6 +123,12 @@ SceneView SyntheticWeld::view() const {
     scene.looks = &looks_;
     scene.boxMin = {-0.04f, -0.008f, -0.02f};
     scene.boxMax = {0.04f, 0.01f, 0.02f};
+    return scene;
+}
+
+SceneView SyntheticWeld::rippledView() const {
+    SceneView scene = view();
+    scene.mesh.freezing = &freezing_;
     return scene;
 }
 

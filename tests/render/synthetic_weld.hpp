@@ -17,11 +17,13 @@ class SyntheticWeld {
   public:
     SyntheticWeld();
     SceneView view() const;
+    /// With the times at which the bead froze, for ripples.
+    SceneView rippledView() const;
     /// The cut across the seam at x = -10 mm, of 6 mm around it.
     SectionMap map() const;
 
   private:
-    gl::Buffer vertices_, indices_, command_, peaks_, particles_;
+    gl::Buffer vertices_, indices_, command_, peaks_, freezing_, particles_;
     size_t particleCount_ = 0;
     MaterialLooks looks_;
 };

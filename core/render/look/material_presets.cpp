@@ -93,6 +93,8 @@ MaterialData physicalMaterial(const MaterialLooks& looks) {
     data.scaledEmissivity = looks.scaledEmissivity;
     data.solidRoughness = looks.solidRoughness;
     data.liquidRoughness = looks.liquidRoughness;
+    data.rippleFrequency = looks.rippleFrequency;
+    data.rippleHeight = looks.rippleHeight;
     return data;
 }
 

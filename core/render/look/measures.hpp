@@ -10,7 +10,7 @@ namespace meltpool {
 
 /// A part of a picture that a level may leave out. What shows the pool's edge is none: emissivity that jumps at the
 /// melting point, and solid metal duller than liquid metal.
-enum class Measure : unsigned { torchShadow, glare, roughLobes, poolMirror, calmHighlights, spatter, fume };
+enum class Measure : unsigned { torchShadow, glare, roughLobes, poolMirror, calmHighlights, ripples, spatter, fume };
 
 /// A row of the table of levels.
 struct MeasureRow {
@@ -21,7 +21,7 @@ struct MeasureRow {
 };
 
 /// The table, in the order of Measure. `meltpool bench looks` tells what each costs.
-constexpr std::array<MeasureRow, 7> kMeasures{{
+constexpr std::array<MeasureRow, 8> kMeasures{{
     {Measure::torchShadow, kMediumDetail, "torch_shadow", "the torch's shadow in the lamp's light"},
     {Measure::glare, kMediumDetail, "glare", "the veil that an arc throws in the eye"},
     {Measure::roughLobes, kHighDetail, "rough_lobes",
@@ -29,6 +29,7 @@ constexpr std::array<MeasureRow, 7> kMeasures{{
     {Measure::poolMirror, kHighDetail, "pool_mirror", "torch, filler and workpiece mirrored in the pool"},
     {Measure::calmHighlights, kHighDetail, "calm_highlights",
      "highlights as wide as the normals within a pixel make them"},
+    {Measure::ripples, kHighDetail, "ripples", "lines of one freezing time in a bead; they need rough lobes"},
     {Measure::spatter, kMediumDetail, "spatter", "drops that the arc throws, the wire's drops, and the beads that lie"},
     {Measure::fume, kMediumDetail, "fume", "smoke that the arc lights"},
 }};

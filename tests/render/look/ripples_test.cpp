@@ -1,0 +1,170 @@
+// Ripples of frozen metal: their pitch is travel speed over frequency, found by a Fourier transform along the bead;
+// where there are none.
+#include "core/render/view/camera.hpp"
+#include "shaders/shared/surface.h"
+#include "tests/render/look/patch.hpp"
+#include "tests/support/catch.hpp"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <numeric>
+#include <vector>
+
+namespace meltpool {
+
+namespace {
+
+using glm::vec3;
+
+constexpr int kPixels = 512;
+constexpr float kHalf = 0.02f; ///< m, half the bead's length
+
+/// A flat bead along x that froze from -x to +x at `speed` (m/s).
+class Bead {
+  public:
+    explicit Bead(float speed, float temperature = 900, float frozen = 1) {
+        std::vector<SurfaceVertex> vertices;
+        std::vector<SurfaceFreezing> freezing;
+        std::vector<GLuint> indices;
+        constexpr GLuint kCells = 40; // 1 mm: coarser than the ripples
+        for (GLuint i = 0; i <= kCells; ++i)
+            for (const float y : {-0.02f, 0.02f}) {
+                const float x = kHalf * (2 * float(i) / float(kCells) - 1);
+                vertices.push_back({{x, y, 0}, temperature, {0, 0, 1}, frozen});
+                freezing.push_back({{1 / speed, 0, 0}, 10 + x / speed});
+            }
+        for (GLuint i = 0; i < 2 * kCells; i += 2)
+            indices.insert(indices.end(), {i, i + 2, i + 3, i, i + 3, i + 1});
+        const std::vector<float> peaks(vertices.size(), 2000.0f);
+        const SurfaceDraw draw{static_cast<uint>(indices.size()), 1, 0, 0, 0};
+        vertices_ = gl::Buffer("bead vertices", std::span<const SurfaceVertex>(vertices));
+        indices_ = gl::Buffer("bead indices", std::span<const GLuint>(indices));
+        command_ = gl::Buffer("bead command", std::span<const SurfaceDraw>(&draw, 1));
+        peaks_ = gl::Buffer("bead peaks", std::span<const float>(peaks));
+        freezing_ = gl::Buffer("bead freezing", std::span<const SurfaceFreezing>(freezing));
+    }
+
+    SceneView scene(const MaterialLooks& looks) const {
+        SceneView scene;
+        scene.mesh = {&vertices_, &indices_, &command_, &peaks_, &freezing_};
+        scene.modelToWorld = glm::scale(glm::mat4(1), vec3(25)); // as welds are shown
+        scene.temperature = {293.15f, 2500, true, test::kPatchSolidus, test::kPatchLiquidus};
+        scene.looks = &looks;
+        return scene;
+    }
+
+  private:
+    gl::Buffer vertices_, indices_, command_, peaks_, freezing_;
+};
+
+/// Light along the middle row of a picture that sees `length` (m) of the bead from above.
+std::vector<double> lightAlong(const SceneView& scene, const LookParameters& look, float length) {
+    const gl::Texture colour("light", {.format = GL_RGBA32F, .width = kPixels, .height = 1});
+    const gl::Texture depth("depth", {.format = GL_DEPTH_COMPONENT24, .width = kPixels, .height = 1});
+    const gl::Framebuffer picture("light");
+    picture.attach(GL_COLOR_ATTACHMENT0, colour);
+    picture.attach(GL_DEPTH_ATTACHMENT, depth);
+    const float half = 0.5f * 25 * length, high = half / float(kPixels), far = 4;
+    View view = FreeCamera({0, 0, far}, {0, 0, 0}).view({}, 1);
+    view.eyeToClip = glm::frustum(-half / far, half / far, -high / far, high / far, 1.0f, 10.0f);
+    const RenderTarget where{.framebuffer = picture.name(), .viewport = {0, 0, kPixels, 1}, .encodesSrgb = true};
+    test::patchRenderer().draw(scene, look, {&view, 1}, where, nullptr);
+    std::vector<glm::vec4> row(kPixels);
+    glBindFramebuffer(GL_FRAMEBUFFER, picture.name());
+    glReadPixels(0, 0, kPixels, 1, GL_RGBA, GL_FLOAT, row.data());
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    std::vector<double> light;
+    for (const glm::vec4& pixel : row)
+        light.push_back(double(pixel.g));
+    return light;
+}
+
+/// Whole waves along the row that are strongest.
+int strongestWave(const std::vector<double>& row) {
+    const double mean = std::accumulate(row.begin(), row.end(), 0.0) / double(row.size());
+    int strongest = 0;
+    double most = 0;
+    for (int k = 1; k < kPixels / 2; ++k) {
+        std::complex<double> sum = 0;
+        for (int i = 0; i < kPixels; ++i) {
+            const double turn = 2 * std::numbers::pi * double(i) / kPixels;
+            const double window = 0.5 - 0.5 * std::cos(turn); // Hann: the row's ends are no step
+            sum += (row[size_t(i)] - mean) * window * std::polar(1.0, -turn * k);
+        }
+        if (std::abs(sum) <= most) continue;
+        most = std::abs(sum);
+        strongest = k;
+    }
+    return strongest;
+}
+
+/// Largest less smallest light, over the mean.
+double contrast(const std::vector<double>& row) {
+    const auto [least, most] = std::minmax_element(row.begin(), row.end());
+    return (*most - *least) * double(row.size()) / std::accumulate(row.begin(), row.end(), 0.0);
+}
+
+LookParameters lampFromBehind() {
+    LookParameters look = test::roomOnly(0.2f);
+    look.diffuse = 0.8f;
+    look.lightPosition = {-3, 0, 2};
+    return look;
+}
+
+} // namespace
+
+TEST_CASE("the pitch of a bead's ripples is travel speed over frequency, at two speeds and two frequencies") {
+    test::paintEvenly(test::patchRenderer(), 0.5f);
+    MaterialLooks looks;
+    looks.heatTint = 1;
+    for (const float speed : {0.005f, 0.008f})
+        for (const float frequency : {10.0f, 7.0f}) {
+            looks.rippleFrequency = frequency;
+            constexpr float kSeen = 0.02f; // m
+            const auto row = lightAlong(Bead(speed).scene(looks), lampFromBehind(), kSeen);
+            const double waves = double(kSeen * frequency / speed);
+            INFO(speed << " m/s, " << frequency << " Hz: " << waves << " waves expected, found " << strongestWave(row)
+                       << ", contrast " << contrast(row));
+            CHECK(std::abs(strongestWave(row) - waves) <= 1);
+            CHECK(contrast(row) > 0.15);
+        }
+}
+
+TEST_CASE("slower travel gives finer ripples, which are no steeper than metal bears") {
+    test::paintEvenly(test::patchRenderer(), 0.5f);
+    MaterialLooks looks;
+    looks.rippleHeight = 1; // however high
+    const double fast = contrast(lightAlong(Bead(0.008f).scene(looks), lampFromBehind(), 0.005f)),
+                 slow = contrast(lightAlong(Bead(0.004f).scene(looks), lampFromBehind(), 0.005f));
+    CHECK(slow == Approx(fast).epsilon(0.03));
+    CHECK(fast < 1);
+}
+
+TEST_CASE(
+    "there are no ripples on liquid metal, on metal that never froze, in low detail and where pixels are too wide") {
+    test::paintEvenly(test::patchRenderer(), 0.5f);
+    const MaterialLooks looks;
+    LookParameters look = lampFromBehind();
+    const auto seen = [&](const Bead& bead, float length) {
+        return contrast(lightAlong(bead.scene(looks), look, length));
+    };
+    const double there = seen(Bead(0.005f), 0.02f);
+    CHECK(there > 0.15);
+    CHECK(seen(Bead(0.005f, 2000), 0.02f) < 0.02);
+    CHECK(seen(Bead(0.005f, 900, 0), 0.02f) < 0.02);
+    // 0.5 mm: 80 waves on 512 pixels have 6.4 pixels each, 12 a waves of 3 mm/s have not 3 of them.
+    CHECK(seen(Bead(0.005f), 0.04f) > 0.7 * there);
+    CHECK(seen(Bead(0.0022f), 0.04f) < 0.02);
+    MaterialLooks smooth;
+    smooth.rippleHeight = 0;
+    CHECK(contrast(lightAlong(Bead(0.005f).scene(smooth), look, 0.02f)) < 0.02);
+    look.detail = kLowDetail;
+    CHECK(seen(Bead(0.005f), 0.02f) < 0.02);
+}
+
+} // namespace meltpool
