@@ -52,17 +52,14 @@ void Spatter::reset() {
         bead.diameter = 0;
     nextDrop_ = nextBead_ = 0;
     bursts_ = born_ = 0;
-    burned_ = false;
 }
 
 void Spatter::step(const ArcEffectsStep& step) {
     draws_ = 0;
-    const bool struck = step.arc.burns() && !burned_;
-    burned_ = step.arc.burns();
-    if (!burned_ || step.process == nullptr || !throwsSpatter(*step.process)) return;
+    if (!step.arc.burns() || step.process == nullptr || !throwsSpatter(*step.process)) return;
     meltBeads(step);
     const double begin = step.time - step.seconds;
-    if (struck) burst(step, begin, kStrikeDrops);
+    if (step.arc.action == ArcAction::striking) burst(step, begin, kStrikeDrops);
     for (const Reignition& each : step.reignitions) {
         const float share = std::clamp(each.power / kFullPower, 0.0F, 1.0F);
         const float more = (kMostOfBurst - kLeastOfBurst) * share * countedChance(step.number, draws_++);

@@ -87,7 +87,6 @@ class Spatter {
     size_t nextDrop_ = 0, nextBead_ = 0;
     std::uint64_t bursts_ = 0, born_ = 0;
     std::uint64_t draws_ = 0; ///< of chance in this step
-    bool burned_ = false;     ///< in the last step
 };
 
 } // namespace meltpool

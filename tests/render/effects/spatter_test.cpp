@@ -60,6 +60,7 @@ class Weld {
             effects.step(step);
         }
     }
+    void burn(const ArcState& arc) { arc_ = arc; }
     void goOut() { arc_ = {}; }
 
     ArcEffects effects;
@@ -74,12 +75,15 @@ class Weld {
 } // namespace
 
 TEST_CASE("each short circuit that ends throws one burst, and the strike one more", "[effects]") {
-    Weld weld(gmaw(), arcOf(ArcAction::shorting));
-    weld.run(90);
+    Weld weld(gmaw(), arcOf(ArcAction::striking));
+    weld.run(1);
+    CHECK(weld.effects.spatter().bursts() == 1);
+    weld.burn(arcOf(ArcAction::shorting));
+    weld.run(89);
     REQUIRE(weld.reignitions == 40);
     CHECK(weld.effects.spatter().bursts() == 41);
     CHECK(weld.effects.spatter().born() >= 41);
-    CHECK(weld.effects.spatter().born() <= 25 + 40 * 14);
+    CHECK(weld.effects.spatter().born() <= 25 + 45 + 40 * 14);
     const auto born = weld.effects.spatter().born();
     weld.goOut();
     weld.run(60);
