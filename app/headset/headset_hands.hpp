@@ -30,6 +30,8 @@ class HeadsetHands {
     void forgetSteps() { torch_.forgetSample(); }
 
     const TrackedTorch& torch() const { return torch_; }
+    /// Grip of the hand that holds the filler rod, in the workshop; nothing while it is not tracked.
+    const std::optional<xr::Pose>& rod() const { return rod_; }
     /// The hand that holds the torch, by the person's choice.
     xr::Hand torchHand() const;
     /// What carries the torch's pose now.

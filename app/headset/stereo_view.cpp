@@ -2,8 +2,12 @@
 
 #include "app/session/attempt/seeing.hpp"
 #include "app/session/inspection/cut_stand.hpp"
+#include "core/render/look/measures.hpp"
+
+#include "shaders/shared/render.h"
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include <array>
 #include <numbers>
@@ -33,6 +37,7 @@ void StereoView::takeHands(const HeadsetHands& hands, const PanelPointer& panel)
     hands_.tip = torch.tip();
     hands_.grip = torch.grip();
     hands_.heat = torch.trigger();
+    hands_.rod = hands.rod();
     if (panel.pointingHand()) {
         hands_.rayStart = panel.rayStart();
         hands_.rayEnd = panel.rayEnd();
@@ -62,6 +67,18 @@ void StereoView::wearVisor(const LessonSession& session, SceneView& scene, const
     scene.afterImage = visor_.afterImage(parameters_);
 }
 
+/// Torch and hands of the process, table, machine and holders, in a room with depth.
+void StereoView::furnish(LessonSession& session, const SceneView& lesson) {
+    hands_.process = &session.lesson().process;
+    hands_.extension = session.arc().extension;
+    if (!holdsRod(*hands_.process)) hands_.rod.reset();
+    if (!session.cut().shown()) hands_.holders = lesson.furniture.last(lesson.holderSolids);
+    if (session.played()) {
+        hands_.toolFittings = lesson.fittings;
+        hands_.rod.reset();
+    }
+}
+
 void StereoView::draw(LessonSession& session, const SceneView& lesson, const WorkpiecePlace& place,
                       const Workshop& workshop, const xr::BothEyes& eyes, gl::Profiler* profiler) {
     SceneView scene = lesson;
@@ -72,11 +89,17 @@ void StereoView::draw(LessonSession& session, const SceneView& lesson, const Wor
     const bool demonstrated = session.played();
     hands_.tools = demonstrated ? lesson.solids : lesson.solids.last(lesson.rodSolids);
     hands_.toolsToWorkshop = place.modelToWorkshop(session.unit());
+    LookParameters look = session.look();
+    const bool fine = has(look, Measure::room) && lesson.room.shown; // weld lessons have a room
+    if (fine) furnish(session, lesson);
     scene.solids = scene_.build(parameters_, hands_);
     scene.tableShown = true;
+    scene.fittings = scene_.fittings();
+    scene.furniture = scene_.furniture();
+    scene.room.shown = lesson.room.shown && look.showSky;
+    scene.room.toWorld = glm::translate(glm::mat4(1.0f), {0, -float(WORKSHOP_FLOOR), 0});
     scene.source.shown &= demonstrated; // else the drawn torch takes its place
     if (session.cut().shown()) standCut(session, scene);
-    LookParameters look = session.look();
     look.showBox = false;
     View between = viewOf(workshop, eyes.views[0], eyes); // cues stand at one place for both eyes
     between.eye = (between.eye + viewOf(workshop, eyes.views[1], eyes).eye) * 0.5f;

@@ -1,5 +1,9 @@
 #include "app/headset/workshop_scene.hpp"
 
+#include "core/render/things/gloved_hand.hpp"
+#include "core/render/things/torch_fittings.hpp"
+#include "core/render/torch_model.hpp"
+
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace meltpool {
@@ -16,10 +20,6 @@ constexpr glm::vec3 kCopper(0.62f, 0.29f, 0.17f);
 constexpr glm::vec3 kBrass(0.58f, 0.44f, 0.17f);
 constexpr glm::vec3 kSafetyRed(0.55f, 0.03f, 0.02f);
 constexpr glm::vec3 kHeatGlow(2.4f, 1.7f, 0.9f);
-
-glm::mat4 boxAt(const glm::vec3& middle, const glm::vec3& size) {
-    return glm::scale(glm::translate(glm::mat4(1.0f), middle), size);
-}
 
 } // namespace
 
@@ -66,15 +66,70 @@ void WorkshopScene::addTorch(const HandsView& hands) {
         glm::length(hand - neck) > 0.01f ? glm::normalize(hand - neck) : tip.orientation * glm::vec3(0, 0, 1);
     add(SolidShape::cylinder, alongLine(hand + way * 0.07f, neck, 0.026f), kRubber, 0.25f);
     add(SolidShape::cylinder, alongLine(neck + way * 0.035f, neck + way * 0.02f, 0.029f), kSafetyRed, 0.4f);
+}
+
+void WorkshopScene::addGlow(const HandsView& hands) {
     if (hands.heat > 0)
-        add(SolidShape::sphere, boxAt(tip.position, glm::vec3(0.004f)), {1, 1, 1}, 0,
+        add(SolidShape::sphere, boxAt(hands.tip.position, glm::vec3(0.004f)), {1, 1, 1}, 0,
             hands.arcGlow.value_or(kHeatGlow * hands.heat));
+}
+
+/// The process's own torch, whose handle runs through the hand, wherever the calibration puts that.
+void WorkshopScene::addProcessTorch(const HeadsetParameters& parameters, const HandsView& hands) {
+    TorchSample sample;
+    sample.tip = hands.tip.position;
+    sample.orientation = hands.tip.orientation;
+    ArcState arc; // out: the light is at the tip, as large as life, however large the workpiece is shown
+    arc.extension = hands.extension;
+    buildTorchModel(torch_, sample, *hands.process, arc, glm::mat4(1.0f));
+    solids_.insert(solids_.end(), torch_.begin(), torch_.end());
+    TorchSurroundings around;
+    around.hand = hands.grip.position;
+    around.cableEnd = kCableEnd + glm::vec3(0, parameters.tableHeight, 0);
+    buildTorchFittings(fittings_, sample, *hands.process, around, glm::mat4(1.0f));
+}
+
+/// The table and the machine are made again only when they change.
+void WorkshopScene::furnish(const HeadsetParameters& parameters, const HandsView& hands) {
+    const FurnitureKey key{parameters.tableHeight, hands.process->kind, machineSettings(*hands.process)};
+    if (furnished_ != key) {
+        const glm::mat4 bench = glm::translate(glm::mat4(1.0f), {0, parameters.tableHeight, 0});
+        furniture_.clear();
+        addTable(furniture_, bench, parameters.tableHeight);
+        addMachine(furniture_, bench, *hands.process);
+        standing_ = furniture_.size();
+        furnished_ = key;
+    }
+    furniture_.resize(standing_);
+    for (Solid holder : hands.holders) {
+        holder.toWorld = hands.toolsToWorkshop * holder.toWorld;
+        furniture_.push_back(holder);
+    }
 }
 
 std::span<const Solid> WorkshopScene::build(const HeadsetParameters& parameters, const HandsView& hands) {
     solids_.clear();
-    addRoom(parameters.tableHeight);
-    if (hands.torch) addTorch(hands);
+    fittings_.clear();
+    if (hands.process == nullptr)
+        addRoom(parameters.tableHeight);
+    else
+        furnish(parameters, hands);
+    if (hands.torch) {
+        if (hands.process == nullptr)
+            addTorch(hands);
+        else
+            addProcessTorch(parameters, hands);
+        addGlow(hands);
+    }
+    if (hands.rod && hands.process != nullptr) {
+        const glm::vec3 along = hands.rod->orientation * glm::vec3(0, 0, 1);
+        const glm::vec3 palm = hands.rod->orientation * glm::vec3(-1, 0, 0); // of a left hand that is held out
+        addGlovedHand(fittings_, {hands.rod->position, along, palm, along, 0.004f}, glm::mat4(1.0f));
+    }
+    for (Solid fitting : hands.toolFittings) {
+        fitting.toWorld = hands.toolsToWorkshop * fitting.toWorld;
+        fittings_.push_back(fitting);
+    }
     for (Solid solid : hands.tools) {
         solid.toWorld = hands.toolsToWorkshop * solid.toWorld;
         solids_.push_back(solid);

@@ -37,13 +37,15 @@ Image takePicture(Renderer& renderer, const PictureTarget& target, const Trainer
     const float aspect = static_cast<float>(target.width()) / static_cast<float>(target.height());
     const View view = viewOf(picture.camera, aspect);
     SceneView scene = trainer.scene();
-    if (!picture.look.showSource) scene.solids = {}; // the torch is the source of a weld
+    if (!picture.look.showSource) scene.putTorchAway(); // the torch is the source of a weld
     std::optional<WeldSection> section;
     if (picture.sectionAt) {
         section = trainer.section(static_cast<double>(*picture.sectionAt));
         scene.section = {true, *picture.sectionAt, section ? &section->map : nullptr};
-        scene.solids = {};
+        scene.putTorchAway();
+        scene.room.shown = false; // the cut metal by itself
     }
+    lookThroughTable(scene, view);
     std::vector<SectionStroke> strokes;
     if (picture.measures && section) {
         strokes = measureStrokes(*section, trainer.lesson().workpiece, view, scene);

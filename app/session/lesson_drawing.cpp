@@ -23,8 +23,7 @@ SceneView LessonSession::scene(gl::Profiler* profiler) {
     SceneView scene = trainer_->scene();
     if (cut_.shown()) {
         scene.section = cut_.view();
-        scene.solids = {};
-        scene.rodSolids = 0;
+        scene.putTorchAway();
     }
     return scene;
 }
@@ -78,12 +77,14 @@ DeskPicture LessonSession::picture(const Controls& controls, float aspect, float
         view.worldToEye = glm::translate(view.worldToEye, -middle);
         view.eye += middle;
         scene.section.strokes = cut_.strokes(layoutIn(view, scene.modelToWorld, scene.section.at));
+        scene.room.shown = false; // the cut metal by itself
     }
     if (!held_) recordings_.person(deskPerson(view, fixture().turn, unit(), steps()));
     visor_.update(seenArc(scene, view, arc().length), visorOf(lesson_.look), lesson_.look,
                   std::exchange(sinceSeen_, 0));
     if (lesson_.look.adaptation) scene.afterImage = visor_.eye().afterImage();
     view.eyeToClip[2][0] -= shift; // clip x over w, and w is -z in the eye
+    lookThroughTable(scene, view);
     scene.ghost = ghostMarkers(scene, view);
     scene.markers = cueMarkers(scene, view);
     return picture;

@@ -31,7 +31,8 @@ void EffectsPainter::upload(const SceneView& scene, const LookParameters& look) 
         shown && look.fume && has(look, Measure::fume) && scene.arc.intensity.g > 0 ? effects.fume.scattering : 0;
     count_ = 0;
     if (!shown || !look.spatter || !has(look, Measure::spatter)) return;
-    const size_t all = scene.tableShown ? effects.sparks.size() : effects.sparks.size() - effects.onTable;
+    const size_t all =
+        scene.tableShown && has(look, Measure::room) ? effects.sparks.size() : effects.sparks.size() - effects.onTable;
     count_ = std::min(all, kRoom);
     if (count_ == 0) return;
     current_ = (current_ + 1) % buffers_.size();

@@ -44,7 +44,7 @@ void addTorchParts(FrameData& frame, const SceneView& scene) {
     for (const Solid& solid : scene.solids) {
         if (frame.torchPartCount == MOST_TORCH_PARTS) return;
         const bool cone = solid.shape == SolidShape::cone;
-        if (!cone && solid.shape != SolidShape::cylinder) continue;
+        if (!cone && solid.shape != SolidShape::cylinder) continue; // finer ones have coarse ones in their place
         TorchPart& part = frame.torchParts[frame.torchPartCount++];
         part.from = solid.toWorld * glm::vec4(0, 0, 0.5f, 1);
         part.to = solid.toWorld * glm::vec4(0, 0, -0.5f, 1);

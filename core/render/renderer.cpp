@@ -10,13 +10,17 @@
 #include "core/render/look/mirror_shares.hpp"
 #include "core/render/look/noise.hpp"
 #include "core/render/look/temperature_scale.hpp"
+#include "core/render/room_painter.hpp"
+#include "core/render/shapes/sight.hpp"
 #include "core/render/solids.hpp"
 #include "core/render/stroke_painter.hpp"
 #include "core/render/surface_painter.hpp"
 #include "core/render/toned_program.hpp"
 
+#include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -59,8 +63,8 @@ struct Renderer::Parts {
                  const RenderTarget& target);
     void drawBatch(const SceneView& scene, const LookParameters& look, const ViewBatch& views, int count,
                    const RenderTarget& target, gl::Profiler* profiler);
-    void drawSolids(const SceneView& scene, const LookParameters& look, const ViewBatch& views,
-                    const RenderTarget& target) const;
+    void gatherSolids(const SceneView& scene, const LookParameters& look, std::span<const View> views);
+    void gatherFittings(const SceneView& scene, std::span<const View> views);
     void drawPoints(const ParticleView& particles, const ViewBatch& views, const RenderTarget& target) const;
     void drawSky(const ViewBatch& views, const RenderTarget& target) const;
     void drawBox(const ViewBatch& views, const RenderTarget& target) const;
@@ -76,6 +80,7 @@ struct Renderer::Parts {
     SectionPainter section;
     StrokePainter strokes;
     EffectsPainter effects;
+    RoomPainter room;
     TonedProgram points;
     TonedProgram sky;
     TonedProgram box;
@@ -85,6 +90,7 @@ struct Renderer::Parts {
     std::array<gl::Buffer, kFramesInFlight> frames;
     std::array<gl::Buffer, kFramesInFlight> materials;
     size_t current = 0;
+    bool roomShown = false;                 ///< in this frame
     std::optional<SubmissionChoice> choice; ///< how several views are submitted; its programs are loaded
     std::optional<ViewSubmission> wanted;   ///< the wish that `choice` was made for
 };
@@ -96,6 +102,7 @@ Renderer::Parts::Parts(gl::ShaderLibrary& shaders)
       section(shaders),
       strokes(shaders),
       effects(shaders),
+      room(shaders),
       points(shaders, "render/points.vert", "render/points.frag"),
       sky(shaders, "render/sky.vert", "render/sky.frag"),
       box(shaders, "render/box.vert", "render/box.frag"),
@@ -119,6 +126,7 @@ void Renderer::Parts::load(ViewSubmission submission) {
     section.load(submission);
     strokes.load(submission);
     effects.load(submission);
+    room.load(submission);
     for (TonedProgram* program : {&points, &sky, &box, &glare})
         program->load(submission);
 }
@@ -165,6 +173,8 @@ void Renderer::Parts::prepare(const SceneView& scene, const LookParameters& look
     noise.bind(NOISE_UNIT);
     heat.bind(HEAT_UNIT);
     mirrorShares.bind(MIRROR_SHARE_UNIT);
+    roomShown = look.showSky && has(look, Measure::room) && scene.room.shown && insideRoom(scene.room, views);
+    gatherSolids(scene, look, views);
 }
 
 void Renderer::Parts::drawBatch(const SceneView& scene, const LookParameters& look, const ViewBatch& views, int count,
@@ -190,8 +200,13 @@ void Renderer::Parts::drawBatch(const SceneView& scene, const LookParameters& lo
         const gl::Scope scope(profiler, "draw section");
         section.draw(scene.section, views, target);
     }
-    drawSolids(scene, look, views, target);
-    if (look.showSky) {
+    glEnable(GL_CULL_FACE);
+    solids.draw(views, target);
+    glDisable(GL_CULL_FACE);
+    if (roomShown) {
+        const gl::Scope scope(profiler, "draw room");
+        room.draw(scene.room, views, target);
+    } else if (look.showSky) {
         const gl::Scope scope(profiler, "draw sky");
         drawSky(views, target);
     }
@@ -232,15 +247,37 @@ void Renderer::Parts::drawBatch(const SceneView& scene, const LookParameters& lo
     glDisable(GL_CLIP_DISTANCE1);
 }
 
-void Renderer::Parts::drawSolids(const SceneView& scene, const LookParameters& look, const ViewBatch& views,
-                                 const RenderTarget& target) const {
-    glEnable(GL_CULL_FACE);
+/// A camera of its own goes where a person's head would not, and looks through hand and handle there. Both eyes of a
+/// head see them where they are.
+void Renderer::Parts::gatherFittings(const SceneView& scene, std::span<const View> views) {
+    constexpr float kMargin = 0.008f, kHead = 0.06f; // m; the torch's head over its tip is seen from wherever
+    // Dull ones have no highlight that needs every pixel.
+    constexpr float kDull = 0.3f;
+    const auto gather = [&](const Solid& fitting) { solids.gather({&fitting, 1}, fitting.gloss < kDull); };
+    if (views.size() > 1 || scene.solids.empty()) {
+        std::ranges::for_each(scene.fittings, gather);
+        return;
+    }
+    const float metre = glm::length(glm::vec3(scene.room.toWorld[0]));
+    const glm::vec3 eye = views.front().eye, tip = scene.solids.front().toWorld * glm::vec4(0, 0, -0.5f, 1);
+    const float far = glm::distance(eye, tip);
+    const glm::vec3 head = glm::mix(tip, eye, std::min(kHead * metre / std::max(far, 1e-6f), 1.0f));
+    for (const Solid& fitting : scene.fittings)
+        if (!standsBefore(fitting, eye, head, kMargin * metre)) gather(fitting);
+}
+
+void Renderer::Parts::gatherSolids(const SceneView& scene, const LookParameters& look, std::span<const View> views) {
+    solids.begin();
     if (look.showSource && scene.source.shown) {
         const Solid source = sourceSolid(scene.source, scene.modelToWorld);
-        solids.draw({&source, 1}, views, target);
+        solids.gather({&source, 1});
     }
-    if (!scene.solids.empty()) solids.draw(scene.solids, views, target);
-    glDisable(GL_CULL_FACE);
+    const bool fine = has(look, Measure::fittings) && !scene.fittings.empty();
+    solids.gather(scene.solids, false, !fine);
+    if (fine) gatherFittings(scene, views);
+    // Without the room, or with one that nobody sees, it stands by itself.
+    if (has(look, Measure::room) && roomShown == scene.room.shown) solids.gather(scene.furniture, true);
+    solids.upload();
 }
 
 void Renderer::Parts::drawPoints(const ParticleView& particles, const ViewBatch& views,

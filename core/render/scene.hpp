@@ -7,6 +7,7 @@
 #include "core/render/effects/spark.hpp"
 #include "core/render/section.hpp"
 #include "core/render/solids.hpp"
+#include "core/render/view/view.hpp"
 #include "core/surface/surface_mesh.hpp"
 #include "core/weld/workpiece.hpp"
 
@@ -42,6 +43,12 @@ struct ArcLight {
     float radius = 1e-3f;      ///< model units; nearer surfaces are lit as from this distance
 };
 
+/// The workshop as geometry around the scene.
+struct RoomView {
+    bool shown = false;      ///< false: the sky is drawn, as from everywhere alike
+    glm::mat4 toWorld{1.0f}; ///< from the workshop's frame (m, floor at WORKSHOP_FLOOR): one scale, translation
+};
+
 struct SceneView {
     SurfaceMesh mesh;             ///< null buffers: no surface is drawn
     bool meshIsOpen = false;      ///< without caps: the inside is visible
@@ -60,9 +67,28 @@ struct SceneView {
     bool tableShown = false;                ///< a table is among the solids, on which spatter lies
     std::span<const WorkpieceBlock> blocks; ///< model units; they keep the arc's light off the solids behind them
     std::span<const Solid> solids;          ///< torch, table, clamps
+    std::span<const Solid> fittings;        ///< finer solids of torch and hands, where detail is not low
+    RoomView room;                          ///< where detail is not low; else, and from outside of it, the sky
+    std::span<const Solid> furniture;       ///< what stands in the room beside the workpiece; drawn with it only
+    float tableTop = -1e9f;                 ///< world height of the table among them
+    size_t holderSolids = 0;                ///< how many of the last of them hold the workpiece
     std::span<const Marker> ghost;          ///< drawn over the rest, where nothing stands before it
     std::span<const Marker> markers;        ///< the same, after the ghost
     size_t rodSolids = 0;                   ///< how many of the last of them are the filler rod in the other hand
+
+    /// Takes torch, hands and rod out of the picture.
+    void putTorchAway() {
+        solids = {};
+        fittings = {};
+        rodSolids = 0;
+    }
 };
+
+/// An eye below the table's top sees the workpiece from beneath, as if nothing stood in the room.
+inline void lookThroughTable(SceneView& scene, const View& view) {
+    if (view.eye.y >= scene.tableTop) return;
+    scene.furniture = {};
+    scene.tableShown = false;
+}
 
 } // namespace meltpool

@@ -2,145 +2,117 @@
 
 #include "core/render/look/measures.hpp"
 
-#include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
+#include "shaders/shared/render.h"
 
-#include <cmath>
-#include <vector>
+#include <cstddef>
 
 namespace meltpool {
 
 namespace {
 
-struct Vertex {
-    glm::vec3 position;
-    glm::vec3 normal;
-};
-
-constexpr int kAround = 32;
-constexpr float kFullTurn = 6.28318530717959f;
-
-void addTriangle(std::vector<Vertex>& out, const Vertex& a, const Vertex& b, const Vertex& c) {
-    out.insert(out.end(), {a, b, c});
-}
-
-void addQuad(std::vector<Vertex>& out, const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d) {
-    addTriangle(out, a, b, c);
-    addTriangle(out, a, c, d);
-}
-
-void addBox(std::vector<Vertex>& out) {
-    for (int axis = 0; axis < 3; ++axis)
-        for (const float side : {-0.5f, 0.5f}) {
-            glm::vec3 normal(0.0f), u(0.0f), v(0.0f);
-            normal[axis] = side * 2;
-            u[(axis + 1) % 3] = side;
-            v[(axis + 2) % 3] = 0.5f;
-            const glm::vec3 middle = normal * 0.5f;
-            addQuad(out, {middle - u - v, normal}, {middle + u - v, normal}, {middle + u + v, normal},
-                    {middle - u + v, normal});
-        }
-}
-
-glm::vec2 onCircle(int step) {
-    const float angle = kFullTurn * static_cast<float>(step) / kAround;
-    return {std::cos(angle), std::sin(angle)};
-}
-
-/// A ring of a solid of revolution about z.
-struct Ring {
-    float radius;
-    float z;
-    glm::vec2 normal; ///< outward and along z, unit
-};
-
-void addRevolved(std::vector<Vertex>& out, const Ring& top, const Ring& bottom) {
-    const auto at = [](const Ring& ring, int step) {
-        const glm::vec2 c = onCircle(step);
-        return Vertex{{c * ring.radius, ring.z}, {c * ring.normal.x, ring.normal.y}};
-    };
-    for (int step = 0; step < kAround; ++step)
-        addQuad(out, at(top, step), at(bottom, step), at(bottom, step + 1), at(top, step + 1));
-}
-
-void addCylinder(std::vector<Vertex>& out) {
-    addRevolved(out, {0, 0.5f, {0, 1}}, {0.5f, 0.5f, {0, 1}});
-    addRevolved(out, {0.5f, 0.5f, {1, 0}}, {0.5f, -0.5f, {1, 0}});
-    addRevolved(out, {0.5f, -0.5f, {0, -1}}, {0, -0.5f, {0, -1}});
-}
-
-void addCone(std::vector<Vertex>& out) {
-    const glm::vec2 slope = glm::normalize(glm::vec2(1.0f, -0.5f));
-    addRevolved(out, {0, 0.5f, {0, 1}}, {0.5f, 0.5f, {0, 1}});
-    addRevolved(out, {0.5f, 0.5f, slope}, {0, -0.5f, slope});
-}
-
-void addSphere(std::vector<Vertex>& out) {
-    constexpr int kRows = 16;
-    const auto ring = [](int row) {
-        const float angle = 0.5f * kFullTurn * static_cast<float>(row) / kRows;
-        return Ring{0.5f * std::sin(angle), 0.5f * std::cos(angle), {std::sin(angle), std::cos(angle)}};
-    };
-    for (int row = 0; row < kRows; ++row)
-        addRevolved(out, ring(row), ring(row + 1));
-}
+const std::vector<std::pair<unsigned, std::string>> kOfSolids{{bitOf(Measure::torchShadow), "TORCH_SHADOW"}};
 
 } // namespace
 
-glm::mat4 alongLine(const glm::vec3& from, const glm::vec3& to, float width) {
-    const glm::vec3 z = from - to;
-    const float length = glm::length(z);
-    const glm::vec3 unit = length > 0 ? z / length : glm::vec3(0, 0, 1);
-    const glm::vec3 helper = std::abs(unit.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
-    const glm::vec3 x = glm::normalize(glm::cross(helper, unit));
-    const glm::vec3 y = glm::cross(unit, x);
-    return {glm::vec4(x * width, 0), glm::vec4(y * width, 0), glm::vec4(z, 0), glm::vec4(0.5f * (from + to), 1)};
-}
-
 SolidPainter::SolidPainter(gl::ShaderLibrary& shaders)
-    : program_(shaders, "render/solid.vert", "render/solid.frag", {{bitOf(Measure::torchShadow), "TORCH_SHADOW"}}),
+    : program_(shaders, "render/solid.vert", "render/solid.frag", kOfSolids, {{"MANY_AT_ONCE", "1"}}),
+      standing_(shaders, "render/solid.vert", "render/solid.frag", kOfSolids,
+                {{"MANY_AT_ONCE", "1"}, {"ON_TABLE", "1"}}),
       markers_(shaders, "render/solid.vert", "render/marker.frag"),
       layout_("solid vertices") {
-    std::vector<Vertex> all;
-    int shape = 0;
-    for (const auto add : {addBox, addCylinder, addCone, addSphere}) {
-        const auto first = static_cast<int>(all.size());
-        add(all);
-        shapes_[static_cast<size_t>(shape++)] = {first, static_cast<int>(all.size()) - first};
-    }
-    vertices_ = gl::Buffer("solid vertices", std::span<const Vertex>(all));
-    glVertexArrayVertexBuffer(layout_.name(), 0, vertices_.name(), 0, sizeof(Vertex));
-    for (GLuint attribute = 0; attribute < 2; ++attribute) {
-        glEnableVertexArrayAttrib(layout_.name(), attribute);
-        glVertexArrayAttribFormat(layout_.name(), attribute, 3, GL_FLOAT, GL_FALSE,
-                                  static_cast<GLuint>(attribute * sizeof(glm::vec3)));
-        glVertexArrayAttribBinding(layout_.name(), attribute, 0);
+    const SolidMeshes meshes = makeSolidMeshes();
+    shapes_ = meshes.shapes;
+    vertices_ = gl::Buffer("solid vertices", std::span<const SolidVertex>(meshes.vertices));
+    indices_ = gl::Buffer("solid indices", std::span<const std::uint32_t>(meshes.indices));
+    const GLuint layout = layout_.name();
+    glVertexArrayElementBuffer(layout, indices_.name());
+    glVertexArrayVertexBuffer(layout, 0, vertices_.name(), 0, sizeof(SolidVertex));
+    const auto attribute = [&](GLuint index, GLuint binding, GLint size, size_t offset) {
+        glEnableVertexArrayAttrib(layout, index);
+        glVertexArrayAttribFormat(layout, index, size, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
+        glVertexArrayAttribBinding(layout, index, binding);
+    };
+    attribute(0, 0, 3, offsetof(SolidVertex, position));
+    attribute(1, 0, 3, offsetof(SolidVertex, normal));
+    for (GLuint column = 0; column < 4; ++column)
+        attribute(SOLID_PLACE_ATTRIBUTE + column, 1, 4, offsetof(Instance, toWorld) + column * sizeof(glm::vec4));
+    attribute(SOLID_PAINT_ATTRIBUTE, 1, 4, offsetof(Instance, paint));
+    attribute(SOLID_GLOW_ATTRIBUTE, 1, 3, offsetof(Instance, glow));
+    for (gl::Buffer& buffer : instances_)
+        buffer = gl::Buffer("solids", sizeof(Instance));
+}
+
+void SolidPainter::begin() {
+    for (Kind& kind : kinds_) {
+        kind.free.clear();
+        kind.standing.clear();
     }
 }
 
-void SolidPainter::draw(std::span<const Solid> solids, const ViewBatch& views, const RenderTarget& target) const {
-    const gl::Program& program = program_.use(target, views);
-    layout_.bind();
+void SolidPainter::gather(std::span<const Solid> solids, bool standing, bool coarse) {
     for (const Solid& solid : solids) {
-        const Range range = shapes_[static_cast<size_t>(solid.shape)];
-        program.set("solidToWorld", solid.toWorld);
-        program.set("paint", solid.colour);
-        program.set("gloss", solid.gloss);
-        program.set("glow", solid.glow);
-        glDrawArraysInstanced(GL_TRIANGLES, range.first, range.count, views.count);
+        if (solid.coarse && !coarse) continue;
+        Kind& kind = kinds_[static_cast<size_t>(solid.shape)];
+        (standing ? kind.standing : kind.free)
+            .push_back({solid.toWorld, glm::vec4(solid.colour, solid.gloss), glm::vec4(solid.glow, 0)});
     }
+}
+
+void SolidPainter::upload() {
+    all_.clear();
+    for (const Kind& kind : kinds_) {
+        all_.insert(all_.end(), kind.free.begin(), kind.free.end());
+        all_.insert(all_.end(), kind.standing.begin(), kind.standing.end());
+    }
+    if (all_.empty()) return;
+    current_ = (current_ + 1) % kFramesInFlight;
+    gl::Buffer& buffer = instances_[current_];
+    const std::span<const Instance> instances(all_);
+    if (buffer.bytes() < instances.size_bytes()) buffer = gl::Buffer("solids", 2 * instances.size_bytes());
+    buffer.write(instances);
+    glVertexArrayVertexBuffer(layout_.name(), 1, buffer.name(), 0, sizeof(Instance));
+}
+
+void SolidPainter::drawKinds(const MeasuredProgram& program, bool standing, const ViewBatch& views,
+                             const RenderTarget& target) const {
+    bool used = false;
+    GLuint first = 0;
+    for (size_t shape = 0; shape < kSolidShapes; ++shape) {
+        const Kind& kind = kinds_[shape];
+        const size_t count = standing ? kind.standing.size() : kind.free.size();
+        const GLuint begin = first + static_cast<GLuint>(standing ? kind.free.size() : 0);
+        first += static_cast<GLuint>(kind.free.size() + kind.standing.size());
+        if (count == 0) continue;
+        if (!used) program.use(target, views).set("viewsTogether", views.count);
+        used = true;
+        const SolidMeshes::Range range = shapes_[shape];
+        const void* indices = reinterpret_cast<const void*>(static_cast<size_t>(range.first) * sizeof(GLuint));
+        glDrawElementsInstancedBaseInstance(GL_TRIANGLES, range.count, GL_UNSIGNED_INT, indices,
+                                            static_cast<GLsizei>(count) * views.count, begin);
+    }
+}
+
+void SolidPainter::draw(const ViewBatch& views, const RenderTarget& target) const {
+    if (all_.empty()) return;
+    layout_.bind();
+    // The instances of a solid, one for each view, follow each other.
+    glVertexArrayBindingDivisor(layout_.name(), 1, static_cast<GLuint>(views.count));
+    drawKinds(program_, false, views, target);
+    drawKinds(standing_, true, views, target);
 }
 
 void SolidPainter::draw(std::span<const Marker> markers, const ViewBatch& views, const RenderTarget& target) const {
+    if (markers.empty()) return;
     const gl::Program& program = markers_.use(target, views);
     layout_.bind();
     for (const Marker& marker : markers) {
-        const Range range = shapes_[static_cast<size_t>(marker.shape)];
+        const SolidMeshes::Range range = shapes_[static_cast<size_t>(marker.shape)];
         program.set("solidToWorld", marker.toWorld);
         program.set("paint", marker.colour);
         program.set("cover", marker.opacity);
         program.set("face", marker.face);
-        glDrawArraysInstanced(GL_TRIANGLES, range.first, range.count, views.count);
+        const void* indices = reinterpret_cast<const void*>(static_cast<size_t>(range.first) * sizeof(GLuint));
+        glDrawElementsInstanced(GL_TRIANGLES, range.count, GL_UNSIGNED_INT, indices, views.count);
     }
 }
 

@@ -1,43 +1,18 @@
-// Simple painted solids: the heat source, torches, tables, clamps; and markers that are signs rather than things.
+// Draws simple painted solids: the heat source, torches, tables, clamps; and markers that are signs rather than things.
 #pragma once
 
 #include "core/gl/buffer.hpp"
 #include "core/gl/texture.hpp"
 #include "core/render/measured_program.hpp"
-
-#include <glm/mat4x4.hpp>
-#include <glm/vec3.hpp>
+#include "core/render/shapes/solid_meshes.hpp"
 
 #include <array>
 #include <span>
+#include <vector>
 
 namespace meltpool {
 
-/// All fit into the cube -0.5..0.5; the axis of cylinder and cone is z, the tip of the cone lies at -z.
-enum class SolidShape { box, cylinder, cone, sphere };
-
-struct Solid {
-    SolidShape shape = SolidShape::box;
-    glm::mat4 toWorld{1.0f};
-    glm::vec3 colour{0.5f}; ///< linear sRGB reflectance
-    float gloss = 0.2f;     ///< 0 dull .. 1 polished
-    glm::vec3 glow{0.0f};   ///< emitted light
-};
-
-/// A solid that shows its own colour whatever light falls on it, also through the visor, and lets what is behind it
-/// through.
-struct Marker {
-    SolidShape shape = SolidShape::box;
-    glm::mat4 toWorld{1.0f};
-    glm::vec3 colour{0.5f}; ///< linear sRGB, as displayed
-    float opacity = 1;      ///< 0..1
-    float face = 1;         ///< share of it where the surface faces the eye; below 1 the outline stands out
-};
-
-/// The transform of a solid that reaches from `from` to `to` with the given width; its -z end lies at `to`.
-glm::mat4 alongLine(const glm::vec3& from, const glm::vec3& to, float width);
-
-/// The shapes' meshes and the programs that draw them.
+/// The shapes' meshes and the programs that draw them: all solids of one shape with one draw call.
 class SolidPainter {
   public:
     explicit SolidPainter(gl::ShaderLibrary& shaders);
@@ -45,28 +20,55 @@ class SolidPainter {
     /// Loads the programs' forms for one way of submission. Throws InputError when the driver does not compile it.
     void load(ViewSubmission submission) {
         program_.load(submission);
+        standing_.load(submission);
         markers_.load(submission);
     }
 
     /// Call before the first draw of a frame. `measures`: see measuresOf().
-    void prepare(unsigned measures) { program_.choose(measures); }
+    void prepare(unsigned measures) {
+        program_.choose(measures);
+        standing_.choose(measures);
+    }
 
-    /// Expects the frame's uniform blocks bound and its state set.
-    void draw(std::span<const Solid> solids, const ViewBatch& views, const RenderTarget& target) const;
-    /// The same; expects blending by alpha. Later ones cover earlier ones.
+    /// Begins the solids of a frame; gather() adds to them, upload() copies them to the GPU for the draws to come.
+    void begin();
+    /// `standing`: on the table, where the workpiece keeps lamp and room off them. `coarse`: those that stand for finer
+    /// ones too.
+    void gather(std::span<const Solid> solids, bool standing = false, bool coarse = true);
+    void upload();
+    /// Draws them. Expects the frame's uniform blocks bound and its state set.
+    void draw(const ViewBatch& views, const RenderTarget& target) const;
+
+    /// Expects the same, and blending by alpha. Later ones cover earlier ones.
     void draw(std::span<const Marker> markers, const ViewBatch& views, const RenderTarget& target) const;
 
   private:
-    struct Range {
-        int first = 0;
-        int count = 0;
+    /// Of a solid, as the vertex shader reads it.
+    struct Instance {
+        glm::mat4 toWorld;
+        glm::vec4 paint; ///< colour, gloss
+        glm::vec4 glow;
     };
+    /// The solids of one shape, of which the first stand free.
+    struct Kind {
+        std::vector<Instance> free, standing;
+    };
+    /// Copying into a buffer that an unfinished frame draws from waits for it: frames take turns.
+    static constexpr size_t kFramesInFlight = 3;
 
-    MeasuredProgram program_;
+    void drawKinds(const MeasuredProgram& program, bool standing, const ViewBatch& views,
+                   const RenderTarget& target) const;
+
+    MeasuredProgram program_, standing_;
     TonedProgram markers_;
+    std::array<SolidMeshes::Range, kSolidShapes> shapes_;
     gl::Buffer vertices_;
+    gl::Buffer indices_;
     gl::VertexArray layout_;
-    std::array<Range, 4> shapes_;
+    std::array<Kind, kSolidShapes> kinds_;
+    std::vector<Instance> all_;
+    std::array<gl::Buffer, kFramesInFlight> instances_;
+    size_t current_ = 0;
 };
 
 } // namespace meltpool

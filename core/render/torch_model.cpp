@@ -38,6 +38,11 @@ class Builder {
               const glm::vec3& glow = glm::vec3(0.0F)) {
         solids_.push_back({shape, toWorld_ * alongLine(at(from), at(to), width), colour, gloss, glow});
     }
+    /// A part that stands for those of buildTorchFittings().
+    void coarse(float from, float to, float width, const glm::vec3& colour, float gloss) {
+        part(SolidShape::cylinder, from, to, width, colour, gloss);
+        solids_.back().coarse = true;
+    }
 
     /// A ball that shines evenly over its disc with the arc's whole light.
     void arc(const ArcLight& light) {
@@ -58,9 +63,9 @@ class Builder {
 /// The contact tip stands the set stick-out behind the pose's tip; the wire reaches as far as it does.
 void addGmaw(Builder& add, float stickOut, float extension, float diameter, const ArcLight& light) {
     add.part(SolidShape::cylinder, stickOut, stickOut - extension, diameter, kCopper, 0.8F);
-    add.part(SolidShape::cylinder, stickOut + 0.012F, stickOut, 0.006F, kCopper, 0.7F);
-    add.part(SolidShape::cylinder, stickOut + 0.05F, stickOut + 0.003F, 0.014F, kBrass, 0.85F);
-    add.part(SolidShape::cylinder, stickOut + 0.10F, stickOut + 0.048F, 0.012F, kDarkSteel, 0.4F);
+    add.coarse(stickOut + 0.012F, stickOut, 0.006F, kCopper, 0.7F);
+    add.coarse(stickOut + 0.05F, stickOut + 0.003F, 0.014F, kBrass, 0.85F);
+    add.coarse(stickOut + 0.10F, stickOut + 0.048F, 0.012F, kDarkSteel, 0.4F);
     add.arc(light);
 }
 
@@ -68,8 +73,8 @@ void addGmaw(Builder& add, float stickOut, float extension, float diameter, cons
 void addGtaw(Builder& add, const ArcLight& light) {
     add.part(SolidShape::cone, 0.004F, 0.0F, 0.0024F, kTungsten, 0.7F);
     add.part(SolidShape::cylinder, 0.010F, 0.004F, 0.0024F, kTungsten, 0.7F);
-    add.part(SolidShape::cylinder, 0.038F, 0.006F, 0.012F, kCeramic, 0.3F);
-    add.part(SolidShape::cylinder, 0.09F, 0.036F, 0.016F, kDarkSteel, 0.4F);
+    add.coarse(0.038F, 0.006F, 0.012F, kCeramic, 0.3F);
+    add.coarse(0.09F, 0.036F, 0.016F, kDarkSteel, 0.4F);
     add.arc(light);
 }
 
@@ -91,23 +96,23 @@ void addSmaw(Builder& add, const SmawSettings& smaw, float left, const ArcLight&
     constexpr float kHeld = 0.025F, kCovering = 1.7F;
     add.part(SolidShape::cylinder, whole, burnt, core, kTungsten, 0.6F);
     add.part(SolidShape::cylinder, whole - kHeld, burnt + core / 2, core * kCovering, kCovered, 0.15F);
-    add.part(SolidShape::cylinder, whole + 0.03F, whole - 0.02F, 0.022F, kDarkSteel, 0.3F);
-    add.part(SolidShape::cylinder, whole + 0.16F, whole + 0.03F, 0.028F, kDarkSteel, 0.2F);
+    add.coarse(whole + 0.03F, whole - 0.02F, 0.022F, kDarkSteel, 0.3F);
+    add.coarse(whole + 0.16F, whole + 0.03F, 0.028F, kDarkSteel, 0.2F);
     add.arc(light);
 }
 
 /// The tip of the pose is where the flame is hottest, in front of the burner's nozzle.
 void addFlame(Builder& add, float share) {
     constexpr float kNozzle = 0.012F;
-    add.part(SolidShape::cylinder, kNozzle + 0.03F, kNozzle, 0.009F, kBrass, 0.6F);
-    add.part(SolidShape::cylinder, kNozzle + 0.08F, kNozzle + 0.028F, 0.006F, kDarkSteel, 0.4F);
+    add.coarse(kNozzle + 0.03F, kNozzle, 0.009F, kBrass, 0.6F);
+    add.coarse(kNozzle + 0.08F, kNozzle + 0.028F, 0.006F, kDarkSteel, 0.4F);
     if (share > 0) add.part(SolidShape::cone, kNozzle, 0.0F, 0.005F, glm::vec3(0.0F), 0.0F, kFlameGlow * share);
 }
 
 void addIron(Builder& add) {
     add.part(SolidShape::cone, 0.012F, 0.0F, 0.005F, kCopper, 0.7F);
-    add.part(SolidShape::cylinder, 0.05F, 0.012F, 0.005F, kTungsten, 0.6F);
-    add.part(SolidShape::cylinder, 0.12F, 0.05F, 0.018F, kDarkSteel, 0.3F);
+    add.coarse(0.05F, 0.012F, 0.005F, kTungsten, 0.6F);
+    add.coarse(0.12F, 0.05F, 0.018F, kDarkSteel, 0.3F);
 }
 
 void addTorch(Builder& add, const ProcessSettings& process, const ArcState& arc, const ArcLight& light) {

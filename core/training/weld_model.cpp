@@ -1,10 +1,15 @@
 #include "core/training/weld_model.hpp"
 
+#include "core/render/things/bench_things.hpp"
+#include "core/render/things/torch_fittings.hpp"
 #include "core/render/torch_model.hpp"
 #include "core/surface/surface_level.hpp"
 #include "core/training/lesson.hpp"
+#include "core/weld/position.hpp"
+#include "shaders/shared/render.h"
 
 #include <glm/ext/matrix_transform.hpp>
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 
@@ -35,7 +40,25 @@ WeldModel::WeldModel(gl::ShaderLibrary& shaders, const Lesson& lesson)
       kind_(weldKindOf(lesson.workpiece)),
       pipeRadius_(pipeRadiusOf(lesson.workpiece)),
       process_(lesson.process),
-      weld_(shaders, material_, workpiece_, lesson.process) {}
+      weld_(shaders, material_, workpiece_, lesson.process),
+      overTable_(fixtureOf(lesson.workpiece).overTable) {
+    furnish();
+}
+
+/// The table is where drops come to rest, or as far below as the workpiece is held over it.
+void WeldModel::furnish() {
+    const glm::mat4 toWorld = glm::scale(glm::mat4(1.0F), glm::vec3(1 / kWorldUnit));
+    const float top = workpiece_.floorHeight - overTable_;
+    const glm::mat4 benchToWorld = glm::translate(toWorld, {0, top, 0});
+    roomToWorld_ = glm::translate(toWorld, {0, top - kUsualTableHeight - float(WORKSHOP_FLOOR), 0});
+    furniture_.clear();
+    addTable(furniture_, benchToWorld, kUsualTableHeight);
+    addMachine(furniture_, benchToWorld, process_);
+    const size_t others = furniture_.size();
+    addHolders(furniture_, toWorld, workpiece_, overTable_);
+    holders_ = furniture_.size() - others;
+    cableEnd_ = glm::transpose(workpiece_.turn) * (kCableEnd + glm::vec3(0, top, 0));
+}
 
 void WeldModel::reset() {
     weld_.reset();
@@ -45,6 +68,7 @@ void WeldModel::apply(const Lesson& lesson) {
     const int kind = process_.kind;
     process_ = lesson.process;
     process_.kind = kind; // another process waits for the next start
+    furnish();            // the machine shows its settings
     weld_.apply(process_);
 }
 
@@ -80,6 +104,16 @@ SceneView WeldModel::scene(const TorchSample& torch) const {
     scene.rodSolids = buildTorchModel(torchSolids_, torch, process_, weld_.arc(), scene.modelToWorld);
     scene.arc = torchArcLight(torch, process_, weld_.arc());
     scene.solids = torchSolids_;
+    TorchSurroundings around;
+    around.cableEnd = cableEnd_;
+    around.up = workpiece_.up;
+    buildTorchFittings(fittings_, torch, process_, around, scene.modelToWorld);
+    scene.fittings = fittings_;
+    scene.room = {true, roomToWorld_};
+    scene.furniture = furniture_;
+    scene.holderSolids = holders_;
+    scene.tableShown = overTable_ == 0;
+    scene.tableTop = (workpiece_.floorHeight - overTable_) / kWorldUnit;
     scene.blocks = workpiece_.blocks;
     scene.temperature = {kRoomTemperature, colourTop(material_), true, static_cast<float>(material_.solidus),
                          static_cast<float>(material_.liquidus)};

@@ -41,13 +41,21 @@ class WeldModel : public MetalModel {
     const Workpiece& workpiece() const { return workpiece_; }
 
   private:
+    void furnish();
+
     Material material_;
     Workpiece workpiece_;
     WeldKind kind_;
     std::optional<double> pipeRadius_; ///< m, outside
     ProcessSettings process_;
     Weld weld_;
+    float overTable_;                        ///< m, see Fixture
+    std::vector<Solid> furniture_;           ///< table, machine and what holds the workpiece
+    size_t holders_ = 0;                     ///< how many of its last hold the workpiece
+    glm::mat4 roomToWorld_{1.0F};            ///< of the workshop
+    glm::vec3 cableEnd_{0.0F};               ///< of the torch, in the workpiece's frame
     mutable std::vector<Solid> torchSolids_; ///< those that the last scene() lends
+    mutable std::vector<Solid> fittings_;    ///< the same
 };
 
 } // namespace meltpool

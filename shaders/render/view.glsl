@@ -22,9 +22,17 @@ const int kCutPlane = 0;
 
 layout(location = 0) uniform int firstView;
 
+#ifdef MANY_AT_ONCE // things of one draw call: the instances of each, one for each view, follow each other
+layout(location = 20) uniform int viewsTogether;
+
+int viewIndex() {
+    return firstView + gl_InstanceID % viewsTogether;
+}
+#else
 int viewIndex() {
     return firstView + gl_InstanceID;
 }
+#endif
 
 vec3 toWorld(vec3 model) {
     return (frame.modelToWorld * vec4(model, 1.0)).xyz;

@@ -26,6 +26,11 @@
 #define FREEZING_ATTRIBUTE 4 // SurfaceFreezing
 #define FROZEN_ATTRIBUTE 5
 
+// Vertex attributes of solids, besides POSITION_ATTRIBUTE and NORMAL_ATTRIBUTE: the same for all vertices of one.
+#define SOLID_PLACE_ATTRIBUTE 2 // four columns
+#define SOLID_PAINT_ATTRIBUTE 6
+#define SOLID_GLOW_ATTRIBUTE 7
+
 // Storage bindings of passes that read vertices from buffers by themselves.
 #define PULL_VERTICES_BINDING 0
 #define PULL_INDICES_BINDING 1
@@ -47,6 +52,15 @@
 
 // Levels of the environment. Level i is the mirror image in a surface of GGX roughness (i / (ENVIRONMENT_LEVELS - 1))^1.5.
 #define ENVIRONMENT_LEVELS 7
+
+// The workshop's geometry: boxes and gas bottles, and the sides that a bottle is drawn with. The floor's height is that
+// under the place from which the environment shows the workshop, m.
+#define WORKSHOP_BOXES 13
+#define WORKSHOP_BOTTLES 3
+#define WORKSHOP_BOTTLE_SIDES 24
+#define WORKSHOP_FLOOR (-1.25)
+#define WORKSHOP_LOW vec3(-4.2, WORKSHOP_FLOOR, -3.6)
+#define WORKSHOP_HIGH vec3(4.2, 2.3, 4.4)
 
 // Columns and rows of the temperature colour texture.
 #define SCALE_COLUMNS 257

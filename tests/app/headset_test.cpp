@@ -4,8 +4,12 @@
 #include "app/headset/torch/tracked_torch.hpp"
 #include "app/headset/torch/workshop.hpp"
 #include "app/headset/visor.hpp"
+#include "app/headset/workshop_scene.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
+
+#include <algorithm>
+#include <array>
 
 using namespace meltpool;
 
@@ -65,6 +69,40 @@ TEST_CASE("the workpiece rests on the table at every zoom") {
     CHECK(glm::distance(place.toWorkpiece(place.toWorkshop(point)), point) < 1e-6f);
     const glm::vec4 drawn = place.modelToWorkshop(0.04f) * glm::vec4(point / 0.04f, 1.0f);
     CHECK(glm::distance(glm::vec3(drawn), place.toWorkshop(point)) < 1e-6f);
+}
+
+TEST_CASE("the hand holds the lesson's torch at its tip, and table, machine and clamps are furniture") {
+    HeadsetParameters parameters;
+    ProcessSettings process;
+    process.choose<Gmaw>();
+    WorkshopScene scene;
+    HandsView hands;
+    hands.torch = true;
+    hands.tip.position = {0.1f, 1.0f, 0.1f};
+    hands.grip.position = {0.05f, 1.15f, 0.2f};
+    const size_t plain = scene.build(parameters, hands).size();
+    CHECK(plain > 15); // with the table
+    CHECK(scene.fittings().empty());
+    hands.process = &process;
+    const std::span<const Solid> torch = scene.build(parameters, hands);
+    CHECK(torch.size() < 10); // the first of them throw shadows and are mirrored
+    const glm::vec3 wireEnd = torch.front().toWorld * glm::vec4(0, 0, -0.5f, 1);
+    CHECK(glm::distance(wireEnd, hands.tip.position) < 1e-5f);
+    REQUIRE(scene.fittings().size() > 15);
+    float nearest = 1;
+    for (const Solid& solid : scene.fittings())
+        nearest = std::min(nearest, glm::distance(glm::vec3(solid.toWorld[3]), hands.grip.position));
+    CHECK(nearest < 0.05f); // the glove
+    const size_t standing = scene.furniture().size();
+    CHECK(standing > 20);
+    const std::array<Solid, 2> holders{};
+    hands.holders = holders;
+    scene.build(parameters, hands);
+    CHECK(scene.furniture().size() == standing + 2);
+    hands.holders = {};
+    process.choose<Flame>(); // without a machine
+    scene.build(parameters, hands);
+    CHECK(scene.furniture().size() < standing);
 }
 
 TEST_CASE("a workpiece in position is turned in the workshop, and the torch back into its frame") {

@@ -10,7 +10,18 @@ namespace meltpool {
 
 /// A part of a picture that a level may leave out. What shows the pool's edge is none: emissivity that jumps at the
 /// melting point, and solid metal duller than liquid metal.
-enum class Measure : unsigned { torchShadow, glare, roughLobes, poolMirror, calmHighlights, ripples, spatter, fume };
+enum class Measure : unsigned {
+    torchShadow,
+    glare,
+    roughLobes,
+    poolMirror,
+    calmHighlights,
+    ripples,
+    spatter,
+    fume,
+    room,
+    fittings
+};
 
 /// A row of the table of levels.
 struct MeasureRow {
@@ -21,7 +32,7 @@ struct MeasureRow {
 };
 
 /// The table, in the order of Measure. `meltpool bench looks` tells what each costs.
-constexpr std::array<MeasureRow, 8> kMeasures{{
+constexpr std::array<MeasureRow, 10> kMeasures{{
     {Measure::torchShadow, kMediumDetail, "torch_shadow", "the torch's shadow in the lamp's light"},
     {Measure::glare, kMediumDetail, "glare", "the veil that an arc throws in the eye"},
     {Measure::roughLobes, kHighDetail, "rough_lobes",
@@ -32,6 +43,8 @@ constexpr std::array<MeasureRow, 8> kMeasures{{
     {Measure::ripples, kHighDetail, "ripples", "lines of one freezing time in a bead; they need rough lobes"},
     {Measure::spatter, kMediumDetail, "spatter", "drops that the arc throws, the wire's drops, and the beads that lie"},
     {Measure::fume, kMediumDetail, "fume", "smoke that the arc lights"},
+    {Measure::room, kMediumDetail, "room", "a workshop with depth, and table, clamps and machine in it"},
+    {Measure::fittings, kHighDetail, "fittings", "torch and hands in their own form, with hose and cable"},
 }};
 
 constexpr unsigned bitOf(Measure measure) {
