@@ -247,7 +247,7 @@ void helpOverlay(Context& context, bool& open) {
                                                 {"F1", "this page"},
                                                 {"F2  F3  F4", "view, machine, timings"},
                                                 {"Tab", "hide and show all panels"},
-                                                {"F10  F12", "save the window; the metal's picture in 4K"},
+                                                {"F10  F12", "save the window; the metal in 4K"},
                                                 {"F11", "full screen"},
                                                 {"Arrows  Enter", "in the list of lessons"}}};
     ImGui::Columns(2, "help columns", false);
