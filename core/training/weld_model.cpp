@@ -19,6 +19,7 @@ namespace {
 
 /// World units of the pictures in metres, as for the classic cube, so that cameras of all lessons are alike.
 constexpr float kWorldUnit = 0.04F;
+constexpr size_t kMostFurniture = 512;
 constexpr float kRoomTemperature = 293.15F;
 
 /// Upper end of the temperature colours, K: the melt's share of the scale is a third for solder and steel alike.
@@ -52,6 +53,7 @@ void WeldModel::furnish() {
     const glm::mat4 benchToWorld = glm::translate(toWorld, {0, top, 0});
     roomToWorld_ = glm::translate(toWorld, {0, top - kUsualTableHeight - float(WORKSHOP_FLOOR), 0});
     furniture_.clear();
+    furniture_.reserve(kMostFurniture); // what a scene() lent stays in its place
     addTable(furniture_, benchToWorld, kUsualTableHeight);
     addMachine(furniture_, benchToWorld, process_);
     const size_t others = furniture_.size();
@@ -66,9 +68,10 @@ void WeldModel::reset() {
 
 void WeldModel::apply(const Lesson& lesson) {
     const int kind = process_.kind;
+    const MachineSettings shown = machineSettings(process_);
     process_ = lesson.process;
     process_.kind = kind; // another process waits for the next start
-    furnish();            // the machine shows its settings
+    if (machineSettings(process_) != shown) furnish();
     weld_.apply(process_);
 }
 
