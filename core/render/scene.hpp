@@ -67,7 +67,7 @@ struct SceneView {
     bool tableShown = false;                ///< a table is among the solids, on which spatter lies
     std::span<const WorkpieceBlock> blocks; ///< model units; they keep the arc's light off the solids behind them
     std::span<const Solid> solids;          ///< torch, table, clamps
-    std::span<const Solid> fittings;        ///< finer solids of torch and hands, where detail is not low
+    std::span<const Solid> fittings;        ///< finer solids of torch and hands, where detail is high
     RoomView room;                          ///< where detail is not low; else, and from outside of it, the sky
     std::span<const Solid> furniture;       ///< what stands in the room beside the workpiece; drawn with it only
     float tableTop = -1e9f;                 ///< world height of the table among them

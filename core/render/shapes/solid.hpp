@@ -37,7 +37,7 @@ struct Solid {
     glm::vec3 colour{0.5f}; ///< linear sRGB reflectance
     float gloss = 0.2f;     ///< 0 dull .. 1 polished
     glm::vec3 glow{0.0f};   ///< emitted light
-    /// Stands for the finer solids of SceneView::fittings, and is drawn in their place where detail is low. Pools
+    /// Stands for the finer solids of SceneView::fittings, and is drawn in their place where detail is not high. Pools
     /// mirror it and it throws a shadow whether it is drawn or not.
     bool coarse = false;
 };
