@@ -55,11 +55,18 @@ vec3 arcImage(vec3 n, vec3 toEye, vec3 mirrored, float roughness, float share) {
 }
 
 #ifdef RIPPLES
-// Light of lamp and arc on a surface with this normal, but for shadows.
-float litBy(vec3 n) {
-    float lit = frame.ambient + frame.diffuse * max(dot(n, frame.lampDirection), 0.0);
-    if (frame.arcLight.g > 0.0) lit += arcDiffuse(frame.arc - frame.views[view].eye - way, n).g;
-    return lit;
+// Light that a surface scatters with normal `n` over what it scatters with normal `flat_`, which was computed for its
+// vertices. Where that is little, no more than a share of what a surface that faces lamp and arc has: the quotient of two
+// small numbers would show how coarse the vertices lie.
+float litOverFlat(vec3 n, vec3 flat_) {
+    vec3 toArc = frame.arc - frame.views[view].eye - way;
+    float arc = frame.arcLight.g > 0.0 ? arcOn(toArc).g : 0.0;
+    vec3 towards = toArc * inversesqrt(max(dot(toArc, toArc), 1e-12));
+    vec2 fromLamp = max(vec2(dot(n, frame.lampDirection), dot(flat_, frame.lampDirection)), 0.0);
+    vec2 fromArc = max(vec2(dot(n, towards), dot(flat_, towards)), 0.0);
+    const float kLeast = 0.2;
+    vec2 lit = frame.ambient + frame.diffuse * (fromLamp + kLeast) + arc * (fromArc + kLeast);
+    return lit.x / max(lit.y, 1e-4);
 }
 #endif
 
@@ -70,7 +77,7 @@ vec3 shownNormal(float liquid, out float scattered) {
 #ifdef RIPPLES
     vec3 smooth_ = n;
     n = bentNormal(n, rippleSlope * (waveSlope(cycles) * rippleSeen(vec2(dFdx(cycles), dFdy(cycles))) * (1.0 - liquid)));
-    scattered = litBy(n) / max(litBy(smooth_), 1e-4);
+    scattered = litOverFlat(n, smooth_);
 #endif
     return n;
 }
