@@ -7,6 +7,14 @@
 
 namespace meltpool {
 
+namespace {
+
+/// Of the way that a drop falls while the eye gathers a picture. None: chosen, so that single drops are seen and no
+/// streak from the wire to the pool.
+constexpr float kShownWay = 0.1F;
+
+} // namespace
+
 double WireDrops::dropDiameter(double diameter, double speed, double rate) {
     if (rate <= 0) return kThickest * diameter;
     return std::min(std::cbrt(1.5 * speed * diameter * diameter / rate), kThickest * diameter);
@@ -40,7 +48,7 @@ void WireDrops::show(std::vector<Spark>& sparks) const {
     if (rate_ <= 0) return;
     for (double age = grown / rate_; age * static_cast<double>(speed_) < static_cast<double>(gap_); age += 1 / rate_)
         sparks.push_back({end_ + axis_ * (speed_ * static_cast<float>(age)), static_cast<float>(0.5 * diameter_),
-                          axis_ * (speed_ * Spatter::kGathered * 0.1F), kelvin});
+                          axis_ * (speed_ * Spatter::kGathered * kShownWay), kelvin});
 }
 
 } // namespace meltpool
