@@ -15,7 +15,7 @@
 #include "core/render/solids.hpp"
 #include "core/render/stroke_painter.hpp"
 #include "core/render/surface_painter.hpp"
-#include "core/render/toned_program.hpp"
+#include "core/render/view/toned_program.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>

@@ -5,9 +5,9 @@
 #include "core/gl/texture.hpp"
 #include "core/render/look/look.hpp"
 #include "core/render/look/material_presets.hpp"
-#include "core/render/measured_program.hpp"
 #include "core/render/scene.hpp"
-#include "core/render/toned_program.hpp"
+#include "core/render/view/measured_program.hpp"
+#include "core/render/view/toned_program.hpp"
 #include "core/render/view/view.hpp"
 
 #include <optional>

@@ -1,7 +1,7 @@
 // A drawing program in one variant for each set of measures that it knows.
 #pragma once
 
-#include "core/render/toned_program.hpp"
+#include "core/render/view/toned_program.hpp"
 
 #include <cstddef>
 #include <memory>
