@@ -43,8 +43,8 @@ struct MaterialLooks {
     /// Of the ripples that freezing leaves. None: chosen; beads have 8 to 15 a second, 20 to 80 um high.
     float rippleFrequency = 10.0F; ///< Hz
     float rippleHeight = 25e-6F;   ///< m, of the first harmonic over its mean; 0: the metal freezes smooth
-    float translucency = 0.0F;      ///< 0 opaque .. 1 clear
-    float refractiveIndex = 1.0F;   ///< of translucent stuff
+    float translucency = 0.0F;     ///< 0 opaque .. 1 clear
+    float refractiveIndex = 1.0F;  ///< of translucent stuff
     std::string source;
 };
 
