@@ -22,15 +22,17 @@
 layout(location = 0) in vec3 normal;
 layout(location = 1) in vec3 way;
 layout(location = 7) flat in int view;
-layout(location = 8) in float solidShare;
+layout(location = 8) in vec2 solidShares;
+layout(location = 2) in vec3 lit;
+layout(location = 3) in float hottest;
 #else
 layout(location = 0) in vec3 mirrorWay;
 layout(location = 1) in vec3 toArc;
-#endif
 layout(location = 2) in vec3 diffuse;
 layout(location = 3) in vec3 solidMirrored;
-layout(location = 4) in float temperature;
 layout(location = 5) in float emissivity;
+#endif
+layout(location = 4) in float temperature;
 layout(location = 6) in float lampLight;
 #ifdef RIPPLES
 layout(location = 9) in vec3 rippleSlope;
@@ -82,21 +84,25 @@ vec3 shownNormal(float liquid, out float scattered) {
     return n;
 }
 
-vec3 mirrorLight(float liquid, out float scattered) {
+// Light of lamp, arc and room that solid metal scatters and solid or liquid metal mirrors.
+vec3 lightOff(float liquid, vec3 reflectance) {
+    float scattered;
     vec3 n = shownNormal(liquid, scattered), toEye = -normalize(way);
     float cosine = max(dot(n, toEye), 0.0);
     float roughness = mix(solidRoughness(), material.liquidRoughness, liquid);
 #ifdef SPECULAR_AA
     roughness = calmRoughness(roughness, n);
 #endif
+    vec3 solidMirrored = material.solidMirror * mirroredShare(reflectance, solidShares);
     vec3 mirrored = mix(solidMirrored, mirroredShare(material.liquidReflectance, smoothShares(cosine)), liquid);
     vec3 towards = reflect(-toEye, n);
     vec3 room = lampLight * decodeEnvironment(textureLod(roughEnvironment, towards, roomLevel(roughness)).rgb);
 #ifdef POOL
     room = mix(room, mirroredThings(frame.views[view].eye + way, towards, room), liquid);
 #endif
-    vec3 light = mirrored * room;
-    if (frame.arcLight.g > 0.0) light += arcImage(n, toEye, mirrored, roughness, mix(solidShare, 1.0, liquid));
+    vec3 light = lit * (1.0 - material.solidMirror) * reflectance * (scattered * (1.0 - liquid)) + mirrored * room;
+    float share = mix(solidShares.x + solidShares.y, 1.0, liquid);
+    if (frame.arcLight.g > 0.0) light += arcImage(n, toEye, mirrored, roughness, share);
     return light;
 }
 #else
@@ -105,8 +111,7 @@ const vec2 kLevels = vec2(1.0, 3.0);
 // Exponent of the arc's image. Rolled metal makes it about as wide, and over its pool the arc's ball is as wide from there.
 const float kArcSharpness = 24.0;
 
-vec3 mirrorLight(float liquid, out float scattered) {
-    scattered = 1.0;
+vec3 lightOff(float liquid) {
     float dull = frame.dullness * (1.0 - liquid);
     // A whole level: between two, software drivers read both.
     float level = floor(mix(kLevels.x, kLevels.y, dull) + 0.5);
@@ -115,15 +120,18 @@ vec3 mirrorLight(float liquid, out float scattered) {
     seen = mix(seen, mirroredThings(frame.arc - toArc, normalize(mirrorWay), seen), liquid);
 #endif
     if (frame.arcLight.g > 0.0) seen += arcMirrored(toArc, mirrorWay, kArcSharpness);
-    return mix(solidMirrored, material.liquidReflectance, liquid) * seen;
+    return diffuse * (1.0 - liquid) + mix(solidMirrored, material.liquidReflectance, liquid) * seen;
 }
 #endif
 
 void main() {
     float liquid = liquidShare(temperature);
-    float scattered;
-    vec3 mirrored = mirrorLight(liquid, scattered);
-    vec3 light = diffuse * (scattered * (1.0 - liquid)) + mirrored;
+#ifdef ROUGH_LOBES
+    vec3 light = lightOff(liquid, solidReflectance(temperature, hottest));
+    float emissivity = solidEmissivity(temperature, hottest);
+#else
+    vec3 light = lightOff(liquid);
+#endif
     light += metalGlow(temperature, mix(emissivity, material.liquidEmissivity, liquid));
     colour = finish(light, 1.0);
 }

@@ -1,5 +1,5 @@
 // A vertex of metal with a temperature in kelvin: as metal.vert, with temper colours. What jumps at the melting point is
-// computed for each pixel. POOL: only triangles with a liquid corner are drawn, over the others. TORCH_SHADOW, ROUGH_LOBES,
+// computed for each pixel, with ROUGH_LOBES the temper colours too. POOL: only triangles with a liquid corner are drawn, over the others. TORCH_SHADOW, ROUGH_LOBES,
 // RIPPLES (only with ROUGH_LOBES): see core/render/look/measures.hpp.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
@@ -28,15 +28,17 @@ layout(location = 10) out float cycles;                 // of the ripples' wave 
 layout(location = 0) out vec3 normal;        // world, not unit
 layout(location = 1) out vec3 way;           // world, from the eye to the vertex
 layout(location = 7) flat out int view;
-layout(location = 8) out float solidShare;   // share of an even room that its lobe holds while it is solid
+layout(location = 8) out vec2 solidShares;   // of an even room, see mirroredShare(), while it is solid
+layout(location = 2) out vec3 lit;           // light that falls on it
+layout(location = 3) out float hottest;      // highest temperature so far, K: temper colours are those of each pixel
 #else
 layout(location = 0) out vec3 mirrorWay;     // world direction that the eye sees in the metal, not unit
 layout(location = 1) out vec3 toArc;         // world
-#endif
 layout(location = 2) out vec3 diffuse;       // light that the metal scatters evenly while it is solid
 layout(location = 3) out vec3 solidMirrored; // share of the room's light that it mirrors while it is solid
-layout(location = 4) out float temperature;  // K
 layout(location = 5) out float emissivity;   // while it is solid
+#endif
+layout(location = 4) out float temperature;  // K
 layout(location = 6) out float lampLight;
 
 void main() {
@@ -50,25 +52,25 @@ void main() {
 #endif
     lampLight = frame.ambient + lamp;
 
-    vec3 reflectance = solidReflectance(vertexTemperature, peak);
-    vec3 lit = vec3(lampLight);
-    if (frame.arcLight.g > 0.0) lit += arcDiffuse(frame.arc - world, n);
-    diffuse = lit * (1.0 - material.solidMirror) * reflectance;
+    vec3 falling = vec3(lampLight);
+    if (frame.arcLight.g > 0.0) falling += arcDiffuse(frame.arc - world, n);
 #ifdef ROUGH_LOBES
+    lit = falling;
     normal = n;
     way = fromEye;
     view = viewIndex();
     float cosine = max(-dot(n, normalize(way)), 0.0);
-    vec2 shares = roomShares(solidRoughness(), cosine);
-    solidMirrored = material.solidMirror * mirroredShare(reflectance, shares);
-    solidShare = shares.x + shares.y;
+    solidShares = roomShares(solidRoughness(), cosine);
+    hottest = peak;
 #else
+    vec3 reflectance = solidReflectance(vertexTemperature, peak);
+    diffuse = falling * (1.0 - material.solidMirror) * reflectance;
+    emissivity = solidEmissivity(vertexTemperature, peak);
     solidMirrored = material.solidMirror * reflectance;
     mirrorWay = reflect(fromEye, n);
     toArc = frame.arc - world;
 #endif
     temperature = vertexTemperature;
-    emissivity = solidEmissivity(vertexTemperature, peak);
 #ifdef RIPPLES
     cycles = material.rippleFrequency * freezing.w;
     // Where little of the metal froze the time is that of what lies beside: the bead's edge has none.

@@ -122,22 +122,35 @@ TEST_CASE("the lowest level has no torch shadow and no glare") {
 TEST_CASE("a weld's picture differs by the level, and by each measure that is left out where it shows") {
     test::context();
     const test::SyntheticWeld weld;
-    SceneView scene = weld.view();
+    SceneView scene = weld.rippledView();
     Solid torch;
     torch.shape = SolidShape::cylinder;
     torch.toWorld = scene.modelToWorld * alongLine({0.010f, 0.06f, 0}, {0.010f, 0.001f, 0}, 0.006f);
     scene.solids = {&torch, 1};
+    Solid fitting, furniture;
+    fitting.toWorld = glm::translate(glm::mat4(1), {0.006f, 0.006f, -0.004f}) * glm::scale(glm::mat4(1), vec3(0.002f));
+    furniture.toWorld = glm::translate(glm::mat4(1), {0.0f, 0.0f, -0.02f}) * glm::scale(glm::mat4(1), vec3(0.01f));
+    scene.fittings = {&fitting, 1};
+    scene.furniture = {&furniture, 1};
+    scene.room.shown = true;
+    const Spark spark{{0.020f, 0.003f, 0.002f}, 0.0004f, {0.0002f, 0.001f, 0}, 2000};
+    scene.effects = {{&spark, 1}, 0, {20}};
     scene.arc = {{0.015f, 0.003f, 0}, vec3(0.3f), 1e-3f};
-    const View view = viewFrom({0.036f, 0.010f, 0.007f});
+    const View ahead = viewFrom({0.036f, 0.010f, 0.007f}); // of the pool
+    const View behind =
+        FreeCamera({0.003f, 0.009f, 0.007f}, {-0.01f, 0.0015f, 0}).view({.nearest = 0.002f}, 160.0f / 120);
     LookParameters look;
-    const Image high = pictureOf(scene, look, {&view, 1});
     for (const MeasureRow& row : kMeasures) {
         INFO(row.key);
+        const View& view = row.measure == Measure::ripples ? behind : ahead;
+        look.leftOut = 0;
+        const Image high = pictureOf(scene, look, {&view, 1});
         look.leftOut = bitOf(row.measure);
         CHECK(compareImages(high, pictureOf(scene, look, {&view, 1}), 2).largest > 2);
     }
     look.leftOut = 0;
-    CHECK(compareImages(high, pictureOf(scene, atLevel(look, kLowDetail), {&view, 1}), 2).largest > 2);
+    const Image high = pictureOf(scene, look, {&ahead, 1});
+    CHECK(compareImages(high, pictureOf(scene, atLevel(look, kLowDetail), {&ahead, 1}), 2).largest > 2);
 }
 
 TEST_CASE("at every level both eyes by one submission see what each sees alone") {

@@ -14,7 +14,8 @@
     W(glDebugMessageCallback) W(glDeleteBuffers) W(glDeleteFramebuffers) W(glDeleteProgram) W(glDeleteQueries) \
     W(glDeleteSamplers) W(glDeleteShader) W(glDeleteSync) W(glDeleteVertexArrays) W(glDetachShader) \
     W(glDisableVertexArrayAttrib) W(glDispatchCompute) W(glDispatchComputeIndirect) W(glDrawArraysIndirect) \
-    W(glDrawArraysInstanced) W(glDrawElementsIndirect) W(glEnableVertexArrayAttrib) W(glFenceSync) \
+    W(glDrawArraysInstanced) W(glDrawElementsIndirect) W(glDrawElementsInstanced) \
+    W(glDrawElementsInstancedBaseInstance) W(glEnableVertexArrayAttrib) W(glFenceSync) \
     W(glGenerateTextureMipmap) W(glGetActiveUniform) W(glGetInteger64v) W(glGetNamedBufferSubData) W(glGetProgramInfoLog) \
     W(glGetProgramiv) W(glGetQueryObjectiv) W(glGetQueryObjectui64v) W(glGetShaderInfoLog) W(glGetShaderiv) \
     W(glGetStringi) W(glGetTextureImage) W(glGetUniformLocation) W(glLinkProgram) W(glMapNamedBufferRange) \
@@ -24,7 +25,7 @@
     W(glProgramUniformMatrix4fv) W(glPushDebugGroup) W(glQueryCounter) W(glSamplerParameteri) W(glScissorIndexed) \
     W(glShaderSource) W(glTextureBuffer) W(glTextureParameteri) W(glTextureStorage2D) \
     W(glTextureStorage2DMultisample) W(glTextureStorage3D) W(glTextureStorage3DMultisample) W(glTextureSubImage2D) \
-    W(glTextureSubImage3D) W(glUseProgram) W(glVertexArrayAttribBinding) W(glVertexArrayAttribFormat) \
+    W(glTextureSubImage3D) W(glUseProgram) W(glVertexArrayAttribBinding) W(glVertexArrayAttribFormat) W(glVertexArrayBindingDivisor) \
     W(glVertexArrayElementBuffer) W(glVertexArrayVertexBuffer) W(glVertexAttrib1f) W(glViewportIndexedf) \
     W(glWaitSync)
 
