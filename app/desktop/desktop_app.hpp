@@ -64,6 +64,7 @@ class DesktopApp {
     void preparePicture(double seconds);
     void drawPicture();
     void show();
+    bool mayStandStill() const;
     MenuRequest drawMenus();
     void takePicture();
     void writeTelemetry();

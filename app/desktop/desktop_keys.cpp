@@ -53,6 +53,12 @@ void DesktopApp::replayByKeys(const InputFrame& input) {
     if (std::find(input.struck.begin(), input.struck.end(), Key::space) != input.struck.end()) line.toggle();
 }
 
+/// A large picture takes a software driver seconds. An attempt whose arc burns would lose what the hand did in them.
+bool DesktopApp::mayStandStill() const {
+    if (!session_.running() || headsetFrame_) return false;
+    return !window_.driver().software || session_.played() || !session_.arc().burns();
+}
+
 void DesktopApp::handleKeys(const InputFrame& input) {
     if (!session_.running())
         moveByKeys(input);
@@ -101,7 +107,7 @@ void DesktopApp::handleKeys(const InputFrame& input) {
             break;
         case Key::f10:
         case Key::f12:
-            (key == Key::f12 && session_.running() && !headsetFrame_ ? largeAsked_ : pictureAsked_) = true;
+            (key == Key::f12 && mayStandStill() ? largeAsked_ : pictureAsked_) = true;
             messages_.clear("picture"); // the last picture's message is not for this one
             break;
         default:
