@@ -28,6 +28,7 @@ struct FineTimer {
 } // namespace
 
 int main() {
+    if (const auto code = meltpool::writeAskedDump()) return *code;
     const FineTimer timer;
     const meltpool::Utf8Console console;
     meltpool::reportCrashes(meltpool::settingsFolder());

@@ -6,6 +6,7 @@
 #include <windows.h>
 
 #include <dbghelp.h>
+#include <shellapi.h>
 
 #include <array>
 #include <atomic>
@@ -15,6 +16,7 @@
 #include <cstring>
 #include <cwchar>
 #include <exception>
+#include <optional>
 #include <string>
 
 namespace meltpool {
@@ -22,8 +24,9 @@ namespace meltpool {
 namespace {
 
 constexpr int kMostCalls = 48;
-constexpr ULONG kStackForReport = 64 << 10; ///< bytes, kept for a report of a stack that is full
-constexpr DWORD kAbort = 0xE0000A0B;        ///< the code of abort() and of exceptions of C++ in a report
+constexpr ULONG kStackForReport = 64 << 10;          ///< bytes, kept for a report of a stack that is full
+constexpr wchar_t kDumpWord[] = L"--write-minidump"; ///< the first word of a process that writes one, and none else's
+constexpr DWORD kAbort = 0xE0000A0B;                 ///< the code of abort() and of exceptions of C++ in a report
 
 std::wstring reportFolder;
 std::string reportVersion;
@@ -100,16 +103,24 @@ HANDLE makeFile(const std::wstring& stem, const wchar_t* extension) {
                        FILE_ATTRIBUTE_NORMAL, nullptr);
 }
 
+/// Has another process of this program write the minidump and waits for it, but not for ever. Written by the crashed
+/// process itself it would stop threads of which one may hold what the writing needs.
 void writeDump(const std::wstring& stem, EXCEPTION_POINTERS* what) {
-    using Write = BOOL(WINAPI*)(HANDLE, DWORD, HANDLE, MINIDUMP_TYPE, PMINIDUMP_EXCEPTION_INFORMATION, void*, void*);
-    const HMODULE library = LoadLibraryW(L"dbghelp.dll");
-    if (library == nullptr) return;
-    const auto writeIt = reinterpret_cast<Write>(reinterpret_cast<void*>(GetProcAddress(library, "MiniDumpWriteDump")));
-    const HANDLE file = makeFile(stem, L".dmp");
-    if (writeIt == nullptr || file == INVALID_HANDLE_VALUE) return;
-    MINIDUMP_EXCEPTION_INFORMATION exception{GetCurrentThreadId(), what, FALSE};
-    writeIt(GetCurrentProcess(), GetCurrentProcessId(), file, MiniDumpNormal, &exception, nullptr, nullptr);
-    CloseHandle(file);
+    constexpr DWORD kPatience = 15000; // ms
+    static std::array<wchar_t, 1024> own{};
+    static std::array<wchar_t, 4096> command{};
+    if (GetModuleFileNameW(nullptr, own.data(), static_cast<DWORD>(own.size())) >= own.size()) return;
+    const int length = std::swprintf(command.data(), command.size(), L"\"%ls\" %ls %lu %lu %llu \"%ls.dmp\"",
+                                     own.data(), kDumpWord, GetCurrentProcessId(), GetCurrentThreadId(),
+                                     static_cast<unsigned long long>(reinterpret_cast<ULONG_PTR>(what)), stem.c_str());
+    if (length < 0) return;
+    STARTUPINFOW start{};
+    start.cb = sizeof start;
+    PROCESS_INFORMATION writer{};
+    if (CreateProcessW(own.data(), command.data(), nullptr, nullptr, FALSE, CREATE_NO_WINDOW, nullptr, nullptr, &start,
+                       &writer) == FALSE)
+        return;
+    WaitForSingleObject(writer.hProcess, kPatience);
 }
 
 void tell(const std::wstring& file) {
@@ -188,6 +199,25 @@ void reportCrashes(const std::filesystem::path& folder) {
     SetUnhandledExceptionFilter(onException);
     std::set_terminate(onTerminate);
     std::signal(SIGABRT, [](int) { reportHere(); });
+}
+
+std::optional<int> writeAskedDump() {
+    int count = 0;
+    wchar_t** words = CommandLineToArgvW(GetCommandLineW(), &count);
+    if (words == nullptr || count != 6 || std::wcscmp(words[1], kDumpWord) != 0) return std::nullopt;
+    using Write = BOOL(WINAPI*)(HANDLE, DWORD, HANDLE, MINIDUMP_TYPE, PMINIDUMP_EXCEPTION_INFORMATION, void*, void*);
+    const DWORD process = std::wcstoul(words[2], nullptr, 10), thread = std::wcstoul(words[3], nullptr, 10);
+    const ULONG_PTR pointers = std::wcstoull(words[4], nullptr, 10);
+    const HMODULE library = LoadLibraryW(L"dbghelp.dll");
+    const HANDLE crashed = OpenProcess(PROCESS_ALL_ACCESS, FALSE, process);
+    if (library == nullptr || crashed == nullptr) return 1;
+    const auto write = reinterpret_cast<Write>(reinterpret_cast<void*>(GetProcAddress(library, "MiniDumpWriteDump")));
+    const HANDLE file = makeFile(words[5], L"");
+    if (write == nullptr || file == INVALID_HANDLE_VALUE) return 1;
+    MINIDUMP_EXCEPTION_INFORMATION exception{thread, reinterpret_cast<EXCEPTION_POINTERS*>(pointers), TRUE};
+    const BOOL written = write(crashed, process, file, MiniDumpNormal, &exception, nullptr, nullptr);
+    CloseHandle(file);
+    return written != FALSE ? 0 : 1;
 }
 
 } // namespace meltpool

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 namespace meltpool {
 
@@ -9,5 +10,9 @@ namespace meltpool {
 /// version, driver, lesson and the calls that led there, and a minidump of the same name, in `folder`, which is made
 /// then. A line on standard error names the text. Not before main(): it reads the program's version.
 void reportCrashes(const std::filesystem::path& folder);
+
+/// Where this process was started by a crashed one: writes the minidump of that and gives the exit code. To be called
+/// first of all.
+std::optional<int> writeAskedDump();
 
 } // namespace meltpool
