@@ -221,12 +221,13 @@ check_kill() {
 check_crash() {
     start_welding
     wine build/windows/bin/test_crash.exe meltpool.exe || fail "no crash could be made ($?)"
-    local report tries
-    for tries in $(seq 100); do
+    local report tries ended=$SECONDS
+    for tries in $(seq 600); do # Wine takes some ten seconds for the minidump
         [ -z "$(processes)" ] && break
         sleep 0.2
     done
     [ -z "$(processes)" ] || fail 'the program goes on after its crash'
+    echo "    ended $((SECONDS - ended)) s after its crash"
     report=$(find "$WINEPREFIX/drive_c/users" -path '*Roaming/meltpool/crash-*.txt' -print -quit)
     [ -n "$report" ] || fail 'no report of the crash'
     sed -n '1,8 { s/\r$//; s/^/    /; p }' "$report"
