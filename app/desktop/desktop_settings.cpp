@@ -31,9 +31,7 @@ ParameterList describe(WindowParameters& w) {
         {"picture", "Picture", "", &w.picture, 0, kPictureLevels,
          "automatic: as fine as leaves the metal its time; text and menus are always full", pictureChoices()},
         {"detail", "Detail", "", &w.detail, 0, 3,
-         "of light and metal, in the headset too; automatic: low without a graphics card, on one as much as it draws "
-         "in "
-         "time",
+         "of light and metal, in the headset too; automatic: low without a graphics card, else what it draws in time",
          detailChoices()},
     };
 }
