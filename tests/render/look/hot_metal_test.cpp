@@ -16,7 +16,6 @@ namespace {
 
 using glm::vec3;
 using test::lightOf;
-using test::paintEvenly;
 using test::Patch;
 using test::roomOnly;
 
@@ -103,8 +102,7 @@ TEST_CASE("softened glow keeps its hue, grows with the temperature, and leaves d
 }
 
 TEST_CASE("a perfect mirror in an even room cannot be seen, however rough it is") {
-    Renderer& renderer = test::patchRenderer();
-    paintEvenly(renderer, 1);
+    Renderer& renderer = test::evenlyLit(1);
     LookParameters look = roomOnly(1);
     look.dullness = 1;
     look.exposure = 0.5f; // the tone curve leaves that as it is
@@ -123,8 +121,7 @@ TEST_CASE("a perfect mirror in an even room cannot be seen, however rough it is"
 }
 
 TEST_CASE("the light of an arc that rough metal reflects towards the eye adds up to the arc's light") {
-    Renderer& renderer = test::patchRenderer();
-    paintEvenly(renderer, 0);
+    Renderer& renderer = test::evenlyLit(0);
     LookParameters look = roomOnly(0);
     look.dullness = 1;
     look.exposure = 2e-4f; // a mirror's highlight stays below the knee of the tone curve
@@ -153,8 +150,7 @@ TEST_CASE("the light of an arc that rough metal reflects towards the eye adds up
 }
 
 TEST_CASE("a pool mirrors torch and workpiece in the light of the arc, solid metal the room alone") {
-    Renderer& renderer = test::patchRenderer();
-    paintEvenly(renderer, 0.1f);
+    Renderer& renderer = test::evenlyLit(0.1f);
     LookParameters look = roomOnly(0);
     look.exposure = 0.5f;
     look.ambient = 1;

@@ -44,8 +44,7 @@ double discShare(double x) {
 
 TEST_CASE(
     "the torch's shadow is the share of the lamp's disc that it covers, dark in the middle and soft at its edge") {
-    Renderer& renderer = test::patchRenderer();
-    test::paintEvenly(renderer, 0);
+    Renderer& renderer = test::evenlyLit(0);
     double dark = -1, lit = -1;
     for (int mm = 0; mm <= 200; mm += 2) {
         const double place = mm * 1e-3;
@@ -64,8 +63,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a wire thinner than the lamp looks from the plate takes only its share of the light") {
-    Renderer& renderer = test::patchRenderer();
-    test::paintEvenly(renderer, 0);
+    Renderer& renderer = test::evenlyLit(0);
     const double radius = 0.006, lamp = kLampRadius * kHigh / kLampFar;
     const double share =
         lightUnderBar(renderer, 0, true, float(radius)) / lightUnderBar(renderer, 0, false, float(radius));

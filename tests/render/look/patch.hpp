@@ -20,8 +20,12 @@ class Patch {
     gl::Buffer vertices_, indices_, command_, peaks_;
 };
 
-/// One renderer for all who use this: painting its room takes longer than a test. The last paintEvenly() holds.
+/// One renderer for all who use this, in its workshop: painting its room takes longer than a test.
 Renderer& patchRenderer();
+
+/// Another for all who use this, with the same light everywhere around. It is the same one with the last light asked
+/// for.
+Renderer& evenlyLit(float light);
 
 /// No box, sky and source, and no light but `ambient` of the room.
 LookParameters roomOnly(float ambient);
@@ -29,8 +33,5 @@ LookParameters roomOnly(float ambient);
 /// Light in the middle of the picture that an eye at `eye` has which looks at `target`, after exposure and tone curve.
 glm::vec3 lightOf(Renderer& renderer, const SceneView& scene, const LookParameters& look, glm::vec3 eye = {0, 0, 1},
                   glm::vec3 target = {0, 0, 0});
-
-/// Paints the same light everywhere around.
-void paintEvenly(const Renderer& renderer, float light);
 
 } // namespace meltpool::test

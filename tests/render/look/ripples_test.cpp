@@ -73,7 +73,7 @@ std::vector<double> lightAlong(const SceneView& scene, const LookParameters& loo
     View view = FreeCamera({0, 0, far}, {0, 0, 0}).view({}, 1);
     view.eyeToClip = glm::frustum(-half / far, half / far, -high / far, high / far, 1.0f, 10.0f);
     const RenderTarget where{.framebuffer = picture.name(), .viewport = {0, 0, kPixels, 1}, .encodesSrgb = true};
-    test::patchRenderer().draw(scene, look, {&view, 1}, where, nullptr);
+    test::evenlyLit(0.5f).draw(scene, look, {&view, 1}, where, nullptr);
     std::vector<glm::vec4> row(kPixels);
     glBindFramebuffer(GL_FRAMEBUFFER, picture.name());
     glReadPixels(0, 0, kPixels, 1, GL_RGBA, GL_FLOAT, row.data());
@@ -119,7 +119,6 @@ LookParameters lampFromBehind() {
 } // namespace
 
 TEST_CASE("the pitch of a bead's ripples is travel speed over frequency, at two speeds and two frequencies") {
-    test::paintEvenly(test::patchRenderer(), 0.5f);
     MaterialLooks looks;
     looks.heatTint = 1;
     for (const float speed : {0.005f, 0.008f})
@@ -136,7 +135,6 @@ TEST_CASE("the pitch of a bead's ripples is travel speed over frequency, at two 
 }
 
 TEST_CASE("slower travel gives finer ripples, which are no steeper than metal bears") {
-    test::paintEvenly(test::patchRenderer(), 0.5f);
     MaterialLooks looks;
     looks.rippleHeight = 1; // however high
     const double fast = contrast(lightAlong(Bead(0.008f).scene(looks), lampFromBehind(), 0.005f)),
@@ -147,7 +145,6 @@ TEST_CASE("slower travel gives finer ripples, which are no steeper than metal be
 
 TEST_CASE(
     "there are no ripples on liquid metal, on metal that never froze, in low detail and where pixels are too wide") {
-    test::paintEvenly(test::patchRenderer(), 0.5f);
     const MaterialLooks looks;
     LookParameters look = lampFromBehind();
     const auto seen = [&](const Bead& bead, float length) {

@@ -67,7 +67,7 @@ std::vector<float> sampled(const SceneView& scene, const LookParameters& look, g
     view.eyeToClip[2][0] += 2 * shift.x / kSize;
     view.eyeToClip[2][1] += 2 * shift.y / kSize;
     const RenderTarget where{.framebuffer = picture.name(), .viewport = {0, 0, kSize, kSize}, .encodesSrgb = true};
-    test::patchRenderer().draw(scene, look, {&view, 1}, where, nullptr);
+    test::evenlyLit(0.3f).draw(scene, look, {&view, 1}, where, nullptr);
     std::vector<glm::vec4> pixels(kSize * kSize);
     glBindFramebuffer(GL_FRAMEBUFFER, picture.name());
     glReadPixels(0, 0, kSize, kSize, GL_RGBA, GL_FLOAT, pixels.data());
@@ -116,7 +116,6 @@ double meanDifference(const std::vector<std::vector<float>>& samples, const std:
 } // namespace
 
 TEST_CASE("antialiased highlights vary less over a pixel, and differ less from the picture of 64 samples") {
-    test::paintEvenly(test::patchRenderer(), 0.3f);
     const RippledSheet sheet;
     const MaterialLooks looks;
     LookParameters look = test::roomOnly(0.2f);
