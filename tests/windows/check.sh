@@ -220,16 +220,17 @@ check_kill() {
 
 check_crash() {
     start_welding
-    wine build/windows/bin/test_crash.exe meltpool.exe || fail "no crash could be made ($?)"
-    local report tries ended=$SECONDS
+    local report process tries ended=$SECONDS
+    process=$(wine build/windows/bin/test_crash.exe Meltpool | tr -d '\r') || fail "no crash could be made ($?)"
     for tries in $(seq 600); do # Wine takes some ten seconds for the minidump
         [ -z "$(processes)" ] && break
         sleep 0.2
     done
     [ -z "$(processes)" ] || fail 'the program goes on after its crash'
     echo "    ended $((SECONDS - ended)) s after its crash"
-    report=$(find "$WINEPREFIX/drive_c/users" -path '*Roaming/meltpool/crash-*.txt' -print -quit)
-    [ -n "$report" ] || fail 'no report of the crash'
+    find "$WINEPREFIX/drive_c/users" -path '*Roaming/meltpool/crash-*' -printf '    %f, %s bytes\n'
+    report=$(find "$WINEPREFIX/drive_c/users" -path "*Roaming/meltpool/crash-*-$process.txt" -print -quit)
+    [ -n "$report" ] || fail "no report of the crash of process $process"
     sed -n '1,8 { s/\r$//; s/^/    /; p }' "$report"
     grep -q 'last lesson: gmaw-bead' "$report" || fail 'the report does not name the lesson'
     grep -q 'driver: 4\.' "$report" || fail 'the report does not name the driver'

@@ -1,31 +1,37 @@
-// Makes a running program crash: test_crash.exe NAME starts a thread in the newest process of that file name at an
-// address where there is no code.
+// Makes a running program crash: test_crash.exe TITLE starts a thread at an address where there is no code in the
+// process that the visible window belongs to whose title begins so. Tells that process's number.
 #include <windows.h>
 
-#include <tlhelp32.h>
-
+#include <array>
+#include <cstdio>
 #include <string>
+
+namespace {
+
+struct Search {
+    std::string title;
+    DWORD process = 0;
+};
+
+BOOL CALLBACK look(HWND window, LPARAM given) {
+    auto& search = *reinterpret_cast<Search*>(given);
+    std::array<char, 256> title{};
+    GetWindowTextA(window, title.data(), static_cast<int>(title.size()));
+    if (IsWindowVisible(window) == FALSE || std::string(title.data()).rfind(search.title, 0) != 0) return TRUE;
+    GetWindowThreadProcessId(window, &search.process);
+    return FALSE;
+}
+
+} // namespace
 
 int main(int count, char** words) {
     if (count != 2) return 100;
-    const HANDLE list = CreateToolhelp32Snapshot(TH32CS_SNAPPROCESS, 0);
-    const std::string name = words[1];
-    const std::wstring wanted(name.begin(), name.end());
-    PROCESSENTRY32W entry{};
-    entry.dwSize = sizeof entry;
-    HANDLE newest = nullptr; // an ended one may still be listed
-    ULONGLONG newestTime = 0;
-    for (BOOL more = Process32FirstW(list, &entry); more != FALSE; more = Process32NextW(list, &entry)) {
-        if (wanted != entry.szExeFile) continue;
-        const HANDLE process = OpenProcess(PROCESS_ALL_ACCESS, FALSE, entry.th32ProcessID);
-        FILETIME made{}, ended{}, kernel{}, user{};
-        if (process == nullptr || GetProcessTimes(process, &made, &ended, &kernel, &user) == FALSE) continue;
-        const ULONGLONG time = ULONGLONG(made.dwHighDateTime) << 32 | made.dwLowDateTime;
-        if (time < newestTime) continue;
-        newest = process;
-        newestTime = time;
-    }
-    if (newest == nullptr) return 102;
+    Search search{words[1]};
+    EnumWindows(look, reinterpret_cast<LPARAM>(&search));
+    if (search.process == 0) return 102;
+    std::printf("%lu\n", search.process);
+    const HANDLE process = OpenProcess(PROCESS_ALL_ACCESS, FALSE, search.process);
+    if (process == nullptr) return 103;
     const auto nowhere = reinterpret_cast<LPTHREAD_START_ROUTINE>(16);
-    return CreateRemoteThread(newest, nullptr, 0, nowhere, nullptr, 0, nullptr) != nullptr ? 0 : 101;
+    return CreateRemoteThread(process, nullptr, 0, nowhere, nullptr, 0, nullptr) != nullptr ? 0 : 101;
 }
