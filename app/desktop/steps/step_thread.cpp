@@ -6,6 +6,13 @@
 
 namespace meltpool {
 
+namespace {
+
+/// A flush waits for the picture that is being drawn: it must be rare, and not so rare that many lessons come and go.
+constexpr std::chrono::seconds kBetweenFlushes{10};
+
+} // namespace
+
 StepThread::StepThread(std::unique_ptr<SharingContext> context) : context_(std::move(context)) {
     if (context_ == nullptr) return;
     thread_ = std::thread([this] { run(); });
@@ -50,10 +57,20 @@ void StepThread::serve(std::unique_lock<std::mutex>& lock) {
     } catch (...) {
         fault = std::current_exception();
     }
+    freeDeleted();
     meter_.end();
     lock.lock();
     fault_ = fault;
     work_ = nullptr;
+}
+
+/// Buffer textures of a lesson that is over keep its buffers until each context that read them flushes: Mesa's context
+/// lets go of its views of deleted textures only then.
+void StepThread::freeDeleted() {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - flushed_ < kBetweenFlushes) return;
+    flushed_ = now;
+    glFlush();
 }
 
 void StepThread::begin(std::function<void()> work) {

@@ -51,6 +51,7 @@ class StepThread {
   private:
     void run();
     void serve(std::unique_lock<std::mutex>& lock);
+    void freeDeleted();
 
     std::unique_ptr<SharingContext> context_;
     bool usable_ = false;
@@ -59,6 +60,7 @@ class StepThread {
     double waited_ = 0;
     double seconds_ = 0;
     WorkMeter meter_;
+    std::chrono::steady_clock::time_point flushed_; ///< on the thread
 
     std::mutex mutex_; // of all below
     std::condition_variable changed_;
