@@ -14,7 +14,7 @@ constexpr glm::vec3 kSleeve(0.035f, 0.05f, 0.085f);
 constexpr float kLeatherGloss = 0.06f;
 
 /// Sizes of a large glove, m.
-constexpr float kFinger = 0.023f, kSegment = 0.034f, kFingersApart = 0.021f;
+constexpr float kFinger = 0.023f, kFingersApart = 0.021f;
 constexpr int kFingers = 4;
 
 /// A box or the like whose axes are x, y and z, with these edges.
