@@ -44,7 +44,8 @@ MenuRequest DesktopMenus::drawPanels(const DesktopMenuContent& content) {
     if (!content.figures.caption.empty())
         ui::captionLine(context, content.figures.caption, coveredLeft(), coveredRight());
     if (content.session.demonstration().shown())
-        if (const MenuRequest asked = ui::demonstrationBar(context, content.session); asked != MenuRequest::none)
+        if (const MenuRequest asked = ui::demonstrationBar(context, content.session, coveredLeft(), coveredRight());
+            asked != MenuRequest::none)
             request = asked;
     if (content.session.replay().shown())
         if (const MenuRequest asked = ui::replayBar(context, content.session); asked != MenuRequest::none)

@@ -46,7 +46,7 @@ struct Freezing {
     std::array<const gl::Program*, 2> splatAllPass, splatChangedPass; // by SurfaceKernel
     const gl::Program& vertexPass;
     gl::Buffer volume, splatted, vertices; // two words a corner, one a particle, a SurfaceFreezing a vertex
-    gl::BufferView volumeTexels, particleTexels, splattedTexels, latticeTexels;
+    gl::BufferView volumeTexels, particleTexels, splattedTexels;
 };
 
 Freezing::Freezing(gl::ShaderLibrary& shaders)
@@ -56,7 +56,7 @@ Freezing::Freezing(gl::ShaderLibrary& shaders)
                                     {{"SURFACE_FREEZING", "1"}, {"SURFACE_REBUILD", "1"}, {"SURFACE_SMOOTH", "1"}})},
       splatChangedPass{&shaders.compute("surface/splat.comp", {{"SURFACE_FREEZING", "1"}}),
                        &shaders.compute("surface/splat.comp", {{"SURFACE_FREEZING", "1"}, {"SURFACE_SMOOTH", "1"}})},
-      vertexPass(shaders.compute("surface/vertices.comp", {{"SURFACE_FREEZING", "1"}})) {}
+      vertexPass(shaders.compute("surface/vertices.comp", {{"SURFACE_FREEZING", "1"}, {"SURFACE_FLAT", "1"}})) {}
 
 /// Share of the solidus in K up to which metal of the lattice is taken to lie as it did: hotter metal has neighbours
 /// that melted. None: chosen; at the toe of a bead on steel it is 2 mm.
@@ -83,6 +83,8 @@ struct Surface::Work {
     void bindParticles(const ParticleView& particles);
     void bindPeaks(const ParticleView& particles);
     void bindFreezing(const ParticleView& particles);
+    void bindLattice(const ParticleView& particles);
+    const gl::Program& chooseVertexPass();
     void splatAll(const ParticleView& particles);
     void splatChanged(const ParticleView& particles);
     void listBlocks();
@@ -110,12 +112,13 @@ struct Surface::Work {
     const gl::Program& placeBlocksPass;
     const gl::Program& listMeshPass;
     const gl::Program& vertexPass;
+    const gl::Program* flatVertexPass = nullptr; ///< made when it is asked for
     const gl::Program& trianglePass;
 
     gl::Buffer setupBlock;
     gl::Buffer splatted, changedList; // a vec4 and a uint a particle
     gl::Buffer density, temperature;
-    gl::BufferView particleTexels, splattedTexels, densityTexels, temperatureTexels;
+    gl::BufferView particleTexels, splattedTexels, densityTexels, temperatureTexels, latticeTexels;
     gl::Buffer blockFlags, blockStates, baseTriangles;
     gl::Buffer blockList, obsoleteTriangles, blockSums;
     gl::Buffer insideBits, rows, rowSums;
@@ -237,6 +240,7 @@ void Surface::Work::bindParticles(const ParticleView& particles) {
     commands.bindStorage(SURFACE_BIND_COMMANDS);
     bindPeaks(particles);
     if (withFreezing()) bindFreezing(particles);
+    bindLattice(particles);
 }
 
 void Surface::Work::bindPeaks(const ParticleView& particles) {
@@ -252,9 +256,20 @@ void Surface::Work::bindFreezing(const ParticleView& particles) {
     freezing->splatted.bindStorage(SURFACE_BIND_SPLATTED_FREEZING);
     freezing->particleTexels = gl::BufferView("surface freezing times", *particles.frozenAt, GL_R32F, sizeof(float));
     freezing->particleTexels.bind(SURFACE_TEXELS_FROZEN_AT);
+}
+
+void Surface::Work::bindLattice(const ParticleView& particles) {
     if (particles.lattice == nullptr) return;
-    freezing->latticeTexels = gl::BufferView("surface lattice", *particles.latticeSlots, GL_R32UI, 4);
-    freezing->latticeTexels.bind(SURFACE_TEXELS_LATTICE);
+    latticeTexels = gl::BufferView("surface lattice", *particles.latticeSlots, GL_R32UI, 4);
+    latticeTexels.bind(SURFACE_TEXELS_LATTICE);
+}
+
+/// Without times of freezing, the highest temperatures tell metal on the lattice from other metal.
+const gl::Program& Surface::Work::chooseVertexPass() {
+    if (withFreezing()) return freezing->vertexPass;
+    if (!peaks || setup.flatPlaneCount == 0) return vertexPass;
+    if (flatVertexPass == nullptr) flatVertexPass = &shaders.compute("surface/vertices.comp", {{"SURFACE_FLAT", "1"}});
+    return *flatVertexPass;
 }
 
 void Surface::Work::splatAll(const ParticleView& particles) {
@@ -321,7 +336,7 @@ void Surface::Work::makeMesh(gl::Profiler* profiler) {
             freezing->vertices.bindStorage(SURFACE_BIND_VERTEX_FREEZING);
             freezing->volumeTexels.bind(SURFACE_TEXELS_FREEZING);
         }
-        dispatchIndirect(withFreezing() ? freezing->vertexPass : vertexPass, offsetof(SurfaceCommands, vertices));
+        dispatchIndirect(chooseVertexPass(), offsetof(SurfaceCommands, vertices));
     }
     {
         const gl::Scope scope(profiler, "surface triangles");

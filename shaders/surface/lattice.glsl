@@ -15,6 +15,8 @@ const float kFarthestEdge = 2.0;
 const float kNoneLoose = 0.01;
 // From this share of `flatBelow` on faces are flat no longer; there metal melts next to them.
 const float kFlatFrom = 0.75;
+// Where only heat tells them apart, metal off the lattice begins to count from this share of `flatBelow` on.
+const float kLooseFrom = 0.6;
 // Least share of a normal along an edge of the grid for the face across that edge to be meant.
 const float kFacing = 0.35;
 

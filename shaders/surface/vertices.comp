@@ -1,6 +1,7 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 // Makes the vertex of every listed edge: position, temperature, normal. SURFACE_FREEZING: when the metal around it froze, too.
+// SURFACE_FLAT: on the faces of metal that stands on its lattice still.
 #include "surface/grid.glsl"
 layout(local_size_x = SURFACE_GROUP) in;
 
@@ -13,6 +14,8 @@ layout(std430, binding = SURFACE_BIND_VERTEX_PEAKS) writeonly buffer VertexPeaks
 #ifdef SURFACE_FREEZING
 layout(std430, binding = SURFACE_BIND_VERTEX_FREEZING) writeonly buffer VertexFreezing { SurfaceFreezing vertexFreezing[]; };
 #include "surface/freezing.glsl"
+#endif
+#ifdef SURFACE_FLAT
 #include "surface/lattice.glsl"
 #endif
 layout(std430, binding = SURFACE_BIND_COMMANDS) readonly buffer Commands { SurfaceCommands commands; };
@@ -56,7 +59,7 @@ float temperatureOf(float heat, float weight) {
     return setup.coldest + setup.temperatureRange * (heat / weight);
 }
 
-#ifdef SURFACE_FREEZING
+#ifdef SURFACE_FLAT
 /// Puts a vertex beside metal of the lattice on the lattice's own surface; `loose`: share of other metal around, `hottest`: its
 /// highest temperature so far. `inside`: the
 /// corner of its edge that is inside, `edge`: from there to the outside, in corners.
@@ -86,6 +89,14 @@ void flatten(inout SurfaceVertex vertex, ivec3 inside, ivec3 edge, float loose, 
     vertex.normal = normalised(mix(n, vec3(axis), share), n);
 }
 
+/// Share of metal off the lattice, where nothing says when it froze: it was hot, and heats the mean of the highest
+/// temperatures around.
+float looseByHeat(float hottest) {
+    return clamp(hottest / setup.flatBelow - kLooseFrom, 0.0, 1.0);
+}
+#endif
+
+#ifdef SURFACE_FREEZING
 /// Writes when the metal at a vertex between `a` and `b` froze; gives the shares of the metal there, of density `weight`, that
 /// did (x) and that ever melted (y).
 vec2 writeFreezing(uint index, ivec3 a, ivec3 b, float part, float weight) {
@@ -134,9 +145,14 @@ void main() {
         hottest = temperatureOf(sum, mix(weightA, weightB, part));
         vertexPeaks[commands.firstVertex + index] = hottest;
     }
+#ifdef SURFACE_FLAT
 #ifdef SURFACE_FREEZING
+    float loose = shares.y;
+#else
+    float loose = looseByHeat(hottest);
+#endif
     if (setup.flatPlaneCount > 0 && !cap)
-        flatten(vertex, weightA > weightB ? a : b, weightA > weightB ? axis : -axis, shares.y, hottest);
+        flatten(vertex, weightA > weightB ? a : b, weightA > weightB ? axis : -axis, loose, hottest);
 #endif
     vertices[commands.firstVertex + index] = vertex;
 }

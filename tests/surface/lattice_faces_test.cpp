@@ -24,6 +24,9 @@ namespace {
 constexpr float kSpacing = 1e-3f;
 constexpr vec3 kPlateLow{-0.012f, -0.006f, -0.009f}, kPlateHigh{0.012f, 0, 0.009f};
 
+/// What a plate's particles store of their past: when they froze, or how hot they were.
+enum class Past { frozen, hottest };
+
 /// A plate, and what of it melted.
 struct LatticePlate {
     LatticePlate() : lattice(MetalLattice::covering(kPlateLow, kPlateHigh, kSpacing)) {
@@ -48,11 +51,17 @@ struct LatticePlate {
         }
     }
 
-    void update(Surface& surface, bool withLattice) const {
+    void update(Surface& surface, bool withLattice, Past past) const {
         const gl::Buffer positions("plate", std::span<const vec4>(places));
         const gl::Buffer frozen("plate times", std::span<const float>(times));
         const gl::Buffer cells("plate cells", std::span<const unsigned>(slots));
-        ParticleView view{&positions, places.size(), nullptr, nullptr, &frozen};
+        std::vector<vec4> heat;
+        for (const float time : times)
+            heat.emplace_back(0, 0, time > 0 ? 2000 : 300, 0);
+        const gl::Buffer heats("plate heats", std::span<const vec4>(heat));
+        ParticleView view{&positions, places.size()};
+        (past == Past::frozen ? view.frozenAt : view.heats) = past == Past::frozen ? &frozen : &heats;
+        view.solidus = past == Past::frozen ? 0 : 1768;
         if (withLattice) {
             view.lattice = &lattice;
             view.latticeSlots = &cells;
@@ -74,6 +83,7 @@ struct PlateSurface {
         : surface(test::shaders(), {40, 3, 1, true, int(SurfaceKernel::smooth)},
                   kPlateLow - vec3(0.0051f, 0.004f, 0.0047f) + shift * kSpacing,
                   kPlateHigh + vec3(0.0053f, 0.005f, 0.0043f) + shift * kSpacing) {
+        surface.setTemperatureRange(293, 3500);
         surface.flatFaces.corners = {kPlateLow, kPlateHigh};
         surface.flatFaces.count = 2;
         surface.parameters.isoLevel *= flatFaceLevel(surface.parameters, surface.grid(), kSpacing);
@@ -148,10 +158,11 @@ FaceAreas faceAreas(const test::Mesh& mesh) {
 
 TEST_CASE("a flat plate on its lattice is flat, and its edges are sharp, wherever the grid lies") {
     const LatticePlate plate;
+    const Past past = GENERATE(Past::frozen, Past::hottest);
     for (const float shift : {0.0f, 0.13f, 0.31f, 0.5f, 0.77f}) {
         PlateSurface rounded(shift), flat(shift);
-        plate.update(rounded.surface, false);
-        plate.update(flat.surface, true);
+        plate.update(rounded.surface, false, past);
+        plate.update(flat.surface, true, past);
         const test::Mesh before = test::readMesh(rounded.surface), mesh = test::readMesh(flat.surface);
         const double tilt = faceTilt(mesh), radius = edgeRadius(mesh);
         INFO("shift " << shift << ": tilt " << tilt << " degrees, was " << faceTilt(before) << "; edge radius "
@@ -174,10 +185,11 @@ TEST_CASE("a flat plate on its lattice is flat, and its edges are sharp, whereve
 
 TEST_CASE("where metal melted its surface stays the volumes', and the flat metal beside it begins without a step") {
     LatticePlate plate;
+    const Past past = GENERATE(Past::frozen, Past::hottest);
     plate.melt({0, 0, 0}, 3.2e-3f);
     PlateSurface rounded(0.2f), flat(0.2f);
-    plate.update(rounded.surface, false);
-    plate.update(flat.surface, true);
+    plate.update(rounded.surface, false, past);
+    plate.update(flat.surface, true, past);
     const test::Mesh before = test::readMesh(rounded.surface), mesh = test::readMesh(flat.surface);
     REQUIRE(before.indices == mesh.indices);
     size_t same = 0, between = 0;
@@ -199,13 +211,14 @@ TEST_CASE("where metal melted its surface stays the volumes', and the flat metal
 
 TEST_CASE("incremental updates of a plate that melts give the mesh that a fresh one gives") {
     LatticePlate plate;
+    const Past past = GENERATE(Past::frozen, Past::hottest);
     PlateSurface updated(0.4f), fresh(0.4f);
     updated.surface.incremental.enabled = true;
     for (int step = 0; step < 6; ++step) {
         INFO("step " << step);
         if (step > 0) plate.melt({-0.008f + 0.003f * float(step), 0, 0.006f}, 2e-3f); // beside an edge
-        plate.update(updated.surface, true);
-        plate.update(fresh.surface, true);
+        plate.update(updated.surface, true, past);
+        plate.update(fresh.surface, true, past);
         const auto sorted = [](const Surface& surface) {
             const test::Mesh mesh = test::readMesh(surface);
             std::vector<std::array<float, 6>> rows;

@@ -44,8 +44,9 @@ void viewMenu(Context& context, std::span<const ParameterSection* const> section
 /// The machine's values; closed below them, in the expert drawer, the solver's.
 void machinePart(Context& context, const ParameterSection& section);
 void machineMenu(Context& context, const ParameterSection& section, Controls& controls);
-/// The running demonstration above the status bar: pause, its time, and the way to one's own attempt.
-MenuRequest demonstrationBar(Context& context, LessonSession& session);
+/// The running demonstration above the status bar, in the middle of what panels leave free: pause, its time, and the way
+/// to one's own attempt. `left`, `right`: what panels cover, points; where they leave too little room, it lies over them.
+MenuRequest demonstrationBar(Context& context, LessonSession& session, float left, float right);
 /// The same inside the current window, for the headset's panel.
 MenuRequest demonstrationPart(Context& context, LessonSession& session);
 /// A kept attempt above the status bar: pause, its time, speed, curves and events, and what its end was compared with.

@@ -40,11 +40,12 @@ MenuRequest demonstrationPart(Context& context, LessonSession& session) {
     return request;
 }
 
-MenuRequest demonstrationBar(Context& context, LessonSession& session) {
+MenuRequest demonstrationBar(Context& context, LessonSession& session, float left, float right) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float width = std::min(context.points(400), screen.x - context.points(20));
-    ImGui::SetNextWindowPos({screen.x / 2, screen.y - barHeight(context) - context.points(10)}, ImGuiCond_Always,
-                            {0.5f, 1});
+    if (screen.x - left - right < width + context.points(20)) left = right = 0;
+    ImGui::SetNextWindowPos({(left + screen.x - right) / 2, screen.y - barHeight(context) - context.points(10)},
+                            ImGuiCond_Always, {0.5f, 1});
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, screen.y});
     ImGui::Begin("demonstration", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
