@@ -165,7 +165,7 @@ void Renderer::Parts::prepare(const SceneView& scene, const LookParameters& look
         frame.views[i] = makeViewData(views[static_cast<size_t>(i)], columnOf(target.viewport, i, count));
     frames[current].writeValue(frame);
     frames[current].bindUniform(FRAME_BINDING);
-    materials[current].writeValue(scene.looks != nullptr ? physicalMaterial(*scene.looks)
+    materials[current].writeValue(scene.looks != nullptr ? physicalMaterial(*scene.looks, scene.ripples)
                                                          : presetMaterial(static_cast<MaterialLook>(look.material)));
     materials[current].bindUniform(MATERIAL_BINDING);
     environment.bind();

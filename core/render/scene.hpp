@@ -9,6 +9,7 @@
 #include "core/render/solids.hpp"
 #include "core/render/view/view.hpp"
 #include "core/surface/surface_mesh.hpp"
+#include "core/weld/process/ripples.hpp"
 #include "core/weld/workpiece.hpp"
 
 #include <glm/mat4x4.hpp>
@@ -60,6 +61,7 @@ struct SceneView {
     SourceView source;
     TemperatureMeaning temperature;
     const MaterialLooks* looks = nullptr; ///< physical material; null: LookParameters::material
+    FreezingRipples ripples;              ///< of what froze, where `looks` names no frequency
     SectionView section;
     ArcLight arc;
     ArcEffectsView effects;

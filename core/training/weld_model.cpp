@@ -121,6 +121,7 @@ SceneView WeldModel::scene(const TorchSample& torch) const {
     scene.temperature = {kRoomTemperature, colourTop(material_), true, static_cast<float>(material_.solidus),
                          static_cast<float>(material_.liquidus)};
     scene.looks = &material_.looks;
+    scene.ripples = ripplesOf(process_);
     return scene;
 }
 

@@ -239,3 +239,65 @@ TEST_CASE("a stick touches the plate, strikes when it is lifted, and lays metal 
     CHECK(double(weld.process().burntOff()) == Approx(rate * burning).epsilon(0.1));
     CHECK(weld.process().filler().fed() > 50);
 }
+
+TEST_CASE("a stop of the torch stays in the freezing times: the crater closes inwards, and what follows is later",
+          "[weld]") {
+    ProcessSettings settings;
+    settings.choose<Gtaw>().rodDiameterMm = 0;
+    Weld weld(test::shaders(), steel(), smallPlate(), settings);
+    constexpr float kSpeed = 3, kStop = 1, kGoesOn = 4; // mm/s; mm, where the torch stops; mm, where it ends
+    float x = -5;
+    const auto travel = [&](float to) {
+        for (; x < to; x += kSpeed * static_cast<float>(weld.timeStep()))
+            weld.step(over(2, 1, x), nullptr);
+    };
+    const auto wait = [&](double seconds) {
+        for (double t = 0; t < seconds; t += weld.timeStep())
+            weld.step(over(2, 0, x), nullptr);
+    };
+    travel(kStop);
+    const auto stopped = static_cast<float>(weld.metal().time());
+    wait(1.2);
+    const MetalState& state = weld.metal().state();
+    const auto frozen = [&] { // x and z in mm and time of what froze at the upper face
+        const auto places = state.position.read<glm::vec4>(state.particles());
+        const auto times = state.frozenAt.read<float>(state.particles());
+        std::vector<glm::vec3> all;
+        for (size_t i = 0; i < places.size(); ++i)
+            if (times[i] > 0 && places[i].y > -1.2F * kMm)
+                all.emplace_back(places[i].x / kMm, places[i].z / kMm, times[i]);
+        return all;
+    };
+    // The crater: what was molten when the arc went out.
+    std::vector<glm::vec3> crater;
+    glm::vec2 middle(0);
+    for (const glm::vec3& each : frozen())
+        if (each.z > stopped) {
+            crater.push_back(each);
+            middle += glm::vec2(each);
+        }
+    REQUIRE(crater.size() > 12);
+    middle /= static_cast<float>(crater.size());
+    double inner = 0, outer = 0, innerCount = 0, outerCount = 0;
+    for (const glm::vec3& each : crater) {
+        const bool near = glm::distance(glm::vec2(each), middle) < 1.5F;
+        (near ? inner : outer) += static_cast<double>(each.z);
+        (near ? innerCount : outerCount) += 1;
+    }
+    REQUIRE((innerCount > 2 && outerCount > 2));
+    INFO("the middle froze " << inner / innerCount - double(stopped) << " s after the arc, the rim "
+                             << outer / outerCount - double(stopped));
+    CHECK(inner / innerCount > outer / outerCount + 0.05);
+    // It goes on where it stopped: along the seam time jumps by the pause and more.
+    travel(kGoesOn);
+    wait(1.5);
+    float before = 0, after = std::numeric_limits<float>::infinity();
+    for (const glm::vec3& each : frozen()) {
+        if (std::abs(each.y) > 1.6F) continue;
+        if (each.z <= stopped + 1.2F)
+            before = std::max(before, each.z);
+        else
+            after = std::min(after, each.z);
+    }
+    CHECK(after - before > 0.5F);
+}

@@ -40,9 +40,9 @@ struct MaterialLooks {
     float liquidEmissivity = 0.3F;
     float cleanEmissivity = 0.45F;  ///< solid, bare
     float scaledEmissivity = 0.85F; ///< solid, under the scale that grows where heat_tint is above 0
-    /// Of the ripples that freezing leaves. None: chosen; beads have 8 to 15 a second, 20 to 80 um high.
-    float rippleFrequency = 10.0F; ///< Hz
-    float rippleHeight = 25e-6F;   ///< m, of the first harmonic over its mean; 0: the metal freezes smooth
+    /// Of the ripples that freezing leaves. None: chosen; beads have ripples of 20 to 80 um.
+    float rippleFrequency = 0;   ///< Hz; 0: as the process makes them
+    float rippleHeight = 25e-6F; ///< m, of the first harmonic over its mean; 0: the metal freezes smooth
     float translucency = 0.0F;     ///< 0 opaque .. 1 clear
     float refractiveIndex = 1.0F;  ///< of translucent stuff
     std::string source;

@@ -124,7 +124,7 @@ MaterialLooks readLooks(TomlTable& file) {
     looks.liquidEmissivity = emissivity("liquid_emissivity");
     looks.cleanEmissivity = emissivity("clean_emissivity");
     looks.scaledEmissivity = emissivity("scaled_emissivity");
-    looks.rippleFrequency = static_cast<float>(table.number("ripple_hz", {0.1, 1000}, 10));
+    looks.rippleFrequency = static_cast<float>(table.number("ripple_hz", {0, 1000}, 0));
     looks.rippleHeight = static_cast<float>(table.number("ripple_um", {0, 1000}, 25) * 1e-6);
     looks.translucency = static_cast<float>(table.number("translucency", {0, 1}, 0));
     looks.refractiveIndex = static_cast<float>(table.number("refractive_index", {1, 3}, 1));

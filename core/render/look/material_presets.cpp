@@ -74,7 +74,7 @@ MaterialData presetMaterial(MaterialLook look) {
     return makeMetal({glm::vec3(0.7f), 0.3f}, {glm::vec3(0.2f), 0.6f}, glm::vec3(1.0f));
 }
 
-MaterialData physicalMaterial(const MaterialLooks& looks) {
+MaterialData physicalMaterial(const MaterialLooks& looks, const FreezingRipples& ripples) {
     if (physicalKind(looks) != SurfaceKind::metal) {
         MaterialData data = presetMaterial(physicalKind(looks) == SurfaceKind::ice ? kIce : kWax);
         data.refractiveIndex = looks.refractiveIndex;
@@ -93,8 +93,8 @@ MaterialData physicalMaterial(const MaterialLooks& looks) {
     data.scaledEmissivity = looks.scaledEmissivity;
     data.solidRoughness = looks.solidRoughness;
     data.liquidRoughness = looks.liquidRoughness;
-    data.rippleFrequency = looks.rippleFrequency;
-    data.rippleHeight = looks.rippleHeight;
+    data.rippleFrequency = looks.rippleFrequency > 0 ? looks.rippleFrequency : ripples.frequency;
+    data.rippleHeight = looks.rippleHeight * ripples.height;
     return data;
 }
 

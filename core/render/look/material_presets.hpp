@@ -3,6 +3,7 @@
 
 #include "core/metal/material/materials.hpp"
 #include "core/render/look/look.hpp"
+#include "core/weld/process/ripples.hpp"
 #include "shaders/shared/render.h"
 
 namespace meltpool {
@@ -11,7 +12,7 @@ namespace meltpool {
 MaterialData presetMaterial(MaterialLook look);
 
 /// The same properties from the looks of a physical material.
-MaterialData physicalMaterial(const MaterialLooks& looks);
+MaterialData physicalMaterial(const MaterialLooks& looks, const FreezingRipples& ripples = {});
 
 /// Which program draws a material.
 enum class SurfaceKind { metal, wax, ice };

@@ -26,13 +26,12 @@ constexpr float kMostShorts = 120;
 /// m of arc over which the shorts become fewer; none: chosen.
 constexpr float kShortingLength = 1e-3F;
 
-/// 0 where a wire of `diameter` (mm) dips or lets large drops fall at this current (A), 1 where it sprays.
-double sprayShare(double current, double diameter) {
-    const double sprays = kSprayCurrent * std::pow(diameter, kSprayExponent);
+} // namespace
+
+double sprayShare(double current, double diameterMm) {
+    const double sprays = kSprayCurrent * std::pow(diameterMm, kSprayExponent);
     return std::clamp((current / sprays - 1) / kSprayRange + 0.5, 0.0, 1.0);
 }
-
-} // namespace
 
 ParameterList describe(GmawSettings& s) {
     return {

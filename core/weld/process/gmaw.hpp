@@ -17,6 +17,9 @@ struct GmawSettings {
 };
 ParameterList describe(GmawSettings& settings);
 
+/// 0 where a wire of `diameterMm` dips or lets large drops fall at this current (A), 1 where it sprays.
+double sprayShare(double current, double diameterMm);
+
 class Gmaw : public Process {
   public:
     using Settings = GmawSettings;

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <functional>
 #include <numbers>
 #include <numeric>
 #include <vector>
@@ -24,10 +25,16 @@ using glm::vec3;
 constexpr int kPixels = 512;
 constexpr float kHalf = 0.02f; ///< m, half the bead's length
 
+/// When a bead froze (s) at `x` (m), and the slope of that.
+using FreezingLaw = std::function<glm::vec2(float x)>;
+
 /// A flat bead along x that froze from -x to +x at `speed` (m/s).
 class Bead {
   public:
-    explicit Bead(float speed, float temperature = 900, float frozen = 1) {
+    explicit Bead(float speed, float temperature = 900, float frozen = 1)
+        : Bead([=](float x) { return glm::vec2(10 + x / speed, 1 / speed); }, temperature, frozen) {}
+
+    explicit Bead(const FreezingLaw& law, float temperature = 900, float frozen = 1) {
         std::vector<SurfaceVertex> vertices;
         std::vector<SurfaceFreezing> freezing;
         std::vector<GLuint> indices;
@@ -35,8 +42,9 @@ class Bead {
         for (GLuint i = 0; i <= kCells; ++i)
             for (const float y : {-0.02f, 0.02f}) {
                 const float x = kHalf * (2 * float(i) / float(kCells) - 1);
+                const glm::vec2 time = law(x);
                 vertices.push_back({{x, y, 0}, temperature, {0, 0, 1}, frozen});
-                freezing.push_back({{1 / speed, 0, 0}, 10 + x / speed});
+                freezing.push_back({{time.y, 0, 0}, time.x});
             }
         for (GLuint i = 0; i < 2 * kCells; i += 2)
             indices.insert(indices.end(), {i, i + 2, i + 3, i, i + 3, i + 1});
@@ -132,6 +140,61 @@ TEST_CASE("the pitch of a bead's ripples is travel speed over frequency, at two 
             CHECK(std::abs(strongestWave(row) - waves) <= 1);
             CHECK(contrast(row) > 0.15);
         }
+}
+
+TEST_CASE(
+    "the pitch is that of the process where the metal names no frequency, and lower processes give fainter ripples") {
+    MaterialLooks looks;
+    looks.heatTint = 1;
+    constexpr float kSpeed = 0.006f, kSeen = 0.02f; // m/s, m
+    const auto row = [&](FreezingRipples ripples) {
+        const Bead bead(kSpeed);
+        SceneView scene = bead.scene(looks);
+        scene.ripples = ripples;
+        return lightAlong(scene, lampFromBehind(), kSeen);
+    };
+    for (const float frequency : {6.0f, 16.0f}) {
+        const double waves = double(kSeen * frequency / kSpeed);
+        CHECK(std::abs(strongestWave(row({frequency, 1})) - waves) <= 1);
+    }
+    CHECK(contrast(row({6, 0.3f})) < 0.6 * contrast(row({6, 1})));
+    looks.rippleFrequency = 9; // the metal's own
+    CHECK(std::abs(strongestWave(row({16, 1})) - double(kSeen * 9 / kSpeed)) <= 1);
+}
+
+TEST_CASE("where the torch stopped the ripples crowd and run back to the middle of the crater") {
+    // The crater of 4 mm closes from both its ends in a second; then the bead goes on.
+    constexpr float kSpeed = 0.005f, kCloses = 1, kCrater = 0.002f, kSeen = 0.01f, kPause = 3;
+    MaterialLooks looks;
+    looks.heatTint = 1;
+    looks.rippleFrequency = 9.3f;
+    const Bead stopped([&](float x) {
+        const float inward = kCloses / kCrater, rim = 10 - kCrater / kSpeed;
+        if (x < -kCrater - 1e-5f) return glm::vec2(10 + x / kSpeed, 1 / kSpeed);
+        if (x > kCrater + 1e-5f) return glm::vec2(10 + kPause + x / kSpeed, 1 / kSpeed);
+        return glm::vec2(rim + inward * (kCrater - std::abs(x)), x < 0 ? inward : -inward);
+    });
+    const auto row = lightAlong(stopped.scene(looks), lampFromBehind(), kSeen);
+    const auto steady = lightAlong(Bead(kSpeed).scene(looks), lampFromBehind(), kSeen);
+    const auto waves = [&](const std::vector<double>& light, float from, float to) { // crossings of the mean, upwards
+        const auto at = [&](float x) { return size_t(std::lround((x / kSeen + 0.5f) * kPixels)); };
+        const auto part = std::span(light).subspan(at(from), at(to) - at(from));
+        const double mean = std::accumulate(part.begin(), part.end(), 0.0) / double(part.size());
+        int crossings = 0;
+        for (size_t i = 1; i < part.size(); ++i)
+            crossings += part[i - 1] < mean && part[i] >= mean ? 1 : 0;
+        return crossings;
+    };
+    for (const float side : {-1.0f, 0.0f}) {
+        const float from = side * kCrater, to = from + kCrater;
+        INFO("from " << from * 1e3f << " mm: " << waves(row, from, to) << " waves, " << waves(steady, from, to)
+                     << " without the stop");
+        CHECK(std::abs(waves(row, from, to) - 9.3 * double(kCloses)) <= 1);
+        CHECK(std::abs(waves(steady, from, to) - 9.3 * double(kCrater / kSpeed)) <= 1);
+    }
+    // Behind it the bead is as it was before the torch stopped.
+    for (size_t i = 0; i < size_t(0.25 * kPixels); ++i)
+        CHECK(row[i] == Approx(steady[i]).epsilon(0.01));
 }
 
 TEST_CASE("slower travel gives finer ripples, which are no steeper than metal bears") {
