@@ -53,6 +53,18 @@ void addTorchParts(FrameData& frame, const SceneView& scene) {
     }
 }
 
+void addRolledFaces(FrameData& frame, const RolledFaces& rolled) {
+    static_assert(RolledFaces::kMost == MOST_ROLLED_PLATES);
+    frame.rolledPartCount = static_cast<int>(rolled.count);
+    frame.seamAcross = rolled.across;
+    frame.groundHalf = rolled.ground;
+    for (size_t i = 0; i < rolled.count; ++i) {
+        frame.rolledParts[i].low = rolled.parts[i].low;
+        frame.rolledParts[i].high = rolled.parts[i].high;
+        frame.rolledParts[i].faces = rolled.parts[i].faces;
+    }
+}
+
 } // namespace
 
 FrameData makeFrame(const SceneView& scene, const LookParameters& look) {
@@ -90,6 +102,8 @@ FrameData makeFrame(const SceneView& scene, const LookParameters& look) {
     addSection(frame, scene);
     addShadowBoxes(frame, scene);
     addTorchParts(frame, scene);
+    addRolledFaces(frame, scene.rolled);
+    frame.oxideRadius = scene.oxideRadius;
     frame.arc = scene.modelToWorld * glm::vec4(scene.arc.position, 1.0f);
     frame.arcMinDistanceSquared = scene.arc.radius * scene.arc.radius;
     frame.arcLight = scene.arc.intensity * (look.visorShade > 0 ? 1.0f : look.arcLight);

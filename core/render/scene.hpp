@@ -10,6 +10,7 @@
 #include "core/render/view/view.hpp"
 #include "core/surface/surface_mesh.hpp"
 #include "core/weld/process/ripples.hpp"
+#include "core/weld/rolled_faces.hpp"
 #include "core/weld/workpiece.hpp"
 
 #include <glm/mat4x4.hpp>
@@ -62,6 +63,8 @@ struct SceneView {
     TemperatureMeaning temperature;
     const MaterialLooks* looks = nullptr; ///< physical material; null: LookParameters::material
     FreezingRipples ripples;              ///< of what froze, where `looks` names no frequency
+    RolledFaces rolled;                   ///< model units; under mill scale where `looks` has some
+    float oxideRadius = 0;                ///< model units, of the islands on a pool; 0: none float there
     SectionView section;
     ArcLight arc;
     ArcEffectsView effects;

@@ -16,7 +16,14 @@ constexpr std::array<GLuint, MOST_VIEWS + 1> kCounts{0, 1, 2, 3, 4};
 const std::vector<std::pair<unsigned, std::string>> kOfHotMetal{{bitOf(Measure::torchShadow), "TORCH_SHADOW"},
                                                                 {bitOf(Measure::roughLobes), "ROUGH_LOBES"},
                                                                 {bitOf(Measure::calmHighlights), "SPECULAR_AA"},
-                                                                {bitOf(Measure::ripples), "RIPPLES"}};
+                                                                {bitOf(Measure::ripples), "RIPPLES"},
+                                                                {bitOf(Measure::millScale), "MILL_SCALE"}};
+
+std::vector<std::pair<unsigned, std::string>> ofPool() {
+    auto measures = kOfHotMetal;
+    measures.emplace_back(bitOf(Measure::floatingOxide), "FLOATING_OXIDE");
+    return measures;
+}
 
 SurfaceKind kindOf(const SceneView& scene, const LookParameters& look) {
     return scene.looks != nullptr ? physicalKind(*scene.looks) : presetKind(static_cast<MaterialLook>(look.material));
@@ -31,13 +38,13 @@ bool isHotMetal(const SceneView& scene, const LookParameters& look) {
 SurfacePainter::SurfacePainter(gl::ShaderLibrary& shaders)
     : metal_(shaders, "render/metal.vert", "render/metal.frag"),
       hotMetal_(shaders, "render/hot_metal.vert", "render/hot_metal.frag", kOfHotMetal, {{"DRAWN_TWICE", "1"}}),
-      pool_(shaders, "render/hot_metal.vert", "render/hot_metal.frag", kOfHotMetal,
-            {{"DRAWN_TWICE", "1"}, {"POOL", "1"}}),
+      pool_(shaders, "render/hot_metal.vert", "render/hot_metal.frag", ofPool(), {{"DRAWN_TWICE", "1"}, {"POOL", "1"}}),
       wax_(shaders, "render/surface.vert", "render/wax.frag"),
       ice_(shaders, "render/surface.vert", "render/ice.frag"),
       temperature_(shaders, "render/temperature.vert", "render/temperature.frag"),
       wire_(shaders, "render/wire.vert", "render/wire.frag"),
       back_(shaders, "render/surface.vert", "render/back.frag"),
+      oxide_(shaders),
       layout_("surface vertices"),
       empty_("pulled vertices"),
       command_("surface draw command", sizeof(SurfaceDraw)),
@@ -70,9 +77,17 @@ void SurfacePainter::load(ViewSubmission submission) {
 void SurfacePainter::prepare(const SceneView& scene, const LookParameters& look, int instances) {
     if (isHotMetal(scene, look)) {
         rippled_ = scene.mesh.freezing != nullptr && has(look, Measure::ripples) && has(look, Measure::roughLobes);
-        const unsigned measures = measuresOf(look) & ~(rippled_ ? 0u : bitOf(Measure::ripples));
+        const bool oxidised =
+            scene.oxideRadius > 0 && scene.particles.positions != nullptr && has(look, Measure::floatingOxide);
+        const bool scaled = scene.rolled.count > 0 && scene.looks != nullptr && scene.looks->millScale > 0;
+        const unsigned measures = measuresOf(look) & ~(rippled_ ? 0u : bitOf(Measure::ripples)) &
+                                  ~(oxidised ? 0u : bitOf(Measure::floatingOxide)) &
+                                  ~(scaled ? 0u : bitOf(Measure::millScale));
         hotMetal_.choose(measures);
-        if (has(look, Measure::poolMirror)) pool_.choose(measures);
+        if (has(look, Measure::poolMirror)) {
+            pool_.choose(measures);
+            if (oxidised) oxide_.find(scene.particles);
+        }
     }
     const SurfaceMesh& mesh = scene.mesh;
     if (instances < 2 || mesh.drawCommand == nullptr) return;

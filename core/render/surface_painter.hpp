@@ -3,6 +3,7 @@
 
 #include "core/gl/program.hpp"
 #include "core/gl/texture.hpp"
+#include "core/render/floating_oxide.hpp"
 #include "core/render/look/look.hpp"
 #include "core/render/look/material_presets.hpp"
 #include "core/render/scene.hpp"
@@ -56,6 +57,7 @@ class SurfacePainter {
     TonedProgram temperature_;
     TonedProgram wire_;
     ViewProgram back_;
+    FloatingOxide oxide_;
     gl::VertexArray layout_;
     gl::VertexArray empty_;
     std::optional<FarSide> farSide_;

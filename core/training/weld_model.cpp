@@ -21,6 +21,8 @@ namespace {
 constexpr float kWorldUnit = 0.04F;
 constexpr size_t kMostFurniture = 512;
 constexpr float kRoomTemperature = 293.15F;
+/// Of an island of oxide on a pool, in spacings. None: chosen; on plates of 1 mm spacing islands are 2 mm wide.
+constexpr float kOxideRadius = 1.1F;
 
 /// Upper end of the temperature colours, K: the melt's share of the scale is a third for solder and steel alike.
 float colourTop(const Material& material) {
@@ -38,6 +40,7 @@ std::optional<double> pipeRadiusOf(const WorkpieceParameters& workpiece) {
 WeldModel::WeldModel(gl::ShaderLibrary& shaders, const Lesson& lesson)
     : material_(workpieceMaterial(lesson.workpiece)),
       workpiece_(makeWorkpiece(lesson.workpiece)),
+      rolled_(rolledFaces(lesson.workpiece, workpiece_)),
       kind_(weldKindOf(lesson.workpiece)),
       pipeRadius_(pipeRadiusOf(lesson.workpiece)),
       process_(lesson.process),
@@ -122,6 +125,10 @@ SceneView WeldModel::scene(const TorchSample& torch) const {
                          static_cast<float>(material_.liquidus)};
     scene.looks = &material_.looks;
     scene.ripples = ripplesOf(process_);
+    scene.rolled = rolled_;
+    // Silicon and manganese of the wire make the oxide; hot-rolled steel brings more.
+    if (process_.is<Gmaw>() && material_.looks.millScale > 0)
+        scene.oxideRadius = kOxideRadius * workpiece_.lattice.spacing;
     return scene;
 }
 

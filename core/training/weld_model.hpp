@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/training/metal_model.hpp"
+#include "core/weld/rolled_faces.hpp"
 #include "core/weld/weld.hpp"
 
 namespace meltpool {
@@ -45,6 +46,7 @@ class WeldModel : public MetalModel {
 
     Material material_;
     Workpiece workpiece_;
+    RolledFaces rolled_;
     WeldKind kind_;
     std::optional<double> pipeRadius_; ///< m, outside
     ProcessSettings process_;

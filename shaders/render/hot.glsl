@@ -14,6 +14,8 @@ const float kScaleClosed = 1173.0;
 const float kFrozenScale = 1.5;
 // Colour of scale: a little blue. None: chosen.
 const vec3 kScaleColour = vec3(0.93, 0.97, 1.05);
+// Reflectance of the scale of rolling: blue-black. None: chosen, 0.1 to 0.15.
+const vec3 kMillScale = vec3(0.105, 0.116, 0.138);
 
 // A texel of the heat texture; `row`: texture coordinate of the row.
 vec3 heatColour(float kelvin, float row) {
@@ -48,17 +50,27 @@ float scaleReflectance(float peakKelvin) {
     return (1.0 - material.scaledEmissivity) * mix(1.0, kFrozenScale, liquidShare(peakKelvin));
 }
 
-// Emissivity of solid metal; with liquidEmissivity it jumps at the melting point.
-float solidEmissivity(float kelvin, float peakKelvin) {
+// Emissivity of solid metal, `milled` of it under the scale of its rolling; with liquidEmissivity it jumps at the melting point.
+float solidEmissivity(float kelvin, float peakKelvin, float milled) {
     float peak = max(kelvin, peakKelvin);
-    return mix(material.cleanEmissivity, 1.0 - scaleReflectance(peak), scaledShare(peak));
+    float cold = mix(material.cleanEmissivity, 1.0 - kMillScale.g, milled);
+    return mix(cold, 1.0 - scaleReflectance(peak), scaledShare(peak));
+}
+
+float solidEmissivity(float kelvin, float peakKelvin) {
+    return solidEmissivity(kelvin, peakKelvin, 0.0);
 }
 
 // Reflectance of solid metal: temper colours where it was clean, scale where it was hotter.
-vec3 solidReflectance(float kelvin, float peakKelvin) {
+vec3 solidReflectance(float kelvin, float peakKelvin, float milled) {
     float peak = max(kelvin, peakKelvin);
     vec3 tint = mix(vec3(1.0), tintOf(peak), material.oxideTint);
-    return mix(material.cleanReflectance * tint, kScaleColour * scaleReflectance(peak), scaledShare(peak));
+    vec3 cold = mix(material.cleanReflectance * tint, kMillScale, milled);
+    return mix(cold, kScaleColour * scaleReflectance(peak), scaledShare(peak));
+}
+
+vec3 solidReflectance(float kelvin, float peakKelvin) {
+    return solidReflectance(kelvin, peakKelvin, 0.0);
 }
 
 // frame.dullness 0: solid metal mirrors as sharply as liquid.

@@ -5,6 +5,7 @@
 // ROUGH_LOBES: lamp, arc and room are mirrored as rough metal does; else by Phong's lobes.
 // SPECULAR_AA: highlights are as wide as the normals within a pixel make them.
 // RIPPLES, only with ROUGH_LOBES: solid metal has the ripples of its freezing.
+// MILL_SCALE: rolled faces are under scale. FLOATING_OXIDE, only with POOL: liquid metal carries islands, which look as scale.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/arc.glsl"
@@ -12,6 +13,9 @@
 #include "render/hot.glsl"
 #include "render/reflectance.glsl"
 #include "render/specular_aa.glsl"
+#ifdef FLOATING_OXIDE
+#include "render/oxide.glsl"
+#endif
 #ifdef RIPPLES
 #include "render/ripples.glsl"
 #endif
@@ -25,6 +29,11 @@ layout(location = 7) flat in int view;
 layout(location = 8) in vec2 solidShares;
 layout(location = 2) in vec3 lit;
 layout(location = 3) in float hottest;
+#ifdef MILL_SCALE
+layout(location = 11) in float milled;
+#else
+const float milled = 0.0;
+#endif
 #else
 layout(location = 0) in vec3 mirrorWay;
 layout(location = 1) in vec3 toArc;
@@ -126,9 +135,17 @@ vec3 lightOff(float liquid) {
 
 void main() {
     float liquid = liquidShare(temperature);
+#ifdef FLOATING_OXIDE
 #ifdef ROUGH_LOBES
-    vec3 light = lightOff(liquid, solidReflectance(temperature, hottest));
-    float emissivity = solidEmissivity(temperature, hottest);
+    vec3 world = frame.views[view].eye + way;
+#else
+    vec3 world = frame.arc - toArc;
+#endif
+    liquid *= 1.0 - oxideAt(world);
+#endif
+#ifdef ROUGH_LOBES
+    vec3 light = lightOff(liquid, solidReflectance(temperature, hottest, milled));
+    float emissivity = solidEmissivity(temperature, hottest, milled);
 #else
     vec3 light = lightOff(liquid);
 #endif

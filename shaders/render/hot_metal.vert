@@ -1,12 +1,15 @@
 // A vertex of metal with a temperature in kelvin: as metal.vert, with temper colours. What jumps at the melting point is
-// computed for each pixel, with ROUGH_LOBES the temper colours too. POOL: only triangles with a liquid corner are drawn, over the others. TORCH_SHADOW, ROUGH_LOBES,
-// RIPPLES (only with ROUGH_LOBES): see core/render/look/measures.hpp.
+// computed for each pixel, with ROUGH_LOBES the temper colours too. POOL: only triangles with a liquid corner are drawn, over
+// the others. TORCH_SHADOW, ROUGH_LOBES, MILL_SCALE, RIPPLES (only with ROUGH_LOBES): see core/render/look/measures.hpp.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/view.glsl"
 #include "render/arc.glsl"
 #include "render/hot.glsl"
 #include "render/lamp_shadow.glsl"
+#ifdef MILL_SCALE
+#include "render/mill_scale.glsl"
+#endif
 #include "render/reflectance.glsl"
 #ifdef RIPPLES
 #include "render/ripples.glsl"
@@ -31,6 +34,9 @@ layout(location = 7) flat out int view;
 layout(location = 8) out vec2 solidShares;   // of an even room, see mirroredShare(), while it is solid
 layout(location = 2) out vec3 lit;           // light that falls on it
 layout(location = 3) out float hottest;      // highest temperature so far, K: temper colours are those of each pixel
+#ifdef MILL_SCALE
+layout(location = 11) out float milled;      // share under the scale of rolling
+#endif
 #else
 layout(location = 0) out vec3 mirrorWay;     // world direction that the eye sees in the metal, not unit
 layout(location = 1) out vec3 toArc;         // world
@@ -54,7 +60,15 @@ void main() {
 
     vec3 falling = vec3(lampLight);
     if (frame.arcLight.g > 0.0) falling += arcDiffuse(frame.arc - world, n);
+#ifdef MILL_SCALE
+    float rolled = millScaleAt(position, outward);
+#else
+    const float rolled = 0.0;
+#endif
 #ifdef ROUGH_LOBES
+#ifdef MILL_SCALE
+    milled = rolled;
+#endif
     lit = falling;
     normal = n;
     way = fromEye;
@@ -63,9 +77,9 @@ void main() {
     solidShares = roomShares(solidRoughness(), cosine);
     hottest = peak;
 #else
-    vec3 reflectance = solidReflectance(vertexTemperature, peak);
+    vec3 reflectance = solidReflectance(vertexTemperature, peak, rolled);
     diffuse = falling * (1.0 - material.solidMirror) * reflectance;
-    emissivity = solidEmissivity(vertexTemperature, peak);
+    emissivity = solidEmissivity(vertexTemperature, peak, rolled);
     solidMirrored = material.solidMirror * reflectance;
     mirrorWay = reflect(fromEye, n);
     toArc = frame.arc - world;

@@ -36,6 +36,14 @@
 #define PULL_INDICES_BINDING 1
 #define STROKES_BINDING 2
 
+// Storage bindings of the islands of oxide, and the pass that finds them. Each of so many particles carries an island while it
+// is liquid: at 1 mm a pool has some five that can be seen. None: chosen.
+#define OXIDE_PARTICLES_BINDING 4
+#define OXIDE_BINDING 5
+#define OXIDE_GROUP 256u
+#define OXIDE_STRIDE 20u
+#define OXIDE_MOST 96u
+
 // Storage bindings and group of the pass that colours vertices for files.
 #define COLOURED_HEATS_BINDING 0
 #define COLOURS_BINDING 1
@@ -45,6 +53,7 @@
 #define MOST_VIEWS 4
 #define MOST_SHADOW_BOXES 3 // blocks of a workpiece: a bridge has three
 #define MOST_TORCH_PARTS 5  // a TIG torch with its filler rod has five
+#define MOST_ROLLED_PLATES 3
 
 // The environment is stored as sqrt(light / ENVIRONMENT_RANGE) in ten bits: fine steps in the dark, room for lamps
 // brighter than white, and the filtering cost of an ordinary texture.
@@ -112,6 +121,30 @@ struct TorchPart {
     float reserved2;
 };
 
+/// A plate, whose rolled faces are under mill scale.
+struct RolledPlate {
+    vec3 low; // model units
+    float reserved;
+    vec3 high;
+    float reserved2;
+    vec3 faces; // 1 for each axis that its rolled faces look along, else 0
+    float reserved3;
+};
+
+/// An island of oxide on a pool.
+struct OxideIsland {
+    vec3 place;      ///< world, of the particle that carries it
+    float perRadius; ///< 1 / radius of the ball about it, 1 / world units
+    uint carrier;    ///< its number
+    uint reserved, reserved2, reserved3;
+};
+
+struct OxideIslands {
+    uint count;
+    uint reserved, reserved2, reserved3;
+    OxideIsland islands[OXIDE_MOST];
+};
+
 struct FrameData {
     ViewData views[MOST_VIEWS];
     mat4 modelToWorld;
@@ -145,6 +178,12 @@ struct FrameData {
     int torchPartCount;
     ShadowBox shadowBoxes[MOST_SHADOW_BOXES];
     TorchPart torchParts[MOST_TORCH_PARTS];
+    vec3 seamAcross;              // 1 for each axis across the seam, else 0
+    float groundHalf;             // model units from the seam up to which the plates are ground bright
+    int rolledPartCount;
+    float oxideRadius;            // of an island, model units; 0: none
+    vec2 reserved;
+    RolledPlate rolledParts[MOST_ROLLED_PLATES];
 };
 
 struct MaterialData {
@@ -167,7 +206,7 @@ struct MaterialData {
     float liquidRoughness;
     float rippleFrequency; // of metal that froze, Hz
     float rippleHeight;    // model units
-    float reserved;
+    float millScale;       // of rolled faces, 0..1
     vec2 reserved2;
 };
 
@@ -184,7 +223,7 @@ struct SectionStroke {
 #ifdef __cplusplus
 static_assert(sizeof(SectionStroke) == 48);
 static_assert(sizeof(ViewData) == 224);
-static_assert(sizeof(FrameData) == 4 * 224 + 64 + (11 + 2 * MOST_SHADOW_BOXES + 3 * MOST_TORCH_PARTS) * 16);
+static_assert(sizeof(FrameData) == 4 * 224 + 64 + (13 + 2 * MOST_SHADOW_BOXES + 3 * MOST_TORCH_PARTS + 3 * MOST_ROLLED_PLATES) * 16);
 static_assert(sizeof(MaterialData) == 9 * 16);
 } // namespace meltpool
 #endif

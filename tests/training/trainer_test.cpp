@@ -3,6 +3,7 @@
 #include "core/base/text.hpp"
 #include "core/training/classic_model.hpp"
 #include "core/training/trainer.hpp"
+#include "core/weld/process/ripples.hpp"
 #include "core/weld/torch/torch_csv.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
@@ -283,6 +284,21 @@ TEST_CASE("the scene carries the surface, the particles and the source", "[train
     CHECK(scene.source.shown);
     CHECK(scene.source.on);
     CHECK(scene.source.position.x == Approx(0.55f));
+}
+
+TEST_CASE("oxide floats where GMAW melts hot-rolled steel, and a weld's ripples are those of its process", "[training]") {
+    Lesson lesson = smallBead();
+    const SceneView wire = Trainer(test::shaders(), lesson).scene();
+    CHECK(wire.oxideRadius > 0);
+    CHECK(wire.rolled.count == 1);
+    CHECK(wire.ripples.frequency == ripplesOf(lesson.process).frequency);
+    lesson.process.choose<Gtaw>();
+    const Trainer tungsten(test::shaders(), lesson);
+    CHECK(tungsten.scene().oxideRadius == 0);
+    CHECK(tungsten.scene().ripples.frequency < wire.ripples.frequency);
+    lesson.process.choose<Gmaw>();
+    lesson.workpiece.metal = "304";
+    CHECK(Trainer(test::shaders(), lesson).scene().oxideRadius == 0);
 }
 
 TEST_CASE("the tip is told how far the metal is and whether it is liquid, in metres", "[training]") {

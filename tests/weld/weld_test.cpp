@@ -247,16 +247,21 @@ TEST_CASE("a stop of the torch stays in the freezing times: the crater closes in
     Weld weld(test::shaders(), steel(), smallPlate(), settings);
     constexpr float kSpeed = 3, kStop = 1, kGoesOn = 4; // mm/s; mm, where the torch stops; mm, where it ends
     float x = -5;
+    double time = 0;
+    const auto step = [&](float trigger) {
+        weld.step(over(2, trigger, x), nullptr);
+        time += weld.timeStep();
+    };
     const auto travel = [&](float to) {
         for (; x < to; x += kSpeed * static_cast<float>(weld.timeStep()))
-            weld.step(over(2, 1, x), nullptr);
+            step(1);
     };
     const auto wait = [&](double seconds) {
-        for (double t = 0; t < seconds; t += weld.timeStep())
-            weld.step(over(2, 0, x), nullptr);
+        for (const double end = time + seconds; time < end;)
+            step(0);
     };
     travel(kStop);
-    const auto stopped = static_cast<float>(weld.metal().time());
+    const auto stopped = static_cast<float>(time);
     wait(1.2);
     const MetalState& state = weld.metal().state();
     const auto frozen = [&] { // x and z in mm and time of what froze at the upper face

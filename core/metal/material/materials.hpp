@@ -41,10 +41,11 @@ struct MaterialLooks {
     float cleanEmissivity = 0.45F;  ///< solid, bare
     float scaledEmissivity = 0.85F; ///< solid, under the scale that grows where heat_tint is above 0
     /// Of the ripples that freezing leaves. None: chosen; beads have ripples of 20 to 80 um.
-    float rippleFrequency = 0;   ///< Hz; 0: as the process makes them
-    float rippleHeight = 25e-6F; ///< m, of the first harmonic over its mean; 0: the metal freezes smooth
-    float translucency = 0.0F;     ///< 0 opaque .. 1 clear
-    float refractiveIndex = 1.0F;  ///< of translucent stuff
+    float rippleFrequency = 0;    ///< Hz; 0: as the process makes them
+    float rippleHeight = 25e-6F;  ///< m, of the first harmonic over its mean; 0: the metal freezes smooth
+    float millScale = 0;          ///< share of the rolled faces of its plates that is under mill scale
+    float translucency = 0.0F;    ///< 0 opaque .. 1 clear
+    float refractiveIndex = 1.0F; ///< of translucent stuff
     std::string source;
 };
 

@@ -126,6 +126,7 @@ MaterialLooks readLooks(TomlTable& file) {
     looks.scaledEmissivity = emissivity("scaled_emissivity");
     looks.rippleFrequency = static_cast<float>(table.number("ripple_hz", {0, 1000}, 0));
     looks.rippleHeight = static_cast<float>(table.number("ripple_um", {0, 1000}, 25) * 1e-6);
+    looks.millScale = static_cast<float>(table.number("mill_scale", {0, 1}, 0));
     looks.translucency = static_cast<float>(table.number("translucency", {0, 1}, 0));
     looks.refractiveIndex = static_cast<float>(table.number("refractive_index", {1, 3}, 1));
     looks.source = table.text("source");

@@ -95,6 +95,7 @@ MaterialData physicalMaterial(const MaterialLooks& looks, const FreezingRipples&
     data.liquidRoughness = looks.liquidRoughness;
     data.rippleFrequency = looks.rippleFrequency > 0 ? looks.rippleFrequency : ripples.frequency;
     data.rippleHeight = looks.rippleHeight * ripples.height;
+    data.millScale = looks.millScale;
     return data;
 }
 

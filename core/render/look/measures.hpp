@@ -20,7 +20,9 @@ enum class Measure : unsigned {
     spatter,
     fume,
     room,
-    fittings
+    fittings,
+    millScale,
+    floatingOxide
 };
 
 /// A row of the table of levels.
@@ -32,7 +34,7 @@ struct MeasureRow {
 };
 
 /// The table, in the order of Measure. `meltpool bench looks` tells what each costs.
-constexpr std::array<MeasureRow, 10> kMeasures{{
+constexpr std::array<MeasureRow, 12> kMeasures{{
     {Measure::torchShadow, kMediumDetail, "torch_shadow", "the torch's shadow in the lamp's light"},
     {Measure::glare, kMediumDetail, "glare", "the veil that an arc throws in the eye"},
     {Measure::roughLobes, kHighDetail, "rough_lobes",
@@ -45,6 +47,9 @@ constexpr std::array<MeasureRow, 10> kMeasures{{
     {Measure::fume, kMediumDetail, "fume", "smoke that the arc lights"},
     {Measure::room, kMediumDetail, "room", "a workshop with depth, and table, clamps and machine in it"},
     {Measure::fittings, kHighDetail, "fittings", "torch and hands in their own form, with hose and cable"},
+    {Measure::millScale, kMediumDetail, "mill_scale", "rolled steel under its scale, ground bright along the seam"},
+    {Measure::floatingOxide, kHighDetail, "floating_oxide",
+     "islands of oxide that drift with the pool; they need its mirror"},
 }};
 
 constexpr unsigned bitOf(Measure measure) {

@@ -3,6 +3,7 @@
 #include "core/render/look/measures.hpp"
 #include "core/render/view/camera.hpp"
 #include "core/render/view/picture_target.hpp"
+#include "shaders/shared/render.h"
 #include "tests/render/look/patch.hpp"
 #include "tests/render/synthetic_weld.hpp"
 #include "tests/support/catch.hpp"
@@ -12,6 +13,7 @@
 
 #include <array>
 #include <bit>
+#include <vector>
 
 namespace meltpool {
 
@@ -123,6 +125,17 @@ TEST_CASE("a weld's picture differs by the level, and by each measure that is le
     test::context();
     const test::SyntheticWeld weld;
     SceneView scene = weld.rippledView();
+    MaterialLooks looks = *scene.looks;
+    looks.millScale = 1;
+    scene.looks = &looks;
+    scene.rolled.parts[0] = {{-0.04f, -0.008f, -0.02f}, {0.04f, 0, 0.02f}, {0, 1, 0}};
+    scene.rolled.count = 1;
+    scene.rolled.across = {0, 1, 1};
+    const std::vector<glm::vec4> carriers(OXIDE_STRIDE, {0.013f, 0.001f, 0.001f, 2000.0f});
+    const gl::Buffer carried("carriers", std::span<const glm::vec4>(carriers));
+    scene.particles.positions = &carried;
+    scene.particles.count = carriers.size();
+    scene.oxideRadius = 0.0015f;
     Solid torch;
     torch.shape = SolidShape::cylinder;
     torch.toWorld = scene.modelToWorld * alongLine({0.010f, 0.06f, 0}, {0.010f, 0.001f, 0}, 0.006f);
