@@ -33,8 +33,6 @@ RolledFaces rolledFaces(const WorkpieceParameters& parameters, const Workpiece& 
     rolled.across = {0, 1, 1};
     for (const WorkpieceBlock& block : workpiece.blocks)
         if (rolled.count < RolledFaces::kMost) rolled.parts[rolled.count++] = plate(block.low, block.high);
-    // Bevelled plates are no blocks; together they are as flat as each.
-    if (rolled.count == 0) rolled.parts[rolled.count++] = plate(workpiece.bodyLow, workpiece.bodyHigh);
     return rolled;
 }
 

@@ -25,7 +25,8 @@ struct RolledFaces {
     static constexpr float kGround = 0.010F;
 };
 
-/// Plates and pipes are rolled: a plate's large faces, a pipe's outer and inner one. Cubes and bridges are cast.
+/// Plates and pipes are rolled: a plate's large faces up to its bevel, a pipe's outer and inner one. Cubes and bridges
+/// are cast.
 RolledFaces rolledFaces(const WorkpieceParameters& parameters, const Workpiece& workpiece);
 
 } // namespace meltpool
