@@ -153,7 +153,7 @@ TEST_CASE("chance is even, and its counters give unrelated numbers", "[effects]"
     double sum = 0, squares = 0, product = 0;
     for (std::uint64_t step = 0; step < 100; ++step)
         for (std::uint64_t draw = 0; draw < 100; ++draw) {
-            const double a = countedChance(step, draw), b = countedChance(step, draw + 1);
+            const auto a = double(countedChance(step, draw)), b = double(countedChance(step, draw + 1));
             CHECK((a >= 0 && a < 1));
             sum += a;
             squares += a * a;
