@@ -144,7 +144,8 @@ TEST_CASE("AWS D1.1: limits by size of the fillet, plate and face", "[acceptance
 }
 
 TEST_CASE("every shipped acceptance is found by its name, and others are told", "[acceptance]") {
-    CHECK(acceptanceNames() == std::vector<std::string>{"aws-d1-1-static", "iso5817-b", "iso5817-c", "iso5817-d"});
+    CHECK(acceptanceNames() ==
+          std::vector<std::string>{"aws-d1-1-static", "iso5817-b", "iso5817-c", "iso5817-d", "solder"});
     for (const std::string& name : acceptanceNames()) {
         INFO(name);
         CHECK(findAcceptance(name).items.size() > 8);
