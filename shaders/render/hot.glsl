@@ -50,27 +50,39 @@ float scaleReflectance(float peakKelvin) {
     return (1.0 - material.scaledEmissivity) * mix(1.0, kFrozenScale, liquidShare(peakKelvin));
 }
 
-// Emissivity of solid metal, `milled` of it under the scale of its rolling; with liquidEmissivity it jumps at the melting point.
-float solidEmissivity(float kelvin, float peakKelvin, float milled) {
-    float peak = max(kelvin, peakKelvin);
-    float cold = mix(material.cleanEmissivity, 1.0 - kMillScale.g, milled);
-    return mix(cold, 1.0 - scaleReflectance(peak), scaledShare(peak));
-}
-
+// Emissivity of solid metal; with liquidEmissivity it jumps at the melting point.
 float solidEmissivity(float kelvin, float peakKelvin) {
-    return solidEmissivity(kelvin, peakKelvin, 0.0);
+    float peak = max(kelvin, peakKelvin);
+    return mix(material.cleanEmissivity, 1.0 - scaleReflectance(peak), scaledShare(peak));
 }
 
 // Reflectance of solid metal: temper colours where it was clean, scale where it was hotter.
-vec3 solidReflectance(float kelvin, float peakKelvin, float milled) {
+vec3 solidReflectance(float kelvin, float peakKelvin) {
     float peak = max(kelvin, peakKelvin);
     vec3 tint = mix(vec3(1.0), tintOf(peak), material.oxideTint);
-    vec3 cold = mix(material.cleanReflectance * tint, kMillScale, milled);
-    return mix(cold, kScaleColour * scaleReflectance(peak), scaledShare(peak));
+    return mix(material.cleanReflectance * tint, kScaleColour * scaleReflectance(peak), scaledShare(peak));
 }
 
-vec3 solidReflectance(float kelvin, float peakKelvin) {
-    return solidReflectance(kelvin, peakKelvin, 0.0);
+// The same of metal of which the share `milled` is under the scale of its rolling. Without MILL_SCALE none is.
+float solidEmissivity(float kelvin, float peakKelvin, float milled) {
+    float bare = solidEmissivity(kelvin, peakKelvin);
+#ifdef MILL_SCALE
+    float unscaled = 1.0 - scaledShare(max(kelvin, peakKelvin));
+    return bare + milled * unscaled * (1.0 - kMillScale.g - material.cleanEmissivity);
+#else
+    return bare;
+#endif
+}
+
+vec3 solidReflectance(float kelvin, float peakKelvin, float milled) {
+    vec3 bare = solidReflectance(kelvin, peakKelvin);
+#ifdef MILL_SCALE
+    float peak = max(kelvin, peakKelvin);
+    vec3 tint = mix(vec3(1.0), tintOf(peak), material.oxideTint); // of what the scale covers
+    return bare + milled * (1.0 - scaledShare(peak)) * (kMillScale - material.cleanReflectance * tint);
+#else
+    return bare;
+#endif
 }
 
 // frame.dullness 0: solid metal mirrors as sharply as liquid.
