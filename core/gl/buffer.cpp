@@ -4,6 +4,7 @@
 #include "core/gl/order.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 namespace meltpool::gl {
 
@@ -15,10 +16,11 @@ Buffer::Buffer(std::string_view label, size_t bytes, GLbitfield storageFlags)
     labelObject(GL_BUFFER, name, label);
     while (glGetError() != GL_NO_ERROR) {
     }
-    glNamedBufferStorage(name, static_cast<GLsizeiptr>(bytes_), nullptr, storageFlags);
+    glNamedBufferStorage(name, static_cast<GLsizeiptr>(bytes_), nullptr, storageFlags | directStorage());
     if (glGetError() == GL_OUT_OF_MEMORY)
         throw RuntimeFault("the graphics driver has no room for " + std::to_string(bytes_ >> 20) + " MiB ('" +
                            std::string(label) + "'); use fewer particles or a coarser grid");
+    mapDirectly(name, bytes_);
     clear();
 }
 
@@ -27,26 +29,31 @@ void Buffer::clear() const {
 }
 
 void Buffer::fill(GLuint word) const {
-    glClearNamedBufferData(name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &word);
+    fillWords(name(), 0, bytes_, word);
 }
 
 void Buffer::copyTo(const Buffer& target, size_t bytes, size_t from, size_t to) const {
-    glCopyNamedBufferSubData(name(), target.name(), static_cast<GLintptr>(from), static_cast<GLintptr>(to),
-                             static_cast<GLsizeiptr>(bytes));
+    copyBytes(name(), target.name(), bytes, from, to);
 }
 
 void Buffer::writeBytes(const void* data, size_t bytes, size_t offset) {
     if (bytes == 0) return;
     if (!writable_) throw RuntimeFault("a write to a GPU buffer that only the GPU writes was refused");
     if (offset + bytes > bytes_) throw RuntimeFault("a write past the end of a GPU buffer was refused");
-    glNamedBufferSubData(name(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
+    if (std::byte* memory = directMemory(name()))
+        std::memcpy(memory + offset, data, bytes);
+    else
+        glNamedBufferSubData(name(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
 }
 
 void Buffer::readBytes(void* data, size_t bytes, size_t offset) const {
     if (bytes == 0) return;
     if (offset + bytes > bytes_) throw RuntimeFault("a read past the end of a GPU buffer was refused");
     memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    glGetNamedBufferSubData(name(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
+    if (const std::byte* memory = directMemory(name()))
+        std::memcpy(data, memory + offset, bytes);
+    else
+        glGetNamedBufferSubData(name(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
 }
 
 } // namespace meltpool::gl

@@ -3,6 +3,8 @@
 
 #include "core/gl/gl.hpp"
 
+#include <cstddef>
+
 namespace meltpool::gl {
 
 /// Whether dispatches of this driver have ended when the call that issues them returns. So it is with Mesa's llvmpipe:
@@ -25,5 +27,27 @@ void memoryBarrier(GLbitfield barriers);
 
 /// A fence after the commands issued so far; null where this thread needs none, as they have ended.
 GLsync fence();
+
+/// Storage flags beside its own for a buffer that an InOrderThread reaches: none but with a driver of
+/// dispatchesEndAtOnce().
+GLbitfield directStorage();
+
+/// Maps a buffer with directStorage() for good; nothing where that is none.
+void mapDirectly(GLuint buffer, size_t bytes);
+
+/// A buffer's own memory on an InOrderThread, null elsewhere. There, all that writes, reads, copies or clears buffers,
+/// and what dispatches by their numbers, goes there and not through the driver: llvmpipe would look whether a picture
+/// of any context still needs the buffer (llvmpipe_flush_resource()), in lists that the other thread changes
+/// meanwhile, and crash once in some twenty minutes.
+std::byte* directMemory(GLuint buffer);
+
+/// Copies bytes between buffers.
+void copyBytes(GLuint from, GLuint to, size_t bytes, size_t fromOffset, size_t toOffset);
+
+/// Sets words of a buffer; `offset` and `bytes` are of whole words.
+void fillWords(GLuint buffer, size_t offset, size_t bytes, GLuint word);
+
+/// glDispatchComputeIndirect().
+void dispatchIndirect(size_t offset);
 
 } // namespace meltpool::gl

@@ -1,6 +1,7 @@
 #include "core/gl/program.hpp"
 
 #include "core/base/error.hpp"
+#include "core/gl/order.hpp"
 
 #include <algorithm>
 
@@ -102,7 +103,7 @@ void Program::dispatchGroups(unsigned x, unsigned y, unsigned z) const {
 void Program::dispatchIndirect(size_t offset) const {
     use();
     ++dispatches;
-    glDispatchComputeIndirect(static_cast<GLintptr>(offset));
+    gl::dispatchIndirect(offset);
 }
 
 void Program::dispatch(size_t count, unsigned groupSize) const {

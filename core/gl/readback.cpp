@@ -35,8 +35,7 @@ void Readback::request(const Buffer& source, size_t offset) {
         throw RuntimeFault("a read of " + std::to_string(bytes_) + " bytes from byte " + std::to_string(offset) +
                            " on reaches past the end of a GPU buffer of " + std::to_string(source.bytes()) + " bytes");
     memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
-    glCopyNamedBufferSubData(source.name(), handle_.name(), static_cast<GLintptr>(offset), 0,
-                             static_cast<GLsizeiptr>(bytes_));
+    copyBytes(source.name(), handle_.name(), bytes_, offset, 0);
     fence_ = fence();
     asked_ = true;
 }

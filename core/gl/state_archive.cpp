@@ -92,11 +92,7 @@ void StateArchive::part(const Buffer& buffer, const StatePart& as) {
     const size_t begin = at_;
     take(bytes);
     upload().copyTo(buffer, bytes, begin);
-    constexpr GLuint kNone = 0;
-    if (bytes < buffer.bytes())
-        glClearNamedBufferSubData(buffer.name(), GL_R32UI, static_cast<GLintptr>(bytes),
-                                  static_cast<GLsizeiptr>(buffer.bytes() - bytes), GL_RED_INTEGER, GL_UNSIGNED_INT,
-                                  &kNone);
+    if (bytes < buffer.bytes()) fillWords(buffer.name(), bytes, buffer.bytes() - bytes, 0);
 }
 
 void StateArchive::answer(Readback& readback, Buffer& source) {
@@ -156,10 +152,10 @@ void StateCapture::request() {
         bytes += region.bytes;
     makeRoom(bytes);
     memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
-    GLintptr to = 0;
+    size_t to = 0;
     for (const StateParts::Region& region : state_.regions) {
-        glCopyNamedBufferSubData(region.buffer, copy_.name(), 0, to, static_cast<GLsizeiptr>(region.bytes));
-        to += static_cast<GLintptr>(region.bytes);
+        copyBytes(region.buffer, copy_.name(), region.bytes, 0, to);
+        to += region.bytes;
     }
     fence_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
 }

@@ -2,10 +2,14 @@
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/gl/buffer.hpp"
+#include "core/gl/order.hpp"
 #include "core/gl/profiler.hpp"
+#include "core/gl/readback.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
+#include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace meltpool::gl {
@@ -76,6 +80,43 @@ TEST_CASE("every dispatch is counted, and an indirect one takes its group counts
     program.dispatch(256, 64);
     program.dispatch(0, 64); // nothing to run
     CHECK(dispatchCount() == before + 2);
+}
+
+TEST_CASE("where dispatches end at once, a thread of its own reaches buffers without the driver, which sees the same") {
+    test::context();
+    if (!dispatchesEndAtOnce()) return; // of a card's driver nothing is claimed
+    ShaderLibrary library(shaderFolder(kCountShader));
+    const Program& program = library.compute("count.comp", {{"OFFSET", "7u"}});
+    program.set("count", 256U);
+    std::vector<unsigned> ten(10);
+    std::iota(ten.begin(), ten.end(), 5u);
+    Buffer values("values", 256 * 4), written("written", 40), copied("copied", 40), filled("filled", 40),
+        commands("commands", 24);
+    Readback readback("readback", 40);
+    CHECK(directMemory(values.name()) == nullptr);
+    {
+        const InOrderThread inOrder;
+        REQUIRE(directMemory(values.name()) != nullptr);
+        written.write(std::span<const unsigned>(ten));
+        written.copyTo(copied, 36, 4, 0);
+        filled.fill(9);
+        fillWords(filled.name(), 8, 12, 3);
+        const std::vector<unsigned> groups{99, 99, 99, 2, 1, 1};
+        commands.write(std::span<const unsigned>(groups));
+        values.bindStorage(0);
+        glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, commands.name());
+        program.dispatchIndirect(3 * sizeof(unsigned));
+        CHECK(values.read<unsigned>(129)[127] == 127 + 7);
+        CHECK(values.read<unsigned>(129)[128] == 0);
+        readback.request(written);
+    }
+    CHECK(written.read<unsigned>(10) == ten);
+    CHECK(copied.read<unsigned>(10) == std::vector<unsigned>{6, 7, 8, 9, 10, 11, 12, 13, 14, 0});
+    CHECK(filled.read<unsigned>(10) == std::vector<unsigned>{9, 9, 3, 3, 3, 9, 9, 9, 9, 9});
+    CHECK(values.read<unsigned>(256)[127] == 127 + 7);
+    const auto taken = readback.poll<std::array<unsigned, 10>>();
+    REQUIRE(taken);
+    CHECK(std::equal(ten.begin(), ten.end(), taken->begin()));
 }
 
 TEST_CASE("a dispatch covers every index once, also beyond one axis") {

@@ -137,10 +137,8 @@ void RigidFragments::finish() {
     done_ = slots_;
     const size_t particles = state_.particles();
     // No round follows: the next labels' memory counts members. The next cycle labels all these slots again.
-    constexpr GLuint kNone = 0;
     gl::memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    glClearNamedBufferSubData(nextLabels_.name(), GL_R32UI, 0, static_cast<GLsizeiptr>(particles * sizeof(uint)),
-                              GL_RED_INTEGER, GL_UNSIGNED_INT, &kNone);
+    gl::fillWords(nextLabels_.name(), 0, particles * sizeof(uint), 0);
     countMembers_.dispatch(particles, FRAGMENT_GROUP);
     storageBarrier();
     numberFragments_.dispatchGroups(1);
