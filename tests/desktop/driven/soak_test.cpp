@@ -99,13 +99,14 @@ struct Soak {
     }
 
     /// What happens in the first minute fills buffers that are kept; then a tenth of the time is held against the last.
-    void holds() const {
+    /// `growth`: the most that is allowed, of the first.
+    void holds(double growth) const {
         const double end = seconds.back(), tenth = (end - 60) / 10;
         const double first = median(kib, 60, 60 + tenth), last = median(kib, end - tenth, end);
         WARN(kib.size() << " turns in " << end << " s; " << first << " KiB after a minute, " << last
                         << " KiB at the end; a turn took " << median(turns, 60, 60 + tenth) << " s, at the end "
                         << median(turns, end - tenth, end) << " s");
-        CHECK(last < first * 1.01);
+        CHECK(last < first * (1 + growth));
     }
 };
 
@@ -159,12 +160,14 @@ TEST_CASE("the window bears all panels open while a person works") {
 }
 
 TEST_CASE("the window's memory stays within 1 % while a person works for long", "[long]") {
-    soakClassic("soak", lengthAsked(), 1).holds();
+    soakClassic("soak", lengthAsked(), 1).holds(0.01);
 }
 
-TEST_CASE("the window's memory stays within 1 % while a trainee watches and welds for long", "[long]") {
+// What a lesson leaves behind goes with the next flush of the steps' thread, up to ten seconds later: samples differ by
+// the 12 MB of a lesson, 5 %. A lesson that is kept each turn adds as much every half minute.
+TEST_CASE("the window's memory stays within 6 % while a trainee watches and welds for long", "[long]") {
     TrainerWindow window("weld-soak", {.settings = "[window]\nwidth = 960\nheight = 640\n", .lesson = "gmaw-bead"});
-    soak(window, lengthAsked(), 2, [&window](int) { weld(window); }).holds();
+    soak(window, lengthAsked(), 2, [&window](int) { weld(window); }).holds(0.06);
     window.closeWindow();
     CHECK(window.finish() == 0);
 }
