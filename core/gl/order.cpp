@@ -1,7 +1,6 @@
 #include "core/gl/order.hpp"
 
 #include <array>
-#include <cstdint>
 #include <cstring>
 #include <string_view>
 

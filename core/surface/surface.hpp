@@ -72,7 +72,7 @@ class Surface {
     /// Live values; `cells` is only read at construction.
     SurfaceParameters parameters;
     IncrementalUpdate incremental;
-    FlatFaces flatFaces; ///< read where the particles have a lattice and store how hot they were
+    FlatFaces flatFaces; ///< read where the particles have a lattice and store how hot they were or when they froze
 
     /// Range of temperatures that the volume stores; others are clamped to it. The default, 0..1, is the classic
     /// model's. Throws InputError when the range is empty.

@@ -106,7 +106,7 @@ HANDLE makeFile(const std::wstring& stem, const wchar_t* extension) {
 /// Has another process of this program write the minidump and waits for it, but not for ever. Written by the crashed
 /// process itself it would stop threads of which one may hold what the writing needs.
 void writeDump(const std::wstring& stem, EXCEPTION_POINTERS* what) {
-    constexpr DWORD kPatience = 40000; // ms; under Wine it takes 8 to 11 s, on a busy machine twice that
+    constexpr DWORD kPatience = 15000; // ms; under Wine it takes 8 to 11 s, or has not ended after 40 s
     static std::array<wchar_t, 1024> own{};
     static std::array<wchar_t, 4096> command{};
     if (GetModuleFileNameW(nullptr, own.data(), static_cast<DWORD>(own.size())) >= own.size()) return;
