@@ -9,6 +9,7 @@
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"
 #include "core/gl/order.hpp"
+#include "core/render/look/measures.hpp"
 
 #include <algorithm>
 #include <array>
@@ -293,10 +294,12 @@ void DesktopApp::simulate(const InputFrame& input, double seconds) {
     tellLesson(seconds);
 }
 
-/// Who looks at timings sees each pass alone. The headset's frame ends when its runtime says so.
+/// Who looks at timings sees each pass alone. The headset's frame ends when its runtime says so. Floating oxide is
+/// drawn from the particles themselves, which the steps move.
 bool DesktopApp::stepsBesidePicture() const {
     const bool timed = menus_.panels.timings && !menus_.panels.hidden;
-    return stepThread_ && stepThread_->usable() && !headsetFrame_ && !timed && session_.showsSurface();
+    const bool fromParticles = !session_.showsSurface() || has(session_.lesson().look, Measure::floatingOxide);
+    return stepThread_ && stepThread_->usable() && !headsetFrame_ && !timed && !fromParticles;
 }
 
 void DesktopApp::finishSteps(double seconds) {
