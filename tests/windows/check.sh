@@ -123,8 +123,10 @@ check_ctrl_c() {
     rm -rf "$work/interrupted"
     timeout 300 wine "$helper" "$work/interrupted/telemetry.csv" 2000 "$program" run gmaw-bead \
         --out "$work/interrupted" --seconds 60 --pictures 0 --size 320x180 >"$work/output" 2>"$work/errors" </dev/null || code=$?
+    sed -i 's/\r$//' "$work/output" "$work/errors"
     tail -n 2 "$work/errors" | sed 's/^/    /'
-    [ -s "$work/interrupted/result.json" ] || fail "no result after Ctrl-C (code $code)"
+    [ "$code" = 1 ] || fail "Ctrl-C ended the run with code $code; expected 1"
+    says 'the run was stopped before its end'
     [ "$(value "$work/interrupted/result.json" finished)" = false ] || fail 'Ctrl-C did not end the run early'
 }
 
@@ -234,6 +236,8 @@ check_crash() {
     sed -n '1,8 { s/\r$//; s/^/    /; p }' "$report"
     grep -q 'last lesson: gmaw-bead' "$report" || fail 'the report does not name the lesson'
     grep -q 'driver: 4\.' "$report" || fail 'the report does not name the driver'
+    tail -n 1 "$report" | sed 's/\r$//; s/^/    /'
+    grep -q 'minidump: beside this file' "$report" || fail 'the report does not tell of its minidump'
     [ -n "$(find "${report%.txt}.dmp" -size +100k)" ] || fail 'no whole minidump'
     runs 0 recordings --check "Z:$recording"
 }

@@ -1,5 +1,6 @@
 // Presses Ctrl-C in a program's console: test_interrupt.exe FILE BYTES PROGRAM WORD...
-// starts the program, waits until the file has that many bytes, and answers the program's exit code.
+// starts the program, waits until the file has that many bytes, and answers the program's exit code, or 100 and more
+// where Ctrl-C could not be pressed.
 #include <windows.h>
 
 #include <cstdio>
@@ -9,16 +10,19 @@
 
 int main(int count, char** words) {
     if (count < 4) return 100;
-    AllocConsole(); // where there is one already, it stays
+    const HANDLE input = GetStdHandle(STD_INPUT_HANDLE), output = GetStdHandle(STD_OUTPUT_HANDLE),
+                 error = GetStdHandle(STD_ERROR_HANDLE);
+    FreeConsole(); // a program that a shell without a terminal starts has one that knows no keys
+    if (AllocConsole() == FALSE) return 105;
     std::string line;
     for (int i = 3; i < count; ++i)
         line += (i > 3 ? " \"" : "\"") + std::string(words[i]) + "\"";
     STARTUPINFOA start{};
     start.cb = sizeof start;
     start.dwFlags = STARTF_USESTDHANDLES;
-    start.hStdInput = GetStdHandle(STD_INPUT_HANDLE);
-    start.hStdOutput = GetStdHandle(STD_OUTPUT_HANDLE);
-    start.hStdError = GetStdHandle(STD_ERROR_HANDLE);
+    start.hStdInput = input; // not the new console's
+    start.hStdOutput = output;
+    start.hStdError = error;
     PROCESS_INFORMATION process{};
     if (CreateProcessA(nullptr, line.data(), nullptr, nullptr, TRUE, 0, nullptr, nullptr, &start, &process) == FALSE)
         return 101;
@@ -30,7 +34,10 @@ int main(int count, char** words) {
         if (WaitForSingleObject(process.hProcess, 50) == WAIT_OBJECT_0) return 102; // it ended by itself
     }
     SetConsoleCtrlHandler(nullptr, TRUE); // this program is to outlive it
-    if (GenerateConsoleCtrlEvent(CTRL_C_EVENT, 0) == FALSE) return 103;
+    if (GenerateConsoleCtrlEvent(CTRL_C_EVENT, 0) == FALSE) {
+        TerminateProcess(process.hProcess, 103);
+        return 103;
+    }
     if (WaitForSingleObject(process.hProcess, 120'000) != WAIT_OBJECT_0) {
         TerminateProcess(process.hProcess, 104);
         return 104;

@@ -104,23 +104,31 @@ HANDLE makeFile(const std::wstring& stem, const wchar_t* extension) {
 }
 
 /// Has another process of this program write the minidump and waits for it, but not for ever. Written by the crashed
-/// process itself it would stop threads of which one may hold what the writing needs.
-void writeDump(const std::wstring& stem, EXCEPTION_POINTERS* what) {
-    constexpr DWORD kPatience = 15000; // ms; under Wine it takes 8 to 11 s, or has not ended after 40 s
+/// process itself it would stop threads of which one may hold what the writing needs. False: there is none, and no part
+/// of one either.
+bool writeDump(const std::wstring& stem, EXCEPTION_POINTERS* what) {
+    constexpr DWORD kPatience = 30000; // ms; under Wine it takes 8 to 11 s on two cores, longer where others use them
+    constexpr DWORD kFarewell = 2000;  // ms, until the file that it holds can be removed
     static std::array<wchar_t, 1024> own{};
     static std::array<wchar_t, 4096> command{};
-    if (GetModuleFileNameW(nullptr, own.data(), static_cast<DWORD>(own.size())) >= own.size()) return;
+    if (GetModuleFileNameW(nullptr, own.data(), static_cast<DWORD>(own.size())) >= own.size()) return false;
     const int length = std::swprintf(command.data(), command.size(), L"\"%ls\" %ls %lu %lu %llu \"%ls.dmp\"",
                                      own.data(), kDumpWord, GetCurrentProcessId(), GetCurrentThreadId(),
                                      static_cast<unsigned long long>(reinterpret_cast<ULONG_PTR>(what)), stem.c_str());
-    if (length < 0) return;
+    if (length < 0) return false;
     STARTUPINFOW start{};
     start.cb = sizeof start;
     PROCESS_INFORMATION writer{};
     if (CreateProcessW(own.data(), command.data(), nullptr, nullptr, FALSE, CREATE_NO_WINDOW, nullptr, nullptr, &start,
                        &writer) == FALSE)
-        return;
-    WaitForSingleObject(writer.hProcess, kPatience);
+        return false;
+    DWORD code = 1;
+    if (WaitForSingleObject(writer.hProcess, kPatience) == WAIT_OBJECT_0) GetExitCodeProcess(writer.hProcess, &code);
+    if (code == 0) return true;
+    TerminateProcess(writer.hProcess, 1);
+    WaitForSingleObject(writer.hProcess, kFarewell);
+    DeleteFileW((stem + L".dmp").c_str());
+    return false;
 }
 
 void tell(const std::wstring& file) {
@@ -155,10 +163,13 @@ void tell(const std::wstring& file) {
     const HANDLE file = makeFile(stem, L".txt");
     if (file != INVALID_HANDLE_VALUE) {
         writeText(file, *what);
-        CloseHandle(file);
         tell(stem + L".txt");
     }
-    writeDump(stem, what);
+    const bool dumped = writeDump(stem, what);
+    if (file != INVALID_HANDLE_VALUE) {
+        writeLine(file, dumped ? "minidump: beside this file" : "minidump: could not be written");
+        CloseHandle(file);
+    }
     endProcess(code);
 }
 
