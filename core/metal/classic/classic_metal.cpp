@@ -158,6 +158,7 @@ void ClassicMetal::keepOrder() {
 }
 
 /// Reads sorted positions, writes 1 / density into the fourth component of the sorted velocities.
+/// Notes in the moved state, which is free until the next pass, who is near whom.
 void ClassicMetal::computeDensity(gl::Profiler* profiler) {
     const gl::Scope scope(profiler, "classic density");
     (allPairs_ ? pairs_ : grid_).density.dispatch(count_, GROUP_SIZE);

@@ -5,11 +5,12 @@
 
 layout(local_size_x = GROUP_SIZE) in;
 layout(binding = CLASSIC_VELOCITY_TEXELS) uniform samplerBuffer velocityTexels; // and 1 / density
-layout(std430, binding = CLASSIC_MOVED_POSITIONS) writeonly buffer Positions { vec4 positions[]; };
-layout(std430, binding = CLASSIC_MOVED_VELOCITIES) writeonly buffer Velocities { vec4 velocities[]; };
+// Until this pass writes its moved state here, of each particle the bits of its rows: see density.comp.
+layout(std430, binding = CLASSIC_MOVED_POSITIONS) buffer Positions { uvec4 positions[]; };
+layout(std430, binding = CLASSIC_MOVED_VELOCITIES) buffer Velocities { uvec4 velocities[]; };
 layout(std430, binding = CLASSIC_REFUSED) buffer Refused { uint refused; };
 #ifndef ALL_PAIRS
-layout(std430, binding = CLASSIC_CELL_SLOTS) writeonly buffer Slots { uvec2 slots[]; };
+layout(std430, binding = CLASSIC_CELL_SLOTS) buffer Slots { uvec2 slots[]; };
 layout(std430, binding = CLASSIC_CELL_COUNTS) buffer Counts { uint counts[]; };
 #endif
 
@@ -20,28 +21,46 @@ float heated(vec3 place, float temperature) {
     return clamp(temperature + now.heat * (1.0 - squared / now.heatRadiusSquared), 0.0, 1.0);
 }
 
+struct Pull {
+    vec3 pressure;
+    vec3 viscosity;
+};
+
 /// Pressure and viscosity force on a particle over its density; Müller, Charypar, Gross 2003, with the viscosity force
 /// along v_j - v_i. With a = 1/rho_j the pressure's factor (p_i + p_j)/(2 rho_j), p = k (rho - rho0), is
 /// ((p_i - k rho0) a + k)/2: no division for a neighbour. The particle itself, and one in the same place, has no direction.
-vec3 accelerationByNeighbours(vec3 place, vec3 velocity, float inverseDensity) {
-    const float h = now.supportRadius;
+void addNeighbour(uint j, vec3 place, vec3 velocity, float own, inout Pull pull) {
+    const vec3 displacement = place - texelFetch(positionTexels, int(j)).xyz;
+    const vec4 neighbour = texelFetch(velocityTexels, int(j));
+    const float neighbourInverseDensity = neighbour.w;
+    const float squared = dot(displacement, displacement);
+    const float inverse = squared > 0.0 ? inversesqrt(squared) : 0.0;
+    const float inside = max(now.supportRadius - squared * inverse, 0.0);
+    pull.pressure +=
+        ((own * neighbourInverseDensity + now.gasStiffness) * inside * inside * inverse) * displacement;
+    pull.viscosity += (neighbour.xyz - velocity) * (inside * neighbourInverseDensity);
+}
+
+vec3 accelerationByNeighbours(uint i, vec3 place, vec3 velocity, float inverseDensity) {
     const ivec3 cell = cellOf(place);
     const float own = now.gasStiffness * (1.0 / inverseDensity - 2.0 * now.restDensity);
-    vec3 pressure = vec3(0), viscosity = vec3(0);
+#ifndef ALL_PAIRS
+    const uvec4 firstRows = positions[i], nextRows = velocities[i];
+    const uint lastRow = slots[i].x;
+#endif
+    Pull pull = Pull(vec3(0), vec3(0));
     for (int row = 0; row < kRows; ++row) {
-        const uvec2 range = rangeOfRow(cell, row);
-        for (uint j = range.x; j < range.y; ++j) {
-            const vec3 displacement = place - texelFetch(positionTexels, int(j)).xyz;
-            const vec4 neighbour = texelFetch(velocityTexels, int(j));
-            const float neighbourInverseDensity = neighbour.w;
-            const float squared = dot(displacement, displacement);
-            const float inverse = squared > 0.0 ? inversesqrt(squared) : 0.0;
-            const float inside = max(h - squared * inverse, 0.0);
-            pressure += ((own * neighbourInverseDensity + now.gasStiffness) * inside * inside * inverse) * displacement;
-            viscosity += (neighbour.xyz - velocity) * (inside * neighbourInverseDensity);
-        }
+        uvec2 range = rangeOfRow(cell, row);
+#ifndef ALL_PAIRS
+        uint near = row < 4 ? firstRows[row] : row < 8 ? nextRows[row - 4] : lastRow;
+        for (; near != 0u; near &= near - 1u)
+            addNeighbour(range.x + uint(findLSB(near)), place, velocity, own, pull);
+        range.x += 32u;
+#endif
+        for (uint j = range.x; j < range.y; ++j)
+            addNeighbour(j, place, velocity, own, pull);
     }
-    return (0.5 * now.spiky * pressure + now.viscosity * viscosity) * inverseDensity;
+    return (0.5 * now.spiky * pull.pressure + now.viscosity * pull.viscosity) * inverseDensity;
 }
 
 vec3 limited(vec3 acceleration) {
@@ -71,7 +90,7 @@ void main() {
     vec3 position = positionBefore.xyz, velocity = velocityBefore.xyz;
     float temperature = heated(position, positionBefore.w);
     if (temperature > 0.0) {
-        const vec3 acceleration = limited(accelerationByNeighbours(position, velocity, inverseDensity) + now.gravity);
+        const vec3 acceleration = limited(accelerationByNeighbours(i, position, velocity, inverseDensity) + now.gravity);
         velocity = (velocity + acceleration * now.timeStep) * temperature;
         position += velocity * now.timeStep;
         bounce(position, velocity);
@@ -84,8 +103,8 @@ void main() {
         newPosition = positionBefore;
         velocity = vec3(0);
     }
-    positions[i] = newPosition;
-    velocities[i] = vec4(velocity, 1.0 / inverseDensity);
+    positions[i] = floatBitsToUint(newPosition);
+    velocities[i] = floatBitsToUint(vec4(velocity, 1.0 / inverseDensity));
 #ifndef ALL_PAIRS
     const uint cell = cellIndex(cellOf(newPosition.xyz));
     slots[i] = uvec2(cell, atomicAdd(counts[cell], 1u));
