@@ -257,7 +257,8 @@ TEST_CASE("a stop of the torch stays in the freezing times: the crater closes in
             step(1);
     };
     const auto wait = [&](double seconds) {
-        for (const double end = time + seconds; time < end;)
+        const double end = time + seconds;
+        while (time < end)
             step(0);
     };
     travel(kStop);
