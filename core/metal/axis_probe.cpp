@@ -4,6 +4,7 @@
 
 #include <glm/common.hpp>
 
+#include <algorithm>
 #include <limits>
 #include <numbers>
 
@@ -52,6 +53,8 @@ AxisProbeBlock AxisProbe::blockOf(const ProbeRay& ray) const {
     block.axis = ray.axis;
     block.binLength = ray.reach / AXIS_PROBE_BINS;
     block.full = full_;
+    block.edgeBins =
+        std::max(static_cast<int>(static_cast<float>(AXIS_PROBE_EDGE_DEPTH) * lattice.spacing / block.binLength), 1);
     const glm::vec3 end = ray.origin + ray.axis * ray.reach;
     const float margin = (static_cast<float>(AXIS_PROBE_RADIUS) + 1) * lattice.spacing;
     const glm::ivec3 last = lattice.cells() - 1;

@@ -31,8 +31,9 @@ struct MetalOnAxis {
 
 /// A look counts particles within two spacings of the axis, with a weight that falls to the side, in bins along it; the
 /// surface is where half of the count inside solid metal is reached. On a flat surface that is its place to a tenth of
-/// a spacing, upright or slanted; drops that fly along the axis are not taken for it. Sums are integers: the
-/// same metal gives the same answer.
+/// a spacing, upright or slanted; drops that fly along the axis are not taken for it. Where half is reached nowhere, as
+/// over a gap between two plates, their edges are the surface, where they are at least three spacings deep: an arc
+/// burns to the nearest metal. Sums are integers: the same metal gives the same answer.
 class AxisProbe {
   public:
     /// Steps between a look and its answer, so that the answer is the same whether the GPU is fast or slow, and hardly

@@ -8,8 +8,11 @@
 #define AXIS_PROBE_BINS 256       // lengths of the ray that metal is counted in
 #define AXIS_PROBE_UNIT 65536.0   // of the integer sums, whose order does not matter
 #define AXIS_PROBE_RADIUS 2.0     // spacings from the axis within which metal counts
-#define AXIS_PROBE_DROP_SPEED 0.2 // m/s along the axis from which liquid is a drop on its way and no surface
-#define AXIS_PROBE_LATTICE_GROUPS 128 // groups that look through the lattice around the ray; the others take the list of slots
+#define AXIS_PROBE_EDGE_DEPTH 3.0 // spacings that metal beside the axis must be deep to be an edge that an arc burns to
+#define AXIS_PROBE_EDGE_SHARE 0.12 // of the count inside metal; 0.17 in the middle of a gap two spacings wide
+#define AXIS_PROBE_DROP_SPEED 0.2  // m/s along the axis from which liquid is a drop on its way and no surface
+#define AXIS_PROBE_LATTICE_GROUPS                                                                                      \
+    128 // groups that look through the lattice around the ray; the others take the list of slots
 
 #define AXIS_PROBE_BLOCK 1 // uniform buffer
 
@@ -32,6 +35,8 @@ struct AxisProbeBlock {
     uint firstSlot;  // place of the first slot in the list
     ivec3 cells;     // size of that box
     uint countWord;  // place of the list's length in its control buffer
+    int edgeBins;    // bins in AXIS_PROBE_EDGE_DEPTH spacings
+    int reserved[3];
 };
 
 struct AxisProbeBin {
@@ -46,7 +51,7 @@ struct AxisProbeAnswer {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(AxisProbeBlock) == 64);
+static_assert(sizeof(AxisProbeBlock) == 80);
 static_assert(sizeof(AxisProbeAnswer) == 16);
 } // namespace meltpool
 #endif

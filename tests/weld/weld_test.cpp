@@ -73,6 +73,30 @@ TEST_CASE("the metal on the torch's axis is found to a tenth of a spacing, uprig
     CHECK(std::isinf(distanceSeen(weld, over(80, 0))));
 }
 
+TEST_CASE("over a gap between two plates the torch finds their edges, beside a plate nothing", "[weld]") {
+    ProcessSettings settings;
+    settings.choose<Gtaw>();
+    WorkpieceParameters parameters;
+    parameters.kind = static_cast<int>(WorkpieceKind::Butt);
+    parameters.lengthMm = 30;
+    parameters.widthMm = 24;
+    parameters.thicknessMm = 4;
+    parameters.roomAboveMm = 10;
+    for (const float spacings : {1.0F, 2.0F}) {
+        parameters.gapMm = spacings * parameters.spacingMm;
+        Weld weld(test::shaders(), steel(), makeWorkpiece(parameters), settings);
+        for (const float mm : {2.0F, 10.0F}) {
+            TorchSample torch = over(mm, 0, 5); // clear of the tacks
+            torch.tip.z = 0;
+            INFO(mm << " mm over a gap of " << spacings << " spacings");
+            CHECK(distanceSeen(weld, torch) == Approx(mm).margin(0.6));
+        }
+        TorchSample beside = over(2, 0, 5);
+        beside.tip.z = (parameters.widthMm / 2 + 1.8F * parameters.spacingMm) * kMm;
+        CHECK(std::isinf(distanceSeen(weld, beside)));
+    }
+}
+
 TEST_CASE("the computed current follows the distance from contact tip to plate", "[weld]") {
     for (const float ctwd : {3.0F, 12.0F, 20.0F, 30.0F}) {
         ProcessSettings settings = wireSettings();
