@@ -37,7 +37,7 @@ TEST_CASE("bad command lines are refused", "[app]") {
              {"run", "", "required"},
              {"run classic", "--out", "required"},
              {"run classic --speed 3" + out, "--speed", "--help"},
-             {"run clasic" + out, "'clasic'", "expected one of classic"},
+             {"run clasic" + out, "'clasic'", "expected one of butt-1g, classic"},
              {"run missing.toml" + out, "missing.toml", "expected a readable file"},
              {"run classic --torch missing.csv" + out, "missing.csv", "expected a readable file"},
              {"run classic --torch missing.toml" + out, "missing.toml", "expected a readable file"},
