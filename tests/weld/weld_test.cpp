@@ -17,13 +17,18 @@ Material steel() {
     return readMaterial(test::testFolder().parent_path() / "app" / "data" / "materials" / "s235.toml");
 }
 
-Workpiece smallPlate() {
+/// A plate, or by its kind a joint, of 30x20x4 mm.
+WorkpieceParameters smallPiece() {
     WorkpieceParameters parameters;
     parameters.lengthMm = 30;
     parameters.widthMm = 20;
     parameters.thicknessMm = 4;
     parameters.roomAboveMm = 10;
-    return makeWorkpiece(parameters);
+    return parameters;
+}
+
+Workpiece smallPlate() {
+    return makeWorkpiece(smallPiece());
 }
 
 ProcessSettings wireSettings() {
@@ -76,12 +81,8 @@ TEST_CASE("the metal on the torch's axis is found to a tenth of a spacing, uprig
 TEST_CASE("over a gap between two plates the torch finds their edges, beside a plate nothing", "[weld]") {
     ProcessSettings settings;
     settings.choose<Gtaw>();
-    WorkpieceParameters parameters;
+    WorkpieceParameters parameters = smallPiece();
     parameters.kind = static_cast<int>(WorkpieceKind::Butt);
-    parameters.lengthMm = 30;
-    parameters.widthMm = 24;
-    parameters.thicknessMm = 4;
-    parameters.roomAboveMm = 10;
     for (const float spacings : {1.0F, 2.0F}) {
         parameters.gapMm = spacings * parameters.spacingMm;
         Weld weld(test::shaders(), steel(), makeWorkpiece(parameters), settings);

@@ -157,8 +157,8 @@ void ClassicMetal::keepOrder() {
     gl::memoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
-/// Reads sorted positions, writes 1 / density into the fourth component of the sorted velocities.
-/// Notes in the moved state, which is free until the next pass, who is near whom.
+/// Reads sorted positions, writes 1 / density into the fourth component of the sorted velocities, and
+/// into the moved state, which is free until the next pass, who is near whom.
 void ClassicMetal::computeDensity(gl::Profiler* profiler) {
     const gl::Scope scope(profiler, "classic density");
     (allPairs_ ? pairs_ : grid_).density.dispatch(count_, GROUP_SIZE);

@@ -45,7 +45,7 @@ void main() {
     Near near = Near(uvec4(0), uvec4(0), 0u);
     for (int row = 0; row < kRows; ++row) {
         const uvec2 range = rangeOfRow(cell, row);
-        uint found = 0u, bit = 1u;
+        uint found = 0u, bit = 1u; // from the 33rd on no bit is left
         for (uint j = range.x; j < range.y; ++j) {
             const vec3 displacement = place - texelFetch(positionTexels, int(j)).xyz;
             const float squared = dot(displacement, displacement);

@@ -21,13 +21,14 @@ float heated(vec3 place, float temperature) {
     return clamp(temperature + now.heat * (1.0 - squared / now.heatRadiusSquared), 0.0, 1.0);
 }
 
+/// Sums over the neighbours of a particle, without the factors that all share.
 struct Pull {
     vec3 pressure;
     vec3 viscosity;
 };
 
-/// Pressure and viscosity force on a particle over its density; Müller, Charypar, Gross 2003, with the viscosity force
-/// along v_j - v_i. With a = 1/rho_j the pressure's factor (p_i + p_j)/(2 rho_j), p = k (rho - rho0), is
+/// Adds what neighbour j does to a particle at `place`: Müller, Charypar, Gross 2003, with the viscosity force along
+/// v_j - v_i. With a = 1/rho_j the pressure's factor (p_i + p_j)/(2 rho_j), p = k (rho - rho0), is
 /// ((p_i - k rho0) a + k)/2: no division for a neighbour. The particle itself, and one in the same place, has no direction.
 void addNeighbour(uint j, vec3 place, vec3 velocity, float own, inout Pull pull) {
     const vec3 displacement = place - texelFetch(positionTexels, int(j)).xyz;
@@ -41,6 +42,8 @@ void addNeighbour(uint j, vec3 place, vec3 velocity, float own, inout Pull pull)
     pull.viscosity += (neighbour.xyz - velocity) * (inside * neighbourInverseDensity);
 }
 
+/// Pressure and viscosity force on particle i over its density. It visits those that the density's pass noted as
+/// neighbours, and of a row with more than 32 particles all that have no bit.
 vec3 accelerationByNeighbours(uint i, vec3 place, vec3 velocity, float inverseDensity) {
     const ivec3 cell = cellOf(place);
     const float own = now.gasStiffness * (1.0 / inverseDensity - 2.0 * now.restDensity);
