@@ -7,6 +7,7 @@
 #include "app/session/attempt/attempt_ghost.hpp"
 #include "app/session/attempt/seeing.hpp"
 #include "core/base/error.hpp"
+#include "core/base/resources.hpp"
 #include "core/base/text.hpp"
 #include "core/render/renderer.hpp"
 #include "core/render/view/picture_target.hpp"
@@ -38,7 +39,7 @@ class Photographer {
   public:
     Photographer(gl::ShaderLibrary& shaders, const RunParameters& run, const FilmRequest& film,
                  std::filesystem::path folder)
-        : renderer_(shaders),
+        : renderer_(shaders, cacheFolder()),
           target_(run.width, run.height, samplesFor(run)),
           film_(film, folder),
           folder_(std::move(folder)),

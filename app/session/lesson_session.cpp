@@ -38,7 +38,7 @@ LessonSession::LessonSession(gl::ShaderLibrary& shaders, Lesson lesson, Stopwatc
       given_(lesson.process),
       lesson_(machineAtStart(std::move(lesson))),
       sections_(std::in_place, lesson_),
-      renderer_(shaders),
+      renderer_(shaders, cacheFolder()),
       now_(stopwatch) {
     openCues();
 }

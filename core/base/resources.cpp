@@ -23,4 +23,9 @@ std::filesystem::path keptFolder() {
     return userFiles() / "meltpool";
 }
 
+std::filesystem::path cacheFolder() {
+    const std::filesystem::path folder = userCache();
+    return folder.empty() ? folder : folder / "meltpool";
+}
+
 } // namespace meltpool

@@ -19,4 +19,8 @@ std::filesystem::path settingsFolder();
 /// %LOCALAPPDATA%/meltpool). Does not create it.
 std::filesystem::path keptFolder();
 
+/// The user's folder for what this program can make again ($XDG_CACHE_HOME/meltpool, ~/.cache/meltpool,
+/// %LOCALAPPDATA%/meltpool); empty where the user has no home. Does not create it.
+std::filesystem::path cacheFolder();
+
 } // namespace meltpool

@@ -54,7 +54,7 @@ Solid sourceSolid(const SourceView& source, const glm::mat4& modelToWorld) {
 } // namespace
 
 struct Renderer::Parts {
-    explicit Parts(gl::ShaderLibrary& shaders);
+    Parts(gl::ShaderLibrary& shaders, const std::filesystem::path& kept);
 
     void load(ViewSubmission submission);
     const SubmissionChoice& choose(std::optional<ViewSubmission> best);
@@ -95,8 +95,8 @@ struct Renderer::Parts {
     std::optional<ViewSubmission> wanted;   ///< the wish that `choice` was made for
 };
 
-Renderer::Parts::Parts(gl::ShaderLibrary& shaders)
-    : environment(shaders),
+Renderer::Parts::Parts(gl::ShaderLibrary& shaders, const std::filesystem::path& kept)
+    : environment(shaders, kept),
       surface(shaders),
       solids(shaders),
       section(shaders),
@@ -318,7 +318,8 @@ void Renderer::Parts::drawBox(const ViewBatch& views, const RenderTarget& target
     glDrawArraysInstanced(GL_TRIANGLES, 0, kEdges * 6, views.count);
 }
 
-Renderer::Renderer(gl::ShaderLibrary& shaders) : parts_(std::make_unique<Parts>(shaders)) {}
+Renderer::Renderer(gl::ShaderLibrary& shaders, const std::filesystem::path& kept)
+    : parts_(std::make_unique<Parts>(shaders, kept)) {}
 
 Renderer::~Renderer() = default;
 

@@ -8,6 +8,7 @@
 #include "core/render/view/view.hpp"
 #include "core/render/view/view_submission.hpp"
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
@@ -16,8 +17,9 @@ namespace meltpool {
 
 class Renderer {
   public:
-    /// Loads the programs and paints the environment. Throws InputError when a shader is missing or wrong.
-    explicit Renderer(gl::ShaderLibrary& shaders);
+    /// Loads the programs and paints the environment. `kept`: where the latter is kept for the next start, see
+    /// Environment. Throws InputError when a shader is missing or wrong.
+    explicit Renderer(gl::ShaderLibrary& shaders, const std::filesystem::path& kept = {});
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;

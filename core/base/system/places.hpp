@@ -15,4 +15,7 @@ std::filesystem::path filesOfProgram();
 std::filesystem::path userSettings();
 std::filesystem::path userFiles();
 
+/// The user's folder for what programs can make again; empty where the user has no home.
+std::filesystem::path userCache();
+
 } // namespace meltpool

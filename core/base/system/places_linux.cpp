@@ -23,4 +23,11 @@ fs::path userFiles() {
     return base.empty() ? fs::path(environmentVariable("HOME")) / ".local" / "share" : fs::path(base);
 }
 
+fs::path userCache() {
+    const std::string base = environmentVariable("XDG_CACHE_HOME");
+    if (!base.empty()) return base;
+    const std::string home = environmentVariable("HOME");
+    return home.empty() ? fs::path() : fs::path(home) / ".cache";
+}
+
 } // namespace meltpool

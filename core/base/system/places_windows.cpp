@@ -31,4 +31,8 @@ fs::path userFiles() {
     return environmentVariable("LOCALAPPDATA");
 }
 
+fs::path userCache() {
+    return userFiles();
+}
+
 } // namespace meltpool

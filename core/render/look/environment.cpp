@@ -1,14 +1,25 @@
 #include "core/render/look/environment.hpp"
 
+#include "core/base/hash.hpp"
+#include "core/render/look/kept_picture.hpp"
 #include "shaders/shared/render.h"
 
+#include <array>
 #include <cmath>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace meltpool {
 
 namespace {
 
 constexpr int kFaces = 6;
+constexpr int kTexelBytes = 4; // of GL_RGB10_A2
+/// To be raised when this file paints the room in another way, so that no program shows what a former one has kept.
+constexpr std::uint64_t kEdition = 1;
+const std::array<std::string, 2> kPaint{"render/screen.vert", "render/workshop.frag"};
+const std::array<std::string, 2> kRoughen{"render/screen.vert", "render/roughen.frag"};
 
 gl::Texture makeCube(std::string_view label, GLenum format, int size, int levels) {
     return {label, {.target = GL_TEXTURE_CUBE_MAP, .format = format, .width = size, .height = size, .levels = levels}};
@@ -40,7 +51,7 @@ void paintFaces(const gl::Program& program, const gl::Texture& cube, int level) 
 
 gl::Texture paintWorkshop(gl::ShaderLibrary& shaders, int size) {
     gl::Texture light = makeCube("workshop light", GL_RGBA16F, size, levelsOf(size));
-    const gl::Program& paint = shaders.load({"render/screen.vert", "render/workshop.frag"});
+    const gl::Program& paint = shaders.load({kPaint.begin(), kPaint.end()});
     paint.set("texel", 2.0f / static_cast<float>(size));
     paint.set("rays", 2); // workshop.frag places them for two
     paintFaces(paint, light, 0);
@@ -48,19 +59,78 @@ gl::Texture paintWorkshop(gl::ShaderLibrary& shaders, int size) {
     return light;
 }
 
-} // namespace
-
-Environment::Environment(gl::ShaderLibrary& shaders, int faceSize)
-    : room_(makeCube("environment", GL_RGB10_A2, faceSize, ENVIRONMENT_LEVELS)) {
-    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+void paintRoom(gl::ShaderLibrary& shaders, const gl::Texture& room) {
+    const int size = room.shape().width;
     glBindSampler(SHARP_UNIT, 0); // the sampler of another environment may be bound there; it would hide the levels
-    const gl::Texture light = paintWorkshop(shaders, faceSize);
-    const gl::Program& roughen = shaders.load({"render/screen.vert", "render/roughen.frag"});
+    const gl::Texture light = paintWorkshop(shaders, size);
+    const gl::Program& roughen = shaders.load({kRoughen.begin(), kRoughen.end()});
     light.bind(SHARP_UNIT);
-    roughen.set("sourceSize", static_cast<float>(faceSize));
+    roughen.set("sourceSize", static_cast<float>(size));
     for (int level = 0; level < ENVIRONMENT_LEVELS; ++level) {
         roughen.set("roughness", std::pow(static_cast<float>(level) / (ENVIRONMENT_LEVELS - 1), 1.5f));
-        paintFaces(roughen, room_, level);
+        paintFaces(roughen, room, level);
+    }
+}
+
+size_t levelBytes(int size, int level) {
+    const auto edge = static_cast<size_t>(size >> level);
+    return kFaces * kTexelBytes * edge * edge;
+}
+
+size_t roomBytes(int size) {
+    size_t sum = 0;
+    for (int level = 0; level < ENVIRONMENT_LEVELS; ++level)
+        sum += levelBytes(size, level);
+    return sum;
+}
+
+/// Of all that the painted room depends on: the shaders' texts and the driver, whose last bits differ.
+std::uint64_t keyOf(const gl::ShaderLibrary& shaders, int size) {
+    std::uint64_t key = kEdition;
+    const auto add = [&](const std::string& text) { key = hashOfBytes(std::as_bytes(std::span(text)), key); };
+    for (const auto* files : {&kPaint, &kRoughen})
+        for (const std::string& file : *files)
+            add(gl::loadShaderSource(shaders.root(), file, {}).text);
+    for (const GLenum name : {GL_VENDOR, GL_RENDERER, GL_VERSION})
+        add(reinterpret_cast<const char*>(glGetString(name)));
+    add(std::to_string(size));
+    return key;
+}
+
+std::vector<std::byte> readRoom(const gl::Texture& room) {
+    const int size = room.shape().width;
+    std::vector<std::byte> bytes(roomBytes(size));
+    size_t at = 0;
+    for (int level = 0; level < ENVIRONMENT_LEVELS; at += levelBytes(size, level++))
+        glGetTextureImage(room.name(), level, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV,
+                          static_cast<GLsizei>(levelBytes(size, level)), bytes.data() + at);
+    return bytes;
+}
+
+void writeRoom(const gl::Texture& room, std::span<const std::byte> bytes) {
+    const int size = room.shape().width;
+    size_t at = 0;
+    for (int level = 0; level < ENVIRONMENT_LEVELS; at += levelBytes(size, level++))
+        glTextureSubImage3D(room.name(), level, 0, 0, 0, size >> level, size >> level, kFaces, GL_RGBA,
+                            GL_UNSIGNED_INT_2_10_10_10_REV, bytes.data() + at);
+}
+
+} // namespace
+
+Environment::Environment(gl::ShaderLibrary& shaders, const std::filesystem::path& kept, int faceSize)
+    : room_(makeCube("environment", GL_RGB10_A2, faceSize, ENVIRONMENT_LEVELS)) {
+    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+    if (kept.empty()) {
+        paintRoom(shaders, room_);
+    } else {
+        const std::uint64_t key = keyOf(shaders, faceSize);
+        const std::filesystem::path file = kept / "workshop.bin";
+        if (const auto picture = keptPicture(file, key, roomBytes(faceSize))) {
+            writeRoom(room_, *picture);
+        } else {
+            paintRoom(shaders, room_);
+            keepPicture(file, key, readRoom(room_));
+        }
     }
     GLuint sampler = 0;
     glCreateSamplers(1, &sampler);
