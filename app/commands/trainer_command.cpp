@@ -4,6 +4,7 @@
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/training/lesson.hpp"
+#include "xr/session/instance.hpp"
 
 #include <cstdio>
 
@@ -28,6 +29,8 @@ void refuseWithoutDisplay(const DesktopOptions& options, const std::string& miss
 bool runTrainer(const DesktopOptions& options) {
     const std::string missing = missingDisplay();
     if (missing.empty()) {
+        // Before the desktop's sound has a thread: that reads the environment, which a new variable moves.
+        xr::quietLoader();
         DesktopOptions complete = options;
         complete.makeHeadset = [](const std::filesystem::path& folder) {
             return std::make_unique<HeadsetFrontEnd>(folder);
