@@ -99,7 +99,7 @@ BenchRow poolRow(Bench& bench, const Material& metal, int edge, const CardLimits
     const FlowSpace space{glm::vec3(-air), glm::vec3(size + air), glm::bvec3(false), glm::vec3(0)};
     FlowFluid fluid;
     fluid.density = metal.solidDensity.at(metal.solidus);
-    fluid.tension = metal.surfaceTension.at(metal.liquidus);
+    fluid.tension = metal.tensionAt(metal.liquidus);
     fluid.viscosity = metal.viscosity.at(metal.liquidus);
     MetalState state(MetalLattice::covering(space.low, space.low, kSpacing), HeatTable(metal), fluid.density,
                      seeds.size());

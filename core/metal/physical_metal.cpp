@@ -25,6 +25,15 @@ double massDensity(const Material& material) {
     return material.solidDensity.at(kRoomTemperature);
 }
 
+TensionSlopes slopesOf(const Material& material) {
+    TensionSlopes slopes;
+    slopes.from = material.solidus;
+    slopes.step = (kHottest - slopes.from) / static_cast<double>(slopes.values.size() - 1);
+    for (size_t i = 0; i < slopes.values.size(); ++i)
+        slopes.values[i] = material.tensionSlopeAt(slopes.from + slopes.step * static_cast<double>(i));
+    return slopes;
+}
+
 FlowFluid fluidOf(const PhysicalSetup& setup) {
     const Material& material = setup.material;
     FlowFluid fluid;
@@ -34,8 +43,8 @@ FlowFluid fluidOf(const PhysicalSetup& setup) {
     fluid.coldWetting = std::min(setup.wetting, setup.coldWetting);
     fluid.coldBelow = setup.coldShare * material.solidus;
     fluid.warmAbove = setup.warmShare * material.solidus;
-    fluid.tension = material.surfaceTension.at(material.liquidus);
-    fluid.tensionSlope = setup.marangoni ? material.tensionSlope() : 0;
+    fluid.tension = material.tensionAt(material.liquidus);
+    if (setup.marangoni) fluid.tensionSlopes = slopesOf(material);
     fluid.viscosity = material.viscosity.at(material.liquidus);
     fluid.expansion = material.expansion.at(material.liquidus);
     fluid.referenceTemperature = material.liquidus;

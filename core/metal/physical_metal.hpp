@@ -21,8 +21,8 @@ struct PhysicalSetup {
     FlowSpace space;
     FragmentSetup fragments;
     HeatSettings heat;
-    /// Pull of the surface towards cold metal. Off: with pools of a few spacings, as at 1 mm, the full slope of a real
-    /// metal's tension tears them apart, as no layer is fine enough to brake it.
+    /// Pull along the surface by the slope of its tension. Particles of 0.5 to 1 mm do not resolve the layer of 0.1 mm
+    /// that it drives in real pools: it drives the outermost particles, which are heavier, and so slower.
     bool marangoni = false;
     glm::vec3 gravity{0, -9.81F, 0}; ///< m/s², in the workpiece frame
     float timeStep = 1.0F / 90;      ///< s, of one step(), at most; see PhysicalMetal::timeStep()

@@ -21,7 +21,7 @@ FlowFluid liquidOf(const ValidationCase& from) {
     FlowFluid fluid;
     fluid.spacing = from.spacing;
     fluid.density = material.liquidDensity.at(material.liquidus);
-    fluid.tension = material.surfaceTension.at(material.liquidus);
+    fluid.tension = material.tensionAt(material.liquidus);
     fluid.viscosity = material.viscosity.at(material.liquidus);
     return fluid;
 }

@@ -51,6 +51,7 @@ PhysicalSetup setupOf(const Material& material, const Workpiece& workpiece, cons
     setup.coldWetting = wettingForAngle(kColdAngle * std::numbers::pi / 180);
     setup.coldShare = kColdShare;
     setup.warmShare = kWarmShare;
+    setup.marangoni = true;
     setup.gravity = glm::transpose(workpiece.turn) * glm::vec3(0, -kGravity, 0);
     setup.fragments.floorNormal = workpiece.up;
     setup.fragments.floorHeight = workpiece.floorHeight;

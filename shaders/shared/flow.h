@@ -65,6 +65,8 @@
 #define FLOW_WALL_SUM_UNIT 16777216.0    // wall sums are whole numbers: additions and removals in any order lose nothing
 #define FLOW_NO_WALL_SUMS 0xffffffffu    // FlowParticle.wallSumGeneration of a slot without valid sums
 
+#define FLOW_TENSION_SLOPES 16 // a multiple of 4
+
 #ifdef __cplusplus
 namespace meltpool {
 #endif
@@ -90,7 +92,7 @@ struct FlowBlock {
     float mushyDrag;    // over density, 1/s
     float cohesion;     // m/s²
     float areaForce;    // prefactor of the surface area force, m²/s²
-    float marangoni;    // slope of surface tension over temperature, over density, m³/(s² K)
+    float firstSlopeAt; // temperature of the first of tensionSlopes, K
     float wallFriction; // friction against solid metal over that in the liquid
     float reach;        // of neighbour lists, m
     float freeWay;      // relative way of neighbours after which lists are stale, m
@@ -100,6 +102,8 @@ struct FlowBlock {
     float arcInverseVariance; // 1/(2 sigma²) of the arc's pressure, 1/m²
     vec3 arcAxis;       // unit vector of the arc into the metal
     float arcPeak;      // highest pressure of the arc over density, m²/s²
+    float arcShear;     // highest drag of its jet along the surface over density, m²/s²
+    float inverseArcSigma; // of its pressure, 1/m
     float coldBelow;    // wall metal is cold up to this temperature, K
     float inverseWettingRange; // 1/(temperature from which wall metal is hot - coldBelow), 1/K
     float expansion;    // of the volume over temperature, 1/K
@@ -108,6 +112,9 @@ struct FlowBlock {
     uint wallPageCapacity; // pages of wall metal, with the unused one
     uint movingPageCapacity; // pages of moving metal, with the unused one
     uint cellCount;
+    float inverseSlopeStep; // 1/(K from one of tensionSlopes to the next), 1/K
+    uint unused0;
+    vec4 tensionSlopes[FLOW_TENSION_SLOPES / 4]; // of surface tension over temperature, over density, m³/(s² K)
 };
 
 struct FlowParticle {
@@ -167,7 +174,7 @@ struct FlowCounters {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(FlowBlock) == 224);
+static_assert(sizeof(FlowBlock) == 304);
 static_assert(sizeof(FlowParticle) == 64);
 static_assert(sizeof(FlowCell) == 32);
 static_assert(sizeof(FlowCounters) == 160);

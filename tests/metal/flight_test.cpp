@@ -154,7 +154,7 @@ TEST_CASE("drops in any state are caught by the plate", "[physical][flight]") {
     for (size_t i = first; i < places.size(); ++i) {
         INFO("drop " << i - first << " at " << places[i].x << ", " << places[i].y << ", " << places[i].z);
         CHECK(places[i].y > -0.1F * kMm); // at lowest between four particles of the plate
-        CHECK(places[i].y < 4 * kMm);     // on the plate, or on others
+        CHECK(places[i].y < 5 * kMm);     // on the plate, or on others: mushy ones stick and pile up
         CHECK(glm::length(glm::vec3(velocities[i])) < 0.02F);
     }
     CHECK_FALSE(metal.flow().readFaults().any());

@@ -38,7 +38,12 @@ void setLiquid(FlowBlock& block, const FlowConstants& constants, const FlowFluid
     block.mushyDrag = static_cast<float>(constants.mushyDrag);
     block.cohesion = static_cast<float>(constants.cohesion);
     block.areaForce = static_cast<float>(constants.area);
-    block.marangoni = static_cast<float>(fluid.tensionSlope / fluid.density);
+    const TensionSlopes& slopes = fluid.tensionSlopes;
+    static_assert(std::tuple_size_v<decltype(TensionSlopes::values)> == FLOW_TENSION_SLOPES);
+    block.firstSlopeAt = static_cast<float>(slopes.from);
+    block.inverseSlopeStep = static_cast<float>(1 / slopes.step);
+    for (int i = 0; i < FLOW_TENSION_SLOPES; ++i)
+        block.tensionSlopes[i / 4][i % 4] = static_cast<float>(slopes.values[static_cast<size_t>(i)] / fluid.density);
     block.wallFriction = static_cast<float>(constants.wallFriction);
     block.densityScale = static_cast<float>(constants.scale);
     block.hotWetting = static_cast<float>(fluid.wetting);
@@ -83,7 +88,7 @@ gl::Defines definesOf(const FlowSpace& space) {
 
 gl::Defines definesOf(const FlowFluid& fluid, const FlowSpace& space) {
     gl::Defines defines = definesOf(space);
-    if (fluid.tensionSlope != 0) defines["MARANGONI"] = "1";
+    if (fluid.tensionSlopes.any()) defines["MARANGONI"] = "1";
     return defines;
 }
 
@@ -219,6 +224,8 @@ void Flow::setArc(const ArcPressure& arc) {
     block_.arcInverseVariance = 1 / (2 * arc.sigma * arc.sigma);
     block_.arcAxis = arc.axis;
     block_.arcPeak = static_cast<float>(static_cast<double>(arc.peak) / restDensity_);
+    block_.arcShear = static_cast<float>(static_cast<double>(arc.shear) / restDensity_);
+    block_.inverseArcSigma = 1 / arc.sigma;
     blockChanged_ = true;
 }
 

@@ -23,6 +23,7 @@ struct ArcPressure {
     glm::vec3 axis{0, -1, 0}; ///< unit vector into the metal
     float sigma = 2e-3F;      ///< m
     float peak = 0;           ///< Pa
+    float shear = 0;          ///< Pa, highest drag of the arc's jet along the surface, away from the axis
 };
 
 /// Faults since the start; all zero in a healthy run.

@@ -1,16 +1,28 @@
 // From physical quantities of a liquid to the numbers of its particles: sound speed, time step, force prefactors.
 #pragma once
 
+#include <array>
+
 #include <glm/vec3.hpp>
 
 namespace meltpool {
 
+/// Slope of surface tension over temperature (N/(m K)) at temperatures `step` (K) apart, linear in between, constant
+/// beyond: drives the surface towards the colder where negative. All zero: no such force.
+struct TensionSlopes {
+    double from = 0, step = 100;
+    std::array<double, 16> values{};
+
+    static TensionSlopes constant(double slope);
+    bool any() const;
+};
+
 /// A liquid as particles of one size see it. SI units.
 struct FlowFluid {
-    double spacing = 1e-3;   ///< m, edge of the cube that a particle stands for
-    double density = 7000;   ///< kg/m³ at rest
-    double tension = 1.8;    ///< surface tension, N/m
-    double tensionSlope = 0; ///< over temperature, N/(m K): drives the surface towards the colder where negative
+    double spacing = 1e-3; ///< m, edge of the cube that a particle stands for
+    double density = 7000; ///< kg/m³ at rest
+    double tension = 1.8;  ///< surface tension, N/m
+    TensionSlopes tensionSlopes;
     double viscosity = 6e-3; ///< Pa s
     /// How strongly wall metal attracts the liquid against its own kind: 0 repels (contact angle 180
     /// degrees), 1 wets fully. See wettingForAngle().
@@ -29,7 +41,9 @@ struct FlowFluid {
     /// Friction against wall metal: 1 holds the liquid fast at walls, 0 lets it slip where the layer that walls hold
     /// back is thinner than the particles.
     double wallFriction = 1;
-    double mushyDrag = 1e6; ///< kg/(m³ s), Carman-Kozeny constant of half-molten metal
+    /// kg/(m³ s), Carman-Kozeny constant of half-molten metal: 180 mu / d², with 10 um between the arms of weld metal's
+    /// crystals.
+    double mushyDrag = 1e10;
     double expansion =
         0; ///< 1/K, of the volume over temperature: weight follows 1 - expansion (T - referenceTemperature)
     double referenceTemperature = 0; ///< K, at which metal weighs as `density` says

@@ -1,6 +1,7 @@
 #include "core/metal/material/materials.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace meltpool {
 
@@ -33,9 +34,19 @@ double Property::integral(double from, double to) const {
     return sum;
 }
 
-double Material::tensionSlope() const {
+double Material::tensionAt(double temperature) const {
+    constexpr double kGas = 8.314462;      // J/(mol K)
+    constexpr double kSaturation = 1.3e-5; // mol/m² of a surface full of sulphur
+    constexpr double kOrder = 3.18e-3;
+    constexpr double kAdsorption = 1.66e5; // J/mol
+    if (sulphur <= 0) return surfaceTension.at(temperature);
+    const double taken = kOrder * std::exp(kAdsorption / (kGas * temperature)) * sulphur;
+    return surfaceTension.at(temperature) - kGas * temperature * kSaturation * std::log1p(taken);
+}
+
+double Material::tensionSlopeAt(double temperature) const {
     const double step = 10;
-    return (surfaceTension.at(liquidus + step) - surfaceTension.at(liquidus)) / step;
+    return (tensionAt(temperature + step) - tensionAt(temperature)) / step;
 }
 
 } // namespace meltpool

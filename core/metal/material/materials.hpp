@@ -27,6 +27,9 @@ struct Property {
     static Property constant(double value, std::string source = "given");
 };
 
+/// Per cent by mass: beyond it Material::tensionAt() was not measured.
+inline constexpr double kMostSulphur = 0.2;
+
 /// How the stuff looks; the renderer decides what to make of it. Colours are linear sRGB reflectances at normal
 /// incidence.
 struct MaterialLooks {
@@ -64,8 +67,10 @@ struct Material {
     Property solidSpecificHeat, liquidSpecificHeat; ///< J/(kg K)
     Property viscosity;                             ///< Pa s, liquid
     Property expansion;                             ///< 1/K, of the liquid's volume: what makes hot metal rise
-    Property surfaceTension;                        ///< N/m; its slope over temperature drives the Marangoni flow
-    Property emissivity;                            ///< total hemispherical, for radiation losses
+    Property surfaceTension;                        ///< N/m, without sulphur
+    double sulphur = 0;        ///< per cent by mass of steel; it lowers the surface tension, of cold liquid most
+    std::string sulphurSource; ///< empty where the file says nothing of it
+    Property emissivity;       ///< total hemispherical, for radiation losses
 
     double boilingPoint = 0;     ///< K at 1 bar; 0 where not given: no evaporation
     double vaporisationHeat = 0; ///< J/kg
@@ -75,8 +80,12 @@ struct Material {
 
     MaterialLooks looks;
 
-    /// Surface tension's slope at the liquidus, N/(m K).
-    double tensionSlope() const;
+    /// Surface tension at a temperature (K), N/m: the table's, less R T G ln(1 + K a) for a per cent of sulphur,
+    /// G = 1.3e-5 mol/m², K = 0.00318 exp(166 kJ/mol / (R T)). Sahoo, DebRoy and McNallan 1988, constants by a program
+    /// that cites them.
+    double tensionAt(double temperature) const;
+    /// Its slope over temperature, N/(m K): drives the Marangoni flow.
+    double tensionSlopeAt(double temperature) const;
 };
 
 /// Reads and checks a material file; throws InputError naming file and line.

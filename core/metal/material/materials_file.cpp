@@ -79,6 +79,8 @@ void readPhases(TomlTable& file, Material& material) {
     liquid.finish();
     TomlTable surface = file.table("surface");
     material.surfaceTension = readProperty(surface, "tension", {1e-4, 10});
+    if (surface.has("sulphur_percent"))
+        material.sulphur = readValue(surface, "sulphur_percent", {0, kMostSulphur}, material.sulphurSource);
     material.emissivity = readProperty(surface, "emissivity", {0, 1});
     surface.finish();
 }

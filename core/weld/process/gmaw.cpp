@@ -33,6 +33,10 @@ double sprayShare(double current, double diameterMm) {
     return std::clamp((current / sprays - 1) / kSprayRange + 0.5, 0.0, 1.0);
 }
 
+double sprayHeatRadius(double current) {
+    return kSprayRadius * std::pow(std::max(current, kLeastArcCurrent) / kSprayRadiusCurrent, kSprayRadiusExponent);
+}
+
 ParameterList describe(GmawSettings& s) {
     return {
         {"voltage", "Voltage", "V", &s.voltage, 5, 60, "more makes the arc longer and the bead wider"},
@@ -129,7 +133,7 @@ void Gmaw::transferHeat(const TorchSample& torch, double seconds) {
     const auto current = static_cast<double>(arc_.current);
     const double narrow = arcHeatRadius(wire_.length(), current);
     const double sprays = sprayShare(current, static_cast<double>(settings_.wireDiameterMm));
-    arc_.radius = static_cast<float>(std::lerp(narrow, kSprayRadius, sprays));
+    arc_.radius = static_cast<float>(std::lerp(narrow, sprayHeatRadius(current), sprays));
     pressSurface(current, std::lerp(narrow, kSprayPressureRadius, sprays));
     arc_.power = kGmawEfficiency * static_cast<double>(arc_.voltage) * current;
     const TorchRay from = ray(torch);

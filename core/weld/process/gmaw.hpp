@@ -20,6 +20,9 @@ ParameterList describe(GmawSettings& settings);
 /// 0 where a wire of `diameterMm` dips or lets large drops fall at this current (A), 1 where it sprays.
 double sprayShare(double current, double diameterMm);
 
+/// Radius (m, sigma) of the heat of a spraying arc of `current` (A), see kSprayRadius.
+double sprayHeatRadius(double current);
+
 class Gmaw : public Process {
   public:
     using Settings = GmawSettings;

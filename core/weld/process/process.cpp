@@ -47,7 +47,8 @@ void Process::transfer(gl::StateArchive& archive) {
 
 ArcPressure Process::pressure() const {
     if (arc_.pressure <= 0) return {};
-    return {source_.position, source_.axis, pressureRadius_, arc_.pressure};
+    return {source_.position, source_.axis, pressureRadius_, arc_.pressure,
+            static_cast<float>(kJetDrag) * arc_.pressure};
 }
 
 void Process::heatSurface(const TorchRay& ray, double power) {

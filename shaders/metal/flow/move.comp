@@ -93,7 +93,7 @@ vec3 acceleration(uint row, uint slot, out float fastest, out SolidAround solids
     // The particle's surface per volume, 1/m; half of the gradient lies outside, where no particle feels it.
     const vec3 inward = 2 * own.normal / fluid.densityScale;
 #ifdef MARANGONI
-    sum += marangoniForce(sums.warming, inward);
+    sum += marangoniForce(sums.warming, inward, own.temperature);
 #endif
     sum += arcForce(own.position, inward);
     // What flies meets others that are not neighbours yet, and as nothing carries it, it has its whole weight.

@@ -74,15 +74,23 @@ void addWarming(inout Warming warming, Pair pair, float ownTemperature) {
 /// Least share of surface, times half a spacing, of what counts as surface: inside the liquid the sum is never quite 0.
 const float kSurfaceShare = 0.1;
 
+/// Slope of surface tension over temperature, over density, m³/(s² K).
+float tensionSlope(float temperature) {
+    const float place = clamp((temperature - fluid.firstSlopeAt) * fluid.inverseSlopeStep, 0, FLOW_TENSION_SLOPES - 1.001);
+    const int left = int(place);
+    const int right = left + 1;
+    return mix(fluid.tensionSlopes[left >> 2][left & 3], fluid.tensionSlopes[right >> 2][right & 3], place - float(left));
+}
+
 /// Pull of the surface towards where tension is higher, m/s²: (dgamma/dT) times the surface gradient of temperature, on each
 /// area of surface (continuum surface force, Brackbill, Kothe and Zemach 1992). `inward`: normal with the surface per
 /// volume as its length, 1/m. The normalised temperature gradient is our own.
-vec3 marangoniForce(Warming warming, vec3 inward) {
+vec3 marangoniForce(Warming warming, vec3 inward, float temperature) {
     const vec3 gradient = warming.sum * 3 / max(warming.trace, 1e-3);
     const float share = length(inward);
     const vec3 across = inward / max(share, 1e-6);
     if (share * fluid.halfSpacing <= kSurfaceShare) return vec3(0);
-    return fluid.marangoni * share * (gradient - across * dot(gradient, across));
+    return tensionSlope(temperature) * share * (gradient - across * dot(gradient, across));
 }
 #endif
 

@@ -242,6 +242,33 @@ TEST_CASE("an arc presses with its pressure's integral") {
     CHECK(std::abs(force.x) < 0.02 * expected);
 }
 
+TEST_CASE("an arc's jet drags the surface away from its axis, by its drag's integral") {
+    test::context();
+    const float dx = 1e-3F;
+    const auto seeds = levelPool(dx, 0);
+    const FlowSpace space{glm::vec3(-0.01F), glm::vec3(0.03F)};
+    ArcPressure arc{glm::vec3(8, 8, 8) * dx, glm::vec3(0, -1, 0), 2e-3F, 500};
+    // One quarter of a ring about the axis, where edges of the pool are far: along its middle line, the drag is
+    // outwards.
+    const auto quarter = [&](glm::vec3 place) {
+        const glm::vec3 off = place - arc.place;
+        return off.x > std::abs(off.z) && glm::length(glm::vec3(off.x, 0, off.z)) < 5 * dx;
+    };
+    const glm::dvec3 pressed = forceOf({}, seeds, space, arc, quarter);
+    arc.shear = 50;
+    const glm::dvec3 force = forceOf({}, seeds, space, arc, quarter) - pressed;
+    // Beltaos and Rajaratnam 1974, with h = 15.1 sigma; over a quarter the parts along x are cos: 2 sin(45 degrees).
+    double expected = 0;
+    const double ring = 1e-5;
+    for (double r = ring / 2; r < 5e-3; r += ring) {
+        const double far = r / (15.1 * 2e-3), pressure = std::exp(-114 * far * far);
+        expected += 50 * (0.18 * (1 - pressure) / far - 9.43 * far * pressure) * r * ring * std::sqrt(2.0);
+    }
+    CHECK(force.x == Approx(expected).epsilon(0.1));
+    CHECK(std::abs(force.z) < 0.1 * expected);
+    CHECK(std::abs(force.y) < 0.1 * expected);
+}
+
 TEST_CASE("cold metal is wetted less than hot metal") {
     test::context();
     const double dx = 1e-3;
@@ -333,11 +360,36 @@ TEST_CASE("warmth pulls the surface towards the cold") {
     space.repeats = glm::bvec3(false, false, true);
     const auto inTheMiddle = [&](glm::vec3 place) { return std::abs(place.x - 8 * dx) < 3 * dx; };
     const glm::dvec3 without = forceOf(fluid, seeds, space, {}, inTheMiddle);
-    fluid.tensionSlope = -4e-4;
+    fluid.tensionSlopes = TensionSlopes::constant(-4e-4);
     const glm::dvec3 force = forceOf(fluid, seeds, space, {}, inTheMiddle) - without;
     const double area = 2 * 6e-3 * 16e-3; // above and below
-    CHECK(force.x == Approx(fluid.tensionSlope * static_cast<double>(slope) * area).epsilon(0.1));
+    CHECK(force.x == Approx(-4e-4 * static_cast<double>(slope) * area).epsilon(0.1));
     CHECK(std::abs(force.y) < 0.02 * std::abs(force.x));
+}
+
+TEST_CASE("the slope of surface tension at a place's own temperature drives it") {
+    test::context();
+    const float dx = 1e-3F;
+    const float slope = 1e5F; // K/m: 1600 K from end to end
+    const auto seeds = levelPool(dx, slope);
+    FlowFluid fluid;
+    FlowSpace space{glm::vec3(0, -0.01F, 0), glm::vec3(16 * dx, 0.03F, 16 * dx)};
+    space.repeats = glm::bvec3(false, false, true);
+    const auto left = [&](glm::vec3 place) { return std::abs(place.x - 5 * dx) < 2 * dx; };
+    const auto right = [&](glm::vec3 place) { return std::abs(place.x - 11 * dx) < 2 * dx; };
+    const glm::dvec3 leftWithout = forceOf(fluid, seeds, space, {}, left);
+    const glm::dvec3 rightWithout = forceOf(fluid, seeds, space, {}, right);
+    // From +4e-4 to -4e-4 over the pool's temperatures: 0 in its middle.
+    TensionSlopes slopes;
+    slopes.from = static_cast<double>(kHot);
+    slopes.step = static_cast<double>(slope) * 16e-3 / 15;
+    for (size_t i = 0; i < 16; ++i)
+        slopes.values[i] = 4e-4 - 8e-4 * static_cast<double>(i) / 15;
+    fluid.tensionSlopes = slopes;
+    const double area = 2 * 4e-3 * 16e-3;                                       // above and below
+    const double expected = 4e-4 * 3.0 / 8 * static_cast<double>(slope) * area; // 3 of 8 spacings off the middle
+    CHECK(forceOf(fluid, seeds, space, {}, left).x - leftWithout.x == Approx(expected).epsilon(0.1));
+    CHECK(forceOf(fluid, seeds, space, {}, right).x - rightWithout.x == Approx(-expected).epsilon(0.1));
 }
 
 } // namespace meltpool
