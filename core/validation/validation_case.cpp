@@ -226,6 +226,9 @@ Material readCaseMaterial(TomlTable& file, CaseMatter matter) {
     const bool surface = matter == CaseMatter::surface, viscous = matter == CaseMatter::viscous;
     constant("surface_tension", {surface ? kLeast : 0, 10}, m.surfaceTension, surface, metal ? kUsualTension : 0);
     m.sulphur = table.number("sulphur_percent", {0, kMostSulphur}, table.has("surface_tension") ? 0 : m.sulphur);
+    if (m.sulphur > 0 && !(m.tensionAt(m.solidus) > 0))
+        table.fail(table.has("sulphur_percent") ? "sulphur_percent" : "surface_tension",
+                   "leaves no surface tension at the solidus with " + formatNumber(m.sulphur) + " % of sulphur");
     constant("viscosity", {viscous ? kLeast : 0, 1e4}, m.viscosity, viscous, metal ? kUsualViscosity : 0);
     constant("expansion", {-1e-2, 1e-2}, m.expansion, false, 0);
     constant("emissivity", {0, 1}, m.emissivity, false, 0);

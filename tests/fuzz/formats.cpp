@@ -88,6 +88,7 @@ Answer readMaterialFile(const fs::path& file) {
          {&m.solidDensity, &m.liquidDensity, &m.solidConductivity, &m.liquidConductivity, &m.solidSpecificHeat,
           &m.liquidSpecificHeat, &m.viscosity, &m.expansion, &m.surfaceTension, &m.emissivity})
         requireSound(*property);
+    require(m.tensionAt(m.solidus) > 0 && std::isfinite(m.tensionSlopeAt(m.solidus)), "it has no surface tension");
     require(m.solidus > 0 && m.liquidus >= m.solidus && m.latentHeat >= 0, "it does not melt");
     require(m.boilingPoint == 0 || m.boilingPoint > m.liquidus, "it boils before it melts");
     return Answer::taken;

@@ -79,8 +79,13 @@ void readPhases(TomlTable& file, Material& material) {
     liquid.finish();
     TomlTable surface = file.table("surface");
     material.surfaceTension = readProperty(surface, "tension", {1e-4, 10});
-    if (surface.has("sulphur_percent"))
+    if (surface.has("sulphur_percent")) {
         material.sulphur = readValue(surface, "sulphur_percent", {0, kMostSulphur}, material.sulphurSource);
+        if (!(material.tensionAt(material.solidus) > 0))
+            surface.fail("sulphur_percent",
+                         "leaves no surface tension at the solidus; expected a metal that melts where "
+                         "steel does, with less sulphur or more tension");
+    }
     material.emissivity = readProperty(surface, "emissivity", {0, 1});
     surface.finish();
 }

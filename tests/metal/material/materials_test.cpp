@@ -139,4 +139,7 @@ TEST_CASE("A material file's faults are named with their line", "[materials]") {
     CHECK_THAT(faultOf("1813.15", "1713.15"), containsText("must not lie below the solidus"));
     CHECK_THAT(faultOf("[333.15,", "[233.15,"), containsText("temperatures must rise"));
     CHECK_THAT(faultOf("[boiling]", "[boiling"), containsText("bad.toml:4"));
+    CHECK_THAT(faultOf("percent = { value = 0.005", "percent = { value = 0.5"),
+               containsText("expected a number from 0 to 0.2"));
+    CHECK_THAT(faultOf("[1700, 1.98987]", "[1700, 0.1]"), containsText("leaves no surface tension at the solidus"));
 }
