@@ -153,8 +153,8 @@ TEST_CASE("drops in any state are caught by the plate", "[physical][flight]") {
     CHECK(metal.statistics().lost == 0);
     for (size_t i = first; i < places.size(); ++i) {
         INFO("drop " << i - first << " at " << places[i].x << ", " << places[i].y << ", " << places[i].z);
-        CHECK(places[i].y > -0.1F * kMm); // at lowest between four particles of the plate
-        CHECK(places[i].y < 5 * kMm);     // on the plate, or on others: mushy ones stick and pile up
+        CHECK(places[i].y > -0.1F * kMm);                         // at lowest between four particles of the plate
+        CHECK(places[i].y < (temperature == 1790 ? 5 : 4) * kMm); // on the plate, or on others; mushy ones pile up
         CHECK(glm::length(glm::vec3(velocities[i])) < 0.02F);
     }
     CHECK_FALSE(metal.flow().readFaults().any());

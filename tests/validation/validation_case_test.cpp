@@ -189,6 +189,10 @@ TEST_CASE("A case's material needs what its kind looks at, in any of its forms",
     CHECK(drop("density = 7000\nsurface_tension = 1.8").liquidDensity.at(300) == 7000);
     CHECK(drop("density_liquid = 6900\nsurface_tension = 1.8").solidDensity.at(300) == 6900);
     CHECK(drop("use = \"S235\"").tensionAt(1813) == Approx(1.8).epsilon(0.05));
+    CHECK(drop("use = \"S235\"\nsulphur_percent = 0.03").sulphur == 0.03);
+    CHECK(drop("use = \"S235\"\nsurface_tension = 1.8").tensionAt(1813) == 1.8); // the given one, whole
+    CHECK_THROWS_AS(drop("use = \"S235\"\nsulphur_percent = 0.3"), InputError);
+    CHECK_THROWS_AS(drop("use = \"S235\"\nsurface_tension = 0.1\nsulphur_percent = 0.1"), InputError);
     CHECK(drop("use = \"aluminium_6061\"").key == "aluminium-6061");
     CHECK_THROWS_AS(drop("density = 7000"), InputError);                      // no surface tension
     CHECK_THROWS_AS(drop("density = 7000\nsurface_tension = 0"), InputError); // nothing would pull

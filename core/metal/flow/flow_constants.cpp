@@ -24,12 +24,6 @@ constexpr double kCourant = 0.585; // longest stable c dt / H
 
 } // namespace
 
-TensionSlopes TensionSlopes::constant(double slope) {
-    TensionSlopes slopes;
-    slopes.values.fill(slope);
-    return slopes;
-}
-
 bool TensionSlopes::any() const {
     return std::any_of(values.begin(), values.end(), [](double slope) { return slope != 0; });
 }

@@ -13,8 +13,7 @@ struct TensionSlopes {
     double from = 0, step = 100;
     std::array<double, 16> values{};
 
-    static TensionSlopes constant(double slope);
-    bool any() const;
+    bool any() const; ///< is not 0
 };
 
 /// A liquid as particles of one size see it. SI units.

@@ -360,7 +360,7 @@ TEST_CASE("warmth pulls the surface towards the cold") {
     space.repeats = glm::bvec3(false, false, true);
     const auto inTheMiddle = [&](glm::vec3 place) { return std::abs(place.x - 8 * dx) < 3 * dx; };
     const glm::dvec3 without = forceOf(fluid, seeds, space, {}, inTheMiddle);
-    fluid.tensionSlopes = TensionSlopes::constant(-4e-4);
+    fluid.tensionSlopes.values.fill(-4e-4);
     const glm::dvec3 force = forceOf(fluid, seeds, space, {}, inTheMiddle) - without;
     const double area = 2 * 6e-3 * 16e-3; // above and below
     CHECK(force.x == Approx(-4e-4 * static_cast<double>(slope) * area).epsilon(0.1));
