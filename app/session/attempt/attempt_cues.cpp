@@ -31,6 +31,8 @@ CuePose poseOf(const Trainer& trainer) {
     CuePose pose;
     pose.place = technique.place();
     pose.aim = technique.steps().back().aim;
+    if (const TechniqueBand* band = bands ? bands->find(TechniqueQuantity::aim) : nullptr)
+        pose.line = band->ideal / quantityInfo(TechniqueQuantity::aim, bands->distance).perSi;
     pose.axis = trainer.torch().axis();
     pose.direction = cueDirection(technique, bands ? &*bands : nullptr);
     pose.from = bands ? bands->lengthFromMm * 1e-3 : seam.begin();

@@ -81,6 +81,7 @@ void DeskTorch::begin(const Lesson& lesson) {
     take(lesson.process);
     const double usual = kind_ == DistanceKind::arcLength ? 3 * kMm : stickOut_ + 3 * kMm;
     wanted_ = {};
+    wanted_.aim = idealOf(lesson, TechniqueQuantity::aim, 0);
     wanted_.distance = idealOf(lesson, TechniqueQuantity::distance, usual);
     // The distance of an arc that is struck by touch says nothing of how it is held.
     if (kind_ == DistanceKind::ctwd) wanted_.distance = expertDistance(lesson, *seam_).value_or(wanted_.distance);

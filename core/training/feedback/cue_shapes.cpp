@@ -43,7 +43,7 @@ constexpr double kDashStart = kPoolDisc + 2e-3;
 constexpr float kDashGround = 2; // width of the dark ground, of a dash
 constexpr float kBesideDisc =
     1.05F; // of the disc's radius; two points outside may have a chord of the disc between them
-constexpr float kDashLift = 0.8e-3F;                                          // m over the seam
+constexpr double kDashLift = 0.8e-3;                                          // m over the seam
 constexpr float kDashWidth = 4e-3F, kThinnest = 0.4e-3F, kThickest = 1.6e-3F; // of the eye's distance; m
 
 const glm::vec3& colourOf(BandZone zone) {
@@ -269,7 +269,7 @@ void CueShapes::addArcSign(const Board& board, const Cue& cue, const glm::vec3& 
         cue.opacity);
 }
 
-/// Dashes on the seam ahead of the pool, to the end of what is to be welded, fainter the farther they are.
+/// Dashes on the line to aim at, ahead of the pool, to the end of what is to be welded, fainter the farther they are.
 void CueShapes::addSeam(const Cue& cue, const Seam& seam, const CuePose& pose, const glm::vec3& pool,
                         const CueEye& eye) {
     const double onward = pose.direction != 0 ? pose.direction : pose.place < (pose.from + pose.to) / 2 ? 1 : -1;
@@ -292,8 +292,8 @@ void CueShapes::addSeam(const Cue& cue, const Seam& seam, const CuePose& pose, c
         const double from = pose.place + onward * (kDashStart + i * kDashPeriod), to = from + onward * kDashLength;
         if (!seam.closed() && (std::max(from, to) > pose.to || std::min(from, to) < pose.from)) continue;
         const SeamFrame near = seam.at(from), far = seam.at(to);
-        const glm::vec3 a = glm::vec3(near.point) + glm::vec3(near.up) * kDashLift;
-        const glm::vec3 b = glm::vec3(far.point) + glm::vec3(far.up) * kDashLift;
+        const glm::vec3 a(near.point + pose.line * near.across + kDashLift * near.up);
+        const glm::vec3 b(far.point + pose.line * far.across + kDashLift * far.up);
         const glm::mat4 dash = alongLine(a, b, width), ground = alongLine(a, b, kDashGround * width);
         if (covers(ground)) continue;
         add(SolidShape::cylinder, ground, kGround, cue.opacity * (0.6 - 0.08 * i));

@@ -23,6 +23,7 @@ inline constexpr double kPoolDisc = 8e-3;
 struct CuePose {
     double place = 0; ///< along the seam
     double aim = 0;   ///< across it
+    double line = 0;  ///< across it, where the lesson wants the torch aimed
     glm::vec3 axis{0, -1, 0};
     int direction = 0; ///< of travel: +1 towards growing places, -1, 0 while it is not known
     double from = 0;   ///< of the wanted seam, places

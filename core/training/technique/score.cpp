@@ -150,8 +150,8 @@ std::string sentenceOf(const ParameterScore& parameter, const TechniqueBand& ban
         return "Weld in the other direction: the torch went against the one asked for, at " + tell(-parameter.mean) +
                " on average.";
     if (parameter.quantity == TechniqueQuantity::aim)
-        return sentence + ": the aim was " + tell(off) + " off on average, " +
-               (tooMuch ? "on your side." : "on the side away from you.");
+        return sentence + ": the aim was " + tell(off) + " off " + (band.ideal == 0 ? "" : "the line asked for ") +
+               "on average, " + (tooMuch ? "on your side." : "on the side away from you.");
     return sentence + ": the " + words + " was " + tell(parameter.mean) + " on average, " + tell(off) +
            (tooMuch ? " above the " : " below the ") + tell(band.ideal) + " asked for.";
 }

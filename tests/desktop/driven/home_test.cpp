@@ -295,6 +295,7 @@ TEST_CASE("the shipped tee fillet is picked, set up, welded end to end, scored a
     WARN(judged.at("judgement").dump());
     REQUIRE(score.starts_with("Score "));
     CHECK(std::stod(score.substr(6)) >= 80);
+    CHECK(judged.at("judgement").at("verdict").get<std::string>().starts_with("Accepted"));
     window.settle();
     window.takePicture("tee-result");
     window.click("result.again");

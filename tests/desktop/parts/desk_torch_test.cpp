@@ -91,7 +91,8 @@ TEST_CASE("a guided desk torch is measured as it is held, on plate, tee and unde
             REQUIRE(band != nullptr); // it begins as the lesson asks for
             CHECK(degrees(now[quantity]) == Approx(band->ideal).margin(0.1));
         }
-        CHECK(now[TechniqueQuantity::aim] * 1e3 == Approx(0).margin(0.01));
+        REQUIRE(bands.find(TechniqueQuantity::aim) != nullptr);
+        CHECK(now[TechniqueQuantity::aim] * 1e3 == Approx(bands.find(TechniqueQuantity::aim)->ideal).margin(0.01));
         desk.frame(pressed(Key::right, 5));
         desk.frame(pressed(Key::down, 7));
         desk.frames(10, {});

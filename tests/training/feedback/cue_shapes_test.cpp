@@ -201,6 +201,25 @@ TEST_CASE("marks move the way that the hand has gone, whichever way the picture 
         }
 }
 
+TEST_CASE("the seam's dashes lie on the line that the lesson wants aimed at", "[training]") {
+    Stage stage(WorkpieceKind::Tee);
+    CueList cues;
+    Cue cue;
+    cue.kind = CueKind::seam;
+    cues.add(cue);
+    const CueEye eye = eyeAt(stage.pool, 0, 40, 0.15F);
+    CueShapes shapes;
+    const std::span<const Marker> onSeam = shapes.build(cues, stage.seam, stage.pose, eye, stage.blocks, glm::mat4(1));
+    const std::vector<Marker> before(onSeam.begin(), onSeam.end());
+    REQUIRE(!before.empty());
+    stage.pose.line = -0.5e-3;
+    const std::span<const Marker> beside = shapes.build(cues, stage.seam, stage.pose, eye, stage.blocks, glm::mat4(1));
+    REQUIRE(beside.size() == before.size());
+    const glm::vec3 way(stage.pose.line * stage.seam.at(stage.pose.place).across);
+    for (size_t i = 0; i < before.size(); ++i)
+        CHECK(glm::distance(glm::vec3(beside[i].toWorld[3]), glm::vec3(before[i].toWorld[3]) + way) < 1e-7F);
+}
+
 namespace {
 
 /// A plate with a torch over it, in a world of 25 units to the metre.

@@ -100,6 +100,19 @@ TEST_CASE("a perfect path has 100 and nothing to correct", "[training][technique
     CHECK(scoreOf(bentWeld({}, -38.5, 38.5)).total == 100);
 }
 
+TEST_CASE("an aim beside the joint line is scored and told against the line that the lesson asks for") {
+    TechniqueBands bands = lessonBands();
+    bands.bands[0].ideal = -0.5;
+    const auto scored = [&](double beside) { return scoreOf(bentWeld({1, 0, 0, beside, 0}), bands); };
+    CHECK(scored(-0.5).total == 100);
+    CHECK(scored(0.5).find(aim)->score == 100);
+    CHECK(scored(-1.4).find(aim)->score == 100);
+    CHECK(scored(1.5).find(aim)->score == Approx(50));
+    const auto told = corrections(scored(1.5), bands);
+    REQUIRE(told.size() == 1);
+    CHECK_THAT(told[0].sentence, test::containsText("2 mm off the line asked for on average, on your side."));
+}
+
 TEST_CASE("a bent path is marked down, and its own parameter is the lowest", "[training][technique]") {
     struct Case {
         const char* what;
