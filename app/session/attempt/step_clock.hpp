@@ -42,7 +42,7 @@ class StepClock {
         if (steps <= 0) return;
         busy_ = seconds;
         const double each = seconds / steps;
-        cost_ += (each - cost_) * (cost_ > 0 ? 0.2 : 1.0);
+        cost_ += (each - cost_) * (cost_ <= 0 ? 1.0 : each > cost_ ? kDearer : kCheaper);
     }
 
     /// What the steps of the newest frame kept it waiting for, s.
@@ -67,6 +67,11 @@ class StepClock {
     }
 
   private:
+    /// Shares of a frame's cost that are believed at once. An arc that is struck makes steps several times as dear:
+    /// learned slowly, the next frames would take so long that what the hand does in them is not known.
+    static constexpr double kDearer = 0.6;
+    static constexpr double kCheaper = 0.2;
+
     int mostSteps(double step) const {
         const double most = kLongest / step;
         const double bearable = cost_ > 0 ? kBusy / cost_ : most;
