@@ -1,5 +1,7 @@
 #include "app/headset/headset_notice.hpp"
 
+#include "core/training/feedback/cue_shapes.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -13,7 +15,7 @@ constexpr size_t kMostWarnings = 3;
 constexpr size_t kLongestLine = 240; // bytes; longer messages are whole in the window
 constexpr float kLooksThere = 0.85f; // cosine: within 32 degrees of where the head points
 constexpr float kAhead = 0.6f;       // m before the eyes, where the torch is not in sight
-constexpr float kAboveTip = 0.03f;   // m from the tip to the notice's lower edge
+constexpr float kAboveBoard = 0.02f; // of the eyes' distance: from the cues' board to the notice's lower edge
 constexpr double kFollowing = 0.15;  // s
 
 float heightOf(const xr::PanelShape& shape) {
@@ -60,7 +62,8 @@ void NoticePlace::update(bool warns, const xr::Pose& head, const std::optional<g
     const glm::vec3 back = glm::normalize(head.position - target);
     const glm::vec3 right = glm::normalize(glm::cross(head.orientation * glm::vec3(0, 1, 0), back));
     const glm::vec3 up = glm::cross(back, right);
-    const float raise = seen ? kAboveTip + heightOf(HeadsetNotice::kShape) / 2 : -0.1f;
+    const float aboveTip = (kCueBoardHeight + kAboveBoard) * glm::distance(head.position, target);
+    const float raise = seen ? aboveTip + heightOf(HeadsetNotice::kShape) / 2 : -0.1f;
     const glm::vec3 there = target + up * raise;
     const auto share = static_cast<float>(known_ ? 1 - std::exp(-elapsed / kFollowing) : 1.0);
     position_ += (there - position_) * share;

@@ -17,11 +17,11 @@ struct Thing {
 
 const int kThingCount = WORKSHOP_BOXES;
 const Thing kThings[kThingCount] = Thing[](
-    // steel bench along the back wall with its top, a red drawer cabinet in it and a vice on it
+    // steel bench along the back wall with its top, a red drawer cabinet in it and the foot of a vice on it
     Thing(vec3(-2.2, -0.36, -3.6), vec3(1.5, -0.28, -2.75), vec3(0.34, 0.25, 0.17), 0.15),
     Thing(vec3(-2.1, -1.25, -3.55), vec3(-1.2, -0.36, -2.85), vec3(0.36, 0.035, 0.03), 0.25),
     Thing(vec3(0.5, -1.25, -3.55), vec3(1.4, -0.36, -2.85), vec3(0.05, 0.07, 0.10), 0.2),
-    Thing(vec3(-0.25, -0.28, -3.15), vec3(0.05, -0.02, -2.80), vec3(0.07, 0.11, 0.15), 0.3),
+    Thing(vec3(-0.19, -0.28, -3.12), vec3(-0.01, -0.20, -2.94), vec3(0.07, 0.11, 0.15), 0.3),
     // pegboard behind it, shelf over it, boxes on the shelf
     Thing(vec3(-2.0, 0.05, -3.6), vec3(1.3, 0.95, -3.56), vec3(0.42, 0.36, 0.27), 0.02),
     Thing(vec3(-2.0, 1.18, -3.6), vec3(1.3, 1.22, -3.25), vec3(0.16, 0.15, 0.14), 0.1),
@@ -32,7 +32,12 @@ const Thing kThings[kThingCount] = Thing[](
     Thing(vec3(3.5, -1.25, -2.4), vec3(4.2, 0.75, -0.6), vec3(0.10, 0.14, 0.16), 0.2),
     Thing(vec3(3.2, -1.25, 0.5), vec3(3.8, -0.45, 1.1), vec3(0.45, 0.16, 0.02), 0.25),
     Thing(vec3(-4.2, -0.42, 0.2), vec3(-3.3, -0.34, 2.6), vec3(0.30, 0.24, 0.18), 0.15),
-    Thing(vec3(-4.15, -1.25, 0.4), vec3(-3.5, -0.42, 0.9), vec3(0.08, 0.09, 0.10), 0.2));
+    Thing(vec3(-4.15, -1.25, 0.4), vec3(-3.5, -0.42, 0.9), vec3(0.08, 0.09, 0.10), 0.2),
+    // the vice: its fixed jaw, the one that is screwed against it, the slide between them and the handle
+    Thing(vec3(-0.22, -0.20, -3.10), vec3(0.02, -0.03, -3.02), vec3(0.07, 0.11, 0.15), 0.3),
+    Thing(vec3(-0.22, -0.20, -2.93), vec3(0.02, -0.03, -2.86), vec3(0.07, 0.11, 0.15), 0.3),
+    Thing(vec3(-0.14, -0.19, -3.02), vec3(-0.06, -0.09, -2.80), vec3(0.20, 0.20, 0.20), 0.5),
+    Thing(vec3(-0.23, -0.15, -2.78), vec3(0.03, -0.13, -2.76), vec3(0.30, 0.30, 0.30), 0.6));
 
 // Gas bottles: axis (x and z), radius, height of the top, colour.
 const int kBottleCount = WORKSHOP_BOTTLES;

@@ -64,7 +64,7 @@
 
 // The workshop's geometry: boxes and gas bottles, and the sides that a bottle is drawn with. The floor's height is that
 // under the place from which the environment shows the workshop, m.
-#define WORKSHOP_BOXES 13
+#define WORKSHOP_BOXES 17
 #define WORKSHOP_BOTTLES 3
 #define WORKSHOP_BOTTLE_SIDES 24
 #define WORKSHOP_FLOOR (-1.25)

@@ -1,6 +1,7 @@
 // What the person is told while they weld: why the arc is out, that the metal is slow, and how the headset shows it.
 #include "app/headset/headset_notice.hpp"
 #include "app/session/notices.hpp"
+#include "core/training/feedback/cue_shapes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
@@ -109,7 +110,12 @@ TEST_CASE("the notice hangs above the torch where the person looks there, else b
     const auto angle = [&](const glm::vec3& point) {
         return glm::degrees(std::acos(glm::dot(glm::normalize(point - head.position), head.forward())));
     };
-    CHECK(glm::distance(place.pose().position, tip) < 0.15f);
+    CHECK(glm::distance(place.pose().position, tip) < 0.2f);
+    // Its lower edge leaves the cues' board free, which stands beside the tip or higher.
+    const xr::PanelShape& shape = HeadsetNotice::kShape;
+    const float half = shape.width * static_cast<float>(shape.heightPixels) / static_cast<float>(shape.widthPixels) / 2;
+    const glm::vec3 edge = place.pose().position - place.pose().orientation * glm::vec3(0, half, 0);
+    CHECK(glm::distance(edge, tip) > kCueBoardHeight * glm::distance(head.position, tip));
     CHECK(place.pose().position.y > tip.y);
     CHECK(angle(place.pose().position) < 20);
     // It faces the eyes.

@@ -26,15 +26,15 @@ constexpr double kGroundOpacity = 0.6, kBandOpacity = 0.85;
 constexpr float kTorchFrom = 4e-3F, kTorchTo = 0.1F, kTorchRadius = 9e-3F;
 constexpr int kTorchParts = 12;
 
-constexpr float kCell = 0.06F;         // edge of a field over its distance from the eye
-constexpr float kTile = 0.96F;         // of a field's edge
-constexpr float kHalfBar = 0.36F;      // likewise
-constexpr float kBarWidth = 0.2F;      // likewise
-constexpr float kLayer = 0.01F;        // likewise: distance between what lies on one another
-constexpr float kFarthest = 1.15F;     // of a half bar: a mark beyond the band
-constexpr float kLift = 20e-3F;        // m that the board stands before the pool
-constexpr float kLargestLift = 0.4F;   // of the eye's distance
-constexpr float kClear = 1.15F;        // room between board and pool, of the disc's radius
+constexpr float kCell = kCueBoardHeight / 2; // edge of a field over its distance from the eye
+constexpr float kTile = 0.96F;               // of a field's edge
+constexpr float kHalfBar = 0.36F;            // likewise
+constexpr float kBarWidth = 0.2F;            // likewise
+constexpr float kLayer = 0.01F;              // likewise: distance between what lies on one another
+constexpr float kFarthest = 1.15F;           // of a half bar: a mark beyond the band
+constexpr float kLift = 20e-3F;              // m that the board stands before the pool
+constexpr float kLargestLift = 0.4F;         // of the eye's distance
+constexpr float kClear = 1.15F;              // room between board and pool, of the disc's radius
 constexpr float kClearPerLift = 0.13F; // and of the lift: half the eyes' distance from each other over that to the pool
 
 constexpr double kDashLength = 2.5e-3, kDashPeriod = 4e-3; // m

@@ -19,6 +19,9 @@ namespace meltpool {
 /// m; a disc of this radius on the seam, about the place where the torch points, stays free of cues.
 inline constexpr double kPoolDisc = 8e-3;
 
+/// Of the cues' board, over its distance from the eye.
+inline constexpr float kCueBoardHeight = 0.12F;
+
 /// Where the torch welds; workpiece frame, m.
 struct CuePose {
     double place = 0; ///< along the seam
