@@ -267,7 +267,7 @@ void Surface::Work::bindLattice(const ParticleView& particles) {
 /// Without times of freezing, the highest temperatures tell metal on the lattice from other metal.
 const gl::Program& Surface::Work::chooseVertexPass() {
     if (withFreezing()) return freezing->vertexPass;
-    if (!peaks || setup.flatPlaneCount == 0) return vertexPass;
+    if (!peaks || setup.flatPlaneCount + setup.pipeCount == 0) return vertexPass;
     if (flatVertexPass == nullptr) flatVertexPass = &shaders.compute("surface/vertices.comp", {{"SURFACE_FLAT", "1"}});
     return *flatVertexPass;
 }
@@ -378,7 +378,7 @@ void Surface::writeSetup(const ParticleView& particles, bool rebuild) {
     setup.particleData = work_->particleData;
     setup.freezingUnit = freezingUnit(setup.influence);
     setup.latticeTiles = ivec3(0);
-    setup.flatPlaneCount = 0;
+    setup.flatPlaneCount = setup.pipeCount = 0;
     if (const MetalLattice* lattice = particles.lattice) {
         setup.latticeOrigin = lattice->low;
         setup.perLatticeSpacing = 1 / lattice->spacing;
@@ -386,6 +386,9 @@ void Surface::writeSetup(const ParticleView& particles, bool rebuild) {
         setup.flatPlaneCount = flatFaces.count;
         for (size_t i = 0; i < size_t(flatFaces.count); ++i)
             setup.flatPlanes[i] = vec4((flatFaces.corners[i] - lattice->low) / lattice->spacing, 0);
+        setup.pipeCount = roundFaces.outer > 0 ? 1 : 0;
+        setup.pipePlace = vec4(roundFaces.axis, roundFaces.low, roundFaces.high);
+        setup.pipeRadii = vec2(roundFaces.outer, roundFaces.inner);
         setup.flatBelow = particles.solidus > 0 ? kFlatBelow * particles.solidus : std::numeric_limits<float>::max();
     }
     setup.incremental = incremental.enabled ? 1 : 0;

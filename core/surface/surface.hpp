@@ -39,6 +39,13 @@ struct FlatFaces {
     int count = 0;
 };
 
+/// A pipe along z whose faces are round and whose ends are flat, in model units. `outer` is 0 where there is none.
+struct RoundFaces {
+    glm::vec2 axis{0}; ///< x and y
+    float low = 0, high = 0;
+    float outer = 0, inner = 0; ///< radii
+};
+
 /// The density volume holds at every corner of the grid the sum of the weights 1 - d / d_max of the particles around, d
 /// in cells, d_max = sqrt(3) / 2 + sqrt(3) (influence - 1), as integers of 1/10000. The temperature volume holds the
 /// sum of weight x temperature; the surface's temperature is the quotient of the two, the weighted mean, so that it
@@ -51,8 +58,8 @@ struct FlatFaces {
 /// Particles that store when they froze fill a volume of their own: sums of weights and of weight x time over the metal
 /// that froze alone, so that a neighbour that never melted does not count. The mesh gets from it the time and its
 /// gradient (SurfaceFreezing), and the share of frozen metal. With them vertices beside metal that stands on its
-/// lattice still are put on the lattice's own surface where that lies in FlatFaces: flat, with edges. The volumes stay
-/// as they are. What froze after SURFACE_FREEZING_LONGEST does not count.
+/// lattice still are put on the lattice's own surface where that lies in FlatFaces: flat, with edges; and on those of
+/// RoundFaces. The volumes stay as they are. What froze after SURFACE_FREEZING_LONGEST does not count.
 ///
 /// The smooth kernel has other weights (SurfaceKernel).
 ///
@@ -72,7 +79,9 @@ class Surface {
     /// Live values; `cells` is only read at construction.
     SurfaceParameters parameters;
     IncrementalUpdate incremental;
-    FlatFaces flatFaces; ///< read where the particles have a lattice and store how hot they were or when they froze
+    /// Read where the particles have a lattice and store how hot they were or when they froze.
+    FlatFaces flatFaces;
+    RoundFaces roundFaces;
 
     /// Range of temperatures that the volume stores; others are clamped to it. The default, 0..1, is the classic
     /// model's. Throws InputError when the range is empty.

@@ -147,6 +147,9 @@ void WeldModel::prepare(Surface& surface) const {
         for (const glm::vec3& corner : {block.low, block.high})
             if (surface.flatFaces.count < SURFACE_FLAT_PLANES)
                 surface.flatFaces.corners[size_t(surface.flatFaces.count++)] = corner;
+    surface.roundFaces = {};
+    if (const auto& pipe = workpiece_.pipe)
+        surface.roundFaces = {pipe->axis, pipe->low, pipe->high, pipe->outer, pipe->inner};
     // Particles keep their slots; less than a fiftieth of a cell or 3 K is seen by nobody.
     surface.incremental = {true, 0.02F, 0.001F};
 }

@@ -189,6 +189,10 @@ Workpiece makeWorkpiece(const WorkpieceParameters& p) {
     piece.lattice = MetalLattice::covering(spaceLow * kMm, spaceHigh * kMm, p.spacingMm * kMm);
     for (const WorkpieceShape::Box& box : shape.fullBoxes())
         piece.blocks.push_back({box.low * kMm, box.high * kMm});
+    if (isKind(p, {WorkpieceKind::Pipe})) {
+        const float radius = p.diameterMm / 2 * kMm;
+        piece.pipe = {{0, -radius}, low.z * kMm, high.z * kMm, radius, radius - p.thicknessMm * kMm};
+    }
     addParts(piece, shape, p.temperatureC + 273.15F);
     requireCount(static_cast<double>(piece.seeds.size()));
     if (p.tackCount > 0) addTacks(piece, shape, p.temperatureC + 273.15F);

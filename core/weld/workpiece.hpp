@@ -47,6 +47,13 @@ struct WorkpieceBlock {
     glm::vec3 high{0};
 };
 
+/// A pipe along z, m.
+struct WorkpiecePipe {
+    glm::vec2 axis{0}; ///< x and y
+    float low = 0, high = 0;
+    float outer = 0, inner = 0; ///< radii
+};
+
 struct Workpiece {
     MetalLattice lattice;
     std::vector<MetalSeed> seeds; ///< of the parts, then of the tacks
@@ -60,6 +67,7 @@ struct Workpiece {
     float floorHeight = 0;        ///< m along `up`, of the table: the lowest place of the space
     /// Boxes full of its metal, which keep an arc's light off what lies behind: all of it but bevels and pipes.
     std::vector<WorkpieceBlock> blocks;
+    std::optional<WorkpiecePipe> pipe;
 
     /// The seeds of the parts that are joined: the workpiece as it was before anything was deposited on it.
     std::span<const MetalSeed> parts() const { return std::span(seeds).first(seeds.size() - tackSeeds); }

@@ -181,6 +181,10 @@ struct SurfaceSetup {
     ivec3 latticeTiles;         ///< 0: no lattice, or not asked for
     float flatBelow;            ///< highest temperature so far up to which metal of the lattice is taken to lie as it did
     vec4 flatPlanes[SURFACE_FLAT_PLANES]; ///< xyz: planes along each axis that flat faces lie in, lattice cells from its low corner
+    vec4 pipePlace; ///< of a pipe along z: its axis in xy, its ends in z and w; model units
+    vec2 pipeRadii; ///< outside, inside
+    int pipeCount;  ///< 0 or 1
+    float unused0;
 };
 
 #ifdef __cplusplus
@@ -188,7 +192,7 @@ static_assert(sizeof(SurfaceVertex) == 32);
 static_assert(sizeof(SurfaceFreezing) == 16);
 static_assert(sizeof(SurfaceDraw) == 20);
 static_assert(sizeof(SurfaceCommands) == 136);
-static_assert(sizeof(SurfaceSetup) == 144 + 16 * SURFACE_FLAT_PLANES);
+static_assert(sizeof(SurfaceSetup) == 176 + 16 * SURFACE_FLAT_PLANES);
 } // namespace meltpool
 #endif
 

@@ -1,6 +1,6 @@
 // Where metal stands on its lattice still, the workpiece's flat faces are those of the lattice's cells in the same planes, with
-// sharp edges. The volumes round both by the particles' reach, and quilt faces. Bevels, pipes and tacks are not flat: their
-// cells make steps.
+// sharp edges. The volumes round both by the particles' reach, and quilt faces. Bevels and tacks are neither flat nor round:
+// their cells make steps.
 #ifndef MELTPOOL_SURFACE_LATTICE_GLSL
 #define MELTPOOL_SURFACE_LATTICE_GLSL
 
@@ -11,6 +11,10 @@ layout(binding = SURFACE_TEXELS_LATTICE) uniform usamplerBuffer latticeSlots;
 // Farthest that a face is looked for along its normal, and that its edge is beside it; lattice cells. The rounding takes less.
 const float kFarthestFace = 1.2;
 const float kFarthestEdge = 2.0;
+// Farthest that a pipe's face is from the surface that its steps of cells have.
+const float kFarthestPipe = 1.0;
+// Up to here from where a pipe's round and flat faces meet, a vertex is put on their edge.
+const float kPipeEdge = 0.8;
 // Share of metal off the lattice from which on an edge is not looked for: what melted leaves edges in the lattice.
 const float kNoneLoose = 0.01;
 // From this share of `flatBelow` on faces are flat no longer; there metal melts next to them.

@@ -60,18 +60,40 @@ float temperatureOf(float heat, float weight) {
 }
 
 #ifdef SURFACE_FLAT
-/// Puts a vertex beside metal of the lattice on the lattice's own surface; `loose`: share of other metal around, `hottest`: its
-/// highest temperature so far. `inside`: the
-/// corner of its edge that is inside, `edge`: from there to the outside, in corners.
-void flatten(inout SurfaceVertex vertex, ivec3 inside, ivec3 edge, float loose, float hottest) {
+/// How far a vertex is to be put on the faces of metal that stands on its lattice still, 0..1. Beside metal that melted the
+/// lattice has holes whose walls are no faces.
+float untouchedShare(float loose, float hottest) {
+    return (1.0 - smoothstep(kFlatFrom, 1.0, hottest / setup.flatBelow)) * (1.0 - smoothstep(0.02, 0.25, loose));
+}
+
+/// Puts a vertex beside metal of the lattice on the pipe that it is a part of: on its outer or inner face where its normal looks
+/// across the axis, else on an end; near the edge of both, on that.
+void putOnPipe(inout SurfaceVertex vertex, float share) {
+    vec2 off = vertex.position.xy - setup.pipePlace.xy;
+    float radius = length(off);
+    vec2 away = off / max(radius, 1e-9);
+    float across = dot(vertex.normal.xy, away), far = kFarthestPipe / setup.perLatticeSpacing;
+    float face = across > 0.0 ? setup.pipeRadii.x : setup.pipeRadii.y;
+    float end = vertex.normal.z > 0.0 ? setup.pipePlace.w : setup.pipePlace.z;
+    bool round_ = abs(across) >= abs(vertex.normal.z);
+    float offFace = abs(radius - face), offEnd = abs(vertex.position.z - end), edge = kPipeEdge / setup.perLatticeSpacing;
+    vec3 place = vec3(round_ || offFace < edge ? setup.pipePlace.xy + away * face : vertex.position.xy,
+                      !round_ || offEnd < edge ? end : vertex.position.z);
+    vec3 normal = round_ ? vec3(away * sign(across), 0) : vec3(0, 0, sign(vertex.normal.z));
+    bool near = (round_ ? offFace : offEnd) < far;
+    share = near ? share : 0.0;
+    vertex.position = mix(vertex.position, place, share);
+    vertex.normal = normalised(mix(vertex.normal, normal, share), vertex.normal);
+}
+
+/// Puts a vertex beside metal of the lattice on the lattice's own surface; `loose`: share of other metal around, `share`:
+/// untouchedShare(). `inside`: the corner of its edge that is inside, `edge`: from there to the outside, in corners.
+void flatten(inout SurfaceVertex vertex, ivec3 inside, ivec3 edge, float loose, float share) {
     vec3 n = vertex.normal, size = abs(n);
     ivec3 signs = ivec3(sign(setup.extent)); // of the corners' axes in the model
     ivec3 axis = edge * signs;
     if (dot(n, vec3(axis)) < kFacing)
         axis = size.x >= max(size.y, size.z) ? ivec3(sign(n.x), 0, 0) : size.y >= size.z ? ivec3(0, sign(n.y), 0) : ivec3(0, 0, sign(n.z));
-    // Beside metal that melted the lattice has holes whose walls are no faces.
-    float cold = 1.0 - smoothstep(kFlatFrom, 1.0, hottest / setup.flatBelow);
-    float share = cold * (1.0 - smoothstep(0.02, 0.25, loose));
     vec3 place = (vertex.position - setup.latticeOrigin) * setup.perLatticeSpacing;
     LatticeFace face = faceAt(place, place - 0.05 * n, axis, share > 0.0 ? 3 : 0);
     bool ends = face.found && loose < kNoneLoose;
@@ -151,8 +173,11 @@ void main() {
 #else
     float loose = looseByHeat(hottest);
 #endif
+    float share = untouchedShare(loose, hottest);
     if (setup.flatPlaneCount > 0 && !cap)
-        flatten(vertex, weightA > weightB ? a : b, weightA > weightB ? axis : -axis, loose, hottest);
+        flatten(vertex, weightA > weightB ? a : b, weightA > weightB ? axis : -axis, loose, share);
+    // A loop: drivers that run on the CPU skip one that no invocation makes, and no branch.
+    for (int i = 0; i < setup.pipeCount && !cap; ++i) putOnPipe(vertex, share);
 #endif
     vertices[commands.firstVertex + index] = vertex;
 }

@@ -106,6 +106,11 @@ TEST_CASE("a pipe is a tube, parted where it has a gap, and clamped at its ends"
                 const double exact = std::numbers::pi * (5 * 45 * (40 - gap) - 2 * (25 - 4.0 / 3) * run * 4);
                 CHECK(volumeOf(pipe) == Approx(exact).epsilon(0.02));
                 CHECK(clampedIn(pipe) > 0);
+                REQUIRE(pipe.pipe); // what the picture puts its faces on
+                CHECK(pipe.pipe->outer == Approx(0.025));
+                CHECK(pipe.pipe->inner == Approx(0.020));
+                CHECK(pipe.pipe->axis.y == Approx(-0.025));
+                CHECK(pipe.pipe->high - pipe.pipe->low == Approx(0.040));
                 for (const MetalSeed& seed : pipe.seeds) {
                     const glm::vec3 at = seed.position * 1e3F;
                     const float radius = std::hypot(at.x, at.y + 25);
