@@ -387,8 +387,11 @@ void Surface::writeSetup(const ParticleView& particles, bool rebuild) {
         for (size_t i = 0; i < size_t(flatFaces.count); ++i)
             setup.flatPlanes[i] = vec4((flatFaces.corners[i] - lattice->low) / lattice->spacing, 0);
         setup.pipeCount = roundFaces.outer > 0 ? 1 : 0;
-        setup.pipePlace = vec4(roundFaces.axis, roundFaces.low, roundFaces.high);
-        setup.pipeRadii = vec2(roundFaces.outer, roundFaces.inner);
+        setup.pipeAxis = roundFaces.axis;
+        setup.pipeLow = roundFaces.low;
+        setup.pipeHigh = roundFaces.high;
+        setup.pipeOuter = roundFaces.outer;
+        setup.pipeInner = roundFaces.inner;
         setup.flatBelow = particles.solidus > 0 ? kFlatBelow * particles.solidus : std::numeric_limits<float>::max();
     }
     setup.incremental = incremental.enabled ? 1 : 0;

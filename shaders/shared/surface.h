@@ -181,9 +181,12 @@ struct SurfaceSetup {
     ivec3 latticeTiles;         ///< 0: no lattice, or not asked for
     float flatBelow;            ///< highest temperature so far up to which metal of the lattice is taken to lie as it did
     vec4 flatPlanes[SURFACE_FLAT_PLANES]; ///< xyz: planes along each axis that flat faces lie in, lattice cells from its low corner
-    vec4 pipePlace; ///< of a pipe along z: its axis in xy, its ends in z and w; model units
-    vec2 pipeRadii; ///< outside, inside
-    int pipeCount;  ///< 0 or 1
+    vec2 pipeAxis;   ///< x and y of a pipe along z, model units
+    float pipeLow;   ///< its ends
+    float pipeHigh;
+    float pipeOuter; ///< its radii
+    float pipeInner;
+    int pipeCount; ///< 0 or 1
     float unused0;
 };
 

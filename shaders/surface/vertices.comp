@@ -69,15 +69,15 @@ float untouchedShare(float loose, float hottest) {
 /// Puts a vertex beside metal of the lattice on the pipe that it is a part of: on its outer or inner face where its normal looks
 /// across the axis, else on an end; near the edge of both, on that.
 void putOnPipe(inout SurfaceVertex vertex, float share) {
-    vec2 off = vertex.position.xy - setup.pipePlace.xy;
+    vec2 off = vertex.position.xy - setup.pipeAxis;
     float radius = length(off);
     vec2 away = off / max(radius, 1e-9);
     float across = dot(vertex.normal.xy, away), far = kFarthestPipe / setup.perLatticeSpacing;
-    float face = across > 0.0 ? setup.pipeRadii.x : setup.pipeRadii.y;
-    float end = vertex.normal.z > 0.0 ? setup.pipePlace.w : setup.pipePlace.z;
+    float face = across > 0.0 ? setup.pipeOuter : setup.pipeInner;
+    float end = vertex.normal.z > 0.0 ? setup.pipeHigh : setup.pipeLow;
     bool round_ = abs(across) >= abs(vertex.normal.z);
     float offFace = abs(radius - face), offEnd = abs(vertex.position.z - end), edge = kPipeEdge / setup.perLatticeSpacing;
-    vec3 place = vec3(round_ || offFace < edge ? setup.pipePlace.xy + away * face : vertex.position.xy,
+    vec3 place = vec3(round_ || offFace < edge ? setup.pipeAxis + away * face : vertex.position.xy,
                       !round_ || offEnd < edge ? end : vertex.position.z);
     vec3 normal = round_ ? vec3(away * sign(across), 0) : vec3(0, 0, sign(vertex.normal.z));
     bool near = (round_ ? offFace : offEnd) < far;
