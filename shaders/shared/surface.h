@@ -181,7 +181,7 @@ struct SurfaceSetup {
     ivec3 latticeTiles;         ///< 0: no lattice, or not asked for
     float flatBelow;            ///< highest temperature so far up to which metal of the lattice is taken to lie as it did
     vec4 flatPlanes[SURFACE_FLAT_PLANES]; ///< xyz: planes along each axis that flat faces lie in, lattice cells from its low corner
-    vec2 pipeAxis;   ///< x and y of a pipe along z, model units
+    vec2 pipeAxis;   ///< where a pipe along z lies, model units
     float pipeLow;   ///< its ends
     float pipeHigh;
     float pipeOuter; ///< its radii
