@@ -298,7 +298,7 @@ void DesktopApp::simulate(const InputFrame& input, double seconds) {
 /// drawn from the particles themselves, which the steps move.
 bool DesktopApp::stepsBesidePicture() const {
     const bool timed = menus_.panels.timings && !menus_.panels.hidden;
-    const bool fromParticles = !session_.showsSurface() || has(session_.lesson().look, Measure::floatingOxide);
+    const bool fromParticles = !session_.showsSurface() || has(session_.look(), Measure::floatingOxide);
     return stepThread_ && stepThread_->usable() && !headsetFrame_ && !timed && !fromParticles;
 }
 
@@ -416,6 +416,7 @@ void DesktopApp::writeTelemetry() {
                       window_.size(),
                       window_.pixels(),
                       screenshot_,
+                      stepsBeside_.has_value(),
                       session_.judged(),
                       session_.demonstration(),
                       session_.replay(),

@@ -189,6 +189,7 @@ void WindowTelemetry::write(const TelemetryRow& row) {
          {{"size", {row.size.x, row.size.y}}, {"pixels", {row.pixels.x, row.pixels.y}}, {"scale", row.context.scale}}},
         {"frames_per_second", row.figures.framesPerSecond},
         {"picture", row.figures.picture},
+        {"steps_beside", row.stepsBeside},
         {"messages", messageTexts(row.messages)},
         {"places", places(row.context)},
         {"screenshot", row.screenshot},

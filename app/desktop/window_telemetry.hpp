@@ -39,6 +39,7 @@ struct TelemetryRow {
     glm::ivec2 size{0};                         ///< window, points
     glm::ivec2 pixels{0};                       ///< frame buffer
     std::string screenshot;                     ///< the last picture saved
+    bool stepsBeside = false;                   ///< a thread of their own made the last frame's steps
     const std::optional<JudgedAttempt>& judged; ///< the attempt
     const Demonstration& demonstration;
     const AttemptReplay& replay;

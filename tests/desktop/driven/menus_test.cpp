@@ -136,12 +136,20 @@ TEST_CASE("the timings panel names the passes, the help page opens and closes by
 
 TEST_CASE(
     "the detail is low without a graphics card, as the view menu says where it is set, and the next start remembers") {
-    TrainerWindow window("detail", {.settings = kSmallSettings});
+    TrainerWindow window("detail", {.settings = "[start]\nparticles = 1000\ncells = 16\n[view]\nshow_sky = false\n"
+                                                "[window]\nwidth = 960\nheight = 640\n"});
     window.start();
     window.key("F3");
     window.click("bar.view");
     window.click("window.group.Window");
     CHECK(valueOf(window.settle(), "window.detail") == "automatic");
+    const auto beside = [](const json& s) { return s.at("steps_beside") == true; };
+    window.waitFor("steps beside the picture at low detail", beside);
+    changes(window, "window.detail",
+            [&] { window.click("window.detail.high"); }); // draws from the particles themselves
+    window.waitFor("steps before the picture", [&](const json& s) { return !beside(s); });
+    changes(window, "window.detail", [&] { window.click("window.detail.automatic"); });
+    window.waitFor("steps beside the picture again", beside);
     for (const char* level : {"high", "low", "medium"})
         changes(window, "window.detail", [&] { window.click(std::string("window.detail.") + level); });
     window.takePicture("medium-detail");
