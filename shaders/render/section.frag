@@ -29,7 +29,7 @@ float grains(vec2 at) {
 
 void main() {
     vec4 sum = texture(sums, inPicture);
-    if (sum.x < SECTION_INSIDE) discard;
+    if (sum.x < SECTION_INSIDE && sum.w < 0.5) discard;
     float peak = sum.y / sum.x;
     float temperature = sum.z / sum.x;
     if (frame.colourMode > 0.5) {

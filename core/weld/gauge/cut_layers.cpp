@@ -330,7 +330,10 @@ SectionMap CutLayers::draw() const {
     for (const size_t slot : living_) {
         const vec4& at = particles_.position(slot);
         if (!layerOf(at) || !std::isfinite(at.y) || !std::isfinite(at.z)) continue;
-        near.push_back({{at.z, at.y}, std::max(particles_.heat(slot).z, at.w), at.w});
+        near.push_back({{at.z, at.y},
+                        std::max(particles_.heat(slot).z, at.w),
+                        at.w,
+                        (particles_.phase(slot) & PHASE_LATTICE) != 0});
     }
     const glm::vec2 size = glm::vec2(lattice_.cells().z, lattice_.cells().y) * lattice_.spacing;
     return makeSectionMap({lattice_.low.z, lattice_.low.y}, size, lattice_.spacing, latticeLayers(), near);

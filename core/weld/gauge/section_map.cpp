@@ -29,6 +29,68 @@ TexelRange reachedTexels(const SectionMap& map, glm::vec2 place, float reach) {
     return {glm::ivec2(first), glm::ivec2(last)};
 }
 
+/// Which of the lattice's cells, seen along the seam, at least half of the slices fill.
+class FilledCells {
+  public:
+    FilledCells(const SectionMap& map, int slices, const std::vector<MapParticle>& particles)
+        : low_(map.low), spacing_(map.spacing), size_(glm::round(map.size / map.spacing)), least_((slices + 1) / 2) {
+        counts_.resize(static_cast<size_t>(size_.x) * static_cast<size_t>(size_.y));
+        for (const MapParticle& particle : particles)
+            if (const glm::ivec2 cell = cellAt(particle.place); particle.onLattice && inside(cell)) ++counts_[at(cell)];
+    }
+
+    glm::ivec2 size() const { return size_; }
+
+    /// The cell sticks out between two faces that go on straight for some cells; those of a bevel make steps.
+    bool isCorner(glm::ivec2 cell) const {
+        for (const int right : {-1, 1})
+            for (const int up : {-1, 1})
+                if (sticksOut(cell, {right, up})) return true;
+        return false;
+    }
+
+  private:
+    static constexpr int kStraight = 3;
+
+    /// Into the quadrant `out`, of 1 and -1.
+    bool sticksOut(glm::ivec2 cell, glm::ivec2 out) const {
+        for (int k = 0; k < kStraight; ++k) {
+            const glm::ivec2 along(k * out.x, 0), up(0, k * out.y);
+            if (!full(cell - along) || full(cell - along + glm::ivec2(0, out.y))) return false;
+            if (!full(cell - up) || full(cell - up + glm::ivec2(out.x, 0))) return false;
+        }
+        return true;
+    }
+    glm::ivec2 cellAt(glm::vec2 place) const { return glm::ivec2(glm::floor((place - low_) / spacing_)); }
+    bool inside(glm::ivec2 cell) const { return cell.x >= 0 && cell.y >= 0 && cell.x < size_.x && cell.y < size_.y; }
+    size_t at(glm::ivec2 cell) const {
+        return static_cast<size_t>(cell.y) * static_cast<size_t>(size_.x) + static_cast<size_t>(cell.x);
+    }
+    bool full(glm::ivec2 cell) const { return inside(cell) && counts_[at(cell)] >= least_; }
+
+    glm::vec2 low_;
+    float spacing_;
+    glm::ivec2 size_;
+    int least_;
+    std::vector<int> counts_;
+};
+
+/// Marks the cells in the square corners of plates.
+void markCorners(SectionMap& map, const FilledCells& cells) {
+    const glm::vec2 perCell = glm::vec2(map.texels) / map.size * map.spacing;
+    const auto firstTexel = [&](glm::ivec2 cell) {
+        return glm::min(glm::ivec2(glm::ceil(glm::vec2(cell) * perCell - 0.5F)), map.texels);
+    };
+    for (int row = 0; row < cells.size().y; ++row)
+        for (int column = 0; column < cells.size().x; ++column) {
+            if (!cells.isCorner({column, row})) continue;
+            const glm::ivec2 first = firstTexel({column, row}), end = firstTexel({column + 1, row + 1});
+            for (int y = first.y; y < end.y; ++y)
+                for (int x = first.x; x < end.x; ++x)
+                    map.sums[static_cast<size_t>(y) * static_cast<size_t>(map.texels.x) + static_cast<size_t>(x)].w = 1;
+        }
+}
+
 } // namespace
 
 SectionMap makeSectionMap(glm::vec2 low, glm::vec2 size, float spacing, int slices,
@@ -54,6 +116,7 @@ SectionMap makeSectionMap(glm::vec2 low, glm::vec2 size, float spacing, int slic
                     weight * glm::vec4(1, particle.peak, particle.temperature, 0);
             }
     }
+    markCorners(map, FilledCells(map, slices, particles));
     return map;
 }
 

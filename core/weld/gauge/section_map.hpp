@@ -16,15 +16,17 @@ struct SectionMap {
     glm::ivec2 texels{0}; ///< columns and rows; 0: nothing was cut
     float spacing = 0;    ///< of the metal's lattice, m
     /// One value a texel, row by row from `low`: weight of the metal there (1 in the inside of solid metal, below half
-    /// of that there is none), weight times highest temperature so far, weight times present temperature (K), 0.
+    /// of that there is none), weight times highest temperature so far, weight times present temperature (K), and 1
+    /// where a picture shows metal although the weight is low: in the square corners of plates, which weights round.
     std::vector<glm::vec4> sums;
 };
 
 /// A particle near the cut.
 struct MapParticle {
-    glm::vec2 place{0};    ///< m: z, y
-    float peak = 0;        ///< K
-    float temperature = 0; ///< K
+    glm::vec2 place{0};     ///< m: z, y
+    float peak = 0;         ///< K
+    float temperature = 0;  ///< K
+    bool onLattice = false; ///< it stands on the lattice that the metal began on
 };
 
 /// Spreads the particles of `slices` lattice layers over a map from `low` on: each weighs (1 - r²)² at r reaches of 1.5
