@@ -68,6 +68,8 @@ TEST_CASE("the shipped tee fillet is picked, welded end to end, scored and begun
     TrainerProcess trainer(benchFolder() / "tee", {"--headset"});
     const std::string tile = "home.lesson.tee-fillet";
     REQUIRE(trainer.waitFor([](const json& row) { return row["page"] == "home" && row["headset"]["panel"] == true; }));
+    passFrames(trainer, 4);
+    keepPicture(screenshot(), "tee-home.png");
     for (int page = 0; page < 10 && !trainer.now()["headset"]["places"].contains(tile); ++page) {
         // A few lessons a page: another page has other lessons.
         const json before = lessonsIn(trainer.now());
@@ -100,6 +102,11 @@ TEST_CASE("the shipped tee fillet is picked, welded end to end, scored and begun
         CHECK_THAT(note, containsText("missing while the arc burned"));
     passFrames(trainer, 4);
     keepPicture(screenshot(), "tee-result.png");
+    trainee.press(trainer, "cut.open", [](const json& row) { return !row["cut"].is_null(); });
+    CHECK(trainer.now()["cut"]["measures"].size() > 2);
+    passFrames(trainer, 4);
+    keepPicture(screenshot(), "tee-cut.png");
+    trainee.press(trainer, "cut.open", [](const json& row) { return row["cut"].is_null(); });
     trainee.press(trainer, "result.again", [](const json& row) { return row["judgement"].is_null(); });
     CHECK(trainer.waitFor([](const json& row) { return row["metal"]["molten"] == 0; }));
     trainee.showPanel(trainer, false);
