@@ -116,6 +116,7 @@ TEST_CASE("the notice hangs above the torch where the person looks there, else b
     const float half = shape.width * static_cast<float>(shape.heightPixels) / static_cast<float>(shape.widthPixels) / 2;
     const glm::vec3 edge = place.pose().position - place.pose().orientation * glm::vec3(0, half, 0);
     CHECK(glm::distance(edge, tip) > kCueBoardHeight * glm::distance(head.position, tip));
+    CHECK(glm::distance(edge, tip) < 0.1f);
     CHECK(place.pose().position.y > tip.y);
     CHECK(angle(place.pose().position) < 20);
     // It faces the eyes.
