@@ -1,6 +1,7 @@
 // The weld cut open in the session: place, stations, camera, and that the metal waits meanwhile.
 #include "app/session/inspection/cut_stand.hpp"
 #include "app/session/lesson_session.hpp"
+#include "app/session/notices.hpp"
 #include "core/render/view/picture_target.hpp"
 #include "tests/app/small_lessons.hpp"
 #include "tests/support/catch.hpp"
@@ -142,8 +143,19 @@ TEST_CASE("a weld that is not judged is cut with the figures of the cut itself; 
     welder.controls.setMode(Mode::view);
     welder.frame({});
     REQUIRE(session.cuts());
+    const auto toldSlow = [&, notices = Notices()]() mutable {
+        LessonFigures figures;
+        Messages messages;
+        for (int i = 0; i < 10; ++i) {
+            figures.speed = 0.1;
+            notices.update(session, figures, {}, 0.1, messages);
+        }
+        return !figures.slow.empty();
+    };
+    CHECK(toldSlow());
     session.toggleCut(welder.controls);
     REQUIRE(session.cut().shown());
+    CHECK_FALSE(toldSlow());                         // metal that stands still is not slow
     CHECK(welder.controls.mode() == Mode::interact); // its camera
     CHECK_FALSE(session.cut().judged());
     session.cut().moveTo(-5e-3);
