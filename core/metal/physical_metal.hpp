@@ -57,6 +57,8 @@ class PhysicalMetal {
     /// and of no other use meanwhile.
     void fold();
 
+    /// See HeatSolver::setStirringLess(); expects it of the setup's heat.
+    void setStirringLess(glm::vec3 shares) { heat_->setStirringLess(shares); }
     /// Pressure of the arc from the next step on; none with a peak of 0.
     void setArc(const ArcPressure& arc) { flow_->setArc(arc); }
 

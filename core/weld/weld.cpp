@@ -6,6 +6,7 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace meltpool {
@@ -27,22 +28,36 @@ Property times(Property property, double factor) {
     return property;
 }
 
-/// The metal as it conducts while this process stirs its pool.
-Material stirred(const Material& material, const ProcessSettings& settings) {
+/// How a process stirs a pool of this metal.
+struct Stirring {
+    double factor;  ///< of the liquid's conductivity
+    bool byTension; ///< with a way
+};
+
+Stirring stirringOf(const Material& material, const ProcessSettings& settings) {
     const HeatTable unused(material);
-    Material made = material;
-    made.liquidConductivity =
-        times(material.liquidConductivity, makeProcess(settings, {unused, 1, 1e-3F, 293.15})->stirring());
-    return made;
+    const auto process = makeProcess(settings, {unused, 1, 1e-3F, 293.15});
+    return {process->stirring(), process->stirredByTension() && material.boilingPoint > 0};
+}
+
+/// Shares along and down for a pool of this metal under an arc.
+StirringShares pulledStirringOf(const Material& material) {
+    if (material.boilingPoint <= 0) return {};
+    const double halfWay = std::lerp(material.liquidus, material.boilingPoint, kHalfWayToArc);
+    return pulledStirring(material.tensionAt(material.liquidus) - material.tensionAt(halfWay));
 }
 
 double boilingPointOf(const Material& material) {
     return material.boilingPoint > 0 ? material.boilingPoint : std::numeric_limits<double>::infinity();
 }
 
-PhysicalSetup setupOf(const Material& material, const Workpiece& workpiece, const WeldSurroundings& around) {
+PhysicalSetup setupOf(const Material& material, const ProcessSettings& settings, const Workpiece& workpiece,
+                      const WeldSurroundings& around) {
+    const Stirring stirring = stirringOf(material, settings);
     PhysicalSetup setup;
     setup.material = material;
+    setup.material.liquidConductivity = times(material.liquidConductivity, stirring.factor);
+    setup.heat.ledStirring = stirring.byTension;
     setup.lattice = workpiece.lattice;
     setup.seeds = workpiece.seeds;
     setup.fillerRoom = around.fillerRoom;
@@ -72,7 +87,8 @@ PhysicalSetup setupOf(const Material& material, const Workpiece& workpiece, cons
 Weld::Weld(gl::ShaderLibrary& shaders, const Material& material, const Workpiece& workpiece,
            const ProcessSettings& settings, const WeldSurroundings& surroundings)
     : conductivity_(material.liquidConductivity),
-      metal_(shaders, setupOf(stirred(material, settings), workpiece, surroundings)),
+      pulled_(pulledStirringOf(material)),
+      metal_(shaders, setupOf(material, settings, workpiece, surroundings)),
       process_(makeProcess(settings, {metal_.table(), metal_.state().density(), workpiece.lattice.spacing,
                                       surroundings.ambient, boilingPointOf(material)})),
       stirring_(process_->stirring()),
@@ -120,8 +136,15 @@ void Weld::step(const TorchSample& torch, gl::Profiler* profiler) {
     process_->step(torch, metalAhead(*probe_, process_->ray(torch)), timeStep(),
                    rod ? metalAhead(*rodProbe_, *rod) : MetalAhead{});
     metal_.setArc(process_->pressure());
+    leadStirring(process_->ray(torch).axis);
     metal_.step(process_->sources(), process_->drops(), profiler);
     lookAhead(torch, profiler);
+}
+
+/// Nothing pulls where no arc heats the pool's middle.
+void Weld::leadStirring(glm::vec3 axis) {
+    if (!process_->stirredByTension()) return;
+    metal_.setStirringLess(process_->arc().burns() ? stirringLess(pulled_, axis) : glm::vec3(0));
 }
 
 /// A rod that is not held is not looked for: the first answers after it came back are of where it was.

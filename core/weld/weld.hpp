@@ -47,9 +47,11 @@ class Weld {
 
   private:
     static MetalAhead metalAhead(AxisProbe& probe, const TorchRay& ray);
+    void leadStirring(glm::vec3 axis);
     void lookAhead(const TorchSample& torch, gl::Profiler* profiler);
 
     const Property conductivity_; ///< of the liquid at rest
+    const StirringShares pulled_;
     PhysicalMetal metal_;
     std::unique_ptr<Process> process_;
     double stirring_; ///< that the metal conducts with

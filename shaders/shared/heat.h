@@ -129,8 +129,10 @@ struct HeatBlock {
     float weldingTableConductance; // to metal that lies on it, W/(m² K)
     float evaporatesFrom;          // K
     float time;                    // s since the start, at the end of the step
-    float reserved1;
-    float reserved2;
+    float liquidTheta;             // W/m, of metal at its liquidus
+    float reserved;
+    vec3 stirringLess;             // share that stirred liquid conducts less along x, y and z, where the stirring has a way
+    float reservedWay;
     HeatSourceData sources[HEAT_SOURCES];
 };
 
@@ -155,7 +157,7 @@ struct HeatTile {
 
 #ifdef __cplusplus
 static_assert(sizeof(HeatSourceData) == 128);
-static_assert(sizeof(HeatBlock) == 128 + HEAT_SOURCES * 128);
+static_assert(sizeof(HeatBlock) == 144 + HEAT_SOURCES * 128);
 static_assert(sizeof(HeatControl) == 64);
 static_assert(sizeof(HeatTile) == 32);
 } // namespace meltpool

@@ -4,8 +4,10 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 using namespace meltpool;
 
@@ -331,4 +333,31 @@ TEST_CASE("a stop of the torch stays in the freezing times: the crater closes in
             after = std::min(after, each.z);
     }
     CHECK(after - before > 0.5F);
+}
+
+TEST_CASE("a TIG pool of clean steel is wide and flat, one with much sulphur narrow and deep", "[weld]") {
+    const auto pool = [](double sulphur) {
+        Material metal = steel();
+        metal.sulphur = sulphur;
+        WorkpieceParameters piece = smallPiece();
+        piece.thicknessMm = 8;
+        ProcessSettings settings;
+        settings.choose<Gtaw>().current = 160;
+        Weld weld(test::shaders(), metal, makeWorkpiece(piece), settings);
+        for (double time = 0; time < 2.5; time += weld.timeStep())
+            weld.step(over(2), nullptr);
+        const MetalState& state = weld.metal().state();
+        float wide = 0, deep = 0; // m from the middle of the upper face
+        for (const vec4& p : state.position.read<vec4>(state.particles()))
+            if (double(p.w) > metal.liquidus) {
+                wide = std::max(wide, std::abs(p.z - 0.2F * kMm));
+                deep = std::max(deep, -p.y);
+            }
+        REQUIRE(wide > 2 * kMm);
+        return std::pair(wide, deep);
+    };
+    const auto clean = pool(0.001), sulphur = pool(0.05);
+    INFO("clean " << clean.first << " x " << clean.second << ", sulphur " << sulphur.first << " x " << sulphur.second);
+    CHECK(sulphur.second > clean.second + 0.4F * kMm);
+    CHECK(sulphur.first < clean.first - 0.15F * kMm);
 }

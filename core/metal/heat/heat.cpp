@@ -37,6 +37,7 @@ gl::Defines definesOf(const HeatSettings& settings, const Material& material) {
     gl::Defines defines;
     if (settings.ledger) defines["LEDGER"] = "1";
     if (settings.evaporation && material.boilingPoint > 0) defines["EVAPORATION"] = "1";
+    if (settings.ledStirring) defines["LED_STIRRING"] = "1";
     return defines;
 }
 
@@ -160,6 +161,7 @@ void HeatSolver::prepareBlock() {
     block_.warmAboveAmbient = 1;
     block_.wakingLoss = static_cast<float>(kSleepingChange * capacity);
     block_.meltLeavesLattice = settings_.meltedLeaves ? 1 : 0;
+    block_.liquidTheta = static_cast<float>(state_.table().kirchhoffAt(state_.table().liquidusEnthalpy()));
     block_.tileCount = static_cast<int>(state_.lattice().tileCount());
     // So many particles' worth of the hottest metal fit into one sum of 32 bits: drops may be fed in one place.
     constexpr double kMostInCell = 32;

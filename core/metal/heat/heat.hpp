@@ -27,6 +27,7 @@ struct HeatSettings {
                              ///< and near it the errors of space and time cancel
     double wakingKelvin = 0.03; ///< difference between neighbours below which a tile goes to rest
     bool ledger = false;        ///< books every joule in and out, for the balance
+    bool ledStirring = false;   ///< setStirringLess() may be called
     bool meltedLeaves = false;  ///< melted particles leave the lattice (with flow) or stay on it (heat alone)
 };
 
@@ -58,6 +59,10 @@ class HeatSolver {
 
     /// As new, in the same memory, for a state that was reset and has its particles again.
     void reset();
+    /// From the next step on liquid conducts less along x, y and z by these shares of what its table says, each from 0
+    /// to below 1; metal that is not wholly liquid as before. Expects HeatSettings::ledStirring. A reset forgets it.
+    void setStirringLess(glm::vec3 shares) { block_.stirringLess = shares; }
+
     /// After the state's table became another one.
     void takeTable();
 

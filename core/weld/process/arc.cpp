@@ -42,4 +42,15 @@ double arcStirring(double current) {
     return 1 + std::max(current, 0.0) / kStirringCurrent;
 }
 
+StirringShares pulledStirring(double pull) {
+    const double outwards = std::clamp(pull / kWholePull, -1.0, 1.0);
+    const auto share = [](double against) { return 1 - (1 - kLeastStirring) * std::max(against, 0.0); };
+    return {share(-outwards), share(outwards)};
+}
+
+glm::vec3 stirringLess(const StirringShares& shares, glm::vec3 axis) {
+    const auto along = static_cast<float>(shares.along), down = static_cast<float>(shares.down);
+    return glm::vec3(1 - along) + (along - down) * axis * axis;
+}
+
 } // namespace meltpool

@@ -89,4 +89,20 @@ double arcHeatRadius(double length, double current);
 /// grows with its speed: 1 + I / kStirringCurrent. The same law for every arc weld and spacing.
 double arcStirring(double current);
 
+/// Shares of what a stirred pool conducts that it conducts along its surface and down into the metal.
+struct StirringShares {
+    double along = 1, down = 1;
+};
+
+/// Where the pull of the surface's tension leads the heat of a pool that nothing else mixes. `pull` (N/m): tension at
+/// the liquidus less that half-way to the arc, see kHalfWayToArc. Where it is positive the surface flows outwards and
+/// spreads its heat; where sulphur turns the slope, inwards and down. Particles of a millimetre do not flow so: the
+/// other direction conducts less instead, down to kLeastStirring from kWholePull on. Conductivities that differ by
+/// direction in place of this flow: Safdar, Li and Sheikh 2013; Kollmannsberger, Carraturo, Reali and Auricchio 2019.
+StirringShares pulledStirring(double pull);
+
+/// What stirred liquid conducts less along x, y and z, for a pool whose surface is across `axis`, a unit vector. A pool
+/// that lies aslant to all axes keeps only what falls on them.
+glm::vec3 stirringLess(const StirringShares& shares, glm::vec3 axis);
+
 } // namespace meltpool

@@ -31,6 +31,7 @@ class Gtaw : public RodProcess {
     void apply(const ProcessSettings& settings) override;
     float touchRadius() const override { return settings_.electrodeDiameterMm * 0.5e-3F; }
     double stirring() const override { return arcStirring(static_cast<double>(settings_.current)); }
+    bool stirredByTension() const override { return true; }
     void reset() override;
     void transfer(gl::StateArchive& archive) override;
 

@@ -79,6 +79,9 @@ class Process {
 
     /// Times the metal's own conductivity that its liquid conducts while this process stirs it, as it is set.
     virtual double stirring() const { return 1; }
+    /// The pull of the surface's tension gives that stirring a way, see pulledStirring(). Where metal falls through the
+    /// arc its drops mix the pool.
+    virtual bool stirredByTension() const { return false; }
 
     /// Radius of what touches the metal first (wire, electrode, soldering tip), m.
     virtual float touchRadius() const { return 0; }

@@ -9,6 +9,7 @@ layout(local_size_x = TILE_CELLS) in;
 #include "metal/heat/neighbours.glsl"
 #include "metal/heat/cell_range.glsl"
 #include "metal/heat/free_surface.glsl"
+#include "metal/heat/stirring.glsl"
 #include "metal/heat/squares.glsl"
 #include "metal/heat/source.glsl"
 #include "metal/heat/ledger.glsl"
@@ -38,7 +39,7 @@ void main() {
     ivec3 tilePlace = tileCoordinate(tile);
     NeighbourOffsets offsets = neighbourOffsets(tilePlace, inside);
     Neighbours n = readNeighbours(tile, stamp, inside, offsets);
-    Inflow inflow = inflowOf(n, theta);
+    Inflow inflow = inflowOf(ledNeighbours(n), ledAlongAxes(vec3(theta)));
     bool awake = keepsAwake(inflow);
     float weight = weightOf(cell);
     Weights weights = readWeights(cell, offsets);

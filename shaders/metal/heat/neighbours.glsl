@@ -61,7 +61,7 @@ struct Inflow {
     bvec3 wallLow, wallHigh;
 };
 
-Inflow inflowOf(Neighbours n, float theta) {
+Inflow inflowOf(Neighbours n, vec3 theta) {
     Inflow f;
     f.wallLow = lessThan(n.low, vec3(-1.5));
     f.wallHigh = lessThan(n.high, vec3(-1.5));

@@ -1,5 +1,5 @@
 // Conduction in the squares of four cells that a cell makes with its neighbours, for passes with an invocation a cell. Included
-// after free_surface.glsl.
+// after stirring.glsl.
 //
 // Where theta bends much from cell to cell, six neighbours alone lead heat along the axes otherwise than between them. In a
 // square of which all four cells hold metal, two thirds of what its sides conduct goes along its diagonals instead: each cell
@@ -56,7 +56,8 @@ void addSquares(inout SquareSum sum, SquareTiles tiles, int cell, float theta, S
     vec3 fill = min(weights, min(first.fill.xyx, second.fill.yzz)) * vec3(open) * vec3(not(unknown));
     fill *= vec3(greaterThanEqual(opposite, vec3(0)));
     // In the order in which conduct_plain.comp takes the differences, so that both sides of a tile's edge find the same.
-    sum.twist += dot(fill, (theta - second.theta.yzz) - (first.theta.xyx - opposite));
+    sum.twist += dot(fill, (ledInPlanes(vec3(theta)) - ledInPlanes(second.theta.yzz)) -
+                               (ledInPlanes(first.theta.xyx) - ledInPlanes(opposite)));
     sum.fill += fill.x + fill.y + fill.z;
     const bvec3 none = equal(fill, vec3(0));
     const vec3 cold = mix(opposite, vec3(3.4e38), none), hot = mix(opposite, vec3(0), none);

@@ -7,7 +7,9 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 using namespace meltpool;
@@ -133,6 +135,41 @@ TEST_CASE("Metal off the lattice conducts as metal on it does", "[heat][off-latt
     INFO("shake " << shake << " from " << from << ": rms " << rms << " max " << most / 1207);
     CHECK(rms < 0.015);
     CHECK(most / 1207 < 0.05);
+}
+
+TEST_CASE("Stirred liquid conducts less along the axes that its stirring does not lead", "[heat][off-lattice]") {
+    Material m = simpleMetal();
+    const bool molten = GENERATE(true, false);
+    m.solidus = m.liquidus = molten ? 400 : 3000;
+    const glm::vec3 low(2 * kSpacing), size(0.016F, 0.016F, 0.016F);
+    const MetalLattice lattice = MetalLattice::covering(glm::vec3(0), low + size + 2 * kSpacing, kSpacing);
+    // A half wave along one axis, which insulated ends keep: it falls as exp(-alpha (pi/L)² t).
+    const int axis = GENERATE(0, 1, 2);
+    const auto wave = [&](vec3 place) {
+        return std::cos(std::numbers::pi * double((place[axis] - low[axis]) / size[axis]));
+    };
+    auto seeds = latticeSeeds(lattice, low, low + size, 300);
+    for (MetalSeed& seed : seeds)
+        seed.temperature = static_cast<float>(1500 + 500 * wave(seed.position));
+    takeOffLattice(seeds, 0, 0);
+    HeatSettings settings;
+    settings.ledStirring = true;
+    HeatBench bench(test::shaders(), lattice, m, seeds, settings);
+    bench.solver.setStirringLess({0, 0.75F, 0.4F});
+    const double before = bench.state.readEnergy();
+    for (int i = 0; i < 200; ++i)
+        bench.solver.step(0.02, {});
+    const std::array<double, 3> shares{1, molten ? 0.25 : 1, molten ? 0.6 : 1};
+    double sum = 0, squares = 0;
+    for (const vec4& p : bench.state.position.read<vec4>(seeds.size())) {
+        sum += (double(p.w) - 1500) * wave(vec3(p));
+        squares += wave(vec3(p)) * wave(vec3(p));
+    }
+    const double length = double(size[axis]);
+    const double rate = shares[static_cast<size_t>(axis)] * 6e-6 * std::pow(std::numbers::pi / length, 2);
+    INFO("axis " << axis);
+    CHECK(sum / squares == Approx(500 * std::exp(-rate * 4)).epsilon(0.005));
+    CHECK(bench.state.readEnergy() == Approx(before).epsilon(1e-6));
 }
 
 TEST_CASE("A free fragment conducts where it touches and not where it does not", "[heat][off-lattice]") {

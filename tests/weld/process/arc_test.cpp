@@ -75,6 +75,41 @@ TEST_CASE("a GTAW arc stirs by its set current, a flame does not stir") {
     CHECK(made(flame)->stirring() == 1);
 }
 
+TEST_CASE("tension that falls with heat leads a pool's heat along its surface, tension that rises down into it") {
+    const StirringShares clean = pulledStirring(kWholePull), none = pulledStirring(0),
+                         sulphur = pulledStirring(-kWholePull), half = pulledStirring(kWholePull / 2);
+    CHECK(clean.along == 1);
+    CHECK(clean.down == Approx(kLeastStirring));
+    CHECK(sulphur.along == Approx(kLeastStirring));
+    CHECK(sulphur.down == 1);
+    CHECK(none.along == 1);
+    CHECK(none.down == 1);
+    CHECK(half.along == 1);
+    CHECK(half.down == Approx((1 + kLeastStirring) / 2));
+    CHECK(pulledStirring(9).down == Approx(kLeastStirring)); // and no less
+}
+
+TEST_CASE("what a pool conducts less lies along the axis of its arc or across it") {
+    const StirringShares clean{1, 0.25}, sulphur{0.25, 1};
+    CHECK(stirringLess(clean, {0, -1, 0}) == glm::vec3(0, 0.75F, 0));
+    CHECK(stirringLess(clean, {1, 0, 0}) == glm::vec3(0.75F, 0, 0));
+    CHECK(stirringLess(sulphur, {0, -1, 0}) == glm::vec3(0.75F, 0, 0.75F));
+    const glm::vec3 aslant = stirringLess(clean, {0, -std::sqrt(0.5F), std::sqrt(0.5F)});
+    CHECK(aslant.x == 0);
+    CHECK(aslant.y == Approx(0.375));
+    CHECK(aslant.z == Approx(0.375));
+    CHECK(stirringLess({}, {0, -1, 0}) == glm::vec3(0));
+}
+
+TEST_CASE("only an arc without drops leaves the stirring to the tension") {
+    ProcessSettings stick, flame;
+    stick.choose<Smaw>();
+    flame.choose<Flame>();
+    CHECK(made(gtawAt(130))->stirredByTension());
+    for (const ProcessSettings& other : {gmawAt(180, 20), stick, flame})
+        CHECK_FALSE(made(other)->stirredByTension());
+}
+
 TEST_CASE("a GMAW arc is narrow in dip transfer and envelops the wire in spray") {
     const ArcState dip = settled(gmawAt(140, 17)).first;
     CHECK(dip.current == Approx(140).epsilon(0.1));
