@@ -85,6 +85,12 @@ inline constexpr double kSprayRange = 0.08;
 /// A of arc by which its stirring adds the liquid's own conductivity once more, see arcStirring(). Fitted on B and C.
 inline constexpr double kStirringCurrent = 45;
 
+/// Of the arc's highest pressure: highest drag of its plasma jet along the metal, 2.1 sigmas of the pressure from the
+/// axis. A laminar jet gives 1.8 over the root of its Reynolds number, 0.1 to 0.2 for the 100 to 300 of arcs (Phares,
+/// Smedley and Flagan 2000; no document was checked), a turbulent one 0.006. It moves the width
+/// of B012, B018 and B030 by 2 % at most.
+inline constexpr double kJetDrag = 0.1;
+
 // Stirring by the surface's tension where nothing is fed through the arc (GTAW), see pulledStirring().
 
 /// Of the way from the liquidus to the boiling point: temperature of the surface half-way from the pool's edge to the
@@ -98,12 +104,6 @@ inline constexpr double kWholePull = 0.08;
 /// makes depth over width 1.6 times as large with it; surface-active oxygen doubled that of stainless steel (Lu, Fujii
 /// and Nogi 2009).
 inline constexpr double kLeastStirring = 0.2;
-
-/// Of the arc's highest pressure: highest drag of its plasma jet along the metal, 2.1 sigmas of the pressure from the
-/// axis. A laminar jet gives 1.8 over the root of its Reynolds number, 0.1 to 0.2 for the 100 to 300 of arcs (Phares,
-/// Smedley and Flagan 2000; no document was checked), a turbulent one 0.006. It moves the width
-/// of B012, B018 and B030 by 2 % at most.
-inline constexpr double kJetDrag = 0.1;
 
 // The filler rod of GTAW. No source was found for these; they are chosen by what welders describe.
 
