@@ -131,7 +131,7 @@ struct HeatBlock {
     float time;                    // s since the start, at the end of the step
     float liquidTheta;             // W/m, of metal at its liquidus
     float reserved;
-    vec3 stirringLess;             // share that stirred liquid conducts less along x, y and z, where the stirring has a way
+    vec3 stirringLess;             // share that stirred liquid conducts less along each axis, where the stirring has a way
     float reservedWay;
     HeatSourceData sources[HEAT_SOURCES];
 };

@@ -143,7 +143,8 @@ TEST_CASE("a weld that is not judged is cut with the figures of the cut itself; 
     welder.controls.setMode(Mode::view);
     welder.frame({});
     REQUIRE(session.cuts());
-    const auto toldSlow = [&, notices = Notices()]() mutable {
+    Notices notices;
+    const auto toldSlow = [&] {
         LessonFigures figures;
         Messages messages;
         for (int i = 0; i < 10; ++i) {
