@@ -6,14 +6,11 @@
 
 #ifdef LED_STIRRING
 vec3 ledTheta(vec3 theta, vec3 less) { return theta - less * max(theta - heatBlock.liquidTheta, 0.0); }
-/// By the smaller share of both axes of the planes xy, yz and xz: the square may not lead more than its sides do.
-vec3 lessInPlanes() { return max(heatBlock.stirringLess.xyx, heatBlock.stirringLess.yzz); }
-vec3 ledInPlanes(vec3 theta) { return ledTheta(theta, lessInPlanes()); }
 vec3 ledAlongAxes(vec3 theta) { return ledTheta(theta, heatBlock.stirringLess); }
-#else
-vec3 ledInPlanes(vec3 theta) { return theta; }
-vec3 ledAlongAxes(vec3 theta) { return theta; }
-#endif
+/// By the smaller share of both axes of the planes xy, yz and xz: the square may not lead more than its sides do.
+vec3 ledInPlanes(vec3 theta) {
+    return ledTheta(theta, max(heatBlock.stirringLess.xyx, heatBlock.stirringLess.yzz));
+}
 
 vec3 ledWhetherHeld(vec3 theta) {
     return mix(ledAlongAxes(theta), -2.0 - ledAlongAxes(-2.0 - theta), lessThan(theta, vec3(-1.5)));
@@ -25,3 +22,8 @@ Neighbours ledNeighbours(Neighbours n) {
     n.high = ledWhetherHeld(n.high);
     return n;
 }
+#else
+vec3 ledAlongAxes(vec3 theta) { return theta; }
+vec3 ledInPlanes(vec3 theta) { return theta; }
+Neighbours ledNeighbours(Neighbours n) { return n; }
+#endif
