@@ -1,11 +1,12 @@
-// What the painter of flying drops shares with its shaders.
+// What the painter of flying drops and of smoke shares with its shaders.
 #ifndef MELTPOOL_SHARED_EFFECTS_H
 #define MELTPOOL_SHARED_EFFECTS_H
 
 #include "glsl_types.h"
 
-// Storage binding of the drops.
+// Storage bindings of the drops, and of the puffs of smoke.
 #define SPARKS_BINDING 3
+#define FUME_BINDING 6
 
 #ifdef __cplusplus
 namespace meltpool {
@@ -19,8 +20,19 @@ struct Spark {
     float kelvin;
 };
 
+/// A puff of smoke: an egg, drawn out along its way.
+struct FumePuff {
+    vec3 place;   // middle, model units
+    float radius; // across its way, model units
+    vec3 way;     // half its length along its way, model units; no shorter than the radius
+    float depth;  // optical depth for scattered light as seen from beside its way, mean over the ellipse
+    vec3 grain;   // the place in the noise that its middle shows, texels
+    float reserved;
+};
+
 #ifdef __cplusplus
 static_assert(sizeof(Spark) == 32);
+static_assert(sizeof(FumePuff) == 48);
 } // namespace meltpool
 #endif
 

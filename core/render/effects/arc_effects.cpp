@@ -17,6 +17,7 @@ ArcEffects::ArcEffects() {
 void ArcEffects::reset() {
     spatter_.reset();
     wire_.reset();
+    puffs_.reset();
     time_ = smoke_ = 0;
 }
 
@@ -25,6 +26,7 @@ void ArcEffects::step(const ArcEffectsStep& step) {
     spatter_.step(step);
     wire_.step(step);
     if (step.process != nullptr) scattering_ = fumeScattering(*step.process);
+    puffs_.step(step, scattering_);
     const double aim = step.arc.burns() ? 1 : 0;
     smoke_ += (aim - smoke_) * (1 - std::exp(-step.seconds / kGathers));
 }
@@ -33,7 +35,10 @@ ArcEffectsView ArcEffects::view() {
     sparks_.clear();
     wire_.show(sparks_);
     const size_t onTable = spatter_.show(time_, sparks_);
-    return {sparks_, onTable, {scattering_ * static_cast<float>(smoke_)}};
+    const size_t puffs = puffs_.show(time_, shownPuffs_);
+    return {sparks_,
+            onTable,
+            {scattering_ * static_cast<float>(smoke_), std::span(shownPuffs_).first(puffs), puffs_.pool()}};
 }
 
 } // namespace meltpool

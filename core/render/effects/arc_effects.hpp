@@ -2,6 +2,7 @@
 // the ear hears.
 #pragma once
 
+#include "core/render/effects/fume_puffs.hpp"
 #include "core/render/effects/spatter.hpp"
 #include "core/render/effects/wire_drops.hpp"
 
@@ -20,7 +21,10 @@ class ArcEffects {
     ArcEffects();
     /// Another attempt, or another moment of this one: nothing flies or lies.
     void reset();
-    void setGround(const SpatterGround& ground) { spatter_.setGround(ground); }
+    void setGround(const SpatterGround& ground) {
+        spatter_.setGround(ground);
+        puffs_.setGround(ground);
+    }
     void step(const ArcEffectsStep& step);
 
     /// As it is now. What it lends is valid until the next call.
@@ -34,7 +38,9 @@ class ArcEffects {
     double time_ = 0;
     double smoke_ = 0; ///< 0..1 of what the process gives
     float scattering_ = 0;
+    FumePuffs puffs_;
     std::vector<Spark> sparks_;
+    std::array<FumePuff, FumePuffs::kMost> shownPuffs_{};
 };
 
 } // namespace meltpool

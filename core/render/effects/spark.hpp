@@ -3,6 +3,8 @@
 
 #include "shaders/shared/effects.h"
 
+#include <glm/vec3.hpp>
+
 #include <cstddef>
 #include <span>
 
@@ -12,6 +14,9 @@ namespace meltpool {
 struct Fume {
     /// Share of light that a metre of it scatters out of a ray; 0: none.
     float scattering = 0;
+    /// Puffs of it that rise, the oldest first, and the pool that none may hide (model units).
+    std::span<const FumePuff> puffs = {};
+    glm::vec3 pool{0};
 };
 
 struct ArcEffectsView {
