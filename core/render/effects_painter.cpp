@@ -1,5 +1,6 @@
 #include "core/render/effects_painter.hpp"
 
+#include "core/render/effects/fume_puffs.hpp"
 #include "core/render/look/measures.hpp"
 
 namespace meltpool {
@@ -18,25 +19,40 @@ bool showsEffects(const SceneView& scene, const LookParameters& look) {
 EffectsPainter::EffectsPainter(gl::ShaderLibrary& shaders)
     : sparks_(shaders, "render/spark.vert", "render/spark.frag"),
       haze_(shaders, "render/haze.vert", "render/haze.frag"),
+      fume_(shaders, "render/fume.vert", "render/fume.frag"),
       afterImage_(shaders, "render/after_image.vert", "render/after_image.frag"),
       empty_("sparks") {
     for (gl::Buffer& buffer : buffers_)
         buffer = gl::Buffer("sparks", kRoom * sizeof(Spark));
+    for (gl::Buffer& buffer : puffBuffers_)
+        buffer = gl::Buffer("fume", FumePuffs::kMost * sizeof(FumePuff));
 }
 
 void EffectsPainter::upload(const SceneView& scene, const LookParameters& look) {
-    const bool shown = showsEffects(scene, look);
-    const ArcEffectsView& effects = scene.effects;
-    scattering_ =
-        shown && look.fume && has(look, Measure::fume) && scene.arc.intensity.g > 0 ? effects.fume.scattering : 0;
+    current_ = (current_ + 1) % buffers_.size();
+    uploadSparks(scene, look);
+    uploadFume(scene, look);
+}
+
+void EffectsPainter::uploadSparks(const SceneView& scene, const LookParameters& look) {
     count_ = 0;
-    if (!shown || !look.spatter || !has(look, Measure::spatter)) return;
+    if (!showsEffects(scene, look) || !look.spatter || !has(look, Measure::spatter)) return;
+    const ArcEffectsView& effects = scene.effects;
     const size_t all =
         scene.tableShown && has(look, Measure::room) ? effects.sparks.size() : effects.sparks.size() - effects.onTable;
     count_ = std::min(all, kRoom);
-    if (count_ == 0) return;
-    current_ = (current_ + 1) % buffers_.size();
-    buffers_[current_].write(effects.sparks.first(count_));
+    if (count_ > 0) buffers_[current_].write(effects.sparks.first(count_));
+}
+
+void EffectsPainter::uploadFume(const SceneView& scene, const LookParameters& look) {
+    const bool shown = showsEffects(scene, look) && look.fume && has(look, Measure::fume);
+    const Fume& fume = scene.effects.fume;
+    scattering_ = shown && scene.arc.intensity.g > 0 ? fume.scattering : 0;
+    puffs_ = shown ? std::min(fume.puffs.size(), FumePuffs::kMost) : 0;
+    if (puffs_ == 0) return;
+    puffBuffers_[current_].write(fume.puffs.first(puffs_));
+    pool_ = fume.pool;
+    tableTop_ = scene.tableShown && has(look, Measure::room) ? scene.tableTop : -1e9f;
 }
 
 void EffectsPainter::drawSparks(const ViewBatch& views, const RenderTarget& target) const {
@@ -46,6 +62,18 @@ void EffectsPainter::drawSparks(const ViewBatch& views, const RenderTarget& targ
     buffers_[current_].bindStorage(SPARKS_BINDING);
     empty_.bind();
     glDrawArraysInstanced(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * count_), views.count);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+}
+
+void EffectsPainter::drawFume(const ViewBatch& views, const RenderTarget& target) const {
+    if (puffs_ == 0) return;
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); // the shader has multiplied by the cover
+    const gl::Program& program = fume_.use(target, views);
+    program.set("pool", pool_);
+    program.set("tableTop", tableTop_);
+    puffBuffers_[current_].bindStorage(FUME_BINDING);
+    empty_.bind();
+    glDrawArraysInstanced(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * puffs_), views.count);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
 }
 

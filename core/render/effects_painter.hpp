@@ -1,4 +1,5 @@
-// Draws what flies about an arc: sparks as quads along their way, and the smoke that the arc lights.
+// Draws what flies about an arc: sparks as quads along their way, the smoke that the arc lights, and
+// puffs of it that rise.
 #pragma once
 
 #include "core/gl/buffer.hpp"
@@ -20,31 +21,40 @@ class EffectsPainter {
     void load(ViewSubmission submission) {
         sparks_.load(submission);
         haze_.load(submission);
+        fume_.load(submission);
         afterImage_.load(submission);
     }
 
-    /// Copies the scene's sparks to the GPU for the draws to come, as far as the look shows them: not where the metal
-    /// is cut or shown in colours of its temperature, and not at low detail.
+    /// Copies the scene's sparks and puffs of smoke to the GPU for the draws to come, as far as the look shows them:
+    /// not where the metal is cut or shown in colours of its temperature, and not at low detail.
     void upload(const SceneView& scene, const LookParameters& look);
 
     /// Draws them. Expects the frame's uniform blocks bound, blending on and the depth as it is after all things.
     void drawSparks(const ViewBatch& views, const RenderTarget& target) const;
+    /// Draws the puffs of smoke, before the sparks that fly before them. Expects the same.
+    void drawFume(const ViewBatch& views, const RenderTarget& target) const;
     /// Draws the smoke over all that stands behind it.
     void drawHaze(const ViewBatch& views, const RenderTarget& target) const;
 
     /// Draws what an arc has left in the eye, over everything.
     void drawAfterImage(const AfterImage& image, const ViewBatch& views, const RenderTarget& target) const;
 
-    bool shows() const { return count_ > 0 || scattering_ > 0; }
+    bool shows() const { return count_ > 0 || scattering_ > 0 || puffs_ > 0; }
 
   private:
-    TonedProgram sparks_, haze_, afterImage_;
+    void uploadSparks(const SceneView& scene, const LookParameters& look);
+    void uploadFume(const SceneView& scene, const LookParameters& look);
+
+    TonedProgram sparks_, haze_, fume_, afterImage_;
     gl::VertexArray empty_;
     /// Frames use them in turn, so that writing one does not wait for frames that the GPU still draws.
-    std::array<gl::Buffer, 3> buffers_;
+    std::array<gl::Buffer, 3> buffers_, puffBuffers_;
     size_t current_ = 0;
     size_t count_ = 0;
     float scattering_ = 0;
+    size_t puffs_ = 0;
+    glm::vec3 pool_{0};
+    float tableTop_ = 0; ///< world
 };
 
 } // namespace meltpool

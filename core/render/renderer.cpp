@@ -225,6 +225,7 @@ void Renderer::Parts::drawBatch(const SceneView& scene, const LookParameters& lo
     }
     if (effects.shows()) {
         const gl::Scope scope(profiler, "draw effects");
+        effects.drawFume(views, target);
         effects.drawSparks(views, target);
         effects.drawHaze(views, target);
     }

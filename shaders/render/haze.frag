@@ -11,19 +11,6 @@ layout(location = 0) out vec4 colour;
 
 layout(location = 5) uniform float scattering; // share of light a metre
 
-// How far the ray goes before it meets the workpiece, in lengths of `ray`.
-float wayFree(vec3 from, vec3 ray) {
-    vec3 perWay = 1.0 / mix(ray, vec3(1e-9), lessThan(abs(ray), vec3(1e-9)));
-    float free = 1e9;
-    for (int i = 0; i < frame.shadowBoxCount; ++i) {
-        vec3 toLow = (frame.shadowBoxes[i].low - from) * perWay, toHigh = (frame.shadowBoxes[i].high - from) * perWay;
-        vec3 first = min(toLow, toHigh), last = max(toLow, toHigh);
-        float entry = max(max(first.x, first.y), first.z), exit = min(min(last.x, last.y), last.z);
-        if (entry > 0.0 && entry < exit) free = min(free, entry);
-    }
-    return free;
-}
-
 void main() {
     vec3 ray = normalize(way);
     float nearest = dot(toArc, ray);

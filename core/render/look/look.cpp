@@ -50,7 +50,8 @@ ParameterList describe(LookParameters& l) {
          "the eye gets used to bright and dark, and an arc without a visor dazzles it"},
         {"spatter", "Spatter", "", &l.spatter, 0, 1,
          "drops that the arc throws, and those of the wire; not at low detail"},
-        {"fume", "Fume", "", &l.fume, 0, 1, "smoke that the arc lights; costs time per pixel; not at low detail"},
+        {"fume", "Fume", "", &l.fume, 0, 1,
+         "smoke that the arc lights, and puffs that rise; costs time per pixel; not at low detail"},
     };
 }
 

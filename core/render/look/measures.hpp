@@ -44,7 +44,7 @@ constexpr std::array<MeasureRow, 12> kMeasures{{
      "highlights as wide as the normals within a pixel make them"},
     {Measure::ripples, kHighDetail, "ripples", "lines of one freezing time in a bead; they need rough lobes"},
     {Measure::spatter, kMediumDetail, "spatter", "drops that the arc throws, the wire's drops, and the beads that lie"},
-    {Measure::fume, kMediumDetail, "fume", "smoke that the arc lights"},
+    {Measure::fume, kMediumDetail, "fume", "smoke that the arc lights, and puffs of it that rise"},
     {Measure::room, kMediumDetail, "room", "a workshop with depth, and table, clamps and machine in it"},
     {Measure::fittings, kHighDetail, "fittings", "torch and hands in their own form, with hose and cable"},
     {Measure::millScale, kMediumDetail, "mill_scale", "rolled steel under its scale, ground bright along the seam"},
