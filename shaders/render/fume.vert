@@ -1,8 +1,8 @@
 // A puff of smoke: a square that faces the eye itself and not its picture, so that both eyes see one ball.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-#include "render/arc.glsl"
 #include "render/view.glsl"
+#include "render/arc.glsl"
 #include "shared/effects.h"
 
 layout(std430, binding = FUME_BINDING) readonly buffer Fume {
