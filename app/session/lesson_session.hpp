@@ -96,6 +96,8 @@ class LessonSession {
     /// Ends the lesson and frees the metal. `reason` stands in the attempt's record.
     void end(std::string_view reason) noexcept;
     bool running() const { return trainer_ != nullptr; }
+    /// No step was made in the last frame, as the person looks around or the weld is cut open.
+    bool paused() const { return paused_; }
 
     /// Runs the steps that fit into `seconds` of real time. The torch follows `held`, or the controls where that is
     /// empty; then nothing runs in view mode.

@@ -93,7 +93,7 @@ void Notices::update(LessonSession& session, LessonFigures& figures, const Trigg
     figures.slow = {};
     std::string_view sentence;
     if (session.running() && !session.played()) {
-        if (!session.cut().shown()) figures.slow = slow_.update(figures.speed, elapsed); // else the metal stands
+        if (!session.paused()) figures.slow = slow_.update(figures.speed, elapsed); // else the metal stands
         sentence = arc_.update(session.arc(), strikingOf(session.lesson().process), elapsed);
         if (session.cues().withheld(CueKind::arc)) sentence = {};
         if (lock.holdsBack()) sentence = arcOutSentence(lock.reason());

@@ -140,9 +140,6 @@ TEST_CASE("a weld that is not judged is cut with the figures of the cut itself; 
     welder.lead(1.2, 1);
     REQUIRE(session.arc().burns());
     CHECK_FALSE(session.cuts());
-    welder.controls.setMode(Mode::view);
-    welder.frame({});
-    REQUIRE(session.cuts());
     Notices notices;
     const auto toldSlow = [&] {
         LessonFigures figures;
@@ -154,13 +151,17 @@ TEST_CASE("a weld that is not judged is cut with the figures of the cut itself; 
         return !figures.slow.empty();
     };
     CHECK(toldSlow());
+    welder.controls.setMode(Mode::view);
+    welder.frame({});
+    REQUIRE(session.cuts());
+    CHECK_FALSE(toldSlow()); // metal that stands still is not slow
     session.toggleCut(welder.controls);
     REQUIRE(session.cut().shown());
-    CHECK_FALSE(toldSlow());                         // metal that stands still is not slow
     CHECK(welder.controls.mode() == Mode::interact); // its camera
     CHECK_FALSE(session.cut().judged());
     session.cut().moveTo(-5e-3);
     welder.frame({});
+    CHECK_FALSE(toldSlow());
     REQUIRE(session.cut().station() != nullptr);
     CHECK(*session.cut().station()->penetration > 0);
     CHECK_THAT(cutNote(session.cut()), test::containsText("not judged yet"));
