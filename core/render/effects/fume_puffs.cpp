@@ -40,6 +40,11 @@ constexpr float kRolls = 0.5F;
 /// Moments of birth are this share of a period late, so that none lies on the end of a step of 1/90 s.
 constexpr double kLate = 0.37;
 
+/// s: the moment of birth of a puff.
+double birthOf(std::int64_t number) {
+    return (static_cast<double>(number) + kLate) / FumePuffs::kRate;
+}
+
 struct LevelAxes {
     glm::vec3 across, along;
 };
@@ -94,22 +99,21 @@ void FumePuffs::step(const ArcEffectsStep& step, float scattering) {
     for (std::int64_t k = std::max(until(step.time - step.seconds) + 1, last - most + 1); k <= last; ++k) {
         if (k < 0) continue;
         Puff& puff = puffs_[static_cast<size_t>(k % most)];
-        puff = born(step, k, (static_cast<double>(k) + kLate) / kRate);
+        puff = born(step, k);
         puff.seen *= scattering;
         newest_ = k;
     }
 }
 
-FumePuffs::Puff FumePuffs::born(const ArcEffectsStep& step, std::int64_t number, double birth) const {
+FumePuffs::Puff FumePuffs::born(const ArcEffectsStep& step, std::int64_t number) const {
     const auto chance = [&](std::uint64_t draw) { return countedChance(static_cast<std::uint64_t>(number), draw); };
     const LevelAxes level = levelAxes(ground_.up);
     const float far = kFarthest * std::sqrt(chance(0)), angle = 2 * std::numbers::pi_v<float> * chance(1);
     const auto sway = [&](double rate, double ahead) {
-        return static_cast<float>(kSways * std::sin(2 * kPi * (rate * birth + ahead)));
+        return static_cast<float>(kSways * std::sin(2 * kPi * (rate * birthOf(number) + ahead)));
     };
     Puff puff;
     puff.number = number;
-    puff.birth = birth;
     puff.from = step.place;
     puff.aside = level.across * (far * std::cos(angle) + sway(kSwayRates[0], 0)) +
                  level.along * (far * std::sin(angle) + sway(kSwayRates[1], 0.3));
@@ -155,7 +159,7 @@ size_t FumePuffs::show(double time, std::array<FumePuff, kMost>& puffs) const {
     const auto most = static_cast<std::int64_t>(kMost);
     for (std::int64_t k = std::max<std::int64_t>(newest_ - most + 1, 0); k <= newest_; ++k) {
         const Puff& puff = puffs_[static_cast<size_t>(k % most)];
-        const double age = time - puff.birth;
+        const double age = time - birthOf(k);
         if (puff.number != k || age < 0 || age >= kLongest) continue;
         const FumePuff one = shown(puff, age);
         if (one.depth > 0) puffs[count++] = one;

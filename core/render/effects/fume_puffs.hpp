@@ -65,7 +65,6 @@ class FumePuffs {
   private:
     struct Puff {
         std::int64_t number = -1; ///< of the moment k / kRate at which it was born; -1: none
-        double birth = 0;         ///< s
         glm::vec3 from{0};        ///< m
         glm::vec3 aside{0};       ///< from the plume's axis, in half widths of the plume, level
         float seen = 0;           ///< m²: what all its smoke scatters out of light, as an area
@@ -74,7 +73,7 @@ class FumePuffs {
     };
 
     explicit FumePuffs(const SpatterGround& ground) : ground_(ground) {}
-    Puff born(const ArcEffectsStep& step, std::int64_t number, double birth) const;
+    Puff born(const ArcEffectsStep& step, std::int64_t number) const;
     FumePuff shown(const Puff& puff, double age) const;
 
     SpatterGround ground_;
