@@ -25,21 +25,10 @@ LookParameters effectsOnly() {
 /// Light of all pixels of a picture of 64 x 64 of what an eye 0.2 before the origin sees.
 double allLight(const SceneView& scene, const LookParameters& look) {
     constexpr int kSize = 64;
-    const gl::Texture colour("light", {.format = GL_RGBA32F, .width = kSize, .height = kSize});
-    const gl::Texture depth("depth", {.format = GL_DEPTH_COMPONENT24, .width = kSize, .height = kSize});
-    const gl::Framebuffer picture("light");
-    picture.attach(GL_COLOR_ATTACHMENT0, colour);
-    picture.attach(GL_DEPTH_ATTACHMENT, depth);
     const View view = FreeCamera({0, 0, 0.2f}, {0, 0, 0}).view({}, 1);
-    const RenderTarget where{.framebuffer = picture.name(), .viewport = {0, 0, kSize, kSize}, .encodesSrgb = true};
-    test::patchRenderer().draw(scene, look, {&view, 1}, where, nullptr);
-    std::vector<glm::vec4> pixels(kSize * kSize);
-    glBindFramebuffer(GL_FRAMEBUFFER, picture.name());
-    glReadPixels(0, 0, kSize, kSize, GL_RGBA, GL_FLOAT, pixels.data());
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
     double sum = 0;
-    for (const glm::vec4& pixel : pixels)
-        sum += double(pixel.g);
+    for (const float light : test::lightOfPixels(test::patchRenderer(), scene, look, view, kSize))
+        sum += double(light);
     return sum;
 }
 

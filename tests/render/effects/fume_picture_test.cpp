@@ -31,22 +31,8 @@ LookParameters smokeOnly() {
 
 /// Light of the pixels that an eye beside the middle sees in front of the arc at the origin, row after row from below.
 std::vector<float> lightSeen(const SceneView& scene, const LookParameters& look, float beside = 0) {
-    const gl::Texture colour("light", {.format = GL_RGBA32F, .width = kSize, .height = kSize});
-    const gl::Texture depth("depth", {.format = GL_DEPTH_COMPONENT24, .width = kSize, .height = kSize});
-    const gl::Framebuffer picture("light");
-    picture.attach(GL_COLOR_ATTACHMENT0, colour);
-    picture.attach(GL_DEPTH_ATTACHMENT, depth);
     const View view = FreeCamera({beside, 0, kFar}, {beside, 0, 0}).view({}, 1); // both look the same way
-    const RenderTarget where{.framebuffer = picture.name(), .viewport = {0, 0, kSize, kSize}, .encodesSrgb = true};
-    test::patchRenderer().draw(scene, look, {&view, 1}, where, nullptr);
-    std::vector<glm::vec4> pixels(kSize * kSize);
-    glBindFramebuffer(GL_FRAMEBUFFER, picture.name());
-    glReadPixels(0, 0, kSize, kSize, GL_RGBA, GL_FLOAT, pixels.data());
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    std::vector<float> light;
-    for (const glm::vec4& pixel : pixels)
-        light.push_back(pixel.g);
-    return light;
+    return test::lightOfPixels(test::patchRenderer(), scene, look, view, kSize);
 }
 
 std::vector<float> gained(const std::vector<float>& with, const std::vector<float>& without) {

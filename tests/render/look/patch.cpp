@@ -68,6 +68,26 @@ vec3 lightOf(Renderer& renderer, const SceneView& scene, const LookParameters& l
     return vec3(pixel);
 }
 
+std::vector<float> lightOfPixels(Renderer& renderer, const SceneView& scene, const LookParameters& look,
+                                 const View& view, int size) {
+    const gl::Texture colour("light", {.format = GL_RGBA32F, .width = size, .height = size});
+    const gl::Texture depth("depth", {.format = GL_DEPTH_COMPONENT24, .width = size, .height = size});
+    const gl::Framebuffer picture("light");
+    picture.attach(GL_COLOR_ATTACHMENT0, colour);
+    picture.attach(GL_DEPTH_ATTACHMENT, depth);
+    // A target that encodes what is written gets light; this one keeps it as numbers.
+    const RenderTarget where{.framebuffer = picture.name(), .viewport = {0, 0, size, size}, .encodesSrgb = true};
+    renderer.draw(scene, look, {&view, 1}, where, nullptr);
+    std::vector<glm::vec4> pixels(static_cast<size_t>(size) * static_cast<size_t>(size));
+    glBindFramebuffer(GL_FRAMEBUFFER, picture.name());
+    glReadPixels(0, 0, size, size, GL_RGBA, GL_FLOAT, pixels.data());
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    std::vector<float> light;
+    for (const glm::vec4& pixel : pixels)
+        light.push_back(pixel.g);
+    return light;
+}
+
 Renderer& evenlyLit(float light) {
     static Renderer only(shaders());
     static float painted = -1;

@@ -3,6 +3,8 @@
 
 #include "core/render/renderer.hpp"
 
+#include <vector>
+
 namespace meltpool::test {
 
 /// Freezing range of the patch's metal, K: that of S235.
@@ -29,6 +31,11 @@ Renderer& evenlyLit(float light);
 
 /// No box, sky and source, and no light but `ambient` of the room.
 LookParameters roomOnly(float ambient);
+
+/// Light (green) of each pixel of a square picture of `size` pixels a side, row after row from below, after exposure
+/// and tone curve.
+std::vector<float> lightOfPixels(Renderer& renderer, const SceneView& scene, const LookParameters& look,
+                                 const View& view, int size);
 
 /// Light in the middle of the picture that an eye at `eye` has which looks at `target`, after exposure and tone curve.
 glm::vec3 lightOf(Renderer& renderer, const SceneView& scene, const LookParameters& look, glm::vec3 eye = {0, 0, 1},

@@ -58,24 +58,10 @@ class RippledSheet {
 
 /// Light of the pixels, sampled once each at this place in them, -0.5..0.5 of a pixel from their middles.
 std::vector<float> sampled(const SceneView& scene, const LookParameters& look, glm::vec2 shift) {
-    const gl::Texture colour("light", {.format = GL_RGBA32F, .width = kSize, .height = kSize});
-    const gl::Texture depth("depth", {.format = GL_DEPTH_COMPONENT24, .width = kSize, .height = kSize});
-    const gl::Framebuffer picture("light");
-    picture.attach(GL_COLOR_ATTACHMENT0, colour);
-    picture.attach(GL_DEPTH_ATTACHMENT, depth);
     View view = FreeCamera({0, -0.05f, 0.22f}, {0, 0, 0}).view({}, 1);
     view.eyeToClip[2][0] += 2 * shift.x / kSize;
     view.eyeToClip[2][1] += 2 * shift.y / kSize;
-    const RenderTarget where{.framebuffer = picture.name(), .viewport = {0, 0, kSize, kSize}, .encodesSrgb = true};
-    test::evenlyLit(0.3f).draw(scene, look, {&view, 1}, where, nullptr);
-    std::vector<glm::vec4> pixels(kSize * kSize);
-    glBindFramebuffer(GL_FRAMEBUFFER, picture.name());
-    glReadPixels(0, 0, kSize, kSize, GL_RGBA, GL_FLOAT, pixels.data());
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    std::vector<float> light;
-    for (const glm::vec4& pixel : pixels)
-        light.push_back(pixel.g);
-    return light;
+    return test::lightOfPixels(test::evenlyLit(0.3f), scene, look, view, kSize);
 }
 
 /// The same at `side` x `side` places spread over the pixel.
