@@ -172,6 +172,25 @@ TEST_CASE("Stirred liquid conducts less along the axes that its stirring does no
     CHECK(bench.state.readEnergy() == Approx(before).epsilon(1e-6));
 }
 
+TEST_CASE("Nothing flows between a held wall and led liquid of its temperature", "[heat][off-lattice]") {
+    Material m = simpleMetal();
+    m.solidus = m.liquidus = 400;
+    const float side = 8 * kSpacing;
+    const MetalLattice lattice = MetalLattice::covering({-kSpacing, 0, 0}, {side, side, side}, kSpacing);
+    auto seeds = latticeSeeds(lattice, {-kSpacing, 0, 0}, {side, side, side}, 1500);
+    for (MetalSeed& seed : seeds)
+        if (seed.position.x < 0) seed.phase |= PHASE_HELD;
+    takeOffLattice(seeds, 0, 0);
+    HeatSettings settings;
+    settings.ledStirring = true;
+    HeatBench bench(test::shaders(), lattice, m, seeds, settings);
+    bench.solver.setStirringLess({0.75F, 0, 0});
+    for (int i = 0; i < 50; ++i)
+        bench.solver.step(0.02, {});
+    for (const double t : bench.readTemperatures())
+        REQUIRE(t == Approx(1500).margin(0.05));
+}
+
 TEST_CASE("A free fragment conducts where it touches and not where it does not", "[heat][off-lattice]") {
     const Material m = simpleMetal();
     const float side = 8 * kSpacing;
