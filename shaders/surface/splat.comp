@@ -1,7 +1,7 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-// Subtracts every changed particle from the corners it was added to, adds it to the corners around its present position,
-// and marks the blocks whose mesh this can change. Weights are integers, so that exactly what was added is subtracted.
+// Takes every changed particle from the corners it was added to, adds it to the corners around its present position, and marks
+// the blocks whose mesh this can change. Weights are integers, so that exactly what was added is taken away.
 //
 // SURFACE_SMOOTH: the weight (1 - d²/r²)³ with r = influence - 1/2 cells falls smoothly to zero inside the reached
 // corners. Without it: the linear weight of the founding thesis, which ends in a step.
@@ -108,58 +108,99 @@ void storeHistory(uint index, History history) {
 #endif
 }
 
-/// Adds the particle to the volumes (`sign_` 1) or subtracts it (-1).
-void addParticle(Particle particle, History history, int sign_) {
+/// Where a particle lies among the corners, which of them it reaches, and what it brings there.
+struct Splat {
+    vec3 place;
+    ivec3 nearest, first, last; ///< first > last: it reaches none
+    float share, peakShare;     ///< of its temperature and of its highest so far
+    bool loose, frozen;         ///< it melted at some time; it froze again
+    uint ticks;                 ///< when it froze
+};
+
+const Splat kNothing = Splat(vec3(0), ivec3(0), ivec3(1), ivec3(0), 0.0, 0.0, false, false, 0u);
+
+Splat splatOf(Particle particle, History history) {
     precise vec3 place = (particle.position - setup.origin) * (vec3(setup.cells) / setup.extent) + 1.0;
-    if (!all(lessThan(abs(place), vec3(1e6)))) return;
-    float share = shareOf(particle.temperature), peakShare = shareOf(history.hottest);
-#ifdef SURFACE_FREEZING
-    bool frozen = history.frozenAt > 0.0 && history.frozenAt < SURFACE_FREEZING_LONGEST, loose = history.frozenAt != 0.0;
-    uint ticks = frozen ? uint(history.frozenAt * SURFACE_FREEZING_TICKS + 0.5) : 0u;
-#endif
-
+    if (!all(lessThan(abs(place), vec3(1e6)))) return kNothing;
+    Splat splat = kNothing;
+    splat.place = place;
     int reach = setup.influence - 1;
-    ivec3 nearest = ivec3(floor(place + 0.5));
-    ivec3 first = max(nearest - reach, ivec3(1)), last = min(nearest + reach, setup.cells + 1);
-    if (any(greaterThan(first, last))) return;
-    markBlocks(first, last);
+    splat.nearest = ivec3(floor(place + 0.5));
+    splat.first = max(splat.nearest - reach, ivec3(1));
+    splat.last = min(splat.nearest + reach, setup.cells + 1);
+    splat.share = shareOf(particle.temperature);
+    splat.peakShare = shareOf(history.hottest);
+#ifdef SURFACE_FREEZING
+    splat.loose = history.frozenAt != 0.0;
+    splat.frozen = history.frozenAt > 0.0 && history.frozenAt < SURFACE_FREEZING_LONGEST;
+    splat.ticks = splat.frozen ? uint(history.frozenAt * SURFACE_FREEZING_TICKS + 0.5) : 0u;
+#endif
+    return splat;
+}
 
-    float scale = weightScale(float(reach));
-    for (int z = first.z; z <= last.z; ++z) {
-        precise float dz = place.z - float(z);
-        precise float zz = dz * dz;
+bool reachesNone(Splat splat) {
+    return any(greaterThan(splat.first, splat.last));
+}
+
+/// What a particle adds to the volumes at one corner. Whole numbers: the same for the same particle, whenever it is asked.
+struct Addition {
+    int density, temperature, peak;
+    uvec2 freezing;
+};
+
+Addition additionAt(Splat splat, ivec3 corner, float scale) {
+    bool within = all(greaterThanEqual(corner, splat.first)) && all(lessThanEqual(corner, splat.last));
+    precise vec3 d = splat.place - vec3(corner);
+    precise float square = d.x * d.x + (d.y * d.y + d.z * d.z);
+    float near = within ? max(weightAt(square, scale), 0.0) : 0.0;
+    precise float scaled = near * float(SURFACE_UNIT) + 0.5;
+    int weight = int(scaled);
+    precise float heat = float(weight) * splat.share + 0.5;
+    precise float peakHeat = float(weight) * splat.peakShare + 0.5;
+    Addition addition = Addition(weight, int(heat), int(peakHeat), uvec2(0));
+#ifdef SURFACE_FREEZING
+    precise float scaledCoarse = near * setup.freezingUnit + 0.5;
+    uint coarse = splat.loose && near > 0.0 ? uint(int(scaledCoarse)) : 0u;
+    addition.freezing = coarse * uvec2(splat.frozen ? SURFACE_LOOSE + 1u : SURFACE_LOOSE, splat.ticks);
+#endif
+    return addition;
+}
+
+/// The same of what is taken away: nothing from empty volumes.
+Addition takenFrom(Splat splat, ivec3 corner, float scale) {
+#ifdef SURFACE_REBUILD
+    return Addition(0, 0, 0, uvec2(0));
+#else
+    return additionAt(splat, corner, scale);
+#endif
+}
+
+/// Puts `now` in the place of `before` in the volumes. Both lie near each other, or one of them reaches nothing: a corner that
+/// both reach is changed once, and not where nothing changes.
+void replace(Splat before, Splat now) {
+    bool fresh = reachesNone(before), gone = reachesNone(now);
+    if (!fresh) markBlocks(before.first, before.last);
+    if (!gone && (fresh || now.nearest != before.nearest)) markBlocks(now.first, now.last);
+    ivec3 first = fresh ? now.first : gone ? before.first : min(before.first, now.first);
+    ivec3 last = fresh ? now.last : gone ? before.last : max(before.last, now.last);
+    float scale = weightScale(float(setup.influence - 1));
+    for (int z = first.z; z <= last.z; ++z)
         for (int y = first.y; y <= last.y; ++y) {
-            precise float dy = place.y - float(y);
-            precise float yz = dy * dy + zz;
             int row = cornerAddress(ivec3(0, y, z));
             for (int x = first.x; x <= last.x; ++x) {
-                precise float dx = place.x - float(x);
-                precise float square = dx * dx + yz;
-                float near = weightAt(square, scale);
-                if (near <= 0.0) continue;
-                precise float scaled = near * float(SURFACE_UNIT) + 0.5;
-                int weight = int(scaled);
+                Addition added = additionAt(now, ivec3(x, y, z), scale), taken = takenFrom(before, ivec3(x, y, z), scale);
                 int address = row + (x >> 3) * SURFACE_BLOCK_CORNERS + (x & 7);
-                atomicAdd(density[address], uint(weight * sign_));
-                if (share > 0.0) {
-                    precise float heat = float(weight) * share + 0.5;
-                    atomicAdd(temperature[address], uint(int(heat) * sign_));
-                }
-                if (peakShare > 0.0) {
-                    precise float heat = float(weight) * peakShare + 0.5;
-                    atomicAdd(peak[address], uint(int(heat) * sign_));
-                }
+                if (added.density != taken.density) atomicAdd(density[address], uint(added.density - taken.density));
+                if (added.temperature != taken.temperature)
+                    atomicAdd(temperature[address], uint(added.temperature - taken.temperature));
+                if (added.peak != taken.peak) atomicAdd(peak[address], uint(added.peak - taken.peak));
 #ifdef SURFACE_FREEZING
-                if (loose) {
-                    precise float scaledCoarse = near * setup.freezingUnit + 0.5;
-                    uint coarse = uint(int(scaledCoarse) * sign_);
-                    atomicAdd(freezing[address].x, coarse * (frozen ? SURFACE_LOOSE + 1u : SURFACE_LOOSE));
-                    if (frozen) atomicAdd(freezing[address].y, coarse * ticks);
-                }
+                uvec2 change = added.freezing - taken.freezing;
+                if (change.x != 0u) atomicAdd(freezing[address].x, change.x);
+                if (change.y != 0u) atomicAdd(freezing[address].y, change.y);
 #endif
             }
         }
-    }
 }
 
 #ifdef SURFACE_REBUILD
@@ -172,7 +213,7 @@ void main() {
         splatted[index] = now;
         storeHistory(index, history);
     }
-    addParticle(now, history, 1);
+    replace(kNothing, splatOf(now, history));
 }
 #else
 void main() {
@@ -180,15 +221,17 @@ void main() {
     if (slot >= commands.changedCount) return;
     uint index = changedList[slot];
     Particle now = particleNow(index);
-    Particle particle = splatted[index];
-    History historyThen = historyNow(index), history = historySplatted(index, historyThen);
+    History historyThen = historyNow(index);
+    Splat before = splatOf(splatted[index], historySplatted(index, historyThen)), after = splatOf(now, historyThen);
     splatted[index] = now;
     storeHistory(index, historyThen);
+    bool together = all(lessThanEqual(abs(after.nearest - before.nearest), ivec3(1)));
     // One loop instead of two calls: the compiler makes the body once.
-    for (int sign_ = -1; sign_ <= 1; sign_ += 2) {
-        addParticle(particle, history, sign_);
-        particle = now;
-        history = historyThen;
+    for (int turn = together ? 1 : 0; turn < 2; ++turn) {
+        Splat taken = before, added = after;
+        if (!together && turn == 0) added = kNothing;
+        if (!together && turn == 1) taken = kNothing;
+        replace(taken, added);
     }
 }
 #endif
