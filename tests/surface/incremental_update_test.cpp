@@ -118,6 +118,30 @@ TEST_CASE("incremental updates give the surface that a fresh one gives") {
         }
 }
 
+TEST_CASE("a particle that leaps or only warms is taken from where it was, from nowhere outside the box") {
+    for (const int kernel : {int(SurfaceKernel::cone), int(SurfaceKernel::smooth)}) {
+        const SurfaceParameters parameters{100, 3, 0.6f, true, kernel};
+        Surface surface(test::shaders(), parameters, Plate::kLow, Plate::kHigh);
+        surface.incremental.enabled = true;
+        Plate plate;
+        const vec3 home = plate.places[7], cell(0.02f);
+        for (const vec4 place :
+             {vec4(home, 0.5f), vec4(home, 0.9f), vec4(Plate::kHigh - 2.5f * cell, 0.9f),
+              vec4(Plate::kHigh - cell, 0.2f), vec4(Plate::kHigh + 3.0f, 0.2f), vec4(Plate::kLow - 1.5f * cell, 0.2f),
+              vec4(home + cell, 0.2f), vec4(1e9f), vec4(NAN), vec4(home, 0.1f)}) {
+            plate.places[7] = place;
+            plate.update(surface);
+            INFO("at " << place.x << ", kernel " << kernel);
+            std::vector<vec4> there = plate.alive();
+            if (std::isnan(place.x)) there.erase(there.begin() + 7);
+            const test::Volumes twin = test::twinVolumes(surface.grid(), parameters, 0, 1, there);
+            // In brackets: the volumes are too long to be printed.
+            CHECK((surface.densityVolume().read<std::uint32_t>(twin.density.size()) == twin.density));
+            CHECK((surface.temperatureVolume().read<std::uint32_t>(twin.density.size()) == twin.temperature));
+        }
+    }
+}
+
 TEST_CASE("an update without changes makes no mesh") {
     Surface surface(test::shaders(), {64, 2}, Plate::kLow, Plate::kHigh);
     surface.incremental.enabled = true;
