@@ -148,10 +148,26 @@ struct Addition {
     uvec2 freezing;
 };
 
-Addition additionAt(Splat splat, ivec3 corner, float scale) {
-    bool within = all(greaterThanEqual(corner, splat.first)) && all(lessThanEqual(corner, splat.last));
-    precise vec3 d = splat.place - vec3(corner);
-    precise float square = d.x * d.x + (d.y * d.y + d.z * d.z);
+/// Square of the way from a particle to a row of corners along x; far beyond every weight in rows that it does not reach.
+float squareToRow(Splat splat, int y, int z) {
+    precise float dy = splat.place.y - float(y), dz = splat.place.z - float(z);
+    precise float square = dy * dy + dz * dz;
+#ifndef SURFACE_REBUILD // which visits no other rows
+    ivec2 row = ivec2(y, z);
+    if (any(lessThan(row, splat.first.yz)) || any(greaterThan(row, splat.last.yz))) square = 1e9;
+#endif
+    return square;
+}
+
+/// `toRow`: squareToRow() of the row that the corner `x` is in.
+Addition additionAt(Splat splat, int x, float toRow, float scale) {
+#ifdef SURFACE_REBUILD
+    bool within = true;
+#else
+    bool within = x >= splat.first.x && x <= splat.last.x;
+#endif
+    precise float dx = splat.place.x - float(x);
+    precise float square = dx * dx + toRow;
     float near = within ? max(weightAt(square, scale), 0.0) : 0.0;
     precise float scaled = near * float(SURFACE_UNIT) + 0.5;
     int weight = int(scaled);
@@ -167,11 +183,11 @@ Addition additionAt(Splat splat, ivec3 corner, float scale) {
 }
 
 /// The same of what is taken away: nothing from empty volumes.
-Addition takenFrom(Splat splat, ivec3 corner, float scale) {
+Addition takenFrom(Splat splat, int x, float toRow, float scale) {
 #ifdef SURFACE_REBUILD
     return Addition(0, 0, 0, uvec2(0));
 #else
-    return additionAt(splat, corner, scale);
+    return additionAt(splat, x, toRow, scale);
 #endif
 }
 
@@ -187,8 +203,9 @@ void replace(Splat before, Splat now) {
     for (int z = first.z; z <= last.z; ++z)
         for (int y = first.y; y <= last.y; ++y) {
             int row = cornerAddress(ivec3(0, y, z));
+            float toNow = squareToRow(now, y, z), toBefore = squareToRow(before, y, z);
             for (int x = first.x; x <= last.x; ++x) {
-                Addition added = additionAt(now, ivec3(x, y, z), scale), taken = takenFrom(before, ivec3(x, y, z), scale);
+                Addition added = additionAt(now, x, toNow, scale), taken = takenFrom(before, x, toBefore, scale);
                 int address = row + (x >> 3) * SURFACE_BLOCK_CORNERS + (x & 7);
                 if (added.density != taken.density) atomicAdd(density[address], uint(added.density - taken.density));
                 if (added.temperature != taken.temperature)
@@ -221,10 +238,10 @@ void main() {
     if (slot >= commands.changedCount) return;
     uint index = changedList[slot];
     Particle now = particleNow(index);
-    History historyThen = historyNow(index);
-    Splat before = splatOf(splatted[index], historySplatted(index, historyThen)), after = splatOf(now, historyThen);
+    History history = historyNow(index);
+    Splat before = splatOf(splatted[index], historySplatted(index, history)), after = splatOf(now, history);
     splatted[index] = now;
-    storeHistory(index, historyThen);
+    storeHistory(index, history);
     bool together = all(lessThanEqual(abs(after.nearest - before.nearest), ivec3(1)));
     // One loop instead of two calls: the compiler makes the body once.
     for (int turn = together ? 1 : 0; turn < 2; ++turn) {
