@@ -75,6 +75,13 @@ bool reaches(HeatSourceData s, ivec3 tilePlace) {
     return all(greaterThanEqual(tilePlace, s.firstTile)) && all(lessThan(tilePlace, s.firstTile + s.tileExtent));
 }
 
+/// The first source from number `i` on that may reach a tile; the number of sources where none does. For loops, which drivers
+/// that run on the CPU leave out where no invocation enters them.
+int nextReaching(ivec3 tilePlace, int i) {
+    while (i < heatBlock.sourceCount && !reaches(heatBlock.sources[i], tilePlace)) ++i;
+    return i;
+}
+
 /// Tile number `group` of the box that the source reaches.
 ivec3 sourceTile(HeatSourceData s, int group) {
     return s.firstTile +

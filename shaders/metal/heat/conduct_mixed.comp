@@ -63,10 +63,9 @@ void main() {
     }
     FreeSurface surface = freeSurface(weight, weights);
     float given = 0.0;
-    for (int i = 0; i < heatBlock.sourceCount; ++i) {
+    for (int i = nextReaching(tilePlace, 0); i < heatBlock.sourceCount; i = nextReaching(tilePlace, i + 1)) {
         HeatSourceData s = heatBlock.sources[i];
-        if (reaches(s, tilePlace))
-            given += cellWeightIn(s, tilePlace, inside, weight, surface, theta) * sourceScale(s, sourceSum[i]);
+        given += cellWeightIn(s, tilePlace, inside, weight, surface, theta) * sourceScale(s, sourceSum[i]);
     }
     if (awake || given != 0.0) noteActivity(tile, notesOf(tile));
     cellPower[cell] = power.fromMetal + power.fromWalls + given;

@@ -3,8 +3,9 @@
 // else happens: theta in one half of its buffer -> enthalpy, temperature, phase, theta in the other half. One group a tile,
 // an invocation for each row of four cells along x: a row and its neighbours along y and z are a texel each.
 // What flows is the same as in neighbours.glsl and squares.glsl.
-// Drivers that run on the CPU execute every line whether its condition holds or not: what only some tiles need is left to the
-// passes over mixed tiles.
+// Drivers that run on the CPU execute every line whether its condition holds or not, but leave out a loop that none of the
+// invocations side by side enters: what only some tiles need is left to the passes over mixed tiles, and what only hot metal
+// needs stands in a loop.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/dispatch.h"
 #include "shared/heat.h"
@@ -156,14 +157,15 @@ RowInflow inflowOfRow(int tile, int row, TileRow side, Row own) {
 /// What a cell's step found, for the notes of its tile.
 struct Found {
     bool awake, warm, evaporating;
+    bool hot; // before or after the step metal was so hot that its phase may have changed
 };
 
-/// The step of one cell. Nothing happens in an empty cell or where the temperature is held.
-void advance(int cell, int otherHalf, uint entry, float theta, float metalFlow, float wallFlow, float largest,
+/// The step of one cell; gives its enthalpy. Nothing happens in an empty cell or where the temperature is held.
+float advance(int cell, int otherHalf, uint entry, float theta, float metalFlow, float wallFlow, float largest,
              float openAxes, float elapsed, inout Found found) {
     if (theta < 0.0) {
         cellTheta[otherHalf] = theta;
-        return;
+        return 0.0;
     }
     const float dx = metal.spacing;
     const vec2 power = dx * vec2(metalFlow, wallFlow);
@@ -175,13 +177,14 @@ void advance(int cell, int otherHalf, uint entry, float theta, float metalFlow, 
     book(cell, power.y * heatBlock.timeStep, lost);
     const Heated heated = addHeat(slot, h, temperature, (power.x + power.y) * heatBlock.timeStep - lost, elapsed);
     cellTheta[otherHalf] = heated.theta;
-    writePhase(slot, cell, otherHalf, heated.enthalpy);
     const bool losesMuch = abs(losing) * heatBlock.timeStep > heatBlock.wakingLoss;
     found.awake = found.awake || largest > heatBlock.wakingThetaDifference || losesMuch;
     found.warm = found.warm || (losing != 0.0 && abs(temperature - heatBlock.ambient) > heatBlock.warmAboveAmbient);
 #ifdef EVAPORATION
     found.evaporating = found.evaporating || evaporates(heated.temperature);
 #endif
+    found.hot = found.hot || max(h.x, heated.enthalpy) > metal.solidusEnthalpy;
+    return heated.enthalpy;
 }
 
 void main() {
@@ -198,14 +201,20 @@ void main() {
     const RowInflow f = inflowOfRow(tile, row, side, own);
     const uvec4 entry = texelFetch(latticeRows, cell / TILE_EDGE);
     const float elapsed = elapsedOf(tile);
-    Found found = Found(false, false, false);
+    Found found = Found(false, false, false, false);
+    vec4 enthalpy;
 #define ADVANCE(C, I)                                                                                                  \
-    advance(cell + I, other + I, entry.C, theta.C, f.metal_.C, f.walls.C, f.largest.C, f.openAxes.C, elapsed, found)
+    enthalpy.C = advance(cell + I, other + I, entry.C, theta.C, f.metal_.C, f.walls.C, f.largest.C, f.openAxes.C, elapsed, found)
     ADVANCE(x, 0);
     ADVANCE(y, 1);
     ADVANCE(z, 2);
     ADVANCE(w, 3);
 #undef ADVANCE
+    for (int i = found.hot ? 0 : TILE_EDGE; i < TILE_EDGE; ++i) {
+        const bvec4 which = equal(ivec4(i), ivec4(0, 1, 2, 3));
+        const uint own = which.x ? entry.x : which.y ? entry.y : which.z ? entry.z : entry.w;
+        if (dot(theta, vec4(which)) >= 0.0) writePhase(own - 1u, cell + i, other + i, dot(enthalpy, vec4(which)));
+    }
     const TileNotes notes = notesOf(tile);
     if (found.awake) noteActivity(tile, notes);
     const int now = heatBlock.stepNumber;

@@ -17,20 +17,21 @@ void main() {
     ivec3 tilePlace = tileCoordinate(tile);
     int row = int(gl_LocalInvocationIndex);
     int base = thetaBase(stampOf(tile), tile);
+    const int first = nextReaching(tilePlace, 0);
+    const int end = first < heatBlock.sourceCount ? TILE_EDGE * (row + 1) : 0; // most tiles are reached by none
     vec4 sums = vec4(0); // of the sources: a vector, as drivers that run on the CPU keep arrays in memory
-    for (int inside = TILE_EDGE * row; inside < TILE_EDGE * (row + 1); ++inside) {
+    for (int inside = TILE_EDGE * row; inside < end; ++inside) {
         int cell = tile * TILE_CELLS + inside;
         float theta = texelFetch(thetaTexels, base + inside).x;
         float own = weightOf(cell);
         FreeSurface surface = freeSurface(own, readWeights(cell, neighbourOffsets(tilePlace, inside)));
-        for (int i = 0; i < heatBlock.sourceCount; ++i) {
+        for (int i = first; i < heatBlock.sourceCount; i = nextReaching(tilePlace, i + 1)) {
             float weight = cellWeightIn(heatBlock.sources[i], tilePlace, inside, own, surface, theta);
             if (theta >= 0.0) sums += weight * vec4(equal(ivec4(i), kSources));
         }
     }
-    for (int i = 0; i < heatBlock.sourceCount; ++i) {
+    for (int i = first; i < heatBlock.sourceCount; i = nextReaching(tilePlace, i + 1)) {
         HeatSourceData s = heatBlock.sources[i];
-        if (!reaches(s, tilePlace)) continue;
         int sum = s.firstRowSum + TILE_ROWS * sourceTileIndex(s, tilePlace) + row;
         sourceSum[sum] = dot(sums, vec4(equal(ivec4(i), kSources)));
     }
