@@ -157,12 +157,12 @@ RowInflow inflowOfRow(int tile, int row, TileRow side, Row own) {
 /// What a cell's step found, for the notes of its tile.
 struct Found {
     bool awake, warm, evaporating;
-    bool hot; // before or after the step metal was so hot that its phase may have changed
+    bool hot; // metal was at its solidus or above before or after the step: no other changes its phase
 };
 
 /// The step of one cell; gives its enthalpy. Nothing happens in an empty cell or where the temperature is held.
 float advance(int cell, int otherHalf, uint entry, float theta, float metalFlow, float wallFlow, float largest,
-             float openAxes, float elapsed, inout Found found) {
+              float openAxes, float elapsed, inout Found found) {
     if (theta < 0.0) {
         cellTheta[otherHalf] = theta;
         return 0.0;
@@ -183,7 +183,7 @@ float advance(int cell, int otherHalf, uint entry, float theta, float metalFlow,
 #ifdef EVAPORATION
     found.evaporating = found.evaporating || evaporates(heated.temperature);
 #endif
-    found.hot = found.hot || max(h.x, heated.enthalpy) > metal.solidusEnthalpy;
+    found.hot = found.hot || max(h.x, heated.enthalpy) >= metal.solidusEnthalpy;
     return heated.enthalpy;
 }
 
@@ -212,8 +212,8 @@ void main() {
 #undef ADVANCE
     for (int i = found.hot ? 0 : TILE_EDGE; i < TILE_EDGE; ++i) {
         const bvec4 which = equal(ivec4(i), ivec4(0, 1, 2, 3));
-        const uint own = which.x ? entry.x : which.y ? entry.y : which.z ? entry.z : entry.w;
-        if (dot(theta, vec4(which)) >= 0.0) writePhase(own - 1u, cell + i, other + i, dot(enthalpy, vec4(which)));
+        const uint filled = which.x ? entry.x : which.y ? entry.y : which.z ? entry.z : entry.w;
+        if (dot(theta, vec4(which)) >= 0.0) writePhase(filled - 1u, cell + i, other + i, dot(enthalpy, vec4(which)));
     }
     const TileNotes notes = notesOf(tile);
     if (found.awake) noteActivity(tile, notes);

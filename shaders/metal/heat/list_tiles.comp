@@ -11,11 +11,7 @@ layout(std430, binding = HEAT_CONTROL) restrict buffer Control { HeatControl con
 bool isAwake(TileNotes notes) { return heatBlock.stepNumber - notes.lastActive <= TILE_AWAKE_STEPS; }
 bool holdsOffLattice(TileNotes notes) { return notes.lastOffLattice == heatBlock.stepNumber; }
 
-bool underSource(ivec3 place) {
-    bool under = false;
-    for (int i = 0; i < heatBlock.sourceCount; ++i) under = under || reaches(heatBlock.sources[i], place);
-    return under;
-}
+bool underSource(ivec3 place) { return nextReaching(place, 0) < heatBlock.sourceCount; }
 
 /// Whether something happens in a tile's neighbours, and whether they hold metal off the lattice.
 struct Neighbourhood {
