@@ -15,6 +15,7 @@
 #include "core/render/solids.hpp"
 #include "core/render/stroke_painter.hpp"
 #include "core/render/surface_painter.hpp"
+#include "core/render/view/kept_sky.hpp"
 #include "core/render/view/toned_program.hpp"
 
 #include <glm/geometric.hpp>
@@ -67,6 +68,8 @@ struct Renderer::Parts {
     void gatherFittings(const SceneView& scene, std::span<const View> views);
     void drawPoints(const ParticleView& particles, const ViewBatch& views, const RenderTarget& target) const;
     void drawSky(const ViewBatch& views, const RenderTarget& target) const;
+    void keepSky(const LookParameters& look, std::span<const View> views, const RenderTarget& target);
+    void clear(const RenderTarget& target) const;
     void drawBox(const ViewBatch& views, const RenderTarget& target) const;
     void drawGlare(const ViewBatch& views, const RenderTarget& target) const;
 
@@ -91,6 +94,9 @@ struct Renderer::Parts {
     std::array<gl::Buffer, kFramesInFlight> materials;
     size_t current = 0;
     bool roomShown = false;                 ///< in this frame
+    KeptSky stillSky;                       ///< behind a camera that stands still
+    bool skyCopied = false;                 ///< in this frame
+    glm::vec3 exposure{0};                  ///< of this frame, through the filter
     std::optional<SubmissionChoice> choice; ///< how several views are submitted; its programs are loaded
     std::optional<ViewSubmission> wanted;   ///< the wish that `choice` was made for
 };
@@ -163,6 +169,7 @@ void Renderer::Parts::prepare(const SceneView& scene, const LookParameters& look
     frame.viewCount = static_cast<float>(count);
     for (int i = 0; i < count; ++i)
         frame.views[i] = makeViewData(views[static_cast<size_t>(i)], columnOf(target.viewport, i, count));
+    exposure = frame.exposure;
     frames[current].writeValue(frame);
     frames[current].bindUniform(FRAME_BINDING);
     materials[current].writeValue(scene.looks != nullptr ? physicalMaterial(*scene.looks, scene.ripples)
@@ -206,7 +213,7 @@ void Renderer::Parts::drawBatch(const SceneView& scene, const LookParameters& lo
     if (roomShown) {
         const gl::Scope scope(profiler, "draw room");
         room.draw(scene.room, views, target);
-    } else if (look.showSky) {
+    } else if (look.showSky && !skyCopied) {
         const gl::Scope scope(profiler, "draw sky");
         drawSky(views, target);
     }
@@ -301,6 +308,34 @@ void Renderer::Parts::drawSky(const ViewBatch& views, const RenderTarget& target
     glDepthFunc(GL_LESS);
 }
 
+/// The room has depths, which later things are behind: it is drawn each time.
+void Renderer::Parts::keepSky(const LookParameters& look, std::span<const View> views, const RenderTarget& target) {
+    skyCopied = false;
+    if (!look.showSky || roomShown || views.size() > 1) return;
+    const View& view = views.front();
+    const SkyKey key{view.worldToEye,           view.eyeToClip,         exposure,
+                     target.viewport.width,     target.viewport.height, target.encodesSrgb,
+                     sky.use(target, {}).name()};
+    skyCopied = stillSky.prepare(key, target, [&](const RenderTarget& own) {
+        setSwitch(GL_FRAMEBUFFER_SRGB, own.encodesSrgb);
+        glDisable(GL_SCISSOR_TEST);
+        glBindFramebuffer(GL_FRAMEBUFFER, own.framebuffer);
+        glViewport(0, 0, own.viewport.width, own.viewport.height);
+        drawSky({}, own);
+    });
+}
+
+void Renderer::Parts::clear(const RenderTarget& target) const {
+    if (skyCopied) stillSky.copyTo(target);
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+    setSwitch(GL_FRAMEBUFFER_SRGB, target.encodesSrgb);
+    glViewport(target.viewport.x, target.viewport.y, target.viewport.width, target.viewport.height);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(target.viewport.x, target.viewport.y, target.viewport.width, target.viewport.height);
+    glClearColor(0.02f, 0.02f, 0.022f, 1.0f);
+    glClear(skyCopied ? GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
 /// Over everything: it is light inside the eye. Adds what leaves the picture below white, so that it also serves
 /// targets whose values the shaders encode.
 void Renderer::Parts::drawGlare(const ViewBatch& views, const RenderTarget& target) const {
@@ -346,13 +381,8 @@ void Renderer::draw(const SceneView& scene, const LookParameters& look, std::spa
         parts_->strokes.upload(scene.section.strokes);
     }
     parts_->effects.upload(scene, look);
-    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
-    setSwitch(GL_FRAMEBUFFER_SRGB, target.encodesSrgb);
-    glViewport(target.viewport.x, target.viewport.y, target.viewport.width, target.viewport.height);
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(target.viewport.x, target.viewport.y, target.viewport.width, target.viewport.height);
-    glClearColor(0.02f, 0.02f, 0.022f, 1.0f);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    parts_->keepSky(look, views, target);
+    parts_->clear(target);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     const auto count = static_cast<int>(views.size());

@@ -1,0 +1,43 @@
+#include "core/render/view/kept_sky.hpp"
+
+namespace meltpool {
+
+namespace {
+
+/// A copy into several samples would lose what the samples of an edge show of the sky; and no window starts elsewhere.
+bool takesCopies(const RenderTarget& target) {
+    if (target.viewport.x != 0 || target.viewport.y != 0) return false;
+    GLint samples = 0;
+    glGetNamedFramebufferParameteriv(target.framebuffer, GL_SAMPLES, &samples);
+    return samples < 2;
+}
+
+} // namespace
+
+KeptSky::State KeptSky::look(const SkyKey& key, const RenderTarget& target) {
+    if (key != key_) {
+        key_ = key;
+        picture_.reset();
+        return State::other;
+    }
+    if (!takesCopies(target)) return State::other;
+    return picture_ ? State::kept : State::due;
+}
+
+RenderTarget KeptSky::begin() {
+    picture_.emplace();
+    const GLenum format = key_.encodesSrgb ? GL_SRGB8_ALPHA8 : GL_RGBA8;
+    picture_->colour = gl::Texture("kept sky", {.format = format, .width = key_.width, .height = key_.height});
+    picture_->framebuffer.attach(GL_COLOR_ATTACHMENT0, picture_->colour);
+    picture_->framebuffer.requireComplete();
+    return {picture_->framebuffer.name(), {0, 0, key_.width, key_.height}, key_.encodesSrgb};
+}
+
+void KeptSky::copyTo(const RenderTarget& target) const {
+    glDisable(GL_FRAMEBUFFER_SRGB); // the bytes as they are
+    glBlitNamedFramebuffer(picture_->framebuffer.name(), target.framebuffer, 0, 0, key_.width, key_.height, 0, 0,
+                           key_.width, key_.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+}
+
+} // namespace meltpool
