@@ -313,9 +313,8 @@ void Renderer::Parts::keepSky(const LookParameters& look, std::span<const View> 
     skyCopied = false;
     if (!look.showSky || roomShown || views.size() > 1) return;
     const View& view = views.front();
-    const SkyKey key{view.worldToEye,           view.eyeToClip,         exposure,
-                     target.viewport.width,     target.viewport.height, target.encodesSrgb,
-                     sky.use(target, {}).name()};
+    const SkyKey key{view.worldToEye,        view.eyeToClip,     exposure,           target.viewport.width,
+                     target.viewport.height, target.encodesSrgb, target.framebuffer, sky.use(target, {}).name()};
     skyCopied = stillSky.prepare(key, target, [&](const RenderTarget& own) {
         setSwitch(GL_FRAMEBUFFER_SRGB, own.encodesSrgb);
         glDisable(GL_SCISSOR_TEST);

@@ -4,9 +4,8 @@ namespace meltpool {
 
 namespace {
 
-/// A copy into several samples would lose what the samples of an edge show of the sky; and no window starts elsewhere.
-bool takesCopies(const RenderTarget& target) {
-    if (target.viewport.x != 0 || target.viewport.y != 0) return false;
+/// A copy into several samples would lose what the samples of an edge show of the sky.
+bool hasOneSample(const RenderTarget& target) {
     GLint samples = 0;
     glGetNamedFramebufferParameteriv(target.framebuffer, GL_SAMPLES, &samples);
     return samples < 2;
@@ -15,13 +14,14 @@ bool takesCopies(const RenderTarget& target) {
 } // namespace
 
 KeptSky::State KeptSky::look(const SkyKey& key, const RenderTarget& target) {
-    if (key != key_) {
+    const bool corner = target.viewport.x == 0 && target.viewport.y == 0; // as every window's and picture's
+    if (key != key_ || !corner) {
         key_ = key;
         picture_.reset();
         return State::other;
     }
-    if (!takesCopies(target)) return State::other;
-    return picture_ ? State::kept : State::due;
+    if (picture_) return State::kept;
+    return hasOneSample(target) ? State::due : State::other;
 }
 
 RenderTarget KeptSky::begin() {

@@ -11,7 +11,7 @@
 
 namespace meltpool {
 
-/// All that the colours of a picture's sky follow from, beside what never changes.
+/// All that the colours of a picture's sky follow from, beside what never changes, and where they go.
 struct SkyKey {
     glm::mat4 worldToEye{0.0f};
     glm::mat4 eyeToClip{0.0f};
@@ -19,6 +19,7 @@ struct SkyKey {
     int width = 0; ///< pixels
     int height = 0;
     bool encodesSrgb = false; ///< the target, see RenderTarget
+    GLuint framebuffer = 0;   ///< one and the same has as many samples as before
     GLuint program = 0;       ///< a reload of the shaders makes another
 
     bool operator==(const SkyKey&) const = default;

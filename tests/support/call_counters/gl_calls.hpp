@@ -16,7 +16,7 @@
     W(glDisableVertexArrayAttrib) W(glDispatchCompute) W(glDispatchComputeIndirect) W(glDrawArraysIndirect) \
     W(glDrawArraysInstanced) W(glDrawElementsIndirect) W(glDrawElementsInstanced) \
     W(glDrawElementsInstancedBaseInstance) W(glEnableVertexArrayAttrib) W(glFenceSync) \
-    W(glGenerateTextureMipmap) W(glGetActiveUniform) W(glGetInteger64v) W(glGetNamedBufferPointerv) W(glGetNamedBufferSubData) W(glGetProgramInfoLog) \
+    W(glGenerateTextureMipmap) W(glGetActiveUniform) W(glGetInteger64v) W(glGetNamedBufferPointerv) W(glGetNamedBufferSubData) W(glGetNamedFramebufferParameteriv) W(glGetProgramInfoLog) \
     W(glGetProgramiv) W(glGetQueryObjectiv) W(glGetQueryObjectui64v) W(glGetShaderInfoLog) W(glGetShaderiv) \
     W(glGetStringi) W(glGetTextureImage) W(glGetUniformLocation) W(glLinkProgram) W(glMapNamedBufferRange) \
     W(glMemoryBarrier) W(glNamedBufferStorage) W(glNamedBufferSubData) W(glNamedFramebufferTexture) \
