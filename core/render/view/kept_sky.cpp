@@ -37,7 +37,6 @@ void KeptSky::copyTo(const RenderTarget& target) const {
     glDisable(GL_FRAMEBUFFER_SRGB); // the bytes as they are
     glBlitNamedFramebuffer(picture_->framebuffer.name(), target.framebuffer, 0, 0, key_.width, key_.height, 0, 0,
                            key_.width, key_.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
 }
 
 } // namespace meltpool

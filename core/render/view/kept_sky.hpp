@@ -38,7 +38,7 @@ class KeptSky {
         return state != State::other;
     }
 
-    /// Copies the sky over the target's whole viewport, whose frame buffer is left bound.
+    /// Copies the sky over the target's whole viewport. Leaves GL_FRAMEBUFFER_SRGB off.
     void copyTo(const RenderTarget& target) const;
 
   private:
