@@ -9,7 +9,9 @@
 namespace meltpool::gl {
 
 Buffer::Buffer(std::string_view label, size_t bytes, GLbitfield storageFlags)
-    : bytes_((std::max<size_t>(bytes, 1) + 3) / 4 * 4), writable_((storageFlags & GL_DYNAMIC_STORAGE_BIT) != 0) {
+    : label_(label),
+      bytes_((std::max<size_t>(bytes, 1) + 3) / 4 * 4),
+      writable_((storageFlags & GL_DYNAMIC_STORAGE_BIT) != 0) {
     GLuint name = 0;
     glCreateBuffers(1, &name);
     handle_ = Handle<destroy>(name);
@@ -30,6 +32,13 @@ void Buffer::clear() const {
 
 void Buffer::fill(GLuint word) const {
     fillWords(name(), 0, bytes_, word);
+}
+
+void Buffer::resize(size_t bytes) {
+    Buffer other(label_, bytes, writable_ ? GL_DYNAMIC_STORAGE_BIT : 0);
+    memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    copyTo(other, std::min(bytes_, other.bytes_));
+    *this = std::move(other);
 }
 
 void Buffer::copyTo(const Buffer& target, size_t bytes, size_t from, size_t to) const {

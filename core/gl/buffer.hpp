@@ -4,6 +4,8 @@
 #include "core/gl/handle.hpp"
 
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace meltpool::gl {
@@ -53,6 +55,10 @@ class Buffer {
     void clear() const;
     /// Sets every 32-bit word on the GPU.
     void fill(GLuint word) const;
+    /// Another size: the same bytes as far as both sizes reach, zeros behind them, in memory of another name. Who bound
+    /// the buffer or made a BufferView of it has to do so again. Where the driver has no room it throws RuntimeFault
+    /// and the buffer stays as it was.
+    void resize(size_t bytes);
     /// Copies `bytes` on the GPU, without the CPU.
     void copyTo(const Buffer& target, size_t bytes, size_t from = 0, size_t to = 0) const;
 
@@ -66,6 +72,7 @@ class Buffer {
 
     static void destroy(GLuint name) { glDeleteBuffers(1, &name); }
     Handle<destroy> handle_;
+    std::string label_;
     size_t bytes_ = 0;
     bool writable_ = true; ///< by the CPU
 };

@@ -1,5 +1,6 @@
 #include "core/metal/physical_metal.hpp"
 
+#include "core/base/error.hpp"
 #include "core/base/hash.hpp"
 #include "core/gl/buffer_view.hpp"
 #include "core/gl/order.hpp"
@@ -110,6 +111,29 @@ void PhysicalMetal::make() {
     heat_ = std::make_unique<HeatSolver>(shaders_, *state_, setup_.material, setup_.heat);
     flow_ = std::make_unique<Flow>(shaders_, *state_, fluidOf(setup_), setup_.space);
     fragments_ = std::make_unique<RigidFragments>(shaders_, *state_, setup_.fragments);
+    room_ = state_->capacity();
+}
+
+/// The state is the first to grow: where the driver has no room for the others, only the state has more than it needs.
+void PhysicalMetal::setCapacity(size_t capacity) {
+    state_->setCapacity(capacity);
+    heat_->takeCapacity();
+    flow_->takeCapacity();
+    fragments_->takeCapacity();
+    room_ = capacity;
+}
+
+/// More room than asked for, so that it is rarely made.
+void PhysicalMetal::makeRoom(size_t particles) {
+    constexpr size_t kLeast = 2048, kShare = 16;
+    if (particles <= room_ || !grows_) return;
+    const size_t capacity = std::min(particles + std::max(kLeast, particles / kShare), setup_.mostParticles);
+    if (capacity <= room_) return;
+    try {
+        setCapacity(capacity);
+    } catch (const RuntimeFault&) {
+        grows_ = false; // what finds no room is refused, and told with the metal's figures
+    }
 }
 
 void PhysicalMetal::reset() {
@@ -131,6 +155,9 @@ void PhysicalMetal::begin() {
 }
 
 void PhysicalMetal::transfer(gl::StateArchive& archive) {
+    size_t room = room_;
+    archive.count(room, setup_.mostParticles);
+    if (archive.restores() && room != room_) setCapacity(room);
     archive.values(timeStep_);
     archive.count(refused_, std::numeric_limits<size_t>::max());
     state_->transfer(archive);
@@ -159,10 +186,11 @@ void PhysicalMetal::setLiquidConductivity(const Property& conductivity) {
 /// What lies outside the space flies straight into it where it is near; the rest is refused, as the flow would move it
 /// to the end of the space from anywhere.
 void PhysicalMetal::addFiller(std::span<const MetalSeed> filler) {
-    const size_t room = state_->capacity() - state_->particles();
     accepted_.clear();
     for (MetalSeed seed : filler)
-        if (fliesIn(seed, setup_.space) && accepted_.size() < room) accepted_.push_back(seed);
+        if (fliesIn(seed, setup_.space)) accepted_.push_back(seed);
+    makeRoom(state_->particles() + accepted_.size());
+    accepted_.resize(std::min(accepted_.size(), room_ - state_->particles()));
     state_->add(accepted_);
     refused_ += filler.size() - accepted_.size();
 }

@@ -17,7 +17,8 @@ struct PhysicalSetup {
     Material material;
     MetalLattice lattice;
     std::vector<MetalSeed> seeds;
-    size_t fillerRoom = 20000; ///< particles that may be fed
+    size_t fillerRoom = 2048;               ///< particles that may be fed before the metal needs more memory
+    size_t mostParticles = size_t(1) << 26; ///< filler beyond is refused; 2^26: what numbers of slots bear
     FlowSpace space;
     FragmentSetup fragments;
     HeatSettings heat;
@@ -45,8 +46,9 @@ class PhysicalMetal {
     void setLiquidConductivity(const Property& conductivity);
 
     /// One time step: filler enters, heat spreads in as many steps as conduction allows, liquid flows in as many as
-    /// surface tension needs, free fragments move. Nothing is read back. Filler beyond the room or outside the
-    /// space is refused and counted.
+    /// surface tension needs, free fragments move. Nothing is read back, but where filler needs more memory,
+    /// once in thousands of particles. Filler that is outside the space, beyond the setup's most particles or more than
+    /// the driver has memory for is refused and counted.
     void step(std::span<const HeatSource> sources, std::span<const MetalSeed> filler, gl::Profiler* profiler);
 
     /// Saves or restores all that the next step reads; the conductivity is the caller's. Answers that are pending are
@@ -97,6 +99,8 @@ class PhysicalMetal {
 
     void make();
     void begin();
+    void setCapacity(size_t capacity);
+    void makeRoom(size_t particles);
     void addFiller(std::span<const MetalSeed> filler);
     void gatherStatistics();
     MetalStatistics joined(const Parts& parts) const;
@@ -112,6 +116,8 @@ class PhysicalMetal {
     std::unique_ptr<HeatSolver> heat_;
     std::unique_ptr<Flow> flow_;
     std::unique_ptr<RigidFragments> fragments_;
+    size_t room_ = 0;                 ///< particles that all buffers have room for
+    bool grows_ = true;               ///< false: the driver had no room for more
     std::vector<MetalSeed> accepted_; ///< kept so that filler costs no allocation
     size_t refused_ = 0;
 };

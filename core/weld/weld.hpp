@@ -10,11 +10,11 @@ namespace meltpool {
 
 /// What surrounds the weld.
 struct WeldSurroundings {
-    double ambient = 293.15;   ///< K, of air, table and wire
-    bool lossless = false;     ///< no heat leaves the metal: for balances
-    double convection = 15;    ///< W/(m² K), still air over hot plate
-    bool ledger = false;       ///< books every joule, see HeatSettings
-    size_t fillerRoom = 20000; ///< particles that may be fed
+    double ambient = 293.15;                        ///< K, of air, table and wire
+    bool lossless = false;                          ///< no heat leaves the metal: for balances
+    double convection = 15;                         ///< W/(m² K), still air over hot plate
+    bool ledger = false;                            ///< books every joule, see HeatSettings
+    size_t fillerRoom = PhysicalSetup().fillerRoom; ///< particles that may be fed before the metal needs more memory
 };
 
 class Weld {

@@ -50,6 +50,26 @@ TEST_CASE("a buffer starts at zero and keeps what is written") {
     CHECK_THROWS_AS(buffer.write(std::span<const unsigned>(values), 4), RuntimeFault);
 }
 
+TEST_CASE("a buffer of another size keeps its bytes as far as they reach and is zero behind them") {
+    test::context();
+    const std::vector<unsigned> values{3, 1, 4, 1, 5};
+    for (const bool onlyGpu : {false, true}) {
+        Buffer source("source", std::span<const unsigned>(values));
+        Buffer buffer = onlyGpu ? Buffer::gpuOnly("test", 20) : Buffer("test", 20);
+        source.copyTo(buffer, 20);
+        buffer.resize(32);
+        CHECK(buffer.bytes() == 32);
+        CHECK(buffer.read<unsigned>(8) == std::vector<unsigned>{3, 1, 4, 1, 5, 0, 0, 0});
+        buffer.resize(8);
+        CHECK(buffer.bytes() == 8);
+        CHECK(buffer.read<unsigned>(2) == std::vector<unsigned>{3, 1});
+        if (onlyGpu)
+            CHECK_THROWS_AS(buffer.writeValue(1U), RuntimeFault);
+        else
+            CHECK_NOTHROW(buffer.writeValue(1U));
+    }
+}
+
 TEST_CASE("a buffer of any number of bytes has whole words and is cleared without a complaint of the driver") {
     while (glGetError() != GL_NO_ERROR) {
     }

@@ -105,9 +105,12 @@ TEST_CASE("a folded state holds no temperatures of its own and is unfolded to th
     CHECK(metal.stateHash() == twin.stateHash());
 }
 
-TEST_CASE("wire that is fed outside the space or beyond the room is refused and counted", "[physical]") {
+TEST_CASE("wire that is fed outside the space or beyond the most particles is refused and counted", "[physical]") {
     test::context();
-    PhysicalMetal metal(test::shaders(), plate());
+    PhysicalSetup setup = plate();
+    setup.fillerRoom = 50;
+    setup.mostParticles = setup.seeds.size() + 200;
+    PhysicalMetal metal(test::shaders(), setup);
     const size_t before = metal.state().particles();
     const std::vector<MetalSeed> drops{{glm::vec3(0, 4, 0) * kMm, 2200, PHASE_ALIVE | PHASE_LIQUID, {}},
                                        {glm::vec3(0, 4, 1000) * kMm, 2200, PHASE_ALIVE | PHASE_LIQUID, {}},

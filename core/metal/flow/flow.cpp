@@ -96,6 +96,10 @@ unsigned groupsOf(size_t invocations) {
     return static_cast<unsigned>((invocations + GROUP_SIZE - 1) / GROUP_SIZE);
 }
 
+gl::Buffer makeLists(size_t capacity) {
+    return gl::Buffer::gpuOnly("flow lists", (2 * capacity + FLOW_STALE_CAPACITY) * sizeof(uint));
+}
+
 /// Pages of moving metal that may be needed: each liquid particle may be alone in its cell, and fragments are where
 /// wall metal was. Liquid takes half the rows at most, as long as there can be more.
 size_t movingPages(const FlowRoom& room, const FlowBlock& block) {
@@ -125,13 +129,45 @@ Flow::Flow(gl::ShaderLibrary& shaders, MetalState& state, const FlowFluid& fluid
       particles_(gl::Buffer::gpuOnly("flow particles", state.capacity() * sizeof(FlowParticle))),
       cells_(gl::Buffer::gpuOnly("flow cells", block_.cellCount * sizeof(FlowCell))),
       nextInCell_(gl::Buffer::gpuOnly("flow next in cell", state.capacity() * sizeof(uint))),
-      lists_(gl::Buffer::gpuOnly("flow lists", (2 * state.capacity() + FLOW_STALE_CAPACITY) * sizeof(uint))),
+      lists_(makeLists(state.capacity())),
       counters_(gl::Buffer::gpuOnly("flow counters", sizeof(FlowCounters))),
       changed_(gl::Buffer::gpuOnly("flow changed cells, slots", (block_.cellCount + FLOW_WALL_CHANGES) * sizeof(uint))),
       wallSums_(gl::Buffer::gpuOnly("flow wall sums", state.capacity() * sizeof(ivec4))),
-      positionTexels_("flow position texels", state.position, GL_RGBA32F, sizeof(vec4)),
-      particleTexels_("flow particle texels", particles_, GL_RGBA32F, sizeof(vec4)),
-      cellTexels_("flow cell texels", cells_, GL_RGBA32UI, sizeof(uvec4)) {}
+      cellTexels_("flow cell texels", cells_, GL_RGBA32UI, sizeof(uvec4)) {
+    makeTexels();
+}
+
+void Flow::makeTexels() {
+    positionTexels_ = gl::BufferView("flow position texels", state_.position, GL_RGBA32F, sizeof(vec4));
+    particleTexels_ = gl::BufferView("flow particle texels", particles_, GL_RGBA32F, sizeof(vec4));
+}
+
+void Flow::takeCapacity() {
+    const auto before = static_cast<size_t>(block_.capacity);
+    const size_t capacity = state_.capacity();
+    particles_.resize(capacity * sizeof(FlowParticle));
+    nextInCell_.resize(capacity * sizeof(uint));
+    wallSums_.resize(capacity * sizeof(ivec4));
+    makeTexels();
+    block_.capacity = static_cast<int>(capacity);
+    blockChanged_ = true;
+    moveLists(before);
+    room_.setSlots(capacity);
+}
+
+/// Between two steps only the lists of moving metal hold, see flow/common.glsl: that of fragments ends where the slots
+/// end, and keeps that.
+void Flow::moveLists(size_t before) {
+    const auto capacity = static_cast<size_t>(block_.capacity);
+    const FlowCounters counters = counters_.read<FlowCounters>(1)[0];
+    const size_t liquids = counters.liquids * sizeof(uint), fragments = counters.fragments * sizeof(uint);
+    auto lists = makeLists(capacity);
+    if (liquids + fragments <= std::min(before, capacity) * sizeof(uint)) {
+        lists_.copyTo(lists, liquids);
+        lists_.copyTo(lists, fragments, before * sizeof(uint) - fragments, capacity * sizeof(uint) - fragments);
+    }
+    lists_ = std::move(lists);
+}
 
 /// The room that lists and pages have grown to is kept: more of it than needed changes no result.
 void Flow::reset() {
@@ -139,6 +175,7 @@ void Flow::reset() {
          {&particles_, &cells_, &pages_, &nextInCell_, &lists_, &neighbours_, &counters_, &changed_, &wallSums_})
         if (*buffer) buffer->clear();
     FlowBlock block = first_;
+    block.capacity = block_.capacity;
     block.rowCapacity = block_.rowCapacity;
     block.wallPageCapacity = block_.wallPageCapacity;
     block.movingPageCapacity = block_.movingPageCapacity;

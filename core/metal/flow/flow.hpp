@@ -41,6 +41,9 @@ class Flow {
 
     /// As new, in the same memory, for a state that was reset and has its particles again.
     void reset();
+    /// After the state's capacity became another one. Waits for the GPU. Throws RuntimeFault when the driver has no
+    /// room.
+    void takeCapacity();
 
     /// Moves all liquid on by `seconds` in as many equal substeps as stability needs. First finds which slots melted,
     /// froze or are new.
@@ -68,6 +71,8 @@ class Flow {
   private:
     void makeRoom(bool waits);
     void takeSavedRoom();
+    void makeTexels();
+    void moveLists(size_t before);
     void makeNeighbourLists();
     void makePages();
     void bind();

@@ -40,7 +40,7 @@ FlowRoom::FlowRoom() : readback_("flow counters", sizeof(FlowCounters)) {}
 void FlowRoom::start(const MetalState& state, const FlowBlock& block) {
     readback_.forget();
     requested_ = false;
-    mostRows_ = wholeGroups(state.capacity());
+    setSlots(state.capacity());
     mostPages_ = block.cellCount;
     use_.particles = state.particles();
     const auto phases = state.phase.read<uint>(use_.particles);
@@ -49,6 +49,10 @@ void FlowRoom::start(const MetalState& state, const FlowBlock& block) {
     use_.pages = filledCells(state.position.read<vec4>(use_.particles), block);
     rows_ = std::max(rows_, std::min(mostRows_, wholeGroups(std::max(kLeastRows, 2 * use_.rows))));
     growPages(use_.pages);
+}
+
+void FlowRoom::setSlots(size_t slots) {
+    mostRows_ = wholeGroups(slots);
 }
 
 void FlowRoom::readNow(size_t particles, const gl::Buffer& counters) {
@@ -100,8 +104,8 @@ void FlowRoom::growRows(size_t need) {
 
 /// Wall metal appears in new cells by freezing there, so that little need be spare.
 void FlowRoom::growPages(size_t need) {
-    if (need + need / 8 + kLeastPages / 2 <= pages_) return;
-    pages_ = std::min(mostPages_, need + need / 4 + kLeastPages);
+    if (need + need / 16 + kLeastPages / 2 <= pages_) return;
+    pages_ = std::min(mostPages_, need + need / 8 + kLeastPages);
 }
 
 } // namespace meltpool

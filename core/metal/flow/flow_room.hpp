@@ -17,6 +17,9 @@ class FlowRoom {
     /// in. Waits for the GPU.
     void start(const MetalState& state, const FlowBlock& block);
 
+    /// After the number of slots that there can be became another one: `slots`.
+    void setSlots(size_t slots);
+
     /// Makes room for `particles` slots (handed out so far). Waits for the GPU only where its last answer is
     /// kMostStepsBehind steps old, which no frame lets happen.
     void update(size_t particles, const gl::Buffer& counters);

@@ -14,10 +14,11 @@ constexpr size_t kPageBytes = FLOW_PAGE_WORDS * sizeof(uint);
 
 /// Lists and pages as large as they were: the places of their parts follow from their size.
 void Flow::takeSavedRoom() {
-    if (block_.rowCapacity > room_.rows() || block_.wallPageCapacity > 1 + room_.wallPages() ||
-        block_.movingPageCapacity > 1 + block_.cellCount)
-        throw InputError("the saved state has more room for the flow than the flow asked for; expected one that this "
-                         "program saved of this lesson");
+    if (static_cast<size_t>(block_.capacity) != state_.capacity() || block_.rowCapacity > room_.rows() ||
+        block_.wallPageCapacity > 1 + room_.wallPages() || block_.movingPageCapacity > 1 + block_.cellCount)
+        throw InputError(
+            "the saved state has another room for the flow than the flow asked for; expected one that this "
+            "program saved of this lesson");
     neighbours_ = {};
     pages_ = {};
     if (block_.rowCapacity == 0) return; // no step was made

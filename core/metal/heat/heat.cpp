@@ -84,8 +84,8 @@ void HeatSolver::begin() {
 }
 
 void HeatSolver::reset() {
-    for (const gl::Buffer* buffer : {&cellTheta_, &cellWeight_, &cellSums_, &cellRanges_, &tiles_, &tileStamps_,
-                                     &lists_, &knownCells_, &sourceSums_, &ledger_})
+    for (const gl::Buffer* buffer :
+         {&cellTheta_, &cellWeight_, &cellSums_, &cellRanges_, &tiles_, &tileStamps_, &lists_, &knownCells_, &ledger_})
         buffer->clear();
     begin();
 }
@@ -93,6 +93,15 @@ void HeatSolver::reset() {
 void HeatSolver::takeTable() {
     writeTable();
     prepareBlock();
+}
+
+void HeatSolver::takeCapacity() {
+    const size_t slots = state_.capacity();
+    lists_.resize((3 * state_.lattice().tileCount() + slots) * sizeof(uint));
+    knownCells_.resize(slots * sizeof(uint));
+    if (settings_.ledger) ledger_.resize((state_.lattice().cellCount() + slots) * sizeof(vec4));
+    texels_.clear();
+    makeTexels();
 }
 
 void HeatSolver::makeBuffers() {
@@ -110,8 +119,13 @@ void HeatSolver::makeBuffers() {
     lists_ = gl::Buffer::gpuOnly("heat lists", (3 * tiles + slots) * sizeof(uint));
     control_ = gl::Buffer("heat control", sizeof(HeatControl));
     knownCells_ = gl::Buffer::gpuOnly("heat known cells", slots * sizeof(uint));
-    sourceSums_ = gl::Buffer::gpuOnly("heat source sums", HEAT_SOURCES * (1 + TILE_ROWS * tiles) * sizeof(float));
     ledger_ = gl::Buffer::gpuOnly("heat ledger", settings_.ledger ? (cells + slots) * sizeof(vec4) : 4);
+}
+
+/// They hold within a step, so that none is kept where there must be more.
+void HeatSolver::makeSourceSums(int count) {
+    const size_t bytes = static_cast<size_t>(count) * sizeof(float);
+    if (sourceSums_.bytes() < bytes) sourceSums_ = gl::Buffer::gpuOnly("heat source sums", bytes + bytes / 2);
 }
 
 void HeatSolver::writeTable() {
@@ -256,6 +270,7 @@ void HeatSolver::writeBlock(double seconds, std::span<const HeatSource> sources)
         writeSource(block_.sources[i], sources[i], firstRowSum);
         firstRowSum += TILE_ROWS * block_.sources[i].tileCount;
     }
+    makeSourceSums(firstRowSum);
     blockBuffer_.writeValue(block_);
 }
 

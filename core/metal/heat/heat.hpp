@@ -63,6 +63,9 @@ class HeatSolver {
     /// to below 1; metal that is not wholly liquid as before. Expects HeatSettings::ledStirring. A reset forgets it.
     void setStirringLess(glm::vec3 shares) { block_.stirringLess = shares; }
 
+    /// After the state's capacity became another one. Throws RuntimeFault when the driver has no room.
+    void takeCapacity();
+
     /// After the state's table became another one.
     void takeTable();
 
@@ -97,6 +100,7 @@ class HeatSolver {
 
     void makeBuffers();
     void makeTexels();
+    void makeSourceSums(int count);
     void writeTable();
     void begin();
     void prepareBlock();

@@ -3,12 +3,12 @@
 
 namespace meltpool {
 
-/// Sums and ranges of cells are zero between steps, and sums of sources are made in each: they are kept all the same,
-/// as zeros cost nothing and nobody has to know here what the passes clear.
+/// Sums and ranges of cells are zero between steps: they are kept all the same, as zeros cost nothing and nobody has to
+/// know here what the passes clear. Sums of sources are made in each step.
 void HeatSolver::transfer(gl::StateArchive& archive) {
     archive.values(block_, regroupings_, time_);
     archive.count(searched_, state_.capacity());
-    for (const gl::Buffer* buffer : {&cellTheta_, &cellSums_, &sourceSums_, &ledger_})
+    for (const gl::Buffer* buffer : {&cellTheta_, &cellSums_, &ledger_})
         archive.buffer(*buffer, buffer->bytes());
     for (const gl::Buffer* buffer :
          {&cellWeight_, &cellRanges_, &tiles_, &tileStamps_, &lists_, &control_, &knownCells_})

@@ -9,7 +9,8 @@ namespace meltpool {
 namespace {
 
 constexpr unsigned kLabelGroups = 16;
-constexpr size_t kPart = 32768; ///< slots that a call looks at in a round: a frame costs no more with more metal
+constexpr size_t kLeastContacts = 256; ///< that there is room for before the number of free particles is known
+constexpr size_t kPart = 32768;        ///< slots that a call looks at in a round: a frame costs no more with more metal
 
 void storageBarrier() {
     gl::memoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
@@ -19,6 +20,7 @@ void storageBarrier() {
 
 RigidFragments::RigidFragments(gl::ShaderLibrary& shaders, MetalState& state, const FragmentSetup& setup)
     : state_(state),
+      mostContacts_(setup.contactRoom),
       freeParticles_("number of free particles", sizeof(uint)),
       blockBuffer_("fragment block", sizeof(FragmentBlock)),
       cellHeads_(gl::Buffer::gpuOnly("fragment cell heads", state.lattice().cellCount() / 8 * 2 * sizeof(uint))),
@@ -28,12 +30,7 @@ RigidFragments::RigidFragments(gl::ShaderLibrary& shaders, MetalState& state, co
       control_(gl::Buffer::gpuOnly("fragment control", sizeof(FragmentControl))),
       motions_(gl::Buffer::gpuOnly("fragment motions", (FRAGMENT_MAX_COUNT + 1) * sizeof(FragmentMotion))),
       freeSlots_(gl::Buffer::gpuOnly("fragment free slots", state.capacity() * sizeof(uint))),
-      contacts_(gl::Buffer::gpuOnly("fragment contacts",
-                                    std::min<size_t>(state.capacity(), setup.contactRoom) * sizeof(FragmentContact))),
-      labelTexels_("fragment labels", labels_, GL_R32UI, sizeof(uint)),
-      nextLabelTexels_("fragment next labels", nextLabels_, GL_R32UI, sizeof(uint)),
       latticeTexels_("fragment lattice", state.latticeSlots, GL_R32UI, sizeof(uint)),
-      positionTexels_("fragment positions", state.position, GL_RGBA32F, sizeof(vec4)),
       clearCells_(shaders.compute("metal/solid/clear_cells.comp")),
       beginLabels_(shaders.compute("metal/solid/link_cells.comp", {{"BEGIN", "1"}})),
       linkCells_(shaders.compute("metal/solid/link_cells.comp")),
@@ -49,24 +46,39 @@ RigidFragments::RigidFragments(gl::ShaderLibrary& shaders, MetalState& state, co
     // Slots without a label take no part: metal that comes in the middle of a cycle waits for the next one.
     labels_.fill(FRAGMENT_NO_LABEL);
     nextLabels_.fill(FRAGMENT_NO_LABEL);
+    makeTexels();
     block_.coarseCells = state.lattice().cells() / 2;
     block_.low = setup.low;
     block_.high = setup.high;
     block_.floorNormal = setup.floorNormal;
     block_.floorHeight = setup.floorHeight;
     block_.friction = setup.friction;
-    block_.contactRoom = static_cast<uint>(contacts_.bytes() / sizeof(FragmentContact));
-    blockBuffer_.writeValue(block_);
+    keepContacts(kLeastContacts);
 }
 
 void RigidFragments::reset() {
-    for (const gl::Buffer* buffer : {&cellHeads_, &cellNext_, &control_, &motions_, &freeSlots_, &contacts_})
+    for (const gl::Buffer* buffer : {&cellHeads_, &cellNext_, &control_, &motions_, &freeSlots_})
         buffer->clear();
     labels_.fill(FRAGMENT_NO_LABEL);
     nextLabels_.fill(FRAGMENT_NO_LABEL);
     freeParticles_.forget();
     mayBeFree_ = true;
     slots_ = 0;
+}
+
+void RigidFragments::makeTexels() {
+    labelTexels_ = gl::BufferView("fragment labels", labels_, GL_R32UI, sizeof(uint));
+    nextLabelTexels_ = gl::BufferView("fragment next labels", nextLabels_, GL_R32UI, sizeof(uint));
+    positionTexels_ = gl::BufferView("fragment positions", state_.position, GL_RGBA32F, sizeof(vec4));
+}
+
+void RigidFragments::takeCapacity() {
+    const size_t before = labels_.bytes(), bytes = state_.capacity() * sizeof(uint);
+    for (gl::Buffer* buffer : {&cellNext_, &labels_, &nextLabels_, &freeSlots_})
+        buffer->resize(bytes);
+    for (const gl::Buffer* buffer : {&labels_, &nextLabels_})
+        if (bytes > before) gl::fillWords(buffer->name(), before, bytes - before, FRAGMENT_NO_LABEL);
+    makeTexels();
 }
 
 void RigidFragments::bind() const {
@@ -160,8 +172,20 @@ void RigidFragments::indirect(const gl::Program& program, size_t offset) const {
 
 /// Whether the last cycle may have found free particles: true until the GPU said that there are none.
 bool RigidFragments::mayBeFree() {
-    if (const auto particles = freeParticles_.poll<uint>()) mayBeFree_ = *particles > 0;
+    if (const auto particles = freeParticles_.poll<uint>()) {
+        mayBeFree_ = *particles > 0;
+        keepContacts(*particles);
+    }
     return mayBeFree_;
+}
+
+/// Room for the contacts of so many free particles. Contacts hold within a step, so that none is kept.
+void RigidFragments::keepContacts(size_t free) {
+    const size_t wanted = std::min(std::max(free, kLeastContacts), mostContacts_);
+    if (contacts_ && wanted <= block_.contactRoom) return;
+    contacts_ = gl::Buffer::gpuOnly("fragment contacts", wanted * sizeof(FragmentContact));
+    block_.contactRoom = static_cast<uint>(wanted);
+    blockBuffer_.writeValue(block_);
 }
 
 void RigidFragments::move(float dt, int steps, gl::Profiler* profiler) {
@@ -193,8 +217,7 @@ void RigidFragments::transfer(gl::StateArchive& archive) {
     archive.count(done_, state_.capacity());
     for (const gl::Buffer* buffer : {&cellHeads_, &cellNext_, &labels_, &nextLabels_, &control_, &freeSlots_})
         archive.list(*buffer, buffer->bytes());
-    for (const gl::Buffer* buffer : {&motions_, &contacts_})
-        archive.buffer(*buffer, buffer->bytes());
+    archive.buffer(motions_, motions_.bytes());
     if (!archive.restores()) return;
     freeParticles_.forget();
     mayBeFree_ = true;

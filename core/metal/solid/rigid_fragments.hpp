@@ -15,7 +15,8 @@ struct FragmentSetup {
     glm::vec3 floorNormal{0, 1, 0}; ///< unit vector out of the floor, against gravity
     float floorHeight = 0;          ///< m along the normal, the level that nothing falls through
     float friction = 0.35F;         ///< metal on metal, Coulomb, no unit
-    /// Free particles whose contacts are kept, 64 B each. Those of more are found twice: slower, with the same result.
+    /// Free particles whose contacts are kept at most, 64 B each. Those of more are found twice: slower, with the same
+    /// result.
     unsigned contactRoom = 8192;
     glm::vec3 low{-1e3F}; ///< m, the space whose sides no fragment leaves
     glm::vec3 high{1e3F}; ///< m
@@ -35,6 +36,8 @@ class RigidFragments {
 
     /// As new, in the same memory, for a state that was reset and has its particles again.
     void reset();
+    /// After the state's capacity became another one. Throws RuntimeFault when the driver has no room.
+    void takeCapacity();
 
     /// One small part of labelling the fragments, about the same for any amount of metal; a whole cycle takes
     /// FRAGMENT_LABEL_ROUNDS + 2 calls, more where there is much metal. Call it once a frame. Reads positions and
@@ -59,20 +62,23 @@ class RigidFragments {
     size_t bytes() const;
 
   private:
+    void makeTexels();
     void bind() const;
     void begin();
     void partOfRound(unsigned round);
     void finish();
     bool mayBeFree();
+    void keepContacts(size_t free);
     void moveOnce() const;
     void indirect(const gl::Program& program, size_t offset) const;
 
     MetalState& state_;
     FragmentBlock block_{};
-    int stage_ = 0;         ///< begin, rounds, end
-    size_t slots_ = 0;      ///< that were there when the cycle began
-    size_t done_ = 0;       ///< of them in this stage
-    bool mayBeFree_ = true; ///< false: the GPU said that the last cycle found nothing free
+    const size_t mostContacts_; ///< that are kept however much metal is free
+    int stage_ = 0;             ///< begin, rounds, end
+    size_t slots_ = 0;          ///< that were there when the cycle began
+    size_t done_ = 0;           ///< of them in this stage
+    bool mayBeFree_ = true;     ///< false: the GPU said that the last cycle found nothing free
     gl::Readback freeParticles_;
     gl::Buffer blockBuffer_, cellHeads_, cellNext_, labels_, nextLabels_, control_, motions_, freeSlots_, contacts_;
     gl::BufferView labelTexels_, nextLabelTexels_, latticeTexels_, positionTexels_;

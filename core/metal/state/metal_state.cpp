@@ -97,6 +97,17 @@ void MetalState::reset() {
     regroupings_ = 0;
 }
 
+void MetalState::setCapacity(size_t capacity) {
+    for (gl::Buffer* buffer : {&position, &velocity, &heat})
+        buffer->resize(capacity * sizeof(vec4));
+    for (gl::Buffer* buffer : {&phase, &frozenAt})
+        buffer->resize(capacity * sizeof(uint));
+    changes.resize((1 + capacity) * sizeof(uint));
+    capacity_ = capacity;
+    block_.capacity = static_cast<int>(capacity);
+    writeBlock();
+}
+
 void MetalState::writeBlock() {
     blockBuffer_.writeValue(block_);
 }

@@ -56,6 +56,11 @@ class MetalState {
     /// Another table of the same enthalpies and temperatures: only its conductivity differs.
     void setTable(const HeatTable& table) { table_ = table; }
 
+    /// Room for this many particles, no fewer than there are or than a state has that is restored next. Whoever bound
+    /// the buffers or looks at them as texels has to do so again. Waits for nothing. Throws RuntimeFault when the
+    /// driver has no room; then the room is as it was.
+    void setCapacity(size_t capacity);
+
     /// Puts particles into the next free slots. Throws RuntimeFault when there is no room.
     void add(std::span<const MetalSeed> seeds);
 
