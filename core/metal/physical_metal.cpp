@@ -40,11 +40,11 @@ FlowFluid fluidOf(const PhysicalSetup& setup) {
     FlowFluid fluid;
     fluid.spacing = static_cast<double>(setup.lattice.spacing);
     fluid.density = massDensity(material);
-    fluid.wetting = setup.wetting;
-    fluid.coldWetting = std::min(setup.wetting, setup.coldWetting);
     fluid.coldBelow = setup.coldShare * material.solidus;
     fluid.warmAbove = setup.warmShare * material.solidus;
     fluid.tension = material.tensionAt(material.liquidus);
+    fluid.wetting = setup.wetting;
+    fluid.coldWetting = std::min(setup.wetting, wettingForAngle(setup.coldAngle, capillarySpacings(fluid)));
     if (setup.marangoni) fluid.tensionSlopes = slopesOf(material);
     fluid.viscosity = material.viscosity.at(material.liquidus);
     fluid.expansion = material.expansion.at(material.liquidus);

@@ -28,9 +28,9 @@ struct PhysicalSetup {
     glm::vec3 gravity{0, -9.81F, 0}; ///< m/s², in the workpiece frame
     float timeStep = 1.0F / 90;      ///< s, of one step(), at most; see PhysicalMetal::timeStep()
     double wetting = 1;              ///< of still metal by liquid metal, see FlowFluid
-    double coldWetting = 1;          ///< the same of cold metal, which is
-    double coldShare = 0;            ///< metal up to this share of the solidus in K;
-    double warmShare = 1;            ///< from this share on metal is wetted wholly
+    double coldAngle = 0; ///< rad, contact angle on cold metal, see wettingForAngle(); 0: wets as warm metal does
+    double coldShare = 0; ///< metal is cold up to this share of the solidus in K
+    double warmShare = 1; ///< and warm from this share on
 };
 
 class PhysicalMetal {

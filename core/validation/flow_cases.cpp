@@ -97,7 +97,7 @@ void runSessileDrop(const ValidationCase& from, gl::ShaderLibrary& shaders, Vali
     FlowFluid fluid = liquidOf(from);
     const double angle = from.number("contact_angle_deg") * std::numbers::pi / 180;
     const double volume = from.number("volume_mm3") * 1e-9;
-    fluid.wetting = wettingForAngle(angle);
+    fluid.wetting = wettingForAngle(angle, capillarySpacings(fluid));
     requireSpacings(from, "volume_mm3, as the edge of a cube", std::cbrt(volume), 4);
     const double edge = 1.7 * 2 * std::cbrt(volume) / from.spacing + 12; // of the wall, twice what spreads
     requireRoom(from, {0, 4 * edge * edge, 4 * edge * edge, edge * edge * edge});
@@ -130,7 +130,7 @@ void runDamBreak(const ValidationCase& from, gl::ShaderLibrary& shaders, Validat
     checkSlab(from, 15 * width, 2 * width);
     fluid.fastest = std::sqrt(2 * kGravity * 2 * width);
     fluid.wallFriction = kFloorFriction;
-    fluid.wetting = wettingForAngle(kFloorAngle);
+    fluid.wetting = wettingForAngle(kFloorAngle, capillarySpacings(fluid));
     const double unit = std::sqrt(width / (2 * kGravity));
     std::vector<double> times, fronts;
     for (const auto& [time, front] : exact::damBreakFront()) {

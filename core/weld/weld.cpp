@@ -63,7 +63,7 @@ PhysicalSetup setupOf(const Material& material, const ProcessSettings& settings,
     setup.fillerRoom = around.fillerRoom;
     setup.space.low = workpiece.low;
     setup.space.high = workpiece.high;
-    setup.coldWetting = wettingForAngle(kColdAngle * std::numbers::pi / 180);
+    setup.coldAngle = kColdAngle * std::numbers::pi / 180;
     setup.coldShare = kColdShare;
     setup.warmShare = kWarmShare;
     setup.marangoni = true;

@@ -29,10 +29,16 @@ TEST_CASE("constants follow from the liquid") {
     fine.spacing = 0.5e-3;
     CHECK(FlowConstants::of(fine).substeps(1.0 / 90) < 42);
     CHECK(arcPressurePeak(200, 2e-3) == Approx(4e-3 / (2 * std::numbers::pi * 4e-6)));
-    CHECK(wettingForAngle(0) == 1);
-    CHECK(wettingForAngle(std::numbers::pi) == 0);
-    for (double angle = 0; angle < 3.1; angle += 0.1)
-        CHECK(wettingForAngle(angle) >= wettingForAngle(angle + 0.04));
+    CHECK(capillarySpacings(steel) == Approx(5.12).epsilon(0.01));
+    CHECK(capillarySpacings(fine) == Approx(2 * capillarySpacings(steel)));
+    for (const double spacings : {1.0, 5.0, 7.1, 10.0}) {
+        CHECK(wettingForAngle(0, spacings) == 1);
+        CHECK(wettingForAngle(std::numbers::pi, spacings) == 0);
+        for (double angle = 0; angle < 3.1; angle += 0.1)
+            CHECK(wettingForAngle(angle, spacings) >= wettingForAngle(angle + 0.04, spacings));
+    }
+    CHECK(wettingForAngle(1.7, 10) > wettingForAngle(1.7, 5));
+    CHECK(wettingForAngle(1.7, 5) == wettingForAngle(1.7, 1));
 }
 
 TEST_CASE("drops from four spacings in radius on swing at Rayleigh's frequency") {

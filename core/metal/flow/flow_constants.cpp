@@ -66,8 +66,13 @@ double arcPressurePeak(double current, double sigma) {
     return force / (2 * std::numbers::pi * sigma * sigma);
 }
 
-double wettingForAngle(double angle) {
-    // Contact angles (degrees) that drops of 500 mm³ show by their height, at 1 mm spacing.
+double capillarySpacings(const FlowFluid& fluid) {
+    constexpr double kGravity = 9.81; // m/s²
+    return std::sqrt(fluid.tension / (fluid.density * kGravity)) / fluid.spacing;
+}
+
+double wettingForAngle(double angle, double spacings) {
+    // Contact angles (degrees) that drops of 500 mm³ of steel show by their height, at 1 mm spacing.
     static constexpr std::array<std::array<double, 2>, 10> kMeasured{{{0, 1},
                                                                       {27.2, 0.9},
                                                                       {49.3, 0.8},
@@ -78,7 +83,11 @@ double wettingForAngle(double angle) {
                                                                       {123.7, 0.25},
                                                                       {141.1, 0.1},
                                                                       {180, 0}}};
-    const double degrees = std::clamp(angle * 180 / std::numbers::pi, 0.0, 180.0);
+    // Drops of finer particles show more with the same wetting: of steel at 0.7, 0.6 and 0.5 mm, which have 7.3 and
+    // more spacings in the capillary length. At 0.85 mm, which have 6, their heights are still within 3 % without that.
+    constexpr double kFinerAngle = 4, kFrom = 6.9, kWhole = 7.3;
+    const double finer = std::clamp((spacings - kFrom) / (kWhole - kFrom), 0.0, 1.0) * kFinerAngle;
+    const double degrees = std::clamp(angle * 180 / std::numbers::pi - finer * std::sin(angle), 0.0, 180.0);
     for (size_t i = 1; i < kMeasured.size(); ++i)
         if (degrees <= kMeasured[i][0]) {
             const double share = (degrees - kMeasured[i - 1][0]) / (kMeasured[i][0] - kMeasured[i - 1][0]);

@@ -82,8 +82,14 @@ struct FlowConstants {
 /// from R1 to R2), taken for R2/R1 = e^(1/2): mu0 I²/(4 pi), 4 mN at 200 A.
 double arcPressurePeak(double current, double sigma);
 
-/// The wetting weight whose contact angle (radians, 0 .. pi) was measured to be `angle`; linear between measurements.
-double wettingForAngle(double angle);
+/// Spacings in a liquid's capillary length sqrt(tension/(density g)): how fine its particles are for a drop that weight
+/// flattens.
+double capillarySpacings(const FlowFluid& fluid);
+
+/// The wetting weight whose contact angle (radians, 0 .. pi) was measured to be `angle`, with so many `spacings` in the
+/// capillary length; linear between measurements. From 45 to 150 degrees drops of 200 mm³ of steel and more are as high
+/// as they should be within 5 %, at 101 degrees within 3 %.
+double wettingForAngle(double angle, double spacings);
 
 /// Weight of wall metal at `temperature` (K) against liquid, see FlowFluid.
 double wettingAt(const FlowFluid& fluid, double temperature);
