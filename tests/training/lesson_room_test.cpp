@@ -35,7 +35,7 @@ std::string refusal(const Lesson& lesson, const MetalRoom& room) {
 
 TEST_CASE("a weld lesson beyond the driver's buffers is told how many particles these hold", "[training]") {
     const std::string told = refusal(fineBead(), {64 * kGiga, 100e3 * kTexelsOfParticle});
-    CHECK_THAT(told, containsText("the lesson gmaw-bead would be 0.32 million particles in "));
+    CHECK_THAT(told, containsText("the lesson gmaw-bead would be 0.302 million particles in "));
     CHECK_THAT(told, containsText("the graphics driver's buffers hold 0.1 million; expected a larger spacing_mm"));
     CHECK(refusal(fineBead(), {64 * kGiga, 330e3 * kTexelsOfParticle}).empty());
 }
