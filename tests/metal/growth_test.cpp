@@ -15,8 +15,8 @@ constexpr float kMm = 1e-3F;
 constexpr int kGrown = 30; ///< steps after which metal with room for kRoom has grown
 constexpr size_t kRoom = 40;
 
-/// A clamped steel plate with a loose block on it, which a blow in the middle of the attempt would carry off: the lists
-/// of liquid metal and of fragments are both in use. Room for `room` particles of filler.
+/// A clamped steel plate and a loose block that falls onto it: the lists of liquid metal and of fragments are both in
+/// use. Room for `room` particles of filler.
 PhysicalSetup plateAndBlock(size_t room) {
     const glm::vec3 low = glm::vec3(-12, -8, -12) * kMm, high = glm::vec3(12, 8, 12) * kMm;
     PhysicalSetup setup;
