@@ -9,7 +9,6 @@
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"
 #include "core/gl/order.hpp"
-#include "core/render/look/measures.hpp"
 
 #include <algorithm>
 #include <array>
@@ -30,6 +29,13 @@ std::string driverText(const gl::ContextInfo& info) {
     return info.renderer + (info.software ? " \xE2\x80\x93 drawn on the processor, without a graphics card" : "");
 }
 
+/// Where the processor draws, the metal has a context and a thread of its own; null elsewhere.
+std::unique_ptr<StepThread> makeStepThread(const std::filesystem::path& shaders) {
+    if (!gl::dispatchesEndAtOnce()) return nullptr;
+    auto thread = std::make_unique<StepThread>(std::make_unique<HeadlessStepContext>(shaders));
+    return thread->usable() ? std::move(thread) : nullptr;
+}
+
 } // namespace
 
 DesktopApp::DesktopApp(const DesktopOptions& options)
@@ -39,8 +45,10 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
       interface_(window_),
       menus_(window_, interface_),
       shaders_(resourceFolder() / "shaders"),
+      stepThread_(makeStepThread(shaders_.root())),
       home_(resourceFolder() / "data" / "lessons", settingsFolder() / "best-scores.toml"),
-      session_(shaders_, loadLesson(options.lesson.empty() ? std::string(kDefaultLesson) : options.lesson)),
+      session_(shaders_, loadLesson(options.lesson.empty() ? std::string(kDefaultLesson) : options.lesson),
+               machineSeconds, stepThread_.get()),
       sound_(session_),
       windowSection_("window", describe(windowParameters_)),
       controlSection_("controls", describe(controls_.parameters)),
@@ -63,7 +71,6 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
     home_.open = options.lesson.empty();
     home_.choose(session_.lesson().key);
     if (!options.replay.empty()) lessons_.openAttempt(options.replay, options.lesson);
-    if (gl::dispatchesEndAtOnce()) stepThread_ = std::make_unique<StepThread>(window_.makeSharingContext());
     window_.resize({windowParameters_.width, windowParameters_.height}, windowParameters_.maximised);
     window_.show();
     lastFrame_ = now();
@@ -117,6 +124,7 @@ void DesktopApp::frame() {
     const bool headset = headsetFrame_;
     meter_.begin();
     runFrame();
+    if (stepThread_) meter_.add(stepThread_->takeCosts());
     meter_.end();
     if (headset != headsetFrame_) meter_.restart(); // frames with and without headset are not comparable
 }
@@ -138,7 +146,7 @@ void DesktopApp::runFrame() {
     if (window_.minimised() && !headsetFrame_) return;
 
     messages_.expire(time);
-    if (gl::debugBuild() || options_.watchShaders) shaderWatch_.update(shaders_, messages_, time);
+    if (gl::debugBuild() || options_.watchShaders) shaderWatch_.update(shaders_, stepThread_.get(), messages_, time);
     const bool captured = session_.running() && controls_.captured();
     interface_.begin(windowParameters_.interfaceSize, captured, !session_.running() && !home_.open);
     interface_.takeInput(input, captured);
@@ -170,8 +178,8 @@ void DesktopApp::runFrame() {
     if (!headsetFrame_) pacer_.pace(begin);
 }
 
-/// Picture and menus, and beside them, where the processor draws, the metal's steps. The picture is of the metal before
-/// these steps.
+/// Surface, picture and menus, and beside them, where the processor draws, the metal's steps. The picture is of the
+/// metal before these steps.
 void DesktopApp::show() {
     if (stepsDue_) stepThread_->begin([this] { session_.makeSteps(nullptr); });
     drawPicture();
@@ -294,12 +302,10 @@ void DesktopApp::simulate(const InputFrame& input, double seconds) {
     tellLesson(seconds);
 }
 
-/// Who looks at timings sees each pass alone. The headset's frame ends when its runtime says so. Floating oxide is
-/// drawn from the particles themselves, which the steps move.
+/// Who looks at timings sees each pass alone. The headset's frame ends when its runtime says so.
 bool DesktopApp::stepsBesidePicture() const {
     const bool timed = menus_.panels.timings && !menus_.panels.hidden;
-    const bool fromParticles = !session_.showsSurface() || has(session_.look(), Measure::floatingOxide);
-    return stepThread_ && stepThread_->usable() && !headsetFrame_ && !timed && !fromParticles;
+    return stepThread_ && !headsetFrame_ && !timed;
 }
 
 void DesktopApp::finishSteps(double seconds) {
@@ -310,7 +316,6 @@ void DesktopApp::finishSteps(double seconds) {
         stepThread_->wait();
     }
     stepsBeside_ = {stepThread_->seconds(), stepThread_->waited()};
-    if (telemetry_.enabled()) meter_.add(stepThread_->meter());
     session_.finishSteps();
     tellLesson(seconds);
 }
@@ -354,7 +359,8 @@ void DesktopApp::preparePicture(double seconds) {
     if (headsetFrame_ && headset_->mirror(pixels)) return;
     // The metal moves smoothly to the middle of what the panels leave free.
     shift_ += (menus_.middleOfPicture() - shift_) * std::min(1.0f, static_cast<float>(seconds) * 10);
-    picture_.prepare(session_, controls_, {pixels, shift_, windowParameters_.picture, pictureAsked_}, &profiler_);
+    picture_.prepare(session_, controls_, {pixels, shift_, windowParameters_.picture, pictureAsked_, stepsDue_},
+                     &profiler_);
     figures_.picture = picture_.sentence();
     picturePrepared_ = true;
 }

@@ -83,6 +83,7 @@ class DesktopApp {
     ui::Interface interface_;
     DesktopMenus menus_;
     gl::ShaderLibrary shaders_;
+    std::unique_ptr<StepThread> stepThread_; ///< null on a card, which works beside the processor anyway
     Home home_;
     LessonSession session_;
     DesktopSound sound_;
@@ -112,8 +113,7 @@ class DesktopApp {
     bool headsetFrame_ = false;              ///< the headset paces this frame
     bool headsetStarted_ = false;            ///< a headset has had frames before
     double lastFrame_ = 0;
-    float shift_ = 0;                        ///< of the picture's middle, where panels cover a part of the window
-    std::unique_ptr<StepThread> stepThread_; ///< null on a card, which works beside the processor anyway
+    float shift_ = 0; ///< of the picture's middle, where panels cover a part of the window
 };
 
 } // namespace meltpool

@@ -10,13 +10,17 @@ constexpr double kPause = 0.5; // s
 
 } // namespace
 
-void ShaderWatch::update(gl::ShaderLibrary& shaders, Messages& messages, double now) {
+void ShaderWatch::update(gl::ShaderLibrary& shaders, gl::OtherContext* other, Messages& messages, double now) {
     if (now < next_) return;
     next_ = now + kPause;
-    shaders.reloadChanged();
     std::string faults;
-    for (const std::string& fault : shaders.standingFaults())
-        faults += "\n" + fault;
+    const auto reload = [&faults](gl::ShaderLibrary& library) {
+        library.reloadChanged();
+        for (const std::string& fault : library.standingFaults())
+            faults += "\n" + fault;
+    };
+    reload(shaders);
+    if (other != nullptr) other->run([&] { reload(other->shaders()); });
     if (faults.empty())
         messages.clear("shader");
     else

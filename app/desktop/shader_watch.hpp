@@ -2,15 +2,16 @@
 #pragma once
 
 #include "app/session/messages.hpp"
+#include "core/gl/other_context.hpp"
 #include "core/gl/program.hpp"
 
 namespace meltpool {
 
 class ShaderWatch {
   public:
-    /// Looks at the files twice a second. `now`: s on the program's clock. A refused shader's message stands until the
-    /// shader is mended; its old version runs on.
-    void update(gl::ShaderLibrary& shaders, Messages& messages, double now);
+    /// Looks at the files twice a second. `other`: a context with programs of its own, or null. `now`: s on the
+    /// program's clock. A refused shader's message stands until the shader is mended; its old version runs on.
+    void update(gl::ShaderLibrary& shaders, gl::OtherContext* other, Messages& messages, double now);
 
   private:
     double next_ = 0; ///< s

@@ -93,26 +93,6 @@ void hintContext(int samples) {
     glfwWindowHint(GLFW_DEPTH_BITS, 24);
 }
 
-/// A context of GLFW's, which has none without a window.
-class SharingWindow final : public SharingContext {
-  public:
-    explicit SharingWindow(GLFWwindow* window) : window_(window) {}
-    ~SharingWindow() override { glfwDestroyWindow(window_); }
-    SharingWindow(const SharingWindow&) = delete;
-    SharingWindow& operator=(const SharingWindow&) = delete;
-
-    bool enter() override {
-        glfwMakeContextCurrent(window_);
-        if (glfwGetCurrentContext() != window_) return false;
-        if (gl::debugBuild()) gl::reportFaults();
-        return true;
-    }
-    void leave() override { glfwMakeContextCurrent(nullptr); }
-
-  private:
-    GLFWwindow* window_;
-};
-
 Window& self(GLFWwindow* window) {
     return *static_cast<Window*>(glfwGetWindowUserPointer(window));
 }
@@ -176,12 +156,6 @@ void Window::open(const Options& options) {
 Window::~Window() {
     glfwDestroyWindow(window_);
     glfwTerminate();
-}
-
-std::unique_ptr<SharingContext> Window::makeSharingContext() {
-    hintContext(0);
-    GLFWwindow* hidden = glfwCreateWindow(16, 16, "Steps of the metal", nullptr, window_);
-    return hidden == nullptr ? nullptr : std::make_unique<SharingWindow>(hidden);
 }
 
 void Window::resize(glm::ivec2 size, bool maximised) {

@@ -1,7 +1,6 @@
 // A window with an OpenGL 4.5 context, and the input of keyboard and mouse.
 #pragma once
 
-#include "app/desktop/steps/step_thread.hpp"
 #include "app/session/hand/input.hpp"
 #include "core/gl/context.hpp"
 
@@ -57,10 +56,6 @@ class Window {
     float interfaceScale() const;
     /// Pixels a screen point.
     float pixelScale() const;
-
-    /// A context for another thread that shares the objects of the window's; null where the driver has none. Must be
-    /// destroyed before the window.
-    std::unique_ptr<SharingContext> makeSharingContext();
 
     const gl::ContextInfo& driver() const { return driver_; }
     GLFWwindow* handle() const { return window_; }

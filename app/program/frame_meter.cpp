@@ -35,13 +35,13 @@ void FrameMeter::take() {
     allocations_ += work_.ownAllocations() + work_.elsewhere().allocations;
 }
 
-void FrameMeter::add(const WorkMeter& other) {
-    const double own = other.cpuSeconds(WorkPlace::own) * 1000;
+void FrameMeter::add(const WorkCosts& other) {
+    const double own = other.cpuSeconds * 1000;
     cpu_[static_cast<size_t>(FrameWork::own)] += own;
     cpu_[static_cast<size_t>(FrameWork::outside)] += own;
-    totals_.stalls += other.stalls();
-    if (other.stalls() > 0) totals_.lastStall = other.lastStall();
-    allocations_ += other.ownAllocations();
+    totals_.stalls += other.stalls;
+    if (other.stalls > 0) totals_.lastStall = other.lastStall;
+    allocations_ += other.allocations;
 }
 
 void FrameMeter::pause() {

@@ -34,7 +34,7 @@ class FrameMeter {
     void resume();
     void end();
     /// Adds what another thread did for this frame.
-    void add(const WorkMeter& other);
+    void add(const WorkCosts& other);
     /// Forgets the frames so far.
     void restart();
 

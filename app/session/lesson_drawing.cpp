@@ -14,12 +14,26 @@
 namespace meltpool {
 
 SceneView LessonSession::scene(gl::Profiler* profiler) {
-    if (!running()) return {};
+    noteSurface();
+    if (running()) trainer_->makeSurface(profiler);
+    return sceneOfMetal();
+}
+
+void LessonSession::noteSurface() {
     // The vibration needs the surface also while the particles are shown.
-    if (surfaceIsOld_ && (held_ || lesson_.look.mode != kPointsMode)) {
-        trainer_->updateSurface(profiler);
-        surfaceIsOld_ = false;
-    }
+    if (!running() || !surfaceIsOld_ || (!held_ && lesson_.look.mode == kPointsMode)) return;
+    trainer_->noteMetal();
+    surfaceIsOld_ = false;
+}
+
+void LessonSession::completeSurface(DeskPicture& picture, gl::Profiler* profiler) {
+    if (!running()) return;
+    trainer_->makeSurface(profiler);
+    picture.scene.mesh = trainer_->mesh();
+}
+
+SceneView LessonSession::sceneOfMetal() {
+    if (!running()) return {};
     SceneView scene = trainer_->scene();
     if (cut_.shown()) {
         scene.section = cut_.view();
@@ -62,8 +76,11 @@ float LessonSession::bottom() const {
     return (glm::dot(vertical, lowest) + scene.modelToWorld[3].y) * unit();
 }
 
-DeskPicture LessonSession::picture(const Controls& controls, float aspect, float shift, gl::Profiler* profiler) {
-    DeskPicture picture{scene(profiler), controls.view(aspect)};
+DeskPicture LessonSession::picture(const Controls& controls, float aspect, float shift, bool surfaceLater,
+                                   gl::Profiler* profiler) {
+    noteSurface();
+    if (running() && !surfaceLater) trainer_->makeSurface(profiler);
+    DeskPicture picture{sceneOfMetal(), controls.view(aspect)};
     SceneView& scene = picture.scene;
     View& view = picture.view;
     if (!held_ && !played()) {

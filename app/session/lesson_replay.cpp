@@ -8,7 +8,7 @@ namespace meltpool {
 void LessonSession::openReplay(Lesson attempt, Controls& controls) {
     prepare(controls);
     attempt.surface = lesson_.surface; // how it is shown is the viewer's choice
-    trainer_ = std::make_unique<Trainer>(shaders_, std::move(attempt));
+    trainer_ = std::make_unique<Trainer>(shaders_, std::move(attempt), metalThere_);
     hearing_.ear.reset();
     clock_.reset();
     fault_.clear();

@@ -33,8 +33,10 @@ double machineSeconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-LessonSession::LessonSession(gl::ShaderLibrary& shaders, Lesson lesson, Stopwatch stopwatch)
+LessonSession::LessonSession(gl::ShaderLibrary& shaders, Lesson lesson, Stopwatch stopwatch,
+                             gl::OtherContext* metalThere)
     : shaders_(shaders),
+      metalThere_(metalThere),
       given_(lesson.process),
       lesson_(machineAtStart(std::move(lesson))),
       sections_(std::in_place, lesson_),
@@ -104,7 +106,7 @@ void LessonSession::makeTrainer(const ProcessSettings* process) {
         for (const auto& [key, value] : trial_.current().values)
             lesson.set(key, value, "a value that was offered");
     if (process != nullptr) lesson.process = *process;
-    trainer_ = std::make_unique<Trainer>(shaders_, std::move(lesson));
+    trainer_ = std::make_unique<Trainer>(shaders_, std::move(lesson), metalThere_);
     hearing_.ear.reset();
     if (!trial_.running()) trainer_->listen(&hearing_.ear);
     clock_.reset();

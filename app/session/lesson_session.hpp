@@ -51,8 +51,10 @@ struct DeskPicture {
 
 class LessonSession {
   public:
-    /// `stopwatch` tells how long steps take. Throws InputError when the shaders cannot be used.
-    LessonSession(gl::ShaderLibrary& shaders, Lesson lesson, Stopwatch stopwatch = machineSeconds);
+    /// `stopwatch` tells how long steps take. `metalThere`: the metal lies in that context, see MetalElsewhere; it must
+    /// outlive the session. Throws InputError when the shaders cannot be used.
+    LessonSession(gl::ShaderLibrary& shaders, Lesson lesson, Stopwatch stopwatch = machineSeconds,
+                  gl::OtherContext* metalThere = nullptr);
     LessonSession(const LessonSession&) = delete;
     LessonSession& operator=(const LessonSession&) = delete;
     ~LessonSession() { end("the program ended"); }
@@ -105,17 +107,17 @@ class LessonSession {
     /// The same in three parts. True: makeSteps() and then finishSteps() are to be called before anything else of this
     /// but draw(); `controls` must stay as they are until then. False: all is done.
     bool beginSteps(const Controls& controls, double seconds, gl::Profiler* profiler, const TorchSource& held = {});
-    /// May run on another thread with a context that shares this one's objects, while draw() shows the metal as it was:
-    /// steps write nothing that pictures of the surface read.
+    /// May run on the thread of the metal's context, while completeSurface() and draw() show the metal as it was.
     void makeSteps(gl::Profiler* profiler);
     void finishSteps();
-    /// Pictures show the metal's surface, not its particles, which the steps move.
-    bool showsSurface() const { return lesson_.look.mode != kPointsMode; }
 
     /// What the desk's picture shows of the lesson as it is now. `aspect`: width over height; `shift`: how far right of
     /// the window's middle the picture's middle is, as a share of half its width. What it lends is valid until the
     /// lesson's next steps are finished.
-    DeskPicture picture(const Controls& controls, float aspect, float shift, gl::Profiler* profiler);
+    /// `surfaceLater`: the surface is still to be made by completeSurface().
+    DeskPicture picture(const Controls& controls, float aspect, float shift, bool surfaceLater, gl::Profiler* profiler);
+    /// Makes the surface that a picture() left for later.
+    void completeSurface(DeskPicture& picture, gl::Profiler* profiler);
     void draw(const DeskPicture& picture, const RenderTarget& target, gl::Profiler* profiler);
     /// The detail of the pictures to come, whatever the lesson's file says; the highest at first.
     void setDetail(PictureDetail detail) { detail_ = detail; }
@@ -267,8 +269,11 @@ class LessonSession {
     void makeDueSteps(double seconds, FunctionRef<void(int step, int due)> make);
     void timeSteps(int due, FunctionRef<void(int step, int due)> make);
     void guarded(FunctionRef<void()> work);
+    void noteSurface();
+    SceneView sceneOfMetal();
 
     gl::ShaderLibrary& shaders_;
+    gl::OtherContext* metalThere_;
     ProcessSettings given_; ///< the lesson's own settings
     Lesson lesson_;
     std::optional<LessonSections> sections_; ///< of lesson_; always there

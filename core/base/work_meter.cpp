@@ -39,6 +39,14 @@ bool sleeps(WorkPlace place) {
 
 } // namespace
 
+WorkCosts& WorkCosts::operator+=(const WorkCosts& other) {
+    cpuSeconds += other.cpuSeconds;
+    allocations += other.allocations;
+    stalls += other.stalls;
+    if (other.stalls > 0) lastStall = other.lastStall;
+    return *this;
+}
+
 void WorkMeter::begin() {
     spent_ = {};
     cpu_ = {};

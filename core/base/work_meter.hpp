@@ -19,6 +19,16 @@ struct WorkElsewhere {
     std::uint64_t allocations = 0;
 };
 
+/// A thread's own work.
+struct WorkCosts {
+    double cpuSeconds = 0; ///< processor time, without drivers, runtimes and waiting
+    std::uint64_t allocations = 0;
+    unsigned stalls = 0; ///< see WorkMeter::stalls()
+    const char* lastStall = "";
+
+    WorkCosts& operator+=(const WorkCosts& other);
+};
+
 /// begin() and end() are called on one thread, which has one meter at a time.
 ///
 /// Only the system knows a thread's processor time, and asking takes longer than most driver calls. So the meter asks
@@ -43,6 +53,9 @@ class WorkMeter {
     /// Calls since begin() that made the thread wait for the GPU, and the name of the last one.
     unsigned stalls() const { return stalls_; }
     const char* lastStall() const { return lastStall_; }
+
+    /// The thread's own work since begin().
+    WorkCosts costs() const { return {cpuSeconds(WorkPlace::own), ownAllocations_, stalls_, lastStall_}; }
 
     WorkPlace place() const { return place_; }
 

@@ -43,11 +43,23 @@ const PassTime* Profiler::find(std::string_view name) const {
     return found == passes_.end() ? nullptr : &*found;
 }
 
-size_t Profiler::open(std::string_view name) {
+void Profiler::include(const Profiler& other) {
+    if (!inFrame_) return;
+    for (const PassTime& pass : other.passes_)
+        frames_[current_].included.emplace_back(passOf(pass.name, depth_ + pass.depth), pass.lastMs);
+}
+
+/// Its number; a new one is of this depth.
+size_t Profiler::passOf(std::string_view name, int depth) {
     auto found = std::find_if(passes_.begin(), passes_.end(), [name](const PassTime& p) { return p.name == name; });
-    if (found == passes_.end()) found = passes_.insert(found, PassTime{std::string(name), depth_});
+    if (found == passes_.end()) found = passes_.insert(found, PassTime{std::string(name), depth});
+    return static_cast<size_t>(found - passes_.begin());
+}
+
+size_t Profiler::open(std::string_view name) {
+    const size_t pass = passOf(name, depth_);
     ++depth_;
-    const Mark mark{static_cast<size_t>(found - passes_.begin()), takeQuery(), takeQuery()};
+    const Mark mark{pass, takeQuery(), takeQuery()};
     glQueryCounter(mark.begin, GL_TIMESTAMP);
     frames_[current_].marks.push_back(mark);
     return frames_[current_].marks.size() - 1;
@@ -76,7 +88,10 @@ void Profiler::collect(Frame& frame, bool wait) {
         spare_.push_back(mark.begin);
         spare_.push_back(mark.end);
     }
+    for (const auto& [pass, ms] : frame.included)
+        frameMs_[pass] = std::max(frameMs_[pass], 0.0) + ms;
     frame.marks.clear();
+    frame.included.clear();
     frame.pending = false;
     closeFrame();
 }

@@ -4,6 +4,9 @@
 #include "core/gl/gl.hpp"
 
 #include <array>
+#include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace meltpool::gl {
@@ -27,9 +30,13 @@ class Profiler {
 
     void beginFrame();
     void endFrame();
+    bool inFrame() const { return inFrame_; } ///< between these two
     /// Waits for the pending frames and reads them.
     void finish();
     void reset();
+
+    /// Adds the newest times of passes that another context's profiler measured within this one's frame.
+    void include(const Profiler& other);
 
     const std::vector<PassTime>& passes() const { return passes_; }
     const PassTime* find(std::string_view name) const;
@@ -43,9 +50,11 @@ class Profiler {
     };
     struct Frame {
         std::vector<Mark> marks;
+        std::vector<std::pair<size_t, double>> included; ///< pass, ms
         bool pending = false;
     };
 
+    size_t passOf(std::string_view name, int depth);
     size_t open(std::string_view name);
     void close(size_t mark);
     void collect(Frame& frame, bool wait);

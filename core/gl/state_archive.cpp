@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/gl/order.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 namespace meltpool::gl {
@@ -67,16 +68,21 @@ void StateArchive::text(std::string& words) {
     }
 }
 
-const Buffer& StateArchive::upload() {
+/// On an InOrderThread nothing of OpenGL is made that the archive, which ends on another thread, would have to delete.
+void StateArchive::copyTo(const Buffer& buffer, size_t bytes, size_t begin) {
+    if (std::byte* memory = directMemory(buffer.name())) {
+        if (bytes > 0) std::memcpy(memory, from_.data() + begin, bytes);
+        return;
+    }
     if (!upload_) upload_.emplace("restored state", from_);
-    return *upload_;
+    upload_->copyTo(buffer, bytes, begin);
 }
 
 void StateArchive::region(GLuint buffer, const StatePart& as) {
     if (parts_ == nullptr) throw RuntimeFault("a state of numbers alone was to hold a GPU buffer");
     parts_->parts.push_back(as);
     parts_->parts.back().onGpu = true;
-    parts_->regions.push_back({buffer, as.bytes});
+    parts_->regions.push_back({buffer, as.bytes, directMemory(buffer)});
 }
 
 void StateArchive::part(const Buffer& buffer, const StatePart& as) {
@@ -91,7 +97,7 @@ void StateArchive::part(const Buffer& buffer, const StatePart& as) {
         refuse("has " + std::to_string(size) + " bytes of a buffer, not " + std::to_string(bytes));
     const size_t begin = at_;
     take(bytes);
-    upload().copyTo(buffer, bytes, begin);
+    copyTo(buffer, bytes, begin);
     if (bytes < buffer.bytes()) fillWords(buffer.name(), bytes, buffer.bytes() - bytes, 0);
 }
 
@@ -107,7 +113,7 @@ void StateArchive::answer(Readback& readback, Buffer& source) {
     if (!asked) return;
     const size_t begin = at_;
     take(bytes);
-    upload().copyTo(source, bytes, begin);
+    copyTo(source, bytes, begin);
     readback.request(source);
 }
 
@@ -147,6 +153,28 @@ void StateCapture::makeRoom(size_t bytes) {
 }
 
 void StateCapture::request() {
+    const std::vector<StateParts::Region>& regions = state_.regions;
+    const bool inMemory = std::all_of(regions.begin(), regions.end(),
+                                      [](const StateParts::Region& region) { return region.memory != nullptr; });
+    if (inMemory)
+        copyMemory();
+    else
+        copyBuffers();
+}
+
+void StateCapture::copyMemory() {
+    size_t bytes = 0;
+    for (const StateParts::Region& region : state_.regions)
+        bytes += region.bytes;
+    if (memory_.capacity() < bytes) memory_.reserve(bytes + bytes / 4);
+    memory_.clear();
+    for (const StateParts::Region& region : state_.regions)
+        memory_.insert(memory_.end(), region.memory, region.memory + region.bytes);
+    copied_ = memory_.data();
+    arrived_ = true;
+}
+
+void StateCapture::copyBuffers() {
     size_t bytes = 0;
     for (const StateParts::Region& region : state_.regions)
         bytes += region.bytes;
@@ -157,6 +185,7 @@ void StateCapture::request() {
         copyBytes(region.buffer, copy_.name(), region.bytes, 0, to);
         to += region.bytes;
     }
+    copied_ = static_cast<const std::byte*>(mapped_);
     fence_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
 }
 
@@ -186,7 +215,7 @@ void StateCapture::assemble(std::vector<std::byte>& bytes, std::vector<StatePart
     bytes.resize(all);
     std::byte* to = bytes.data();
     const std::byte* number = state_.numbers.data();
-    const auto* copied = static_cast<const std::byte*>(mapped_);
+    const std::byte* copied = copied_;
     for (StatePart& part : parts) {
         const std::byte*& from = part.onGpu ? copied : number;
         if (part.bytes > 0) std::memcpy(to, from, part.bytes);

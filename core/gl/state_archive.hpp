@@ -29,6 +29,9 @@ struct StateParts {
     struct Region {
         GLuint buffer = 0;
         size_t bytes = 0;
+        /// The buffer's own where it was named on an InOrderThread, whose context may be another one than that which
+        /// copies: any thread reads it as long as no shader writes there.
+        const std::byte* memory = nullptr;
     };
     std::vector<std::byte> numbers; ///< of all parts that are not on the GPU, one after the other
     std::vector<StatePart> parts;
@@ -85,7 +88,7 @@ class StateArchive {
     void part(const Buffer& buffer, const StatePart& as);
     void region(GLuint buffer, const StatePart& as);
     std::span<const std::byte> take(size_t bytes);
-    const Buffer& upload();
+    void copyTo(const Buffer& buffer, size_t bytes, size_t begin);
 
     std::vector<std::byte>* numbers_ = nullptr; ///< null while restoring
     StateParts* parts_ = nullptr;
@@ -105,7 +108,8 @@ class StateCapture {
 
     /// Where the state is to be saved to; what was under way is dropped.
     StateParts& begin();
-    /// Copies on the GPU what begin()'s parts name, as it is after the commands issued so far. Never waits.
+    /// Copies on the GPU what begin()'s parts name, as it is after the commands issued so far. Never waits. Parts in
+    /// memory of their own are copied at once, without OpenGL.
     void request();
     /// Whether the copy has come. Never waits; false also where none was asked for.
     bool arrived();
@@ -116,10 +120,12 @@ class StateCapture {
     /// begin() must wait for it.
     void assemble(std::vector<std::byte>& bytes, std::vector<StatePart>& parts) const;
 
-    size_t bytes() const { return room_; } ///< of the copy
+    size_t bytes() const { return room_ + memory_.capacity(); } ///< of the copy
 
   private:
     void makeRoom(size_t bytes);
+    void copyMemory();
+    void copyBuffers();
     void forget();
 
     StateParts state_;
@@ -127,6 +133,8 @@ class StateCapture {
     Handle<destroy> copy_;
     const void* mapped_ = nullptr;
     size_t room_ = 0;
+    std::vector<std::byte> memory_;     ///< the copy of what lay in memory
+    const std::byte* copied_ = nullptr; ///< the copy, one or the other
     GLsync fence_ = nullptr;
     bool arrived_ = false;
 };

@@ -145,7 +145,7 @@ void Trainer::restore(const Checkpoint& checkpoint) {
         throw InputError("the checkpoint of step " + std::to_string(checkpoint.step) +
                          " has more bytes than this lesson's state; expected one that this program saved");
     metal_->fold();
-    probe_.forget();
+    forgetProbe_ = true;
     figures_ = metal_->statistics();
     if (!lesson_.recorded) return;
     // The checkpoint may be of the attempt itself, which repeated none; those behind this very step may come again.

@@ -4,6 +4,7 @@
 #include "core/base/system/last_facts.hpp"
 #include "core/base/text.hpp"
 #include "core/training/body_mesh.hpp"
+#include "core/training/metal_elsewhere.hpp"
 
 #include <utility>
 
@@ -17,9 +18,10 @@ constexpr double kFiguresPeriod = 0.1;
 
 } // namespace
 
-Trainer::Trainer(gl::ShaderLibrary& shaders, Lesson lesson)
+Trainer::Trainer(gl::ShaderLibrary& shaders, Lesson lesson, gl::OtherContext* metalThere)
     : lesson_(std::move(lesson)),
-      metal_(makeMetalModel(shaders, lesson_)),
+      metal_(metalThere != nullptr ? std::make_unique<MetalElsewhere>(*metalThere, lesson_)
+                                   : makeMetalModel(shaders, lesson_)),
       identity_(identityOf(lesson_)),
       live_(liveParameters(lesson_)),
       probe_(shaders) {
@@ -162,14 +164,28 @@ void Trainer::guardRecord(FunctionRef<void()> write) {
     }
 }
 
-void Trainer::updateSurface(gl::Profiler* profiler) {
+void Trainer::noteMetal() {
     const int cells = surface_->parameters.cells;
     surface_->parameters = lesson_.surface;
     surface_->parameters.cells = cells;
     metal_->prepare(*surface_);
-    ParticleView particles = metal_->particles();
-    if (lesson_.look.detail == kLowDetail) particles.frozenAt = nullptr; // ripples are not drawn
-    surface_->update(particles, profiler);
+    noted_ = metal_->particles();
+    if (lesson_.look.detail == kLowDetail) noted_->frozenAt = nullptr; // ripples are not drawn
+}
+
+void Trainer::makeSurface(gl::Profiler* profiler) {
+    if (noted_) surface_->update(*noted_, profiler);
+    noted_.reset();
+}
+
+void Trainer::requestDistance(const TorchSample& torch) {
+    if (std::exchange(forgetProbe_, false)) probe_.forget();
+    probe_.request(*surface_, *metal_, torch);
+}
+
+std::optional<SurfaceDistance> Trainer::pollDistance() {
+    if (std::exchange(forgetProbe_, false)) probe_.forget();
+    return probe_.poll(*metal_);
 }
 
 SceneView Trainer::scene() const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/function_ref.hpp"
+#include "core/gl/other_context.hpp"
 #include "core/gl/profiler.hpp"
 #include "core/gl/program.hpp"
 #include "core/render/scene.hpp"
@@ -46,8 +47,9 @@ struct RecordContext {
 
 class Trainer {
   public:
-    /// Makes metal and surface. Throws InputError when the lesson's values are impossible here.
-    Trainer(gl::ShaderLibrary& shaders, Lesson lesson);
+    /// Makes metal and surface. Throws InputError when the lesson's values are impossible here. `metalThere`: the metal
+    /// lies in that context, see MetalElsewhere; advance() and what makes no surface may then be called on its thread.
+    Trainer(gl::ShaderLibrary& shaders, Lesson lesson, gl::OtherContext* metalThere = nullptr);
     ~Trainer();
     Trainer(const Trainer&) = delete;
     Trainer& operator=(const Trainer&) = delete;
@@ -84,12 +86,20 @@ class Trainer {
     void show(const TorchSample& torch) { torch_ = torch; }
 
     /// Makes the surface of the metal as it is now, for the pictures to come; nothing is read back.
-    void updateSurface(gl::Profiler* profiler);
+    void updateSurface(gl::Profiler* profiler) {
+        noteMetal();
+        makeSurface(profiler);
+    }
+    /// The same in two parts: of a metal elsewhere makeSurface() shows the metal as it was at noteMetal(), while steps
+    /// are made there. Nothing where nothing was noted since the last one.
+    void noteMetal();
+    void makeSurface(gl::Profiler* profiler);
+    SurfaceMesh mesh() const { return surface_->mesh(); }
 
     /// Asks where the metal lies under this torch, on the surface of the last updateSurface(); never waits.
-    void requestDistance(const TorchSample& torch) { probe_.request(*surface_, *metal_, torch); }
+    void requestDistance(const TorchSample& torch);
     /// The answer, once, frames later.
-    std::optional<SurfaceDistance> pollDistance() { return probe_.poll(*metal_); }
+    std::optional<SurfaceDistance> pollDistance();
     /// Waits for the GPU.
     SurfaceDistance distanceNow(const TorchSample& torch) { return probe_.now(*surface_, *metal_, torch); }
     /// The arc of the last step: one state for hand, eye, score and record.
@@ -188,7 +198,9 @@ class Trainer {
     std::uint64_t identity_; ///< of lesson, workpiece and process, which other checkpoints do not have
     ParameterList live_;     ///< the lesson's values that may change while it is welded
     std::unique_ptr<Surface> surface_;
+    std::optional<ParticleView> noted_; ///< for the surface
     TipProbe probe_;
+    bool forgetProbe_ = false; ///< what it was asked is of another metal; not forgotten at once, but on its own thread
     std::unique_ptr<Record> record_;
     std::shared_ptr<RecordingWriter> recording_;
     std::string recordFault_;

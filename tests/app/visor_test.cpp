@@ -21,7 +21,7 @@ class Watcher {
         constexpr double kFrame = 1.0 / 45;
         for (double time = 0; time < seconds; time += kFrame) {
             session.advance(controls, kFrame, nullptr);
-            session.draw(session.picture(controls, 1, 0, nullptr), target.target(), nullptr);
+            session.draw(session.picture(controls, 1, 0, false, nullptr), target.target(), nullptr);
             LessonFigures figures;
             session.fillFigures(figures);
             notices.update(session, figures, lock, kFrame, messages);

@@ -24,12 +24,13 @@ void WindowPicture::prepare(LessonSession& session, const Controls& controls, co
              : wish.setting == 0 ? budget_.level()
                                  : static_cast<PictureLevel>(wish.setting - 1);
     const float aspect = static_cast<float>(pixels_.x) / static_cast<float>(std::max(pixels_.y, 1));
-    shown_ = session.picture(controls, aspect, wish.shift, profiler);
+    shown_ = session.picture(controls, aspect, wish.shift, wish.surfaceLater, profiler);
     sentence_ = pictureSentence(level_);
     offset_ = wish.shift;
 }
 
 void WindowPicture::draw(LessonSession& session, gl::Profiler* profiler) {
+    session.completeSurface(shown_, profiler);
     const RenderTarget target = scaled_.begin(pixels_, kPictureShares[static_cast<size_t>(level_)]);
     session.draw(shown_, target, profiler);
     scaled_.end();

@@ -8,21 +8,19 @@ namespace meltpool {
 
 namespace {
 
-/// A flush waits for the picture that is being drawn: it must be rare, and not so rare that many lessons come and go.
+/// Not so rare that many lessons come and go.
 constexpr std::chrono::seconds kBetweenFlushes{10};
 
 } // namespace
 
-StepThread::StepThread(std::unique_ptr<SharingContext> context) : context_(std::move(context)) {
-    if (context_ == nullptr) return;
-    thread_ = std::thread([this] { run(); });
-    // The window's thread makes no call of the window system while the other one takes its context.
+StepThread::StepThread(std::unique_ptr<StepContext> context) : context_(std::move(context)) {
+    thread_ = std::thread([this] { live(); });
+    // The window's thread makes no call of OpenGL while the other one takes its context.
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return ready_; });
 }
 
 StepThread::~StepThread() {
-    if (!thread_.joinable()) return;
     {
         const std::lock_guard lock(mutex_);
         ending_ = true;
@@ -31,7 +29,7 @@ StepThread::~StepThread() {
     thread_.join();
 }
 
-void StepThread::run() {
+void StepThread::live() {
     usable_ = context_->enter();
     const gl::InOrderThread inOrder;
     std::unique_lock lock(mutex_);
@@ -44,27 +42,29 @@ void StepThread::run() {
         changed_.notify_all();
     }
     lock.unlock();
-    context_->leave();
+    if (usable_) context_->leave();
 }
 
 /// Does the work that is there, without the lock.
 void StepThread::serve(std::unique_lock<std::mutex>& lock) {
     lock.unlock();
     std::exception_ptr fault;
-    meter_.begin();
+    WorkMeter meter;
+    meter.begin();
     try {
         work_();
     } catch (...) {
         fault = std::current_exception();
     }
     freeDeleted();
-    meter_.end();
+    meter.end();
     lock.lock();
+    costs_ += meter.costs();
     fault_ = fault;
     work_ = nullptr;
 }
 
-/// Buffer textures of a lesson that is over keep its buffers until each context that read them flushes: Mesa's context
+/// Buffer textures of a lesson that is over keep its buffers until the context that read them flushes: Mesa's context
 /// lets go of its views of deleted textures only then.
 void StepThread::freeDeleted() {
     const auto now = std::chrono::steady_clock::now();
@@ -94,6 +94,30 @@ void StepThread::wait() {
     waited_ = std::chrono::duration<double>(end - start).count();
     seconds_ = std::chrono::duration<double>(end - began_).count();
     if (fault_ != nullptr) std::rethrow_exception(std::exchange(fault_, nullptr));
+}
+
+void StepThread::run(FunctionRef<void()> work) {
+    if (here()) return work();
+    std::exception_ptr fault;
+    const auto guarded = [&] {
+        try {
+            work();
+        } catch (...) {
+            fault = std::current_exception();
+        }
+    };
+    {
+        const InWork waiting(WorkPlace::waiting);
+        const auto idle = [this] { return work_ == nullptr; };
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, idle);
+        const std::exception_ptr before = fault_; // of what was begun: wait() throws that
+        work_ = FunctionRef<void()>(guarded);
+        changed_.notify_all();
+        changed_.wait(lock, idle);
+        fault_ = before;
+    }
+    if (fault != nullptr) std::rethrow_exception(fault);
 }
 
 } // namespace meltpool

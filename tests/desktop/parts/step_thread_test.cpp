@@ -17,7 +17,7 @@ struct Calls {
     bool destroyed = false;
 };
 
-class FakeContext final : public SharingContext {
+class FakeContext final : public StepContext {
   public:
     FakeContext(Calls& calls, bool works) : calls_(calls), works_(works) {}
     ~FakeContext() override { calls_.destroyed = true; }
@@ -26,13 +26,15 @@ class FakeContext final : public SharingContext {
         return works_;
     }
     void leave() override { calls_.left = std::this_thread::get_id(); }
+    gl::ShaderLibrary& shaders() override { return shaders_; }
 
   private:
     Calls& calls_;
     bool works_;
+    gl::ShaderLibrary shaders_{"nowhere"};
 };
 
-std::unique_ptr<SharingContext> fake(Calls& calls, bool works = true) {
+std::unique_ptr<StepContext> fake(Calls& calls, bool works = true) {
     return std::make_unique<FakeContext>(calls, works);
 }
 
@@ -102,9 +104,41 @@ TEST_CASE("work that is under way when the window closes is finished first") {
 
 TEST_CASE("without a context no steps are made beside the picture") {
     Calls calls;
-    CHECK_FALSE(StepThread(nullptr).usable());
     CHECK_FALSE(StepThread(fake(calls, false)).usable());
     CHECK(calls.destroyed);
+    CHECK(calls.left == std::thread::id()); // what was not entered is not left
+}
+
+TEST_CASE("work is run on the thread of the steps at once, after what was begun") {
+    Calls calls;
+    StepThread thread(fake(calls));
+    CHECK_FALSE(thread.here());
+    std::vector<int> order;
+    thread.begin([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        order.push_back(1);
+    });
+    bool there = false;
+    thread.run([&] {
+        order.push_back(2);
+        thread.run([&] { // over there it is a plain call
+            order.push_back(3);
+            there = thread.here();
+        });
+    });
+    CHECK(order == std::vector{1, 2, 3});
+    CHECK(there);
+    thread.wait();
+}
+
+TEST_CASE("a fault of what is run is thrown there, one of what was begun where that is waited for") {
+    Calls calls;
+    StepThread thread(fake(calls));
+    thread.begin([] { throw RuntimeFault("the steps"); });
+    CHECK_THROWS_AS(thread.run([] { throw InputError("what was run"); }), InputError);
+    thread.run([] {});
+    CHECK_THROWS_AS(thread.wait(), RuntimeFault);
+    thread.wait();
 }
 
 TEST_CASE("only the thread of the steps leaves fences out") {
