@@ -130,7 +130,8 @@ struct HeatBlock {
     float evaporatesFrom;          // K
     float time;                    // s since the start, at the end of the step
     float liquidTheta;             // W/m, of metal at its liquidus
-    float reserved;
+    int mostTurns;                 // of Newton's method for evaporation; drivers on the CPU run all turns of a loop whose number
+                                   // they know, one that they do not know only as long as an invocation needs it
     vec3 stirringLess;             // share that stirred liquid conducts less along each axis, where the stirring has a way
     float reservedWay;
     HeatSourceData sources[HEAT_SOURCES];

@@ -173,6 +173,7 @@ void HeatSolver::prepareBlock() {
     const double conductivity = material_.solidConductivity.at(settings_.ambient);
     block_.wakingThetaDifference = static_cast<float>(settings_.wakingKelvin * conductivity);
     block_.warmAboveAmbient = 1;
+    block_.mostTurns = 20;
     block_.wakingLoss = static_cast<float>(kSleepingChange * capacity);
     block_.meltLeavesLattice = settings_.meltedLeaves ? 1 : 0;
     block_.liquidTheta = static_cast<float>(state_.table().kirchhoffAt(state_.table().liquidusEnthalpy()));

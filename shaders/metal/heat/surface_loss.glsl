@@ -24,7 +24,7 @@ float afterEvaporation(float hot, float area) {
     float cooling = area * heatBlock.timeStep / (metal.particleMass * heatBlock.liquidSpecificHeat);
     float t = hot;
     bool boils = area > 0.0 && evaporates(hot);
-    for (int i = 0; i < 20 && boils; ++i) {
+    for (int i = 0; i < heatBlock.mostTurns && boils; ++i) {
         float flux = evaporationFlux(t);
         float change = (t + cooling * flux - hot) / (1.0 + cooling * flux * heatBlock.evaporationExponent / (t * t));
         t -= change;
