@@ -139,17 +139,19 @@ TEST_CASE(
     TrainerWindow window("detail", {.settings = "[start]\nparticles = 1000\ncells = 16\n[view]\nshow_sky = false\n"
                                                 "[window]\nwidth = 960\nheight = 640\n"});
     window.start();
-    window.key("F3");
-    window.click("bar.view");
-    window.click("window.group.Window");
-    CHECK(valueOf(window.settle(), "window.detail") == "automatic");
     const auto beside = [](const json& s) { return s.at("steps_beside") == true; };
     window.waitFor("steps beside the picture at low detail", beside);
     window.key("F4"); // who looks at the timings sees each pass alone
     window.waitFor("steps before the picture", [&](const json& s) { return !beside(s); });
     window.key("F4");
     window.waitFor("steps beside the picture again", beside);
-    for (const char* level : {"high", "low", "medium"})
+    window.key("F3");
+    window.click("bar.view");
+    window.click("window.group.Window");
+    CHECK(valueOf(window.settle(), "window.detail") == "automatic");
+    changes(window, "window.detail", [&] { window.click("window.detail.high"); });
+    window.waitFor("steps beside the picture at high detail", beside);
+    for (const char* level : {"low", "medium"})
         changes(window, "window.detail", [&] { window.click(std::string("window.detail.") + level); });
     window.takePicture("medium-detail");
     window.process().signal(SIGTERM);
