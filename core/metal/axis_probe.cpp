@@ -64,6 +64,8 @@ AxisProbeBlock AxisProbe::blockOf(const ProbeRay& ray) const {
     };
     block.low = cellAt(glm::min(ray.origin, end) - margin);
     block.cells = cellAt(glm::max(ray.origin, end) + margin) - block.low + 1;
+    const int count = block.cells.x * block.cells.y * block.cells.z;
+    block.latticeGroups = std::clamp((count + AXIS_PROBE_GROUP - 1) / AXIS_PROBE_GROUP, 1, AXIS_PROBE_LATTICE_GROUPS);
     block.firstSlot = static_cast<uint>(list.first);
     block.countWord = static_cast<uint>(list.count / sizeof(uint));
     return block;
@@ -72,7 +74,8 @@ AxisProbeBlock AxisProbe::blockOf(const ProbeRay& ray) const {
 void AxisProbe::look(const ProbeRay& ray, gl::Profiler* profiler) {
     const gl::Scope scope(profiler, "axis probe");
     const OffLatticeList list = heat_.offLattice();
-    blockBuffer_.writeValue(blockOf(ray));
+    const AxisProbeBlock block = blockOf(ray);
+    blockBuffer_.writeValue(block);
     state_.bind();
     blockBuffer_.bindUniform(AXIS_PROBE_BLOCK);
     bins_.bindStorage(AXIS_PROBE_SUMS);
@@ -80,7 +83,7 @@ void AxisProbe::look(const ProbeRay& ray, gl::Profiler* profiler) {
     list.slots.bindStorage(AXIS_PROBE_SLOTS);
     list.control.bindStorage(AXIS_PROBE_CONTROL);
     gl::memoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-    count_.dispatchGroups(AXIS_PROBE_LATTICE_GROUPS + kSlotGroups); // particles -> bins
+    count_.dispatchGroups(static_cast<unsigned>(block.latticeGroups) + kSlotGroups); // particles -> bins
     gl::memoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     find_.dispatchGroups(1); // bins -> answer
     gl::memoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);

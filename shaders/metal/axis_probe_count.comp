@@ -40,7 +40,7 @@ void countAt(uint slot, vec3 place) {
 
 void countLattice() {
     int count = probe.cells.x * probe.cells.y * probe.cells.z;
-    for (int i = int(gl_GlobalInvocationID.x); i < count; i += AXIS_PROBE_LATTICE_GROUPS * AXIS_PROBE_GROUP) {
+    for (int i = int(gl_GlobalInvocationID.x); i < count; i += probe.latticeGroups * AXIS_PROBE_GROUP) {
         ivec3 cell = probe.low + ivec3(i % probe.cells.x, i / probe.cells.x % probe.cells.y,
                                        i / (probe.cells.x * probe.cells.y));
         vec3 place = cellCentre(cell);
@@ -54,12 +54,12 @@ void countLattice() {
 }
 
 void main() {
-    if (gl_WorkGroupID.x < AXIS_PROBE_LATTICE_GROUPS) {
+    if (gl_WorkGroupID.x < uint(probe.latticeGroups)) {
         countLattice();
         return;
     }
-    uint stride = (gl_NumWorkGroups.x - AXIS_PROBE_LATTICE_GROUPS) * AXIS_PROBE_GROUP;
-    uint first = gl_GlobalInvocationID.x - AXIS_PROBE_LATTICE_GROUPS * AXIS_PROBE_GROUP;
+    uint stride = (gl_NumWorkGroups.x - uint(probe.latticeGroups)) * AXIS_PROBE_GROUP;
+    uint first = gl_GlobalInvocationID.x - uint(probe.latticeGroups) * AXIS_PROBE_GROUP;
     for (uint i = first; i < control[probe.countWord]; i += stride) {
         uint slot = slots[probe.firstSlot + i];
         uint bits = phase[slot];

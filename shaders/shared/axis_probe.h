@@ -11,7 +11,7 @@
 #define AXIS_PROBE_EDGE_DEPTH 3.0 // spacings that metal beside the axis must be deep to be an edge that an arc burns to
 #define AXIS_PROBE_EDGE_SHARE 0.12 // of the count inside metal; 0.17 in the middle of a gap two spacings wide
 #define AXIS_PROBE_DROP_SPEED 0.2 // m/s along the axis from which liquid is a drop on its way and no surface
-#define AXIS_PROBE_LATTICE_GROUPS 128 // groups that look through the lattice around the ray; the others take the list of slots
+#define AXIS_PROBE_LATTICE_GROUPS 128 // groups at most that look through the lattice around the ray; the others take the list of slots
 
 #define AXIS_PROBE_BLOCK 1 // uniform buffer
 
@@ -35,8 +35,8 @@ struct AxisProbeBlock {
     ivec3 cells;     // size of that box
     uint countWord;  // place of the list's length in its control buffer
     int edgeBins;    // bins in AXIS_PROBE_EDGE_DEPTH spacings
-    int reserved;    // no array: std140 would give each element 16 bytes
-    int reserved2;
+    int latticeGroups; // groups that look through the box
+    int reserved2;     // no array: std140 would give each element 16 bytes
     int reserved3;
 };
 

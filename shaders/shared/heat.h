@@ -19,7 +19,8 @@
 #define HEAT_CELL_RANGE                                                                                                \
     8 // uvec2 a cell that metal off the lattice shares: see CellRange in cell_range.glsl; 0 between steps
 #define HEAT_TILES 9      // HeatTile a tile
-#define HEAT_LISTS 10     // uint: three lists of tiles, one after the other, then the list of slots off the lattice
+#define HEAT_LISTS 10     // uint: three lists of tiles, one after the other, then the list of slots off the lattice; mixed tiles that a source
+                          // may reach stand in theirs from the front on, the others from the end back
 #define HEAT_CONTROL 11   // HeatControl
 #define HEAT_SOURCE_SUMS 12 // float: sum of weights of each source, then of each row of each tile that a source reaches
 #define HEAT_LEDGER 13      // vec4 a cell, then a particle: joules gained, their residual, joules lost, their residual
@@ -137,10 +138,12 @@ struct HeatBlock {
     HeatSourceData sources[HEAT_SOURCES];
 };
 
-/// Groups of the indirect dispatches; the fourth number of the first three is unused.
+/// Groups of the indirect dispatches; the fourth number of the first five is unused.
 struct HeatControl {
     uvec4 plainTiles;       // metal on the lattice conducts and loses heat to the air, and no more
     uvec4 mixedTiles;       // metal off the lattice in the tile or a neighbour, a heat source, or evaporation
+    uvec4 reachedTiles;     // mixed ones that a source may reach,
+    uvec4 unreachedTiles;   // and the others
     uvec4 offLatticeTiles;  // metal off the lattice in the tile
     uvec3 offLatticeGroups; // over the list of slots off the lattice
     uint offLatticeCount;   // slots in that list
@@ -159,7 +162,7 @@ struct HeatTile {
 #ifdef __cplusplus
 static_assert(sizeof(HeatSourceData) == 128);
 static_assert(sizeof(HeatBlock) == 144 + HEAT_SOURCES * 128);
-static_assert(sizeof(HeatControl) == 64);
+static_assert(sizeof(HeatControl) == 96);
 static_assert(sizeof(HeatTile) == 32);
 } // namespace meltpool
 #endif

@@ -65,7 +65,10 @@ HeatSolver::HeatSolver(gl::ShaderLibrary& shaders, MetalState& state, const Mate
     averageCells_ = &shaders.compute("metal/heat/average_cells.comp");
     sourceWeights_ = &shaders.compute("metal/heat/source_weights.comp");
     normaliseSources_ = &shaders.compute("metal/heat/normalise_sources.comp");
-    conductMixed_ = &shaders.compute("metal/heat/conduct_mixed.comp", defines);
+    conductUnreached_ = &shaders.compute("metal/heat/conduct_mixed.comp", defines);
+    gl::Defines withSources = defines;
+    withSources["SOURCES"] = "1";
+    conductReached_ = &shaders.compute("metal/heat/conduct_mixed.comp", withSources);
     advanceOffLattice_ = &shaders.compute("metal/heat/advance_off_lattice.comp", defines);
     conductPlain_ = &shaders.compute("metal/heat/conduct_plain.comp", defines);
     advanceMixed_ = &shaders.compute("metal/heat/advance_mixed.comp", defines);
@@ -217,7 +220,7 @@ void HeatSolver::bind() const {
 
 void HeatSolver::refresh() {
     blockBuffer_.writeValue(block_);
-    control_.writeValue(HeatControl{kNoGroups, kNoGroups, kNoGroups, uvec3(kNoGroups), 0});
+    control_.writeValue(HeatControl{kNoGroups, kNoGroups, kNoGroups, kNoGroups, kNoGroups, uvec3(kNoGroups), 0});
     searched_ = 0;
     bind();
     knownCells_.clear();
@@ -296,8 +299,9 @@ void HeatSolver::depositOffLattice() {
 }
 
 void HeatSolver::listTiles() {
-    control_.writeValue(std::array{kNoGroups, kNoGroups, kNoGroups}); // the list of slots off the lattice is kept
-    listTiles_->dispatch(state_.lattice().tileCount(), GROUP_SIZE);   // tiles -> lists of tiles
+    constexpr std::array<uvec4, 5> kNone{kNoGroups, kNoGroups, kNoGroups, kNoGroups, kNoGroups};
+    control_.writeValue(kNone);                                     // the list of slots off the lattice is kept
+    listTiles_->dispatch(state_.lattice().tileCount(), GROUP_SIZE); // tiles -> lists of tiles
     indirectBarrier();
     indirect(*averageCells_, offsetof(HeatControl, offLatticeTiles)); // cell sums, weights -> cell theta
     storageBarrier();
@@ -308,15 +312,16 @@ void HeatSolver::normaliseSources() {
     sourceSums_.bindStorage(HEAT_SOURCE_SUMS);
     if (sources == 0) return;
     indirect(*sourceWeights_,
-             offsetof(HeatControl, mixedTiles)); // cell theta, weight -> sum of weights a row of a tile
+             offsetof(HeatControl, reachedTiles)); // cell theta, weight -> sum of weights a row of a tile
     storageBarrier();
     normaliseSources_->dispatchGroups(sources); // -> sum of weights a source
     storageBarrier();
 }
 
 void HeatSolver::stepMixedCells() {
-    indirect(*conductMixed_,
-             offsetof(HeatControl, mixedTiles)); // cell theta, weight, sums of sources -> cell power, area
+    // Cell theta, weight, sums of sources -> cell power, area.
+    indirect(*conductReached_, offsetof(HeatControl, reachedTiles));
+    indirect(*conductUnreached_, offsetof(HeatControl, unreachedTiles));
     storageBarrier();
     knownCells_.bindStorage(HEAT_KNOWN_CELLS);
     indirect(*advanceOffLattice_, kOffLatticeDispatch); // cell power, area, theta -> enthalpy of metal off the lattice

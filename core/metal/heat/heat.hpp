@@ -122,7 +122,8 @@ class HeatSolver {
     unsigned regroupings_ = 0;
     double time_ = 0; ///< s
     const gl::Program *refresh_, *listOffLattice_, *deposit_, *listTiles_, *averageCells_, *sourceWeights_,
-        *normaliseSources_, *conductMixed_, *advanceOffLattice_, *conductPlain_, *advanceMixed_, *fold_;
+        *normaliseSources_, *conductReached_, *conductUnreached_, *advanceOffLattice_, *conductPlain_, *advanceMixed_,
+        *fold_;
     gl::Buffer blockBuffer_, table_, cellTheta_, cellWeight_, cellSums_, cellRanges_, tiles_, tileStamps_, lists_,
         control_, knownCells_, sourceSums_, ledger_;
     std::vector<Texels> texels_;

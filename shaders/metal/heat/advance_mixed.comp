@@ -14,7 +14,8 @@ layout(local_size_x = TILE_CELLS) in;
 layout(std430, binding = HEAT_CELL_POWER) restrict buffer CellPower { float cellPower[]; };
 
 void main() {
-    int tile = int(texelFetch(listTexels, heatBlock.tileCount + int(gl_WorkGroupID.x)).x);
+    uint group = gl_WorkGroupID.x, reached = control.reachedTiles.x;
+    int tile = group < reached ? reachedTile(group) : unreachedTile(group - reached);
     int inside = int(gl_LocalInvocationIndex);
     int cell = tile * TILE_CELLS + inside;
     int stamp = stampOf(tile);

@@ -88,6 +88,10 @@ ivec3 sourceTile(HeatSourceData s, int group) {
            ivec3(group % s.tileExtent.x, group / s.tileExtent.x % s.tileExtent.y, group / (s.tileExtent.x * s.tileExtent.y));
 }
 
+/// Tile number `group` of the mixed ones that a source may reach, and of the others.
+int reachedTile(uint group) { return int(texelFetch(listTexels, heatBlock.tileCount + int(group)).x); }
+int unreachedTile(uint group) { return int(texelFetch(listTexels, 2 * heatBlock.tileCount - 1 - int(group)).x); }
+
 /// Number of a tile in the box that the source reaches.
 int sourceTileIndex(HeatSourceData s, ivec3 tilePlace) {
     ivec3 at = tilePlace - s.firstTile;

@@ -1,6 +1,7 @@
 #version 450 core
 // Net power into each cell of the mixed tiles: conduction with its neighbours through the Kirchhoff variable, and what the
-// sources give. One group a tile. Metal off the lattice shares cells here: a face or a square conducts as the least filled of
+// sources give: of the mixed tiles that a source may reach, with SOURCES, or of the others, as drivers that run on the CPU
+// would compute what a source gives in both. One group a tile. Metal off the lattice shares cells here: a face or a square conducts as the least filled of
 // its cells allows. The particles themselves lose heat through the free surface later.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/metal.h"
@@ -29,8 +30,24 @@ float exchangeFor(CellRange range, float theta, float weight, float flow, Surrou
     return max(kCellExchange * weight, min(max(forColdest, forHottest), around.conductance));
 }
 
+/// W that the sources give to a cell.
+float givenTo(ivec3 tilePlace, int inside, float weight, FreeSurface surface, float theta) {
+    float given = 0.0;
+#ifdef SOURCES
+    for (int i = nextReaching(tilePlace, 0); i < heatBlock.sourceCount; i = nextReaching(tilePlace, i + 1)) {
+        HeatSourceData s = heatBlock.sources[i];
+        given += cellWeightIn(s, tilePlace, inside, weight, surface, theta) * sourceScale(s, sourceSum[i]);
+    }
+#endif
+    return given;
+}
+
 void main() {
-    int tile = int(texelFetch(listTexels, heatBlock.tileCount + int(gl_WorkGroupID.x)).x);
+#ifdef SOURCES
+    int tile = reachedTile(gl_WorkGroupID.x);
+#else
+    int tile = unreachedTile(gl_WorkGroupID.x);
+#endif
     int inside = int(gl_LocalInvocationIndex);
     int cell = tile * TILE_CELLS + inside;
     int stamp = stampOf(tile);
@@ -62,11 +79,7 @@ void main() {
         writeExchange(cell, exchangeFor(rangeOf(cell), theta, weight, flow, around));
     }
     FreeSurface surface = freeSurface(weight, weights);
-    float given = 0.0;
-    for (int i = nextReaching(tilePlace, 0); i < heatBlock.sourceCount; i = nextReaching(tilePlace, i + 1)) {
-        HeatSourceData s = heatBlock.sources[i];
-        given += cellWeightIn(s, tilePlace, inside, weight, surface, theta) * sourceScale(s, sourceSum[i]);
-    }
+    float given = givenTo(tilePlace, inside, weight, surface, theta);
     if (awake || given != 0.0) noteActivity(tile, notesOf(tile));
     cellPower[cell] = power.fromMetal + power.fromWalls + given;
     cellTheta[thetaBase(stamp ^ TILE_HALF, tile) + inside] = surface.area;

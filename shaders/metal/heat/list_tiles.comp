@@ -38,6 +38,14 @@ float elapsedSinceStep(int tile, int stamp) {
     return float(heatBlock.endTime - tiles[tile].endTime) * 1e-6;
 }
 
+void listMixed(int tile, bool reached) {
+    atomicAdd(control.mixedTiles.x, 1u);
+    if (reached)
+        lists[heatBlock.tileCount + int(atomicAdd(control.reachedTiles.x, 1u))] = uint(tile);
+    else
+        lists[2 * heatBlock.tileCount - 1 - int(atomicAdd(control.unreachedTiles.x, 1u))] = uint(tile);
+}
+
 void main() {
     int tile = int(linearInvocation());
     if (tile >= heatBlock.tileCount) return;
@@ -64,7 +72,7 @@ void main() {
     tiles[tile].endTime = heatBlock.endTime;
     tileStamp[tile] = heatBlock.stepNumber << TILE_STEP_SHIFT | (offLattice ? TILE_SHARED : 0) | (mixed ? 0 : TILE_PLAIN) | half_;
     if (mixed)
-        lists[heatBlock.tileCount + int(atomicAdd(control.mixedTiles.x, 1u))] = uint(tile);
+        listMixed(tile, source);
     else
         lists[atomicAdd(control.plainTiles.x, 1u)] = uint(tile);
     if (offLattice) lists[2 * heatBlock.tileCount + int(atomicAdd(control.offLatticeTiles.x, 1u))] = uint(tile);

@@ -13,7 +13,7 @@ layout(std430, binding = HEAT_SOURCE_SUMS) restrict writeonly buffer SourceSums 
 const ivec4 kSources = ivec4(0, 1, 2, 3); // HEAT_SOURCES
 
 void main() {
-    int tile = int(texelFetch(listTexels, heatBlock.tileCount + int(gl_WorkGroupID.x)).x);
+    int tile = reachedTile(gl_WorkGroupID.x);
     ivec3 tilePlace = tileCoordinate(tile);
     int row = int(gl_LocalInvocationIndex);
     int base = thetaBase(stampOf(tile), tile);
