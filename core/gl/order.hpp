@@ -12,8 +12,8 @@ namespace meltpool::gl {
 bool dispatchesEndAtOnce();
 
 /// While it exists, this thread's barriers and fences are left out: its context only computes, with a driver of
-/// dispatchesEndAtOnce(). Not for the sake of their own cost: llvmpipe's barriers and fences wait until the pictures of
-/// all contexts are drawn (lp_setup_flush() takes the rasterizer's lock), so that steps would wait for a picture.
+/// dispatchesEndAtOnce(). There they order nothing, and llvmpipe's wait until the pictures of all contexts that share
+/// objects with it are drawn (lp_setup_flush() takes the rasterizer's lock).
 class InOrderThread {
   public:
     InOrderThread();
@@ -35,10 +35,11 @@ GLbitfield directStorage();
 /// Maps a buffer with directStorage() for good; nothing where that is none.
 void mapDirectly(GLuint buffer, size_t bytes);
 
-/// A buffer's own memory on an InOrderThread, null elsewhere. There, all that writes, reads, copies or clears buffers,
-/// and what dispatches by their numbers, goes there and not through the driver: llvmpipe would look whether a picture
-/// of any context still needs the buffer (llvmpipe_flush_resource()), in lists that the other thread changes
-/// meanwhile, and crash once in some twenty minutes.
+/// A buffer's own memory on an InOrderThread, null elsewhere; it stays where it is as long as the buffer, and any
+/// thread may read it between two works of that one. There, all that writes, reads, copies or clears buffers, and what
+/// dispatches by their numbers, goes there and not through the driver: llvmpipe would look whether a picture still
+/// needs the buffer (llvmpipe_flush_resource()), in lists that a thread which draws with a context that shares objects
+/// changes meanwhile.
 std::byte* directMemory(GLuint buffer);
 
 /// Copies bytes between buffers.
