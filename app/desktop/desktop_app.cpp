@@ -76,6 +76,15 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
     lastFrame_ = now();
 }
 
+/// A fault of a picture may have left steps under way, of the session that ends now.
+DesktopApp::~DesktopApp() {
+    try {
+        if (stepThread_) stepThread_->wait();
+    } catch (const std::exception& fault) {
+        std::fprintf(stderr, "meltpool: %s\n", fault.what());
+    }
+}
+
 /// A file that is wrong ends the program before the window shows anything, as far as it is known for which lesson.
 void DesktopApp::takeGhost() {
     session_.ghost().findBestBy([](const std::string& lesson) { return bestKept(recordingsFolder(), lesson); });

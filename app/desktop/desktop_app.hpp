@@ -30,6 +30,7 @@ class DesktopApp {
   public:
     /// Opens the window on the home page, or on the named lesson's first page.
     explicit DesktopApp(const DesktopOptions& options);
+    ~DesktopApp();
 
     bool closing() const { return window_.closing(); }
     void frame();
