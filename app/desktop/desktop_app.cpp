@@ -302,6 +302,8 @@ void DesktopApp::simulate(const InputFrame& input, double seconds) {
     // While the mouse is captured it leads the torch, even with a headset in use.
     const TorchSource held = headsetFrame_ && !controls_.captured() ? headset_->torch() : TorchSource{};
     if (held) controls_.putOut(ArcOut::takenOver);
+    const double waited = stepsBeside_ ? stepsBeside_->waited : 0;
+    session_.stepBeside(stepsBesidePicture() ? std::max(seconds - waited, 1e-3) : 0);
     stepsDue_ = session_.beginSteps(controls_, seconds, &profiler_, held);
     if (stepsDue_ && stepsBesidePicture()) return;
     if (std::exchange(stepsDue_, false)) {

@@ -35,7 +35,7 @@ bool LessonSession::beginDemonstration(double seconds) {
     const bool plays = demonstration_.playing() && fault_.empty();
     if (!plays) clock_.restart();
     if (plays && demonstration_.welds()) {
-        steps_.due = clock_.due(seconds, trainer_->timeStep());
+        steps_.due = clock_.due(seconds, trainer_->timeStep(), beside_);
         return true;
     }
     if (plays) demonstration_.reach(demonstration_.time() + seconds);

@@ -30,7 +30,7 @@ bool LessonSession::beginReplay(double seconds, gl::Profiler* profiler) {
         return false;
     }
     if (!line.seeking()) {
-        steps_.due = clock_.due(seconds * line.speed(), trainer_->timeStep());
+        steps_.due = clock_.due(seconds * line.speed(), trainer_->timeStep(), beside_);
         return true;
     }
     guarded([&] {

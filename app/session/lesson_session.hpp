@@ -107,6 +107,8 @@ class LessonSession {
     /// The same in three parts. True: makeSteps() and then finishSteps() are to be called before anything else of this
     /// but draw(); `controls` must stay as they are until then. False: all is done.
     bool beginSteps(const Controls& controls, double seconds, gl::Profiler* profiler, const TorchSource& held = {});
+    /// The next steps are made beside a picture, whose frame takes so long besides steps (s); 0: before it.
+    void stepBeside(double rest) { beside_ = rest; }
     /// May run on the thread of the metal's context, while completeSurface() and draw() show the metal as it was.
     void makeSteps(gl::Profiler* profiler);
     void finishSteps();
@@ -282,6 +284,7 @@ class LessonSession {
     std::unique_ptr<Trainer> trainer_;
     Stopwatch now_;
     StepClock clock_;
+    double beside_ = 0; ///< see stepBeside()
     /// Between beginSteps() and finishSteps().
     struct {
         const Controls* controls = nullptr;

@@ -58,7 +58,7 @@ bool LessonSession::beginSteps(const Controls& controls, double seconds, gl::Pro
     }
     if (!held_)
         desk_.update(controls.hand(), {toScreen(controls), seconds}, controls.parameters, trainer_->lesson().process);
-    steps_ = {&controls, held, seconds, clock_.due(seconds, trainer_->timeStep())};
+    steps_ = {&controls, held, seconds, clock_.due(seconds, trainer_->timeStep(), beside_)};
     return true;
 }
 

@@ -27,7 +27,8 @@ struct FrameCost {
     double seconds = 0; ///< from the frame's begin to the next one's
     double steps = 0;   ///< s of it that went into steps of the metal
     double load = 0;    ///< s of the frames that the steps of a second of the metal take; 0: they take none
-    double least = 0;   ///< s that the frame would take without a picture, where steps are made beside that
+    double least = 0;   ///< s that the frame would take without a picture, where steps are made beside that; see
+                        ///< StepClock::busyBeside()
 };
 
 /// Chooses the finest level with which frames leave the metal its time: what a frame does besides steps may take its

@@ -11,7 +11,8 @@ void WindowPicture::count(const LessonSession& session, double seconds, const st
     // A seek and a trial of the machine's speed take all the time that they can get.
     if (!counts_ || session.seeks() || session.measuresSpeed()) return;
     const double steps = session.clock().busy();
-    if (beside) return budget_.add({seconds, beside->waited, 0, seconds - beside->seconds + steps});
+    if (beside)
+        return budget_.add({seconds, beside->waited, 0, seconds - beside->seconds + session.clock().busyBeside()});
     budget_.add({seconds, steps, steps > 0 ? session.loadOfSteps() : 0, 0});
 }
 

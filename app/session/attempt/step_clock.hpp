@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace meltpool {
@@ -11,14 +12,17 @@ namespace meltpool {
 /// that a slow machine simulates more slowly instead of taking ever longer frames; speed() tells.
 class StepClock {
   public:
-    static constexpr double kBusy = 0.08;      ///< s that a frame may spend on steps
-    static constexpr double kLongest = 0.25;   ///< s of real time that a frame may make good
+    static constexpr double kBusy = 0.08;    ///< s that a frame may spend on steps
+    static constexpr double kBeside = 0.045; ///< s of steps beside a picture, or as long as that takes if it is longer
+    static constexpr double kLongest = 0.25; ///< s of real time that a frame may make good
     static constexpr double kLongestGap = 0.1; ///< s of the metal that may pass between two places of the hand
     static constexpr int kFewest = 1;          ///< steps that a frame may take however slow they are
 
     /// Steps due after another `elapsed` seconds of real time with steps of `step` seconds. The first call after a
-    /// restart only starts the clock.
-    int due(double elapsed, double step) {
+    /// restart only starts the clock. `beside`: s that a frame takes besides steps, which are made meanwhile; then
+    /// steps that lag behind the clock fill that time or kBeside, so that pictures follow each other quickly and the
+    /// steps' thread does not rest. 0: the frame waits for its steps.
+    int due(double elapsed, double step, double beside = 0) {
         dropped_ = false;
         busy_ = 0;
         if (!started_) {
@@ -26,7 +30,7 @@ class StepClock {
             return 0;
         }
         owed_ += std::max(0.0, elapsed);
-        const int steps = std::min(mostSteps(step), static_cast<int>(owed_ / step + 1e-9));
+        const int steps = std::min(mostSteps(step, beside), static_cast<int>(owed_ / step + 1e-9));
         owed_ = std::min(owed_ - steps * step, step);
         dropped_ = elapsed > kLongest && steps * step > kLongestGap;
         smooth(elapsed, steps * step);
@@ -47,6 +51,8 @@ class StepClock {
 
     /// What the steps of the newest frame kept it waiting for, s.
     double busy() const { return busy_; }
+    /// The same as far as steps beside a picture that takes no longer than kBeside would, s.
+    double busyBeside() const { return cost_ > 0 ? std::min(busy_, std::ceil(kBeside / cost_) * cost_) : busy_; }
 
     /// Drops the time that has not been simulated yet, after a pause.
     void restart() {
@@ -72,11 +78,13 @@ class StepClock {
     static constexpr double kDearer = 0.6;
     static constexpr double kCheaper = 0.2;
 
-    int mostSteps(double step) const {
+    int mostSteps(double step, double beside) const {
         const double most = kLongest / step;
-        const double bearable = cost_ > 0 ? kBusy / cost_ : most;
+        if (cost_ <= 0) return std::max(kFewest, static_cast<int>(most));
+        const double bearable = beside > 0 ? std::ceil(besideTime(beside) / cost_) : kBusy / cost_;
         return std::max(kFewest, static_cast<int>(std::min(bearable, most)));
     }
+    static double besideTime(double beside) { return std::clamp(beside, kBeside, kBusy); }
 
     void smooth(double real, double simulated) {
         const double keep = 1 / (1 + std::max(0.0, real));

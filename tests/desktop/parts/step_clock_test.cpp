@@ -52,6 +52,36 @@ TEST_CASE("a machine that is too slow is slow by as much as its steps are, and i
     CHECK(paceOf(0.2, 0.02, 1.0 / 60) == Approx(kStep / 0.22).margin(0.01)); // a step a frame at least
 }
 
+TEST_CASE("steps beside a picture fill its time or a frame of twenty a second, and the metal is as fast as they are") {
+    struct Machine {
+        double cost, picture; // s, of a step and of a frame besides steps
+        double longest;       // s that its frames take
+    };
+    for (const auto& [cost, picture, longest] :
+         {Machine{0.011, 0.03, 0.056}, Machine{0.011, 0.06, 0.067}, Machine{0.02, 0.03, 0.061},
+          Machine{0.02, 0.2, 0.201}, Machine{0.005, 0.03, 0.031}}) {
+        INFO(cost << " s a step, " << picture << " s a picture");
+        StepClock clock;
+        double elapsed = 0.1, real = 0, simulated = 0, busy = 0;
+        for (int frame = 0; frame < 400; ++frame) {
+            const int due = clock.due(elapsed, kStep, picture);
+            clock.took(due * cost, due);
+            elapsed = std::max(due * cost, picture) + 0.0005;
+            if (frame < 100) continue;
+            CHECK(elapsed <= longest);
+            CHECK(clock.busyBeside() <= StepClock::kBeside + cost);
+            real += elapsed;
+            simulated += due * kStep;
+            busy += due * cost;
+        }
+        const bool keepsUp = cost<kStep, slowPicture = picture> StepClock::kBusy;
+        if (keepsUp)
+            CHECK(simulated / real == Approx(1).margin(0.02));
+        else
+            CHECK(busy / real > (slowPicture ? 0.35 : 0.96)); // a longer frame would lose the hand
+    }
+}
+
 TEST_CASE("when an arc makes steps dearer and dearer no frame takes so long that the hand is lost") {
     // As measured of the tee on two cores: cold steps cost 1 ms, and within some frames of the strike 6 ms, growing on.
     StepClock clock;
