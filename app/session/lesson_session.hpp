@@ -105,7 +105,7 @@ class LessonSession {
     /// empty; then nothing runs in view mode.
     void advance(const Controls& controls, double seconds, gl::Profiler* profiler, const TorchSource& held = {});
     /// The same in three parts. True: makeSteps() and then finishSteps() are to be called before anything else of this
-    /// but draw(); `controls` must stay as they are until then. False: all is done.
+    /// but completeSurface() and draw(); `controls` must stay as they are until then. False: all is done.
     bool beginSteps(const Controls& controls, double seconds, gl::Profiler* profiler, const TorchSource& held = {});
     /// The next steps are made beside a picture, whose frame takes so long besides steps (s); 0: before it.
     void stepBeside(double rest) { beside_ = rest; }
