@@ -19,8 +19,9 @@
 #define HEAT_CELL_RANGE                                                                                                \
     8 // uvec2 a cell that metal off the lattice shares: see CellRange in cell_range.glsl; 0 between steps
 #define HEAT_TILES 9      // HeatTile a tile
-#define HEAT_LISTS 10     // uint: three lists of tiles, one after the other, then the list of slots off the lattice; mixed tiles that a source
-                          // may reach stand in theirs from the front on, the others from the end back
+#define HEAT_LISTS 10     // uint: two lists of tiles, one after the other: the mixed ones, HEAT_REACHED added where a source may reach
+                          // one, and those with metal off the lattice; then the list of slots off it
+#define HEAT_REACHED 0x80000000u
 #define HEAT_CONTROL 11   // HeatControl
 #define HEAT_SOURCE_SUMS 12 // float: sum of weights of each source, then of each row of each tile that a source reaches
 #define HEAT_LEDGER 13      // vec4 a cell, then a particle: joules gained, their residual, joules lost, their residual
@@ -28,6 +29,7 @@
 #define HEAT_CELL_WEIGHT 5  // uint a cell (replaces the counters): how many particles share it, in 1/SHARE_UNIT
 #define HEAT_FROZEN_AT 15     // the metal's times of freezing
 #define HEAT_KNOWN_CELLS 12 // uint a slot: lattice cell + 1 that heat knows it in, or (not beside the sums of sources)
+#define HEAT_LISTED_ROWS 12 // uint (nor beside either of them): see HeatControl
 #define HEAT_OFF_LATTICE 0xffffffffu // it is in the list of slots off the lattice
 
 // Buffers that are read as textures: drivers that run on the CPU fetch texels several times faster than storage.
@@ -43,6 +45,7 @@
 #define HEAT_TEXELS_PHASES 9
 #define HEAT_TEXELS_THETA_ROWS 10   // four cells along x a texel
 #define HEAT_TEXELS_LATTICE_ROWS 11 // likewise
+#define HEAT_TEXELS_LISTED_ROWS 12
 
 #define HEAT_SOURCES 4
 
@@ -67,7 +70,8 @@
 #define TILE_HALF 1                 // where theta was during that step
 #define TILE_NO_METAL (-0x40000000) // a tile that never held any: takes part only when metal off the lattice comes
 
-// Rows of four cells along x in a tile.
+// Rows of four cells along x in a tile. A row that never held metal of the lattice, and that none off it shares, is empty in both
+// halves of theta, and no step visits it.
 #define TILE_ROWS (TILE_CELLS / TILE_EDGE)
 
 // A particle off the lattice shares out its weight over the eight cells around it, in whole numbers of 1/SHARE_UNIT:
@@ -138,13 +142,18 @@ struct HeatBlock {
     HeatSourceData sources[HEAT_SOURCES];
 };
 
-/// Groups of the indirect dispatches; the fourth number of the first five is unused.
+/// Lists of a step: groups of their indirect dispatches in x, and how many entries they have in w. Plain tiles hold metal on the
+/// lattice that conducts and loses heat to the air, and no more; mixed ones hold metal off the lattice, or a neighbour does, a
+/// source may reach them, or their metal evaporates. A row of cells is listed as its tile's number times TILE_ROWS and its own in
+/// the tile. Those of plain tiles come first, then those of mixed tiles that a source may reach, then, behind room for all rows
+/// of these tiles, those of the other mixed tiles.
 struct HeatControl {
-    uvec4 plainTiles;       // metal on the lattice conducts and loses heat to the air, and no more
-    uvec4 mixedTiles;       // metal off the lattice in the tile or a neighbour, a heat source, or evaporation
-    uvec4 reachedTiles;     // mixed ones that a source may reach,
-    uvec4 unreachedTiles;   // and the others
-    uvec4 offLatticeTiles;  // metal off the lattice in the tile
+    uvec4 mixedTiles;       // TILE_ROWS invocations each
+    uvec4 plainRows;        // an invocation each
+    uvec4 reachedRows;      // TILE_EDGE invocations each,
+    uvec4 unreachedRows;    // likewise,
+    uvec4 mixedRows;        // and these two together; w: how many tiles a source may reach
+    uvec4 offLatticeTiles;  // metal off the lattice in the tile: a group each; w: how many tiles are plain
     uvec3 offLatticeGroups; // over the list of slots off the lattice
     uint offLatticeCount;   // slots in that list
 };
@@ -156,13 +165,14 @@ struct HeatTile {
     int lastEvaporating; // number of the last step in which metal evaporated in it, to within TILE_NOTE_INTERVAL
     float elapsed;       // simulated time since it last took part, its latest step included, s
     uint endTime;        // of that step, µs
-    uint reserved[2];
+    uint rows;           // a bit for each row that held metal of the lattice when it was last read as a whole
+    uint reserved;
 };
 
 #ifdef __cplusplus
 static_assert(sizeof(HeatSourceData) == 128);
 static_assert(sizeof(HeatBlock) == 144 + HEAT_SOURCES * 128);
-static_assert(sizeof(HeatControl) == 96);
+static_assert(sizeof(HeatControl) == 112);
 static_assert(sizeof(HeatTile) == 32);
 } // namespace meltpool
 #endif

@@ -63,6 +63,7 @@ HeatSolver::HeatSolver(gl::ShaderLibrary& shaders, MetalState& state, const Mate
     deposit_ = &shaders.compute("metal/heat/deposit.comp");
     listTiles_ = &shaders.compute("metal/heat/list_tiles.comp", defines);
     averageCells_ = &shaders.compute("metal/heat/average_cells.comp");
+    listRows_ = &shaders.compute("metal/heat/list_rows.comp");
     sourceWeights_ = &shaders.compute("metal/heat/source_weights.comp");
     normaliseSources_ = &shaders.compute("metal/heat/normalise_sources.comp");
     conductUnreached_ = &shaders.compute("metal/heat/conduct_mixed.comp", defines);
@@ -100,7 +101,7 @@ void HeatSolver::takeTable() {
 
 void HeatSolver::takeCapacity() {
     const size_t slots = state_.capacity();
-    lists_.resize((3 * state_.lattice().tileCount() + slots) * sizeof(uint));
+    lists_.resize((2 * state_.lattice().tileCount() + slots) * sizeof(uint));
     knownCells_.resize(slots * sizeof(uint));
     if (settings_.ledger) ledger_.resize((state_.lattice().cellCount() + slots) * sizeof(vec4));
     texels_.clear();
@@ -119,7 +120,8 @@ void HeatSolver::makeBuffers() {
     cellRanges_ = gl::Buffer::gpuOnly("heat cell ranges", cells * sizeof(uvec2));
     tiles_ = gl::Buffer::gpuOnly("heat tiles", tiles * sizeof(HeatTile));
     tileStamps_ = gl::Buffer::gpuOnly("heat tile stamps", tiles * sizeof(int));
-    lists_ = gl::Buffer::gpuOnly("heat lists", (3 * tiles + slots) * sizeof(uint));
+    lists_ = gl::Buffer::gpuOnly("heat lists", (2 * tiles + slots) * sizeof(uint));
+    listedRows_ = gl::Buffer::gpuOnly("heat listed rows", TILE_ROWS * tiles * sizeof(uint));
     control_ = gl::Buffer("heat control", sizeof(HeatControl));
     knownCells_ = gl::Buffer::gpuOnly("heat known cells", slots * sizeof(uint));
     ledger_ = gl::Buffer::gpuOnly("heat ledger", settings_.ledger ? (cells + slots) * sizeof(vec4) : 4);
@@ -162,6 +164,7 @@ void HeatSolver::makeTexels() {
     see(state_.phase, GL_R32UI, sizeof(uint), HEAT_TEXELS_PHASES);
     see(cellTheta_, GL_RGBA32F, sizeof(vec4), HEAT_TEXELS_THETA_ROWS);
     see(state_.latticeSlots, GL_RGBA32UI, sizeof(uvec4), HEAT_TEXELS_LATTICE_ROWS);
+    see(listedRows_, GL_R32UI, sizeof(uint), HEAT_TEXELS_LISTED_ROWS);
 }
 
 void HeatSolver::prepareBlock() {
@@ -220,7 +223,8 @@ void HeatSolver::bind() const {
 
 void HeatSolver::refresh() {
     blockBuffer_.writeValue(block_);
-    control_.writeValue(HeatControl{kNoGroups, kNoGroups, kNoGroups, kNoGroups, kNoGroups, uvec3(kNoGroups), 0});
+    control_.writeValue(
+        HeatControl{kNoGroups, kNoGroups, kNoGroups, kNoGroups, kNoGroups, kNoGroups, uvec3(kNoGroups), 0});
     searched_ = 0;
     bind();
     knownCells_.clear();
@@ -299,20 +303,25 @@ void HeatSolver::depositOffLattice() {
 }
 
 void HeatSolver::listTiles() {
-    constexpr std::array<uvec4, 5> kNone{kNoGroups, kNoGroups, kNoGroups, kNoGroups, kNoGroups};
-    control_.writeValue(kNone);                                     // the list of slots off the lattice is kept
-    listTiles_->dispatch(state_.lattice().tileCount(), GROUP_SIZE); // tiles -> lists of tiles
+    std::array<uvec4, offsetof(HeatControl, offLatticeGroups) / sizeof(uvec4)> none;
+    none.fill(kNoGroups);
+    control_.writeValue(none); // the list of slots off the lattice is kept
+    listedRows_.bindStorage(HEAT_LISTED_ROWS);
+    listTiles_->dispatch(state_.lattice().tileCount(), GROUP_SIZE); // tiles -> lists of tiles, of plain tiles' rows
     indirectBarrier();
     indirect(*averageCells_, offsetof(HeatControl, offLatticeTiles)); // cell sums, weights -> cell theta
     storageBarrier();
+    indirect(*listRows_, offsetof(HeatControl, mixedTiles)); // cell theta -> list of rows with metal
+    indirectBarrier();
 }
 
 void HeatSolver::normaliseSources() {
     const auto sources = static_cast<unsigned>(block_.sourceCount);
     sourceSums_.bindStorage(HEAT_SOURCE_SUMS);
     if (sources == 0) return;
-    indirect(*sourceWeights_,
-             offsetof(HeatControl, reachedTiles)); // cell theta, weight -> sum of weights a row of a tile
+    gl::memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    sourceSums_.clear();                                           // of rows without metal, too
+    indirect(*sourceWeights_, offsetof(HeatControl, reachedRows)); // cell theta, weight -> sum of weights a row
     storageBarrier();
     normaliseSources_->dispatchGroups(sources); // -> sum of weights a source
     storageBarrier();
@@ -320,8 +329,8 @@ void HeatSolver::normaliseSources() {
 
 void HeatSolver::stepMixedCells() {
     // Cell theta, weight, sums of sources -> cell power, area.
-    indirect(*conductReached_, offsetof(HeatControl, reachedTiles));
-    indirect(*conductUnreached_, offsetof(HeatControl, unreachedTiles));
+    indirect(*conductReached_, offsetof(HeatControl, reachedRows));
+    indirect(*conductUnreached_, offsetof(HeatControl, unreachedRows));
     storageBarrier();
     knownCells_.bindStorage(HEAT_KNOWN_CELLS);
     indirect(*advanceOffLattice_, kOffLatticeDispatch); // cell power, area, theta -> enthalpy of metal off the lattice
@@ -331,10 +340,10 @@ void HeatSolver::stepMixedCells() {
 /// Metal that melts here is off the lattice from the next step on. The plain tiles come first: they read what the mixed
 /// ones change.
 void HeatSolver::stepLatticeMetal() {
-    indirect(*conductPlain_, offsetof(HeatControl, plainTiles)); // cell theta -> enthalpy, theta in the other half
+    indirect(*conductPlain_, offsetof(HeatControl, plainRows)); // cell theta -> enthalpy, theta in the other half
     storageBarrier();
     // Cell power, area -> enthalpy of the lattice, cell theta; cell sums cleared.
-    indirect(*advanceMixed_, offsetof(HeatControl, mixedTiles));
+    indirect(*advanceMixed_, offsetof(HeatControl, mixedRows));
     indirectBarrier();
 }
 
@@ -355,13 +364,13 @@ void HeatSolver::step(double seconds, std::span<const HeatSource> sources, gl::P
 }
 
 OffLatticeList HeatSolver::offLattice() const {
-    return {lists_, 3 * state_.lattice().tileCount(), control_, offsetof(HeatControl, offLatticeCount),
+    return {lists_, 2 * state_.lattice().tileCount(), control_, offsetof(HeatControl, offLatticeCount),
             kOffLatticeDispatch};
 }
 
 unsigned HeatSolver::readActiveTiles() const {
     const auto control = control_.read<HeatControl>(1)[0];
-    return control.plainTiles.x + control.mixedTiles.x;
+    return control.offLatticeTiles.w + control.mixedTiles.w;
 }
 
 HeatBalance HeatSolver::readBalance() const {
@@ -376,8 +385,9 @@ HeatBalance HeatSolver::readBalance() const {
 
 size_t HeatSolver::bytes() const {
     size_t sum = 0;
-    for (const gl::Buffer* buffer : {&blockBuffer_, &table_, &cellTheta_, &cellWeight_, &cellSums_, &cellRanges_,
-                                     &tiles_, &tileStamps_, &lists_, &control_, &knownCells_, &sourceSums_, &ledger_})
+    for (const gl::Buffer* buffer :
+         {&blockBuffer_, &table_, &cellTheta_, &cellWeight_, &cellSums_, &cellRanges_, &tiles_, &tileStamps_, &lists_,
+          &listedRows_, &control_, &knownCells_, &sourceSums_, &ledger_})
         sum += buffer->bytes();
     return sum;
 }

@@ -121,11 +121,11 @@ class HeatSolver {
     size_t searched_ = 0; ///< slots that were searched for metal off the lattice
     unsigned regroupings_ = 0;
     double time_ = 0; ///< s
-    const gl::Program *refresh_, *listOffLattice_, *deposit_, *listTiles_, *averageCells_, *sourceWeights_,
+    const gl::Program *refresh_, *listOffLattice_, *deposit_, *listTiles_, *averageCells_, *listRows_, *sourceWeights_,
         *normaliseSources_, *conductReached_, *conductUnreached_, *advanceOffLattice_, *conductPlain_, *advanceMixed_,
         *fold_;
     gl::Buffer blockBuffer_, table_, cellTheta_, cellWeight_, cellSums_, cellRanges_, tiles_, tileStamps_, lists_,
-        control_, knownCells_, sourceSums_, ledger_;
+        listedRows_, control_, knownCells_, sourceSums_, ledger_;
     std::vector<Texels> texels_;
 };
 

@@ -1,30 +1,35 @@
 #version 450 core
 // Gives the particles on the lattice of the mixed tiles their shares of what their cells took up, lets them lose heat, and
-// clears the cells' sums for the next step. One group a tile.
+// clears the cells' sums for the next step. An invocation a cell.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/dispatch.h"
-#include "shared/metal.h"
-layout(local_size_x = TILE_CELLS) in;
+layout(local_size_x = GROUP_SIZE) in;
 #include "metal/heat/common.glsl"
 #include "metal/heat/cell_range.glsl"
 #include "metal/heat/add_heat.glsl"
 #include "metal/heat/surface_loss.glsl"
 #include "metal/heat/ledger.glsl"
 #include "metal/heat/leave_lattice.glsl"
+#include "metal/heat/listed_rows.glsl"
 layout(std430, binding = HEAT_CELL_POWER) restrict buffer CellPower { float cellPower[]; };
 
 void main() {
-    uint group = gl_WorkGroupID.x, reached = control.reachedTiles.x;
-    int tile = group < reached ? reachedTile(group) : unreachedTile(group - reached);
-    int inside = int(gl_LocalInvocationIndex);
-    int cell = tile * TILE_CELLS + inside;
+    bool reached = gl_WorkGroupID.x < control.reachedRows.x;
+    uint group = gl_WorkGroupID.x - (reached ? 0u : control.reachedRows.x);
+    uint listed = (group * GROUP_SIZE + gl_LocalInvocationIndex) / TILE_EDGE;
+    if (listed >= (reached ? control.reachedRows.w : control.unreachedRows.w)) return;
+    int row = listedRow(listed + (reached ? firstReachedRow() : firstUnreachedRow()));
+    int cell = TILE_EDGE * row + int(gl_LocalInvocationIndex % TILE_EDGE);
+    int tile = cell / TILE_CELLS;
+    int inside = cell % TILE_CELLS;
     int stamp = stampOf(tile);
     int index = thetaBase(stamp, tile) + inside;
+    int otherHalf = thetaBase(stamp ^ TILE_HALF, tile) + inside;
     uint entry = texelFetch(latticeTexels, cell).x;
     float mean = texelFetch(thetaTexels, index).x;
     float power = cellPower[cell];
     cellPower[cell] = 0.0; // as an integer this is an empty sum
-    if (entry == 0u) cellTheta[index] = kEmpty;
+    if (entry == 0u) cellTheta[index] = cellTheta[otherHalf] = kEmpty;
     float weight = weightOf(cell);
     bool sharesCell = isShared(cell);
     float exchange = exchangeOf(cell);
@@ -32,7 +37,7 @@ void main() {
     cellWeight[cell] = entry == 0u ? 0u : SHARE_UNIT;
     if (entry == 0u || mean < 0.0) return;
     uint slot = entry - 1u;
-    float area = texelFetch(thetaTexels, thetaBase(stamp ^ TILE_HALF, tile) + inside).x;
+    float area = texelFetch(thetaTexels, otherHalf).x;
     vec4 h = texelFetch(heatTexels, int(slot));
     vec2 own = thermalState(h.x);
     float exchanged = sharesCell ? exchange * metal.spacing * (mean - own.y) : 0.0;

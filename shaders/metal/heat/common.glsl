@@ -59,6 +59,8 @@ TileNotes notesOf(int tile) {
 }
 
 float elapsedOf(int tile) { return intBitsToFloat(texelFetch(tileTexels, 2 * tile + 1).x); }
+/// HeatTile::rows.
+uint rowBitsOf(int tile) { return uint(texelFetch(tileTexels, 2 * tile + 1).z); }
 bool tookPart(int stamp, int stepNumber) { return (stamp >> TILE_STEP_SHIFT) == stepNumber; }
 
 /// Where theta of a tile's cell 0 stands during the step that its stamp is of.
@@ -87,10 +89,6 @@ ivec3 sourceTile(HeatSourceData s, int group) {
     return s.firstTile +
            ivec3(group % s.tileExtent.x, group / s.tileExtent.x % s.tileExtent.y, group / (s.tileExtent.x * s.tileExtent.y));
 }
-
-/// Tile number `group` of the mixed ones that a source may reach, and of the others.
-int reachedTile(uint group) { return int(texelFetch(listTexels, heatBlock.tileCount + int(group)).x); }
-int unreachedTile(uint group) { return int(texelFetch(listTexels, 2 * heatBlock.tileCount - 1 - int(group)).x); }
 
 /// Number of a tile in the box that the source reaches.
 int sourceTileIndex(HeatSourceData s, ivec3 tilePlace) {

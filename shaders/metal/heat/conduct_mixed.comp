@@ -1,11 +1,11 @@
 #version 450 core
 // Net power into each cell of the mixed tiles: conduction with its neighbours through the Kirchhoff variable, and what the
 // sources give: of the mixed tiles that a source may reach, with SOURCES, or of the others, as drivers that run on the CPU
-// would compute what a source gives in both. One group a tile. Metal off the lattice shares cells here: a face or a square conducts as the least filled of
+// would compute what a source gives in both. An invocation a cell. Metal off the lattice shares cells here: a face or a square conducts as the least filled of
 // its cells allows. The particles themselves lose heat through the free surface later.
 #extension GL_GOOGLE_include_directive : require
-#include "shared/metal.h"
-layout(local_size_x = TILE_CELLS) in;
+#include "shared/dispatch.h"
+layout(local_size_x = GROUP_SIZE) in;
 #include "metal/heat/common.glsl"
 #include "metal/heat/neighbours.glsl"
 #include "metal/heat/cell_range.glsl"
@@ -15,6 +15,8 @@ layout(local_size_x = TILE_CELLS) in;
 #include "metal/heat/source.glsl"
 #include "metal/heat/ledger.glsl"
 layout(std430, binding = HEAT_CELL_POWER) restrict writeonly buffer CellPower { float cellPower[]; };
+layout(std430, binding = HEAT_CONTROL) restrict readonly buffer Control { HeatControl control; };
+#include "metal/heat/listed_rows.glsl"
 layout(std430, binding = HEAT_SOURCE_SUMS) restrict readonly buffer SourceSums { float sourceSum[]; };
 
 /// The exchange that keeps the particles of a cell with mean `theta`, which fills `weight` cells and takes in `flow` (W/m), within
@@ -43,13 +45,17 @@ float givenTo(ivec3 tilePlace, int inside, float weight, FreeSurface surface, fl
 }
 
 void main() {
+    uint entry = gl_GlobalInvocationID.x / TILE_EDGE;
 #ifdef SOURCES
-    int tile = reachedTile(gl_WorkGroupID.x);
+    if (entry >= control.reachedRows.w) return;
+    int row = listedRow(firstReachedRow() + entry);
 #else
-    int tile = unreachedTile(gl_WorkGroupID.x);
+    if (entry >= control.unreachedRows.w) return;
+    int row = listedRow(firstUnreachedRow() + entry);
 #endif
-    int inside = int(gl_LocalInvocationIndex);
-    int cell = tile * TILE_CELLS + inside;
+    int cell = TILE_EDGE * row + int(gl_LocalInvocationIndex % TILE_EDGE);
+    int tile = cell / TILE_CELLS;
+    int inside = cell % TILE_CELLS;
     int stamp = stampOf(tile);
     float theta = texelFetch(thetaTexels, thetaBase(stamp, tile) + inside).x;
     if (theta < 0.0) return;

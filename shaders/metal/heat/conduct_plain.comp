@@ -1,7 +1,7 @@
 #version 450 core
 // A whole step of the plain tiles, where metal on the lattice conducts and its surface loses heat to the air, and nothing
-// else happens: theta in one half of its buffer -> enthalpy, temperature, phase, theta in the other half. One group a tile,
-// an invocation for each row of four cells along x: a row and its neighbours along y and z are a texel each.
+// else happens: theta in one half of its buffer -> enthalpy, temperature, phase, theta in the other half. An
+// invocation a row of four cells along x: a row and its neighbours along y and z are a texel each.
 // What flows is the same as in neighbours.glsl and squares.glsl.
 // Drivers that run on the CPU execute every line whether its condition holds or not, but leave out a loop that none of the
 // invocations side by side enters: what only some tiles need is left to the passes over mixed tiles, and what only hot metal
@@ -9,12 +9,13 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shared/dispatch.h"
 #include "shared/heat.h"
-layout(local_size_x = TILE_ROWS) in;
+layout(local_size_x = GROUP_SIZE) in;
 #include "metal/heat/common.glsl"
 #include "metal/heat/add_heat.glsl"
 #include "metal/heat/surface_loss.glsl"
 #include "metal/heat/ledger.glsl"
 #include "metal/heat/leave_lattice.glsl"
+#include "metal/heat/listed_rows.glsl"
 
 layout(binding = HEAT_TEXELS_THETA_ROWS) uniform samplerBuffer thetaRows;
 layout(binding = HEAT_TEXELS_LATTICE_ROWS) uniform usamplerBuffer latticeRows;
@@ -188,8 +189,10 @@ float advance(int cell, int otherHalf, uint entry, float theta, float metalFlow,
 }
 
 void main() {
-    const int tile = int(texelFetch(listTexels, int(gl_WorkGroupID.x)).x);
-    const int row = int(gl_LocalInvocationIndex);
+    if (gl_GlobalInvocationID.x >= control.plainRows.w) return;
+    const int listed = listedRow(gl_GlobalInvocationID.x);
+    const int tile = listed / TILE_ROWS;
+    const int row = listed % TILE_ROWS;
     const int cell = tile * TILE_CELLS + TILE_EDGE * row;
     const int stamp = stampOf(tile);
     const int other = thetaBase(stamp ^ TILE_HALF, tile) + TILE_EDGE * row;

@@ -17,14 +17,15 @@ uniform uint slots;
 
 vec2 stateOf(uint slot) { return thermalState(uintBitsToFloat(heatWords[slot].x)); }
 
-/// The half of the buffer that the next step does not read gets zeros.
+/// Where metal lies, the half of the buffer that the next step does not read gets zeros; elsewhere it is empty and must stay so.
 void foldCell(uint cell) {
     const int stamp = tileStamp[cell / TILE_CELLS];
     const uint half_ = uint((stamp ^ (stamp >> 1)) & TILE_HALF); // a plain step changed halves
     const uint entry = latticeSlot[cell];
     const float theta = entry == 0u ? kEmpty : stateOf(entry - 1u).y;
     thetaWords[half_ * cells + cell] ^= floatBitsToUint(theta);
-    thetaWords[(1u - half_) * cells + cell] = 0u;
+    const uint unread = (1u - half_) * cells + cell;
+    thetaWords[unread] = entry == 0u ? thetaWords[unread] ^ floatBitsToUint(kEmpty) : 0u;
 }
 
 /// The peak is the temperature itself as long as metal gets hotter.

@@ -6,6 +6,7 @@
 layout(local_size_x = GROUP_SIZE) in;
 #include "metal/heat/common.glsl"
 layout(std430, binding = HEAT_LISTS) restrict writeonly buffer Lists { uint lists[]; };
+layout(std430, binding = HEAT_LISTED_ROWS) restrict writeonly buffer ListedRows { uint rows[]; };
 layout(std430, binding = HEAT_CONTROL) restrict buffer Control { HeatControl control; };
 
 bool isAwake(TileNotes notes) { return heatBlock.stepNumber - notes.lastActive <= TILE_AWAKE_STEPS; }
@@ -38,12 +39,22 @@ float elapsedSinceStep(int tile, int stamp) {
     return float(heatBlock.endTime - tiles[tile].endTime) * 1e-6;
 }
 
+/// How many groups of `size` entries there are in `count` entries.
+uint groupsOf(uint count, uint size) { return (count + size - 1u) / size; }
+
+void listPlainRows(int tile, uint rowBits) {
+    const uint count = uint(bitCount(rowBits));
+    uint place = atomicAdd(control.plainRows.w, count);
+    const uint groups = groupsOf(place + count, GROUP_SIZE) - groupsOf(place, GROUP_SIZE);
+    if (groups > 0u) atomicAdd(control.plainRows.x, groups);
+    for (uint left = rowBits; left != 0u; left &= left - 1u) rows[place++] = uint(TILE_ROWS * tile + findLSB(left));
+}
+
 void listMixed(int tile, bool reached) {
-    atomicAdd(control.mixedTiles.x, 1u);
-    if (reached)
-        lists[heatBlock.tileCount + int(atomicAdd(control.reachedTiles.x, 1u))] = uint(tile);
-    else
-        lists[2 * heatBlock.tileCount - 1 - int(atomicAdd(control.unreachedTiles.x, 1u))] = uint(tile);
+    const uint entry = atomicAdd(control.mixedTiles.w, 1u);
+    if (entry % (GROUP_SIZE / TILE_ROWS) == 0u) atomicAdd(control.mixedTiles.x, 1u);
+    lists[entry] = uint(tile) | (reached ? HEAT_REACHED : 0u);
+    if (reached) atomicAdd(control.mixedRows.w, 1u);
 }
 
 void main() {
@@ -71,9 +82,8 @@ void main() {
     tiles[tile].elapsed = elapsedSinceStep(tile, stamp);
     tiles[tile].endTime = heatBlock.endTime;
     tileStamp[tile] = heatBlock.stepNumber << TILE_STEP_SHIFT | (offLattice ? TILE_SHARED : 0) | (mixed ? 0 : TILE_PLAIN) | half_;
-    if (mixed)
-        listMixed(tile, source);
-    else
-        lists[atomicAdd(control.plainTiles.x, 1u)] = uint(tile);
-    if (offLattice) lists[2 * heatBlock.tileCount + int(atomicAdd(control.offLatticeTiles.x, 1u))] = uint(tile);
+    if (mixed) listMixed(tile, source);
+    if (!mixed) atomicAdd(control.offLatticeTiles.w, 1u);
+    listPlainRows(tile, mixed ? 0u : rowBitsOf(tile));
+    if (offLattice) lists[heatBlock.tileCount + int(atomicAdd(control.offLatticeTiles.x, 1u))] = uint(tile);
 }

@@ -25,8 +25,8 @@ void main() {
     if (cell % TILE_CELLS != 0u) return;
     int now = heatBlock.stepNumber;
     int never = now - 1000;
-    tiles[cell / TILE_CELLS] = HeatTile(now, never, never, now, 0.0, heatBlock.endTime, uint[2](0u, 0u));
-    bool filled = false;
-    for (uint inside = 0u; inside < TILE_CELLS; ++inside) filled = filled || latticeSlot[cell + inside] != 0u;
-    tileStamp[cell / TILE_CELLS] = filled ? now << TILE_STEP_SHIFT : TILE_NO_METAL;
+    uint rows = 0u;
+    for (uint inside = 0u; inside < TILE_CELLS; ++inside) rows |= uint(latticeSlot[cell + inside] != 0u) << inside / TILE_EDGE;
+    tiles[cell / TILE_CELLS] = HeatTile(now, never, never, now, 0.0, heatBlock.endTime, rows, 0u);
+    tileStamp[cell / TILE_CELLS] = rows != 0u ? now << TILE_STEP_SHIFT : TILE_NO_METAL;
 }

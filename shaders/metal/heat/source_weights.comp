@@ -1,21 +1,26 @@
 #version 450 core
-// Sums the weights of each source over every mixed tile that it can reach. One group a tile, an invocation for each row of four
-// cells: the rows' sums are added up later, because on a CPU a barrier here costs more than all the rest.
+// Sums the weights of each source over every row of cells that it may reach and that holds metal. An invocation a row: the
+// rows' sums are added up later, because on a CPU a barrier here costs more than all the rest.
 #extension GL_GOOGLE_include_directive : require
+#include "shared/dispatch.h"
 #include "shared/heat.h"
-layout(local_size_x = TILE_ROWS) in;
+layout(local_size_x = GROUP_SIZE / TILE_EDGE) in;
 #include "metal/heat/common.glsl"
 #include "metal/heat/neighbours.glsl"
 #include "metal/heat/free_surface.glsl"
 #include "metal/heat/source.glsl"
+layout(std430, binding = HEAT_CONTROL) restrict readonly buffer Control { HeatControl control; };
+#include "metal/heat/listed_rows.glsl"
 layout(std430, binding = HEAT_SOURCE_SUMS) restrict writeonly buffer SourceSums { float sourceSum[]; };
 
 const ivec4 kSources = ivec4(0, 1, 2, 3); // HEAT_SOURCES
 
 void main() {
-    int tile = reachedTile(gl_WorkGroupID.x);
+    if (gl_GlobalInvocationID.x >= control.reachedRows.w) return;
+    int listed = listedRow(firstReachedRow() + gl_GlobalInvocationID.x);
+    int tile = listed / TILE_ROWS;
     ivec3 tilePlace = tileCoordinate(tile);
-    int row = int(gl_LocalInvocationIndex);
+    int row = listed % TILE_ROWS;
     int base = thetaBase(stampOf(tile), tile);
     const int first = nextReaching(tilePlace, 0);
     const int end = first < heatBlock.sourceCount ? TILE_EDGE * (row + 1) : 0; // most tiles are reached by none
