@@ -145,15 +145,15 @@ struct HeatBlock {
 /// Lists of a step: groups of their indirect dispatches in x, and how many entries they have in w. Plain tiles hold metal on the
 /// lattice that conducts and loses heat to the air, and no more; mixed ones hold metal off the lattice, or a neighbour does, a
 /// source may reach them, or their metal evaporates. A row of cells is listed as its tile's number times TILE_ROWS and its own in
-/// the tile. Those of plain tiles come first, then those of mixed tiles that a source may reach, then, behind room for all rows
-/// of these tiles, those of the other mixed tiles.
+/// the tile. Those of plain tiles come first, then those of mixed tiles that a source may reach; those of the other mixed tiles
+/// stand at the end of the list, from the last entry back.
 struct HeatControl {
-    uvec4 mixedTiles;       // TILE_ROWS invocations each
+    uvec4 mixedTiles;       // TILE_ROWS invocations each; a group at least
     uvec4 plainRows;        // an invocation each
     uvec4 reachedRows;      // TILE_EDGE invocations each,
     uvec4 unreachedRows;    // likewise,
-    uvec4 mixedRows;        // and these two together; w: how many tiles a source may reach
-    uvec4 offLatticeTiles;  // metal off the lattice in the tile: a group each; w: how many tiles are plain
+    uvec4 mixedRows;        // and these two together; w: unused
+    uvec4 offLatticeTiles;  // metal off the lattice in the tile: a group each; w: unused
     uvec3 offLatticeGroups; // over the list of slots off the lattice
     uint offLatticeCount;   // slots in that list
 };

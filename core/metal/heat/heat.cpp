@@ -42,6 +42,8 @@ gl::Defines definesOf(const HeatSettings& settings, const Material& material) {
 }
 
 constexpr uvec4 kNoGroups(0, 1, 1, 0);
+constexpr HeatControl kNothingListed{{1, 1, 1, 0}, kNoGroups, kNoGroups,        kNoGroups,
+                                     kNoGroups,    kNoGroups, uvec3(kNoGroups), 0};
 constexpr size_t kOffLatticeDispatch = offsetof(HeatControl, offLatticeGroups);
 
 void storageBarrier() {
@@ -223,8 +225,7 @@ void HeatSolver::bind() const {
 
 void HeatSolver::refresh() {
     blockBuffer_.writeValue(block_);
-    control_.writeValue(
-        HeatControl{kNoGroups, kNoGroups, kNoGroups, kNoGroups, kNoGroups, kNoGroups, uvec3(kNoGroups), 0});
+    control_.writeValue(kNothingListed);
     searched_ = 0;
     bind();
     knownCells_.clear();
@@ -303,9 +304,8 @@ void HeatSolver::depositOffLattice() {
 }
 
 void HeatSolver::listTiles() {
-    std::array<uvec4, offsetof(HeatControl, offLatticeGroups) / sizeof(uvec4)> none;
-    none.fill(kNoGroups);
-    control_.writeValue(none); // the list of slots off the lattice is kept
+    // The list of slots off the lattice is kept.
+    control_.write(std::as_bytes(std::span(&kNothingListed, 1)).first(offsetof(HeatControl, offLatticeGroups)));
     listedRows_.bindStorage(HEAT_LISTED_ROWS);
     listTiles_->dispatch(state_.lattice().tileCount(), GROUP_SIZE); // tiles -> lists of tiles, of plain tiles' rows
     indirectBarrier();
@@ -369,8 +369,9 @@ OffLatticeList HeatSolver::offLattice() const {
 }
 
 unsigned HeatSolver::readActiveTiles() const {
-    const auto control = control_.read<HeatControl>(1)[0];
-    return control.offLatticeTiles.w + control.mixedTiles.w;
+    const std::vector<int> stamps = tileStamps_.read<int>(state_.lattice().tileCount());
+    return static_cast<unsigned>(std::count_if(
+        stamps.begin(), stamps.end(), [&](int stamp) { return stamp >> TILE_STEP_SHIFT == block_.stepNumber; }));
 }
 
 HeatBalance HeatSolver::readBalance() const {

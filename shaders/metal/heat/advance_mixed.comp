@@ -18,7 +18,7 @@ void main() {
     uint group = gl_WorkGroupID.x - (reached ? 0u : control.reachedRows.x);
     uint listed = (group * GROUP_SIZE + gl_LocalInvocationIndex) / TILE_EDGE;
     if (listed >= (reached ? control.reachedRows.w : control.unreachedRows.w)) return;
-    int row = listedRow(listed + (reached ? firstReachedRow() : firstUnreachedRow()));
+    int row = listedRow(placeOfMixed(reached, listed));
     int cell = TILE_EDGE * row + int(gl_LocalInvocationIndex % TILE_EDGE);
     int tile = cell / TILE_CELLS;
     int inside = cell % TILE_CELLS;

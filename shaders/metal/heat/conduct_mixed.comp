@@ -48,10 +48,10 @@ void main() {
     uint entry = gl_GlobalInvocationID.x / TILE_EDGE;
 #ifdef SOURCES
     if (entry >= control.reachedRows.w) return;
-    int row = listedRow(firstReachedRow() + entry);
+    int row = listedRow(placeOfMixed(true, entry));
 #else
     if (entry >= control.unreachedRows.w) return;
-    int row = listedRow(firstUnreachedRow() + entry);
+    int row = listedRow(placeOfMixed(false, entry));
 #endif
     int cell = TILE_EDGE * row + int(gl_LocalInvocationIndex % TILE_EDGE);
     int tile = cell / TILE_CELLS;

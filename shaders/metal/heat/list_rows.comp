@@ -1,6 +1,6 @@
 #version 450 core
 // Lists the rows of cells of the mixed tiles that hold metal: around a bead half of the rows are empty. An invocation a row.
-// list_tiles.comp lists those of the plain tiles, where no metal off the lattice comes and goes.
+// list_tiles.comp lists those of the plain tiles, where no metal off the lattice comes and goes; their groups are counted here.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/dispatch.h"
 layout(local_size_x = GROUP_SIZE) in;
@@ -11,6 +11,7 @@ layout(std430, binding = HEAT_LISTED_ROWS) restrict writeonly buffer ListedRows 
 layout(binding = HEAT_TEXELS_THETA_ROWS) uniform samplerBuffer thetaRows;
 
 void main() {
+    if (linearInvocation() == 0u) control.plainRows.x = (control.plainRows.w + GROUP_SIZE - 1u) / GROUP_SIZE;
     const uint place = linearInvocation() / TILE_ROWS;
     if (place >= control.mixedTiles.w) return;
     const uint listed = texelFetch(listTexels, int(place)).x;
@@ -21,7 +22,7 @@ void main() {
     // What once held metal of the lattice may have been left in the other half.
     if (all(equal(theta, vec4(kEmpty))) && (rowBitsOf(tile) >> row & 1u) == 0u) return;
     const uint entry = reached ? atomicAdd(control.reachedRows.w, 1u) : atomicAdd(control.unreachedRows.w, 1u);
-    rows[entry + (reached ? firstReachedRow() : firstUnreachedRow())] = uint(TILE_ROWS * tile + row);
+    rows[placeOfMixed(reached, entry)] = uint(TILE_ROWS * tile + row);
     if (entry % (GROUP_SIZE / TILE_EDGE) != 0u) return;
     atomicAdd(control.mixedRows.x, 1u);
     if (reached)

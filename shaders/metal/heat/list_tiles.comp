@@ -39,22 +39,16 @@ float elapsedSinceStep(int tile, int stamp) {
     return float(heatBlock.endTime - tiles[tile].endTime) * 1e-6;
 }
 
-/// How many groups of `size` entries there are in `count` entries.
-uint groupsOf(uint count, uint size) { return (count + size - 1u) / size; }
-
+/// Their groups are counted when all are listed.
 void listPlainRows(int tile, uint rowBits) {
-    const uint count = uint(bitCount(rowBits));
-    uint place = atomicAdd(control.plainRows.w, count);
-    const uint groups = groupsOf(place + count, GROUP_SIZE) - groupsOf(place, GROUP_SIZE);
-    if (groups > 0u) atomicAdd(control.plainRows.x, groups);
+    uint place = atomicAdd(control.plainRows.w, uint(bitCount(rowBits)));
     for (uint left = rowBits; left != 0u; left &= left - 1u) rows[place++] = uint(TILE_ROWS * tile + findLSB(left));
 }
 
 void listMixed(int tile, bool reached) {
     const uint entry = atomicAdd(control.mixedTiles.w, 1u);
-    if (entry % (GROUP_SIZE / TILE_ROWS) == 0u) atomicAdd(control.mixedTiles.x, 1u);
+    if (entry > 0u && entry % (GROUP_SIZE / TILE_ROWS) == 0u) atomicAdd(control.mixedTiles.x, 1u);
     lists[entry] = uint(tile) | (reached ? HEAT_REACHED : 0u);
-    if (reached) atomicAdd(control.mixedRows.w, 1u);
 }
 
 void main() {
@@ -82,8 +76,9 @@ void main() {
     tiles[tile].elapsed = elapsedSinceStep(tile, stamp);
     tiles[tile].endTime = heatBlock.endTime;
     tileStamp[tile] = heatBlock.stepNumber << TILE_STEP_SHIFT | (offLattice ? TILE_SHARED : 0) | (mixed ? 0 : TILE_PLAIN) | half_;
-    if (mixed) listMixed(tile, source);
-    if (!mixed) atomicAdd(control.offLatticeTiles.w, 1u);
-    listPlainRows(tile, mixed ? 0u : rowBitsOf(tile));
+    if (mixed)
+        listMixed(tile, source);
+    else
+        listPlainRows(tile, rowBitsOf(tile));
     if (offLattice) lists[heatBlock.tileCount + int(atomicAdd(control.offLatticeTiles.x, 1u))] = uint(tile);
 }

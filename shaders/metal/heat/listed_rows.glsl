@@ -2,8 +2,9 @@
 // and the declaration of `control`.
 layout(binding = HEAT_TEXELS_LISTED_ROWS) uniform usamplerBuffer rowTexels;
 
-/// Where the rows of mixed tiles that a source may reach begin in the list, and those of the others.
-uint firstReachedRow() { return control.plainRows.w; }
-uint firstUnreachedRow() { return firstReachedRow() + TILE_ROWS * control.mixedRows.w; }
+/// Place in the list of row number `entry` of the mixed tiles that a source may reach, or of the others.
+uint placeOfMixed(bool reached, uint entry) {
+    return reached ? control.plainRows.w + entry : uint(TILE_ROWS * heatBlock.tileCount) - 1u - entry;
+}
 
 int listedRow(uint place) { return int(texelFetch(rowTexels, int(place)).x); }

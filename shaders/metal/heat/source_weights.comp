@@ -17,7 +17,7 @@ const ivec4 kSources = ivec4(0, 1, 2, 3); // HEAT_SOURCES
 
 void main() {
     if (gl_GlobalInvocationID.x >= control.reachedRows.w) return;
-    int listed = listedRow(firstReachedRow() + gl_GlobalInvocationID.x);
+    int listed = listedRow(placeOfMixed(true, gl_GlobalInvocationID.x));
     int tile = listed / TILE_ROWS;
     ivec3 tilePlace = tileCoordinate(tile);
     int row = listed % TILE_ROWS;
