@@ -56,6 +56,7 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
       recordingSection_("recordings", describe(session_.recordings().parameters)),
       settings_(options.settings),
       lessons_(home_, session_, settings_, controls_, messages_),
+      picture_(shaders_),
       detail_(window_.driver().software),
       driver_(driverText(window_.driver())) {
     if (options_.headset != HeadsetUse::off && options_.makeHeadset) headset_ = options_.makeHeadset(settingsFolder());

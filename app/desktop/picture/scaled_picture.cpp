@@ -5,6 +5,9 @@
 
 namespace meltpool {
 
+ScaledPicture::ScaledPicture(gl::ShaderLibrary& shaders)
+    : enlarge_(shaders.load({"render/screen.vert", "render/enlarge.frag"})), empty_("scaled picture") {}
+
 RenderTarget ScaledPicture::begin(glm::ivec2 window, float share) {
     window_ = window;
     const glm::ivec2 size = glm::max(glm::ivec2(glm::round(glm::vec2(window) * share)), glm::ivec2(1));
@@ -27,11 +30,17 @@ RenderTarget ScaledPicture::begin(glm::ivec2 window, float share) {
     return {buffers_->framebuffer.name(), {0, 0, size.x, size.y}};
 }
 
+/// Drawn, as Mesa's software driver takes half as long again to enlarge with glBlitNamedFramebuffer().
 void ScaledPicture::end(GLuint window) const {
-    if (buffers_) // displayed values, so that the filter sees what the eye does
-        glBlitNamedFramebuffer(buffers_->framebuffer.name(), window, 0, 0, size_.x, size_.y, 0, 0, window_.x, window_.y,
-                               GL_COLOR_BUFFER_BIT, GL_LINEAR);
     glBindFramebuffer(GL_FRAMEBUFFER, window);
+    if (!buffers_) return;
+    for (const GLenum capability : {GL_SCISSOR_TEST, GL_DEPTH_TEST, GL_BLEND, GL_FRAMEBUFFER_SRGB})
+        glDisable(capability);
+    glViewport(0, 0, window_.x, window_.y);
+    buffers_->colour.bind(0);
+    enlarge_.use();
+    empty_.bind();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 } // namespace meltpool

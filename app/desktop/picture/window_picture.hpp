@@ -26,6 +26,8 @@ struct StepsBeside {
 
 class WindowPicture {
   public:
+    explicit WindowPicture(gl::ShaderLibrary& shaders) : scaled_(shaders) {}
+
     /// Counts the last frame, which took `seconds`. `beside`: empty where the steps were made before the picture. To be
     /// called before the next steps are made.
     void count(const LessonSession& session, double seconds, const std::optional<StepsBeside>& beside);

@@ -144,7 +144,7 @@ TEST_CASE("a long frame at the start makes the picture coarse for some seconds o
 TEST_CASE("a picture with fewer pixels fills the window") {
     test::context();
     const PictureTarget window(64, 48, 1);
-    ScaledPicture scaled;
+    ScaledPicture scaled(test::shaders());
     const RenderTarget whole = scaled.begin({64, 48}, 1);
     CHECK(whole.framebuffer == 0);
     CHECK(whole.viewport.width == 64);
