@@ -1,6 +1,6 @@
 #version 450 core
 // Adds up the row sums of each source, in a fixed order: one group a source. The totals stand in front of the row sums. Tiles
-// without metal take no part and have no sum.
+// without metal take no part and have no sum; of the others, rows without metal have 0.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/dispatch.h"
 layout(local_size_x = GROUP_SIZE) in;
