@@ -58,9 +58,10 @@ AxisProbeBlock AxisProbe::blockOf(const ProbeRay& ray) const {
     const glm::vec3 end = ray.origin + ray.axis * ray.reach;
     const float margin = (static_cast<float>(AXIS_PROBE_RADIUS) + 1) * lattice.spacing;
     const glm::ivec3 last = lattice.cells() - 1;
+    const CellBox& metal = state_.latticeMetal();
     const auto cellAt = [&](glm::vec3 place) {
         const glm::vec3 cell = glm::clamp((place - lattice.low) / lattice.spacing, glm::vec3(-1), glm::vec3(last + 1));
-        return glm::clamp(glm::ivec3(glm::floor(cell)), glm::ivec3(0), last);
+        return glm::clamp(glm::ivec3(glm::floor(cell)), metal.low, metal.high);
     };
     block.low = cellAt(glm::min(ray.origin, end) - margin);
     block.cells = cellAt(glm::max(ray.origin, end) + margin) - block.low + 1;

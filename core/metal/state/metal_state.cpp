@@ -5,6 +5,8 @@
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 
+#include <utility>
+
 namespace meltpool {
 
 namespace {
@@ -95,6 +97,8 @@ void MetalState::reset() {
         buffer->clear();
     particles_ = 0;
     regroupings_ = 0;
+    latticeMetal_ = {};
+    onLattice_ = false;
 }
 
 void MetalState::setCapacity(size_t capacity) {
@@ -115,6 +119,11 @@ void MetalState::writeBlock() {
 void MetalState::setGravity(glm::vec3 gravity) {
     block_.gravity = gravity;
     writeBlock();
+}
+
+void MetalState::noteOnLattice(glm::ivec3 cell) {
+    if (!std::exchange(onLattice_, true)) latticeMetal_ = {cell, cell};
+    latticeMetal_ = {glm::min(latticeMetal_.low, cell), glm::max(latticeMetal_.high, cell)};
 }
 
 void MetalState::add(std::span<const MetalSeed> seeds) {
@@ -139,6 +148,7 @@ void MetalState::add(std::span<const MetalSeed> seeds) {
         if (!(seed.phase & PHASE_LATTICE)) continue;
         const glm::ivec3 cell = lattice_.cellAt(seed.position);
         if (!lattice_.contains(cell)) throw RuntimeFault("a particle of the lattice lies outside it");
+        noteOnLattice(cell);
         const uint slot = static_cast<uint>(particles_ + phases.size());
         cells.emplace_back(lattice_.index(cell), slot);
     }
@@ -159,7 +169,7 @@ void MetalState::add(std::span<const MetalSeed> seeds) {
 
 void MetalState::transfer(gl::StateArchive& archive) {
     archive.count(particles_, capacity_);
-    archive.values(regroupings_);
+    archive.values(regroupings_, onLattice_, latticeMetal_.low, latticeMetal_.high);
     for (const gl::Buffer* each : {&position, &velocity, &heat})
         archive.rows(*each, particles_, sizeof(vec4));
     archive.rows(frozenAt, particles_, sizeof(float));

@@ -39,6 +39,11 @@ struct MetalSeed {
     glm::vec3 velocity{0};        ///< m/s
 };
 
+/// A box of lattice cells, its ends included.
+struct CellBox {
+    glm::ivec3 low{0}, high{0};
+};
+
 /// Seeds for every cell of `lattice` whose centre lies between `low` and `high`, solid and on the lattice, tile by tile
 /// so that neighbours in space are neighbours in memory.
 std::vector<MetalSeed> latticeSeeds(const MetalLattice& lattice, glm::vec3 low, glm::vec3 high, float temperature,
@@ -71,6 +76,8 @@ class MetalState {
     void bind() const;
 
     const MetalLattice& lattice() const { return lattice_; }
+    /// Beyond it no metal was ever on the lattice; one cell where none was.
+    const CellBox& latticeMetal() const { return latticeMetal_; }
     const HeatTable& table() const { return table_; }
     size_t particles() const { return particles_; }
     size_t capacity() const { return capacity_; }
@@ -96,7 +103,11 @@ class MetalState {
   private:
     void writeBlock();
 
+    void noteOnLattice(glm::ivec3 cell);
+
     MetalLattice lattice_;
+    CellBox latticeMetal_;
+    bool onLattice_ = false; ///< some metal was
     HeatTable table_;
     size_t capacity_;
     size_t particles_ = 0;

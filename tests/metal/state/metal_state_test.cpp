@@ -1,0 +1,39 @@
+// What the state of the metal knows of itself without reading it back.
+#include "core/metal/state/metal_state.hpp"
+
+#include "core/metal/material/materials.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+namespace meltpool {
+
+TEST_CASE("the state knows the box of cells that metal was ever on the lattice in", "[physical]") {
+    test::context();
+    constexpr float kMm = 1e-3F;
+    const Material material = shippedMaterial("s235");
+    const HeatTable table(material);
+    const auto lattice = MetalLattice::covering(glm::vec3(0), glm::vec3(16, 12, 8) * kMm, kMm);
+    MetalState state(lattice, table, material.solidDensity.at(293.15), 2000);
+    const auto inCell = [&](glm::ivec3 cell, uint phase) {
+        return MetalSeed{lattice.centre(cell), 293.15F, phase, {}};
+    };
+    const auto add = [&](const std::vector<MetalSeed>& seeds) { state.add(seeds); };
+
+    add({inCell({1, 9, 1}, PHASE_ALIVE | PHASE_LIQUID)});
+    CHECK(state.latticeMetal().low == glm::ivec3(0)); // a drop is not on the lattice
+    CHECK(state.latticeMetal().high == glm::ivec3(0));
+
+    add({inCell({5, 4, 3}, PHASE_ALIVE | PHASE_LATTICE), inCell({7, 2, 3}, PHASE_ALIVE | PHASE_LATTICE)});
+    CHECK(state.latticeMetal().low == glm::ivec3(5, 2, 3));
+    CHECK(state.latticeMetal().high == glm::ivec3(7, 4, 3));
+
+    add({inCell({6, 6, 1}, PHASE_ALIVE | PHASE_LATTICE)});
+    CHECK(state.latticeMetal().low == glm::ivec3(5, 2, 1));
+    CHECK(state.latticeMetal().high == glm::ivec3(7, 6, 3));
+
+    state.reset();
+    CHECK(state.latticeMetal().low == glm::ivec3(0));
+    CHECK(state.latticeMetal().high == glm::ivec3(0));
+}
+
+} // namespace meltpool
