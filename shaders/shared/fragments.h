@@ -10,7 +10,6 @@
 
 #define FRAGMENT_GROUP 256
 #define FRAGMENT_MAX_COUNT 255   // free fragments that have a number; what comes beyond stands still until a number is free
-#define FRAGMENT_LABEL_ROUNDS 24 // of a cycle; a cycle whose labels still change in the last one has no effect
 #define FRAGMENT_BOND_LENGTH 1.3 // spacings
 #define FRAGMENT_NO_LABEL 0xFFFFFFFFu
 #define FRAGMENT_WAY_UNIT 65536.0
@@ -19,9 +18,9 @@
 // Storage buffers behind those of the metal itself.
 #define FRAGMENT_CELL_HEADS 6  // uint per coarse cell (2 x 2 x 2 lattice cells): slot + 1 of the first fixed solid off the lattice; then the same of free ones
 #define FRAGMENT_CELL_NEXT 7   // uint per slot: slot + 1 of the next one in its list
-#define FRAGMENT_LABELS 8      // uint per slot: smallest slot known to be bonded to it
-#define FRAGMENT_NEXT_LABELS 9 // the same after this round
-#define FRAGMENT_MEMBERS 9     // in their place after the last round: uint per slot, used at roots, see FRAGMENT_CLAMPED
+#define FRAGMENT_LABELS 8      // uint per slot: slot of the same fragment, no greater than its own, where it is the root
+#define FRAGMENT_FIRST_LABELS 9 // the same as the cycle began with them
+#define FRAGMENT_MEMBERS 9     // in their place when all are joined: uint per slot, used at roots, see FRAGMENT_CLAMPED
 #define FRAGMENT_CONTROL 12    // FragmentControl
 #define FRAGMENT_MOTIONS 13    // FragmentMotion per fragment number
 #define FRAGMENT_FREE_SLOTS 14 // uint: slots of free fragments in ascending order
@@ -30,7 +29,7 @@
 #define FRAGMENT_BLOCK 1 // uniform buffer
 
 // Buffer textures
-#define FRAGMENT_TEXELS_LABEL 0
+#define FRAGMENT_TEXELS_FIRST_LABEL 0
 #define FRAGMENT_TEXELS_LATTICE 1
 #define FRAGMENT_TEXELS_POSITION 2
 
@@ -50,10 +49,10 @@ struct FragmentBlock {
 };
 
 struct FragmentControl {
-    uint lastChange; // last label round that changed a label
-    uint fragments;  // free ones
-    uint particles;  // in them
-    uint rejected;   // free fragments beyond FRAGMENT_MAX_COUNT
+    uint fragments; // free ones
+    uint particles; // in them
+    uint rejected;  // free fragments beyond FRAGMENT_MAX_COUNT
+    uint reserved0;
     // Groups of the indirect dispatches; all zero while nothing is free. The fourth number of each is unused.
     uvec4 particleGroups; // over the list of free slots
     uvec4 fragmentGroups; // a group a fragment

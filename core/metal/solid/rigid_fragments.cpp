@@ -8,9 +8,9 @@ namespace meltpool {
 
 namespace {
 
-constexpr unsigned kLabelGroups = 16;
+constexpr int kCycle = 26;             ///< calls of relabel(). None: chosen, so that labels cost little of a step
 constexpr size_t kLeastContacts = 256; ///< that there is room for before the number of free particles is known
-constexpr size_t kPart = 32768;        ///< slots that a call looks at in a round: a frame costs no more with more metal
+constexpr size_t kPart = 32768;        ///< slots that a call joins: a frame costs no more with more metal
 
 void storageBarrier() {
     gl::memoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
@@ -26,16 +26,16 @@ RigidFragments::RigidFragments(gl::ShaderLibrary& shaders, MetalState& state, co
       cellHeads_(gl::Buffer::gpuOnly("fragment cell heads", state.lattice().cellCount() / 8 * 2 * sizeof(uint))),
       cellNext_(gl::Buffer::gpuOnly("fragment cell lists", state.capacity() * sizeof(uint))),
       labels_(gl::Buffer::gpuOnly("fragment labels", state.capacity() * sizeof(uint))),
-      nextLabels_(gl::Buffer::gpuOnly("fragment next labels", state.capacity() * sizeof(uint))),
+      firstLabels_(gl::Buffer::gpuOnly("fragment first labels", state.capacity() * sizeof(uint))),
       control_(gl::Buffer::gpuOnly("fragment control", sizeof(FragmentControl))),
       motions_(gl::Buffer::gpuOnly("fragment motions", (FRAGMENT_MAX_COUNT + 1) * sizeof(FragmentMotion))),
       freeSlots_(gl::Buffer::gpuOnly("fragment free slots", state.capacity() * sizeof(uint))),
       latticeTexels_("fragment lattice", state.latticeSlots, GL_R32UI, sizeof(uint)),
       clearCells_(shaders.compute("metal/solid/clear_cells.comp")),
-      beginLabels_(shaders.compute("metal/solid/link_cells.comp", {{"BEGIN", "1"}})),
+      beginLabels_(shaders.compute("metal/solid/begin_labels.comp")),
       linkCells_(shaders.compute("metal/solid/link_cells.comp")),
       linkFree_(shaders.compute("metal/solid/link_free.comp")),
-      label_(shaders.compute("metal/solid/label.comp")),
+      join_(shaders.compute("metal/solid/join.comp")),
       countMembers_(shaders.compute("metal/solid/count_members.comp")),
       numberFragments_(shaders.compute("metal/solid/number_fragments.comp")),
       assignFragments_(shaders.compute("metal/solid/assign_fragments.comp")),
@@ -45,7 +45,7 @@ RigidFragments::RigidFragments(gl::ShaderLibrary& shaders, MetalState& state, co
       movePass_(shaders.compute("metal/solid/move.comp")) {
     // Slots without a label take no part: metal that comes in the middle of a cycle waits for the next one.
     labels_.fill(FRAGMENT_NO_LABEL);
-    nextLabels_.fill(FRAGMENT_NO_LABEL);
+    firstLabels_.fill(FRAGMENT_NO_LABEL);
     makeTexels();
     block_.coarseCells = state.lattice().cells() / 2;
     block_.low = setup.low;
@@ -60,23 +60,23 @@ void RigidFragments::reset() {
     for (const gl::Buffer* buffer : {&cellHeads_, &cellNext_, &control_, &motions_, &freeSlots_})
         buffer->clear();
     labels_.fill(FRAGMENT_NO_LABEL);
-    nextLabels_.fill(FRAGMENT_NO_LABEL);
+    firstLabels_.fill(FRAGMENT_NO_LABEL);
     freeParticles_.forget();
     mayBeFree_ = true;
-    slots_ = 0;
+    slots_ = joined_ = 0;
+    call_ = 0;
 }
 
 void RigidFragments::makeTexels() {
-    labelTexels_ = gl::BufferView("fragment labels", labels_, GL_R32UI, sizeof(uint));
-    nextLabelTexels_ = gl::BufferView("fragment next labels", nextLabels_, GL_R32UI, sizeof(uint));
+    firstLabelTexels_ = gl::BufferView("fragment first labels", firstLabels_, GL_R32UI, sizeof(uint));
     positionTexels_ = gl::BufferView("fragment positions", state_.position, GL_RGBA32F, sizeof(vec4));
 }
 
 void RigidFragments::takeCapacity() {
     const size_t before = labels_.bytes(), bytes = state_.capacity() * sizeof(uint);
-    for (gl::Buffer* buffer : {&cellNext_, &labels_, &nextLabels_, &freeSlots_})
+    for (gl::Buffer* buffer : {&cellNext_, &labels_, &firstLabels_, &freeSlots_})
         buffer->resize(bytes);
-    for (const gl::Buffer* buffer : {&labels_, &nextLabels_})
+    for (const gl::Buffer* buffer : {&labels_, &firstLabels_})
         if (bytes > before) gl::fillWords(buffer->name(), before, bytes - before, FRAGMENT_NO_LABEL);
     makeTexels();
 }
@@ -87,70 +87,62 @@ void RigidFragments::bind() const {
     cellHeads_.bindStorage(FRAGMENT_CELL_HEADS);
     cellNext_.bindStorage(FRAGMENT_CELL_NEXT);
     labels_.bindStorage(FRAGMENT_LABELS);
-    nextLabels_.bindStorage(FRAGMENT_NEXT_LABELS);
+    firstLabels_.bindStorage(FRAGMENT_FIRST_LABELS);
     control_.bindStorage(FRAGMENT_CONTROL);
     motions_.bindStorage(FRAGMENT_MOTIONS);
     freeSlots_.bindStorage(FRAGMENT_FREE_SLOTS);
     contacts_.bindStorage(FRAGMENT_CONTACTS);
-    labelTexels_.bind(FRAGMENT_TEXELS_LABEL);
+    firstLabelTexels_.bind(FRAGMENT_TEXELS_FIRST_LABEL);
     latticeTexels_.bind(FRAGMENT_TEXELS_LATTICE);
     positionTexels_.bind(FRAGMENT_TEXELS_POSITION);
 }
 
 void RigidFragments::relabel(gl::Profiler* profiler) {
     const gl::Scope scope(profiler, "fragments labelled");
-    bind();
-    if (stage_ == 0)
+    const int call = call_++;
+    if (call == 0)
         begin();
-    else if (stage_ <= FRAGMENT_LABEL_ROUNDS)
-        partOfRound(static_cast<unsigned>(stage_));
-    else
+    else if (joined_ < slots_)
+        joinPart();
+    else if (call >= kCycle - 1)
         finish();
-    if (done_ < slots_) return; // the rest of the round is for the next calls
-    stage_ = (stage_ + 1) % (FRAGMENT_LABEL_ROUNDS + 2);
-    done_ = 0;
 }
 
 void RigidFragments::relabelNow(gl::Profiler* profiler) {
-    stage_ = 0;
-    done_ = 0;
-    do
-        relabel(profiler);
-    while (stage_ != 0 || done_ != 0);
+    const gl::Scope scope(profiler, "fragments labelled");
+    begin();
+    while (joined_ < slots_)
+        joinPart();
+    finish();
 }
 
 void RigidFragments::begin() {
+    bind();
     slots_ = state_.particles();
+    joined_ = 0;
     cellHeads_.clear();
     gl::memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    beginLabels_.dispatch(slots_, FRAGMENT_GROUP);
+    beginLabels_.dispatch(slots_, FRAGMENT_GROUP); // phases -> first labels, lists of the coarse cells
     storageBarrier();
-    done_ = slots_;
 }
 
-void RigidFragments::partOfRound(unsigned round) {
-    if (done_ == 0) {
-        gl::memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-        labels_.copyTo(nextLabels_, slots_ * sizeof(uint));
-    }
-    const size_t last = std::min(slots_, done_ + kPart);
-    label_.set("round_", round);
-    label_.set("first", static_cast<unsigned>(done_));
-    label_.set("last", static_cast<unsigned>(last));
-    label_.dispatchGroups(kLabelGroups);
+void RigidFragments::joinPart() {
+    bind();
+    const size_t last = std::min(slots_, joined_ + kPart);
+    join_.set("first", static_cast<unsigned>(joined_));
+    join_.set("last", static_cast<unsigned>(last));
+    join_.dispatch(last - joined_, FRAGMENT_GROUP); // first labels, positions, lists -> labels
     storageBarrier();
-    done_ = last;
-    if (done_ < slots_) return;
-    std::swap(labels_, nextLabels_);
-    std::swap(labelTexels_, nextLabelTexels_);
+    joined_ = last;
 }
 
 void RigidFragments::finish() {
-    done_ = slots_;
+    bind();
+    call_ = 0;
     const size_t particles = state_.particles();
-    // No round follows: the next labels' memory counts members. The next cycle labels all these slots again.
+    // Nothing is joined any more: the first labels' memory counts members. The next cycle labels all these slots again.
     gl::memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    gl::fillWords(nextLabels_.name(), 0, particles * sizeof(uint), 0);
+    gl::fillWords(firstLabels_.name(), 0, particles * sizeof(uint), 0);
     countMembers_.dispatch(particles, FRAGMENT_GROUP);
     storageBarrier();
     numberFragments_.dispatchGroups(1);
@@ -212,10 +204,10 @@ void RigidFragments::moveOnce() const {
 
 /// Whether anything is free is found again by the end of the next cycle: until then passes run that have nothing to do.
 void RigidFragments::transfer(gl::StateArchive& archive) {
-    archive.values(stage_);
+    archive.values(call_);
     archive.count(slots_, state_.capacity());
-    archive.count(done_, state_.capacity());
-    for (const gl::Buffer* buffer : {&cellHeads_, &cellNext_, &labels_, &nextLabels_, &control_, &freeSlots_})
+    archive.count(joined_, state_.capacity());
+    for (const gl::Buffer* buffer : {&cellHeads_, &cellNext_, &labels_, &firstLabels_, &control_, &freeSlots_})
         archive.list(*buffer, buffer->bytes());
     archive.buffer(motions_, motions_.bytes());
     if (!archive.restores()) return;
@@ -230,7 +222,7 @@ FragmentReport RigidFragments::report() const {
 
 size_t RigidFragments::bytes() const {
     size_t sum = 0;
-    for (const gl::Buffer* buffer : {&blockBuffer_, &cellHeads_, &cellNext_, &labels_, &nextLabels_, &control_,
+    for (const gl::Buffer* buffer : {&blockBuffer_, &cellHeads_, &cellNext_, &labels_, &firstLabels_, &control_,
                                      &motions_, &freeSlots_, &contacts_})
         sum += buffer->bytes();
     return sum;

@@ -39,9 +39,9 @@ class RigidFragments {
     /// After the state's capacity became another one. Throws RuntimeFault when the driver has no room.
     void takeCapacity();
 
-    /// One small part of labelling the fragments, about the same for any amount of metal; a whole cycle takes
-    /// FRAGMENT_LABEL_ROUNDS + 2 calls, more where there is much metal. Call it once a frame. Reads positions and
-    /// phases; at the end of a cycle writes the fragment bits, takes free metal off the lattice and clears PHASE_FRESH.
+    /// One small part of labelling the fragments, at most about the same for any amount of metal; a whole cycle takes
+    /// 26 calls, more where there is very much metal. Call it once a frame. Reads positions and phases; at the end of a
+    /// cycle writes the fragment bits, takes free metal off the lattice and clears PHASE_FRESH.
     void relabel(gl::Profiler* profiler);
 
     /// A whole cycle at once, from its beginning.
@@ -65,7 +65,7 @@ class RigidFragments {
     void makeTexels();
     void bind() const;
     void begin();
-    void partOfRound(unsigned round);
+    void joinPart();
     void finish();
     bool mayBeFree();
     void keepContacts(size_t free);
@@ -75,14 +75,14 @@ class RigidFragments {
     MetalState& state_;
     FragmentBlock block_{};
     const size_t mostContacts_; ///< that are kept however much metal is free
-    int stage_ = 0;             ///< begin, rounds, end
+    int call_ = 0;              ///< of relabel() in this cycle
     size_t slots_ = 0;          ///< that were there when the cycle began
-    size_t done_ = 0;           ///< of them in this stage
+    size_t joined_ = 0;         ///< of them
     bool mayBeFree_ = true;     ///< false: the GPU said that the last cycle found nothing free
     gl::Readback freeParticles_;
-    gl::Buffer blockBuffer_, cellHeads_, cellNext_, labels_, nextLabels_, control_, motions_, freeSlots_, contacts_;
-    gl::BufferView labelTexels_, nextLabelTexels_, latticeTexels_, positionTexels_;
-    const gl::Program &clearCells_, &beginLabels_, &linkCells_, &linkFree_, &label_, &countMembers_, &numberFragments_,
+    gl::Buffer blockBuffer_, cellHeads_, cellNext_, labels_, firstLabels_, control_, motions_, freeSlots_, contacts_;
+    gl::BufferView firstLabelTexels_, latticeTexels_, positionTexels_;
+    const gl::Program &clearCells_, &beginLabels_, &linkCells_, &linkFree_, &join_, &countMembers_, &numberFragments_,
         &assignFragments_, &listFree_, &contactsPass_, &rigidMotion_, &movePass_;
 };
 

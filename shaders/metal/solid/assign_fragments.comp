@@ -1,5 +1,5 @@
 // Writes the number of its fragment to each particle, takes particles of free fragments off the lattice and stops those of
-// clamped ones. Writes nothing after a cycle whose labels were still changing in the last round.
+// clamped ones.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "metal/solid/common.glsl"
@@ -10,7 +10,7 @@ layout(std430, binding = FRAGMENT_MEMBERS) readonly buffer Numbers { uint number
 
 void main() {
     uint slot = linearInvocation();
-    if (slot >= counters.particles || control.lastChange == FRAGMENT_LABEL_ROUNDS) return;
+    if (slot >= counters.particles) return;
     uint bits = phase[slot];
     if (!isSolid(bits)) {
         phase[slot] = bits & ~(PHASE_FRAGMENT_BITS | PHASE_FRESH);

@@ -13,7 +13,6 @@ layout(std430, binding = FRAGMENT_MEMBERS) buffer Members { uint members[]; };
 bool isFreeRoot(uint slot) { return members[slot] != 0 && (members[slot] & FRAGMENT_CLAMPED) == 0; }
 
 void main() {
-    if (control.lastChange == FRAGMENT_LABEL_ROUNDS) return; // the labels are not final
     uint lane = gl_LocalInvocationID.x;
     uint first = runStart(lane);
     uint end = runStart(lane + 1);

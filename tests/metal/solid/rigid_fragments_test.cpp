@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -139,6 +140,49 @@ TEST_CASE("fragments are labelled as a flood fill does, with metal missing at ra
         CHECK(wrong == 0);
         CHECK(bench.fragments.report().fragments == std::min(found, unsigned(FRAGMENT_MAX_COUNT)));
     }
+}
+
+TEST_CASE("metal that winds through the whole lattice is one fragment, by one clamp") {
+    const MetalLattice lattice = smallLattice();
+    std::vector<MetalSeed> seeds;
+    for (int row = 0; row < 24; ++row) { // full rows of one spacing, each joined with the next at one end alone
+        if (row % 2 == 0) seeds = seeds + box(lattice, {0, row, 8}, {32, row + 1, 9});
+        const int end = row % 4 == 1 ? 31 : 0;
+        if (row % 2 == 1) seeds = seeds + box(lattice, {end, row, 8}, {end + 1, row + 1, 9});
+    }
+    for (const bool clamped : {false, true}) {
+        if (clamped) seeds.back().phase |= PHASE_CLAMPED;
+        const Bench bench(seeds);
+        size_t others = 0;
+        for (size_t slot = 0; slot < seeds.size(); ++slot)
+            others += bench.fragmentOf(slot) != (clamped ? 0U : 1U) ? 1U : 0U;
+        CHECK(others == 0);
+        CHECK(bench.fragments.report().fragments == (clamped ? 0U : 1U));
+    }
+}
+
+TEST_CASE("a slab falls from another in metal that takes several calls to label") {
+    test::context();
+    const auto lattice = MetalLattice::covering(glm::vec3(0), glm::vec3(0.064F, 0.032F, 0.064F), kSpacing);
+    auto seeds = box(lattice, {0, 10, 0}, {64, 15, 64}) + box(lattice, {0, 16, 0}, {64, 21, 64});
+    const size_t slab = seeds.size() / 2;
+    seeds[0].phase |= PHASE_CLAMPED;
+    MetalState state(lattice, steel(), 7850, seeds.size() + 8);
+    state.add(seeds);
+    RigidFragments fragments(test::shaders(), state,
+                             {{0, 1, 0}, 0, 0.35F, 256, glm::vec3(0), {0.064F, 0.032F, 0.064F}});
+    const auto isFree = [&](uint bits) { return (bits & PHASE_FRAGMENT_BITS) != 0; };
+    const auto freeFrom = [&](size_t slot, size_t count) {
+        const auto phases = state.phase.read<uint>(seeds.size());
+        return std::count_if(phases.begin() + static_cast<std::ptrdiff_t>(slot),
+                             phases.begin() + static_cast<std::ptrdiff_t>(slot + count), isFree);
+    };
+    for (int call = 0; call < 25; ++call)
+        fragments.relabel(nullptr);
+    CHECK(freeFrom(0, seeds.size()) == 0);
+    fragments.relabel(nullptr); // the last call of the cycle
+    CHECK(freeFrom(0, slab) == 0);
+    CHECK(freeFrom(slab, slab) == static_cast<std::ptrdiff_t>(slab));
 }
 
 TEST_CASE("a bridge cut through in the middle falls, comes to rest and is not left in the air") {
