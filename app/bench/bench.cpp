@@ -56,8 +56,8 @@ void printRow(const BenchRow& row) {
     for (const auto& [name, value] : row.further)
         std::printf("  %s=%.4g", name.c_str(), value);
     std::printf("\n");
-    for (const auto& [name, ms] : row.passes)
-        std::printf("%-10s   %-38s %9s %11.3f\n", "", name.c_str(), "", ms);
+    for (const BenchPass& pass : row.passes)
+        std::printf("%-10s   %-38s %9s %11.3f  mean_ms=%.3f\n", "", pass.name.c_str(), "", pass.leastMs, pass.meanMs);
     std::fflush(stdout);
 }
 
@@ -89,7 +89,8 @@ BenchRow Bench::measure(std::string what, const std::function<void(gl::Profiler&
     profiler.reset();
     double least = std::numeric_limits<double>::infinity();
     const auto begin = Clock::now();
-    for (int i = 0; i < mostRepeats && (i < leastRepeats || millisecondsSince(begin) < seconds * 1e3); ++i)
+    int repeats = 0;
+    for (; repeats < mostRepeats && (repeats < leastRepeats || millisecondsSince(begin) < seconds * 1e3); ++repeats)
         least = std::min(least, once());
     profiler.finish();
     BenchRow row;
@@ -97,7 +98,7 @@ BenchRow Bench::measure(std::string what, const std::function<void(gl::Profiler&
     row.what = std::move(what);
     row.stepMs = least;
     for (const gl::PassTime& pass : profiler.passes())
-        row.passes.emplace_back(pass.name, pass.leastMs);
+        row.passes.push_back({pass.name, pass.leastMs, pass.totalMs / repeats});
     return row;
 }
 
@@ -114,7 +115,8 @@ void keepLeast(BenchRow& row, BenchRow again) {
     }
     row.stepMs = std::min(row.stepMs, again.stepMs);
     for (size_t i = 0; i < row.passes.size(); ++i)
-        row.passes[i].second = std::min(row.passes[i].second, again.passes[i].second);
+        row.passes[i] = {row.passes[i].name, std::min(row.passes[i].leastMs, again.passes[i].leastMs),
+                         std::min(row.passes[i].meanMs, again.passes[i].meanMs)};
     for (size_t i = 0; i < row.further.size(); ++i)
         row.further[i].second = std::min(row.further[i].second, again.further[i].second);
 }
@@ -138,8 +140,11 @@ std::string benchJson(const gl::ContextInfo& driver, const std::vector<BenchRow>
         object["particles"] = row.particles;
         object["step_ms"] = row.stepMs;
         object["passes"] = nlohmann::ordered_json::object();
-        for (const auto& [name, ms] : row.passes)
-            object["passes"][name] = ms;
+        object["mean_of_passes"] = nlohmann::ordered_json::object();
+        for (const BenchPass& pass : row.passes) {
+            object["passes"][pass.name] = pass.leastMs;
+            object["mean_of_passes"][pass.name] = pass.meanMs;
+        }
         object["bytes_per_particle"] = row.bytesPerParticle;
         object["bytes"] = row.bytes;
         for (const auto& [name, value] : row.further)

@@ -16,15 +16,22 @@
 
 namespace meltpool {
 
+/// GPU time of a pass, ms.
+struct BenchPass {
+    std::string name;
+    double leastMs = 0;
+    double meanMs = 0; ///< over all repeats: also of a pass that has much to do only now and then
+};
+
 /// One measured case. Times are the least of several repeats, ms.
 struct BenchRow {
     std::string suite;
-    std::string what;                                   ///< which measurement of the suite: "step", "frame", ...
-    size_t particles = 0;                               ///< 0 where there are none
-    double stepMs = 0;                                  ///< one step, frame or whatever `what` says
-    std::vector<std::pair<std::string, double>> passes; ///< GPU time of each pass inside
-    double bytesPerParticle = 0;                        ///< GPU memory; 0 where it says nothing
-    size_t bytes = 0;                                   ///< GPU memory in all
+    std::string what;              ///< which measurement of the suite: "step", "frame", ...
+    size_t particles = 0;          ///< 0 where there are none
+    double stepMs = 0;             ///< one step, frame or whatever `what` says
+    std::vector<BenchPass> passes; ///< inside
+    double bytesPerParticle = 0;   ///< GPU memory; 0 where it says nothing
+    size_t bytes = 0;              ///< GPU memory in all
     /// Further numbers under names of their own: ratios, rates, grid sizes.
     std::vector<std::pair<std::string, double>> further;
 };

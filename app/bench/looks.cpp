@@ -51,8 +51,8 @@ std::vector<Measured> looksToMeasure(const LookParameters& lesson) {
 
 double gpuMs(const BenchRow& row) {
     const auto draw =
-        std::find_if(row.passes.begin(), row.passes.end(), [](const auto& pass) { return pass.first == "draw"; });
-    return draw == row.passes.end() ? 0 : draw->second;
+        std::find_if(row.passes.begin(), row.passes.end(), [](const auto& pass) { return pass.name == "draw"; });
+    return draw == row.passes.end() ? 0 : draw->leastMs;
 }
 
 /// The numbers of each eye, from those of the picture. `high`: the row of all measures with as many eyes.

@@ -19,7 +19,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kWarmUpSeconds = 3; ///< of welding, simulated: by then the pool is about as long as it gets
 constexpr int kMeasuredFrames = 52;  ///< two cycles of telling the pieces apart
-constexpr int kProfiledFrames = 20;
+constexpr int kProfiledFrames = 52;  ///< likewise
 
 /// Wall and processor time of each frame, ms. The processor time is that of all this program's threads: with a software
 /// driver the figure that other programs on the machine disturb least.
