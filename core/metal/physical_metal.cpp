@@ -219,7 +219,7 @@ void PhysicalMetal::gatherStatistics() {
     count_.set("particles", static_cast<unsigned>(state_->particles()));
     count_.set("low", setup_.space.low);
     count_.set("high", setup_.space.high);
-    count_.dispatchGroups(METAL_STATISTICS_PARTS);
+    count_.dispatch(METAL_STATISTICS_PARTS, GROUP_SIZE);
     gl::memoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 

@@ -13,8 +13,6 @@ uniform uint particles;
 uniform vec3 low; // the space that metal may be in
 uniform vec3 high;
 
-shared MetalPart shares[GROUP_SIZE];
-
 void join(inout MetalPart sum, MetalPart part) {
     sum.sum += part.sum;
     sum.least = min(sum.least, part.least);
@@ -37,15 +35,10 @@ MetalPart partOf(uint slot) {
                      uint(alive && (bits & PHASE_LIQUID) != 0u), uint(alive && !inside), uint(alive && broken), 0u);
 }
 
+// An invocation a part: adding them up behind a barrier costs more, on a CPU, than looking at the metal.
 void main() {
-    uint lane = gl_LocalInvocationIndex;
-    uint share = (particles + METAL_STATISTICS_PARTS - 1u) / METAL_STATISTICS_PARTS;
-    uint first = gl_WorkGroupID.x * share;
+    uint part = gl_GlobalInvocationID.x;
     MetalPart sum = MetalPart(0.0, 3.4e38, 0.0, 0u, 0u, 0u, 0u, 0u);
-    for (uint slot = first + lane; slot < min(first + share, particles); slot += GROUP_SIZE) join(sum, partOf(slot));
-    shares[lane] = sum;
-    barrier(); // one alone: each costs more, on a CPU, than one invocation adding all up
-    if (lane != 0u) return;
-    for (uint i = 1u; i < GROUP_SIZE; ++i) join(sum, shares[i]);
-    parts[gl_WorkGroupID.x] = sum;
+    for (uint slot = part; slot < particles; slot += METAL_STATISTICS_PARTS) join(sum, partOf(slot));
+    parts[part] = sum;
 }

@@ -4,7 +4,7 @@
 
 #include "metal.h"
 
-#define METAL_STATISTICS_PARTS 64    // groups, each over a contiguous share of the slots
+#define METAL_STATISTICS_PARTS 1024  // each over every 1024th slot; whole groups of GROUP_SIZE
 #define METAL_STATISTICS 6           // storage buffer of MetalPart
 #define METAL_STATISTICS_POSITIONS 0 // read as texels
 #define METAL_STATISTICS_PHASES 1
