@@ -9,6 +9,7 @@
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"
 #include "core/gl/context.hpp"
+#include "core/gl/driver_threads.hpp"
 #include "core/training/check/lesson_check.hpp"
 #include "core/training/trainer.hpp"
 
@@ -102,6 +103,7 @@ bool runChecks(const CheckRequest& request) {
     // Every file is read before the first is welded.
     const std::vector<LessonCheck> checks = readChecks(request.checks);
     if (!request.junit.empty()) requireWritable(request.junit);
+    gl::spareDriverThreads();
     const gl::HeadlessContext context(false);
     gl::ShaderLibrary shaders(resourceFolder() / "shaders");
     std::vector<CheckOutcome> outcomes;

@@ -10,6 +10,7 @@
 #include "core/base/output_file.hpp"
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"
+#include "core/gl/driver_threads.hpp"
 #include "core/training/lesson.hpp"
 #include "core/training/lesson_room.hpp"
 #include "core/training/result/repetition.hpp"
@@ -97,6 +98,11 @@ FilmRequest requestedFilm(const RunRequest& request) {
     return film;
 }
 
+/// A weld whose time goes to its steps.
+bool hasFewPictures(const Lesson& lesson, const FilmRequest& film) {
+    return lesson.model == LessonModel::Weld && lesson.run.picturesEvery == 0 && !film.video && film.turntable == 0;
+}
+
 } // namespace
 
 Lesson requestedLesson(const RunRequest& request) {
@@ -132,6 +138,7 @@ void runLesson(const RunRequest& request) {
     if (!request.mesh.empty()) meshFormat(request.mesh); // throws for an unknown ending
     RunFolder folder(request.folder, sources);
     if (!request.mesh.empty()) requireWritable(request.mesh); // it may lie in the folder
+    if (hasFewPictures(lesson, hooks.film)) gl::spareDriverThreads();
     const gl::HeadlessContext context;
     gl::ShaderLibrary shaders(resourceFolder() / "shaders");
     requireRoom(lesson, machineRoom());

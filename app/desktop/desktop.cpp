@@ -3,6 +3,7 @@
 #include "app/desktop/desktop_app.hpp"
 #include "app/desktop/window_system.hpp"
 #include "app/program/stop_signals.hpp"
+#include "core/gl/driver_threads.hpp"
 
 #include <cstdio>
 #include <cstdlib>
@@ -11,7 +12,8 @@ namespace meltpool {
 
 int runDesktop(const DesktopOptions& options) {
     const StopSignals signals;
-    if (options.headset != HeadsetUse::wanted) spareDriverThreads(); // both eyes' pictures are wide
+    // Steps and picture have a thread each; both eyes' pictures are wide.
+    if (options.headset != HeadsetUse::wanted) gl::spareDriverThreads();
     DesktopApp app(options);
     surviveLostDisplay();
     while (!app.closing() && !StopSignals::asked() && !displayLost())

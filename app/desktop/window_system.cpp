@@ -12,7 +12,6 @@ extern "C" Display* glfwGetX11Display(void);
 
 #include <atomic>
 #include <cstdlib>
-#include <thread>
 
 namespace meltpool {
 
@@ -32,12 +31,6 @@ bool startWindowSystem() {
     }
 #endif
     return glfwInit() == GLFW_TRUE;
-}
-
-void spareDriverThreads() {
-#ifdef __linux__
-    if (std::thread::hardware_concurrency() <= 2) setenv("LP_NUM_THREADS", "0", 0);
-#endif
 }
 
 void surviveLostDisplay() {

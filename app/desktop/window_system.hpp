@@ -8,11 +8,6 @@ namespace meltpool {
 /// opened; glfwGetError() then says why.
 bool startWindowSystem();
 
-/// On two processors or fewer: has Mesa's software driver work on the threads that call it, unless the person has said
-/// otherwise (LP_NUM_THREADS). Steps and picture have a thread each then, and to share each small dispatch among
-/// further threads costs more than it gains. To be called before anything of OpenGL.
-void spareDriverThreads();
-
 /// From now on a connection to the X display that breaks does not end the program: displayLost() tells it, and what is
 /// asked of the display gives nothing. Needs an open window. Without effect where the window system is another one,
 /// whose broken connection closes the window.

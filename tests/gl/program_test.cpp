@@ -71,6 +71,7 @@ TEST_CASE("a buffer of another size keeps its bytes as far as they reach and is 
 }
 
 TEST_CASE("a buffer of any number of bytes has whole words and is cleared without a complaint of the driver") {
+    test::context();
     while (glGetError() != GL_NO_ERROR) {
     }
     const std::vector<std::uint8_t> odd{1, 2, 3, 4, 5};
