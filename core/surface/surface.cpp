@@ -23,7 +23,8 @@ constexpr GLbitfield kStorage = GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH
 int dataOf(const ParticleView& particles) {
     return (particles.phases != nullptr ? SURFACE_WITH_PHASES : 0) |
            (particles.heats != nullptr ? SURFACE_WITH_PEAKS : 0) |
-           (particles.frozenAt != nullptr ? SURFACE_WITH_FREEZING : 0);
+           (particles.frozenAt != nullptr ? SURFACE_WITH_FREEZING : 0) |
+           (particles.numbers != nullptr ? SURFACE_WITH_NUMBERS : 0);
 }
 
 SurfaceStatistics statisticsOf(const SurfaceCommands& commands) {
@@ -37,26 +38,36 @@ struct Peaks {
     gl::BufferView volumeTexels, heatTexels;
 };
 
-/// When metal froze: a volume of two words a corner, and programs of its own, so that it costs nothing where nobody
-/// asks for it.
-struct Freezing {
-    explicit Freezing(gl::ShaderLibrary& shaders);
+/// The passes that bring particles into the volumes.
+struct SplatPasses {
+    const gl::Program& compare;
+    const gl::Program& splatAll;
+    const gl::Program& splatChanged;
+};
 
-    const gl::Program& comparePass;
-    std::array<const gl::Program*, 2> splatAllPass, splatChangedPass; // by SurfaceKernel
+/// For particles with this data (SURFACE_WITH_*), as programs of their own, so that it costs nothing where it is
+/// missing.
+SplatPasses splatPasses(gl::ShaderLibrary& shaders, int data, int kernel) {
+    gl::Defines read;
+    if ((data & SURFACE_WITH_FREEZING) != 0) read["SURFACE_FREEZING"] = "1";
+    if ((data & SURFACE_WITH_NUMBERS) != 0) read["SURFACE_NUMBERED"] = "1";
+    gl::Defines changed = read;
+    if (kernel == static_cast<int>(SurfaceKernel::smooth)) changed["SURFACE_SMOOTH"] = "1";
+    gl::Defines all = changed;
+    all["SURFACE_REBUILD"] = "1";
+    return {shaders.compute("surface/compare.comp", read), shaders.compute("surface/splat.comp", all),
+            shaders.compute("surface/splat.comp", changed)};
+}
+
+/// When metal froze: a volume of two words a corner.
+struct Freezing {
+    explicit Freezing(gl::ShaderLibrary& shaders)
+        : vertexPass(shaders.compute("surface/vertices.comp", {{"SURFACE_FREEZING", "1"}, {"SURFACE_FLAT", "1"}})) {}
+
     const gl::Program& vertexPass;
     gl::Buffer volume, splatted, vertices; // two words a corner, one a particle, a SurfaceFreezing a vertex
     gl::BufferView volumeTexels, particleTexels, splattedTexels;
 };
-
-Freezing::Freezing(gl::ShaderLibrary& shaders)
-    : comparePass(shaders.compute("surface/compare.comp", {{"SURFACE_FREEZING", "1"}})),
-      splatAllPass{&shaders.compute("surface/splat.comp", {{"SURFACE_FREEZING", "1"}, {"SURFACE_REBUILD", "1"}}),
-                   &shaders.compute("surface/splat.comp",
-                                    {{"SURFACE_FREEZING", "1"}, {"SURFACE_REBUILD", "1"}, {"SURFACE_SMOOTH", "1"}})},
-      splatChangedPass{&shaders.compute("surface/splat.comp", {{"SURFACE_FREEZING", "1"}}),
-                       &shaders.compute("surface/splat.comp", {{"SURFACE_FREEZING", "1"}, {"SURFACE_SMOOTH", "1"}})},
-      vertexPass(shaders.compute("surface/vertices.comp", {{"SURFACE_FREEZING", "1"}, {"SURFACE_FLAT", "1"}})) {}
 
 /// Share of the solidus in K up to which metal of the lattice is taken to lie as it did: hotter metal has neighbours
 /// that melted. None: chosen; at the toe of a bead on steel it is 2 mm.
@@ -84,6 +95,7 @@ struct Surface::Work {
     void bindPeaks(const ParticleView& particles);
     void bindFreezing(const ParticleView& particles);
     void bindLattice(const ParticleView& particles);
+    const SplatPasses& passes();
     const gl::Program& chooseVertexPass();
     void splatAll(const ParticleView& particles);
     void splatChanged(const ParticleView& particles);
@@ -103,8 +115,7 @@ struct Surface::Work {
     std::optional<Peaks> peaks;
     std::optional<Freezing> freezing;
 
-    const gl::Program& comparePass;
-    std::array<const gl::Program*, 2> splatAllPass, splatChangedPass; // by SurfaceKernel
+    std::array<std::optional<SplatPasses>, 8> splatters; // by kernel and data, made when they are asked for
     const gl::Program& listBlocksPass;
     const gl::Program& insidePass;
     const gl::Program& countPass;
@@ -118,7 +129,7 @@ struct Surface::Work {
     gl::Buffer setupBlock;
     gl::Buffer splatted, changedList; // a vec4 and a uint a particle
     gl::Buffer density, temperature;
-    gl::BufferView particleTexels, splattedTexels, densityTexels, temperatureTexels, latticeTexels;
+    gl::BufferView particleTexels, splattedTexels, densityTexels, temperatureTexels, latticeTexels, numberTexels;
     gl::Buffer blockFlags, blockStates, baseTriangles;
     gl::Buffer blockList, obsoleteTriangles, blockSums;
     gl::Buffer insideBits, rows, rowSums;
@@ -133,11 +144,6 @@ Surface::Work::Work(gl::ShaderLibrary& theShaders, const SurfaceGrid& theGrid)
     : shaders(theShaders),
       grid(theGrid),
       setup(grid.setup()),
-      comparePass(shaders.compute("surface/compare.comp")),
-      splatAllPass{&shaders.compute("surface/splat.comp", {{"SURFACE_REBUILD", "1"}}),
-                   &shaders.compute("surface/splat.comp", {{"SURFACE_REBUILD", "1"}, {"SURFACE_SMOOTH", "1"}})},
-      splatChangedPass{&shaders.compute("surface/splat.comp"),
-                       &shaders.compute("surface/splat.comp", {{"SURFACE_SMOOTH", "1"}})},
       listBlocksPass(shaders.compute("surface/list_blocks.comp")),
       insidePass(shaders.compute("surface/inside.comp")),
       countPass(shaders.compute("surface/count.comp")),
@@ -241,6 +247,17 @@ void Surface::Work::bindParticles(const ParticleView& particles) {
     bindPeaks(particles);
     if (withFreezing()) bindFreezing(particles);
     bindLattice(particles);
+    if (particles.numbers == nullptr) return;
+    numberTexels = gl::BufferView("surface numbers", *particles.numbers, GL_R32UI, sizeof(unsigned));
+    numberTexels.bind(SURFACE_TEXELS_NUMBERS);
+}
+
+const SplatPasses& Surface::Work::passes() {
+    const size_t place =
+        size_t(used.kernel) + (withFreezing() ? 2 : 0) + ((particleData & SURFACE_WITH_NUMBERS) != 0 ? 4 : 0);
+    auto& passes = splatters[place];
+    if (!passes) passes.emplace(splatPasses(shaders, particleData, used.kernel));
+    return *passes;
 }
 
 void Surface::Work::bindPeaks(const ParticleView& particles) {
@@ -274,8 +291,7 @@ const gl::Program& Surface::Work::chooseVertexPass() {
 
 void Surface::Work::splatAll(const ParticleView& particles) {
     bindParticles(particles);
-    (withFreezing() ? freezing->splatAllPass : splatAllPass)[size_t(used.kernel)]->dispatch(particles.count,
-                                                                                            SURFACE_GROUP);
+    passes().splatAll.dispatch(particles.count, SURFACE_GROUP);
     glMemoryBarrier(kStorage);
 }
 
@@ -283,10 +299,9 @@ void Surface::Work::splatChanged(const ParticleView& particles) {
     bindParticles(particles);
     splattedTexels.bind(SURFACE_TEXELS_SPLATTED);
     if (withFreezing()) freezing->splattedTexels.bind(SURFACE_TEXELS_FREEZING);
-    (withFreezing() ? freezing->comparePass : comparePass).dispatch(particles.count, SURFACE_GROUP);
+    passes().compare.dispatch(particles.count, SURFACE_GROUP);
     glMemoryBarrier(kStorage | GL_COMMAND_BARRIER_BIT);
-    dispatchIndirect(*(withFreezing() ? freezing->splatChangedPass : splatChangedPass)[size_t(used.kernel)],
-                     offsetof(SurfaceCommands, changed));
+    dispatchIndirect(passes().splatChanged, offsetof(SurfaceCommands, changed));
 }
 
 void Surface::Work::listBlocks() {

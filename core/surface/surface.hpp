@@ -27,7 +27,7 @@ struct SurfaceStatistics {
 /// Settings of incremental updates. Without them every update rebuilds volumes and mesh.
 struct IncrementalUpdate {
     /// Splat only particles that changed and mesh only the blocks around them: the cost depends on how many particles
-    /// move or change temperature, not on how many there are. Particles must keep their slots.
+    /// move or change temperature, not on how many there are. Particles must keep their slots or have numbers.
     bool enabled = false;
     float positionTolerance = 0;    ///< a particle counts as unchanged until it moved farther than this, cells
     float temperatureTolerance = 0; ///< ... or its temperature changed by more than this share of the range

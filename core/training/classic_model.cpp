@@ -1,5 +1,6 @@
 #include "core/training/classic_model.hpp"
 
+#include "core/surface/surface.hpp"
 #include "core/training/lesson.hpp"
 
 #include <glm/common.hpp>
@@ -40,6 +41,11 @@ ArcState ClassicModel::arc(const SurfaceDistance& surface) const {
     state.action = ArcAction::burning;
     state.share = std::min(trigger_, 1.0F) * (1 - std::max(surface.nearest, 0.0F) / reach);
     return state;
+}
+
+void ClassicModel::prepare(Surface& surface) const {
+    // Less than a fiftieth of a cell or a thousandth of the temperature range is seen by nobody.
+    surface.incremental = {true, 0.02F, 0.001F};
 }
 
 SceneView ClassicModel::scene(const TorchSample& torch) const {

@@ -21,6 +21,7 @@ class ClassicModel : public MetalModel {
     void step(const TorchSample& torch, gl::Profiler* profiler) override;
     double timeStep() const override { return static_cast<double>(metal_.parameters.timeStep); }
     ParticleView particles() const override { return metal_.particles(); }
+    void prepare(Surface& surface) const override;
     float unit() const override { return kClassicUnit; }
     float liquidShare(float temperature) const override;
     /// A source that gives the more the nearer it is.

@@ -77,11 +77,13 @@
 #define SURFACE_TEXELS_FROZEN_AT 9
 #define SURFACE_TEXELS_FREEZING 10
 #define SURFACE_TEXELS_LATTICE 11
+#define SURFACE_TEXELS_NUMBERS 12
 
 /// What the particles bring besides position and temperature.
 #define SURFACE_WITH_PHASES 1
 #define SURFACE_WITH_PEAKS 2
 #define SURFACE_WITH_FREEZING 4
+#define SURFACE_WITH_NUMBERS 8
 
 /// Most planes along each axis that flat faces lie in.
 #define SURFACE_FLAT_PLANES 6

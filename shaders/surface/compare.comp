@@ -13,11 +13,11 @@ layout(std430, binding = SURFACE_BIND_COMMANDS) buffer Commands { SurfaceCommand
 #ifdef SURFACE_FREEZING
 layout(binding = SURFACE_TEXELS_FREEZING) uniform samplerBuffer splattedFreezing; // not the volume, which this does not read
 
-bool sameFreezing(uint index) {
-    return frozenNow(index) == texelFetch(splattedFreezing, int(index)).x;
+bool sameFreezing(uint index, uint record) {
+    return frozenNow(index) == texelFetch(splattedFreezing, int(record)).x;
 }
 #else
-bool sameFreezing(uint index) {
+bool sameFreezing(uint index, uint record) {
     return true;
 }
 #endif
@@ -25,12 +25,13 @@ bool sameFreezing(uint index) {
 void main() {
     uint index = linearInvocation();
     if (index >= setup.particleCount) return;
-    Particle now = particleNow(index), before = fetchParticle(splatted, index);
+    uint record = recordOf(index);
+    Particle now = particleNow(index), before = fetchParticle(splatted, record);
     vec3 cells = abs((now.position - before.position) * (vec3(setup.cells) / setup.extent));
     // Written so that a temperature that is not a number counts as a change.
     bool unchanged = all(lessThanEqual(cells, vec3(setup.positionTolerance))) &&
                      abs(now.temperature - before.temperature) <= setup.temperatureTolerance * setup.temperatureRange;
-    if (unchanged && sameFreezing(index)) return;
+    if (unchanged && sameFreezing(index, record)) return;
     uint slot = atomicAdd(commands.changedCount, 1u);
     changedList[slot] = index;
     if (slot % SURFACE_GROUP == 0u) atomicAdd(commands.changed.x, 1u);

@@ -25,6 +25,15 @@ Particle particleNow(uint index) {
     return alive && somewhere ? particle : Particle(vec3(SURFACE_NOWHERE), SURFACE_NOWHERE);
 }
 
+#ifdef SURFACE_NUMBERED
+layout(binding = SURFACE_TEXELS_NUMBERS) uniform usamplerBuffer numbers;
+
+/// Where it stands what was last splatted of a particle.
+uint recordOf(uint index) { return texelFetch(numbers, int(index)).x; }
+#else
+uint recordOf(uint index) { return index; }
+#endif
+
 #ifdef SURFACE_FREEZING
 layout(binding = SURFACE_TEXELS_FROZEN_AT) uniform samplerBuffer frozenAt;
 

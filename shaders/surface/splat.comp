@@ -7,6 +7,7 @@
 // corners. Without it: the linear weight of the founding thesis, which ends in a step.
 // SURFACE_REBUILD: the volumes are empty and every particle is added.
 // SURFACE_FREEZING: what froze is also added to the freezing volume.
+// SURFACE_NUMBERED: the order of the particles changes; what was splatted of them stands by their numbers.
 #include "surface/grid.glsl"
 layout(local_size_x = SURFACE_GROUP) in;
 #include "surface/particles.glsl"
@@ -92,19 +93,19 @@ History historyNow(uint index) {
 }
 
 /// As it was last splatted.
-History historySplatted(uint index, History now) {
+History historySplatted(uint record, History now) {
     History history = now;
-    if (withPeaks()) history.hottest = splattedPeaks[index];
+    if (withPeaks()) history.hottest = splattedPeaks[record];
 #ifdef SURFACE_FREEZING
-    history.frozenAt = splattedFreezing[index];
+    history.frozenAt = splattedFreezing[record];
 #endif
     return history;
 }
 
-void storeHistory(uint index, History history) {
-    if (withPeaks()) splattedPeaks[index] = history.hottest;
+void storeHistory(uint record, History history) {
+    if (withPeaks()) splattedPeaks[record] = history.hottest;
 #ifdef SURFACE_FREEZING
-    splattedFreezing[index] = history.frozenAt;
+    splattedFreezing[record] = history.frozenAt;
 #endif
 }
 
@@ -227,8 +228,9 @@ void main() {
     Particle now = particleNow(index);
     History history = historyNow(index);
     if (setup.incremental != 0) {
-        splatted[index] = now;
-        storeHistory(index, history);
+        uint record = recordOf(index);
+        splatted[record] = now;
+        storeHistory(record, history);
     }
     replace(kNothing, splatOf(now, history));
 }
@@ -237,11 +239,12 @@ void main() {
     uint slot = linearInvocation();
     if (slot >= commands.changedCount) return;
     uint index = changedList[slot];
+    uint record = recordOf(index);
     Particle now = particleNow(index);
     History history = historyNow(index);
-    Splat before = splatOf(splatted[index], historySplatted(index, history)), after = splatOf(now, history);
-    splatted[index] = now;
-    storeHistory(index, history);
+    Splat before = splatOf(splatted[record], historySplatted(record, history)), after = splatOf(now, history);
+    splatted[record] = now;
+    storeHistory(record, history);
     bool together = all(lessThanEqual(abs(after.nearest - before.nearest), ivec3(1)));
     // One loop instead of two calls: the compiler makes the body once.
     for (int turn = together ? 1 : 0; turn < 2; ++turn) {

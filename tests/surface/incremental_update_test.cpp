@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 #include <random>
 
 namespace meltpool {
@@ -46,10 +47,14 @@ class Plate {
         phases.push_back(PHASE_ALIVE);
     }
 
-    void update(Surface& surface) const {
+    /// `numbers`: of the particles, where their order changes.
+    void update(Surface& surface, const std::vector<unsigned>& numbers = {}) const {
         const gl::Buffer positions("plate", std::span<const vec4>(places));
         const gl::Buffer phaseBits("plate phases", std::span<const unsigned>(phases));
-        surface.update({&positions, places.size(), &phaseBits}, nullptr);
+        ParticleView view{&positions, places.size(), &phaseBits};
+        const gl::Buffer numberBits("plate numbers", std::span<const unsigned>(numbers.empty() ? phases : numbers));
+        if (!numbers.empty()) view.numbers = &numberBits;
+        surface.update(view, nullptr);
         glFinish();
     }
 
@@ -116,6 +121,37 @@ TEST_CASE("incremental updates give the surface that a fresh one gives") {
             }
             CHECK(incremental >= 1);
         }
+}
+
+TEST_CASE("particles whose order changes are known again by their numbers") {
+    for (const int kernel : {int(SurfaceKernel::cone), int(SurfaceKernel::smooth)}) {
+        const SurfaceParameters parameters{100, 3, 0.6f, true, kernel};
+        Surface updated(test::shaders(), parameters, Plate::kLow, Plate::kHigh);
+        Surface fresh(test::shaders(), parameters, Plate::kLow, Plate::kHigh);
+        updated.incremental.enabled = true;
+        Plate plate;
+        std::vector<unsigned> numbers(plate.places.size());
+        std::iota(numbers.begin(), numbers.end(), 0U);
+        std::mt19937 random(5);
+        for (int step = 0; step < 5; ++step) {
+            if (step > 0) plate.stir(vec3(-0.6f + 0.05f * float(step), 0.0f, 0.05f), 0.12f);
+            std::shuffle(numbers.begin(), numbers.end(), random);
+            Plate shuffled = plate;
+            for (size_t i = 0; i < numbers.size(); ++i) {
+                shuffled.places[i] = plate.places[numbers[i]];
+                shuffled.phases[i] = plate.phases[numbers[i]];
+            }
+            shuffled.update(updated, numbers);
+            plate.update(fresh);
+            INFO("step " << step << ", kernel " << kernel);
+            const test::Volumes twin = test::twinVolumes(updated.grid(), parameters, 0, 1, plate.alive());
+            REQUIRE((updated.densityVolume().read<std::uint32_t>(twin.density.size()) == twin.density));
+            REQUIRE((updated.temperatureVolume().read<std::uint32_t>(twin.density.size()) == twin.temperature));
+            REQUIRE((sortedTriangles(test::readMesh(updated)) == sortedTriangles(test::readMesh(fresh))));
+            if (step > 0) CHECK(updated.statistics().particles < plate.places.size() / 10);
+        }
+        CHECK_FALSE(updated.statistics().rebuilt);
+    }
 }
 
 TEST_CASE("a particle that leaps or only warms is taken from where it was, from nowhere outside the box") {

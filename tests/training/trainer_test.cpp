@@ -286,7 +286,22 @@ TEST_CASE("the scene carries the surface, the particles and the source", "[train
     CHECK(scene.source.position.x == Approx(0.55f));
 }
 
-TEST_CASE("oxide floats where GMAW melts hot-rolled steel, and a weld's ripples are those of its process", "[training]") {
+TEST_CASE("the surface of the classic metal takes up only the metal that changed", "[training]") {
+    Trainer trainer(test::shaders(), smallLesson());
+    repeat(trainer, flameAt(21, 1), 60);
+    trainer.updateSurface(nullptr);
+    REQUIRE(trainer.surface().statistics().rebuilt);
+    const unsigned before = trainer.surface().statistics().triangles;
+    trainer.advance(flameAt(21, 1), nullptr);
+    trainer.updateSurface(nullptr);
+    const SurfaceStatistics after = trainer.surface().statistics();
+    CHECK(after.particles > 0);
+    CHECK(after.particles < kParticles / 2);
+    CHECK(after.triangles > before / 2);
+}
+
+TEST_CASE("oxide floats where GMAW melts hot-rolled steel, and a weld's ripples are those of its process",
+          "[training]") {
     Lesson lesson = smallBead();
     const SceneView wire = Trainer(test::shaders(), lesson).scene();
     CHECK(wire.oxideRadius > 0);

@@ -39,8 +39,10 @@ class ClassicMetal {
     void step(const ClassicSource& source, gl::Profiler* profiler);
 
     /// Positions and temperatures after the last step, valid as long as this object. The order of the particles changes
-    /// from step to step.
-    ParticleView particles() const { return {&movedPositions_, count_}; }
+    /// from step to step, their numbers do not.
+    ParticleView particles() const {
+        return {.positions = &movedPositions_, .count = count_, .numbers = &movedNumbers_};
+    }
 
     /// Counts and temperatures of this moment; waits for the GPU.
     MetalStatistics statistics() const;

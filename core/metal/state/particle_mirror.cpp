@@ -10,7 +10,7 @@ namespace meltpool {
 
 void ParticleMirror::take(const ParticleView& original, gl::OtherContext& there) {
     const std::array<const gl::Buffer*, kBuffers> from{original.positions, original.phases, original.heats,
-                                                       original.frozenAt, original.latticeSlots};
+                                                       original.frozenAt, original.latticeSlots, original.numbers};
     std::array<const std::byte*, kBuffers> memory{};
     there.run([&] {
         for (size_t i = 0; i < kBuffers; ++i)
@@ -23,6 +23,7 @@ void ParticleMirror::take(const ParticleView& original, gl::OtherContext& there)
     view_.heats = take(2, original.count * sizeof(vec4));
     view_.frozenAt = take(3, original.count * sizeof(float));
     view_.latticeSlots = take(4, original.lattice != nullptr ? original.lattice->cellCount() * sizeof(uint) : 0);
+    view_.numbers = take(5, original.count * sizeof(uint));
 }
 
 /// The first `bytes` of a buffer, in one that has the original's room.

@@ -19,7 +19,7 @@ class ParticleMirror {
     size_t bytes() const;
 
   private:
-    static constexpr size_t kBuffers = 5;
+    static constexpr size_t kBuffers = 6;
 
     const gl::Buffer* copy(size_t number, const gl::Buffer* original, const std::byte* memory, size_t bytes);
 

@@ -22,6 +22,8 @@ struct ParticleView {
     const MetalLattice* lattice = nullptr;
     const gl::Buffer* latticeSlots = nullptr;
     float solidus = 0; ///< K, of the metal on the lattice; 0: not known
+    /// Where the order of the particles changes: one uint a particle, below `count`, by which it is known again.
+    const gl::Buffer* numbers = nullptr;
 };
 
 } // namespace meltpool
