@@ -23,6 +23,7 @@ constexpr double kMayBeMissing = 0.2;
 void endInMidWeld(Trainee& trainee, int signal, double seconds, int number) {
     INFO("signal " << signal << " after " << seconds << " s");
     const std::filesystem::path folder = benchFolder() / ("ended " + std::to_string(number));
+    std::filesystem::remove_all(folder); // another test's rows there would be taken for this one's
     const std::filesystem::path record = folder / "record.csv";
     TrainerProcess trainer(folder,
                            {"--headset", "--lesson", smallLesson(folder).string(), "--record", record.string()});
