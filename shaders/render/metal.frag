@@ -16,8 +16,16 @@ layout(binding = ROUGH_UNIT) uniform samplerCube roughEnvironment;
 const float kLiquidLevel = 1.0;
 const float kSolidLevel = 3.0;
 
+// Solid and liquid metal have a whole level each: between two levels software drivers read both. What interpolation adds to
+// the solid's dullness is rounded away.
+float levelAt(float dull) {
+    float solid = floor(mix(kLiquidLevel, kSolidLevel, frame.dullness) + 0.5);
+    float level = mix(kLiquidLevel, solid, dull / max(frame.dullness, 1e-3));
+    return floor(64.0 * level + 0.5) / 64.0;
+}
+
 void main() {
-    float level = kLiquidLevel + (kSolidLevel - kLiquidLevel) * dullness;
+    float level = levelAt(dullness);
     vec3 seen = decodeEnvironment(textureLod(roughEnvironment, mirrored, level).rgb);
     float towardsLamp = max(dot(normalize(mirrored), frame.lampDirection), 0.0);
     float glint = frame.specular * (1.0 - 0.65 * dullness) * pow(towardsLamp, frame.shininess * (1.0 - 0.8 * dullness));
