@@ -255,9 +255,9 @@ void Surface::Work::bindParticles(const ParticleView& particles) {
 const SplatPasses& Surface::Work::passes() {
     const size_t place =
         size_t(used.kernel) + (withFreezing() ? 2 : 0) + ((particleData & SURFACE_WITH_NUMBERS) != 0 ? 4 : 0);
-    auto& passes = splatters[place];
-    if (!passes) passes.emplace(splatPasses(shaders, particleData, used.kernel));
-    return *passes;
+    auto& chosen = splatters[place];
+    if (!chosen) chosen.emplace(splatPasses(shaders, particleData, used.kernel));
+    return *chosen;
 }
 
 void Surface::Work::bindPeaks(const ParticleView& particles) {

@@ -28,7 +28,7 @@ Particle particleNow(uint index) {
 #ifdef SURFACE_NUMBERED
 layout(binding = SURFACE_TEXELS_NUMBERS) uniform usamplerBuffer numbers;
 
-/// Where it stands what was last splatted of a particle.
+/// Where the record of a particle stands: what was last splatted of it.
 uint recordOf(uint index) { return texelFetch(numbers, int(index)).x; }
 #else
 uint recordOf(uint index) { return index; }
