@@ -7,10 +7,11 @@
 namespace meltpool {
 
 void WindowPicture::count(const LessonSession& session, double seconds, const std::optional<StepsBeside>& beside) {
+    const double steps = session.clock().busy();
+    still_.count(seconds, beside || steps > 0 || session.seeks() || session.measuresSpeed());
     if (!session.running()) return budget_.restart();
     // A seek and a trial of the machine's speed take all the time that they can get.
     if (!counts_ || session.seeks() || session.measuresSpeed()) return;
-    const double steps = session.clock().busy();
     if (beside)
         return budget_.add({seconds, beside->waited, 0, seconds - beside->seconds + session.clock().busyBeside()});
     budget_.add({seconds, steps, steps > 0 ? session.loadOfSteps() : 0, 0});
@@ -20,12 +21,14 @@ void WindowPicture::prepare(LessonSession& session, const Controls& controls, co
                             gl::Profiler* profiler) {
     if (wish.pixels != pixels_) budget_.restart();
     pixels_ = wish.pixels;
-    counts_ = wish.setting == 0 && !wish.whole;
-    level_ = wish.whole          ? PictureLevel::full
-             : wish.setting == 0 ? budget_.level()
-                                 : static_cast<PictureLevel>(wish.setting - 1);
     const float aspect = static_cast<float>(pixels_.x) / static_cast<float>(std::max(pixels_.y, 1));
     shown_ = session.picture(controls, aspect, wish.shift, wish.surfaceLater, profiler);
+    const bool stands = still_.stands(shown_.view);
+    counts_ = wish.setting == 0 && !wish.whole && !stands;
+    level_ = wish.whole          ? PictureLevel::full
+             : wish.setting != 0 ? static_cast<PictureLevel>(wish.setting - 1)
+             : stands            ? PictureLevel::full
+                                 : budget_.level();
     sentence_ = pictureSentence(level_);
     offset_ = wish.shift;
 }

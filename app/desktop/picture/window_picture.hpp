@@ -43,6 +43,7 @@ class WindowPicture {
 
   private:
     PictureBudget budget_;
+    StillPicture still_;
     ScaledPicture scaled_;
     DeskPicture shown_;
     PictureLevel level_ = PictureLevel::full; ///< of shown_

@@ -57,6 +57,9 @@ class DrawnWeld {
         return outcome;
     }
 
+    /// From now on the metal stands still.
+    void stop() { machine_.step = 0; }
+
     PictureBudget budget;
 
   private:
@@ -115,6 +118,46 @@ TEST_CASE("on a machine that is too slow for the metal the picture takes a quart
     const Outcome slow = outcomeOn({0.02, 0.008, 0.2, 0});
     CHECK(slow.level == PictureLevel::coarse);
     CHECK(slow.changes <= 6);
+}
+
+TEST_CASE("metal that came to stand still is drawn with all pixels at once, where a frame bears them") {
+    DrawnWeld weld({0.006, 0.006, 0.025, 0});
+    REQUIRE(weld.run(20).level != PictureLevel::full);
+    weld.stop();
+    CHECK(weld.run(0.7).level == PictureLevel::full);
+    const Outcome later = weld.run(20);
+    CHECK(later.level == PictureLevel::full);
+    CHECK(later.changes == 0);
+    DrawnWeld slow({0.02, 0.008, 0.2, 0});
+    slow.run(20);
+    slow.stop();
+    CHECK(slow.run(0.7).level == PictureLevel::full);
+    const Outcome coarse = slow.run(40);
+    CHECK(coarse.level == PictureLevel::coarse);
+    CHECK(coarse.changes <= 3);
+}
+
+TEST_CASE("a picture stands when neither metal nor camera has moved for half a second") {
+    StillPicture picture;
+    View view;
+    const auto frame = [&](bool moves) {
+        picture.count(0.1, moves);
+        return picture.stands(view);
+    };
+    for (int i = 0; i < 4; ++i)
+        CHECK_FALSE(frame(false));
+    CHECK_FALSE(frame(true));
+    for (int i = 0; i < 4; ++i)
+        frame(false);
+    CHECK(frame(false));
+    CHECK(frame(false));
+    view.worldToEye[3].x = 0.001F;
+    CHECK_FALSE(frame(false));
+    for (int i = 0; i < 4; ++i)
+        frame(false);
+    CHECK(frame(false));
+    view.eyeToClip[0].x = 2;
+    CHECK_FALSE(frame(false));
 }
 
 TEST_CASE("beside steps a picture has all the time that they take") {
