@@ -5,6 +5,7 @@
 #include "core/gl/readback.hpp"
 #include "core/metal/state/metal_state.hpp"
 #include "core/surface/cell_cases.hpp"
+#include "core/surface/splat_passes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -37,27 +38,6 @@ struct Peaks {
     gl::Buffer volume, splatted, vertices; // a word a corner, a particle, a vertex
     gl::BufferView volumeTexels, heatTexels;
 };
-
-/// The passes that bring particles into the volumes.
-struct SplatPasses {
-    const gl::Program& compare;
-    const gl::Program& splatAll;
-    const gl::Program& splatChanged;
-};
-
-/// For particles with this data (SURFACE_WITH_*), as programs of their own, so that it costs nothing where it is
-/// missing.
-SplatPasses splatPasses(gl::ShaderLibrary& shaders, int data, int kernel) {
-    gl::Defines read;
-    if ((data & SURFACE_WITH_FREEZING) != 0) read["SURFACE_FREEZING"] = "1";
-    if ((data & SURFACE_WITH_NUMBERS) != 0) read["SURFACE_NUMBERED"] = "1";
-    gl::Defines changed = read;
-    if (kernel == static_cast<int>(SurfaceKernel::smooth)) changed["SURFACE_SMOOTH"] = "1";
-    gl::Defines all = changed;
-    all["SURFACE_REBUILD"] = "1";
-    return {shaders.compute("surface/compare.comp", read), shaders.compute("surface/splat.comp", all),
-            shaders.compute("surface/splat.comp", changed)};
-}
 
 /// When metal froze: a volume of two words a corner.
 struct Freezing {
@@ -95,7 +75,7 @@ struct Surface::Work {
     void bindPeaks(const ParticleView& particles);
     void bindFreezing(const ParticleView& particles);
     void bindLattice(const ParticleView& particles);
-    const SplatPasses& passes();
+    const SplatPasses& passes() { return splatters.passes(particleData, used.kernel); }
     const gl::Program& chooseVertexPass();
     void splatAll(const ParticleView& particles);
     void splatChanged(const ParticleView& particles);
@@ -115,7 +95,7 @@ struct Surface::Work {
     std::optional<Peaks> peaks;
     std::optional<Freezing> freezing;
 
-    std::array<std::optional<SplatPasses>, 8> splatters; // by kernel and data, made when they are asked for
+    SplatPassLibrary splatters;
     const gl::Program& listBlocksPass;
     const gl::Program& insidePass;
     const gl::Program& countPass;
@@ -144,6 +124,7 @@ Surface::Work::Work(gl::ShaderLibrary& theShaders, const SurfaceGrid& theGrid)
     : shaders(theShaders),
       grid(theGrid),
       setup(grid.setup()),
+      splatters(shaders),
       listBlocksPass(shaders.compute("surface/list_blocks.comp")),
       insidePass(shaders.compute("surface/inside.comp")),
       countPass(shaders.compute("surface/count.comp")),
@@ -250,14 +231,6 @@ void Surface::Work::bindParticles(const ParticleView& particles) {
     if (particles.numbers == nullptr) return;
     numberTexels = gl::BufferView("surface numbers", *particles.numbers, GL_R32UI, sizeof(unsigned));
     numberTexels.bind(SURFACE_TEXELS_NUMBERS);
-}
-
-const SplatPasses& Surface::Work::passes() {
-    const size_t place =
-        size_t(used.kernel) + (withFreezing() ? 2 : 0) + ((particleData & SURFACE_WITH_NUMBERS) != 0 ? 4 : 0);
-    auto& chosen = splatters[place];
-    if (!chosen) chosen.emplace(splatPasses(shaders, particleData, used.kernel));
-    return *chosen;
 }
 
 void Surface::Work::bindPeaks(const ParticleView& particles) {

@@ -1,4 +1,5 @@
-// Going back fourteen times from the same moment of the shipped tee lesson: the same metal each time, and no more memory.
+// Going back fourteen times from the same moment of the shipped tee lesson: the same metal each time, and no more
+// memory.
 #include "app/session/attempt/redo.hpp"
 #include "core/training/lesson.hpp"
 #include "tests/support/catch.hpp"
@@ -15,7 +16,7 @@ namespace {
 constexpr double kBegun = 4;       ///< s of the metal at which one goes back
 constexpr double kFault = -0.0105; ///< m along the seam, welded some time before that
 constexpr int kTimes = 14;
-constexpr int kWarmedUp = 8; ///< rounds after which all memory that is kept from one to the next is there: six were enough
+constexpr int kWarmedUp = 8; ///< rounds after which all memory that is kept from one to the next is there; seven do
 
 /// Welds the demonstration and keeps moments as the session does.
 void weldTo(Trainer& trainer, Redo& redo, double time) {

@@ -97,9 +97,9 @@ TEST_CASE("one thing changed on the tee lesson changes the fillet as physics has
     CHECK(weldOf(longer, "penetration_mm") < weldOf(own, "penetration_mm") + kResolved / 2);
     CHECK(legOf(longer) == Approx(legOf(own)).margin(2 * kResolved));
 
-    // Turned about the corner, a handle that leans towards the welder brings the wire's end down to the lying plate, and
-    // the pool stands between it and the corner: its metal stays there, and the root is fused less. One that stands up
-    // does the opposite.
+    // Turned about the corner, a handle that leans towards the welder brings the wire's end down to the lying plate,
+    // and the pool stands between it and the corner: its metal stays there, and the root is fused less. One that stands
+    // up does the opposite.
     const Json flat = tee.weldIf("flat-torch", "work_angle=15");
     const Json steep = tee.weldIf("steep-torch", "work_angle=-15");
     const auto standingMore = [](const Json& result) { return weldOf(result, "leg2_mm") - weldOf(result, "leg1_mm"); };

@@ -9,8 +9,8 @@
 namespace meltpool {
 
 void ParticleMirror::take(const ParticleView& original, gl::OtherContext& there) {
-    const std::array<const gl::Buffer*, kBuffers> from{original.positions, original.phases, original.heats,
-                                                       original.frozenAt, original.latticeSlots, original.numbers};
+    const std::array<const gl::Buffer*, kBuffers> from{original.positions, original.phases,       original.heats,
+                                                       original.frozenAt,  original.latticeSlots, original.numbers};
     std::array<const std::byte*, kBuffers> memory{};
     there.run([&] {
         for (size_t i = 0; i < kBuffers; ++i)

@@ -1,0 +1,31 @@
+// The programs that bring particles into the surface's volumes, by what the particles bring.
+#pragma once
+
+#include "core/gl/program.hpp"
+
+#include <array>
+#include <optional>
+
+namespace meltpool {
+
+struct SplatPasses {
+    const gl::Program& compare;
+    const gl::Program& splatAll;
+    const gl::Program& splatChanged;
+};
+
+/// Programs of their own for each kind of data, so that it costs nothing where it is missing; made when they are asked
+/// for.
+class SplatPassLibrary {
+  public:
+    explicit SplatPassLibrary(gl::ShaderLibrary& shaders) : shaders_(shaders) {}
+
+    /// `data`: bits SURFACE_WITH_*; `kernel`: a SurfaceKernel.
+    const SplatPasses& passes(int data, int kernel);
+
+  private:
+    gl::ShaderLibrary& shaders_;
+    std::array<std::optional<SplatPasses>, 8> made_; // with freezing times or not, with numbers or not, by kernel
+};
+
+} // namespace meltpool
