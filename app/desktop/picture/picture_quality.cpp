@@ -13,7 +13,7 @@ constexpr double kTooMuch = 1.1;       ///< times what is allowed: coarser
 constexpr double kSurelyEnough = 0.85; ///< times what is allowed: finer
 constexpr double kFirstPatience = 2;   ///< s
 constexpr double kMostPatience = 60;   ///< s
-constexpr double kStill = 0.5;         ///< s without a step from which the metal stands still
+constexpr double kStill = 0.5;         ///< s without a move from which metal and picture stand still
 constexpr double kForgotten = 20;      ///< s after which the cost of another level is a guess again
 /// Of a frame's work besides steps: what does not grow with the picture's pixels, while only one level is known.
 constexpr double kFixed = 0.3;
@@ -72,19 +72,7 @@ void PictureBudget::moveTo(int level) {
     frame_ = 0;
 }
 
-bool PictureBudget::comesToStand(const FrameCost& frame) {
-    const double before = still_;
-    still_ = frame.steps > 0 || frame.least > 0 ? 0 : before + frame.seconds;
-    return before < kStill && still_ >= kStill;
-}
-
 void PictureBudget::add(const FrameCost& frame) {
-    if (comesToStand(frame)) {
-        // What pictures cost beside steps says little now, and people look at what they welded.
-        restart();
-        still_ = kStill;
-        return;
-    }
     for (Known& each : known_)
         each.age += frame.seconds;
     here_ += frame.seconds;
@@ -107,10 +95,17 @@ void PictureBudget::add(const FrameCost& frame) {
     if (level_ > 0 && here_ > patience_ && fits(expectedAt(level_ - 1), kSurelyEnough)) moveTo(level_ - 1);
 }
 
+bool StillPicture::count(double seconds, bool moves) {
+    const double before = metal_;
+    metal_ = moves ? 0 : metal_ + seconds;
+    picture_ = moves ? 0 : picture_ + seconds;
+    return before < kStill && metal_ >= kStill;
+}
+
 bool StillPicture::stands(const View& view) {
-    if (view.worldToEye != seen_.worldToEye || view.eyeToClip != seen_.eyeToClip) still_ = 0;
+    if (view.worldToEye != seen_.worldToEye || view.eyeToClip != seen_.eyeToClip) picture_ = 0;
     seen_ = view;
-    return still_ >= kStill;
+    return picture_ >= kStill;
 }
 
 } // namespace meltpool

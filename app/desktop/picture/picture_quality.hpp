@@ -34,8 +34,7 @@ struct FrameCost {
 };
 
 /// Chooses the finest level with which frames leave the metal its time: what a frame does besides steps may take its
-/// share of kFrame. Begins anew with all pixels once the metal stands still. Nothing here reads a clock of its own or
-/// waits for the graphics driver.
+/// share of kFrame. Nothing here reads a clock of its own or waits for the graphics driver.
 class PictureBudget {
   public:
     static constexpr double kFrame = 0.045;     ///< s; none: chosen, a little more than twenty pictures a second
@@ -54,8 +53,6 @@ class PictureBudget {
     bool fits(double rest, double share) const;
     double expectedAt(int level) const;
     void moveTo(int level);
-    /// Whether the metal has just come to stand still.
-    bool comesToStand(const FrameCost& frame);
 
     struct Known {
         double rest = 0; ///< s of a frame besides steps; 0: not known
@@ -70,20 +67,21 @@ class PictureBudget {
     double here_ = 0;     ///< s at this level
     double patience_ = 2; ///< s at a level before a finer one is tried
     bool wentUp_ = false; ///< the last change was to a finer level
-    double still_ = 0;    ///< s without a step of the metal
 };
 
 /// Knows a picture in which nothing moves: it has no hurry and is drawn with all pixels.
 class StillPicture {
   public:
-    /// Counts the last frame; `moves`: the metal did, or what is shown of it was sought.
-    void count(double seconds, bool moves) { still_ = moves ? 0 : still_ + seconds; }
+    /// Counts the last frame; `moves`: the metal did, or what is shown of it was sought. True where the metal has just
+    /// come to stand: what pictures cost beside its steps says little then.
+    bool count(double seconds, bool moves);
     /// To be asked once a frame, with what it looks from.
     bool stands(const View& view);
 
   private:
-    double still_ = 0; ///< s
-    View seen_;        ///< in the last frame
+    double metal_ = 0;   ///< s since the metal moved
+    double picture_ = 0; ///< s since it or the camera did
+    View seen_;          ///< in the last frame
 };
 
 } // namespace meltpool

@@ -8,10 +8,11 @@ namespace meltpool {
 
 void WindowPicture::count(const LessonSession& session, double seconds, const std::optional<StepsBeside>& beside) {
     const double steps = session.clock().busy();
-    still_.count(seconds, beside || steps > 0 || session.seeks() || session.measuresSpeed());
-    if (!session.running()) return budget_.restart();
+    const bool seeks = session.seeks() || session.measuresSpeed();
+    const bool metalStopped = still_.count(seconds, beside || steps > 0 || seeks);
+    if (!session.running() || metalStopped) return budget_.restart();
     // A seek and a trial of the machine's speed take all the time that they can get.
-    if (!counts_ || session.seeks() || session.measuresSpeed()) return;
+    if (!counts_ || seeks) return;
     if (beside)
         return budget_.add({seconds, beside->waited, 0, seconds - beside->seconds + session.clock().busyBeside()});
     budget_.add({seconds, steps, steps > 0 ? session.loadOfSteps() : 0, 0});

@@ -57,9 +57,6 @@ class DrawnWeld {
         return outcome;
     }
 
-    /// From now on the metal stands still.
-    void stop() { machine_.step = 0; }
-
     PictureBudget budget;
 
   private:
@@ -120,21 +117,22 @@ TEST_CASE("on a machine that is too slow for the metal the picture takes a quart
     CHECK(slow.changes <= 6);
 }
 
-TEST_CASE("metal that came to stand still is drawn with all pixels at once, where a frame bears them") {
-    DrawnWeld weld({0.006, 0.006, 0.025, 0});
-    REQUIRE(weld.run(20).level != PictureLevel::full);
-    weld.stop();
-    CHECK(weld.run(0.7).level == PictureLevel::full);
-    const Outcome later = weld.run(20);
-    CHECK(later.level == PictureLevel::full);
-    CHECK(later.changes == 0);
-    DrawnWeld slow({0.02, 0.008, 0.2, 0});
-    slow.run(20);
-    slow.stop();
-    CHECK(slow.run(0.7).level == PictureLevel::full);
-    const Outcome coarse = slow.run(40);
-    CHECK(coarse.level == PictureLevel::coarse);
-    CHECK(coarse.changes <= 3);
+TEST_CASE("metal comes to stand once, half a second after its last step") {
+    StillPicture picture;
+    const auto stops = [&](int frames, bool moves) {
+        int times = 0;
+        for (int i = 0; i < frames; ++i)
+            times += picture.count(0.1, moves) ? 1 : 0;
+        return times;
+    };
+    CHECK(stops(3, true) == 0);
+    CHECK(stops(4, false) == 0);
+    CHECK(stops(1, true) == 0);
+    CHECK(stops(4, false) == 0);
+    CHECK(stops(2, false) == 1);
+    CHECK(stops(30, false) == 0);
+    CHECK(stops(1, true) == 0);
+    CHECK(stops(30, false) == 1);
 }
 
 TEST_CASE("a picture stands when neither metal nor camera has moved for half a second") {
