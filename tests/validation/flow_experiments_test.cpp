@@ -41,6 +41,25 @@ TEST_CASE("constants follow from the liquid") {
     CHECK(wettingForAngle(1.7, 5) == wettingForAngle(1.7, 1));
 }
 
+TEST_CASE("a drop's highest point is found from particles in any order and wherever its axis is") {
+    const double spacing = GENERATE(1e-3, 0.5e-3);
+    const double radius = GENERATE(3e-3, 6e-3);
+    INFO("spacing " << spacing << ", radius " << radius);
+    const glm::dvec3 axis(0.3e-3, 0, -0.2e-3);
+    // Half a ball on the plane, its outermost particles half a spacing inside.
+    std::vector<glm::dvec3> places;
+    const int reach = static_cast<int>(radius / spacing) + 1;
+    for (int x = -reach; x <= reach; ++x)
+        for (int z = -reach; z <= reach; ++z) {
+            const double across = spacing * std::hypot(x, z);
+            if (across > radius - spacing / 2) continue;
+            const double top = std::sqrt((radius - spacing / 2) * (radius - spacing / 2) - across * across);
+            for (double y = top; y > 0; y -= spacing)
+                places.push_back(axis + glm::dvec3(x * spacing, y, z * spacing));
+        }
+    CHECK(apexHeight(places, spacing) == Approx(radius).epsilon(0.02));
+}
+
 TEST_CASE("drops from four spacings in radius on swing at Rayleigh's frequency") {
     const FlowFluid steel;
     const double radius = GENERATE(4e-3, 5e-3, 6e-3);

@@ -190,26 +190,42 @@ SessileDrop sessileDrop(gl::ShaderLibrary& shaders, const FlowFluid& fluid, doub
     double samples = 0;
     bench.run(seconds, kFrame, [&](double time) {
         if (time < seconds * 0.8) return;
-        auto places = bench.readPositions();
-        glm::dvec3 centre(0);
-        for (const auto& place : places)
-            centre += place / static_cast<double>(places.size());
-        // The mean of the highest eight near the axis, half a spacing under the surface.
-        std::vector<double> heights;
-        for (const auto& place : places)
-            if (glm::length(glm::dvec2(place.x - centre.x, place.z - centre.z)) < 3 * dx) heights.push_back(place.y);
-        std::sort(heights.rbegin(), heights.rend());
-        double sum = 0;
-        const size_t count = std::min<size_t>(8, heights.size());
-        for (size_t i = 0; i < count; ++i)
-            sum += heights[i] / static_cast<double>(count);
-        result.height += sum + dx / 2;
+        result.height += apexHeight(bench.readPositions(), dx);
         samples += 1;
     });
     result.height /= samples;
     result.restSpeed = rmsSpeed(bench);
     tellRun(result, bench);
     return result;
+}
+
+double apexHeight(std::span<const glm::dvec3> places, double spacing) {
+    constexpr double kReach = 2.5;                // spacings from the axis
+    constexpr double kAbove = 0.3, kBeside = 0.7; // spacings: what lies higher and so near covers a particle
+    glm::dvec3 centre(0);
+    for (const glm::dvec3& place : places)
+        centre += place / static_cast<double>(places.size());
+    const auto way = [](const glm::dvec3& a, const glm::dvec3& b) { return std::hypot(a.x - b.x, a.z - b.z); };
+    const auto covered = [&](const glm::dvec3& place) {
+        return std::any_of(places.begin(), places.end(), [&](const glm::dvec3& other) {
+            return other.y > place.y + kAbove * spacing && way(other, place) < kBeside * spacing;
+        });
+    };
+    // A ball around (0, middle): r² + y² = 2 middle y + rest, by least squares.
+    double count = 0, sumY = 0, sumYY = 0, sumS = 0, sumSY = 0;
+    for (const glm::dvec3& place : places) {
+        const double r = way(place, centre);
+        if (r > kReach * spacing || covered(place)) continue;
+        const double square = r * r + place.y * place.y;
+        count += 1;
+        sumY += place.y;
+        sumYY += place.y * place.y;
+        sumS += square;
+        sumSY += square * place.y;
+    }
+    const double middle = 0.5 * (count * sumSY - sumS * sumY) / (count * sumYY - sumY * sumY);
+    const double rest = (sumS - 2 * middle * sumY) / count;
+    return middle + std::sqrt(rest + middle * middle) + spacing / 2;
 }
 
 DampedFit fitDamped(std::span<const double> samples, double interval, double lowestFrequency, double highestFrequency) {
