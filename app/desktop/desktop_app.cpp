@@ -20,7 +20,8 @@ namespace meltpool {
 
 namespace {
 
-/// s that a window sleeps between looks at its input where nothing moves: minimised, or on a page before the lesson.
+/// s that a window sleeps between looks at its input where nothing moves: minimised, on a page before the lesson, or in
+/// a lesson whose picture stands.
 constexpr double kRest = 0.1;
 /// How long a headset that was asked for may take to open, s: far beyond what it takes on a busy machine.
 constexpr double kHeadsetPatience = 120;
@@ -142,7 +143,8 @@ void DesktopApp::frame() {
 bool DesktopApp::rests() const {
     if (headsetFrame_) return false;
     // A headset that is about to open with its lesson is not kept waiting.
-    const bool still = !session_.running() && (home_.open || !headset_) && !home_.comparison.welding();
+    const bool before = !session_.running() && (home_.open || !headset_) && !home_.comparison.welding();
+    const bool still = before || picture_.stands();
     return window_.minimised() || (still && !window_.stirred());
 }
 

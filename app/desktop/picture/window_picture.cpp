@@ -10,6 +10,7 @@ void WindowPicture::count(const LessonSession& session, double seconds, const st
     const double steps = session.clock().busy();
     const bool seeks = session.seeks() || session.measuresSpeed();
     const bool metalStopped = still_.count(seconds, beside || steps > 0 || seeks);
+    if (!session.running()) stands_ = false;
     if (!session.running() || metalStopped) return budget_.restart();
     // A seek and a trial of the machine's speed take all the time that they can get.
     if (!counts_ || seeks) return;
@@ -24,11 +25,11 @@ void WindowPicture::prepare(LessonSession& session, const Controls& controls, co
     pixels_ = wish.pixels;
     const float aspect = static_cast<float>(pixels_.x) / static_cast<float>(std::max(pixels_.y, 1));
     shown_ = session.picture(controls, aspect, wish.shift, wish.surfaceLater, profiler);
-    const bool stands = still_.stands(shown_.view);
-    counts_ = wish.setting == 0 && !wish.whole && !stands;
+    stands_ = still_.stands(shown_.view);
+    counts_ = wish.setting == 0 && !wish.whole && !stands_;
     level_ = wish.whole          ? PictureLevel::full
              : wish.setting != 0 ? static_cast<PictureLevel>(wish.setting - 1)
-             : stands            ? PictureLevel::full
+             : stands_           ? PictureLevel::full
                                  : budget_.level();
     sentence_ = pictureSentence(level_);
     offset_ = wish.shift;

@@ -40,6 +40,8 @@ class WindowPicture {
     Image large(LessonSession& session);
     /// What the last picture was drawn at, see pictureSentence().
     std::string_view sentence() const { return sentence_; }
+    /// Neither metal nor camera moved lately, and the last picture has all pixels: the next one is the same.
+    bool stands() const { return stands_; }
 
   private:
     PictureBudget budget_;
@@ -51,6 +53,7 @@ class WindowPicture {
     float offset_ = 0; ///< of shown_, see PictureWish::shift
     std::string_view sentence_;
     bool counts_ = false; ///< the last picture was drawn at the budget's level
+    bool stands_ = false;
 };
 
 } // namespace meltpool

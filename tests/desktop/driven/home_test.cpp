@@ -172,6 +172,7 @@ TEST_CASE("the demonstration is stopped, moved and left for one's own attempt by
     window.takePicture("demonstration");
     window.key("space");
     window.waitFor("a pause", [&](const json& s) { return shown(s).at("playing") == false; });
+    window.waitFor("the window to rest", [](const json& s) { return s.at("frames_per_second") < 15; });
     const double time = shown(window.settle()).at("time");
     window.key("Right");
     window.waitFor("the torch half a second on", [&](const json& s) {
