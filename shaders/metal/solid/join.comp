@@ -22,9 +22,18 @@ bool bonded(uint mine, uint other) {
     return ((mine | other) & PHASE_FRESH) != 0 || fragmentOf(mine) == fragmentOf(other);
 }
 
-/// Joins the fragments of two particles. The later one gets the earlier one as its label; what it had for a label, if that was
-/// not itself, belongs to the same fragment and is joined next, so that no bond is lost where two threads lower one label.
+/// Where a particle's label leads to by now.
+uint rootOf(uint slot) {
+    for (uint above = label[slot]; above != slot; above = label[slot]) slot = above;
+    return slot;
+}
+
+/// Joins the fragments of two particles, by their roots: most are joined already. The later root gets the earlier one as its
+/// label; what it has for a label by then, if that is not itself, belongs to the same fragment and is joined next, so that no
+/// bond is lost where two threads lower one label.
 void join(uint a, uint b) {
+    a = rootOf(a);
+    b = rootOf(b);
     while (a != b) {
         uint later = max(a, b), earlier = min(a, b);
         uint before = atomicMin(label[later], earlier);
