@@ -19,8 +19,8 @@
 #define HEAT_CELL_RANGE                                                                                                \
     8 // uvec2 a cell that metal off the lattice shares: see CellRange in cell_range.glsl; 0 between steps
 #define HEAT_TILES 9      // HeatTile a tile
-#define HEAT_LISTS 10     // uint: two lists of tiles, one after the other: the mixed ones, HEAT_REACHED added where a source may reach
-                          // one, and those with metal off the lattice; then the list of slots off it
+#define HEAT_LISTS 10     // uint: three lists of tiles, one after the other: the mixed ones, HEAT_REACHED added where a source may reach
+                          // one, those with metal off the lattice, and those that ever held metal; then the list of slots off it
 #define HEAT_REACHED 0x80000000u
 #define HEAT_CONTROL 11   // HeatControl
 #define HEAT_SOURCE_SUMS 12 // float: sum of weights of each source, then of each row of each tile that a source reaches
@@ -69,6 +69,7 @@
 #define TILE_SHARED 4               // metal off the lattice was in it
 #define TILE_HALF 1                 // where theta was during that step
 #define TILE_NO_METAL (-0x40000000) // a tile that never held any: takes part only when metal off the lattice comes
+#define TILE_UNLISTED (-0x40000000) // as HeatTile.lastOffLattice: it is not in the list of tiles that ever held metal
 
 // Rows of four cells along x in a tile. A row that never held metal of the lattice, and that none off it shares, is empty in both
 // halves of theta, and no step visits it.
@@ -156,6 +157,8 @@ struct HeatControl {
     uvec4 offLatticeTiles;  // metal off the lattice in the tile: a group each; w: unused
     uvec3 offLatticeGroups; // over the list of slots off the lattice
     uint offLatticeCount;   // slots in that list
+    uvec3 metalTileGroups;  // over the list of tiles that ever held metal, which only grows
+    uint metalTileCount;    // tiles in it
 };
 
 struct HeatTile {
@@ -172,7 +175,7 @@ struct HeatTile {
 #ifdef __cplusplus
 static_assert(sizeof(HeatSourceData) == 128);
 static_assert(sizeof(HeatBlock) == 144 + HEAT_SOURCES * 128);
-static_assert(sizeof(HeatControl) == 112);
+static_assert(sizeof(HeatControl) == 128);
 static_assert(sizeof(HeatTile) == 32);
 } // namespace meltpool
 #endif

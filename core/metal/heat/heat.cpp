@@ -42,8 +42,8 @@ gl::Defines definesOf(const HeatSettings& settings, const Material& material) {
 }
 
 constexpr uvec4 kNoGroups(0, 1, 1, 0);
-constexpr HeatControl kNothingListed{{1, 1, 1, 0}, kNoGroups, kNoGroups,        kNoGroups,
-                                     kNoGroups,    kNoGroups, uvec3(kNoGroups), 0};
+constexpr HeatControl kNothingListed{{1, 1, 1, 0}, kNoGroups,        kNoGroups, kNoGroups,        kNoGroups,
+                                     kNoGroups,    uvec3(kNoGroups), 0,         uvec3(kNoGroups), 0};
 constexpr size_t kOffLatticeDispatch = offsetof(HeatControl, offLatticeGroups);
 
 void storageBarrier() {
@@ -103,7 +103,7 @@ void HeatSolver::takeTable() {
 
 void HeatSolver::takeCapacity() {
     const size_t slots = state_.capacity();
-    lists_.resize((2 * state_.lattice().tileCount() + slots) * sizeof(uint));
+    lists_.resize((3 * state_.lattice().tileCount() + slots) * sizeof(uint));
     knownCells_.resize(slots * sizeof(uint));
     if (settings_.ledger) ledger_.resize((state_.lattice().cellCount() + slots) * sizeof(vec4));
     texels_.clear();
@@ -122,7 +122,7 @@ void HeatSolver::makeBuffers() {
     cellRanges_ = gl::Buffer::gpuOnly("heat cell ranges", cells * sizeof(uvec2));
     tiles_ = gl::Buffer::gpuOnly("heat tiles", tiles * sizeof(HeatTile));
     tileStamps_ = gl::Buffer::gpuOnly("heat tile stamps", tiles * sizeof(int));
-    lists_ = gl::Buffer::gpuOnly("heat lists", (2 * tiles + slots) * sizeof(uint));
+    lists_ = gl::Buffer::gpuOnly("heat lists", (3 * tiles + slots) * sizeof(uint));
     listedRows_ = gl::Buffer::gpuOnly("heat listed rows", TILE_ROWS * tiles * sizeof(uint));
     control_ = gl::Buffer("heat control", sizeof(HeatControl));
     knownCells_ = gl::Buffer::gpuOnly("heat known cells", slots * sizeof(uint));
@@ -300,14 +300,14 @@ void HeatSolver::depositOffLattice() {
     }
     indirect(*deposit_,
              kOffLatticeDispatch); // enthalpies, positions -> cell sums, weights, tiles with metal off the lattice
-    storageBarrier();
+    indirectBarrier();
 }
 
 void HeatSolver::listTiles() {
-    // The list of slots off the lattice is kept.
+    // The lists of slots off the lattice and of tiles that ever held metal are kept.
     control_.write(std::as_bytes(std::span(&kNothingListed, 1)).first(offsetof(HeatControl, offLatticeGroups)));
     listedRows_.bindStorage(HEAT_LISTED_ROWS);
-    listTiles_->dispatch(state_.lattice().tileCount(), GROUP_SIZE); // tiles -> lists of tiles, of plain tiles' rows
+    indirect(*listTiles_, offsetof(HeatControl, metalTileGroups)); // tiles -> lists of tiles, of plain tiles' rows
     indirectBarrier();
     indirect(*averageCells_, offsetof(HeatControl, offLatticeTiles)); // cell sums, weights -> cell theta
     storageBarrier();
@@ -364,7 +364,7 @@ void HeatSolver::step(double seconds, std::span<const HeatSource> sources, gl::P
 }
 
 OffLatticeList HeatSolver::offLattice() const {
-    return {lists_, 2 * state_.lattice().tileCount(), control_, offsetof(HeatControl, offLatticeCount),
+    return {lists_, 3 * state_.lattice().tileCount(), control_, offsetof(HeatControl, offLatticeCount),
             kOffLatticeDispatch};
 }
 

@@ -8,7 +8,7 @@ layout(local_size_x = TILE_CELLS) in;
 layout(std430, binding = HEAT_CELL_SUMS) restrict readonly buffer CellSums { uint cellSum[]; };
 
 void main() {
-    int tile = int(texelFetch(listTexels, heatBlock.tileCount + int(gl_WorkGroupID.x)).x);
+    int tile = int(texelFetch(listTexels, offLatticeTilesBegin() + int(gl_WorkGroupID.x)).x);
     int cell = tile * TILE_CELLS + int(gl_LocalInvocationIndex);
     int index = thetaIndex(cell);
     float theta = texelFetch(thetaTexels, index).x;

@@ -47,6 +47,11 @@ float liquidFraction(float enthalpy) {
     return range > 0.0 ? clamp((enthalpy - metal.solidusEnthalpy) / range, 0.0, 1.0) : float(enthalpy >= metal.liquidusEnthalpy);
 }
 
+// Where the lists of HEAT_LISTS begin, behind that of the mixed tiles.
+int offLatticeTilesBegin() { return heatBlock.tileCount; }
+int metalTilesBegin() { return 2 * heatBlock.tileCount; }
+int offLatticeSlotsBegin() { return 3 * heatBlock.tileCount; }
+
 int stampOf(int tile) { return texelFetch(stampTexels, tile).x; }
 /// The first half of a HeatTile.
 struct TileNotes {

@@ -1,13 +1,19 @@
 #version 450 core
-// Adds the shares of each particle off the lattice to the weights, sums and ranges of the eight cells around it.
+// Adds the shares of each particle off the lattice to the weights, sums and ranges of the eight cells around it, and notes their
+// tiles.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/dispatch.h"
 layout(local_size_x = GROUP_SIZE) in;
 #include "metal/heat/common.glsl"
 #include "metal/heat/off_lattice.glsl"
 #include "metal/heat/cell_range.glsl"
+#include "metal/heat/metal_tiles.glsl"
 layout(std430, binding = HEAT_CELL_SUMS) restrict buffer CellSums { uint cellSum[]; };
-layout(std430, binding = HEAT_CONTROL) restrict readonly buffer Control { HeatControl control; };
+
+void noteOffLattice(int tile) {
+    if (notesOf(tile).lastOffLattice == heatBlock.stepNumber) return;
+    if (atomicExchange(tiles[tile].lastOffLattice, heatBlock.stepNumber) == TILE_UNLISTED) listMetalTile(tile);
+}
 
 void main() {
     uint entry = linearInvocation();
@@ -23,7 +29,6 @@ void main() {
         atomicAdd(cellWeight[cell], uint(weight * float(SHARE_UNIT)));
         atomicAdd(cellSum[cell], uint(weight * theta / heatBlock.thetaUnit + 0.5));
         addToRange(cell, theta);
-        int tile = cell / TILE_CELLS;
-        if (notesOf(tile).lastOffLattice != heatBlock.stepNumber) tiles[tile].lastOffLattice = heatBlock.stepNumber;
+        noteOffLattice(cell / TILE_CELLS);
     }
 }

@@ -19,7 +19,7 @@ void listOffLattice(uint slot) {
     knownCell[slot] = HEAT_OFF_LATTICE;
     uint entry = atomicAdd(control.offLatticeCount, 1u);
     if (entry % GROUP_SIZE == 0u) atomicAdd(control.offLatticeGroups.x, 1u);
-    lists[2 * heatBlock.tileCount + int(entry)] = slot;
+    lists[offLatticeSlotsBegin() + int(entry)] = slot;
 }
 
 /// Empties the cell of a particle that left the lattice; `index`: where its neighbours will read its theta.

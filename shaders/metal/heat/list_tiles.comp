@@ -1,6 +1,7 @@
 #version 450 core
-// Lists the tiles that take part in this step: those where something happens, their neighbours, those that a source reaches and
-// those with metal off the lattice. A sleeping tile with a warm surface takes part every TILE_LOSS_INTERVAL steps.
+// Lists the tiles that take part in this step, among those that ever held metal: those where something happens, their
+// neighbours, those that a source reaches and those with metal off the lattice. A sleeping tile with a warm surface takes part
+// every TILE_LOSS_INTERVAL steps.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/dispatch.h"
 layout(local_size_x = GROUP_SIZE) in;
@@ -52,12 +53,12 @@ void listMixed(int tile, bool reached) {
 }
 
 void main() {
-    int tile = int(linearInvocation());
-    if (tile >= heatBlock.tileCount) return;
+    uint known = linearInvocation();
+    if (known >= control.metalTileCount) return;
+    int tile = int(texelFetch(listTexels, metalTilesBegin() + int(known)).x);
     int stamp = stampOf(tile);
     TileNotes notes = notesOf(tile);
     bool offLattice = holdsOffLattice(notes);
-    if (stamp <= TILE_NO_METAL && !offLattice) return;
     ivec3 place = tileCoordinate(tile);
     Neighbourhood neighbours = neighbourhoodOf(tile, place);
     bool source = underSource(place);
@@ -80,5 +81,5 @@ void main() {
         listMixed(tile, source);
     else
         listPlainRows(tile, rowBitsOf(tile));
-    if (offLattice) lists[heatBlock.tileCount + int(atomicAdd(control.offLatticeTiles.x, 1u))] = uint(tile);
+    if (offLattice) lists[offLatticeTilesBegin() + int(atomicAdd(control.offLatticeTiles.x, 1u))] = uint(tile);
 }

@@ -6,7 +6,7 @@
 // its own particles, so nothing is gained or lost.
 
 /// Slot number `entry` of the list of those off the lattice.
-uint offLatticeSlot(uint entry) { return texelFetch(listTexels, 2 * heatBlock.tileCount + int(entry)).x; }
+uint offLatticeSlot(uint entry) { return texelFetch(listTexels, offLatticeSlotsBegin() + int(entry)).x; }
 
 struct Shares {
     ivec3 base;    // lowest of the eight cells

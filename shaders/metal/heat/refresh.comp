@@ -1,9 +1,11 @@
 #version 450 core
-// Writes the Kirchhoff variable and the weight of every lattice cell from the particle that sits there, and wakes every tile.
+// Writes the Kirchhoff variable and the weight of every lattice cell from the particle that sits there, wakes every tile, and lists
+// those with metal.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/dispatch.h"
 layout(local_size_x = GROUP_SIZE) in;
 #include "metal/heat/common.glsl"
+#include "metal/heat/metal_tiles.glsl"
 layout(std430, binding = HEAT_KNOWN_CELLS) restrict writeonly buffer KnownCells { uint knownCell[]; };
 
 void main() {
@@ -27,6 +29,9 @@ void main() {
     int never = now - 1000;
     uint rows = 0u;
     for (uint inside = 0u; inside < TILE_CELLS; ++inside) rows |= uint(latticeSlot[cell + inside] != 0u) << inside / TILE_EDGE;
-    tiles[cell / TILE_CELLS] = HeatTile(now, never, never, now, 0.0, heatBlock.endTime, rows, 0u);
-    tileStamp[cell / TILE_CELLS] = rows != 0u ? now << TILE_STEP_SHIFT : TILE_NO_METAL;
+    int tile = int(cell / TILE_CELLS);
+    bool hasMetal = rows != 0u;
+    tiles[tile] = HeatTile(now, hasMetal ? never : TILE_UNLISTED, never, now, 0.0, heatBlock.endTime, rows, 0u);
+    tileStamp[tile] = hasMetal ? now << TILE_STEP_SHIFT : TILE_NO_METAL;
+    if (hasMetal) listMetalTile(tile);
 }
