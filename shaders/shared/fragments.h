@@ -21,6 +21,7 @@
 #define FRAGMENT_LABELS 8      // uint per slot: slot of the same fragment, no greater than its own, where it is the root
 #define FRAGMENT_FIRST_LABELS 9 // the same as the cycle began with them
 #define FRAGMENT_MEMBERS 9     // in their place when all are joined: uint per slot, used at roots, see FRAGMENT_CLAMPED
+#define FRAGMENT_CHANGES 10    // the metal's list of slots whose phase changed
 #define FRAGMENT_CONTROL 12    // FragmentControl
 #define FRAGMENT_MOTIONS 13    // FragmentMotion per fragment number
 #define FRAGMENT_FREE_SLOTS 14 // uint: slots of free fragments in ascending order

@@ -289,8 +289,9 @@ void HeatSolver::indirect(const gl::Program& program, size_t groups) const {
 
 /// The list already holds the metal that heat itself took off the lattice.
 void HeatSolver::depositOffLattice() {
-    const size_t first = regroupings_ == state_.regroupings() ? searched_ : 0;
-    regroupings_ = state_.regroupings();
+    const unsigned regroupings = state_.regroupings() + state_.labellings();
+    const size_t first = regroupings_ == regroupings ? searched_ : 0;
+    regroupings_ = regroupings;
     searched_ = state_.particles();
     if (first < searched_) {
         listOffLattice_->set("first", static_cast<unsigned>(first));

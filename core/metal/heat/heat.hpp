@@ -119,7 +119,7 @@ class HeatSolver {
     HeatSettings settings_;
     HeatBlock block_{};
     size_t searched_ = 0; ///< slots that were searched for metal off the lattice
-    unsigned regroupings_ = 0;
+    unsigned regroupings_ = 0; ///< and labellings of the state when all slots were last searched
     double time_ = 0; ///< s
     const gl::Program *refresh_, *listOffLattice_, *deposit_, *listTiles_, *averageCells_, *listRows_, *sourceWeights_,
         *normaliseSources_, *conductReached_, *conductUnreached_, *advanceOffLattice_, *conductPlain_, *advanceMixed_,

@@ -92,6 +92,7 @@ void RigidFragments::bind() const {
     motions_.bindStorage(FRAGMENT_MOTIONS);
     freeSlots_.bindStorage(FRAGMENT_FREE_SLOTS);
     contacts_.bindStorage(FRAGMENT_CONTACTS);
+    state_.changes.bindStorage(FRAGMENT_CHANGES);
     firstLabelTexels_.bind(FRAGMENT_TEXELS_FIRST_LABEL);
     latticeTexels_.bind(FRAGMENT_TEXELS_LATTICE);
     positionTexels_.bind(FRAGMENT_TEXELS_POSITION);
@@ -147,9 +148,9 @@ void RigidFragments::finish() {
     storageBarrier();
     numberFragments_.dispatchGroups(1);
     storageBarrier();
-    assignFragments_.dispatch(particles, FRAGMENT_GROUP);
+    assignFragments_.dispatch(particles, FRAGMENT_GROUP); // numbers, labels -> phases, list of phase changes
     storageBarrier();
-    state_.noteRegrouping();
+    state_.noteLabelling();
     listFree_.dispatchGroups(1);
     gl::memoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
     freeParticles_.forget();

@@ -96,7 +96,7 @@ void MetalState::reset() {
          {&position, &velocity, &heat, &phase, &latticeSlots, &counters, &frozenAt, &changes})
         buffer->clear();
     particles_ = 0;
-    regroupings_ = 0;
+    regroupings_ = labellings_ = 0;
     latticeMetal_ = {};
     onLattice_ = false;
 }
@@ -169,7 +169,7 @@ void MetalState::add(std::span<const MetalSeed> seeds) {
 
 void MetalState::transfer(gl::StateArchive& archive) {
     archive.count(particles_, capacity_);
-    archive.values(regroupings_, onLattice_, latticeMetal_.low, latticeMetal_.high);
+    archive.values(regroupings_, labellings_, onLattice_, latticeMetal_.low, latticeMetal_.high);
     for (const gl::Buffer* each : {&position, &velocity, &heat})
         archive.rows(*each, particles_, sizeof(vec4));
     archive.rows(frozenAt, particles_, sizeof(float));

@@ -91,10 +91,13 @@ class MetalState {
     /// Sum of m H over the living particles with their residuals, J. Waits for the GPU.
     double readEnergy() const;
 
-    /// Goes up whenever phase bits may have changed that `changes` does not list: after fragments were labelled, or
-    /// after the CPU wrote phases, which calls noteRegrouping().
+    /// Goes up whenever phase bits may have changed that `changes` does not list: after the CPU wrote phases, which
+    /// calls noteRegrouping().
     unsigned regroupings() const { return regroupings_; }
     void noteRegrouping() { ++regroupings_; }
+    /// Goes up when fragments were labelled: those that came free have left the lattice.
+    unsigned labellings() const { return labellings_; }
+    void noteLabelling() { ++labellings_; }
 
     gl::Buffer position, velocity, heat, phase, latticeSlots, counters;
     gl::Buffer frozenAt; ///< likewise
@@ -119,6 +122,7 @@ class MetalState {
         std::vector<std::pair<size_t, uint>> cells;
     } staging_;
     unsigned regroupings_ = 0;
+    unsigned labellings_ = 0;
     double density_;
     double mass_;
     MetalBlock block_{};

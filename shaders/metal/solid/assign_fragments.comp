@@ -1,5 +1,6 @@
 // Writes the number of its fragment to each particle, takes particles of free fragments off the lattice and stops those of
-// clamped ones.
+// clamped ones. Lists what may have become or ceased to be moving metal by that: whose bits changed, and what froze lately,
+// which is that as long as it flies.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "metal/solid/common.glsl"
@@ -8,21 +9,31 @@ layout(local_size_x = FRAGMENT_GROUP) in;
 layout(std430, binding = FRAGMENT_LABELS) readonly buffer Labels { uint label[]; };
 layout(std430, binding = FRAGMENT_MEMBERS) readonly buffer Numbers { uint number[]; };
 
+layout(std430, binding = FRAGMENT_CHANGES) restrict buffer Changes { uint changes[]; };
+
+void noteChange(uint slot) {
+    uint entry = atomicAdd(changes[0], 1u);
+    if (entry < uint(metal.capacity)) changes[entry + 1u] = slot;
+}
+
+/// Phase bits of a solid particle that belongs to a fragment; takes it off the lattice where that is free.
+uint bitsInFragment(uint slot, uint bits, uint fragment) {
+    bits = (bits & ~(PHASE_FRAGMENT_BITS | PHASE_FRESH)) | (fragment << PHASE_FRAGMENT_SHIFT);
+    if (fragment == 0) velocity[slot].xyz = vec3(0);
+    if (fragment == 0 || (bits & PHASE_LATTICE) == 0u) return bits;
+    latticeSlot[latticeIndex(latticeCell(position[slot].xyz))] = 0;
+    return bits & ~PHASE_LATTICE;
+}
+
 void main() {
     uint slot = linearInvocation();
     if (slot >= counters.particles) return;
-    uint bits = phase[slot];
-    if (!isSolid(bits)) {
-        phase[slot] = bits & ~(PHASE_FRAGMENT_BITS | PHASE_FRESH);
-        return;
-    }
-    if (label[slot] == FRAGMENT_NO_LABEL) return; // froze after this cycle began
-    uint fragment = number[label[slot]];
-    bits = (bits & ~(PHASE_FRAGMENT_BITS | PHASE_FRESH)) | (fragment << PHASE_FRAGMENT_SHIFT);
-    if (fragment == 0) velocity[slot].xyz = vec3(0);
-    if (fragment != 0 && (bits & PHASE_LATTICE) != 0) {
-        latticeSlot[latticeIndex(latticeCell(position[slot].xyz))] = 0;
-        bits &= ~PHASE_LATTICE;
-    }
-    phase[slot] = bits;
+    uint before = phase[slot];
+    uint bits = before;
+    if (!isSolid(bits))
+        bits &= ~(PHASE_FRAGMENT_BITS | PHASE_FRESH);
+    else if (label[slot] != FRAGMENT_NO_LABEL) // else it froze after this cycle began
+        bits = bitsInFragment(slot, bits, number[label[slot]]);
+    if (bits != before) phase[slot] = bits;
+    if (bits != before || (bits & PHASE_FRESH) != 0u) noteChange(slot);
 }
