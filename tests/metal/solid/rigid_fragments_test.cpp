@@ -110,6 +110,38 @@ float largestStretch(const std::vector<vec4>& before, const std::vector<vec4>& a
 
 } // namespace
 
+TEST_CASE("labelling lists the particles whose phase it changes, and what froze and has no label yet") {
+    const MetalLattice lattice = smallLattice();
+    // A clamped block, and above it one that hangs in the air.
+    const auto held = box(lattice, {4, 0, 4}, {8, 4, 8}, PHASE_CLAMPED);
+    const auto loose = box(lattice, {4, 10, 4}, {8, 12, 8});
+    Bench bench(held + loose);
+    const auto listed = [&] {
+        auto changes = bench.state.changes.read<uint>(1 + bench.state.particles());
+        std::vector<uint> slots(changes.begin() + 1, changes.begin() + 1 + changes[0]);
+        std::sort(slots.begin(), slots.end());
+        bench.state.changes.clear();
+        return slots;
+    };
+    std::vector<uint> expected(loose.size());
+    std::iota(expected.begin(), expected.end(), static_cast<uint>(held.size()));
+    CHECK(listed() == expected); // they came off the lattice
+    bench.fragments.relabelNow(nullptr);
+    CHECK(listed().empty());
+    bench.setPhases([](size_t slot, uint bits) { return slot == 3 ? bits | PHASE_FRESH : bits; });
+    bench.fragments.relabelNow(nullptr);
+    CHECK(listed() == std::vector<uint>{3});
+    CHECK((bench.phases()[3] & PHASE_FRESH) == 0);
+    // Melts now and freezes in the middle of a cycle, which began without it.
+    bench.setPhases([](size_t slot, uint bits) { return slot == 5 ? bits | PHASE_LIQUID : bits; });
+    bench.fragments.relabel(nullptr);
+    bench.setPhases([](size_t slot, uint bits) { return slot == 5 ? (bits & ~PHASE_LIQUID) | PHASE_FRESH : bits; });
+    for (int call = 1; call < 26; ++call)
+        bench.fragments.relabel(nullptr);
+    CHECK(listed() == std::vector<uint>{5});
+    CHECK((bench.phases()[5] & PHASE_FRESH) != 0);
+}
+
 TEST_CASE("fragments are labelled as a flood fill does, with metal missing at random") {
     for (const unsigned seed : {1U, 2U, 3U}) {
         const MetalLattice lattice = smallLattice();
