@@ -75,6 +75,18 @@ TEST_CASE("A fillet has legs on both plates, and more wire makes them longer", "
     CHECK(ours(slow, "leg_mm") == Approx(std::sqrt(2 * ours(slow, "deposited_mm2"))).epsilon(0.35)); // of a mitre
 }
 
+TEST_CASE("A fillet that is given a current draws it, by the wire that melts above the filled corner", "[validation]") {
+    for (const double current : {180.0, 280.0}) {
+        const ValidationResult result =
+            weld("fillet", "process = \"gmaw\"\nwire_diameter_mm = 1.2\nctwd_mm = 15\nvoltage = " +
+                               formatNumber(current / 10) + "\ncurrent_a = " + formatNumber(current) +
+                               "\nplate_mm = [50, 6, 36]\nstanding_mm = 24\nspeed_mm_s = 6\n");
+        INFO(validationText(result));
+        CHECK(ours(result, "current_a") == Approx(current).epsilon(0.05));
+        CHECK(number(result, "deposited_mm2").passed);
+    }
+}
+
 TEST_CASE("An arc spot grows while the arc burns, with wire and without", "[validation]") {
     const auto spot = [](const std::string& process, double seconds) {
         return weld("arc_spot", process + "plate_mm = [36, 8, 36]\non_s = " + formatNumber(seconds) + "\n");

@@ -8,9 +8,10 @@
 namespace meltpool {
 
 /// The process that a case's keys `process`, `voltage`, `current_a`, `wire_diameter_mm`, `wire_feed_m_min`, `ctwd_mm`
-/// and `arc_length_mm` ask for. A machine with wire that is given a current is given the feed that melts at it. A case
-/// that only says `power_w` gets a machine of that electric power: voltage over the computed current with wire, an arc
-/// of 3 mm without. Throws InputError where the keys do not make a process.
+/// and `arc_length_mm` ask for. A machine with wire that is given a current is given the feed that melts at it, in a
+/// fillet above the metal that fills the corner. A case that only says `power_w` gets a machine of that electric power:
+/// voltage over the computed current with wire, an arc of 3 mm without. Throws InputError where the keys do not make a
+/// process.
 ProcessSettings caseProcess(const ValidationCase& from);
 
 /// Distance (m) from the plate to the torch's pose, which is the electrode's tip or the wire's end at its stick-out.
