@@ -85,9 +85,8 @@ double wettingForAngle(double angle, double spacings) {
                                                                       {141.1, 0.1},
                                                                       {180, 0}}};
     // Drops of finer particles show more with the same wetting: of steel at 0.7, 0.6 and 0.5 mm, which have 7.3 and
-    // more spacings in the capillary length. At 0.85 mm, which have 5.9, their heights are still within 3 % without
-    // that.
-    constexpr double kFinerAngle = 5, kFrom = 6, kWhole = 7.3;
+    // more spacings in the capillary length. At 0.75 and 0.85 mm their heights are up to 5 % too large without that.
+    constexpr double kFinerAngle = 5, kFrom = 6.9, kWhole = 7.3;
     const double finer = std::clamp((spacings - kFrom) / (kWhole - kFrom), 0.0, 1.0) * kFinerAngle;
     const double degrees = std::clamp(angle * 180 / std::numbers::pi - finer * std::sin(angle), 0.0, 180.0);
     for (size_t i = 1; i < kMeasured.size(); ++i)
