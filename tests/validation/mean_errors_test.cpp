@@ -26,10 +26,9 @@ ValidationResult result(const char* name, std::vector<ValidationNumber> numbers)
 } // namespace
 
 TEST_CASE("Mean errors of what several cases measured, the worst by name", "[validation]") {
-    const std::vector results{
-        result("one", {measured("width_mm", 10, 11), measured("height_mm", 2, 2), told("steps")}),
-        result("two", {measured("width_mm", 5, 4), told("steps")}),
-        result("three", {measured("height_mm", 4, std::nan("")), measured("depth_mm", 3, 3)})};
+    const std::vector results{result("one", {measured("width_mm", 10, 11), measured("height_mm", 2, 2), told("steps")}),
+                              result("two", {measured("width_mm", 5, 4), told("steps")}),
+                              result("three", {measured("height_mm", 4, std::nan("")), measured("depth_mm", 3, 3)})};
     const std::vector<MeanError> errors = meanErrors(results);
     REQUIRE(errors.size() == 2); // the depth was measured once only
     CHECK(errors[0].name == "width_mm");
