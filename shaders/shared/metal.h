@@ -14,9 +14,9 @@
 // each cell, 0 where no particle sits. Cells are stored tile by tile, 4 x 4 x 4 cells a tile.
 //
 // `changes`, uint 0 their number, then slots: those whose phase bits heat or the labelling of fragments changed, in no order,
-// some perhaps twice. They append in every step, whoever follows the changes (flow) empties the list once it has; a number beyond the capacity means
-// that some were dropped: look at every slot. Not in it: slots handed out since (MetalCounters.particles) and what
-// MetalState::regroupings() counts.
+// some perhaps twice. They append as they change them, whoever follows the changes (flow) empties the list once it has; a
+// number beyond the capacity means that some were dropped: look at every slot. Not in it: slots handed out since
+// (MetalCounters.particles) and what MetalState::regroupings() counts.
 #ifndef MELTPOOL_SHARED_METAL_H
 #define MELTPOOL_SHARED_METAL_H
 

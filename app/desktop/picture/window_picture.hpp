@@ -40,7 +40,7 @@ class WindowPicture {
     Image large(LessonSession& session);
     /// What the last picture was drawn at, see pictureSentence().
     std::string_view sentence() const { return sentence_; }
-    /// Neither metal nor camera moved lately, and the last picture has all pixels: the next one is the same.
+    /// Neither metal nor camera moved lately: the next picture is the same as the last.
     bool stands() const { return stands_; }
 
   private:

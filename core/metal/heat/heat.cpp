@@ -44,6 +44,7 @@ gl::Defines definesOf(const HeatSettings& settings, const Material& material) {
 constexpr uvec4 kNoGroups(0, 1, 1, 0);
 constexpr HeatControl kNothingListed{{1, 1, 1, 0}, kNoGroups,        kNoGroups, kNoGroups,        kNoGroups,
                                      kNoGroups,    uvec3(kNoGroups), 0,         uvec3(kNoGroups), 0};
+constexpr size_t kTileLists = 3; ///< in HEAT_LISTS, before the list of slots
 constexpr size_t kOffLatticeDispatch = offsetof(HeatControl, offLatticeGroups);
 
 void storageBarrier() {
@@ -103,7 +104,7 @@ void HeatSolver::takeTable() {
 
 void HeatSolver::takeCapacity() {
     const size_t slots = state_.capacity();
-    lists_.resize((3 * state_.lattice().tileCount() + slots) * sizeof(uint));
+    lists_.resize((kTileLists * state_.lattice().tileCount() + slots) * sizeof(uint));
     knownCells_.resize(slots * sizeof(uint));
     if (settings_.ledger) ledger_.resize((state_.lattice().cellCount() + slots) * sizeof(vec4));
     texels_.clear();
@@ -122,7 +123,7 @@ void HeatSolver::makeBuffers() {
     cellRanges_ = gl::Buffer::gpuOnly("heat cell ranges", cells * sizeof(uvec2));
     tiles_ = gl::Buffer::gpuOnly("heat tiles", tiles * sizeof(HeatTile));
     tileStamps_ = gl::Buffer::gpuOnly("heat tile stamps", tiles * sizeof(int));
-    lists_ = gl::Buffer::gpuOnly("heat lists", (3 * tiles + slots) * sizeof(uint));
+    lists_ = gl::Buffer::gpuOnly("heat lists", (kTileLists * tiles + slots) * sizeof(uint));
     listedRows_ = gl::Buffer::gpuOnly("heat listed rows", TILE_ROWS * tiles * sizeof(uint));
     control_ = gl::Buffer("heat control", sizeof(HeatControl));
     knownCells_ = gl::Buffer::gpuOnly("heat known cells", slots * sizeof(uint));
@@ -365,7 +366,7 @@ void HeatSolver::step(double seconds, std::span<const HeatSource> sources, gl::P
 }
 
 OffLatticeList HeatSolver::offLattice() const {
-    return {lists_, 3 * state_.lattice().tileCount(), control_, offsetof(HeatControl, offLatticeCount),
+    return {lists_, kTileLists * state_.lattice().tileCount(), control_, offsetof(HeatControl, offLatticeCount),
             kOffLatticeDispatch};
 }
 

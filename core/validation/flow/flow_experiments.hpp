@@ -63,7 +63,7 @@ struct PlateFlow : FlowRun {
 PlateFlow plateFlow(gl::ShaderLibrary& shaders, const FlowFluid& fluid, double gap, double bodyForce, double seconds);
 
 /// Height (m) of the highest point of a drop on a plane at y = 0, whose particles are at `places`: half a spacing above
-/// the top of the paraboloid through those that nothing covers, near the axis. The mean of the highest particles lies
+/// the top of the ball through those near the axis that nothing covers. The mean of the highest particles lies
 /// lower where the top is curved: by r²/(4 R) within r of the axis, 5 % of a steel drop of 100 particles.
 double apexHeight(std::span<const glm::dvec3> places, double spacing);
 

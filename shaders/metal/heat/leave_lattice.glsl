@@ -1,7 +1,8 @@
 // How a particle that melts leaves the lattice for the list of slots off the lattice, the list of phase changes that the flow
 // follows, and when metal froze.
 // Included after common.glsl.
-layout(std430, binding = HEAT_CHANGES) restrict buffer Changes { uint changes[]; };
+#define PHASE_CHANGES_BINDING HEAT_CHANGES
+#include "metal/phase_changes.glsl"
 layout(std430, binding = HEAT_LISTS) restrict buffer Lists { uint lists[]; };
 layout(std430, binding = HEAT_CONTROL) restrict buffer Control { HeatControl control; };
 layout(std430, binding = HEAT_FROZEN_AT) restrict writeonly buffer FrozenAt { float frozenAt[]; };
@@ -10,8 +11,7 @@ layout(std430, binding = HEAT_KNOWN_CELLS) restrict buffer KnownCells { uint kno
 /// Notes a slot that melted or froze: its phase bits are `after` now.
 void noteChange(uint slot, uint after) {
     frozenAt[slot] = (after & PHASE_LIQUID) != 0u ? METAL_MOLTEN : heatBlock.time;
-    uint entry = atomicAdd(changes[0], 1u);
-    if (entry < uint(metal.capacity)) changes[entry + 1u] = slot;
+    listPhaseChange(slot);
 }
 
 /// Appends a slot to the list of those off the lattice. Called once a slot.

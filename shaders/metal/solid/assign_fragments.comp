@@ -9,12 +9,8 @@ layout(local_size_x = FRAGMENT_GROUP) in;
 layout(std430, binding = FRAGMENT_LABELS) readonly buffer Labels { uint label[]; };
 layout(std430, binding = FRAGMENT_MEMBERS) readonly buffer Numbers { uint number[]; };
 
-layout(std430, binding = FRAGMENT_CHANGES) restrict buffer Changes { uint changes[]; };
-
-void noteChange(uint slot) {
-    uint entry = atomicAdd(changes[0], 1u);
-    if (entry < uint(metal.capacity)) changes[entry + 1u] = slot;
-}
+#define PHASE_CHANGES_BINDING FRAGMENT_CHANGES
+#include "metal/phase_changes.glsl"
 
 /// Phase bits of a solid particle that belongs to a fragment; takes it off the lattice where that is free.
 uint bitsInFragment(uint slot, uint bits, uint fragment) {
@@ -35,5 +31,5 @@ void main() {
     else if (label[slot] != FRAGMENT_NO_LABEL) // else it froze after this cycle began
         bits = bitsInFragment(slot, bits, number[label[slot]]);
     if (bits != before) phase[slot] = bits;
-    if (bits != before || (bits & PHASE_FRESH) != 0u) noteChange(slot);
+    if (bits != before || (bits & PHASE_FRESH) != 0u) listPhaseChange(slot);
 }
