@@ -14,6 +14,8 @@ cd "$(dirname "$0")"
 configuration=()
 checks=
 long=
+strict=() # a build server stops at a warning, somebody who tries the program does not
+[ -z "${CI:-}" ] || strict=(-DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
 turn=${MELTPOOL_TURN:-$((10#$(date +%j) % 4))}
 if [ "${1:-}" = --long ]; then
     configuration=(-C Long)
@@ -74,7 +76,7 @@ if [ "${1:-}" = --windows ]; then
     exit
 fi
 meltpoolInstall build test
-meltpoolBuild release -DMELTPOOL_TESTS=ON
+meltpoolBuild release -DMELTPOOL_TESTS=ON "${strict[@]}"
 ctest --test-dir build/release --output-on-failure "${configuration[@]}" -j 2 "$@"
 
 if [ $# -eq 0 ]; then
