@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <utility>
 
 namespace meltpool {
 
@@ -41,6 +42,8 @@ class Reader {
         if (frames_.ended() != FrameReader::Ended::whole)
             recording_.fault =
                 RecordingFault{frames_.ended() == FrameReader::Ended::cut, frames_.frames() + 1, frames_.offset()};
+        else
+            requireNoneEarly();
         return std::move(recording_);
     }
 
@@ -125,17 +128,42 @@ class Reader {
         }
         backTo_.push_back(steps);
         recording_.redone = backTo_.size();
+        for (const EarlyCheckpoint& early : std::exchange(early_, {}))
+            addCheckpoint(early);
     }
+
+    /// A checkpoint whose way back has not been read yet: early programs wrote the two in either order.
+    struct EarlyCheckpoint {
+        CheckpointHead head;
+        RecordingCheckpoint place;
+        size_t frame = 0; ///< its number in the file
+    };
 
     void addCheckpoint(const RecordingFrame& frame) {
         const CheckpointHead head = readCheckpointHead(frame.content);
-        if (head.redone > backTo_.size())
-            throw InputError("its checkpoint is of an end " + std::to_string(head.redone) +
-                             " times back; expected at most " + std::to_string(backTo_.size()));
+        addCheckpoint({head,
+                       {head.steps, frame.offset + kFrameHeadBytes + kCheckpointHeadBytes,
+                        frame.content.size() - kCheckpointHeadBytes},
+                       frame.number});
+    }
+
+    void addCheckpoint(const EarlyCheckpoint& checkpoint) {
+        const CheckpointHead& head = checkpoint.head;
+        if (head.redone > backTo_.size()) {
+            early_.push_back(checkpoint);
+            return;
+        }
         const auto later = backTo_.begin() + static_cast<std::ptrdiff_t>(head.redone);
         if (std::any_of(later, backTo_.end(), [&](std::uint64_t back) { return head.steps > back; })) return;
-        recording_.checkpoints.push_back({head.steps, frame.offset + kFrameHeadBytes + kCheckpointHeadBytes,
-                                          frame.content.size() - kCheckpointHeadBytes});
+        recording_.checkpoints.push_back(checkpoint.place);
+    }
+
+    void requireNoneEarly() const {
+        if (early_.empty()) return;
+        throw InputError(recording_.file, 0,
+                         placeText(early_.front().frame, recording_.seconds()) + ": its checkpoint is of an end " +
+                             std::to_string(early_.front().head.redone) + " times back; expected at most " +
+                             std::to_string(backTo_.size()));
     }
 
     /// A checkpoint of steps that are not in the file, which was cut, is of no use.
@@ -149,6 +177,7 @@ class Reader {
     FrameReader frames_;
     Recording recording_;
     std::vector<std::uint64_t> backTo_; ///< steps that the attempt went back to, in turn
+    std::vector<EarlyCheckpoint> early_;
 };
 
 /// The end that stands last in the file; nothing where none does.

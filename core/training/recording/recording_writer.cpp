@@ -4,6 +4,7 @@
 #include "core/training/recording/little_endian.hpp"
 
 #include <system_error>
+#include <utility>
 
 namespace meltpool {
 
@@ -156,23 +157,31 @@ void RecordingWriter::run() {
     finished_.store(true, std::memory_order_release);
 }
 
-/// Seals everything that has come. A checkpoint may stand before its own step or after later ones.
+/// Seals everything that has come. A checkpoint may stand before its own step or after later ones, but comes after the
+/// way back that led to it, which entered the ring first, and before the end, which closes the file.
 void RecordingWriter::gather() {
-    std::uint32_t kind = 0;
     std::vector<Checkpoint> checkpoints;
     {
         const std::lock_guard lock(mutex_);
         checkpoints.swap(checkpoints_);
         waiting_ = 0;
     }
+    std::uint32_t kind = 0;
+    while (ring_.take(kind, content_)) {
+        if (kind == static_cast<std::uint32_t>(FrameKind::end)) appendCheckpoints(std::exchange(checkpoints, {}));
+        appendFrame(batch_, chain_, kind, content_);
+    }
+    appendCheckpoints(checkpoints);
+}
+
+void RecordingWriter::appendCheckpoints(const std::vector<Checkpoint>& checkpoints) {
+    std::string content;
     for (const auto& [head, bytes] : checkpoints) {
         const auto start = checkpointHead(head);
-        content_.assign(start.data(), start.size());
-        content_.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-        appendFrame(batch_, chain_, static_cast<std::uint32_t>(FrameKind::checkpoint), content_);
+        content.assign(start.data(), start.size());
+        content.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+        appendFrame(batch_, chain_, static_cast<std::uint32_t>(FrameKind::checkpoint), content);
     }
-    while (ring_.take(kind, content_))
-        appendFrame(batch_, chain_, kind, content_);
 }
 
 /// Writes the batch. What does not fit is cut to whole frames.

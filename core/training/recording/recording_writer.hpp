@@ -86,6 +86,7 @@ class RecordingWriter {
     void put(FrameKind kind, std::initializer_list<std::string_view> parts);
     void run();
     void gather();
+    void appendCheckpoints(const std::vector<Checkpoint>& checkpoints);
     bool write();
     bool lookForFile(bool now);
     void fail(std::string sentence);

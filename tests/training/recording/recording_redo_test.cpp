@@ -137,6 +137,17 @@ TEST_CASE("an attempt may go back behind the place to which it went back before"
     CHECK(table->rows == 3);
 }
 
+TEST_CASE("a checkpoint that stands before the way back to which it belongs is read behind it", "[training]") {
+    test::RecordingBytes recording;
+    recording.head(test::recordedHead("classic"));
+    for (int i = 1; i <= 10; ++i)
+        recording.step(test::recordedStep(i));
+    recording.checkpoint({6, 1}, "six").note(FrameKind::event, 5, "redo", "5").step(otherStep(6));
+    const Recording read = readRecording(written(recording.bytes()));
+    REQUIRE(read.checkpoints.size() == 1);
+    CHECK(textOf(read, read.checkpoints[0]) == "six");
+}
+
 TEST_CASE("a way back that no attempt has gone is refused", "[training]") {
     CHECK_THAT(refusal(wentBack().note(FrameKind::event, 9, "redo", "9")), containsText("goes back to step 9"));
     CHECK_THAT(refusal(wentBack().note(FrameKind::event, 3, "redo", "4")), containsText("goes back to step 4"));

@@ -284,3 +284,18 @@ TEST_CASE("a recording whose folder is removed is told", "[training]") {
     CHECK_THAT(writer.fault(), containsText("the recording is no longer there"));
     CHECK_THROWS_AS(RecordingWriter(folder / "b.meltrec", test::recordedHead("classic")), InputError);
 }
+
+TEST_CASE("a checkpoint stands behind the way back that led to it and before the end", "[training]") {
+    const fs::path file = newFile();
+    RecordingWriter writer(file, test::recordedHead("classic"));
+    addSteps(writer, 1, 10);
+    writer.event(5, "redo", "5");
+    addSteps(writer, 6, 8);
+    writer.checkpoint(7, std::vector<std::byte>(3));
+    writer.end(test::recordedEnd(8));
+    writer.wait();
+    const Recording recording = readRecording(file);
+    CHECK(recording.redone == 1);
+    CHECK(recording.checkpoints.size() == 1);
+    CHECK(readRecordingSummary(file).end.has_value());
+}
