@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/base/system/last_facts.hpp"
 
+#include <charconv>
 #include <cstdio>
 #include <cstring>
 
@@ -28,6 +29,15 @@ bool drawsOnCpu(const std::string& renderer) {
 }
 
 } // namespace
+
+int mesaMajor(std::string_view version) {
+    constexpr std::string_view kName = "Mesa ";
+    const size_t at = version.find(kName);
+    int major = 0;
+    if (at != std::string_view::npos)
+        std::from_chars(version.data() + at + kName.size(), version.data() + version.size(), major);
+    return major;
+}
 
 bool drawnOnProcessor() {
     return drawsOnCpu(textOf(GL_RENDERER));

@@ -4,6 +4,7 @@
 #include "core/gl/gl.hpp"
 
 #include <memory>
+#include <string_view>
 
 namespace meltpool::gl {
 
@@ -15,6 +16,10 @@ struct ContextInfo {
     int minor = 0;
     bool software = false; ///< a driver that draws on the CPU
 };
+
+/// The major version of Mesa in OpenGL's version text, such as 22 in "4.5 (Core Profile) Mesa 22.3.6"; 0 of another
+/// driver.
+int mesaMajor(std::string_view version);
 
 /// Loads the functions of the current context and reads its names and version. Throws InputError with the version found
 /// when it is less than OpenGL 4.5 core. `debug`: from now on the driver's errors and warnings go to standard error.

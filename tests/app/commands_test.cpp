@@ -39,6 +39,15 @@ TEST_CASE("the doctor finds driver and files, and says when the files are gone",
     CHECK_THAT(ill.output, containsText("/nowhere"));
 }
 
+TEST_CASE("the doctor says that a newer software driver is faster, where the driver is an old one", "[app]") {
+    const test::Outcome outcome = runMeltpool("doctor");
+    INFO(outcome.output);
+    const size_t version = outcome.output.find("Mesa ");
+    const bool old = version != std::string::npos && outcome.output.find("llvmpipe") != std::string::npos &&
+                     std::stoi(outcome.output.substr(version + 5)) < 25;
+    CHECK((outcome.output.find("a newer one is faster") != std::string::npos) == old);
+}
+
 TEST_CASE("the doctor says how both eyes are drawn, and what the driver lacks for the best way", "[app]") {
     // Only Mesa listens to this.
     const test::Outcome poor = runMeltpool("doctor", "env MESA_EXTENSION_OVERRIDE=-GL_ARB_shader_viewport_layer_array");
