@@ -18,7 +18,7 @@ RenderTarget ScaledPicture::begin(glm::ivec2 window, float share) {
     }
     if (!buffers_ || size != size_) {
         buffers_.reset(); // its memory may be needed for the next
-        buffers_.emplace();
+        buffers_ = std::make_unique<Buffers>();
         buffers_->colour = gl::Texture("scaled picture", {.width = size.x, .height = size.y});
         buffers_->depth =
             gl::Texture("scaled picture depth", {.format = GL_DEPTH_COMPONENT24, .width = size.x, .height = size.y});

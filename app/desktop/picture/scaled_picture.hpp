@@ -7,7 +7,7 @@
 
 #include <glm/vec2.hpp>
 
-#include <optional>
+#include <memory>
 
 namespace meltpool {
 
@@ -22,14 +22,12 @@ class ScaledPicture {
 
   private:
     struct Buffers {
-        // Members' own values are not known to std::optional before the outer class is complete.
-        Buffers() : framebuffer("scaled picture") {}
         gl::Texture colour, depth;
-        gl::Framebuffer framebuffer;
+        gl::Framebuffer framebuffer{"scaled picture"};
     };
     const gl::Program& enlarge_;
     gl::VertexArray empty_;
-    std::optional<Buffers> buffers_;
+    std::unique_ptr<Buffers> buffers_;
     glm::ivec2 window_{0};
     glm::ivec2 size_{0};
 };
