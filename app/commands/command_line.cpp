@@ -69,8 +69,9 @@ void addRun(CLI::App& app, Arguments& arguments) {
     CLI::App* run = app.add_subcommand("run", "Run a lesson's demonstration without a screen");
     RunRequest& r = arguments.run;
     run->add_option("LESSON", r.lesson, "Name of a lesson (meltpool lessons) or a TOML file")->required();
-    run->add_option("--out", r.folder, "Folder for result.json, telemetry.csv and pictures")
-        ->required()
+    run->add_option("--out", r.folder,
+                    "Folder for result.json, telemetry.csv and pictures; without it a new one here, such as "
+                    "meltpool-classic")
         ->type_name("DIR");
     run->add_option("--torch", r.torch, "Torch path, .csv or .toml, instead of the lesson's")->type_name("FILE");
     run->add_option("--ghost", r.ghost, "Draw the torch of this attempt or torch path beside the lesson's")

@@ -136,14 +136,14 @@ void runLesson(const RunRequest& request) {
     requireSound(request.sound, lesson);
     requireNoSource("--mesh", request.mesh, sources);
     if (!request.mesh.empty()) meshFormat(request.mesh); // throws for an unknown ending
-    RunFolder folder(request.folder, sources);
+    RunFolder folder(request.folder.empty() ? newRunFolder({}, lesson.key) : request.folder, sources);
     if (!request.mesh.empty()) requireWritable(request.mesh); // it may lie in the folder
     if (hasFewPictures(lesson, hooks.film)) gl::spareDriverThreads();
     const gl::HeadlessContext context;
     gl::ShaderLibrary shaders(resourceFolder() / "shaders");
     requireRoom(lesson, machineRoom());
     if (const size_t removed = folder.clear(); removed > 0)
-        std::printf("%s held an earlier run; its %zu files are removed.\n", shown(request.folder.string()).c_str(),
+        std::printf("%s held an earlier run; its %zu files are removed.\n", shown(folder.path().string()).c_str(),
                     removed);
     RunStop stop;
     stop.asked = StopSignals::asked;
@@ -158,8 +158,8 @@ void runLesson(const RunRequest& request) {
         "result are in %s\n",
         shown(lesson.key).c_str(), result.seconds, result.steps, result.metal.molten, result.metal.particles,
         result.metal.minTemperature, result.metal.maxTemperature, result.metal.lost,
-        shown(request.folder.string()).c_str());
-    if (hooks.film.video) std::printf("%s\n", shown(finishFilm(hooks.film, request.folder)).c_str());
+        shown(folder.path().string()).c_str());
+    if (hooks.film.video) std::printf("%s\n", shown(finishFilm(hooks.film, folder.path())).c_str());
     if (!request.mesh.empty()) std::printf("The mesh is in %s.\n", shown(request.mesh.string()).c_str());
     if (lesson.recorded)
         std::printf("%s\n", repetitionText(*lesson.recorded, result, programBuild(), context.info().renderer).c_str());

@@ -60,6 +60,15 @@ std::vector<fs::path> runFilesIn(const fs::path& folder) {
 
 } // namespace
 
+fs::path newRunFolder(const fs::path& parent, const std::string& lessonKey) {
+    const std::string name = "meltpool-" + lessonKey;
+    fs::path folder = parent / name;
+    std::error_code unknown; // what cannot be looked at cannot be made either, which RunFolder says
+    for (int i = 2; fs::exists(folder, unknown); ++i)
+        folder = parent / (name + "-" + std::to_string(i));
+    return folder;
+}
+
 bool isRunFile(std::string_view name) {
     const std::string_view base = withoutDraftEnding(name);
     return base == "result.json" || base == "telemetry.csv" || base == "technique.csv" || base == "weld.csv" ||

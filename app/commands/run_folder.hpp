@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace meltpool {
@@ -28,6 +29,10 @@ class RunFolder {
     std::filesystem::path folder_;
     std::optional<FileLock> lock_;
 };
+
+/// A folder in `parent` that is not there yet, for a run of this lesson without a folder of its own: "meltpool-KEY",
+/// then "meltpool-KEY-2" and so on.
+std::filesystem::path newRunFolder(const std::filesystem::path& parent, const std::string& lessonKey);
 
 /// Whether a run writes files of this name: result, telemetry, pictures, and what a killed run left of them.
 bool isRunFile(std::string_view name);

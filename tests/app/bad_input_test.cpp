@@ -35,7 +35,7 @@ TEST_CASE("bad command lines are refused", "[app]") {
     for (const Case& bad : std::vector<Case>{
              {"fly", "fly", "--help"},
              {"run", "", "required"},
-             {"run classic", "--out", "required"},
+             {"run classic --out", "--out", "required"},
              {"run classic --speed 3" + out, "--speed", "--help"},
              {"run clasic" + out, "'clasic'", "expected one of butt-1g, classic"},
              {"run missing.toml" + out, "missing.toml", "expected a readable file"},

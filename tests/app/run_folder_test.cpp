@@ -47,3 +47,13 @@ TEST_CASE("a link in the folder to a file that the run reads is found out", "[ap
     fs::create_symlink(source, folder / "out" / "000.000s-metal.png");
     CHECK_THROWS_AS(RunFolder(folder / "out", sources), InputError);
 }
+
+TEST_CASE("a run without a folder gets a new one, named for its lesson", "[app]") {
+    const fs::path here = test::scratchFolder("new-run-folder");
+    CHECK(newRunFolder(here, "classic") == here / "meltpool-classic");
+    fs::create_directories(here / "meltpool-classic");
+    CHECK(newRunFolder(here, "classic") == here / "meltpool-classic-2");
+    fs::create_directories(here / "meltpool-classic-2");
+    CHECK(newRunFolder(here, "classic") == here / "meltpool-classic-3");
+    CHECK(newRunFolder(here, "tee") == here / "meltpool-tee");
+}
