@@ -19,14 +19,23 @@ namespace {
 
 std::atomic<bool> lost{false};
 
+#ifdef GLFW_PLATFORM_X11 // since GLFW 3.4
+bool isSet(const char* variable) {
+    const char* value = std::getenv(variable);
+    return value != nullptr && *value != '\0';
+}
+#endif
+
 } // namespace
 
 bool startWindowSystem() {
-#ifdef GLFW_PLATFORM_X11 // since GLFW 3.4
-    const char* display = std::getenv("DISPLAY");
-    if (display != nullptr && *display != '\0' && glfwPlatformSupported(GLFW_PLATFORM_X11) == GLFW_TRUE) {
+#ifdef GLFW_PLATFORM_X11
+    // Without these two libwayland finds no compositor, and writes so to standard error.
+    const bool mayHaveWayland = isSet("XDG_RUNTIME_DIR") || isSet("WAYLAND_SOCKET");
+    if ((isSet("DISPLAY") || !mayHaveWayland) && glfwPlatformSupported(GLFW_PLATFORM_X11) == GLFW_TRUE) {
         glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
         if (glfwInit() == GLFW_TRUE) return true;
+        if (!mayHaveWayland) return false;
         glfwInitHint(GLFW_PLATFORM, GLFW_ANY_PLATFORM);
     }
 #endif
