@@ -7,6 +7,7 @@
 #include "tests/support/gl_fixture.hpp"
 
 #include <array>
+#include <cstdlib>
 
 namespace meltpool {
 
@@ -57,23 +58,44 @@ struct Painter {
     gl::Profiler profiler;
 };
 
+/// Whether a person sees the same picture. A driver may shade a sky behind metal, whose depth it tests, and a sky alone
+/// by two programs of its own; Mesa 25 then rounds a few of ten thousand values to the next of 255 steps, Mesa 22 none.
+bool looksTheSame(const Image& a, const Image& b) {
+    if (a.width != b.width || a.height != b.height) return false;
+    size_t differ = 0;
+    for (size_t i = 0; i < a.rgb.size(); ++i) {
+        const int difference = std::abs(static_cast<int>(a.rgb[i]) - static_cast<int>(b.rgb[i]));
+        if (difference > 1) return false;
+        differ += difference > 0 ? 1 : 0;
+    }
+    return differ * 1000 <= a.rgb.size();
+}
+
+/// Not compared inside of CHECK, which would print every value.
+bool sameBits(const Image& a, const Image& b) {
+    return a.rgb == b.rgb;
+}
+
 template <typename Target>
 void checkCopies(const Target& target) {
     Painter still, moved;
     const LookParameters look;
     const Image first = still.draw(viewFrom(0.7f), look, target);
     CHECK(still.shadedSky());
-    for (int i = 0; i < 3; ++i) {
-        CHECK(still.draw(viewFrom(0.7f), look, target).rgb == first.rgb);
+    const Image second = still.draw(viewFrom(0.7f), look, target);
+    CHECK_FALSE(still.shadedSky());
+    CHECK(looksTheSame(second, first));
+    for (int i = 0; i < 2; ++i) {
+        CHECK(sameBits(still.draw(viewFrom(0.7f), look, target), second));
         CHECK_FALSE(still.shadedSky());
     }
-    CHECK(still.draw(viewFrom(0.9f), look, target).rgb == moved.draw(viewFrom(0.9f), look, target).rgb);
+    CHECK(sameBits(still.draw(viewFrom(0.9f), look, target), moved.draw(viewFrom(0.9f), look, target)));
     CHECK(still.shadedSky());
 }
 
 } // namespace
 
-TEST_CASE("a camera that stands still has the sky of its first picture, to the bit", "[render]") {
+TEST_CASE("a camera that stands still keeps the sky of its first picture", "[render]") {
     test::context();
     SECTION("a target that encodes") {
         checkCopies(PictureTarget(kWidth, kHeight));
@@ -96,10 +118,10 @@ TEST_CASE("a kept sky follows exposure, visor and the size of the picture", "[re
         for (int i = 0; i < 2; ++i)
             painter.draw(view, look, target);
         CHECK_FALSE(painter.shadedSky());
-        CHECK(painter.draw(view, look, target).rgb == fresh.draw(view, look, target).rgb);
+        CHECK(looksTheSame(painter.draw(view, look, target), fresh.draw(view, look, target)));
     }
     Painter fresh;
-    CHECK(painter.draw(view, looks[2], smaller).rgb == fresh.draw(view, looks[2], smaller).rgb);
+    CHECK(sameBits(painter.draw(view, looks[2], smaller), fresh.draw(view, looks[2], smaller)));
 }
 
 TEST_CASE("a multisampled picture shades its sky each time", "[render]") {
@@ -108,7 +130,7 @@ TEST_CASE("a multisampled picture shades its sky each time", "[render]") {
     const PictureTarget target(kWidth, kHeight, 4);
     REQUIRE(target.samples() > 1);
     const Image first = painter.draw(viewFrom(0.7f), {}, target);
-    CHECK(painter.draw(viewFrom(0.7f), {}, target).rgb == first.rgb);
+    CHECK(sameBits(painter.draw(viewFrom(0.7f), {}, target), first));
     CHECK(painter.shadedSky());
 }
 
