@@ -15,7 +15,10 @@ float DesktopMenus::coveredRight() {
 }
 
 float DesktopMenus::middleOfPicture() {
-    return (coveredLeft() - coveredRight()) / static_cast<float>(std::max(window_.size().x, 1));
+    const auto width = static_cast<float>(std::max(window_.size().x, 1));
+    const float left = coveredLeft(), right = coveredRight();
+    if (left + right > 0.7f * width) return 0; // beside such panels there is no room for the metal
+    return (left - right) / width;
 }
 
 MenuRequest DesktopMenus::draw(const DesktopMenuContent& content) {
@@ -80,11 +83,22 @@ void DesktopMenus::makeRoom() {
             panels.result = false;
     }
     resultIsNewer_ = !panels.result;
-    // In a small window the newer of the two panels at the left replaces the older.
+    // In a small window the newer of the two panels at the left replaces the older, in a smaller one that at the right
+    // too.
+    const ui::Context& context = interface_.context();
+    const auto width = static_cast<float>(window_.size().x);
     const bool both = panels.view && panels.timings;
-    if (both && static_cast<float>(window_.size().x) < 4.5f * ui::panelReach(interface_.context()))
-        (timingsAreNewer_ ? panels.view : panels.timings) = false;
+    if (both && width < 4.5f * ui::panelReach(context)) (timingsAreNewer_ ? panels.view : panels.timings) = false;
     timingsAreNewer_ = panels.view;
+    const bool left = panels.result || panels.view || panels.timings;
+    const float reach = panels.result ? ui::resultReach(context) : ui::panelReach(context);
+    if (left && panels.simulation && !machineWaits_ && width < reach + ui::panelReach(context)) {
+        if (machineIsNewer_)
+            panels.result = panels.view = panels.timings = false;
+        else
+            panels.simulation = false;
+    }
+    machineIsNewer_ = !panels.simulation;
 }
 
 } // namespace meltpool

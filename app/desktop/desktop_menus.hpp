@@ -51,6 +51,7 @@ class DesktopMenus {
     bool machineWaits_ = false;    ///< its values would change nothing: the weld is cut open, or an attempt replayed
     bool resultIsNewer_ = false;   ///< than the panels at its place
     bool timingsAreNewer_ = false; ///< if both panels at the left are open in the next frame
+    bool machineIsNewer_ = false;  ///< than a panel at the left
 };
 
 } // namespace meltpool

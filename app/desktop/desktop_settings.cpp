@@ -23,8 +23,10 @@ void copyValues(LessonSections& from, LessonSections& to) {
 
 ParameterList describe(WindowParameters& w) {
     return {
-        {"width", "Width", "points", &w.width, 640, 16384, "of the window at the next start"},
-        {"height", "Height", "points", &w.height, 480, 16384, "of the window at the next start"},
+        {"width", "Width", "points", &w.width, 640, 16384,
+         "of the window at the next start; it grows with the desktop's scale and fits the screen"},
+        {"height", "Height", "points", &w.height, 480, 16384,
+         "of the window at the next start; it grows with the desktop's scale and fits the screen"},
         {"maximised", "Maximised", "", &w.maximised, 0, 1, "at the next start"},
         {"interface_size", "Size of text and menus", "", &w.interfaceSize, 0.7, 2,
          "On top of what the desktop asks for; large menus cover more of the picture."},

@@ -12,8 +12,8 @@ namespace meltpool {
 
 /// What the window itself remembers.
 struct WindowParameters {
-    int width = 1280; ///< screen points
-    int height = 720; ///< screen points
+    int width = 1280; ///< points at an ordinary density
+    int height = 720; ///< the same
     bool maximised = false;
     float interfaceSize = 1; ///< factor on what the desktop asks for
     int picture = 0;         ///< see pictureChoices()

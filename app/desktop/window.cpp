@@ -2,6 +2,7 @@
 
 #include "app/desktop/desktop.hpp"
 #include "app/desktop/gamepad.hpp"
+#include "app/desktop/window_place.hpp"
 #include "app/desktop/window_system.hpp"
 
 #include "core/base/error.hpp"
@@ -12,7 +13,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace meltpool {
 
@@ -93,6 +97,35 @@ void hintContext(int samples) {
     glfwWindowHint(GLFW_DEPTH_BITS, 24);
 }
 
+std::span<GLFWmonitor* const> monitors() {
+    int count = 0;
+    GLFWmonitor** all = glfwGetMonitors(&count);
+    return {all, static_cast<size_t>(count)};
+}
+
+/// The whole of a monitor; without a size where it is switched off.
+ScreenArea monitorArea(GLFWmonitor* monitor) {
+    ScreenArea area;
+    glfwGetMonitorPos(monitor, &area.corner.x, &area.corner.y);
+    if (const GLFWvidmode* mode = glfwGetVideoMode(monitor)) area.size = {mode->width, mode->height};
+    return area;
+}
+
+/// The monitor that shows most of the area; null where there is none.
+GLFWmonitor* monitorOf(const ScreenArea& area) {
+    std::vector<ScreenArea> screens;
+    for (GLFWmonitor* monitor : monitors())
+        screens.push_back(monitorArea(monitor));
+    return screens.empty() ? nullptr : monitors()[screenOf(area, screens)];
+}
+
+/// Without a size where there is no monitor.
+ScreenArea workAreaOf(GLFWmonitor* monitor) {
+    ScreenArea area;
+    if (monitor != nullptr) glfwGetMonitorWorkarea(monitor, &area.corner.x, &area.corner.y, &area.size.x, &area.size.y);
+    return area;
+}
+
 Window& self(GLFWwindow* window) {
     return *static_cast<Window*>(glfwGetWindowUserPointer(window));
 }
@@ -132,7 +165,6 @@ void Window::open(const Options& options) {
     window_ = glfwCreateWindow(options.width, options.height, "Meltpool", nullptr, nullptr);
     if (window_ == nullptr)
         throw InputError("the window needs OpenGL 4.5 core, but this machine offers " + offeredVersion());
-    glfwSetWindowSizeLimits(window_, 640, 480, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
 
@@ -159,8 +191,21 @@ Window::~Window() {
 }
 
 void Window::resize(glm::ivec2 size, bool maximised) {
-    normalSize_ = size;
-    glfwSetWindowSize(window_, size.x, size.y);
+    ScreenArea inside;
+    glfwGetWindowPos(window_, &inside.corner.x, &inside.corner.y);
+    glm::dvec2 pointer{0};
+    glfwGetCursorPos(window_, &pointer.x, &pointer.y);
+    const ScreenArea workArea = workAreaOf(monitorOf({inside.corner + glm::ivec2(pointer), {1, 1}}));
+    WindowFrame frame;
+    glfwGetWindowFrameSize(window_, &frame.topLeft.x, &frame.topLeft.y, &frame.bottomRight.x, &frame.bottomRight.y);
+
+    const float scale = interfaceScale();
+    wantedSize_ = size;
+    normalSize_ = fittedSize_ = inside.size = fittingSize(size, scale, workArea, frame);
+    const glm::ivec2 least = leastSize(scale, fittedSize_);
+    glfwSetWindowSizeLimits(window_, least.x, least.y, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    glfwSetWindowSize(window_, inside.size.x, inside.size.y);
+    if (const auto place = placeInside(inside, frame, workArea)) glfwSetWindowPos(window_, place->x, place->y);
     if (maximised) glfwMaximizeWindow(window_);
 }
 
@@ -270,19 +315,25 @@ void Window::toggleFullScreen() {
         glfwSetWindowMonitor(window_, nullptr, normalPlace_.x, normalPlace_.y, normalSize_.x, normalSize_.y, 0);
         return;
     }
-    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    glfwGetWindowPos(window_, &normalPlace_.x, &normalPlace_.y);
+    GLFWmonitor* monitor = monitorOf({normalPlace_, size_});
     const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
     if (mode == nullptr) {
         fullScreen_ = false;
         return;
     }
-    glfwGetWindowPos(window_, &normalPlace_.x, &normalPlace_.y);
     glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
     glfwSwapInterval(1);
 }
 
 void Window::setTitle(const std::string& title) {
     glfwSetWindowTitle(window_, title.c_str());
+}
+
+glm::ivec2 Window::normalSize() const {
+    if (normalSize_ == fittedSize_) return wantedSize_;
+    const glm::vec2 size = glm::vec2(normalSize_) / interfaceScale();
+    return {static_cast<int>(std::lround(size.x)), static_cast<int>(std::lround(size.y))};
 }
 
 bool Window::minimised() const {

@@ -1,6 +1,7 @@
 // A window with an OpenGL 4.5 context, and the input of keyboard and mouse.
 #pragma once
 
+#include "app/desktop/window_place.hpp"
 #include "app/session/hand/input.hpp"
 #include "core/gl/context.hpp"
 
@@ -28,6 +29,8 @@ class Window {
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
+    /// Before show(). `size`: of the window's inside at an ordinary density; it grows with the desktop's scale and is
+    /// fitted into the work area of the screen that has the mouse pointer.
     void resize(glm::ivec2 size, bool maximised);
     /// Whether swap() waits for the display. It does at first; not to be used while the headset paces the frames.
     void waitForDisplay(bool wait);
@@ -41,6 +44,7 @@ class Window {
     bool closing() const;
     void close();
     void captureMouse(bool captured);
+    /// On the screen that shows most of the window, and back.
     void toggleFullScreen();
     void setTitle(const std::string& title);
 
@@ -50,8 +54,9 @@ class Window {
     bool minimised() const;
     bool maximised() const;
     bool fullScreen() const { return fullScreen_; }
-    /// Size of the window to keep for the next start: the last one that was neither maximised nor full screen.
-    glm::ivec2 normalSize() const { return normalSize_; }
+    /// Size of the window to keep for the next start, at an ordinary density: the last one that was neither maximised
+    /// nor full screen. The size that resize() was given, as long as the person has not changed it.
+    glm::ivec2 normalSize() const;
     /// Factor on the interface's sizes in screen points that the desktop asks for (HiDPI where points are pixels).
     float interfaceScale() const;
     /// Pixels a screen point.
@@ -92,6 +97,8 @@ class Window {
     glm::ivec2 size_{0};
     glm::ivec2 pixels_{0};
     glm::ivec2 normalSize_{1280, 720};
+    glm::ivec2 wantedSize_{1280, 720}; ///< at an ordinary density
+    glm::ivec2 fittedSize_{0};         ///< what became of wantedSize_
     glm::ivec2 normalPlace_{0};
 };
 

@@ -118,6 +118,60 @@ struct Hint {
     const char* what;
 };
 
+constexpr float kWholeBar = 740;    ///< points in which every button of the bar has room
+constexpr float kCommandWidth = 72; ///< points
+
+/// What opens and closes the panels: beside each other, or each in a row of its own where it has a width (points). True
+/// when one was pressed.
+bool barTabs(Context& context, PanelState& panels, const LessonSession& session, float width) {
+    bool pressed = false;
+    const auto tab = [&](const char* name, const char* text, bool& open, const char* note) {
+        if (button(context, name, text, open ? ButtonKind::lit : ButtonKind::plain, width, note)) {
+            open = !open;
+            pressed = true;
+        }
+        if (width <= 0) ImGui::SameLine(0, context.points(6));
+    };
+    tab("bar.view", "View", panels.view, "How the metal is shown (F2)");
+    tab("bar.simulation", "Machine", panels.simulation, "What heats the metal (F3)");
+    tab("bar.timings", "Timings", panels.timings, "Where the time of a frame goes (F4)");
+    if (session.judges()) tab("bar.result", "Result", panels.result, "The weld judged and measured (J judges it)");
+    return pressed;
+}
+
+bool resetButton(Context& context, float width) {
+    return button(context, "bar.reset", "Reset", ButtonKind::plain, width,
+                  "Metal and torch back to where they began (F5)");
+}
+
+/// The ways out of the running lesson.
+MenuRequest wayButtons(Context& context, float width, bool beside = true) {
+    MenuRequest request = MenuRequest::none;
+    if (button(context, "bar.restart", "Restart", ButtonKind::plain, width, "Back to the lesson's first page"))
+        request = MenuRequest::restart;
+    if (beside) ImGui::SameLine(0, context.points(6));
+    if (button(context, "bar.home", "Home", ButtonKind::plain, width, "All lessons (H)")) request = MenuRequest::home;
+    return request;
+}
+
+/// The buttons that a narrow bar has no room for, one below the other under a button of its own.
+MenuRequest barMenu(Context& context, PanelState& panels, const LessonSession& session) {
+    constexpr float kWidth = 150;
+    MenuRequest request = MenuRequest::none;
+    if (button(context, "bar.menu", "Menu", ButtonKind::plain, kCommandWidth)) ImGui::OpenPopup("bar menu");
+    const float left = ImGui::GetItemRectMin().x, top = barHeight(context);
+    const float width =
+        context.points(kWidth) + 2 * ImGui::GetStyle().WindowPadding.x + ImGui::GetStyle().ScrollbarSize;
+    ImGui::SetNextWindowPos({left, top});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, ImGui::GetIO().DisplaySize.y - top - context.points(8)});
+    if (!ImGui::BeginPopup("bar menu")) return request;
+    const bool pressed = barTabs(context, panels, session, kWidth);
+    request = wayButtons(context, kWidth, false);
+    if (pressed || request != MenuRequest::none) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+    return request;
+}
+
 } // namespace
 
 ShortText hottestText(const LessonFigures& figures) {
@@ -135,33 +189,31 @@ MenuRequest topBar(Context& context, PanelState& panels, const Controls& control
     drawSign(*ImGui::GetWindowDrawList(), {context.points(28), barHeight(context) / 2}, context.points(28));
     ImGui::SetCursorPosX(context.points(50));
     ImGui::AlignTextToFramePadding();
-    if (ImGui::GetIO().DisplaySize.x > context.points(800)) { // a narrow bar has room for its buttons only
+    const bool narrow = narrowerThan(context, kWholeBar);
+    if (!narrowerThan(context, 800)) { // a narrow bar has room for its buttons only
         strongText(context, "Meltpool");
         ImGui::SameLine(0, context.points(18));
     }
-    const auto tab = [&](const char* name, const char* text, bool& open, const char* note) {
-        if (button(context, name, text, open ? ButtonKind::lit : ButtonKind::plain, 0, note)) open = !open;
-        ImGui::SameLine(0, context.points(6));
-    };
-    tab("bar.view", "View", panels.view, "How the metal is shown (F2)");
-    tab("bar.simulation", "Machine", panels.simulation, "What heats the metal (F3)");
-    tab("bar.timings", "Timings", panels.timings, "Where the time of a frame goes (F4)");
-    if (session.judges()) tab("bar.result", "Result", panels.result, "The weld judged and measured (J judges it)");
-    constexpr float kWidth = 72;
-    const float buttons = ImGui::GetIO().DisplaySize.x - 4 * context.points(kWidth) - context.points(14 + 18);
-    modeSign(context, modeOf(controls, session), ImGui::GetItemRectMax().x, buttons);
+    float end = ImGui::GetCursorScreenPos().x + context.points(kCommandWidth);
+    if (narrow) {
+        request = barMenu(context, panels, session);
+    } else {
+        barTabs(context, panels, session, 0);
+        end = ImGui::GetItemRectMax().x;
+    }
+    const int count = narrow ? 2 : 4;
+    const float buttons = ImGui::GetIO().DisplaySize.x - static_cast<float>(count) * context.points(kCommandWidth) -
+                          context.points(14 + 6 * static_cast<float>(count - 1));
+    modeSign(context, modeOf(controls, session), end, buttons);
     ImGui::SameLine();
     ImGui::SetCursorPosX(buttons);
-    if (button(context, "bar.reset", "Reset", ButtonKind::plain, kWidth,
-               "Metal and torch back to where they began (F5)"))
-        request = MenuRequest::reset;
+    if (resetButton(context, kCommandWidth)) request = MenuRequest::reset;
     ImGui::SameLine(0, context.points(6));
-    if (button(context, "bar.restart", "Restart", ButtonKind::plain, kWidth, "Back to the lesson's first page"))
-        request = MenuRequest::restart;
-    ImGui::SameLine(0, context.points(6));
-    if (button(context, "bar.home", "Home", ButtonKind::plain, kWidth, "All lessons (H)")) request = MenuRequest::home;
-    ImGui::SameLine(0, context.points(6));
-    if (button(context, "bar.help", "Help", panels.help ? ButtonKind::lit : ButtonKind::plain, kWidth,
+    if (!narrow) {
+        if (const MenuRequest asked = wayButtons(context, kCommandWidth); asked != MenuRequest::none) request = asked;
+        ImGui::SameLine(0, context.points(6));
+    }
+    if (button(context, "bar.help", "Help", panels.help ? ButtonKind::lit : ButtonKind::plain, kCommandWidth,
                ShortText{"All keys (F1). Lesson: ", session.lesson().title}.c_str()))
         panels.help = !panels.help;
     ImGui::End();
@@ -170,14 +222,16 @@ MenuRequest topBar(Context& context, PanelState& panels, const Controls& control
 
 void captionLine(Context& context, std::string_view caption, float left, float right) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const ImVec2 size = ImGui::CalcTextSize(caption.data(), caption.data() + caption.size());
     const float edge = context.points(8);
+    if (screen.x - left - right < context.points(200)) left = right = 0; // the panels leave it too little room
+    const float room = screen.x - left - right - 4 * edge;
+    const ImVec2 size = ImGui::CalcTextSize(caption.data(), caption.data() + caption.size(), false, room);
     const float x = (left + screen.x - right - size.x) / 2;
     const float y = screen.y - barHeight(context) - size.y - context.points(24);
     ImDrawList* draw = ImGui::GetBackgroundDrawList();
     fillRounded(*draw, {x - edge, y - edge / 2}, {x + size.x + edge, y + size.y + edge / 2}, IM_COL32(22, 25, 31, 190),
                 context.points(6));
-    draw->AddText({x, y}, colour::kText, caption.data(), caption.data() + caption.size());
+    draw->AddText(nullptr, 0, {x, y}, colour::kText, caption.data(), caption.data() + caption.size(), room);
 }
 
 void statusBar(Context& context, const LessonFigures& figures, const Controls& controls) {
@@ -186,7 +240,9 @@ void statusBar(Context& context, const LessonFigures& figures, const Controls& c
     ImGui::PushFont(context.fonts.small);
     ImGui::SetCursorPosY((height - ImGui::GetTextLineHeight()) / 2);
     const ShortText text = figuresText(figures);
-    const float right = ImGui::GetIO().DisplaySize.x - ImGui::CalcTextSize(text.c_str()).x - context.points(16);
+    // Where the window has no room for all figures their end is cut.
+    const float right = std::max(
+        ImGui::GetIO().DisplaySize.x - ImGui::CalcTextSize(text.c_str()).x - context.points(16), context.points(16));
 
     constexpr std::array<Hint, 4> kWork{
         {{"Left button", "heat"}, {"V", "look around"}, {"C", "catch the mouse"}, {"F1", "help"}}};
@@ -255,9 +311,11 @@ void temperatureScale(Context& context, int colours, const TemperatureMeaning& m
     if (colours == kMaterialColours) return;
     ImDrawList* draw = ImGui::GetBackgroundDrawList();
     const float width = context.points(14);
-    const float height = context.points(180);
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float height = std::min(context.points(180), screen.y - 2 * barHeight(context) - context.points(28 + 40));
     const float x = context.points(24) + left;
-    const float y = ImGui::GetIO().DisplaySize.y - barHeight(context) - height - context.points(28);
+    if (height < context.points(60) || x + context.points(80) > screen.x) return; // a small window has no room for it
+    const float y = screen.y - barHeight(context) - height - context.points(28);
     constexpr int kParts = 32;
     const float part = height / kParts;
     const auto tint = [colours](int step) {

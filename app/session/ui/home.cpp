@@ -116,7 +116,9 @@ MenuRequest homePage(Context& context, Home& home, const std::string& driver, bo
     drawBackdrop(screen.x, screen.y);
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize(screen);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.points(24), context.points(16)});
+    const bool low = lowerThan(context, 420); // the list needs the height
+    const float edge = context.points(narrowerThan(context, 480) ? 12.0f : 24.0f);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {edge, context.points(low ? 8.0f : 16.0f)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
     ImGui::Begin("home", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
@@ -125,19 +127,20 @@ MenuRequest homePage(Context& context, Home& home, const std::string& driver, bo
                      ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar(2);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float sign = context.points(52);
+    const float sign = context.points(low ? 26.0f : 52.0f);
     drawSign(*ImGui::GetWindowDrawList(), {at.x + sign / 2, at.y + sign / 2}, sign);
     ImGui::Dummy({sign, sign});
     ImGui::SameLine(0, context.points(14));
     ImGui::BeginGroup();
-    ImGui::PushFont(context.fonts.title);
+    ImGui::PushFont(low ? context.fonts.strong : context.fonts.title);
     const bool attempts = home.attempts.shown();
     const bool both = attempts && home.comparison.shown();
     ImGui::TextUnformatted(both ? "Two attempts" : attempts ? "Attempts" : "Lessons");
     ImGui::PopFont();
-    quietText(context, both       ? "What the second is otherwise than the first."
-                       : attempts ? "See one again, weld beside its torch, or compare two of a lesson."
-                                  : "Click a lesson, or choose one with the arrow keys and press Enter.");
+    if (!low)
+        quietText(context, both       ? "What the second is otherwise than the first."
+                           : attempts ? "See one again, weld beside its torch, or compare two of a lesson."
+                                      : "Click a lesson, or choose one with the arrow keys and press Enter.");
     ImGui::EndGroup();
     ImGui::BeginChild("lessons", {0, -context.points(44)});
     MenuRequest request = MenuRequest::none;
@@ -153,7 +156,7 @@ MenuRequest homePage(Context& context, Home& home, const std::string& driver, bo
     attemptsButton(context, home);
     ImGui::SameLine(0, context.points(14));
     ImGui::AlignTextToFramePadding();
-    quietText(context, driver);
+    quietLine(context, driver);
     ImGui::End();
     return request;
 }

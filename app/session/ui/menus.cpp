@@ -18,7 +18,7 @@ enum class Side { left, leftBeside, right };
 bool beginPanel(Context& context, const char* name, Side side) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float gap = context.points(kPanelGap);
-    const float width = std::min(context.points(kPanelWidth), screen.x / 2 - gap);
+    const float width = std::min(context.points(kPanelWidth), screen.x - 2 * gap);
     const float room = screen.y - 2 * barHeight(context) - 2 * gap;
     const float x = side == Side::right ? screen.x - width - gap : gap + (side == Side::leftBeside ? width + gap : 0);
     ImGui::SetNextWindowPos({x, barHeight(context) + gap});
@@ -115,6 +115,7 @@ struct Shortcut {
 void shortcutColumn(Context& context, const char* title, std::span<const Shortcut> rows) {
     strongText(context, title);
     const float left = ImGui::GetCursorPosX();
+    ImGui::PushTextWrapPos(0);
     for (const Shortcut& row : rows) {
         ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(255, 178, 122, 255));
         ImGui::TextUnformatted(row.keys);
@@ -123,6 +124,7 @@ void shortcutColumn(Context& context, const char* title, std::span<const Shortcu
         ImGui::SetCursorPosX(left + context.points(140));
         ImGui::TextUnformatted(row.what);
     }
+    ImGui::PopTextWrapPos();
     ImGui::Dummy({0, context.points(6)});
 }
 
@@ -222,8 +224,10 @@ void helpOverlay(Context& context, bool& open) {
     ImGui::PopStyleColor();
 
     ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
-    ImGui::SetNextWindowSize({std::min(context.points(860), screen.x - context.points(20)), 0});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.points(32), context.points(26)});
+    const float width = std::min(context.points(860), screen.x - context.points(20));
+    const bool narrow = narrowerThan(context, 760);
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, screen.y - context.points(20)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.points(narrow ? 18 : 32), context.points(26)});
     ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(26, 30, 37, 255));
     ImGui::Begin("help", nullptr, kStill | ImGuiWindowFlags_AlwaysAutoResize);
     if (ImGui::IsWindowAppearing()) ImGui::SetWindowFocus();
@@ -250,11 +254,11 @@ void helpOverlay(Context& context, bool& open) {
                                                 {"F10  F12", "save the window; the metal in 4K"},
                                                 {"F11", "full screen"},
                                                 {"Arrows  Enter", "in the list of lessons"}}};
-    ImGui::Columns(2, "help columns", false);
+    ImGui::Columns(narrow ? 1 : 2, "help columns", false);
     shortcutColumn(context, "The torch, while working", kTorch);
     shortcutColumn(context, "The metal", kHeat);
     shortcutColumn(context, "The camera, while working", kOrbit);
-    ImGui::NextColumn();
+    if (!narrow) ImGui::NextColumn();
     shortcutColumn(context, "The camera, while looking around", kFly);
     shortcutColumn(context, "The program", kProgram);
     ImGui::Columns(1);

@@ -114,15 +114,22 @@ bool slider(Context& context, std::string_view name, const Scale& scale, bool wh
 /// Label at the left, value and unit at the right, and a way back to the first value in between.
 bool labelLine(Context& context, std::string_view name, const Parameter& p, std::string_view value,
                std::string_view original) {
-    const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
+    const float left = ImGui::GetCursorPosX();
+    const float right = left + ImGui::GetContentRegionAvail().x;
+    ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(p.label.data(), p.label.data() + p.label.size());
+    ImGui::PopTextWrapPos();
     if (ImGui::IsItemHovered()) tooltip(context, description(p, original));
     bool back = false;
     const float width = ImGui::CalcTextSize(value.data(), value.data() + value.size()).x;
-    if (!original.empty() && original != parameterText(p)) {
-        const float size = context.points(18);
-        ImGui::SameLine();
-        ImGui::SetCursorPosX(right - width - size - context.points(6));
+    const float size = context.points(18);
+    const bool changed = !original.empty() && original != parameterText(p);
+    const float need = width + (changed ? size + context.points(6) : 0);
+    // Where both are too long for one line the value goes below its label.
+    const bool beside = left + ImGui::GetItemRectSize().x + context.points(4) <= right - need;
+    if (changed) {
+        if (beside) ImGui::SameLine();
+        ImGui::SetCursorPosX(std::max(right - need, left));
         const ImVec2 corner = ImGui::GetCursorScreenPos();
         back = ImGui::InvisibleButton("##back", {size, ImGui::GetTextLineHeight()});
         markItem(context, ShortText{name, ".back"});
@@ -138,8 +145,8 @@ bool labelLine(Context& context, std::string_view name, const Parameter& p, std:
                                 {end.x - r * 0.25f, end.y - r * 1.0f}, tint);
     }
     if (!value.empty()) {
-        ImGui::SameLine();
-        ImGui::SetCursorPosX(right - width);
+        if (beside || changed) ImGui::SameLine();
+        ImGui::SetCursorPosX(std::max(right - width, left));
         ImGui::PushStyleColor(ImGuiCol_Text, colour::kQuiet);
         ImGui::TextUnformatted(value.data(), value.data() + value.size());
         ImGui::PopStyleColor();

@@ -141,13 +141,12 @@ float resultReach(const Context& context) {
 
 MenuRequest resultPart(Context& context, LessonSession& session, const Home& home) {
     MenuRequest request = MenuRequest::none;
-    if (button(context, "result.judge", "Judge the weld", session.judged() ? ButtonKind::plain : ButtonKind::main, 150))
+    ButtonRow row(context, 10);
+    if (row.add("result.judge", "Judge the weld", session.judged() ? ButtonKind::plain : ButtonKind::main, 150))
         request = MenuRequest::judge;
-    ImGui::SameLine();
-    if (button(context, "result.again", "Again", session.judged() ? ButtonKind::main : ButtonKind::plain, 110))
+    if (row.add("result.again", "Again", session.judged() ? ButtonKind::main : ButtonKind::plain, 110))
         request = MenuRequest::reset;
-    ImGui::SameLine();
-    if (button(context, "result.home", "Home", ButtonKind::plain, 80, "All lessons (H)")) request = MenuRequest::home;
+    if (row.add("result.home", "Home", ButtonKind::plain, 80, "All lessons (H)")) request = MenuRequest::home;
     const CataloguedLesson* next = home.find(session.lesson().next);
     if (next != nullptr && session.judged() &&
         button(context, "result.next", ShortText{"Next: ", next->title}.c_str(), ButtonKind::plain))

@@ -88,16 +88,21 @@ void drawGlow(ImDrawList& draw, ImVec2 centre, float radius, ImU32 inner) {
 /// Picture, title and task of the lesson, and how far the trainee has come with it.
 void introduction(Context& context, const Lesson& lesson, Home& home) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
+    const bool narrow = narrowerThan(context, 480); // the words need all of it
     const float height = context.points(92);
     float width = height;
-    if (const GLuint picture = home.pictures.texture(lesson.listPicture); picture != 0) {
+    if (narrow) {
+        width = 0;
+    } else if (const GLuint picture = home.pictures.texture(lesson.listPicture); picture != 0) {
         width = height * 16 / 9;
         drawPicture(*ImGui::GetWindowDrawList(), picture, at, {at.x + width, at.y + height});
     } else {
         drawSign(*ImGui::GetWindowDrawList(), {at.x + height / 2, at.y + height / 2}, height);
     }
-    ImGui::Dummy({width, height});
-    ImGui::SameLine(0, context.points(22));
+    if (width > 0) {
+        ImGui::Dummy({width, height});
+        ImGui::SameLine(0, context.points(22));
+    }
     ImGui::BeginGroup();
     ImGui::PushTextWrapPos(0);
     strongText(context, lesson.title);
@@ -120,12 +125,17 @@ void explainAll(Context& context, const ParameterSection& section, bool expert) 
         if (section.shows(parameter) && section.isExpert(parameter) == expert) explained(context, section, parameter);
 }
 
-/// The values, in an area that scrolls where the window is too small for all, so that the buttons below stay visible.
-void values(Context& context, LessonSections& sections, float screenHeight) {
-    const float room = std::max(context.points(120), screenHeight - context.points(400));
-    const float height = std::min(context.startValuesHeight, room);
-    ImGui::BeginChild("values", {0, height > 0 ? height : room});
-    setupPart(context, sections);
+/// Task and values, in an area that scrolls where the window is too small for all, so that the buttons below stay
+/// visible. `room`: for all of the menu, pixels.
+void taskAndValues(Context& context, LessonSession& session, Home& home, float room) {
+    constexpr float kFoot = 150; // points of the buttons, until they are drawn
+    const float foot = context.startFootHeight > 0 ? context.startFootHeight : context.points(kFoot);
+    const float free = std::max(context.points(40), room - foot);
+    const float height = std::min(context.startValuesHeight, free);
+    ImGui::BeginChild("values", {0, height > 0 ? height : free});
+    introduction(context, session.lesson(), home);
+    ImGui::Dummy({0, context.points(6)});
+    setupPart(context, session.sections());
     context.startValuesHeight = ImGui::GetCursorPosY();
     ImGui::EndChild();
     markItem(context, "start.values");
@@ -135,18 +145,19 @@ void values(Context& context, LessonSections& sections, float screenHeight) {
 MenuRequest startButtons(Context& context, bool demonstrated) {
     MenuRequest request = MenuRequest::none;
     const float half = (ImGui::GetContentRegionAvail().x / context.scale - 12) / 2;
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {context.points(12), context.points(11)});
-    if (button(context, "start.start", "Start", ButtonKind::main, half, "Weld with these values (Enter)"))
+    const float thick = lowerThan(context, 420) ? 6.0f : 11.0f;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {context.points(12), context.points(thick)});
+    ButtonRow ways(context, 12);
+    if (ways.add("start.start", "Start", ButtonKind::main, half, "Weld with these values (Enter)"))
         request = MenuRequest::start;
-    ImGui::SameLine(0, context.points(12));
-    if (button(context, "start.defaults", "Start with defaults", ButtonKind::plain, half,
-               "Forget the values above and use the lesson's own"))
+    if (ways.add("start.defaults", "Start with defaults", ButtonKind::plain, half,
+                 "Forget the values above and use the lesson's own"))
         request = MenuRequest::startWithDefaults;
     ImGui::PopStyleVar();
-    if (button(context, "start.home", "Home", ButtonKind::plain, half, "All lessons (H)")) request = MenuRequest::home;
-    ImGui::SameLine(0, context.points(12));
-    if (demonstrated && button(context, "start.demonstration", "Demonstration", ButtonKind::plain, half,
-                               "The expert's torch welds; it can be stopped and brought to any moment"))
+    ButtonRow others(context, 12);
+    if (others.add("start.home", "Home", ButtonKind::plain, half, "All lessons (H)")) request = MenuRequest::home;
+    if (demonstrated && others.add("start.demonstration", "Demonstration", ButtonKind::plain, half,
+                                   "The expert's torch welds; it can be stopped and brought to any moment"))
         request = MenuRequest::demonstrate;
     return request;
 }
@@ -195,18 +206,23 @@ MenuRequest startMenu(Context& context, LessonSession& session, Home& home, cons
     const float width = std::min(context.points(600), screen.x - context.points(24));
     ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, screen.y - context.points(16)});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.points(36), context.points(26)});
+    const bool low = lowerThan(context, 420);
+    const ImVec2 padding{context.points(narrowerThan(context, 480) ? 16.0f : 36.0f),
+                         context.points(low ? 10.0f : 26.0f)};
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
     ImGui::Begin("start menu", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
     ImGui::PopStyleVar();
-    introduction(context, session.lesson(), home);
-    ImGui::Dummy({0, context.points(6)});
-    values(context, session.sections(), screen.y);
-    ImGui::Dummy({0, context.points(8)});
+    taskAndValues(context, session, home, screen.y - context.points(16) - 2 * padding.y);
+    const float foot = ImGui::GetCursorPosY();
+    if (!low) ImGui::Dummy({0, context.points(8)});
     const MenuRequest request = startButtons(context, session.hasDemonstration());
-    ImGui::Dummy({0, context.points(2)});
-    quietText(context, driver);
+    if (!low) {
+        ImGui::Dummy({0, context.points(2)});
+        quietText(context, driver);
+    }
+    context.startFootHeight = ImGui::GetCursorPosY() - foot + ImGui::GetStyle().ItemSpacing.y;
     ImGui::End();
     return request;
 }

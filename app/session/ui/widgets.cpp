@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 
 namespace meltpool::ui {
 
@@ -39,7 +40,7 @@ void outlineRounded(ImDrawList& draw, ImVec2 low, ImVec2 high, ImU32 tint, float
 void tooltip(Context& context, std::string_view text) {
     if (text.empty() || !ImGui::IsItemHovered()) return;
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(context.points(320));
+    ImGui::PushTextWrapPos(std::min(context.points(320), ImGui::GetIO().DisplaySize.x - context.points(40)));
     ImGui::TextUnformatted(text.data(), text.data() + text.size());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
@@ -51,6 +52,17 @@ void quietText(Context& context, std::string_view text) {
     ImGui::TextWrapped("%.*s", static_cast<int>(text.size()), text.data());
     ImGui::PopStyleColor();
     ImGui::PopFont();
+}
+
+void quietLine(Context& context, std::string_view text) {
+    ImGui::PushFont(context.fonts.small);
+    ImGui::PushStyleColor(ImGuiCol_Text, colour::kQuiet);
+    const float room = ImGui::GetContentRegionAvail().x;
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    const bool cut = ImGui::GetItemRectSize().x > room;
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+    if (cut) tooltip(context, text);
 }
 
 void strongText(Context& context, std::string_view text) {
@@ -88,8 +100,50 @@ ShortText readableName(std::string_view key) {
     return name;
 }
 
+bool narrowerThan(const Context& context, float width) {
+    return ImGui::GetIO().DisplaySize.x < context.points(width);
+}
+
+bool lowerThan(const Context& context, float height) {
+    return ImGui::GetIO().DisplaySize.y < context.points(height);
+}
+
+namespace {
+
+constexpr float kTextMargin = 6; ///< points that a button leaves at each side of its text at least
+
+/// Of a button that may be as wide as it likes, pixels.
+float wishedWidth(const Context& context, const char* text, ButtonKind kind, float width) {
+    if (kind == ButtonKind::main) ImGui::PushFont(context.fonts.strong);
+    const float words = ImGui::CalcTextSize(text).x;
+    if (kind == ButtonKind::main) ImGui::PopFont();
+    const float margin = width > 0 ? context.points(kTextMargin) : ImGui::GetStyle().FramePadding.x;
+    return std::max(context.points(width), words + 2 * margin);
+}
+
+/// The text with line ends where it would be wider than `room`, pixels.
+ShortText brokenIntoLines(const char* text, float room) {
+    ShortText lines;
+    const char* const end = text + std::strlen(text);
+    const float scale = ImGui::GetFontSize() / ImGui::GetFont()->FontSize;
+    while (text < end) {
+        const char* stop = ImGui::GetFont()->CalcWordWrapPositionA(scale, text, end, room);
+        if (stop == text) stop = end; // no room for a single letter
+        lines += std::string_view(text, static_cast<size_t>(stop - text));
+        text = stop;
+        while (text < end && *text == ' ')
+            ++text;
+        if (text < end) lines += "\n";
+    }
+    return lines;
+}
+
+} // namespace
+
 bool button(Context& context, std::string_view name, const char* text, ButtonKind kind, float width, const char* note) {
     int colours = 0;
+    const float room = ImGui::GetContentRegionAvail().x;
+    const float wide = std::min(wishedWidth(context, text, kind, width), std::max(room, context.points(24)));
     const auto push = [&colours](ImGuiCol what, ImU32 value) {
         ImGui::PushStyleColor(what, value);
         ++colours;
@@ -106,7 +160,10 @@ bool button(Context& context, std::string_view name, const char* text, ButtonKin
         push(ImGuiCol_ButtonActive, IM_COL32(255, 138, 61, 90));
         push(ImGuiCol_Text, IM_COL32(255, 178, 122, 255));
     }
-    const bool clicked = ImGui::Button(ShortText{text, "##", name}.c_str(), {context.points(width), 0});
+    const float words = wide - 2 * std::min(context.points(kTextMargin), ImGui::GetStyle().FramePadding.x);
+    const bool fits = ImGui::CalcTextSize(text).x <= words + 1;
+    const ShortText label = fits ? ShortText{text, "##", name} : ShortText{brokenIntoLines(text, words), "##", name};
+    const bool clicked = ImGui::Button(label.c_str(), {wide, 0});
     if (kind == ButtonKind::main) ImGui::PopFont();
     ImGui::PopStyleColor(colours);
     markItem(context, name);
@@ -114,10 +171,29 @@ bool button(Context& context, std::string_view name, const char* text, ButtonKin
     return clicked;
 }
 
+ButtonRow::ButtonRow(Context& context, float gap)
+    : context_(context),
+      gap_(context.points(gap)),
+      right_(ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x) {}
+
+void ButtonRow::place(float width) {
+    const bool fits = ImGui::GetItemRectMax().x + gap_ + context_.points(width) <= right_ + 0.5f;
+    if (!first_ && fits) ImGui::SameLine(0, gap_);
+    first_ = false;
+}
+
+bool ButtonRow::add(std::string_view name, const char* text, ButtonKind kind, float width, const char* note) {
+    place(wishedWidth(context_, text, kind, width) / context_.scale);
+    return button(context_, name, text, kind, width, note);
+}
+
 bool toggle(Context& context, std::string_view name, std::string_view label, bool& value, const char* note,
             bool* hoveredNow) {
-    const float height = ImGui::GetTextLineHeight() + context.points(8);
+    const float wide = context.points(36);
     const float width = ImGui::GetContentRegionAvail().x;
+    const float room = std::max(width - wide - context.points(6), 1.0f);
+    const float words = ImGui::CalcTextSize(label.data(), label.data() + label.size(), false, room).y;
+    const float height = words + context.points(8);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const bool clicked = ImGui::InvisibleButton(ShortText(name).c_str(), {width, height});
     if (clicked) value = !value;
@@ -128,14 +204,14 @@ bool toggle(Context& context, std::string_view name, std::string_view label, boo
 
     ImDrawList* draw = ImGui::GetWindowDrawList();
     const float thick = context.points(20);
-    const float wide = context.points(36);
     const ImVec2 track{corner.x + width - wide, corner.y + (height - thick) / 2};
     const ImU32 fill = value ? colour::kAccent : (hovered ? colour::kFieldHot : colour::kTrack);
     fillRounded(*draw, track, {track.x + wide, track.y + thick}, fill, thick / 2);
     const float knob = thick / 2 - context.points(3);
     const float x = value ? track.x + wide - thick / 2 : track.x + thick / 2;
     draw->AddCircleFilled({x, track.y + thick / 2}, knob, value ? IM_COL32_WHITE : IM_COL32(190, 197, 208, 255), 24);
-    draw->AddText({corner.x, corner.y + context.points(4)}, colour::kText, label.data(), label.data() + label.size());
+    draw->AddText(nullptr, 0, {corner.x, corner.y + context.points(4)}, colour::kText, label.data(),
+                  label.data() + label.size(), room);
     return clicked;
 }
 

@@ -18,7 +18,8 @@ namespace meltpool::ui {
 struct Context {
     Fonts fonts;
     float scale = 1;
-    float startValuesHeight = 0; ///< what the start menu's values took in the last frame; 0: not drawn yet
+    float startValuesHeight = 0; ///< of what scrolls on the start menu, in the last frame; 0: not drawn yet
+    float startFootHeight = 0;   ///< of the buttons below it
     /// Where each control was drawn last, by name such as "simulation.viscosity". Kept from frame to frame, so that
     /// noting a place allocates nothing.
     std::map<std::string, Place, std::less<>> places;
@@ -44,9 +45,32 @@ bool parameterControl(Context& context, const ParameterSection& section, const P
 bool groupHeading(Context& context, std::string_view prefix, const char* title, bool openAtFirst = true);
 
 enum class ButtonKind { plain, main, lit };
-/// A button of the given width in points (0: as wide as its text).
+/// A button of the given width in points (0: as wide as its text); wider where its text needs that, and with several
+/// lines of text where the window has less room.
 bool button(Context& context, std::string_view name, const char* text, ButtonKind kind = ButtonKind::plain,
             float width = 0, const char* tooltip = nullptr);
+
+/// Buttons beside each other; those that the window has no room for go below.
+class ButtonRow {
+  public:
+    /// `gap` between two buttons, points.
+    explicit ButtonRow(Context& context, float gap = 6);
+    /// As button().
+    bool add(std::string_view name, const char* text, ButtonKind kind = ButtonKind::plain, float width = 0,
+             const char* tooltip = nullptr);
+    /// Room for an item of this width, points: beside the last one or below it.
+    void place(float width);
+
+  private:
+    Context& context_;
+    float gap_;
+    float right_; ///< where the room ends, pixels of the screen
+    bool first_ = true;
+};
+
+/// Whether the window has less room in this direction than so many points.
+bool narrowerThan(const Context& context, float width);
+bool lowerThan(const Context& context, float height);
 
 /// A switch with its label.
 /// `hovered` may be null; with it the caller makes a long tooltip only while it is shown.
@@ -64,6 +88,8 @@ void fillRounded(ImDrawList& draw, ImVec2 low, ImVec2 high, ImU32 tint, float ra
 void outlineRounded(ImDrawList& draw, ImVec2 low, ImVec2 high, ImU32 tint, float radius);
 
 void quietText(Context& context, std::string_view text);
+/// One line of it, cut where the window ends; all of it while the mouse points at it.
+void quietLine(Context& context, std::string_view text);
 void strongText(Context& context, std::string_view text);
 /// The tooltip of the last item, wrapped to a readable width.
 void tooltip(Context& context, std::string_view text);

@@ -63,11 +63,12 @@ bool isWhole(const json& places, const std::array<double, 4>& control) {
 const char* const kSmallSettings = "[start]\nparticles = 1000\ncells = 16\n"
                                    "[view]\nmode = \"points\"\nshow_sky = false\n[window]\nwidth = 960\nheight = 640\n";
 
-VirtualDisplay::VirtualDisplay(int dotsPerInch) {
+VirtualDisplay::VirtualDisplay(int dotsPerInch, int width, int height) {
     std::array<int, 2> ends{};
     REQUIRE(pipe(ends.data()) == 0);
     server_ = std::make_unique<Process>(Process::Options{
-        .command = {"Xvfb", "-displayfd", "3", "-screen", "0", "1600x1000x24", "-noreset", "-nolisten", "tcp"},
+        .command = {"Xvfb", "-displayfd", "3", "-screen", "0",
+                    std::to_string(width) + "x" + std::to_string(height) + "x24", "-noreset", "-nolisten", "tcp"},
         .passedPipe = ends[1]});
     close(ends[1]);
     const std::string number = readLine(ends[0]);

@@ -15,7 +15,7 @@ namespace meltpool::test {
 /// Xvfb on a display number that was free. A missing Xvfb fails the test.
 class VirtualDisplay {
   public:
-    explicit VirtualDisplay(int dotsPerInch);
+    explicit VirtualDisplay(int dotsPerInch, int width = 1600, int height = 1000);
     const std::string& name() const { return name_; }
     /// Kills the server, as one that crashes or whose machine goes away.
     void kill();

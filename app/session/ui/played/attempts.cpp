@@ -13,7 +13,9 @@ constexpr float kButtonsWidth = 60 + 66 + 84 + 4 * 6; ///< points, with their ga
 /// Title and what is known of the attempt, one above the other, cut where the buttons begin.
 void entryText(Context& context, const Home& home, const ReplayEntry& entry, float height) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    const float width = std::max(ImGui::GetContentRegionAvail().x - context.points(kButtonsWidth), 1.0f);
+    // In a narrow window the buttons are below the text.
+    const bool beside = ImGui::GetContentRegionAvail().x > context.points(2 * kButtonsWidth);
+    const float width = ImGui::GetContentRegionAvail().x - (beside ? context.points(kButtonsWidth) : 0);
     const ImVec2 high{low.x + width, low.y + height};
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const CataloguedLesson* lesson = home.find(entry.lesson);
@@ -26,7 +28,7 @@ void entryText(Context& context, const Home& home, const ReplayEntry& entry, flo
                  entry.detail.c_str());
     draw.PopClipRect();
     ImGui::Dummy({width, height});
-    ImGui::SameLine(0, context.points(6));
+    if (beside) ImGui::SameLine(0, context.points(6));
 }
 
 /// "home.attempt.3.play"
@@ -43,15 +45,14 @@ MenuRequest entryRow(Context& context, Home& home, size_t index) {
         (context.fonts.strong->FontSize + context.fonts.small->FontSize) * ImGui::GetIO().FontGlobalScale;
     entryText(context, home, entry, words + context.points(4));
     MenuRequest request = MenuRequest::none;
-    if (button(context, nameOf(index, "play"), "Play", ButtonKind::plain, 60, "The attempt again, over its own metal"))
+    ButtonRow row(context);
+    if (row.add(nameOf(index, "play"), "Play", ButtonKind::plain, 60, "The attempt again, over its own metal"))
         request = MenuRequest::replay;
-    ImGui::SameLine(0, context.points(6));
-    if (button(context, nameOf(index, "ghost"), "Ghost", ButtonKind::plain, 66,
-               "Weld yourself, with this torch beside your own"))
+    if (row.add(nameOf(index, "ghost"), "Ghost", ButtonKind::plain, 66,
+                "Weld yourself, with this torch beside your own"))
         request = MenuRequest::ghost;
-    ImGui::SameLine(0, context.points(6));
-    if (button(context, nameOf(index, "compare"), "Compare", list.marked(index) ? ButtonKind::lit : ButtonKind::plain,
-               84, "Mark two attempts at the same lesson to see both side by side") &&
+    if (row.add(nameOf(index, "compare"), "Compare", list.marked(index) ? ButtonKind::lit : ButtonKind::plain, 84,
+                "Mark two attempts at the same lesson to see both side by side") &&
         list.mark(index))
         return MenuRequest::compare;
     if (request != MenuRequest::none) list.choose(index);

@@ -22,15 +22,14 @@ MenuRequest demonstrationPart(Context& context, LessonSession& session) {
     MenuRequest request = MenuRequest::none;
     strongText(context, "Demonstration");
     timeSlider(context, demonstration);
-    if (button(context, "demonstration.play", demonstration.playing() ? "Pause" : "Play", ButtonKind::plain, 76,
-               "Stops the torch, or lets it go on (Space)"))
+    ButtonRow row(context);
+    if (row.add("demonstration.play", demonstration.playing() ? "Pause" : "Play", ButtonKind::plain, 76,
+                "Stops the torch, or lets it go on (Space)"))
         demonstration.toggle();
-    ImGui::SameLine(0, context.points(6));
-    if (button(context, "demonstration.again", "From the start", ButtonKind::plain, 120, "The torch and the metal"))
+    if (row.add("demonstration.again", "From the start", ButtonKind::plain, 120, "The torch and the metal"))
         demonstration.again();
-    ImGui::SameLine(0, context.points(6));
-    if (button(context, "demonstration.weld", "Weld it yourself", ButtonKind::main, 140,
-               "The metal as it was at first, and your torch (Enter, F5)"))
+    if (row.add("demonstration.weld", "Weld it yourself", ButtonKind::main, 140,
+                "The metal as it was at first, and your torch (Enter, F5)"))
         request = MenuRequest::reset;
     if (demonstration.welds())
         quietText(context, "The expert's torch welds the metal. Pull the handle to bring the torch to any moment.");
@@ -46,7 +45,7 @@ MenuRequest demonstrationBar(Context& context, LessonSession& session, float lef
     if (screen.x - left - right < width + context.points(20)) left = right = 0;
     ImGui::SetNextWindowPos({(left + screen.x - right) / 2, screen.y - barHeight(context) - context.points(10)},
                             ImGuiCond_Always, {0.5f, 1});
-    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, screen.y});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, screen.y - 2 * barHeight(context) - context.points(20)});
     ImGui::Begin("demonstration", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);

@@ -118,20 +118,17 @@ ShortText stateText(const LessonSession& session) {
 
 MenuRequest replayButtons(Context& context, ReplayTimeline& line) {
     MenuRequest request = MenuRequest::none;
-    if (button(context, "replay.play", line.playing() ? "Pause" : "Play", ButtonKind::plain, 76,
-               "Stops the attempt, or lets it go on (Space)"))
+    ButtonRow row(context);
+    if (row.add("replay.play", line.playing() ? "Pause" : "Play", ButtonKind::plain, 76,
+                "Stops the attempt, or lets it go on (Space)"))
         line.toggle();
-    ImGui::SameLine(0, context.points(6));
-    if (button(context, "replay.back", "-1 s", ButtonKind::plain, 52, "A second back (Left arrow)"))
+    if (row.add("replay.back", "-1 s", ButtonKind::plain, 52, "A second back (Left arrow)"))
         line.seek(line.target() - ReplayTimeline::kKeyStep);
-    ImGui::SameLine(0, context.points(6));
-    if (button(context, "replay.on", "+1 s", ButtonKind::plain, 52, "A second on (Right arrow)"))
+    if (row.add("replay.on", "+1 s", ButtonKind::plain, 52, "A second on (Right arrow)"))
         line.seek(line.target() + ReplayTimeline::kKeyStep);
-    ImGui::SameLine(0, context.points(6));
-    if (button(context, "replay.start", "From the start", ButtonKind::plain, 116)) line.seek(0);
-    ImGui::SameLine(0, context.points(6));
-    if (button(context, "replay.weld", "Weld it yourself", ButtonKind::main, 136,
-               "Another attempt in this lesson, with the values of its first page (F5)"))
+    if (row.add("replay.start", "From the start", ButtonKind::plain, 116)) line.seek(0);
+    if (row.add("replay.weld", "Weld it yourself", ButtonKind::main, 136,
+                "Another attempt in this lesson, with the values of its first page (F5)"))
         request = MenuRequest::reset;
     return request;
 }
@@ -177,7 +174,7 @@ MenuRequest replayBar(Context& context, LessonSession& session) {
         room >= context.points(930) ? std::min(context.points(1400), room) : std::min(context.points(500), room);
     ImGui::SetNextWindowPos({screen.x / 2, screen.y - barHeight(context) - context.points(10)}, ImGuiCond_Always,
                             {0.5f, 1});
-    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, screen.y});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, screen.y - 2 * barHeight(context) - context.points(20)});
     ImGui::Begin("replay", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
