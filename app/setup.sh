@@ -5,7 +5,7 @@ meltpoolBuildPackages=(
     g++ cmake ninja-build pkg-config glslang-tools git
     libglfw3-dev libglew-dev libglm-dev libopenxr-dev libimgui-dev libgl-dev libegl-dev
     libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libpugixml-dev zlib1g-dev libstb-dev libopenal-dev catch2
-    libgl1-mesa-dri libegl1 libglx-mesa0 fonts-open-sans
+    libgl1-mesa-dri libegl1 libglx-mesa0 fonts-open-sans fonts-dejavu-core
 )
 meltpoolTestPackages=(
     assimp-utils dpkg-dev file xvfb xauth xdotool libx11-dev x11-apps x11-utils imagemagick mmdebstrap
@@ -14,6 +14,7 @@ meltpoolTestPackages=(
 meltpoolWindowsPackages=(
     g++-mingw-w64-x86-64-posix libz-mingw-w64-dev nsis dpkg-dev cmake ninja-build glslang-tools git imagemagick
     python3-jinja2 libglm-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libstb-dev libopenal-dev catch2 fonts-open-sans
+    fonts-dejavu-core
 )
 meltpoolWindowsTestPackages=(wine wine64 xvfb xauth xdotool libgl1-mesa-dri imagemagick unzip)
 # Used where the distribution has them.

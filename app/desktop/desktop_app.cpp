@@ -175,6 +175,7 @@ void DesktopApp::runFrame() {
     drawHeadset(seconds);
     preparePicture(seconds);
     const MenuRequest request = drawMenus();
+    tellMissingLetters();
     sound_.update(session_, controls_, headsetFrame_ ? headset_.get() : nullptr);
     pacer_.count(seconds);
     figures_.framesPerSecond = pacer_.framesPerSecond();
@@ -397,6 +398,30 @@ MenuRequest DesktopApp::drawMenus() {
         &windowSection_,        &recordingSection_,       headset_ ? &headset_->section() : nullptr};
     return menus_.draw({session_, home_, controls_, messages_, figures_, profiler_, pacer_.frameSeconds() * 1000,
                         driver_, std::span(view).first(headset_ ? 9 : 8)});
+}
+
+/// What people bring may be written in letters that no font here has: names of lessons and files above all.
+void DesktopApp::tellMissingLetters() {
+    const ImFont& font = *interface_.context().fonts.body;
+    const auto look = [&](std::string_view text) { missingLetters_.look(font, text); };
+    for (const Message& message : messages_.shown())
+        look(message.text);
+    if (home_.open) {
+        for (const CataloguedLesson& lesson : home_.lessons()) {
+            look(lesson.title);
+            look(lesson.text);
+        }
+        if (home_.attempts.shown())
+            for (const ReplayEntry& entry : home_.attempts.entries())
+                look(entry.detail);
+    } else if (!session_.running()) {
+        look(session_.lesson().title);
+        look(session_.lesson().text);
+    }
+    const auto told = missingLetters_.take();
+    if (!told) return;
+    std::fprintf(stderr, "meltpool: %s\n", printable(told->terminal, 3000).c_str());
+    messages_.warn(told->window, now());
 }
 
 void DesktopApp::takePicture() {

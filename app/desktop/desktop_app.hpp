@@ -19,6 +19,7 @@
 #include "app/session/lesson_session.hpp"
 #include "app/session/messages.hpp"
 #include "app/session/notices.hpp"
+#include "app/session/ui/letters.hpp"
 #include "app/session/window_headset.hpp"
 
 #include <chrono>
@@ -67,6 +68,7 @@ class DesktopApp {
     void show();
     bool mayStandStill() const;
     MenuRequest drawMenus();
+    void tellMissingLetters();
     void takePicture();
     void writeTelemetry();
     double now() const { return std::chrono::duration<double>(Clock::now() - begun_).count(); }
@@ -103,6 +105,7 @@ class DesktopApp {
     FramePacer pacer_;
     WindowPicture picture_;
     DetailChoice detail_;
+    ui::MissingLetters missingLetters_;
     std::string screenshot_;
     std::string driver_;
     size_t judgements_ = 0;                  ///< that the menus have shown

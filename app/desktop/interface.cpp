@@ -8,6 +8,7 @@ namespace meltpool::ui {
 
 Interface::Interface(Window& window) : window_(window) {
     context_.scale = 0;
+    context_.keys = &window.keyNames();
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr; // the program has its own settings file
@@ -34,11 +35,12 @@ void Interface::rebuildFonts(float scale, float pixelScale) {
 }
 
 void Interface::begin(float size, bool captured, bool byKeyboard) {
-    const float scale = std::clamp(window_.interfaceScale() * size, 0.5f, 4.0f);
+    constexpr float kLargest = 6; // three times an ordinary density, and text of twice the size
+    const float scale = std::clamp(window_.interfaceScale() * size, 0.5f, kLargest);
     // While a slider is dragged the sizes must not change, or it would move away from the mouse.
     const bool settled = context_.scale <= 0 || !ImGui::IsMouseDown(0);
-    if (settled && (scale != context_.scale || window_.pixelScale() != pixelScale_))
-        rebuildFonts(scale, window_.pixelScale());
+    const bool other = settled && (scale != context_.scale || window_.pixelScale() != pixelScale_);
+    if (other) rebuildFonts(scale, window_.pixelScale());
     ImGuiIO& io = ImGui::GetIO();
     const auto flag = [&io](ImGuiConfigFlags_ which, bool on) {
         io.ConfigFlags = on ? io.ConfigFlags | which : io.ConfigFlags & ~which;
@@ -46,6 +48,9 @@ void Interface::begin(float size, bool captured, bool byKeyboard) {
     flag(ImGuiConfigFlags_NoMouse, captured);
     flag(ImGuiConfigFlags_NavEnableKeyboard, byKeyboard);
     ImGui_ImplOpenGL3_NewFrame();
+#if IMGUI_VERSION_NUM < 19200
+    if (other) io.Fonts->ClearTexData(); // the driver has its own copy
+#endif
     // This asks the display for mouse and focus, which takes longer than drawing all menus.
     if (window_.stirred()) ImGui_ImplGlfw_NewFrame();
     const Clock::time_point now = Clock::now();

@@ -6,6 +6,7 @@
 #include "app/desktop/window_system.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/system/environment.hpp"
 #include "core/base/work_meter.hpp"
 
 #define GLFW_INCLUDE_NONE
@@ -81,6 +82,16 @@ std::string offeredVersion() {
     return found;
 }
 
+/// How a machine whose graphics card is too old still shows the window; empty where that changes nothing.
+std::string softwareAdvice() {
+#ifdef __linux__
+    if (environmentVariable("LIBGL_ALWAYS_SOFTWARE").empty())
+        return "; with LIBGL_ALWAYS_SOFTWARE=1 in the environment, or \"Without the graphics card\" of the menu entry, "
+               "the processor draws";
+#endif
+    return {};
+}
+
 void start() {
     if (!startWindowSystem()) throw InputError("no window can be opened here: " + lastProblem());
 }
@@ -95,6 +106,7 @@ void hintContext(int samples) {
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     glfwWindowHint(GLFW_SAMPLES, samples);
     glfwWindowHint(GLFW_DEPTH_BITS, 24);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE); // Windows: it grows when it comes to a denser screen
 }
 
 std::span<GLFWmonitor* const> monitors() {
@@ -164,12 +176,14 @@ void Window::open(const Options& options) {
     glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "meltpool");
     window_ = glfwCreateWindow(options.width, options.height, "Meltpool", nullptr, nullptr);
     if (window_ == nullptr)
-        throw InputError("the window needs OpenGL 4.5 core, but this machine offers " + offeredVersion());
+        throw InputError("the window needs OpenGL 4.5 core, but this machine offers " + offeredVersion() +
+                         softwareAdvice());
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
 
     glfwSetWindowUserPointer(window_, this);
-    glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int) { self(w).onKey(key, action); });
+    glfwSetKeyCallback(
+        window_, [](GLFWwindow* w, int key, int, int action, int modifiers) { self(w).onKey(key, action, modifiers); });
     glfwSetMouseButtonCallback(
         window_, [](GLFWwindow* w, int button, int action, int) { self(w).onButton(button, action == GLFW_PRESS); });
     glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) { self(w).onMove({x, y}); });
@@ -183,6 +197,7 @@ void Window::open(const Options& options) {
     glfwGetWindowSize(window_, &size_.x, &size_.y);
     glfwGetFramebufferSize(window_, &pixels_.x, &pixels_.y);
     iconified_ = false;
+    readKeyNames();
 }
 
 Window::~Window() {
@@ -240,13 +255,24 @@ InputFrame Window::poll(double patience) {
     return std::exchange(gathering_, InputFrame{});
 }
 
-void Window::onKey(int key, int action) {
+void Window::readKeyNames() {
+    keyNames_.read([](Key key) {
+        const auto* known = std::find_if(kKeys.begin(), kKeys.end(), [key](const auto& k) { return k.second == key; });
+        const char* name = known == kKeys.end() ? nullptr : glfwGetKeyName(known->first, 0);
+        return name == nullptr ? std::string() : std::string(name);
+    });
+}
+
+void Window::onKey(int key, int action, int modifiers) {
     stir();
+    readKeyNames(); // the layout may have changed with this key
     const auto* known = std::find_if(kKeys.begin(), kKeys.end(), [key](const auto& k) { return k.first == key; });
     if (known == kKeys.end()) return;
     const auto bit = static_cast<size_t>(known->second);
-    down_[bit] = action != GLFW_RELEASE;
-    if (action == GLFW_RELEASE) return;
+    // With Ctrl, Alt or the system's key it is a command to something else.
+    const bool alone = (modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER)) == 0;
+    down_[bit] = action == GLFW_PRESS ? alone : action == GLFW_REPEAT && down_[bit];
+    if (!down_[bit]) return;
     gathering_.held[bit] = true;
     gathering_.pressed.push_back(known->second);
     if (action == GLFW_PRESS) gathering_.struck.push_back(known->second);
@@ -266,6 +292,7 @@ void Window::onButton(int button, bool down) {
 void Window::onFocus(bool focused) {
     stir();
     focused_ = focused;
+    readKeyNames();
 }
 
 void Window::onScroll(double way) {

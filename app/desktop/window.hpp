@@ -3,6 +3,7 @@
 
 #include "app/desktop/window_place.hpp"
 #include "app/session/hand/input.hpp"
+#include "app/session/hand/key_names.hpp"
 #include "core/gl/context.hpp"
 
 #include <glm/vec2.hpp>
@@ -62,13 +63,16 @@ class Window {
     /// Pixels a screen point.
     float pixelScale() const;
 
+    /// Of the keyboard's layout as it was when the last key was pressed or the window got the focus.
+    const KeyNames& keyNames() const { return keyNames_; }
     const gl::ContextInfo& driver() const { return driver_; }
     GLFWwindow* handle() const { return window_; }
 
   private:
     void open(const Options& options);
     void stir() { quietPolls_ = 0; }
-    void onKey(int key, int action);
+    void onKey(int key, int action, int modifiers);
+    void readKeyNames();
     void onButton(int button, bool down);
     void onFocus(bool focused);
     void onScroll(double way);
@@ -84,6 +88,7 @@ class Window {
     int quietPolls_ = 0; ///< since something happened
     gl::ContextInfo driver_;
     InputFrame gathering_;
+    KeyNames keyNames_;
     std::bitset<static_cast<size_t>(Key::count)> down_;
     bool leftDown_ = false;
     bool rightDown_ = false;

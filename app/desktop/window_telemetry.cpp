@@ -142,6 +142,16 @@ json cut(const CutView& shown) {
     return {{"place_mm", shown.place() * 1e3}, {"judged", shown.judged()}, {"measures", measures}};
 }
 
+/// What the keyboard shows on the letter keys, which are named after a US one.
+json keyNames(const KeyNames& names) {
+    json all;
+    for (size_t i = 0; i < static_cast<size_t>(Key::left); ++i) {
+        const Key key = static_cast<Key>(i);
+        all[std::string(KeyNames::usual().of(key))] = names.of(key);
+    }
+    return all;
+}
+
 json messageTexts(const Messages& messages) {
     json all = json::array();
     for (const Message& message : messages.shown())
@@ -191,6 +201,7 @@ void WindowTelemetry::write(const TelemetryRow& row) {
         {"picture", row.figures.picture},
         {"steps_beside", row.stepsBeside},
         {"messages", messageTexts(row.messages)},
+        {"keys", keyNames(*row.context.keys)},
         {"places", places(row.context)},
         {"screenshot", row.screenshot},
         {"judgement", judgement(row.judged)},

@@ -27,6 +27,7 @@ rm -rf build/windows/package
 cmake --install build/windows --prefix "$PWD/$folder" --strip >/dev/null
 mkdir -p "$folder/fonts"
 cp /usr/share/fonts/truetype/open-sans/OpenSans-{Regular,Semibold}.ttf "$folder/fonts/"
+cp /usr/share/fonts/truetype/dejavu/DejaVuSans{,-Bold}.ttf "$folder/fonts/"
 app/packaging/notices.sh "$windowsPrefix/share/notices"/* >"$folder/licences.txt"
 find "$folder" -exec touch -d "@${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || date +%s)}" {} +
 (cd build/windows/package && cmake -E tar cf "../$name.zip" --format=zip "$name")

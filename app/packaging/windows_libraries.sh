@@ -139,7 +139,7 @@ windowsKeepNotices() {
         case $package in catch2 | libopenal-dev) continue ;; esac # not in the program
         cp "/usr/share/doc/$package/copyright" "$folder/$package"
     done
-    for package in libz-mingw-w64-dev mingw-w64-common gcc-mingw-w64-base fonts-open-sans; do
+    for package in libz-mingw-w64-dev mingw-w64-common gcc-mingw-w64-base fonts-open-sans fonts-dejavu-core; do
         cp "/usr/share/doc/$package/copyright" "$folder/$package"
     done
 }

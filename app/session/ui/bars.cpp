@@ -1,5 +1,6 @@
 // The bars at the top and bottom of the running trainer, the messages above them and the colour scale.
 #include "app/session/ui/panels.hpp"
+#include "core/base/function_ref.hpp"
 #include "core/render/look/temperature_scale.hpp"
 
 #include <algorithm>
@@ -114,9 +115,36 @@ void keyHint(Context& context, const char* key, const char* what) {
 }
 
 struct Hint {
-    const char* key;
+    ShortText key;
     const char* what;
 };
+
+/// "W A S D" of the keyboard that is there.
+ShortText flyingKeys(const Context& context) {
+    return {context.key(Key::w), " ", context.key(Key::a), " ", context.key(Key::s), " ", context.key(Key::d)};
+}
+
+/// The hints of what the person does now, in order of weight; gives them to `draw`.
+void giveHints(const Context& context, const Controls& controls, bool torch, FunctionRef<bool(const Hint&)> draw) {
+    const ShortText look = context.key(Key::v), mouse = context.key(Key::c);
+    const bool working = controls.mode() == Mode::interact, caught = controls.captured();
+    const auto all = [&](std::initializer_list<Hint> hints) {
+        for (const Hint& hint : hints)
+            if (!draw(hint)) return;
+    };
+    if (working && torch && caught)
+        all({{"Left button", "weld"}, {"Wheel", "arc length"}, {"Arrows", "lean"}, {mouse, "free the mouse"}});
+    else if (working && torch)
+        all({{"Left button", "weld"}, {"Mouse", "along the seam"}, {"Arrows", "lean"}, {mouse, "catch the mouse"}});
+    else if (working && caught)
+        all({{"Left button", "heat"}, {"Right button", "near and far"}, {mouse, "free the mouse"}});
+    else if (working)
+        all({{"Left button", "heat"}, {look, "look around"}, {mouse, "catch the mouse"}, {"F1", "help"}});
+    else if (caught)
+        all({{"Mouse", "look"}, {flyingKeys(context), "fly"}, {mouse, "free the mouse"}});
+    else
+        all({{flyingKeys(context), "fly"}, {look, "back to work"}, {mouse, "catch the mouse"}, {"F1", "help"}});
+}
 
 constexpr float kWholeBar = 740;    ///< points in which every button of the bar has room
 constexpr float kCommandWidth = 72; ///< points
@@ -135,7 +163,9 @@ bool barTabs(Context& context, PanelState& panels, const LessonSession& session,
     tab("bar.view", "View", panels.view, "How the metal is shown (F2)");
     tab("bar.simulation", "Machine", panels.simulation, "What heats the metal (F3)");
     tab("bar.timings", "Timings", panels.timings, "Where the time of a frame goes (F4)");
-    if (session.judges()) tab("bar.result", "Result", panels.result, "The weld judged and measured (J judges it)");
+    if (session.judges())
+        tab("bar.result", "Result", panels.result,
+            ShortText{"The weld judged and measured (", context.key(Key::j), " judges it)"}.c_str());
     return pressed;
 }
 
@@ -150,7 +180,9 @@ MenuRequest wayButtons(Context& context, float width, bool beside = true) {
     if (button(context, "bar.restart", "Restart", ButtonKind::plain, width, "Back to the lesson's first page"))
         request = MenuRequest::restart;
     if (beside) ImGui::SameLine(0, context.points(6));
-    if (button(context, "bar.home", "Home", ButtonKind::plain, width, "All lessons (H)")) request = MenuRequest::home;
+    if (button(context, "bar.home", "Home", ButtonKind::plain, width,
+               ShortText{"All lessons (", context.key(Key::h), ")"}.c_str()))
+        request = MenuRequest::home;
     return request;
 }
 
@@ -244,27 +276,13 @@ void statusBar(Context& context, const LessonFigures& figures, const Controls& c
     const float right = std::max(
         ImGui::GetIO().DisplaySize.x - ImGui::CalcTextSize(text.c_str()).x - context.points(16), context.points(16));
 
-    constexpr std::array<Hint, 4> kWork{
-        {{"Left button", "heat"}, {"V", "look around"}, {"C", "catch the mouse"}, {"F1", "help"}}};
-    constexpr std::array<Hint, 4> kLook{
-        {{"W A S D", "fly"}, {"V", "back to work"}, {"C", "catch the mouse"}, {"F1", "help"}}};
-    constexpr std::array<Hint, 3> kCaught{
-        {{"Left button", "heat"}, {"Right button", "near and far"}, {"C", "free the mouse"}}};
-    constexpr std::array<Hint, 4> kTorch{
-        {{"Left button", "weld"}, {"Mouse", "along the seam"}, {"Arrows", "lean"}, {"C", "catch the mouse"}}};
-    constexpr std::array<Hint, 4> kCaughtTorch{
-        {{"Left button", "weld"}, {"Wheel", "arc length"}, {"Arrows", "lean"}, {"C", "free the mouse"}}};
-    constexpr std::array<Hint, 3> kCaughtLook{{{"Mouse", "look"}, {"W A S D", "fly"}, {"C", "free the mouse"}}};
-    const bool working = controls.mode() == Mode::interact;
-    std::span<const Hint> hints = working ? std::span<const Hint>(kWork) : std::span<const Hint>(kLook);
-    if (controls.captured()) hints = working ? std::span<const Hint>(kCaught) : std::span<const Hint>(kCaughtLook);
-    if (working && figures.torch)
-        hints = controls.captured() ? std::span<const Hint>(kCaughtTorch) : std::span<const Hint>(kTorch);
-    for (const Hint& hint : hints) {
-        const float need = ImGui::CalcTextSize(hint.key).x + ImGui::CalcTextSize(hint.what).x + context.points(40);
-        if (ImGui::GetCursorPosX() + need > right) break;
-        keyHint(context, hint.key, hint.what);
-    }
+    giveHints(context, controls, figures.torch.has_value(), [&](const Hint& hint) {
+        const float need =
+            ImGui::CalcTextSize(hint.key.c_str()).x + ImGui::CalcTextSize(hint.what).x + context.points(40);
+        if (ImGui::GetCursorPosX() + need > right) return false;
+        keyHint(context, hint.key.c_str(), hint.what);
+        return true;
+    });
     ImGui::GetWindowDrawList()->AddText({right, ImGui::GetWindowPos().y + (height - ImGui::GetTextLineHeight()) / 2},
                                         colour::kText, text.c_str());
     ImGui::PopFont();

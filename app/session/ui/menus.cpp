@@ -108,7 +108,7 @@ void passRow(Context& context, std::string_view name, double ms, double whole, i
 }
 
 struct Shortcut {
-    const char* keys;
+    ShortText keys;
     const char* what;
 };
 
@@ -118,7 +118,7 @@ void shortcutColumn(Context& context, const char* title, std::span<const Shortcu
     ImGui::PushTextWrapPos(0);
     for (const Shortcut& row : rows) {
         ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(255, 178, 122, 255));
-        ImGui::TextUnformatted(row.keys);
+        ImGui::TextUnformatted(row.keys.c_str());
         ImGui::PopStyleColor();
         ImGui::SameLine();
         ImGui::SetCursorPosX(left + context.points(140));
@@ -126,6 +126,47 @@ void shortcutColumn(Context& context, const char* title, std::span<const Shortcu
     }
     ImGui::PopTextWrapPos();
     ImGui::Dummy({0, context.points(6)});
+}
+
+/// The left half of the help page.
+void torchKeys(Context& context) {
+    const std::string_view a = context.key(Key::a), d = context.key(Key::d), e = context.key(Key::e),
+                           q = context.key(Key::q), s = context.key(Key::s), w = context.key(Key::w);
+    const std::array<Shortcut, 5> torch{{{"Left button", "heat while held"},
+                                         {"Mouse", "torch sideways and up"},
+                                         {"+ right button", "torch near and far"},
+                                         {"Arrow keys", "torch in steps"},
+                                         {"Page up, down", "torch up and down"}}};
+    const std::array<Shortcut, 2> heat{
+        {{context.key(Key::f), "hot or cold source"}, {{"F5  ", context.key(Key::j)}, "again: reset; judge the weld"}}};
+    const std::array<Shortcut, 4> orbit{{{{a, "  ", d}, "around the metal"},
+                                         {{w, "  ", s}, "over and under it"},
+                                         {{q, "  ", e}, "nearer and farther"},
+                                         {"Wheel", "nearer and farther"}}};
+    shortcutColumn(context, "The torch, while working", torch);
+    shortcutColumn(context, "The metal", heat);
+    shortcutColumn(context, "The camera, while working", orbit);
+}
+
+/// The right half of the help page.
+void programKeys(Context& context) {
+    const std::string_view a = context.key(Key::a), d = context.key(Key::d), e = context.key(Key::e),
+                           q = context.key(Key::q), s = context.key(Key::s), w = context.key(Key::w);
+    const std::array<Shortcut, 4> fly{{{"Mouse", "look"},
+                                       {{w, "  ", s}, "forwards and back"},
+                                       {{a, "  ", d}, "to the sides"},
+                                       {{q, "  ", e}, "down and up"}}};
+    const std::array<Shortcut, 9> program{{{context.key(Key::v), "work, or pause and look around"},
+                                           {context.key(Key::h), "home: all lessons"},
+                                           {{context.key(Key::c), "  Escape"}, "catch or free the mouse"},
+                                           {"F1", "this page"},
+                                           {"F2  F3  F4", "view, machine, timings"},
+                                           {"Tab", "hide and show all panels"},
+                                           {"F10  F12", "save the window; the metal in 4K"},
+                                           {"F11", "full screen"},
+                                           {"Arrows  Enter", "in the list of lessons"}}};
+    shortcutColumn(context, "The camera, while looking around", fly);
+    shortcutColumn(context, "The program", program);
 }
 
 } // namespace
@@ -188,7 +229,8 @@ void machineMenu(Context& context, const ParameterSection& section, Controls& co
     bool cold = controls.source().cold();
     // Only the source of the classic lesson cools.
     if (findParameter(section.parameters, "heat_temperature") != nullptr &&
-        toggle(context, "simulation.cold", "Cold source", cold, "Freezes what it touches instead of melting it (F)"))
+        toggle(context, "simulation.cold", "Cold source", cold,
+               ShortText{"Freezes what it touches instead of melting it (", context.key(Key::f), ")"}.c_str()))
         controls.source().setCold(cold);
     machinePart(context, section);
     ImGui::End();
@@ -233,34 +275,10 @@ void helpOverlay(Context& context, bool& open) {
     if (ImGui::IsWindowAppearing()) ImGui::SetWindowFocus();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar();
-    constexpr std::array<Shortcut, 5> kTorch{{{"Left button", "heat while held"},
-                                              {"Mouse", "torch sideways and up"},
-                                              {"+ right button", "torch near and far"},
-                                              {"Arrow keys", "torch in steps"},
-                                              {"Page up, down", "torch up and down"}}};
-    constexpr std::array<Shortcut, 2> kHeat{{{"F", "hot or cold source"}, {"F5  J", "again: reset; judge the weld"}}};
-    constexpr std::array<Shortcut, 4> kOrbit{{{"A  D", "around the metal"},
-                                              {"W  S", "over and under it"},
-                                              {"Q  E", "nearer and farther"},
-                                              {"Wheel", "nearer and farther"}}};
-    constexpr std::array<Shortcut, 4> kFly{
-        {{"Mouse", "look"}, {"W  S", "forwards and back"}, {"A  D", "to the sides"}, {"Q  E", "down and up"}}};
-    constexpr std::array<Shortcut, 9> kProgram{{{"V", "work, or pause and look around"},
-                                                {"H", "home: all lessons"},
-                                                {"C  Escape", "catch or free the mouse"},
-                                                {"F1", "this page"},
-                                                {"F2  F3  F4", "view, machine, timings"},
-                                                {"Tab", "hide and show all panels"},
-                                                {"F10  F12", "save the window; the metal in 4K"},
-                                                {"F11", "full screen"},
-                                                {"Arrows  Enter", "in the list of lessons"}}};
     ImGui::Columns(narrow ? 1 : 2, "help columns", false);
-    shortcutColumn(context, "The torch, while working", kTorch);
-    shortcutColumn(context, "The metal", kHeat);
-    shortcutColumn(context, "The camera, while working", kOrbit);
+    torchKeys(context);
     if (!narrow) ImGui::NextColumn();
-    shortcutColumn(context, "The camera, while looking around", kFly);
-    shortcutColumn(context, "The program", kProgram);
+    programKeys(context);
     ImGui::Columns(1);
     quietText(context,
               "A mouse that is not caught moves the torch too, while a button is held on the picture. Double click a "

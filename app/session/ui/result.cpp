@@ -146,7 +146,9 @@ MenuRequest resultPart(Context& context, LessonSession& session, const Home& hom
         request = MenuRequest::judge;
     if (row.add("result.again", "Again", session.judged() ? ButtonKind::main : ButtonKind::plain, 110))
         request = MenuRequest::reset;
-    if (row.add("result.home", "Home", ButtonKind::plain, 80, "All lessons (H)")) request = MenuRequest::home;
+    if (row.add("result.home", "Home", ButtonKind::plain, 80,
+                ShortText{"All lessons (", context.key(Key::h), ")"}.c_str()))
+        request = MenuRequest::home;
     const CataloguedLesson* next = home.find(session.lesson().next);
     if (next != nullptr && session.judged() &&
         button(context, "result.next", ShortText{"Next: ", next->title}.c_str(), ButtonKind::plain))

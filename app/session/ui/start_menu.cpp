@@ -155,7 +155,9 @@ MenuRequest startButtons(Context& context, bool demonstrated) {
         request = MenuRequest::startWithDefaults;
     ImGui::PopStyleVar();
     ButtonRow others(context, 12);
-    if (others.add("start.home", "Home", ButtonKind::plain, half, "All lessons (H)")) request = MenuRequest::home;
+    if (others.add("start.home", "Home", ButtonKind::plain, half,
+                   ShortText{"All lessons (", context.key(Key::h), ")"}.c_str()))
+        request = MenuRequest::home;
     if (demonstrated && others.add("start.demonstration", "Demonstration", ButtonKind::plain, half,
                                    "The expert's torch welds; it can be stopped and brought to any moment"))
         request = MenuRequest::demonstrate;

@@ -1,9 +1,11 @@
 #include "app/session/ui/theme.hpp"
 
+#include "app/session/ui/letters.hpp"
 #include "core/base/resources.hpp"
 
 #include <array>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,30 +30,55 @@ constexpr std::array<FontFiles, 6> kFontFiles{{
     {"/System/Library/Fonts/Supplemental/Arial.ttf", "/System/Library/Fonts/Supplemental/Arial Bold.ttf"},
 }};
 
-/// Latin with accents, and the few signs that units and messages use.
-constexpr std::array<ImWchar, 7> kGlyphs{0x0020, 0x017F, 0x2010, 0x2044, 0x2070, 0x209F, 0};
+/// Fonts with many signs, which stand in for letters that the first font does not have.
+constexpr std::array<FontFiles, 5> kFurtherFiles{{
+    {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf"},
+    {"/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf", "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans-Bold.ttf"},
+    {"/usr/share/fonts/TTF/DejaVuSans.ttf", "/usr/share/fonts/TTF/DejaVuSans-Bold.ttf"},
+    {"C:/Windows/Fonts/seguisym.ttf", "C:/Windows/Fonts/seguisym.ttf"},
+    {"/System/Library/Fonts/Apple Symbols.ttf", "/System/Library/Fonts/Apple Symbols.ttf"},
+}};
 
-ImFont* load(const char* file, float size) {
+/// Above this size, in pixels, twice the width makes letters no smoother.
+constexpr float kOversampledUpTo = 40;
+
+/// `further`: a font for the letters that the first has not; null: none.
+ImFont* load(const char* file, const char* further, float size, const ImWchar* letters) {
     ImFontConfig config;
-    config.OversampleH = 2;
+    config.OversampleH = size <= kOversampledUpTo ? 2 : 1;
     config.OversampleV = 1;
     ImFontAtlas* atlas = ImGui::GetIO().Fonts;
-    if (file != nullptr) return atlas->AddFontFromFileTTF(file, size, &config, kGlyphs.data());
-    config.SizePixels = size;
-    return atlas->AddFontDefault(&config);
+    ImFont* font = nullptr;
+    if (file != nullptr) {
+        font = atlas->AddFontFromFileTTF(file, size, &config, letters);
+    } else {
+        config.SizePixels = size;
+        font = atlas->AddFontDefault(&config);
+    }
+    if (further == nullptr) return font;
+    config.MergeMode = true; // into the font above; its own letters stay
+    atlas->AddFontFromFileTTF(further, size, &config, letters);
+    return font;
 }
 
-/// The fonts that came with the program, else the first that the system has; empty names where there are none.
-std::array<std::string, 2> installedFonts() {
+/// Regular and strong; empty names where there are none.
+using FontNames = std::array<std::string, 2>;
+
+/// Those that came with the program, else the first that the system has.
+FontNames installedFonts(const FontFiles& own, std::span<const FontFiles> systems) {
     std::error_code unreadable;
-    const fs::path own = resourceFolder() / "fonts";
-    const fs::path regular = own / "OpenSans-Regular.ttf", strong = own / "OpenSans-Semibold.ttf";
+    const fs::path folder = resourceFolder() / "fonts";
+    const fs::path regular = folder / own.regular, strong = folder / own.strong;
     if (fs::is_regular_file(regular, unreadable) && fs::is_regular_file(strong, unreadable))
         return {regular.string(), strong.string()};
-    for (const FontFiles& files : kFontFiles)
+    for (const FontFiles& files : systems)
         if (fs::is_regular_file(files.regular, unreadable) && fs::is_regular_file(files.strong, unreadable))
             return {files.regular, files.strong};
     return {};
+}
+
+const char* nameOrNull(const std::string& name) {
+    return name.empty() ? nullptr : name.c_str();
 }
 
 ImVec4 vec(ImU32 packed) {
@@ -62,15 +89,16 @@ ImVec4 vec(ImU32 packed) {
 
 Fonts loadFonts(float scale, float pixelScale) {
     ImGui::GetIO().Fonts->Clear();
-    const std::array<std::string, 2> files = installedFonts();
-    const char* regular = files[0].empty() ? nullptr : files[0].c_str();
-    const char* strong = files[1].empty() ? nullptr : files[1].c_str();
+    const FontNames files = installedFonts({"OpenSans-Regular.ttf", "OpenSans-Semibold.ttf"}, kFontFiles);
+    const FontNames others = installedFonts({"DejaVuSans.ttf", "DejaVuSans-Bold.ttf"}, kFurtherFiles);
+    const char *regular = nameOrNull(files[0]), *strong = nameOrNull(files[1]);
+    const char *further = nameOrNull(others[0]), *furtherStrong = nameOrNull(others[1]);
     const float unit = scale * pixelScale;
     Fonts fonts;
-    fonts.body = load(regular, 18 * unit);
-    fonts.strong = load(strong, 18 * unit);
-    fonts.small = load(regular, 15 * unit);
-    fonts.title = load(strong, 42 * unit);
+    fonts.body = load(regular, further, 18 * unit, textLetters());
+    fonts.strong = load(strong, furtherStrong, 18 * unit, textLetters());
+    fonts.small = load(regular, further, 15 * unit, textLetters());
+    fonts.title = load(strong, nullptr, 42 * unit, titleLetters());
     ImGui::GetIO().FontGlobalScale = 1 / pixelScale;
     return fonts;
 }

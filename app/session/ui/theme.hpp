@@ -29,7 +29,7 @@ struct Fonts {
 };
 
 /// Loads fonts for `scale` (interface size) drawn at `pixelScale` pixels a point. The first of the fonts that the
-/// machine has is taken; with none, Dear ImGui's own.
+/// machine has is taken; with none, Dear ImGui's own. A second font stands in for the letters that it has not.
 Fonts loadFonts(float scale, float pixelScale);
 
 /// Sets every colour and measure of Dear ImGui's style.

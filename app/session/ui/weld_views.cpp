@@ -90,7 +90,9 @@ MenuRequest cutPart(Context& context, LessonSession& session) {
     MenuRequest request = MenuRequest::none;
     if (button(context, "cut.open", cut.shown() ? "Close the cut" : "Cut the weld open",
                cut.shown() ? ButtonKind::lit : ButtonKind::plain, 150,
-               "Shows the section with what is measured in it; the metal waits meanwhile (X)"))
+               ShortText{"Shows the section with what is measured in it; the metal waits meanwhile (",
+                         context.key(Key::x), ")"}
+                   .c_str()))
         request = MenuRequest::cut;
     if (!cut.shown()) return request;
     placeSlider(context, cut);

@@ -1,6 +1,7 @@
 // The controls of the menus, made from parameter descriptions: sliders, switches, choices, buttons.
 #pragma once
 
+#include "app/session/hand/key_names.hpp"
 #include "app/session/menu_state.hpp"
 #include "app/session/ui/short_text.hpp"
 #include "app/session/ui/theme.hpp"
@@ -24,10 +25,12 @@ struct Context {
     /// noting a place allocates nothing.
     std::map<std::string, Place, std::less<>> places;
     unsigned frame = 0;
+    const KeyNames* keys = &KeyNames::usual(); ///< of the keyboard that is there
 
     void beginFrame() { ++frame; }
     bool shown(const Place& place) const { return place.frame == frame; }
     float points(float size) const { return size * scale; }
+    std::string_view key(Key letter) const { return keys->of(letter); }
 };
 
 /// Notes the last item's place under `name` when it is in sight.

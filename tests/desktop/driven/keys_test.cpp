@@ -292,4 +292,56 @@ TEST_CASE("simulated time never outruns real time") {
     CHECK(ahead <= kOwed + 1e-3);
 }
 
+TEST_CASE("the keys have the names of the keyboard that is there, and do the same at their place") {
+    VirtualDisplay display(96);
+    const auto layout = [&](std::vector<std::string> words) {
+        words.insert(words.begin(), "setxkbmap");
+        REQUIRE(runCommand(words, {{"DISPLAY", display.name()}}) == 0);
+    };
+    const auto named = [](const std::string& key, const std::string& name) {
+        return [=](const json& s) { return s.at("keys").at(key) == name; };
+    };
+    layout({"fr"});
+    TrainerWindow window("french-keyboard", {.display = &display});
+    CHECK(named("W", "Z")(window.state()));
+    CHECK(named("A", "Q")(window.state()));
+    CHECK(named("Q", "A")(window.state()));
+    CHECK(named("H", "H")(window.state()));
+    window.start();
+    window.takePicture("french-keyboard");
+    const double before = cameraValue(window.settle(), "elevation");
+    window.holdKey("z", "the key above S to turn the camera",
+                   [&](const json& t) { return cameraValue(t, "elevation") > before + 0.05; });
+    window.key("F1");
+    window.waitFor("help", [](const json& t) { return t.at("panels").at("help") == true; });
+    window.takePicture("french-keyboard-help");
+    window.key("F1");
+
+    layout({"us", "-variant", "dvorak"});
+    window.key("F2"); // with a key the layout is read again
+    window.waitFor("names of a Dvorak keyboard", named("W", ","));
+    CHECK(named("H", "D")(window.state()));
+    layout({"ru"});
+    window.key("F2");
+    window.waitFor("names of a Russian keyboard", named("W", "\u0426"));
+    window.takePicture("russian-keyboard");
+}
+
+TEST_CASE("a letter with Ctrl, Alt or the system's key is not that letter") {
+    TrainerWindow window("modifiers", {});
+    window.start();
+    for (const char* modifier : {"ctrl", "alt", "super"}) {
+        INFO(modifier);
+        window.key(std::string(modifier) + "+v");
+        window.key(std::string(modifier) + "+h");
+        const json s = window.settle();
+        CHECK(s.at("mode") == "interact");
+        CHECK(s.at("page") == "running");
+    }
+    window.key("v");
+    window.waitFor("view mode", [](const json& s) { return s.at("mode") == "view"; });
+    window.key("h");
+    window.waitFor("the list", [](const json& s) { return s.at("page") == "home"; });
+}
+
 } // namespace meltpool::test

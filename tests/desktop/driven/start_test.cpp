@@ -145,10 +145,13 @@ TEST_CASE("too little OpenGL is refused in one sentence, a telemetry file that c
         CHECK(process.wait(300) == 2);
         return readTextFile(folder / "output.txt");
     };
-    const std::string old = refuse({}, {{"MESA_GL_VERSION_OVERRIDE", "3.1"}});
+    const std::string old = refuse({}, {{"MESA_GL_VERSION_OVERRIDE", "3.1"}, {"LIBGL_ALWAYS_SOFTWARE", ""}});
     CHECK_THAT(old, containsText("OpenGL 4.5 core"));
     CHECK_THAT(old, containsText("3.1"));
+    CHECK_THAT(old, containsText("LIBGL_ALWAYS_SOFTWARE=1"));
     CHECK(splitText(trimText(old), '\n').size() == 1);
+    CHECK_THAT(refuse({}, {{"MESA_GL_VERSION_OVERRIDE", "3.1"}, {"LIBGL_ALWAYS_SOFTWARE", "1"}}),
+               !containsText("with LIBGL_ALWAYS_SOFTWARE=1"));
     const std::string blocked = refuse({"--telemetry", (folder / "none" / "t.jsonl").string()}, {});
     CHECK_THAT(blocked, containsText("t.jsonl"));
     const std::string unknown = refuse({"--lesson", "knitting"}, {});

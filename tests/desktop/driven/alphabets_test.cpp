@@ -1,0 +1,90 @@
+// Lessons in other alphabets: their letters are drawn, and what no font has is told.
+#include "core/base/text.hpp"
+#include "tests/desktop/driven/driver.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+#include <csignal>
+
+namespace meltpool::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+struct Alphabet {
+    const char *key, *title, *text;
+};
+
+/// The build's data with the classic lesson in these languages only.
+fs::path catalogueOf(const std::string& name, const std::vector<Alphabet>& alphabets) {
+    const fs::path share = scratchFolder(name);
+    const fs::path built = fs::path(MELTPOOL_BINARY_FOLDER) / "share" / "meltpool";
+    fs::create_directory_symlink(fs::canonical(built / "shaders"), share / "shaders");
+    fs::create_directories(share / "data" / "lessons");
+    for (const auto& entry : fs::directory_iterator(fs::canonical(built / "data")))
+        if (entry.path().filename() != "lessons")
+            fs::create_directory_symlink(entry.path(), share / "data" / entry.path().filename());
+    const std::string classic = readTextFile(built / "data" / "lessons" / "classic.toml");
+    fs::copy_file(built / "data" / "lessons" / "classic.toml", share / "data" / "lessons" / "classic.toml");
+    for (const Alphabet& each : alphabets) {
+        std::string lesson = classic;
+        const auto replaceLine = [&](const std::string& start, const std::string& with) {
+            const size_t at = lesson.find("\n" + start) + 1;
+            lesson.replace(at, lesson.find('\n', at) - at, with);
+        };
+        replaceLine("title = ", std::string("title = \"") + each.title + "\"");
+        replaceLine("text = ", std::string("text = \"") + each.text + "\"");
+        writeTextFileAtomically(share / "data" / "lessons" / (std::string(each.key) + ".toml"), lesson);
+    }
+    return share;
+}
+
+const std::vector<Alphabet> kDrawn{
+    {"greek", "Γωνιακή ραφή", "Κρατήστε τον πυρσό στις 45° και προχωρήστε ομαλά."},
+    {"russian", "Угловой шов", "Ведите горелку ровно; щель ≤ 1 мм, скорость ≈ 6 мм/с."},
+    {"ukrainian", "Кутовий шов", "Тримайте пальник рівно, їжте кашу, ґрунт не плавте."},
+    {"romanian", "Sudură de colț", "Țineți torța la 45°; înaintați încet și așteptați baia."},
+    {"vietnamese", "Hàn góc trên tấm thép", "Giữ mỏ hàn ở góc 45° và di chuyển đều tay, đừng vội."},
+    {"turkish", "Köşe kaynağı", "Torcu İŞ parçasına 45° tutun; ısıyı yavaş yayın, ağır ilerleyin."},
+    {"polish", "Spoina pachwinowa", "Prowadź uchwyt równo: źdźbło żółci, łąka, ćma."},
+    {"signs", "Rohr ⌀ 60 → ∠ 45° ✓", "Kosten 12 €; Spalt ≤ 1, Höhe ≥ 2, Länge ≈ 30 mm → weiter. ½ ± × µ Ω"}};
+
+} // namespace
+
+TEST_CASE("lessons in Greek, Cyrillic, Romanian, Vietnamese, Turkish and with technical signs are drawn whole") {
+    TrainerWindow window("alphabets", {.settings = "[window]\nwidth = 1280\nheight = 900\n",
+                                       .lesson = "",
+                                       .data = catalogueOf("alphabets-data", kDrawn)});
+    const json s = window.settle();
+    CHECK(s.at("messages").empty());
+    window.takePicture("alphabets-home");
+    for (const Alphabet& each : kDrawn) {
+        window.click(std::string("home.lesson.") + each.key);
+        window.waitFor("the lesson's page", [](const json& t) { return t.at("page") == "start"; });
+        window.settle();
+        window.takePicture(std::string("alphabets-") + each.key);
+        window.click("start.home");
+        window.waitFor("the list", [](const json& t) { return t.at("page") == "home"; });
+    }
+    window.process().signal(SIGTERM);
+    CHECK(window.finish() == 0);
+    CHECK(window.output().empty());
+}
+
+TEST_CASE("letters that no font has are named once, in the window and on the terminal") {
+    const std::vector<Alphabet> japanese{{"japanese", "すみ肉溶接", "トーチを45°に保つ。"}};
+    TrainerWindow window("japanese", {.lesson = "", .data = catalogueOf("japanese-data", japanese)});
+    window.waitFor("the letters in a message",
+                   [](const json& s) { return s.at("messages").dump().find("U+6EB6") != std::string::npos; });
+    window.takePicture("missing-letters");
+    window.click("home.lesson.japanese");
+    window.waitFor("the lesson's page", [](const json& t) { return t.at("page") == "start"; });
+    window.settle();
+    const std::string told = window.output();
+    CHECK_THAT(told, containsText("溶"));
+    CHECK(told.find("溶") == told.rfind("溶"));
+}
+
+} // namespace meltpool::test
