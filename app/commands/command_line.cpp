@@ -3,8 +3,10 @@
 #include "app/bench/bench.hpp"
 #include "app/commands/attempt_options.hpp"
 #include "app/commands/commands.hpp"
+#include "app/desktop/error_window.hpp"
 #include "app/program/memory.hpp"
 #include "app/program/program_info.hpp"
+#include "app/program/watched_run.hpp"
 #include "app/sound/openal_device.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
@@ -26,10 +28,16 @@ constexpr int kDone = 0;
 constexpr int kFailed = 1;
 constexpr int kBadInput = 2;
 
+#ifdef __linux__
+/// For starts from an icon, where nobody reads standard error.
+constexpr const char* kErrorWindow = "--error-window";
+#endif
+
 /// The parsed command line.
 struct Arguments {
     RunRequest run;
     DesktopOptions desktop;
+    bool errorWindow = false; ///< runProgram() acts on it before
     bool headset = false;
     bool desktopOnly = false;
     bool unrecorded = false;
@@ -62,6 +70,10 @@ void addDesktop(CLI::App& app, Arguments& arguments) {
     CLI::Option* wanted = app.add_flag("--headset", arguments.headset,
                                        "Use the headset; without one the program ends and names the reason");
     app.add_flag("--desktop", arguments.desktopOnly, "Do not search for a headset")->excludes(wanted);
+#ifdef __linux__
+    app.add_flag(kErrorWindow, arguments.errorWindow,
+                 "Show in a window too why the trainer ended; the menu entry starts it so");
+#endif
     app.add_flag("--watch-shaders", arguments.desktop.watchShaders, "Reload changed shaders while the window is open");
 }
 
@@ -244,6 +256,15 @@ int parseAndRun(int argc, char** argv) {
     return code;
 }
 
+#ifdef __linux__
+/// The program in a process of its own, so that its crash is shown too.
+int runForIcon(const std::vector<std::string>& words) {
+    const WatchedEnd end = runWatched(words);
+    if (const std::string sentence = endSentence(end); !sentence.empty()) showErrorWindow(sentence);
+    return end.code;
+}
+#endif
+
 } // namespace
 
 int runProgram(int argc, char** argv) {
@@ -251,6 +272,9 @@ int runProgram(int argc, char** argv) {
     tellWritesOfTheirFaults();
     OpenAlDevice::quietLibrary();
     try {
+#ifdef __linux__
+        if (const auto words = withoutOption(argc, argv, kErrorWindow)) return runForIcon(*words);
+#endif
         return parseAndRun(argc, argv);
     } catch (const InputError& error) {
         complain(error.what());

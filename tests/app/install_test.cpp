@@ -47,6 +47,20 @@ void checkHandbook(const fs::path& documents) {
         FAIL_CHECK(broken);
 }
 
+/// The menu entry starts the installed program so that its errors are seen, and its icon is there.
+void checkMenuEntry(const fs::path& prefix) {
+    const fs::path entry = prefix / "share" / "applications" / "meltpool.desktop";
+    const std::string text = readTextFile(entry);
+    CHECK_THAT(text, containsText("\nExec=meltpool --error-window\n"));
+    CHECK_THAT(text, containsText("\nIcon=meltpool\n"));
+    CHECK_THAT(text, containsText("\nExec=env LIBGL_ALWAYS_SOFTWARE=1 meltpool --error-window\n"));
+    for (const char* icon : {"scalable/apps/meltpool.svg", "48x48/apps/meltpool.png"})
+        CHECK(fs::file_size(prefix / "share" / "icons" / "hicolor" / icon) > 500);
+    if (succeeds("command -v desktop-file-validate")) CHECK(succeeds("desktop-file-validate '" + entry.string() + "'"));
+    // The option is one of the program.
+    CHECK(runMeltpool("--error-window --version", "cd /", prefix / "bin" / "meltpool").code == 0);
+}
+
 } // namespace
 
 TEST_CASE("the installed program runs from anywhere", "[app]") {
@@ -55,6 +69,7 @@ TEST_CASE("the installed program runs from anywhere", "[app]") {
         succeeds("cmake --install '" + std::string(MELTPOOL_BINARY_FOLDER) + "' --prefix '" + prefix.string() + "'"));
     checkRuns(prefix / "bin" / "meltpool");
     checkHandbook(prefix / "share" / "doc" / "meltpool");
+    checkMenuEntry(prefix);
 }
 
 TEST_CASE("the Debian package holds a program that runs", "[app]") {
@@ -64,6 +79,8 @@ TEST_CASE("the Debian package holds a program that runs", "[app]") {
                      folder.string() + "'"));
     REQUIRE(succeeds("dpkg-deb -x '" + folder.string() + "'/meltpool_*.deb '" + (folder / "root").string() + "'"));
     checkRuns(folder / "root" / "usr" / "bin" / "meltpool");
+    checkMenuEntry(folder / "root" / "usr");
+    CHECK(succeeds("dpkg-deb -f '" + folder.string() + "'/meltpool_*.deb Recommends | grep fonts-dejavu-core"));
     const fs::path documents = folder / "root" / "usr" / "share" / "doc" / "meltpool";
     checkHandbook(documents);
     if (!fs::exists("/usr/share/doc/libimgui-dev/copyright")) return; // not every machine keeps them
