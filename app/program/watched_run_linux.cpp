@@ -84,6 +84,8 @@ std::string endSentence(const WatchedEnd& end) {
         if (!text.empty()) text += '\n';
         text += line;
     }
+    if (!text.empty() && text.front() >= 'a' && text.front() <= 'z')
+        text.front() = static_cast<char>(text.front() - 32);
     const bool crashed = end.code > 128;
     if (!text.empty() && !crashed) return text;
     if (!text.empty()) text += '\n';

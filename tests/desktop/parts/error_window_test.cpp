@@ -9,12 +9,12 @@ namespace meltpool::test {
 
 TEST_CASE("the person reads the program's sentences, of a crash the signal, and of an end without words the code") {
     CHECK(endSentence({0, "meltpool: a warning of a start that went well\n"}).empty());
-    CHECK(endSentence({2, "meltpool: there is no lesson 'knitting'\n"}) == "there is no lesson 'knitting'");
+    CHECK(endSentence({2, "meltpool: there is no lesson 'knitting'\n"}) == "There is no lesson 'knitting'");
     CHECK(endSentence({1, "driver: slow\nmeltpool: the settings were not saved\n"}) ==
-          "driver: slow\nthe settings were not saved");
+          "Driver: slow\nthe settings were not saved");
     CHECK_THAT(endSentence({1, ""}), containsText("code 1"));
     const std::string crash = endSentence({128 + 11, "driver: out of memory\n"});
-    CHECK_THAT(crash, containsText("driver: out of memory\n"));
+    CHECK_THAT(crash, containsText("Driver: out of memory\n"));
     CHECK_THAT(crash, containsText("signal 11"));
 }
 
