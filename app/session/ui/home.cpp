@@ -9,7 +9,9 @@ namespace {
 
 constexpr float kTileWidth = 214;    ///< points, the least in the window
 constexpr float kWidestTile = 300;   ///< points
-constexpr float kRowHeight = 70;     ///< points, of a lesson on the headset's panel
+constexpr float kRowHeight = 70;     ///< points, of a lesson on the headset's panel and in a low window
+constexpr float kRowWidth = 300;     ///< points, the least in a low window
+constexpr float kLowWindow = 420;    ///< points
 constexpr size_t kRowsAPage = 4;     ///< of those
 constexpr size_t kAttemptsAPage = 8; ///< in the window
 constexpr size_t kAttemptsOnPanel = 6;
@@ -49,8 +51,8 @@ void drawLesson(Context& context, Home& home, const CataloguedLesson& lesson, Im
     draw.PopClipRect();
 }
 
-/// One lesson of the list; true when it was chosen.
-bool lessonTile(Context& context, Home& home, size_t index, ImVec2 size, bool beside) {
+/// One lesson of the list; true when it was chosen. `byKeys`: keys choose too, so the chosen one is marked.
+bool lessonTile(Context& context, Home& home, size_t index, ImVec2 size, bool beside, bool byKeys) {
     const CataloguedLesson& lesson = home.lessons()[index];
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 high{low.x + size.x, low.y + size.y};
@@ -64,27 +66,31 @@ bool lessonTile(Context& context, Home& home, size_t index, ImVec2 size, bool be
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     fillRounded(draw, low, high, hovered ? colour::kFieldHot : colour::kField, context.points(4));
     drawLesson(context, home, lesson, low, high, beside);
-    const bool chosen = !beside && index == home.chosenIndex(); // the panel's pointer needs no choice by keys
+    const bool chosen = byKeys && index == home.chosenIndex();
     if (chosen || hovered)
         outlineRounded(draw, low, high, chosen ? colour::kAccent : colour::kQuiet, context.points(4));
     return clicked;
 }
 
+/// In a low window a tile would not fit in whole, so the words stand beside the pictures.
 bool lessonGrid(Context& context, Home& home) {
-    const float gap = context.points(14);
+    const bool beside = lowerThan(context, kLowWindow);
+    const float gap = context.points(beside ? 8 : 14);
     const float room = ImGui::GetContentRegionAvail().x;
-    const float fits = (room + gap) / (context.points(kTileWidth) + gap);
+    const float fits = (room + gap) / (context.points(beside ? kRowWidth : kTileWidth) + gap);
     home.columns = static_cast<size_t>(std::max(1.0f, fits));
     const auto columns = static_cast<float>(home.columns);
-    const float width = std::min((room - gap * (columns - 1)) / columns, context.points(kWidestTile));
+    const float share = (room - gap * (columns - 1)) / columns;
+    const float width = beside ? share : std::min(share, context.points(kWidestTile));
     const float words = 2 * context.fonts.strong->FontSize + context.fonts.small->FontSize;
-    const ImVec2 size{width, width / kPictureShape + words * ImGui::GetIO().FontGlobalScale + context.points(20)};
+    const float height = width / kPictureShape + words * ImGui::GetIO().FontGlobalScale + context.points(20);
+    const ImVec2 size{width, beside ? context.points(kRowHeight) : height};
     const bool moved = home.takeMoved();
     bool chosen = false;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
     for (size_t i = 0; i < home.lessons().size(); ++i) {
         if (i % home.columns != 0) ImGui::SameLine();
-        chosen = lessonTile(context, home, i, size, false) || chosen;
+        chosen = lessonTile(context, home, i, size, beside, true) || chosen;
         if (moved && i == home.chosenIndex()) ImGui::SetScrollHereY();
     }
     ImGui::PopStyleVar();
@@ -116,7 +122,7 @@ MenuRequest homePage(Context& context, Home& home, const std::string& driver, bo
     drawBackdrop(screen.x, screen.y);
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize(screen);
-    const bool low = lowerThan(context, 420); // the list needs the height
+    const bool low = lowerThan(context, kLowWindow); // the list needs the height
     const float edge = context.points(narrowerThan(context, 480) ? 12.0f : 24.0f);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {edge, context.points(low ? 8.0f : 16.0f)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
@@ -173,7 +179,7 @@ MenuRequest homePart(Context& context, Home& home) {
     home.page = std::min(home.page, pages - 1);
     const ImVec2 size{ImGui::GetContentRegionAvail().x, context.points(kRowHeight)};
     for (size_t i = home.page * kRowsAPage; i < std::min(count, (home.page + 1) * kRowsAPage); ++i)
-        if (lessonTile(context, home, i, size, true)) request = MenuRequest::openLesson;
+        if (lessonTile(context, home, i, size, true, false)) request = MenuRequest::openLesson;
     attemptsButton(context, home);
     if (pages == 1) return request;
     ImGui::SameLine();
