@@ -3,6 +3,7 @@
 #define MELTPOOL_SHARED_HEAT_H
 
 #include "glsl_types.h"
+#include "heat_source.h"
 #include "heat_table.h"
 #include "metal.h"
 
@@ -49,10 +50,6 @@
 
 #define HEAT_SOURCES 4
 
-#define SOURCE_SPHERE 0    // volume, 1 - d²/R²
-#define SOURCE_GAUSSIAN 1  // surface that faces it, exp(-r²/(2 sigma²)) around its axis
-#define SOURCE_ELLIPSOID 2 // volume, double ellipsoid of Goldak, Chakravarti and Bibby (1984)
-#define SOURCE_TIP 3 // surface within its radius, conductance times temperature difference, power at most as stated
 
 // A tile is awake as long as something happened in it or in a neighbour within this many steps.
 #define TILE_AWAKE_STEPS 8

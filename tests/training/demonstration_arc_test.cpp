@@ -1,5 +1,6 @@
 // What the shipped demonstrations do with the program's own arc: it strikes, and burns as its machine is set to.
 #include "core/training/lesson.hpp"
+#include "core/weld/process/weld_constants.hpp"
 #include "core/weld/weld.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"

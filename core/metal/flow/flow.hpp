@@ -4,6 +4,7 @@
 #include "core/gl/buffer_view.hpp"
 #include "core/gl/profiler.hpp"
 #include "core/gl/program.hpp"
+#include "core/metal/flow/arc_pressure.hpp"
 #include "core/metal/flow/flow_constants.hpp"
 #include "core/metal/flow/flow_room.hpp"
 
@@ -15,15 +16,6 @@ struct FlowSpace {
     glm::vec3 high{0};         ///< m
     glm::bvec3 repeats{false}; ///< axes along which space repeats; at least three supports long
     glm::vec3 acceleration{0}; ///< body force over density besides gravity, m/s²
-};
-
-/// Pressure of an arc on the surface that faces it: peak exp(-r²/(2 sigma²)) around its axis.
-struct ArcPressure {
-    glm::vec3 place{0};       ///< m, on the axis
-    glm::vec3 axis{0, -1, 0}; ///< unit vector into the metal
-    float sigma = 2e-3F;      ///< m
-    float peak = 0;           ///< Pa
-    float shear = 0;          ///< Pa, highest drag of the arc's jet along the surface, away from the axis
 };
 
 /// Faults since the start; all zero in a healthy run.

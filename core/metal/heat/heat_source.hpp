@@ -1,7 +1,7 @@
 // Sources of heat on the metal: volumes, a Gaussian flux, a hot tool.
 #pragma once
 
-#include "shaders/shared/heat.h"
+#include "shaders/shared/heat_source.h"
 
 #include <glm/vec3.hpp>
 

@@ -1,6 +1,7 @@
 #include "core/validation/welds/torch_run.hpp"
 
 #include "core/base/error.hpp"
+#include "core/weld/process/weld_constants.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 
 #include "core/gl/state_archive.hpp"
 #include "core/weld/process/processes.hpp"
+#include "core/weld/process/weld_constants.hpp"
 
 #include <algorithm>
 #include <cmath>

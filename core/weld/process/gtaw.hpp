@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/weld/process/rod_process.hpp"
-#include "core/weld/process/weld_constants.hpp"
 
 namespace meltpool {
 

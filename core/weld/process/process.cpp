@@ -1,6 +1,7 @@
 #include "core/weld/process/process.hpp"
 
 #include "core/gl/state_archive.hpp"
+#include "core/metal/flow/flow_constants.hpp"
 #include "core/weld/process/weld_constants.hpp"
 
 #include <algorithm>

@@ -3,12 +3,13 @@
 #pragma once
 
 #include "core/base/parameter.hpp"
-#include "core/metal/flow/flow.hpp"
-#include "core/metal/heat/heat.hpp"
+#include "core/metal/flow/arc_pressure.hpp"
+#include "core/metal/heat/heat_source.hpp"
 #include "core/weld/process/arc.hpp"
 #include "core/weld/process/filler.hpp"
 #include "core/weld/torch/torch_sample.hpp"
 
+#include <limits>
 #include <optional>
 #include <span>
 

@@ -1,6 +1,7 @@
 #include "core/weld/process/wire_arc.hpp"
 
 #include "core/gl/state_archive.hpp"
+#include "core/weld/process/weld_constants.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "core/weld/process/arc.hpp"
-#include "core/weld/process/weld_constants.hpp"
 
 namespace meltpool {
 

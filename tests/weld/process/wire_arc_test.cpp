@@ -1,4 +1,5 @@
 // The circuit of a GMAW torch: what current melts the wire, when the arc is open, short, long or out.
+#include "core/weld/process/weld_constants.hpp"
 #include "core/weld/process/wire_arc.hpp"
 #include "tests/support/catch.hpp"
 
