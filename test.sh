@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# Sets up what is missing, builds everything and runs every test: ./test.sh [--long] [--checks] [CTEST ARGUMENTS]
+# Sets up what is missing, builds everything and runs every test: ./test.sh [--quick] [--long] [--checks] [CTEST ARGUMENTS]
 # Then, unless arguments chose tests: the headset's threads under the thread sanitizer, and a quarter of the suites that
 # need no window under address and undefined-behaviour sanitizers.
 # The quarters take turns from day to day; MELTPOOL_TURN=0 to 3 chooses, MELTPOOL_TURN=all takes all four, and with them
 # the tests of the whole program.
 # --checks takes all and has clang check all sources.
 # --long does so too, and adds the soak, fuzzing and validation runs that take hours of patience rather than minutes.
+# --quick builds and runs only the suites that take seconds, for the loop of edit and test.
 # --windows alone cross-compiles the program for Windows with its tests and checks it under Wine beside the Linux program.
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -34,8 +35,26 @@ fi
 suites0='base gl surface weld xr xr-threads'
 suites1='fuzz render desktop_parts house'
 suites2='metal validation'
-suites3='training'
+suites3='training judging'
 suitesOfProgram='app'
+
+# The suites of --quick.
+quickSuites='base weld judging house'
+
+# checkQuickly [CTEST ARGUMENTS]: sets up only a folder that has no tests yet; else Ninja configures where it must.
+checkQuickly() {
+    local suite targets=()
+    if ! grep -qs '^MELTPOOL_TESTS:BOOL=ON' build/release/CMakeCache.txt || [ ! -e build/release/build.ninja ]; then
+        meltpoolInstall build test
+        meltpoolConfigure release -DMELTPOOL_TESTS=ON
+    fi
+    for suite in $quickSuites; do
+        targets+=("test_$suite")
+    done
+    cmake --build build/release --target "${targets[@]}"
+    ctest --test-dir build/release --output-on-failure --no-tests=error -j 2 \
+        -R "^(${quickSuites// /|}|shader-includes)\$" "$@"
+}
 
 # checkForWindows [CHECK...]: makes the program for Windows with its tests, and tries it beside the Linux program.
 checkForWindows() {
@@ -70,6 +89,11 @@ runSanitized() {
     ctest --test-dir "build/$preset" --output-on-failure "${configuration[@]}" -j 2 -R "^($(IFS='|'; echo "${names[*]}"))\$"
 }
 
+if [ "${1:-}" = --quick ]; then
+    shift
+    checkQuickly "$@"
+    exit
+fi
 if [ "${1:-}" = --windows ]; then
     shift
     checkForWindows "$@"

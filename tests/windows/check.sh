@@ -366,7 +366,7 @@ check_validate() {
 
 check_units() {
     local suite broken=()
-    for suite in house base gl metal validation surface render weld training desktop_parts; do
+    for suite in house base gl metal validation surface render weld judging training desktop_parts; do
         SECONDS=0
         (cd build/windows && MELTPOOL_DATA="Z:$root/build/windows/share/meltpool" timeout 1800 wine bin/test_$suite.exe '~[long]') \
             >"$work/suite-$suite" 2>&1 || broken+=("$suite")
