@@ -1,28 +1,18 @@
 #include "app/report/run_results.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/table_reader.hpp"
 #include "core/base/text.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace meltpool {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<std::string_view> cellsOf(std::string_view line) {
-    std::vector<std::string_view> cells;
-    for (size_t from = 0;;) {
-        const size_t comma = line.find(',', from);
-        cells.push_back(line.substr(from, comma - from));
-        if (comma == std::string_view::npos) return cells;
-        from = comma + 1;
-    }
-}
 
 nlohmann::json resultIn(const std::string& text, const fs::path& file) {
     nlohmann::json result;
@@ -80,22 +70,14 @@ NumberTable readNumberTable(const fs::path& file) {
 
 NumberTable numberTable(const std::string& text, const fs::path& file) {
     NumberTable table;
-    std::istringstream lines(text);
-    std::string line;
-    for (int number = 1; std::getline(lines, line); ++number) {
-        const std::vector<std::string_view> cells = cellsOf(line);
-        if (number == 1) {
-            table.columns.assign(cells.begin(), cells.end());
-            continue;
-        }
-        if (cells.size() != table.columns.size())
-            throw InputError(file, number,
-                             "has " + std::to_string(cells.size()) + " cells; expected " +
-                                 std::to_string(table.columns.size()) + ", as in the first line");
-        std::vector<double> row;
-        for (const std::string_view cell : cells)
-            row.push_back(parseDouble(cell).value_or(std::numeric_limits<double>::quiet_NaN()));
-        table.rows.push_back(std::move(row));
+    TableReader reader(text, file, [](std::string_view) { return false; });
+    table.columns = reader.columns();
+    for (TableReader::Item item = reader.next(); item != TableReader::Item::end; item = reader.next()) {
+        if (item == TableReader::Item::comment) continue;
+        reader.requireWidth();
+        std::vector<double>& row = table.rows.emplace_back();
+        for (const std::string_view cell : reader.cells())
+            row.push_back(reader.number(cell).value_or(std::numeric_limits<double>::quiet_NaN()));
     }
     return table;
 }

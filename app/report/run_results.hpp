@@ -22,8 +22,8 @@ struct NumberTable {
 /// Reads one from its text; `file` is named in faults. Throws as readNumberTable().
 NumberTable numberTable(const std::string& text, const std::filesystem::path& file);
 
-/// Reads one. Throws InputError naming file and line for a row that is not as long as the head, and for a file that
-/// cannot be read.
+/// Reads one. Throws InputError naming file and line for a row that is not as long as the header, for what TableReader
+/// refuses, and for a file that cannot be read.
 NumberTable readNumberTable(const std::filesystem::path& file);
 
 /// A picture of the weld, as part of a page.

@@ -150,6 +150,17 @@ std::string_view trimText(std::string_view text) {
     return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
 }
 
+std::string lowerCase(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return lower;
+}
+
+std::string lowerExtension(const std::filesystem::path& file) {
+    return lowerCase(file.extension().string());
+}
+
 std::string printable(std::string_view text, std::size_t mostBytes) {
     std::vector<std::string> characters;
     for (size_t at = 0; at < text.size();) {

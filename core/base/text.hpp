@@ -40,6 +40,10 @@ std::string quote(std::string_view text);
 /// Parts between separators; an empty text gives one empty part. The views point into `text`.
 std::vector<std::string_view> splitText(std::string_view text, char separator);
 std::string_view trimText(std::string_view text);
+/// With the letters A to Z made small.
+std::string lowerCase(std::string_view text);
+/// The ending of a file's name in small letters, such as ".csv"; empty where it has none.
+std::string lowerExtension(const std::filesystem::path& file);
 
 /// More than any file that the program reads should have: three hours of a torch recording.
 inline constexpr std::size_t kLargestTextFile = std::size_t(256) << 20;

@@ -1,6 +1,7 @@
 #include "core/training/recorded_attempt.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/table_reader.hpp"
 #include "core/base/text.hpp"
 #include "core/training/lesson.hpp"
 #include "core/training/recording/record_text.hpp"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace meltpool {
 
@@ -43,20 +45,19 @@ class Reader {
     }
 
     std::optional<RecordedAttempt> read() {
-        const std::string text = readTextFile(attempt_.file);
-        if (!text.starts_with(kRecordFirstLine)) return std::nullopt;
-        for (size_t start = 0; start < text.size();) { // line by line: a record of hours is large
-            const size_t end = std::min(text.find('\n', start), text.size());
-            const std::string_view content = trimText(std::string_view(text).substr(start, end - start));
-            start = end + 1;
-            ++line_;
-            if (content.empty()) continue;
-            if (!content.starts_with('#'))
+        TableReader table(readTextFile(attempt_.file), attempt_.file, isTorchColumn);
+        bool first = true;
+        for (TableReader::Item item = table.next(); item != TableReader::Item::end; item = table.next()) {
+            if (first && (item != TableReader::Item::comment || !table.comment().starts_with(kRecordFirstLine)))
+                return std::nullopt;
+            line_ = table.line();
+            if (item == TableReader::Item::row)
                 ++rows_;
-            else if (line_ > 1)
-                readComment(trimText(content.substr(1)));
+            else if (!std::exchange(first, false))
+                readComment(trimText(table.comment().substr(1)));
         }
-        attempt_.rows = rows_ > 0 ? rows_ - 1 : 0; // the first is the header
+        if (first) return std::nullopt;
+        attempt_.rows = rows_;
         return std::move(attempt_);
     }
 
@@ -95,7 +96,7 @@ class Reader {
                                  std::to_string(stepsBefore()));
         const auto steps = static_cast<size_t>(*step);
         attempt_.notes.push_back({stepsBefore(), "redo", std::string(text)});
-        if (rows_ > 0) rows_ = steps + 1;
+        rows_ = steps;
         std::erase_if(attempt_.changes, [&](const RecordedChange& change) { return change.steps > steps; });
         std::erase_if(attempt_.events, [&](const RecordedEvent& event) {
             return event.name == "samples" ? event.steps >= steps : event.steps > steps; // missing before the next step
@@ -103,7 +104,7 @@ class Reader {
         ++attempt_.redone;
     }
 
-    size_t stepsBefore() const { return rows_ > 0 ? rows_ - 1 : 0; }
+    size_t stepsBefore() const { return rows_; }
 
     RecordedChange assignment(std::string_view text) const {
         RecordedChange change;
@@ -208,7 +209,7 @@ void takeTorch(Lesson& lesson, const std::filesystem::path& file) {
     if (isRecording(file)) return takeRecording(lesson, file);
     lesson.torchFile = file;
     lesson.torch = TorchPath::read(file);
-    if (file.extension() != ".csv") return;
+    if (!isTorchTable(file)) return;
     const auto attempt = readRecordedAttempt(file);
     if (!attempt) return;
     repeatAttempt(lesson, *attempt);

@@ -348,7 +348,7 @@ const std::array<Format, 14> kFormats{{
     {"material", "material.toml", [] { return corpusOf("material", "app/data/materials"); }, readMaterialFile},
     {"acceptance", "acceptance.toml", [] { return corpusOf("acceptance", "app/data/acceptance"); }, readAcceptanceFile},
     {"validation case", "case.toml", [] { return corpusOf("case", "tests/validation/cases"); }, readCaseFile},
-    {"recorded torch path", "path.csv", [] { return corpusOf("torch-csv", nullptr); }, readPath},
+    {"recorded torch path", "path.csv", [] { return corpusOf("torch-csv", "tests/data/brought"); }, readPath},
     {"record", "record.csv", [] { return corpusOf("record", nullptr); }, readRecord},
     {"recording", "attempt.meltrec", recordingTexts, readRecordingFile},
     {"authored torch path", "path.toml", [] { return corpusOf("torch-toml", "app/data/paths"); }, readPath},

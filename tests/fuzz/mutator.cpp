@@ -9,7 +9,7 @@ namespace meltpool::test {
 namespace {
 
 /// Values at which readers have been wrong before: ends of ranges and types, what is no number, what is no text.
-constexpr std::array<std::string_view, 44> kValues{"0",
+constexpr std::array<std::string_view, 50> kValues{"0",
                                                    "-0",
                                                    "1",
                                                    "-1",
@@ -52,9 +52,15 @@ constexpr std::array<std::string_view, 44> kValues{"0",
                                                    "{ value = 1, source = \"x\" }",
                                                    "\"x.toml\"",
                                                    "\"../../../../etc/passwd\"",
-                                                   "\"/dev/null\""};
+                                                   "\"/dev/null\"",
+                                                   "1,5",
+                                                   "1.234,5",
+                                                   "1764244800000",
+                                                   "\"a \"\"b\"\"\nc\"",
+                                                   "sep=;\n",
+                                                   "\xFF\xFE"};
 
-constexpr char kByteText[] = "0123456789.,-+eE#=\n\r\t \"'[]{}_\\naixA\0\x01\x1b\x7f\xff\xc3\xed\xa0";
+constexpr char kByteText[] = "0123456789.,;-+eE#=\n\r\t \"'[]{}_\\naixA\0\x01\x1b\x7f\xff\xc3\xed\xa0";
 constexpr std::string_view kBytes(kByteText, sizeof(kByteText) - 1); // one of them is 0
 
 bool isWordByte(char c) {

@@ -6,16 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
 
 namespace meltpool {
 
 namespace {
-
-constexpr std::array<std::string_view, 9> kColumns{"time_s", "x_mm", "y_mm", "z_mm", "qx", "qy", "qz", "qw", "trigger"};
-/// A filler rod; a table has all of these columns or none, a row all of their cells or none.
-constexpr std::array<std::string_view, 8> kRodColumns{"rod_x_mm", "rod_y_mm", "rod_z_mm", "rod_qx",
-                                                      "rod_qy",   "rod_qz",   "rod_qw",   "rod_feed"};
 
 struct Range {
     double minimum, maximum;
@@ -23,25 +17,29 @@ struct Range {
 };
 
 /// What a number of the required columns may be; a torch path of a day or of 100 m is a mistake in the units.
-constexpr Range kTimes{0, 86400, "a time from 0 to 86400 s"};
+constexpr Range kTimes{-1e19, 1e19, "a time as a number"};
 constexpr Range kPlaces{-1e5, 1e5, "a position from -100000 to 100000 mm"};
 constexpr Range kQuaternionParts{-1.1, 1.1, "a part of a unit quaternion"};
 constexpr Range kTriggers{0, 1, "a number from 0 to 1"};
 constexpr Range kFeeds{0, 1000, "a speed from 0 to 1000 mm/s"};
+constexpr double kDay = 86400; ///< s
 
 /// Recorders round; farther from 1 than this the four numbers are no orientation.
 constexpr double kQuaternionSlack = 0.1;
 
-constexpr size_t kLongestLine = 65536; ///< bytes
+constexpr size_t kTime = 0, kFirstOfPose = 1, kTrigger = 8; ///< places in torchColumns()
+
 /// Of a record whose attempt went back to the row of this number and on to another end.
-constexpr std::string_view kRedo = "# event redo ";
+constexpr std::string_view kRedo = "# event redo";
+/// A table that begins with this is a record of this program.
+constexpr std::string_view kRecordMark = "# meltpool record";
 
 float metres(double millimetres) {
     return static_cast<float>(millimetres * 1e-3);
 }
 
 const Range& rangeOf(size_t column) {
-    if (column == 0) return kTimes;
+    if (column == kTime) return kTimes;
     if (column <= 3) return kPlaces;
     return column <= 7 ? kQuaternionParts : kTriggers;
 }
@@ -51,160 +49,180 @@ const Range& rangeOfRod(size_t column) {
     return column < 7 ? kQuaternionParts : kFeeds;
 }
 
-/// Where each required column stands in the file's rows, and which others there are.
-struct Header {
-    std::array<size_t, kColumns.size()> places{};
-    std::array<size_t, kRodColumns.size()> rodPlaces{};
-    bool rod = false;
-    std::vector<size_t> further;
-    size_t width = 0;
-};
+/// How programs write that there is no number.
+bool isMissing(std::string_view cell) {
+    const std::string word = lowerCase(cell);
+    return word.empty() || word == "nan" || word == "n/a" || word == "#n/a" || word == "null";
+}
 
 class Reader {
   public:
     Reader(const std::filesystem::path& file, FurtherColumns further)
-        : file_(file), keepsFurther_(further == FurtherColumns::kept) {}
+        : file_(file),
+          keepsFurther_(further == FurtherColumns::kept),
+          table_(readTextFile(file), file, isTorchColumn) {}
 
     TorchRecording read() {
-        const std::string text = readTextFile(file_);
-        std::string_view rest = text;
-        if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3); // the mark that some spreadsheets put first
-        while (!rest.empty()) {
-            const std::string_view row = rest.substr(0, rest.find('\n'));
-            rest.remove_prefix(std::min(row.size() + 1, rest.size()));
-            readLine(row);
+        if (table_.columns().empty()) {
+            std::string names;
+            for (const std::string_view name : torchColumns())
+                names += (names.empty() ? "" : ",") + std::string(name);
+            fail(0, "is empty; expected a header row with the columns " + names);
         }
-        if (header_.width == 0) fail(0, "is empty; expected a header row with the columns " + columnList());
+        header_ = findTorchColumns(table_, file_);
+        for (const size_t place : header_.further)
+            recording_.furtherColumns.push_back(table_.columns()[place]);
+        for (TableReader::Item item = table_.next(); item != TableReader::Item::end; item = table_.next())
+            if (item == TableReader::Item::comment)
+                readComment(table_.comment());
+            else
+                readRow();
         if (recording_.samples.empty()) fail(0, "has a header but no rows; expected at least one");
+        standWhereUnseen();
+        settle();
         return std::move(recording_);
     }
 
   private:
     [[noreturn]] void fail(int line, const std::string& sentence) const { throw InputError(file_, line, sentence); }
 
-    static std::string columnList() {
-        std::string list;
-        for (const std::string_view name : kColumns)
-            list += (list.empty() ? "" : ",") + std::string(name);
-        return list;
-    }
-
-    void readLine(std::string_view row) {
-        ++line_;
-        if (row.size() > kLongestLine)
-            fail(line_, "the line is too long; expected at most " + std::to_string(kLongestLine) + " bytes");
-        if (row.starts_with(kRedo)) return goBack(trimText(row.substr(kRedo.size())));
-        const std::string_view content = trimText(row.substr(0, row.find('#')));
-        if (content.empty()) return;
-        if (header_.width == 0)
-            readHeader(content);
-        else
-            readRow(content);
+    void readComment(std::string_view comment) {
+        if (comment.starts_with(kRecordMark)) recording_.form.ours = true;
+        if (!comment.starts_with(kRedo)) return;
+        const std::string_view step = comment.substr(kRedo.size());
+        if (step.empty() || step.front() == ' ') goBack(trimText(step));
     }
 
     /// The attempt went on from an earlier row as another end: the rows behind that one are those of the first end.
     void goBack(std::string_view step) {
         const auto rows = parseDouble(step);
         if (!rows || *rows != std::floor(*rows) || *rows < 0 || *rows > static_cast<double>(recording_.samples.size()))
-            fail(line_, "goes back to row " + quote(step) + "; expected a whole number from 0 to " +
-                            std::to_string(recording_.samples.size()) + ", the rows above");
+            fail(table_.line(), "goes back to row " + quote(step) + "; expected a whole number from 0 to " +
+                                    std::to_string(recording_.samples.size()) + ", the rows above");
         recording_.samples.resize(static_cast<size_t>(*rows));
         if (keepsFurther_) recording_.furtherCells.resize(recording_.samples.size());
     }
 
-    void readHeader(std::string_view content) {
-        const auto names = splitText(content, ',');
-        std::set<std::string_view> seen;
-        for (size_t i = 0; i < names.size(); ++i) {
-            const std::string_view name = trimText(names[i]);
-            if (name.empty()) fail(line_, "column " + std::to_string(i + 1) + " has no name; expected one");
-            if (!seen.insert(name).second)
-                fail(line_, "the column " + quote(name) + " stands twice; expected each name once");
-            const auto required = std::find(kColumns.begin(), kColumns.end(), name);
-            const auto rod = std::find(kRodColumns.begin(), kRodColumns.end(), name);
-            if (required != kColumns.end()) {
-                header_.places[static_cast<size_t>(required - kColumns.begin())] = i;
-            } else if (rod != kRodColumns.end()) {
-                header_.rodPlaces[static_cast<size_t>(rod - kRodColumns.begin())] = i;
-                header_.rod = true;
-            } else {
-                header_.further.push_back(i);
-                recording_.furtherColumns.emplace_back(name);
-            }
-        }
-        for (const std::string_view name : kColumns)
-            if (!seen.contains(name))
-                fail(line_,
-                     "the column '" + std::string(name) + "' is missing; expected a header row with " + columnList());
-        for (const std::string_view name : kRodColumns)
-            if (header_.rod && !seen.contains(name))
-                fail(line_, "the column '" + std::string(name) +
-                                "' is missing; expected all eight columns of a rod, rod_x_mm to rod_feed, or none");
-        header_.width = names.size();
-    }
-
-    double number(std::string_view cell, std::string_view column, const Range& range) const {
-        const auto value = parseDouble(cell);
-        if (!value || !std::isfinite(*value) || *value < range.minimum || *value > range.maximum)
-            fail(line_, std::string(column) + " is " + quote(cell) + "; expected " + std::string(range.text));
-        return *value;
+    double number(const FoundColumn& column, const Range& range) {
+        const std::string_view cell = table_.cells()[column.place];
+        const auto value = table_.number(cell);
+        const double scaled = value.value_or(0) * (&range == &kTimes ? 1 : column.factor);
+        if (!value || !std::isfinite(scaled) || scaled < range.minimum || scaled > range.maximum)
+            fail(table_.line(),
+                 printable(column.name, 60) + " is " + quote(cell) + "; expected " + std::string(range.text));
+        return scaled;
     }
 
     /// `v`: x, y, z and w in the columns qx to qw, whose names begin with `prefix`.
     glm::quat orientation(std::span<const double, 4> v, const std::string& prefix) const {
         const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + v[3] * v[3]);
         if (std::abs(length - 1) > kQuaternionSlack)
-            fail(line_, "the quaternion " + prefix + "qx," + prefix + "qy," + prefix + "qz," + prefix +
-                            "qw has the length " + formatNumber(static_cast<float>(length)) + "; expected 1");
+            fail(table_.line(), "the quaternion " + prefix + "qx," + prefix + "qy," + prefix + "qz," + prefix +
+                                    "qw has the length " + formatNumber(static_cast<float>(length)) + "; expected 1");
         const glm::quat q(static_cast<float>(v[3]), static_cast<float>(v[0]), static_cast<float>(v[1]),
                           static_cast<float>(v[2]));
         // What this program wrote is of unit length to the last bit or two and must come back unchanged.
         return std::abs(length - 1) < 1e-6 ? q : glm::normalize(q);
     }
 
-    std::optional<RodSample> readRod(const std::vector<std::string_view>& cells) const {
-        if (!header_.rod) return std::nullopt;
-        const auto cell = [&](size_t i) { return trimText(cells[header_.rodPlaces[i]]); };
-        size_t empty = 0;
-        for (size_t i = 0; i < kRodColumns.size(); ++i)
-            if (cell(i).empty()) ++empty;
-        if (empty == kRodColumns.size()) return std::nullopt;
-        std::array<double, kRodColumns.size()> v{};
+    std::optional<RodSample> readRod() {
+        if (!header_.hasRod) return std::nullopt;
+        const bool none = std::all_of(header_.rod.begin(), header_.rod.end(), [&](const FoundColumn& column) {
+            return isMissing(table_.cells()[column.place]);
+        });
+        if (none) return std::nullopt;
+        std::array<double, kRodColumns> v{};
         for (size_t i = 0; i < v.size(); ++i)
-            v[i] = number(cell(i), kRodColumns[i], rangeOfRod(i));
+            v[i] = number(header_.rod[i], rangeOfRod(i));
         return RodSample{{metres(v[0]), metres(v[1]), metres(v[2])},
                          orientation(std::span(v).subspan<3, 4>(), "rod_"),
                          metres(v[7])};
     }
 
-    void readRow(std::string_view content) {
-        const auto cells = splitText(content, ',');
-        if (cells.size() != header_.width)
-            fail(line_, "has " + std::to_string(cells.size()) + " cells; expected " + std::to_string(header_.width) +
-                            ", one for each column of the header");
-        std::array<double, kColumns.size()> v{};
-        for (size_t i = 0; i < v.size(); ++i)
-            v[i] = number(trimText(cells[header_.places[i]]), kColumns[i], rangeOf(i));
-        if (!recording_.samples.empty() && v[0] < recording_.samples.back().time)
-            fail(line_, "time_s is " + formatNumber(v[0]) + ", before the row above; expected at least " +
-                            formatNumber(recording_.samples.back().time));
-        recording_.samples.push_back({v[0],
-                                      {metres(v[1]), metres(v[2]), metres(v[3])},
-                                      orientation(std::span(v).subspan<4, 4>(), ""),
-                                      static_cast<float>(v[8]),
-                                      readRod(cells)});
+    /// Whether the row has a pose; one that has a part of it is refused where its numbers are read.
+    bool hasPose() const {
+        return std::any_of(header_.torch.begin() + kFirstOfPose, header_.torch.begin() + kTrigger,
+                           [&](const FoundColumn& column) { return !isMissing(table_.cells()[column.place]); });
+    }
+
+    void readRow() {
+        table_.requireWidth();
+        std::array<double, kTorchColumns> v{};
+        v[kTime] = number(header_.torch[kTime], kTimes);
+        const std::vector<TorchSample>& above = recording_.samples;
+        if (!above.empty() && v[kTime] < above.back().time)
+            fail(table_.line(), printable(header_.torch[kTime].name, 60) + " is " +
+                                    quote(table_.cells()[header_.torch[kTime].place]) +
+                                    ", before the row above; expected at least " + formatNumber(above.back().time));
+        TorchSample sample;
+        sample.time = v[kTime];
+        sample.seen = hasPose();
+        for (size_t i = kFirstOfPose; sample.seen && i < v.size(); ++i)
+            v[i] = number(header_.torch[i], rangeOf(i));
+        if (sample.seen) {
+            sample.tip = {metres(v[1]), metres(v[2]), metres(v[3])};
+            sample.orientation = orientation(std::span(v).subspan<4, 4>(), "");
+            sample.trigger = static_cast<float>(v[kTrigger]);
+        }
+        sample.rod = readRod();
+        recording_.samples.push_back(sample);
+        lastLine_ = table_.line();
         if (!keepsFurther_) return;
         auto& further = recording_.furtherCells.emplace_back();
         for (const size_t place : header_.further)
-            further.emplace_back(trimText(cells[place]));
+            further.emplace_back(table_.cells()[place]);
+    }
+
+    /// A torch that is not seen is where it was seen last, before the first time where it is seen then.
+    void standWhereUnseen() {
+        std::vector<TorchSample>& samples = recording_.samples;
+        const auto first = std::find_if(samples.begin(), samples.end(), [](const TorchSample& s) { return s.seen; });
+        if (first == samples.end()) fail(0, "has no row with a pose; expected numbers under x_mm to qw in some row");
+        TorchSample last = *first;
+        for (TorchSample& sample : samples) {
+            if (sample.seen) {
+                last = sample;
+                continue;
+            }
+            sample.tip = last.tip;
+            sample.orientation = last.orientation;
+            ++recording_.form.unseenRows;
+        }
+    }
+
+    void settle() {
+        TorchForm& form = recording_.form;
+        form.table = table_.form();
+        form.placesWithoutUnit = header_.placesWithoutUnit;
+        if (form.ours) return requireDay();
+        form.clock =
+            settleTimes(recording_.samples, header_.torch[kTime].factor, header_.timeUnit != TimeUnitName::other);
+        requireDay();
+    }
+
+    void requireDay() const {
+        const double end = recording_.samples.back().time;
+        if (end > kDay)
+            fail(lastLine_, "is " + formatNumber(static_cast<float>(end / 3600)) +
+                                " hours behind the beginning; expected a path of at most a day");
     }
 
     std::filesystem::path file_;
     bool keepsFurther_;
-    int line_ = 0;
-    Header header_;
+    TableReader table_;
+    int lastLine_ = 0; ///< with a row
+    TorchHeader header_;
     TorchRecording recording_;
 };
+
+/// A cell that a TableReader reads back as it is.
+std::string writtenCell(std::string_view cell) {
+    if (cell.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(cell);
+    std::string quoted = "\"";
+    for (const char c : cell)
+        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + "\"";
+}
 
 /// Millimetres that readTorchCsv() turns back into the same float of metres.
 double millimetres(float metres) {
@@ -224,12 +242,18 @@ void appendPose(std::string& text, const glm::vec3& place, const glm::quat& orie
 
 } // namespace
 
-std::span<const std::string_view> torchColumns() {
-    return kColumns;
+std::string TorchForm::text() const {
+    std::string text = table.text() + ", times in " + clock.unit;
+    if (clock.judged) text += " by their size";
+    if (clock.shifted) text += " from " + formatNumber(std::round(clock.begin * 1e3) / 1e3) + " s on";
+    if (placesWithoutUnit) text += ", positions taken to be mm";
+    if (unseenRows > 0) text += ", " + std::to_string(unseenRows) + " rows without a pose";
+    return text;
 }
 
-std::span<const std::string_view> rodColumns() {
-    return kRodColumns;
+bool isTorchTable(const std::filesystem::path& file) {
+    const std::string ending = lowerExtension(file);
+    return ending == ".csv" || ending == ".tsv" || ending == ".txt";
 }
 
 TorchRecording readTorchCsv(const std::filesystem::path& file, FurtherColumns further) {
@@ -245,7 +269,7 @@ void appendTorchRow(std::string& text, const TorchSample& s) {
 
 void appendRodCells(std::string& text, const std::optional<RodSample>& rod) {
     if (!rod) {
-        text.append(kRodColumns.size() - 1, ',');
+        text.append(kRodColumns - 1, ',');
         return;
     }
     appendPose(text, rod->tip, rod->orientation);
@@ -254,15 +278,15 @@ void appendRodCells(std::string& text, const std::optional<RodSample>& rod) {
 
 void writeTorchCsv(const std::filesystem::path& file, const TorchRecording& recording) {
     std::string text;
-    for (const std::string_view name : kColumns)
+    for (const std::string_view name : torchColumns())
         text += (text.empty() ? "" : ",") + std::string(name);
     const bool rod = std::any_of(recording.samples.begin(), recording.samples.end(),
                                  [](const TorchSample& sample) { return sample.rod.has_value(); });
     if (rod)
-        for (const std::string_view name : kRodColumns)
+        for (const std::string_view name : rodColumns())
             text += "," + std::string(name);
     for (const std::string& name : recording.furtherColumns)
-        text += "," + name;
+        text += "," + writtenCell(name);
     text += "\n";
     for (size_t i = 0; i < recording.samples.size(); ++i) {
         appendTorchRow(text, recording.samples[i]);
@@ -272,7 +296,7 @@ void writeTorchCsv(const std::filesystem::path& file, const TorchRecording& reco
         }
         if (i < recording.furtherCells.size())
             for (const std::string& cell : recording.furtherCells[i])
-                text += "," + cell;
+                text += "," + writtenCell(cell);
         text += "\n";
     }
     writeTextFileAtomically(file, text);

@@ -34,7 +34,7 @@ glm::vec3 metres(const std::vector<double>& mm) {
 
 glm::vec3 place(TomlTable& table, std::string_view key) {
     const auto values = table.numbers(key, {-1e5, 1e5}, 3);
-    if (values.size() != 3) table.fail(key, "expected three numbers [x, y, z] in mm");
+    if (values.size() != 3) table.fail(key, "expected three numbers [x, y, z] in mm, with decimal points");
     return metres(values);
 }
 

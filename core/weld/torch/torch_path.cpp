@@ -1,15 +1,23 @@
 #include "core/weld/torch/torch_path.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/text.hpp"
 
 #include <algorithm>
 
 namespace meltpool {
 
 TorchPath TorchPath::read(const std::filesystem::path& file) {
-    if (file.extension() == ".csv") return TorchPath(readTorchCsv(file, FurtherColumns::dropped).samples);
-    if (file.extension() == ".toml") return TorchPath(readTorchMoves(file));
-    throw InputError(file, 0, "is no torch path; expected a file that ends in .csv (recorded) or .toml (authored)");
+    if (isTorchTable(file)) {
+        TorchRecording recording = readTorchCsv(file, FurtherColumns::dropped);
+        TorchPath path(std::move(recording.samples));
+        path.form_ = recording.form;
+        return path;
+    }
+    if (lowerExtension(file) == ".toml") return TorchPath(readTorchMoves(file));
+    throw InputError(file, 0,
+                     "is no torch path; expected a file that ends in .csv, .tsv or .txt (recorded) or in .toml "
+                     "(authored)");
 }
 
 double TorchPath::duration() const {
@@ -41,8 +49,8 @@ TorchSample TorchPath::sampleRecording(double time) const {
     if (!before && next != samples_.end()) {
         const TorchSample& last = *(next - 1);
         const auto share = static_cast<float>((time - last.time) / (next->time - last.time));
-        // A row's own moment gives back the row's own bits.
-        if (share > 0) {
+        // A row's own moment gives back the row's own bits; from or to a moment that is not seen there is no way.
+        if (share > 0 && last.seen && next->seen) {
             result.tip = glm::mix(last.tip, next->tip, share);
             result.orientation = glm::normalize(glm::slerp(last.orientation, next->orientation, share));
             if (last.rod && next->rod) {

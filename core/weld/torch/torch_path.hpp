@@ -12,13 +12,14 @@ class TorchPath {
     explicit TorchPath(std::vector<TorchSample> samples) : samples_(std::move(samples)) {}
     explicit TorchPath(std::vector<TorchMove> moves) : moves_(std::move(moves)) {}
 
-    /// Reads the recorded form (.csv) or the authored form (.toml). Throws InputError for any other ending and for
-    /// everything that readTorchCsv() and readTorchMoves() refuse.
+    /// Reads the recorded form (isTorchTable()) or the authored form (.toml). Throws InputError for any other ending
+    /// and for everything that readTorchCsv() and readTorchMoves() refuse.
     static TorchPath read(const std::filesystem::path& file);
 
     /// The torch at `time` s. Recorded: place linear and orientation slerp between rows, a row's trigger and rod_feed
     /// until the next row; so a rod, which is there until the next row even where that has none. Before the first and
-    /// after the last moment the torch stands there with the trigger released.
+    /// after the last moment the torch stands there with the trigger released. Between a row that is seen and one that
+    /// is not it stays at the former's place.
     TorchSample sample(double time) const;
 
     /// When the trigger is pulled first, s, to kTriggerGrain; nothing where it never is.
@@ -29,6 +30,10 @@ class TorchPath {
     double duration() const;
     /// Of the recorded form, as they were read; empty for the authored one.
     const std::vector<TorchSample>& samples() const { return samples_; }
+    /// How a table was understood; nothing of the authored form and of a path that was not read from a file.
+    const std::optional<TorchForm>& form() const { return form_; }
+    /// Of the pipe, m, on whose face an authored path is written; 0: on none.
+    double pipeRadius() const { return moves_.empty() ? 0 : moves_.front().pipeRadius; }
     bool empty() const { return samples_.empty() && moves_.empty(); }
 
   private:
@@ -37,6 +42,7 @@ class TorchPath {
 
     std::vector<TorchSample> samples_;
     std::vector<TorchMove> moves_;
+    std::optional<TorchForm> form_;
 };
 
 } // namespace meltpool

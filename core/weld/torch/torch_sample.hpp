@@ -23,6 +23,7 @@ struct TorchSample {
     glm::quat orientation{1.0f, 0.0f, 0.0f, 0.0f}; ///< of the torch in the workpiece frame; unit length
     float trigger = 0;                             ///< 0 released .. 1 pulled through
     std::optional<RodSample> rod = {};             ///< while a second hand holds one
+    bool seen = true; ///< false where a recorded path has no pose: the torch is taken to be where it was seen last
 
     /// Unit vector from the handle to the tip: the way the torch points.
     glm::vec3 axis() const { return orientation * glm::vec3(0.0f, 0.0f, -1.0f); }

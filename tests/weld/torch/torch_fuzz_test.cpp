@@ -15,7 +15,7 @@ namespace {
 
 /// Cuts, doubles, swaps or overwrites a few bytes.
 std::string damaged(std::string text, std::mt19937& random) {
-    const std::string alphabet = "0123456789.,-+e#\n \"[]=nainf\\\xff\x01";
+    const std::string alphabet = "0123456789.,;-+e#\n\r\t \"[]=nainf\\\xff\x01";
     const auto below = [&](size_t limit) { return random() % std::max<size_t>(1, limit); };
     for (size_t wounds = 1 + below(4); wounds > 0; --wounds) {
         const size_t at = below(text.size());
@@ -48,8 +48,8 @@ void checkSound(const TorchPath& path) {
 }
 
 /// How many of the damaged files were still taken.
-int survivors(const char* name, int tries) {
-    const std::string whole = readTextFile(test::testFolder() / "paths" / name);
+int survivors(const char* folder, const char* name, int tries) {
+    const std::string whole = readTextFile(test::testFolder() / folder / name);
     const auto file = test::scratchFolder("fuzz") / name;
     std::mt19937 random(20);
     int taken = 0;
@@ -71,9 +71,19 @@ int survivors(const char* name, int tries) {
 
 TEST_CASE("damaged torch files never give an unsound path", "[weld]") {
     for (const char* name : {"recorded.csv", "authored.toml"}) {
-        const int taken = survivors(name, 1500);
+        const int taken = survivors("paths", name, 1500);
         // Both ways out must have been tried.
         CHECK(taken > 10);
         CHECK(taken < 1490);
+    }
+}
+
+TEST_CASE("damaged tables of other programs never give an unsound path", "[weld]") {
+    for (const char* name : {"excel-german.csv", "excel-unicode-text.txt", "quoted-cells.csv", "sep-line.csv",
+                             "lone-cr.csv", "motion-capture.tsv", "epoch-microseconds.csv", "rows-without-pose.csv"}) {
+        INFO(name);
+        const int taken = survivors("data/brought", name, 400);
+        CHECK(taken > 5);
+        CHECK(taken < 395);
     }
 }

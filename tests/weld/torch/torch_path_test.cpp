@@ -301,7 +301,7 @@ TEST_CASE("bad moves are refused in one sentence with file, line and expectation
 }
 
 TEST_CASE("a path that is neither CSV nor TOML, or not there, is refused by name", "[weld]") {
-    CHECK_THAT(refusal("path.txt", "hello"), containsText("path.txt: is no torch path; expected"));
+    CHECK_THAT(refusal("path.doc", "hello"), containsText("path.doc: is no torch path; expected"));
     CHECK_THROWS_WITH(TorchPath::read("nowhere/path.csv"), containsText("nowhere/path.csv: "));
     CHECK_THROWS_AS(TorchPath::read("nowhere/path.toml"), InputError);
 }
@@ -325,7 +325,7 @@ TEST_CASE("a torch path's line without end is refused, and what it quotes is sho
     CHECK_THAT(escape,
                test::containsText("path.csv:2: time_s is '\\x1b[31mxxx") && test::containsText("expected a time"));
     CHECK(escape.size() < 400);
-    CHECK_THAT(refusal(header + ",\xff,\xff\n"), test::containsText("path.csv:1: the column '\\xff' stands twice"));
+    CHECK_THAT(refusal(header + ",\xff,\xff\n"), test::containsText("path.csv:1: the column '\u00FF' stands twice"));
 }
 
 TEST_CASE("a torch path is the same with and without the columns that it does not need", "[weld]") {
