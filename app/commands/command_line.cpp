@@ -9,6 +9,7 @@
 #include "app/program/watched_run.hpp"
 #include "app/sound/openal_device.hpp"
 #include "core/base/error.hpp"
+#include "core/base/system/files.hpp"
 #include "core/base/text.hpp"
 
 #include <CLI/CLI.hpp>
@@ -204,12 +205,12 @@ void refuseForeignOptions(const CLI::App& app) {
                              commands.front()->get_name() + " --help' shows");
 }
 
-/// Throws RuntimeFault where standard output did not take everything.
+/// Throws RuntimeFault where standard output did not take everything, but for a reader who has read enough.
 void requireOutput() {
     errno = 0;
     std::cout.flush();
     const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good();
-    if (!written)
+    if (!written && !isPipe(stdout))
         throw RuntimeFault(std::string("standard output cannot be written to its end") +
                            (errno != 0 ? std::string(": ") + std::strerror(errno) : std::string()) +
                            "; expected free space, or a reader that reads to the end");
@@ -233,7 +234,9 @@ void parse(CLI::App& app, int argc, const char* const* argv) {
     } catch (const CLI::Success&) {
         throw;
     } catch (const CLI::ParseError& error) {
-        throw InputError(printable(error.what(), 400) + "; expected what 'meltpool --help' shows");
+        const auto commands = app.get_subcommands();
+        const std::string command = commands.empty() ? "" : commands.front()->get_name() + " ";
+        throw InputError(printable(error.what(), 400) + "; expected what 'meltpool " + command + "--help' shows");
     }
     refuseForeignOptions(app);
 }

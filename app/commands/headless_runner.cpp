@@ -198,7 +198,9 @@ class Run {
 
     void advance() {
         trainer_.applyRecordedChanges();
-        trainer_.advance(hooks_.torch ? hooks_.torch(trainer_) : trainer_.demonstration(), nullptr);
+        const TorchSample torch = hooks_.torch ? hooks_.torch(trainer_) : trainer_.demonstration();
+        pulled_ = pulled_ || torch.trigger > 0;
+        trainer_.advance(torch, nullptr);
     }
 
     void keepMesh(gl::ShaderLibrary& shaders) const {
@@ -223,9 +225,22 @@ class Run {
         context.judgement = trainer_.judge();
         if (const auto& recorded = trainer_.lesson().recorded) context.attempt = factsOf(*recorded);
         context.whatIf = hooks_.whatIf;
+        context.warnings = hooks_.warnings;
+        if (const std::string late = arcWarning(context.judgement); error.empty() && !late.empty()) {
+            context.warnings.push_back(late);
+            if (hooks_.warn) hooks_.warn(late);
+        }
         writeTables(context.judgement);
         writeResult(places_.result, trainer_.lesson(), result, context);
         return result;
+    }
+
+    /// Of a weld whose arc never burned though its trigger was pulled; empty: it did, or a warning told the reason.
+    std::string arcWarning(const Judgement& judgement) const {
+        const Lesson& lesson = trainer_.lesson();
+        if (!trainer_.hasArc() || judgement.arc.seconds > 0 || !pulled_ || !hooks_.warnings.empty()) return {};
+        return "The arc of " + quote(lesson.key) +
+               " was never lit, though the trigger was pulled: the torch was too far from the metal, or touched it.";
     }
 
     void writeSound() const {
@@ -265,6 +280,7 @@ class Run {
     Trainer& trainer_;
     RunPlaces places_;
     SoundTrack sound_;
+    bool pulled_ = false; ///< the trigger, in some step
     const RunHooks& hooks_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };

@@ -41,6 +41,9 @@ struct RunHooks {
     TorchPath ghost = {}; ///< goes through the pictures by place on the seam and touches nothing else
     std::vector<std::pair<std::string, std::string>> whatIf = {}; ///< see ResultContext
     FilmRequest film = {};
+    std::vector<std::string> warnings = {}; ///< that stand in the result, see pathWarnings()
+    /// Is given a warning that only the run's end shows, and that stands in the result too.
+    std::function<void(const std::string&)> warn = {};
 };
 
 /// Runs the lesson to its end. From the first moment on the result says that the run is not finished. When it fails,

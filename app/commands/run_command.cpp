@@ -11,8 +11,10 @@
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"
 #include "core/gl/driver_threads.hpp"
+#include "core/training/check/plausibility.hpp"
 #include "core/training/lesson.hpp"
 #include "core/training/lesson_room.hpp"
+#include "core/training/recording/record_text.hpp"
 #include "core/training/result/repetition.hpp"
 
 #include <chrono>
@@ -103,6 +105,43 @@ bool hasFewPictures(const Lesson& lesson, const FilmRequest& film) {
     return lesson.model == LessonModel::Weld && lesson.run.picturesEvery == 0 && !film.video && film.turntable == 0;
 }
 
+/// One line on standard error.
+void warn(const std::string& sentence) {
+    constexpr size_t kMostBytes = 1000;
+    std::fprintf(stderr, "meltpool: warning: %s\n", printable(sentence, kMostBytes).c_str());
+}
+
+/// How a torch path's table was understood, where it is not one of this program's own.
+void tellForm(const std::filesystem::path& file, const TorchPath& path) {
+    if (path.form() && !path.form()->ours)
+        std::printf("Torch path %s is read as %s.\n", shown(file.string()).c_str(), shown(path.form()->text()).c_str());
+}
+
+/// The coldest and the hottest: "20 to 2310 °C"; of the classic metal, whose scale has no unit, "0 to 0.53 (solid is 0,
+/// liquid 1)".
+std::string temperatures(const Lesson& lesson, const MetalStatistics& metal) {
+    char text[80];
+    if (lesson.model == LessonModel::Weld)
+        std::snprintf(text, sizeof text,
+                      "%.0f to %.0f \xC2\xB0"
+                      "C",
+                      celsius(metal.minTemperature), celsius(metal.maxTemperature));
+    else
+        std::snprintf(text, sizeof text, "%.3g to %.3g (solid is 0, liquid 1)", metal.minTemperature,
+                      metal.maxTemperature);
+    return text;
+}
+
+/// What a person should know before the run: told here, and again in the result. `cut`: the run's time was asked for.
+std::vector<std::string> tellWarnings(const Lesson& lesson, bool cut = false) {
+    std::vector<std::string> sentences = lessonWarnings(lesson, lessonFolder());
+    for (std::string& sentence : pathWarnings(lesson, cut))
+        sentences.push_back(std::move(sentence));
+    for (const std::string& sentence : sentences)
+        warn(sentence);
+    return sentences;
+}
+
 } // namespace
 
 Lesson requestedLesson(const RunRequest& request) {
@@ -142,6 +181,10 @@ void runLesson(const RunRequest& request) {
     const gl::HeadlessContext context;
     gl::ShaderLibrary shaders(resourceFolder() / "shaders");
     requireRoom(lesson, machineRoom());
+    tellForm(lesson.torchFile, lesson.torch);
+    if (!request.ghost.empty()) tellForm(request.ghost, hooks.ghost);
+    hooks.warnings = tellWarnings(lesson, !request.seconds.empty());
+    hooks.warn = warn;
     if (const size_t removed = folder.clear(); removed > 0)
         std::printf("%s held an earlier run; its %zu files are removed.\n", shown(folder.path().string()).c_str(),
                     removed);
@@ -153,12 +196,10 @@ void runLesson(const RunRequest& request) {
     const LessonResult result =
         runHeadless(context.info(), shaders, lesson,
                     {folder.result(), telemetry, folder.path(), request.sound, request.mesh}, stop, hooks);
-    std::printf(
-        "%s: %.2f s in %zu steps, %zu of %zu particles molten, temperature %.3g to %.3g, %zu lost; pictures and "
-        "result are in %s\n",
-        shown(lesson.key).c_str(), result.seconds, result.steps, result.metal.molten, result.metal.particles,
-        result.metal.minTemperature, result.metal.maxTemperature, result.metal.lost,
-        shown(folder.path().string()).c_str());
+    std::printf("%s: %.2f s in %zu steps, %zu of %zu particles molten, temperature %s, %zu lost; pictures and "
+                "result are in %s\n",
+                shown(lesson.key).c_str(), result.seconds, result.steps, result.metal.molten, result.metal.particles,
+                temperatures(lesson, result.metal).c_str(), result.metal.lost, shown(folder.path().string()).c_str());
     if (hooks.film.video) std::printf("%s\n", shown(finishFilm(hooks.film, folder.path())).c_str());
     if (!request.mesh.empty()) std::printf("The mesh is in %s.\n", shown(request.mesh.string()).c_str());
     if (lesson.recorded)
@@ -175,6 +216,8 @@ void listLessons() {
 
 void listParameters(const std::string& name) {
     Lesson lesson = findLesson(name, lessonFolder());
+    tellForm(lesson.torchFile, lesson.torch);
+    tellWarnings(lesson);
     for (const Parameter& p : lesson.parameters())
         std::printf("%-20s %-12s %s%s. %s\n", std::string(p.key).c_str(), shown(parameterText(p)).c_str(),
                     expectation(p).c_str(), p.onlyAtStart ? ", at the start only" : "", asSentence(p.note).c_str());

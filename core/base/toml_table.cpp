@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
+#include "core/base/text_encoding.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -94,6 +95,72 @@ class DepthScan {
     int brackets_ = 0;
 };
 
+/// The line of this number, counted from 1; empty where there is none.
+std::string_view lineOf(std::string_view text, int number) {
+    for (int line = 1; line < number && !text.empty(); ++line)
+        text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+    return text.substr(0, text.find('\n'));
+}
+
+/// A line of TOML without its comment and what stands between straight quotes.
+std::string withoutStrings(std::string_view line) {
+    std::string rest;
+    char quoted = 0;
+    for (const char c : line) {
+        if (quoted == 0 && c == '#') break;
+        if (quoted == 0 && (c == '"' || c == '\''))
+            quoted = c;
+        else if (c == quoted)
+            quoted = 0;
+        else if (quoted == 0)
+            rest += c;
+    }
+    return rest;
+}
+
+/// The first quote of a word processor; empty: none.
+std::string_view typographicQuote(std::string_view text) {
+    constexpr std::array<std::string_view, 9> kQuotes{"\u201C", "\u201D", "\u201E", "\u201F", "\u2018",
+                                                      "\u2019", "\u201A", "\u00AB", "\u00BB"};
+    std::string_view first;
+    for (const std::string_view quote : kQuotes)
+        if (text.find(quote) < text.find(first.empty() ? "\n" : first)) first = quote;
+    return first;
+}
+
+/// The number that is all of a value but for its comma, such as 5,5 in `speed = 5,5`; empty: none.
+std::string_view decimalComma(std::string_view line) {
+    const size_t equals = line.find('=');
+    if (equals == std::string_view::npos) return {};
+    const std::string_view value = trimText(line.substr(equals + 1));
+    const size_t comma = value.find(',');
+    if (comma == std::string_view::npos || !parseInteger(value.substr(0, comma))) return {};
+    const std::string_view decimals = value.substr(comma + 1);
+    const bool digits = std::all_of(decimals.begin(), decimals.end(), [](char c) { return c >= '0' && c <= '9'; });
+    return digits && !decimals.empty() ? value : std::string_view{};
+}
+
+/// What people who write TOML by hand do most often, in its own words; else what the parser says.
+std::string syntaxSentence(std::string_view text, const toml::parse_error& error) {
+    const std::string line = withoutStrings(lineOf(text, static_cast<int>(error.source().begin.line)));
+    if (const std::string_view mark = typographicQuote(line); !mark.empty())
+        return "has the typographic quote " + std::string(mark) + "; expected straight ones, as in \"text\"";
+    if (const std::string_view number = decimalComma(line); !number.empty())
+        return "has the number " + quote(number) + "; expected a decimal point, as in 5.5";
+    return std::string(error.description());
+}
+
+void requireUtf8(std::string_view text, const std::filesystem::path& file) {
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+        throw InputError(file, 1, "is UTF-16; expected the file saved as UTF-8");
+    const size_t length = utf8Length(text);
+    if (length == text.size()) return;
+    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(length), '\n');
+    throw InputError(file, static_cast<int>(line),
+                     "has a letter that is no UTF-8, such as one of Latin-1 or Windows-1252; expected the file saved "
+                     "as UTF-8");
+}
+
 } // namespace
 
 toml::table parseTomlFile(const std::filesystem::path& file) {
@@ -111,11 +178,12 @@ std::vector<std::string> tomlFileNames(const std::filesystem::path& folder, cons
 }
 
 toml::table parseToml(std::string_view text, const std::filesystem::path& file) {
+    requireUtf8(text, file);
     DepthScan(text, file).check();
     try {
         return toml::parse(text, file.string());
     } catch (const toml::parse_error& error) {
-        throw InputError(file, static_cast<int>(error.source().begin.line), error.description());
+        throw InputError(file, static_cast<int>(error.source().begin.line), syntaxSentence(text, error));
     }
 }
 

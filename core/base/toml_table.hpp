@@ -22,7 +22,8 @@ struct NumberRange {
 /// More than any TOML file of this program should have.
 inline constexpr std::size_t kLargestTomlFile = std::size_t(1) << 20;
 
-/// Reads a TOML file. Throws InputError with the line of the first syntax error, when it cannot be read, or when it is
+/// Reads a TOML file. Throws InputError with the line of the first syntax error or the first byte that is no UTF-8,
+/// in words of its own for typographic quotes and a decimal comma, when it cannot be read, or when it is
 /// larger than kLargestTomlFile or nested so deeply that tables in tables would exhaust the stack.
 toml::table parseTomlFile(const std::filesystem::path& file);
 

@@ -20,7 +20,8 @@ std::string columns(const RecordHead& head) {
     std::string names;
     for (const std::string_view name : torchColumns())
         names += (names.empty() ? "" : ",") + std::string(name);
-    names += ",molten,min_temperature,mean_temperature,max_temperature,lost,non_finite";
+    names += head.arc ? ",molten,min_temperature_c,mean_temperature_c,max_temperature_c,lost,non_finite"
+                      : ",molten,min_temperature,mean_temperature,max_temperature,lost,non_finite";
     for (const std::string_view name : head.rod ? rodColumns() : std::span<const std::string_view>{})
         names += "," + std::string(name);
     if (head.arc) names += "," + std::string(kArcColumns);
@@ -93,9 +94,8 @@ void Record::complete(const MetalStatistics& metal) {
     row_ = oldest.before;
     appendTorchRow(row_, oldest.step.torch);
     appendCell(row_, std::uint64_t{metal.molten});
-    appendCell(row_, metal.minTemperature);
-    appendCell(row_, metal.meanTemperature);
-    appendCell(row_, metal.maxTemperature);
+    for (const double temperature : {metal.minTemperature, metal.meanTemperature, metal.maxTemperature})
+        appendCell(row_, arc_ ? celsius(temperature) : temperature); // the classic metal's have no unit
     appendCell(row_, std::uint64_t{metal.lost});
     appendCell(row_, std::uint64_t{metal.nonFinite});
     if (rod_) {

@@ -108,8 +108,16 @@ void Trainer::hearAndSee() {
     sight_.step(lesson_.process, sound_.last(), torch_, steps_);
 }
 
+/// Of a path that people brought: a record has these events itself.
+void Trainer::followUnseen() {
+    const std::optional<TorchForm>& form = lesson_.torch.form();
+    if (!form || form->unseenRows == 0) return;
+    const bool seen = demonstration().seen;
+    if (seen != tracked_) event("torch", seen ? "seen" : "lost");
+}
+
 void Trainer::applyRecordedChanges() {
-    if (!lesson_.recorded) return;
+    if (!lesson_.recorded) return followUnseen();
     const std::vector<RecordedChange>& changes = lesson_.recorded->changes;
     for (; nextChange_ < changes.size() && changes[nextChange_].steps <= steps_; ++nextChange_)
         change(changes[nextChange_].key, changes[nextChange_].value, "a recorded change");

@@ -71,7 +71,7 @@ class Trainer {
     /// One step of the demonstration, with the changes of a recorded one.
     void advanceDemonstration(gl::Profiler* profiler);
     /// Makes the changes of a recorded attempt that fall before the next step; its events that spoil a score happen
-    /// again.
+    /// again. Where a plain torch path has no pose the torch is lost.
     void applyRecordedChanges();
 
     /// Simulated time, s, and steps since the start.
@@ -179,6 +179,7 @@ class Trainer {
     Judgement judge() const;
 
   private:
+    void followUnseen();
     void hearAndSee();
     void updateFigures();
     void takeFigures(const MetalStatistics& figures);

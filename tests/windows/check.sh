@@ -83,7 +83,7 @@ check_gmaw() {
     runs 0 run gmaw-bead --out "$work/gmaw" --seconds 2 --pictures 0 --size 640x360
     "$linux" run gmaw-bead --out "$work/linux-gmaw" --seconds 2 --pictures 0 --size 640x360 >/dev/null
     echo "    state: Windows $(value "$work/gmaw/result.json" state_hash), Linux $(value "$work/linux-gmaw/result.json" state_hash)"
-    agree "$work/gmaw/result.json" "$work/linux-gmaw/result.json" mean_temperature 0.001
+    agree "$work/gmaw/result.json" "$work/linux-gmaw/result.json" mean_temperature_c 0.001
     [ -s "$work/gmaw/"*metal.png ] || fail 'no picture'
 }
 

@@ -51,7 +51,7 @@ void checkReplay(const fs::path& lesson, const fs::path& record, const fs::path&
     CHECK(rows + 1 >= live.samples.size());
     size_t burning = 0;
     for (const std::string name :
-         {"molten", "mean_temperature", "max_temperature", "arc_length_mm", "current_a", "voltage_v", "arc_state"}) {
+         {"molten", "mean_temperature_c", "max_temperature_c", "arc_length_mm", "current_a", "voltage_v", "arc_state"}) {
         const auto column = static_cast<size_t>(std::find(names.begin(), names.end(), name) - names.begin());
         REQUIRE(column < names.size());
         size_t differing = 0;

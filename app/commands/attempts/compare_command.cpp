@@ -4,6 +4,7 @@
 #include "app/commands/attempts/comparison_output.hpp"
 #include "app/commands/commands.hpp"
 #include "core/base/error.hpp"
+#include "core/base/text.hpp"
 
 #include <array>
 #include <memory>
@@ -43,13 +44,24 @@ std::string nameOf(const fs::path& file, const fs::path& other) {
     return alike && last.has_parent_path() ? (last.parent_path().filename() / name).string() : name;
 }
 
+/// Throws InputError where the two are of different lessons, whose figures say nothing about each other.
+void requireSameLesson(const std::array<Side, 2>& sides) {
+    std::array<std::string, 2> lessons;
+    for (size_t i = 0; i < sides.size(); ++i)
+        lessons[i] =
+            sides[i].lesson ? sides[i].lesson->key : readRunResults(sides[i].run).result.value("lesson", std::string());
+    if (lessons[0] != lessons[1])
+        throw InputError(sides[1].file, 0,
+                         "is of the lesson " + quote(lessons[1]) + ", and " + printable(sides[0].file.string(), 200) +
+                             " of " + quote(lessons[0]) + "; expected two attempts at one lesson");
+}
+
 } // namespace
 
 void compareAttemptFiles(const CompareRequest& request) {
     // Both are read before one is welded.
     std::array<Side, 2> sides{openSide(request.first, request, "first"), openSide(request.second, request, "second")};
-    for (const Side& side : sides)
-        if (!side.lesson) readRunResults(side.run);
+    requireSameLesson(sides);
     std::optional<AttemptWelder> welder;
     for (Side& side : sides) {
         if (!side.lesson) continue;

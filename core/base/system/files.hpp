@@ -19,6 +19,9 @@ std::vector<std::filesystem::path> listFolder(const std::filesystem::path& folde
 /// Brings what was written to the disk; pipes and some devices have none. False and errno where it fails.
 bool syncFile(std::FILE* stream);
 
+/// Whether the stream goes into a pipe, such as that of `| head`: then it is its reader who may end first.
+bool isPipe(std::FILE* stream);
+
 /// The number of this process, for names that no other process uses.
 long long processNumber();
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cerrno>
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace meltpool {
@@ -20,6 +21,11 @@ std::vector<std::filesystem::path> listFolder(const std::filesystem::path& folde
 
 bool syncFile(std::FILE* stream) {
     return fsync(fileno(stream)) == 0 || errno == EINVAL || errno == EROFS;
+}
+
+bool isPipe(std::FILE* stream) {
+    struct stat kind {};
+    return fstat(fileno(stream), &kind) == 0 && (S_ISFIFO(kind.st_mode) || S_ISSOCK(kind.st_mode));
 }
 
 long long processNumber() {

@@ -60,6 +60,10 @@ bool syncFile(std::FILE* stream) {
     return _commit(_fileno(stream)) == 0 || errno == EBADF || errno == EINVAL;
 }
 
+bool isPipe(std::FILE* stream) {
+    return GetFileType(reinterpret_cast<HANDLE>(_get_osfhandle(_fileno(stream)))) == FILE_TYPE_PIPE;
+}
+
 long long processNumber() {
     return _getpid();
 }

@@ -16,6 +16,11 @@ inline constexpr std::string_view kRecordFirstLine = "# meltpool record 1";
 inline constexpr std::string_view kArcColumns =
     "arc_length_mm,current_a,voltage_v,arc_state,ctwd_mm,extension_mm,power_w";
 
+/// °C of a temperature in K: what files that people read have.
+inline double celsius(double kelvin) {
+    return kelvin - 273.15;
+}
+
 /// The line `PREFIX WORD NAME VALUE` behind `text`; empty parts are left out. It holds one line, whatever a file or a
 /// person has put into the parts.
 void appendRecordLine(std::string& text, std::string_view prefix, std::string_view word, std::string_view name,

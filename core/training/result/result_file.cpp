@@ -1,6 +1,7 @@
 #include "core/training/result/result_file.hpp"
 
 #include "core/base/text.hpp"
+#include "core/training/recording/record_text.hpp"
 #include "core/training/result/repetition.hpp"
 #include "core/training/result/result_judgement.hpp"
 
@@ -149,17 +150,22 @@ Json beginning(const Lesson& lesson, const ResultContext& context) {
     if (!context.error.empty()) json["error"] = context.error;
     json["renderer"] = context.renderer;
     if (!context.date.empty()) json["date"] = context.date;
+    if (!context.warnings.empty()) json["warnings"] = context.warnings;
     return json;
 }
 
 /// The metal's figures at the end.
-void addFigures(Json& json, const LessonResult& result) {
+void addFigures(Json& json, const LessonResult& result, LessonModel model) {
+    const bool weld = model == LessonModel::Weld; // the classic metal's temperatures have no unit
+    const std::string unit = weld ? "_c" : "";
+    const auto shown = [&](double temperature) { return jsonNumber(weld ? celsius(temperature) : temperature); };
+
     json["seconds"] = jsonNumber(result.seconds);
     json["steps"] = result.steps;
     json["particles"] = result.metal.particles;
-    json["min_temperature"] = jsonNumber(result.metal.minTemperature);
-    json["mean_temperature"] = jsonNumber(result.metal.meanTemperature);
-    json["max_temperature"] = jsonNumber(result.metal.maxTemperature);
+    json["min_temperature" + unit] = shown(result.metal.minTemperature);
+    json["mean_temperature" + unit] = shown(result.metal.meanTemperature);
+    json["max_temperature" + unit] = shown(result.metal.maxTemperature);
     json["molten"] = result.metal.molten;
     json["lost"] = result.metal.lost;
     json["non_finite"] = result.metal.nonFinite;
@@ -174,9 +180,25 @@ void addEnd(Json& json, const LessonResult& result, const ResultContext& context
     json["surface_bytes"] = result.surfaceBytes;
 }
 
+/// What the reader of a torch path assumed of its table.
+Json torchFormOf(const TorchForm& form) {
+    Json json;
+    json["encoding"] = encodingName(form.table.encoding);
+    json["separator"] = std::string(1, form.table.separator);
+    json["decimal_comma"] = form.table.decimalComma;
+    json["lines_above_header"] = form.table.linesAbove;
+    json["time_unit"] = form.clock.unit;
+    json["time_unit_judged_by_size"] = form.clock.judged;
+    if (form.clock.shifted) json["began_at_s"] = jsonNumber(form.clock.begin);
+    json["positions_taken_to_be_mm"] = form.placesWithoutUnit;
+    json["rows_without_pose"] = form.unseenRows;
+    return json;
+}
+
 /// The text with the entries behind the figures.
 std::string finished(Json json, Lesson& lesson, const ResultContext& context) {
     json["torch"] = lesson.torchFile.filename().string();
+    if (const auto& form = lesson.torch.form(); form && !form->ours) json["torch_form"] = torchFormOf(*form);
     json["version"] = context.version;
     json["commit"] = context.commit;
     if (!lesson.choose.empty()) json["chosen"] = Json::array();
@@ -216,7 +238,7 @@ AttemptFacts factsOf(const RecordedAttempt& attempt) {
 
 std::string resultText(Lesson& lesson, const LessonResult* result, const ResultContext& context) {
     Json json = beginning(lesson, context);
-    if (result != nullptr) addFigures(json, *result);
+    if (result != nullptr) addFigures(json, *result, lesson.model);
     if (context.section) json["section"] = sectionOf(*context.section);
     addJudgement(json, context.judgement, lesson);
     if (context.attempt) json["attempt"] = attemptOf(*context.attempt);

@@ -41,6 +41,7 @@ struct ResultContext {
     std::string date = {};                    ///< when the result was made, as formatDate(); empty: not told
     std::optional<AttemptFacts> attempt = {}; ///< where a person welded, or a record of an attempt is repeated
     std::vector<std::pair<std::string, std::string>> whatIf = {}; ///< what was changed of a recorded attempt
+    std::vector<std::string> warnings = {};                       ///< sentences of what is implausible
 };
 
 /// The text of result.json: the figures of a run together with every parameter it had. `result`: null where there is no
