@@ -260,7 +260,7 @@ std::vector<std::string> lessonNames(const std::filesystem::path& folder) {
 }
 
 Lesson findLesson(const std::string& name, const std::filesystem::path& folder) {
-    const std::filesystem::path extension = std::filesystem::path(name).extension();
+    const std::string extension = lowerExtension(name);
     if (extension == ".toml" || extension == ".meltpool") return readLesson(name);
     const auto names = lessonNames(folder);
     if (std::find(names.begin(), names.end(), name) != names.end()) return readLesson(folder / (name + ".toml"));

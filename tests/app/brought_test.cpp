@@ -104,6 +104,8 @@ TEST_CASE("a run that can weld nothing says so on the terminal and in its result
 TEST_CASE("a lesson that leaves something out is warned of where its values are listed", "[app]") {
     const auto folder = test::scratchFolder("left-out");
     writeTextFileAtomically(folder / "mine.toml", "next = 'solder-cub'\n");
+    fs::copy_file(folder / "mine.toml", folder / "OTHER.TOML");
+    CHECK(runMeltpool("lessons '" + (folder / "OTHER.TOML").string() + "'").code == 0);
     const test::Outcome outcome = runMeltpool("lessons '" + (folder / "mine.toml").string() + "'");
     CHECK(outcome.code == 0);
     CHECK_THAT(outcome.errors, containsText("meltpool: warning: The lesson mine.toml has no title") &&
