@@ -135,7 +135,8 @@ TEST_CASE("a reader who has read enough ends the output without a word", "[app]"
     for (const char* arguments : {"lessons", "lessons gmaw-bead", "--help"}) {
         INFO(arguments);
         // Its reader has ended before the program writes.
-        const test::Outcome outcome = runMeltpool(arguments, "bash -c 'set -o pipefail; (sleep 0.3; exec \"$@\") | true' bash");
+        const test::Outcome outcome =
+            runMeltpool(arguments, "bash -c 'set -o pipefail; (sleep 0.3; exec \"$@\") | true' bash");
         CHECK(outcome.code == 0);
         CHECK(outcome.errors.empty());
     }

@@ -50,8 +50,8 @@ void checkReplay(const fs::path& lesson, const fs::path& record, const fs::path&
     const size_t rows = std::min(live.samples.size(), again.samples.size());
     CHECK(rows + 1 >= live.samples.size());
     size_t burning = 0;
-    for (const std::string name :
-         {"molten", "mean_temperature_c", "max_temperature_c", "arc_length_mm", "current_a", "voltage_v", "arc_state"}) {
+    for (const std::string name : {"molten", "mean_temperature_c", "max_temperature_c", "arc_length_mm", "current_a",
+                                   "voltage_v", "arc_state"}) {
         const auto column = static_cast<size_t>(std::find(names.begin(), names.end(), name) - names.begin());
         REQUIRE(column < names.size());
         size_t differing = 0;
