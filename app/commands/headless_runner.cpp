@@ -13,6 +13,7 @@
 #include "core/render/view/picture_target.hpp"
 #include "core/training/feedback/sound/sound_track.hpp"
 #include "core/training/result/result_file.hpp"
+#include "core/weld/simulated_size.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -285,6 +286,13 @@ class Run {
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// What whole layers of particles make of the workpiece's sizes, before the weld.
+void tellSizes(const Lesson& lesson) {
+    if (lesson.model != LessonModel::Weld) return;
+    const std::string text = simulatedSizesText(lesson.workpiece);
+    if (!text.empty()) std::printf("%s\n", text.c_str());
+}
+
 } // namespace
 
 LessonResult runHeadless(const gl::ContextInfo& driver, gl::ShaderLibrary& shaders, const Lesson& lesson,
@@ -307,6 +315,7 @@ LessonResult runHeadless(const gl::ContextInfo& driver, gl::ShaderLibrary& shade
         writeUnfinishedResult(places.result, copy, contextOf(driver, fault.what()));
         throw;
     }
+    tellSizes(lesson);
     return Run(driver, *trainer, places, hooks).toTheEnd(shaders, stop);
 }
 

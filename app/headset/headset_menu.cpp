@@ -108,7 +108,7 @@ void HeadsetMenu::pagePart(ui::Context& context, LessonSession& session, const H
         if (session.running())
             ui::machinePart(context, session.sections().simulation);
         else
-            ui::setupPart(context, session.sections());
+            ui::setupPart(context, session);
     }
     if (page_ == 2) {
         if (session.lesson().model == LessonModel::Weld &&

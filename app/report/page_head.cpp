@@ -125,6 +125,7 @@ std::string headPart(const RunResults& results) {
     std::string html = "<h1>" + (title.empty() ? key : title) + "</h1>\n<ul class=\"facts\">\n";
     html += fact("Lesson", key) + fact("What it is", kindOf(result)) + fact("Date", dateOf(result));
     html += fact("Settings chosen", textIn(result, "chosen_text"));
+    html += fact("Sizes simulated", textIn(result, "simulated_text"));
     html += fact("Torch path", textIn(result, "torch")) + numberFact("Simulated", numberIn(result, "seconds"), 1, " s");
     html += fact("Metal ran at", realTimeOf(attempt)) + numberFact("Zoom", numberIn(attempt, "zoom"), 1, "");
     html += fact("Help", helpOf(attempt)) + fact("Repeated", sameOf(result));

@@ -138,7 +138,7 @@ Judgement judged(const Lesson& lesson, const std::vector<HandStep>& steps) {
         before = steps[step].torch.time;
     }
     Judgement judgement =
-        judgeAttempt(technique, {}, {lesson.technique, lesson.acceptance, lesson.nominal, lesson.process});
+        judgeAttempt(technique, {}, {lesson.technique, lesson.acceptance, lesson.nominalWeld(), lesson.process});
     judgement.arc = account;
     judgement.realTime = lesson.recorded->realTime.value_or(1);
     return judgement;

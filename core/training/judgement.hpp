@@ -14,7 +14,7 @@ namespace meltpool {
 struct JudgementRules {
     const std::optional<TechniqueBands>& technique;
     const std::optional<Acceptance>& acceptance;
-    const NominalWeld& nominal;
+    NominalWeld nominal;
     const ProcessSettings& process;
 };
 

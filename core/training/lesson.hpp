@@ -102,7 +102,7 @@ struct Lesson {
     // How an attempt is judged; nothing where the lesson does not say.
     std::optional<TechniqueBands> technique; ///< weld
     std::optional<Acceptance> acceptance;    ///< weld
-    NominalWeld nominal;                     ///< what the weld was to be, for the acceptance
+    NominalWeld nominal;                     ///< what the weld was to be, but for its plates: see nominalWeld()
     CueSet cues = CueSet::all();             ///< that a trainee may be shown; an attempt for score has none
     bool ghost = true;                       ///< a trainee may have one; an attempt for score has none
 
@@ -112,6 +112,9 @@ struct Lesson {
     ParameterList metalParameters();
     /// Those of the process; the ones to be chosen have the lesson's limits as their range.
     ParameterList processParameters();
+
+    /// What the weld was to be, for the acceptance, with the thickness of the plates that are simulated.
+    NominalWeld nominalWeld() const;
 
     /// Puts the settings to be chosen to where the machine stands at first.
     void takeStartSettings();

@@ -195,7 +195,6 @@ void readAcceptanceOf(TomlTable& root, Lesson& lesson) {
     std::string name = group.text("use");
     if (name.ends_with(".toml")) name = (group.file().parent_path() / name).lexically_normal().string();
     readNamed(group, "use", [&] { lesson.acceptance = findAcceptance(name); });
-    lesson.nominal.thickness = static_cast<double>(lesson.workpiece.thicknessMm) * kMm;
     for (const auto& [key, value] : {std::pair("throat_mm", &lesson.nominal.throat), {"leg_mm", &lesson.nominal.leg}}) {
         group.allow(key);
         if (group.has(key)) *value = group.number(key, kSize) * kMm;

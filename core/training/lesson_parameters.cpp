@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
+#include "core/weld/simulated_size.hpp"
 
 #include <algorithm>
 #include <array>
@@ -75,6 +76,12 @@ ParameterList Lesson::processParameters() {
                 parameter.maximum = each.to;
             }
     return list;
+}
+
+NominalWeld Lesson::nominalWeld() const {
+    NominalWeld weld = nominal;
+    weld.thickness = static_cast<double>(simulatedWorkpiece(workpiece).thicknessMm) * 1e-3;
+    return weld;
 }
 
 void Lesson::takeStartSettings() {

@@ -282,7 +282,7 @@ Judgement Trainer::judge() const {
     if (const auto& bands = lesson_.technique)
         wanted = FaceStretch{bands->lengthFromMm * 1e-3, bands->lengthToMm * 1e-3};
     Judgement judgement = judgeAttempt(*technique_, metal_->measureWeld(wanted),
-                                       {lesson_.technique, lesson_.acceptance, lesson_.nominal, lesson_.process});
+                                       {lesson_.technique, lesson_.acceptance, lesson_.nominalWeld(), lesson_.process});
     judgement.arc = account_;
     judgement.realTime = pace_.ratio();
     return judgement;

@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/weld/position.hpp"
+#include "core/weld/simulated_size.hpp"
 #include "core/weld/workpiece_shape.hpp"
 
 #include <glm/common.hpp>
@@ -163,17 +164,43 @@ void addTacks(Workpiece& piece, const WorkpieceShape& shape, float kelvin) {
     }
 }
 
-} // namespace
+/// Where pictures, light and clamps find the faces: where the particles have them.
+void addFaces(Workpiece& piece, const WorkpieceShape& shape, const WorkpieceParameters& p) {
+    const auto filled = [&](const WorkpieceShape::Box& box) {
+        return latticeBox(piece.lattice, box.low * kMm, box.high * kMm);
+    };
+    for (const WorkpieceShape::Box& box : shape.fullBoxes())
+        if (const auto [low, high] = filled(box); glm::all(glm::lessThan(low, high)))
+            piece.blocks.push_back({low, high});
+    const LatticeBox body = filled(shape.around());
+    piece.bodyLow = body.low;
+    piece.bodyHigh = body.high;
+    if (!isKind(p, {WorkpieceKind::Pipe})) return;
+    const float radius = p.diameterMm / 2 * kMm; // its round faces lie across the layers
+    piece.pipe = {{0, -radius}, body.low.z, body.high.z, radius, radius - p.thicknessMm * kMm};
+    piece.bodyLow = {-radius, -2 * radius, body.low.z};
+    piece.bodyHigh = {radius, 0, body.high.z};
+}
 
-std::optional<WorkpieceFault> workpieceFault(const WorkpieceParameters& parameters) {
+Fault faultOf(const WorkpieceParameters& parameters) {
     for (const auto& find : {positionFault, pipeFault, grooveFault, tackFault})
         if (Fault fault = find(parameters)) return fault;
     return std::nullopt;
 }
 
-Workpiece makeWorkpiece(const WorkpieceParameters& p) {
-    if (const Fault fault = workpieceFault(p))
+} // namespace
+
+std::optional<WorkpieceFault> workpieceFault(const WorkpieceParameters& parameters) {
+    if (Fault fault = faultOf(parameters)) return fault;
+    Fault fault = faultOf(simulatedWorkpiece(parameters));
+    if (fault) fault->sentence += ". " + simulatedSizesText(parameters);
+    return fault;
+}
+
+Workpiece makeWorkpiece(const WorkpieceParameters& parameters) {
+    if (const Fault fault = workpieceFault(parameters))
         throw InputError("the workpiece's " + std::string(fault->key) + " " + fault->sentence);
+    const WorkpieceParameters p = simulatedWorkpiece(parameters);
     const WorkpieceShape shape(p);
     const auto [low, high] = shape.around();
     const Fixture fixture = fixtureOf(p);
@@ -187,19 +214,12 @@ Workpiece makeWorkpiece(const WorkpieceParameters& p) {
     requireCount(shape.volume() / static_cast<double>(p.spacingMm * p.spacingMm * p.spacingMm));
     Workpiece piece;
     piece.lattice = MetalLattice::covering(spaceLow * kMm, spaceHigh * kMm, p.spacingMm * kMm);
-    for (const WorkpieceShape::Box& box : shape.fullBoxes())
-        piece.blocks.push_back({box.low * kMm, box.high * kMm});
-    if (isKind(p, {WorkpieceKind::Pipe})) {
-        const float radius = p.diameterMm / 2 * kMm;
-        piece.pipe = {{0, -radius}, low.z * kMm, high.z * kMm, radius, radius - p.thicknessMm * kMm};
-    }
+    addFaces(piece, shape, p);
     addParts(piece, shape, p.temperatureC + 273.15F);
     requireCount(static_cast<double>(piece.seeds.size()));
     if (p.tackCount > 0) addTacks(piece, shape, p.temperatureC + 273.15F);
     piece.low = piece.lattice.low;
     piece.high = piece.lattice.low + glm::vec3(piece.lattice.cells()) * piece.lattice.spacing;
-    piece.bodyLow = low * kMm;
-    piece.bodyHigh = high * kMm;
     piece.turn = fixture.turn;
     piece.up = fixture.up();
     piece.floorHeight = glm::dot(piece.up, glm::mix(piece.high, piece.low, glm::greaterThan(piece.up, glm::vec3(0))));

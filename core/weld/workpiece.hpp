@@ -60,12 +60,13 @@ struct Workpiece {
     size_t tackSeeds = 0;         ///< how many of them are tacks
     glm::vec3 low{0};             ///< m, the space that metal may be in
     glm::vec3 high{0};            ///< m
-    glm::vec3 bodyLow{0};         ///< m, box around the workpiece itself
+    glm::vec3 bodyLow{0};         ///< m, box around the workpiece itself, whose faces are those of the cells
     glm::vec3 bodyHigh{0};        ///< m
     glm::mat3 turn{1};            ///< Fixture::turn
     glm::vec3 up{0, 1, 0};        ///< unit vector against gravity, in the workpiece's frame
     float floorHeight = 0;        ///< m along `up`, of the table: the lowest place of the space
-    /// Boxes full of its metal, which keep an arc's light off what lies behind: all of it but bevels and pipes.
+    /// Boxes full of its metal, which keep an arc's light off what lies behind: all of it but bevels and pipes. Their
+    /// faces are those of the particles' cells.
     std::vector<WorkpieceBlock> blocks;
     std::optional<WorkpiecePipe> pipe;
 
@@ -85,8 +86,8 @@ Material workpieceMaterial(const WorkpieceParameters& parameters);
 /// Nothing where such a workpiece can be.
 std::optional<WorkpieceFault> workpieceFault(const WorkpieceParameters& parameters);
 
-/// Throws InputError for a workpieceFault() and when the workpiece has no particle, or more than
-/// kMostWorkpieceParticles.
+/// The simulatedWorkpiece() of these sizes, see there. Throws InputError for a workpieceFault() and when the workpiece
+/// has no particle, or more than kMostWorkpieceParticles.
 Workpiece makeWorkpiece(const WorkpieceParameters& parameters);
 
 inline constexpr size_t kMostWorkpieceParticles = 2'000'000;

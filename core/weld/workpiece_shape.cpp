@@ -1,5 +1,7 @@
 #include "core/weld/workpiece_shape.hpp"
 
+#include "core/weld/simulated_size.hpp"
+
 #include <glm/common.hpp>
 
 #include <algorithm>
@@ -17,40 +19,47 @@ constexpr float kTackShare = 0.5F, kTackSpacings = 3, kLargestTackMm = 5;
 
 using Boxes = std::vector<WorkpieceShape::Box>;
 
-/// The two halves of what is parted by a gap across z, `open` mm wide; without one the whole.
-Boxes partedBoxes(glm::vec3 low, glm::vec3 high, float open) {
+/// The two halves of what is parted by a gap across z, `open` mm wide about `middle`; without one the whole.
+Boxes partedBoxes(glm::vec3 low, glm::vec3 high, float open, float middle) {
     if (open <= 0) return {{low, high}};
-    return {{low, {high.x, high.y, -open / 2}}, {{low.x, low.y, open / 2}, high}};
+    return {{low, {high.x, high.y, middle - open / 2}}, {{low.x, low.y, middle + open / 2}, high}};
+}
+
+/// How far a bridge's piers reach inwards: twice the clamps, in whole layers.
+float pierLength(const WorkpieceParameters& p) {
+    return std::max(std::round(2 * kClampMm / p.spacingMm), 1.0F) * p.spacingMm;
 }
 
 Boxes boxesOf(const WorkpieceParameters& p) {
     const float l = p.lengthMm / 2, w = p.widthMm / 2, t = p.thicknessMm, d = p.diameterMm;
+    const float middle = gapBesideMiddle(p), pier = pierLength(p);
     switch (static_cast<WorkpieceKind>(p.kind)) {
     case WorkpieceKind::Plate:
         return {{{-l, -t, -w}, {l, 0, w}}};
     case WorkpieceKind::Cube:
         return {{{-l, -l, -l}, {l, l, l}}};
     case WorkpieceKind::Bridge:
-        return {{{-l, -p.heightMm, -w}, {-l + 2 * kClampMm, 0, w}},
-                {{l - 2 * kClampMm, -p.heightMm, -w}, {l, 0, w}},
-                {{-l + 2 * kClampMm, -t, -w}, {l - 2 * kClampMm, 0, w}}};
+        return {{{-l, -p.heightMm, -w}, {-l + pier, 0, w}},
+                {{l - pier, -p.heightMm, -w}, {l, 0, w}},
+                {{-l + pier, -t, -w}, {l - pier, 0, w}}};
     case WorkpieceKind::Tee:
         return {{{-l, -t, -w}, {l, 0, w}}, {{-l, 0, -t}, {l, p.heightMm, 0}}};
     case WorkpieceKind::Lap:
         return {{{-l, -t, -w / 2}, {l, 0, w}}, {{-l, 0, -w}, {l, t, 0}}};
     case WorkpieceKind::Butt:
-        return partedBoxes({-l, -t, -w}, {l, 0, w}, p.gapMm);
+        return partedBoxes({-l, -t, -w}, {l, 0, w}, p.gapMm, middle);
     case WorkpieceKind::Corner:
         return {{{-l, 0, -w}, {l, t, 0}}, {{-l, -p.heightMm, 0}, {l, 0, t}}};
     case WorkpieceKind::Pipe:
-        return partedBoxes({-d / 2, -d, -w}, {d / 2, 0, w}, p.gapMm);
+        return partedBoxes({-d / 2, -d, -w}, {d / 2, 0, w}, p.gapMm, middle);
     }
     return {};
 }
 
 } // namespace
 
-WorkpieceShape::WorkpieceShape(const WorkpieceParameters& parameters) : p_(parameters), boxes_(boxesOf(parameters)) {}
+WorkpieceShape::WorkpieceShape(const WorkpieceParameters& simulated)
+    : p_(simulated), gapMiddle_(gapBesideMiddle(simulated)), boxes_(boxesOf(simulated)) {}
 
 WorkpieceShape::Box WorkpieceShape::around() const {
     Box sum = boxes_[0];
@@ -63,13 +72,14 @@ std::vector<WorkpieceShape::Box> WorkpieceShape::fullBoxes() const {
     if (is(WorkpieceKind::Pipe)) return {};
     if (!is(WorkpieceKind::Butt)) return boxes_;
     const Box all = around();
-    return partedBoxes(all.low, all.high, p_.gapMm + 2 * bevelRun(p_));
+    return partedBoxes(all.low, all.high, p_.gapMm + 2 * bevelRun(p_), gapMiddle_);
 }
 
 glm::vec2 WorkpieceShape::sectionOf(glm::vec3 place) const {
-    if (!is(WorkpieceKind::Pipe)) return {place.z, place.y};
+    const float across = place.z - gapMiddle_;
+    if (!is(WorkpieceKind::Pipe)) return {across, place.y};
     const float radius = p_.diameterMm / 2;
-    return {place.z, std::hypot(place.x, place.y + radius) - radius};
+    return {across, std::hypot(place.x, place.y + radius) - radius};
 }
 
 float WorkpieceShape::halfGroove(float height) const {
@@ -161,7 +171,7 @@ WorkpieceShape::Box WorkpieceShape::aroundTacks() const {
     const float size = tackSize(p_);
     if (!grooved()) return {{all.low.x, 0, 0}, {all.high.x, size, size}};
     const float half = halfGroove(p_.thicknessMm);
-    return {{all.low.x, all.low.y, -half}, {all.high.x, all.high.y, half}};
+    return {{all.low.x, all.low.y, gapMiddle_ - half}, {all.high.x, all.high.y, gapMiddle_ + half}};
 }
 
 } // namespace meltpool

@@ -12,7 +12,8 @@ class WorkpieceShape {
         glm::vec3 low, high;
     };
 
-    explicit WorkpieceShape(const WorkpieceParameters& parameters);
+    /// Of a simulatedWorkpiece().
+    explicit WorkpieceShape(const WorkpieceParameters& simulated);
 
     /// Boxes that the parts are cut from; they do not overlap.
     const std::vector<Box>& boxes() const { return boxes_; }
@@ -40,7 +41,7 @@ class WorkpieceShape {
   private:
     bool is(WorkpieceKind kind) const { return static_cast<WorkpieceKind>(p_.kind) == kind; }
     bool grooved() const { return is(WorkpieceKind::Butt) || is(WorkpieceKind::Pipe); }
-    /// A place's section across the seam: across it (z), and out of the upper or outer face.
+    /// A place's section across the seam: across it (z) from the gap's middle, and out of the upper or outer face.
     glm::vec2 sectionOf(glm::vec3 place) const;
     /// Half of the groove's width at this height over the lower (inner) face.
     float halfGroove(float height) const;
@@ -49,6 +50,7 @@ class WorkpieceShape {
     bool onTack(float place) const;
 
     WorkpieceParameters p_;
+    float gapMiddle_; ///< mm, z
     std::vector<Box> boxes_;
 };
 

@@ -46,6 +46,27 @@ size_t picturesIn(const fs::path& folder) {
 
 } // namespace
 
+TEST_CASE("a run says which sizes of the workpiece whole layers of particles change, and keeps them", "[app]") {
+    const auto folder = test::scratchFolder("sizes");
+    const std::string arguments = "run gmaw-bead --size 160x120 --seconds 0.02 --pictures 0 --set cells=24"
+                                  " --set length_mm=20 --set width_mm=16 --set thickness_mm=";
+    const std::string text = "Particles of 1 mm make whole layers only. Thickness is 5 mm instead of 4.5 mm. "
+                             "Particles of 0.9 mm keep the thickness.";
+    const test::Outcome changed = runMeltpool(arguments + "4.5 --out '" + (folder / "changed").string() + "'");
+    INFO(changed.errors);
+    REQUIRE(changed.code == 0);
+    CHECK_THAT(changed.output, containsText(text));
+    const Json result = resultIn(folder / "changed");
+    CHECK(result["simulated"] == Json({{"thickness_mm", 5}}));
+    CHECK(result["simulated_text"] == text);
+    CHECK(result["parameters"]["thickness_mm"] == 4.5);
+    CHECK(result["particles"] == 20 * 16 * 5);
+    const Json whole = runInto(folder / "whole", arguments + "5");
+    CHECK_FALSE(whole.contains("simulated"));
+    CHECK_FALSE(whole.contains("simulated_text"));
+    CHECK(whole["state_hash"] == result["state_hash"]);
+}
+
 TEST_CASE("a run leaves result, telemetry and pictures, and the same run gives the same state", "[app]") {
     const auto folder = test::scratchFolder("run");
     const std::string arguments = kQuick + "--seconds 1 --pictures 0.5 --set particles=8191 --set support_radius=0.07";

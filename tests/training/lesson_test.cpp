@@ -137,9 +137,18 @@ TEST_CASE("a weld lesson names the bands of its technique and the limits of its 
     CHECK(lesson.technique->find(TechniqueQuantity::travelSpeed)->weight == 2);
     REQUIRE(lesson.acceptance);
     CHECK(lesson.acceptance->level == "B");
-    CHECK(lesson.nominal.thickness == Approx(5e-3));
+    CHECK(lesson.nominalWeld().thickness == Approx(5e-3));
+    CHECK(lesson.nominalWeld().leg == Approx(4e-3));
     CHECK(lesson.nominal.leg == Approx(4e-3));
     CHECK_FALSE(lesson.nominal.throat);
+}
+
+TEST_CASE("limits take the thickness that is simulated, whatever spacing is set later", "[training]") {
+    Lesson lesson = lessonFrom("model = 'weld'\n[workpiece]\nworkpiece = 'tee'\nthickness_mm = 4.5\nspacing_mm = 0.9\n"
+                               "[process]\nprocess = 'gtaw'\n[acceptance]\nuse = 'iso5817-b'\nleg_mm = 4\n");
+    CHECK(lesson.nominalWeld().thickness == Approx(4.5e-3));
+    lesson.set("spacing_mm", "1", "here");
+    CHECK(lesson.nominalWeld().thickness == Approx(5e-3));
 }
 
 TEST_CASE("a lesson lets the trainee choose settings within its limits", "[training]") {

@@ -1,5 +1,7 @@
 #include "app/session/attempt/attempt_judge.hpp"
 
+#include "core/weld/simulated_size.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -31,7 +33,8 @@ void AttemptJudge::judge(const Trainer& trainer) {
     const auto& bands = trainer.lesson().technique;
     judged.rows = judgementRows(judged.judgement, bands ? &*bands : nullptr);
     if (const auto& weld = judged.judgement.weld)
-        judged.bend = bendTest(*weld, static_cast<double>(trainer.lesson().workpiece.thicknessMm) * 1e-3);
+        judged.bend =
+            bendTest(*weld, static_cast<double>(simulatedWorkpiece(trainer.lesson().workpiece).thicknessMm) * 1e-3);
     judged.time = trainer.time();
     judged_ = std::move(judged);
     due_ = false;

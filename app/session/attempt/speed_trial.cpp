@@ -1,8 +1,10 @@
 #include "app/session/attempt/speed_trial.hpp"
 
 #include "core/base/text.hpp"
+#include "core/weld/simulated_size.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace meltpool {
@@ -24,6 +26,18 @@ float coarser(float spacing) {
     return spacing;
 }
 
+/// "a particle spacing of 1.5 mm", with the sizes of the workpiece that coarser layers change.
+std::string spacingLabel(WorkpieceParameters workpiece, float spacing) {
+    workpiece.spacingMm = spacing;
+    std::string label = "a particle spacing of " + formatNumber(spacing) + " mm", changed;
+    for (const SimulatedSize& size : simulatedSizes(workpiece)) {
+        std::string name(size.label);
+        name.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
+        changed += (changed.empty() ? "" : ", ") + name + " " + formatNumber(size.simulated) + " mm";
+    }
+    return changed.empty() ? label : label + " (" + changed + ")";
+}
+
 } // namespace
 
 std::vector<SpeedOffer> cheaperValues(const Lesson& lesson) {
@@ -34,8 +48,7 @@ std::vector<SpeedOffer> cheaperValues(const Lesson& lesson) {
         if (const int particles = lesson.setup.particles / 2; particles >= kFewestParticles)
             offers.push_back({std::to_string(particles) + " particles", {{"particles", std::to_string(particles)}}});
     } else if (const float spacing = coarser(lesson.workpiece.spacingMm); spacing > lesson.workpiece.spacingMm) {
-        offers.push_back(
-            {"a particle spacing of " + formatNumber(spacing) + " mm", {{"spacing_mm", formatNumber(spacing)}}});
+        offers.push_back({spacingLabel(lesson.workpiece, spacing), {{"spacing_mm", formatNumber(spacing)}}});
     }
     if (offers.size() == 2) {
         SpeedOffer both{offers[0].label + " and " + offers[1].label, offers[0].values};

@@ -34,7 +34,7 @@ MenuRequest homePart(Context& context, Home& home);
 /// The lesson's first page: what is asked for, the machine's values, start.
 MenuRequest startMenu(Context& context, LessonSession& session, Home& home, const std::string& driver);
 /// The values that are chosen before the start, inside the current window.
-void setupPart(Context& context, LessonSections& sections);
+void setupPart(Context& context, LessonSession& session);
 MenuRequest topBar(Context& context, PanelState& panels, const Controls& controls, const LessonSession& session);
 void statusBar(Context& context, const LessonFigures& figures, const Controls& controls);
 /// What is heard, above the status bar in the middle of what panels leave free; `left`, `right`: what they cover,
@@ -44,8 +44,9 @@ void viewMenu(Context& context, std::span<const ParameterSection* const> section
 /// The machine's values; closed below them, in the expert drawer, the solver's.
 void machinePart(Context& context, const ParameterSection& section);
 void machineMenu(Context& context, const ParameterSection& section, Controls& controls);
-/// The running demonstration above the status bar, in the middle of what panels leave free: pause, its time, and the way
-/// to one's own attempt. `left`, `right`: what panels cover, points; where they leave too little room, it lies over them.
+/// The running demonstration above the status bar, in the middle of what panels leave free: pause, its time, and the
+/// way to one's own attempt. `left`, `right`: what panels cover, points; where they leave too little room, it lies over
+/// them.
 MenuRequest demonstrationBar(Context& context, LessonSession& session, float left, float right);
 /// The same inside the current window, for the headset's panel.
 MenuRequest demonstrationPart(Context& context, LessonSession& session);

@@ -1,6 +1,8 @@
 // A lesson's first page: what is asked for, the machine's values, start; and the program's logo and backdrop.
 #include "app/session/ui/panels.hpp"
 
+#include "core/weld/simulated_size.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -135,7 +137,7 @@ void taskAndValues(Context& context, LessonSession& session, Home& home, float r
     ImGui::BeginChild("values", {0, height > 0 ? height : free});
     introduction(context, session.lesson(), home);
     ImGui::Dummy({0, context.points(6)});
-    setupPart(context, session.sections());
+    setupPart(context, session);
     context.startValuesHeight = ImGui::GetCursorPosY();
     ImGui::EndChild();
     markItem(context, "start.values");
@@ -193,8 +195,12 @@ void drawBackdrop(float width, float height) {
     drawGlow(draw, {width * 0.5f, height * 1.05f}, height * 0.45f, IM_COL32(255, 190, 110, 60));
 }
 
-void setupPart(Context& context, LessonSections& sections) {
+void setupPart(Context& context, LessonSession& session) {
+    LessonSections& sections = session.sections();
     sections.restoreGiven(); // "for score" may have been chosen a moment ago
+    if (session.lesson().model == LessonModel::Weld)
+        if (const std::string text = simulatedSizesText(session.lesson().workpiece); !text.empty())
+            quietText(context, text);
     explainAll(context, sections.start, false);
     if (groupHeading(context, "start", "Machine")) explainAll(context, sections.simulation, false);
     if (!groupHeading(context, "start", "Expert", false)) return;

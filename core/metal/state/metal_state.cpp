@@ -5,6 +5,8 @@
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace meltpool {
@@ -56,10 +58,28 @@ std::vector<MetalSeed> latticeSeeds(const MetalLattice& lattice, glm::vec3 low, 
             const glm::ivec3 cell = corner * TILE_EDGE + glm::ivec3(inside % TILE_EDGE, inside / TILE_EDGE % TILE_EDGE,
                                                                     inside / (TILE_EDGE * TILE_EDGE));
             const glm::vec3 centre = lattice.centre(cell);
-            if (glm::all(glm::greaterThan(centre, low)) && glm::all(glm::lessThan(centre, high)))
+            if (glm::all(glm::greaterThanEqual(centre, low)) && glm::all(glm::lessThan(centre, high)))
                 seeds.push_back({centre, temperature, PHASE_ALIVE | PHASE_LATTICE | extraPhase, glm::vec3(0)});
         }
     return seeds;
+}
+
+LatticeBox latticeBox(const MetalLattice& lattice, glm::vec3 low, glm::vec3 high) {
+    LatticeBox box{high, low};
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto planeNear = [&](int cell, float wanted) {
+            const float plane = lattice.low[axis] + static_cast<float>(cell) * lattice.spacing;
+            return std::abs(plane - wanted) < 1e-3F * lattice.spacing ? wanted : plane;
+        };
+        for (int cell = 0; cell < lattice.cells()[axis]; ++cell) {
+            const float centre = lattice.centre(glm::ivec3(cell))[axis];
+            if (!(centre >= low[axis] && centre < high[axis])) continue;
+            box.low[axis] = std::min(box.low[axis], planeNear(cell, low[axis]));
+            box.high[axis] = planeNear(cell + 1, high[axis]);
+        }
+        if (box.low[axis] >= box.high[axis]) box.high[axis] = box.low[axis];
+    }
+    return box;
 }
 
 MetalState::MetalState(const MetalLattice& lattice, const HeatTable& table, double density, size_t capacity)

@@ -44,10 +44,17 @@ struct CellBox {
     glm::ivec3 low{0}, high{0};
 };
 
-/// Seeds for every cell of `lattice` whose centre lies between `low` and `high`, solid and on the lattice, tile by tile
-/// so that neighbours in space are neighbours in memory.
+/// Seeds for every cell of `lattice` whose centre lies from `low` up to, but not at, `high`, solid and on the lattice,
+/// tile by tile so that neighbours in space are neighbours in memory. Of boxes that share a face one has each cell.
 std::vector<MetalSeed> latticeSeeds(const MetalLattice& lattice, glm::vec3 low, glm::vec3 high, float temperature,
                                     unsigned extraPhase = 0);
+
+/// The box that the cells fill for which latticeSeeds() makes a seed, m. Along an axis on which it makes none it ends
+/// where it begins. What lies on the lattice within a thousandth of a spacing keeps its value.
+struct LatticeBox {
+    glm::vec3 low{0}, high{0};
+};
+LatticeBox latticeBox(const MetalLattice& lattice, glm::vec3 low, glm::vec3 high);
 
 /// The buffers that heat and flow work on; see shaders/shared/metal.h for what each holds.
 class MetalState {

@@ -4,6 +4,7 @@
 #include "core/training/recording/record_text.hpp"
 #include "core/training/result/repetition.hpp"
 #include "core/training/result/result_judgement.hpp"
+#include "core/weld/simulated_size.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -195,6 +196,15 @@ Json torchFormOf(const TorchForm& form) {
     return json;
 }
 
+/// Sizes of the workpiece that are simulated otherwise than the parameters say, and the same in words.
+void addSimulatedSizes(Json& json, const Lesson& lesson) {
+    if (lesson.model != LessonModel::Weld) return;
+    const std::vector<SimulatedSize> sizes = simulatedSizes(lesson.workpiece);
+    for (const SimulatedSize& size : sizes)
+        json["simulated"][std::string(size.key)] = shortNumber(size.simulated);
+    if (!sizes.empty()) json["simulated_text"] = simulatedSizesText(lesson.workpiece);
+}
+
 /// The text with the entries behind the figures.
 std::string finished(Json json, Lesson& lesson, const ResultContext& context) {
     json["torch"] = lesson.torchFile.filename().string();
@@ -205,6 +215,7 @@ std::string finished(Json json, Lesson& lesson, const ResultContext& context) {
     for (const ChosenSetting& each : lesson.choose)
         json["chosen"].push_back(each.key);
     if (!lesson.choose.empty()) json["chosen_text"] = lesson.chosenText();
+    addSimulatedSizes(json, lesson);
     Json& parameters = json["parameters"];
     for (const Parameter& parameter : lesson.parameters())
         parameters[std::string(parameter.key)] = valueOf(parameter);

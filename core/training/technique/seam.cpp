@@ -1,5 +1,7 @@
 #include "core/training/technique/seam.hpp"
 
+#include "core/weld/simulated_size.hpp"
+
 #include <glm/geometric.hpp>
 
 #include <cmath>
@@ -75,7 +77,8 @@ SeamPlace Seam::nearest(const glm::dvec3& point) const {
     return result;
 }
 
-Seam seamOf(const WorkpieceParameters& workpiece) {
+Seam seamOf(const WorkpieceParameters& asked) {
+    const WorkpieceParameters workpiece = simulatedWorkpiece(asked);
     const double half = static_cast<double>(workpiece.lengthMm) * kMm / 2;
     const glm::dvec3 along(1, 0, 0), outOfPlate(0, 1, 0), outOfCorner(0, 1, 1);
     switch (static_cast<WorkpieceKind>(workpiece.kind)) {

@@ -57,11 +57,11 @@ class Seam {
     double end_ = 0;
 };
 
-/// The seam of a workpiece from end to end. Plate and bridge: the middle of the upper face, up is +y. Cube: the middle
-/// of its upper face. Butt: the middle of the gap, up is +y. Tee, lap and outside corner: the line where the faces that
-/// are welded on meet, up is (0, 1, 1)/sqrt(2). Pipe: once around the middle of the gap on the outer face, beginning at
-/// the top towards +x.
-Seam seamOf(const WorkpieceParameters& workpiece);
+/// The seam of a workpiece, as it is simulated, from end to end. Plate and bridge: the middle of the upper face, up is
+/// +y. Cube: the middle of its upper face. Butt: the middle of the gap, up is +y. Tee, lap and outside corner: the line
+/// where the faces that are welded on meet, up is (0, 1, 1)/sqrt(2). Pipe: once around the middle of the gap on the
+/// outer face, beginning at the top towards +x.
+Seam seamOf(const WorkpieceParameters& asked);
 
 /// Where the axis (unit vector) of a torch with this tip (m) meets the height of the seam; the tip itself where the
 /// torch lies too flat for that.

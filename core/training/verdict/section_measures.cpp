@@ -2,6 +2,7 @@
 
 #include "core/training/verdict/imperfections.hpp"
 #include "core/weld/gauge/weld_outline.hpp"
+#include "core/weld/simulated_size.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -266,7 +267,8 @@ class Marks {
 
 } // namespace
 
-SectionFaces SectionFaces::of(const WorkpieceParameters& workpiece) {
+SectionFaces SectionFaces::of(const WorkpieceParameters& asked) {
+    const WorkpieceParameters workpiece = simulatedWorkpiece(asked);
     SectionFaces faces;
     faces.thickness = static_cast<double>(workpiece.thicknessMm) * kMm;
     if (static_cast<WorkpieceKind>(workpiece.kind) == WorkpieceKind::Cube)

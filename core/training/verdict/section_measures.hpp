@@ -14,7 +14,7 @@ struct SectionFaces {
     double upper = 0;     ///< height (y) of a level workpiece's upper face; a corner is the origin
     double thickness = 0; ///< of a butt's plates
 
-    static SectionFaces of(const WorkpieceParameters& workpiece);
+    static SectionFaces of(const WorkpieceParameters& asked);
 };
 
 /// The measures of a station. `map` and `fusion` (K): of a section at the same place. Lengths below half a spacing are

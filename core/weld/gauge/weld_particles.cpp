@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace meltpool {
 
@@ -27,35 +28,37 @@ MetalLattice rolledOut(const MetalLattice& lattice, double radius) {
     return MetalLattice::covering({0, axis, lattice.low.z}, {around, high.y, high.z}, lattice.spacing);
 }
 
+ParticleValues valuesOf(const MetalState& state) {
+    return {state.position.read<vec4>(state.particles()), state.heat.read<vec4>(state.particles()),
+            state.phase.read<uint>(state.particles())};
+}
+
 } // namespace
 
 WeldParticles::WeldParticles(const MetalState& state, std::span<const MetalSeed> original)
-    : lattice_(state.lattice()), original_(original) {
-    read(state);
-    sort();
-}
+    : WeldParticles(state.lattice(), valuesOf(state), original) {}
 
 WeldParticles::WeldParticles(const MetalState& state, std::span<const MetalSeed> original, double pipeRadius)
-    : lattice_(meltpool::rolledOut(state.lattice(), pipeRadius)),
-      original_(original),
-      rolledOut_(true),
-      rolledSeeds_(original.begin(), original.end()) {
-    read(state);
-    for (vec4& place : positions_)
-        place = vec4(meltpool::rolledOut(glm::vec3(place), pipeRadius), place.w);
-    for (MetalSeed& seed : rolledSeeds_)
-        seed.position = meltpool::rolledOut(seed.position, pipeRadius);
-    sort();
-}
+    : WeldParticles(state.lattice(), valuesOf(state), original, pipeRadius) {}
 
-void WeldParticles::read(const MetalState& state) {
-    positions_ = state.position.read<vec4>(state.particles());
-    heats_ = state.heat.read<vec4>(state.particles());
-    phases_ = state.phase.read<uint>(state.particles());
-    if (original_.size() > positions_.size())
-        throw RuntimeFault("a section of a metal with " + std::to_string(positions_.size()) +
+WeldParticles::WeldParticles(const MetalLattice& lattice, ParticleValues values, std::span<const MetalSeed> original,
+                             std::optional<double> pipeRadius)
+    : lattice_(pipeRadius ? meltpool::rolledOut(lattice, *pipeRadius) : lattice),
+      original_(original),
+      rolledOut_(pipeRadius.has_value()),
+      values_(std::move(values)) {
+    if (original_.size() > values_.positions.size())
+        throw RuntimeFault("a section of a metal with " + std::to_string(values_.positions.size()) +
                            " particles cannot be measured; expected the " + std::to_string(original_.size()) +
                            " of the workpiece among them");
+    if (pipeRadius) {
+        for (vec4& place : values_.positions)
+            place = vec4(meltpool::rolledOut(glm::vec3(place), *pipeRadius), place.w);
+        rolledSeeds_.assign(original.begin(), original.end());
+        for (MetalSeed& seed : rolledSeeds_)
+            seed.position = meltpool::rolledOut(seed.position, *pipeRadius);
+    }
+    sort();
 }
 
 void WeldParticles::sort() {
@@ -63,9 +66,9 @@ void WeldParticles::sort() {
     living_.resize(count);
     originals_.resize(count);
     const auto low = static_cast<double>(lattice_.low.x), spacing = static_cast<double>(lattice_.spacing);
-    for (size_t slot = 0; slot < positions_.size(); ++slot) {
-        const double layer = std::floor((static_cast<double>(positions_[slot].x) - low) / spacing);
-        if ((phases_[slot] & PHASE_ALIVE) && layer >= 0 && layer < static_cast<double>(count))
+    for (size_t slot = 0; slot < values_.positions.size(); ++slot) {
+        const double layer = std::floor((static_cast<double>(values_.positions[slot].x) - low) / spacing);
+        if ((values_.phases[slot] & PHASE_ALIVE) && layer >= 0 && layer < static_cast<double>(count))
             living_[static_cast<size_t>(layer)].push_back(slot);
     }
     const std::span<const MetalSeed> seeds = original();

@@ -3,13 +3,25 @@
 
 #include "core/metal/state/metal_state.hpp"
 
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace meltpool {
 
+/// What is read of particles for cuts, slot by slot; see shaders/shared/metal.h.
+struct ParticleValues {
+    std::vector<vec4> positions; ///< xyz m, w K
+    std::vector<vec4> heats;
+    std::vector<uint> phases;
+};
+
 class WeldParticles {
   public:
+    /// Of particles that were read before, whose lattice this is. As below otherwise.
+    WeldParticles(const MetalLattice& lattice, ParticleValues values, std::span<const MetalSeed> original,
+                  std::optional<double> pipeRadius = {});
+
     /// Reads every particle and waits for the GPU. `original`: the workpiece before welding, as measureSection() asks
     /// for it; it must outlive this. Throws RuntimeFault when the state holds fewer particles than `original`.
     WeldParticles(const MetalState& state, std::span<const MetalSeed> original);
@@ -22,9 +34,9 @@ class WeldParticles {
     bool rolledOut() const { return rolledOut_; }
     const MetalLattice& lattice() const { return lattice_; }
     std::span<const MetalSeed> original() const { return rolledOut_ ? rolledSeeds_ : original_; }
-    const vec4& position(size_t slot) const { return positions_[slot]; } ///< xyz m, w K
-    const vec4& heat(size_t slot) const { return heats_[slot]; }         ///< see shaders/shared/metal.h
-    uint phase(size_t slot) const { return phases_[slot]; }
+    const vec4& position(size_t slot) const { return values_.positions[slot]; } ///< xyz m, w K
+    const vec4& heat(size_t slot) const { return values_.heats[slot]; }         ///< see shaders/shared/metal.h
+    uint phase(size_t slot) const { return values_.phases[slot]; }
 
     /// Living particles that lie in the lattice layers `first` up to but not `end` along the seam; slots ascend.
     std::vector<size_t> livingIn(int first, int end) const { return gather(living_, first, end); }
@@ -36,15 +48,13 @@ class WeldParticles {
 
     static std::vector<size_t> gather(const Layers& layers, int first, int end);
 
-    void read(const MetalState& state);
     void sort();
 
     MetalLattice lattice_;
     std::span<const MetalSeed> original_;
     bool rolledOut_ = false;
     std::vector<MetalSeed> rolledSeeds_; ///< of a rolled-out pipe
-    std::vector<vec4> positions_, heats_;
-    std::vector<uint> phases_;
+    ParticleValues values_;
     Layers living_, originals_;
 };
 

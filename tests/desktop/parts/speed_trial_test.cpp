@@ -58,6 +58,18 @@ TEST_CASE("one that is too slow is measured with fewer particles, a coarser surf
     CHECK(question.answers[2] == "With a surface of 48 cells and a particle spacing of 0.75 mm: 102 %");
 }
 
+TEST_CASE("an offer of coarser particles says which sizes whole layers change") {
+    Lesson lesson = plate();
+    lesson.surface.cells = 16;
+    lesson.workpiece.spacingMm = 1;
+    lesson.workpiece.thicknessMm = 4;
+    const auto offers = cheaperValues(lesson);
+    REQUIRE(offers.size() == 1);
+    CHECK(offers[0].label == "a particle spacing of 1.5 mm (thickness 4.5 mm)");
+    lesson.workpiece.thicknessMm = 6;
+    CHECK(cheaperValues(lesson)[0].label == "a particle spacing of 1.5 mm");
+}
+
 TEST_CASE("an offer that the workpiece has no room for is left out") {
     SpeedTrial trial;
     trial.begin(plate());

@@ -7,6 +7,22 @@
 
 namespace meltpool {
 
+TEST_CASE("boxes that share a face through the middles of cells share out the cells, and know where theirs end") {
+    const auto lattice = MetalLattice::covering(glm::vec3(0), glm::vec3(8), 1);
+    const glm::vec3 high(4, 3, 4);
+    const auto under = latticeSeeds(lattice, glm::vec3(0), {4, 1.5F, 4}, 300);
+    const auto over = latticeSeeds(lattice, {0, 1.5F, 0}, high, 300);
+    CHECK(under.size() == 4 * 4);
+    CHECK(over.size() == 2 * 4 * 4);
+    CHECK(latticeBox(lattice, glm::vec3(0), {4, 1.5F, 4}).high == glm::vec3(4, 1, 4));
+    const LatticeBox box = latticeBox(lattice, {0, 1.5F, 0.2F}, high);
+    CHECK(box.low == glm::vec3(0, 1, 0));
+    CHECK(box.high == high);
+    const LatticeBox none = latticeBox(lattice, {0, 1.6F, 0}, {4, 2.4F, 4}); // between two middles
+    CHECK(none.low.y == none.high.y);
+    CHECK(none.high.x == 4);
+}
+
 TEST_CASE("the state knows the box of cells that metal was ever on the lattice in", "[physical]") {
     test::context();
     constexpr float kMm = 1e-3F;
