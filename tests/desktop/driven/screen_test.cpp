@@ -41,8 +41,8 @@ void usePages(TrainerWindow& window, const std::string& name) {
     json s = window.settle();
     for (const char* control : {"start.start", "start.defaults", "start.home"})
         requireInSight(s, control);
-    window.takePicture(name + "-start");
     window.click("start.group.Expert"); // what scrolls is reached
+    window.takePicture(name + "-start");
     window.click("start.home");
     s = window.waitFor("the list", [](const json& t) { return t.at("page") == "home"; });
     s = window.settle();
@@ -54,7 +54,9 @@ void usePages(TrainerWindow& window, const std::string& name) {
     window.settle();
     window.takePicture(name + "-help");
     window.key("F1");
-    window.click("home.lesson.classic");
+    window.waitFor("no help", [](const json& t) { return t.at("panels").at("help") == false; });
+    window.place("home.lesson.classic");
+    window.key("Return"); // the message of the last picture may lie over the lesson
     window.waitFor("the lesson's page", [](const json& t) { return t.at("page") == "start"; });
     window.start();
     s = window.settle();
