@@ -117,7 +117,8 @@ bool DesktopApp::finish() {
     bool kept = true;
     try {
         settings_.takeFrom(session_.lesson(), session_.sections());
-        settings_.save(ownSections());
+        for (const std::string& fault : settings_.save(ownSections()))
+            std::fprintf(stderr, "meltpool: %s\n", printable(fault, 3000).c_str());
     } catch (const std::exception& fault) {
         std::fprintf(stderr, "meltpool: the settings were not saved: %s\n", fault.what());
         kept = false;

@@ -48,7 +48,7 @@ void DesktopLessons::open(const CataloguedLesson& lesson, double now) {
 bool DesktopLessons::start(void (LessonSession::*begin)(Controls&), double now) {
     if (home_.open) return false;
     if (const CataloguedLesson* lesson = home_.find(session_.lesson()))
-        session_.cues().setSkill(home_.scores.skill(lesson->key));
+        session_.cues().setSkill(home_.scores.beginAttempt(lesson->key));
     try {
         (session_.*begin)(controls_);
         return true;
@@ -114,12 +114,16 @@ void DesktopLessons::keepScore(double zoom, double now) {
     score->chosen = session_.chosenText();
     score->cues = session_.cues().used();
     score->ghost = session_.ghost().used();
+    const std::vector<std::string>& faults = home_.scores.faults();
+    const size_t told = faults.size();
     try {
         home_.scores.offer(lesson->key, *score);
         home_.scores.practise(lesson->key, session_.cues().skill());
     } catch (const std::exception& fault) {
         messages_.warn(std::string("The best score cannot be kept: ") + fault.what(), now, "scores");
     }
+    for (size_t i = told; i < faults.size(); ++i)
+        messages_.warn(faults[i], now);
 }
 
 void DesktopLessons::writePage(const std::string& driver, double now) {

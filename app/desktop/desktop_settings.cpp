@@ -5,6 +5,7 @@
 #include "core/base/resources.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace meltpool {
 
@@ -64,16 +65,20 @@ std::vector<SettingsSection> DesktopSettings::sections(const std::vector<Paramet
 
 std::vector<std::string> DesktopSettings::load(const std::vector<ParameterSection*>& others) {
     std::vector<std::string> faults = loadSettings(file_, sections(others));
+    loaded_ = valuesOf(sections(others));
     try {
-        requireSavableSettings(file_);
+        if (std::string warning = requireSavableSettings(file_); !warning.empty()) faults.push_back(std::move(warning));
     } catch (const std::exception& fault) {
         faults.push_back("The settings of this session cannot be saved: " + std::string(fault.what()));
     }
     return faults;
 }
 
-void DesktopSettings::save(const std::vector<ParameterSection*>& others) {
-    saveSettings(file_, sections(others));
+std::vector<std::string> DesktopSettings::save(const std::vector<ParameterSection*>& others) {
+    const std::vector<SettingsSection> all = sections(others);
+    std::vector<std::string> faults = saveSettings(file_, all, loaded_);
+    loaded_ = valuesOf(all);
+    return faults;
 }
 
 void DesktopSettings::giveTo(const Lesson& lesson, LessonSections& sections) {

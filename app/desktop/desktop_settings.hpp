@@ -31,8 +31,9 @@ class DesktopSettings {
     /// Reads the file into `others` and its own copy of the default lesson. Answers one sentence for each fault in the
     /// file, and one where save() will fail.
     std::vector<std::string> load(const std::vector<ParameterSection*>& others);
-    /// Writes the file. Throws InputError when that fails.
-    void save(const std::vector<ParameterSection*>& others);
+    /// Writes what has changed since load() into the file. Answers one sentence for each fault that has come into the
+    /// file meanwhile. Throws InputError or RuntimeFault when writing fails.
+    std::vector<std::string> save(const std::vector<ParameterSection*>& others);
 
     /// Where the lesson is the default one, sets its values to the kept ones.
     void giveTo(const Lesson& lesson, LessonSections& sections);
@@ -45,6 +46,7 @@ class DesktopSettings {
     std::filesystem::path file_;
     Lesson lesson_; ///< the default one
     LessonSections lessonSections_;
+    SettingsValues loaded_; ///< as they were after load(), or as they were saved since
 };
 
 } // namespace meltpool

@@ -1,5 +1,8 @@
 #include "app/program/aside_file.hpp"
 
+#include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <system_error>
 
 namespace meltpool {
@@ -8,19 +11,28 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The name of a new file beside `file`.
-fs::path asideName(const fs::path& file) {
-    for (int i = 1;; ++i) {
-        fs::path name = file;
-        name.replace_filename(file.stem().string() + ".broken-" + std::to_string(i) + file.extension().string());
-        if (!fs::exists(name)) return name;
-    }
+fs::path asideName(const fs::path& file, int number) {
+    fs::path name = file;
+    return name.replace_filename(file.stem().string() + ".broken-" + std::to_string(number) +
+                                 file.extension().string());
+}
+
+bool sameBytes(const fs::path& one, const fs::path& other) {
+    std::error_code unreadable;
+    if (fs::file_size(one, unreadable) != fs::file_size(other, unreadable) || unreadable) return false;
+    using Bytes = std::istreambuf_iterator<char>;
+    std::ifstream a(one, std::ios::binary), b(other, std::ios::binary);
+    return a && b && std::equal(Bytes(a), Bytes(), Bytes(b), Bytes());
 }
 
 } // namespace
 
 AsideFile keepAside(const fs::path& file, bool whole) {
-    const fs::path aside = asideName(file);
+    int number = 1;
+    fs::path aside = asideName(file, number);
+    for (; fs::exists(aside); aside = asideName(file, ++number))
+        if (!whole && sameBytes(file, aside))
+            return {true, file.string() + " as it was is kept as " + aside.string() + ".", true};
     std::error_code failed;
     if (whole)
         fs::rename(file, aside, failed);

@@ -5,6 +5,8 @@
 #include <cerrno>
 #include <cstring>
 #include <string>
+#include <system_error>
+#include <thread>
 
 #ifdef _WIN32
 #include <windows.h>
@@ -18,6 +20,11 @@
 namespace meltpool {
 
 namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds kLook{10};    ///< between two looks at a lock that another holds
+constexpr std::chrono::milliseconds kTurn{3'000}; ///< far longer than a small file takes, on a slow share too
 
 [[noreturn]] void failAsHeld(const std::filesystem::path& place) {
     throw InputError(place, 0, "another program is writing here; expected a place of its own, or to wait for its end");
@@ -39,11 +46,22 @@ bool isStillThere(int descriptor, const std::filesystem::path& file) {
 
 #ifdef _WIN32
 
-FileLock::FileLock(const std::filesystem::path& lockFile, const std::filesystem::path& place) : file_(lockFile) {
-    handle_ = CreateFileW(lockFile.c_str(), GENERIC_WRITE, 0, nullptr, OPEN_ALWAYS, FILE_FLAG_DELETE_ON_CLOSE, nullptr);
-    if (handle_ != INVALID_HANDLE_VALUE) return;
-    if (GetLastError() == ERROR_SHARING_VIOLATION) failAsHeld(place);
-    throw InputError(place, 0, "cannot be written; expected a folder with write permission");
+FileLock::FileLock(const std::filesystem::path& lockFile, const std::filesystem::path& place,
+                   std::chrono::milliseconds patience)
+    : file_(lockFile) {
+    for (const Clock::time_point until = Clock::now() + patience;;) {
+        handle_ =
+            CreateFileW(lockFile.c_str(), GENERIC_WRITE, 0, nullptr, OPEN_ALWAYS, FILE_FLAG_DELETE_ON_CLOSE, nullptr);
+        if (handle_ != INVALID_HANDLE_VALUE) return;
+        const DWORD code = GetLastError();
+        // A file that is being deleted is told as one without permission.
+        const bool held = code == ERROR_SHARING_VIOLATION || code == ERROR_ACCESS_DENIED;
+        if (!held || Clock::now() >= until) {
+            if (code == ERROR_SHARING_VIOLATION) failAsHeld(place);
+            throw InputError(place, 0, "cannot be written; expected a folder with write permission");
+        }
+        std::this_thread::sleep_for(kLook);
+    }
 }
 
 FileLock::~FileLock() {
@@ -52,21 +70,26 @@ FileLock::~FileLock() {
 
 #else
 
-FileLock::FileLock(const std::filesystem::path& lockFile, const std::filesystem::path& place) : file_(lockFile) {
-    for (;;) {
+FileLock::FileLock(const std::filesystem::path& lockFile, const std::filesystem::path& place,
+                   std::chrono::milliseconds patience)
+    : file_(lockFile) {
+    for (const Clock::time_point until = Clock::now() + patience;;) {
         descriptor_ = open(lockFile.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
         if (descriptor_ < 0)
             throw InputError(place, 0,
                              std::string("cannot be written: ") + std::strerror(errno) +
                                  "; expected a folder with write permission");
-        if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
-            const bool held = errno == EWOULDBLOCK;
-            close(descriptor_);
-            if (held) failAsHeld(place);
-            throw InputError(place, 0, "cannot be locked; expected a folder on a file system with locks");
+        const int code = flock(descriptor_, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
+        if (code == 0 && isStillThere(descriptor_, lockFile)) return;
+        const bool held = code == EWOULDBLOCK || code == EACCES; // the second from some shares
+        if (code != 0 && code != EINTR && !held) {
+            warning_ = place.string() + ": cannot be locked (" + std::strerror(code) +
+                       "), so that two programs that write here at the same time would mix their files.";
+            return;
         }
-        if (isStillThere(descriptor_, lockFile)) return;
         close(descriptor_);
+        if (held && Clock::now() >= until) failAsHeld(place);
+        if (held) std::this_thread::sleep_for(kLook);
     }
 }
 
@@ -76,5 +99,18 @@ FileLock::~FileLock() {
 }
 
 #endif
+
+namespace {
+
+std::filesystem::path lockBeside(const std::filesystem::path& file) {
+    std::error_code failed; // the lock tells where the folder cannot be made
+    std::filesystem::create_directories(file.parent_path(), failed);
+    std::filesystem::path lock = file;
+    return lock += ".lock";
+}
+
+} // namespace
+
+FileTurn::FileTurn(const std::filesystem::path& file) : lock_(lockBeside(file), file, kTurn) {}
 
 } // namespace meltpool

@@ -359,4 +359,15 @@ TEST_CASE("measuring finds tip and direction of a torch on whatever holds it, an
     CHECK(run(TipMeasuring::Task::pivot, swing) == Approx(35).margin(1.1));
     CHECK_THAT(measuring.report(), test::containsText("not found"));
     CHECK(glm::distance(calibration.tip().offset, offset) < 1e-4f);
+    CalibrationFile other(file); // of a second program, which finds another place and keeps its old direction
+    xr::TipCalibration elsewhere = other.tip();
+    elsewhere.offset.x += 0.01f;
+    xr::TipCalibration turned = calibration.tip();
+    turned.pointAlong({0, 0, 1});
+    CHECK(calibration.keep(turned).empty());
+    CHECK(other.keep(elsewhere).empty());
+    CHECK(xr::readCalibration(file).offset == elsewhere.offset);
+    CHECK(glm::distance(other.tip().orientation * glm::vec3(0, 0, -1), glm::vec3(0, 0, 1)) < 1e-4f);
+    CHECK(calibration.keep(kept).empty());
+    CHECK(glm::distance(xr::readCalibration(file).offset, elsewhere.offset) < 1e-6f); // not measured by this one
 }

@@ -1,5 +1,7 @@
 #include "app/headset/torch/tip_measuring.hpp"
 
+#include "core/base/file_lock.hpp"
+
 #include <glm/geometric.hpp>
 
 #include <array>
@@ -30,10 +32,20 @@ CalibrationFile::CalibrationFile(std::filesystem::path file) : file_(std::move(f
 }
 
 std::string CalibrationFile::keep(const xr::TipCalibration& tip) {
-    tip_ = tip;
+    const xr::TipCalibration before = std::exchange(tip_, tip);
     try {
-        std::filesystem::create_directories(file_.parent_path());
-        xr::writeCalibration(file_, tip_);
+        const FileTurn turn(file_);
+        xr::TipCalibration written = tip;
+        if (std::filesystem::exists(file_)) {
+            const xr::TipCalibration others = xr::readCalibration(file_);
+            if (tip.offset == before.offset && tip.residualMm == before.residualMm) {
+                written.offset = others.offset;
+                written.residualMm = others.residualMm;
+            }
+            if (tip.orientation == before.orientation) written.orientation = others.orientation;
+        }
+        xr::writeCalibration(file_, written);
+        tip_ = written;
     } catch (const std::exception& fault) {
         return fault.what();
     }

@@ -18,7 +18,8 @@ class CalibrationFile {
     explicit CalibrationFile(std::filesystem::path file);
 
     const xr::TipCalibration& tip() const { return tip_; }
-    /// Uses `tip` from now on and writes the file. Answers what failed with the file; empty: nothing.
+    /// Uses `tip` from now on and writes the file; the place or the direction that was not measured anew stays as the
+    /// file has it by now, which another program may have measured. Answers what failed with the file; empty: nothing.
     std::string keep(const xr::TipCalibration& tip);
 
   private:

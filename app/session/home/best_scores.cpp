@@ -3,6 +3,7 @@
 #include "app/program/aside_file.hpp"
 #include "app/session/attempt/speed_trial.hpp"
 #include "core/base/error.hpp"
+#include "core/base/file_lock.hpp"
 #include "core/base/output_file.hpp"
 #include "core/base/text.hpp"
 #include "core/base/toml_table.hpp"
@@ -92,6 +93,30 @@ std::string flag(bool value) {
     return value ? "true" : "false";
 }
 
+std::string tableOf(const std::string& lesson, const BestScore& best, const CueSkill& skill) {
+    return "\n[" + tomlText(lesson) + "]\nscore = " + formatNumber(best.score) + "\naccepted = " + flag(best.accepted) +
+           "\nzoom = " + formatNumber(best.zoom) + "\nfor_score = " + flag(best.forScore) +
+           "\nguided = " + flag(best.guided) + "\nchanged = " + flag(best.changed) +
+           "\nreal_time = " + formatNumber(static_cast<float>(best.realTime)) + "\ncues = " + cueList(best.cues) +
+           "\npractised = " + skillTable(skill) + "\n" +
+           (best.ghost.empty() ? "" : "ghost = " + tomlText(best.ghost) + "\n") +
+           (best.chosen.empty() ? "" : "chosen = " + tomlText(best.chosen) + "\n");
+}
+
+CueSkill skillIn(const std::map<std::string, CueSkill, std::less<>>& skills, std::string_view lesson) {
+    const auto found = skills.find(lesson);
+    return found == skills.end() ? CueSkill() : found->second;
+}
+
+/// The attempts from `before` to `after` on top of `skill`, which counts those of another program too.
+CueSkill practisedOn(CueSkill skill, const CueSkill& before, const CueSkill& after) {
+    for (const CuedQuantity& cued : cuedQuantities()) {
+        const int more = after.good(cued.quantity) - before.good(cued.quantity);
+        skill.setGood(cued.quantity, std::clamp(skill.good(cued.quantity) + more, 0, CueSkill::kMastered));
+    }
+    return skill;
+}
+
 } // namespace
 
 std::optional<BestScore> countedScore(const Judgement& judgement) {
@@ -117,78 +142,99 @@ std::string bestScoreText(const BestScore& best) {
     return text;
 }
 
-BestScores::BestScores(fs::path file) : file_(std::move(file)) {
+BestScores::BestScores(fs::path file) : file_(std::move(file)), content_(load(false)), written_(content_.skills) {}
+
+/// A missing file holds nothing; a faulty one is kept aside and its faults are noted, `again` only where they are new.
+BestScores::Content BestScores::load(bool again) {
     std::error_code unreadable;
-    if (!fs::exists(file_, unreadable)) return;
+    if (!fs::exists(file_, unreadable)) return {};
+    const size_t before = faults_.size();
+    Content content;
     bool whole = false;
     try {
         // Opening a pipe would wait for its writer.
         if (!isPlainFile(file_)) throw InputError(file_, 0, "is no file of best scores; expected a text file");
-        read();
+        content = read();
     } catch (const std::exception& fault) {
         faults_.push_back(printable(fault.what(), kMostBytes) + "; the best scores so far are not shown");
         whole = true;
     }
-    if (faults_.empty()) return;
+    if (faults_.size() == before) return content;
     const AsideFile aside = keepAside(file_, whole);
     writable_ = aside.kept;
+    if (aside.before && again) {
+        faults_.resize(before);
+        return content;
+    }
     faults_.push_back(aside.sentence + (aside.kept ? "" : " Best scores are not kept from now on."));
+    return content;
 }
 
-void BestScores::read() {
+BestScores::Content BestScores::read() {
     const toml::table parsed = parseTomlFile(file_);
     TomlTable root(parsed, file_);
+    Content content;
     for (const std::string& lesson : root.keys()) {
         try {
             TomlTable table = root.table(lesson);
             const BestScore best = readBest(table);
             const CueSkill skill = readSkill(table);
             table.finish();
-            best_.emplace(lesson, best);
-            skills_.emplace(lesson, skill);
+            content.best.emplace(lesson, best);
+            content.skills.emplace(lesson, skill);
         } catch (const InputError& fault) {
             faults_.push_back(printable(fault.what(), kMostBytes));
         }
     }
+    return content;
 }
 
 const BestScore* BestScores::find(std::string_view lesson) const {
-    const auto found = best_.find(lesson);
-    return found == best_.end() ? nullptr : &found->second;
+    const auto found = content_.best.find(lesson);
+    return found == content_.best.end() ? nullptr : &found->second;
 }
 
 bool BestScores::offer(const std::string& lesson, const BestScore& score) {
     if (const BestScore* known = find(lesson); known != nullptr && known->score >= score.score) return false;
-    best_[lesson] = score;
-    if (writable_) save();
-    return true;
+    content_.best[lesson] = score;
+    save();
+    return content_.best[lesson].score <= score.score; // another program may have kept a better one
 }
 
 CueSkill BestScores::skill(std::string_view lesson) const {
-    const auto found = skills_.find(lesson);
-    return found == skills_.end() ? CueSkill() : found->second;
+    return skillIn(content_.skills, lesson);
+}
+
+CueSkill BestScores::beginAttempt(const std::string& lesson) {
+    return attempted_[lesson] = skill(lesson);
 }
 
 void BestScores::practise(const std::string& lesson, const CueSkill& skill) {
-    if (find(lesson) == nullptr || this->skill(lesson) == skill) return;
-    skills_[lesson] = skill;
-    if (writable_) save();
+    if (find(lesson) == nullptr) return;
+    const CueSkill before = this->skill(lesson);
+    const CueSkill after = practisedOn(before, attempted_.try_emplace(lesson, before).first->second, skill);
+    attempted_[lesson] = skill;
+    if (after == before) return;
+    content_.skills[lesson] = after;
+    save();
 }
 
-void BestScores::save() const {
+void BestScores::save() {
+    if (!writable_) return;
+    const FileTurn turn(file_);
+    const Content others = load(true);
+    if (!writable_) return;
+    for (const auto& [lesson, theirs] : others.best)
+        if (const BestScore* own = find(lesson); own == nullptr || theirs.score > own->score)
+            content_.best[lesson] = theirs;
+    for (const auto& [lesson, theirs] : others.skills)
+        content_.skills[lesson] = practisedOn(theirs, skillIn(written_, lesson), skill(lesson));
     std::string text = "# Best scores of the Meltpool trainer; written after an attempt that beats the one before.\n";
-    for (const auto& [lesson, best] : best_)
-        text += "\n[" + tomlText(lesson) + "]\nscore = " + formatNumber(best.score) +
-                "\naccepted = " + flag(best.accepted) + "\nzoom = " + formatNumber(best.zoom) +
-                "\nfor_score = " + flag(best.forScore) + "\nguided = " + flag(best.guided) +
-                "\nchanged = " + flag(best.changed) +
-                "\nreal_time = " + formatNumber(static_cast<float>(best.realTime)) + "\ncues = " + cueList(best.cues) +
-                "\npractised = " + skillTable(skill(lesson)) + "\n" +
-                (best.ghost.empty() ? "" : "ghost = " + tomlText(best.ghost) + "\n") +
-                (best.chosen.empty() ? "" : "chosen = " + tomlText(best.chosen) + "\n");
-    std::error_code failed;
-    fs::create_directories(file_.parent_path(), failed); // writeFile() tells where there is none
+    for (const auto& [lesson, best] : content_.best)
+        text += tableOf(lesson, best, skill(lesson));
+    written_ = others.skills; // counts are on top of these until they are in the file
     writeFile(file_, text);
+    written_ = content_.skills;
 }
 
 } // namespace meltpool

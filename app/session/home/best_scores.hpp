@@ -35,37 +35,52 @@ std::optional<BestScore> countedScore(const Judgement& judgement);
 /// "Best 84, accepted, zoom 4, voltage 22 V".
 std::string bestScoreText(const BestScore& best);
 
+/// Other programs may have the same file, on other machines too: whatever is written is put together with what the file
+/// holds by then, the better score of each lesson, and attempts at a cue counted on from there.
 class BestScores {
   public:
     /// Reads `file`, a TOML table for each lesson; a missing one is no fault. Never throws for its contents: a faulty
     /// file is kept aside as keepAside() does, and faults() tells so. Where that fails no file takes its place.
     explicit BestScores(std::filesystem::path file);
 
-    /// One sentence for each fault in the file, with its line, and where the file is kept.
+    /// One sentence for each fault in the file, with its line, and where the file is kept. Those that another program
+    /// has brought in since are added when the file is written.
     const std::vector<std::string>& faults() const { return faults_; }
 
     /// Null where no attempt at the lesson counts yet.
     const BestScore* find(std::string_view lesson) const;
 
     /// Takes a score that is better than the lesson's best so far, and writes the file. True where it is better. Throws
-    /// what writeFile() throws; the score is then kept until the program ends.
+    /// what FileTurn and writeFile() throw; the score is then kept until the program ends.
     bool offer(const std::string& lesson, const BestScore& score);
 
     /// How far the trainee has come with the lesson, from which its cues fade.
     CueSkill skill(std::string_view lesson) const;
-    /// Keeps that of a lesson that has a best score, and writes the file where it is another than before. Throws what
-    /// writeFile() throws.
+    /// The same for an attempt that begins: what it adds is counted from here.
+    CueSkill beginAttempt(const std::string& lesson);
+    /// Keeps that of a lesson that has a best score, after the attempt as it was judged last, and writes the file where
+    /// it is another than before. Throws as offer().
     void practise(const std::string& lesson, const CueSkill& skill);
 
   private:
-    void read();
-    void save() const;
+    using Skills = std::map<std::string, CueSkill, std::less<>>;
+
+    /// What the file holds.
+    struct Content {
+        std::map<std::string, BestScore, std::less<>> best;
+        Skills skills; ///< of lessons in `best`
+    };
+
+    Content load(bool again);
+    Content read();
+    void save();
 
     std::filesystem::path file_;
     bool writable_ = true; ///< no faulty file stands at its place
     std::vector<std::string> faults_;
-    std::map<std::string, BestScore, std::less<>> best_;
-    std::map<std::string, CueSkill, std::less<>> skills_; ///< of lessons in best_
+    Content content_;
+    Skills written_;   ///< as they were in the file when content_ was last put together with it
+    Skills attempted_; ///< of the attempt under way: as it began, or was judged last
 };
 
 } // namespace meltpool

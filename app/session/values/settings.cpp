@@ -2,12 +2,16 @@
 
 #include "app/program/aside_file.hpp"
 #include "core/base/error.hpp"
+#include "core/base/file_lock.hpp"
 #include "core/base/output_file.hpp"
 #include "core/base/text.hpp"
 #include "core/base/toml_table.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <system_error>
+#include <utility>
+#include <variant>
 
 namespace meltpool {
 
@@ -85,9 +89,8 @@ std::string tomlValue(const Parameter& p) {
     return parameterText(p);
 }
 
-} // namespace
-
-std::vector<std::string> loadSettings(const fs::path& file, const std::vector<SettingsSection>& sections) {
+/// `again`: faults that were told before are not told again.
+std::vector<std::string> readSettings(const fs::path& file, const std::vector<SettingsSection>& sections, bool again) {
     std::vector<std::string> faults;
     std::error_code unreadable;
     if (!fs::exists(file, unreadable)) return faults;
@@ -100,8 +103,50 @@ std::vector<std::string> loadSettings(const fs::path& file, const std::vector<Se
         faults.push_back(fault.what() + std::string("; the settings file is not used, the defaults are"));
         broken = true;
     }
-    if (!faults.empty()) faults.push_back(keepAside(file, broken).sentence);
+    if (faults.empty()) return faults;
+    AsideFile aside = keepAside(file, broken);
+    if (again && aside.before) return {};
+    faults.push_back(std::move(aside.sentence));
     return faults;
+}
+
+/// Sections of the same values, in a place of their own.
+class SettingsCopy {
+  public:
+    explicit SettingsCopy(const std::vector<SettingsSection>& sections) : sections_(sections) {
+        for (SettingsSection& section : sections_)
+            for (Parameter& p : section.parameters)
+                std::visit([&](auto* value) { p.value = copied(*value); }, p.value);
+    }
+    SettingsCopy(const SettingsCopy&) = delete;
+    SettingsCopy& operator=(const SettingsCopy&) = delete;
+
+    const std::vector<SettingsSection>& sections() const { return sections_; }
+
+  private:
+    using Value = std::variant<float, int, bool, glm::vec3, std::string>;
+
+    template <class T>
+    T* copied(const T& value) {
+        return &std::get<T>(values_.emplace_back(std::in_place_type<T>, value));
+    }
+
+    std::vector<SettingsSection> sections_;
+    std::deque<Value> values_; ///< stay where they are
+};
+
+} // namespace
+
+SettingsValues valuesOf(const std::vector<SettingsSection>& sections) {
+    SettingsValues values;
+    for (const SettingsSection& section : sections)
+        for (const Parameter& p : section.parameters)
+            values.emplace(std::pair(section.name, std::string(p.key)), parameterText(p));
+    return values;
+}
+
+std::vector<std::string> loadSettings(const fs::path& file, const std::vector<SettingsSection>& sections) {
+    return readSettings(file, sections, false);
 }
 
 std::string settingsText(const std::vector<SettingsSection>& sections) {
@@ -115,7 +160,7 @@ std::string settingsText(const std::vector<SettingsSection>& sections) {
     return text;
 }
 
-void requireSavableSettings(const fs::path& file) {
+std::string requireSavableSettings(const fs::path& file) {
     std::error_code failed;
     fs::create_directories(file.parent_path(), failed);
     if (failed)
@@ -123,11 +168,24 @@ void requireSavableSettings(const fs::path& file) {
                          "the settings folder cannot be made: " + failed.message() +
                              "; expected a place where a folder may be made");
     requireWritable(file);
+    return FileTurn(file).warning();
 }
 
-void saveSettings(const fs::path& file, const std::vector<SettingsSection>& sections) {
+std::vector<std::string> saveSettings(const fs::path& file, const std::vector<SettingsSection>& sections,
+                                      const SettingsValues& before) {
     requireSavableSettings(file);
-    writeTextFileAtomically(file, settingsText(sections));
+    const FileTurn turn(file);
+    const SettingsCopy written(sections);
+    std::vector<std::string> faults = readSettings(file, written.sections(), true);
+    for (size_t i = 0; i < sections.size(); ++i)
+        for (const Parameter& p : sections[i].parameters) {
+            const auto known = before.find({sections[i].name, std::string(p.key)});
+            const std::string value = parameterText(p);
+            if (known == before.end() || known->second != value)
+                setParameter(written.sections()[i].parameters, p.key, value, file.string());
+        }
+    writeTextFileAtomically(file, settingsText(written.sections()));
+    return faults;
 }
 
 } // namespace meltpool

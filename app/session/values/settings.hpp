@@ -4,7 +4,9 @@
 #include "core/base/parameter.hpp"
 
 #include <filesystem>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace meltpool {
@@ -20,13 +22,21 @@ struct SettingsSection {
 /// values out of range is copied to that name and its valid values are used. Never throws for the contents of the file.
 std::vector<std::string> loadSettings(const std::filesystem::path& file, const std::vector<SettingsSection>& sections);
 
+/// The values of sections as text, by section and key.
+using SettingsValues = std::map<std::pair<std::string, std::string>, std::string>;
+SettingsValues valuesOf(const std::vector<SettingsSection>& sections);
+
 /// The file's text, every value with its label, unit and range as a comment.
 std::string settingsText(const std::vector<SettingsSection>& sections);
 
-/// Throws InputError or RuntimeFault where saveSettings() would; makes the folder.
-void requireSavableSettings(const std::filesystem::path& file);
+/// Throws InputError or RuntimeFault where saveSettings() would; makes the folder. Answers a sentence for the person
+/// where the folder has no locks, so that two programs that save at the same moment may lose values; else nothing.
+std::string requireSavableSettings(const std::filesystem::path& file);
 
-/// Writes the file atomically, making its folder. Throws InputError or RuntimeFault when that fails.
-void saveSettings(const std::filesystem::path& file, const std::vector<SettingsSection>& sections);
+/// Writes the file atomically, making its folder. Values that are as in `before`, which they were at the start, stay as
+/// the file has them by now: another program that runs beside this one may have changed them. Answers as loadSettings()
+/// for faults that have come into the file since. Throws InputError or RuntimeFault when writing fails.
+std::vector<std::string> saveSettings(const std::filesystem::path& file, const std::vector<SettingsSection>& sections,
+                                      const SettingsValues& before = {});
 
 } // namespace meltpool

@@ -116,6 +116,44 @@ TEST_CASE("the cues of a best score, and how far they have faded, stay from one 
     CHECK_THAT(told, test::containsText("best-scores.toml:6: "));
 }
 
+TEST_CASE("two programs with the same file keep each other's scores, and the better one of a lesson") {
+    const fs::path file = test::scratchFolder("best-scores-two") / "best-scores.toml";
+    BestScores first(file), second(file); // both have read an empty one
+    CHECK(first.offer("gmaw-bead", {60}));
+    CHECK(first.offer("tee-fillet", {90, true}));
+    CHECK_FALSE(second.offer("tee-fillet", {70})); // the better one is in the file by now
+    CHECK(second.offer("lap-fillet", {50}));
+    CHECK(first.offer("gmaw-bead", {65}));
+    const BestScores after(file);
+    REQUIRE(after.find("lap-fillet") != nullptr);
+    CHECK(after.find("gmaw-bead")->score == 65);
+    CHECK(after.find("tee-fillet")->score == 90);
+    CHECK(after.find("tee-fillet")->accepted);
+    CHECK(second.find("tee-fillet")->score == 90);
+    CHECK(joined(first.faults()) + joined(second.faults()) == "");
+}
+
+TEST_CASE("good attempts at a cue in two programs are counted together, each judged attempt once") {
+    const fs::path file = test::scratchFolder("best-scores-two-cues") / "best-scores.toml";
+    const auto aims = [](int good) {
+        CueSkill skill;
+        skill.setGood(TechniqueQuantity::aim, good);
+        return skill;
+    };
+    BestScores(file).offer("gmaw-bead", {60});
+    BestScores first(file), second(file);
+    CHECK(first.beginAttempt("gmaw-bead") == CueSkill());
+    CHECK(second.beginAttempt("gmaw-bead") == CueSkill());
+    first.practise("gmaw-bead", aims(1));
+    second.practise("gmaw-bead", aims(1));
+    second.practise("gmaw-bead", aims(1)); // judged again
+    CHECK(second.skill("gmaw-bead") == aims(2));
+    CHECK(BestScores(file).skill("gmaw-bead") == aims(2));
+    second.practise("gmaw-bead", aims(0)); // and again, as a poor one
+    CHECK(BestScores(file).skill("gmaw-bead") == aims(1));
+    CHECK(first.beginAttempt("gmaw-bead") == aims(1));
+}
+
 TEST_CASE("a fault in one lesson's best score is told with its line; the others are taken and the file is kept") {
     const fs::path file = test::scratchFolder("best-scores-fault") / "best-scores.toml";
     const std::string text = "[a]\nscore = 50\n[b]\nscore = 101\n[c]\nscore = 1\nskill = 3\n";
@@ -129,6 +167,8 @@ TEST_CASE("a fault in one lesson's best score is told with its line; the others 
     CHECK(scores.find("b") == nullptr);
     CHECK(scores.offer("b", {20}));
     CHECK(readTextFile(file.parent_path() / "best-scores.broken-1.toml") == text);
+    CHECK_FALSE(fs::exists(file.parent_path() / "best-scores.broken-2.toml")); // the same fault is kept and told once
+    CHECK(scores.faults().size() == 3);
     CHECK(BestScores(file).faults().empty());
 }
 

@@ -80,6 +80,46 @@ TEST_CASE("no settings file is no fault") {
 TEST_CASE("each fault is told with its line, good values beside it are taken, the file is kept aside") {
     const fs::path file = fileWith("settings-faults", "[first]\nspeed = 50\ncount = 9\nspede = 1\n\n[second]\nkind = "
                                                       "\"shuffled\"\nopen = 3\npull = [1, 2]\n[third]\nx = 1\n");
+TEST_CASE("two programs with the same settings file keep each other's changes") {
+    const fs::path file = test::scratchFolder("settings-two") / "settings.toml";
+    Values first, second;
+    const SettingsValues before = valuesOf(first.sections());
+    first.speed = 0.5f;
+    first.kind = 1;
+    CHECK(saveSettings(file, first.sections(), before).empty());
+    second.pull = {1, 2, 3};
+    second.kind = 1;
+    second.name = "loud";
+    CHECK(saveSettings(file, second.sections(), before).empty());
+    first.count = 9;
+    CHECK(saveSettings(file, first.sections(), before).empty());
+    Values read;
+    CHECK(loadSettings(file, read.sections()).empty());
+    CHECK(read.speed == 0.5f);
+    CHECK(read.count == 9);
+    CHECK(read.kind == 1);
+    CHECK(read.pull == glm::vec3(1, 2, 3));
+    CHECK(read.name == "loud");
+    CHECK(first.name == "quiet \"one\""); // what runs is not touched
+}
+
+TEST_CASE("a fault that another program leaves in the settings is told when they are saved, and the file kept aside") {
+    const fs::path file = fileWith("settings-late", "[first]\nspede = 1\n");
+    Values values;
+    CHECK(loadSettings(file, values.sections()).size() == 2);
+    const SettingsValues before = valuesOf(values.sections());
+    CHECK(saveSettings(file, values.sections(), before).empty()); // told at the start, and kept
+    CHECK_FALSE(fs::exists(file.parent_path() / "settings.broken-2.toml"));
+    writeTextFileAtomically(file, "[first]\ncount = 8\nvolume = 1\n");
+    const auto faults = saveSettings(file, values.sections(), before);
+    REQUIRE(faults.size() == 2);
+    CHECK_THAT(faults[0], test::containsText(":3: unknown key 'volume'"));
+    CHECK_THAT(faults[1], test::containsText("settings.broken-2.toml"));
+    Values read;
+    CHECK(loadSettings(file, read.sections()).empty());
+    CHECK(read.count == 8);
+}
+
     Values values;
     const auto faults = loadSettings(file, values.sections());
     std::string all;
@@ -167,7 +207,7 @@ TEST_CASE("the default lesson's values are kept while others are opened, theirs 
     bead.look.exposure = 3;
     settings.takeFrom(classic, ofClassic);
     settings.takeFrom(bead, ofBead);
-    settings.save({});
+    CHECK(settings.save({}).empty());
     DesktopSettings again(file);
     CHECK(again.load({}).empty());
     Lesson then = loadLesson(std::string(kDefaultLesson));
