@@ -71,16 +71,20 @@ std::string hashOfRepeat(const fs::path& file) {
     return formatHexadecimal(trainer.result().stateHash);
 }
 
-/// A recording of `bytes` bytes about, of the day.
-fs::path keptFile(const fs::path& folder, int day, size_t bytes) {
-    const std::string date = "2026-01-0" + std::to_string(day) + "T10:00:00+0000";
-    const fs::path file = recordingName(folder, date, "classic", day);
+/// A recording of `bytes` bytes about, with these dates in its head, the local one in its name too.
+fs::path keptAt(const fs::path& folder, const std::string& date, const std::string& utc, int attempt, size_t bytes) {
+    const fs::path file = recordingName(folder, date, "classic", attempt);
     RecordingHead head = recordedHead("classic");
     head.date = date;
+    head.utc = utc;
     RecordingBytes recording;
     recording.head(head).add(frameKind("FILL"), std::string(bytes, 'x')).step(recordedStep(1)).end(recordedEnd(1));
     std::ofstream(file, std::ios::binary) << recording.bytes();
     return file;
+}
+
+fs::path keptFile(const fs::path& folder, int day, size_t bytes) {
+    return keptAt(folder, "2026-01-0" + std::to_string(day) + "T10:00:00+0000", "", day, bytes);
 }
 
 } // namespace
@@ -235,6 +239,56 @@ TEST_CASE("recordings keep within their limit: the oldest are removed and named,
     CHECK(keptRecordings(folder / "nowhere").empty());
     CHECK(bestKept(folder, kept[0].lesson) == files[3]); // the newest of equal ones
     CHECK(bestKept(folder, "no-such-lesson").empty());
+}
+
+TEST_CASE("the order of attempts is that of their moments, whatever clock on the wall has named them", "[app]") {
+    const fs::path folder = scratchFolder("recordings-order");
+    const auto keep = [&](const std::string& date, const std::string& utc) {
+        return keptAt(folder, date, utc, 1, 100'000);
+    };
+    // Home from the east, then the end of summer time; the first two are old recordings, without UTC.
+    const std::vector<fs::path> files{
+        keep("2026-10-24T22:00:00+0900", ""),
+        keep("2026-10-25T02:30:00+0200", ""),
+        keep("2026-10-25T02:10:00+0100", "2026-10-25T01:10:00.000Z"),
+        keep("2026-10-24T18:10:05-0700", "2026-10-25T01:10:05.250Z"),
+        keep("2027-06-01T10:00:00+0000", "2026-10-25T01:10:05.750Z"),
+    };
+    std::vector<fs::path> newestFirst;
+    for (const KeptAttempt& kept : keptRecordings(folder))
+        newestFirst.push_back(kept.file);
+    CHECK(newestFirst == std::vector<fs::path>(files.rbegin(), files.rend()));
+    // An old one whose date has no zone counts by when its file was written: just now.
+    const fs::path undated = keep("2020-01-01T10:00:00", "");
+    CHECK(keptRecordings(folder).front().file == undated);
+    CHECK_THAT(nearLimit(folder, 600'000), containsText("first 2026-10-24_22-00-00_classic_1."));
+    CHECK_THAT(keepWithinLimit(folder, 350'000), containsText("3 oldest, 2026-10-24_22-00-00_classic_1 to 2026-10-25_0"
+                                                              "2-10-00_classic_1"));
+    CHECK(fs::exists(files[3]));
+    CHECK(fs::exists(files[4]));
+    CHECK(fs::exists(undated));
+}
+
+TEST_CASE("an attempt of this run of the program is never removed, whatever other recordings are called", "[app]") {
+    const fs::path folder = scratchFolder("recordings-own");
+    Welder welder(folder);
+    welder.session.begin(welder.controls);
+    welder.weld(2);
+    const fs::path made = welder.session.recordings().file();
+    // From a machine whose clock is ahead: later names, and later moments.
+    for (const char* date : {"2099-01-01T10:00:00+0000", "2099-01-02T10:00:00+0000"})
+        keptAt(folder, date, "", 1, 30'000'000);
+    welder.session.recordings().parameters.limitMb = 50;
+    welder.session.begin(welder.controls);
+    welder.weld(1);
+    CHECK(fs::exists(made));
+    CHECK(fs::exists(welder.session.recordings().file()));
+    CHECK(welder.warned("the oldest, 2099-01-01_10-00-00_classic_1, was removed"));
+    const std::vector<fs::path> own{made};
+    CHECK(keepWithinLimit(folder, 1, own).find("oldest") != std::string::npos);
+    CHECK(fs::exists(made));
+    CHECK(keepWithinLimit(folder, 1, own).empty());
+    CHECK_THAT(nearLimit(folder, 1, own), containsText("All are of this session"));
 }
 
 TEST_CASE("a start near the limit is told before anything is removed, and a removal when it happens", "[app]") {

@@ -14,9 +14,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Beside what is shown: seconds too, so that attempts of one minute keep their order.
+/// The local date that is shown keeps no order: zones and summer time change it.
 struct Dated {
-    std::string date;
+    Moment began;
     KeptAttempt attempt;
 };
 
@@ -27,7 +27,7 @@ std::string whenText(std::string date) {
 }
 
 Dated readKept(const fs::path& file) {
-    RecordingSummary summary = readRecordingSummary(file);
+    const RecordingSummary summary = readRecordingSummary(file);
     KeptAttempt kept;
     kept.file = file;
     kept.lesson = summary.head.lesson;
@@ -41,7 +41,7 @@ Dated readKept(const fs::path& file) {
         kept.verdict = summary.end->verdict;
         kept.ended = summary.end->reason;
     }
-    return {std::move(summary.head.date), std::move(kept)};
+    return {beginOf(summary.head, file), std::move(kept)};
 }
 
 } // namespace
@@ -62,7 +62,7 @@ std::vector<KeptAttempt> keptRecordings(const fs::path& folder, std::vector<std:
         }
     }
     std::sort(dated.begin(), dated.end(), [](const Dated& a, const Dated& b) {
-        return std::pair(a.date, a.attempt.file) > std::pair(b.date, b.attempt.file);
+        return std::pair(a.began, a.attempt.file) > std::pair(b.began, b.attempt.file);
     });
     std::vector<KeptAttempt> kept;
     kept.reserve(dated.size());

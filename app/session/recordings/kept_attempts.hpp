@@ -26,8 +26,9 @@ struct KeptAttempt {
     std::uint64_t bytes = 0;  ///< of the file
 };
 
-/// Those of a folder, the newest first. Reads heads and ends only. Where `faults` is given, it gets a sentence for each
-/// file that is called a recording and is none. A folder that is not there holds none.
+/// Those of a folder, the newest first, by the moment when they began. Reads heads and ends only. Where `faults` is
+/// given, it gets a sentence for each file that is called a recording and is none. A folder that is not there holds
+/// none.
 std::vector<KeptAttempt> keptRecordings(const std::filesystem::path& folder,
                                         std::vector<std::string>* faults = nullptr);
 

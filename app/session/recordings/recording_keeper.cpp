@@ -1,13 +1,14 @@
 #include "app/session/recordings/recording_keeper.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/moment.hpp"
 #include "core/base/resources.hpp"
 #include "core/base/system/files.hpp"
 #include "core/training/recording/recording_reader.hpp"
 
 #include <glm/matrix.hpp>
 
-#include <ctime>
+#include <chrono>
 #include <utility>
 
 namespace meltpool {
@@ -54,21 +55,24 @@ void RecordingKeeper::open(Trainer& trainer, int attempt) {
     head.lessonFile = fileOutsideCatalogue(trainer.lesson());
     head.lessonHash = fileHash(trainer.lesson().file);
     head.attempt = attempt;
-    head.date = isoDate(std::time(nullptr));
+    const Moment now = momentNow();
+    head.date = isoDate(std::chrono::system_clock::to_time_t(now));
+    head.utc = utcText(now);
     head.program = program_;
     head.driver = driver_;
     const fs::path file = recordingName(folder_, head.date, head.lesson, attempt);
     current_ = std::make_shared<RecordingWriter>(file, head);
     newest_ = file;
+    made_.push_back(file);
     told_ = false;
     trainer.recordInto(current_);
 }
 
 void RecordingKeeper::makeRoom() {
     const std::uint64_t limit = static_cast<std::uint64_t>(parameters.limitMb) * 1'000'000;
-    notice_ = keepWithinLimit(folder_, limit);
+    notice_ = keepWithinLimit(folder_, limit, made_);
     if (!notice_.empty() || nearLimitTold_) return;
-    notice_ = nearLimit(folder_, limit);
+    notice_ = nearLimit(folder_, limit, made_);
     nearLimitTold_ = !notice_.empty();
 }
 

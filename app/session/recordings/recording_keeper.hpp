@@ -69,6 +69,7 @@ class RecordingKeeper {
     std::filesystem::path folder_;
     std::string program_, driver_;
     std::filesystem::path newest_;
+    std::vector<std::filesystem::path> made_; ///< in this run of the program: the limit never removes these
     std::shared_ptr<RecordingWriter> current_;
     std::vector<Closing> closing_;
     bool told_ = false; ///< the fault of current_

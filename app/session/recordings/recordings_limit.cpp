@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <tuple>
 #include <vector>
 
 namespace meltpool {
@@ -19,6 +20,7 @@ constexpr std::string_view kDate = "0000-00-00_00-00-00_";
 struct File {
     fs::path path;
     std::uint64_t bytes = 0;
+    Moment began = {}; ///< set by removable()
 };
 
 bool isDigit(char c) {
@@ -34,7 +36,6 @@ bool isOwnName(const fs::path& file) {
     return true;
 }
 
-/// The oldest first.
 std::vector<File> ownFiles(const fs::path& folder) {
     std::vector<File> files;
     std::error_code failure;
@@ -43,7 +44,17 @@ std::vector<File> ownFiles(const fs::path& folder) {
         const std::uint64_t bytes = fs::file_size(entry.path(), failure);
         if (!failure) files.push_back({entry.path(), bytes});
     }
-    std::sort(files.begin(), files.end(), [](const File& a, const File& b) { return a.path < b.path; });
+    return files;
+}
+
+/// Those that may be removed, the oldest first. Reads the head of each.
+std::vector<File> removable(std::vector<File> files, std::span<const fs::path> spared) {
+    std::erase_if(files,
+                  [&](const File& file) { return std::find(spared.begin(), spared.end(), file.path) != spared.end(); });
+    for (File& file : files)
+        file.began = beginOf(file.path);
+    std::sort(files.begin(), files.end(),
+              [](const File& a, const File& b) { return std::tie(a.began, a.path) < std::tie(b.began, b.path); });
     return files;
 }
 
@@ -92,15 +103,18 @@ std::uint64_t recordedBytes(const fs::path& folder) {
     return sum(ownFiles(folder));
 }
 
-std::string keepWithinLimit(const fs::path& folder, std::uint64_t limit) {
-    const std::vector<File> files = ownFiles(folder);
-    std::uint64_t bytes = sum(files);
+std::string keepWithinLimit(const fs::path& folder, std::uint64_t limit, std::span<const fs::path> spared) {
+    const std::vector<File> all = ownFiles(folder);
+    std::uint64_t bytes = sum(all);
+    if (bytes <= limit) return {};
+    const std::vector<File> files = removable(all, spared);
     std::vector<const File*> removed;
     for (size_t i = 0; i < files.size() && bytes > limit; ++i) {
         std::error_code failure;
-        if (!fs::remove(files[i].path, failure)) continue;
+        const bool ours = fs::remove(files[i].path, failure);
+        if (failure) continue;
         bytes -= files[i].bytes;
-        removed.push_back(&files[i]);
+        if (ours) removed.push_back(&files[i]); // else another program has removed it
     }
     if (removed.empty()) return {};
     std::ofstream list(folder / kRemovedList, std::ios::app);
@@ -112,12 +126,14 @@ std::string keepWithinLimit(const fs::path& folder, std::uint64_t limit) {
            stem(*removed.back()) + ", were removed.";
 }
 
-std::string nearLimit(const fs::path& folder, std::uint64_t limit) {
-    const std::vector<File> files = ownFiles(folder);
-    const std::uint64_t bytes = sum(files);
-    if (files.empty() || static_cast<double>(bytes) < kNear * static_cast<double>(limit)) return {};
-    return "The recordings take " + megabytes(bytes) + " of " + megabytes(limit) +
-           " MB. Beyond that the oldest are removed, first " + stem(files.front()) + ".";
+std::string nearLimit(const fs::path& folder, std::uint64_t limit, std::span<const fs::path> spared) {
+    const std::vector<File> all = ownFiles(folder);
+    const std::uint64_t bytes = sum(all);
+    if (all.empty() || static_cast<double>(bytes) < kNear * static_cast<double>(limit)) return {};
+    const std::string sentence = "The recordings take " + megabytes(bytes) + " of " + megabytes(limit) + " MB. ";
+    const std::vector<File> files = removable(all, spared);
+    if (files.empty()) return sentence + "All are of this session, so that none is removed before it ends.";
+    return sentence + "Beyond that the oldest are removed, first " + stem(files.front()) + ".";
 }
 
 } // namespace meltpool

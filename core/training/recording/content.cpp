@@ -125,6 +125,7 @@ std::string headContent(const RecordingHead& head) {
     if (!head.lessonHash.empty()) appendRecordLine(text, "", "lesson_hash", head.lessonHash, {});
     appendRecordLine(text, "", "attempt", std::to_string(head.attempt), {});
     appendRecordLine(text, "", "date", head.date, {});
+    if (!head.utc.empty()) appendRecordLine(text, "", "utc", head.utc, {});
     appendRecordLine(text, "", "program", head.program, {});
     appendRecordLine(text, "", "driver", head.driver, {});
     appendRecordLine(text, "", "arc", head.arc ? "yes" : "no", {});
@@ -148,6 +149,7 @@ RecordingHead readHead(std::string_view content) {
             head.attempt = static_cast<int>(
                 std::min<std::uint64_t>(wholeNumber(rest, "the attempt is no number; expected one from 1"), 1'000'000));
         if (word == "date") head.date = rest;
+        if (word == "utc") head.utc = rest;
         if (word == "program") head.program = rest;
         if (word == "driver") head.driver = rest;
         if (word == "arc") head.arc = rest == "yes";

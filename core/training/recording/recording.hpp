@@ -24,7 +24,8 @@ struct RecordingHead {
     std::string lessonFile;                                  ///< of a lesson outside of the catalogue; else empty
     std::string lessonHash;                                  ///< fileHash() of the lesson's file
     int attempt = 1;                                         ///< counted from the program's start
-    std::string date;                                        ///< when it began: "2026-11-23T08:10:43Z"
+    std::string date;                                        ///< when it began: "2026-11-23T08:10:43+0100", local
+    std::string utc;                                         ///< the same, see utcText(); empty in old recordings
     std::string program;                                     ///< version and commit
     std::string driver;                                      ///< of the graphics: another may round otherwise
     std::vector<std::pair<std::string, std::string>> values; ///< of the metal and the process, at the start

@@ -235,6 +235,14 @@ void walk(std::ifstream& stream, RecordingSummary& summary) {
     summary.seconds = std::isfinite(last) && last >= 0 && last <= 86400 ? last : 0;
 }
 
+RecordingHead headOf(const fs::path& file) {
+    FrameReader frames(file);
+    RecordingFrame first;
+    if (!frames.next(first) || !first.is(FrameKind::head))
+        throw InputError(file, 0, "has no whole head; expected a recording");
+    return readHead(first.content);
+}
+
 } // namespace
 
 std::string durationText(double seconds) {
@@ -294,12 +302,8 @@ std::vector<std::byte> readCheckpoint(const fs::path& file, const RecordingCheck
 }
 
 RecordingSummary readRecordingSummary(const fs::path& file) {
-    FrameReader frames(file);
-    RecordingFrame first;
-    if (!frames.next(first) || !first.is(FrameKind::head))
-        throw InputError(file, 0, "has no whole head; expected a recording");
     RecordingSummary summary;
-    summary.head = readHead(first.content);
+    summary.head = headOf(file);
     std::error_code unreadable;
     summary.bytes = fs::file_size(file, unreadable);
     std::ifstream stream(file, std::ios::binary);
@@ -311,6 +315,20 @@ RecordingSummary readRecordingSummary(const fs::path& file) {
     summary.seconds = summary.end->seconds;
     summary.redone = summary.end->redone;
     return summary;
+}
+
+Moment beginOf(const RecordingHead& head, const fs::path& file) {
+    if (const auto moment = parseMoment(head.utc)) return *moment;
+    if (const auto moment = parseMoment(head.date)) return *moment;
+    return writtenAt(file).value_or(momentNow());
+}
+
+Moment beginOf(const fs::path& file) {
+    try {
+        return beginOf(headOf(file), file);
+    } catch (const InputError&) {
+        return beginOf(RecordingHead{}, file);
+    }
 }
 
 std::string fileHash(const fs::path& file) {

@@ -1,6 +1,7 @@
 // Reads recordings: all of one, or what a list of many shows.
 #pragma once
 
+#include "core/base/moment.hpp"
 #include "core/training/recording/recording.hpp"
 #include "core/weld/torch/torch_path.hpp"
 
@@ -40,6 +41,14 @@ struct RecordingSummary {
 /// Reads head and end; only where there is no end, as of an attempt that runs or was killed, the file is walked
 /// through. Nothing is checked by hash but the head. Throws as readRecording() does, and where the head is not whole.
 RecordingSummary readRecordingSummary(const std::filesystem::path& file);
+
+/// When the attempt began, by which attempts are put in order: as the head says, in UTC; an older head by its local
+/// date and that one's distance from UTC; else when `file` was last written, and at the latest now.
+Moment beginOf(const RecordingHead& head, const std::filesystem::path& file);
+
+/// The same of a file whose head is read for it; one without a whole head counts by when it was written. Never throws
+/// for the contents of the file.
+Moment beginOf(const std::filesystem::path& file);
 
 /// Hash of a file's bytes as 16 hexadecimal digits; empty where it cannot be read.
 std::string fileHash(const std::filesystem::path& file);
