@@ -146,6 +146,7 @@ std::string scorePart(const RunResults& results) {
     const auto welded = numberIn(score, "welded_mm"), wanted = numberIn(score, "wanted_mm");
     if (welded && wanted) html += "<br>" + measure(welded, "mm") + " of<br>" + measure(wanted, "mm") + " welded";
     html += "</div>\n<div>\n";
+    if (const std::string unknown = textIn(score, "unknown"); !unknown.empty()) html += "<p>" + unknown + "</p>\n";
     const json& corrections = partIn(score, "corrections");
     if (corrections.is_array() && !corrections.empty()) {
         html += "<h2>What to correct first</h2>\n<ol>\n";

@@ -87,7 +87,7 @@ class Events {
     void happen(size_t steps, Technique& technique) {
         for (; next_ < events_.size() && events_[next_].steps <= steps; ++next_) {
             if (events_[next_].name == "torch") tracked_ = events_[next_].value != "lost";
-            if (events_[next_].name == "samples") technique.noteDropped();
+            if (events_[next_].name == "samples") technique.noteDropped(droppedSeconds(events_[next_].value));
         }
     }
     bool tracked() const { return tracked_; }

@@ -118,7 +118,8 @@ void LessonSession::makeSteps(gl::Profiler* profiler) {
 
 /// A step whose torch is in a hand.
 void LessonSession::makeStep(int step, int due, gl::Profiler* profiler) {
-    if (step == 0 && clock_.dropped() && trainer_->arc().burns()) event("samples", "dropped");
+    if (step == 0 && clock_.dropped() && trainer_->arc().burns())
+        event("samples", droppedText(due * trainer_->timeStep()));
     trainer_->setRealTime(clock_.speed());
     TorchSample torch = nextTorch(*steps_.controls, steps_.held, step, due);
     // The other hand may be in sight without a rod in it.

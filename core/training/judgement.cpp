@@ -40,7 +40,7 @@ Judgement judgeAttempt(const Technique& technique, std::optional<WeldMeasures> w
     made.distance = technique.settings().distance;
     made.seam = alongSeam(technique);
     if (rules.technique) {
-        made.score = scoreTechnique(technique.faults(), made.seam, *rules.technique);
+        made.score = scoreTechnique(technique.faults(), made.seam, unknownPlaces(technique), *rules.technique);
         made.corrections = corrections(*made.score, *rules.technique);
     }
     made.weld = std::move(weld);

@@ -76,7 +76,7 @@ void Trainer::change(std::string_view key, std::string_view value, std::string_v
 
 void Trainer::event(std::string_view name, std::string_view value) {
     if (name == "torch") tracked_ = value != "lost";
-    if (name == "samples" && technique_) technique_->noteDropped();
+    if (name == "samples" && technique_) technique_->noteDropped(droppedSeconds(value));
     if (record_) record_->event(name, value);
     if (recording_) recording_->event(steps_, name, value);
 }

@@ -141,7 +141,9 @@ TEST_CASE("an attempt in which the hand went unseen for a long frame under the a
     REQUIRE(welder.session.judged());
     REQUIRE(welder.session.judged()->judgement.score);
     CHECK(welder.session.judged()->judgement.score->scored == !stalls);
+    CHECK((welder.session.judged()->judgement.score->unknownMm > 0) == stalls);
     if (stalls)
         CHECK_THAT(welder.session.judged()->judgement.score->reason,
-                   test::containsText("1 sample of the torch was missing"));
+                   test::containsText("1 sample of the torch was missing") &&
+                       test::containsText(" of 20 mm of the seam. From 5 % on"));
 }

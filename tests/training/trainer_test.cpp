@@ -236,6 +236,7 @@ TEST_CASE("a replay of an attempt that lost its torch or samples is not scored, 
     const TechniqueFaults& faults = trainer.technique()->faults();
     CHECK(faults.lostSeconds == (tracking ? Approx(9 * trainer.timeStep()) : Approx(0)));
     CHECK(faults.dropped == (tracking ? 0 : 1));
+    CHECK_FALSE(unknownPlaces(*trainer.technique()).empty());
 
     Lesson again = smallBead();
     again.torch = TorchPath::read(file);
@@ -251,6 +252,7 @@ TEST_CASE("a replay of an attempt that lost its torch or samples is not scored, 
     replay.stopRecord();
     CHECK(replay.technique()->faults().lostSeconds == Approx(faults.lostSeconds));
     CHECK(replay.technique()->faults().dropped == faults.dropped);
+    CHECK(unknownPlaces(*replay.technique()) == unknownPlaces(*trainer.technique()));
     const Judgement first = trainer.judge(), second = replay.judge();
     REQUIRE((first.score && second.score));
     CHECK_FALSE(first.score->scored);

@@ -91,6 +91,7 @@ void addTechnique(JudgementRows& rows, const Judgement& judgement, const Techniq
     }
     rows.score = "Score " + rounded(score.total, 0) + " of 100";
     rows.scoreNote = rounded(score.weldedMm, 0) + " of " + rounded(score.wantedMm, 0) + " mm of the seam are welded.";
+    if (score.unknownMm > 0) rows.scoreNote += " " + unknownSentence(score);
     for (const ParameterScore& parameter : score.parameters)
         rows.technique.rows.push_back(
             techniqueRow(parameter, bands == nullptr ? nullptr : bands->find(parameter.quantity), judgement.distance));

@@ -16,8 +16,11 @@ void measure(Technique& technique, const Recording& recording) {
     size_t next = 0;
     bool tracked = true;
     for (size_t made = 0; made < recording.steps.size(); ++made) {
-        for (; next < recording.events.size() && recording.events[next].steps <= made; ++next)
-            if (recording.events[next].name == "torch") tracked = recording.events[next].value != "lost";
+        for (; next < recording.events.size() && recording.events[next].steps <= made; ++next) {
+            const RecordingNote& event = recording.events[next];
+            if (event.name == "torch") tracked = event.value != "lost";
+            if (event.name == "samples") technique.noteDropped(droppedSeconds(event.value));
+        }
         technique.add(recording.steps[made].torch, recording.steps[made].arc, tracked);
     }
 }

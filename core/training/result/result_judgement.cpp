@@ -53,6 +53,8 @@ Json scoreOf(const Judgement& judgement, const TechniqueBands* bands) {
     json["wanted_mm"] = jsonNumber(score.wantedMm);
     json["welded_mm"] = jsonNumber(score.weldedMm);
     json["judged_mm"] = jsonNumber(score.judgedMm);
+    json["unknown_mm"] = jsonNumber(score.unknownMm);
+    if (score.unknownMm > 0) json["unknown"] = unknownSentence(score);
     json["lost_to_length_points"] = jsonNumber(score.lostToLength);
     json["corrections"] = Json::array();
     for (const Correction& each : judgement.corrections)

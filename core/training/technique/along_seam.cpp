@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <set>
 
 namespace meltpool {
 
@@ -132,7 +134,41 @@ void appendCell(std::string& text, double value) {
     if (!std::isnan(value)) appendNumber(text, static_cast<float>(value));
 }
 
+/// Numbers of millimetres from `low` to `high` (m) that are on the seam or near it.
+void addMillimetres(std::set<double>& found, const Seam& seam, double low, double high) {
+    const double length = seam.length() * kMm;
+    const double first =
+        seam.closed() ? std::floor(low * kMm) : std::max(std::floor(low * kMm), seam.begin() * kMm - kBeyondMm);
+    const double last =
+        seam.closed() ? std::min(high * kMm, first + length) : std::min(high * kMm, seam.end() * kMm + kBeyondMm);
+    for (double mm = std::floor(first); mm <= last; ++mm)
+        found.insert(seam.closed() ? mm - std::floor((mm + 0.5) / length) * length : mm);
+}
+
 } // namespace
+
+std::vector<double> unknownPlaces(const Technique& technique) {
+    const std::span<const TechniqueStep> steps = technique.steps();
+    std::set<double> found;
+    for (size_t i = 0; i < steps.size(); ++i) {
+        if (steps[i].known) continue;
+        const size_t begin = i > 0 ? i - 1 : 0; // the last place that is known, and the next one
+        while (i + 1 < steps.size() && !steps[i].known)
+            ++i;
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (const TechniqueStep& step : steps.subspan(begin, i + 1 - begin)) {
+            if (!std::isfinite(step.place)) continue;
+            low = std::min(low, step.place);
+            high = std::max(high, step.place);
+        }
+        if (low <= high) addMillimetres(found, technique.seam(), low, high);
+    }
+    std::vector<double> places;
+    for (const double mm : found)
+        places.push_back((std::floor(mm) + 0.5) / kMm);
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    return places;
+}
 
 std::vector<SeamMillimetre> alongSeam(const Technique& technique) {
     const std::span<const TechniqueStep> steps = technique.steps();
@@ -148,18 +184,27 @@ std::vector<SeamMillimetre> alongSeam(const Technique& technique) {
         for (size_t i = range.begin + 1; i < range.end; ++i)
             bins.add(steps[i - 1], steps[i], values[i - range.begin], i >= first && i < last);
     }
-    return bins.result();
+    std::vector<SeamMillimetre> seam = bins.result();
+    const std::vector<double> unknown = unknownPlaces(technique);
+    for (SeamMillimetre& mm : seam) {
+        mm.known = !std::binary_search(unknown.begin(), unknown.end(), mm.place);
+        if (mm.known) continue;
+        mm.judged = false;
+        mm.values = {};
+    }
+    return seam;
 }
 
 std::string techniqueCsv(std::span<const SeamMillimetre> seam, DistanceKind distance) {
-    std::string text = "place_mm,arc_s,judged,direction";
+    std::string text = "place_mm,arc_s,judged,known,direction";
     for (const QuantityInfo& info : quantities(distance))
         text += "," + std::string(info.column);
     text += ",current_a,voltage_v\n";
     for (const SeamMillimetre& mm : seam) {
         appendNumber(text, static_cast<float>(mm.place * kMm));
         appendCell(text, mm.seconds);
-        text += mm.judged ? ",1," : ",0,";
+        text += mm.judged ? ",1" : ",0";
+        text += mm.known ? ",1," : ",0,";
         text += std::to_string(mm.direction);
         for (const QuantityInfo& info : quantities(distance))
             appendCell(text, mm.values[info.quantity] * info.perSi);

@@ -21,7 +21,8 @@ inline constexpr double kCraterLength = 3e-3;
 struct SeamMillimetre {
     double place = 0;       ///< m, its middle
     double seconds = 0;     ///< that the arc burned on it
-    bool judged = false;    ///< lies neither in the strike nor in the crater
+    bool judged = false;    ///< lies neither in the strike nor in the crater, and the hand is known on it
+    bool known = true;      ///< what the hand did there; else the values are unknown
     int direction = 0;      ///< of travel: +1 towards growing places, -1, 0 unknown
     double current = 0;     ///< A of the arc, mean over the time there
     double voltage = 0;     ///< V, the same
@@ -34,6 +35,11 @@ struct SeamMillimetre {
 /// the torch whips, the speed is that of the strokes' middles; a direction holds from the strike and from the turn on.
 /// Places more than 20 mm beyond the seam's ends are left out. Takes time in proportion to the number of steps.
 std::vector<SeamMillimetre> alongSeam(const Technique& technique);
+
+/// Middles (m), in ascending order, of the whole millimetres on which the hand is not known though the arc burned:
+/// those that it may have passed while tracking was lost or samples were missing. alongSeam() has values for none of
+/// them, and misses those where no torch was seen.
+std::vector<double> unknownPlaces(const Technique& technique);
 
 /// The columns and rows of technique.csv: one row a millimetre, an empty cell for what is unknown.
 std::string techniqueCsv(std::span<const SeamMillimetre> seam, DistanceKind distance);

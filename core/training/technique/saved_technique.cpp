@@ -2,6 +2,8 @@
 #include "core/gl/state_archive.hpp"
 #include "core/training/technique/technique.hpp"
 
+#include <cstdint>
+
 namespace meltpool {
 
 namespace {
@@ -9,8 +11,13 @@ namespace {
 constexpr size_t kMostSteps = size_t(1) << 28;
 
 void transferStep(gl::StateArchive& archive, TechniqueStep& s) {
+    // The second flag in one byte with the first: states that were saved without it can be read.
+    constexpr std::uint8_t kWelds = 1, kGuessed = 2;
+    std::uint8_t flags = static_cast<std::uint8_t>((s.welds ? kWelds : 0) | (s.known ? 0 : kGuessed));
     archive.values(s.time, s.place, s.aim, s.height, s.distance, s.workAngle, s.lean, s.rodAngle, s.rodGap, s.current,
-                   s.voltage, s.welds, s.joined);
+                   s.voltage, flags, s.joined);
+    s.welds = (flags & kWelds) != 0;
+    s.known = (flags & kGuessed) == 0;
 }
 
 } // namespace
@@ -29,6 +36,7 @@ void Technique::transfer(gl::StateArchive& archive) {
     archive.count(oldest_, steps_.size());
     sense_.transfer(archive);
     slope_.transfer(archive);
+    if (archive.restores()) guessedTo_ = kNever; // a state is saved between frames
 }
 
 void Technique::transferSteps(gl::StateArchive& archive, size_t from, size_t to) {

@@ -14,12 +14,15 @@ namespace {
 constexpr double kMm = 1e3; // mm in a metre
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// The millimetres of the wanted seam that were welded.
+bool isWanted(double place, const TechniqueBands& bands) {
+    return place * kMm > std::round(bands.lengthFromMm) && place * kMm < std::round(bands.lengthToMm);
+}
+
+/// The millimetres of the wanted seam that were welded with a hand that is known.
 std::vector<const SeamMillimetre*> weldedPart(const std::vector<SeamMillimetre>& seam, const TechniqueBands& bands) {
     std::vector<const SeamMillimetre*> part;
     for (const SeamMillimetre& mm : seam)
-        if (mm.place * kMm > std::round(bands.lengthFromMm) && mm.place * kMm < std::round(bands.lengthToMm))
-            part.push_back(&mm);
+        if (mm.known && isWanted(mm.place, bands)) part.push_back(&mm);
     return part;
 }
 
@@ -60,13 +63,19 @@ std::string tellNumber(double value, int digits = 1) {
 }
 
 std::string reasonAgainst(const TechniqueFaults& faults, const TechniqueScore& score) {
-    if (faults.lostSeconds > 0)
-        return "Tracking of the torch was lost for " + tellNumber(faults.lostSeconds, 2) +
-               " s from a moment when the arc burned, so this attempt has no score.";
-    if (faults.dropped > 0)
-        return tellNumber(static_cast<double>(faults.dropped)) +
-               (faults.dropped == 1 ? " sample of the torch was" : " samples of the torch were") +
-               " missing while the arc burned, so this attempt has no score.";
+    if (score.unknownMm > 0 && score.unknownMm >= kMostUnknownShare * score.wantedMm) {
+        std::string reason;
+        if (faults.lostSeconds > 0)
+            reason = "Tracking of the torch was lost for " + tellNumber(faults.lostSeconds, 2) +
+                     " s from a moment when the arc burned. ";
+        if (faults.dropped > 0)
+            reason += tellNumber(static_cast<double>(faults.dropped)) +
+                      (faults.dropped == 1 ? " sample of the torch was" : " samples of the torch were") +
+                      " missing while the arc burned. ";
+        return reason + "The hand is not known on " + tellNumber(score.unknownMm) + " of " +
+               tellNumber(score.wantedMm) + " mm of the seam. From " + tellNumber(kMostUnknownShare * 100) +
+               " % on an attempt has no score.";
+    }
     if (faults.arcSeconds <= 0) return "The arc was never lit, so there is nothing to score.";
     if (score.judgedMm <= 0)
         return "The arc burned too short a way on the wanted seam (" + tellNumber(score.weldedMm) +
@@ -164,15 +173,24 @@ const ParameterScore* TechniqueScore::find(TechniqueQuantity quantity) const {
     return found == parameters.end() ? nullptr : &*found;
 }
 
+std::string unknownSentence(const TechniqueScore& score) {
+    if (score.unknownMm <= 0) return {};
+    return "Left out of the score: " + tellNumber(score.unknownMm) +
+           " mm of the seam, where the hand is not known because the picture stood still or tracking was lost.";
+}
+
 TechniqueScore scoreTechnique(const TechniqueFaults& faults, const std::vector<SeamMillimetre>& seam,
-                              const TechniqueBands& bands) {
+                              const std::vector<double>& unknown, const TechniqueBands& bands) {
     TechniqueScore score;
     const std::vector<const SeamMillimetre*> part = weldedPart(seam, bands);
     score.wantedMm = std::round(bands.lengthToMm) - std::round(bands.lengthFromMm);
     score.weldedMm = static_cast<double>(part.size());
     score.judgedMm = static_cast<double>(
         std::count_if(part.begin(), part.end(), [](const SeamMillimetre* each) { return each->judged; }));
-    const double needed = score.wantedMm - 2 * std::min(kFreeEndMm, kFreeEndShare * score.wantedMm);
+    score.unknownMm = static_cast<double>(
+        std::count_if(unknown.begin(), unknown.end(), [&](double place) { return isWanted(place, bands); }));
+    const double asked = score.wantedMm - score.unknownMm;
+    const double needed = std::max(1.0, asked - 2 * std::min(kFreeEndMm, kFreeEndShare * score.wantedMm));
     score.coverage = std::min(score.weldedMm / needed, 1.0);
     for (const TechniqueBand& band : bands.bands)
         score.parameters.push_back(scoreParameter(part, bands, band));

@@ -30,14 +30,18 @@ struct ParameterScore {
     double lost = 0;         ///< points of the whole score that this parameter cost
 };
 
+/// Share of the wanted seam's millimetres on which the hand is not known, from which on an attempt has no score.
+inline constexpr double kMostUnknownShare = 0.05;
+
 struct TechniqueScore {
     bool scored = false;
     std::string reason; ///< why it is not scored, a sentence; empty where it is
     double total = 0;   ///< 0..100: half the lowest parameter's score and half the weighted mean of all, times coverage
     double coverage = 0;                    ///< 0..1 of the wanted seam that was welded, the free ends left out
     double wantedMm = 0;                    ///< length of the wanted seam
-    double weldedMm = 0;                    ///< of it
+    double weldedMm = 0;                    ///< of it, as far as the hand is known
     double judgedMm = 0;                    ///< of it: without strike and crater
+    double unknownMm = 0;                   ///< of the wanted seam, left out: see unknownPlaces()
     double lostToLength = 0;                ///< points of the whole score that were lost with what is not welded
     std::vector<ParameterScore> parameters; ///< one for each band, in their order
     /// The parameter with the fewest points among those that have a weight; none without a score.
@@ -49,12 +53,16 @@ struct TechniqueScore {
 
 /// Judges each millimetre of the wanted seam by its mean values, so that every millimetre counts the same however long
 /// the torch stayed there. A millimetre that was not welded has no points: over the wanted seam that is the same as the
-/// mean over the welded part times its share, the coverage. A parameter whose value is known nowhere has 0.
+/// mean over the welded part times its share, the coverage. A parameter whose value is known nowhere has 0. The
+/// millimetres at `unknown` places are left out, as if the wanted seam were shorter by them.
 ///
-/// Not scored, with a reason: tracking was lost or samples were dropped while the arc burned, the arc was never lit, or
-/// strike and crater leave nothing of the wanted seam to judge.
+/// Not scored, with a reason: tracking was lost or samples were missing on kMostUnknownShare of the wanted seam, the
+/// arc was never lit, or strike and crater leave nothing of the wanted seam to judge.
 TechniqueScore scoreTechnique(const TechniqueFaults& faults, const std::vector<SeamMillimetre>& seam,
-                              const TechniqueBands& bands);
+                              const std::vector<double>& unknown, const TechniqueBands& bands);
+
+/// "Left out of the score: 3 mm of the seam, where ..."; empty where none are.
+std::string unknownSentence(const TechniqueScore& score);
 
 /// One thing to correct.
 struct Correction {

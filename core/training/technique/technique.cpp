@@ -1,5 +1,7 @@
 #include "core/training/technique/technique.hpp"
 
+#include "core/base/text.hpp"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -26,6 +28,16 @@ bool follows(const TechniqueStep& step, const TechniqueStep& before) {
 }
 
 } // namespace
+
+std::string droppedText(double seconds) {
+    return "dropped " + formatNumber(seconds);
+}
+
+double droppedSeconds(std::string_view value) {
+    constexpr std::string_view kWord = "dropped ";
+    if (!value.starts_with(kWord)) return kLongestGuess;
+    return std::clamp(parseDouble(value.substr(kWord.size())).value_or(kLongestGuess), 0.0, kLongestGuess);
+}
 
 int DirectionSense::add(double place) {
     if (!begun_) low_ = high_ = place;
@@ -76,10 +88,14 @@ void Technique::reset() {
     slope_ = {};
     oldest_ = 0;
     burned_ = lost_ = false;
+    guessedTo_ = kNever;
 }
 
-void Technique::noteDropped() {
-    if (burned_) ++faults_.dropped;
+void Technique::noteDropped(double seconds) {
+    if (!burned_) return;
+    ++faults_.dropped;
+    constexpr double kRounding = 1e-6; // of the sum of many steps
+    guessedTo_ = steps_.back().time + seconds + kRounding;
 }
 
 /// A place on a circle, as many turns on as bring it next to the step before.
@@ -114,18 +130,22 @@ TechniqueStep Technique::measure(const TorchSample& torch, const ArcState& arc) 
     return step;
 }
 
-void Technique::noteFaults(double elapsed, bool burns, bool tracked) {
+/// Whether the hand is known in the step that is added.
+bool Technique::noteFaults(double elapsed, bool burns, bool tracked) {
     if (burns) faults_.arcSeconds += elapsed;
     lost_ = !tracked && (lost_ || burns || burned_);
     if (lost_) faults_.lostSeconds += elapsed;
-    if (burns && burned_ && elapsed > kLongestTechniqueStep) ++faults_.dropped;
+    const bool gap = burns && burned_ && elapsed > kLongestTechniqueStep;
+    if (gap) ++faults_.dropped;
     burned_ = burns;
+    return !lost_ && !gap;
 }
 
 void Technique::add(const TorchSample& torch, const ArcState& arc, bool tracked) {
     const double elapsed = steps_.empty() ? 0 : torch.time - steps_.back().time;
-    noteFaults(elapsed, arc.burns(), tracked);
+    const bool known = noteFaults(elapsed, arc.burns(), tracked);
     TechniqueStep step = measure(torch, arc);
+    step.known = known && !(arc.burns() && step.time <= guessedTo_);
     step.welds = arc.burns() && tracked;
     step.joined = step.welds && !steps_.empty() && follows(step, steps_.back());
     steps_.push_back(step);

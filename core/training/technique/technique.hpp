@@ -6,6 +6,8 @@
 #include "core/weld/process/arc.hpp"
 #include "core/weld/torch/torch_sample.hpp"
 
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace meltpool::gl {
@@ -28,6 +30,14 @@ inline constexpr double kLeastSpeedSpan = 0.1;
 /// s between two steps; in a longer gap samples were dropped.
 inline constexpr double kLongestTechniqueStep = 0.1;
 
+/// s of the metal's time that a frame may make good by guessing the way of the hand between two places.
+inline constexpr double kLongestGuess = 0.25;
+
+/// The value of an event `samples` whose frame makes good `seconds`: "dropped 0.2", and the seconds of such a value.
+/// One without a time, as of older programs, stands for kLongestGuess.
+std::string droppedText(double seconds);
+double droppedSeconds(std::string_view value);
+
 /// m and m/s: a step along the seam that is longer than both allow is a jump, which ends a stretch as a gap does.
 inline constexpr double kJump = 2e-3;
 inline constexpr double kJumpSpeed = 0.2;
@@ -47,9 +57,10 @@ struct TechniqueStep {
     double voltage = 0;   ///< V, of the arc
     bool welds = false;   ///< the arc burns and the torch is tracked
     bool joined = false;  ///< welds, as did the step before, with no gap and no jump between
+    bool known = true;    ///< false: what the hand did since the step before, under an arc, is a guess
 };
 
-/// Of a step in a saved state: eleven numbers, and two times yes or no.
+/// Of a step in a saved state: eleven numbers, and two bytes for three times yes or no.
 inline constexpr size_t kTechniqueStepBytes = 11 * sizeof(double) + 2;
 
 /// Finds the direction of travel while places come in: +1 towards growing places, -1, or 0 while it is not known.
@@ -79,7 +90,7 @@ class SlidingSlope {
     double count_ = 0, sumT_ = 0, sumV_ = 0, sumTT_ = 0, sumTV_ = 0;
 };
 
-/// What makes an attempt one that cannot be scored.
+/// While the arc burned: where the hand is not known.
 struct TechniqueFaults {
     double arcSeconds = 0;  ///< that the arc burned
     double lostSeconds = 0; ///< that tracking was lost, from a moment when the arc burned
@@ -93,8 +104,8 @@ class Technique {
     /// The next step, with torch and arc of that step; torch.time is the metal's time. Allocates nothing but the room
     /// for more steps. `tracked`: the torch's pose is measured, not kept from before.
     void add(const TorchSample& torch, const ArcState& arc, bool tracked = true);
-    /// A sample of the torch went missing since the last step.
-    void noteDropped();
+    /// A sample of the torch went missing: the steps of the next `seconds` of the metal's time lie on a guessed way.
+    void noteDropped(double seconds = kLongestGuess);
     /// Everything is forgotten but seam and settings.
     void reset();
 
@@ -119,9 +130,11 @@ class Technique {
     const TechniqueSettings& settings() const { return settings_; }
 
   private:
+    static constexpr double kNever = -1;
+
     TechniqueStep measure(const TorchSample& torch, const ArcState& arc) const;
     double continued(double place) const;
-    void noteFaults(double elapsed, bool burns, bool tracked);
+    bool noteFaults(double elapsed, bool burns, bool tracked);
     void updateNow();
 
     Seam seam_;
@@ -131,10 +144,11 @@ class Technique {
     TechniqueFaults faults_;
     DirectionSense sense_;
     SlidingSlope slope_;
-    size_t oldest_ = 0;   ///< step in slope_
-    double origin_ = 0;   ///< s, time that slope_ counts from
-    bool burned_ = false; ///< in the step before
-    bool lost_ = false;   ///< tracking, since a moment when the arc burned
+    size_t oldest_ = 0;         ///< step in slope_
+    double guessedTo_ = kNever; ///< s, time of the last step on a guessed way
+    double origin_ = 0;         ///< s, time that slope_ counts from
+    bool burned_ = false;       ///< in the step before
+    bool lost_ = false;         ///< tracking, since a moment when the arc burned
 };
 
 } // namespace meltpool

@@ -68,7 +68,8 @@ TEST_CASE("a cue has the sign, amount and zone of what technique measures, and t
     check(TechniqueQuantity::workAngle, -4, 15, BandZone::inside, 0);
     check(TechniqueQuantity::travelAngle, 17, 15, BandZone::beyond, -1);
     check(TechniqueQuantity::travelSpeed, 1.5, 3, BandZone::between, -1);
-    const TechniqueScore score = scoreTechnique(technique.faults(), alongSeam(technique), bands);
+    const TechniqueScore score =
+        scoreTechnique(technique.faults(), alongSeam(technique), unknownPlaces(technique), bands);
     for (const CuedQuantity& cued : cuedQuantities()) {
         const ParameterScore* parameter = score.find(cued.quantity);
         REQUIRE(parameter != nullptr);

@@ -355,10 +355,11 @@ TEST_CASE("technique.csv has a row a millimetre, and empty cells for what is unk
         return hand;
     }));
     const std::string text = techniqueCsv(seam, DistanceKind::arcLength);
-    CHECK(text.rfind("place_mm,arc_s,judged,direction,aim_mm,height_mm,arc_length_mm,work_angle_deg,travel_angle_deg,"
-                     "speed_mm_s,weave_mm,weave_hz,weave_dwell_s,whip_mm,whip_period_s,whip_dwell_s,rod_angle_deg,"
-                     "rod_hz,current_a,voltage_v\n0.5,",
-                     0) == 0);
+    CHECK(text.rfind(
+              "place_mm,arc_s,judged,known,direction,aim_mm,height_mm,arc_length_mm,work_angle_deg,travel_angle_deg,"
+              "speed_mm_s,weave_mm,weave_hz,weave_dwell_s,whip_mm,whip_period_s,whip_dwell_s,rod_angle_deg,"
+              "rod_hz,current_a,voltage_v\n0.5,",
+              0) == 0);
     CHECK(std::count(text.begin(), text.end(), '\n') == static_cast<int>(seam.size()) + 1);
     CHECK(text.find(",,,") != std::string::npos); // no rod
     CHECK(techniqueCsv(seam, DistanceKind::ctwd).find(",ctwd_mm,") != std::string::npos);
