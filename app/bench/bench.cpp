@@ -1,5 +1,6 @@
 #include "app/bench/bench.hpp"
 
+#include "app/program/lock_notice.hpp"
 #include "app/program/program_info.hpp"
 #include "app/program/stop_signals.hpp"
 #include "core/base/error.hpp"
@@ -169,7 +170,7 @@ void runBench(const std::string& suite, const std::filesystem::path& jsonFile) {
     const gl::HeadlessContext context(false);
     const bool keeps = !jsonFile.empty() && isPlainFile(jsonFile);
     std::optional<FileLock> lock;
-    if (keeps) lock.emplace(jsonFile.string() + ".lock", jsonFile);
+    if (keeps) tellUnlocked(lock.emplace(jsonFile.string() + ".lock", jsonFile));
     std::vector<BenchRow> rows;
     // A report that cannot be kept is found out before the minutes that it takes.
     if (keeps) writeTextFileAtomically(jsonFile, benchJson(context.info(), rows, false));

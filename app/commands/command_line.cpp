@@ -9,6 +9,7 @@
 #include "app/program/watched_run.hpp"
 #include "app/sound/openal_device.hpp"
 #include "core/base/error.hpp"
+#include "core/base/output_file.hpp"
 #include "core/base/system/files.hpp"
 #include "core/base/text.hpp"
 
@@ -210,10 +211,12 @@ void requireOutput() {
     errno = 0;
     std::cout.flush();
     const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good();
+    const int code = errno;
     if (!written && !isPipe(stdout))
-        throw RuntimeFault(std::string("standard output cannot be written to its end") +
-                           (errno != 0 ? std::string(": ") + std::strerror(errno) : std::string()) +
-                           "; expected free space, or a reader that reads to the end");
+        throw RuntimeFault(
+            std::string("standard output cannot be written to its end") +
+            (code != 0 ? std::string(": ") + std::strerror(code) : std::string()) + "; " +
+            (code == 0 || code == EPIPE ? "expected a reader that reads to the end" : writeExpectation(code)));
 }
 
 /// The program's options and commands, which write what they are given into `arguments`.

@@ -1,6 +1,7 @@
 #include "app/commands/run_folder.hpp"
 
 #include "app/film/film.hpp"
+#include "app/program/lock_notice.hpp"
 #include "core/base/error.hpp"
 #include "core/base/system/files.hpp"
 
@@ -78,6 +79,7 @@ bool isRunFile(std::string_view name) {
 RunFolder::RunFolder(fs::path folder, std::span<const fs::path> sources) : folder_(std::move(folder)) {
     makeFolder(folder_);
     lock_.emplace(folder_ / kLockName, folder_);
+    tellUnlocked(*lock_);
     for (const fs::path& file : runFilesIn(folder_))
         for (const fs::path& source : sources) {
             std::error_code missing;

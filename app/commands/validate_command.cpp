@@ -1,5 +1,6 @@
 // `meltpool validate`: how far the metal is from exact solutions and experiments.
 #include "app/commands/commands.hpp"
+#include "app/program/lock_notice.hpp"
 #include "app/program/program_info.hpp"
 #include "app/program/stop_signals.hpp"
 #include "core/base/error.hpp"
@@ -72,7 +73,7 @@ Json meanErrorJson(const MeanError& error) {
 class NumbersFile {
   public:
     NumbersFile(std::filesystem::path file, const gl::HeadlessContext& context) : file_(std::move(file)) {
-        if (!file_.empty() && isPlainFile(file_)) lock_.emplace(lockName(file_), file_);
+        if (!file_.empty() && isPlainFile(file_)) tellUnlocked(lock_.emplace(lockName(file_), file_));
         json_ = {{"renderer", context.info().renderer}, {"version", programVersion()}, {"commit", programCommit()}};
         json_["complete"] = false;
         json_["passed"] = false;

@@ -125,10 +125,13 @@ bool DesktopApp::finish() {
     }
     if (session_.records().lost())
         std::fprintf(stderr, "meltpool: an attempt was not recorded to its end, as the window told; expected %s\n",
-                     "a place for --record that can be written, with free space");
+                     "a place for --record that takes it");
     const std::string& unrecorded = session_.recordings().lost();
     if (!unrecorded.empty()) std::fprintf(stderr, "meltpool: %s\n", printable(unrecorded, 3000).c_str());
-    return kept && unrecorded.empty() && !session_.records().lost() && telemetry_.fault().empty();
+    if (!lostPicture_.empty())
+        std::fprintf(stderr, "meltpool: a picture was not saved: %s\n", printable(lostPicture_, 3000).c_str());
+    return kept && unrecorded.empty() && lostPicture_.empty() && !session_.records().lost() &&
+           telemetry_.fault().empty();
 }
 
 void DesktopApp::frame() {
@@ -433,6 +436,7 @@ void DesktopApp::takePicture() {
         messages_.note("Picture saved as " + screenshot_, now(), "picture");
     } catch (const std::exception& fault) {
         messages_.warn(fault.what(), now(), "picture");
+        if (lostPicture_.empty()) lostPicture_ = fault.what();
     }
 }
 

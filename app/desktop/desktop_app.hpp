@@ -107,6 +107,7 @@ class DesktopApp {
     DetailChoice detail_;
     ui::MissingLetters missingLetters_;
     std::string screenshot_;
+    std::string lostPicture_; ///< why the first picture that was not saved was not; empty: all were
     std::string driver_;
     size_t judgements_ = 0;                  ///< that the menus have shown
     bool pictureAsked_ = false;              ///< of the window, with its menus

@@ -1,6 +1,7 @@
 #include "app/desktop/window_telemetry.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/output_file.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -214,8 +215,8 @@ void WindowTelemetry::write(const TelemetryRow& row) {
     // Bytes of a message need not be UTF-8 (a path, a driver's log); they are replaced, not refused.
     file_ << object.dump(-1, ' ', false, json::error_handler_t::replace) << std::endl;
     if (file_) return;
+    fault_ = name_.string() + ": the telemetry cannot be written on; " + writeExpectation(errno);
     file_.close();
-    fault_ = name_.string() + ": the telemetry cannot be written on; expected free space";
 }
 
 } // namespace meltpool

@@ -29,7 +29,7 @@ bool isMachineFault(int code) {
 
 [[noreturn]] void failToOpen(const fs::path& file, int code) {
     const std::string reason = std::string("cannot be written: ") + std::strerror(code);
-    if (isMachineFault(code)) throw RuntimeFault(file.string() + ": " + reason);
+    if (isMachineFault(code)) throw RuntimeFault(file.string() + ": " + reason + "; " + writeExpectation(code));
     throw InputError(file, 0, reason + "; expected a folder with write permission");
 }
 
@@ -88,8 +88,8 @@ fs::path draftName(const fs::path& file) {
 }
 
 [[noreturn]] void failToWrite(const fs::path& file, int code) {
-    throw RuntimeFault(file.string() + ": cannot be written to its end: " + std::strerror(code) +
-                       "; expected free space");
+    throw RuntimeFault(file.string() + ": cannot be written to its end: " + std::strerror(code) + "; " +
+                       writeExpectation(code));
 }
 
 void writeDirectly(const fs::path& file, std::string_view bytes) {
@@ -123,6 +123,26 @@ struct Draft {
 };
 
 } // namespace
+
+std::string writeExpectation(int code) {
+    switch (code) {
+    case ENOSPC:
+    case EFBIG:
+#ifdef EDQUOT
+    case EDQUOT:
+#endif
+        return "expected free space";
+    case EIO:
+        return "expected a disk or share that works";
+    case EMFILE:
+    case ENFILE:
+        return "expected a system with room for another open file";
+    case ENOMEM:
+        return "expected free memory";
+    default:
+        return "expected a place that takes the whole file";
+    }
+}
 
 bool isPlainFile(const fs::path& file) {
     std::error_code unreadable;

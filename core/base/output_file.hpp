@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace meltpool {
@@ -15,6 +16,10 @@ void writeFile(const std::filesystem::path& file, std::string_view bytes);
 
 /// Throws what writeFile() would throw at once, without changing anything. A full disk is not found out.
 void requireWritable(const std::filesystem::path& file);
+
+/// What was expected of the machine where writing failed with this errno, for the end of a sentence: "expected free
+/// space" of a full disk only.
+std::string writeExpectation(int code);
 
 /// Whether `file` is, or would be made as, a regular file: no device, pipe or folder.
 bool isPlainFile(const std::filesystem::path& file);

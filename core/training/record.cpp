@@ -1,6 +1,7 @@
 #include "core/training/record.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/output_file.hpp"
 #include "core/base/text.hpp"
 #include "core/training/recording/record_text.hpp"
 #include "core/weld/torch/torch_csv.hpp"
@@ -61,7 +62,7 @@ Record::Record(const std::filesystem::path& file, const RecordHead& head, bool r
 void Record::write(std::string_view text) {
     stream_.write(text.data(), static_cast<std::streamsize>(text.size()));
     stream_.flush();
-    if (!stream_) throw RuntimeFault(file_.string() + ": the record cannot be written on; expected free space");
+    if (!stream_) throw RuntimeFault(file_.string() + ": the record cannot be written on; " + writeExpectation(errno));
 }
 
 void RealTimeCount::add(double ratio) {

@@ -7,6 +7,34 @@
 
 #include <vector>
 
+#ifdef __linux__
+#include <cerrno>
+#include <dlfcn.h>
+
+namespace {
+
+bool locksRefused = false; ///< as of a share without locks
+
+} // namespace
+
+/// Stands before the C library's.
+extern "C" int flock(int descriptor, int operation) noexcept {
+    if (locksRefused) {
+        errno = ENOLCK;
+        return -1;
+    }
+    static const auto real = reinterpret_cast<int (*)(int, int)>(dlsym(RTLD_NEXT, "flock"));
+    return real(descriptor, operation);
+}
+
+TEST_CASE("a share without locks takes a run's folder", "[app]") {
+    const std::filesystem::path folder = meltpool::test::scratchFolder("run-folder-share");
+    locksRefused = true;
+    CHECK_NOTHROW(meltpool::RunFolder(folder, {}));
+    locksRefused = false;
+}
+#endif
+
 using namespace meltpool;
 
 namespace fs = std::filesystem;

@@ -6,10 +6,29 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
+#include <cerrno>
+
 #ifndef _WIN32
 #include <csignal>
+#include <dlfcn.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+
+namespace {
+
+int failedSync = 0; ///< errno of every fsync(); 0: as the system has it
+
+} // namespace
+
+/// Stands before the C library's.
+extern "C" int fsync(int descriptor) {
+    if (failedSync != 0) {
+        errno = failedSync;
+        return -1;
+    }
+    static const auto real = reinterpret_cast<int (*)(int)>(dlsym(RTLD_NEXT, "fsync"));
+    return real(descriptor);
+}
 #endif
 
 using namespace meltpool;
@@ -140,4 +159,23 @@ TEST_CASE("devices and pipes are written directly and stay what they are", "[bas
     CHECK(isPlainFile(test::scratchFolder("plain") / "new"));
 }
 
+#endif
+
+#ifndef _WIN32
+TEST_CASE("a disk that fails is not told as a full one", "[base]") {
+    const fs::path folder = test::scratchFolder("output-eio");
+    writeFile(folder / "kept.txt", "old");
+    failedSync = EIO;
+    CHECK_THROWS_AS(writeFile(folder / "kept.txt", "new"), RuntimeFault);
+    CHECK_THROWS_WITH(writeFile(folder / "kept.txt", "new"), containsText("kept.txt: cannot be written to its end") &&
+                                                                 containsText("expected a disk or share that works") &&
+                                                                 !containsText("free space"));
+    failedSync = 0;
+    CHECK(readTextFile(folder / "kept.txt") == "old");
+    CHECK(filesIn(folder) == 1);
+    for (const int full : {ENOSPC, EDQUOT, EFBIG})
+        CHECK(writeExpectation(full) == "expected free space");
+    for (const int other : {EIO, EMFILE, ENFILE, ENOMEM, ESTALE, 0})
+        CHECK(writeExpectation(other).find("free space") == std::string::npos);
+}
 #endif

@@ -1,32 +1,20 @@
 #include "app/desktop/picture/screenshot.hpp"
 
+#include "core/base/system/places.hpp"
 #include "core/gl/texture.hpp"
 
 #include <chrono>
-#include <cstdlib>
 #include <ctime>
 #include <string>
+#include <system_error>
 
 namespace meltpool {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-fs::path folderNamedBy(const char* variable, const char* below) {
-    const char* value = std::getenv(variable);
-    if (value == nullptr || *value == '\0') return {};
-    return fs::path(value) / below;
-}
-
-} // namespace
-
 fs::path picturesFolder() {
-    std::error_code unreadable;
-    for (const fs::path& folder : {folderNamedBy("XDG_PICTURES_DIR", ""), folderNamedBy("HOME", "Pictures"),
-                                   folderNamedBy("USERPROFILE", "Pictures")})
-        if (!folder.empty() && fs::is_directory(folder, unreadable)) return folder;
-    return fs::current_path();
+    const fs::path folder = userPictures();
+    return folder.empty() ? fs::current_path() : folder;
 }
 
 fs::path pictureName(const fs::path& folder) {
@@ -34,7 +22,8 @@ fs::path pictureName(const fs::path& folder) {
     char text[64];
     std::strftime(text, sizeof text, "meltpool-%Y-%m-%d-%H.%M.%S", std::localtime(&now));
     fs::path name = folder / (std::string(text) + ".png");
-    for (int i = 2; fs::exists(name); ++i)
+    std::error_code unreadable;
+    for (int i = 2; fs::exists(name, unreadable); ++i)
         name = folder / (std::string(text) + "-" + std::to_string(i) + ".png");
     return name;
 }
@@ -44,7 +33,10 @@ fs::path saveScreenshot(glm::ivec2 pixels) {
 }
 
 fs::path savePicture(const Image& image) {
-    const fs::path name = pictureName(picturesFolder());
+    const fs::path folder = picturesFolder();
+    std::error_code failed; // writing the picture tells
+    fs::create_directories(folder, failed);
+    const fs::path name = pictureName(folder);
     writePng(name, image);
     return name;
 }

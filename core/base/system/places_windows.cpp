@@ -35,4 +35,9 @@ fs::path userCache() {
     return userFiles();
 }
 
+fs::path userPictures() {
+    const std::string home = environmentVariable("USERPROFILE");
+    return home.empty() ? fs::path() : fs::path(home) / "Pictures";
+}
+
 } // namespace meltpool

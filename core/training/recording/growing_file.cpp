@@ -1,6 +1,7 @@
 #include "core/training/recording/growing_file.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/output_file.hpp"
 #include "core/base/system/files.hpp"
 
 #include <cerrno>
@@ -21,7 +22,7 @@ GrowingFile::GrowingFile(fs::path file) : file_(std::move(file)) {
     }
     const std::string sentence = std::string("cannot be made: ") + std::strerror(code);
     if (code == ENOSPC || code == EIO || code == EMFILE || code == ENFILE || code == ENOMEM)
-        throw RuntimeFault(file_.string() + ": " + sentence + "; expected free space");
+        throw RuntimeFault(file_.string() + ": " + sentence + "; " + writeExpectation(code));
     throw InputError(file_, 0, sentence + "; expected a new name in a folder with write permission");
 }
 
@@ -30,8 +31,10 @@ GrowingFile::~GrowingFile() {
 }
 
 bool GrowingFile::note(bool good) {
-    if (!good) reason_ = std::strerror(errno);
-    return good;
+    if (good) return true;
+    const int code = errno;
+    reason_ = std::string(std::strerror(code)) + "; " + writeExpectation(code);
+    return false;
 }
 
 bool GrowingFile::append(std::string_view bytes) {

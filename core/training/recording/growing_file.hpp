@@ -34,7 +34,7 @@ class GrowingFile {
     bool finish();
 
     const std::filesystem::path& file() const { return file_; }
-    /// Why something failed, in the system's words.
+    /// Why something failed, in the system's words, and what was expected.
     const std::string& reason() const { return reason_; }
 
   private:

@@ -39,7 +39,7 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& file, const Record
     appendFrame(batch_, chain_, static_cast<std::uint32_t>(FrameKind::head), headContent(head));
     if (!file_.append(batch_)) {
         file_.remove();
-        throw RuntimeFault(file.string() + ": cannot be written: " + file_.reason() + "; expected free space");
+        throw RuntimeFault(file.string() + ": cannot be written: " + file_.reason());
     }
     bytes_ = file_.written();
     batch_.clear();
@@ -151,9 +151,7 @@ void RecordingWriter::run() {
             fail(file().string() +
                  ": the disk was too slow to take what is recorded; expected one that takes 100 kB/s");
     }
-    if (!file_.finish())
-        fail(file().string() + ": the recording cannot be brought to the disk: " + file_.reason() +
-             "; expected free space");
+    if (!file_.finish()) fail(file().string() + ": the recording cannot be brought to the disk: " + file_.reason());
     finished_.store(true, std::memory_order_release);
 }
 
@@ -189,7 +187,7 @@ bool RecordingWriter::write() {
     const std::uint64_t before = file_.written();
     const bool good = batch_.empty() || file_.append(batch_);
     if (!good) {
-        fail(file().string() + ": the recording cannot be written on: " + file_.reason() + "; expected free space");
+        fail(file().string() + ": the recording cannot be written on: " + file_.reason());
         file_.cut(before + wholeFrames(batch_, static_cast<size_t>(file_.written() - before)));
     }
     bytes_.store(file_.written(), std::memory_order_relaxed);

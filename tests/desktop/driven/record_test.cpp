@@ -67,6 +67,18 @@ TEST_CASE("an attempt that cannot be recorded is told in the window, which goes 
     CHECK_THAT(window.output(), containsText("This attempt is not recorded"));
 }
 
+TEST_CASE("a picture that cannot be saved is told in the window, which goes on, and by the exit code") {
+    TrainerWindow window("no-picture", {.environment = {{"XDG_PICTURES_DIR", "/proc/nowhere"}}});
+    window.start();
+    window.key("F10");
+    window.waitFor("a sentence over the picture",
+                   [](const json& s) { return s.at("messages").dump().find("/proc/nowhere") != std::string::npos; });
+    window.waitFor("some steps", stepsPast(5));
+    window.closeWindow();
+    CHECK(window.finish() == 1);
+    CHECK_THAT(window.output(), containsText("a picture was not saved: /proc/nowhere"));
+}
+
 TEST_CASE("who wants no recordings has none") {
     TrainerWindow window("unrecorded", {.arguments = {"--no-recording"}});
     window.start();

@@ -7,6 +7,9 @@
 #include "core/base/text.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
+#ifdef __linux__
+#include "tests/support/environment_change.hpp"
+#endif
 
 #include <array>
 
@@ -77,9 +80,6 @@ TEST_CASE("no settings file is no fault") {
     CHECK(loadSettings(test::scratchFolder("settings-none") / "settings.toml", values.sections()).empty());
 }
 
-TEST_CASE("each fault is told with its line, good values beside it are taken, the file is kept aside") {
-    const fs::path file = fileWith("settings-faults", "[first]\nspeed = 50\ncount = 9\nspede = 1\n\n[second]\nkind = "
-                                                      "\"shuffled\"\nopen = 3\npull = [1, 2]\n[third]\nx = 1\n");
 TEST_CASE("two programs with the same settings file keep each other's changes") {
     const fs::path file = test::scratchFolder("settings-two") / "settings.toml";
     Values first, second;
@@ -120,6 +120,9 @@ TEST_CASE("a fault that another program leaves in the settings is told when they
     CHECK(read.count == 8);
 }
 
+TEST_CASE("each fault is told with its line, good values beside it are taken, the file is kept aside") {
+    const fs::path file = fileWith("settings-faults", "[first]\nspeed = 50\ncount = 9\nspede = 1\n\n[second]\nkind = "
+                                                      "\"shuffled\"\nopen = 3\npull = [1, 2]\n[third]\nx = 1\n");
     Values values;
     const auto faults = loadSettings(file, values.sections());
     std::string all;
@@ -238,6 +241,19 @@ TEST_CASE("messages go after their time; held ones stay until their fault is gon
         messages.warn("again", 0);
     CHECK(messages.shown().size() <= 5);
 }
+
+#ifdef __linux__
+TEST_CASE("pictures go into the person's folder, which is made; where nothing can be written they are refused") {
+    const Image image{2, 1, std::vector<std::uint8_t>(6)};
+    const fs::path folder = test::scratchFolder("pictures-named") / "Bilder";
+    {
+        const test::EnvironmentChange named("XDG_PICTURES_DIR", folder.c_str());
+        CHECK(savePicture(image).parent_path() == folder);
+    }
+    const test::EnvironmentChange named("XDG_PICTURES_DIR", "/proc/nowhere");
+    CHECK_THROWS_AS(savePicture(image), InputError);
+}
+#endif
 
 TEST_CASE("pictures are named by the time and never overwrite one another") {
     const fs::path folder = test::scratchFolder("pictures");
