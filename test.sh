@@ -5,7 +5,8 @@
 # The quarters take turns from day to day; MELTPOOL_TURN=0 to 3 chooses, MELTPOOL_TURN=all takes all four, and with them
 # the tests of the whole program.
 # --checks takes all and has clang check all sources.
-# --long does so too, and adds the soak, fuzzing and validation runs that take hours of patience rather than minutes.
+# --long does so too, and adds the soak, fuzzing and validation runs that take hours of patience rather than minutes, the
+# program for Windows, and both commands of the README in bare trees of Debian releases (tests/fresh.sh).
 # --quick builds and runs only the suites that take seconds, for the loop of edit and test.
 # --windows alone cross-compiles the program for Windows with its tests and checks it under Wine beside the Linux program.
 set -euo pipefail
@@ -46,7 +47,7 @@ checkQuickly() {
     local suite targets=()
     if ! grep -qs '^MELTPOOL_TESTS:BOOL=ON' build/release/CMakeCache.txt || [ ! -e build/release/build.ninja ]; then
         meltpoolInstall build test
-        meltpoolConfigure release -DMELTPOOL_TESTS=ON
+        meltpoolConfigure release -DMELTPOOL_TESTS=ON "${strict[@]}"
     fi
     for suite in $quickSuites; do
         targets+=("test_$suite")
@@ -115,7 +116,10 @@ if [ $# -eq 0 ]; then
     esac
     # shellcheck disable=SC2086
     runSanitized sanitize $suites
-    [ -z "$long" ] || checkForWindows
+    if [ -n "$long" ]; then
+        checkForWindows
+        tests/fresh.sh
+    fi
 fi
 
 known=$(sed 's/#.*//' tests/validation/known_failures.txt | grep -v '^[[:space:]]*$' || true)

@@ -4,7 +4,7 @@
 #   tests/fresh.sh                     run.sh and test.sh in Debian 12 and 13, run.sh in the next release
 #   tests/fresh.sh RELEASE             run.sh and test.sh in a tree of this release (bookworm, trixie, forky)
 #   tests/fresh.sh RELEASE COMMAND     only this line of bash, in a fresh clone, for example './run.sh run classic --seconds 1'
-#   tests/fresh.sh --quick             run.sh and the quick suites in the release that this machine does not have: 12 on 13, else 13
+#   tests/fresh.sh --quick             the quick suites and run.sh in the release that this machine does not have: 12 on 13, else 13
 #
 # The clone is of this checkout's HEAD: what is not committed is not tried. Needs mmdebstrap and root, or a kernel that lets users
 # have namespaces of their own. Trees are made in MELTPOOL_TREES (by default ~/.cache/meltpool/trees) and removed at the end;
@@ -95,7 +95,7 @@ otherRelease() {
 }
 
 case ${1:-} in
---quick) tryRelease "$(otherRelease)" "$start && ./test.sh --quick" ;;
+--quick) tryRelease "$(otherRelease)" './test.sh --quick' "$start" ;;
 '')
     tryRelease bookworm "$start" ./test.sh
     tryRelease trixie "$start" ./test.sh

@@ -29,7 +29,7 @@ struct TorchRecording {
     std::vector<TorchSample> samples; ///< times ascend; orientations have unit length
     std::vector<std::string> furtherColumns;
     std::vector<std::vector<std::string>> furtherCells; ///< one row a sample, one cell a further column
-    TorchForm form;
+    TorchForm form = {};                                ///< as the table was read
 };
 
 /// What readTorchCsv() does with columns that a torch path does not need. They take many times the memory of the rest.
