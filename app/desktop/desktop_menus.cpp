@@ -24,7 +24,9 @@ float DesktopMenus::middleOfPicture() {
 MenuRequest DesktopMenus::draw(const DesktopMenuContent& content) {
     ui::Context& context = interface_.context();
     LessonSession& session = content.session;
-    machineWaits_ = session.cut().shown() || session.replay().shown();
+    // In a narrow window it would lie over the demonstration's controls.
+    const bool covers = session.demonstration().shown() && ui::narrowerThan(context, 760);
+    machineWaits_ = session.cut().shown() || session.replay().shown() || covers;
     MenuRequest request = MenuRequest::none;
     if (content.home.open)
         request = ui::homePage(context, content.home, content.driver, panels.help);

@@ -48,7 +48,8 @@ class DesktopMenus {
 
     const Window& window_;
     ui::Interface& interface_;
-    bool machineWaits_ = false;    ///< its values would change nothing: the weld is cut open, or an attempt replayed
+    /// Its values would change nothing, where the weld is cut open or an attempt replayed, or it has no room.
+    bool machineWaits_ = false;
     bool resultIsNewer_ = false;   ///< than the panels at its place
     bool timingsAreNewer_ = false; ///< if both panels at the left are open in the next frame
     bool machineIsNewer_ = false;  ///< than a panel at the left
