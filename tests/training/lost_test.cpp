@@ -4,6 +4,8 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
+#include <algorithm>
+
 using namespace meltpool;
 
 namespace {

@@ -6,6 +6,7 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

@@ -10,6 +10,8 @@
 
 #include <glm/vec4.hpp>
 
+#include <algorithm>
+
 using namespace meltpool;
 
 namespace {

@@ -1,6 +1,7 @@
 // What a lesson's demonstration, or another torch path, must come to: files with an [expect] table.
 #pragma once
 
+#include "core/base/toml_table.hpp"
 #include "core/training/check/torch_bend.hpp"
 #include "core/training/judgement.hpp"
 #include "core/training/lesson.hpp"

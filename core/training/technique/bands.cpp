@@ -1,6 +1,7 @@
 #include "core/training/technique/bands.hpp"
 
 #include "core/base/text.hpp"
+#include "core/base/toml_table.hpp"
 
 #include <algorithm>
 #include <cmath>

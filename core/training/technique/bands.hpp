@@ -1,12 +1,13 @@
 // A lesson's technique windows: what is asked of the hand, and how much each deviation costs.
 #pragma once
 
-#include "core/base/toml_table.hpp"
 #include "core/training/technique/technique.hpp"
 
 #include <vector>
 
 namespace meltpool {
+
+class TomlTable;
 
 /// Where a value lies in a band.
 enum class BandZone {

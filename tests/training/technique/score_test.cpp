@@ -2,12 +2,14 @@
 #include "core/training/technique/score.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/toml_table.hpp"
 #include "core/gl/state_archive.hpp"
 #include "core/weld/process/processes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 #include "tests/training/technique/synthetic_weld.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <vector>
