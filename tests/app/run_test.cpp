@@ -178,7 +178,7 @@ TEST_CASE("a weld lesson melts steel, tells its section, and repeats bit by bit"
     CHECK(first.at("lost") == 0);
     CHECK(first.at("non_finite") == 0);
     CHECK(first.at("max_temperature_c") > 1450);
-    CHECK(first.at("min_temperature_c").get<double>() == Approx(20).margin(0.01));
+    CHECK(first.at("min_temperature_c").get<double>() == Approx(20).margin(1));
     CHECK_THAT(readTextFile(folder / "first" / "telemetry.csv"),
                containsText(",min_temperature_c,mean_temperature_c,max_temperature_c,"));
     const Json& section = first.at("section");
