@@ -22,7 +22,7 @@ constexpr double kMm = 1e-3; ///< m
 
 std::string rounded(double value) {
     char text[40];
-    std::snprintf(text, sizeof text, "%.3g", value);
+    std::snprintf(text, sizeof text, std::abs(value) < 100 ? "%.3g" : "%.0f", value);
     return text;
 }
 
@@ -54,6 +54,11 @@ class WeldedPlaces {
         const glm::dvec3 most = glm::max(glm::abs(low_), glm::abs(high_));
         return std::max({most.x, most.y, most.z});
     }
+    /// Its length along the axis on which it is longest, m.
+    double span() const {
+        const glm::dvec3 size = high_ - low_;
+        return std::max({size.x, size.y, size.z});
+    }
 
   private:
     std::vector<glm::dvec3> places_;
@@ -70,20 +75,21 @@ std::string boxText(const glm::dvec3& low, const glm::dvec3& high) {
     return text + " mm";
 }
 
-/// Whether a path of this reach would fit the workpiece (m) once its numbers were other ones by `times`.
-bool fitsAfter(double farthest, double times, double size) {
-    return farthest * times > size / 20 && farthest * times < 3 * size;
+/// Whether a path of this length would fit the workpiece (m) once its numbers were other ones by `times`.
+bool fitsAfter(double length, double times, double size) {
+    return length * times > size / 20 && length * times < 3 * size;
 }
 
 /// Of a path whose numbers fit the workpiece in another unit; empty: of none.
 std::string unitWarning(const WeldedPlaces& places, double size) {
-    const double farthest = places.farthest();
-    const std::string reach = "reaches " + rounded(farthest / kMm) + " mm from the origin, and the workpiece is " +
-                              rounded(size / kMm) + " mm long: it is about a thousand times too ";
-    if (farthest < size / 100 && fitsAfter(farthest, kThousand, size))
-        return reach + "small. Are its positions metres? Millimetres are expected.";
-    if (farthest > 20 * size && fitsAfter(farthest, 1 / kThousand, size))
-        return reach + "large. Are its positions micrometres? Millimetres are expected.";
+    const std::string piece =
+        " mm, and the workpiece is " + rounded(size / kMm) + " mm long: it is about a thousand times too ";
+    if (places.farthest() < size / 100 && fitsAfter(places.farthest(), kThousand, size))
+        return "reaches " + rounded(places.farthest() / kMm) + piece +
+               "small. Are its positions metres? Millimetres are expected.";
+    if (places.span() > 20 * size && fitsAfter(places.span(), 1 / kThousand, size))
+        return "is " + rounded(places.span() / kMm) + piece +
+               "large. Are its positions micrometres? Millimetres are expected.";
     return {};
 }
 
