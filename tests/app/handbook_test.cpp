@@ -401,7 +401,8 @@ TEST_CASE("the handbook names what the program writes", "[app][handbook]") {
     further.insert("real_time"); // of attempts that a person made
     CHECK(told("columns of telemetry.csv").column(0) == further);
     const auto result = nlohmann::json::parse(readTextFile(folder / "result.json"));
-    Names section, top{"error", "recorded", "attempt", "what_if", "arc", "warnings", "torch_form"}; // not of every run
+    Names section, top{"error",    "recorded",   "attempt",   "what_if",       "arc",
+                       "warnings", "torch_form", "simulated", "simulated_text"}; // not of every run
     addKeys(result.at("section"), section);
     addKeys(wholeSection(folder / "section.json"), section);
     for (const auto& [key, value] : result.items())
