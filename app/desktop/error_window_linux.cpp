@@ -86,7 +86,7 @@ class Lettering {
         return all;
     }
     float width(const ImFont& font, const std::string& line) const {
-        return font.CalcTextSizeA(font.FontSize, 1e6f, 0, line.c_str()).x;
+        return font.CalcTextSizeA(ui::loadedSize(font), 1e6f, 0, line.c_str()).x;
     }
     void draw(Canvas& canvas, const ImFont& font, float x, float y, const std::string& line, ImU32 tint) const {
         std::string_view rest = line;
@@ -137,7 +137,7 @@ struct Button {
 
 /// The whole window as a picture, and where its button is.
 std::pair<Canvas, Button> paint(const Lettering& letters, const std::string& sentence) {
-    const float pad = letters.points(kPad), line = letters.body().FontSize * 1.3f;
+    const float pad = letters.points(kPad), line = ui::loadedSize(letters.body()) * 1.3f;
     const float room = letters.points(kWidth) - 2 * pad;
     const std::vector<std::string> lines = letters.lines(letters.body(), sentence, room);
     const float words = line * static_cast<float>(lines.size() + 1) + letters.points(8);
@@ -159,7 +159,7 @@ std::pair<Canvas, Button> paint(const Lettering& letters, const std::string& sen
     const std::string close = "Close";
     const float middle = static_cast<float>(button.left + button.right) / 2;
     letters.draw(canvas, letters.strong(), middle - letters.width(letters.strong(), close) / 2,
-                 static_cast<float>(button.top + button.bottom) / 2 - letters.strong().FontSize / 2, close,
+                 static_cast<float>(button.top + button.bottom) / 2 - ui::loadedSize(letters.strong()) / 2, close,
                  ui::colour::kOnAccent);
     return {std::move(canvas), button};
 }

@@ -349,7 +349,7 @@ void temperatureScale(Context& context, int colours, const TemperatureMeaning& m
         const ImU32 upper = tint(i + 1);
         draw->AddRectFilledMultiColor({x, top}, {x + width, top + part}, upper, upper, lower, lower);
     }
-    draw->AddText(context.fonts.small, context.fonts.small->FontSize * ImGui::GetIO().FontGlobalScale,
+    draw->AddText(context.fonts.small, loadedSize(*context.fonts.small) * ImGui::GetIO().FontGlobalScale,
                   {x - context.points(2), y - context.points(29)}, colour::kQuiet, "Temperature");
     const auto degrees = [&meaning](float share) {
         const float kelvin = meaning.coldest + share * (meaning.hottest - meaning.coldest);
@@ -359,7 +359,7 @@ void temperatureScale(Context& context, int colours, const TemperatureMeaning& m
                                                 ? std::array<ShortText, 3>{degrees(1), degrees(0.5f), degrees(0)}
                                                 : std::array<ShortText, 3>{"1  liquid", "0.5", "0  solid"};
     for (size_t i = 0; i < 3; ++i)
-        draw->AddText(context.fonts.small, context.fonts.small->FontSize * ImGui::GetIO().FontGlobalScale,
+        draw->AddText(context.fonts.small, loadedSize(*context.fonts.small) * ImGui::GetIO().FontGlobalScale,
                       {x + width + context.points(8), y + height / 2 * static_cast<float>(i) - context.points(9)},
                       colour::kText, labels[i].c_str());
 }

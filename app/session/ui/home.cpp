@@ -40,8 +40,8 @@ void drawLesson(Context& context, Home& home, const CataloguedLesson& lesson, Im
     const float scale = ImGui::GetIO().FontGlobalScale;
     ImFont* strong = context.fonts.strong;
     ImFont* small = context.fonts.small;
-    const float line = strong->FontSize * scale;
-    const float quiet = small->FontSize * scale;
+    const float line = loadedSize(*strong) * scale;
+    const float quiet = loadedSize(*small) * scale;
     draw.PushClipRect(at, {high.x - pad / 2, high.y}, true);
     draw.AddText(strong, line, at, colour::kText, lesson.title.c_str(), nullptr, width);
     const bool usable = lesson.fault.empty();
@@ -82,7 +82,7 @@ bool lessonGrid(Context& context, Home& home) {
     const auto columns = static_cast<float>(home.columns);
     const float share = (room - gap * (columns - 1)) / columns;
     const float width = beside ? share : std::min(share, context.points(kWidestTile));
-    const float words = 2 * context.fonts.strong->FontSize + context.fonts.small->FontSize;
+    const float words = 2 * loadedSize(*context.fonts.strong) + loadedSize(*context.fonts.small);
     const float height = width / kPictureShape + words * ImGui::GetIO().FontGlobalScale + context.points(20);
     const ImVec2 size{width, beside ? context.points(kRowHeight) : height};
     const bool moved = home.takeMoved();

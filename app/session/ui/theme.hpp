@@ -32,6 +32,16 @@ struct Fonts {
 /// machine has is taken; with none, Dear ImGui's own. A second font stands in for the letters that it has not.
 Fonts loadFonts(float scale, float pixelScale);
 
+/// The size, pixels, that a font was loaded for; Dear ImGui 1.92 draws it at any size and has another name for this
+/// one.
+inline float loadedSize(const ImFont& font) {
+#if IMGUI_VERSION_NUM >= 19200
+    return font.LegacySize;
+#else
+    return font.FontSize;
+#endif
+}
+
 /// Sets every colour and measure of Dear ImGui's style.
 void applyTheme(float scale);
 

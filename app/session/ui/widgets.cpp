@@ -125,7 +125,7 @@ float wishedWidth(const Context& context, const char* text, ButtonKind kind, flo
 ShortText brokenIntoLines(const char* text, float room) {
     ShortText lines;
     const char* const end = text + std::strlen(text);
-    const float scale = ImGui::GetFontSize() / ImGui::GetFont()->FontSize;
+    const float scale = ImGui::GetFontSize() / loadedSize(*ImGui::GetFont());
     while (text < end) {
         const char* stop = ImGui::GetFont()->CalcWordWrapPositionA(scale, text, end, room);
         if (stop == text) stop = end; // no room for a single letter

@@ -23,8 +23,8 @@ void entryText(Context& context, const Home& home, const ReplayEntry& entry, flo
     const float scale = ImGui::GetIO().FontGlobalScale;
     ImFont *strong = context.fonts.strong, *small = context.fonts.small;
     draw.PushClipRect(low, high, true);
-    draw.AddText(strong, strong->FontSize * scale, low, colour::kText, title.c_str());
-    draw.AddText(small, small->FontSize * scale, {low.x, high.y - small->FontSize * scale}, colour::kQuiet,
+    draw.AddText(strong, loadedSize(*strong) * scale, low, colour::kText, title.c_str());
+    draw.AddText(small, loadedSize(*small) * scale, {low.x, high.y - loadedSize(*small) * scale}, colour::kQuiet,
                  entry.detail.c_str());
     draw.PopClipRect();
     ImGui::Dummy({width, height});
@@ -42,7 +42,7 @@ MenuRequest entryRow(Context& context, Home& home, size_t index) {
     ReplayList& list = home.attempts;
     const ReplayEntry& entry = list.entries()[index];
     const float words =
-        (context.fonts.strong->FontSize + context.fonts.small->FontSize) * ImGui::GetIO().FontGlobalScale;
+        (loadedSize(*context.fonts.strong) + loadedSize(*context.fonts.small)) * ImGui::GetIO().FontGlobalScale;
     entryText(context, home, entry, words + context.points(4));
     MenuRequest request = MenuRequest::none;
     ButtonRow row(context);
