@@ -2,7 +2,9 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/headless_runner.hpp"
 #include "app/commands/junit_file.hpp"
+#include "app/commands/named_lesson.hpp"
 #include "app/program/progress_bar.hpp"
+#include "app/program/say.hpp"
 #include "app/program/stop_signals.hpp"
 #include "core/base/error.hpp"
 #include "core/base/output_file.hpp"
@@ -35,13 +37,20 @@ std::vector<fs::path> checksIn(const fs::path& folder) {
     return files;
 }
 
+/// The file of a check that is named: a path, or the name of a lesson that holds its own [expect].
+fs::path checkNamed(const fs::path& path, const LessonFolders& folders) {
+    std::error_code missing;
+    if (path.has_parent_path() || lowerExtension(path) == ".toml" || fs::exists(path, missing)) return path;
+    return namedLesson(path.string(), folders).file;
+}
+
 std::vector<LessonCheck> readChecks(const std::vector<fs::path>& named) {
-    const fs::path lessons = resourceFolder() / "data" / "lessons";
+    const LessonFolders lessons = LessonFolders::ofUser();
     std::vector<LessonCheck> checks;
     for (const fs::path& path : named) {
         std::error_code fault;
         const bool folder = fs::is_directory(path, fault);
-        for (const fs::path& file : folder ? checksIn(path) : std::vector{path})
+        for (const fs::path& file : folder ? checksIn(path) : std::vector{checkNamed(path, lessons)})
             checks.push_back(readLessonCheck(file, lessons));
     }
     return checks;
@@ -74,6 +83,7 @@ void printOutcome(const CheckOutcome& outcome, const Judgement& judgement) {
         score = text;
     }
     if (judgement.verdict) score += judgement.verdict->accepted ? ", accepted" : ", not accepted";
+    if (isQuiet() && outcome.passed()) return;
     std::printf("%-32s %-28s %s\n", printable(outcome.name, 80).c_str(), score.c_str(),
                 outcome.passed() ? "as expected" : "NOT AS EXPECTED");
     for (const std::string& fault : outcome.faults())
@@ -116,7 +126,8 @@ bool runChecks(const CheckRequest& request) {
                                std::to_string(checks.size()));
     }
     const auto passed = std::count_if(outcomes.begin(), outcomes.end(), [](const auto& each) { return each.passed(); });
-    std::printf("%td of %zu checks as expected\n", passed, outcomes.size());
+    say("%td of %zu checks as expected\n", passed, outcomes.size());
+    if (!request.junit.empty()) sayResult({}, request.junit);
     return passed == static_cast<std::ptrdiff_t>(outcomes.size());
 }
 

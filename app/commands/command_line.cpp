@@ -6,6 +6,7 @@
 #include "app/desktop/error_window.hpp"
 #include "app/program/memory.hpp"
 #include "app/program/program_info.hpp"
+#include "app/program/say.hpp"
 #include "app/program/watched_run.hpp"
 #include "app/sound/openal_device.hpp"
 #include "core/base/error.hpp"
@@ -51,13 +52,16 @@ struct Arguments {
     ReportRequest report;
     AttemptArguments attempts;
     std::string listed; ///< lesson whose values are listed; empty: the catalogue
+    bool listedAsJson = false;
+    bool quiet = false;
     bool speed = false; ///< the doctor welds too
 };
 
 void addDesktop(CLI::App& app, Arguments& arguments) {
-    app.add_option(
-        "--lesson", arguments.desktop.lesson,
-        "The window opens on this lesson, a name of the catalogue or a TOML file; without one on the list of lessons");
+    app.add_option("--lesson", arguments.desktop.lesson,
+                   "The window opens on this lesson, a name of the catalogue or a TOML file; without one on the list "
+                   "of lessons")
+        ->type_name("LESSON");
     app.add_option("--telemetry", arguments.desktop.telemetry,
                    "Write the state of the window here, one JSON object a line")
         ->type_name("FILE");
@@ -112,8 +116,10 @@ void addRun(CLI::App& app, Arguments& arguments) {
 void addRecordings(CLI::App& app, RecordingsRequest& r) {
     CLI::App* recordings = app.add_subcommand("recordings", "List the recordings of attempts, or look into one");
     recordings->add_option("--folder", r.folder, "Folder of recordings; by default the user's")->type_name("FOLDER");
-    CLI::Option* table = recordings->add_option("--csv", r.table, "Write a recording's torch as a record into a table");
-    table->type_name("FILE OUT")->expected(2);
+    CLI::Option* table = recordings->add_option(
+        "--csv", r.table, "Write one table of all attempts with their results; FILE OUT: the steps of one recording");
+    table->type_name("[FILE] OUT")->expected(1, 2);
+    recordings->add_flag("--json", r.json, "Print the list as JSON")->excludes(table);
     recordings->add_option("--check", r.checked, "Tell whether a recording is whole, and else how much of it")
         ->type_name("FILE")
         ->excludes(table);
@@ -131,7 +137,9 @@ void addOthers(CLI::App& app, Arguments& arguments) {
                          "Case files (.toml) or folders of them; all that ship where none is named");
     validate->add_option("--json", arguments.validation.json, "Write the numbers into this file")->type_name("FILE");
     CLI::App* check = app.add_subcommand("check", "Weld lessons and hold score, verdict and weld against expectations");
-    check->add_option("CHECK", arguments.check.checks, "Files (.toml) with a table [expect], or folders of them")
+    check
+        ->add_option("CHECK", arguments.check.checks,
+                     "Files (.toml) with a table [expect], folders of them, or names of such lessons")
         ->required();
     check->add_option("--junit", arguments.check.junit, "Write the results into this file")->type_name("FILE");
     CLI::App* report = app.add_subcommand("report", "Make one HTML page of each attempt");
@@ -141,13 +149,16 @@ void addOthers(CLI::App& app, Arguments& arguments) {
         ->add_option("--out", arguments.report.page,
                      "The page; by default report.html in the folder, or beside the record under its name")
         ->type_name("FILE");
-    report->add_option("--lesson", arguments.report.lesson,
-                       "Lesson of the records, a TOML file, where the catalogue does not have it");
+    report
+        ->add_option("--lesson", arguments.report.lesson,
+                     "Lesson of the records, a TOML file, where the catalogue does not have it")
+        ->type_name("LESSON");
     addRecordings(app, arguments.recordings);
     app.add_subcommand("doctor", "Tell what this machine has and what is missing")
         ->add_flag("--speed", arguments.speed, "Weld for ten seconds and advise a particle spacing");
     CLI::App* lessons = app.add_subcommand("lessons", "List the lessons, or the values of one");
     lessons->add_option("LESSON", arguments.listed, "List the parameters of this lesson that --set takes");
+    lessons->add_flag("--json", arguments.listedAsJson, "Print the list as JSON");
 }
 
 DesktopOptions trainerOptions(const Arguments& arguments) {
@@ -156,6 +167,12 @@ DesktopOptions trainerOptions(const Arguments& arguments) {
     options.recordings = !arguments.unrecorded;
     if (arguments.desktopOnly) options.headset = HeadsetUse::off;
     return options;
+}
+
+int runLessons(const Arguments& arguments) {
+    if (arguments.listed.empty()) return listLessons(arguments.listedAsJson) ? kDone : kBadInput;
+    listParameters(arguments.listed, arguments.listedAsJson);
+    return kDone;
 }
 
 int dispatch(const CLI::App& app, const Arguments& arguments) {
@@ -174,7 +191,7 @@ int dispatch(const CLI::App& app, const Arguments& arguments) {
     else if (app.got_subcommand("doctor"))
         return runDoctor(arguments.speed) ? kDone : kFailed;
     else if (app.got_subcommand("lessons"))
-        arguments.listed.empty() ? listLessons() : listParameters(arguments.listed);
+        return runLessons(arguments);
     else if (!runAttemptCommand(app, arguments.attempts))
         return runTrainer(trainerOptions(arguments)) ? kDone : kFailed;
     return kDone;
@@ -228,6 +245,10 @@ void declare(CLI::App& app, Arguments& arguments) {
     addRun(app, arguments);
     addAttemptCommands(app, arguments.attempts);
     addOthers(app, arguments);
+    for (const char* command :
+         {"run", "replay", "compare", "demonstration", "check", "report", "recordings", "validate"})
+        app.get_subcommand(command)->add_flag("--quiet", arguments.quiet,
+                                              "Say only what is wrong, and the path of the result");
 }
 
 /// Throws CLI::Success for a wish for help or version, InputError for what cannot be understood.
@@ -254,6 +275,7 @@ int parseAndRun(int argc, char** argv) {
     int code = kDone;
     try {
         parse(app, argc, argv);
+        if (arguments.quiet) beQuiet();
         code = dispatch(app, arguments);
     } catch (const CLI::Success& help) {
         app.exit(help);

@@ -73,12 +73,14 @@ void writeReports(const ReportRequest& request);
 
 /// `meltpool recordings`.
 struct RecordingsRequest {
-    std::filesystem::path folder;             ///< empty: the user's
-    std::vector<std::filesystem::path> table; ///< a recording and the table that is made of it; empty: none
-    std::filesystem::path checked;            ///< a recording; empty: none
+    std::filesystem::path folder; ///< empty: the user's
+    /// A recording and the table that is made of it, or only the table of all recordings; empty: none.
+    std::vector<std::filesystem::path> table;
+    bool json = false;             ///< the list as JSON
+    std::filesystem::path checked; ///< a recording; empty: none
 };
 
-/// Lists recordings, makes a table of one, or checks one. Returns false where a recording is damaged. Throws
+/// Lists recordings, makes a table of all or of one, or checks one. Returns false where a recording is damaged. Throws
 /// InputError for a file that is no recording.
 bool runRecordings(const RecordingsRequest& request);
 
@@ -125,11 +127,12 @@ struct DemonstrationRequest {
 /// Throws InputError for an attempt without a pull of the trigger and a file that is neither.
 void makeDemonstration(const DemonstrationRequest& request);
 
-/// Prints the catalogue.
-void listLessons();
+/// Prints the catalogue, group by group where a school or the person has lessons too. Returns false, with a sentence on
+/// standard error for each, where a lesson or a folder of lessons cannot be used.
+bool listLessons(bool json = false);
 
 /// Prints every value of a lesson that --set takes, with what it is there, unit, range and meaning.
-void listParameters(const std::string& lesson);
+void listParameters(const std::string& lesson, bool json = false);
 
 /// Prints what the machine has and what is missing; with `speed` also what it bears, which takes ten seconds. Returns
 /// false where something is missing that every run needs.

@@ -3,6 +3,7 @@
 #include "app/mesh/mesh_file.hpp"
 #include "app/program/program_info.hpp"
 #include "app/program/progress_bar.hpp"
+#include "app/program/say.hpp"
 #include "app/report/attempt_pictures.hpp"
 #include "app/session/attempt/attempt_ghost.hpp"
 #include "app/session/attempt/seeing.hpp"
@@ -290,7 +291,7 @@ class Run {
 void tellSizes(const Lesson& lesson) {
     if (lesson.model != LessonModel::Weld) return;
     const std::string text = simulatedSizesText(lesson.workpiece);
-    if (!text.empty()) std::printf("%s\n", text.c_str());
+    if (!text.empty()) say("%s\n", text.c_str());
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // `meltpool recordings`: what the program has kept of people's attempts.
 #include "app/commands/commands.hpp"
+#include "app/program/say.hpp"
 #include "app/session/recordings/kept_attempts.hpp"
 #include "app/session/recordings/recordings_limit.hpp"
 #include "core/base/error.hpp"
@@ -7,12 +8,17 @@
 #include "core/training/recording/recording_csv.hpp"
 #include "core/training/recording/recording_reader.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
+#include <array>
 #include <cstdio>
 
 namespace meltpool {
 
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 constexpr size_t kMostBytes = 1000; ///< of a text that a file brings
 
@@ -34,7 +40,7 @@ bool writeTable(const std::filesystem::path& file, const std::filesystem::path& 
     if (recording.steps.empty())
         throw InputError(file, 0, "holds no whole step; expected an attempt in which something was done");
     writeTextFileAtomically(table, recordingCsv(recording));
-    std::printf("The table is %s; %s.\n", shown(table.string()).c_str(), shown(recording.stateSentence()).c_str());
+    sayResult("The table is " + shown(table.string()) + "; " + shown(recording.stateSentence()) + ".", table);
     return !recording.damaged();
 }
 
@@ -54,6 +60,84 @@ size_t removedCount(const std::filesystem::path& folder) {
     } catch (const InputError&) {
         return 0; // there is none
     }
+}
+
+constexpr std::array kColumns{"date",       "lesson",  "lesson_file", "attempt",   "seconds",
+                              "score",      "verdict", "practice",    "real_time", "ended",
+                              "state_hash", "bytes",   "program",     "driver",    "file"};
+
+/// All that a list of attempts holds of one, in the order of the columns.
+std::array<Json, kColumns.size()> rowOf(const KeptAttempt& kept) {
+    const RecordingSummary summary = readRecordingSummary(kept.file);
+    const auto& end = summary.end;
+    return {summary.head.date,
+            kept.lesson,
+            kept.lessonFile,
+            summary.head.attempt,
+            kept.seconds,
+            end && end->score ? Json(*end->score) : Json(),
+            kept.verdict,
+            kept.practice,
+            end ? Json(end->realTime) : Json(),
+            kept.ended,
+            end ? end->stateHash : std::string(),
+            kept.bytes,
+            summary.head.program,
+            summary.head.driver,
+            kept.file.string()};
+}
+
+/// The attempts of a folder as the program lists them; their faults go to standard error.
+std::vector<KeptAttempt> attemptsOf(const std::filesystem::path& folder) {
+    std::vector<std::string> faults;
+    std::vector<KeptAttempt> attempts = keptRecordings(folder, &faults);
+    for (const std::string& fault : faults)
+        std::fprintf(stderr, "meltpool: %s\n", shown(fault).c_str());
+    return attempts;
+}
+
+void listAsJson(const std::filesystem::path& folder) {
+    Json list = Json::array();
+    for (const KeptAttempt& kept : attemptsOf(folder)) {
+        Json attempt = Json::object();
+        const auto row = rowOf(kept);
+        for (size_t i = 0; i < kColumns.size(); ++i)
+            attempt[kColumns[i]] = row[i];
+        list.push_back(std::move(attempt));
+    }
+    std::printf("%s\n", list.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+}
+
+/// A value of a table as RFC 4180 wants it.
+std::string cell(const Json& value) {
+    if (value.is_null()) return {};
+    if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+    if (value.is_number_float()) return formatNumber(value.get<double>());
+    if (!value.is_string()) return value.dump();
+    const std::string text = shown(value.get<std::string>());
+    if (text.find_first_of(",\"") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text)
+        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + "\"";
+}
+
+/// One table of all attempts, a row each.
+void tabulate(const std::filesystem::path& folder, const std::filesystem::path& table) {
+    if (isRecording(table))
+        throw InputError(table, 0,
+                         "is a recording; expected the table's name behind it, or alone a name that ends in .csv");
+    std::string text;
+    for (const char* column : kColumns)
+        text += (text.empty() ? "" : ",") + std::string(column);
+    const std::vector<KeptAttempt> attempts = attemptsOf(folder);
+    for (const KeptAttempt& kept : attempts) {
+        const auto row = rowOf(kept);
+        for (size_t i = 0; i < row.size(); ++i)
+            text += (i == 0 ? "\n" : ",") + cell(row[i]);
+    }
+    writeTextFileAtomically(table, text + "\n");
+    sayResult("The table of " + std::to_string(attempts.size()) + " attempts is " + shown(table.string()), table);
 }
 
 void list(const std::filesystem::path& folder) {
@@ -80,11 +164,14 @@ void list(const std::filesystem::path& folder) {
 
 bool runRecordings(const RecordingsRequest& request) {
     if (!request.checked.empty()) return check(request.checked);
-    if (!request.table.empty()) return writeTable(request.table.at(0), request.table.at(1));
+    if (request.table.size() == 2) return writeTable(request.table[0], request.table[1]);
     const std::filesystem::path folder = request.folder.empty() ? recordingsFolder() : request.folder;
     if (!request.folder.empty() && !std::filesystem::is_directory(folder))
         throw InputError(folder, 0, "is no folder; expected one of recordings");
-    list(folder);
+    if (request.table.size() == 1)
+        tabulate(folder, request.table[0]);
+    else
+        request.json ? listAsJson(folder) : list(folder);
     return true;
 }
 

@@ -1,11 +1,12 @@
 // `meltpool report`: the results of runs and records as pages for people.
 #include "app/commands/commands.hpp"
+#include "app/commands/named_lesson.hpp"
 #include "app/commands/run_folder.hpp"
+#include "app/program/say.hpp"
 #include "app/report/record_results.hpp"
 #include "app/report/report_page.hpp"
 #include "core/base/error.hpp"
 #include "core/base/output_file.hpp"
-#include "core/base/resources.hpp"
 
 #include <cstdio>
 
@@ -27,9 +28,12 @@ RunResults resultsIn(const fs::path& source, const std::string& lesson) {
     if (!attempt)
         throw InputError(source, 1,
                          "is no record of an attempt; expected one, or the folder of a run, or its result.json");
-    const std::string own = attempt->lessonFile.empty() ? attempt->lesson : attempt->lessonFile;
-    const std::string name = lesson.empty() ? own : lesson;
-    return readRecordResults(source, findLesson(name, resourceFolder() / "data" / "lessons"));
+    const LessonFolders folders = LessonFolders::ofUser();
+    if (!lesson.empty()) return readRecordResults(source, namedLesson(lesson, folders));
+    const Lesson own = findLessonOf(*attempt, folders);
+    if (const std::string moved = movedLessonText(*attempt, own); !moved.empty())
+        std::fprintf(stderr, "meltpool: %s\n", moved.c_str());
+    return readRecordResults(source, own);
 }
 
 /// In a run's folder, or beside a record under its name.
@@ -62,7 +66,7 @@ void writeReports(const ReportRequest& request) {
         const fs::path page = request.page.empty() ? pageOf(source) : request.page;
         requireNoSource(page, source);
         writeFile(page, reportPage(resultsIn(source, request.lesson)));
-        std::printf("The report is %s\n", page.string().c_str());
+        sayResult("The report is " + page.string(), page);
     }
 }
 

@@ -1,9 +1,11 @@
 #include "app/commands/commands.hpp"
 
 #include "app/commands/headless_runner.hpp"
+#include "app/commands/named_lesson.hpp"
 #include "app/commands/run_folder.hpp"
 #include "app/mesh/mesh_file.hpp"
 #include "app/program/program_info.hpp"
+#include "app/program/say.hpp"
 #include "app/program/stop_signals.hpp"
 #include "app/session/attempt/attempt_ghost.hpp"
 #include "core/base/error.hpp"
@@ -11,14 +13,12 @@
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"
 #include "core/gl/driver_threads.hpp"
-#include "core/training/check/plausibility.hpp"
 #include "core/training/lesson.hpp"
 #include "core/training/lesson_room.hpp"
 #include "core/training/recording/record_text.hpp"
 #include "core/training/result/repetition.hpp"
 
 #include <chrono>
-#include <cstdio>
 
 namespace meltpool {
 
@@ -27,23 +27,10 @@ namespace {
 /// A run that was asked to stop, but is in the middle of something long, is ended after this time.
 constexpr std::chrono::seconds kPatience(2);
 
-/// Notes are written as fragments or sentences; in a list they read as sentences.
-std::string asSentence(std::string_view note) {
-    std::string text(note);
-    if (text.empty()) return text;
-    if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-    if (text.back() != '.') text += '.';
-    return text;
-}
-
 /// What a file or a person wrote, as the terminal gets it.
 std::string shown(const std::string& text) {
     constexpr size_t kMostBytes = 1000;
     return printable(text, kMostBytes);
-}
-
-std::filesystem::path lessonFolder() {
-    return resourceFolder() / "data" / "lessons";
 }
 
 void setSize(Lesson& lesson, const std::string& size) {
@@ -105,18 +92,6 @@ bool hasFewPictures(const Lesson& lesson, const FilmRequest& film) {
     return lesson.model == LessonModel::Weld && lesson.run.picturesEvery == 0 && !film.video && film.turntable == 0;
 }
 
-/// One line on standard error.
-void warn(const std::string& sentence) {
-    constexpr size_t kMostBytes = 1000;
-    std::fprintf(stderr, "meltpool: warning: %s\n", printable(sentence, kMostBytes).c_str());
-}
-
-/// How a torch path's table was understood, where it is not one of this program's own.
-void tellForm(const std::filesystem::path& file, const TorchPath& path) {
-    if (path.form() && !path.form()->ours)
-        std::printf("Torch path %s is read as %s.\n", shown(file.string()).c_str(), shown(path.form()->text()).c_str());
-}
-
 /// The coldest and the hottest: "20 to 2310 °C"; of the classic metal, whose scale has no unit, "0 to 0.53 (solid is 0,
 /// liquid 1)".
 std::string temperatures(const Lesson& lesson, const MetalStatistics& metal) {
@@ -132,20 +107,10 @@ std::string temperatures(const Lesson& lesson, const MetalStatistics& metal) {
     return text;
 }
 
-/// What a person should know before the run: told here, and again in the result. `cut`: the run's time was asked for.
-std::vector<std::string> tellWarnings(const Lesson& lesson, bool cut = false) {
-    std::vector<std::string> sentences = lessonWarnings(lesson, lessonFolder());
-    for (std::string& sentence : pathWarnings(lesson, cut))
-        sentences.push_back(std::move(sentence));
-    for (const std::string& sentence : sentences)
-        warn(sentence);
-    return sentences;
-}
-
 } // namespace
 
 Lesson requestedLesson(const RunRequest& request) {
-    Lesson lesson = findLesson(request.lesson, lessonFolder());
+    Lesson lesson = namedLesson(request.lesson, LessonFolders::ofUser());
     if (!request.torch.empty()) takeTorch(lesson, request.torch);
     for (const std::string& pair : request.sets) {
         const size_t equals = pair.find('=');
@@ -186,8 +151,7 @@ void runLesson(const RunRequest& request) {
     hooks.warnings = tellWarnings(lesson, !request.seconds.empty());
     hooks.warn = warn;
     if (const size_t removed = folder.clear(); removed > 0)
-        std::printf("%s held an earlier run; its %zu files are removed.\n", shown(folder.path().string()).c_str(),
-                    removed);
+        say("%s held an earlier run; its %zu files are removed.\n", shown(folder.path().string()).c_str(), removed);
     RunStop stop;
     stop.asked = StopSignals::asked;
     stop.grant = [&signals] { signals.grantStop(); };
@@ -196,31 +160,15 @@ void runLesson(const RunRequest& request) {
     const LessonResult result =
         runHeadless(context.info(), shaders, lesson,
                     {folder.result(), telemetry, folder.path(), request.sound, request.mesh}, stop, hooks);
-    std::printf("%s: %.2f s in %zu steps, %zu of %zu particles molten, temperature %s, %zu lost; pictures and "
-                "result are in %s\n",
-                shown(lesson.key).c_str(), result.seconds, result.steps, result.metal.molten, result.metal.particles,
-                temperatures(lesson, result.metal).c_str(), result.metal.lost, shown(folder.path().string()).c_str());
-    if (hooks.film.video) std::printf("%s\n", shown(finishFilm(hooks.film, folder.path())).c_str());
-    if (!request.mesh.empty()) std::printf("The mesh is in %s.\n", shown(request.mesh.string()).c_str());
+    say("%s: %.2f s in %zu steps, %zu of %zu particles molten, temperature %s, %zu lost; pictures and "
+        "result are in %s\n",
+        shown(lesson.key).c_str(), result.seconds, result.steps, result.metal.molten, result.metal.particles,
+        temperatures(lesson, result.metal).c_str(), result.metal.lost, shown(folder.path().string()).c_str());
+    sayResult({}, folder.result());
+    if (hooks.film.video) say("%s\n", shown(finishFilm(hooks.film, folder.path())).c_str());
+    if (!request.mesh.empty()) sayResult("The mesh is in " + shown(request.mesh.string()) + ".", request.mesh);
     if (lesson.recorded)
-        std::printf("%s\n", repetitionText(*lesson.recorded, result, programBuild(), context.info().renderer).c_str());
-}
-
-void listLessons() {
-    for (const std::string& name : lessonNames(lessonFolder())) {
-        const Lesson lesson = findLesson(name, lessonFolder());
-        std::printf("%-20s %5.0f s  %s\n", shown(name).c_str(), static_cast<double>(lesson.run.seconds),
-                    shown(lesson.title).c_str());
-    }
-}
-
-void listParameters(const std::string& name) {
-    Lesson lesson = findLesson(name, lessonFolder());
-    tellForm(lesson.torchFile, lesson.torch);
-    tellWarnings(lesson);
-    for (const Parameter& p : lesson.parameters())
-        std::printf("%-20s %-12s %s%s. %s\n", std::string(p.key).c_str(), shown(parameterText(p)).c_str(),
-                    expectation(p).c_str(), p.onlyAtStart ? ", at the start only" : "", asSentence(p.note).c_str());
+        say("%s\n", repetitionText(*lesson.recorded, result, programBuild(), context.info().renderer).c_str());
 }
 
 } // namespace meltpool

@@ -2,6 +2,7 @@
 #include "app/commands/commands.hpp"
 #include "app/program/lock_notice.hpp"
 #include "app/program/program_info.hpp"
+#include "app/program/say.hpp"
 #include "app/program/stop_signals.hpp"
 #include "core/base/error.hpp"
 #include "core/base/file_lock.hpp"
@@ -172,26 +173,27 @@ bool runValidation(const ValidationRequest& request) {
     Ends ends;
     std::vector<std::string> failed;
     std::vector<ValidationResult> results;
-    std::fputs(validationHeads().c_str(), stdout);
+    say("%s", validationHeads().c_str());
     for (const ValidationCase& one : cases) {
         if (StopSignals::asked())
             throw RuntimeFault("the validation was stopped after " + std::to_string(results.size()) + " of " +
                                std::to_string(cases.size()) + " cases");
         ValidationResult result;
         ends.run(one, shaders, result);
-        std::fputs(validationText(result).c_str(), stdout);
+        if (!result.passed() || !isQuiet()) std::fputs(validationText(result).c_str(), stdout);
         std::fflush(stdout);
         numbers.add(result);
         if (!result.passed()) failed.push_back(result.name);
         results.push_back(std::move(result));
     }
     const std::vector<MeanError> errors = meanErrors(results);
-    std::fputs(meanErrorsText(errors).c_str(), stdout);
-    std::printf("%zu of %zu cases passed\n", cases.size() - failed.size(), cases.size());
+    say("%s", meanErrorsText(errors).c_str());
+    say("%zu of %zu cases passed\n", cases.size() - failed.size(), cases.size());
     for (const std::string& name : failed)
         std::printf("failed: %s\n", name.c_str());
     std::fflush(stdout);
     numbers.finish(failed.empty(), errors);
+    if (!request.json.empty()) sayResult({}, request.json);
     if (!ends.input.empty()) throw InputError(ends.input);
     if (!ends.machine.empty()) throw RuntimeFault(ends.machine);
     return failed.empty();

@@ -47,7 +47,7 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
       menus_(window_, interface_),
       shaders_(resourceFolder() / "shaders"),
       stepThread_(makeStepThread(shaders_.root())),
-      home_(resourceFolder() / "data" / "lessons", settingsFolder() / "best-scores.toml"),
+      home_(LessonFolders::ofUser(), settingsFolder() / "best-scores.toml"),
       session_(shaders_, loadLesson(options.lesson.empty() ? std::string(kDefaultLesson) : options.lesson),
                machineSeconds, stepThread_.get()),
       sound_(session_),
@@ -70,9 +70,11 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
     settings_.giveTo(session_.lesson(), session_.sections());
     for (const std::string& fault : home_.scores.faults())
         messages_.warn(fault, now());
+    for (const std::string& fault : home_.faults())
+        messages_.warn(fault, now());
     home_.open = options.lesson.empty();
     home_.choose(session_.lesson().key);
-    if (!options.replay.empty()) lessons_.openAttempt(options.replay, options.lesson);
+    if (!options.replay.empty()) lessons_.openAttempt(options.replay, now(), options.lesson);
     window_.resize({windowParameters_.width, windowParameters_.height}, windowParameters_.maximised);
     window_.show();
     lastFrame_ = now();

@@ -3,6 +3,7 @@
 #include "app/program/open_file.hpp"
 #include "app/session/replay/attempt_lesson.hpp"
 #include "core/base/error.hpp"
+#include "core/training/lesson_folders.hpp"
 
 #include <array>
 #include <optional>
@@ -21,6 +22,7 @@ void DesktopLessons::leave() {
 void DesktopLessons::goHome() {
     if (home_.open) return;
     leave();
+    home_.refresh();
     home_.choose(session_.lesson().key);
     if (home_.attempts.shown()) home_.attempts.show(); // there may be more of them now
     home_.open = true;
@@ -39,7 +41,8 @@ void DesktopLessons::take(Lesson opened) {
 
 void DesktopLessons::open(const CataloguedLesson& lesson, double now) {
     try {
-        take(loadLesson(lesson.key));
+        if (lesson.taken) throw InputError(lesson.fault);
+        take(readLesson(lesson.file));
     } catch (const InputError& fault) {
         messages_.warn(fault.what(), now, "lesson");
     }
@@ -59,15 +62,23 @@ bool DesktopLessons::start(void (LessonSession::*begin)(Controls&), double now) 
     }
 }
 
-void DesktopLessons::openAttempt(const std::filesystem::path& file, const std::string& lesson) {
+/// Tells where the attempt's lesson is no longer the file that it names.
+void DesktopLessons::tellMoved(const Lesson& attempt, double now) {
+    if (!attempt.recorded) return;
+    if (std::string moved = movedLessonText(*attempt.recorded, attempt); !moved.empty())
+        messages_.note(std::move(moved), now, "lesson");
+}
+
+void DesktopLessons::openAttempt(const std::filesystem::path& file, double now, const std::string& lesson) {
     Lesson attempt = lessonOfAttempt(file, lesson);
-    take(loadLesson(attempt.file.string()));
+    take(readLesson(attempt.file));
+    if (lesson.empty()) tellMoved(attempt, now);
     session_.openReplay(std::move(attempt), controls_);
 }
 
 bool DesktopLessons::replay(const std::filesystem::path& file, double now) {
     try {
-        openAttempt(file);
+        openAttempt(file, now);
         return true;
     } catch (const std::exception& fault) {
         messages_.warn(fault.what(), now, "start");
@@ -80,7 +91,8 @@ bool DesktopLessons::weldBeside(const std::filesystem::path& file, double now) {
         const Lesson attempt = lessonOfAttempt(file);
         if (attempt.model != LessonModel::Weld || !attempt.ghost)
             throw InputError(file, 0, "is of lesson '" + attempt.key + "', which allows no ghost");
-        take(loadLesson(attempt.file.string()));
+        take(readLesson(attempt.file));
+        tellMoved(attempt, now);
         session_.ghost().choose(file);
     } catch (const std::exception& fault) {
         messages_.warn(fault.what(), now, "start");

@@ -30,7 +30,7 @@ class DesktopLessons {
 
     /// Plays a kept attempt in its lesson, or in the one named, see lessonOfAttempt(), which this throws as, and as
     /// LessonSession::begin().
-    void openAttempt(const std::filesystem::path& file, const std::string& lesson = {});
+    void openAttempt(const std::filesystem::path& file, double now, const std::string& lesson = {});
     /// The same from a menu: false, with a message and nothing changed, where the file cannot be used.
     bool replay(const std::filesystem::path& file, double now);
 
@@ -48,6 +48,7 @@ class DesktopLessons {
 
   private:
     void take(Lesson opened);
+    void tellMoved(const Lesson& attempt, double now);
 
     Home& home_;
     LessonSession& session_;

@@ -81,8 +81,8 @@ Section "un.Meltpool"
     !insertmacro TellShell
 SectionEnd
 
-; Not chosen unless asked for: attempts, results and settings are the user's work.
-Section /o "un.Recordings, results and settings"
+; Not chosen unless asked for: attempts, results, settings and lessons are the user's work.
+Section /o "un.Recordings, results, settings and own lessons"
     RMDir /r "$APPDATA\meltpool"
     RMDir /r "$LOCALAPPDATA\meltpool"
 SectionEnd

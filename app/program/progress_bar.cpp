@@ -1,5 +1,7 @@
 #include "app/program/progress_bar.hpp"
 
+#include "app/program/say.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -39,7 +41,7 @@ std::string progressLine(const std::string& what, double share, double seconds) 
     return line;
 }
 
-ProgressBar::ProgressBar(std::string what) : what_(std::move(what)), terminal_(errorIsTerminal()) {}
+ProgressBar::ProgressBar(std::string what) : what_(std::move(what)), terminal_(errorIsTerminal() && !isQuiet()) {}
 
 ProgressBar::~ProgressBar() {
     if (drawn_) std::fputs("\r\033[K", stderr);

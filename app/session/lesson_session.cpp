@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/base/resources.hpp"
 #include "core/training/classic_model.hpp"
+#include "core/training/lesson_folders.hpp"
 
 #include <glm/trigonometric.hpp>
 
@@ -26,7 +27,7 @@ Lesson machineAtStart(Lesson lesson) {
 } // namespace
 
 Lesson loadLesson(const std::string& name) {
-    return findLesson(name, resourceFolder() / "data" / "lessons");
+    return findLesson(name, LessonFolders::ofUser());
 }
 
 double machineSeconds() {

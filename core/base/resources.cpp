@@ -23,6 +23,10 @@ std::filesystem::path keptFolder() {
     return userFiles() / "meltpool";
 }
 
+std::filesystem::path ownFilesFolder() {
+    return userDocuments() / "meltpool";
+}
+
 std::filesystem::path cacheFolder() {
     const std::filesystem::path folder = userCache();
     return folder.empty() ? folder : folder / "meltpool";

@@ -19,6 +19,10 @@ std::filesystem::path settingsFolder();
 /// %LOCALAPPDATA%/meltpool). Does not create it.
 std::filesystem::path keptFolder();
 
+/// The user's folder for files that a person makes for this program and takes along ($XDG_DATA_HOME/meltpool,
+/// ~/.local/share/meltpool, %APPDATA%/meltpool). Does not create it.
+std::filesystem::path ownFilesFolder();
+
 /// The user's folder for what this program can make again ($XDG_CACHE_HOME/meltpool, ~/.cache/meltpool,
 /// %LOCALAPPDATA%/meltpool); empty where the user has no home. Does not create it.
 std::filesystem::path cacheFolder();

@@ -258,16 +258,4 @@ std::vector<std::string> lessonNames(const std::filesystem::path& folder) {
     return tomlFileNames(folder, "the folder of lessons");
 }
 
-Lesson findLesson(const std::string& name, const std::filesystem::path& folder) {
-    const std::string extension = lowerExtension(name);
-    if (extension == ".toml" || extension == ".meltpool") return readLesson(name);
-    const auto names = lessonNames(folder);
-    if (std::find(names.begin(), names.end(), name) != names.end()) return readLesson(folder / (name + ".toml"));
-    std::string known;
-    for (const std::string& each : names)
-        known += (known.empty() ? "" : ", ") + each;
-    throw InputError("lesson " + quote(name) + " is not in the catalogue; expected one of " + known +
-                     ", or a file that ends in .toml or .meltpool");
-}
-
 } // namespace meltpool

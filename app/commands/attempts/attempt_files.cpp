@@ -1,29 +1,16 @@
 #include "app/commands/attempts/attempt_files.hpp"
 
+#include "app/commands/named_lesson.hpp"
 #include "core/base/error.hpp"
-#include "core/base/resources.hpp"
 #include "core/base/text.hpp"
 
-#include <algorithm>
+#include <cstdio>
 
 namespace meltpool {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The lesson that a record names, from the catalogue, or from the file that a recording names.
-Lesson lessonNamedBy(const RecordedAttempt& attempt, const fs::path& catalogue) {
-    std::error_code failed;
-    if (!attempt.lessonFile.empty() && fs::exists(attempt.lessonFile, failed))
-        return findLesson(attempt.lessonFile, catalogue);
-    const std::vector<std::string> names = lessonNames(catalogue);
-    if (!attempt.lessonFile.empty() || std::find(names.begin(), names.end(), attempt.lesson) == names.end())
-        throw InputError(attempt.file, 0,
-                         "is of lesson " + quote(attempt.lesson) +
-                             ", which is not in the catalogue; expected --lesson with this lesson's file");
-    return findLesson(attempt.lesson, catalogue);
-}
 
 ParameterList viewParameters(Lesson& lesson) {
     ParameterList list = describe(lesson.camera);
@@ -43,8 +30,10 @@ Lesson openAttempt(const fs::path& file, const std::string& lesson) {
         throw InputError(file, 0,
                          "is no recorded attempt; expected a record that the trainer or a run has written (a plain "
                          "torch path is welded by 'meltpool run LESSON --torch')");
-    const fs::path catalogue = resourceFolder() / "data" / "lessons";
-    Lesson made = lesson.empty() ? lessonNamedBy(*attempt, catalogue) : findLesson(lesson, catalogue);
+    const LessonFolders folders = LessonFolders::ofUser();
+    Lesson made = lesson.empty() ? findLessonOf(*attempt, folders) : namedLesson(lesson, folders);
+    if (const std::string moved = lesson.empty() ? movedLessonText(*attempt, made) : std::string(); !moved.empty())
+        std::fprintf(stderr, "meltpool: %s\n", moved.c_str());
     takeTorch(made, file);
     if (!made.recorded || made.torch.empty())
         throw InputError(file, 0, "has no step of the torch; expected the record of an attempt");

@@ -1,6 +1,7 @@
 #include "app/commands/attempts/attempt_welder.hpp"
 
 #include "app/program/program_info.hpp"
+#include "app/program/say.hpp"
 #include "app/program/stop_signals.hpp"
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"
@@ -32,17 +33,17 @@ LessonResult AttemptWelder::weld(const Lesson& lesson, RunFolder& folder, const 
     requireRoom(lesson, machineRoom());
     const std::string place = printable(folder.path().string(), kLongestShown);
     if (const size_t removed = folder.clear(); removed > 0)
-        std::printf("%s held an earlier run; its %zu files are removed.\n", place.c_str(), removed);
+        say("%s held an earlier run; its %zu files are removed.\n", place.c_str(), removed);
     RunStop stop;
     stop.asked = StopSignals::asked;
     stop.grant = [&signals] { signals.grantStop(); };
     stop.endAfter = [&signals](const std::function<void()>& last) { signals.endAfter(kPatience, last); };
     const LessonResult result = runHeadless(context_.info(), shaders_, lesson,
                                             {folder.result(), folder.telemetry(), folder.path()}, stop, hooks);
-    std::printf("%s: %.2f s in %zu steps; pictures and result are in %s\n",
-                printable(lesson.key, kLongestShown).c_str(), result.seconds, result.steps, place.c_str());
+    say("%s: %.2f s in %zu steps; pictures and result are in %s\n", printable(lesson.key, kLongestShown).c_str(),
+        result.seconds, result.steps, place.c_str());
     if (lesson.recorded && hooks.whatIf.empty())
-        std::printf("%s\n", repetitionText(*lesson.recorded, result, programBuild(), context_.info().renderer).c_str());
+        say("%s\n", repetitionText(*lesson.recorded, result, programBuild(), context_.info().renderer).c_str());
     std::fflush(stdout);
     return result;
 }

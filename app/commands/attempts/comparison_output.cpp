@@ -1,5 +1,6 @@
 #include "app/commands/attempts/comparison_output.hpp"
 
+#include "app/program/say.hpp"
 #include "core/base/output_file.hpp"
 #include "core/base/text.hpp"
 
@@ -25,19 +26,21 @@ std::string shown(const std::string& text) {
 void tellComparison(const ComparedRun& first, const ComparedRun& second, const std::filesystem::path& folder,
                     bool page) {
     const Comparison comparison = compareRuns(first, second);
-    std::printf("%s against %s: %s.\n", shown(second.name).c_str(), shown(first.name).c_str(),
-                comparisonText(comparison).c_str());
+    say("%s against %s: %s.\n", shown(second.name).c_str(), shown(first.name).c_str(),
+        comparisonText(comparison).c_str());
     if (comparison.halfSpacing > 0)
-        std::printf("Lengths of the weld that differ by less than %.2g mm, half a particle spacing, are none.\n",
-                    comparison.halfSpacing * 1e3);
+        say("Lengths of the weld that differ by less than %.2g mm, half a particle spacing, are none.\n",
+            comparison.halfSpacing * 1e3);
     if (!comparison.scores.empty())
-        std::printf("%-32s %12s %12s\n", "points of 100", shown(first.name).c_str(), shown(second.name).c_str());
+        say("%-32s %12s %12s\n", "points of 100", shown(first.name).c_str(), shown(second.name).c_str());
     for (const ScorePair& pair : comparison.scores)
-        std::printf("%-32s %12s %12s\n", pair.name.c_str(), points(pair.first).c_str(), points(pair.second).c_str());
+        say("%-32s %12s %12s\n", pair.name.c_str(), points(pair.first).c_str(), points(pair.second).c_str());
     if (page) {
         const std::filesystem::path file = folder / "comparison.html";
         writeFile(file, comparisonPage(first, second));
-        std::printf("The page of both is %s\n", printable(file.string(), 1000).c_str());
+        sayResult("The page of both is " + printable(file.string(), 1000), file);
+    } else {
+        sayResult({}, folder);
     }
     std::fflush(stdout);
 }

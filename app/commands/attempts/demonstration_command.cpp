@@ -2,6 +2,7 @@
 #include "app/commands/attempts/attempt_files.hpp"
 #include "app/commands/attempts/demonstration_lesson.hpp"
 #include "app/commands/commands.hpp"
+#include "app/program/say.hpp"
 #include "core/base/error.hpp"
 #include "core/base/output_file.hpp"
 #include "core/base/text.hpp"
@@ -53,13 +54,13 @@ void makeDemonstration(const DemonstrationRequest& request) {
     const std::string text = whole ? demonstrationLesson(lesson, stretch, path, request.out) : std::string();
     writeTorchCsv(path, {stretch.samples, {}, std::vector<std::vector<std::string>>(stretch.samples.size())});
     if (whole) writeTextFileAtomically(request.out, text);
-    std::printf("%s: %.1f s of %.1f s, from %.1f s on.\n", shown(path).c_str(), stretch.end - stretch.begin,
-                lesson.torch.duration(), stretch.begin);
-    if (whole) std::printf("%s is the lesson that shows it.\n", shown(request.out).c_str());
+    say("%s: %.1f s of %.1f s, from %.1f s on.\n", shown(path).c_str(), stretch.end - stretch.begin,
+        lesson.torch.duration(), stretch.begin);
+    sayResult(whole ? shown(request.out) + " is the lesson that shows it." : std::string(), request.out);
     if (const size_t later = changesAfter(*lesson.recorded, stretch.firstPull, lesson.torch.duration()); later > 0)
-        std::printf("%zu values that were changed after the first pull of the trigger are not part of it: it welds "
-                    "with those of that moment.\n",
-                    later);
+        say("%zu values that were changed after the first pull of the trigger are not part of it: it welds "
+            "with those of that moment.\n",
+            later);
 }
 
 } // namespace meltpool

@@ -3,6 +3,7 @@
 #include "app/commands/attempts/attempt_welder.hpp"
 #include "app/commands/attempts/comparison_output.hpp"
 #include "app/commands/commands.hpp"
+#include "app/program/say.hpp"
 #include "app/session/replay/moments_of_attempt.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
@@ -47,7 +48,7 @@ RunHooks beginAt(RecordedMoments& moments) {
         const auto moment = moments.beforeStep(stepsOfRun(trainer));
         if (!moment) return;
         trainer.restore(*moment);
-        std::printf("It begins at %.2f s, at a moment that the recording holds.\n", trainer.time());
+        say("It begins at %.2f s, at a moment that the recording holds.\n", trainer.time());
     };
     return hooks;
 }
@@ -55,7 +56,7 @@ RunHooks beginAt(RecordedMoments& moments) {
 /// Welds to the lesson's end, which is the second that was asked for.
 void weldSought(AttemptWelder& welder, const Lesson& lesson, RunFolder& folder) {
     const MomentsOfAttempt recorded = momentsOfAttempt(lesson, welder.machine());
-    if (!recorded.refused.empty()) std::printf("%s\n", printable(recorded.refused, 1000).c_str());
+    if (!recorded.refused.empty()) say("%s\n", printable(recorded.refused, 1000).c_str());
     welder.weld(lesson, folder, recorded.moments ? beginAt(*recorded.moments) : RunHooks{});
 }
 
@@ -129,6 +130,7 @@ void replayAttempt(const ReplayRequest& request) {
         welder.weld(lesson, folder);
     else
         weldSought(welder, lesson, folder);
+    sayResult({}, folder.result());
 }
 
 } // namespace meltpool

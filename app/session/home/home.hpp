@@ -17,13 +17,23 @@ namespace meltpool {
 
 class Home {
   public:
-    /// `lessons`: the catalogue's folder. `scores`: the file of best scores. Throws InputError where the folder cannot
-    /// be read.
-    Home(const std::filesystem::path& lessons, const std::filesystem::path& scores);
+    /// `scores`: the file of best scores. Throws InputError where the shipped lessons cannot be read.
+    Home(LessonFolders lessons, const std::filesystem::path& scores);
 
     bool open = false; ///< the page is shown instead of a lesson
 
     const std::vector<CataloguedLesson>& lessons() const { return lessons_; }
+    /// Reads the lessons again, which somebody may have changed meanwhile; the choice stays where it can.
+    void refresh();
+    /// A sentence for each folder of lessons that cannot be read.
+    const std::vector<std::string>& faults() const { return faults_; }
+
+    /// Lessons that stand together below a heading; none is empty.
+    struct Group {
+        LessonOrigin origin;
+        size_t begin, end; ///< in lessons()
+    };
+    std::vector<Group> groups() const;
     /// Null where the catalogue has no such lesson.
     const CataloguedLesson* find(std::string_view key) const;
     /// The same of a lesson that was read; null for one from a file elsewhere.
@@ -34,7 +44,8 @@ class Home {
     size_t chosenIndex() const { return chosen_; }
     void choose(size_t index);
     void choose(std::string_view key);
-    /// Moves the choice by places to the right and rows down in a page of `columns` columns, as the arrow keys do.
+    /// Moves the choice by places to the right and rows down in a page of `columns` columns, as the arrow keys do. Each
+    /// group begins a row.
     void move(int right, int down);
     size_t columns = 1; ///< of the window's page as last drawn
     size_t page = 0;    ///< of the headset's list
@@ -50,6 +61,11 @@ class Home {
     AttemptComparison comparison; ///< of two of them; while it is shown it stands in their list's place
 
   private:
+    /// The index a row further, at the same column or the row's end; the same index where there is no such row.
+    size_t rowBeyond(size_t index, int down) const;
+
+    LessonFolders folders_;
+    std::vector<std::string> faults_;
     std::vector<CataloguedLesson> lessons_;
     size_t chosen_ = 0;
     bool moved_ = false;

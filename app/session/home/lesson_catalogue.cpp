@@ -10,10 +10,14 @@ namespace meltpool {
 
 namespace {
 
-CataloguedLesson readOne(const std::filesystem::path& folder, const std::string& name) {
+CataloguedLesson readOne(const NamedLesson& named) {
     CataloguedLesson listed;
-    listed.key = listed.title = name;
-    listed.file = folder / (name + ".toml");
+    listed.key = listed.title = named.key;
+    listed.file = named.file;
+    listed.origin = named.origin;
+    listed.fault = named.fault;
+    listed.taken = !named.fault.empty();
+    if (listed.taken) return listed;
     try {
         const Lesson lesson = readLesson(listed.file);
         listed.title = lesson.title;
@@ -29,14 +33,24 @@ CataloguedLesson readOne(const std::filesystem::path& folder, const std::string&
 
 } // namespace
 
-std::vector<CataloguedLesson> readCatalogue(const std::filesystem::path& folder) {
+std::vector<CataloguedLesson> readCatalogue(const LessonFolders& folders, std::vector<std::string>& faults) {
     std::vector<CataloguedLesson> lessons;
-    for (const std::string& name : lessonNames(folder))
-        lessons.push_back(readOne(folder, name));
-    const auto rank = [](const CataloguedLesson& lesson) { return lesson.level > 0 ? lesson.level : kMostLevel + 1; };
+    for (const NamedLesson& named : folders.list(&faults))
+        lessons.push_back(readOne(named));
+    const auto rank = [](const CataloguedLesson& lesson) {
+        return std::pair(lesson.origin, lesson.level > 0 ? lesson.level : kMostLevel + 1);
+    };
     std::stable_sort(lessons.begin(), lessons.end(),
                      [&](const CataloguedLesson& a, const CataloguedLesson& b) { return rank(a) < rank(b); });
     return lessons;
+}
+
+std::string shortFault(const CataloguedLesson& lesson) {
+    const std::string folder = (lesson.file.parent_path() / "").string();
+    std::string text = lesson.fault;
+    for (size_t at = text.find(folder); at != std::string::npos; at = text.find(folder, at))
+        text.erase(at, folder.size());
+    return text;
 }
 
 std::string levelText(int level) {

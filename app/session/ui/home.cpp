@@ -23,6 +23,16 @@ void drawPlainTile(ImDrawList& draw, ImVec2 low, ImVec2 high) {
     drawSign(draw, {(low.x + high.x) / 2, (low.y + high.y) / 2}, (high.y - low.y) * 0.5f);
 }
 
+/// Why the lesson cannot be used, in the place that its picture or its level would have.
+void drawFault(Context& context, const CataloguedLesson& lesson, ImVec2 low, ImVec2 high) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const float size = context.fonts.small->FontSize * ImGui::GetIO().FontGlobalScale;
+    draw.PushClipRect(low, high, true);
+    draw.AddText(context.fonts.small, size, low, colour::kWarning, shortFault(lesson).c_str(), nullptr,
+                 high.x - low.x - context.points(8));
+    draw.PopClipRect();
+}
+
 /// The lesson's picture and words; the words stand below the picture, or beside it.
 void drawLesson(Context& context, Home& home, const CataloguedLesson& lesson, ImVec2 low, ImVec2 high, bool beside) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -30,7 +40,10 @@ void drawLesson(Context& context, Home& home, const CataloguedLesson& lesson, Im
     const float height = beside ? high.y - low.y - 2 * pad : (high.x - low.x) / kPictureShape;
     const ImVec2 corner = beside ? ImVec2{low.x + pad, low.y + pad} : low;
     const ImVec2 end{corner.x + height * kPictureShape, corner.y + height};
-    if (const GLuint picture = home.pictures.texture(lesson.picture); picture != 0)
+    const bool usable = lesson.fault.empty();
+    if (!usable && !beside)
+        drawFault(context, lesson, {corner.x + pad, corner.y + pad}, end);
+    else if (const GLuint picture = home.pictures.texture(lesson.picture); picture != 0)
         drawPicture(draw, picture, corner, end);
     else
         drawPlainTile(draw, corner, end);
@@ -44,10 +57,11 @@ void drawLesson(Context& context, Home& home, const CataloguedLesson& lesson, Im
     const float quiet = loadedSize(*small) * scale;
     draw.PushClipRect(at, {high.x - pad / 2, high.y}, true);
     draw.AddText(strong, line, at, colour::kText, lesson.title.c_str(), nullptr, width);
-    const bool usable = lesson.fault.empty();
+    if (!usable && beside) drawFault(context, lesson, {at.x, at.y + line}, high);
     const std::string standing = usable ? home.standing(lesson) : std::string("This lesson's file is at fault.");
-    draw.AddText(small, quiet, {at.x, high.y - quiet - pad}, usable ? colour::kQuiet : colour::kWarning,
-                 standing.c_str());
+    if (usable || !beside)
+        draw.AddText(small, quiet, {at.x, high.y - quiet - pad}, usable ? colour::kQuiet : colour::kWarning,
+                     standing.c_str());
     draw.PopClipRect();
 }
 
@@ -56,7 +70,7 @@ bool lessonTile(Context& context, Home& home, size_t index, ImVec2 size, bool be
     const CataloguedLesson& lesson = home.lessons()[index];
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 high{low.x + size.x, low.y + size.y};
-    const std::string name = "home.lesson." + lesson.key;
+    const std::string name = "home.lesson." + (lesson.taken ? lesson.file.string() : lesson.key);
     const bool clicked = ImGui::InvisibleButton(name.c_str(), size);
     markItem(context, name);
     const bool hovered = ImGui::IsItemHovered(), visible = ImGui::IsItemVisible();
@@ -87,14 +101,32 @@ bool lessonGrid(Context& context, Home& home) {
     const ImVec2 size{width, beside ? context.points(kRowHeight) : height};
     const bool moved = home.takeMoved();
     bool chosen = false;
+    const std::vector<Home::Group> groups = home.groups();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
-    for (size_t i = 0; i < home.lessons().size(); ++i) {
-        if (i % home.columns != 0) ImGui::SameLine();
-        chosen = lessonTile(context, home, i, size, beside, true) || chosen;
-        if (moved && i == home.chosenIndex()) ImGui::SetScrollHereY();
+    for (const Home::Group& group : groups) {
+        if (groups.size() > 1) strongText(context, headingOf(group.origin));
+        for (size_t i = group.begin; i < group.end; ++i) {
+            if ((i - group.begin) % home.columns != 0) ImGui::SameLine();
+            chosen = lessonTile(context, home, i, size, beside, true) || chosen;
+            if (moved && i == home.chosenIndex()) ImGui::SetScrollHereY();
+        }
     }
     ImGui::PopStyleVar();
     return chosen;
+}
+
+/// A page of the headset's list: lessons of one group.
+struct HomePage {
+    LessonOrigin origin;
+    size_t begin, end;
+};
+
+std::vector<HomePage> pagesOf(const Home& home) {
+    std::vector<HomePage> pages;
+    for (const Home::Group& group : home.groups())
+        for (size_t i = group.begin; i < group.end; i += kRowsAPage)
+            pages.push_back({group.origin, i, std::min(i + kRowsAPage, group.end)});
+    return pages;
 }
 
 /// Between the lessons and the attempts that were kept.
@@ -174,20 +206,21 @@ MenuRequest homePart(Context& context, Home& home) {
         attemptsButton(context, home);
         return request;
     }
-    const size_t count = home.lessons().size();
-    const size_t pages = (count + kRowsAPage - 1) / kRowsAPage;
-    home.page = std::min(home.page, pages - 1);
+    const std::vector<HomePage> pages = pagesOf(home);
+    home.page = std::min(home.page, pages.size() - 1);
+    const HomePage& page = pages[home.page];
     const ImVec2 size{ImGui::GetContentRegionAvail().x, context.points(kRowHeight)};
-    for (size_t i = home.page * kRowsAPage; i < std::min(count, (home.page + 1) * kRowsAPage); ++i)
+    for (size_t i = page.begin; i < page.end; ++i)
         if (lessonTile(context, home, i, size, true, false)) request = MenuRequest::openLesson;
     attemptsButton(context, home);
-    if (pages == 1) return request;
+    if (pages.size() == 1) return request;
     ImGui::SameLine();
     if (button(context, "home.previous", "Previous", ButtonKind::plain, 100) && home.page > 0) --home.page;
     ImGui::SameLine();
-    if (button(context, "home.following", "More", ButtonKind::plain, 100) && home.page + 1 < pages) ++home.page;
+    if (button(context, "home.following", "More", ButtonKind::plain, 100) && home.page + 1 < pages.size()) ++home.page;
     ImGui::SameLine();
-    quietText(context, "Page " + std::to_string(home.page + 1) + " of " + std::to_string(pages));
+    const std::string group = home.groups().size() > 1 ? ", " + std::string(headingOf(page.origin)) : std::string();
+    quietText(context, "Page " + std::to_string(home.page + 1) + " of " + std::to_string(pages.size()) + group);
     return request;
 }
 

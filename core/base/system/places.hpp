@@ -16,6 +16,9 @@ std::filesystem::path filesOfProgram();
 std::filesystem::path userSettings();
 std::filesystem::path userFiles();
 
+/// The user's folder for files of programs that the person makes and that go along to another machine.
+std::filesystem::path userDocuments();
+
 /// The user's folder for what programs can make again; empty where the user has no home.
 std::filesystem::path userCache();
 

@@ -84,6 +84,10 @@ fs::path userFiles() {
     return folderOr("XDG_DATA_HOME", ".local/share");
 }
 
+fs::path userDocuments() {
+    return userFiles();
+}
+
 fs::path userCache() {
     const fs::path folder = folderNamedBy("XDG_CACHE_HOME");
     if (!folder.empty()) return folder;

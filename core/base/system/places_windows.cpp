@@ -31,6 +31,10 @@ fs::path userFiles() {
     return environmentVariable("LOCALAPPDATA");
 }
 
+fs::path userDocuments() {
+    return userSettings();
+}
+
 fs::path userCache() {
     return userFiles();
 }

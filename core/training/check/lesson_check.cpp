@@ -107,7 +107,7 @@ void readValues(TomlTable& root, Lesson& lesson) {
 }
 
 /// The lesson that a check names, with the check's own torch path.
-Lesson namedLesson(TomlTable& root, const fs::path& lessons) {
+Lesson namedLesson(TomlTable& root, const LessonFolders& lessons) {
     const std::string name = root.text("lesson");
     const fs::path beside = root.file().parent_path();
     Lesson lesson;
@@ -178,7 +178,7 @@ bool isLessonCheck(const fs::path& file) {
     return parseTomlFile(file).contains("expect");
 }
 
-LessonCheck readLessonCheck(const fs::path& file, const fs::path& lessons) {
+LessonCheck readLessonCheck(const fs::path& file, const LessonFolders& lessons) {
     const toml::table parsed = parseTomlFile(file);
     TomlTable root(parsed, file);
     LessonCheck check;

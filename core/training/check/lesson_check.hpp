@@ -4,7 +4,7 @@
 #include "core/base/toml_table.hpp"
 #include "core/training/check/torch_bend.hpp"
 #include "core/training/judgement.hpp"
-#include "core/training/lesson.hpp"
+#include "core/training/lesson_folders.hpp"
 
 #include <filesystem>
 #include <string>
@@ -52,9 +52,9 @@ bool isLessonCheck(const std::filesystem::path& file);
 ///     toe_width_mm = [6, 9]      # any figure of weld.csv, as the mean over the weld
 ///     overlap = "pass"           # the state of an imperfection
 ///
-/// A file without `lesson` is a lesson itself, welded by its own demonstration. `lessons` is the catalogue's folder.
+/// A file without `lesson` is a lesson itself, welded by its own demonstration. `lessons` are those of the catalogue.
 /// Throws InputError with file, line and key for what is unknown, missing or impossible.
-LessonCheck readLessonCheck(const std::filesystem::path& file, const std::filesystem::path& lessons);
+LessonCheck readLessonCheck(const std::filesystem::path& file, const LessonFolders& lessons);
 
 /// An expectation and what came of it.
 struct CheckedValue {

@@ -163,15 +163,13 @@ std::vector<std::string> pathWarnings(const Lesson& lesson, bool cut) {
     return sentences;
 }
 
-std::vector<std::string> lessonWarnings(const Lesson& lesson, const std::filesystem::path& catalogue) {
+std::vector<std::string> lessonWarnings(const Lesson& lesson, const LessonFolders& catalogue) {
     std::vector<std::string> sentences;
     const std::string name = "The lesson " + printable(lesson.file.filename().string(), 80) + " ";
     if (lesson.title == lesson.key)
         sentences.push_back(name + "has no title: lists show its file's name. A line such as title = \"Fillet weld\" "
                                    "is expected.");
-    const std::string file = lesson.next + ".toml";
-    std::error_code failed;
-    if (!lesson.next.empty() && !std::filesystem::exists(catalogue / file, failed))
+    if (!lesson.next.empty() && catalogue.named(lesson.next).empty())
         sentences.push_back(name + "names " + quote(lesson.next) +
                             " as the next lesson, which is not in the catalogue.");
     return sentences;

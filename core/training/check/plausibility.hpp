@@ -1,9 +1,8 @@
 // What a person should know of a lesson and its torch path before it is welded, though all of it can be read.
 #pragma once
 
-#include "core/training/lesson.hpp"
+#include "core/training/lesson_folders.hpp"
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -16,7 +15,7 @@ namespace meltpool {
 std::vector<std::string> pathWarnings(const Lesson& lesson, bool cut = false);
 
 /// A sentence for each of these: the lesson has no title, and the lesson that it names as the next is not in the
-/// folder `catalogue`.
-std::vector<std::string> lessonWarnings(const Lesson& lesson, const std::filesystem::path& catalogue);
+/// catalogue.
+std::vector<std::string> lessonWarnings(const Lesson& lesson, const LessonFolders& catalogue);
 
 } // namespace meltpool

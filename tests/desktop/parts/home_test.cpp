@@ -89,6 +89,64 @@ TEST_CASE("arrow keys move the choice through rows of lessons and stop at both e
     CHECK(home.chosen().key == "c");
 }
 
+TEST_CASE("own lessons stand in groups behind the shipped ones, with the fault of each file, and are read again") {
+    const fs::path shipped = lessonsWith("home-groups", {{"a", "level = 1\n"}, {"b", "level = 2\n"}});
+    const fs::path own = shipped.parent_path() / "own";
+    fs::create_directories(own);
+    writeTextFileAtomically(own / "a.toml", "level = 1\n");
+    writeTextFileAtomically(own / "c.toml", "level = 1\ntorch = 'gone.csv'\n");
+    writeTextFileAtomically(own / "d.toml", "level = 1\ntitle = 'D'\n");
+    LessonFolders folders(shipped);
+    folders.add(LessonOrigin::school, shipped.parent_path() / "school");
+    folders.add(LessonOrigin::own, own);
+    Home home(folders, shipped / "best-scores.toml");
+    CHECK(home.faults().size() == 1); // the school's folder is not there
+    const auto groups = home.groups();
+    REQUIRE(groups.size() == 2);
+    CHECK(groups[0].end == 2);
+    CHECK(groups[1].origin == LessonOrigin::own);
+    CHECK(groups[1].end == 5);
+    CHECK(home.lessons()[2].key == "d"); // those at fault come last
+    CHECK(home.lessons()[3].taken);
+    CHECK(home.find("a")->origin == LessonOrigin::shipped);
+    CHECK(home.find(readLesson(own / "a.toml")) == nullptr); // its scores would be those of another lesson
+    CHECK(home.find(readLesson(own / "d.toml")) == home.find("d"));
+    CHECK(shortFault(*home.find("c")).starts_with("c.toml:2: torch: gone.csv: "));
+
+    home.choose("d");
+    writeTextFileAtomically(own / "c.toml", "level = 1\ntitle = 'C'\n");
+    home.refresh();
+    CHECK(home.find("c")->fault.empty());
+    CHECK(home.chosen().key == "d");
+}
+
+TEST_CASE("arrow keys go from the last row of a group to the first of the next one and back") {
+    const fs::path shipped = lessonsWith("home-group-keys", {{"a", ""}, {"b", ""}, {"c", ""}, {"d", ""}, {"e", ""}});
+    const fs::path own = shipped.parent_path() / "own";
+    fs::create_directories(own);
+    for (const char* key : {"f", "g", "h", "i"})
+        writeTextFileAtomically(own / (std::string(key) + ".toml"), "");
+    LessonFolders folders(shipped);
+    folders.add(LessonOrigin::own, own);
+    Home home(folders, shipped / "best-scores.toml");
+    home.columns = 3; // a b c, d e; f g h, i
+    const auto after = [&](const char* key, int right, int down) {
+        home.choose(key);
+        home.move(right, down);
+        return home.chosen().key;
+    };
+    CHECK(after("b", 0, 1) == "e");
+    CHECK(after("c", 0, 1) == "e");
+    CHECK(after("e", 0, 1) == "g");
+    CHECK(after("e", 1, 0) == "f");
+    CHECK(after("h", 0, 1) == "i");
+    CHECK(after("h", 0, -1) == "e");
+    CHECK(after("f", 0, -1) == "d");
+    CHECK(after("i", 0, -1) == "f");
+    CHECK(after("i", 0, 1) == "i");
+    CHECK(after("a", 0, -1) == "a");
+}
+
 TEST_CASE("level and best score stand below a lesson's title") {
     const fs::path folder = lessonsWith("home-standing", {{"a", "level = 2\n"}, {"b", ""}});
     Home home(folder, folder.parent_path() / "best-scores.toml");

@@ -1,0 +1,44 @@
+#include "app/commands/named_lesson.hpp"
+
+#include "app/program/say.hpp"
+#include "core/base/text.hpp"
+#include "core/training/check/plausibility.hpp"
+
+#include <cstdio>
+#include <utility>
+
+namespace meltpool {
+
+namespace {
+
+constexpr size_t kMostBytes = 1000; ///< of a sentence
+
+} // namespace
+
+Lesson namedLesson(const std::string& name, const LessonFolders& folders) {
+    Lesson lesson = findLesson(name, folders);
+    for (const NamedLesson& each : folders.named(name))
+        if (!each.fault.empty()) std::fprintf(stderr, "meltpool: left out: %s\n", each.fault.c_str());
+    return lesson;
+}
+
+void warn(const std::string& sentence) {
+    std::fprintf(stderr, "meltpool: warning: %s\n", printable(sentence, kMostBytes).c_str());
+}
+
+void tellForm(const std::filesystem::path& file, const TorchPath& path) {
+    if (path.form() && !path.form()->ours)
+        say("Torch path %s is read as %s.\n", printable(file.string(), kMostBytes).c_str(),
+            printable(path.form()->text(), kMostBytes).c_str());
+}
+
+std::vector<std::string> tellWarnings(const Lesson& lesson, bool cut) {
+    std::vector<std::string> sentences = lessonWarnings(lesson, LessonFolders::ofUser());
+    for (std::string& sentence : pathWarnings(lesson, cut))
+        sentences.push_back(std::move(sentence));
+    for (const std::string& sentence : sentences)
+        warn(sentence);
+    return sentences;
+}
+
+} // namespace meltpool
