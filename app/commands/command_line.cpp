@@ -2,7 +2,9 @@
 
 #include "app/bench/bench.hpp"
 #include "app/commands/attempt_options.hpp"
+#include "app/commands/command_texts.hpp"
 #include "app/commands/commands.hpp"
+#include "app/commands/shell_documents.hpp"
 #include "app/desktop/error_window.hpp"
 #include "app/program/memory.hpp"
 #include "app/program/program_info.hpp"
@@ -13,6 +15,7 @@
 #include "core/base/output_file.hpp"
 #include "core/base/system/files.hpp"
 #include "core/base/text.hpp"
+#include "core/training/lesson_folders.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -54,6 +57,7 @@ struct Arguments {
     std::string listed; ///< lesson whose values are listed; empty: the catalogue
     bool listedAsJson = false;
     bool quiet = false;
+    std::string shell;  ///< whose completion script is printed
     bool speed = false; ///< the doctor welds too
 };
 
@@ -159,6 +163,10 @@ void addOthers(CLI::App& app, Arguments& arguments) {
     CLI::App* lessons = app.add_subcommand("lessons", "List the lessons, or the values of one");
     lessons->add_option("LESSON", arguments.listed, "List the parameters of this lesson that --set takes");
     lessons->add_flag("--json", arguments.listedAsJson, "Print the list as JSON");
+    app.add_subcommand("completion", "Print the script by which a shell completes this command line")
+        ->add_option("SHELL", arguments.shell, "bash, zsh or fish")
+        ->required();
+    app.add_subcommand("manual", "Print the manual page, which 'man -l -' shows");
 }
 
 DesktopOptions trainerOptions(const Arguments& arguments) {
@@ -173,6 +181,16 @@ int runLessons(const Arguments& arguments) {
     if (arguments.listed.empty()) return listLessons(arguments.listedAsJson) ? kDone : kBadInput;
     listParameters(arguments.listed, arguments.listedAsJson);
     return kDone;
+}
+
+/// The script itself, or what a script asks for: the names that stand for lessons, one a line.
+void printCompletion(const CLI::App& app, const std::string& shell) {
+    if (shell != "lessons") {
+        std::fputs(completionScript(app, shell).c_str(), stdout);
+        return;
+    }
+    for (const NamedLesson& each : LessonFolders::ofUser().list())
+        if (each.fault.empty()) std::printf("%s\n", printable(each.key, 300).c_str());
 }
 
 int dispatch(const CLI::App& app, const Arguments& arguments) {
@@ -192,6 +210,10 @@ int dispatch(const CLI::App& app, const Arguments& arguments) {
         return runDoctor(arguments.speed) ? kDone : kFailed;
     else if (app.got_subcommand("lessons"))
         return runLessons(arguments);
+    else if (app.got_subcommand("completion"))
+        printCompletion(app, arguments.shell);
+    else if (app.got_subcommand("manual"))
+        std::fputs(manualPage(app).c_str(), stdout);
     else if (!runAttemptCommand(app, arguments.attempts))
         return runTrainer(trainerOptions(arguments)) ? kDone : kFailed;
     return kDone;
@@ -236,6 +258,19 @@ void requireOutput() {
             (code == 0 || code == EPIPE ? "expected a reader that reads to the end" : writeExpectation(code)));
 }
 
+/// What --help of the program says below its commands.
+std::string footer() {
+    const auto list = [](const char* heading, std::span<const NamedText> texts) {
+        std::string lines = std::string(heading) + ":\n";
+        for (const NamedText& each : texts)
+            lines += "  " + std::string(each.name) +
+                     std::string(each.name.size() < 26 ? 26 - each.name.size() : 1, ' ') + "  " +
+                     std::string(each.text) + "\n";
+        return lines;
+    };
+    return list("Exit codes", kExitCodes) + "\n" + list("Environment", kVariables);
+}
+
 /// The program's options and commands, which write what they are given into `arguments`.
 void declare(CLI::App& app, Arguments& arguments) {
     app.set_version_flag("--version", "meltpool " + programBuild());
@@ -249,6 +284,7 @@ void declare(CLI::App& app, Arguments& arguments) {
          {"run", "replay", "compare", "demonstration", "check", "report", "recordings", "validate"})
         app.get_subcommand(command)->add_flag("--quiet", arguments.quiet,
                                               "Say only what is wrong, and the path of the result");
+    app.footer(footer()); // last: commands would take it over
 }
 
 /// Throws CLI::Success for a wish for help or version, InputError for what cannot be understood.

@@ -10,7 +10,8 @@ using meltpool::test::containsText;
 using meltpool::test::runMeltpool;
 
 TEST_CASE("every command explains itself", "[app]") {
-    for (const char* command : {"", "run ", "replay ", "compare ", "demonstration ", "bench ", "doctor ", "lessons "}) {
+    for (const char* command : {"", "run ", "replay ", "compare ", "demonstration ", "bench ", "doctor ", "lessons ",
+                                "recordings ", "check ", "report ", "validate ", "completion ", "manual "}) {
         INFO(command);
         const test::Outcome outcome = runMeltpool(std::string(command) + "--help");
         CHECK(outcome.code == 0);

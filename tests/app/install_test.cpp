@@ -39,6 +39,17 @@ void checkRuns(const fs::path& program) {
     CHECK(fs::exists(folder / "result.json"));
 }
 
+/// The manual page and the completion scripts lie where man and the shells look for them.
+void checkDocuments(const fs::path& share) {
+    CHECK(succeeds("man -l '" + share.string() + "'/man/man1/meltpool.1* | grep -q 'meltpool run'"));
+    for (const char* script : {"bash-completion/completions/meltpool", "fish/vendor_completions.d/meltpool.fish"}) {
+        INFO(script);
+        CHECK_THAT(readTextFile(share / script), containsText("completion lessons"));
+    }
+    CHECK((fs::exists(share / "zsh" / "vendor-completions" / "_meltpool") ||
+           fs::exists(share / "zsh" / "site-functions" / "_meltpool")));
+}
+
 /// The installed README and handbook have their pages and pictures beside them.
 void checkHandbook(const fs::path& documents) {
     const auto pages = test::readPages(documents);
@@ -70,6 +81,7 @@ TEST_CASE("the installed program runs from anywhere", "[app]") {
     checkRuns(prefix / "bin" / "meltpool");
     checkHandbook(prefix / "share" / "doc" / "meltpool");
     checkMenuEntry(prefix);
+    checkDocuments(prefix / "share");
 }
 
 TEST_CASE("the Debian package holds a program that runs", "[app]") {
@@ -83,6 +95,7 @@ TEST_CASE("the Debian package holds a program that runs", "[app]") {
     CHECK(succeeds("dpkg-deb -f '" + folder.string() + "'/meltpool_*.deb Recommends | grep fonts-dejavu-core"));
     const fs::path documents = folder / "root" / "usr" / "share" / "doc" / "meltpool";
     checkHandbook(documents);
+    checkDocuments(folder / "root" / "usr" / "share");
     if (!fs::exists("/usr/share/doc/libimgui-dev/copyright")) return; // not every machine keeps them
     const std::string notices = readTextFile(documents / "licences.txt");
     for (const char* linked : {"libimgui-dev", "libglm-dev", "libcli11-dev", "nlohmann-json3-dev"})

@@ -1,0 +1,29 @@
+// What is true of every command, for --help and the manual page.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace meltpool {
+
+struct NamedText {
+    std::string_view name;
+    std::string_view text;
+};
+
+inline constexpr std::array<NamedText, 3> kExitCodes{{
+    {"0", "The command is done."},
+    {"1",
+     "Something failed on this machine, a check or validation case is not as expected, or a recording is damaged."},
+    {"2", "The input is wrong; one sentence names the file, the line and what was expected."},
+}};
+
+inline constexpr std::array<NamedText, 5> kVariables{{
+    {"MELTPOOL_LESSONS", "Folder of a school's lessons"},
+    {"MELTPOOL_DATA", "Folder of the program's shaders and data, where they are not beside the program"},
+    {"XDG_CONFIG_HOME", "Settings and best scores are in its folder meltpool; else in ~/.config/meltpool"},
+    {"XDG_DATA_HOME", "Recordings, pages and own lessons are in its folder meltpool; else in ~/.local/share/meltpool"},
+    {"XDG_CACHE_HOME", "What can be made again is in its folder meltpool; else in ~/.cache/meltpool"},
+}};
+
+} // namespace meltpool

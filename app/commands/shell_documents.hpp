@@ -1,0 +1,20 @@
+// What shells and man read of the command line: completion scripts and the manual page, made from its definitions.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace CLI {
+class App;
+}
+
+namespace meltpool {
+
+/// The script that completes commands, options, files and names of lessons; `shell`: bash, zsh or fish. Throws
+/// InputError for another shell.
+std::string completionScript(const CLI::App& app, std::string_view shell);
+
+/// The manual page in roff, with the texts of --help.
+std::string manualPage(const CLI::App& app);
+
+} // namespace meltpool
