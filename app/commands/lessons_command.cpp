@@ -69,7 +69,8 @@ Json lessonJson(const NamedLesson& named, std::vector<std::string>& faults) {
     json["level"] = file.lesson->level > 0 ? Json(file.lesson->level) : Json();
     json["next"] = file.lesson->next;
     json["model"] = file.lesson->model == LessonModel::Weld ? "weld" : "classic";
-    json["seconds"] = file.lesson->run.seconds;
+    // By its shortest text: the float itself would be 0.6000000238.
+    json["seconds"] = parseDouble(formatNumber(file.lesson->run.seconds)).value_or(0);
     return json;
 }
 
