@@ -26,7 +26,7 @@ void drawPlainTile(ImDrawList& draw, ImVec2 low, ImVec2 high) {
 /// Why the lesson cannot be used, in the place that its picture or its level would have.
 void drawFault(Context& context, const CataloguedLesson& lesson, ImVec2 low, ImVec2 high) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const float size = context.fonts.small->FontSize * ImGui::GetIO().FontGlobalScale;
+    const float size = loadedSize(*context.fonts.small) * ImGui::GetIO().FontGlobalScale;
     draw.PushClipRect(low, high, true);
     draw.AddText(context.fonts.small, size, low, colour::kWarning, shortFault(lesson).c_str(), nullptr,
                  high.x - low.x - context.points(8));
