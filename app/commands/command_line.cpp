@@ -296,7 +296,9 @@ void parse(CLI::App& app, int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         const auto commands = app.get_subcommands();
         const std::string command = commands.empty() ? "" : commands.front()->get_name() + " ";
-        throw InputError(printable(error.what(), 400) + "; expected what 'meltpool " + command + "--help' shows");
+        const std::string said = printable(error.what(), 400);
+        throw InputError(said + "; expected what 'meltpool " + command + "--help' shows" +
+                         (said.starts_with("LESSON ") ? ", and a name that 'meltpool lessons' lists" : ""));
     }
     refuseForeignOptions(app);
 }

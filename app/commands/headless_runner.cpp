@@ -27,8 +27,9 @@ namespace meltpool {
 
 namespace {
 
-constexpr int kSamples = 4;     ///< of a pixel, for smooth edges
-constexpr double kLongAgo = 10; ///< s since the last picture, for a ghost that need not move smoothly
+constexpr double kTimeToLight = 0.2; ///< s of a pulled trigger in which an arc lights
+constexpr int kSamples = 4;          ///< of a pixel, for smooth edges
+constexpr double kLongAgo = 10;      ///< s since the last picture, for a ghost that need not move smoothly
 constexpr int kManyPixels = 4096 * 2304;
 
 /// Above kManyPixels the samples would cost gigabytes, and pixels that small need none.
@@ -201,7 +202,7 @@ class Run {
     void advance() {
         trainer_.applyRecordedChanges();
         const TorchSample torch = hooks_.torch ? hooks_.torch(trainer_) : trainer_.demonstration();
-        pulled_ = pulled_ || torch.trigger > 0;
+        if (torch.trigger > 0) pulledSeconds_ += static_cast<double>(trainer_.timeStep());
         trainer_.advance(torch, nullptr);
     }
 
@@ -240,7 +241,9 @@ class Run {
     /// Of a weld whose arc never burned though its trigger was pulled; empty: it did, or a warning told the reason.
     std::string arcWarning(const Judgement& judgement) const {
         const Lesson& lesson = trainer_.lesson();
-        if (!trainer_.hasArc() || judgement.arc.seconds > 0 || !pulled_ || !hooks_.warnings.empty()) return {};
+        if (!trainer_.hasArc() || judgement.arc.seconds > 0 || pulledSeconds_ < kTimeToLight ||
+            !hooks_.warnings.empty())
+            return {};
         return "The arc of " + quote(lesson.key) +
                " was never lit, though the trigger was pulled: the torch was too far from the metal, or touched it.";
     }
@@ -282,7 +285,7 @@ class Run {
     Trainer& trainer_;
     RunPlaces places_;
     SoundTrack sound_;
-    bool pulled_ = false; ///< the trigger, in some step
+    double pulledSeconds_ = 0; ///< with the trigger pulled
     const RunHooks& hooks_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };

@@ -131,6 +131,9 @@ void tabulate(const std::filesystem::path& folder, const std::filesystem::path& 
     for (const char* column : kColumns)
         text += (text.empty() ? "" : ",") + std::string(column);
     const std::vector<KeptAttempt> attempts = attemptsOf(folder);
+    if (attempts.empty())
+        say("There are no attempts in %s; the window and the headset keep them there.\n",
+            shown(folder.string()).c_str());
     for (const KeptAttempt& kept : attempts) {
         const auto row = rowOf(kept);
         for (size_t i = 0; i < row.size(); ++i)

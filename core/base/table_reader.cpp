@@ -221,7 +221,7 @@ std::optional<double> TableReader::number(std::string_view cell) {
     if (!value) return value;
     if (decimalComma_.value_or(!point) == point)
         fail(line_, "has the number " + quote(cell) + " below numbers with a decimal " + (point ? "comma" : "point") +
-                        "; expected one of the two in the whole table");
+                        "; expected the same decimal sign in the whole table, and none between thousands");
     decimalComma_ = !point;
     form_.decimalComma = !point;
     return value;

@@ -23,6 +23,11 @@ struct Spacings {
     bool isHalf() const { return std::abs(count - std::floor(count) - 0.5) < kWhole; }
 };
 
+/// Layers of a spacing that is no binary fraction add up to a length with a long tail of digits.
+float toMicrometre(float lengthMm) {
+    return static_cast<float>(std::round(static_cast<double>(lengthMm) * 1e3) / 1e3);
+}
+
 float wholeLength(float lengthMm, float spacingMm, double least = 1) {
     const auto spacing = static_cast<double>(spacingMm);
     const Spacings spacings(static_cast<double>(lengthMm), spacing, least);
@@ -85,7 +90,7 @@ std::vector<SimulatedSize> simulatedSizes(const WorkpieceParameters& asked) {
         const auto* was = std::get_if<float*>(&askedList[i].value);
         const auto* is = std::get_if<float*>(&list[i].value);
         if (was != nullptr && is != nullptr && **was != **is)
-            sizes.push_back({list[i].key, list[i].label, **was, **is});
+            sizes.push_back({list[i].key, list[i].label, **was, toMicrometre(**is)});
     }
     return sizes;
 }

@@ -358,6 +358,9 @@ TEST_CASE("whole sizes stay to the last bit, others become the nearest whole one
                                      "Particles of 0.9 mm keep the thickness.");
     tee.spacingMm = 0.9F;
     CHECK(simulatedWorkpiece(tee).thicknessMm == tee.thicknessMm);
+    tee.widthMm = 44;
+    CHECK(simulatedSizesText(tee) == "Particles of 0.9 mm make whole layers only. Width is 43.2 mm instead of 44 mm.");
+    tee.widthMm = 36;
     tee.spacingMm = 1;
     tee.thicknessMm = 4.4F;
     CHECK(simulatedWorkpiece(tee).thicknessMm == 4);

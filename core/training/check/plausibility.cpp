@@ -17,6 +17,7 @@ constexpr size_t kMostPlaces = 20000;
 constexpr double kHour = 3600;      ///< s
 constexpr double kReach = 0.03;     ///< m around the workpiece in which a torch may weld it
 constexpr double kSeamReach = 0.02; ///< m from the seam's line, for a weave and a fillet's long leg
+constexpr double kFastest = 0.5;    ///< m/s, ten times as fast as a laser welds
 constexpr double kThousand = 1000;
 constexpr double kMm = 1e-3; ///< m
 
@@ -86,7 +87,7 @@ std::string unitWarning(const WeldedPlaces& places, double size) {
         " mm, and the workpiece is " + rounded(size / kMm) + " mm long: it is about a thousand times too ";
     if (places.farthest() < size / 100 && fitsAfter(places.farthest(), kThousand, size))
         return "reaches " + rounded(places.farthest() / kMm) + piece +
-               "small. Are its positions metres? Millimetres are expected.";
+               "small. Are its positions metres? Millimetres are expected, or a header such as X [m].";
     if (places.span() > 20 * size && fitsAfter(places.span(), 1 / kThousand, size))
         return "is " + rounded(places.span() / kMm) + piece +
                "large. Are its positions micrometres? Millimetres are expected.";
@@ -114,6 +115,21 @@ std::string placeWarning(const Lesson& lesson, const WeldedPlaces& places, const
         std::none_of(places.all().begin(), places.all().end(), onSeam))
         return "never comes within " + rounded(kSeamReach / kMm) + " mm of the joint's seam.";
     return {};
+}
+
+/// Of a recorded path that hurries along with its trigger pulled, as one with times of another unit does.
+std::string speedWarning(const TorchPath& path) {
+    double way = 0, time = 0;
+    const std::vector<TorchSample>& samples = path.samples();
+    for (size_t i = 1; i < samples.size(); ++i) {
+        const TorchSample &before = samples[i - 1], &after = samples[i];
+        if (before.trigger <= 0 || after.trigger <= 0 || !before.seen || !after.seen) continue;
+        way += glm::length(glm::dvec3(after.tip) - glm::dvec3(before.tip));
+        time += after.time - before.time;
+    }
+    if (time <= 0 || way < kFastest * time) return {};
+    return "travels at " + rounded(way / time / kMm) + " mm/s with its trigger pulled, " + rounded(time) +
+           " s in all. Are its times of another unit, or do points part their thousands?";
 }
 
 std::string pipeWarning(const Lesson& lesson) {
@@ -154,6 +170,7 @@ std::vector<std::string> pathWarnings(const Lesson& lesson, bool cut) {
         const glm::vec3 size = piece.bodyHigh - piece.bodyLow;
         const std::string unit = unitWarning(places, static_cast<double>(std::max({size.x, size.y, size.z})));
         sentences.push_back(unit.empty() ? placeWarning(lesson, places, piece) : unit);
+        sentences.push_back(unit.empty() ? speedWarning(lesson.torch) : std::string());
         sentences.push_back(pipeWarning(lesson));
     }
     std::erase(sentences, "");

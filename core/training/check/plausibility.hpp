@@ -10,8 +10,8 @@ namespace meltpool {
 
 /// A sentence for each of these: the path never pulls the trigger in the lesson's time, or lasts longer than an hour;
 /// of a weld lesson too that it lies wholly outside the workpiece, away from the seam, on a pipe of another diameter,
-/// or that it is about a thousand times too small or too large for the workpiece. `cut`: a person has chosen the
-/// lesson's time, which may end before the trigger is pulled. Throws as makeWorkpiece().
+/// that it is about a thousand times too small or too large for the workpiece, or that it hurries as no welder can.
+/// `cut`: a person has chosen the lesson's time, which may end before the trigger is pulled. Throws as makeWorkpiece().
 std::vector<std::string> pathWarnings(const Lesson& lesson, bool cut = false);
 
 /// A sentence for each of these: the lesson has no title, and the lesson that it names as the next is not in the

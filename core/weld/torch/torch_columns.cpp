@@ -206,12 +206,25 @@ class Finder {
              "; expected one of " + known);
     }
 
-    [[noreturn]] void missing(std::string_view own) const {
-        std::string found;
+    /// Whether the header has a robot's angles instead of a quaternion.
+    bool hasAngles() const {
+        constexpr std::array<std::string_view, 9> kAngles{"a", "b", "c", "rx", "ry", "rz", "roll", "pitch", "yaw"};
+        return std::count_if(plain_.begin(), plain_.end(), [&](const PlainName& plain) {
+                   return std::find(kAngles.begin(), kAngles.end(), plain.base) != kAngles.end();
+               }) >= 2;
+    }
+
+    /// `first`: the first of our columns that is missing.
+    [[noreturn]] void missing(std::string_view first) const {
+        std::string others, found;
+        for (const std::string_view own : kTorchNames)
+            if (own != first && !placeOf(own)) others += (others.empty() ? "" : ", ") + std::string(own);
         for (const std::string& name : table_.columns())
-            found += (found.empty() ? "" : ",") + name;
-        fail("the column '" + std::string(own) + "' is missing; expected a header row with " + listOf(kTorchNames) +
-             ", parted by commas, semicolons or tabs, and found " + quote(found));
+            found += (found.empty() ? std::string() : std::string(1, table_.form().separator)) + name;
+        fail("the column '" + std::string(first) + "' is missing" +
+             (others.empty() ? std::string() : " (and " + others + ")") + "; expected a header row with " +
+             listOf(kTorchNames) + ", parted by commas, semicolons or tabs, and found " + quote(found) +
+             (hasAngles() ? ". Angles are no orientation here: make a quaternion of them" : ""));
     }
 
     const TableReader& table_;

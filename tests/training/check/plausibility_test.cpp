@@ -60,6 +60,8 @@ TEST_CASE("a path that cannot weld the workpiece is warned of with the reason", 
                           containsText("not those of a robot's world"));
     CHECK_THAT(warningsOf(bead, lineOf({-30, 3, 0}, {30, 3, 0}, 9000)), containsText("lasts 2.5 hours."));
     CHECK(warningsOf(bead, lineOf({5, 3, 0}, {5, 3, 0}, 10)).empty()); // a spot
+    // Milliseconds whose thousands have a point: 8.4 s are read as 8.4 ms.
+    CHECK_THAT(warningsOf(bead, lineOf({-30, 3, 0}, {30, 3, 0}, 0.0084)), containsText("travels at 7143 mm/s"));
     // On a tee's plate, far from its corner.
     CHECK_THAT(warningsOf("tee-fillet", lineOf({-20, 3, 24}, {20, 3, 24}, 10)),
                containsText("never comes within 20 mm of the joint's seam"));
