@@ -38,7 +38,7 @@ makeTree() {
     rm -rf "$tree"
     # A tree of a test need not survive a power cut, and a mirror's lists of a release in the making may be old.
     mmdebstrap --quiet --variant=minbase --include=git,sudo,ca-certificates --dpkgopt=force-unsafe-io \
-        --aptopt='Acquire::Check-Valid-Until "false"' "$release" "$tree" </dev/null
+        --aptopt='Acquire::Check-Valid-Until "false"' --aptopt='Acquire::Retries "3"' "$release" "$tree" </dev/null
     : >"$tree/.complete"
 }
 
