@@ -408,7 +408,7 @@ MenuRequest DesktopApp::drawMenus() {
 
 /// What people bring may be written in letters that no font here has: names of lessons and files above all.
 void DesktopApp::tellMissingLetters() {
-    const ImFont& font = *interface_.context().fonts.body;
+    ImFont& font = *interface_.context().fonts.body;
     const auto look = [&](std::string_view text) { missingLetters_.look(font, text); };
     for (const Message& message : messages_.shown())
         look(message.text);

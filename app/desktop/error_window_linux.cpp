@@ -65,12 +65,12 @@ class Lettering {
     Lettering(const Lettering&) = delete;
     Lettering& operator=(const Lettering&) = delete;
 
-    const ImFont& body() const { return *fonts_.body; }
-    const ImFont& strong() const { return *fonts_.strong; }
+    ImFont& body() const { return *fonts_.body; }
+    ImFont& strong() const { return *fonts_.strong; }
     float points(float size) const { return size * scale_; }
 
     /// The words in lines of at most this many pixels.
-    std::vector<std::string> lines(const ImFont& font, const std::string& text, float room) const {
+    std::vector<std::string> lines(ImFont& font, const std::string& text, float room) const {
         std::vector<std::string> all;
         for (const std::string_view paragraph : splitText(text, '\n')) {
             const char *from = paragraph.data(), *const end = from + paragraph.size();
@@ -85,16 +85,15 @@ class Lettering {
         }
         return all;
     }
-    float width(const ImFont& font, const std::string& line) const {
+    float width(ImFont& font, const std::string& line) const {
         return font.CalcTextSizeA(ui::loadedSize(font), 1e6f, 0, line.c_str()).x;
     }
-    void draw(Canvas& canvas, const ImFont& font, float x, float y, const std::string& line, ImU32 tint) const {
+    void draw(Canvas& canvas, ImFont& font, float x, float y, const std::string& line, ImU32 tint) const {
         std::string_view rest = line;
         while (!rest.empty()) {
             const ui::DecodedLetter next = ui::decodeLetter(rest);
             rest.remove_prefix(next.bytes);
-            const ImFontGlyph* glyph =
-                font.FindGlyph(static_cast<ImWchar>(next.letter > 0xFFFF ? 0xFFFD : next.letter));
+            const ImFontGlyph* glyph = glyphOf(font, static_cast<ImWchar>(next.letter > 0xFFFF ? 0xFFFD : next.letter));
             if (glyph == nullptr) continue;
             drawGlyph(canvas, *glyph, x, y, tint);
             x += glyph->AdvanceX;
@@ -102,6 +101,13 @@ class Lettering {
     }
 
   private:
+    static const ImFontGlyph* glyphOf(ImFont& font, ImWchar letter) {
+#if IMGUI_VERSION_NUM >= 19200
+        return font.GetFontBaked(ui::loadedSize(font))->FindGlyph(letter);
+#else
+        return font.FindGlyph(letter);
+#endif
+    }
     void drawGlyph(Canvas& canvas, const ImFontGlyph& glyph, float x, float y, ImU32 tint) const {
         const float left = std::round(x + glyph.X0), top = std::round(y + glyph.Y0);
         const float wide = glyph.X1 - glyph.X0, high = glyph.Y1 - glyph.Y0;

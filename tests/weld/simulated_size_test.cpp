@@ -199,8 +199,13 @@ Section beadOf(const WorkpieceParameters& p, const Workpiece& piece, float highM
 
 template <class Check>
 void sweep(Check check) {
+#ifdef __SANITIZE_ADDRESS__
+    constexpr int kStep = 11; // the way through the code is the same, ten times as slow
+#else
+    constexpr int kStep = 1;
+#endif
     for (const float spacing : kSpacingsMm)
-        for (int tenths = 15; tenths <= 120; ++tenths)
+        for (int tenths = 15; tenths <= 120; tenths += kStep)
             check(static_cast<float>(tenths) / 10, spacing);
 }
 

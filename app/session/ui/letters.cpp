@@ -38,8 +38,13 @@ bool drawsNothing(char32_t letter) {
            (letter >= 0x2028 && letter <= 0x202F) || letter == 0xFEFF;
 }
 
-bool has(const ImFont& font, char32_t letter) {
-    return letter <= static_cast<ImWchar>(-1) && font.FindGlyphNoFallback(static_cast<ImWchar>(letter)) != nullptr;
+bool has(ImFont& font, char32_t letter) {
+    if (letter > static_cast<ImWchar>(-1)) return false;
+#if IMGUI_VERSION_NUM >= 19200
+    return font.IsGlyphInFont(static_cast<ImWchar>(letter));
+#else
+    return font.FindGlyphNoFallback(static_cast<ImWchar>(letter)) != nullptr;
+#endif
 }
 
 } // namespace
@@ -66,7 +71,7 @@ DecodedLetter decodeLetter(std::string_view text) {
     return {letter, length};
 }
 
-void MissingLetters::look(const ImFont& font, std::string_view text) {
+void MissingLetters::look(ImFont& font, std::string_view text) {
     constexpr size_t kMostNumbers = 6;
     while (!text.empty()) {
         const auto [letter, bytes] = decodeLetter(text);

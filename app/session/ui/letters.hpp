@@ -27,7 +27,7 @@ DecodedLetter decodeLetter(std::string_view text);
 class MissingLetters {
   public:
     /// Looks through `text` (UTF-8). Allocates nothing where `font` has all of it.
-    void look(const ImFont& font, std::string_view text);
+    void look(ImFont& font, std::string_view text);
 
     struct Sentences {
         std::string terminal; ///< with the letters themselves

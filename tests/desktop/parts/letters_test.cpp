@@ -29,7 +29,7 @@ class LoadedFonts {
 
 TEST_CASE("the alphabets of Europe, Vietnamese and the signs of the trade are drawn, in every size of text") {
     const LoadedFonts loaded;
-    for (const ImFont* font : {loaded.fonts().body, loaded.fonts().strong, loaded.fonts().small})
+    for (ImFont* font : {loaded.fonts().body, loaded.fonts().strong, loaded.fonts().small})
         for (const char* text : {"Γωνιακή ραφή, Ύψος", "Угловой шов, Зварювання їжак", "Sudură de colț: ăâîșț ȘȚ",
                                  "Hàn góc: ơưạệữ ĐỆ", "Köşe kaynağı İıŞğ", "Schweißen, soudé à l’œil, spawać źdźbło",
                                  "12 € ≤ 3 ≥ 2 ≈ 2,5 → ⌀ 1,2 ∠ 90° ✓ ✗ ½ ‰ Ω"}) {
@@ -45,7 +45,7 @@ TEST_CASE("the alphabets of Europe, Vietnamese and the signs of the trade are dr
 
 TEST_CASE("letters that no font has are told once, whatever else the text holds") {
     const LoadedFonts loaded;
-    const ImFont& font = *loaded.fonts().body;
+    ImFont& font = *loaded.fonts().body;
     ui::MissingLetters missing;
     missing.look(font, "溶接 of 溶");
     missing.look(font, " and ق");
