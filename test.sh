@@ -34,7 +34,7 @@ fi
 
 # The suites that need no window, about a quarter of the time each. Two quarters need no part of app/ to be built.
 suites0='base gl surface weld xr xr-threads'
-suites1='fuzz render desktop_parts house'
+suites1='fuzz render scene desktop_parts house'
 suites2='metal validation'
 suites3='training judging'
 suitesOfProgram='app'

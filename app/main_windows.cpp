@@ -1,7 +1,7 @@
 // The program's entry under Windows.
 #include "app/commands/command_line.hpp"
-#include "app/program/windows/console.hpp"
-#include "app/program/windows/crash_report.hpp"
+#include "app/platform/console_windows.hpp"
+#include "app/platform/crash_report_windows.hpp"
 #include "core/base/resources.hpp"
 
 #include <windows.h>

@@ -3,9 +3,9 @@
 
 #include "core/base/function_ref.hpp"
 #include "core/base/work_meter.hpp"
+#include "xr/eye_targets.hpp"
+#include "xr/panel.hpp"
 #include "xr/runtime_worker.hpp"
-#include "xr/session/eye_targets.hpp"
-#include "xr/session/panel.hpp"
 
 #include <memory>
 

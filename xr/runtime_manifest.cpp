@@ -1,6 +1,6 @@
 #include "xr/runtime_manifest.hpp"
 
-#include "core/base/system/environment.hpp"
+#include "core/base/environment.hpp"
 #include "core/base/text.hpp"
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "core/base/system/environment.hpp"
+#include "core/base/environment.hpp"
 #include "core/base/text.hpp"
 #include "xr/runtime_manifest.hpp"
 

@@ -3,9 +3,9 @@
 
 #include "core/gl/texture.hpp"
 #include "xr/call_thread.hpp"
-#include "xr/input/input.hpp"
-#include "xr/session/panel.hpp"
-#include "xr/session/swapchain.hpp"
+#include "xr/input.hpp"
+#include "xr/panel.hpp"
+#include "xr/swapchain.hpp"
 
 #include <array>
 #include <memory>

@@ -1,8 +1,8 @@
 #include "app/bench/bench.hpp"
 
-#include "app/program/lock_notice.hpp"
-#include "app/program/program_info.hpp"
-#include "app/program/stop_signals.hpp"
+#include "app/platform/lock_notice.hpp"
+#include "app/platform/program_info.hpp"
+#include "app/platform/stop_signals.hpp"
 #include "core/base/error.hpp"
 #include "core/base/file_lock.hpp"
 #include "core/base/output_file.hpp"

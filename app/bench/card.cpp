@@ -3,10 +3,10 @@
 #include "app/bench/parts.hpp"
 #include "core/base/resources.hpp"
 #include "core/metal/flow/flow.hpp"
+#include "core/render/camera.hpp"
+#include "core/render/picture_target.hpp"
 #include "core/render/renderer.hpp"
-#include "core/render/view/camera.hpp"
-#include "core/render/view/picture_target.hpp"
-#include "core/training/trainer.hpp"
+#include "core/training/trainer/trainer.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,8 @@
 #include "app/bench/bench.hpp"
 #include "app/bench/parts.hpp"
 #include "core/base/resources.hpp"
-#include "core/training/checkpoint/packing.hpp"
-#include "core/training/trainer.hpp"
+#include "core/training/attempt/packing.hpp"
+#include "core/training/trainer/trainer.hpp"
 
 namespace meltpool {
 

@@ -3,11 +3,11 @@
 #include "app/bench/bench.hpp"
 #include "app/bench/parts.hpp"
 #include "app/headset/headset_front_end.hpp"
-#include "app/program/call_counters.hpp"
-#include "app/program/frame_meter.hpp"
+#include "app/platform/call_counters.hpp"
+#include "app/platform/frame_meter.hpp"
 #include "core/base/function_ref.hpp"
 #include "core/base/resources.hpp"
-#include "core/render/view/picture_target.hpp"
+#include "core/render/picture_target.hpp"
 
 #include <array>
 #include <chrono>

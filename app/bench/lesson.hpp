@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/bench/bench.hpp"
-#include "core/training/lesson.hpp"
+#include "core/training/lesson/lesson.hpp"
 
 namespace meltpool {
 

@@ -1,9 +1,9 @@
 // What recording an attempt costs: the same weld with and without a recording, second by second in turns.
+#include "app/activities/redo.hpp"
 #include "app/bench/bench.hpp"
 #include "app/bench/parts.hpp"
-#include "app/session/attempt/redo.hpp"
 #include "core/base/resources.hpp"
-#include "core/training/trainer.hpp"
+#include "core/training/trainer/trainer.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -3,9 +3,9 @@
 #include "app/bench/parts.hpp"
 #include "app/headset/workshop_scene.hpp"
 #include "core/base/resources.hpp"
+#include "core/render/picture_target.hpp"
 #include "core/render/renderer.hpp"
-#include "core/render/view/picture_target.hpp"
-#include "core/training/trainer.hpp"
+#include "core/training/trainer/trainer.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,8 @@
 #include "app/bench/parts.hpp"
 #include "core/base/resources.hpp"
 #include "core/surface/surface.hpp"
-#include "core/training/lesson.hpp"
-#include "core/training/weld_model.hpp"
+#include "core/training/lesson/lesson.hpp"
+#include "core/training/trainer/weld_model.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -3,17 +3,17 @@
 #include "app/commands/headless_runner.hpp"
 #include "app/commands/junit_file.hpp"
 #include "app/commands/named_lesson.hpp"
-#include "app/program/progress_bar.hpp"
-#include "app/program/say.hpp"
-#include "app/program/stop_signals.hpp"
+#include "app/platform/progress_bar.hpp"
+#include "app/platform/say.hpp"
+#include "app/platform/stop_signals.hpp"
 #include "core/base/error.hpp"
 #include "core/base/output_file.hpp"
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"
 #include "core/gl/context.hpp"
 #include "core/gl/driver_threads.hpp"
-#include "core/training/check/lesson_check.hpp"
-#include "core/training/trainer.hpp"
+#include "core/training/lesson/lesson_check.hpp"
+#include "core/training/trainer/trainer.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -6,16 +6,16 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/shell_documents.hpp"
 #include "app/desktop/error_window.hpp"
-#include "app/program/memory.hpp"
-#include "app/program/program_info.hpp"
-#include "app/program/say.hpp"
-#include "app/program/watched_run.hpp"
+#include "app/platform/memory.hpp"
+#include "app/platform/program_info.hpp"
+#include "app/platform/say.hpp"
+#include "app/platform/watched_run.hpp"
 #include "app/sound/openal_device.hpp"
 #include "core/base/error.hpp"
+#include "core/base/files.hpp"
 #include "core/base/output_file.hpp"
-#include "core/base/system/files.hpp"
 #include "core/base/text.hpp"
-#include "core/training/lesson_folders.hpp"
+#include "core/training/lesson/lesson_folders.hpp"
 
 #include <CLI/CLI.hpp>
 

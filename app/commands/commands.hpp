@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/desktop/desktop.hpp"
-#include "core/training/lesson.hpp"
+#include "core/training/lesson/lesson.hpp"
 
 #include <filesystem>
 #include <string>

@@ -5,14 +5,14 @@
 #include "app/commands/headset_doctor.hpp"
 #include "app/commands/speed_doctor.hpp"
 #include "app/desktop/window_system.hpp"
-#include "app/program/program_info.hpp"
+#include "app/platform/program_info.hpp"
 #include "app/sound/openal_device.hpp"
 #include "core/base/error.hpp"
 #include "core/base/resources.hpp"
 #include "core/gl/context.hpp"
 #include "core/gl/driver_threads.hpp"
-#include "core/render/view/view_submission.hpp"
-#include "core/training/lesson.hpp"
+#include "core/render/view_submission.hpp"
+#include "core/training/lesson/lesson.hpp"
 
 #include <GLFW/glfw3.h>
 

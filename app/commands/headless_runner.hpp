@@ -1,10 +1,10 @@
 // Runs a lesson's demonstration without a screen and leaves result.json, telemetry.csv and pictures in a folder.
 #pragma once
 
-#include "app/film/film.hpp"
+#include "app/export/film.hpp"
 #include "core/gl/context.hpp"
 #include "core/gl/program.hpp"
-#include "core/training/trainer.hpp"
+#include "core/training/trainer/trainer.hpp"
 
 #include <filesystem>
 #include <functional>

@@ -1,7 +1,7 @@
 // Results of checks as a JUnit file, which build servers and school systems read.
 #pragma once
 
-#include "core/training/check/lesson_check.hpp"
+#include "core/training/lesson/lesson_check.hpp"
 
 #include <filesystem>
 #include <string>

@@ -2,7 +2,7 @@
 #include "app/commands/command_texts.hpp"
 #include "app/commands/declared_words.hpp"
 #include "app/commands/shell_documents.hpp"
-#include "app/program/program_info.hpp"
+#include "app/platform/program_info.hpp"
 
 namespace meltpool {
 

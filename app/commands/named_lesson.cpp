@@ -1,8 +1,8 @@
 #include "app/commands/named_lesson.hpp"
 
-#include "app/program/say.hpp"
+#include "app/platform/say.hpp"
 #include "core/base/text.hpp"
-#include "core/training/check/plausibility.hpp"
+#include "core/training/lesson/plausibility.hpp"
 
 #include <cstdio>
 #include <utility>

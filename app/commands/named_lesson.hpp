@@ -1,7 +1,7 @@
 // Lessons as the commands take them: by name, with a word about what a person should know of them.
 #pragma once
 
-#include "core/training/lesson_folders.hpp"
+#include "core/training/lesson/lesson_folders.hpp"
 
 #include <filesystem>
 #include <string>

@@ -1,12 +1,12 @@
 // `meltpool recordings`: what the program has kept of people's attempts.
 #include "app/commands/commands.hpp"
-#include "app/program/say.hpp"
-#include "app/session/recordings/kept_attempts.hpp"
-#include "app/session/recordings/recordings_limit.hpp"
+#include "app/library/kept_attempts.hpp"
+#include "app/library/recordings_limit.hpp"
+#include "app/platform/say.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
-#include "core/training/recording/recording_csv.hpp"
-#include "core/training/recording/recording_reader.hpp"
+#include "core/training/attempt/recording_csv.hpp"
+#include "core/training/attempt/recording_reader.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -2,7 +2,7 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/named_lesson.hpp"
 #include "app/commands/run_folder.hpp"
-#include "app/program/say.hpp"
+#include "app/platform/say.hpp"
 #include "app/report/record_results.hpp"
 #include "app/report/report_page.hpp"
 #include "core/base/error.hpp"

@@ -1,9 +1,9 @@
 #include "app/commands/run_folder.hpp"
 
-#include "app/film/film.hpp"
-#include "app/program/lock_notice.hpp"
+#include "app/export/film.hpp"
+#include "app/platform/lock_notice.hpp"
 #include "core/base/error.hpp"
-#include "core/base/system/files.hpp"
+#include "core/base/files.hpp"
 
 #include <algorithm>
 #include <string>

@@ -3,7 +3,7 @@
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"
 #include "core/gl/context.hpp"
-#include "core/training/trainer.hpp"
+#include "core/training/trainer/trainer.hpp"
 
 #include <algorithm>
 #include <array>

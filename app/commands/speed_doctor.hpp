@@ -4,7 +4,7 @@
 
 #include "app/commands/doctor.hpp"
 #include "core/gl/program.hpp"
-#include "core/training/lesson.hpp"
+#include "core/training/lesson/lesson.hpp"
 
 #include <optional>
 #include <span>

@@ -3,8 +3,8 @@
 #include "app/headset/headset_front_end.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
-#include "core/training/lesson.hpp"
-#include "xr/session/instance.hpp"
+#include "core/training/lesson/lesson.hpp"
+#include "xr/instance.hpp"
 
 #include <cstdio>
 

@@ -1,9 +1,9 @@
 // `meltpool validate`: how far the metal is from exact solutions and experiments.
 #include "app/commands/commands.hpp"
-#include "app/program/lock_notice.hpp"
-#include "app/program/program_info.hpp"
-#include "app/program/say.hpp"
-#include "app/program/stop_signals.hpp"
+#include "app/platform/lock_notice.hpp"
+#include "app/platform/program_info.hpp"
+#include "app/platform/say.hpp"
+#include "app/platform/stop_signals.hpp"
 #include "core/base/error.hpp"
 #include "core/base/file_lock.hpp"
 #include "core/base/output_file.hpp"

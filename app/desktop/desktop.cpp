@@ -2,7 +2,7 @@
 
 #include "app/desktop/desktop_app.hpp"
 #include "app/desktop/window_system.hpp"
-#include "app/program/stop_signals.hpp"
+#include "app/platform/stop_signals.hpp"
 #include "core/gl/driver_threads.hpp"
 
 #include <cstdio>

@@ -1,9 +1,9 @@
 #include "app/desktop/desktop_lessons.hpp"
 
-#include "app/program/open_file.hpp"
-#include "app/session/replay/attempt_lesson.hpp"
+#include "app/activities/attempt_lesson.hpp"
+#include "app/platform/open_file.hpp"
 #include "core/base/error.hpp"
-#include "core/training/lesson_folders.hpp"
+#include "core/training/lesson/lesson_folders.hpp"
 
 #include <array>
 #include <optional>

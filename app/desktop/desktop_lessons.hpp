@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/desktop/desktop_settings.hpp"
-#include "app/session/hand/controls.hpp"
-#include "app/session/home/home.hpp"
+#include "app/session/controls.hpp"
+#include "app/session/home.hpp"
 #include "app/session/lesson_session.hpp"
 #include "app/session/messages.hpp"
 

@@ -4,7 +4,7 @@
 #include "app/desktop/interface.hpp"
 #include "app/session/lesson_session.hpp"
 #include "app/session/menu_state.hpp"
-#include "app/session/ui/panels.hpp"
+#include "app/ui/panels.hpp"
 
 #include <span>
 #include <string>

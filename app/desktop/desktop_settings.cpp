@@ -1,7 +1,7 @@
 #include "app/desktop/desktop_settings.hpp"
 
-#include "app/desktop/picture/detail_choice.hpp"
-#include "app/desktop/picture/picture_quality.hpp"
+#include "app/desktop/detail_choice.hpp"
+#include "app/desktop/picture_quality.hpp"
 #include "core/base/resources.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/session/lesson_session.hpp"
-#include "app/session/values/settings.hpp"
+#include "app/session/settings.hpp"
 
 #include <filesystem>
 #include <string>

@@ -1,9 +1,9 @@
 #include "app/desktop/error_window.hpp"
 
-#include "app/program/other_program.hpp"
-#include "app/session/ui/letters.hpp"
-#include "app/session/ui/theme.hpp"
-#include "core/base/system/environment.hpp"
+#include "app/platform/other_program.hpp"
+#include "app/ui/letters.hpp"
+#include "app/ui/theme.hpp"
+#include "core/base/environment.hpp"
 #include "core/base/text.hpp"
 
 #include <X11/Xlib.h>

@@ -1,7 +1,7 @@
 // A gamepad, read through GLFW.
 #pragma once
 
-#include "app/session/hand/input.hpp"
+#include "app/session/input.hpp"
 
 #include <span>
 

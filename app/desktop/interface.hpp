@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/desktop/window.hpp"
-#include "app/session/ui/widgets.hpp"
+#include "app/ui/widgets.hpp"
 
 #include <chrono>
 

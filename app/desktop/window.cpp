@@ -5,8 +5,8 @@
 #include "app/desktop/window_place.hpp"
 #include "app/desktop/window_system.hpp"
 
+#include "core/base/environment.hpp"
 #include "core/base/error.hpp"
-#include "core/base/system/environment.hpp"
 #include "core/base/work_meter.hpp"
 
 #define GLFW_INCLUDE_NONE

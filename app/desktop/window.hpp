@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/desktop/window_place.hpp"
-#include "app/session/hand/input.hpp"
-#include "app/session/hand/key_names.hpp"
+#include "app/session/input.hpp"
+#include "app/session/key_names.hpp"
 #include "core/gl/context.hpp"
 
 #include <glm/vec2.hpp>

@@ -1,17 +1,17 @@
 // The state of the window for tests and observers: a file with one JSON object a line, the newest last.
 #pragma once
 
-#include "app/program/frame_meter.hpp"
-#include "app/session/attempt/attempt_judge.hpp"
-#include "app/session/attempt/demonstration.hpp"
-#include "app/session/hand/controls.hpp"
+#include "app/activities/attempt_replay.hpp"
+#include "app/activities/demonstration.hpp"
+#include "app/platform/frame_meter.hpp"
+#include "app/session/attempt_judge.hpp"
+#include "app/session/controls.hpp"
+#include "app/session/cut_view.hpp"
 #include "app/session/headset_status.hpp"
-#include "app/session/inspection/cut_view.hpp"
 #include "app/session/lesson_figures.hpp"
 #include "app/session/menu_state.hpp"
 #include "app/session/messages.hpp"
-#include "app/session/replay/attempt_replay.hpp"
-#include "app/session/ui/widgets.hpp"
+#include "app/ui/widgets.hpp"
 #include "core/weld/torch/torch_sample.hpp"
 
 #include <filesystem>

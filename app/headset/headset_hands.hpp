@@ -1,10 +1,10 @@
 // Both hands of the welder: one holds the torch (or a tracker does), the other the filler rod.
 #pragma once
 
-#include "app/headset/torch/headset_parameters.hpp"
-#include "app/headset/torch/tip_measuring.hpp"
-#include "app/headset/torch/torch_selector.hpp"
-#include "app/headset/torch/tracked_torch.hpp"
+#include "app/headset/headset_parameters.hpp"
+#include "app/headset/tip_measuring.hpp"
+#include "app/headset/torch_selector.hpp"
+#include "app/headset/tracked_torch.hpp"
 
 #include <array>
 #include <filesystem>

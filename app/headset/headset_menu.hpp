@@ -4,7 +4,7 @@
 #include "app/headset/headset_panel.hpp"
 #include "app/session/lesson_session.hpp"
 #include "app/session/menu_state.hpp"
-#include "xr/session/panel.hpp"
+#include "xr/panel.hpp"
 
 #include <map>
 #include <memory>

@@ -5,7 +5,7 @@
 #include "app/headset/headset_panel.hpp"
 #include "app/session/lesson_figures.hpp"
 #include "app/session/messages.hpp"
-#include "xr/session/panel.hpp"
+#include "xr/panel.hpp"
 
 #include <array>
 #include <memory>

@@ -1,7 +1,7 @@
 // A Dear ImGui context of its own for the panel in the headset, used with a pointer.
 #pragma once
 
-#include "app/session/ui/panels.hpp"
+#include "app/ui/panels.hpp"
 #include "core/base/function_ref.hpp"
 
 #include <glm/vec2.hpp>

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "app/headset/headset_panel.hpp"
-#include "app/headset/torch/headset_parameters.hpp"
-#include "app/headset/torch/workshop.hpp"
-#include "xr/input/input.hpp"
-#include "xr/session/panel.hpp"
+#include "app/headset/headset_parameters.hpp"
+#include "app/headset/workshop.hpp"
+#include "xr/input.hpp"
+#include "xr/panel.hpp"
 
 #include <optional>
 

@@ -1,7 +1,7 @@
 #include "app/headset/stereo_view.hpp"
 
-#include "app/session/attempt/seeing.hpp"
-#include "app/session/inspection/cut_stand.hpp"
+#include "app/session/cut_stand.hpp"
+#include "app/session/seeing.hpp"
 #include "core/render/look/measures.hpp"
 
 #include "shaders/shared/render.h"

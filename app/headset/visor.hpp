@@ -1,7 +1,7 @@
 // The welder's visor in the headset, with the eye behind it: dark while the arc burns, clear again a moment later.
 #pragma once
 
-#include "app/headset/torch/headset_parameters.hpp"
+#include "app/headset/headset_parameters.hpp"
 #include "core/render/effects/worn_visor.hpp"
 #include "core/render/look/look.hpp"
 

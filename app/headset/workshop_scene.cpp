@@ -1,8 +1,8 @@
 #include "app/headset/workshop_scene.hpp"
 
-#include "core/render/things/gloved_hand.hpp"
-#include "core/render/things/torch_fittings.hpp"
-#include "core/render/torch_model.hpp"
+#include "core/scene/gloved_hand.hpp"
+#include "core/scene/torch_fittings.hpp"
+#include "core/scene/torch_model.hpp"
 
 #include <glm/gtc/matrix_transform.hpp>
 

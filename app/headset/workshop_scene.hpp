@@ -1,9 +1,9 @@
 // What the headset shows besides the metal: floor, table, torch and pointer, as simple solids.
 #pragma once
 
-#include "app/headset/torch/tracked_torch.hpp"
+#include "app/headset/tracked_torch.hpp"
 #include "core/render/solids.hpp"
-#include "core/render/things/bench_things.hpp"
+#include "core/scene/bench_things.hpp"
 #include "core/weld/process/processes.hpp"
 
 #include <optional>

@@ -1,7 +1,7 @@
 #include "app/report/attempt_pictures.hpp"
 
-#include "core/render/view/camera.hpp"
-#include "core/training/verdict/section_measures.hpp"
+#include "core/render/camera.hpp"
+#include "core/training/judging/section_measures.hpp"
 
 #include <glm/trigonometric.hpp>
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/base/image.hpp"
+#include "core/render/picture_target.hpp"
 #include "core/render/renderer.hpp"
-#include "core/render/view/picture_target.hpp"
-#include "core/training/trainer.hpp"
+#include "core/training/trainer/trainer.hpp"
 
 #include <functional>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/report/run_results.hpp"
-#include "core/training/comparison/differences.hpp"
+#include "core/training/attempt/differences.hpp"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #include "app/report/comparison_page.hpp"
 
-#include "app/report/drawings/twin_curve.hpp"
 #include "app/report/report_page.hpp"
+#include "app/report/twin_curve.hpp"
 #include "core/base/text.hpp"
 
 #include <algorithm>

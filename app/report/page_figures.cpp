@@ -1,7 +1,7 @@
 // The part of the page with the measured weld and the arc in figures, in the order in which an inspector writes them.
-#include "app/report/drawings/svg_text.hpp"
 #include "app/report/page_parts.hpp"
 #include "app/report/page_text.hpp"
+#include "app/report/svg_text.hpp"
 
 #include <algorithm>
 #include <array>

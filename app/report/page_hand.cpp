@@ -1,8 +1,8 @@
 // The part of the page that is about the hand: what each quantity scored, and the curves along the seam.
-#include "app/report/drawings/curve_drawing.hpp"
+#include "app/report/curve_drawing.hpp"
 #include "app/report/page_parts.hpp"
 #include "app/report/page_text.hpp"
-#include "core/training/technique/quantity.hpp"
+#include "core/training/judging/quantity.hpp"
 
 #include <algorithm>
 #include <cmath>

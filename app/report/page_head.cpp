@@ -1,8 +1,8 @@
 // What the page says first: lesson, how the attempt was made, score, what to correct, and the weld's pictures.
-#include "app/report/drawings/section_drawing.hpp"
-#include "app/report/drawings/svg_text.hpp"
 #include "app/report/page_parts.hpp"
 #include "app/report/page_text.hpp"
+#include "app/report/section_drawing.hpp"
+#include "app/report/svg_text.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "app/report/page_text.hpp"
 
-#include "app/report/drawings/svg_text.hpp"
+#include "app/report/svg_text.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,8 +1,8 @@
 // The part of the page that is about the verdict, with its places on the seam.
-#include "app/report/drawings/seam_strip.hpp"
-#include "app/report/drawings/svg_text.hpp"
 #include "app/report/page_parts.hpp"
 #include "app/report/page_text.hpp"
+#include "app/report/seam_strip.hpp"
+#include "app/report/svg_text.hpp"
 
 #include <algorithm>
 #include <array>

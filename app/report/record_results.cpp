@@ -1,10 +1,10 @@
 #include "app/report/record_results.hpp"
 
-#include "app/program/program_info.hpp"
+#include "app/platform/program_info.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
-#include "core/training/recording/recording_reader.hpp"
-#include "core/training/result/result_file.hpp"
+#include "core/training/attempt/recording_reader.hpp"
+#include "core/training/trainer/result_file.hpp"
 #include "core/weld/torch/torch_csv.hpp"
 
 #include <algorithm>

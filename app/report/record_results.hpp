@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/report/run_results.hpp"
-#include "core/training/lesson.hpp"
+#include "core/training/lesson/lesson.hpp"
 
 #include <filesystem>
 

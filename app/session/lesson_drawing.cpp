@@ -1,7 +1,7 @@
 // The part of LessonSession that shows the lesson: its scene, the desk's picture, and the figures beside it.
-#include "app/session/attempt/seeing.hpp"
 #include "app/session/lesson_session.hpp"
-#include "core/training/classic_model.hpp"
+#include "app/session/seeing.hpp"
+#include "core/training/trainer/classic_model.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>

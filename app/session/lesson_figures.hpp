@@ -1,7 +1,7 @@
 // What menus and telemetry show of the metal in a running lesson.
 #pragma once
 
-#include "app/session/hand/desk_torch.hpp"
+#include "app/session/desk_torch.hpp"
 
 #include <cstddef>
 #include <optional>

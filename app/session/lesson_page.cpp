@@ -1,5 +1,5 @@
 // The part of LessonSession that writes the page of the judged attempt.
-#include "app/session/attempt/attempt_page.hpp"
+#include "app/session/attempt_page.hpp"
 #include "app/session/lesson_session.hpp"
 #include "core/base/error.hpp"
 #include "core/base/output_file.hpp"

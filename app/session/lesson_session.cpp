@@ -2,8 +2,8 @@
 
 #include "core/base/error.hpp"
 #include "core/base/resources.hpp"
-#include "core/training/classic_model.hpp"
-#include "core/training/lesson_folders.hpp"
+#include "core/training/lesson/lesson_folders.hpp"
+#include "core/training/trainer/classic_model.hpp"
 
 #include <glm/trigonometric.hpp>
 

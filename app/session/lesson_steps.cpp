@@ -1,6 +1,6 @@
 // The part of LessonSession that makes the metal's steps, led by a hand, a demonstration or a kept attempt.
 #include "app/session/lesson_session.hpp"
-#include "core/training/classic_model.hpp"
+#include "core/training/trainer/classic_model.hpp"
 
 #include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>

@@ -2,10 +2,10 @@
 // the metal is slow, and that an attempt is not recorded.
 #pragma once
 
-#include "app/session/hand/trigger_lock.hpp"
 #include "app/session/lesson_figures.hpp"
 #include "app/session/lesson_session.hpp"
 #include "app/session/messages.hpp"
+#include "app/session/trigger_lock.hpp"
 
 #include <array>
 #include <string_view>

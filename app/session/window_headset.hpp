@@ -1,11 +1,11 @@
 // The headset as the window's frame drives it: what window and headset know of each other.
 #pragma once
 
-#include "app/session/hand/trigger_lock.hpp"
 #include "app/session/headset_status.hpp"
-#include "app/session/home/home.hpp"
+#include "app/session/home.hpp"
 #include "app/session/lesson_session.hpp"
 #include "app/session/messages.hpp"
+#include "app/session/trigger_lock.hpp"
 
 #include <filesystem>
 #include <functional>

@@ -1,7 +1,7 @@
 #include "app/sound/openal_device.hpp"
 
+#include "core/base/environment.hpp"
 #include "core/base/error.hpp"
-#include "core/base/system/environment.hpp"
 
 #include <AL/al.h>
 #include <AL/alc.h>

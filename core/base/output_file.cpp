@@ -1,7 +1,7 @@
 #include "core/base/output_file.hpp"
 
 #include "core/base/error.hpp"
-#include "core/base/system/files.hpp"
+#include "core/base/files.hpp"
 
 #include <cerrno>
 #include <cstdio>

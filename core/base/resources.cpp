@@ -1,7 +1,7 @@
 #include "core/base/resources.hpp"
 
+#include "core/base/environment.hpp"
 #include "core/base/error.hpp"
-#include "core/base/system/environment.hpp"
 
 namespace meltpool {
 

@@ -1,7 +1,7 @@
 // Folders of the program's own files (shaders, data) and of the user's settings.
 #pragma once
 
-#include "core/base/system/places.hpp"
+#include "core/base/places.hpp"
 
 #include <filesystem>
 

@@ -1,8 +1,8 @@
 #include "core/base/text.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/files.hpp"
 #include "core/base/output_file.hpp"
-#include "core/base/system/files.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "core/gl/context.hpp"
 
 #include "core/base/error.hpp"
-#include "core/base/system/last_facts.hpp"
+#include "core/base/last_facts.hpp"
 
 #include <charconv>
 #include <cstdio>

@@ -1,6 +1,6 @@
 #include "core/metal/metal_room.hpp"
 
-#include "core/base/system/memory.hpp"
+#include "core/base/memory.hpp"
 #include "core/gl/gl.hpp"
 #include "shaders/shared/flow.h"
 

@@ -4,7 +4,7 @@
 #include "core/gl/readback.hpp"
 #include "core/metal/flow/flow.hpp"
 #include "core/metal/heat/heat.hpp"
-#include "core/metal/solid/rigid_fragments.hpp"
+#include "core/metal/rigid_fragments.hpp"
 #include "core/metal/state/particle_view.hpp"
 #include "core/metal/state/statistics.hpp"
 #include "shaders/shared/metal_statistics.h"

@@ -7,7 +7,7 @@
 #include "core/render/effects/spark.hpp"
 #include "core/render/look/look.hpp"
 #include "core/render/scene.hpp"
-#include "core/render/view/toned_program.hpp"
+#include "core/render/toned_program.hpp"
 
 #include <array>
 

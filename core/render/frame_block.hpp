@@ -3,7 +3,7 @@
 
 #include "core/render/look/look.hpp"
 #include "core/render/scene.hpp"
-#include "core/render/view/view.hpp"
+#include "core/render/view.hpp"
 #include "shaders/shared/render.h"
 
 namespace meltpool {

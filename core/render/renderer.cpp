@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/render/effects_painter.hpp"
 #include "core/render/frame_block.hpp"
+#include "core/render/kept_sky.hpp"
 #include "core/render/look/environment.hpp"
 #include "core/render/look/heat_colours.hpp"
 #include "core/render/look/material_presets.hpp"
@@ -11,12 +12,11 @@
 #include "core/render/look/noise.hpp"
 #include "core/render/look/temperature_scale.hpp"
 #include "core/render/room_painter.hpp"
-#include "core/render/shapes/sight.hpp"
+#include "core/render/sight.hpp"
 #include "core/render/solids.hpp"
 #include "core/render/stroke_painter.hpp"
 #include "core/render/surface_painter.hpp"
-#include "core/render/view/kept_sky.hpp"
-#include "core/render/view/toned_program.hpp"
+#include "core/render/toned_program.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>

@@ -5,8 +5,8 @@
 #include "core/gl/program.hpp"
 #include "core/render/look/look.hpp"
 #include "core/render/scene.hpp"
-#include "core/render/view/view.hpp"
-#include "core/render/view/view_submission.hpp"
+#include "core/render/view.hpp"
+#include "core/render/view_submission.hpp"
 
 #include <filesystem>
 #include <memory>

@@ -3,7 +3,7 @@
 
 #include "core/gl/texture.hpp"
 #include "core/render/scene.hpp"
-#include "core/render/view/toned_program.hpp"
+#include "core/render/toned_program.hpp"
 
 #include <span>
 

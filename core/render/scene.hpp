@@ -7,11 +7,11 @@
 #include "core/render/effects/spark.hpp"
 #include "core/render/section.hpp"
 #include "core/render/solids.hpp"
-#include "core/render/view/view.hpp"
+#include "core/render/view.hpp"
 #include "core/surface/surface_mesh.hpp"
 #include "core/weld/process/ripples.hpp"
-#include "core/weld/rolled_faces.hpp"
-#include "core/weld/workpiece.hpp"
+#include "core/weld/workpiece/rolled_faces.hpp"
+#include "core/weld/workpiece/workpiece.hpp"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>

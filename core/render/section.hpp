@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/gl/texture.hpp"
-#include "core/render/view/toned_program.hpp"
+#include "core/render/toned_program.hpp"
 #include "core/weld/gauge/section_map.hpp"
 #include "shaders/shared/render.h"
 

@@ -3,8 +3,8 @@
 
 #include "core/gl/buffer.hpp"
 #include "core/gl/texture.hpp"
-#include "core/render/shapes/solid_meshes.hpp"
-#include "core/render/view/measured_program.hpp"
+#include "core/render/measured_program.hpp"
+#include "core/render/solid_meshes.hpp"
 
 #include <array>
 #include <span>

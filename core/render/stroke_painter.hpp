@@ -3,7 +3,7 @@
 
 #include "core/gl/buffer.hpp"
 #include "core/gl/texture.hpp"
-#include "core/render/view/toned_program.hpp"
+#include "core/render/toned_program.hpp"
 #include "shaders/shared/render.h"
 
 #include <span>

@@ -6,10 +6,10 @@
 #include "core/render/floating_oxide.hpp"
 #include "core/render/look/look.hpp"
 #include "core/render/look/material_presets.hpp"
+#include "core/render/measured_program.hpp"
 #include "core/render/scene.hpp"
-#include "core/render/view/measured_program.hpp"
-#include "core/render/view/toned_program.hpp"
-#include "core/render/view/view.hpp"
+#include "core/render/toned_program.hpp"
+#include "core/render/view.hpp"
 
 #include <optional>
 

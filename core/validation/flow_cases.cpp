@@ -2,7 +2,7 @@
 #include "core/base/error.hpp"
 #include "core/validation/case_size.hpp"
 #include "core/validation/exact_solutions.hpp"
-#include "core/validation/flow/flow_experiments.hpp"
+#include "core/validation/flow_experiments.hpp"
 #include "core/validation/validation.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Two kept attempts in the window's comparison: welded a frame's share at a time, to their own bits, and kept.
-#include "app/session/compare/attempt_comparison.hpp"
+#include "app/activities/attempt_comparison.hpp"
 #include "core/base/error.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"

@@ -1,6 +1,6 @@
 // The page that the result panel's button writes, from an attempt that is still there.
 #include "app/report/record_results.hpp"
-#include "app/session/attempt/attempt_page.hpp"
+#include "app/session/attempt_page.hpp"
 #include "app/session/lesson_session.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"

@@ -2,7 +2,7 @@
 // steady and unsteady hands, with all that may happen on the way.
 #pragma once
 
-#include "core/training/lesson.hpp"
+#include "core/training/lesson/lesson.hpp"
 
 #include <filesystem>
 #include <limits>

@@ -1,5 +1,5 @@
 // The drawing of a bent strap: openings to scale where they lie, and a sentence that says the same.
-#include "app/session/inspection/bend_drawing.hpp"
+#include "app/session/bend_drawing.hpp"
 
 #include "tests/support/catch.hpp"
 

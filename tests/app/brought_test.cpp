@@ -1,8 +1,8 @@
 // What people bring to the program: torch paths of other programs, implausible ones, lessons that leave something out,
 // attempts that cannot be compared, and an output that is cut off.
 #include "core/base/text.hpp"
-#include "core/training/lesson.hpp"
-#include "core/training/recorded_attempt.hpp"
+#include "core/training/lesson/lesson.hpp"
+#include "core/training/lesson/recorded_attempt.hpp"
 #include "tests/app/program.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"

@@ -1,6 +1,6 @@
 // `meltpool check` from end to end: exit codes, what it prints, and the JUnit file.
 #include "core/base/text.hpp"
-#include "core/training/check/lesson_check.hpp"
+#include "core/training/lesson/lesson_check.hpp"
 #include "tests/app/program.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"

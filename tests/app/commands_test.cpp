@@ -1,6 +1,6 @@
 // The commands that only tell: help, lessons, doctor, and the program without a display.
 #include "app/commands/headless_runner.hpp"
-#include "app/program/progress_bar.hpp"
+#include "app/platform/progress_bar.hpp"
 #include "tests/app/program.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"

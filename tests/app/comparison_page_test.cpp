@@ -1,6 +1,6 @@
 // The page of two attempts: both systems, nothing that is loaded, and nothing drawn of what is not there.
 #include "app/report/comparison_page.hpp"
-#include "app/report/drawings/twin_curve.hpp"
+#include "app/report/twin_curve.hpp"
 #include "core/base/text.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"

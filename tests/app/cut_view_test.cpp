@@ -1,8 +1,8 @@
 // The weld cut open in the session: place, stations, camera, and that the metal waits meanwhile.
-#include "app/session/inspection/cut_stand.hpp"
+#include "app/session/cut_stand.hpp"
 #include "app/session/lesson_session.hpp"
 #include "app/session/notices.hpp"
-#include "core/render/view/picture_target.hpp"
+#include "core/render/picture_target.hpp"
 #include "tests/app/small_lessons.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"

@@ -1,6 +1,6 @@
 // A filler rod in the other hand: drawn where the process melts it, in no picture where it does not.
 #include "app/headset/stereo_view.hpp"
-#include "core/render/view/picture_target.hpp"
+#include "core/render/picture_target.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 

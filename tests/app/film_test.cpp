@@ -1,5 +1,5 @@
 // What `meltpool run` makes for others to look at: a time-lapse with and without ffmpeg, and a turntable.
-#include "app/film/film.hpp"
+#include "app/export/film.hpp"
 #include "app/report/attempt_pictures.hpp"
 #include "core/base/error.hpp"
 #include "core/base/resources.hpp"

@@ -1,9 +1,9 @@
 // The headset's workshop, held torch and visor: geometry and time without a runtime.
-#include "app/headset/torch/tip_measuring.hpp"
-#include "app/headset/torch/torch_selector.hpp"
-#include "app/headset/torch/tracked_torch.hpp"
-#include "app/headset/torch/workshop.hpp"
+#include "app/headset/tip_measuring.hpp"
+#include "app/headset/torch_selector.hpp"
+#include "app/headset/tracked_torch.hpp"
 #include "app/headset/visor.hpp"
+#include "app/headset/workshop.hpp"
 #include "app/headset/workshop_scene.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"

@@ -1,5 +1,5 @@
 // The torch in the hand: what moves it otherwise than a hand does puts the arc out first.
-#include "app/headset/torch/tracked_torch.hpp"
+#include "app/headset/tracked_torch.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 

@@ -1,4 +1,4 @@
-// The README's table of folders is the order of the tree; tests/house checks what does not need the README.
+// The table of folders in the handbook is the order of the tree; tests/house checks what does not need the table.
 #include "core/base/text.hpp"
 #include "tests/app/handbook.hpp"
 #include "tests/support/catch.hpp"
@@ -43,9 +43,9 @@ std::vector<Include> readIncludes() {
     return includes;
 }
 
-/// The folders of the README's table, from the top down.
+/// The folders of the handbook's table, from the top down.
 std::vector<std::string> tableOfFolders() {
-    for (const ShownTable& table : readPage(sourceFolder() / "README.md").tables)
+    for (const ShownTable& table : readPage(sourceFolder() / "app/handbook/architecture.md").tables)
         if (table.heads.front() == "folder") {
             std::vector<std::string> folders;
             for (size_t row = 0; row < table.rows.size(); ++row)
@@ -66,7 +66,7 @@ size_t rowOf(const std::vector<std::string>& table, const std::string& folder) {
 
 } // namespace
 
-TEST_CASE("includes lead down the README's table of folders", "[app][house]") {
+TEST_CASE("includes lead down the handbook's table of folders", "[app][house]") {
     const std::vector<std::string> table = tableOfFolders();
     REQUIRE(table.size() > 20);
     for (const std::string& folder : table) {

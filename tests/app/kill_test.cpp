@@ -1,5 +1,5 @@
 // Runs that are killed or asked to stop at any moment: what they leave is whole and tells what happened.
-#include "app/program/stop_signals.hpp"
+#include "app/platform/stop_signals.hpp"
 #include "core/base/image.hpp"
 #include "core/base/text.hpp"
 #include "core/weld/torch/torch_csv.hpp"

@@ -1,6 +1,6 @@
 // The weld as a file: `run --mesh` from end to end, its bytes read by a reader of our own and by assimp.
-#include "app/mesh/gltf.hpp"
-#include "app/mesh/ply.hpp"
+#include "app/export/gltf.hpp"
+#include "app/export/ply.hpp"
 #include "core/base/text.hpp"
 #include "tests/app/program.hpp"
 #include "tests/support/catch.hpp"

@@ -1,12 +1,12 @@
 // Recordings of people's attempts: each attempt has one that replays to the same bits, they keep within their limit,
 // and nothing is lost in silence.
+#include "app/library/best_kept.hpp"
+#include "app/library/kept_attempts.hpp"
 #include "app/session/lesson_session.hpp"
 #include "app/session/notices.hpp"
-#include "app/session/recordings/best_kept.hpp"
-#include "app/session/recordings/kept_attempts.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
-#include "core/training/recording/recording_reader.hpp"
+#include "core/training/attempt/recording_reader.hpp"
 #include "core/weld/torch/torch_csv.hpp"
 #include "tests/app/program.hpp"
 #include "tests/support/catch.hpp"

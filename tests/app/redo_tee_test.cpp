@@ -1,7 +1,7 @@
 // Going back fourteen times from the same moment of the shipped tee lesson: the same metal each time, and no more
 // memory.
-#include "app/session/attempt/redo.hpp"
-#include "core/training/lesson.hpp"
+#include "app/activities/redo.hpp"
+#include "core/training/lesson/lesson.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 #include "tests/support/resident_bytes.hpp"

@@ -2,7 +2,7 @@
 // last one, and the attempt is practice.
 #include "app/session/lesson_session.hpp"
 #include "core/base/text.hpp"
-#include "core/training/recorded_attempt.hpp"
+#include "core/training/lesson/recorded_attempt.hpp"
 #include "tests/app/small_lessons.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"

@@ -1,7 +1,7 @@
 // A kept attempt in the session: it plays to the bits of its record, also after it was brought to other moments.
+#include "app/activities/attempt_lesson.hpp"
 #include "app/session/lesson_session.hpp"
 #include "app/session/notices.hpp"
-#include "app/session/replay/attempt_lesson.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "tests/support/catch.hpp"

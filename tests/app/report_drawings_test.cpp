@@ -1,7 +1,7 @@
 // The drawings of an attempt's page: curves, strip of the seam and section, point by point.
-#include "app/report/drawings/curve_drawing.hpp"
-#include "app/report/drawings/seam_strip.hpp"
-#include "app/report/drawings/section_drawing.hpp"
+#include "app/report/curve_drawing.hpp"
+#include "app/report/seam_strip.hpp"
+#include "app/report/section_drawing.hpp"
 #include "tests/app/markup.hpp"
 #include "tests/support/catch.hpp"
 

@@ -1,5 +1,5 @@
 // `meltpool report`: a run's results as one page that loads nothing.
-#include "app/report/drawings/curve_scale.hpp"
+#include "app/report/curve_scale.hpp"
 #include "app/report/record_results.hpp"
 #include "app/report/report_page.hpp"
 #include "core/base/error.hpp"

@@ -1,7 +1,7 @@
 // Another attempt begins at once: metal, technique and torch are put back in place; no shader is compiled again and no
 // buffer made anew.
 #include "app/session/lesson_session.hpp"
-#include "core/training/recorded_attempt.hpp"
+#include "core/training/lesson/recorded_attempt.hpp"
 #include "tests/app/small_lessons.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"

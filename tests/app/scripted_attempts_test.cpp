@@ -1,9 +1,9 @@
 // Twenty attempts of all processes: each is replayed to the bits of its recording, and every moment that is sought has
 // the bits to which stepping comes, with one thread of the software driver and with two.
+#include "app/activities/attempt_replay.hpp"
 #include "app/session/lesson_session.hpp"
-#include "app/session/replay/attempt_replay.hpp"
 #include "core/base/text.hpp"
-#include "core/training/recording/recording_reader.hpp"
+#include "core/training/attempt/recording_reader.hpp"
 #include "tests/app/attempt_scripts.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"

@@ -1,6 +1,6 @@
 // What scripts and shells want of the program: lists as JSON, one table of all attempts, and silence with --quiet.
 #include "core/base/text.hpp"
-#include "core/training/recording/recording_reader.hpp"
+#include "core/training/attempt/recording_reader.hpp"
 #include "tests/app/program.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"

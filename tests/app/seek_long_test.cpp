@@ -1,9 +1,9 @@
 // How long it takes to come to any second of a two-minute attempt, and what its recording takes of the disk. With
 // MELTPOOL_KEEP=FOLDER the recording stays there.
-#include "app/program/program_info.hpp"
+#include "app/platform/program_info.hpp"
 #include "app/session/lesson_session.hpp"
 #include "core/base/text.hpp"
-#include "core/training/recording/recording_reader.hpp"
+#include "core/training/attempt/recording_reader.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 

@@ -2,7 +2,7 @@
 #include "app/session/lesson_session.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
-#include "core/training/recorded_attempt.hpp"
+#include "core/training/lesson/recorded_attempt.hpp"
 #include "core/weld/torch/torch_csv.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"

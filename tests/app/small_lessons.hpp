@@ -1,7 +1,7 @@
 // Lessons of the catalogue on workpieces so small that a session welds them within seconds.
 #pragma once
 
-#include "core/training/lesson.hpp"
+#include "core/training/lesson/lesson.hpp"
 #include "tests/support/gl_fixture.hpp"
 
 namespace meltpool::test {

@@ -1,7 +1,7 @@
 // The visor and the eye of the window's picture, in a lesson in progress.
 #include "app/session/lesson_session.hpp"
 #include "app/session/notices.hpp"
-#include "core/render/view/picture_target.hpp"
+#include "core/render/picture_target.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/small_lessons.hpp"
 #include "tests/support/catch.hpp"

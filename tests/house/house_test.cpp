@@ -45,7 +45,8 @@ const std::map<std::string, std::set<std::string>>& floorsBelow() {
         {"core/validation", {"core/base", "core/gl", "core/metal", "core/weld"}},
         {"core/surface", {"core/base", "core/gl", "core/metal"}},
         {"core/render", {"core/base", "core/gl", "core/metal", "core/weld", "core/surface"}},
-        {"core/training", {"core/base", "core/gl", "core/metal", "core/weld", "core/surface", "core/render"}},
+        {"core/scene", {"core/base", "core/gl", "core/metal", "core/weld", "core/surface", "core/render"}},
+        {"core/training", {"core/base", "core/gl", "core/metal", "core/weld", "core/surface", "core/render", "core/scene"}},
         {"xr", {"core/base", "core/gl"}}};
     return below;
 }

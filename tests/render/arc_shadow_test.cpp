@@ -1,6 +1,6 @@
 // The arc's light on the table: none under the plate, all of it well beside, and a soft edge between.
+#include "core/render/picture_target.hpp"
 #include "core/render/renderer.hpp"
-#include "core/render/view/picture_target.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 

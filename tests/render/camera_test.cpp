@@ -1,5 +1,5 @@
 // Cameras: where they stand and look, that they never roll or turn over, and what their views project.
-#include "core/render/view/camera.hpp"
+#include "core/render/camera.hpp"
 #include "tests/support/catch.hpp"
 
 #include <glm/geometric.hpp>

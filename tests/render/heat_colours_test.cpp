@@ -1,8 +1,8 @@
 // Light and colours of heat: against the old candela, the standard lamp and the table of temper colours; pictures.
+#include "core/render/camera.hpp"
 #include "core/render/look/heat_colours.hpp"
+#include "core/render/picture_target.hpp"
 #include "core/render/renderer.hpp"
-#include "core/render/view/camera.hpp"
-#include "core/render/view/picture_target.hpp"
 #include "tests/render/synthetic_weld.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"

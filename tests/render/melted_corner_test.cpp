@@ -1,9 +1,9 @@
 // Picture of the solder cube of the classic model, its front corner liquid and glossy, the
 // rest solid and dull; from the real simulation and the real surface.
 #include "core/metal/classic/classic_metal.hpp"
+#include "core/render/camera.hpp"
+#include "core/render/picture_target.hpp"
 #include "core/render/renderer.hpp"
-#include "core/render/view/camera.hpp"
-#include "core/render/view/picture_target.hpp"
 #include "core/surface/surface.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"

@@ -1,9 +1,9 @@
 // Pictures: goldens of every mode and material, exact colours where the thesis gives them, several views, plain
 // targets.
+#include "core/render/camera.hpp"
 #include "core/render/look/temperature_scale.hpp"
+#include "core/render/picture_target.hpp"
 #include "core/render/renderer.hpp"
-#include "core/render/view/camera.hpp"
-#include "core/render/view/picture_target.hpp"
 #include "tests/render/synthetic_scene.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"

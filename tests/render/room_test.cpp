@@ -1,9 +1,9 @@
 // The workshop as geometry: things of the room stand where they are for each eye, and from the place of the sky's
 // picture the room looks as the sky does.
+#include "core/render/camera.hpp"
+#include "core/render/picture_target.hpp"
 #include "core/render/renderer.hpp"
 #include "core/render/room_painter.hpp"
-#include "core/render/view/camera.hpp"
-#include "core/render/view/picture_target.hpp"
 #include "shaders/shared/render.h"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"

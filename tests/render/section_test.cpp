@@ -1,8 +1,8 @@
 // The section: its picture is its golden, and it shows exactly what its map says.
+#include "core/render/camera.hpp"
+#include "core/render/picture_target.hpp"
 #include "core/render/renderer.hpp"
 #include "core/render/section.hpp"
-#include "core/render/view/camera.hpp"
-#include "core/render/view/picture_target.hpp"
 #include "tests/render/synthetic_weld.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"

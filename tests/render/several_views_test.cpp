@@ -1,8 +1,8 @@
 // Several views with one draw call or one after the other: the same pictures, whichever way the driver takes.
+#include "core/render/camera.hpp"
 #include "core/render/look/measures.hpp"
+#include "core/render/picture_target.hpp"
 #include "core/render/renderer.hpp"
-#include "core/render/view/camera.hpp"
-#include "core/render/view/picture_target.hpp"
 #include "tests/render/synthetic_scene.hpp"
 #include "tests/render/synthetic_weld.hpp"
 #include "tests/support/catch.hpp"

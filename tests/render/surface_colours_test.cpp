@@ -1,11 +1,11 @@
 // Colours of vertices for files: against the pictures and against the formulas behind them.
+#include "core/render/camera.hpp"
 #include "core/render/look/heat_colours.hpp"
 #include "core/render/look/material_presets.hpp"
 #include "core/render/look/temperature_scale.hpp"
+#include "core/render/picture_target.hpp"
 #include "core/render/renderer.hpp"
 #include "core/render/surface_colours.hpp"
-#include "core/render/view/camera.hpp"
-#include "core/render/view/picture_target.hpp"
 #include "shaders/shared/surface.h"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"

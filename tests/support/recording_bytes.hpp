@@ -1,9 +1,9 @@
 // Recordings made in memory, and damaged ones with hashes that fit.
 #pragma once
 
-#include "core/training/recording/content.hpp"
-#include "core/training/recording/frame.hpp"
-#include "core/training/recording/little_endian.hpp"
+#include "core/training/attempt/content.hpp"
+#include "core/training/attempt/frame.hpp"
+#include "core/training/attempt/little_endian.hpp"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 // Small versions of the flow's experiments: drops, pools and plates do what theory says.
 #include "core/validation/exact_solutions.hpp"
-#include "core/validation/flow/flow_experiments.hpp"
+#include "core/validation/flow_experiments.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 

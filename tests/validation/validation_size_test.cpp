@@ -1,6 +1,6 @@
 // Cases that the machine cannot hold, or that are too small for their spacing, are refused before anything is made.
 #include "core/base/error.hpp"
-#include "core/base/system/memory.hpp"
+#include "core/base/memory.hpp"
 #include "core/validation/validation.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"

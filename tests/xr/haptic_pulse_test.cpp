@@ -1,6 +1,6 @@
 // The samples that a controller plays instead of a plain vibration.
 #include "tests/support/catch.hpp"
-#include "xr/input/haptic_pulse.hpp"
+#include "xr/haptic_pulse.hpp"
 
 #include <algorithm>
 #include <array>

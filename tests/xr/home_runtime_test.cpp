@@ -1,6 +1,6 @@
 // The whole program on a real runtime: from the list of lessons on the panel to the result, again, and back.
 #include "core/base/text.hpp"
-#include "core/training/recording/recording_reader.hpp"
+#include "core/training/attempt/recording_reader.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/newest_recording.hpp"
 #include "tests/xr/trainee.hpp"

@@ -1,6 +1,6 @@
 // A lesson in the headset ends without warning or on a signal: record and recording are whole and nearly all of the
 // metal's time is in them.
-#include "core/training/recording/recording_reader.hpp"
+#include "core/training/attempt/recording_reader.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/newest_recording.hpp"
 #include "tests/support/record_check.hpp"

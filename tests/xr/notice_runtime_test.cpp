@@ -1,6 +1,6 @@
 // The whole program on a real runtime: warnings stand before the eyes, welds start at real size, another zoom is shown.
 #include "core/base/text.hpp"
-#include "core/training/lesson.hpp"
+#include "core/training/lesson/lesson.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/xr/trainee.hpp"
 

@@ -2,7 +2,7 @@
 // little time for the program too; where it cannot be, the person is told before their eyes. tests/xr/CMakeLists.txt
 // runs it at other display rates too.
 #include "core/base/text.hpp"
-#include "core/training/recorded_attempt.hpp"
+#include "core/training/lesson/recorded_attempt.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/little_time.hpp"
 #include "tests/xr/trainee.hpp"

@@ -3,7 +3,7 @@
 #include "core/base/text.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
-#include "xr/input/pivot.hpp"
+#include "xr/pivot.hpp"
 
 #include <glm/gtx/quaternion.hpp>
 

@@ -2,10 +2,10 @@
 #include "core/gl/context.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/xr/remote_driver.hpp"
-#include "xr/session/graphics_binding.hpp"
-#include "xr/session/panel.hpp"
-#include "xr/session/profiles.hpp"
-#include "xr/session/swapchain.hpp"
+#include "xr/graphics_binding.hpp"
+#include "xr/panel.hpp"
+#include "xr/profiles.hpp"
+#include "xr/swapchain.hpp"
 
 #include <algorithm>
 #include <cstring>

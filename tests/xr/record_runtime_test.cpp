@@ -1,5 +1,5 @@
 // The whole program on a real runtime: no button of the panel ends or cuts a record without saying so.
-#include "core/training/recorded_attempt.hpp"
+#include "core/training/lesson/recorded_attempt.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/record_check.hpp"
 #include "tests/xr/trainee.hpp"

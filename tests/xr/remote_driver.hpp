@@ -1,7 +1,7 @@
 // Moves the scripted headset and controllers: a client of Monado's remote driver.
 #pragma once
 
-#include "xr/session/pose.hpp"
+#include "xr/pose.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // Attempts of a scripted hand in the headset: their recordings are replayed without one to the same bits.
 #include "core/base/text.hpp"
-#include "core/training/lesson.hpp"
-#include "core/training/recording/recording_reader.hpp"
+#include "core/training/attempt/recording_reader.hpp"
+#include "core/training/lesson/lesson.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/newest_recording.hpp"
 #include "tests/xr/trainee.hpp"

@@ -2,8 +2,8 @@
 // one-view picture.
 #include "app/headset/workshop_scene.hpp"
 #include "core/metal/classic/classic_metal.hpp"
+#include "core/render/picture_target.hpp"
 #include "core/render/renderer.hpp"
-#include "core/render/view/picture_target.hpp"
 #include "core/surface/surface.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"

@@ -1,5 +1,5 @@
 // A whole lesson as it is shipped, by a scripted hand on a real runtime: the tee fillet, from the list to the score.
-#include "core/training/lesson.hpp"
+#include "core/training/lesson/lesson.hpp"
 #include "core/weld/torch/torch_moves.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/xr/trainee.hpp"

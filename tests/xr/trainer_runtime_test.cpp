@@ -4,7 +4,7 @@
 #include "core/weld/torch/torch_path.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/xr/trainee.hpp"
-#include "xr/input/pivot.hpp"
+#include "xr/pivot.hpp"
 
 #include <glm/gtc/constants.hpp>
 

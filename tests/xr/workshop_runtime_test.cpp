@@ -1,6 +1,6 @@
 // Lessons in the headset from end to end: left-handed and seated, a real weld, the rod, the desk's part in it.
 #include "core/base/text.hpp"
-#include "core/training/lesson.hpp"
+#include "core/training/lesson/lesson.hpp"
 #include "core/weld/torch/torch_csv.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/xr/trainee.hpp"

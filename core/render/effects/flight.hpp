@@ -1,7 +1,7 @@
 // The way of a drop that flies free, in closed form from its birth, and where it lands.
 #pragma once
 
-#include "core/weld/workpiece.hpp"
+#include "core/weld/workpiece/workpiece.hpp"
 
 #include <optional>
 #include <span>

@@ -4,8 +4,8 @@
 
 #include "core/render/solids.hpp"
 #include "core/training/feedback/cues.hpp"
-#include "core/training/technique/seam.hpp"
-#include "core/weld/workpiece.hpp"
+#include "core/training/judging/seam.hpp"
+#include "core/weld/workpiece/workpiece.hpp"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>

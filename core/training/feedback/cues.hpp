@@ -2,7 +2,7 @@
 // bands.
 #pragma once
 
-#include "core/training/technique/score.hpp"
+#include "core/training/judging/score.hpp"
 #include "core/weld/process/arc.hpp"
 
 #include <array>

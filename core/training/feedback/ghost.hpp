@@ -2,7 +2,7 @@
 // hand is off it. It is only shown: neither metal nor arc nor score know of it.
 #pragma once
 
-#include "core/training/technique/technique.hpp"
+#include "core/training/judging/technique.hpp"
 #include "core/weld/torch/torch_path.hpp"
 
 #include <array>

@@ -1,7 +1,7 @@
 #include "core/training/feedback/ghost_shapes.hpp"
 
-#include "core/render/ghost_model.hpp"
-#include "core/render/stroke_text.hpp"
+#include "core/scene/ghost_model.hpp"
+#include "core/scene/stroke_text.hpp"
 
 #include <glm/geometric.hpp>
 

@@ -1,6 +1,6 @@
 #include "core/training/feedback/sight.hpp"
 
-#include "core/render/torch_model.hpp"
+#include "core/scene/torch_model.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>

@@ -1,7 +1,7 @@
 // The window ends without warning or on a signal in mid-lesson: record and recording are whole and nearly all of the
 // metal's time is in them.
 #include "core/base/text.hpp"
-#include "core/training/recording/recording_reader.hpp"
+#include "core/training/attempt/recording_reader.hpp"
 #include "tests/desktop/driven/driver.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"

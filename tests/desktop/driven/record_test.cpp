@@ -1,6 +1,6 @@
 // Records over resets and restarts, without a place to write, and the pace of a program that gets too little processor.
 #include "core/base/text.hpp"
-#include "core/training/recorded_attempt.hpp"
+#include "core/training/lesson/recorded_attempt.hpp"
 #include "tests/desktop/driven/driver.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"

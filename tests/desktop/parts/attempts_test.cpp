@@ -1,5 +1,5 @@
 // The list of kept attempts and the panel of two of them, drawn without a window.
-#include "app/session/ui/panels.hpp"
+#include "app/ui/panels.hpp"
 #include "core/base/resources.hpp"
 #include "tests/desktop/parts/drawn_interface.hpp"
 #include "tests/support/catch.hpp"

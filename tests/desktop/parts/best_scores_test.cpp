@@ -1,5 +1,5 @@
 // Best scores: what counts, that they come back, and that a file that cannot be read is told and kept.
-#include "app/session/home/best_scores.hpp"
+#include "app/library/best_scores.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "tests/support/catch.hpp"

@@ -1,5 +1,5 @@
 // Two attempts beside each other in words, without a window and without metal.
-#include "app/session/compare/comparison_rows.hpp"
+#include "app/activities/comparison_rows.hpp"
 #include "tests/support/catch.hpp"
 
 namespace meltpool {

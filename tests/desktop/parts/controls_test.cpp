@@ -1,5 +1,5 @@
 // What keys and mouse do to modes, cameras and heat source, without a window.
-#include "app/session/hand/controls.hpp"
+#include "app/session/controls.hpp"
 #include "tests/support/catch.hpp"
 
 #include <glm/geometric.hpp>

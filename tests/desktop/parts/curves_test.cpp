@@ -1,6 +1,6 @@
 // The curves of the result panel, drawn by the installed Dear ImGui without a window.
-#include "app/session/ui/curves.hpp"
-#include "app/session/ui/panels.hpp"
+#include "app/ui/curves.hpp"
+#include "app/ui/panels.hpp"
 #include "tests/desktop/parts/drawn_interface.hpp"
 #include "tests/support/catch.hpp"
 

@@ -1,6 +1,6 @@
 // The torch at the desk: what the technique measures of it is what mouse, wheel and keys have set.
-#include "app/session/hand/desk_torch.hpp"
-#include "core/training/lesson.hpp"
+#include "app/session/desk_torch.hpp"
+#include "core/training/lesson/lesson.hpp"
 #include "tests/support/catch.hpp"
 
 #include <glm/geometric.hpp>

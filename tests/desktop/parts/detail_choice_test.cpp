@@ -1,5 +1,5 @@
 // Which detail a machine's pictures get where the setting leaves it to the program.
-#include "app/desktop/picture/detail_choice.hpp"
+#include "app/desktop/detail_choice.hpp"
 #include "tests/support/catch.hpp"
 
 #include <array>

@@ -1,7 +1,7 @@
 // Panels drawn by the installed Dear ImGui without a window: what they show, where, and what a click on them does.
 #pragma once
 
-#include "app/session/ui/widgets.hpp"
+#include "app/ui/widgets.hpp"
 #include "core/base/function_ref.hpp"
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 // What is shown of a start that failed, and by which program where there is no X display.
 #include "app/desktop/error_window.hpp"
-#include "app/program/watched_run.hpp"
+#include "app/platform/watched_run.hpp"
 #include "tests/support/catch.hpp"
 
 #include <array>

@@ -1,6 +1,6 @@
 // What a gamepad says, as the trainer takes it.
 #include "app/desktop/gamepad.hpp"
-#include "app/session/hand/controls.hpp"
+#include "app/session/controls.hpp"
 #include "tests/support/catch.hpp"
 
 #include <array>

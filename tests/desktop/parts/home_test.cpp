@@ -1,5 +1,5 @@
 // The home page without a window: which lessons it lists in which order, and how keys move the choice.
-#include "app/session/home/home.hpp"
+#include "app/session/home.hpp"
 #include "core/base/error.hpp"
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"

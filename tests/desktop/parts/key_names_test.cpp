@@ -1,5 +1,5 @@
 // Names of the letter keys on keyboards of other layouts, by a lookup in place of the keyboard.
-#include "app/session/hand/key_names.hpp"
+#include "app/session/key_names.hpp"
 #include "tests/support/catch.hpp"
 
 #include <map>

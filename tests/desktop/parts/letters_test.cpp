@@ -1,6 +1,6 @@
 // The letters of the interface's fonts, and what is told of those that no font has.
-#include "app/session/ui/letters.hpp"
-#include "app/session/ui/theme.hpp"
+#include "app/ui/letters.hpp"
+#include "app/ui/theme.hpp"
 #include "tests/support/catch.hpp"
 
 namespace meltpool::test {

@@ -1,5 +1,5 @@
 // Large blocks of memory go back to the system when they are freed.
-#include "app/program/memory.hpp"
+#include "app/platform/memory.hpp"
 #include "tests/support/catch.hpp"
 
 #include <malloc.h>

@@ -1,7 +1,7 @@
 // The metal in a context of its own, on the thread of the steps: the same weld as in one context, and a surface of the
 // metal as it was, made while further steps are made.
-#include "app/desktop/steps/step_thread.hpp"
-#include "core/training/trainer.hpp"
+#include "app/desktop/step_thread.hpp"
+#include "core/training/trainer/trainer.hpp"
 #include "shaders/shared/surface.h"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"

@@ -1,11 +1,11 @@
 // A kept attempt's time line without a window: positions and seconds, how far a frame goes, and what is told.
-#include "app/session/replay/curve_track.hpp"
-#include "app/session/replay/replay_end.hpp"
-#include "app/session/replay/replay_list.hpp"
-#include "app/session/replay/seek_pace.hpp"
-#include "app/session/replay/timeline.hpp"
-#include "app/session/replay/timeline_marks.hpp"
-#include "core/training/technique/seam.hpp"
+#include "app/activities/curve_track.hpp"
+#include "app/activities/replay_end.hpp"
+#include "app/activities/seek_pace.hpp"
+#include "app/activities/timeline.hpp"
+#include "app/activities/timeline_marks.hpp"
+#include "app/library/replay_list.hpp"
+#include "core/training/judging/seam.hpp"
 #include "tests/support/catch.hpp"
 
 #include <cmath>

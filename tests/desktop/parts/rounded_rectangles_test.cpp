@@ -1,5 +1,5 @@
 // The interface's rounded rectangles in every size, drawn by the installed Dear ImGui without a window.
-#include "app/session/ui/panels.hpp"
+#include "app/ui/panels.hpp"
 #include "core/base/text.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"

@@ -1,8 +1,8 @@
 // The settings file: round trip, faults named with their line, broken files set aside; and the messages on the screen.
 #include "app/desktop/desktop_settings.hpp"
-#include "app/desktop/picture/screenshot.hpp"
+#include "app/desktop/screenshot.hpp"
 #include "app/session/messages.hpp"
-#include "app/session/values/settings.hpp"
+#include "app/session/settings.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "tests/support/catch.hpp"

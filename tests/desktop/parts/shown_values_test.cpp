@@ -1,6 +1,6 @@
 // Menus show the values that do something in the lesson at hand; temperatures have their unit.
 #include "app/session/lesson_session.hpp"
-#include "app/session/ui/panels.hpp"
+#include "app/ui/panels.hpp"
 #include "core/weld/process/processes.hpp"
 #include "tests/support/catch.hpp"
 

@@ -1,5 +1,5 @@
 // What is offered where a machine is too slow for an attempt for score.
-#include "app/session/attempt/speed_trial.hpp"
+#include "app/activities/speed_trial.hpp"
 #include "tests/support/catch.hpp"
 
 namespace meltpool {

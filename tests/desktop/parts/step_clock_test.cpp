@@ -1,6 +1,6 @@
 // The metal's time against the hand's time at different frame rates and on machines of different speed.
-#include "app/session/attempt/step_clock.hpp"
-#include "core/training/recording/checkpoint_pace.hpp"
+#include "app/session/step_clock.hpp"
+#include "core/training/attempt/checkpoint_pace.hpp"
 #include "tests/support/catch.hpp"
 
 namespace meltpool {

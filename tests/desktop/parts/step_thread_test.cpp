@@ -1,5 +1,5 @@
 // The thread that makes the metal's steps beside a picture, without a window.
-#include "app/desktop/steps/step_thread.hpp"
+#include "app/desktop/step_thread.hpp"
 #include "core/base/error.hpp"
 #include "core/gl/order.hpp"
 #include "tests/support/catch.hpp"

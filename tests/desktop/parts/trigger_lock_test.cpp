@@ -1,5 +1,5 @@
 // The heat stays out until the trigger, or the mouse's button, has been let go.
-#include "app/session/hand/controls.hpp"
+#include "app/session/controls.hpp"
 #include "tests/support/catch.hpp"
 
 namespace meltpool {

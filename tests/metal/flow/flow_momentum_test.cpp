@@ -1,6 +1,6 @@
 // Drops in space: each force has its opposite, to the bit, so that momentum changes by the rounding of sums alone; and
 // the neighbour lists that serve for several substeps hold whoever is near.
-#include "core/validation/flow/flow_bench.hpp"
+#include "core/validation/flow_bench.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 

@@ -1,5 +1,5 @@
 // The flow's lists have room for the metal that moves and grow with it, without a trace in the results.
-#include "core/validation/flow/flow_bench.hpp"
+#include "core/validation/flow_bench.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 

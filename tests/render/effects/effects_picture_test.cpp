@@ -1,7 +1,7 @@
 // Sparks and smoke in pictures: their light as numbers, against the closed forms on the processor.
+#include "core/render/camera.hpp"
 #include "core/render/effects/haze.hpp"
 #include "core/render/look/heat_colours.hpp"
-#include "core/render/view/camera.hpp"
 #include "tests/render/look/patch.hpp"
 #include "tests/support/catch.hpp"
 

@@ -1,7 +1,7 @@
 // Puffs of smoke in pictures: lit by the arc and by the room, beside the pool and never before it, one ball for both
 // eyes.
+#include "core/render/camera.hpp"
 #include "core/render/look/measures.hpp"
-#include "core/render/view/camera.hpp"
 #include "tests/render/look/patch.hpp"
 #include "tests/support/catch.hpp"
 

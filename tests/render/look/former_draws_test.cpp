@@ -1,9 +1,9 @@
 // A picture is the same to the last bit whatever the renderer drew before it, at every level of detail: no state of a
 // draw stays behind, neither in the renderer nor in the OpenGL context that all of them share.
+#include "core/render/camera.hpp"
 #include "core/render/look/measures.hpp"
+#include "core/render/picture_target.hpp"
 #include "core/render/renderer.hpp"
-#include "core/render/view/camera.hpp"
-#include "core/render/view/picture_target.hpp"
 #include "tests/render/synthetic_scene.hpp"
 #include "tests/render/synthetic_weld.hpp"
 #include "tests/support/catch.hpp"

@@ -1,8 +1,8 @@
 // The levels of detail: which measures each has, what the lowest leaves out, and what it keeps.
+#include "core/render/camera.hpp"
 #include "core/render/look/heat_colours.hpp"
 #include "core/render/look/measures.hpp"
-#include "core/render/view/camera.hpp"
-#include "core/render/view/picture_target.hpp"
+#include "core/render/picture_target.hpp"
 #include "shaders/shared/render.h"
 #include "tests/render/look/patch.hpp"
 #include "tests/render/synthetic_weld.hpp"

@@ -1,6 +1,6 @@
 #include "tests/render/look/patch.hpp"
 
-#include "core/render/view/camera.hpp"
+#include "core/render/camera.hpp"
 #include "shaders/shared/render.h"
 #include "shaders/shared/surface.h"
 #include "tests/support/gl_fixture.hpp"

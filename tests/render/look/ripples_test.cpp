@@ -1,6 +1,6 @@
 // Ripples of frozen metal: their pitch is travel speed over frequency, found by a Fourier transform along the bead;
 // where there are none.
-#include "core/render/view/camera.hpp"
+#include "core/render/camera.hpp"
 #include "shaders/shared/surface.h"
 #include "tests/render/look/patch.hpp"
 #include "tests/support/catch.hpp"

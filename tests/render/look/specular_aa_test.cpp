@@ -1,7 +1,7 @@
 // Highlights on metal whose normals vary within a pixel: calmer with antialiasing, and nearer to what many samples
 // show.
+#include "core/render/camera.hpp"
 #include "core/render/look/measures.hpp"
-#include "core/render/view/camera.hpp"
 #include "shaders/shared/surface.h"
 #include "tests/render/look/patch.hpp"
 #include "tests/support/catch.hpp"

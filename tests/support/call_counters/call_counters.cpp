@@ -1,7 +1,7 @@
 // A library that is loaded before the program (LD_PRELOAD) and counts what the program may not do in a frame: requests
 // to the heap, and OpenGL calls that wait for the GPU. It also tells the program when its threads are inside the
 // driver. It counts operator new, not what drivers and C libraries take by other ways.
-#include "app/program/call_counters.hpp"
+#include "app/platform/call_counters.hpp"
 #include "core/gl/gl.hpp"
 #include "tests/support/call_counters/gl_calls.hpp"
 

@@ -1,7 +1,7 @@
 // The counting library that frame tests load before the program: it sees every OpenGL call of the program and every
 // request to the heap.
-#include "app/program/call_counters.hpp"
-#include "app/program/frame_meter.hpp"
+#include "app/platform/call_counters.hpp"
+#include "app/platform/frame_meter.hpp"
 #include "core/base/text.hpp"
 #include "core/gl/buffer.hpp"
 #include "tests/support/call_counters/gl_calls.hpp"

@@ -1,9 +1,9 @@
 // Cues as they are drawn: never over the pool for any eye, in sight beside the workpiece, pointing the way they mean.
 #include "core/training/feedback/cue_shapes.hpp"
 
+#include "core/render/picture_target.hpp"
 #include "core/render/renderer.hpp"
-#include "core/render/torch_model.hpp"
-#include "core/render/view/picture_target.hpp"
+#include "core/scene/torch_model.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 

@@ -1,7 +1,7 @@
 // The ghost as it is drawn: its words leave the pool free, face the eye and stay in the picture.
 #include "core/training/feedback/ghost_shapes.hpp"
 
-#include "core/render/ghost_model.hpp"
+#include "core/scene/ghost_model.hpp"
 #include "tests/support/catch.hpp"
 
 #include <glm/ext/matrix_clip_space.hpp>

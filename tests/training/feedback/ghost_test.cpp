@@ -3,10 +3,10 @@
 
 #include "core/base/text.hpp"
 #include "core/training/feedback/cues.hpp"
-#include "core/training/lesson.hpp"
+#include "core/training/lesson/lesson.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
-#include "tests/training/technique/synthetic_weld.hpp"
+#include "tests/training/judging/synthetic_weld.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>

@@ -2,7 +2,7 @@
 // metal.
 #include "core/base/error.hpp"
 #include "core/weld/gauge/weld_section.hpp"
-#include "core/weld/workpiece.hpp"
+#include "core/weld/workpiece/workpiece.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 

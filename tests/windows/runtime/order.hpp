@@ -6,7 +6,7 @@
 #include <mutex>
 #include <string>
 
-#include "xr/session/platform.hpp"
+#include "xr/platform.hpp"
 
 namespace meltpool::test {
 

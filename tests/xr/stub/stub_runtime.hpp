@@ -8,7 +8,7 @@
 #include <deque>
 #include <mutex>
 
-#include "xr/session/platform.hpp"
+#include "xr/platform.hpp"
 
 namespace meltpool::test {
 

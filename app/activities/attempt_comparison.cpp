@@ -1,0 +1,128 @@
+#include "app/activities/attempt_comparison.hpp"
+
+#include "app/activities/attempt_lesson.hpp"
+#include "core/base/error.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace meltpool {
+
+namespace {
+
+/// 0 where nobody knows.
+std::uintmax_t sizeOf(const std::filesystem::path& file) {
+    std::error_code failure;
+    const std::uintmax_t bytes = std::filesystem::file_size(file, failure);
+    return failure ? 0 : bytes;
+}
+
+void requireSame(const Lesson& first, const Lesson& second, const AttemptComparison::Side& other) {
+    if (first.model != LessonModel::Weld || second.model != LessonModel::Weld)
+        throw InputError(other.file, 0, "makes no weld to be measured; expected two attempts at the same weld lesson");
+    if (first.key != second.key || first.file != second.file)
+        throw InputError(other.file, 0,
+                         "is of lesson '" + second.key + "'; expected another attempt at '" + first.key + "'");
+}
+
+} // namespace
+
+void AttemptComparison::begin(const Side& first, const Side& second) {
+    if (first.file == second.file)
+        throw InputError(first.file, 0, "cannot be compared with itself; expected two attempts");
+    std::array<std::optional<Lesson>, 2> lessons{lessonOfAttempt(first.file), lessonOfAttempt(second.file)};
+    requireSame(*lessons[0], *lessons[1], second);
+    stop();
+    title_ = lessons[0]->title;
+    bands_ = lessons[0]->technique;
+    chosen_ = {first, second};
+    lessons_ = std::move(lessons);
+    due_ = 0;
+    for (size_t i = 0; i < sides_.size(); ++i) {
+        sides_[i] = known(chosen_[i].file, sizeOf(chosen_[i].file));
+        if (!sides_[i]) ++due_;
+    }
+    shown_ = true;
+    if (due_ == 0) compare();
+}
+
+void AttemptComparison::stop() {
+    shown_ = false;
+    trainer_.reset();
+    lessons_ = {};
+    sides_ = {};
+    comparison_.reset();
+    rows_.reset();
+    fault_.clear();
+}
+
+AttemptComparison::Kept AttemptComparison::known(const std::filesystem::path& file, std::uintmax_t bytes) const {
+    const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& kept) {
+        return kept->file == file && kept->bytes == bytes && bytes > 0;
+    });
+    return found == kept_.end() ? Kept() : *found;
+}
+
+void AttemptComparison::update(gl::ShaderLibrary& shaders, double seconds, double (*now)()) {
+    if (!welding()) return;
+    try {
+        if (!trainer_) {
+            trainer_ = std::make_unique<Trainer>(shaders, *lessons_[current()]);
+            return pace_.begin(seconds);
+        }
+        pace_.frame(seconds);
+        const double begin = now();
+        for (int made = 0; !isOver() && made < pace_.steps() && now() - begin < pace_.slice(); ++made)
+            trainer_->advanceDemonstration(nullptr);
+        if (isOver()) finishSide();
+    } catch (const std::exception& fault) {
+        fault_ = fault.what();
+        trainer_.reset();
+    }
+}
+
+/// Of the attempt that is welded, 1 at its end. A recorded one ends with its last step, a path with its time.
+double AttemptComparison::share() const {
+    if (!trainer_) return 0;
+    const Lesson& lesson = trainer_->lesson();
+    if (lesson.recorded && lesson.recorded->rows > 0)
+        return static_cast<double>(trainer_->steps()) / static_cast<double>(lesson.recorded->rows);
+    const double left = lesson.torch.duration() - trainer_->time();
+    return left <= 0.5 * trainer_->timeStep() ? 1 : trainer_->time() / lesson.torch.duration();
+}
+
+double AttemptComparison::progress() const {
+    if (rows_ || due_ == 0) return 1;
+    const bool secondKnown = sides_[1] != nullptr;
+    const double done = due_ == 2 && sides_[0] && !secondKnown ? 1 : 0;
+    return std::min(1.0, (done + share()) / static_cast<double>(due_));
+}
+
+void AttemptComparison::finishSide() {
+    const Lesson& lesson = trainer_->lesson();
+    ComparedAttempt made;
+    made.file = chosen_[current()].file;
+    made.bytes = sizeOf(made.file);
+    made.judgement = trainer_->judge();
+    made.figures = figuresOf(made.judgement, lesson.process);
+    made.end = replayEnd(lesson.recorded ? &*lesson.recorded : nullptr, trainer_->steps(), trainer_->result().stateHash,
+                         thisMachine());
+    trainer_.reset();
+    const size_t number = current();
+    lessons_[number].reset();
+    sides_[number] = std::make_shared<const ComparedAttempt>(std::move(made));
+    kept_.push_back(sides_[number]);
+    if (kept_.size() > kKept) kept_.erase(kept_.begin());
+    ++welded_;
+    if (sides_[0] && sides_[1]) compare();
+}
+
+void AttemptComparison::compare() {
+    comparison_ = compareAttempts(sides_[0]->figures, sides_[1]->figures);
+    rows_ = comparisonRows(sides_[0]->judgement, sides_[1]->judgement, *comparison_);
+    for (size_t i = 0; i < sides_.size(); ++i)
+        if (const ReplayEnd& end = sides_[i]->end; end.verdict != ReplayEnd::Verdict::same)
+            rows_->notes.push_back((i == 0 ? "First: " : "Second: ") + end.text);
+}
+
+} // namespace meltpool

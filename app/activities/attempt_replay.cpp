@@ -1,0 +1,141 @@
+#include "app/activities/attempt_replay.hpp"
+
+#include "core/base/error.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace meltpool {
+
+void AttemptReplay::begin(const Trainer& trainer, ReplayMachine machine, double (*now)()) {
+    end();
+    const Lesson& lesson = trainer.lesson();
+    const double duration = lesson.torch.duration();
+    attempt_ = lesson.recorded;
+    machine_ = std::move(machine);
+    now_ = now;
+    if (attempt_) marks_ = timelineMarks(*attempt_, duration);
+    speed_.begin(duration);
+    distance_.begin(duration);
+    moments_ = std::make_unique<KeptMoments>(KeptMomentsLimits{kSpacing, kRoom});
+    try {
+        recorded_ = momentsOfAttempt(lesson, machine_);
+    } catch (const InputError& fault) { // the file is another than when the attempt was read
+        recorded_.refused = fault.what();
+    }
+    line_.begin(duration);
+}
+
+void AttemptReplay::end() {
+    line_.end();
+    attempt_.reset();
+    marks_.clear();
+    faultsFound_ = false;
+    comparison_.reset();
+    moments_.reset();
+    recorded_ = {};
+}
+
+bool AttemptReplay::isOver(const Trainer& trainer) const {
+    if (attempt_ && attempt_->rows > 0) return trainer.steps() >= attempt_->rows;
+    return trainer.time() >= line_.duration() - 0.5 * trainer.timeStep();
+}
+
+void AttemptReplay::step(Trainer& trainer, gl::Profiler* profiler) {
+    if (isOver(trainer)) return line_.reach(trainer.time(), trainer.timeStep(), true);
+    trainer.advanceDemonstration(profiler);
+    noteCurves(trainer);
+    keepMoment(trainer);
+    const bool over = isOver(trainer);
+    line_.reach(trainer.time(), trainer.timeStep(), over);
+    if (over) compare(trainer);
+}
+
+bool AttemptReplay::seek(Trainer& trainer, double seconds, gl::Profiler* profiler) {
+    if (line_.takeFresh()) {
+        goBack(trainer);
+        line_.stepFrom(trainer.time());
+        line_.reach(trainer.time(), trainer.timeStep(), isOver(trainer));
+        pace_.begin(seconds);
+    } else {
+        pace_.frame(seconds);
+    }
+    const double begin = now_();
+    for (int made = 0; line_.seeking() && made < pace_.steps() && now_() - begin < pace_.slice(); ++made)
+        step(trainer, profiler);
+    return !line_.seeking();
+}
+
+/// To the moment from which the fewest steps lead to the target: where the metal stands now, one that was kept while it
+/// played, or one of the recording.
+void AttemptReplay::goBack(Trainer& trainer) {
+    const double target = line_.target() + 0.5 * trainer.timeStep();
+    const bool behind = trainer.time() > target;
+    if (!behind && target - trainer.time() < kSpacing) return;
+    const auto kept = moments_->before(target);
+    const auto recorded = recorded_.moments ? recorded_.moments->timeBefore(target) : std::nullopt;
+    const double here = behind ? -1 : trainer.time();
+    const double mine = kept ? kept->time : -1, theirs = recorded ? *recorded : -1;
+    const double newest = std::max({here, mine, theirs});
+    if (newest == here && !behind) return;
+    if (kept && mine == newest)
+        trainer.restore(*kept);
+    else if (recorded.has_value() && theirs == newest)
+        restoreRecorded(trainer, target);
+    else
+        toStart(trainer);
+    comparison_.reset();
+}
+
+void AttemptReplay::toStart(Trainer& trainer) {
+    trainer.reset();
+    trainer.show(trainer.lesson().torch.sample(0));
+}
+
+/// Where a moment of the recording is not sound, or of another lesson after all, no more of them are used.
+void AttemptReplay::restoreRecorded(Trainer& trainer, double target) {
+    try {
+        trainer.restore(*recorded_.moments->before(target));
+    } catch (const InputError& fault) {
+        recorded_ = {nullptr, std::string("The moments in the recording cannot be used: ") + fault.what()};
+        toStart(trainer);
+    }
+}
+
+void AttemptReplay::noteCurves(const Trainer& trainer) {
+    const Technique* technique = trainer.technique();
+    if (technique == nullptr || technique->steps().empty() || !technique->steps().back().welds) return;
+    constexpr double kMilli = 1e3;
+    speed_.add(trainer.time(), technique->now()[TechniqueQuantity::travelSpeed] * kMilli);
+    distance_.add(trainer.time(), technique->now()[TechniqueQuantity::distance] * kMilli);
+}
+
+/// What was kept stays where the attempt goes back: it comes to the same bits there again. On the way to another moment
+/// the recording's own ones do, where it has one just before.
+void AttemptReplay::keepMoment(const Trainer& trainer) {
+    if (!moments_->due(trainer.time())) return;
+    const auto recorded = recorded_.moments ? recorded_.moments->timeBefore(trainer.time()) : std::nullopt;
+    if (line_.seeking() && recorded && trainer.time() - *recorded < 2 * kSpacing) return;
+    const Technique* technique = trainer.technique();
+    trainer.capture(moments_->capture(), moments_->historyTo());
+    moments_->begun(trainer.time(), technique == nullptr ? 0 : technique->steps().size());
+}
+
+bool AttemptReplay::findFaults(const Trainer& trainer) {
+    const Technique* technique = trainer.technique();
+    if (faultsFound_ || !comparison_ || technique == nullptr) return false;
+    faultsFound_ = true;
+    const std::vector<TimelineMark> faults = faultMarks(*technique, trainer.judge());
+    marks_.insert(marks_.end(), faults.begin(), faults.end());
+    return true;
+}
+
+void AttemptReplay::collect() {
+    moments_->update();
+}
+
+void AttemptReplay::compare(const Trainer& trainer) {
+    comparison_ = replayEnd(attempt_ ? &*attempt_ : nullptr, trainer.steps(), trainer.result().stateHash, machine_);
+}
+
+} // namespace meltpool

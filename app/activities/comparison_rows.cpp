@@ -1,0 +1,111 @@
+#include "app/activities/comparison_rows.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string_view>
+#include <utility>
+
+namespace meltpool {
+
+namespace {
+
+constexpr const char* kNone = "-";
+
+std::string fixed(double value, int decimals) {
+    std::array<char, 48> text{};
+    std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
+    const std::string_view number(text.data());
+    return std::string(number.find_first_not_of("-0.") == std::string_view::npos && number[0] == '-' ? number.substr(1)
+                                                                                                     : number);
+}
+
+std::string withUnit(const std::string& number, std::string_view unit) {
+    if (unit == "%" || unit == "\xC2\xB0") return number + std::string(unit);
+    return number + " " + (unit == "mm2" ? "mm\xC2\xB2" : std::string(unit));
+}
+
+std::string withSign(double value, int decimals) {
+    return (value > 0 ? "+" : "") + fixed(value, decimals);
+}
+
+std::string capitalised(std::string text) {
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
+}
+
+std::string verdictOf(const Judgement& judgement) {
+    if (!judgement.verdict) return judgement.weld && !judgement.weld->stations.empty() ? "not judged" : "no weld";
+    return judgement.verdict->accepted ? "accepted" : "not accepted";
+}
+
+/// "overlap, undercut"; "nothing" of a verdict that fails nothing.
+std::string failsOf(const Judgement& judgement) {
+    if (!judgement.verdict) return kNone;
+    std::string names;
+    for (const VerdictItem& item : judgement.verdict->items)
+        if (item.state == VerdictState::fail) names += (names.empty() ? "" : ", ") + item.name;
+    for (char& letter : names)
+        if (letter == '_') letter = ' ';
+    return names.empty() ? "nothing" : names;
+}
+
+/// Of a row of words, where they differ.
+std::string other(const std::string& first, const std::string& second) {
+    return first == second ? "" : "other";
+}
+
+std::string points(const std::optional<double>& value) {
+    return value ? fixed(*value, 0) : kNone;
+}
+
+ComparedSection resultOf(const Judgement& first, const Judgement& second) {
+    ComparedSection section{"Verdict", {}};
+    const std::array<std::string, 2> verdicts{verdictOf(first), verdictOf(second)};
+    section.rows.push_back({"Verdict", verdicts[0], verdicts[1], other(verdicts[0], verdicts[1])});
+    const std::array<std::string, 2> fails{failsOf(first), failsOf(second)};
+    if (fails[0] != kNone || fails[1] != kNone)
+        section.rows.push_back({"Fails", fails[0], fails[1], other(fails[0], fails[1])});
+    return section;
+}
+
+ComparedSection scoresOf(const Comparison& comparison) {
+    ComparedSection section{"Points of 100", {}};
+    for (const ScorePair& pair : comparison.scores) {
+        ComparedRow row{capitalised(pair.name), points(pair.first), points(pair.second), {}};
+        if (pair.first && pair.second && std::abs(*pair.second - *pair.first) >= 1)
+            row.difference = withSign(*pair.second - *pair.first, 0);
+        section.rows.push_back(std::move(row));
+    }
+    return section;
+}
+
+ComparedSection groupOf(const Comparison& comparison, FigureGroup group, const char* title) {
+    ComparedSection section{title, {}};
+    for (const FigurePair& pair : comparison.pairs) {
+        if (pair.figure.group != group) continue;
+        const auto shown = [&](double value) { return withUnit(fixed(value, pair.decimals()), pair.figure.unit); };
+        ComparedRow row{capitalised(pair.figure.name), shown(pair.first), shown(pair.second), {}};
+        if (pair.differs()) row.difference = withUnit(withSign(pair.difference(), pair.decimals()), pair.figure.unit);
+        section.rows.push_back(std::move(row));
+    }
+    return section;
+}
+
+} // namespace
+
+ComparisonRows comparisonRows(const Judgement& first, const Judgement& second, const Comparison& comparison) {
+    ComparisonRows rows;
+    rows.words = "The second: " + comparisonText(comparison) + ".";
+    if (comparison.halfSpacing > 0)
+        rows.notes.push_back("Lengths of the weld that differ by less than " + fixed(comparison.halfSpacing * 1e3, 2) +
+                             " mm, half a particle spacing, are no difference.");
+    rows.sections = {resultOf(first, second), scoresOf(comparison),
+                     groupOf(comparison, FigureGroup::weld, "The weld, means over its stations"),
+                     groupOf(comparison, FigureGroup::hand, "The hand, means along the seam"),
+                     groupOf(comparison, FigureGroup::arc, "The arc")};
+    std::erase_if(rows.sections, [](const ComparedSection& section) { return section.rows.empty(); });
+    return rows;
+}
+
+} // namespace meltpool

@@ -1,0 +1,67 @@
+#include "app/activities/redo.hpp"
+
+#include "core/training/attempt/checkpoint_pace.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace meltpool {
+
+namespace {
+
+constexpr double kAtPlace = 0.5e-3; // m
+
+/// A place on a circle is one after each turn.
+double away(const Seam& seam, double a, double b) {
+    const double way = a - b;
+    return std::abs(seam.closed() ? way - std::round(way / seam.length()) * seam.length() : way);
+}
+
+MomentTaker takerFor(std::shared_ptr<RecordingWriter> recording) {
+    if (!recording) return {};
+    return [recording = std::move(recording), pace = CheckpointPace()](const PackedMoment& moment) mutable {
+        if (pace.take(moment.time, moment.bytes.size()))
+            recording->checkpoint(moment.step, {moment.bytes.begin(), moment.bytes.end()});
+    };
+}
+
+} // namespace
+
+std::optional<double> firstTimeAt(const Technique& technique, double place) {
+    for (const TechniqueStep& step : technique.steps())
+        if (step.welds && away(technique.seam(), step.place, place) <= kAtPlace) return step.time;
+    return std::nullopt;
+}
+
+void Redo::begin(std::shared_ptr<RecordingWriter> recording, bool goes) {
+    moments_.clear(takerFor(std::move(recording)), goes);
+    goes_ = goes;
+    place_.reset();
+    first_.reset();
+    redone_ = 0;
+}
+
+void Redo::update(const Trainer& trainer, double speed) {
+    moments_.update();
+    if (trainer.steps() == 0 || !moments_.due(trainer.time(), CheckpointPace::period(speed))) return;
+    const Technique* technique = trainer.technique();
+    trainer.capture(moments_.capture(), moments_.historyTo());
+    moments_.begun(trainer.time(), technique == nullptr ? 0 : technique->steps().size());
+    if (!first_) first_ = trainer.time();
+}
+
+bool Redo::back(Trainer& trainer) {
+    const auto place = std::exchange(place_, std::nullopt);
+    if (!can()) return false;
+    const auto fault = place ? firstTimeAt(*trainer.technique(), *place) : std::nullopt;
+    const double wanted = fault ? *fault - kRunUp : trainer.time() - kBack;
+    const auto moment = moments_.before(std::max(wanted, *first_)); // not before its beginning
+    if (!moment || moment->step >= trainer.steps()) return false;
+    trainer.redo(*moment);
+    moments_.branch(moment->step);
+    ++redone_;
+    return true;
+}
+
+} // namespace meltpool

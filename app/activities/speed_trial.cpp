@@ -1,0 +1,104 @@
+#include "app/activities/speed_trial.hpp"
+
+#include "core/base/text.hpp"
+#include "core/weld/workpiece/simulated_size.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+namespace meltpool {
+
+namespace {
+
+constexpr int kFewestCells = 16;
+constexpr int kFewestParticles = 512;
+constexpr float kCoarsest = 2; ///< mm, spacing
+
+std::string percent(double ratio) {
+    return std::to_string(static_cast<int>(std::lround(100 * ratio))) + " %";
+}
+
+/// The next coarser spacing of 0.5, 0.75, 1, 1.5, 2 mm.
+float coarser(float spacing) {
+    for (const float step : {0.5F, 0.75F, 1.0F, 1.5F, kCoarsest})
+        if (step > spacing * 1.2F) return step;
+    return spacing;
+}
+
+/// "a particle spacing of 1.5 mm", with the sizes of the workpiece that coarser layers change.
+std::string spacingLabel(WorkpieceParameters workpiece, float spacing) {
+    workpiece.spacingMm = spacing;
+    std::string label = "a particle spacing of " + formatNumber(spacing) + " mm", changed;
+    for (const SimulatedSize& size : simulatedSizes(workpiece)) {
+        std::string name(size.label);
+        name.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
+        changed += (changed.empty() ? "" : ", ") + name + " " + formatNumber(size.simulated) + " mm";
+    }
+    return changed.empty() ? label : label + " (" + changed + ")";
+}
+
+} // namespace
+
+std::vector<SpeedOffer> cheaperValues(const Lesson& lesson) {
+    std::vector<SpeedOffer> offers;
+    if (const int cells = lesson.surface.cells / 2; cells >= kFewestCells)
+        offers.push_back({"a surface of " + std::to_string(cells) + " cells", {{"cells", std::to_string(cells)}}});
+    if (lesson.model == LessonModel::Classic) {
+        if (const int particles = lesson.setup.particles / 2; particles >= kFewestParticles)
+            offers.push_back({std::to_string(particles) + " particles", {{"particles", std::to_string(particles)}}});
+    } else if (const float spacing = coarser(lesson.workpiece.spacingMm); spacing > lesson.workpiece.spacingMm) {
+        offers.push_back({spacingLabel(lesson.workpiece, spacing), {{"spacing_mm", formatNumber(spacing)}}});
+    }
+    if (offers.size() == 2) {
+        SpeedOffer both{offers[0].label + " and " + offers[1].label, offers[0].values};
+        both.values.insert(both.values.end(), offers[1].values.begin(), offers[1].values.end());
+        offers.push_back(both);
+    }
+    return offers;
+}
+
+void SpeedTrial::begin(const Lesson& lesson) {
+    offers_ = {SpeedOffer{}};
+    for (SpeedOffer& offer : cheaperValues(lesson))
+        offers_.push_back(std::move(offer));
+    current_ = 0;
+    waited_ = real_ = simulated_ = 0;
+}
+
+SpeedTrial::Verdict SpeedTrial::count(double real, double simulated) {
+    waited_ += real;
+    if (waited_ < kSettling) return Verdict::more;
+    real_ += real;
+    simulated_ += simulated;
+    if (real_ < kMeasuring) return Verdict::more;
+    offers_[current_].ratio = simulated_ / real_;
+    const bool first = current_ == 0;
+    if (first && offers_[0].ratio >= kLeast) {
+        stop();
+        return Verdict::fastEnough;
+    }
+    ++current_;
+    waited_ = real_ = simulated_ = 0;
+    return running() ? Verdict::another : Verdict::tooSlow;
+}
+
+SpeedTrial::Verdict SpeedTrial::skip() {
+    offers_.erase(offers_.begin() + static_cast<std::ptrdiff_t>(current_));
+    return running() ? Verdict::another : Verdict::tooSlow;
+}
+
+Question SpeedTrial::question() const {
+    Question question;
+    question.text = "The metal runs at " + percent(offers_.front().ratio) +
+                    " of real time on this machine, so that the weld would not be the one that the hand makes. An "
+                    "attempt for score needs " +
+                    percent(kLeast) + ". Measured here:";
+    for (size_t i = 1; i < offers_.size(); ++i)
+        question.answers.push_back("With " + offers_[i].label + ": " + percent(offers_[i].ratio));
+    question.answers.emplace_back("Practise as it is, without score");
+    question.answers.emplace_back("Start menu");
+    return question;
+}
+
+} // namespace meltpool

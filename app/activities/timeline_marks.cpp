@@ -1,0 +1,92 @@
+#include "app/activities/timeline_marks.hpp"
+
+#include "app/activities/redo.hpp"
+#include "core/base/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace meltpool {
+
+namespace {
+
+std::string eventText(const RecordedEvent& event) {
+    if (event.name == "torch") return event.value == "lost" ? "The torch was lost" : "The torch was seen again";
+    if (event.name == "samples") return "Samples of the torch are missing";
+    return event.value.empty() ? event.name : event.name + " " + event.value;
+}
+
+bool spoils(const RecordedEvent& event) {
+    return event.name == "samples" || (event.name == "torch" && event.value == "lost");
+}
+
+/// The steps that the attempt kept each time when it went back; an end that was given up later takes those in it along.
+std::vector<size_t> redoneAt(const RecordedAttempt& attempt) {
+    std::vector<size_t> steps;
+    for (const RecordedEvent& note : attempt.notes) {
+        if (note.name != "redo") continue;
+        const auto value = parseDouble(note.value);
+        const size_t step = value && *value >= 0 ? static_cast<size_t>(*value) : note.steps;
+        std::erase_if(steps, [&](size_t before) { return before >= step; });
+        steps.push_back(step);
+    }
+    return steps;
+}
+
+/// "undercut" -> "Undercut fails: 0.8 mm at 23 mm of the seam".
+std::string failText(const VerdictItem& item) {
+    std::string text = item.name;
+    std::replace(text.begin(), text.end(), '_', ' ');
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    const std::string unit(item.unit == "deg" ? std::string_view("\xC2\xB0") : item.unit);
+    char part[80] = "";
+    if (item.value)
+        std::snprintf(part, sizeof part, ": %.1f %s at %.0f mm of the seam", *item.value, unit.c_str(),
+                      item.place.value_or(0) * 1e3);
+    return text + " fails" + part;
+}
+
+void sortByTime(std::vector<TimelineMark>& marks) {
+    std::stable_sort(marks.begin(), marks.end(),
+                     [](const TimelineMark& a, const TimelineMark& b) { return a.time < b.time; });
+}
+
+} // namespace
+
+std::vector<TimelineMark> timelineMarks(const RecordedAttempt& attempt, double duration) {
+    std::vector<TimelineMark> marks;
+    const auto timeOf = [&](size_t steps) {
+        if (attempt.rows == 0) return 0.0;
+        return std::min(duration, duration * static_cast<double>(steps) / static_cast<double>(attempt.rows));
+    };
+    for (const RecordedChange& change : attempt.changes)
+        marks.push_back(
+            {change.seconds > 0 ? change.seconds : timeOf(change.steps), change.key + " " + change.value, false});
+    for (const RecordedEvent& event : attempt.events)
+        marks.push_back({timeOf(event.steps), eventText(event), spoils(event)});
+    for (const size_t step : redoneAt(attempt))
+        marks.push_back({timeOf(step), "Back to here, and on to another end: practice", false, true});
+    sortByTime(marks);
+    return marks;
+}
+
+std::vector<TimelineMark> faultMarks(const Technique& technique, const Judgement& judgement) {
+    std::vector<TimelineMark> marks;
+    const auto add = [&](double place, std::string text) {
+        if (!std::isfinite(place)) return;
+        if (const auto time = firstTimeAt(technique, place)) marks.push_back({*time, std::move(text), true});
+    };
+    for (const Correction& correction : judgement.corrections) {
+        if (!correction.quantity || !judgement.score) continue;
+        const ParameterScore* parameter = judgement.score->find(*correction.quantity);
+        if (parameter != nullptr) add(parameter->worstPlaceMm * 1e-3, correction.sentence);
+    }
+    if (judgement.verdict)
+        for (const VerdictItem& item : judgement.verdict->items)
+            if (item.state == VerdictState::fail && item.place) add(*item.place, failText(item));
+    sortByTime(marks);
+    return marks;
+}
+
+} // namespace meltpool

@@ -1,0 +1,51 @@
+#include "app/commands/attempt_welder.hpp"
+
+#include "app/platform/program_info.hpp"
+#include "app/platform/say.hpp"
+#include "app/platform/stop_signals.hpp"
+#include "core/base/resources.hpp"
+#include "core/base/text.hpp"
+#include "core/training/lesson/lesson_room.hpp"
+#include "core/training/trainer/repetition.hpp"
+
+#include <chrono>
+#include <cstdio>
+
+namespace meltpool {
+
+namespace {
+
+/// A weld that was asked to stop, but is in the middle of a long step, is ended after this time.
+constexpr std::chrono::seconds kPatience(2);
+constexpr size_t kLongestShown = 1000;
+
+} // namespace
+
+AttemptWelder::AttemptWelder() : shaders_(resourceFolder() / "shaders") {}
+
+ReplayMachine AttemptWelder::machine() const {
+    return {programBuild(), context_.info().renderer};
+}
+
+LessonResult AttemptWelder::weld(const Lesson& lesson, RunFolder& folder, const RunHooks& hooks) {
+    StopSignals signals;
+    signals.endAfter(kPatience, {});
+    requireRoom(lesson, machineRoom());
+    const std::string place = printable(folder.path().string(), kLongestShown);
+    if (const size_t removed = folder.clear(); removed > 0)
+        say("%s held an earlier run; its %zu files are removed.\n", place.c_str(), removed);
+    RunStop stop;
+    stop.asked = StopSignals::asked;
+    stop.grant = [&signals] { signals.grantStop(); };
+    stop.endAfter = [&signals](const std::function<void()>& last) { signals.endAfter(kPatience, last); };
+    const LessonResult result = runHeadless(context_.info(), shaders_, lesson,
+                                            {folder.result(), folder.telemetry(), folder.path()}, stop, hooks);
+    say("%s: %.2f s in %zu steps; pictures and result are in %s\n", printable(lesson.key, kLongestShown).c_str(),
+        result.seconds, result.steps, place.c_str());
+    if (lesson.recorded && hooks.whatIf.empty())
+        say("%s\n", repetitionText(*lesson.recorded, result, programBuild(), context_.info().renderer).c_str());
+    std::fflush(stdout);
+    return result;
+}
+
+} // namespace meltpool

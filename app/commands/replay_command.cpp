@@ -1,0 +1,136 @@
+// `meltpool replay`: a recorded attempt welded again, as it was or with one thing changed.
+#include "app/activities/moments_of_attempt.hpp"
+#include "app/commands/attempt_files.hpp"
+#include "app/commands/attempt_welder.hpp"
+#include "app/commands/commands.hpp"
+#include "app/commands/comparison_output.hpp"
+#include "app/platform/say.hpp"
+#include "core/base/error.hpp"
+#include "core/base/text.hpp"
+#include "core/training/lesson/changed_path.hpp"
+#include "core/training/lesson/lesson.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+namespace meltpool {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Shortens the lesson to one moment with its picture.
+void seek(Lesson& lesson, const std::string& second) {
+    const auto at = parseDouble(second);
+    const double end = lesson.torch.duration();
+    if (!at || !(*at >= 0) || !(*at <= end))
+        throw InputError("--seek is " + quote(second) + "; expected a second of the attempt, from 0 to " +
+                         formatNumber(static_cast<float>(end)));
+    lesson.run.seconds = static_cast<float>(*at);
+    lesson.run.picturesEvery = 0;
+}
+
+Lesson requestedAttempt(const ReplayRequest& request) {
+    Lesson lesson = openAttempt(request.file, request.lesson);
+    setPictures(lesson, request.size, request.picturesEvery);
+    setView(lesson, request.views);
+    if (request.seek.empty()) return lesson;
+    if (!request.whatIf.empty())
+        throw InputError("--seek goes with the attempt as it was; expected it without --what-if");
+    seek(lesson, request.seek);
+    return lesson;
+}
+
+/// Lets the run begin at the newest of `moments` that is not behind its end.
+RunHooks beginAt(RecordedMoments& moments) {
+    RunHooks hooks;
+    hooks.start = [&moments](Trainer& trainer) {
+        const auto moment = moments.beforeStep(stepsOfRun(trainer));
+        if (!moment) return;
+        trainer.restore(*moment);
+        say("It begins at %.2f s, at a moment that the recording holds.\n", trainer.time());
+    };
+    return hooks;
+}
+
+/// Welds to the lesson's end, which is the second that was asked for.
+void weldSought(AttemptWelder& welder, const Lesson& lesson, RunFolder& folder) {
+    const MomentsOfAttempt recorded = momentsOfAttempt(lesson, welder.machine());
+    if (!recorded.refused.empty()) say("%s\n", printable(recorded.refused, 1000).c_str());
+    welder.weld(lesson, folder, recorded.moments ? beginAt(*recorded.moments) : RunHooks{});
+}
+
+/// Mean travel speed, m/s, over the judged millimetres of a run's seam; nothing where none is known.
+std::optional<double> meanTravelSpeed(const RunResults& run) {
+    const std::vector<double> speeds = run.technique.column("speed_mm_s"), judged = run.technique.column("judged");
+    double sum = 0;
+    int count = 0;
+    for (size_t i = 0; i < std::min(speeds.size(), judged.size()); ++i)
+        if (judged[i] > 0 && std::isfinite(speeds[i])) {
+            sum += speeds[i];
+            ++count;
+        }
+    return count > 0 ? std::optional(sum / count * 1e-3) : std::nullopt;
+}
+
+/// Welds as the attempt was and keeps each step of the hand.
+std::vector<AttemptStep> weldOriginal(AttemptWelder& welder, const Lesson& lesson, RunFolder& folder) {
+    std::vector<AttemptStep> steps;
+    steps.reserve(lesson.recorded->rows);
+    RunHooks hooks;
+    hooks.torch = [&steps](const Trainer& trainer) {
+        const TorchSample torch = trainer.demonstration();
+        steps.push_back({torch, static_cast<double>(trainer.burntOff()), trainer.arc().burns()});
+        return torch;
+    };
+    welder.weld(lesson, folder, hooks);
+    return steps;
+}
+
+void weldChanged(AttemptWelder& welder, Lesson lesson, const std::vector<AttemptStep>& steps, const WhatIf& whatIf,
+                 RunFolder& folder) {
+    RunHooks hooks;
+    hooks.whatIf = whatIf.asked;
+    takeWhatIf(lesson, whatIf, whatIf.path.speed);
+    if (lesson.model != LessonModel::Weld) { // its torch leads no seam
+        welder.weld(lesson, folder, hooks);
+        return;
+    }
+    const ChangedPath path(steps, seamOf(lesson.workpiece), whatIf.path);
+    lesson.run.seconds = static_cast<float>(path.duration());
+    hooks.torch = [&path](const Trainer& trainer) {
+        return path.sample(trainer.time() + trainer.timeStep(), static_cast<double>(trainer.burntOff()));
+    };
+    welder.weld(lesson, folder, hooks);
+}
+
+void replayChanged(const ReplayRequest& request, const Lesson& lesson) {
+    WhatIf whatIf = readWhatIf(request.whatIf, lesson);
+    RunFolder original(request.folder / "original", lessonSources(lesson));
+    RunFolder changed(request.folder / "what-if", lessonSources(lesson));
+    AttemptWelder welder;
+    const std::vector<AttemptStep> steps = weldOriginal(welder, lesson, original);
+    const ComparedRun first{"original", readRunResults(original.path())};
+    whatIf.path = whatIf.path.resolved(meanTravelSpeed(first.results));
+    weldChanged(welder, lesson, steps, whatIf, changed);
+    tellComparison(first, {"what if: " + whatIf.text(), readRunResults(changed.path())}, request.folder, request.page);
+}
+
+} // namespace
+
+void replayAttempt(const ReplayRequest& request) {
+    const Lesson lesson = requestedAttempt(request);
+    if (!request.whatIf.empty()) {
+        replayChanged(request, lesson);
+        return;
+    }
+    RunFolder folder(request.folder, lessonSources(lesson));
+    AttemptWelder welder;
+    if (request.seek.empty())
+        welder.weld(lesson, folder);
+    else
+        weldSought(welder, lesson, folder);
+    sayResult({}, folder.result());
+}
+
+} // namespace meltpool

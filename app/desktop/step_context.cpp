@@ -1,0 +1,27 @@
+#include "app/desktop/step_context.hpp"
+
+#include "core/base/error.hpp"
+#include "core/gl/order.hpp"
+
+namespace meltpool {
+
+bool HeadlessStepContext::enter() {
+    try {
+        context_.emplace();
+    } catch (const InputError&) { // the window's own context serves, too
+        return false;
+    }
+    if (!gl::dispatchesEndAtOnce()) {
+        context_.reset();
+        return false;
+    }
+    shaders_.emplace(root_);
+    return true;
+}
+
+void HeadlessStepContext::leave() {
+    shaders_.reset();
+    context_.reset();
+}
+
+} // namespace meltpool

@@ -1,0 +1,70 @@
+// A thread that makes the metal's steps while the window's thread draws, where the processor does both.
+#pragma once
+
+#include "app/desktop/step_context.hpp"
+#include "core/base/work_meter.hpp"
+#include "core/gl/other_context.hpp"
+
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+namespace meltpool {
+
+/// Between begin() and wait() the two threads must not touch the same memory. What was written on either side before
+/// these two calls, or before run(), is seen after them.
+class StepThread final : public gl::OtherContext {
+  public:
+    explicit StepThread(std::unique_ptr<StepContext> context);
+    ~StepThread() override;
+    StepThread(const StepThread&) = delete;
+    StepThread& operator=(const StepThread&) = delete;
+
+    /// The thread has its context. Where not, nothing may be begun or run.
+    bool usable() const { return usable_; }
+
+    /// Starts `work` over there; wait() must follow.
+    void begin(std::function<void()> work);
+    /// Returns when the work is done; throws what it threw. Nothing where none was begun.
+    void wait();
+
+    /// After what was begun, if anything was.
+    void run(FunctionRef<void()> work) override;
+    bool here() const override { return std::this_thread::get_id() == thread_.get_id(); }
+    gl::ShaderLibrary& shaders() override { return context_->shaders(); }
+
+    /// How long the last wait() waited, and the time from the begin() before to its end, s.
+    double waited() const { return waited_; }
+    double seconds() const { return seconds_; }
+    /// What the thread did since the last call; while nothing is under way.
+    WorkCosts takeCosts() { return std::exchange(costs_, {}); }
+
+  private:
+    void live();
+    void serve(std::unique_lock<std::mutex>& lock);
+    void freeDeleted();
+
+    std::unique_ptr<StepContext> context_;
+    bool usable_ = false;
+    bool begun_ = false; ///< begin() was called and wait() not yet
+    std::chrono::steady_clock::time_point began_;
+    double waited_ = 0;
+    double seconds_ = 0;
+    WorkCosts costs_;
+    std::chrono::steady_clock::time_point flushed_; ///< on the thread
+
+    std::mutex mutex_; // of all below
+    std::condition_variable changed_;
+    std::function<void()> work_;
+    std::exception_ptr fault_;
+    bool ready_ = false;
+    bool ending_ = false;
+    std::thread thread_;
+};
+
+} // namespace meltpool

@@ -1,0 +1,20 @@
+// The weld as a file for other programs: glTF and PLY.
+#pragma once
+
+#include "core/training/trainer/trainer.hpp"
+
+#include <filesystem>
+
+namespace meltpool {
+
+enum class MeshFormat { Glb, Gltf, Ply };
+
+/// By the ending of the name. Throws InputError for any other than .glb, .gltf and .ply.
+MeshFormat meshFormat(const std::filesystem::path& file);
+
+/// Writes the bodies of the trainer's metal as they are now (Trainer::bodyMesh()), with the colours of the lesson's
+/// look (surfaceColours()), in the format of the file's ending. Waits for the GPU. Throws what writeFile() throws,
+/// InputError for an unknown ending, RuntimeFault when there is no metal to show.
+void writeMesh(gl::ShaderLibrary& shaders, const Trainer& trainer, const std::filesystem::path& file);
+
+} // namespace meltpool

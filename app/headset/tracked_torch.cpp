@@ -1,0 +1,69 @@
+#include "app/headset/tracked_torch.hpp"
+
+#include <algorithm>
+
+namespace meltpool {
+
+namespace {
+
+/// Frames that come in bursts are no faster than a display shows them, s.
+constexpr double kShortestFrame = 1.0 / 90;
+
+} // namespace
+
+void TrackedTorch::update(const xr::HandInput& hand, const xr::TipCalibration& calibration, const Workshop& workshop,
+                          double elapsed) {
+    if (!hand.tracked) lose(ArcOut::torchLost);
+    const bool continues = tracked_;
+    const bool pulled = trigger() > 0;
+    tracked_ = hand.tracked;
+    before_ = now_;
+    velocity_ = glm::vec3(0.0f);
+    trigger_ = lock_.pass(hand.trigger, hand.tracked);
+    if (!hand.tracked) return;
+    grip_ = workshop.toWorkshop(hand.grip);
+    now_ = calibration.tip(grip_);
+    known_ = true;
+    const float way = glm::distance(now_.position, before_.position);
+    const bool jumps = way > kFastestHand * static_cast<float>(std::max(elapsed, kShortestFrame));
+    if (continues && jumps && pulled) putOut(ArcOut::tipJumped);
+    // A torch that is tracked again starts at its new place; it does not travel there from where it was lost.
+    if (!continues || jumps || jumped_) before_ = now_;
+    if (elapsed > 0) velocity_ = (now_.position - before_.position) / static_cast<float>(elapsed);
+}
+
+void TrackedTorch::lose(ArcOut reason) {
+    if (tracked_) putOut(reason);
+    tracked_ = false;
+}
+
+void TrackedTorch::putOut(ArcOut reason) {
+    lock_.lock(reason);
+    jumped_ = true;
+    before_ = now_;
+}
+
+TorchSample TrackedTorch::sampleAt(const xr::Pose& tip, const WorkpiecePlace& place) const {
+    TorchSample sample;
+    sample.tip = place.toWorkpiece(tip.position);
+    sample.orientation = place.toWorkpiece(glm::normalize(tip.orientation));
+    sample.trigger = trigger();
+    return sample;
+}
+
+TorchSample TrackedTorch::sample(const WorkpiecePlace& place) const {
+    return sampleAt(now_, place);
+}
+
+TorchSample TrackedTorch::next(const WorkpiecePlace& place, int step, int steps) {
+    const float t = static_cast<float>(step + 1) / static_cast<float>(steps > 0 ? steps : 1);
+    const bool outFirst = jumped_ && last_ && last_->trigger > 0;
+    jumped_ = false;
+    if (outFirst)
+        last_->trigger = 0;
+    else
+        last_ = sampleAt(xr::interpolate(before_, now_, t), place);
+    return *last_;
+}
+
+} // namespace meltpool

@@ -1,0 +1,125 @@
+#include "app/library/recording_keeper.hpp"
+
+#include "core/base/error.hpp"
+#include "core/base/files.hpp"
+#include "core/base/moment.hpp"
+#include "core/base/resources.hpp"
+#include "core/training/attempt/recording_reader.hpp"
+
+#include <glm/matrix.hpp>
+
+#include <chrono>
+#include <utility>
+
+namespace meltpool {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Lessons of the catalogue are found by their key; others by their file.
+std::string fileOutsideCatalogue(const Lesson& lesson) {
+    std::error_code failure;
+    const bool shipped = fs::equivalent(lesson.file.parent_path(), resourceFolder() / "data" / "lessons", failure);
+    return shipped ? std::string() : fs::absolute(lesson.file, failure).string();
+}
+
+} // namespace
+
+void RecordingKeeper::use(const fs::path& folder, std::string program, std::string driver) {
+    folder_ = folder;
+    program_ = std::move(program);
+    driver_ = std::move(driver);
+}
+
+void RecordingKeeper::begin(Trainer& trainer, int attempt) {
+    close();
+    fault_.clear();
+    if (folder_.empty() || !parameters.keep) return;
+    try {
+        open(trainer, attempt);
+    } catch (const std::exception& failure) {
+        tell("This attempt is not recorded: ", failure.what());
+    }
+}
+
+void RecordingKeeper::open(Trainer& trainer, int attempt) {
+    std::error_code failure;
+    fs::create_directories(folder_, failure);
+    if (failure)
+        throw InputError(folder_, 0,
+                         "the folder of recordings cannot be made: " + failure.message() +
+                             "; expected a place where a folder may be made");
+    makeRoom();
+    RecordingHead head = trainer.recordingHead();
+    head.lessonFile = fileOutsideCatalogue(trainer.lesson());
+    head.lessonHash = fileHash(trainer.lesson().file);
+    head.attempt = attempt;
+    const Moment now = momentNow();
+    head.date = isoDate(std::chrono::system_clock::to_time_t(now));
+    head.utc = utcText(now);
+    head.program = program_;
+    head.driver = driver_;
+    const fs::path file = recordingName(folder_, head.date, head.lesson, attempt);
+    current_ = std::make_shared<RecordingWriter>(file, head);
+    newest_ = file;
+    made_.push_back(file);
+    told_ = false;
+    trainer.recordInto(current_);
+}
+
+void RecordingKeeper::makeRoom() {
+    const std::uint64_t limit = static_cast<std::uint64_t>(parameters.limitMb) * 1'000'000;
+    notice_ = keepWithinLimit(folder_, limit, made_);
+    if (!notice_.empty() || nearLimitTold_) return;
+    notice_ = nearLimit(folder_, limit, made_);
+    nearLimitTold_ = !notice_.empty();
+}
+
+void RecordingKeeper::judged(std::optional<double> score, std::string verdict) {
+    if (current_) current_->judged(score, std::move(verdict));
+}
+
+void RecordingKeeper::close() {
+    if (!current_) return;
+    current_->close();
+    closing_.push_back({std::move(current_), told_});
+    current_ = nullptr;
+}
+
+void RecordingKeeper::tell(const char* what, const std::string& why) {
+    fault_ = what + why;
+    if (lost_.empty()) lost_ = fault_;
+}
+
+void RecordingKeeper::update() {
+    if (current_ && !told_ && !current_->fault().empty()) {
+        told_ = true;
+        tell("This attempt is no longer recorded: ", current_->fault());
+    }
+    std::erase_if(closing_, [this](const Closing& each) {
+        if (!each.writer->finished()) return false;
+        if (!each.told && !each.writer->fault().empty())
+            tell("The last attempt is not recorded to its end: ", each.writer->fault());
+        return true;
+    });
+}
+
+void RecordingKeeper::finish() {
+    close();
+    for (const Closing& each : closing_)
+        each.writer->wait();
+    update();
+}
+
+RecordingPerson deskPerson(const View& view, const glm::mat3& turn, float unit, std::uint64_t steps) {
+    const glm::mat3 toWorkpiece = glm::transpose(turn);
+    RecordingPerson person;
+    person.steps = steps;
+    person.head =
+        RecordingPose{toWorkpiece * (view.eye * unit),
+                      glm::normalize(glm::quat_cast(toWorkpiece * glm::transpose(glm::mat3(view.worldToEye))))};
+    return person;
+}
+
+} // namespace meltpool

@@ -1,0 +1,19 @@
+#include "app/platform/memory.hpp"
+
+#include <cstdlib> // tells whose C library it is
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+namespace meltpool {
+
+void giveLargeBlocksBack() {
+#ifdef __GLIBC__
+    constexpr int kLarge = 256 << 10, kKeptAtTop = 1 << 20; // bytes; setting either ends the library's own adapting
+    mallopt(M_MMAP_THRESHOLD, kLarge);
+    mallopt(M_TRIM_THRESHOLD, kKeptAtTop);
+#endif
+}
+
+} // namespace meltpool

@@ -1,0 +1,163 @@
+#include "app/report/section_drawing.hpp"
+
+#include "app/report/svg_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace meltpool {
+
+namespace {
+
+constexpr double kInch = 25.4;   // mm
+constexpr double kLargest = 16;  ///< units a millimetre
+constexpr double kPicture = 200; ///< units of the width; the rest is for words
+constexpr double kEdge = 8;      ///< units free around it
+constexpr double kPlate = 4;     ///< mm of plate where its thickness is not known
+constexpr double kBeside = 0.3;  ///< of the weld's width: how much plate is shown beside it
+constexpr double kRow = 12;      ///< units from word to word
+constexpr const char* kParts[] = {"weld metal", "fused plate"};
+
+double plateOf(const SectionSizes& sizes) {
+    return sizes.thickness.value_or(std::max(kPlate, sizes.penetration.value_or(0) * 1.2));
+}
+
+/// What the drawing has to hold, mm.
+struct Extent {
+    double width = 0, height = 0;
+};
+
+Extent extentOf(const SectionSizes& sizes) {
+    if (sizes.fillet()) {
+        const double lying = *sizes.legLying * (1 + kBeside), standing = *sizes.legStanding * (1 + kBeside);
+        return {lying + plateOf(sizes), standing + plateOf(sizes)};
+    }
+    if (!sizes.toeWidth || !sizes.height) return {};
+    const double width = std::max(*sizes.toeWidth, sizes.fusedWidth.value_or(0));
+    return {width * (1 + 2 * kBeside), std::max(*sizes.height, 0.0) + plateOf(sizes)};
+}
+
+class Drawing {
+  public:
+    explicit Drawing(const SectionSizes& sizes)
+        : sizes_(sizes), scale_(sectionScale(sizes)), svg_(kSectionWidth, kSectionHeight, "section, to scale") {}
+
+    std::string element() {
+        sizes_.fillet() ? fillet() : bead();
+        words();
+        scaleBar();
+        return svg_.element();
+    }
+
+  private:
+    std::string at(double x, double y) const {
+        return SvgText::point(originX_ + x * scale_, originY_ - y * scale_) + " ";
+    }
+    std::string length(double mm) const { return SvgText::coordinate(mm * scale_); }
+
+    void plate(double left, double bottom, double right, double top) {
+        svg_.rectangle(originX_ + left * scale_, originY_ - top * scale_, originX_ + right * scale_,
+                       originY_ - bottom * scale_, "plate");
+    }
+
+    /// The origin is the middle of the face.
+    void bead() {
+        const Extent extent = extentOf(sizes_);
+        originX_ = kEdge + extent.width / 2 * scale_;
+        originY_ = kEdge + std::max(*sizes_.height, 0.0) * scale_;
+        plate(-extent.width / 2, -plateOf(sizes_), extent.width / 2, 0);
+        if (sizes_.fusedWidth && sizes_.penetration && *sizes_.fusedWidth > 0 && *sizes_.penetration > 0) {
+            const double half = *sizes_.fusedWidth / 2;
+            svg_.path("M" + at(-half, 0) + "A" + length(half) + " " + length(*sizes_.penetration) + " 0 0 0 " +
+                          at(half, 0) + "Z",
+                      "fused");
+        }
+        const double half = *sizes_.toeWidth / 2;
+        svg_.path("M" + at(-half, 0) + "Q" + at(0, 2 * *sizes_.height) + at(half, 0) + "Z", "weld");
+    }
+
+    /// The origin is the joint's corner, the lying plate to the right.
+    void fillet() {
+        const double thick = plateOf(sizes_), lying = *sizes_.legLying, standing = *sizes_.legStanding;
+        originX_ = kEdge + thick * scale_;
+        originY_ = kEdge + standing * (1 + kBeside) * scale_;
+        plate(-thick, -thick, lying * (1 + kBeside), 0);
+        plate(-thick, 0, 0, standing * (1 + kBeside));
+        fusedCorner(lying, standing);
+        // The face's middle lies where the throat ends.
+        const double chord = std::hypot(lying, standing);
+        const double out = chord > 0 ? sizes_.throat.value_or(lying * standing / chord) - lying * standing / chord : 0;
+        const double x = lying / 2 + 2 * out * standing / std::max(chord, 1e-9);
+        const double y = standing / 2 + 2 * out * lying / std::max(chord, 1e-9);
+        svg_.path("M" + at(0, 0) + "L" + at(lying, 0) + "Q" + at(x, y) + at(0, standing) + "Z", "weld");
+    }
+
+    /// Of both plates, as deep as was measured at its deepest, over the share of the faces that is fused.
+    void fusedCorner(double lying, double standing) {
+        const double depth = sizes_.penetration.value_or(0);
+        const double share = std::min(1.0, sizes_.fusedWidth.value_or(0) / std::max(lying + standing, 1e-9));
+        if (!(depth > 0) || !(share > 0)) return;
+        const double right = lying * share, top = standing * share;
+        svg_.path("M" + at(0, 0) + "L" + at(right, 0) + "Q" + at(right / 2, -2 * depth) + at(0, 0) + "Q" +
+                      at(-2 * depth, top / 2) + at(0, top) + "Z",
+                  "fused");
+    }
+
+    void word(const char* name, const std::optional<double>& mm) {
+        if (!mm) return;
+        const double y = kEdge + kRow * ++rows_;
+        const std::string start = std::string(name) + " ";
+        svg_.word(kPicture + 12, y, "start", start + rounded(*mm, 1) + " mm", "mm");
+        svg_.word(kPicture + 12, y, "start", start + rounded(*mm / kInch, 3) + " in", "in");
+    }
+
+    void words() {
+        if (sizes_.fillet()) {
+            word("leg, lying", sizes_.legLying);
+            word("leg, standing", sizes_.legStanding);
+            word("throat", sizes_.throat);
+        } else {
+            word("width", sizes_.toeWidth);
+            word("height", sizes_.height);
+        }
+        word("penetration", sizes_.penetration);
+        word("fused width", sizes_.fusedWidth);
+        word("plate", sizes_.thickness);
+        const char* styles[] = {"weld", "fused"};
+        for (int i = 0; i < 2; ++i) {
+            const double y = kSectionHeight - 28 + i * kRow;
+            svg_.rectangle(kPicture + 12, y, kPicture + 21, y + 9, styles[i]);
+            svg_.word(kPicture + 25, y + 8, "start", kParts[i]);
+        }
+    }
+
+    void scaleBar() {
+        const double y = kSectionHeight - 3;
+        svg_.line(kEdge, y, kEdge + 5 * scale_, y, "axis mm");
+        svg_.word(kEdge + 5 * scale_ + 4, y, "start", "5 mm", "mm");
+        svg_.line(kEdge, y, kEdge + 0.25 * kInch * scale_, y, "axis in");
+        svg_.word(kEdge + 0.25 * kInch * scale_ + 4, y, "start", "0.25 in", "in");
+    }
+
+    const SectionSizes& sizes_;
+    double scale_;
+    SvgText svg_;
+    double originX_ = 0, originY_ = 0;
+    int rows_ = 0;
+};
+
+} // namespace
+
+double sectionScale(const SectionSizes& sizes) {
+    const Extent extent = extentOf(sizes);
+    if (!(extent.width > 0) || !(extent.height > 0)) return 0;
+    constexpr double kBar = 12; // units for the scale's bar
+    return std::min(
+        {(kPicture - 2 * kEdge) / extent.width, (kSectionHeight - 2 * kEdge - kBar) / extent.height, kLargest});
+}
+
+std::string sectionDrawing(const SectionSizes& sizes) {
+    return sectionScale(sizes) > 0 ? Drawing(sizes).element() : std::string();
+}
+
+} // namespace meltpool

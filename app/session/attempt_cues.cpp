@@ -1,0 +1,127 @@
+#include "app/session/attempt_cues.hpp"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_access.hpp>
+#include <glm/matrix.hpp>
+
+#include <cmath>
+
+namespace meltpool {
+
+namespace {
+
+constexpr double kFollowing = 0.08; // s
+constexpr double kJumps = 4e-3;     // m; the cues jump with a torch that is so far away from them
+
+CueSet possibleIn(const Lesson& lesson) {
+    CueSet possible;
+    if (lesson.model != LessonModel::Weld) return possible;
+    possible.set(CueKind::seam);
+    possible.set(CueKind::arc, isArcWelding(lesson.process));
+    if (!lesson.technique) return possible;
+    for (const CuedQuantity& cued : cuedQuantities())
+        if (lesson.technique->find(cued.quantity) != nullptr) possible.set(cued.kind);
+    return possible;
+}
+
+CuePose poseOf(const Trainer& trainer) {
+    const Technique& technique = *trainer.technique();
+    const auto& bands = trainer.lesson().technique;
+    const Seam& seam = technique.seam();
+    CuePose pose;
+    pose.place = technique.place();
+    pose.aim = technique.steps().back().aim;
+    if (const TechniqueBand* band = bands ? bands->find(TechniqueQuantity::aim) : nullptr)
+        pose.line = band->ideal / quantityInfo(TechniqueQuantity::aim, bands->distance).perSi;
+    pose.axis = trainer.torch().axis();
+    pose.direction = cueDirection(technique, bands ? &*bands : nullptr);
+    pose.from = bands ? bands->lengthFromMm * 1e-3 : seam.begin();
+    pose.to = bands ? bands->lengthToMm * 1e-3 : seam.end();
+    return pose;
+}
+
+} // namespace
+
+CuePose followedPose(const CuePose* before, const Trainer& trainer, double elapsed) {
+    CuePose pose = poseOf(trainer);
+    if (before == nullptr || std::hypot(pose.place - before->place, pose.aim - before->aim) > kJumps) return pose;
+    const double share = 1 - std::exp(-elapsed / kFollowing);
+    pose.place = before->place + (pose.place - before->place) * share;
+    pose.aim = before->aim + (pose.aim - before->aim) * share;
+    return pose;
+}
+
+CueEye cueEye(const SceneView& scene, const View& eye) {
+    const glm::mat4 toModel = glm::inverse(scene.modelToWorld);
+    CueEye from;
+    from.position = toModel * glm::vec4(eye.eye, 1);
+    from.up = glm::normalize(glm::mat3(toModel) * glm::vec3(glm::row(eye.worldToEye, 1)));
+    from.toClip = eye.eyeToClip * eye.worldToEye * scene.modelToWorld;
+    return from;
+}
+
+ParameterList describe(CueParameters& c) {
+    return {
+        {"speed", "Speed", "", &c.speed, 0, 1, "an arrow on a bar along the seam: ahead of the middle is too fast"},
+        {"angles", "Angles", "", &c.angles, 0, 1, "a dot in a disc: where the torch's handle leans to"},
+        {"distance", "Arc length or distance", "", &c.distance, 0, 1,
+         "a bar along the torch: the mark over the middle is too far from the metal"},
+        {"aim", "Aim", "", &c.aim, 0, 1, "a ball on a bar across the seam: beside the middle is beside the seam"},
+        {"seam", "Seam ahead", "", &c.seam, 0, 1, "dashes on the next stretch of the seam"},
+        {"arc", "Arc out", "", &c.arc, 0, 1, "a sign and a sentence when the arc is out: why, and what to do"},
+    };
+}
+
+void AttemptCues::open(const Lesson& lesson) {
+    const CueSet possible = possibleIn(lesson);
+    allowed_ = {};
+    idle_.clear();
+    for (const CueKind kind : kCueKinds) {
+        const bool shows = possible.has(kind) && lesson.cues.has(kind);
+        allowed_.set(kind, shows);
+        if (!shows) idle_.push_back(cueName(kind));
+    }
+    setSkill({});
+    begin();
+}
+
+void AttemptCues::begin() {
+    before_ = skill_;
+    used_ = on_ = {};
+    pose_.reset();
+}
+
+CueSet AttemptCues::switchedOn() const {
+    CueSet on;
+    on.set(CueKind::speed, parameters.speed);
+    on.set(CueKind::angles, parameters.angles);
+    on.set(CueKind::distance, parameters.distance);
+    on.set(CueKind::aim, parameters.aim);
+    on.set(CueKind::seam, parameters.seam);
+    on.set(CueKind::arc, parameters.arc);
+    return on;
+}
+
+void AttemptCues::update(Trainer& trainer, bool test, double elapsed) {
+    const CueSet switched = switchedOn();
+    CueSet on;
+    for (const CueKind kind : kCueKinds) {
+        wanted_.set(kind, !test && switched.has(kind) && allowed_.has(kind));
+        on.set(kind, wanted_.has(kind) && before_.strength(kind) > 0);
+    }
+    if (on != on_) trainer.event("cues", on.empty() ? "none" : on.names());
+    on_ = on;
+    if (trainer.technique() == nullptr || trainer.technique()->steps().empty()) return;
+    if (trainer.arc().burns()) used_.add(on);
+    pose_ = followedPose(pose_ ? &*pose_ : nullptr, trainer, elapsed);
+}
+
+std::span<const Marker> AttemptCues::markers(const Trainer& trainer, const SceneView& scene, const View& eye) {
+    if (!pose_ || on_.empty()) return {};
+    const Technique& technique = *trainer.technique();
+    const auto& bands = trainer.lesson().technique;
+    const CueList cues = liveCues(technique, trainer.arc(), bands ? &*bands : nullptr, on_, before_);
+    return shapes_.build(cues, technique.seam(), *pose_, cueEye(scene, eye), scene.blocks, scene.modelToWorld);
+}
+
+} // namespace meltpool

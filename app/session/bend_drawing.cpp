@@ -1,0 +1,188 @@
+#include "app/session/bend_drawing.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+namespace meltpool {
+
+namespace {
+
+constexpr float kPi = std::numbers::pi_v<float>;
+constexpr float kMargin = 2;       ///< mm around everything
+constexpr float kBetween = 10;     ///< mm from the side view to the face
+constexpr float kFaceHeight = 16;  ///< mm of strap, across the seam, that the face shows
+constexpr float kGape = 0.2f;      ///< of an opening's length
+constexpr float kLeastGape = 0.6f; ///< mm
+constexpr int kPieces = 24;        ///< of the bend
+constexpr int kLensPieces = 8;     ///< of an opening's side
+
+float mm(double metres) {
+    return static_cast<float>(metres * 1e3);
+}
+
+glm::vec2 onCircle(glm::vec2 middle, float radius, float angle) {
+    return middle + radius * glm::vec2(std::sin(angle), -std::cos(angle)); // 0 is up
+}
+
+/// An opening seen from outside: pointed at both ends.
+std::vector<glm::vec2> lens(glm::vec2 from, glm::vec2 to, float gape) {
+    std::vector<glm::vec2> points;
+    const glm::vec2 way = to - from;
+    const float length = std::max(glm::length(way), 1e-3f);
+    const glm::vec2 side = glm::vec2(-way.y, way.x) / length * (0.5f * gape);
+    for (int i = 0; i < 2 * kLensPieces; ++i) {
+        const float turn = kPi * static_cast<float>(i) / kLensPieces;
+        points.push_back(from + way * (0.5f - 0.5f * std::cos(turn)) + side * std::sin(turn));
+    }
+    return points;
+}
+
+class Sheet {
+  public:
+    Sheet(const BentStrap& strap, const BendTest& test) : strap_(strap), test_(test) {}
+
+    BendDrawing draw() {
+        const bool broken = strap_.kind == BendKind::filletBreak;
+        const glm::vec2 side = broken ? drawFolded() : drawBent();
+        const glm::vec2 face = drawFace({side.x + kBetween, kMargin});
+        drawing_.size = {face.x + kMargin, std::max(side.y, face.y) + kMargin};
+        return std::move(drawing_);
+    }
+
+  private:
+    /// Puts the places in clockwise order, as they are seen.
+    void add(BendPart part, std::vector<glm::vec2> points) {
+        float area = 0;
+        for (size_t i = 0; i < points.size(); ++i) {
+            const glm::vec2 a = points[i], b = points[(i + 1) % points.size()];
+            area += a.x * b.y - b.x * a.y;
+        }
+        if (area < 0) std::reverse(points.begin(), points.end());
+        drawing_.shapes.push_back({part, std::move(points)});
+    }
+    void box(BendPart part, glm::vec2 low, glm::vec2 high) { add(part, {low, {high.x, low.y}, high, {low.x, high.y}}); }
+
+    /// The deepest opening that is resolved, mm.
+    float deepest() const {
+        double depth = 0;
+        for (const BendOpening& opening : strap_.openings)
+            if (opening.resolved) depth = std::max(depth, opening.depth);
+        return std::min(mm(depth), mm(test_.thickness));
+    }
+
+    /// The strap around its former, the stretched face outside; answers its lower right corner.
+    glm::vec2 drawBent() {
+        const float inner = 0.5f * mm(test_.former), thick = mm(test_.thickness), outer = inner + thick;
+        const float leg = 0.6f * outer, weld = 0.8f * thick / outer; // rad, half of the weld's breadth
+        const glm::vec2 middle(kMargin + outer, kMargin + outer);
+        for (int i = 0; i < kPieces; ++i) {
+            const float from = kPi * (static_cast<float>(i) / kPieces - 0.5f), to = from + kPi / kPieces;
+            const bool inWeld = std::abs(0.5f * (from + to)) < weld;
+            add(inWeld ? BendPart::weld : BendPart::steel,
+                {onCircle(middle, inner, from), onCircle(middle, outer, from), onCircle(middle, outer, to),
+                 onCircle(middle, inner, to)});
+        }
+        for (const float side : {-1.0f, 1.0f})
+            box(BendPart::steel, middle + glm::vec2(side > 0 ? inner : -outer, 0),
+                middle + glm::vec2(side > 0 ? outer : -inner, leg));
+        if (const float depth = deepest(); depth > 0) {
+            const float half = 0.5f * std::max(kGape * depth, kLeastGape) / outer;
+            add(BendPart::opening,
+                {onCircle(middle, outer, -half), onCircle(middle, outer, half), onCircle(middle, outer - depth, 0)});
+        }
+        return middle + glm::vec2(outer, leg);
+    }
+
+    /// A tee whose standing plate was pushed over onto the weld's face: the root gapes.
+    glm::vec2 drawFolded() {
+        constexpr float kOver = 0.9f; // rad from the upright
+        const float thick = mm(test_.thickness), reach = 3.5f * thick;
+        const glm::vec2 root(kMargin + 1.2f * thick, kMargin + reach);
+        box(BendPart::steel, {kMargin, root.y}, {root.x + reach, root.y + thick});
+        const glm::vec2 way(std::sin(kOver), -std::cos(kOver)), back(-way.y, way.x);
+        const glm::vec2 foot = root + glm::vec2(0.25f * thick, 0);
+        add(BendPart::steel, {foot, foot + reach * way, foot + reach * way - thick * back, foot - thick * back});
+        add(BendPart::weld, {foot, foot + glm::vec2(thick, 0), foot + 0.8f * thick * way});
+        if (deepest() > 0 || !strap_.openings.empty())
+            add(BendPart::opening, {root - glm::vec2(0.5f * thick, 0), foot, foot - 0.7f * thick * back});
+        return {root.x + reach, root.y + thick};
+    }
+
+    /// The stretched face, or the broken one, from outside; answers its lower right corner.
+    glm::vec2 drawFace(glm::vec2 corner) {
+        const bool broken = strap_.kind == BendKind::filletBreak, side = strap_.kind == BendKind::side;
+        const float length = mm(side ? test_.plate : strap_.length());
+        const float height = broken ? std::max(mm(test_.thickness), 1.0f) : kFaceHeight;
+        const float middle = corner.y + 0.5f * height;
+        box(broken ? BendPart::weld : BendPart::steel, corner, corner + glm::vec2(length, height));
+        if (!broken) {
+            const float half = 0.3f * height;
+            box(BendPart::weld, {corner.x, middle - half}, {corner.x + length, middle + half});
+        }
+        const double begin = side ? 0 : strap_.from;
+        for (const BendOpening& opening : strap_.openings) {
+            const float from = corner.x + mm(opening.from - begin), to = corner.x + mm(opening.to - begin);
+            const BendPart part = opening.resolved ? BendPart::opening : BendPart::unresolved;
+            if (broken) { // the root is the lower edge
+                const float up = std::min(std::max(mm(opening.depth), 1.0f), height);
+                box(part, {from, corner.y + height - up}, {to, corner.y + height});
+            } else {
+                add(part, lens({from, middle}, {to, middle}, std::max(kGape * (to - from), kLeastGape)));
+            }
+        }
+        addScale(corner + glm::vec2(0, height + 1), length);
+        return corner + glm::vec2(length, height + 6);
+    }
+
+    /// Words under the face: where it begins and ends, mm.
+    void addScale(glm::vec2 low, float length) {
+        const bool side = strap_.kind == BendKind::side;
+        const auto label = [&](float x, double value, const char* unit) {
+            char text[32];
+            std::snprintf(text, sizeof text, "%.0f%s", value, unit);
+            drawing_.labels.push_back({{x, low.y}, text});
+        };
+        label(low.x, side ? 0 : strap_.from * 1e3, "");
+        label(low.x + length, side ? test_.plate * 1e3 : strap_.to * 1e3, " mm");
+    }
+
+    const BentStrap& strap_;
+    const BendTest& test_;
+    BendDrawing drawing_;
+};
+
+const char* stateWords(VerdictState state) {
+    if (state == VerdictState::pass) return "passes";
+    return state == VerdictState::fail ? "fails" : "not resolved";
+}
+
+} // namespace
+
+BendDrawing drawBend(const BentStrap& strap, const BendTest& test) {
+    return Sheet(strap, test).draw();
+}
+
+std::string bendSentence(const BentStrap& strap) {
+    std::string name(nameOf(strap.kind));
+    name[0] = static_cast<char>(name[0] - 'a' + 'A');
+    char text[200];
+    int written = std::snprintf(text, sizeof text, "%s, %.0f to %.0f mm: %s.", name.c_str(), strap.from * 1e3,
+                                strap.to * 1e3, stateWords(strap.state));
+    std::string sentence(text, static_cast<size_t>(std::max(written, 0)));
+    if (strap.longest > 0) {
+        std::snprintf(text, sizeof text, " Longest opening %.0f mm, %.0f mm together.", strap.longest * 1e3,
+                      strap.together * 1e3);
+        sentence += text;
+    }
+    const auto unresolved = std::count_if(strap.openings.begin(), strap.openings.end(),
+                                          [](const BendOpening& opening) { return !opening.resolved; });
+    if (unresolved > 0) sentence += " Outlined places may gape or not: they are finer than the particles.";
+    if (strap.openings.empty()) sentence += " Nothing opens.";
+    return sentence;
+}
+
+} // namespace meltpool

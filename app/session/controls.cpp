@@ -1,0 +1,110 @@
+#include "app/session/controls.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace meltpool {
+
+namespace {
+
+constexpr float kOrbitSpeed = 1.4f;    ///< rad/s
+constexpr float kApproachSpeed = 1.0f; ///< nearer or farther by a factor e in a second
+constexpr float kFlySpeed = 1.5f;      ///< box units a second
+constexpr float kLookSpeed = 0.0035f;  ///< rad a point of mouse travel
+constexpr float kNotch = 0.12f;        ///< logarithm of the factor of a wheel notch
+constexpr double kLongestFrame = 0.1;  ///< s; longer frames move the camera no farther
+
+/// 1, -1 or 0 for a pair of keys.
+float axis(const InputFrame& input, Key positive, Key negative) {
+    return static_cast<float>(input.isHeld(positive)) - static_cast<float>(input.isHeld(negative));
+}
+
+/// Travel of mouse button or trigger, 0..1.
+float pulled(const InputFrame& input) {
+    return input.leftHeld ? 1.0f : input.gamepad.rightTrigger;
+}
+
+} // namespace
+
+void Controls::pull(float trigger) {
+    trigger_ = trigger;
+    source_.setOn(trigger > 0);
+}
+
+void Controls::update(const InputFrame& frame, double seconds) {
+    InputFrame input = frame;
+    if (!captured_) input.mouseMove = frame.dragMove;
+    for (const Key key : input.struck) {
+        if (key == Key::v) setMode(mode_ == Mode::interact ? Mode::view : Mode::interact);
+        if (key == Key::c) capture(!captured_);
+        if (key == Key::escape) capture(false);
+        if (key == Key::f) source_.setCold(!source_.cold());
+    }
+    const float time = static_cast<float>(std::clamp(seconds, 0.0, kLongestFrame));
+    if (mode_ == Mode::interact)
+        work(input, time);
+    else
+        look(input, time);
+}
+
+void Controls::work(const InputFrame& input, float seconds) {
+    const float turn = kOrbitSpeed * parameters.cameraSpeed * seconds;
+    orbit_.orbit({axis(input, Key::d, Key::a) * turn, axis(input, Key::w, Key::s) * turn});
+    const float away = axis(input, Key::e, Key::q) * kApproachSpeed * parameters.cameraSpeed * seconds;
+    const bool wheelForTorch = leadsTorch_ && (captured_ || input.leftHeld);
+    orbit_.approach(std::exp(away - (wheelForTorch ? 0 : input.scroll) * kNotch));
+
+    hand_ = input;
+    if (!wheelForTorch) hand_.scroll = 0;
+    if (!leadsTorch_) source_.move(input, orbit_.forward(), parameters);
+    pull(lock_.pass(pulled(input)));
+}
+
+void Controls::look(const InputFrame& input, float seconds) {
+    hand_ = {};
+    lock_.pass(pulled(input));
+    pull(0);
+    const float turn = kLookSpeed * parameters.lookSpeed;
+    const float upwards = parameters.invertLook ? 1.0f : -1.0f;
+    free_.look({input.mouseMove.x * turn, input.mouseMove.y * turn * upwards});
+    const float way = kFlySpeed * parameters.cameraSpeed * seconds;
+    free_.move(way * glm::vec3(axis(input, Key::d, Key::a), axis(input, Key::e, Key::q), axis(input, Key::w, Key::s)));
+    free_.move({0, 0, input.scroll * kNotch});
+}
+
+void Controls::setMode(Mode mode) {
+    if (mode == mode_) return;
+    // The free camera takes over where the orbit stands, so that the picture does not jump.
+    if (mode == Mode::view) free_ = FreeCamera(orbit_.position(), glm::vec3(0));
+    mode_ = mode;
+    putOut(ArcOut::paused);
+}
+
+void Controls::capture(bool captured) {
+    if (captured == captured_) return;
+    captured_ = captured;
+    putOut(ArcOut::takenOver);
+}
+
+void Controls::restart() {
+    mode_ = Mode::interact;
+    captured_ = false;
+    free_ = FreeCamera();
+    orbit_ = OrbitCamera();
+    source_ = SteeredSource();
+    putOut(ArcOut::lessonBegan);
+}
+
+View Controls::view(float aspect) const {
+    return mode_ == Mode::interact ? orbit_.view(lens, aspect) : free_.view(lens, aspect);
+}
+
+glm::vec3 Controls::eye() const {
+    return mode_ == Mode::interact ? orbit_.position() : free_.position();
+}
+
+glm::vec3 Controls::forward() const {
+    return mode_ == Mode::interact ? orbit_.forward() : free_.forward();
+}
+
+} // namespace meltpool

@@ -1,0 +1,81 @@
+// What keys and mouse do in the window: modes, cameras and the heat source. Knows no window library.
+#pragma once
+
+#include "app/session/heat_source.hpp"
+#include "app/session/trigger_lock.hpp"
+#include "core/render/camera.hpp"
+
+namespace meltpool {
+
+enum class Mode {
+    interact, ///< the simulation runs, the camera orbits the metal, the mouse holds the source
+    view      ///< the simulation is paused, the camera flies, the mouse turns it
+};
+
+class Controls {
+  public:
+    ControlParameters parameters;
+    Lens lens;
+
+    /// Applies `seconds` of input. V changes the mode, C captures or frees the mouse, Escape frees it. A captured mouse
+    /// moves the source (or looks); a free one does so while a button is held on the picture. After a change of the
+    /// mode, of who has the mouse, and after a reset the left button heats only when it has been let go. So does a
+    /// gamepad's right trigger.
+    void update(const InputFrame& input, double seconds);
+
+    /// Puts the source back and switches it off; cameras and mode stay.
+    void reset() {
+        putOut(ArcOut::lessonBegan);
+        source_.reset();
+    }
+    /// Interact mode, mouse free, source and cameras as at the start.
+    void restart();
+    /// Where the orbiting camera begins.
+    void placeCamera(const OrbitCamera& camera) { orbit_ = camera; }
+    /// Mouse, wheel, arrow and page keys lead a torch along a seam, and the source stays where it is.
+    void leadTorch(bool leads) { leadsTorch_ = leads; }
+    /// What the hand does to that torch in this frame; no wheel where that moves the camera.
+    const InputFrame& hand() const { return hand_; }
+    /// How far the hand pulls that torch's trigger, 0..1: the mouse's left button all the way, a gamepad's right
+    /// trigger as far as it is pulled.
+    float trigger() const { return trigger_; }
+
+    void releaseMouse() { capture(false); }
+    void captureMouse() { capture(true); }
+    void setMode(Mode mode);
+    /// Switches the source off until the left button has been let go.
+    void putOut(ArcOut reason) {
+        lock_.lock(reason);
+        pull(0);
+    }
+
+    Mode mode() const { return mode_; }
+    bool captured() const { return captured_; }
+    const TriggerLock& triggerLock() const { return lock_; }
+    SteeredSource& source() { return source_; }
+    const SteeredSource& source() const { return source_; }
+
+    View view(float aspect) const;
+    glm::vec3 eye() const;
+    glm::vec3 forward() const;
+    const FreeCamera& freeCamera() const { return free_; }
+    const OrbitCamera& orbitCamera() const { return orbit_; }
+
+  private:
+    void pull(float trigger);
+    void capture(bool captured);
+    void work(const InputFrame& input, float seconds);
+    void look(const InputFrame& input, float seconds);
+
+    Mode mode_ = Mode::interact;
+    bool captured_ = false;
+    bool leadsTorch_ = false;
+    InputFrame hand_;
+    float trigger_ = 0;
+    FreeCamera free_;
+    OrbitCamera orbit_;
+    SteeredSource source_;
+    TriggerLock lock_;
+};
+
+} // namespace meltpool

@@ -1,0 +1,214 @@
+#include "app/session/desk_torch.hpp"
+
+#include "core/training/lesson/lesson.hpp"
+#include "core/weld/torch/torch_moves.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+namespace meltpool {
+
+namespace {
+
+constexpr double kMm = 1e-3;
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kRunUp = 5 * kMm;         // the torch begins so far before what counts
+constexpr double kFromEnd = 3 * kMm;       // but at least so far from the seam's end
+constexpr double kBeyond = 10 * kMm;       // of the seam's ends that it can be led to
+constexpr double kFarthest = 40 * kMm;     // across
+constexpr double kNotch = 0.5 * kMm;       // of distance, a wheel notch or page key
+constexpr double kKeyAngle = kDegree;      // an arrow key
+constexpr double kLeanRate = 40 * kDegree; // 1/s, a stick pushed all the way
+constexpr double kDistanceRate = 8 * kMm;  // m/s, a shoulder button
+constexpr double kSteepest = 60 * kDegree;
+constexpr double kNearest = 0.5 * kMm, kLongest = 60 * kMm; // of the distance
+constexpr double kPointsPerMove = 100;                      // of mouse travel, see ControlParameters::torchMouse
+constexpr double kRodFeed = 4 * kMm;                        // m/s of the fingers while a rod is dipped
+constexpr double kRodTime = 0.15;                           // s from rest into the pool
+
+/// The ideal of a band in SI, or `otherwise`.
+double idealOf(const Lesson& lesson, TechniqueQuantity quantity, double otherwise) {
+    if (!lesson.technique) return otherwise;
+    const TechniqueBand* band = lesson.technique->find(quantity);
+    if (band == nullptr) return otherwise;
+    return band->ideal / quantityInfo(quantity, lesson.technique->distance).perSi;
+}
+
+/// DeskPose::distance of the demonstration's torch halfway through its weld; nothing without one. It allows for the
+/// pool, which in a corner stands some mm over the seam.
+std::optional<double> expertDistance(const Lesson& lesson, const Seam& seam) {
+    const std::optional<double> strikes = lesson.torch.firstPull();
+    if (!strikes) return std::nullopt;
+    const double halfway = std::midpoint(*strikes, lesson.torch.duration());
+    const TorchSample torch = lesson.torch.sample(halfway);
+    const SeamFrame frame = seam.at(seam.nearest(torch.tip).place);
+    const double leaning = glm::dot(-glm::dvec3(torch.axis()), frame.up);
+    if (leaning < std::cos(kSteepest)) return std::nullopt;
+    return heldBehind(lesson.process) + glm::dot(glm::dvec3(torch.tip) - frame.point, frame.up) / leaning;
+}
+
+/// Unit vectors on the screen, x right and y up.
+struct ScreenAxes {
+    glm::vec2 along;
+    glm::vec2 across; ///< to the seam's own side
+};
+
+ScreenAxes axesOf(const SeamFrame& seam, const glm::mat3& toScreen) {
+    glm::vec2 along(toScreen * glm::vec3(seam.tangent));
+    // Seen from its end a seam has no way on the screen: then up is along.
+    along = glm::length(along) > 0.2F ? glm::normalize(along) : glm::vec2(0, 1);
+    const glm::vec2 across(-along.y, along.x);
+    const bool turned = glm::dot(across, glm::vec2(toScreen * glm::vec3(seam.across))) < 0;
+    return {along, turned ? -across : across};
+}
+
+double between(double from, double to, double share) {
+    return from + (to - from) * share;
+}
+
+} // namespace
+
+void DeskTorch::begin(const Lesson& lesson) {
+    seam_.reset();
+    if (lesson.model != LessonModel::Weld) return;
+    seam_ = seamOf(lesson.workpiece);
+    kind_ = distanceKindOf(lesson.process);
+    take(lesson.process);
+    const double usual = kind_ == DistanceKind::arcLength ? 3 * kMm : stickOut_ + 3 * kMm;
+    wanted_ = {};
+    wanted_.aim = idealOf(lesson, TechniqueQuantity::aim, 0);
+    wanted_.distance = idealOf(lesson, TechniqueQuantity::distance, usual);
+    // The distance of an arc that is struck by touch says nothing of how it is held.
+    if (kind_ == DistanceKind::ctwd) wanted_.distance = expertDistance(lesson, *seam_).value_or(wanted_.distance);
+    wanted_.work = idealOf(lesson, TechniqueQuantity::workAngle, 0);
+    wanted_.travel = idealOf(lesson, TechniqueQuantity::travelAngle, 0);
+    const double first = lesson.technique ? lesson.technique->lengthFromMm * kMm : seam_->begin() + kRunUp;
+    // An end of the plate is no metal to strike on.
+    wanted_.place = std::max(first - kRunUp, seam_->begin() + kFromEnd);
+    held_ = wanted_;
+    left_ = time_ = 0;
+    guided_ = false;
+}
+
+void DeskTorch::take(const ProcessSettings& process) {
+    stickOut_ = heldBehind(process);
+    rod_ = holdsRod(process);
+}
+
+void DeskTorch::standAt(double place) {
+    wanted_.place = held_.place = place;
+    left_ = 0;
+}
+
+void DeskTorch::update(const InputFrame& input, const DeskFrame& frame, const ControlParameters& parameters,
+                       const ProcessSettings& process) {
+    if (!seam_) return;
+    take(process);
+    // The way that the guide has gone since the last frame is the hand's way, too.
+    wanted_.place += left_;
+    left_ = 0;
+    guide_ = static_cast<double>(parameters.guideSpeed) * kMm;
+    tremor_ = static_cast<double>(parameters.tremor);
+    const auto pointWay = parameters.torchMouse * static_cast<float>(kMm / kPointsPerMove);
+    lead(glm::vec2(input.mouseMove.x, -input.mouseMove.y) * pointWay, frame.toScreen);
+    takeKeys(input);
+    takeGamepad(input.gamepad, frame, static_cast<double>(parameters.gamepadSpeed) * kMm);
+    if (!seam_->closed()) wanted_.place = std::clamp(wanted_.place, seam_->begin() - kBeyond, seam_->end() + kBeyond);
+    wanted_.aim = std::clamp(wanted_.aim, -kFarthest, kFarthest);
+    wanted_.distance = std::clamp(wanted_.distance, kNearest, kLongest);
+    wanted_.work = std::clamp(wanted_.work, -kSteepest, kSteepest);
+    wanted_.travel = std::clamp(wanted_.travel, -kSteepest, kSteepest);
+}
+
+/// `way`: m on the screen, x right and y up.
+void DeskTorch::lead(const glm::vec2& way, const glm::mat3& toScreen) {
+    const SeamFrame frame = seam_->at(wanted_.place);
+    const ScreenAxes axes = axesOf(frame, toScreen);
+    wanted_.place += static_cast<double>(glm::dot(way, axes.along));
+    wanted_.aim += static_cast<double>(glm::dot(way, axes.across));
+}
+
+void DeskTorch::takeKeys(const InputFrame& input) {
+    wanted_.distance += static_cast<double>(input.scroll) * kNotch;
+    for (const Key key : input.pressed) {
+        if (key == Key::right) wanted_.travel += kKeyAngle;
+        if (key == Key::left) wanted_.travel -= kKeyAngle;
+        if (key == Key::up) wanted_.work -= kKeyAngle;
+        if (key == Key::down) wanted_.work += kKeyAngle;
+        if (key == Key::pageUp) wanted_.distance += kNotch;
+        if (key == Key::pageDown) wanted_.distance -= kNotch;
+    }
+    const bool dips = input.isHeld(Key::r) || input.gamepad.leftTrigger > 0.5F;
+    wanted_.dip = rod_ && dips ? 1 : 0;
+}
+
+void DeskTorch::takeGamepad(const GamepadFrame& gamepad, const DeskFrame& frame, double speed) {
+    lead(gamepad.left * static_cast<float>(speed * frame.seconds), frame.toScreen);
+    const ScreenAxes axes = axesOf(seam_->at(wanted_.place), frame.toScreen);
+    const double lean = kLeanRate * frame.seconds;
+    // A torch that pushes leans its handle back against the way it goes.
+    wanted_.travel -= static_cast<double>(glm::dot(gamepad.right, axes.along)) * lean;
+    wanted_.work += static_cast<double>(glm::dot(gamepad.right, axes.across)) * lean;
+    const double farther = static_cast<double>(gamepad.rightShoulder) - static_cast<double>(gamepad.leftShoulder);
+    wanted_.distance += farther * kDistanceRate * frame.seconds;
+}
+
+/// m that the guide can still go.
+double DeskTorch::wayLeft() const {
+    if (seam_->closed()) return std::numeric_limits<double>::infinity();
+    return std::max(seam_->end() + kBeyond - wanted_.place - left_, 0.0);
+}
+
+TorchSample DeskTorch::next(int step, int due, double seconds, float burntOff, float trigger) {
+    if (trigger > 0) { // both go on by themselves, and only the hand's own way is shared out among the steps
+        guided_ = guided_ || guide_ > 0;
+        const double way = std::min(guide_ * seconds, wayLeft());
+        left_ += way;
+        held_.place += way;
+    }
+    const double share = 1.0 / (due - step);
+    DeskPose target = wanted_;
+    target.place += left_;
+    held_.place = between(held_.place, target.place, share);
+    held_.aim = between(held_.aim, target.aim, share);
+    held_.distance = between(held_.distance, target.distance, share);
+    held_.work = between(held_.work, target.work, share);
+    held_.travel = between(held_.travel, target.travel, share);
+    // A rod takes its time, however short the frame is.
+    held_.dip += std::clamp(target.dip - held_.dip, -seconds / kRodTime, seconds / kRodTime);
+    TorchSample torch = sampleOf(held_, burntOff);
+    torch.trigger = trigger;
+    time_ += seconds;
+    if (tremor_ > 0) hand_.shake(torch, time_, tremor_ * HandTremor::kPlace, tremor_ * HandTremor::kAngle);
+    return torch;
+}
+
+TorchSample DeskTorch::sampleOf(const DeskPose& pose, float burntOff) const {
+    const SeamFrame frame = seam_->at(pose.place);
+    const glm::dvec3 lean = std::cos(pose.work) * frame.up + std::sin(pose.work) * frame.across;
+    const glm::dvec3 back = std::cos(pose.travel) * lean - std::sin(pose.travel) * frame.tangent;
+    const glm::dvec3 right = glm::normalize(frame.tangent - glm::dot(frame.tangent, back) * back);
+    const glm::dvec3 foot = frame.point + pose.aim * frame.across;
+    TorchSample torch;
+    torch.tip = glm::vec3(foot + (pose.distance - stickOut_ - static_cast<double>(burntOff)) * back);
+    torch.orientation = glm::normalize(
+        glm::quat_cast(glm::mat3(glm::vec3(right), glm::vec3(glm::cross(back, right)), glm::vec3(back))));
+    if (rod_) torch.rod = rodOf(torch, pose, frame);
+    return torch;
+}
+
+RodSample DeskTorch::rodOf(const TorchSample& torch, const DeskPose& pose, const SeamFrame& frame) const {
+    RodHold hold;
+    hold.travel = glm::vec3(frame.tangent);
+    hold.up = glm::vec3(frame.up);
+    hold.below = pose.distance;
+    hold.feed = pose.dip > 0.5 ? kRodFeed : 0;
+    return hold.at(torch.tip, between(hold.rest, -hold.depth, pose.dip));
+}
+
+} // namespace meltpool

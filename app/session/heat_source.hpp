@@ -1,0 +1,49 @@
+// The heat source that keys and mouse move: its position, and whether it is on.
+#pragma once
+
+#include "app/session/input.hpp"
+#include "core/base/parameter.hpp"
+
+#include <glm/vec3.hpp>
+
+namespace meltpool {
+
+/// How far keys and mouse move things. Lengths in box units (one is 40 mm).
+struct ControlParameters {
+    float sourceStep = 0.05f;      ///< of an arrow or page key
+    float sourceMouseSpeed = 1.0f; ///< box units for 500 points of mouse travel
+    float lookSpeed = 1.0f;        ///< factor on the mouse in view mode
+    float cameraSpeed = 1.0f;      ///< factor on the camera keys
+    bool invertLook = false;       ///< pulling the mouse looks up
+    float torchMouse = 8;          ///< mm of a welding torch for 100 points of mouse travel
+    float guideSpeed = 0;          ///< mm/s that a welding torch goes along the seam by itself while it welds
+    float tremor = 0;              ///< of the hand that holds a welding torch, in that of a practised one
+    float gamepadSpeed = 15;       ///< mm/s of a welding torch with a gamepad's stick pushed all the way
+};
+ParameterList describe(ControlParameters& parameters);
+
+/// Position in box units, always inside [-1, 1]³.
+class SteeredSource {
+  public:
+    static constexpr glm::vec3 kHome{0.9f, 0.9f, 0.9f};
+
+    /// `view`: unit vector the camera looks along. Arrow keys step along its horizontal part and to its side, page keys
+    /// up and down; a moving mouse shifts sideways and up, with the right button held forward instead of up.
+    void move(const InputFrame& input, glm::vec3 view, const ControlParameters& parameters);
+
+    void reset();
+    void setOn(bool on) { on_ = on; }
+    void setCold(bool cold) { cold_ = cold; }
+    void setPosition(glm::vec3 position);
+
+    glm::vec3 position() const { return position_; }
+    bool on() const { return on_; }
+    bool cold() const { return cold_; }
+
+  private:
+    glm::vec3 position_ = kHome;
+    bool on_ = false;
+    bool cold_ = false;
+};
+
+} // namespace meltpool

@@ -1,0 +1,28 @@
+// What an eye sees of the arc, for the visor before it: the same for the window and the headset.
+#pragma once
+
+#include "core/render/effects/worn_visor.hpp"
+#include "core/render/scene.hpp"
+#include "core/render/view.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+
+namespace meltpool {
+
+/// Of the arc in this scene, for an eye or the middle between two. `length`: m, of the arc.
+inline SeenArc seenArc(const SceneView& scene, const View& eye, float length) {
+    constexpr float kShortest = 1.6e-3f; // m, as the arc is drawn
+    constexpr float kSight = 0.64f;      // cosine of 50 degrees: farther beside the gaze an arc dazzles little
+    SeenArc seen;
+    seen.intensity = static_cast<double>(scene.arc.intensity.g);
+    if (seen.intensity <= 0) return seen;
+    seen.height = 0.5 * static_cast<double>(std::max(length, kShortest));
+    const glm::vec3 world = scene.modelToWorld * glm::vec4(scene.arc.position, 1);
+    seen.towards = glm::normalize(glm::mat3(eye.worldToEye) * (world - eye.eye));
+    seen.inSight = -seen.towards.z > kSight;
+    return seen;
+}
+
+} // namespace meltpool

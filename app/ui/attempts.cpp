@@ -1,0 +1,99 @@
+// The list of the attempts that were kept, with what can be done with each.
+#include "app/ui/panels.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace meltpool::ui {
+
+namespace {
+
+constexpr float kButtonsWidth = 60 + 66 + 84 + 4 * 6; ///< points, with their gaps
+
+/// Title and what is known of the attempt, one above the other, cut where the buttons begin.
+void entryText(Context& context, const Home& home, const ReplayEntry& entry, float height) {
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    // In a narrow window the buttons are below the text.
+    const bool beside = ImGui::GetContentRegionAvail().x > context.points(2 * kButtonsWidth);
+    const float width = ImGui::GetContentRegionAvail().x - (beside ? context.points(kButtonsWidth) : 0);
+    const ImVec2 high{low.x + width, low.y + height};
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const CataloguedLesson* lesson = home.find(entry.lesson);
+    const std::string& title = lesson == nullptr ? entry.lesson : lesson->title;
+    const float scale = ImGui::GetIO().FontGlobalScale;
+    ImFont *strong = context.fonts.strong, *small = context.fonts.small;
+    draw.PushClipRect(low, high, true);
+    draw.AddText(strong, loadedSize(*strong) * scale, low, colour::kText, title.c_str());
+    draw.AddText(small, loadedSize(*small) * scale, {low.x, high.y - loadedSize(*small) * scale}, colour::kQuiet,
+                 entry.detail.c_str());
+    draw.PopClipRect();
+    ImGui::Dummy({width, height});
+    if (beside) ImGui::SameLine(0, context.points(6));
+}
+
+/// "home.attempt.3.play"
+ShortText nameOf(size_t index, const char* what) {
+    char name[60];
+    std::snprintf(name, sizeof name, "home.attempt.%zu.%s", index, what);
+    return name;
+}
+
+MenuRequest entryRow(Context& context, Home& home, size_t index) {
+    ReplayList& list = home.attempts;
+    const ReplayEntry& entry = list.entries()[index];
+    const float words =
+        (loadedSize(*context.fonts.strong) + loadedSize(*context.fonts.small)) * ImGui::GetIO().FontGlobalScale;
+    entryText(context, home, entry, words + context.points(4));
+    MenuRequest request = MenuRequest::none;
+    ButtonRow row(context);
+    if (row.add(nameOf(index, "play"), "Play", ButtonKind::plain, 60, "The attempt again, over its own metal"))
+        request = MenuRequest::replay;
+    if (row.add(nameOf(index, "ghost"), "Ghost", ButtonKind::plain, 66,
+                "Weld yourself, with this torch beside your own"))
+        request = MenuRequest::ghost;
+    if (row.add(nameOf(index, "compare"), "Compare", list.marked(index) ? ButtonKind::lit : ButtonKind::plain, 84,
+                "Mark two attempts at the same lesson to see both side by side") &&
+        list.mark(index))
+        return MenuRequest::compare;
+    if (request != MenuRequest::none) list.choose(index);
+    return request;
+}
+
+void pageButtons(Context& context, ReplayList& list, size_t pages) {
+    if (button(context, "home.attempts.newer", "Newer", ButtonKind::plain, 100) && list.page > 0) --list.page;
+    ImGui::SameLine();
+    if (button(context, "home.attempts.older", "Older", ButtonKind::plain, 100) && list.page + 1 < pages) ++list.page;
+    ImGui::SameLine();
+    char page[60];
+    std::snprintf(page, sizeof page, "Page %zu of %zu", list.page + 1, pages);
+    quietText(context, page);
+}
+
+} // namespace
+
+MenuRequest attemptList(Context& context, Home& home, size_t rows) {
+    if (home.comparison.shown()) {
+        comparisonPart(context, home.comparison);
+        return MenuRequest::none;
+    }
+    ReplayList& list = home.attempts;
+    MenuRequest request = MenuRequest::none;
+    if (!list.fault().empty()) quietText(context, list.fault());
+    const size_t count = list.entries().size();
+    if (count == 0) {
+        if (list.fault().empty()) quietText(context, "No attempt has been kept yet.");
+        return request;
+    }
+    if (list.marks()) {
+        quietText(context, "One attempt is marked: choose Compare at another one of the same lesson.");
+        markItem(context, "home.attempts.marked");
+    }
+    const size_t pages = (count + rows - 1) / rows;
+    list.page = std::min(list.page, pages - 1);
+    for (size_t i = list.page * rows; i < std::min(count, (list.page + 1) * rows); ++i)
+        if (const MenuRequest asked = entryRow(context, home, i); asked != MenuRequest::none) request = asked;
+    if (pages > 1) pageButtons(context, list, pages);
+    return request;
+}
+
+} // namespace meltpool::ui

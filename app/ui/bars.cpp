@@ -1,0 +1,367 @@
+// The bars at the top and bottom of the running trainer, the messages above them and the colour scale.
+#include "app/ui/panels.hpp"
+#include "core/base/function_ref.hpp"
+#include "core/render/look/temperature_scale.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+namespace meltpool::ui {
+
+namespace {
+
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollbar |
+                                    ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+void beginBar(Context& context, const char* name, float y) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({0, y});
+    ImGui::SetNextWindowSize({screen.x, barHeight(context)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.points(14), context.points(7)});
+    ImGui::Begin(name, nullptr, kFixed);
+    ImGui::PopStyleVar(3);
+}
+
+/// Who works, and whether anything moves.
+struct ModeName {
+    const char* text;
+    ImU32 tint;
+};
+
+ModeName modeOf(const Controls& controls, const LessonSession& session) {
+    if (session.cut().shown()) return {"Cut open \xE2\x80\x93 paused", colour::kCold};
+    // A demonstration goes on while the person looks around.
+    if (session.demonstration().shown()) return {"Demonstration", colour::kCold};
+    if (session.replay().shown()) return {"Replay", colour::kCold};
+    if (controls.mode() == Mode::interact) return {"Working", colour::kAccent};
+    return {"Looking around \xE2\x80\x93 paused", colour::kCold};
+}
+
+/// A rounded label in the middle of the bar.
+void modeSign(Context& context, const ModeName& mode, float left, float right) {
+    const auto [text, tint] = mode;
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    ImGui::PushFont(context.fonts.strong);
+    const ImVec2 size = ImGui::CalcTextSize(text);
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float y = (barHeight(context) - size.y) / 2;
+    const float dot = context.points(4.5f);
+    // In the window's middle, or pushed aside by the buttons; in a very small window only the dot is left.
+    const float x = std::clamp((screen.x - size.x) / 2, left + 4 * dot, std::max(left + 4 * dot, right - size.x - dot));
+    const bool fits = x + size.x < right;
+    draw->AddCircleFilled({x - dot * 3, y + size.y / 2}, dot, tint, 16);
+    if (fits) draw->AddText({x, y}, tint, text);
+    ImGui::PopFont();
+}
+
+/// How the torch is held: "CTWD 15.0 mm, work 0°, travel +10°".
+ShortText torchText(const LessonFigures& f) {
+    constexpr double kDegrees = 180 / std::numbers::pi;
+    char text[120];
+    std::snprintf(text, sizeof text, "%s %.1f mm   work %+.0f\xC2\xB0   travel %+.0f\xC2\xB0",
+                  f.distance == DistanceKind::ctwd ? "CTWD" : "arc", f.torch->distance * 1e3, f.torch->work * kDegrees,
+                  f.torch->travel * kDegrees);
+    return ShortText(text);
+}
+
+ShortText metalText(const LessonFigures& f) {
+    const double share = f.particles > 0 ? 100.0 * static_cast<double>(f.molten) / static_cast<double>(f.particles) : 0;
+    const ShortText hottest = hottestText(f);
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "%.1f s   \xC2\xB7   %zu particles   \xC2\xB7   %.1f %% molten   \xC2\xB7   hottest ", f.time,
+                  f.particles, share);
+    return {text, hottest};
+}
+
+/// Of the metal, or of the torch where it is led along a seam.
+ShortText figuresText(const LessonFigures& f) {
+    ShortText all = f.torch && !f.stopped ? torchText(f) : metalText(f);
+    if (f.stopped) {
+        all += "   \xC2\xB7   stopped";
+    } else if (!f.slow.empty()) {
+        all += "   \xC2\xB7   ";
+        all += f.slow;
+    }
+    for (const std::string_view drawn : {f.picture, f.detail}) {
+        if (drawn.empty()) continue;
+        all += "   \xC2\xB7   ";
+        all += drawn;
+    }
+    return all;
+}
+
+/// A key's name in a small frame, and what it does.
+void keyHint(Context& context, const char* key, const char* what) {
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    const ImVec2 size = ImGui::CalcTextSize(key);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float pad = context.points(5);
+    fillRounded(*draw, {at.x, at.y - context.points(1)}, {at.x + size.x + 2 * pad, at.y + size.y + context.points(1)},
+                colour::kTrack, context.points(4));
+    draw->AddText({at.x + pad, at.y}, colour::kText, key);
+    ImGui::Dummy({size.x + 2 * pad, size.y});
+    ImGui::SameLine(0, context.points(6));
+    ImGui::PushStyleColor(ImGuiCol_Text, colour::kQuiet);
+    ImGui::TextUnformatted(what);
+    ImGui::PopStyleColor();
+    ImGui::SameLine(0, context.points(16));
+}
+
+struct Hint {
+    ShortText key;
+    const char* what;
+};
+
+/// "W A S D" of the keyboard that is there.
+ShortText flyingKeys(const Context& context) {
+    return {context.key(Key::w), " ", context.key(Key::a), " ", context.key(Key::s), " ", context.key(Key::d)};
+}
+
+/// The hints of what the person does now, in order of weight; gives them to `draw`.
+void giveHints(const Context& context, const Controls& controls, bool torch, FunctionRef<bool(const Hint&)> draw) {
+    const ShortText look = context.key(Key::v), mouse = context.key(Key::c);
+    const bool working = controls.mode() == Mode::interact, caught = controls.captured();
+    const auto all = [&](std::initializer_list<Hint> hints) {
+        for (const Hint& hint : hints)
+            if (!draw(hint)) return;
+    };
+    if (working && torch && caught)
+        all({{"Left button", "weld"}, {"Wheel", "arc length"}, {"Arrows", "lean"}, {mouse, "free the mouse"}});
+    else if (working && torch)
+        all({{"Left button", "weld"}, {"Mouse", "along the seam"}, {"Arrows", "lean"}, {mouse, "catch the mouse"}});
+    else if (working && caught)
+        all({{"Left button", "heat"}, {"Right button", "near and far"}, {mouse, "free the mouse"}});
+    else if (working)
+        all({{"Left button", "heat"}, {look, "look around"}, {mouse, "catch the mouse"}, {"F1", "help"}});
+    else if (caught)
+        all({{"Mouse", "look"}, {flyingKeys(context), "fly"}, {mouse, "free the mouse"}});
+    else
+        all({{flyingKeys(context), "fly"}, {look, "back to work"}, {mouse, "catch the mouse"}, {"F1", "help"}});
+}
+
+constexpr float kWholeBar = 740;    ///< points in which every button of the bar has room
+constexpr float kCommandWidth = 72; ///< points
+
+/// What opens and closes the panels: beside each other, or each in a row of its own where it has a width (points). True
+/// when one was pressed.
+bool barTabs(Context& context, PanelState& panels, const LessonSession& session, float width) {
+    bool pressed = false;
+    const auto tab = [&](const char* name, const char* text, bool& open, const char* note) {
+        if (button(context, name, text, open ? ButtonKind::lit : ButtonKind::plain, width, note)) {
+            open = !open;
+            pressed = true;
+        }
+        if (width <= 0) ImGui::SameLine(0, context.points(6));
+    };
+    tab("bar.view", "View", panels.view, "How the metal is shown (F2)");
+    tab("bar.simulation", "Machine", panels.simulation, "What heats the metal (F3)");
+    tab("bar.timings", "Timings", panels.timings, "Where the time of a frame goes (F4)");
+    if (session.judges())
+        tab("bar.result", "Result", panels.result,
+            ShortText{"The weld judged and measured (", context.key(Key::j), " judges it)"}.c_str());
+    return pressed;
+}
+
+bool resetButton(Context& context, float width) {
+    return button(context, "bar.reset", "Reset", ButtonKind::plain, width,
+                  "Metal and torch back to where they began (F5)");
+}
+
+/// The ways out of the running lesson.
+MenuRequest wayButtons(Context& context, float width, bool beside = true) {
+    MenuRequest request = MenuRequest::none;
+    if (button(context, "bar.restart", "Restart", ButtonKind::plain, width, "Back to the lesson's first page"))
+        request = MenuRequest::restart;
+    if (beside) ImGui::SameLine(0, context.points(6));
+    if (button(context, "bar.home", "Home", ButtonKind::plain, width,
+               ShortText{"All lessons (", context.key(Key::h), ")"}.c_str()))
+        request = MenuRequest::home;
+    return request;
+}
+
+/// The buttons that a narrow bar has no room for, one below the other under a button of its own.
+MenuRequest barMenu(Context& context, PanelState& panels, const LessonSession& session) {
+    constexpr float kWidth = 150;
+    MenuRequest request = MenuRequest::none;
+    if (button(context, "bar.menu", "Menu", ButtonKind::plain, kCommandWidth)) ImGui::OpenPopup("bar menu");
+    const float left = ImGui::GetItemRectMin().x, top = barHeight(context);
+    const float width =
+        context.points(kWidth) + 2 * ImGui::GetStyle().WindowPadding.x + ImGui::GetStyle().ScrollbarSize;
+    ImGui::SetNextWindowPos({left, top});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, ImGui::GetIO().DisplaySize.y - top - context.points(8)});
+    if (!ImGui::BeginPopup("bar menu")) return request;
+    const bool pressed = barTabs(context, panels, session, kWidth);
+    request = wayButtons(context, kWidth, false);
+    if (pressed || request != MenuRequest::none) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+    return request;
+}
+
+} // namespace
+
+ShortText hottestText(const LessonFigures& figures) {
+    if (!figures.kelvin) return niceNumber(std::round(figures.hottest * 100) / 100);
+    return {niceNumber(std::round(figures.hottest - 273.15)), " \xC2\xB0", "C"};
+}
+
+float barHeight(const Context& context) {
+    return context.points(48);
+}
+
+MenuRequest topBar(Context& context, PanelState& panels, const Controls& controls, const LessonSession& session) {
+    MenuRequest request = MenuRequest::none;
+    beginBar(context, "top bar", 0);
+    drawSign(*ImGui::GetWindowDrawList(), {context.points(28), barHeight(context) / 2}, context.points(28));
+    ImGui::SetCursorPosX(context.points(50));
+    ImGui::AlignTextToFramePadding();
+    const bool narrow = narrowerThan(context, kWholeBar);
+    if (!narrowerThan(context, 800)) { // a narrow bar has room for its buttons only
+        strongText(context, "Meltpool");
+        ImGui::SameLine(0, context.points(18));
+    }
+    float end = ImGui::GetCursorScreenPos().x + context.points(kCommandWidth);
+    if (narrow) {
+        request = barMenu(context, panels, session);
+    } else {
+        barTabs(context, panels, session, 0);
+        end = ImGui::GetItemRectMax().x;
+    }
+    const int count = narrow ? 2 : 4;
+    const float buttons = ImGui::GetIO().DisplaySize.x - static_cast<float>(count) * context.points(kCommandWidth) -
+                          context.points(14 + 6 * static_cast<float>(count - 1));
+    modeSign(context, modeOf(controls, session), end, buttons);
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(buttons);
+    if (resetButton(context, kCommandWidth)) request = MenuRequest::reset;
+    ImGui::SameLine(0, context.points(6));
+    if (!narrow) {
+        if (const MenuRequest asked = wayButtons(context, kCommandWidth); asked != MenuRequest::none) request = asked;
+        ImGui::SameLine(0, context.points(6));
+    }
+    if (button(context, "bar.help", "Help", panels.help ? ButtonKind::lit : ButtonKind::plain, kCommandWidth,
+               ShortText{"All keys (F1). Lesson: ", session.lesson().title}.c_str()))
+        panels.help = !panels.help;
+    ImGui::End();
+    return request;
+}
+
+void captionLine(Context& context, std::string_view caption, float left, float right) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float edge = context.points(8);
+    if (screen.x - left - right < context.points(200)) left = right = 0; // the panels leave it too little room
+    const float room = screen.x - left - right - 4 * edge;
+    const ImVec2 size = ImGui::CalcTextSize(caption.data(), caption.data() + caption.size(), false, room);
+    const float x = (left + screen.x - right - size.x) / 2;
+    const float y = screen.y - barHeight(context) - size.y - context.points(24);
+    ImDrawList* draw = ImGui::GetBackgroundDrawList();
+    fillRounded(*draw, {x - edge, y - edge / 2}, {x + size.x + edge, y + size.y + edge / 2}, IM_COL32(22, 25, 31, 190),
+                context.points(6));
+    draw->AddText(nullptr, 0, {x, y}, colour::kText, caption.data(), caption.data() + caption.size(), room);
+}
+
+void statusBar(Context& context, const LessonFigures& figures, const Controls& controls) {
+    const float height = barHeight(context);
+    beginBar(context, "status bar", ImGui::GetIO().DisplaySize.y - height);
+    ImGui::PushFont(context.fonts.small);
+    ImGui::SetCursorPosY((height - ImGui::GetTextLineHeight()) / 2);
+    const ShortText text = figuresText(figures);
+    // Where the window has no room for all figures their end is cut.
+    const float right = std::max(
+        ImGui::GetIO().DisplaySize.x - ImGui::CalcTextSize(text.c_str()).x - context.points(16), context.points(16));
+
+    giveHints(context, controls, figures.torch.has_value(), [&](const Hint& hint) {
+        const float need =
+            ImGui::CalcTextSize(hint.key.c_str()).x + ImGui::CalcTextSize(hint.what).x + context.points(40);
+        if (ImGui::GetCursorPosX() + need > right) return false;
+        keyHint(context, hint.key.c_str(), hint.what);
+        return true;
+    });
+    ImGui::GetWindowDrawList()->AddText({right, ImGui::GetWindowPos().y + (height - ImGui::GetTextLineHeight()) / 2},
+                                        colour::kText, text.c_str());
+    ImGui::PopFont();
+    ImGui::End();
+}
+
+void messageStack(Context& context, Messages& messages, float left, float right) {
+    if (messages.shown().empty()) return;
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    // Where the panels leave too little room, messages lie over them.
+    if (screen.x - left - right < context.points(260)) left = right = 0;
+    const float width = std::min(context.points(620), screen.x - left - right - context.points(40));
+    ImGui::SetNextWindowPos({(left + screen.x - right) / 2, barHeight(context) + context.points(10)}, ImGuiCond_Always,
+                            {0.5f, 0});
+    ImGui::SetNextWindowSize({width, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::Begin("messages", nullptr,
+                 (kFixed & ~ImGuiWindowFlags_NoBringToFrontOnFocus) | ImGuiWindowFlags_NoBackground |
+                     ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::PopStyleVar();
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    const float pad = context.points(11);
+    const Message* dismissed = nullptr;
+    for (const Message& message : messages.shown()) {
+        const bool warning = message.kind == Message::Kind::warning;
+        const float inner = width - 3 * pad;
+        const ImVec2 size = ImGui::CalcTextSize(message.text.c_str(), nullptr, false, inner);
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        ImGui::PushID(&message);
+        if (ImGui::InvisibleButton("message", {width, size.y + 2 * pad})) dismissed = &message;
+        ImGui::PopID();
+        const ImVec2 end{at.x + width, at.y + size.y + 2 * pad};
+        fillRounded(*draw, at, end, IM_COL32(38, 43, 53, 252), context.points(8));
+        outlineRounded(*draw, at, end, IM_COL32(255, 255, 255, 30), context.points(8));
+        fillRounded(*draw, at, {at.x + context.points(5), end.y}, warning ? colour::kWarning : colour::kAccent,
+                    context.points(8), ImDrawFlags_RoundCornersLeft);
+        draw->AddText(nullptr, 0, {at.x + 2 * pad, at.y + pad}, colour::kText, message.text.c_str(), nullptr, inner);
+    }
+    ImGui::End();
+    if (dismissed != nullptr) messages.dismiss(*dismissed);
+}
+
+void temperatureScale(Context& context, int colours, const TemperatureMeaning& meaning, float left) {
+    if (colours == kMaterialColours) return;
+    ImDrawList* draw = ImGui::GetBackgroundDrawList();
+    const float width = context.points(14);
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float height = std::min(context.points(180), screen.y - 2 * barHeight(context) - context.points(28 + 40));
+    const float x = context.points(24) + left;
+    if (height < context.points(60) || x + context.points(80) > screen.x) return; // a small window has no room for it
+    const float y = screen.y - barHeight(context) - height - context.points(28);
+    constexpr int kParts = 32;
+    const float part = height / kParts;
+    const auto tint = [colours](int step) {
+        const glm::vec3 c = temperatureColour(static_cast<ColourMode>(colours), static_cast<float>(step) / kParts);
+        return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 1});
+    };
+    fillRounded(*draw, {x - context.points(10), y - context.points(34)},
+                {x + width + context.points(64), y + height + context.points(14)}, IM_COL32(22, 25, 31, 190),
+                context.points(8));
+    for (int i = 0; i < kParts; ++i) {
+        const float top = y + part * static_cast<float>(kParts - 1 - i);
+        const ImU32 lower = tint(i);
+        const ImU32 upper = tint(i + 1);
+        draw->AddRectFilledMultiColor({x, top}, {x + width, top + part}, upper, upper, lower, lower);
+    }
+    draw->AddText(context.fonts.small, loadedSize(*context.fonts.small) * ImGui::GetIO().FontGlobalScale,
+                  {x - context.points(2), y - context.points(29)}, colour::kQuiet, "Temperature");
+    const auto degrees = [&meaning](float share) {
+        const float kelvin = meaning.coldest + share * (meaning.hottest - meaning.coldest);
+        return ShortText{niceNumber(std::round(static_cast<double>(kelvin) - 273.15)), " \xC2\xB0", "C"};
+    };
+    const std::array<ShortText, 3> labels = meaning.kelvin
+                                                ? std::array<ShortText, 3>{degrees(1), degrees(0.5f), degrees(0)}
+                                                : std::array<ShortText, 3>{"1  liquid", "0.5", "0  solid"};
+    for (size_t i = 0; i < 3; ++i)
+        draw->AddText(context.fonts.small, loadedSize(*context.fonts.small) * ImGui::GetIO().FontGlobalScale,
+                      {x + width + context.points(8), y + height / 2 * static_cast<float>(i) - context.points(9)},
+                      colour::kText, labels[i].c_str());
+}
+
+} // namespace meltpool::ui

@@ -1,0 +1,162 @@
+// Two attempts beside each other: the way to it, the difference in words, figures and curves of both.
+#include "app/ui/curves.hpp"
+#include "app/ui/panels.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace meltpool::ui {
+
+namespace {
+
+constexpr std::array<ImU32, 2> kTints{kFirstTint, kCurveTint};
+constexpr std::array<const char*, 2> kNames{"First", "Second"};
+
+/// Right ends of the three columns of figures, as shares of the width.
+constexpr std::array<float, 3> kColumns{0.6f, 0.8f, 1};
+
+void tinted(std::string_view text, ImU32 tint) {
+    ImGui::PushStyleColor(ImGuiCol_Text, tint);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+}
+
+/// One line of a table, each figure at the right of its column; what is too wide for that has a line of its own.
+void tableLine(std::string_view name, const std::array<std::string_view, 3>& figures,
+               const std::array<ImU32, 3>& tints) {
+    const float left = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
+    ImGui::TextUnformatted(name.data(), name.data() + name.size());
+    float used = left + ImGui::CalcTextSize(name.data(), name.data() + name.size()).x;
+    for (size_t i = 0; i < figures.size(); ++i) {
+        const std::string_view text = figures[i];
+        if (text.empty()) continue;
+        const float wide = ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
+        const float at = std::max(left, left + width * kColumns[i] - wide);
+        if (at >= used) ImGui::SameLine();
+        ImGui::SetCursorPosX(at);
+        ImGui::PushStyleColor(ImGuiCol_Text, tints[i]);
+        ImGui::TextUnformatted(text.data(), text.data() + text.size());
+        ImGui::PopStyleColor();
+        used = at + wide;
+    }
+}
+
+void figuresOfBoth(Context& context, const ComparisonRows& rows) {
+    for (const ComparedSection& section : rows.sections) {
+        if (!groupHeading(context, "comparison", section.title.c_str())) continue;
+        ImGui::PushFont(context.fonts.small);
+        tableLine("", {kNames[0], kNames[1], "Difference"}, {kTints[0], kTints[1], colour::kQuiet});
+        for (const ComparedRow& row : section.rows)
+            tableLine(row.name, {row.first, row.second, row.difference},
+                      {colour::kText, colour::kText, colour::kWarning});
+        ImGui::PopFont();
+    }
+}
+
+/// A quantity of the hand in both attempts, over mm of seam.
+void handOfBoth(Context& context, const AttemptComparison& comparison, TechniqueQuantity quantity) {
+    const Judgement &first = comparison.attempt(0)->judgement, &second = comparison.attempt(1)->judgement;
+    const QuantityInfo& info = quantityInfo(quantity, first.distance);
+    const TechniqueBand* band = comparison.bands() == nullptr ? nullptr : comparison.bands()->find(quantity);
+    const auto placeIn = [](const Judgement& judgement, size_t i) { return judgement.seam[i].place * 1e3; };
+    const auto valueIn = [&](const Judgement& judgement, size_t i) {
+        return judgement.seam[i].values[quantity] * info.perSi;
+    };
+    const auto firstPlace = [&](size_t i) { return placeIn(first, i); };
+    const auto firstValue = [&](size_t i) { return valueIn(first, i); };
+    const auto secondPlace = [&](size_t i) { return placeIn(second, i); };
+    const auto secondValue = [&](size_t i) { return valueIn(second, i); };
+    constexpr double kGap = 1.5; // mm without arc that break a line
+    const std::array<CurveSeries, 2> both{{{first.seam.size(), firstPlace, firstValue, kGap, kTints[0]},
+                                           {second.seam.size(), secondPlace, secondValue, kGap, kTints[1]}}};
+    const ShortText name{"comparison.curve.", info.column};
+    CurveChart chart{name, info.words, info.unit, "mm", {}};
+    if (band != nullptr) chart.band = CurveBand{band->ideal, band->inner, band->outer};
+    curveChart(context, chart, both);
+}
+
+/// A figure of the weld at the stations of both, over mm of seam.
+void weldOfBoth(Context& context, const AttemptComparison& comparison, const ComparedFigure& figure,
+                const StationColumn& column) {
+    const auto &first = comparison.attempt(0)->judgement.weld, &second = comparison.attempt(1)->judgement.weld;
+    if (!first || !second) return;
+    const auto placeIn = [](const WeldMeasures& weld, size_t i) { return weld.stations[i].place * 1e3; };
+    const auto valueIn = [&](const WeldMeasures& weld, size_t i) {
+        const WeldStation::Value& value = weld.stations[i].*column.value;
+        return value ? *value / column.unit : std::nan("");
+    };
+    const auto firstPlace = [&](size_t i) { return placeIn(*first, i); };
+    const auto firstValue = [&](size_t i) { return valueIn(*first, i); };
+    const auto secondPlace = [&](size_t i) { return placeIn(*second, i); };
+    const auto secondValue = [&](size_t i) { return valueIn(*second, i); };
+    constexpr double kPitches = 1.5; // of the stations, that are joined
+    const std::array<CurveSeries, 2> both{
+        {{first->stations.size(), firstPlace, firstValue, kPitches * first->pitch * 1e3, kTints[0]},
+         {second->stations.size(), secondPlace, secondValue, kPitches * second->pitch * 1e3, kTints[1]}}};
+    const ShortText name{"comparison.curve.", figure.key};
+    curveChart(context, {name, figure.name, figure.unit, "mm", {}}, both);
+}
+
+void curvesOfBoth(Context& context, const AttemptComparison& comparison) {
+    if (!groupHeading(context, "comparison", "Along the seam")) return;
+    ImGui::PushFont(context.fonts.small);
+    if (comparison.bands() != nullptr)
+        for (const TechniqueBand& band : comparison.bands()->bands)
+            handOfBoth(context, comparison, band.quantity);
+    else
+        handOfBoth(context, comparison, TechniqueQuantity::travelSpeed);
+    for (const FigurePair& pair : comparison.comparison()->pairs)
+        for (const StationColumn& column : stationColumns())
+            if (pair.figure.group == FigureGroup::weld && column.name == pair.figure.key && pair.isDrawn())
+                weldOfBoth(context, comparison, pair.figure, column);
+    ImGui::PopFont();
+}
+
+void wayPart(Context& context, const AttemptComparison& comparison) {
+    char text[120];
+    std::snprintf(text, sizeof text, "Welding the %s attempt again: %.0f %% of all.",
+                  comparison.current() == 0 ? "first" : "second", 100 * comparison.progress());
+    ImGui::TextUnformatted(text);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x, height = context.points(8);
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    fillRounded(draw, low, {low.x + width, low.y + height}, colour::kTrack, context.points(3));
+    const float done = width * static_cast<float>(comparison.progress());
+    fillRounded(draw, low, {low.x + done, low.y + height}, colour::kAccent, context.points(3));
+    ImGui::Dummy({width, height});
+    quietText(context, "Both welds are made and measured as they were, which takes about as long as a replay. The last "
+                       "six that were measured stay known until the program ends.");
+}
+
+} // namespace
+
+void comparisonPart(Context& context, AttemptComparison& comparison) {
+    const bool back = button(context, "comparison.back", comparison.welding() ? "Stop" : "Back to the attempts",
+                             ButtonKind::plain, comparison.welding() ? 80 : 160);
+    ImGui::SameLine();
+    strongText(context, comparison.lesson());
+    for (size_t i = 0; i < kNames.size(); ++i)
+        tinted(ShortText{kNames[i], ": ", comparison.side(i).detail}, kTints[i]);
+    ImGui::Dummy({0, context.points(4)});
+    if (!comparison.fault().empty()) {
+        tinted(comparison.fault(), colour::kWarning);
+    } else if (comparison.welding()) {
+        wayPart(context, comparison);
+    } else if (comparison.rows()) {
+        ImGui::PushFont(context.fonts.strong);
+        tinted(comparison.rows()->words, colour::kText);
+        ImGui::PopFont();
+        markItem(context, "comparison.words");
+        for (const std::string& note : comparison.rows()->notes)
+            quietText(context, note);
+        figuresOfBoth(context, *comparison.rows());
+        curvesOfBoth(context, comparison);
+    }
+    if (back) comparison.stop();
+}
+
+} // namespace meltpool::ui

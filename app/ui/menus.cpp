@@ -1,0 +1,291 @@
+// View menu, machine menu, timings and help of the running trainer.
+#include "app/ui/panels.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace meltpool::ui {
+
+namespace {
+
+constexpr float kPanelWidth = 336;
+constexpr float kPanelGap = 10;
+
+enum class Side { left, leftBeside, right };
+
+/// A panel along one side of the picture, as tall as its content, at most down to the status bar.
+bool beginPanel(Context& context, const char* name, Side side) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float gap = context.points(kPanelGap);
+    const float width = std::min(context.points(kPanelWidth), screen.x - 2 * gap);
+    const float room = screen.y - 2 * barHeight(context) - 2 * gap;
+    const float x = side == Side::right ? screen.x - width - gap : gap + (side == Side::leftBeside ? width + gap : 0);
+    ImGui::SetNextWindowPos({x, barHeight(context) + gap});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, room});
+    return ImGui::Begin(name, nullptr,
+                        ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+}
+
+void panelTitle(Context& context, const char* title, const char* what) {
+    strongText(context, title);
+    quietText(context, what);
+}
+
+/// Parameters under one heading of a menu.
+struct Group {
+    const char* section;
+    const char* title;
+    std::array<std::string_view, 6> keys; ///< unused ones are empty
+    bool openAtFirst;
+};
+
+const ParameterSection* findSection(std::span<const ParameterSection* const> sections, std::string_view name) {
+    for (const ParameterSection* section : sections)
+        if (section->name == name) return section;
+    return nullptr;
+}
+
+/// Whether the parameter belongs to the group. Parameters of the start alone belong to none.
+bool stands(const Parameter& parameter, const Group& group) {
+    return !parameter.onlyAtStart && std::find(group.keys.begin(), group.keys.end(), parameter.key) != group.keys.end();
+}
+
+/// Draws a heading and the parameters for which `belongs` is true; nothing where there are none.
+template <class Belongs>
+void drawGroup(Context& context, const ParameterSection& section, const char* title, bool openAtFirst,
+               const Belongs& belongs) {
+    const auto drawn = [&](const Parameter& p) { return section.shows(p) && belongs(p); };
+    if (std::none_of(section.parameters.begin(), section.parameters.end(), drawn)) return;
+    if (!groupHeading(context, section.name, title, openAtFirst)) return;
+    for (const Parameter& parameter : section.parameters)
+        if (drawn(parameter)) parameterControl(context, section, parameter);
+}
+
+/// A group's parameters in the group's order.
+void drawGroup(Context& context, const ParameterSection& section, const Group& group) {
+    const auto belongs = [&](const Parameter& p) { return section.shows(p) && stands(p, group); };
+    if (std::none_of(section.parameters.begin(), section.parameters.end(), belongs)) return;
+    if (!groupHeading(context, section.name, group.title, group.openAtFirst)) return;
+    for (const std::string_view key : group.keys)
+        if (const Parameter* p = findParameter(section.parameters, key); p != nullptr && belongs(*p))
+            parameterControl(context, section, *p);
+}
+
+/// The groups in order, then under "More" whatever no group names.
+void drawGroups(Context& context, std::span<const ParameterSection* const> sections, std::span<const Group> groups) {
+    // A value that stands in two menus has the same key in both.
+    const auto named = [&](const Parameter& p) {
+        return std::any_of(groups.begin(), groups.end(), [&](const Group& group) {
+            return stands(p, group) && findSection(sections, group.section) != nullptr;
+        });
+    };
+    for (const Group& group : groups)
+        if (const ParameterSection* section = findSection(sections, group.section)) drawGroup(context, *section, group);
+    for (const ParameterSection* section : sections)
+        drawGroup(context, *section, ShortText{"More: ", section->name}.c_str(), false,
+                  [&](const Parameter& p) { return !p.onlyAtStart && !named(p); });
+}
+
+void passRow(Context& context, std::string_view name, double ms, double whole, int depth) {
+    char text[48];
+    std::snprintf(text, sizeof text, "%.2f ms", ms);
+    const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float height = ImGui::GetTextLineHeight();
+    const float share = whole > 0 ? static_cast<float>(std::min(ms / whole, 1.0)) : 0.0f;
+    fillRounded(*ImGui::GetWindowDrawList(), {at.x, at.y}, {at.x + width * share, at.y + height},
+                depth == 0 ? IM_COL32(255, 138, 61, 60) : IM_COL32(255, 255, 255, 20), context.points(3));
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + context.points(6 + 12 * static_cast<float>(depth)));
+    ImGui::PushStyleColor(ImGuiCol_Text, depth == 0 ? colour::kText : colour::kQuiet);
+    ImGui::TextUnformatted(readableName(name).c_str());
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(right - ImGui::CalcTextSize(text).x - context.points(4));
+    ImGui::TextUnformatted(text);
+    ImGui::PopStyleColor();
+}
+
+struct Shortcut {
+    ShortText keys;
+    const char* what;
+};
+
+void shortcutColumn(Context& context, const char* title, std::span<const Shortcut> rows) {
+    strongText(context, title);
+    const float left = ImGui::GetCursorPosX();
+    ImGui::PushTextWrapPos(0);
+    for (const Shortcut& row : rows) {
+        ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(255, 178, 122, 255));
+        ImGui::TextUnformatted(row.keys.c_str());
+        ImGui::PopStyleColor();
+        ImGui::SameLine();
+        ImGui::SetCursorPosX(left + context.points(140));
+        ImGui::TextUnformatted(row.what);
+    }
+    ImGui::PopTextWrapPos();
+    ImGui::Dummy({0, context.points(6)});
+}
+
+/// The left half of the help page.
+void torchKeys(Context& context) {
+    const std::string_view a = context.key(Key::a), d = context.key(Key::d), e = context.key(Key::e),
+                           q = context.key(Key::q), s = context.key(Key::s), w = context.key(Key::w);
+    const std::array<Shortcut, 5> torch{{{"Left button", "heat while held"},
+                                         {"Mouse", "torch sideways and up"},
+                                         {"+ right button", "torch near and far"},
+                                         {"Arrow keys", "torch in steps"},
+                                         {"Page up, down", "torch up and down"}}};
+    const std::array<Shortcut, 2> heat{
+        {{context.key(Key::f), "hot or cold source"}, {{"F5  ", context.key(Key::j)}, "again: reset; judge the weld"}}};
+    const std::array<Shortcut, 4> orbit{{{{a, "  ", d}, "around the metal"},
+                                         {{w, "  ", s}, "over and under it"},
+                                         {{q, "  ", e}, "nearer and farther"},
+                                         {"Wheel", "nearer and farther"}}};
+    shortcutColumn(context, "The torch, while working", torch);
+    shortcutColumn(context, "The metal", heat);
+    shortcutColumn(context, "The camera, while working", orbit);
+}
+
+/// The right half of the help page.
+void programKeys(Context& context) {
+    const std::string_view a = context.key(Key::a), d = context.key(Key::d), e = context.key(Key::e),
+                           q = context.key(Key::q), s = context.key(Key::s), w = context.key(Key::w);
+    const std::array<Shortcut, 4> fly{{{"Mouse", "look"},
+                                       {{w, "  ", s}, "forwards and back"},
+                                       {{a, "  ", d}, "to the sides"},
+                                       {{q, "  ", e}, "down and up"}}};
+    const std::array<Shortcut, 9> program{{{context.key(Key::v), "work, or pause and look around"},
+                                           {context.key(Key::h), "home: all lessons"},
+                                           {{context.key(Key::c), "  Escape"}, "catch or free the mouse"},
+                                           {"F1", "this page"},
+                                           {"F2  F3  F4", "view, machine, timings"},
+                                           {"Tab", "hide and show all panels"},
+                                           {"F10  F12", "save the window; the metal in 4K"},
+                                           {"F11", "full screen"},
+                                           {"Arrows  Enter", "in the list of lessons"}}};
+    shortcutColumn(context, "The camera, while looking around", fly);
+    shortcutColumn(context, "The program", program);
+}
+
+} // namespace
+
+float panelReach(const Context& context) {
+    return context.points(kPanelWidth + kPanelGap);
+}
+
+void viewMenu(Context& context, std::span<const ParameterSection* const> sections) {
+    beginPanel(context, "view menu", Side::left);
+    panelTitle(context, "View", "How the metal is shown. Nothing here changes what it does.");
+    static constexpr std::array<Group, 11> kGroups{
+        {{"cues", "Cues at the torch", {"speed", "angles", "distance", "aim", "seam", "arc"}, true},
+         {"ghost", "Ghost torch", {"ghost", "ghost_pace", "ghost_file"}, false},
+         {"view", "Show the metal as", {"mode", "colours", "material", "point_size"}, true},
+         {"view", "In the picture", {"show_box", "show_sky", "show_source"}, true},
+         {"view", "Light", {"ambient", "diffuse", "specular", "shininess", "exposure", "light_position"}, false},
+         {"controls",
+          "Torch at the desk",
+          {"torch_mouse_mm", "gamepad_speed_mm_s", "guide_speed_mm_s", "hand_tremor"},
+          false},
+         {"sound", "Sound", {"volume", "captions"}, false},
+         {"surface", "Expert: surface", {"influence", "iso_level", "caps"}, false},
+         {"controls",
+          "Mouse and keys",
+          {"source_step", "source_mouse_speed", "look_speed", "camera_speed", "invert_look"},
+          false},
+         {"window", "Window", {"interface_size", "picture", "detail"}, false},
+         {"recordings", "Recordings", {"keep_recordings", "recordings_limit_mb"}, false}}};
+    drawGroups(context, sections, kGroups);
+    ImGui::End();
+}
+
+void machinePart(Context& context, const ParameterSection& section) {
+    drawGroup(context, section, "What is set", true,
+              [&](const Parameter& p) { return !p.onlyAtStart && !section.isExpert(p); });
+    const auto expert = [&](const Parameter& p) { return !p.onlyAtStart && section.shows(p) && section.isExpert(p); };
+    if (std::none_of(section.parameters.begin(), section.parameters.end(), expert)) return;
+    if (!groupHeading(context, section.name, "Expert", false)) return;
+    static constexpr std::array<Group, 2> kGroups{
+        {{"simulation",
+          "Liquid metal",
+          {"viscosity", "gas_stiffness", "rest_density", "particle_mass", "support_radius", "solidify_rate"},
+          true},
+         {"simulation",
+          "Space and time",
+          {"gravity", "wall_restitution", "wall_slip", "acceleration_limit", "time_step"},
+          true}}};
+    for (const Group& group : kGroups)
+        drawGroup(context, section, group);
+    drawGroup(context, section, "More", false, [&](const Parameter& p) {
+        return expert(p) &&
+               std::none_of(kGroups.begin(), kGroups.end(), [&p](const Group& group) { return stands(p, group); });
+    });
+}
+
+void machineMenu(Context& context, const ParameterSection& section, Controls& controls) {
+    beginPanel(context, "machine menu", Side::right);
+    panelTitle(context, "Machine", "What heats the metal. Everything takes effect at once.");
+    bool cold = controls.source().cold();
+    // Only the source of the classic lesson cools.
+    if (findParameter(section.parameters, "heat_temperature") != nullptr &&
+        toggle(context, "simulation.cold", "Cold source", cold,
+               ShortText{"Freezes what it touches instead of melting it (", context.key(Key::f), ")"}.c_str()))
+        controls.source().setCold(cold);
+    machinePart(context, section);
+    ImGui::End();
+}
+
+void timingsPanel(Context& context, const gl::Profiler& profiler, const LessonFigures& figures, double frameMs,
+                  const std::string& driver, bool besideView) {
+    beginPanel(context, "timings", besideView ? Side::leftBeside : Side::left);
+    panelTitle(context, "Timings", driver.c_str());
+    char text[64];
+    std::snprintf(text, sizeof text, "%.0f frames a second", figures.framesPerSecond);
+    ImGui::TextUnformatted(text);
+    ImGui::PushFont(context.fonts.small);
+    passRow(context, "whole frame", frameMs, frameMs, 0);
+    for (const gl::PassTime& pass : profiler.passes())
+        passRow(context, pass.name, pass.lastMs, frameMs, pass.depth);
+    ImGui::PopFont();
+    ImGui::End();
+}
+
+void helpOverlay(Context& context, bool& open) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    constexpr ImGuiWindowFlags kStill = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
+    // A shade over everything; a click on it closes the page.
+    ImGui::SetNextWindowPos({0, 0});
+    ImGui::SetNextWindowSize(screen);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(8, 10, 14, 170));
+    ImGui::Begin("help shade", nullptr, kStill);
+    if (ImGui::IsWindowAppearing()) ImGui::SetWindowFocus();
+    if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) open = false;
+    ImGui::End();
+    ImGui::PopStyleColor();
+
+    ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+    const float width = std::min(context.points(860), screen.x - context.points(20));
+    const bool narrow = narrowerThan(context, 760);
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, screen.y - context.points(20)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.points(narrow ? 18 : 32), context.points(26)});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(26, 30, 37, 255));
+    ImGui::Begin("help", nullptr, kStill | ImGuiWindowFlags_AlwaysAutoResize);
+    if (ImGui::IsWindowAppearing()) ImGui::SetWindowFocus();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
+    ImGui::Columns(narrow ? 1 : 2, "help columns", false);
+    torchKeys(context);
+    if (!narrow) ImGui::NextColumn();
+    programKeys(context);
+    ImGui::Columns(1);
+    quietText(context,
+              "A mouse that is not caught moves the torch too, while a button is held on the picture. Double click a "
+              "slider to type a number; point at a name to read what it does.");
+    ImGui::Dummy({0, context.points(4)});
+    if (button(context, "help.close", "Close", ButtonKind::main, 140)) open = false;
+    ImGui::End();
+}
+
+} // namespace meltpool::ui

@@ -1,0 +1,256 @@
+// The control of one described parameter: a slider for numbers, a switch, a row of choices, three fields for a vector.
+#include "app/ui/widgets.hpp"
+#include "core/base/error.hpp"
+#include "core/base/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace meltpool::ui {
+
+namespace {
+
+/// Maps values to positions along a slider. Where the range is much wider than the usual value, the scale is linear up
+/// to `even` and logarithmic above, so that values near the usual one can be set finely.
+struct Scale {
+    double low;
+    double high;
+    double even = 0; ///< length of the linear part; 0: linear throughout
+
+    Scale(const Parameter& p, std::string_view usual) : low(p.minimum), high(p.maximum) {
+        const auto value = parseDouble(usual);
+        if (value && *value > low && high - low >= 10 * (*value - low)) even = (*value - low) / 30;
+    }
+    double toShare(double value) const {
+        if (high <= low) return 0;
+        const double way = value - low;
+        const double share = even > 0 ? std::log1p(way / even) / std::log1p((high - low) / even) : way / (high - low);
+        return std::clamp(share, 0.0, 1.0);
+    }
+    double fromShare(double share) const {
+        return low + (even > 0 ? even * std::expm1(share * std::log1p((high - low) / even)) : share * (high - low));
+    }
+    /// Rounds to three digits of the value, or of the range where the scale is linear.
+    double rounded(double value, bool whole) const {
+        const double size = even > 0 ? std::max(std::abs(value), even) : high - low;
+        const double step = std::pow(10.0, std::floor(std::log10(std::max(size, 1e-12))) - 2);
+        const double grain = whole ? std::max(step, 1.0) : step;
+        return std::clamp(std::round(value / grain) * grain, low, high);
+    }
+};
+
+std::string description(const Parameter& p, std::string_view original) {
+    std::string text = sentence(p.note);
+    if (!text.empty()) text += "\n\n";
+    text += sentence(expectation(p));
+    if (!original.empty()) text += " At first " + std::string(original) + ".";
+    return text;
+}
+
+struct TypedEntry {
+    std::string name; ///< of the control that is being typed into; empty: none
+    char text[64] = {};
+    bool fresh = false;
+};
+TypedEntry typed;
+
+void startTyping(std::string_view name, double value) {
+    typed.name = name;
+    std::snprintf(typed.text, sizeof typed.text, "%s", formatNumber(value).c_str());
+    typed.fresh = true;
+}
+
+/// The text field in place of a slider; true when a number was given.
+bool typeNumber(double low, double high, double& value) {
+    if (typed.fresh) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(-1);
+    const bool entered = ImGui::InputText("##typed", typed.text, sizeof typed.text,
+                                          ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    const bool left = !typed.fresh && ImGui::IsItemDeactivated();
+    typed.fresh = false;
+    if (!entered && !left) return false;
+    typed.name.clear();
+    const auto number = parseDouble(trimText(typed.text));
+    if (!number || !std::isfinite(*number)) return false;
+    value = std::clamp(*number, low, high);
+    return true;
+}
+
+/// A thin track with a round handle. Double click or Ctrl and click to type.
+bool slider(Context& context, std::string_view name, const Scale& scale, bool whole, double& value) {
+    if (typed.name == name) return typeNumber(scale.low, scale.high, value);
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float height = context.points(20);
+    const float radius = context.points(8);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::InvisibleButton("##slider", {width, height});
+    markItem(context, name);
+    const bool held = ImGui::IsItemActive();
+    const bool hovered = ImGui::IsItemHovered();
+    const float length = width - 2 * radius;
+    bool changed = false;
+    if (hovered && (ImGui::IsMouseDoubleClicked(0) || (ImGui::IsMouseClicked(0) && ImGui::GetIO().KeyCtrl))) {
+        startTyping(name, value);
+    } else if (held) {
+        const float along = (ImGui::GetIO().MousePos.x - corner.x - radius) / length;
+        const double share = static_cast<double>(std::clamp(along, 0.0f, 1.0f));
+        const double wanted = scale.rounded(scale.fromShare(share), whole);
+        changed = wanted != value;
+        value = wanted;
+    }
+
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    const float middle = corner.y + height / 2;
+    const float thick = context.points(2);
+    const float at = corner.x + radius + length * static_cast<float>(scale.toShare(value));
+    fillRounded(*draw, {corner.x, middle - thick}, {corner.x + width, middle + thick}, colour::kTrack, thick);
+    fillRounded(*draw, {corner.x, middle - thick}, {at, middle + thick}, colour::kAccent, thick);
+    draw->AddCircleFilled({at, middle}, radius, held ? colour::kAccent : IM_COL32(245, 247, 250, 255), 24);
+    if (hovered || held) draw->AddCircle({at, middle}, radius + context.points(2), IM_COL32(255, 138, 61, 150), 24, 2);
+    return changed;
+}
+
+/// Label at the left, value and unit at the right, and a way back to the first value in between.
+bool labelLine(Context& context, std::string_view name, const Parameter& p, std::string_view value,
+               std::string_view original) {
+    const float left = ImGui::GetCursorPosX();
+    const float right = left + ImGui::GetContentRegionAvail().x;
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(p.label.data(), p.label.data() + p.label.size());
+    ImGui::PopTextWrapPos();
+    if (ImGui::IsItemHovered()) tooltip(context, description(p, original));
+    bool back = false;
+    const float width = ImGui::CalcTextSize(value.data(), value.data() + value.size()).x;
+    const float size = context.points(18);
+    const bool changed = !original.empty() && original != parameterText(p);
+    const float need = width + (changed ? size + context.points(6) : 0);
+    // Where both are too long for one line the value goes below its label.
+    const bool beside = left + ImGui::GetItemRectSize().x + context.points(4) <= right - need;
+    if (changed) {
+        if (beside) ImGui::SameLine();
+        ImGui::SetCursorPosX(std::max(right - need, left));
+        const ImVec2 corner = ImGui::GetCursorScreenPos();
+        back = ImGui::InvisibleButton("##back", {size, ImGui::GetTextLineHeight()});
+        markItem(context, ShortText{name, ".back"});
+        const ImU32 tint = ImGui::IsItemHovered() ? colour::kAccent : colour::kQuiet;
+        tooltip(context, ShortText{"Back to ", original});
+        const ImVec2 centre{corner.x + size / 2, corner.y + ImGui::GetTextLineHeight() / 2};
+        const float r = context.points(5);
+        ImDrawList* draw = ImGui::GetWindowDrawList();
+        draw->PathArcTo(centre, r, -2.6f, 2.4f, 16);
+        draw->PathStroke(tint, 0, context.points(1.6f));
+        const ImVec2 end{centre.x + r * std::cos(-2.6f), centre.y + r * std::sin(-2.6f)};
+        draw->AddTriangleFilled({end.x - r * 0.75f, end.y + r * 0.15f}, {end.x + r * 0.65f, end.y + r * 0.55f},
+                                {end.x - r * 0.25f, end.y - r * 1.0f}, tint);
+    }
+    if (!value.empty()) {
+        if (beside || changed) ImGui::SameLine();
+        ImGui::SetCursorPosX(std::max(right - width, left));
+        ImGui::PushStyleColor(ImGuiCol_Text, colour::kQuiet);
+        ImGui::TextUnformatted(value.data(), value.data() + value.size());
+        ImGui::PopStyleColor();
+    }
+    return back;
+}
+
+bool isBareUnit(std::string_view unit) {
+    return unit.empty() || unit == "1" || unit == "-";
+}
+
+ShortText valueWithUnit(const Parameter& p, double value) {
+    return isBareUnit(p.unit) ? niceNumber(value) : ShortText{niceNumber(value), " ", p.unit};
+}
+
+/// The value as menus show it, with its unit.
+ShortText givenText(const Parameter& p) {
+    if (const auto* value = std::get_if<float*>(&p.value)) return valueWithUnit(p, static_cast<double>(**value));
+    if (const auto* value = std::get_if<int*>(&p.value))
+        return p.choices.empty() ? valueWithUnit(p, **value) : ShortText(p.choices[static_cast<size_t>(**value)]);
+    return std::string_view(parameterText(p)); // no process has others
+}
+
+struct Draw {
+    Context& context;
+    std::string_view name;
+    const Parameter& p;
+    std::string_view original;
+
+    bool number(double& value, bool whole) const {
+        if (labelLine(context, name, p, valueWithUnit(p, value), original)) {
+            setParameter({p}, p.key, original, p.key);
+            return false; // typed values are set at full precision
+        }
+        return slider(context, name, Scale(p, original), whole, value);
+    }
+    bool operator()(float* target) const {
+        const float before = *target;
+        double value = static_cast<double>(before);
+        if (number(value, false)) *target = static_cast<float>(value);
+        return *target != before;
+    }
+    bool operator()(int* target) const {
+        const int before = *target;
+        if (p.choices.empty()) {
+            double value = before;
+            if (number(value, true)) *target = static_cast<int>(value);
+            return *target != before;
+        }
+        if (labelLine(context, name, p, "", original)) setParameter({p}, p.key, original, p.key);
+        choiceRow(context, name, p.choices, *target);
+        return *target != before;
+    }
+    bool operator()(bool* target) const {
+        bool hovered = false;
+        const bool changed = toggle(context, name, p.label, *target, nullptr, &hovered);
+        if (hovered) tooltip(context, description(p, original));
+        return changed;
+    }
+    bool operator()(glm::vec3* target) const {
+        const glm::vec3 before = *target;
+        if (labelLine(context, name, p, isBareUnit(p.unit) ? std::string_view() : p.unit, original))
+            setParameter({p}, p.key, original, p.key);
+        ImGui::SetNextItemWidth(-1);
+        const float speed = static_cast<float>(std::min(p.maximum - p.minimum, 40.0) / 400);
+        const float low = static_cast<float>(p.minimum);
+        const float high = static_cast<float>(p.maximum);
+        ImGui::DragScalarN("##vector", ImGuiDataType_Float, &target->x, 3, speed, &low, &high, "%.2f",
+                           ImGuiSliderFlags_AlwaysClamp);
+        markItem(context, name);
+        return *target != before;
+    }
+    bool operator()(std::string* target) const {
+        labelLine(context, name, p, "", original);
+        quietText(context, *target);
+        return false;
+    }
+};
+
+} // namespace
+
+bool parameterControl(Context& context, std::string_view prefix, const Parameter& parameter,
+                      const DefaultTexts& defaults) {
+    const ShortText name{prefix, ".", parameter.key};
+    const auto known = defaults.find(parameter.key);
+    const std::string_view original = known == defaults.end() ? std::string_view() : known->second;
+    ImGui::PushID(name.c_str());
+    ImGui::BeginGroup();
+    const bool changed = std::visit(Draw{context, name, parameter, original}, parameter.value);
+    ImGui::EndGroup();
+    ImGui::PopID();
+    return changed;
+}
+
+bool parameterControl(Context& context, const ParameterSection& section, const Parameter& parameter) {
+    if (!section.isGiven(parameter)) return parameterControl(context, section.name, parameter, section.defaults);
+    const ShortText name{section.name, ".", parameter.key, ".given"};
+    ImGui::PushID(name.c_str());
+    ImGui::BeginGroup();
+    labelLine(context, name, parameter, ShortText{givenText(parameter), ", given"}, {});
+    ImGui::EndGroup();
+    markItem(context, name);
+    ImGui::PopID();
+    return false;
+}
+
+} // namespace meltpool::ui

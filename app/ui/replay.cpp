@@ -1,0 +1,186 @@
+// A kept attempt that is played again: its time line with curves and events, pause, speed, and what its end was.
+#include "app/ui/curves.hpp"
+#include "app/ui/panels.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace meltpool::ui {
+
+namespace {
+
+constexpr float kChartHeight = 62; ///< points
+constexpr ImU32 kFaultTint = IM_COL32(255, 138, 120, 255);
+
+/// The time as a slider; the metal follows it.
+void timeSlider(Context& context, ReplayTimeline& line) {
+    auto time = static_cast<float>(line.target());
+    const Parameter parameter{"time", "Time", "s", &time, 0, line.duration(), "The metal is brought to this moment"};
+    static const DefaultTexts kNone;
+    if (parameterControl(context, "replay", parameter, kNone)) line.seek(static_cast<double>(time));
+}
+
+void speedSlider(Context& context, ReplayTimeline& line) {
+    auto speed = static_cast<float>(line.speed());
+    const Parameter parameter{"speed",
+                              "Speed",
+                              "",
+                              &speed,
+                              ReplayTimeline::kSlowest,
+                              ReplayTimeline::kFastest,
+                              "1 is as fast as it was welded"};
+    static const DefaultTexts kUsual{{"speed", "1"}};
+    if (parameterControl(context, "replay", parameter, kUsual)) line.setSpeed(static_cast<double>(speed));
+}
+
+const TimelineMark* markAt(const AttemptReplay& replay, double time, double reach) {
+    const TimelineMark* nearest = nullptr;
+    for (const TimelineMark& mark : replay.marks())
+        if (std::abs(mark.time - time) <= reach &&
+            (nearest == nullptr || std::abs(mark.time - time) < std::abs(nearest->time - time)))
+            nearest = &mark;
+    return nearest;
+}
+
+ImU32 tintOf(const TimelineMark& mark) {
+    return mark.fault ? kFaultTint : mark.redo ? colour::kWarning : colour::kQuiet;
+}
+
+/// A quantity of the hand over the attempt's time, as far as it has been played, with what the lesson asks for.
+CurveAnswer overTime(Context& context, const LessonSession& session, TechniqueQuantity quantity,
+                     const CurveTrack& track, std::string_view name) {
+    const Lesson& lesson = session.lesson();
+    const QuantityInfo& info = quantityInfo(quantity, distanceKindOf(lesson.process));
+    const TechniqueBand* band = lesson.technique ? lesson.technique->find(quantity) : nullptr;
+    const double duration = session.replay().line().duration();
+    // Stretches that were played too fast to be all known are joined.
+    constexpr double kJoined = 8.5;
+    constexpr auto kPlaces = static_cast<double>(CurveTrack::kPlaces);
+    const auto place = [&](size_t i) { return (static_cast<double>(i) + 0.5) / kPlaces * duration; };
+    const auto value = [&](size_t i) { return static_cast<double>(track.values()[i]); };
+    const std::array<CurveSeries, 1> series{{{track.values().size(), place, value, kJoined / kPlaces * duration}}};
+    CurveChart chart{name, info.words, info.unit, "s", {}, {0, duration}, kChartHeight};
+    if (band != nullptr) chart.band = CurveBand{band->ideal, band->inner, band->outer};
+    return curveChart(context, chart, series);
+}
+
+/// Where it stands and what happened, over a chart; a click brings the attempt there.
+void marksOfTime(Context& context, AttemptReplay& replay, const CurveAnswer& chart) {
+    if (!chart.drawn) return;
+    ReplayTimeline& line = replay.line();
+    for (const TimelineMark& mark : replay.marks())
+        curveMark(context, chart.sheet, mark.time, tintOf(mark), mark.fault || mark.redo ? 1.6f : 1);
+    curveMark(context, chart.sheet, line.time(), colour::kAccent, 2);
+    if (chart.clicked) line.seek(chart.under);
+    if (!chart.hovered) return;
+    if (const TimelineMark* mark = markAt(replay, chart.under, line.duration() * 0.01)) tooltip(context, mark->text);
+}
+
+void speedOverTime(Context& context, LessonSession& session) {
+    AttemptReplay& replay = session.replay();
+    if (!(replay.line().duration() > 0)) return;
+    ImGui::PushFont(context.fonts.small);
+    marksOfTime(context, replay,
+                overTime(context, session, TechniqueQuantity::travelSpeed, replay.speed(), "replay.curve.speed"));
+    ImGui::PopFont();
+}
+
+void distanceOverTime(Context& context, LessonSession& session) {
+    AttemptReplay& replay = session.replay();
+    if (session.lesson().model != LessonModel::Weld || !(replay.line().duration() > 0)) return;
+    ImGui::PushFont(context.fonts.small);
+    marksOfTime(context, replay,
+                overTime(context, session, TechniqueQuantity::distance, replay.distance(), "replay.curve.distance"));
+    ImGui::PopFont();
+}
+
+/// What it does at this moment.
+ShortText stateText(const LessonSession& session) {
+    const AttemptReplay& replay = session.replay();
+    const ReplayTimeline& line = replay.line();
+    char text[160];
+    if (line.seeking()) {
+        std::snprintf(text, sizeof text, "On the way to %.1f s: %.0f %%", line.target(), 100 * line.progress());
+        return ShortText(text);
+    }
+    constexpr double kKeepsUp = 0.95;
+    if (line.playing() && session.replaySpeed() < kKeepsUp * line.speed()) {
+        std::snprintf(text, sizeof text, "This machine plays it at %.2f of the attempt's speed, not %.2f.",
+                      session.replaySpeed(), line.speed());
+        return ShortText(text);
+    }
+    if (replay.comparison()) return ShortText(std::string_view(replay.comparison()->text));
+    if (!replay.momentsRefused().empty()) return ShortText(std::string_view(replay.momentsRefused()));
+    return "The torch of the attempt welds its metal again; at the end both are compared.";
+}
+
+MenuRequest replayButtons(Context& context, ReplayTimeline& line) {
+    MenuRequest request = MenuRequest::none;
+    ButtonRow row(context);
+    if (row.add("replay.play", line.playing() ? "Pause" : "Play", ButtonKind::plain, 76,
+                "Stops the attempt, or lets it go on (Space)"))
+        line.toggle();
+    if (row.add("replay.back", "-1 s", ButtonKind::plain, 52, "A second back (Left arrow)"))
+        line.seek(line.target() - ReplayTimeline::kKeyStep);
+    if (row.add("replay.on", "+1 s", ButtonKind::plain, 52, "A second on (Right arrow)"))
+        line.seek(line.target() + ReplayTimeline::kKeyStep);
+    if (row.add("replay.start", "From the start", ButtonKind::plain, 116)) line.seek(0);
+    if (row.add("replay.weld", "Weld it yourself", ButtonKind::main, 136,
+                "Another attempt in this lesson, with the values of its first page (F5)"))
+        request = MenuRequest::reset;
+    return request;
+}
+
+/// Curves beside each other, then buttons beside the speed: low, so that the metal above stays in view.
+MenuRequest wideRows(Context& context, LessonSession& session) {
+    MenuRequest request = MenuRequest::none;
+    ReplayTimeline& line = session.replay().line();
+    if (!ImGui::BeginTable("replay.wide", 2, ImGuiTableFlags_SizingStretchSame)) return request;
+    ImGui::TableNextColumn();
+    speedOverTime(context, session);
+    ImGui::TableNextColumn();
+    distanceOverTime(context, session);
+    ImGui::TableNextColumn();
+    request = replayButtons(context, line);
+    quietText(context, stateText(session));
+    ImGui::TableNextColumn();
+    speedSlider(context, line);
+    ImGui::EndTable();
+    return request;
+}
+
+} // namespace
+
+MenuRequest replayPart(Context& context, LessonSession& session) {
+    constexpr float kWide = 900; // points in which two columns have room for the buttons
+    ReplayTimeline& line = session.replay().line();
+    strongText(context, "Attempt again");
+    timeSlider(context, line);
+    if (ImGui::GetContentRegionAvail().x >= context.points(kWide)) return wideRows(context, session);
+    speedOverTime(context, session);
+    distanceOverTime(context, session);
+    speedSlider(context, line);
+    const MenuRequest request = replayButtons(context, line);
+    quietText(context, stateText(session));
+    return request;
+}
+
+MenuRequest replayBar(Context& context, LessonSession& session) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float room = screen.x - context.points(20);
+    const float width =
+        room >= context.points(930) ? std::min(context.points(1400), room) : std::min(context.points(500), room);
+    ImGui::SetNextWindowPos({screen.x / 2, screen.y - barHeight(context) - context.points(10)}, ImGuiCond_Always,
+                            {0.5f, 1});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, screen.y - 2 * barHeight(context) - context.points(20)});
+    ImGui::Begin("replay", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+    const MenuRequest request = replayPart(context, session);
+    ImGui::End();
+    return request;
+}
+
+} // namespace meltpool::ui

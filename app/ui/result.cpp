@@ -1,0 +1,193 @@
+// The result of an attempt: score, what to correct, verdict and measured weld, for the window and the headset's panel.
+#include "app/ui/panels.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <string>
+
+namespace meltpool::ui {
+
+namespace {
+
+constexpr float kResultWidth = 430;
+constexpr ImU32 kGood = IM_COL32(134, 214, 140, 255);
+constexpr ImU32 kBad = IM_COL32(255, 138, 120, 255);
+
+ImU32 tintOf(RowState state) {
+    switch (state) {
+    case RowState::good:
+        return kGood;
+    case RowState::bad:
+        return kBad;
+    case RowState::open:
+        return colour::kWarning;
+    case RowState::plain:
+        break;
+    }
+    return colour::kText;
+}
+
+void wrapped(const std::string& text, ImU32 tint = colour::kText) {
+    ImGui::PushStyleColor(ImGuiCol_Text, tint);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(text.c_str(), text.c_str() + text.size());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+}
+
+/// Name and value on one line, the detail quietly below.
+void drawRow(Context& context, const JudgementRow& row) {
+    const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
+    ImGui::TextUnformatted(row.name.c_str());
+    ImGui::SameLine();
+    const float x = right - ImGui::CalcTextSize(row.value.c_str()).x;
+    if (x < ImGui::GetCursorPosX()) ImGui::NewLine(); // too long for one line
+    ImGui::SetCursorPosX(std::max(x, 0.0f));
+    ImGui::PushStyleColor(ImGuiCol_Text, tintOf(row.state));
+    ImGui::TextUnformatted(row.value.c_str());
+    ImGui::PopStyleColor();
+    if (row.detail.empty()) return;
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() - context.points(4)); // near to its name
+    quietText(context, row.detail);
+}
+
+void drawSection(Context& context, const JudgementSection& section) {
+    if (!groupHeading(context, "result", section.title.c_str())) return;
+    if (!section.note.empty()) quietText(context, section.note);
+    for (const JudgementRow& row : section.rows)
+        drawRow(context, row);
+}
+
+/// m along the seam where what is to be corrected was worst; nothing where it has no place.
+std::optional<double> worstPlace(const Judgement& judgement, const Correction& correction) {
+    if (!correction.quantity || !judgement.score) return std::nullopt;
+    const ParameterScore* parameter = judgement.score->find(*correction.quantity);
+    if (parameter == nullptr || !std::isfinite(parameter->worstPlaceMm)) return std::nullopt;
+    return parameter->worstPlaceMm * 1e-3;
+}
+
+/// What to correct first; below each that has a place a button that goes back before it.
+MenuRequest drawCorrections(Context& context, LessonSession& session) {
+    static constexpr std::array<const char*, 3> kButtons{"result.redo.1", "result.redo.2", "result.redo.3"};
+    const JudgedAttempt& attempt = *session.judged();
+    const std::vector<Correction>& corrections = attempt.judgement.corrections;
+    MenuRequest request = MenuRequest::none;
+    if (attempt.rows.corrections.empty()) return request;
+    ImGui::Dummy({0, context.points(4)});
+    strongText(context, "Correct this first");
+    for (size_t i = 0; i < attempt.rows.corrections.size(); ++i) {
+        ImGui::Bullet();
+        ImGui::SameLine();
+        wrapped(attempt.rows.corrections[i]);
+        if (i >= kButtons.size() || i >= corrections.size() || !session.redoes()) continue;
+        const auto place = worstPlace(attempt.judgement, corrections[i]);
+        if (!place || !button(context, kButtons[i], "Redo from here", ButtonKind::plain, 150,
+                              "Back to a second before the place where this was worst; the rest is practice"))
+            continue;
+        session.earlierMoments().choose(*place);
+        request = MenuRequest::redo;
+    }
+    return request;
+}
+
+MenuRequest drawJudgement(Context& context, LessonSession& session, const TechniqueBands* bands,
+                          const std::string& best) {
+    const JudgedAttempt& attempt = *session.judged();
+    const JudgementRows& rows = attempt.rows;
+    ImGui::PushFont(context.fonts.title);
+    ImGui::TextUnformatted(rows.score.c_str());
+    ImGui::PopFont();
+    markItem(context, "result.score");
+    if (!best.empty()) quietText(context, best);
+    if (session.earlierMoments().redone() > 0)
+        quietText(context, "Practice: this attempt went back to an earlier moment, so its score does not count.");
+    quietText(context, rows.scoreNote);
+    ImGui::PushFont(context.fonts.strong);
+    wrapped(rows.verdict, tintOf(rows.verdictState));
+    ImGui::PopFont();
+    if (!rows.verdictNote.empty()) quietText(context, rows.verdictNote);
+    const MenuRequest request = drawCorrections(context, session);
+    for (const JudgementSection* section : {&rows.technique, &rows.judged, &rows.measured})
+        if (!section->rows.empty() || section->note != rows.scoreNote) drawSection(context, *section);
+    if (attempt.bend) bendPart(context, *attempt.bend);
+    curvesPart(context, attempt.judgement, bands);
+    char text[128];
+    std::snprintf(text, sizeof text, "This is the attempt as it was after %.1f s. When you weld on, it is judged anew.",
+                  attempt.time);
+    ImGui::Dummy({0, context.points(4)});
+    quietText(context, text);
+    return request;
+}
+
+const TechniqueBands* bandsOf(const Lesson& lesson) {
+    return lesson.technique ? &*lesson.technique : nullptr;
+}
+
+/// The best score of the session's lesson; empty where there is none.
+std::string bestText(const LessonSession& session, const Home& home) {
+    const CataloguedLesson* lesson = home.find(session.lesson());
+    const BestScore* best = lesson == nullptr ? nullptr : home.scores.find(lesson->key);
+    return best == nullptr ? std::string() : bestScoreText(*best);
+}
+
+} // namespace
+
+float resultReach(const Context& context) {
+    return context.points(kResultWidth + 10);
+}
+
+MenuRequest resultPart(Context& context, LessonSession& session, const Home& home) {
+    MenuRequest request = MenuRequest::none;
+    ButtonRow row(context, 10);
+    if (row.add("result.judge", "Judge the weld", session.judged() ? ButtonKind::plain : ButtonKind::main, 150))
+        request = MenuRequest::judge;
+    if (row.add("result.again", "Again", session.judged() ? ButtonKind::main : ButtonKind::plain, 110))
+        request = MenuRequest::reset;
+    if (row.add("result.home", "Home", ButtonKind::plain, 80,
+                ShortText{"All lessons (", context.key(Key::h), ")"}.c_str()))
+        request = MenuRequest::home;
+    const CataloguedLesson* next = home.find(session.lesson().next);
+    if (next != nullptr && session.judged() &&
+        button(context, "result.next", ShortText{"Next: ", next->title}.c_str(), ButtonKind::plain))
+        request = MenuRequest::next;
+    if (session.judged()) {
+        if (button(context, "result.page", "Page", ButtonKind::plain, 80,
+                   "Writes this result as a page that a browser shows and prints"))
+            request = MenuRequest::page;
+        if (session.cut().shown() || session.cuts()) ImGui::SameLine();
+    }
+    if (const MenuRequest asked = cutPart(context, session); asked != MenuRequest::none) request = asked;
+    if (session.redoes() && button(context, "result.redo", "Back 3 s", ButtonKind::plain, 110,
+                                   "The metal as it was; the rest is practice (Backspace)"))
+        request = MenuRequest::redo;
+    if (session.judged()) {
+        const MenuRequest asked = drawJudgement(context, session, bandsOf(session.lesson()), bestText(session, home));
+        if (asked != MenuRequest::none) request = asked;
+    } else if (session.arc().burns()) {
+        quietText(context, "The arc burns. Let it go out, then the weld can be judged.");
+    } else {
+        quietText(context, "Nothing is judged yet. A finished weld of 10 mm or more is judged by itself a second after "
+                           "the arc is out, where the lesson says what is asked for; the button judges any weld.");
+    }
+    return request;
+}
+
+MenuRequest resultPanel(Context& context, LessonSession& session, const Home& home) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float gap = context.points(10);
+    const float width = std::min(context.points(kResultWidth), screen.x - 2 * gap);
+    ImGui::SetNextWindowPos({gap, barHeight(context) + gap});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, screen.y - 2 * barHeight(context) - 2 * gap});
+    ImGui::Begin("result", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+    strongText(context, "Result");
+    const MenuRequest request = resultPart(context, session, home);
+    ImGui::End();
+    return request;
+}
+
+} // namespace meltpool::ui

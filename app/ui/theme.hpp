@@ -1,0 +1,48 @@
+// The interface's colours, fonts and measures.
+#pragma once
+
+#include "app/ui/imgui_headers.hpp"
+
+namespace meltpool::ui {
+
+/// Colours by meaning.
+namespace colour {
+constexpr ImU32 kPanel = IM_COL32(22, 25, 31, 240);
+constexpr ImU32 kPanelEdge = IM_COL32(255, 255, 255, 22);
+constexpr ImU32 kText = IM_COL32(236, 239, 244, 255);
+constexpr ImU32 kQuiet = IM_COL32(156, 165, 180, 255);
+constexpr ImU32 kTrack = IM_COL32(58, 65, 78, 255);
+constexpr ImU32 kField = IM_COL32(40, 45, 55, 255);
+constexpr ImU32 kFieldHot = IM_COL32(54, 61, 74, 255);
+constexpr ImU32 kAccent = IM_COL32(255, 138, 61, 255);
+constexpr ImU32 kAccentDeep = IM_COL32(201, 91, 24, 255);
+constexpr ImU32 kOnAccent = IM_COL32(28, 16, 8, 255);
+constexpr ImU32 kCold = IM_COL32(108, 178, 255, 255);
+constexpr ImU32 kWarning = IM_COL32(255, 203, 87, 255);
+} // namespace colour
+
+struct Fonts {
+    ImFont* body = nullptr;
+    ImFont* strong = nullptr;
+    ImFont* small = nullptr;
+    ImFont* title = nullptr;
+};
+
+/// Loads fonts for `scale` (interface size) drawn at `pixelScale` pixels a point. The first of the fonts that the
+/// machine has is taken; with none, Dear ImGui's own. A second font stands in for the letters that it has not.
+Fonts loadFonts(float scale, float pixelScale);
+
+/// The size, pixels, that a font was loaded for; Dear ImGui 1.92 draws it at any size and has another name for this
+/// one.
+inline float loadedSize(const ImFont& font) {
+#if IMGUI_VERSION_NUM >= 19200
+    return font.LegacySize;
+#else
+    return font.FontSize;
+#endif
+}
+
+/// Sets every colour and measure of Dear ImGui's style.
+void applyTheme(float scale);
+
+} // namespace meltpool::ui

@@ -1,0 +1,276 @@
+#include "app/ui/widgets.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+
+namespace meltpool::ui {
+
+void markItem(Context& context, std::string_view name) {
+    if (!ImGui::IsItemVisible()) return;
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    auto known = context.places.find(name);
+    if (known == context.places.end()) known = context.places.emplace(name, Place{}).first;
+    known->second = {low.x, low.y, high.x - low.x, high.y - low.y, context.frame};
+}
+
+namespace {
+
+/// The radius, or 0 where the rectangle is too small for it or has a side that is not a number.
+float drawableRadius(ImVec2 low, ImVec2 high, float radius) {
+    // Dear ImGui leaves side/2 - 1 of the radius, of an edge (side - 1)/2 - 1.
+    const bool room = std::abs(high.x - low.x) >= 3.5f && std::abs(high.y - low.y) >= 3.5f;
+    return room && radius >= 0.5f ? radius : 0.0f;
+}
+
+} // namespace
+
+void fillRounded(ImDrawList& draw, ImVec2 low, ImVec2 high, ImU32 tint, float radius, ImDrawFlags corners) {
+    draw.AddRectFilled(low, high, tint, drawableRadius(low, high, radius), corners);
+}
+
+void outlineRounded(ImDrawList& draw, ImVec2 low, ImVec2 high, ImU32 tint, float radius) {
+    draw.AddRect(low, high, tint, drawableRadius(low, high, radius));
+}
+
+void tooltip(Context& context, std::string_view text) {
+    if (text.empty() || !ImGui::IsItemHovered()) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(std::min(context.points(320), ImGui::GetIO().DisplaySize.x - context.points(40)));
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+void quietText(Context& context, std::string_view text) {
+    ImGui::PushFont(context.fonts.small);
+    ImGui::PushStyleColor(ImGuiCol_Text, colour::kQuiet);
+    ImGui::TextWrapped("%.*s", static_cast<int>(text.size()), text.data());
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+}
+
+void quietLine(Context& context, std::string_view text) {
+    ImGui::PushFont(context.fonts.small);
+    ImGui::PushStyleColor(ImGuiCol_Text, colour::kQuiet);
+    const float room = ImGui::GetContentRegionAvail().x;
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    const bool cut = ImGui::GetItemRectSize().x > room;
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+    if (cut) tooltip(context, text);
+}
+
+void strongText(Context& context, std::string_view text) {
+    ImGui::PushFont(context.fonts.strong);
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::PopFont();
+}
+
+ShortText niceNumber(double value) {
+    const double size = std::abs(value);
+    int decimals = 0;
+    if (size > 0 && size < 1000) decimals = std::clamp(3 - static_cast<int>(std::floor(std::log10(size))), 0, 6);
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*f", decimals, value);
+    std::string_view number = text;
+    if (number.find('.') != std::string_view::npos) {
+        number = number.substr(0, number.find_last_not_of('0') + 1);
+        if (number.back() == '.') number.remove_suffix(1);
+    }
+    return number == "-0" ? "0" : number;
+}
+
+std::string sentence(std::string_view text) {
+    std::string whole(text);
+    if (whole.empty()) return whole;
+    whole[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(whole[0])));
+    if (whole.back() != '.') whole += '.';
+    return whole;
+}
+
+ShortText readableName(std::string_view key) {
+    ShortText name(key);
+    std::replace(name.data(), name.data() + name.size(), '_', ' ');
+    if (!name.empty()) name.data()[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name.data()[0])));
+    return name;
+}
+
+bool narrowerThan(const Context& context, float width) {
+    return ImGui::GetIO().DisplaySize.x < context.points(width);
+}
+
+bool lowerThan(const Context& context, float height) {
+    return ImGui::GetIO().DisplaySize.y < context.points(height);
+}
+
+namespace {
+
+constexpr float kTextMargin = 6; ///< points that a button leaves at each side of its text at least
+
+/// Of a button that may be as wide as it likes, pixels.
+float wishedWidth(const Context& context, const char* text, ButtonKind kind, float width) {
+    if (kind == ButtonKind::main) ImGui::PushFont(context.fonts.strong);
+    const float words = ImGui::CalcTextSize(text).x;
+    if (kind == ButtonKind::main) ImGui::PopFont();
+    const float margin = width > 0 ? context.points(kTextMargin) : ImGui::GetStyle().FramePadding.x;
+    return std::max(context.points(width), words + 2 * margin);
+}
+
+/// The text with line ends where it would be wider than `room`, pixels.
+ShortText brokenIntoLines(const char* text, float room) {
+    ShortText lines;
+    const char* const end = text + std::strlen(text);
+    const float scale = ImGui::GetFontSize() / loadedSize(*ImGui::GetFont());
+    while (text < end) {
+        const char* stop = ImGui::GetFont()->CalcWordWrapPositionA(scale, text, end, room);
+        if (stop == text) stop = end; // no room for a single letter
+        lines += std::string_view(text, static_cast<size_t>(stop - text));
+        text = stop;
+        while (text < end && *text == ' ')
+            ++text;
+        if (text < end) lines += "\n";
+    }
+    return lines;
+}
+
+} // namespace
+
+bool button(Context& context, std::string_view name, const char* text, ButtonKind kind, float width, const char* note) {
+    int colours = 0;
+    const float room = ImGui::GetContentRegionAvail().x;
+    const float wide = std::min(wishedWidth(context, text, kind, width), std::max(room, context.points(24)));
+    const auto push = [&colours](ImGuiCol what, ImU32 value) {
+        ImGui::PushStyleColor(what, value);
+        ++colours;
+    };
+    if (kind == ButtonKind::main) {
+        push(ImGuiCol_Button, colour::kAccent);
+        push(ImGuiCol_ButtonHovered, IM_COL32(255, 160, 92, 255));
+        push(ImGuiCol_ButtonActive, colour::kAccentDeep);
+        push(ImGuiCol_Text, colour::kOnAccent);
+        ImGui::PushFont(context.fonts.strong);
+    } else if (kind == ButtonKind::lit) {
+        push(ImGuiCol_Button, IM_COL32(255, 138, 61, 46));
+        push(ImGuiCol_ButtonHovered, IM_COL32(255, 138, 61, 70));
+        push(ImGuiCol_ButtonActive, IM_COL32(255, 138, 61, 90));
+        push(ImGuiCol_Text, IM_COL32(255, 178, 122, 255));
+    }
+    const float words = wide - 2 * std::min(context.points(kTextMargin), ImGui::GetStyle().FramePadding.x);
+    const bool fits = ImGui::CalcTextSize(text).x <= words + 1;
+    const ShortText label = fits ? ShortText{text, "##", name} : ShortText{brokenIntoLines(text, words), "##", name};
+    const bool clicked = ImGui::Button(label.c_str(), {wide, 0});
+    if (kind == ButtonKind::main) ImGui::PopFont();
+    ImGui::PopStyleColor(colours);
+    markItem(context, name);
+    if (note != nullptr) tooltip(context, note);
+    return clicked;
+}
+
+ButtonRow::ButtonRow(Context& context, float gap)
+    : context_(context),
+      gap_(context.points(gap)),
+      right_(ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x) {}
+
+void ButtonRow::place(float width) {
+    const bool fits = ImGui::GetItemRectMax().x + gap_ + context_.points(width) <= right_ + 0.5f;
+    if (!first_ && fits) ImGui::SameLine(0, gap_);
+    first_ = false;
+}
+
+bool ButtonRow::add(std::string_view name, const char* text, ButtonKind kind, float width, const char* note) {
+    place(wishedWidth(context_, text, kind, width) / context_.scale);
+    return button(context_, name, text, kind, width, note);
+}
+
+bool toggle(Context& context, std::string_view name, std::string_view label, bool& value, const char* note,
+            bool* hoveredNow) {
+    const float wide = context.points(36);
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float room = std::max(width - wide - context.points(6), 1.0f);
+    const float words = ImGui::CalcTextSize(label.data(), label.data() + label.size(), false, room).y;
+    const float height = words + context.points(8);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const bool clicked = ImGui::InvisibleButton(ShortText(name).c_str(), {width, height});
+    if (clicked) value = !value;
+    const bool hovered = ImGui::IsItemHovered();
+    if (hoveredNow != nullptr) *hoveredNow = hovered;
+    markItem(context, name);
+    if (note != nullptr) tooltip(context, note);
+
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    const float thick = context.points(20);
+    const ImVec2 track{corner.x + width - wide, corner.y + (height - thick) / 2};
+    const ImU32 fill = value ? colour::kAccent : (hovered ? colour::kFieldHot : colour::kTrack);
+    fillRounded(*draw, track, {track.x + wide, track.y + thick}, fill, thick / 2);
+    const float knob = thick / 2 - context.points(3);
+    const float x = value ? track.x + wide - thick / 2 : track.x + thick / 2;
+    draw->AddCircleFilled({x, track.y + thick / 2}, knob, value ? IM_COL32_WHITE : IM_COL32(190, 197, 208, 255), 24);
+    draw->AddText(nullptr, 0, {corner.x, corner.y + context.points(4)}, colour::kText, label.data(),
+                  label.data() + label.size(), room);
+    return clicked;
+}
+
+bool choiceRow(Context& context, std::string_view name, std::span<const std::string_view> choices, int& value) {
+    const float gap = context.points(5);
+    const float right = ImGui::GetContentRegionAvail().x;
+    float used = 0;
+    bool changed = false;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {context.points(8), context.points(4)});
+    for (size_t i = 0; i < choices.size(); ++i) {
+        const ShortText text = readableName(choices[i]);
+        const float width = ImGui::CalcTextSize(text.c_str()).x + context.points(16);
+        if (i > 0 && used + gap + width <= right) {
+            ImGui::SameLine(0, gap);
+            used += gap;
+        } else {
+            used = 0;
+        }
+        used += width;
+        const bool chosen = value == static_cast<int>(i);
+        const ShortText place{name, ".", choices[i]};
+        if (button(context, place, text.c_str(), chosen ? ButtonKind::lit : ButtonKind::plain) && !chosen) {
+            value = static_cast<int>(i);
+            changed = true;
+        }
+    }
+    ImGui::PopStyleVar();
+    return changed;
+}
+
+bool groupHeading(Context& context, std::string_view prefix, const char* title, bool openAtFirst) {
+    ImGui::Dummy({0, context.points(4)});
+    ImGuiStorage* storage = ImGui::GetStateStorage();
+    const ImGuiID id = ImGui::GetID(title);
+    bool open = storage->GetBool(id, openAtFirst);
+    ImGui::PushFont(context.fonts.strong);
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float height = ImGui::GetTextLineHeight() + context.points(6);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    if (ImGui::InvisibleButton(title, {width, height})) {
+        open = !open;
+        storage->SetBool(id, open);
+    }
+    markItem(context, ShortText{prefix, ".group.", title});
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    const ImU32 tint = ImGui::IsItemHovered() ? IM_COL32(255, 205, 168, 255) : IM_COL32(255, 178, 122, 255);
+    draw->AddText({corner.x, corner.y + context.points(3)}, tint, title);
+    ImGui::PopFont();
+    // A chevron at the right: down while open, to the side while folded.
+    const ImVec2 centre{corner.x + width - context.points(8), corner.y + height / 2};
+    const float r = context.points(4);
+    const ImVec2 middle = open ? ImVec2{centre.x, centre.y + r / 2} : ImVec2{centre.x + r / 2, centre.y};
+    const ImVec2 first = open ? ImVec2{centre.x - r, centre.y - r / 2} : ImVec2{centre.x - r / 2, centre.y - r};
+    const ImVec2 last = open ? ImVec2{centre.x + r, centre.y - r / 2} : ImVec2{centre.x - r / 2, centre.y + r};
+    const std::array<ImVec2, 3> line{first, middle, last};
+    draw->AddPolyline(line.data(), 3, tint, 0, context.points(1.8f));
+    const float low = corner.y + height + context.points(1);
+    draw->AddLine({corner.x, low}, {corner.x + width, low}, colour::kPanelEdge);
+    return open;
+}
+
+} // namespace meltpool::ui

@@ -1,0 +1,36 @@
+// What stands in the workshop beside the workpiece: the welding table, what holds the workpiece on it, and the machine.
+#pragma once
+
+#include "core/render/solid.hpp"
+#include "core/weld/process/processes.hpp"
+#include "core/weld/workpiece/workpiece.hpp"
+
+#include <array>
+#include <vector>
+
+namespace meltpool {
+
+/// Height of the table's top over the floor, m, where nobody has set another.
+constexpr float kUsualTableHeight = 0.9f;
+
+/// Where the torch's cable leads to: over the table's left edge and down; m from the middle of the table's top, y up, z
+/// to the welder.
+constexpr glm::vec3 kCableEnd(-0.63f, -0.30f, 0.05f);
+
+/// The settings that a process's machine shows; 0 where it shows none.
+using MachineSettings = std::array<float, 2>;
+MachineSettings machineSettings(const ProcessSettings& process);
+
+/// Adds the table with its slots and legs, which stand on the floor `height` (m) below its top. `toWorld`: from the
+/// middle of its top, m.
+void addTable(std::vector<Solid>& solids, const glm::mat4& toWorld, float height);
+
+/// Adds the machine of this process on the table, its settings on its front: voltage and wire feed, current, or the
+/// iron's temperature. A flame has none. `toWorld`: as for the table.
+void addMachine(std::vector<Solid>& solids, const glm::mat4& toWorld, const ProcessSettings& process);
+
+/// Adds what holds the workpiece: clamps at both ends of a plate that lies on the table, else a post that stands
+/// `overTable` (m) under it. `toWorld`: from the workpiece's frame turned into the room's, m.
+void addHolders(std::vector<Solid>& solids, const glm::mat4& toWorld, const Workpiece& piece, float overTable);
+
+} // namespace meltpool

@@ -1,0 +1,63 @@
+#include "core/scene/gloved_hand.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+namespace meltpool {
+
+namespace {
+
+constexpr glm::vec3 kLeather(0.34f, 0.22f, 0.11f);
+constexpr glm::vec3 kCuff(0.20f, 0.17f, 0.14f);
+constexpr glm::vec3 kSleeve(0.035f, 0.05f, 0.085f);
+constexpr float kLeatherGloss = 0.06f;
+
+/// Sizes of a large glove, m.
+constexpr float kFinger = 0.023f, kFingersApart = 0.021f;
+constexpr int kFingers = 4;
+
+/// A box or the like whose axes are x, y and z, with these edges.
+glm::mat4 framed(const glm::vec3& x, const glm::vec3& y, const glm::vec3& z, const glm::vec3& middle,
+                 const glm::vec3& size) {
+    return {glm::vec4(x * size.x, 0), glm::vec4(y * size.y, 0), glm::vec4(z * size.z, 0), glm::vec4(middle, 1)};
+}
+
+} // namespace
+
+void addGlovedHand(std::vector<Solid>& solids, const HandGrip& grip, const glm::mat4& toWorld) {
+    const glm::vec3 across = glm::cross(grip.along, grip.palm);
+    const auto add = [&](SolidShape shape, const glm::mat4& place, const glm::vec3& colour) {
+        solids.push_back({shape, toWorld * place, colour, kLeatherGloss});
+    };
+    // A place round the axis: `turned` from the palm's side, `out` from the surface of what is held.
+    const auto round = [&](float along, float turned, float out) {
+        return grip.middle + grip.along * along +
+               (grip.radius + out) * (grip.palm * std::cos(turned) + across * std::sin(turned));
+    };
+    const glm::vec3 palm = grip.middle + grip.palm * (grip.radius + 0.016f) - across * 0.004f;
+    add(SolidShape::pill, framed(grip.palm, across, grip.along, palm, {0.042f, 0.080f, 0.112f}), kLeather);
+    for (int finger = 0; finger < kFingers; ++finger) {
+        const float along = kFingersApart * (static_cast<float>(finger) - 0.5f * (kFingers - 1));
+        const float thick = finger == kFingers - 1 ? 0.85f * kFinger : kFinger; // the little finger
+        // Each segment from one joint round the handle to the next.
+        constexpr float kJoints[] = {0.75f, 1.75f, 2.65f, 3.45f};
+        for (int segment = 0; segment < 3; ++segment) {
+            const glm::vec3 from = round(along, kJoints[segment], 0.5f * thick + (segment == 0 ? 0.008f : 0.002f));
+            const glm::vec3 to = round(along, kJoints[segment + 1], 0.5f * thick);
+            const glm::vec3 way = glm::normalize(to - from) * (0.35f * thick);
+            add(SolidShape::pill, alongLine(from - way, to + way, thick), kLeather);
+        }
+    }
+    // The thumb lies on the other side and points to what the hand works at.
+    const glm::vec3 root = round(0.012f, -0.85f, 0.016f), joint = round(-0.030f, -1.25f, 0.013f);
+    const glm::vec3 tip = round(-0.062f, -1.45f, 0.010f);
+    add(SolidShape::pill, alongLine(root, joint, 0.031f), kLeather);
+    add(SolidShape::pill, alongLine(joint + 0.25f * (root - joint), tip, 0.025f), kLeather);
+    const glm::vec3 wrist = palm + grip.along * 0.030f + grip.arm * 0.012f;
+    add(SolidShape::pill, alongLine(wrist + grip.arm * 0.085f, wrist - grip.arm * 0.012f, 0.072f), kLeather);
+    add(SolidShape::taper, alongLine(wrist + grip.arm * 0.20f, wrist + grip.arm * 0.045f, 0.118f), kCuff);
+    add(SolidShape::pill, alongLine(wrist + grip.arm * 0.52f, wrist + grip.arm * 0.12f, 0.104f), kSleeve);
+}
+
+} // namespace meltpool

@@ -1,0 +1,203 @@
+#include "core/scene/torch_fittings.hpp"
+
+#include "core/scene/gloved_hand.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace meltpool {
+
+namespace {
+
+constexpr glm::vec3 kDarkSteel(0.10f, 0.105f, 0.11f);
+constexpr glm::vec3 kCopper(0.62f, 0.29f, 0.17f);
+constexpr glm::vec3 kBrass(0.58f, 0.44f, 0.17f);
+constexpr glm::vec3 kCeramic(0.62f, 0.36f, 0.28f);
+constexpr glm::vec3 kSteel(0.42f, 0.42f, 0.43f);
+constexpr glm::vec3 kRubber(0.022f, 0.022f, 0.025f);
+constexpr glm::vec3 kGripBlue(0.02f, 0.05f, 0.13f);
+constexpr glm::vec3 kSafetyRed(0.50f, 0.03f, 0.02f);
+constexpr glm::vec3 kHose(0.22f, 0.03f, 0.02f);
+
+/// m.
+constexpr float kHandle = 0.030f, kCableWidth = 0.018f;
+
+glm::vec3 acrossTo(const glm::vec3& axis, const glm::vec3& wanted, const glm::vec3& otherwise) {
+    glm::vec3 across = wanted - axis * glm::dot(axis, wanted);
+    if (glm::length(across) < 1e-3f) across = otherwise - axis * glm::dot(axis, otherwise);
+    return glm::normalize(across);
+}
+
+/// Adds solids of the torch. Distances in m from the tip, towards the handle positive.
+class Builder {
+  public:
+    Builder(std::vector<Solid>& solids, const TorchSample& torch, const TorchSurroundings& around,
+            const glm::mat4& toWorld)
+        : solids_(solids), torch_(torch), around_(around), toWorld_(toWorld) {}
+
+    glm::vec3 at(float distance) const { return torch_.tip - torch_.axis() * distance; }
+
+    void rod(const glm::vec3& from, const glm::vec3& to, float width, const glm::vec3& colour, float gloss,
+             SolidShape shape = SolidShape::cylinder) {
+        solids_.push_back({shape, toWorld_ * alongLine(from, to, width), colour, gloss});
+    }
+    void part(float from, float to, float width, const glm::vec3& colour, float gloss,
+              SolidShape shape = SolidShape::cylinder) {
+        rod(at(from), at(to), width, colour, gloss, shape);
+    }
+
+    /// From the place on the axis a bend by kBendAngle to the way of the handle; answers where it ends.
+    glm::vec3 bend(float from, const glm::vec3& way, float width, const glm::vec3& colour, float gloss) {
+        const glm::vec3 z = -torch_.axis(), x = acrossTo(z, way, {1, 0, 0}), y = glm::cross(z, x);
+        const glm::mat4 place{glm::vec4(x * width, 0), glm::vec4(y * width, 0), glm::vec4(z * width, 0),
+                              glm::vec4(at(from), 1)};
+        solids_.push_back({SolidShape::bend, toWorld_ * place, colour, gloss});
+        const float radius = kBendRadius * width;
+        return at(from) + radius * (x * (1 - std::cos(kBendAngle)) + z * std::sin(kBendAngle));
+    }
+
+    /// A handle from `begin` along `way`, and the hand round it; answers where it ends.
+    glm::vec3 handle(const glm::vec3& begin, glm::vec3 way, float length, float width, const glm::vec3& colour) {
+        // A hand elsewhere (a tracked one) takes the handle with it.
+        const bool tracked = around_.hand && glm::distance(*around_.hand, begin) > 0.02f;
+        if (tracked) way = glm::normalize(*around_.hand - begin);
+        const float held = tracked ? glm::distance(*around_.hand, begin) : 0.55f * length;
+        const glm::vec3 end = begin + way * std::max(length, held + 0.06f);
+        rod(end, begin, width, colour, 0.25f, SolidShape::pill);
+        rod(begin + way * 0.018f, begin + way * 0.006f, width * 1.06f, kDarkSteel, 0.4f);
+        hand(begin + way * held, way, 0.5f * width);
+        return end;
+    }
+
+    /// A hand round a rod there; `way` leads away from what it works at.
+    void hand(const glm::vec3& middle, const glm::vec3& way, float radius) {
+        const glm::vec3 toWelder(0, 0, 1);
+        const glm::vec3 palm = acrossTo(way, around_.up + 0.7f * toWelder, {1, 0, 0});
+        const glm::vec3 arm = glm::normalize(way + 0.9f * toWelder + 0.1f * around_.up);
+        addGlovedHand(solids_, {middle, way, palm, arm, radius}, toWorld_);
+    }
+
+    /// A cable that leaves the handle along `way` and hangs over an edge to its end.
+    void cable(const glm::vec3& from, const glm::vec3& way, float width, const glm::vec3& colour) {
+        constexpr int kPieces = 16;
+        const float reach = std::max(0.3f * glm::distance(from, around_.cableEnd), 0.08f);
+        const glm::vec3 leaves = from + way * reach, comes = around_.cableEnd + around_.up * 0.42f;
+        const auto place = [&](int step) {
+            const float t = static_cast<float>(step) / kPieces, s = 1 - t;
+            return s * s * s * from + 3 * s * s * t * leaves + 3 * s * t * t * comes + t * t * t * around_.cableEnd;
+        };
+        for (int step = 0; step < kPieces; ++step) {
+            const glm::vec3 a = place(step), b = place(step + 1);
+            const glm::vec3 more = glm::normalize(b - a) * (0.5f * width); // pieces reach into each other
+            rod(a - more, b + more, width, colour, 0.15f, SolidShape::pill);
+        }
+    }
+
+  private:
+    std::vector<Solid>& solids_;
+    const TorchSample& torch_;
+    const TorchSurroundings& around_;
+    const glm::mat4& toWorld_;
+};
+
+void addGmaw(Builder& add, const TorchSample& torch, float stickOut) {
+    const glm::vec3 way = handleWay(torch, kBendAngle);
+    add.part(stickOut + 0.012f, stickOut + 0.002f, 0.0075f, kCopper, 0.6f);
+    add.part(stickOut + 0.026f, stickOut + 0.012f, 0.0085f, kBrass, 0.7f);                   // tip holder
+    add.part(stickOut + 0.045f, stickOut + 0.003f, 0.0175f, kBrass, 0.75f, SolidShape::cup); // gas nozzle
+    add.part(stickOut + 0.066f, stickOut + 0.044f, 0.0175f, kBrass, 0.75f, SolidShape::tube);
+    add.part(stickOut + 0.076f, stickOut + 0.063f, 0.0160f, kRubber, 0.3f); // insulator
+    add.part(stickOut + 0.086f, stickOut + 0.074f, 0.0125f, kDarkSteel, 0.4f);
+    const glm::vec3 bent = add.bend(stickOut + 0.086f, way, 0.0125f, kDarkSteel, 0.45f);
+    const glm::vec3 begin = bent + way * 0.035f;
+    add.rod(begin, bent, 0.0125f, kDarkSteel, 0.45f);
+    const glm::vec3 end = add.handle(begin, way, 0.14f, kHandle, kGripBlue);
+    add.rod(begin + way * 0.075f, begin + way * 0.045f, kHandle * 1.12f, kSafetyRed, 0.4f, SolidShape::pill); // trigger
+    add.cable(end - way * 0.01f, way, kCableWidth, kRubber);
+}
+
+void addGtaw(Builder& add, const TorchSample& torch) {
+    const glm::vec3 way = handleWay(torch, 1.2f); // heads of TIG torches stand off their handle by about 70 degrees
+    add.part(0.034f, 0.006f, 0.0165f, kCeramic, 0.35f, SolidShape::cup);
+    add.part(0.032f, 0.010f, 0.0036f, kSteel, 0.5f); // collet
+    add.part(0.038f, 0.032f, 0.0150f, kBrass, 0.6f);
+    add.part(0.070f, 0.037f, 0.0200f, kRubber, 0.25f); // head
+    add.part(0.074f, 0.069f, 0.0165f, kDarkSteel, 0.3f);
+    add.part(0.112f, 0.068f, 0.0140f, kRubber, 0.3f, SolidShape::pill); // back cap
+    const glm::vec3 neck = add.at(0.055f), begin = neck + way * 0.035f;
+    add.rod(begin + way * 0.01f, neck, 0.0150f, kRubber, 0.25f);
+    const glm::vec3 end = add.handle(begin, way, 0.15f, 0.026f, kGripBlue);
+    add.cable(end - way * 0.01f, way, 0.016f, kRubber);
+}
+
+/// The jaws hold the electrode by its bare end.
+void addSmaw(Builder& add, const TorchSample& torch, float whole) {
+    const glm::vec3 way = handleWay(torch, 1.25f);
+    const glm::vec3 grip = add.at(whole - 0.012f);
+    const glm::vec3 across = glm::normalize(glm::cross(way, torch.axis()));
+    for (const float side : {-1.0f, 1.0f}) {
+        const glm::vec3 off = across * (side * 0.0055f);
+        add.rod(grip + way * 0.05f + off * 1.3f, grip - way * 0.012f + off, 0.011f, kBrass, 0.5f, SolidShape::pill);
+    }
+    add.rod(grip + way * 0.075f, grip + way * 0.028f, 0.034f, kSafetyRed, 0.2f, SolidShape::taper);
+    const glm::vec3 lever = add.at(whole + 0.024f); // presses the jaws together
+    add.rod(lever + way * 0.105f, lever + way * 0.035f, 0.012f, kSafetyRed, 0.2f, SolidShape::pill);
+    const glm::vec3 begin = grip + way * 0.072f;
+    const glm::vec3 end = add.handle(begin, way, 0.14f, 0.034f, kRubber);
+    add.cable(end - way * 0.01f, way, kCableWidth, kRubber);
+}
+
+void addFlame(Builder& add, const TorchSample& torch) {
+    constexpr float kNozzle = 0.012f;
+    const glm::vec3 way = handleWay(torch, kBendAngle);
+    add.part(kNozzle + 0.026f, kNozzle, 0.0105f, kBrass, 0.6f, SolidShape::cup);
+    add.part(kNozzle + 0.036f, kNozzle + 0.024f, 0.0125f, kBrass, 0.6f);
+    add.part(kNozzle + 0.080f, kNozzle + 0.034f, 0.0075f, kCopper, 0.6f);
+    const glm::vec3 bent = add.bend(kNozzle + 0.080f, way, 0.0075f, kCopper, 0.6f), neck = bent + way * 0.05f;
+    add.rod(neck, bent, 0.0075f, kCopper, 0.6f);
+    add.rod(neck + way * 0.028f, neck - way * 0.004f, 0.018f, kBrass, 0.6f);
+    const glm::vec3 side = glm::normalize(glm::cross(way, torch.axis())), valve = neck + way * 0.012f;
+    add.rod(valve + side * 0.026f, valve, 0.007f, kBrass, 0.6f);
+    add.rod(valve + side * 0.034f, valve + side * 0.022f, 0.019f, kSafetyRed, 0.3f); // valve
+    const glm::vec3 end = add.handle(neck + way * 0.024f, way, 0.14f, 0.026f, kDarkSteel);
+    add.cable(end - way * 0.01f, way, 0.011f, kHose);
+}
+
+void addIron(Builder& add, const TorchSample& torch) {
+    const glm::vec3 way = -torch.axis();
+    add.part(0.030f, 0.0115f, 0.0055f, kCopper, 0.5f);
+    add.part(0.062f, 0.026f, 0.0085f, kSteel, 0.65f);
+    add.part(0.068f, 0.060f, 0.0120f, kSteel, 0.6f);
+    add.part(0.088f, 0.066f, 0.0200f, kRubber, 0.2f, SolidShape::taper);
+    add.part(0.092f, 0.086f, 0.0280f, kRubber, 0.2f); // keeps the fingers off the heat
+    const glm::vec3 end = add.handle(add.at(0.088f), way, 0.12f, 0.024f, kGripBlue);
+    add.cable(end - way * 0.01f, way, 0.006f, kRubber);
+}
+
+} // namespace
+
+glm::vec3 handleWay(const TorchSample& torch, float angle) {
+    const glm::vec3 back = -torch.axis();
+    const glm::vec3 leans(back.x, 0, back.z);
+    const glm::vec3 across = acrossTo(back, leans + glm::vec3(-0.45f, 0, 0.2f), {0, 1, 0});
+    return std::cos(angle) * back + std::sin(angle) * across;
+}
+
+void buildTorchFittings(std::vector<Solid>& solids, const TorchSample& torch, const ProcessSettings& process,
+                        const TorchSurroundings& around, const glm::mat4& workpieceToWorld) {
+    solids.clear();
+    Builder add(solids, torch, around, workpieceToWorld);
+    if (process.is<Gmaw>()) addGmaw(add, torch, static_cast<float>(heldBehind(process)));
+    if (process.is<Gtaw>()) addGtaw(add, torch);
+    if (process.is<Smaw>()) addSmaw(add, torch, process.of<Smaw>().lengthMm * 1e-3f);
+    if (process.is<Flame>()) addFlame(add, torch);
+    if (process.is<SolderingIron>()) addIron(add, torch);
+    if (!torch.rod || !holdsRod(process)) return;
+    constexpr float kHeld = 0.20f; // m behind the rod's tip: far enough that the arc does not burn the glove
+    const glm::vec3 back = -torch.rod->axis();
+    add.hand(torch.rod->tip + back * kHeld, back, 0.004f);
+}
+
+} // namespace meltpool

@@ -1,0 +1,213 @@
+#include "core/training/attempt/kept_moments.hpp"
+
+#include "core/base/error.hpp"
+#include "core/training/attempt/packing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <iterator>
+#include <utility>
+
+namespace meltpool {
+
+namespace {
+
+/// Moments that are never left out: the newest, and fewer than this in all.
+constexpr size_t kNewest = 8;
+
+} // namespace
+
+KeptMoments::KeptMoments(const KeptMomentsLimits& limits) : limits_(limits) {}
+
+KeptMoments::~KeptMoments() {
+    {
+        const std::lock_guard lock(mutex_);
+        stops_ = true;
+    }
+    changed_.notify_all();
+    if (worker_.joinable()) worker_.join();
+}
+
+/// Locked, with no packing under way. What is on its way from the GPU is given up.
+std::unique_lock<std::mutex> KeptMoments::whenIdle() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return stage_ != Stage::packing; });
+    stage_ = Stage::idle;
+    return lock;
+}
+
+void KeptMoments::clear(MomentTaker taker, bool keeps) {
+    const auto lock = whenIdle();
+    taker_ = std::move(taker);
+    keeps_ = keeps;
+    moments_.clear();
+    reference_ = fresh_ = {};
+    history_.clear();
+    historyKept_ = 0;
+    fault_.clear();
+    last_ = -std::numeric_limits<double>::infinity();
+    historyTo_ = 0;
+}
+
+bool KeptMoments::due(double time, double period) {
+    if (std::abs(time - last_) < period) return false;
+    const std::lock_guard lock(mutex_);
+    return stage_ == Stage::idle && fault_.empty() && !covers(time, period);
+}
+
+/// One that is kept is less than a period away.
+bool KeptMoments::covers(double time, double period) const {
+    if (!keeps_) return false;
+    const auto after = std::partition_point(moments_.begin(), moments_.end(),
+                                            [&](const Moment& moment) { return moment.time <= time; });
+    if (after != moments_.end() && after->time - time < period) return true;
+    return after != moments_.begin() && time - std::prev(after)->time < period;
+}
+
+void KeptMoments::begun(double time, size_t historyTo) {
+    last_ = time;
+    historyTo_ = std::max(historyTo_, historyTo);
+    const std::lock_guard lock(mutex_);
+    stage_ = Stage::onGpu;
+    if (!worker_.joinable()) worker_ = std::thread([this] { work(); });
+}
+
+void KeptMoments::update() {
+    {
+        const std::lock_guard lock(mutex_);
+        if (stage_ != Stage::onGpu || !capture_.arrived()) return;
+        stage_ = Stage::packing;
+    }
+    changed_.notify_all();
+}
+
+void KeptMoments::work() {
+    std::unique_lock lock(mutex_);
+    for (;;) {
+        changed_.wait(lock, [&] { return stops_ || stage_ == Stage::packing; });
+        if (stops_) return;
+        lock.unlock();
+        std::string fault;
+        Moment made;
+        try {
+            made = packed();
+            give(made);
+        } catch (const std::exception& failure) {
+            fault = std::string("The way back into this attempt is kept no longer: ") + failure.what();
+        }
+        lock.lock();
+        fault_ = fault;
+        const bool kept = fault.empty() && (keeps_ || moments_.empty());
+        const auto after = std::partition_point(moments_.begin(), moments_.end(),
+                                                [&](const Moment& moment) { return moment.time <= made.time; });
+        if (kept) moments_.insert(after, std::move(made));
+        thinOut();
+        stage_ = Stage::idle;
+        changed_.notify_all();
+    }
+}
+
+/// What has arrived; on the worker, while the stage is `packing`.
+KeptMoments::Moment KeptMoments::packed() {
+    capture_.take(fresh_);
+    addHistory();
+    Moment made{fresh_.step, fresh_.time, fresh_.historyTo, {}};
+    fresh_.history.clear();
+    seal(fresh_);
+    if (reference_.bytes.empty())
+        reference_ = fresh_;
+    else
+        made.packed = pack(fresh_, reference_);
+    return made;
+}
+
+/// The hand's steps that were not known before.
+void KeptMoments::addHistory() {
+    if (!keeps_ || fresh_.historyTo <= historyKept_) return;
+    if (fresh_.historyFrom != historyKept_)
+        throw RuntimeFault("a moment without the steps of the hand before it was to be kept");
+    history_.insert(history_.end(), fresh_.history.begin(), fresh_.history.end());
+    historyKept_ = fresh_.historyTo;
+}
+
+void KeptMoments::give(const Moment& moment) const {
+    if (!taker_) return;
+    const std::vector<std::byte> first = moment.packed.empty() ? pack(reference_) : std::vector<std::byte>();
+    taker_({moment.step, moment.time, moment.packed.empty() ? first : moment.packed});
+}
+
+size_t KeptMoments::bytesNow() const {
+    size_t sum = capture_.bytes() + sizeOf(fresh_) + sizeOf(reference_) + history_.capacity();
+    for (const Moment& moment : moments_)
+        sum += moment.packed.capacity() + sizeof(Moment);
+    return sum;
+}
+
+/// Of the moments between the first and the newest, leaves out the one with the smallest gap for its age.
+void KeptMoments::thinOut() {
+    while (bytesNow() > limits_.bytes && moments_.size() > kNewest + 2) {
+        const double now = moments_.back().time;
+        size_t least = 1;
+        double leastShare = std::numeric_limits<double>::infinity();
+        for (size_t i = 1; i + kNewest < moments_.size(); ++i) {
+            const double share = (moments_[i + 1].time - moments_[i - 1].time) / (now - moments_[i].time);
+            if (share >= leastShare) continue;
+            leastShare = share;
+            least = i;
+        }
+        moments_.erase(moments_.begin() + static_cast<std::ptrdiff_t>(least));
+    }
+}
+
+/// With all steps of the hand from the first on.
+Checkpoint KeptMoments::whole(size_t number) const {
+    const Moment& moment = moments_[number];
+    Checkpoint made = moment.packed.empty() ? reference_ : unpack(moment.packed, reference_);
+    if (historyKept_ > 0) {
+        const size_t bytes = history_.size() / historyKept_ * moment.historyTo;
+        made.history.assign(history_.begin(), history_.begin() + static_cast<std::ptrdiff_t>(bytes));
+    }
+    made.historyFrom = 0;
+    made.historyTo = moment.historyTo;
+    made.historyTime = 0;
+    seal(made);
+    return made;
+}
+
+std::optional<Checkpoint> KeptMoments::before(double time) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return stage_ != Stage::packing; });
+    const auto after =
+        std::find_if(moments_.begin(), moments_.end(), [&](const Moment& moment) { return moment.time > time; });
+    if (after == moments_.begin()) return std::nullopt;
+    return whole(static_cast<size_t>(after - moments_.begin()) - 1);
+}
+
+void KeptMoments::branch(size_t step) {
+    const auto lock = whenIdle();
+    std::erase_if(moments_, [&](const Moment& moment) { return moment.step > step; });
+    if (moments_.empty()) reference_ = {};
+    last_ = moments_.empty() ? -std::numeric_limits<double>::infinity() : moments_.back().time;
+    historyTo_ = moments_.empty() ? 0 : moments_.back().historyTo;
+    if (historyKept_ > historyTo_) history_.resize(history_.size() / historyKept_ * historyTo_);
+    historyKept_ = std::min(historyKept_, historyTo_);
+}
+
+size_t KeptMoments::count() {
+    const std::lock_guard lock(mutex_);
+    return moments_.size();
+}
+
+size_t KeptMoments::bytes() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return stage_ != Stage::packing; });
+    return bytesNow();
+}
+
+std::string KeptMoments::fault() {
+    const std::lock_guard lock(mutex_);
+    return fault_;
+}
+
+} // namespace meltpool

@@ -1,0 +1,65 @@
+// A lesson's technique windows: what is asked of the hand, and how much each deviation costs.
+#pragma once
+
+#include "core/training/judging/technique.hpp"
+
+#include <vector>
+
+namespace meltpool {
+
+class TomlTable;
+
+/// Where a value lies in a band.
+enum class BandZone {
+    inside,  ///< within the inner half width: full points
+    between, ///< some points
+    beyond,  ///< from the outer half width on: none
+};
+
+/// One parameter's window, in the unit of QuantityInfo: mm, mm/s, degrees, Hz, s.
+struct TechniqueBand {
+    TechniqueQuantity quantity = TechniqueQuantity::aim;
+    double ideal = 0;
+    double inner = 0;  ///< half width within which a value has 100 points
+    double outer = 0;  ///< half width from which on it has 0; at least `inner`
+    double weight = 1; ///< in the whole score, at least 0
+
+    /// 0..100 points of a value in this band's unit: 100 to `inner`, then falling linearly to 0 at `outer`. A value
+    /// that is not known has 0.
+    double points(double value) const;
+    BandZone zone(double value) const;
+};
+
+/// The way along the seam that a lesson asks for.
+enum class TravelDirection { either, forward, backward };
+
+struct TechniqueBands {
+    DistanceKind distance = DistanceKind::ctwd;
+    double lengthFromMm = 0; ///< of the seam that is to be welded; places are in whole millimetres
+    double lengthToMm = 0;
+    TravelDirection direction = TravelDirection::either; ///< forward: towards growing places
+    double speedWindow = 0.5;                            ///< s, see TechniqueSettings
+    std::vector<TechniqueBand> bands;                    ///< of the parameters that are judged, each once
+
+    /// Null for a quantity that is not judged.
+    const TechniqueBand* find(TechniqueQuantity quantity) const;
+    /// The value of a quantity as it is judged, in its band's unit: where the torch travels (`sensed`: +1, -1, or 0
+    /// while it is not known) against the demanded direction, its speed counts negative.
+    double judged(const TechniqueValues& values, int sensed, TechniqueQuantity quantity) const;
+    TechniqueSettings settings() const { return {distance, speedWindow}; }
+};
+
+/// Reads a lesson's table [technique]:
+///
+///     [technique]
+///     length_from_mm = -40          # of the wanted seam; required
+///     length_to_mm = 40
+///     direction = "forward"         # or "backward", "either" (the default)
+///     speed_window_s = 0.5          # 0.1 to 10
+///     travel_speed = { ideal = 5.5, inner = 0.8, outer = 2.5, weight = 2 }   # weight is 1 unless said
+///
+/// The keys of bands are those of quantities(distance). Throws InputError with file, line and key for an unknown key, a
+/// missing or impossible value, a length that is not on `seam`, and a table without a band of some weight.
+TechniqueBands readTechniqueBands(TomlTable& table, DistanceKind distance, const Seam& seam);
+
+} // namespace meltpool

@@ -1,0 +1,53 @@
+#include "core/training/judging/judgement.hpp"
+
+#include <utility>
+
+namespace meltpool {
+
+namespace {
+
+/// m/s that the lesson asks for.
+std::optional<double> askedSpeed(const std::optional<TechniqueBands>& bands) {
+    const TechniqueBand* band = bands ? bands->find(TechniqueQuantity::travelSpeed) : nullptr;
+    if (band == nullptr) return std::nullopt;
+    return band->ideal / quantityInfo(band->quantity, bands->distance).perSi;
+}
+
+} // namespace
+
+void ArcAccount::add(const ArcState& arc, double step) {
+    if (!arc.burns() || arc.current <= 0) return;
+    seconds += step;
+    charge += static_cast<double>(arc.current) * step;
+    energy += static_cast<double>(arc.current) * static_cast<double>(arc.voltage) * step;
+}
+
+std::optional<double> standardEfficiency(const ProcessSettings& process) {
+    if (process.is<Gtaw>()) return 0.6;
+    if (process.is<Gmaw>() || process.is<Smaw>()) return 0.8;
+    return std::nullopt;
+}
+
+Technique techniqueOf(const WorkpieceParameters& workpiece, const ProcessSettings& process,
+                      const std::optional<TechniqueBands>& bands) {
+    TechniqueSettings settings;
+    settings.distance = distanceKindOf(process);
+    return Technique(seamOf(workpiece), bands ? bands->settings() : settings);
+}
+
+Judgement judgeAttempt(const Technique& technique, std::optional<WeldMeasures> weld, const JudgementRules& rules) {
+    Judgement made;
+    made.distance = technique.settings().distance;
+    made.seam = alongSeam(technique);
+    if (rules.technique) {
+        made.score = scoreTechnique(technique.faults(), made.seam, unknownPlaces(technique), *rules.technique);
+        made.corrections = corrections(*made.score, *rules.technique);
+    }
+    made.weld = std::move(weld);
+    if (rules.acceptance && made.weld)
+        made.verdict = judge(*made.weld, *rules.acceptance, rules.nominal,
+                             estimateImperfections(made.seam, rules.process, askedSpeed(rules.technique)));
+    return made;
+}
+
+} // namespace meltpool

@@ -1,0 +1,57 @@
+// An attempt judged: the hand by the lesson's bands, the weld by the acceptance's limits.
+#pragma once
+
+#include "core/training/judging/score.hpp"
+#include "core/training/judging/verdict.hpp"
+#include "core/weld/process/processes.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace meltpool {
+
+/// What an attempt is judged by; nothing where the lesson does not say.
+struct JudgementRules {
+    const std::optional<TechniqueBands>& technique;
+    const std::optional<Acceptance>& acceptance;
+    NominalWeld nominal;
+    const ProcessSettings& process;
+};
+
+/// What the arc of an attempt has done. By time, while it burned.
+struct ArcAccount {
+    double seconds = 0;
+    double charge = 0; ///< A s
+    double energy = 0; ///< J, of voltage and current: before any loss
+
+    void add(const ArcState& arc, double seconds);
+    double meanCurrent() const { return seconds > 0 ? charge / seconds : 0; } ///< A
+    double meanVoltage() const { return charge > 0 ? energy / charge : 0; }   ///< V
+    /// J/m of heat input by EN 1011-1: efficiency times voltage times current over travel speed, here as energy over
+    /// `length` (m). 0 for no length.
+    double heatInput(double efficiency, double length) const { return length > 0 ? efficiency * energy / length : 0; }
+};
+
+/// Thermal efficiency by EN 1011-1: 0.8 of GMAW and SMAW, 0.6 of GTAW; none for what is no arc. The metal of this
+/// program gets what its own process says; this number is for comparing heat inputs with those of procedures.
+std::optional<double> standardEfficiency(const ProcessSettings& process);
+
+struct Judgement {
+    ArcAccount arc;
+    double realTime = 1;                        ///< simulated over real time while a person welded
+    DistanceKind distance = DistanceKind::ctwd; ///< what TechniqueQuantity::distance is
+    std::vector<SeamMillimetre> seam;           ///< the hand by the millimetre; empty where no arc burned
+    std::optional<TechniqueScore> score;        ///< where the lesson has bands
+    std::vector<Correction> corrections;        ///< what to correct first, dearest first
+    std::optional<WeldMeasures> weld;           ///< where there is a weld to measure
+    std::optional<Verdict> verdict;             ///< where the lesson has an acceptance and there is a weld to measure
+};
+
+/// What measures the hand in a weld lesson of this workpiece and process, with the lesson's bands where it has some.
+Technique techniqueOf(const WorkpieceParameters& workpiece, const ProcessSettings& process,
+                      const std::optional<TechniqueBands>& bands);
+
+/// Judges technique and weld, whichever there are rules and figures for.
+Judgement judgeAttempt(const Technique& technique, std::optional<WeldMeasures> weld, const JudgementRules& rules);
+
+} // namespace meltpool

@@ -1,0 +1,69 @@
+// What a lesson's demonstration, or another torch path, must come to: files with an [expect] table.
+#pragma once
+
+#include "core/base/toml_table.hpp"
+#include "core/training/judging/judgement.hpp"
+#include "core/training/lesson/lesson_folders.hpp"
+#include "core/training/lesson/torch_bend.hpp"
+
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace meltpool {
+
+/// One line of [expect].
+struct Expectation {
+    std::string key;
+    /// A range, both ends included, a yes or no, or a word.
+    std::variant<NumberRange, bool, std::string> wanted;
+};
+
+struct LessonCheck {
+    std::filesystem::path file;
+    std::string name; ///< the file's, without its ending
+    Lesson lesson;    ///< with the check's torch path and values
+    TorchBend bend;
+    std::vector<Expectation> expectations; ///< in the order of their keys
+};
+
+/// Whether a TOML file is a check: it has a table [expect]. Throws InputError for a file that is no TOML.
+bool isLessonCheck(const std::filesystem::path& file);
+
+/// Reads a check:
+///
+///     lesson = "gmaw-bead"       # a name of the catalogue, or a file beside this one
+///     torch = "slow.csv"         # instead of the lesson's own; beside this file. A record brings its attempt's values
+///     [set]                      # values of the lesson
+///     voltage = 22
+///     [bend]                     # how the path is led worse, see TorchBend
+///     time = 0.55
+///     farther_mm = 7
+///     turn_deg = 28
+///     aside_mm = 4
+///     tremor_seed = 1
+///     [expect]
+///     score = [90, 100]          # the whole score
+///     scored = true
+///     accepted = true            # by the lesson's acceptance
+///     lowest = "travel_speed"    # the parameter with the fewest points
+///     travel_speed = [0, 70]     # points of a parameter
+///     toe_width_mm = [6, 9]      # any figure of weld.csv, as the mean over the weld
+///     overlap = "pass"           # the state of an imperfection
+///
+/// A file without `lesson` is a lesson itself, welded by its own demonstration. `lessons` are those of the catalogue.
+/// Throws InputError with file, line and key for what is unknown, missing or impossible.
+LessonCheck readLessonCheck(const std::filesystem::path& file, const LessonFolders& lessons);
+
+/// An expectation and what came of it.
+struct CheckedValue {
+    std::string key;
+    std::string expected; ///< such as "90 to 100"
+    std::string found;    ///< such as "97.3"; "none" where the attempt has no such value
+    bool passed = false;
+};
+
+std::vector<CheckedValue> checkJudgement(const LessonCheck& check, const Judgement& judgement);
+
+} // namespace meltpool

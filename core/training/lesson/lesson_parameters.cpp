@@ -1,0 +1,135 @@
+#include "core/training/lesson/lesson.hpp"
+
+#include "core/base/error.hpp"
+#include "core/base/text.hpp"
+#include "core/weld/workpiece/simulated_size.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace meltpool {
+
+namespace {
+
+constexpr std::array<std::string_view, 2> kSources{"hot", "cold"};
+
+void append(ParameterList& list, ParameterList more) {
+    list.insert(list.end(), more.begin(), more.end());
+}
+
+/// A label within a sentence: "Wire feed" -> "wire feed".
+std::string lowerFirst(std::string_view label) {
+    std::string text(label);
+    if (!text.empty() && text[0] >= 'A' && text[0] <= 'Z') text[0] = static_cast<char>(text[0] - 'A' + 'a');
+    return text;
+}
+
+} // namespace
+
+ParameterList describe(RunParameters& r) {
+    return {
+        {"seconds", "Length", "s", &r.seconds, 0, 3600, "simulated time of a run without a screen"},
+        {"pictures_every", "Pictures every", "s", &r.picturesEvery, 0, 3600, "0 takes one picture at the end"},
+        {"width", "Picture width", "pixels", &r.width, 16, 8192, "costs time per picture"},
+        {"height", "Picture height", "pixels", &r.height, 16, 8192, "costs time per picture"},
+    };
+}
+
+ParameterList describe(SourceParameters& s) {
+    return {{"source", "Source", "", &s.kind, 0, 1, "cold freezes what it touches", kSources}};
+}
+
+ParameterList describe(CameraParameters& c) {
+    return {
+        {"azimuth", "Around", "deg", &c.azimuth, -360, 360, "0 stands before the workpiece, 90 on its right"},
+        {"elevation", "Over", "deg", &c.elevation, -89, 89, "0 looks along the table"},
+        {"distance", "Distance", "model units", &c.distance, 0.3, 20, "from the middle of the workpiece"},
+        {"field_of_view", "Field of view", "deg", &c.fieldOfView, 5, 120, "of the picture's height"},
+    };
+}
+
+ParameterList PictureLook::parameters() {
+    ParameterList list = describe(look);
+    append(list, describe(camera));
+    return list;
+}
+
+ParameterList Lesson::metalParameters() {
+    ParameterList list;
+    if (model == LessonModel::Classic) {
+        append(list, describe(setup));
+        append(list, describe(metal));
+        append(list, describe(source));
+    } else {
+        append(list, describe(workpiece));
+        append(list, processParameters());
+    }
+    return list;
+}
+
+ParameterList Lesson::processParameters() {
+    ParameterList list = describe(process);
+    for (Parameter& parameter : list)
+        for (const ChosenSetting& each : choose)
+            if (each.key == parameter.key) {
+                parameter.minimum = each.from;
+                parameter.maximum = each.to;
+            }
+    return list;
+}
+
+NominalWeld Lesson::nominalWeld() const {
+    NominalWeld weld = nominal;
+    weld.thickness = static_cast<double>(simulatedWorkpiece(workpiece).thicknessMm) * 1e-3;
+    return weld;
+}
+
+void Lesson::takeStartSettings() {
+    const ParameterList list = describe(process); // a start may lie outside of the limits
+    for (const ChosenSetting& each : choose)
+        if (each.start && findParameter(list, each.key) != nullptr)
+            setParameter(list, each.key, formatNumber(*each.start), "the start of a setting");
+}
+
+std::string Lesson::unsetSettings() {
+    std::string told;
+    const ParameterList list = describe(process);
+    for (const ChosenSetting& each : choose) {
+        const Parameter* parameter = findParameter(list, each.key);
+        if (parameter == nullptr) continue; // another process was chosen
+        const double value = parseDouble(parameterText(*parameter)).value_or(each.from);
+        if (value >= each.from && value <= each.to) continue;
+        told += (told.empty() ? "Set the machine before you weld: " : "; ") + lowerFirst(parameter->label) + " " +
+                formatNumber(each.from) + " to " + formatNumber(each.to) + " " + std::string(parameter->unit) +
+                " (it stands at " + parameterText(*parameter) + ")";
+    }
+    return told.empty() ? told : told + ".";
+}
+
+std::string Lesson::chosenText() {
+    std::string told;
+    const ParameterList list = describe(process);
+    for (const ChosenSetting& each : choose)
+        if (const Parameter* parameter = findParameter(list, each.key))
+            told += (told.empty() ? "" : ", ") + lowerFirst(parameter->label) + " " + parameterText(*parameter) +
+                    (parameter->unit.empty() ? "" : " " + std::string(parameter->unit));
+    return told;
+}
+
+ParameterList Lesson::parameters() {
+    ParameterList list = describe(run);
+    append(list, metalParameters());
+    append(list, describe(surface));
+    append(list, describe(camera));
+    append(list, describe(look));
+    return list;
+}
+
+void Lesson::set(std::string_view name, std::string_view value, std::string_view where) {
+    setParameter(parameters(), name, value, where);
+    for (PictureLook& picture : pictures)
+        if (const ParameterList list = picture.parameters(); findParameter(list, name) != nullptr)
+            setParameter(list, name, value, where);
+}
+
+} // namespace meltpool

@@ -1,0 +1,124 @@
+#include "core/training/trainer/record.hpp"
+
+#include "core/base/error.hpp"
+#include "core/base/output_file.hpp"
+#include "core/base/text.hpp"
+#include "core/training/attempt/record_text.hpp"
+#include "core/weld/torch/torch_csv.hpp"
+
+#include <algorithm>
+
+namespace meltpool {
+
+namespace {
+
+/// 31 cells of no more than 24 characters each.
+constexpr size_t kLongestRow = 800;
+/// Below this the metal stands still, and a ratio of times says nothing.
+constexpr double kLeastPace = 1e-3;
+
+std::string columns(const RecordHead& head) {
+    std::string names;
+    for (const std::string_view name : torchColumns())
+        names += (names.empty() ? "" : ",") + std::string(name);
+    names += head.arc ? ",molten,min_temperature_c,mean_temperature_c,max_temperature_c,lost,non_finite"
+                      : ",molten,min_temperature,mean_temperature,max_temperature,lost,non_finite";
+    for (const std::string_view name : head.rod ? rodColumns() : std::span<const std::string_view>{})
+        names += "," + std::string(name);
+    if (head.arc) names += "," + std::string(kArcColumns);
+    if (head.paced) names += ",real_time";
+    return names + "\n";
+}
+
+void appendComment(std::string& text, std::string_view word, std::string_view name, std::string_view value) {
+    appendRecordLine(text, "#", word, name, value);
+}
+
+} // namespace
+
+Record::Record(const std::filesystem::path& file, const RecordHead& head, bool replace)
+    : file_(file), arc_(head.arc), rod_(head.rod), paced_(head.paced) {
+    std::error_code failure;
+    if (!replace && std::filesystem::is_regular_file(file, failure))
+        throw InputError(file, 0, "is there already; expected a name that no file has, as a record replaces nothing");
+    stream_.open(file, std::ios::binary | std::ios::trunc);
+    if (!stream_) throw InputError(file, 0, "cannot be written; expected a folder with write permission");
+    std::string text;
+    text += kRecordFirstLine;
+    text += '\n';
+    appendComment(text, "lesson", head.lesson, {});
+    appendComment(text, "attempt", std::to_string(head.attempt), {});
+    appendComment(text, "program", head.program, {});
+    appendComment(text, "driver", head.driver, {});
+    for (const auto& [key, value] : head.values)
+        appendComment(text, "value", key, value);
+    for (const std::string& key : head.chosen)
+        appendComment(text, "chosen", key, {});
+    text += columns(head);
+    write(text);
+    row_.reserve(kLongestRow);
+}
+
+void Record::write(std::string_view text) {
+    stream_.write(text.data(), static_cast<std::streamsize>(text.size()));
+    stream_.flush();
+    if (!stream_) throw RuntimeFault(file_.string() + ": the record cannot be written on; " + writeExpectation(errno));
+}
+
+void RealTimeCount::add(double ratio) {
+    ++steps_;
+    realSteps_ += 1 / std::max(ratio, kLeastPace);
+    least_ = std::min(least_, ratio);
+}
+
+void Record::event(std::string_view name, std::string_view value) {
+    appendComment(before_, "event", name, value);
+}
+
+void Record::change(std::string_view key, std::string_view value) {
+    appendComment(before_, "set", key, value);
+}
+
+void Record::add(const RecordStep& step) {
+    Waiting& next = steps_[(oldest_ + waiting_) % kWaiting];
+    next.step = step;
+    next.before.swap(before_);
+    before_.clear();
+    ++waiting_;
+    pace_.add(step.realTime);
+}
+
+void Record::complete(const MetalStatistics& metal) {
+    const Waiting& oldest = steps_[oldest_];
+    oldest_ = (oldest_ + 1) % kWaiting;
+    --waiting_;
+    row_ = oldest.before;
+    appendTorchRow(row_, oldest.step.torch);
+    appendCell(row_, std::uint64_t{metal.molten});
+    for (const double temperature : {metal.minTemperature, metal.meanTemperature, metal.maxTemperature})
+        appendCell(row_, arc_ ? celsius(temperature) : temperature); // the classic metal's have no unit
+    appendCell(row_, std::uint64_t{metal.lost});
+    appendCell(row_, std::uint64_t{metal.nonFinite});
+    if (rod_) {
+        row_ += ',';
+        appendRodCells(row_, oldest.step.torch.rod);
+    }
+    if (arc_) appendArcCells(row_, oldest.step.arc);
+    if (paced_) appendCell(row_, static_cast<float>(oldest.step.realTime));
+    row_ += '\n';
+    ++rows_;
+    write(row_);
+}
+
+void Record::end(std::string_view reason, std::uint64_t stateHash) {
+    std::string text = std::move(before_);
+    appendComment(text, "ended", reason, {});
+    appendComment(text, "state_hash", formatHexadecimal(stateHash), {});
+    if (paced_ && rows_ > 0) {
+        appendComment(text, "real_time", formatNumber(static_cast<float>(pace_.ratio())), {});
+        appendComment(text, "least_real_time", formatNumber(static_cast<float>(pace_.least())), {});
+    }
+    write(text);
+}
+
+} // namespace meltpool

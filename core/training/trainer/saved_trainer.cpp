@@ -1,0 +1,166 @@
+// What of a lesson in progress belongs to a checkpoint: Trainer's own part, and the order of all parts.
+#include "core/base/error.hpp"
+#include "core/base/hash.hpp"
+#include "core/training/trainer/trainer.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <variant>
+
+namespace meltpool {
+
+namespace {
+
+constexpr size_t kAnyNumber = std::numeric_limits<size_t>::max();
+
+void transferRod(gl::StateArchive& archive, std::optional<RodSample>& rod) {
+    bool held = rod.has_value();
+    archive.values(held);
+    if (archive.restores()) rod = held ? std::optional(RodSample()) : std::nullopt;
+    if (rod) archive.values(rod->tip, rod->orientation, rod->feed);
+}
+
+void transferTorch(gl::StateArchive& archive, TorchSample& torch) {
+    archive.values(torch.time, torch.tip, torch.orientation, torch.trigger);
+    transferRod(archive, torch.rod);
+}
+
+/// Number of the first that was made after so many steps or more.
+template <class Notes>
+size_t firstFrom(const Notes& notes, size_t steps) {
+    const auto first =
+        std::partition_point(notes.begin(), notes.end(), [&](const auto& note) { return note.steps < steps; });
+    return static_cast<size_t>(first - notes.begin());
+}
+
+} // namespace
+
+void RealTimeCount::transfer(gl::StateArchive& archive) {
+    archive.count(steps_, kAnyNumber);
+    archive.values(realSteps_, least_);
+}
+
+/// Of the lesson's key and of all that is chosen before the metal is made; what may change while it is welded is in the
+/// checkpoint itself.
+std::uint64_t Trainer::identityOf(Lesson& lesson) {
+    std::string text = lesson.key;
+    for (const Parameter& parameter : lesson.metalParameters())
+        if (parameter.onlyAtStart) text += "\n" + std::string(parameter.key) + "=" + parameterText(parameter);
+    return hashOfBytes(std::as_bytes(std::span(text)));
+}
+
+ParameterList Trainer::liveParameters(Lesson& lesson) {
+    ParameterList list = lesson.metalParameters();
+    std::erase_if(list, [](const Parameter& parameter) { return parameter.onlyAtStart; });
+    return list;
+}
+
+void Trainer::transferLesson(gl::StateArchive& archive) {
+    for (Parameter& parameter : live_)
+        std::visit(
+            [&](auto* value) {
+                if constexpr (std::is_same_v<decltype(value), std::string*>)
+                    archive.text(*value);
+                else
+                    archive.values(*value);
+            },
+            parameter.value);
+}
+
+/// Pending looks at the metal are no part of it: figures are made anew from the metal.
+void Trainer::transfer(gl::StateArchive& archive) {
+    transferLesson(archive);
+    if (archive.restores()) metal_->apply(lesson_);
+    metal_->transfer(archive);
+    archive.values(time_, realTime_, nextFigures_, tracked_);
+    for (size_t* each : {&steps_, &nextChange_, &nextEvent_})
+        archive.count(*each, kAnyNumber);
+    archive.values(account_.seconds, account_.charge, account_.energy);
+    archive.values(surfaceDistance_.ahead, surfaceDistance_.nearest, surfaceDistance_.liquid, surfaceDistance_.normal);
+    pace_.transfer(archive);
+    arc_.transfer(archive);
+    transferTorch(archive, torch_);
+    sound_.transfer(archive);
+    if (archive.restores()) sight_.reset();
+    if (technique_) technique_->transfer(archive);
+}
+
+void Trainer::capture(CheckpointCapture& capture, size_t historyFrom) const {
+    auto& self = const_cast<Trainer&>(*this); // saving changes nothing: the functions are those that restore, too
+    Checkpoint& head = capture.begin();
+    head.step = steps_;
+    head.time = time_;
+    head.identity = identity_;
+    const size_t known = technique_ ? technique_->steps().size() : 0;
+    head.historyFrom = std::min(historyFrom, known);
+    head.historyTo = known;
+    head.historyTime = head.historyFrom > 0 ? technique_->steps()[head.historyFrom - 1].time : 0;
+    gl::StateArchive history(head.history);
+    if (technique_) self.technique_->transferSteps(history, head.historyFrom, known);
+    gl::StateArchive archive(capture.state());
+    self.transfer(archive);
+    metal_->fold();
+    capture.request();
+    metal_->fold();
+}
+
+Checkpoint Trainer::save(size_t historyFrom) const {
+    CheckpointCapture capture;
+    this->capture(capture, historyFrom);
+    capture.wait();
+    Checkpoint checkpoint;
+    capture.take(checkpoint);
+    return checkpoint;
+}
+
+/// Throws InputError where the checkpoint cannot be restored here.
+void Trainer::requireFit(const Checkpoint& checkpoint) const {
+    requireWhole(checkpoint);
+    if (checkpoint.identity != identity_)
+        throw InputError("the checkpoint is of another lesson or workpiece; expected one of " + lesson_.key +
+                         " as it was begun");
+    if (checkpoint.historyFrom > checkpoint.historyTo ||
+        checkpoint.history.size() != (checkpoint.historyTo - checkpoint.historyFrom) * kTechniqueStepBytes)
+        throw InputError("the checkpoint of step " + std::to_string(checkpoint.step) +
+                         " has another number of steps of the hand than it says; expected one that was saved whole");
+    if (!technique_ || checkpoint.historyFrom == 0) return;
+    const auto& steps = technique_->steps();
+    if (steps.size() < checkpoint.historyFrom || steps[checkpoint.historyFrom - 1].time != checkpoint.historyTime)
+        throw InputError("the checkpoint goes on after step " + std::to_string(checkpoint.historyFrom) +
+                         " of the hand, which is not known here; expected the attempt that it was saved in");
+}
+
+void Trainer::restore(const Checkpoint& checkpoint) {
+    requireFit(checkpoint);
+    awaitFigures(); // those of rows that are still to be written
+    if (technique_) {
+        gl::StateArchive history(std::span<const std::byte>(checkpoint.history));
+        technique_->transferSteps(history, checkpoint.historyFrom, checkpoint.historyTo);
+    }
+    gl::StateArchive archive(std::span<const std::byte>(checkpoint.bytes));
+    transfer(archive);
+    if (!archive.atEnd())
+        throw InputError("the checkpoint of step " + std::to_string(checkpoint.step) +
+                         " has more bytes than this lesson's state; expected one that this program saved");
+    metal_->fold();
+    forgetProbe_ = true;
+    figures_ = metal_->statistics();
+    if (!lesson_.recorded) return;
+    // The checkpoint may be of the attempt itself, which repeated none; those behind this very step may come again.
+    nextChange_ = firstFrom(lesson_.recorded->changes, steps_);
+    nextEvent_ = firstFrom(lesson_.recorded->events, steps_);
+}
+
+void Trainer::redo(const Checkpoint& checkpoint) {
+    restore(checkpoint);
+    event("redo", std::to_string(steps_));
+    for (const Parameter& parameter : live_) {
+        if (record_) record_->change(parameter.key, parameterText(parameter));
+        if (recording_) recording_->change(steps_, parameter.key, parameterText(parameter));
+    }
+    event("torch", tracked_ ? "seen" : "lost");
+}
+
+} // namespace meltpool

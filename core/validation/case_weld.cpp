@@ -1,0 +1,111 @@
+#include "core/validation/case_weld.hpp"
+
+#include "core/base/error.hpp"
+#include "core/validation/case_size.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace meltpool {
+
+namespace {
+
+constexpr double kFillerSpare = 1.1; // of the room for wire
+
+/// m³/s; 0 without wire.
+double wireRate(const ProcessSettings& settings) {
+    if (!settings.is<Gmaw>()) return 0;
+    const GmawSettings& gmaw = settings.of<Gmaw>();
+    const double diameter = static_cast<double>(gmaw.wireDiameterMm) * 1e-3;
+    return std::numbers::pi / 4 * diameter * diameter * static_cast<double>(gmaw.wireFeedMPerMin) / 60;
+}
+
+WeldSurroundings surroundings(const ValidationCase& from, const ProcessSettings& settings, double ambient,
+                              double seconds) {
+    WeldSurroundings around;
+    around.ambient = ambient;
+    around.fillerRoom =
+        static_cast<size_t>(kFillerSpare * wireRate(settings) * seconds / std::pow(from.spacing, 3)) + 100;
+    return around;
+}
+
+/// The deposit has a bound of its own, whatever the case's tolerance.
+ValidationCase withinThree(ValidationCase from) {
+    from.tolerancePercent = 3;
+    return from;
+}
+
+} // namespace
+
+void requireWeldRoom(const ValidationCase& from, const ProcessSettings& settings, double volume, double seconds) {
+    const double count = (volume + wireRate(settings) * seconds) / std::pow(from.spacing, 3);
+    const double cells = 4 * count; // with the space around the workpiece
+    requireRoom(from, {cells, count, count, cells});
+}
+
+CaseWeld::CaseWeld(const ValidationCase& from, gl::ShaderLibrary& shaders, const ProcessSettings& settings,
+                   Workpiece piece, double ambient, double seconds)
+    : piece_(std::move(piece)),
+      material_(from.material),
+      weld_(shaders, material_, piece_, settings, surroundings(from, settings, ambient, seconds)),
+      seconds_(seconds),
+      fed_(wireRate(settings) > 0) {}
+
+void CaseWeld::run(const TorchPath& path, FunctionRef<bool(double)> watch, ValidationResult& result) {
+    const double step = weld_.timeStep();
+    for (double time = 0;;) {
+        weld_.step(path.sample(time + 0.5 * step), nullptr);
+        addMeans();
+        ++result.steps;
+        elapsed_ = time += step;
+        if (!watch(time)) break;
+    }
+    result.particles = weld_.metal().state().particles();
+}
+
+void CaseWeld::run(const TorchPath& path, double until, ValidationResult& result) {
+    run(
+        path, [until](double time) { return time < until; }, result);
+}
+
+void CaseWeld::addMeans() {
+    const ArcState& arc = weld_.arc();
+    if (!arc.burns() || arc.action == ArcAction::striking) return;
+    const double step = weld_.timeStep();
+    arc_.current += static_cast<double>(arc.current) * step;
+    arc_.voltage += static_cast<double>(arc.voltage) * step;
+    arc_.length += static_cast<double>(arc.length) * step;
+    arc_.burning += step;
+}
+
+Section CaseWeld::section(double low, double high) const {
+    return measureSection(weld_.metal().state(), piece_.seeds, sectionCut(material_, low, high));
+}
+
+void CaseWeld::tellArc(const ValidationCase& from, ValidationResult& result) const {
+    const double time = std::max(arc_.burning, 1e-9);
+    result.compareMeasured(from, "current_a", arc_.current / time);
+    result.tell("voltage_v", arc_.voltage / time);
+    result.tell("arc_length_mm", 1e3 * arc_.length / time);
+    if (fed_) result.tell("refused_filler", static_cast<double>(weld_.metal().refusedFiller()));
+}
+
+void CaseWeld::requireArc(const ValidationCase& from) const {
+    if (arc_.burning < 0.5 * std::min(seconds_, elapsed_))
+        throw InputError(from.file, 0,
+                         "[case]: the arc burned for less than half of its time; expected a distance and settings at "
+                         "which it holds");
+}
+
+void CaseWeld::compareDeposit(const ValidationCase& from, double length, ValidationResult& result) const {
+    if (!fed_) return;
+    const double low = static_cast<double>(piece_.bodyLow.x), high = static_cast<double>(piece_.bodyHigh.x);
+    const double volume = section(low, high).deposited * (high - low);
+    // What melted, which is what was fed and what the wire became shorter by.
+    const WireAccount wire = weld_.process().wire();
+    result.compareExact(withinThree(from), "deposited_mm2", wire.melted * wire.area / length * 1e6,
+                        volume / length * 1e6);
+}
+
+} // namespace meltpool

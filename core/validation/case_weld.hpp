@@ -1,0 +1,57 @@
+// A weld of a case in progress: what beads, fillets, spots and cooling have in common.
+#pragma once
+
+#include "core/base/function_ref.hpp"
+#include "core/validation/torch_run.hpp"
+#include "core/validation/validation.hpp"
+#include "core/weld/gauge/weld_section.hpp"
+
+namespace meltpool {
+
+/// Throws InputError where this machine cannot hold a workpiece of `volume` (m³) and the wire of `seconds`.
+void requireWeldRoom(const ValidationCase& from, const ProcessSettings& settings, double volume, double seconds);
+
+class CaseWeld {
+  public:
+    /// The case's metal as this workpiece at its own temperature, in air of `ambient` (K), with room for the wire of
+    /// `seconds` of arc.
+    CaseWeld(const ValidationCase& from, gl::ShaderLibrary& shaders, const ProcessSettings& settings, Workpiece piece,
+             double ambient, double seconds);
+
+    /// Welds along the path until `watch`, which is called after each step with its end (s), gives false. Counts steps
+    /// and particles in the result.
+    void run(const TorchPath& path, FunctionRef<bool(double)> watch, ValidationResult& result);
+    /// The same until a time (s).
+    void run(const TorchPath& path, double until, ValidationResult& result);
+
+    const Weld& weld() const { return weld_; }
+    bool fed() const { return fed_; }
+
+    /// The section from `low` to `high` (m along the seam).
+    Section section(double low, double high) const;
+
+    /// Tells the arc's means and refused filler.
+    void tellArc(const ValidationCase& from, ValidationResult& result) const;
+
+    /// Throws InputError when the arc burned for less than half of the time: last, so that the numbers are kept.
+    void requireArc(const ValidationCase& from) const;
+
+    /// With wire: compares what was deposited in the whole workpiece with what melted, both over `length` (m), within
+    /// 3 %, as `deposited_mm2`. A bead is thin where it begins and humps after it, so no short stretch has the mean.
+    void compareDeposit(const ValidationCase& from, double length, ValidationResult& result) const;
+
+  private:
+    void addMeans();
+
+    Workpiece piece_;
+    Material material_;
+    Weld weld_;
+    double seconds_;     ///< of arc, on the whole path
+    double elapsed_ = 0; ///< s
+    bool fed_;
+    struct {
+        double current = 0, voltage = 0, length = 0, burning = 0; ///< integrals over the time in which the arc burned
+    } arc_;
+};
+
+} // namespace meltpool

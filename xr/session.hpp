@@ -1,0 +1,90 @@
+// One OpenXR session: its state machine, reference space and frame calls.
+#pragma once
+
+#include "core/base/function_ref.hpp"
+#include "xr/graphics_binding.hpp"
+#include "xr/instance.hpp"
+#include "xr/pose.hpp"
+
+#include <array>
+
+namespace meltpool::xr {
+
+/// The session's state as far as the program has to know it.
+enum class SessionMode {
+    waiting,      ///< not begun: nobody wears the headset, or another program uses it
+    synchronized, ///< the runtime asks for frames but does not show them
+    visible,      ///< shown, without input (the runtime's own menu is over it)
+    focused,      ///< shown, with input
+    ended,        ///< the runtime asked the program to leave
+    lost,         ///< a new session has to be opened
+};
+
+/// One eye: where it is in the reference space and what it sees.
+struct EyeView {
+    Pose pose;
+    FieldOfView fov;
+};
+
+/// The answer to xrWaitFrame.
+struct FrameTiming {
+    XrTime displayTime = 0; ///< nanoseconds on the runtime's clock
+    double period = 0;      ///< seconds between displayed frames
+    bool shouldRender = false;
+};
+
+class Session {
+  public:
+    /// `instance` outlives the session; the binding's context is current and stays so. Throws XrFault.
+    Session(const Instance& instance, const GraphicsBinding& binding);
+    /// Requests the end, submits empty frames until the runtime has ended the session (half a second at most), and
+    /// destroys it. Never throws.
+    ~Session();
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+
+    XrSession handle() const { return session_; }
+    const Instance& instance() const { return instance_; }
+    /// STAGE (origin on the floor) where the runtime offers it, else LOCAL (origin near the head at start).
+    XrSpace space() const { return space_; }
+    bool originOnFloor() const { return stage_; }
+
+    SessionMode mode() const;
+    bool running() const { return running_; }
+    /// Handles all pending events; those that do not concern the session's state go to `onOther`.
+    void poll(FunctionRef<void(const XrEventDataBuffer&)> onOther = {});
+    /// Asks the runtime to end the session; poll() follows the states to its end.
+    void requestExit();
+
+    /// Blocks until the runtime wants the next frame. Only while running().
+    FrameTiming waitFrame();
+    void beginFrame();
+    /// Ends a frame that was given up, without a picture.
+    void dropFrame();
+    /// Shows the layers (none: nothing) at the frame's time.
+    void endFrame(XrTime displayTime, const XrCompositionLayerBaseHeader* const* layers, uint32_t count);
+
+    /// Both eyes at a time. False where the head is not tracked; the last known views stay in `eyes` then.
+    bool locateEyes(XrTime time, std::array<EyeView, 2>& eyes) const;
+    /// Where `space` is in the reference space; `tracked`: position and orientation are measured, not guessed.
+    bool locate(XrSpace space, XrTime time, Pose& pose, bool& tracked) const;
+
+  private:
+    void create(const GraphicsBinding& binding);
+    void makeSpace();
+    void onStateChanged(XrSessionState state);
+    void leave();
+
+    const Instance& instance_;
+    XrSession session_ = XR_NULL_HANDLE;
+    XrSpace space_ = XR_NULL_HANDLE;
+    bool stage_ = false;
+    XrSessionState state_ = XR_SESSION_STATE_UNKNOWN;
+    bool running_ = false;
+    bool lost_ = false;
+    bool waited_ = false; ///< for a frame that was not begun yet
+    bool inFrame_ = false;
+    XrTime displayTime_ = 0; ///< of the frame that was waited for last
+};
+
+} // namespace meltpool::xr
