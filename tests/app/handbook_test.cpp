@@ -13,6 +13,7 @@
 #include "tests/app/program.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
+#include "tests/support/places.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -30,10 +31,6 @@ namespace fs = std::filesystem;
 using Names = std::set<std::string>;
 
 constexpr size_t kMostReadmeLines = 141;
-
-fs::path sourceFolder() {
-    return testFolder().parent_path();
-}
 
 const std::vector<Page>& pages() {
     static const std::vector<Page> all = readPages(sourceFolder());

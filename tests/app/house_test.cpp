@@ -3,6 +3,7 @@
 #include "tests/app/handbook.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
+#include "tests/support/places.hpp"
 
 #include <algorithm>
 #include <regex>
@@ -13,10 +14,6 @@ using namespace meltpool::test;
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path sourceFolder() {
-    return testFolder().parent_path();
-}
 
 /// An include of one folder by another.
 struct Include {

@@ -4,6 +4,7 @@
 #include "tests/app/program.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
+#include "tests/support/places.hpp"
 
 #include <cstdlib>
 
@@ -76,8 +77,7 @@ void checkMenuEntry(const fs::path& prefix) {
 
 TEST_CASE("the installed program runs from anywhere", "[app]") {
     const fs::path prefix = test::scratchFolder("installed");
-    REQUIRE(
-        succeeds("cmake --install '" + std::string(MELTPOOL_BINARY_FOLDER) + "' --prefix '" + prefix.string() + "'"));
+    REQUIRE(succeeds("cmake --install '" + test::buildFolder().string() + "' --prefix '" + prefix.string() + "'"));
     checkRuns(prefix / "bin" / "meltpool");
     checkHandbook(prefix / "share" / "doc" / "meltpool");
     checkMenuEntry(prefix);
@@ -87,7 +87,7 @@ TEST_CASE("the installed program runs from anywhere", "[app]") {
 TEST_CASE("the Debian package holds a program that runs", "[app]") {
     if (!succeeds("command -v dpkg-deb")) return; // not a Debian
     const fs::path folder = test::scratchFolder("package");
-    REQUIRE(succeeds("cpack -G DEB --config '" + std::string(MELTPOOL_BINARY_FOLDER) + "/CPackConfig.cmake' -B '" +
+    REQUIRE(succeeds("cpack -G DEB --config '" + test::buildFolder().string() + "/CPackConfig.cmake' -B '" +
                      folder.string() + "'"));
     REQUIRE(succeeds("dpkg-deb -x '" + folder.string() + "'/meltpool_*.deb '" + (folder / "root").string() + "'"));
     checkRuns(folder / "root" / "usr" / "bin" / "meltpool");

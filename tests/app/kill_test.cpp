@@ -5,6 +5,7 @@
 #include "core/weld/torch/torch_csv.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
+#include "tests/support/places.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -50,7 +51,7 @@ int endOf(const std::function<void()>& work, const std::vector<std::pair<Millise
 }
 
 void runProgramQuietly(const std::vector<std::string>& words, const char* output = "/dev/null") {
-    const std::string program = (fs::path(MELTPOOL_BINARY_FOLDER) / "bin" / "meltpool").string();
+    const std::string program = (test::buildFolder() / "bin" / "meltpool").string();
     std::vector<char*> arguments{const_cast<char*>(program.c_str())};
     for (const std::string& word : words)
         arguments.push_back(const_cast<char*>(word.c_str()));

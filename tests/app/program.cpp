@@ -3,6 +3,7 @@
 #include "core/base/text.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
+#include "tests/support/places.hpp"
 
 #include <cstdlib>
 
@@ -31,7 +32,7 @@ Outcome runOnce(const std::string& command, const std::filesystem::path& kept) {
 
 Outcome runMeltpool(const std::string& arguments, const std::string& before, const std::filesystem::path& program) {
     static const std::filesystem::path kept = scratchFolder("program");
-    const std::filesystem::path built = std::filesystem::path(MELTPOOL_BINARY_FOLDER) / "bin" / "meltpool";
+    const std::filesystem::path built = test::buildFolder() / "bin" / "meltpool";
     const std::filesystem::path binary = program.empty() ? built : program;
     const std::string command = before + " '" + binary.string() + "' " + arguments + " >'" +
                                 (kept / "output").string() + "' 2>'" + (kept / "errors").string() + "'";
@@ -57,7 +58,7 @@ Outcome runUntilRecorded(const std::string& arguments, const std::filesystem::pa
 
 Outcome runBeside(const std::string& first, const std::string& signal, const std::filesystem::path& telemetry,
                   const std::string& second) {
-    const std::filesystem::path built = std::filesystem::path(MELTPOOL_BINARY_FOLDER) / "bin" / "meltpool";
+    const std::filesystem::path built = test::buildFolder() / "bin" / "meltpool";
     const std::filesystem::path script = scratchFolder("beside") / "beside.sh";
     writeTextFileAtomically(script, "rm -f '" + telemetry.string() + "'\n" + built.string() + " " + first +
                                         " >/dev/null 2>&1 & pid=$!\n"

@@ -3,6 +3,7 @@
 #include "tests/app/program.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
+#include "tests/support/places.hpp"
 
 #include <cstdlib>
 #include <regex>
@@ -46,7 +47,7 @@ fs::path scriptOf(const std::string& shell) {
 
 /// What bash offers for the last of these words, each between two slashes; the person has this data folder.
 std::string offered(const fs::path& script, const std::vector<std::string>& words, const fs::path& data) {
-    const fs::path program = fs::path(MELTPOOL_BINARY_FOLDER) / "bin" / "meltpool";
+    const fs::path program = test::buildFolder() / "bin" / "meltpool";
     const fs::path output = script.parent_path() / "offered", asked = script.parent_path() / "asked.bash";
     std::string text = "source '" + script.string() + "'\ncompopt() { :; }\nCOMP_WORDS=('" + program.string() + "'";
     for (const std::string& word : words)

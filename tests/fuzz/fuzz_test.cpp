@@ -9,6 +9,7 @@
 #include "tests/fuzz/mutator.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
+#include "tests/support/places.hpp"
 
 #include <chrono>
 #include <cstdlib>
@@ -68,7 +69,7 @@ Report fuzz(const test::Format& format, const fs::path& folder, double seconds) 
         ++report.inputs;
         const std::string fault = faultOf(format, file, report);
         if (fault.empty()) continue;
-        const fs::path kept = fs::path(MELTPOOL_BINARY_FOLDER) / ("fuzz-" + std::string(format.fileName));
+        const fs::path kept = test::buildFolder() / ("fuzz-" + std::string(format.fileName));
         put(kept, text);
         report.fault = std::string(format.name) + ", input " + std::to_string(index) + " (kept as " + kept.string() +
                        "): " + fault;

@@ -2,6 +2,7 @@
 // blocks shared by C++ and GLSL name their members.
 #include "tests/house/source_scan.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/places.hpp"
 
 #include <algorithm>
 #include <map>
@@ -18,13 +19,13 @@ constexpr int kMostLines = 70;
 
 const std::vector<SourceFile>& programSources() {
     static const std::vector<SourceFile> files =
-        test::readSources(MELTPOOL_SOURCE_FOLDER, {"core", "xr", "app"}, {".cpp", ".hpp"});
+        test::readSources(test::sourceFolder(), {"core", "xr", "app"}, {".cpp", ".hpp"});
     return files;
 }
 
 const std::vector<SourceFile>& shaderSources() {
     static const std::vector<SourceFile> files =
-        test::readSources(MELTPOOL_SOURCE_FOLDER, {"shaders"}, {".comp", ".vert", ".frag", ".geom", ".glsl", ".h"});
+        test::readSources(test::sourceFolder(), {"shaders"}, {".comp", ".vert", ".frag", ".geom", ".glsl", ".h"});
     return files;
 }
 
@@ -46,7 +47,8 @@ const std::map<std::string, std::set<std::string>>& floorsBelow() {
         {"core/surface", {"core/base", "core/gl", "core/metal"}},
         {"core/render", {"core/base", "core/gl", "core/metal", "core/weld", "core/surface"}},
         {"core/scene", {"core/base", "core/gl", "core/metal", "core/weld", "core/surface", "core/render"}},
-        {"core/training", {"core/base", "core/gl", "core/metal", "core/weld", "core/surface", "core/render", "core/scene"}},
+        {"core/training",
+         {"core/base", "core/gl", "core/metal", "core/weld", "core/surface", "core/render", "core/scene"}},
         {"xr", {"core/base", "core/gl"}}};
     return below;
 }
@@ -218,7 +220,7 @@ TEST_CASE("no folder holds more than 50 units") {
 TEST_CASE("no function is longer than 70 lines") {
     std::vector<SourceFile> files = programSources();
     files.insert(files.end(), shaderSources().begin(), shaderSources().end());
-    const auto tests = test::readSources(MELTPOOL_SOURCE_FOLDER, {"tests"}, {".cpp", ".hpp"});
+    const auto tests = test::readSources(test::sourceFolder(), {"tests"}, {".cpp", ".hpp"});
     files.insert(files.end(), tests.begin(), tests.end());
     size_t functions = 0;
     for (const SourceFile& file : files)

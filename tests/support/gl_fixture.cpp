@@ -1,6 +1,7 @@
 #include "tests/support/gl_fixture.hpp"
 
 #include "core/base/image.hpp"
+#include "tests/support/places.hpp"
 
 #include <cstdio>
 #include <cstdlib>
@@ -17,12 +18,12 @@ gl::HeadlessContext& context() {
 
 gl::ShaderLibrary& shaders() {
     context();
-    static gl::ShaderLibrary only(fs::path(MELTPOOL_SOURCE_FOLDER) / "shaders");
+    static gl::ShaderLibrary only(test::sourceFolder() / "shaders");
     return only;
 }
 
 fs::path testFolder() {
-    return fs::path(MELTPOOL_SOURCE_FOLDER) / "tests";
+    return test::sourceFolder() / "tests";
 }
 
 fs::path scratchFolder(const std::string& name) {
@@ -50,7 +51,7 @@ bool matchesGolden(const std::string& name, const Image& picture, double farShar
     const ImageDifference difference = compareImages(expected, picture, 24);
     const bool same = difference.mean < 2.0 && difference.farPixels <= farShare;
     if (!same) {
-        const fs::path kept = fs::path(MELTPOOL_BINARY_FOLDER) / (fs::path(name).filename().string() + ".actual.png");
+        const fs::path kept = test::buildFolder() / (fs::path(name).filename().string() + ".actual.png");
         writePng(kept, picture);
         std::fprintf(stderr, "%s differs from its golden: mean %.2f, far pixels %.3f %%, largest %d; kept as %s\n",
                      name.c_str(), difference.mean, difference.farPixels * 100, difference.largest,

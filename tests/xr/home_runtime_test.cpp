@@ -3,6 +3,7 @@
 #include "core/training/attempt/recording_reader.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/newest_recording.hpp"
+#include "tests/support/places.hpp"
 #include "tests/xr/trainee.hpp"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ namespace fs = std::filesystem;
 /// The build's data with two lessons: the default one, small, and a bead on a small plate that is judged.
 fs::path smallCatalogue(const fs::path& folder) {
     const fs::path share = folder / "share";
-    const fs::path built = fs::path(MELTPOOL_BINARY_FOLDER) / "share" / "meltpool";
+    const fs::path built = test::buildFolder() / "share" / "meltpool";
     fs::create_directories(share / "data" / "lessons");
     fs::create_directory_symlink(fs::canonical(built / "shaders"), share / "shaders");
     for (const auto& entry : fs::directory_iterator(fs::canonical(built / "data")))

@@ -7,6 +7,7 @@
 #include "core/surface/surface.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
+#include "tests/support/places.hpp"
 #include "tests/xr/bench.hpp"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -20,7 +21,7 @@ namespace {
 
 /// A half-melted cube and the workshop around it.
 struct Lesson {
-    gl::ShaderLibrary shaders{std::filesystem::path(MELTPOOL_SOURCE_FOLDER) / "shaders"};
+    gl::ShaderLibrary shaders{test::sourceFolder() / "shaders"};
     HeadsetParameters parameters;
     WorkpiecePlace place{parameters.tableHeight, parameters.zoom, -0.04f};
     Renderer renderer{shaders};

@@ -2,6 +2,7 @@
 #include "core/training/lesson/lesson.hpp"
 #include "core/weld/torch/torch_moves.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/places.hpp"
 #include "tests/xr/trainee.hpp"
 
 #include <glm/trigonometric.hpp>
@@ -59,7 +60,7 @@ void weldAlong(Trainee& trainee, TrainerProcess& trainer, const glm::vec3& from,
 TEST_CASE("the shipped tee fillet is picked, welded end to end, scored and begun again in the headset",
           "[runtime][long]") {
     handGeometry();
-    const fs::path data = fs::path(MELTPOOL_SOURCE_FOLDER) / "app" / "data";
+    const fs::path data = test::sourceFolder() / "app" / "data";
     const Lesson lesson = readLesson(data / "lessons" / "tee-fillet.toml");
     Trainee trainee;
     trainee.bottom = makeWorkpiece(lesson.workpiece).low.y;

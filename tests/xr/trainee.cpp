@@ -2,6 +2,7 @@
 
 #include "core/base/text.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/places.hpp"
 
 #include <chrono>
 #include <thread>
@@ -46,7 +47,7 @@ const HandGeometry& handGeometry() {
 fs::path smallLesson(const fs::path& folder) {
     fs::create_directories(folder);
     const fs::path file = folder / "small.toml";
-    const fs::path paths = fs::path(MELTPOOL_SOURCE_FOLDER) / "app" / "data" / "paths" / "classic-corner.toml";
+    const fs::path paths = test::sourceFolder() / "app" / "data" / "paths" / "classic-corner.toml";
     writeTextFileAtomically(
         file, "title = \"Small\"\ntext = \"Small.\"\nmodel = \"classic\"\ntorch = \"" + paths.string() +
                   "\"\n[start]\nparticles = 4096\n"
@@ -58,7 +59,7 @@ fs::path smallLesson(const fs::path& folder) {
 fs::path plateLesson(const fs::path& folder) {
     fs::create_directories(folder);
     const fs::path file = folder / "plate.toml";
-    const fs::path paths = fs::path(MELTPOOL_SOURCE_FOLDER) / "app" / "data" / "paths" / "bead-on-plate.toml";
+    const fs::path paths = test::sourceFolder() / "app" / "data" / "paths" / "bead-on-plate.toml";
     writeTextFileAtomically(file, "title = \"Plate\"\ntext = \"Plate.\"\nmodel = \"weld\"\ntorch = \"" +
                                       paths.string() +
                                       "\"\n[workpiece]\nworkpiece = \"plate\"\nmetal = \"s235\"\nlength_mm = 24\n"

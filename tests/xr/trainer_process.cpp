@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/places.hpp"
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -29,7 +30,7 @@ std::vector<std::string> launched(const fs::path& program, const std::vector<std
 }
 
 int start(const std::vector<std::string>& arguments, const fs::path& folder, const std::string& preload) {
-    const std::vector<std::string> words = launched(fs::path(MELTPOOL_BINARY_FOLDER) / "bin" / "meltpool", arguments);
+    const std::vector<std::string> words = launched(test::buildFolder() / "bin" / "meltpool", arguments);
     std::vector<char*> pointers;
     for (const std::string& word : words)
         pointers.push_back(const_cast<char*>(word.c_str()));

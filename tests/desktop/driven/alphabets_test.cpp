@@ -3,6 +3,7 @@
 #include "tests/desktop/driven/driver.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
+#include "tests/support/places.hpp"
 
 #include <csignal>
 
@@ -20,7 +21,7 @@ struct Alphabet {
 /// The build's data with the classic lesson in these languages only.
 fs::path catalogueOf(const std::string& name, const std::vector<Alphabet>& alphabets) {
     const fs::path share = scratchFolder(name);
-    const fs::path built = fs::path(MELTPOOL_BINARY_FOLDER) / "share" / "meltpool";
+    const fs::path built = test::buildFolder() / "share" / "meltpool";
     fs::create_directory_symlink(fs::canonical(built / "shaders"), share / "shaders");
     fs::create_directories(share / "data" / "lessons");
     for (const auto& entry : fs::directory_iterator(fs::canonical(built / "data")))

@@ -3,6 +3,7 @@
 #include "core/base/text.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
+#include "tests/support/places.hpp"
 
 #include <X11/Xatom.h>
 #include <X11/Xlib.h>
@@ -107,7 +108,7 @@ TrainerWindow::TrainerWindow(const std::string& name, const Options& options)
     process.command = {MELTPOOL_PROGRAM, "--telemetry", (folder_ / "telemetry.jsonl").string()};
     if (!options.lesson.empty()) process.command.insert(process.command.end(), {"--lesson", options.lesson});
     process.command.insert(process.command.end(), options.arguments.begin(), options.arguments.end());
-    const fs::path data = options.data.empty() ? fs::path(MELTPOOL_BINARY_FOLDER) / "share" / "meltpool" : options.data;
+    const fs::path data = options.data.empty() ? test::buildFolder() / "share" / "meltpool" : options.data;
     process.environment = {{"DISPLAY", display_},
                            {"HOME", (folder_ / "home").string()},
                            {"XDG_CONFIG_HOME", (folder_ / "config").string()},
@@ -268,7 +269,7 @@ fs::path TrainerWindow::takePicture(const std::string& name) {
     const std::string before = state().at("screenshot");
     key("F10");
     const json now = waitFor("a picture", [&](const json& s) { return s.at("screenshot") != before; });
-    const fs::path kept = fs::path(MELTPOOL_BINARY_FOLDER) / "desktop-pictures" / (name + ".png");
+    const fs::path kept = test::buildFolder() / "desktop-pictures" / (name + ".png");
     fs::create_directories(kept.parent_path());
     fs::copy_file(now.at("screenshot").get<std::string>(), kept, fs::copy_options::overwrite_existing);
     return kept;

@@ -4,6 +4,7 @@
 #include "tests/desktop/driven/driver.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
+#include "tests/support/places.hpp"
 
 #include <cmath>
 
@@ -73,7 +74,7 @@ speed_mm_s = 0.5
 /// The build's data with two lessons only: the classic one and "small-bead".
 fs::path smallCatalogue() {
     const fs::path share = scratchFolder("home-data");
-    const fs::path built = fs::path(MELTPOOL_BINARY_FOLDER) / "share" / "meltpool";
+    const fs::path built = test::buildFolder() / "share" / "meltpool";
     fs::create_directory_symlink(fs::canonical(built / "shaders"), share / "shaders");
     fs::create_directories(share / "data" / "lessons");
     for (const auto& entry : fs::directory_iterator(fs::canonical(built / "data")))

@@ -3,6 +3,7 @@
 #include "tests/desktop/driven/driver.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
+#include "tests/support/places.hpp"
 
 #include <X11/Xlib.h>
 
@@ -40,7 +41,7 @@ class IconStart {
     void waitForWindow(const std::string& picture) const {
         REQUIRE(xdotool({"search", "--sync", "--onlyvisible", "--class", "^meltpool$"}) == 0);
         std::this_thread::sleep_for(std::chrono::seconds(1)); // until it is drawn
-        const fs::path file = fs::path(MELTPOOL_BINARY_FOLDER) / "desktop-pictures" / picture;
+        const fs::path file = test::buildFolder() / "desktop-pictures" / picture;
         fs::create_directories(file.parent_path());
         CHECK(runCommand({"import", "-window", "root", file.string()}, {{"DISPLAY", display_.name()}}) == 0);
     }

@@ -4,6 +4,7 @@
 #include "tests/desktop/driven/driver.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
+#include "tests/support/places.hpp"
 
 #include <csignal>
 #include <set>
@@ -171,8 +172,7 @@ TEST_CASE("F12 saves the metal without panels, as large as fits into 4K in the w
     const json now = window.waitFor("the large picture", [&](const json& s) { return s.at("screenshot") != before; });
     const fs::path file = now.at("screenshot").get<std::string>();
     const Image large = readPng(file);
-    fs::copy_file(file, fs::path(MELTPOOL_BINARY_FOLDER) / "desktop-pictures" / "large.png",
-                  fs::copy_options::overwrite_existing);
+    fs::copy_file(file, test::buildFolder() / "desktop-pictures" / "large.png", fs::copy_options::overwrite_existing);
     CHECK((large.width == 3840 || large.height == 2160));
     CHECK(large.width <= 3840);
     CHECK(large.height <= 2160);
@@ -215,7 +215,7 @@ TEST_CASE("on a screen of double density everything is twice as large") {
 
 TEST_CASE("a changed shader is taken over; a broken one is told and the old one runs on until it is mended") {
     const fs::path share = scratchFolder("shader-copy");
-    const fs::path source = fs::path(MELTPOOL_BINARY_FOLDER) / "share" / "meltpool";
+    const fs::path source = test::buildFolder() / "share" / "meltpool";
     fs::copy(fs::canonical(source / "shaders"), share / "shaders", fs::copy_options::recursive);
     fs::create_directory_symlink(fs::canonical(source / "data"), share / "data");
     TrainerWindow window("shaders", {.arguments = {"--watch-shaders"}, .data = share});

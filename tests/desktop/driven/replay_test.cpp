@@ -3,6 +3,7 @@
 #include "tests/desktop/driven/driver.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
+#include "tests/support/places.hpp"
 
 namespace meltpool::test {
 
@@ -16,7 +17,7 @@ fs::path recordedAttempt() {
     const fs::path folder = scratchFolder("replay-record");
     REQUIRE(runCommand({MELTPOOL_PROGRAM, "run", "classic", "--out", folder.string(), "--seconds", "2", "--set",
                         "particles=1000", "--set", "cells=16", "--size", "64x48"},
-                       {{"MELTPOOL_DATA", (fs::path(MELTPOOL_BINARY_FOLDER) / "share" / "meltpool").string()}}) == 0);
+                       {{"MELTPOOL_DATA", (test::buildFolder() / "share" / "meltpool").string()}}) == 0);
     return folder / "telemetry.csv";
 }
 
@@ -53,7 +54,7 @@ TEST_CASE("a file that is no attempt ends the program with a sentence") {
     options.environment = {{"DISPLAY", sharedDisplay().name()},
                            {"HOME", folder.string()},
                            {"XDG_CONFIG_HOME", folder.string()},
-                           {"MELTPOOL_DATA", (fs::path(MELTPOOL_BINARY_FOLDER) / "share" / "meltpool").string()},
+                           {"MELTPOOL_DATA", (test::buildFolder() / "share" / "meltpool").string()},
                            {"WAYLAND_DISPLAY", ""}};
     options.output = folder / "output.txt";
     Process process(options);

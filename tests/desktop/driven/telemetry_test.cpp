@@ -4,6 +4,7 @@
 #include "tests/desktop/driven/driver.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
+#include "tests/support/places.hpp"
 
 #include <chrono>
 #include <csignal>
@@ -47,7 +48,7 @@ struct BlindWindow {
                              {"XDG_DATA_HOME", (folder / "data").string()},
                              {"XDG_PICTURES_DIR", ""},
                              {"WAYLAND_DISPLAY", ""},
-                             {"MELTPOOL_DATA", (fs::path(MELTPOOL_BINARY_FOLDER) / "share" / "meltpool").string()}};
+                             {"MELTPOOL_DATA", (test::buildFolder() / "share" / "meltpool").string()}};
         start.folder = folder;
         start.output = folder / "output.txt";
         return start;

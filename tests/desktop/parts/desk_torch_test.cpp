@@ -2,6 +2,7 @@
 #include "app/session/desk_torch.hpp"
 #include "core/training/lesson/lesson.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/places.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -16,7 +17,7 @@ constexpr double kStep = 1.0 / 100;
 constexpr int kSteps = 3; // of a frame
 
 Lesson shipped(const char* name) {
-    return findLesson(name, std::filesystem::path(MELTPOOL_SOURCE_FOLDER) / "app" / "data" / "lessons");
+    return findLesson(name, test::sourceFolder() / "app" / "data" / "lessons");
 }
 
 /// A desk that is welded at, with the technique that measures it.

@@ -3,6 +3,7 @@
 #include "core/base/text.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
+#include "tests/support/places.hpp"
 
 #include <cmath>
 #include <limits>
@@ -120,8 +121,7 @@ TEST_CASE("the timings panel draws bars of all widths from 0 to 20 pixels") {
 
 TEST_CASE("every rectangle of the interface is drawn by the function that knows small ones") {
     size_t sources = 0;
-    for (const auto& entry :
-         std::filesystem::recursive_directory_iterator(std::filesystem::path(MELTPOOL_SOURCE_FOLDER) / "app")) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(test::sourceFolder() / "app")) {
         if (entry.path().extension() != ".cpp" || entry.path().filename() == "widgets.cpp") continue;
         ++sources;
         const std::string text = readTextFile(entry.path());

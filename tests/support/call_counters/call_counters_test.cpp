@@ -7,6 +7,7 @@
 #include "tests/support/call_counters/gl_calls.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
+#include "tests/support/places.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -36,7 +37,7 @@ void collectCalls(const std::string& text, std::set<std::string>& calls) {
 std::set<std::string> callsOfTheProgram() {
     std::set<std::string> calls;
     for (const char* folder : {"core", "xr", "app"})
-        for (const auto& entry : fs::recursive_directory_iterator(fs::path(MELTPOOL_SOURCE_FOLDER) / folder))
+        for (const auto& entry : fs::recursive_directory_iterator(test::sourceFolder() / folder))
             if (entry.path().extension() == ".cpp" || entry.path().extension() == ".hpp")
                 collectCalls(readTextFile(entry.path()), calls);
     return calls;
