@@ -12,9 +12,9 @@ namespace {
 
 /// Who made them, where that is another one than here; empty where it is not.
 std::string otherMaker(const RecordedAttempt& attempt, const Lesson& lesson, const ReplayMachine& machine) {
-    if (attempt.driver != machine.driver) return "another driver, " + attempt.driver;
-    if (attempt.program != machine.program) return "another version, " + attempt.program;
-    if (!attempt.lessonHash.empty() && attempt.lessonHash != fileHash(lesson.file))
+    if (attempt.head.driver != machine.driver) return "another driver, " + attempt.head.driver;
+    if (attempt.head.program != machine.program) return "another version, " + attempt.head.program;
+    if (!attempt.head.lessonHash.empty() && attempt.head.lessonHash != fileHash(lesson.file))
         return "another version of its lesson";
     return {};
 }

@@ -31,7 +31,7 @@ ReplayEnd replayEnd(const RecordedAttempt* attempt, size_t steps, std::uint64_t 
     if (*same) return {Verdict::same, "The metal is that of the attempt, to the last bit."};
     return {Verdict::different, "This is a simulation of the recording: the metal is not that of the attempt to the "
                                 "last bit. Recorded by " +
-                                    machineText(attempt->program, attempt->driver) + ", played by " +
+                                    machineText(attempt->head.program, attempt->head.driver) + ", played by " +
                                     machineText(machine.program, machine.driver) + "."};
 }
 

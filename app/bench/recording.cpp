@@ -89,7 +89,7 @@ void benchRecording(Bench& bench) {
     const Lesson lesson = findLesson("gmaw-bead", resourceFolder() / "data" / "lessons");
     const ScratchFile file;
     TimedWeld plain(bench, lesson), recorded(bench, lesson);
-    const auto writer = std::make_shared<RecordingWriter>(file.path(), recorded.trainer().recordingHead());
+    const auto writer = std::make_shared<RecordingWriter>(file.path(), recorded.trainer().attemptHead());
     recorded.record(writer);
     for (TimedWeld* weld : {&plain, &recorded}) {
         weld->weldUntil(kWarmUp);

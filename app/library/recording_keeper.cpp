@@ -51,7 +51,7 @@ void RecordingKeeper::open(Trainer& trainer, int attempt) {
                          "the folder of recordings cannot be made: " + failure.message() +
                              "; expected a place where a folder may be made");
     makeRoom();
-    RecordingHead head = trainer.recordingHead();
+    AttemptHead head = trainer.attemptHead();
     head.lessonFile = fileOutsideCatalogue(trainer.lesson());
     head.lessonHash = fileHash(trainer.lesson().file);
     head.attempt = attempt;

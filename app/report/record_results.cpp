@@ -154,7 +154,7 @@ RunResults readRecordResults(const fs::path& record, const Lesson& lesson) {
     ResultContext context;
     context.version = programVersion();
     context.commit = programCommit();
-    context.renderer = repeated.recorded->driver;
+    context.renderer = repeated.recorded->head.driver;
     context.attempt = factsOf(*repeated.recorded);
     context.judgement = judged(repeated, stepsIn(record));
     const Judgement& judgement = context.judgement;

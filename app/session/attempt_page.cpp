@@ -53,7 +53,7 @@ std::string attemptPage(Trainer& trainer, Renderer& renderer, const Judgement& j
     context.version = programVersion();
     context.commit = programCommit();
     context.renderer = driver;
-    context.date = facts.date;
+    context.date = facts.head.date;
     context.attempt = facts;
     context.section = trainer.section();
     context.judgement = judgement;

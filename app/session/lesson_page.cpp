@@ -14,7 +14,7 @@ std::filesystem::path LessonSession::writePage(double zoom, const std::string& d
         throw InputError("there is no judged attempt; expected a weld that was judged, with the arc out");
     const Judgement& judgement = judge_.judged()->judgement;
     AttemptFacts facts;
-    facts.date = formatDate(std::chrono::system_clock::now());
+    facts.head.date = formatDate(std::chrono::system_clock::now());
     facts.forScore = sections_->attempt.forScore;
     facts.realTime = judgement.realTime;
     facts.zoom = zoom;
@@ -24,7 +24,7 @@ std::filesystem::path LessonSession::writePage(double zoom, const std::string& d
     facts.ghost = ghost_.used();
     std::filesystem::path record;
     if (!records_.lost() && !records_.file().empty() && isPlainFile(records_.file())) record = records_.file();
-    const std::filesystem::path page = attemptPageName(record, lesson_.key, facts.date);
+    const std::filesystem::path page = attemptPageName(record, lesson_.key, facts.head.date);
     writeFile(page, attemptPage(*trainer_, renderer_, judgement, facts, driver));
     surfaceIsOld_ = true;
     clock_.restart(); // the metal does not make good the time that this took

@@ -51,7 +51,7 @@ struct DeskPicture {
 
 class LessonSession {
   public:
-    /// `stopwatch` tells how long steps take. `metalThere`: the metal lies in that context, see MetalElsewhere; it must
+    /// `stopwatch` tells how long steps take. `metalThere`: the metal lies in that context, see LessonMetal; it must
     /// outlive the session. Throws InputError when the shaders cannot be used.
     LessonSession(gl::ShaderLibrary& shaders, Lesson lesson, Stopwatch stopwatch = machineSeconds,
                   gl::OtherContext* metalThere = nullptr);

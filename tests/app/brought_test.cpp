@@ -146,7 +146,7 @@ TEST_CASE("a record that a spreadsheet has saved is still the record of its atte
     const fs::path file = brought("record-saved-by-excel.csv");
     const auto attempt = readRecordedAttempt(file);
     REQUIRE(attempt);
-    CHECK(attempt->lesson == "classic");
+    CHECK(attempt->head.lesson == "classic");
     CHECK(attempt->rows == 2);
     CHECK(attempt->ended == "reset");
     CHECK(attempt->realTime == 0.99);

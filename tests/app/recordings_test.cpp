@@ -74,7 +74,7 @@ std::string hashOfRepeat(const fs::path& file) {
 /// A recording of `bytes` bytes about, with these dates in its head, the local one in its name too.
 fs::path keptAt(const fs::path& folder, const std::string& date, const std::string& utc, int attempt, size_t bytes) {
     const fs::path file = recordingName(folder, date, "classic", attempt);
-    RecordingHead head = recordedHead("classic");
+    AttemptHead head = recordedHead("classic");
     head.date = date;
     head.utc = utc;
     RecordingBytes recording;
@@ -119,8 +119,8 @@ TEST_CASE("each attempt has a recording that replays to the same bits, whatever 
         REQUIRE(attempt);
         CHECK(attempt->rows > 10);
         CHECK(attempt->changes.size() == 1);
-        CHECK(attempt->lessonFile == "");
-        CHECK(attempt->lessonHash == fileHash(smallLesson().file));
+        CHECK(attempt->head.lessonFile == "");
+        CHECK(attempt->head.lessonHash == fileHash(smallLesson().file));
         CHECK(hashOfRepeat(file) == attempt->stateHash);
     }
     CHECK(readRecordedAttempt(files[0])->ended == "reset");

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 /// A recording of one step that began on this day; a program that was killed leaves no end.
 void keep(const fs::path& folder, int day, const std::string& lesson, bool ended) {
-    RecordingHead head = test::recordedHead(lesson);
+    AttemptHead head = test::recordedHead(lesson);
     head.date = "2026-01-0" + std::to_string(day) + "T10:00:00+0000";
     test::RecordingBytes recording;
     recording.head(head).step(test::recordedStep(1));

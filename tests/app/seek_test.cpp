@@ -147,7 +147,7 @@ TEST_CASE("a replay goes to the moments that its recording holds, and to the sam
         other.driver += "x";
         CHECK_THAT(momentsOfAttempt(lesson, other).refused, containsText("another driver"));
         Lesson changed = lesson;
-        changed.recorded->lessonHash = "0123456789abcdef";
+        changed.recorded->head.lessonHash = "0123456789abcdef";
         CHECK_THAT(momentsOfAttempt(changed, thisMachine()).refused, containsText("version of its lesson"));
     }
     SECTION("the page of the hand is made of the recording alone") {

@@ -29,8 +29,8 @@ inline RecordingStep recordedStep(int i) {
     return step;
 }
 
-inline RecordingHead recordedHead(const std::string& lesson) {
-    RecordingHead head;
+inline AttemptHead recordedHead(const std::string& lesson) {
+    AttemptHead head;
     head.lesson = lesson;
     head.lessonHash = "00000000000000ab";
     head.attempt = 3;
@@ -68,7 +68,7 @@ class RecordingBytes {
     RecordingBytes& add(FrameKind kind, std::string_view content) {
         return add(static_cast<std::uint32_t>(kind), content);
     }
-    RecordingBytes& head(const RecordingHead& head) { return add(FrameKind::head, headContent(head)); }
+    RecordingBytes& head(const AttemptHead& head) { return add(FrameKind::head, headContent(head)); }
     RecordingBytes& step(const RecordingStep& step) {
         const auto content = stepContent(step);
         return add(FrameKind::step, {content.data(), content.size()});

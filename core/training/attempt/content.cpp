@@ -117,44 +117,24 @@ std::optional<RecordingPose> readPose(ByteReader& reader, bool known) {
 
 } // namespace
 
-std::string headContent(const RecordingHead& head) {
+std::string headContent(const AttemptHead& head) {
     std::string text;
     appendRecordLine(text, "", "format", std::to_string(kRecordingFormat), {});
-    appendRecordLine(text, "", "lesson", head.lesson, {});
-    if (!head.lessonFile.empty()) appendRecordLine(text, "", "lesson_file", head.lessonFile, {});
-    if (!head.lessonHash.empty()) appendRecordLine(text, "", "lesson_hash", head.lessonHash, {});
-    appendRecordLine(text, "", "attempt", std::to_string(head.attempt), {});
-    appendRecordLine(text, "", "date", head.date, {});
-    if (!head.utc.empty()) appendRecordLine(text, "", "utc", head.utc, {});
-    appendRecordLine(text, "", "program", head.program, {});
-    appendRecordLine(text, "", "driver", head.driver, {});
+    appendHeadLines(text, "", head);
     appendRecordLine(text, "", "arc", head.arc ? "yes" : "no", {});
     appendRecordLine(text, "", "rod", head.rod ? "yes" : "no", {});
-    for (const auto& [key, value] : head.values)
-        appendRecordLine(text, "", "value", key, value);
-    for (const std::string& key : head.chosen)
-        appendRecordLine(text, "", "chosen", key, {});
+    appendStartValues(text, "", head);
     return text;
 }
 
-RecordingHead readHead(std::string_view content) {
-    RecordingHead head;
+AttemptHead readHead(std::string_view content) {
+    AttemptHead head;
     std::uint64_t format = 0;
     eachLine(content, [&](std::string_view word, std::string_view rest) {
         if (word == "format") format = wholeNumber(rest, "the format is no number; expected 1");
-        if (word == "lesson") head.lesson = rest;
-        if (word == "lesson_file") head.lessonFile = rest;
-        if (word == "lesson_hash") head.lessonHash = rest;
-        if (word == "attempt")
-            head.attempt = static_cast<int>(
-                std::min<std::uint64_t>(wholeNumber(rest, "the attempt is no number; expected one from 1"), 1'000'000));
-        if (word == "date") head.date = rest;
-        if (word == "utc") head.utc = rest;
-        if (word == "program") head.program = rest;
-        if (word == "driver") head.driver = rest;
+        if (readHeadLine(head, word, rest)) return;
         if (word == "arc") head.arc = rest == "yes";
         if (word == "rod") head.rod = rest == "yes";
-        if (word == "chosen") head.chosen.emplace_back(rest);
         if (word != "value") return;
         const size_t key = std::min(rest.find(' '), rest.size());
         require(key > 0 && key < rest.size(), "a value is missing; expected 'value KEY VALUE'");

@@ -18,7 +18,7 @@ inline constexpr size_t kPersonBytes = 100;
 inline constexpr size_t kNoteHeadBytes = 12;
 
 /// Heads and ends are text of lines `word value`, so that a later format can add words.
-std::string headContent(const RecordingHead& head);
+std::string headContent(const AttemptHead& head);
 /// Ends with the length of its whole frame, so that it can be found from the file's end.
 std::string endContent(const RecordingEnd& end);
 std::array<char, kStepBytes> stepContent(const RecordingStep& step);
@@ -27,7 +27,7 @@ std::array<char, kNoteHeadBytes> noteHead(std::uint64_t steps, std::string_view 
 
 /// Each throws InputError with a sentence about the content alone where it is not as it must be: too short, no finite
 /// number, no unit quaternion, an unknown word for an arc. What stands behind the known bytes is left alone.
-RecordingHead readHead(std::string_view content);
+AttemptHead readHead(std::string_view content);
 RecordingEnd readEnd(std::string_view content);
 RecordingStep readStep(std::string_view content);
 RecordingPerson readPerson(std::string_view content);

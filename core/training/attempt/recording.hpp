@@ -1,6 +1,7 @@
 // What a recording holds: all that repeats an attempt to the same bits, and shows it from the person's own eyes.
 #pragma once
 
+#include "core/training/attempt/attempt_head.hpp"
 #include "core/weld/process/arc.hpp"
 #include "core/weld/torch/torch_sample.hpp"
 
@@ -10,29 +11,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace meltpool {
 
 /// How the name of a recording ends.
 inline constexpr std::string_view kRecordingEnding = ".meltrec";
-
-/// What is known when an attempt begins.
-struct RecordingHead {
-    std::string lesson;                                      ///< key
-    std::string lessonFile;                                  ///< of a lesson outside of the catalogue; else empty
-    std::string lessonHash;                                  ///< fileHash() of the lesson's file
-    int attempt = 1;                                         ///< counted from the program's start
-    std::string date;                                        ///< when it began: "2026-11-23T08:10:43+0100", local
-    std::string utc;                                         ///< the same, see utcText(); empty in old recordings
-    std::string program;                                     ///< version and commit
-    std::string driver;                                      ///< of the graphics: another may round otherwise
-    std::vector<std::pair<std::string, std::string>> values; ///< of the metal and the process, at the start
-    std::vector<std::string> chosen;                         ///< keys of values that the trainee chose
-    bool arc = false;                                        ///< the metal has an arc
-    bool rod = false;                                        ///< the process melts a filler rod
-};
 
 /// A step of the metal.
 struct RecordingStep {
@@ -98,7 +82,7 @@ struct RecordingFault {
 /// what came after that step is left out: steps, people, changes, checkpoints, and events of the torch and the arc.
 struct Recording {
     std::filesystem::path file;
-    RecordingHead head;
+    AttemptHead head;
     std::vector<RecordingStep> steps;
     std::vector<RecordingPerson> people;
     std::vector<RecordingNote> changes;           ///< in the order of the steps

@@ -9,18 +9,13 @@ namespace meltpool {
 namespace {
 
 std::string headLines(const Recording& recording) {
-    const RecordingHead& head = recording.head;
+    AttemptHead head = recording.head;
+    for (std::string* each : {&head.lessonFile, &head.lessonHash, &head.utc}) // a CSV record has none of them
+        each->clear();
     std::string text(kRecordFirstLine);
     text += '\n';
-    appendRecordLine(text, "#", "lesson", head.lesson, {});
-    appendRecordLine(text, "#", "attempt", std::to_string(head.attempt), {});
-    appendRecordLine(text, "#", "date", head.date, {});
-    appendRecordLine(text, "#", "program", head.program, {});
-    appendRecordLine(text, "#", "driver", head.driver, {});
-    for (const auto& [key, value] : head.values)
-        appendRecordLine(text, "#", "value", key, value);
-    for (const std::string& key : head.chosen)
-        appendRecordLine(text, "#", "chosen", key, {});
+    appendHeadLines(text, "#", head);
+    appendStartValues(text, "#", head);
     for (const std::string_view name : torchColumns())
         text += (name == torchColumns().front() ? "" : ",") + std::string(name);
     for (const std::string_view name : head.rod ? rodColumns() : std::span<const std::string_view>{})
@@ -56,7 +51,7 @@ class Notes {
     size_t event_ = 0;
 };
 
-void appendStep(std::string& text, const RecordingStep& step, const RecordingHead& head) {
+void appendStep(std::string& text, const RecordingStep& step, const AttemptHead& head) {
     appendTorchRow(text, step.torch);
     if (head.rod) {
         text += ',';

@@ -235,7 +235,7 @@ void walk(std::ifstream& stream, RecordingSummary& summary) {
     summary.seconds = std::isfinite(last) && last >= 0 && last <= 86400 ? last : 0;
 }
 
-RecordingHead headOf(const fs::path& file) {
+AttemptHead headOf(const fs::path& file) {
     FrameReader frames(file);
     RecordingFrame first;
     if (!frames.next(first) || !first.is(FrameKind::head))
@@ -317,7 +317,7 @@ RecordingSummary readRecordingSummary(const fs::path& file) {
     return summary;
 }
 
-Moment beginOf(const RecordingHead& head, const fs::path& file) {
+Moment beginOf(const AttemptHead& head, const fs::path& file) {
     if (const auto moment = parseMoment(head.utc)) return *moment;
     if (const auto moment = parseMoment(head.date)) return *moment;
     return writtenAt(file).value_or(momentNow());
@@ -327,7 +327,7 @@ Moment beginOf(const fs::path& file) {
     try {
         return beginOf(headOf(file), file);
     } catch (const InputError&) {
-        return beginOf(RecordingHead{}, file);
+        return beginOf(AttemptHead{}, file);
     }
 }
 

@@ -31,7 +31,7 @@ std::vector<std::byte> readCheckpoint(const std::filesystem::path& file, const R
 
 /// What can be told of a recording without reading all of it.
 struct RecordingSummary {
-    RecordingHead head;
+    AttemptHead head;
     std::optional<RecordingEnd> end;
     double seconds = 0;      ///< of the metal's time
     std::uint64_t bytes = 0; ///< of the file
@@ -44,7 +44,7 @@ RecordingSummary readRecordingSummary(const std::filesystem::path& file);
 
 /// When the attempt began, by which attempts are put in order: as the head says, in UTC; an older head by its local
 /// date and that one's distance from UTC; else when `file` was last written, and at the latest now.
-Moment beginOf(const RecordingHead& head, const std::filesystem::path& file);
+Moment beginOf(const AttemptHead& head, const std::filesystem::path& file);
 
 /// The same of a file whose head is read for it; one without a whole head counts by when it was written. Never throws
 /// for the contents of the file.

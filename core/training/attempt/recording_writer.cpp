@@ -34,7 +34,7 @@ bool samePlaces(const RecordingPerson& a, const RecordingPerson& b) {
 
 } // namespace
 
-RecordingWriter::RecordingWriter(const std::filesystem::path& file, const RecordingHead& head) : file_(file) {
+RecordingWriter::RecordingWriter(const std::filesystem::path& file, const AttemptHead& head) : file_(file) {
     batch_ = kRecordingSignature;
     appendFrame(batch_, chain_, static_cast<std::uint32_t>(FrameKind::head), headContent(head));
     if (!file_.append(batch_)) {

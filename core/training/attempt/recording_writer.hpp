@@ -36,7 +36,7 @@ class RecordingWriter {
 
     /// Begins the file with its head. Throws InputError where it is there already or cannot be made there, RuntimeFault
     /// where the machine fails.
-    RecordingWriter(const std::filesystem::path& file, const RecordingHead& head);
+    RecordingWriter(const std::filesystem::path& file, const AttemptHead& head);
     /// Writes what was brought, without an end where end() was not called, and waits for it.
     ~RecordingWriter();
     RecordingWriter(const RecordingWriter&) = delete;

@@ -166,19 +166,20 @@ Lesson findLesson(const std::string& name, const fs::path& folder) {
 
 Lesson findLessonOf(const RecordedAttempt& attempt, const LessonFolders& folders) {
     std::error_code failed;
-    if (!attempt.lessonFile.empty() && fs::exists(attempt.lessonFile, failed)) return readLesson(attempt.lessonFile);
-    const std::vector<NamedLesson> found = folders.named(attempt.lesson);
-    if (found.empty() || (!attempt.lessonFile.empty() && found[0].origin == LessonOrigin::shipped))
+    if (!attempt.head.lessonFile.empty() && fs::exists(attempt.head.lessonFile, failed))
+        return readLesson(attempt.head.lessonFile);
+    const std::vector<NamedLesson> found = folders.named(attempt.head.lesson);
+    if (found.empty() || (!attempt.head.lessonFile.empty() && found[0].origin == LessonOrigin::shipped))
         throw InputError(attempt.file, 0,
-                         "is of lesson " + quote(attempt.lesson) +
+                         "is of lesson " + quote(attempt.head.lesson) +
                              ", which is not in the catalogue; expected --lesson with this lesson's file");
     return readLesson(found[0].file);
 }
 
 std::string movedLessonText(const RecordedAttempt& attempt, const Lesson& lesson) {
     std::error_code failed;
-    if (attempt.lessonFile.empty() || fs::exists(attempt.lessonFile, failed)) return {};
-    return "The lesson's file " + printable(attempt.lessonFile, 500) + " is no longer there; " +
+    if (attempt.head.lessonFile.empty() || fs::exists(attempt.head.lessonFile, failed)) return {};
+    return "The lesson's file " + printable(attempt.head.lessonFile, 500) + " is no longer there; " +
            printable(lesson.file.string(), 500) + " has the same name and is used.";
 }
 

@@ -41,7 +41,7 @@ class Reader {
   public:
     explicit Reader(const std::filesystem::path& file) {
         attempt_.file = file;
-        attempt_.date = fileDate(file);
+        attempt_.head.date = fileDate(file);
     }
 
     std::optional<RecordedAttempt> read() {
@@ -64,15 +64,23 @@ class Reader {
   private:
     void readComment(std::string_view text) {
         const std::string_view word = takeWord(text);
-        if (word == "lesson") attempt_.lesson = text;
-        if (word == "program") attempt_.program = text;
-        if (word == "driver") attempt_.driver = text;
+        if (isHeadLine(word, text)) return;
         if (word == "value") attempt_.values.push_back(assignment(text));
         if (word == "set") attempt_.changes.push_back(assignment(text));
         if (word == "event") addEvent(text);
         if (word == "ended") attempt_.ended = text;
         if (word == "state_hash") attempt_.stateHash = text;
         if (word == "real_time") attempt_.realTime = ratio(text);
+    }
+
+    /// The file's date stays the one that is shown: a record's own is of its begin.
+    bool isHeadLine(std::string_view word, std::string_view text) {
+        if (word == "date") return true;
+        try {
+            return readHeadLine(attempt_.head, word, text);
+        } catch (const InputError& fault) {
+            throw InputError(attempt_.file, line_, fault.what());
+        }
     }
 
     void addEvent(std::string_view text) {
@@ -138,12 +146,7 @@ RecordedAttempt attemptOf(const Recording& recording) {
     RecordedAttempt attempt;
     attempt.file = recording.file;
     attempt.framed = true;
-    attempt.date = recording.head.date;
-    attempt.lesson = recording.head.lesson;
-    attempt.lessonFile = recording.head.lessonFile;
-    attempt.lessonHash = recording.head.lessonHash;
-    attempt.driver = recording.head.driver;
-    attempt.program = recording.head.program;
+    attempt.head = recording.head;
     for (const auto& [key, value] : recording.head.values)
         attempt.values.push_back({0, key, value, 1, 0});
     for (const RecordingNote& note : recording.changes)
@@ -187,12 +190,13 @@ std::optional<bool> sameEnd(const RecordedAttempt& attempt, size_t steps, std::u
 }
 
 void repeatAttempt(Lesson& lesson, const RecordedAttempt& attempt) {
-    if (attempt.lesson != lesson.key && attempt.framed)
+    if (attempt.head.lesson != lesson.key && attempt.framed)
         throw InputError(attempt.file, 0,
-                         "is a recording of lesson '" + attempt.lesson + "'; expected one of '" + lesson.key + "'");
-    if (attempt.lesson != lesson.key)
+                         "is a recording of lesson '" + attempt.head.lesson + "'; expected one of '" + lesson.key +
+                             "'");
+    if (attempt.head.lesson != lesson.key)
         throw InputError(attempt.file, 2,
-                         "is a record of lesson '" + attempt.lesson + "'; expected one of '" + lesson.key +
+                         "is a record of lesson '" + attempt.head.lesson + "'; expected one of '" + lesson.key +
                              "', or a plain torch path, whose first line is not '" + std::string(kRecordFirstLine) +
                              "'");
     Lesson checked = lesson;

@@ -2,6 +2,8 @@
 // on the way.
 #pragma once
 
+#include "core/training/attempt/attempt_head.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -31,13 +33,8 @@ struct RecordedEvent {
 
 struct RecordedAttempt {
     std::filesystem::path file;
-    bool framed = false;    ///< the file is a recording; else a record
-    std::string date;       ///< of the file, local, as formatDate(); empty where nobody knows
-    std::string lesson;     ///< key
-    std::string lessonFile; ///< of a recording whose lesson is not in the catalogue; else empty
-    std::string lessonHash; ///< of a recording: fileHash() of the lesson's file; else empty
-    std::string program;    ///< version and commit
-    std::string driver;
+    bool framed = false; ///< the file is a recording; else a record
+    AttemptHead head;    ///< its values have their places in `values`; date: of the file, local, as formatDate()
     std::vector<RecordedChange> values;  ///< at the start
     std::vector<RecordedChange> changes; ///< in the order of the steps
     std::vector<RecordedEvent> events;   ///< in the same order

@@ -33,13 +33,13 @@ SurfaceParameters bodySurface(float spacing, glm::vec3 boxMin, glm::vec3 boxMax)
     return parameters;
 }
 
-MeshCopy bodyMesh(gl::ShaderLibrary& shaders, const MetalModel& metal, const SurfaceParameters& shown) {
+MeshCopy bodyMesh(gl::ShaderLibrary& shaders, const LessonMetal& metal, const SurfaceParameters& shown) {
     const SceneView scene = metal.scene({});
     SurfaceParameters parameters = shown;
-    if (const auto spacing = metal.spacing()) parameters = bodySurface(*spacing, scene.boxMin, scene.boxMax);
+    if (const auto spacing = metal.model().spacing()) parameters = bodySurface(*spacing, scene.boxMin, scene.boxMax);
     parameters.caps = true;
     Surface surface(shaders, parameters, scene.boxMin, scene.boxMax);
-    metal.prepare(surface);
+    metal.model().prepare(surface);
     surface.incremental = {};
     ParticleView particles = metal.particles();
     particles.frozenAt = nullptr; // files have no ripples
@@ -47,7 +47,7 @@ MeshCopy bodyMesh(gl::ShaderLibrary& shaders, const MetalModel& metal, const Sur
     MeshCopy mesh = outerBodies(copyMesh(surface));
     const glm::mat3 turn = glm::mat3(scene.modelToWorld) / glm::length(glm::vec3(scene.modelToWorld[0]));
     for (SurfaceVertex& vertex : mesh.vertices) {
-        vertex.position = turn * vertex.position * metal.unit();
+        vertex.position = turn * vertex.position * metal.model().unit();
         vertex.normal = turn * vertex.normal;
     }
     return mesh;

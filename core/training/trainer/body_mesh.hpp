@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/surface/mesh_copy.hpp"
-#include "core/training/trainer/metal_model.hpp"
+#include "core/training/trainer/lesson_metal.hpp"
 
 namespace meltpool {
 
@@ -12,7 +12,7 @@ namespace meltpool {
 /// Metal whose particles lie on a lattice gets a grid that follows their spacing, and not that of the pictures: in a
 /// grid much finer than the particles, these do not reach each other and the metal is a sponge of inner walls. Other
 /// metal has the surface `shown`, closed at its box. Throws RuntimeFault when the mesh does not fit its buffers.
-MeshCopy bodyMesh(gl::ShaderLibrary& shaders, const MetalModel& metal, const SurfaceParameters& shown);
+MeshCopy bodyMesh(gl::ShaderLibrary& shaders, const LessonMetal& metal, const SurfaceParameters& shown);
 
 /// The parameters of such a surface around particles this far apart in this box, both in one unit.
 SurfaceParameters bodySurface(float spacing, glm::vec3 boxMin, glm::vec3 boxMax);

@@ -17,7 +17,7 @@ constexpr size_t kLongestRow = 800;
 /// Below this the metal stands still, and a ratio of times says nothing.
 constexpr double kLeastPace = 1e-3;
 
-std::string columns(const RecordHead& head) {
+std::string columns(const AttemptHead& head, bool paced) {
     std::string names;
     for (const std::string_view name : torchColumns())
         names += (names.empty() ? "" : ",") + std::string(name);
@@ -26,7 +26,7 @@ std::string columns(const RecordHead& head) {
     for (const std::string_view name : head.rod ? rodColumns() : std::span<const std::string_view>{})
         names += "," + std::string(name);
     if (head.arc) names += "," + std::string(kArcColumns);
-    if (head.paced) names += ",real_time";
+    if (paced) names += ",real_time";
     return names + "\n";
 }
 
@@ -36,8 +36,8 @@ void appendComment(std::string& text, std::string_view word, std::string_view na
 
 } // namespace
 
-Record::Record(const std::filesystem::path& file, const RecordHead& head, bool replace)
-    : file_(file), arc_(head.arc), rod_(head.rod), paced_(head.paced) {
+Record::Record(const std::filesystem::path& file, const AttemptHead& head, bool paced, bool replace)
+    : file_(file), arc_(head.arc), rod_(head.rod), paced_(paced) {
     std::error_code failure;
     if (!replace && std::filesystem::is_regular_file(file, failure))
         throw InputError(file, 0, "is there already; expected a name that no file has, as a record replaces nothing");
@@ -46,15 +46,9 @@ Record::Record(const std::filesystem::path& file, const RecordHead& head, bool r
     std::string text;
     text += kRecordFirstLine;
     text += '\n';
-    appendComment(text, "lesson", head.lesson, {});
-    appendComment(text, "attempt", std::to_string(head.attempt), {});
-    appendComment(text, "program", head.program, {});
-    appendComment(text, "driver", head.driver, {});
-    for (const auto& [key, value] : head.values)
-        appendComment(text, "value", key, value);
-    for (const std::string& key : head.chosen)
-        appendComment(text, "chosen", key, {});
-    text += columns(head);
+    appendHeadLines(text, "#", head);
+    appendStartValues(text, "#", head);
+    text += columns(head, paced);
     write(text);
     row_.reserve(kLongestRow);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/metal/state/statistics.hpp"
+#include "core/training/attempt/attempt_head.hpp"
 #include "core/weld/process/arc.hpp"
 #include "core/weld/torch/torch_sample.hpp"
 
@@ -14,27 +15,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 namespace meltpool::gl {
 class StateArchive;
 }
 
 namespace meltpool {
-
-/// What stands at the head of a record: enough to repeat the attempt.
-struct RecordHead {
-    std::string lesson;                                      ///< key
-    int attempt = 1;                                         ///< counted from the program's start
-    std::string program;                                     ///< version and commit
-    std::string driver;                                      ///< of the graphics: another may round otherwise
-    std::vector<std::pair<std::string, std::string>> values; ///< of the metal and the process, at the start
-    std::vector<std::string> chosen;                         ///< keys of values that the trainee chose
-    bool arc = false;                                        ///< the metal has an arc, whose figures have columns
-    bool rod = false;                                        ///< the process melts a filler rod: columns of it
-    bool paced = false;                                      ///< a person welds by the clock: column `real_time`
-};
 
 /// What is known of a step when it has been asked for.
 struct RecordStep {
@@ -67,8 +53,9 @@ class Record {
     /// Rows that may wait for their figures.
     static constexpr size_t kWaiting = kStatisticsInFlight + 1;
 
-    /// Begins the file, which may not be there yet unless `replace`. Throws InputError when it cannot be written.
-    Record(const std::filesystem::path& file, const RecordHead& head, bool replace);
+    /// Begins the file, which may not be there yet unless `replace`; `paced`: a person welds by the clock, and the
+    /// column `real_time` says how well the metal kept up. Throws InputError when it cannot be written.
+    Record(const std::filesystem::path& file, const AttemptHead& head, bool paced, bool replace);
 
     /// Notes something that happened after the last step: a line `# event NAME VALUE`.
     void event(std::string_view name, std::string_view value);

@@ -17,7 +17,7 @@ Repetition repetitionOf(const RecordedAttempt& attempt, const LessonResult& resu
                         const std::string& driver) {
     if (const auto same = sameEnd(attempt, result.steps, result.stateHash))
         return *same ? Repetition::sameBits : Repetition::simulation;
-    const bool other = attempt.driver != driver || attempt.program != program;
+    const bool other = attempt.head.driver != driver || attempt.head.program != program;
     return other ? Repetition::simulation : Repetition::unchecked;
 }
 
@@ -43,8 +43,9 @@ std::string repetitionText(const RecordedAttempt& attempt, const LessonResult& r
         return std::string(told ? "The metal did not end in the bits of the record: this"
                                 : "The record names no state for this end, and it was made by another program or "
                                   "driver: this") +
-               " is a simulation of the recording. It was made with driver " + shown(attempt.driver) + " and program " +
-               shown(attempt.program) + "; this is driver " + shown(driver) + " and program " + shown(program) + ".";
+               " is a simulation of the recording. It was made with driver " + shown(attempt.head.driver) +
+               " and program " + shown(attempt.head.program) + "; this is driver " + shown(driver) + " and program " +
+               shown(program) + ".";
     case Repetition::unchecked:
         break;
     }

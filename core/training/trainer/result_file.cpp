@@ -112,8 +112,8 @@ Json recordedOf(const RecordedAttempt& attempt, const LessonResult* result, cons
     Json json{{"record", attempt.file.filename().string()},
               {"ended", attempt.ended},
               {"steps", attempt.rows},
-              {"program", attempt.program},
-              {"driver", attempt.driver}};
+              {"program", attempt.head.program},
+              {"driver", attempt.head.driver}};
     if (attempt.realTime) json["real_time"] = jsonNumber(*attempt.realTime);
     if (attempt.redone > 0) json["redone"] = attempt.redone;
     if (result == nullptr || !context.whatIf.empty()) return json;
@@ -129,9 +129,9 @@ Json attemptOf(const AttemptFacts& facts) {
     const auto text = [&](const char* key, const std::string& value) {
         if (!value.empty()) json[key] = value;
     };
-    text("date", facts.date);
-    text("program", facts.program);
-    text("driver", facts.driver);
+    text("date", facts.head.date);
+    text("program", facts.head.program);
+    text("driver", facts.head.driver);
     if (facts.forScore) json["for_score"] = *facts.forScore;
     if (facts.realTime) json["real_time"] = jsonNumber(*facts.realTime);
     if (facts.zoom) json["zoom"] = jsonNumber(*facts.zoom);
@@ -232,9 +232,7 @@ void addName(std::string& list, const std::string& name) {
 
 AttemptFacts factsOf(const RecordedAttempt& attempt) {
     AttemptFacts facts;
-    facts.date = attempt.date;
-    facts.program = attempt.program;
-    facts.driver = attempt.driver;
+    facts.head = attempt.head;
     facts.realTime = attempt.realTime;
     // A person's attempt says so where it was for score; one without the line was practice.
     if (attempt.realTime) facts.forScore = false;

@@ -14,9 +14,7 @@ namespace meltpool {
 
 /// How an attempt was made, beside what the hand did. What nobody knows is empty.
 struct AttemptFacts {
-    std::string date;    ///< local, as formatDate()
-    std::string program; ///< version and commit that it was welded with
-    std::string driver;  ///< of the graphics that it was welded with
+    AttemptHead head; ///< date, program and driver of it are told
     std::optional<bool> forScore;
     std::optional<double> realTime; ///< simulated over real time
     std::optional<double> zoom;     ///< size at which the workpiece was shown

@@ -69,22 +69,29 @@ void Trainer::transferLesson(gl::StateArchive& archive) {
             parameter.value);
 }
 
-/// Pending looks at the metal are no part of it: figures are made anew from the metal.
+/// Pending looks at the metal are no part of it: figures are read again from the restored metal.
 void Trainer::transfer(gl::StateArchive& archive) {
     transferLesson(archive);
-    if (archive.restores()) metal_->apply(lesson_);
-    metal_->transfer(archive);
-    archive.values(time_, realTime_, nextFigures_, tracked_);
+    if (archive.restores()) applyValues();
+    const auto transferMetal = [&](MetalModel& metal) { metal.transfer(archive); };
+    archive.restores() ? metal_.change(transferMetal) : metal_.run(transferMetal);
+    archive.values(time_, tracked_);
+    figures_.transfer(archive);
+    recorder_.transfer(archive);
     for (size_t* each : {&steps_, &nextChange_, &nextEvent_})
         archive.count(*each, kAnyNumber);
     archive.values(account_.seconds, account_.charge, account_.energy);
     archive.values(surfaceDistance_.ahead, surfaceDistance_.nearest, surfaceDistance_.liquid, surfaceDistance_.normal);
-    pace_.transfer(archive);
     arc_.transfer(archive);
     transferTorch(archive, torch_);
     sound_.transfer(archive);
     if (archive.restores()) sight_.reset();
     if (technique_) technique_->transfer(archive);
+}
+
+/// The particles are as before once it has been called twice.
+void Trainer::fold() {
+    metal_.run([](MetalModel& metal) { metal.fold(); });
 }
 
 void Trainer::capture(CheckpointCapture& capture, size_t historyFrom) const {
@@ -101,9 +108,9 @@ void Trainer::capture(CheckpointCapture& capture, size_t historyFrom) const {
     if (technique_) self.technique_->transferSteps(history, head.historyFrom, known);
     gl::StateArchive archive(capture.state());
     self.transfer(archive);
-    metal_->fold();
+    self.fold();
     capture.request();
-    metal_->fold();
+    self.fold();
 }
 
 Checkpoint Trainer::save(size_t historyFrom) const {
@@ -134,7 +141,7 @@ void Trainer::requireFit(const Checkpoint& checkpoint) const {
 
 void Trainer::restore(const Checkpoint& checkpoint) {
     requireFit(checkpoint);
-    awaitFigures(); // those of rows that are still to be written
+    figures_.finish(); // rows that wait are of the metal before
     if (technique_) {
         gl::StateArchive history(std::span<const std::byte>(checkpoint.history));
         technique_->transferSteps(history, checkpoint.historyFrom, checkpoint.historyTo);
@@ -144,9 +151,9 @@ void Trainer::restore(const Checkpoint& checkpoint) {
     if (!archive.atEnd())
         throw InputError("the checkpoint of step " + std::to_string(checkpoint.step) +
                          " has more bytes than this lesson's state; expected one that this program saved");
-    metal_->fold();
+    fold();
     forgetProbe_ = true;
-    figures_ = metal_->statistics();
+    figures_.readAgain();
     if (!lesson_.recorded) return;
     // The checkpoint may be of the attempt itself, which repeated none; those behind this very step may come again.
     nextChange_ = firstFrom(lesson_.recorded->changes, steps_);
@@ -156,10 +163,8 @@ void Trainer::restore(const Checkpoint& checkpoint) {
 void Trainer::redo(const Checkpoint& checkpoint) {
     restore(checkpoint);
     event("redo", std::to_string(steps_));
-    for (const Parameter& parameter : live_) {
-        if (record_) record_->change(parameter.key, parameterText(parameter));
-        if (recording_) recording_->change(steps_, parameter.key, parameterText(parameter));
-    }
+    for (const Parameter& parameter : live_)
+        recorder_.change(steps_, parameter.key, parameterText(parameter));
     event("torch", tracked_ ? "seen" : "lost");
 }
 

@@ -4,33 +4,23 @@
 #include "core/base/last_facts.hpp"
 #include "core/base/text.hpp"
 #include "core/training/trainer/body_mesh.hpp"
-#include "core/training/trainer/metal_elsewhere.hpp"
 
 #include <utility>
 
 namespace meltpool {
 
-namespace {
-
-/// Simulated time between two looks at all of the metal, s: as often as anybody can read figures. A record has the
-/// newest.
-constexpr double kFiguresPeriod = 0.1;
-
-} // namespace
-
 Trainer::Trainer(gl::ShaderLibrary& shaders, Lesson lesson, gl::OtherContext* metalThere)
     : lesson_(std::move(lesson)),
-      metal_(metalThere != nullptr ? std::make_unique<MetalElsewhere>(*metalThere, lesson_)
-                                   : makeMetalModel(shaders, lesson_)),
+      metal_(shaders, lesson_, metalThere),
       identity_(identityOf(lesson_)),
       live_(liveParameters(lesson_)),
-      probe_(shaders) {
+      probe_(shaders),
+      figures_(metal_, recorder_) {
     noteFact(LastFact::lesson, lesson_.key);
-    const SceneView scene = metal_->scene({});
+    const SceneView scene = metal_.scene({});
     surface_ = std::make_unique<Surface>(shaders, lesson_.surface, scene.boxMin, scene.boxMax);
     torch_ = lesson_.torch.sample(0);
     torch_.trigger = 0;
-    figures_ = metal_->statistics();
     if (lesson_.model != LessonModel::Weld) return;
     sight_.open(scene);
     technique_.emplace(techniqueOf(lesson_.workpiece, lesson_.process, lesson_.technique));
@@ -42,68 +32,72 @@ Trainer::~Trainer() = default;
 
 void Trainer::reset() {
     stopRecord("reset");
-    awaitFigures();
     if (lesson_.recorded) // its changes come again
         for (const RecordedChange& value : lesson_.recorded->values)
             lesson_.set(value.key, value.value, "a recorded value");
-    metal_->apply(lesson_); // what was set since the last step holds from the start
-    metal_->reset();
+    metal_.change([this](MetalModel& metal) {
+        metal.apply(lesson_); // what was set since the last step holds from the start
+        metal.reset();
+    });
     time_ = 0;
     steps_ = 0;
-    nextFigures_ = 0;
     nextChange_ = 0;
     nextEvent_ = 0;
-    figures_ = metal_->statistics();
+    figures_.reset();
     arc_ = {};
     sound_.reset();
     sight_.reset();
-    pace_ = {};
+    recorder_.reset();
     account_ = {};
     surfaceDistance_ = {};
     tracked_ = true;
     if (technique_) technique_->reset();
 }
 
+void Trainer::applyValues() {
+    metal_.run([this](MetalModel& metal) { metal.apply(lesson_); });
+}
+
+std::uint64_t Trainer::stateHash() const {
+    return metal_.run([](MetalModel& metal) { return metal.stateHash(); });
+}
+
 double Trainer::timeStep() const {
-    return metal_->timeStep();
+    return metal_.model().timeStep();
 }
 
 void Trainer::change(std::string_view key, std::string_view value, std::string_view where) {
     lesson_.set(key, value, where);
-    if (record_) record_->change(key, value);
-    if (recording_) recording_->change(steps_, key, value);
+    recorder_.change(steps_, key, value);
 }
 
 void Trainer::event(std::string_view name, std::string_view value) {
     if (name == "torch") tracked_ = value != "lost";
     if (name == "samples" && technique_) technique_->noteDropped(droppedSeconds(value));
-    if (record_) record_->event(name, value);
-    if (recording_) recording_->event(steps_, name, value);
+    recorder_.event(steps_, name, value);
 }
 
 void Trainer::advance(const TorchSample& torch, gl::Profiler* profiler) {
-    metal_->apply(lesson_);
+    applyValues();
     time_ += timeStep();
     torch_ = torch;
     torch_.time = time_;
-    metal_->step(torch_, profiler);
+    metal_.step(torch_, profiler);
     const bool burned = arc_.burns();
-    arc_ = metal_->arc(surfaceDistance_);
+    arc_ = metal_.model().arc(surfaceDistance_);
     ++steps_;
     if (technique_) technique_->add(torch_, arc_, tracked_);
-    pace_.add(realTime_);
     account_.add(arc_, timeStep());
-    if (record_) record_->add({torch_, arc_, realTime_});
-    if (recording_) recording_->step({steps_, torch_, arc_, realTime_});
+    recorder_.step(steps_, torch_, arc_);
     if (burned && wentOut(arc_.noArc)) event("arc_out", noArcName(arc_.noArc));
-    updateFigures();
+    figures_.update(time_);
     hearAndSee();
 }
 
 /// After the figures: a run that waits for them hears those of its own step.
 void Trainer::hearAndSee() {
     if (lesson_.model != LessonModel::Weld) return;
-    sound_.step(lesson_.process, arc_, torch_, timeStep(), figures_.maxTemperature);
+    sound_.step(lesson_.process, arc_, torch_, timeStep(), figures_.newest().maxTemperature);
     if (ear_ != nullptr) ear_->hear(sound_.last());
     sight_.step(lesson_.process, sound_.last(), torch_, steps_);
 }
@@ -124,7 +118,7 @@ void Trainer::applyRecordedChanges() {
     const std::vector<RecordedEvent>& events = lesson_.recorded->events;
     for (; nextEvent_ < events.size() && events[nextEvent_].steps <= steps_; ++nextEvent_)
         event(events[nextEvent_].name, events[nextEvent_].value);
-    metal_->apply(lesson_); // the step's length may be among the changes
+    applyValues(); // the step's length may be among the changes
 }
 
 void Trainer::advanceDemonstration(gl::Profiler* profiler) {
@@ -132,52 +126,12 @@ void Trainer::advanceDemonstration(gl::Profiler* profiler) {
     advance(demonstration(), profiler);
 }
 
-void Trainer::updateFigures() {
-    if (wait_) {
-        awaitFigures();
-        takeFigures(metal_->statistics());
-        return;
-    }
-    while (const auto fresh = asked_ > 0 ? metal_->pollStatistics() : std::nullopt) {
-        --asked_;
-        takeFigures(*fresh);
-    }
-    if (record_)
-        awaitFigures(kStatisticsInFlight - 1); // each of its rows has its own look at the metal
-    else if (asked_ > 0 || time_ < nextFigures_)
-        return;
-    metal_->requestStatistics();
-    ++asked_;
-    nextFigures_ = time_ + kFiguresPeriod;
-}
-
-void Trainer::takeFigures(const MetalStatistics& figures) {
-    figures_ = figures;
-    if (record_ && record_->waiting() > 0) guardRecord([&] { record_->complete(figures_); });
-}
-
-/// Takes answers until no more than `left` are to come.
-void Trainer::awaitFigures(size_t left) {
-    for (; asked_ > left; --asked_)
-        takeFigures(*metal_->awaitStatistics());
-}
-
-/// A record that cannot be written on ends; the weld goes on, and whoever shows it tells of the fault.
-void Trainer::guardRecord(FunctionRef<void()> write) {
-    try {
-        write();
-    } catch (const RuntimeFault& fault) {
-        recordFault_ = fault.what();
-        record_ = nullptr;
-    }
-}
-
 void Trainer::noteMetal() {
     const int cells = surface_->parameters.cells;
     surface_->parameters = lesson_.surface;
     surface_->parameters.cells = cells;
-    metal_->prepare(*surface_);
-    noted_ = metal_->particles();
+    metal_.model().prepare(*surface_);
+    noted_ = metal_.particles();
     if (lesson_.look.detail == kLowDetail) noted_->frozenAt = nullptr; // ripples are not drawn
 }
 
@@ -188,16 +142,16 @@ void Trainer::makeSurface(gl::Profiler* profiler) {
 
 void Trainer::requestDistance(const TorchSample& torch) {
     if (std::exchange(forgetProbe_, false)) probe_.forget();
-    probe_.request(*surface_, *metal_, torch);
+    probe_.request(*surface_, metal_.model(), torch);
 }
 
 std::optional<SurfaceDistance> Trainer::pollDistance() {
     if (std::exchange(forgetProbe_, false)) probe_.forget();
-    return probe_.poll(*metal_);
+    return probe_.poll(metal_.model());
 }
 
 SceneView Trainer::scene() const {
-    SceneView scene = metal_->scene(torch_);
+    SceneView scene = metal_.scene(torch_);
     scene.mesh = surface_->mesh();
     scene.meshIsOpen = !lesson_.surface.caps;
     scene.effects = sight_.view();
@@ -205,75 +159,39 @@ SceneView Trainer::scene() const {
 }
 
 MeshCopy Trainer::bodyMesh(gl::ShaderLibrary& shaders) const {
-    return meltpool::bodyMesh(shaders, *metal_, lesson_.surface);
+    return meltpool::bodyMesh(shaders, metal_, lesson_.surface);
 }
 
-RecordHead Trainer::recordHead(const RecordContext& context) {
-    RecordHead head;
+AttemptHead Trainer::attemptHead() {
+    AttemptHead head;
     head.lesson = lesson_.key;
-    head.attempt = context.attempt;
-    head.program = context.program;
-    head.driver = context.driver;
     for (const Parameter& parameter : lesson_.metalParameters())
         head.values.emplace_back(parameter.key, parameterText(parameter));
     for (const ChosenSetting& each : lesson_.choose)
         head.chosen.push_back(each.key);
     head.arc = hasArc();
-    head.rod = metal_->takesRod();
-    head.paced = context.paced;
+    head.rod = metal_.model().takesRod();
     return head;
 }
 
 void Trainer::record(const std::filesystem::path& file, const RecordContext& context) {
-    awaitFigures();
-    if (record_) guardRecord([&] { endRecord("another record began", metal_->stateHash()); });
-    record_ = nullptr; // from here on each answer belongs to a row
-    recordFault_.clear();
-    record_ = std::make_unique<Record>(file, recordHead(context), context.replace);
-}
-
-RecordingHead Trainer::recordingHead() {
-    RecordHead known = recordHead({});
-    RecordingHead head;
-    head.lesson = std::move(known.lesson);
-    head.values = std::move(known.values);
-    head.chosen = std::move(known.chosen);
-    head.arc = known.arc;
-    head.rod = known.rod;
-    return head;
+    figures_.finish();
+    if (recorder_.writesCsv()) recorder_.endCsv("another record began", stateHash());
+    AttemptHead head = attemptHead();
+    head.attempt = context.attempt;
+    head.program = context.program;
+    head.driver = context.driver;
+    recorder_.writeCsv(file, head, context.paced, context.replace);
 }
 
 void Trainer::stopRecord(std::string_view reason) {
-    awaitFigures();
-    if (record_ || recording_)
-        guardRecord([&] {
-            const std::uint64_t hash = metal_->stateHash();
-            endRecording(reason, hash); // first: a record on a full disk does not keep it from its end
-            endRecord(reason, hash);
-        });
-    record_ = nullptr;
-    recording_ = nullptr;
-}
-
-void Trainer::endRecord(std::string_view reason, std::uint64_t stateHash) {
-    if (record_) record_->end(reason, stateHash);
-}
-
-void Trainer::endRecording(std::string_view reason, std::uint64_t stateHash) {
-    if (!recording_) return;
-    RecordingEnd end;
-    end.reason = reason;
-    end.stateHash = formatHexadecimal(stateHash);
-    end.steps = steps_;
-    end.seconds = time_;
-    end.realTime = pace_.ratio();
-    end.leastRealTime = pace_.least();
-    recording_->end(std::move(end));
+    figures_.finish();
+    if (recorder_.writes()) recorder_.end(reason, stateHash(), steps_, time_);
 }
 
 LessonResult Trainer::result() const {
-    return {time_,         steps_, metal_->statistics(), metal_->stateHash(), metal_->bytes(), surface_->bytes(),
-            metal_->wire()};
+    const MetalStatistics metal = metal_.run([](MetalModel& model) { return model.statistics(); });
+    return {time_, steps_, metal, stateHash(), metal_.bytes(), surface_->bytes(), wire()};
 }
 
 Judgement Trainer::judge() const {
@@ -281,10 +199,10 @@ Judgement Trainer::judge() const {
     std::optional<FaceStretch> wanted;
     if (const auto& bands = lesson_.technique)
         wanted = FaceStretch{bands->lengthFromMm * 1e-3, bands->lengthToMm * 1e-3};
-    Judgement judgement = judgeAttempt(*technique_, metal_->measureWeld(wanted),
+    Judgement judgement = judgeAttempt(*technique_, metal_.run([&](MetalModel& metal) { return metal.measureWeld(wanted); }),
                                        {lesson_.technique, lesson_.acceptance, lesson_.nominalWeld(), lesson_.process});
     judgement.arc = account_;
-    judgement.realTime = pace_.ratio();
+    judgement.realTime = recorder_.realTime();
     return judgement;
 }
 
@@ -292,7 +210,7 @@ std::optional<WeldSection> Trainer::section(std::optional<double> place) const {
     if (!place)
         for (const PictureLook& picture : lesson_.pictures)
             if (picture.sectionAt) place = static_cast<double>(*picture.sectionAt);
-    return metal_->section(place);
+    return metal_.run([&](MetalModel& metal) { return metal.section(place); });
 }
 
 } // namespace meltpool

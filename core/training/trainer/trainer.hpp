@@ -2,21 +2,19 @@
 // scripts and replays all drive this and only this.
 #pragma once
 
-#include "core/base/function_ref.hpp"
-#include "core/gl/other_context.hpp"
 #include "core/gl/profiler.hpp"
 #include "core/gl/program.hpp"
 #include "core/render/scene.hpp"
 #include "core/surface/mesh_copy.hpp"
 #include "core/surface/surface.hpp"
 #include "core/training/attempt/checkpoint_capture.hpp"
-#include "core/training/attempt/recording_writer.hpp"
 #include "core/training/feedback/sight.hpp"
 #include "core/training/feedback/sound/ear.hpp"
 #include "core/training/judging/judgement.hpp"
 #include "core/training/lesson/lesson.hpp"
-#include "core/training/trainer/metal_model.hpp"
-#include "core/training/trainer/record.hpp"
+#include "core/training/trainer/attempt_recorder.hpp"
+#include "core/training/trainer/figure_reader.hpp"
+#include "core/training/trainer/lesson_metal.hpp"
 #include "core/training/trainer/tip_probe.hpp"
 
 #include <memory>
@@ -48,7 +46,7 @@ struct RecordContext {
 class Trainer {
   public:
     /// Makes metal and surface. Throws InputError when the lesson's values are impossible here. `metalThere`: the metal
-    /// lies in that context, see MetalElsewhere; advance() and what makes no surface may then be called on its thread.
+    /// lies in that context, see LessonMetal; advance() and what makes no surface may then be called on its thread.
     Trainer(gl::ShaderLibrary& shaders, Lesson lesson, gl::OtherContext* metalThere = nullptr);
     ~Trainer();
     Trainer(const Trainer&) = delete;
@@ -101,7 +99,7 @@ class Trainer {
     /// The answer, once, frames later.
     std::optional<SurfaceDistance> pollDistance();
     /// Waits for the GPU.
-    SurfaceDistance distanceNow(const TorchSample& torch) { return probe_.now(*surface_, *metal_, torch); }
+    SurfaceDistance distanceNow(const TorchSample& torch) { return probe_.now(*surface_, metal_.model(), torch); }
     /// The arc of the last step: one state for hand, eye, score and record.
     const ArcState& arc() const { return arc_; }
     /// What is heard of the last step, its short circuits one by one; the classic model makes no sound.
@@ -111,10 +109,10 @@ class Trainer {
     /// Tells models without an arc of their own where the shown metal lies from the tip.
     void setSurfaceDistance(const SurfaceDistance& surface) { surfaceDistance_ = surface; }
     /// Radius (m) of what touches the metal first.
-    float touchRadius() const { return metal_->touchRadius(); }
+    float touchRadius() const { return metal_.model().touchRadius(); }
     /// See Process::burntOff().
-    float burntOff() const { return metal_->burntOff(); }
-    WireAccount wire() const { return metal_->wire(); }
+    float burntOff() const { return metal_.model().burntOff(); }
+    WireAccount wire() const { return metal_.model().wire(); }
     /// The lesson's metal has an arc, whose figures stand in the record.
     bool hasArc() const { return lesson_.model == LessonModel::Weld; }
 
@@ -130,27 +128,27 @@ class Trainer {
     void record(const std::filesystem::path& file, const RecordContext& context = {});
     /// Brings every following step to `recording` too, until stopRecord(). What is written there is the same whether or
     /// not there is a record.
-    void recordInto(std::shared_ptr<RecordingWriter> recording) { recording_ = std::move(recording); }
-    /// What the head of a recording says of the lesson as it is now; file, attempt, date, program and driver are left
+    void recordInto(std::shared_ptr<RecordingWriter> recording) { recorder_.recordInto(std::move(recording)); }
+    /// The head of an attempt at the lesson as it is now; its file and hash, number, date, program and driver are left
     /// to the caller.
-    RecordingHead recordingHead();
+    AttemptHead attemptHead();
     /// Ends record and recording; `reason` stands in them. Waits for the GPU.
     void stopRecord(std::string_view reason = "finished");
-    bool recording() const { return record_ != nullptr; }
+    bool writesCsvRecord() const { return recorder_.writesCsv(); }
     /// Why a record ended before it was stopped, as a sentence; empty while none did.
-    const std::string& recordFault() const { return recordFault_; }
+    const std::string& recordFault() const { return recorder_.fault(); }
     /// Notes in the record what happened after the last step, such as `zoom 2`. `torch lost` and `torch seen` tell
     /// whether the torch is tracked from now on, `samples dropped` that places of the torch before the next step are
     /// missing.
     void event(std::string_view name, std::string_view value = {});
     /// Simulated over real time about the next steps, for records and judgements of people.
-    void setRealTime(double ratio) { realTime_ = ratio; }
+    void setRealTime(double ratio) { recorder_.setRealTime(ratio); }
 
     /// True: every step waits for its own figures, as a run without a screen may. False (the default): the figures are
     /// the newest that came back without waiting, asked for ten times a second, in every step while it is recorded. The
     /// record's rows hold the figures of their own step either way.
-    void waitForFigures(bool wait) { wait_ = wait; }
-    const MetalStatistics& figures() const { return figures_; }
+    void waitForFigures(bool wait) { figures_.setWaiting(wait); }
+    const MetalStatistics& figures() const { return figures_.newest(); }
 
     /// The whole state after the last step. Waits for the GPU. The hand's steps before number `historyFrom` are left
     /// out, see Checkpoint.
@@ -179,39 +177,31 @@ class Trainer {
     Judgement judge() const;
 
   private:
+    void applyValues();
+    std::uint64_t stateHash() const;
     void followUnseen();
     void hearAndSee();
-    void updateFigures();
-    void takeFigures(const MetalStatistics& figures);
-    void awaitFigures(size_t left = 0);
-    void guardRecord(FunctionRef<void()> write);
-    void endRecord(std::string_view reason, std::uint64_t stateHash);
-    void endRecording(std::string_view reason, std::uint64_t stateHash);
-    RecordHead recordHead(const RecordContext& context);
     void transfer(gl::StateArchive& archive);
+    void fold();
     void transferLesson(gl::StateArchive& archive);
     void requireFit(const Checkpoint& checkpoint) const;
     static std::uint64_t identityOf(Lesson& lesson);
     static ParameterList liveParameters(Lesson& lesson);
 
     Lesson lesson_;
-    std::unique_ptr<MetalModel> metal_;
+    LessonMetal metal_;
     std::uint64_t identity_; ///< of lesson, workpiece and process, which other checkpoints do not have
     ParameterList live_;     ///< the lesson's values that may change while it is welded
     std::unique_ptr<Surface> surface_;
     std::optional<ParticleView> noted_; ///< for the surface
     TipProbe probe_;
     bool forgetProbe_ = false; ///< what it was asked is of another metal; not forgotten at once, but on its own thread
-    std::unique_ptr<Record> record_;
-    std::shared_ptr<RecordingWriter> recording_;
-    std::string recordFault_;
-    double realTime_ = 1;
-    RealTimeCount pace_;
+    AttemptRecorder recorder_;
+    FigureReader figures_;
     ArcAccount account_;
     size_t nextChange_ = 0; ///< of the demonstration's
     size_t nextEvent_ = 0;  ///< the same
     TorchSample torch_;
-    MetalStatistics figures_;
     ArcState arc_;
     SoundSource sound_;
     Ear* ear_ = nullptr;
@@ -221,9 +211,6 @@ class Trainer {
     SurfaceDistance surfaceDistance_;
     double time_ = 0;
     size_t steps_ = 0;
-    bool wait_ = false;
-    size_t asked_ = 0;       ///< answers about the metal's figures that are still to come
-    double nextFigures_ = 0; ///< simulated time from which they are asked for again, s
 };
 
 } // namespace meltpool

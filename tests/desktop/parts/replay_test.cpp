@@ -21,8 +21,8 @@ RecordedAttempt attemptOf(size_t rows) {
     RecordedAttempt attempt;
     attempt.rows = rows;
     attempt.stateHash = "00000000000000ff";
-    attempt.program = "0.1.0 (abc)";
-    attempt.driver = "one driver";
+    attempt.head.program = "0.1.0 (abc)";
+    attempt.head.driver = "one driver";
     return attempt;
 }
 

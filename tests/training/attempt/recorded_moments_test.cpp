@@ -37,7 +37,7 @@ void weld(KeptMoments& moments, Trainer& trainer, const std::string& process, si
 fs::path recordedAttempt(const std::string& process) {
     const fs::path file = test::scratchFolder("recorded-moments-" + process) / "a.meltrec";
     Trainer trainer(test::shaders(), test::checkpointLesson(process));
-    const auto writer = std::make_shared<RecordingWriter>(file, trainer.recordingHead());
+    const auto writer = std::make_shared<RecordingWriter>(file, trainer.attemptHead());
     trainer.recordInto(writer);
     KeptMoments moments({0.01, size_t(1) << 30});
     size_t first = 0, bytes = 0, count = 0;

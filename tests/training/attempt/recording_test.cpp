@@ -106,9 +106,9 @@ TEST_CASE("the table of a recording is a record of the same attempt", "[training
     const auto fromTable = readRecordedAttempt(table), fromRecording = readRecordedAttempt(file);
     REQUIRE(fromTable);
     REQUIRE(fromRecording);
-    CHECK(fromTable->lesson == fromRecording->lesson);
-    CHECK(fromTable->driver == fromRecording->driver);
-    CHECK(fromTable->program == fromRecording->program);
+    CHECK(fromTable->head.lesson == fromRecording->head.lesson);
+    CHECK(fromTable->head.driver == fromRecording->head.driver);
+    CHECK(fromTable->head.program == fromRecording->head.program);
     CHECK(fromTable->rows == fromRecording->rows);
     CHECK(fromTable->ended == fromRecording->ended);
     CHECK(fromTable->stateHash == fromRecording->stateHash);

@@ -106,17 +106,17 @@ TEST_CASE("an attempt finds its lesson again by file, else by name among the sch
     const LessonFolders folders = foldersWith(base, {"shipped/a.toml", "own/b.toml", "own/elsewhere.toml"});
     RecordedAttempt attempt;
     attempt.file = "attempt.meltrec";
-    attempt.lesson = "a";
+    attempt.head.lesson = "a";
     CHECK(findLessonOf(attempt, folders).title == "shipped/a.toml");
-    attempt.lesson = "b"; // as a CSV record names it
+    attempt.head.lesson = "b"; // as a CSV record names it
     CHECK(findLessonOf(attempt, folders).title == "own/b.toml");
     CHECK(movedLessonText(attempt, findLessonOf(attempt, folders)).empty());
-    attempt.lessonFile = (base / "own" / "elsewhere.toml").string();
+    attempt.head.lessonFile = (base / "own" / "elsewhere.toml").string();
     CHECK(findLessonOf(attempt, folders).title == "own/elsewhere.toml");
-    attempt.lessonFile = "/nowhere/b.toml";
+    attempt.head.lessonFile = "/nowhere/b.toml";
     const Lesson moved = findLessonOf(attempt, folders);
     CHECK(moved.title == "own/b.toml");
     CHECK_THAT(movedLessonText(attempt, moved), containsText("/nowhere/b.toml is no longer there"));
-    attempt.lesson = "a"; // a shipped lesson is never what a file elsewhere was
+    attempt.head.lesson = "a"; // a shipped lesson is never what a file elsewhere was
     CHECK_THROWS_WITH(findLessonOf(attempt, folders), containsText("expected --lesson with this lesson's file"));
 }

@@ -25,14 +25,13 @@ MetalStatistics metalWith(size_t molten) {
     return metal;
 }
 
-RecordHead headOf(const std::string& lesson) {
-    RecordHead head;
+AttemptHead headOf(const std::string& lesson) {
+    AttemptHead head;
     head.lesson = lesson;
     head.attempt = 3;
     head.program = "1.0 abc";
     head.driver = "a driver\nwith two lines";
     head.values = {{"solidify_rate", "0.25"}, {"gravity", "0,-9.81,0"}};
-    head.paced = true;
     return head;
 }
 
@@ -41,7 +40,7 @@ RecordHead headOf(const std::string& lesson) {
 TEST_CASE("a record is a torch path with the metal's figures behind", "[training]") {
     const auto file = test::scratchFolder("record") / "record.csv";
     {
-        Record record(file, headOf("classic"), false);
+        Record record(file, headOf("classic"), true, false);
         for (int i = 1; i <= 100; ++i) {
             record.add({sampleAt(i), {}, 1});
             // Figures come two steps later.
@@ -70,7 +69,7 @@ TEST_CASE("a record is a torch path with the metal's figures behind", "[training
 TEST_CASE("what happened between the steps stands between the rows, and is read again", "[training]") {
     const auto file = test::scratchFolder("record-events") / "record.csv";
     {
-        Record record(file, headOf("classic"), false);
+        Record record(file, headOf("classic"), true, false);
         record.add({sampleAt(1), {}, 1});
         record.event("zoom", "2");
         record.change("solidify_rate", "0.5");
@@ -85,7 +84,7 @@ TEST_CASE("what happened between the steps stands between the rows, and is read 
     CHECK(text.find("# driver a driver with two lines\n") != std::string::npos);
     const auto attempt = readRecordedAttempt(file);
     REQUIRE(attempt);
-    CHECK(attempt->lesson == "classic");
+    CHECK(attempt->head.lesson == "classic");
     CHECK(attempt->rows == 2);
     CHECK(attempt->ended == "reset");
     CHECK(attempt->stateHash == "0000000000000abc");
@@ -137,22 +136,22 @@ TEST_CASE("a recorded attempt is repeated only on its own lesson, and its faults
 
 TEST_CASE("a place that cannot be written is bad input, a full disk is a fault, and no file is replaced",
           "[training]") {
-    CHECK_THROWS_AS(Record("/proc/nowhere/record.csv", {}, true), InputError);
-    if (std::filesystem::exists("/dev/full")) CHECK_THROWS_AS(Record("/dev/full", {}, true), RuntimeFault);
+    CHECK_THROWS_AS(Record("/proc/nowhere/record.csv", {}, true, true), InputError);
+    if (std::filesystem::exists("/dev/full")) CHECK_THROWS_AS(Record("/dev/full", {}, true, true), RuntimeFault);
     const auto file = test::scratchFolder("record-again") / "record.csv";
-    { const Record first(file, headOf("a"), false); }
-    CHECK_THROWS_AS(Record(file, headOf("b"), false), InputError);
+    { const Record first(file, headOf("a"), true, false); }
+    CHECK_THROWS_AS(Record(file, headOf("b"), true, false), InputError);
     CHECK(readTextFile(file).find("# lesson a\n") != std::string::npos);
-    { const Record third(file, headOf("c"), true); }
+    { const Record third(file, headOf("c"), true, true); }
     CHECK(readTextFile(file).find("# lesson c\n") != std::string::npos);
 }
 
 TEST_CASE("the record of a process that melts a filler rod has the rod where one is held", "[training]") {
     const auto file = test::scratchFolder("record") / "rod.csv";
     {
-        RecordHead head = headOf("gtaw");
+        AttemptHead head = headOf("gtaw");
         head.rod = head.arc = true;
-        Record record(file, head, false);
+        Record record(file, head, true, false);
         for (int i = 1; i <= 10; ++i) {
             TorchSample torch = sampleAt(i);
             if (i > 5) torch.rod = RodSample{{0.01F, 0.002F, 0.001F * static_cast<float>(i)}, torch.orientation, 2e-3F};

@@ -122,7 +122,7 @@ TEST_CASE("reset, a second trainer and a replay of the record all give the same 
     trainer.reset();
     CHECK(trainer.time() == 0);
     CHECK(trainer.steps() == 0);
-    CHECK_FALSE(trainer.recording());
+    CHECK_FALSE(trainer.writesCsvRecord());
     CHECK(run(trainer) == first);
 
     Trainer second(test::shaders(), smallLesson());
@@ -268,7 +268,7 @@ TEST_CASE("a disk that is full in mid-attempt ends the record, not the weld", "[
     if (!std::filesystem::exists(full)) return;
     Trainer trainer(test::shaders(), smallLesson());
     CHECK_THROWS_AS(trainer.record(full), RuntimeFault);
-    CHECK_FALSE(trainer.recording());
+    CHECK_FALSE(trainer.writesCsvRecord());
     repeat(trainer, flameAt(21, 1), 3);
     CHECK(trainer.steps() == 3);
 }

@@ -1,0 +1,72 @@
+// The metal of a lesson and the context that it lies in: the calling thread's, or another one whose steps wait for no
+// picture.
+#pragma once
+
+#include "core/gl/other_context.hpp"
+#include "core/metal/state/particle_mirror.hpp"
+#include "core/training/trainer/metal_model.hpp"
+
+#include <memory>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+namespace meltpool {
+
+/// In another context: each function may be called on that context's thread or, while nothing is under way there, on the
+/// thread that made this. particles() and scene() show buffers of the calling thread's context: on the latter copies,
+/// made by the first call after the metal changed, which stay as they are while further steps are made.
+class LessonMetal {
+  public:
+    /// `there`: the metal's context, null for the calling thread's. It must outlive the metal and be of a driver of
+    /// gl::dispatchesEndAtOnce(). Throws what makeMetalModel() throws.
+    LessonMetal(gl::ShaderLibrary& shaders, const Lesson& lesson, gl::OtherContext* there);
+    ~LessonMetal();
+    LessonMetal(const LessonMetal&) = delete;
+    LessonMetal& operator=(const LessonMetal&) = delete;
+
+    /// Does `work`, a function of the MetalModel that leaves its particles as they are, in the metal's context. Gives what
+    /// it gives, throws what it threw, and allocates nothing.
+    template <class Work>
+    auto run(const Work& work) const;
+    /// The same with a function that changes the particles.
+    template <class Work>
+    auto change(const Work& work) {
+        changed_ = true;
+        return run(work);
+    }
+
+    /// Answers that need no context: units, arc, wire.
+    const MetalModel& model() const { return *metal_; }
+
+    /// One fixed step. `profiler` may be null.
+    void step(const TorchSample& torch, gl::Profiler* profiler);
+    ParticleView particles() const;
+    SceneView scene(const TorchSample& torch) const;
+    /// GPU memory with the copies, bytes.
+    size_t bytes() const { return metal_->bytes() + mirror_.bytes(); }
+
+  private:
+    void stepTimed(const TorchSample& torch);
+
+    gl::OtherContext* there_;
+    std::unique_ptr<MetalModel> metal_;
+    std::optional<gl::Profiler> times_; ///< of the other context: timer queries are of one context
+    mutable ParticleMirror mirror_;
+    mutable bool changed_ = true; ///< since the mirror was made
+};
+
+template <class Work>
+auto LessonMetal::run(const Work& work) const {
+    using Result = std::invoke_result_t<Work, MetalModel&>;
+    if (there_ == nullptr) return work(*metal_);
+    if constexpr (std::is_void_v<Result>) {
+        there_->run([&] { work(*metal_); });
+    } else {
+        std::optional<Result> result;
+        there_->run([&] { result.emplace(work(*metal_)); });
+        return Result(std::move(*result));
+    }
+}
+
+} // namespace meltpool
