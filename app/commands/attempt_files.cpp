@@ -2,6 +2,7 @@
 
 #include "app/commands/named_lesson.hpp"
 #include "core/base/error.hpp"
+#include "core/base/likely_name.hpp"
 #include "core/base/text.hpp"
 
 #include <cstdio>
@@ -46,10 +47,11 @@ void setView(Lesson& lesson, std::span<const std::string> assignments) {
         const std::string key = pair.substr(0, equals);
         const ParameterList list = viewParameters(lesson);
         if (equals == std::string::npos || findParameter(list, key) == nullptr) {
-            std::string known;
+            std::vector<std::string> known;
             for (const Parameter& each : list)
-                known += (known.empty() ? "" : ", ") + std::string(each.key);
-            throw InputError("--view is " + quote(pair) + "; expected KEY=VALUE of what pictures show: " + known);
+                known.emplace_back(each.key);
+            throw InputError("--view is " + quote(pair) +
+                             expectedNames(key, known, "expected KEY=VALUE of what pictures show: "));
         }
         lesson.set(key, pair.substr(equals + 1), "--view " + printable(pair, 80));
     }

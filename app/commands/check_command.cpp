@@ -92,10 +92,12 @@ void printOutcome(const CheckOutcome& outcome, const Judgement& judgement) {
 }
 
 CheckOutcome run(const LessonCheck& check, gl::ShaderLibrary& shaders) {
-    CheckOutcome outcome{check.name, check.file, {}, {}, 0};
+    CheckOutcome outcome{check.name, check.file, {}, {}, {}, 0};
     Judgement judgement;
     const auto start = std::chrono::steady_clock::now();
     try {
+        tellForm(check.lesson.torchFile, check.lesson.torch);
+        outcome.warnings = tellWarnings(check.lesson);
         judgement = weld(check, shaders);
         outcome.values = checkJudgement(check, judgement);
     } catch (const std::exception& fault) {

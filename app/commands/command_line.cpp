@@ -13,6 +13,7 @@
 #include "app/sound/openal_device.hpp"
 #include "core/base/error.hpp"
 #include "core/base/files.hpp"
+#include "core/base/likely_name.hpp"
 #include "core/base/output_file.hpp"
 #include "core/base/text.hpp"
 #include "core/training/lesson/lesson_folders.hpp"
@@ -35,7 +36,7 @@ constexpr int kFailed = 1;
 constexpr int kBadInput = 2;
 
 #ifdef __linux__
-/// For starts from an icon, where nobody reads standard error.
+/// For starts from an icon, without a terminal that shows standard error.
 constexpr const char* kErrorWindow = "--error-window";
 #endif
 
@@ -57,8 +58,9 @@ struct Arguments {
     std::string listed; ///< lesson whose values are listed; empty: the catalogue
     bool listedAsJson = false;
     bool quiet = false;
-    std::string shell;  ///< whose completion script is printed
-    bool speed = false; ///< the doctor welds too
+    std::string shell;                  ///< whose completion script is printed
+    std::vector<std::string> completed; ///< words of the command line that a script completes
+    bool speed = false;                 ///< the doctor welds too
 };
 
 void addDesktop(CLI::App& app, Arguments& arguments) {
@@ -163,9 +165,10 @@ void addOthers(CLI::App& app, Arguments& arguments) {
     CLI::App* lessons = app.add_subcommand("lessons", "List the lessons, or the values of one");
     lessons->add_option("LESSON", arguments.listed, "List the parameters of this lesson that --set takes");
     lessons->add_flag("--json", arguments.listedAsJson, "Print the list as JSON");
-    app.add_subcommand("completion", "Print the script by which a shell completes this command line")
-        ->add_option("SHELL", arguments.shell, "bash, zsh or fish")
-        ->required();
+    CLI::App* completion =
+        app.add_subcommand("completion", "Print the script by which a shell completes this command line");
+    completion->add_option("SHELL", arguments.shell, "bash, zsh or fish")->required();
+    completion->add_option("WORD", arguments.completed)->group(""); // of scripts
     app.add_subcommand("manual", "Print the manual page, which 'man -l -' shows");
 }
 
@@ -183,14 +186,33 @@ int runLessons(const Arguments& arguments) {
     return kDone;
 }
 
-/// The script itself, or what a script asks for: the names that stand for lessons, one a line.
-void printCompletion(const CLI::App& app, const std::string& shell) {
-    if (shell != "lessons") {
-        std::fputs(completionScript(app, shell).c_str(), stdout);
-        return;
-    }
+void printLessonNames() {
     for (const NamedLesson& each : LessonFolders::ofUser().list())
         if (each.fault.empty()) std::printf("%s\n", printable(each.key, 300).c_str());
+}
+
+/// "KEY=" of each value of the lesson that `words` name; nothing where they name none.
+void printLessonKeys(const std::vector<std::string>& words) {
+    const LessonFolders folders = LessonFolders::ofUser();
+    for (const std::string& word : words)
+        try {
+            Lesson lesson = findLesson(word, folders);
+            for (const Parameter& each : lesson.parameters())
+                std::printf("%s=\n", std::string(each.key).c_str());
+            return;
+        } catch (const InputError&) {
+            continue; // an option, or the file of something else
+        }
+}
+
+/// The script itself, or the lines that a script asks for: `completion lessons`, `completion keys -- WORD..`.
+void printCompletion(const CLI::App& app, const Arguments& arguments) {
+    if (arguments.shell == "lessons")
+        printLessonNames();
+    else if (arguments.shell == "keys")
+        printLessonKeys(arguments.completed);
+    else
+        std::fputs(completionScript(app, arguments.shell).c_str(), stdout);
 }
 
 int dispatch(const CLI::App& app, const Arguments& arguments) {
@@ -211,7 +233,7 @@ int dispatch(const CLI::App& app, const Arguments& arguments) {
     else if (app.got_subcommand("lessons"))
         return runLessons(arguments);
     else if (app.got_subcommand("completion"))
-        printCompletion(app, arguments.shell);
+        printCompletion(app, arguments);
     else if (app.got_subcommand("manual"))
         std::fputs(manualPage(app).c_str(), stdout);
     else if (!runAttemptCommand(app, arguments.attempts))
@@ -258,7 +280,7 @@ void requireOutput() {
             (code == 0 || code == EPIPE ? "expected a reader that reads to the end" : writeExpectation(code)));
 }
 
-/// What --help of the program says below its commands.
+/// The text of the program's --help below its commands.
 std::string footer() {
     const auto list = [](const char* heading, std::span<const NamedText> texts) {
         std::string lines = std::string(heading) + ":\n";
@@ -271,7 +293,7 @@ std::string footer() {
     return list("Exit codes", kExitCodes) + "\n" + list("Environment", kVariables);
 }
 
-/// The program's options and commands, which write what they are given into `arguments`.
+/// Declares options and commands, whose values go into `arguments`.
 void declare(CLI::App& app, Arguments& arguments) {
     app.set_version_flag("--version", "meltpool " + programBuild());
     app.require_subcommand(0, 1);
@@ -287,6 +309,48 @@ void declare(CLI::App& app, Arguments& arguments) {
     app.footer(footer()); // last: commands would take it over
 }
 
+/// The command that was given, or else the program itself.
+const CLI::App& givenCommand(const CLI::App& app) {
+    const auto commands = app.get_subcommands();
+    return commands.empty() ? app : *commands.front();
+}
+
+/// The command or option of `command` that a refused word is a misspelling of; empty where there is none.
+std::string likelyWord(const CLI::App& command, const std::string& refused) {
+    std::vector<std::string> known;
+    if (refused.starts_with("-")) {
+        for (const CLI::Option* option : command.get_options())
+            for (const std::string& name : option->get_lnames())
+                known.push_back("--" + name);
+    } else {
+        for (const CLI::App* each : command.get_subcommands([](const CLI::App*) { return true; }))
+            known.push_back(each->get_name());
+    }
+    return likelyName(std::string_view(refused).substr(0, refused.find('=')), known);
+}
+
+/// A sentence for an option without its value; empty where the error is another one.
+std::string missingValue(const CLI::App& command, const std::string& error) {
+    const std::string name = error.substr(0, error.find(':'));
+    const CLI::Option* option = error.ends_with(" missing") ? command.get_option_no_throw(name) : nullptr;
+    if (option == nullptr) return {};
+    std::string text = option->get_description();
+    if (!text.empty() && text[0] >= 'A' && text[0] <= 'Z') text[0] = static_cast<char>(text[0] - 'A' + 'a');
+    return name + " has no value; expected " + name + " " + option->get_type_name() + ": " + text;
+}
+
+/// The sentence for a command line that CLI11 refuses.
+std::string refusal(const CLI::App& app, const CLI::ParseError& error) {
+    const CLI::App& command = givenCommand(app);
+    if (const std::string text = missingValue(command, error.what()); !text.empty()) return text;
+    const std::string said = printable(error.what(), 400);
+    const std::vector<std::string> refused = app.remaining(true);
+    const std::string likely = refused.empty() ? std::string() : likelyWord(command, refused.front());
+    return said + (likely.empty() ? "; expected" : "; did you mean " + quote(likely) + "? Expected") +
+           " what 'meltpool " + (&command == &app ? "" : command.get_name() + " ") + "--help' shows" +
+           (said.starts_with("LESSON ") ? ", and a name that 'meltpool lessons' lists" : "");
+}
+
 /// Throws CLI::Success for a wish for help or version, InputError for what cannot be understood.
 void parse(CLI::App& app, int argc, const char* const* argv) {
     try {
@@ -294,11 +358,7 @@ void parse(CLI::App& app, int argc, const char* const* argv) {
     } catch (const CLI::Success&) {
         throw;
     } catch (const CLI::ParseError& error) {
-        const auto commands = app.get_subcommands();
-        const std::string command = commands.empty() ? "" : commands.front()->get_name() + " ";
-        const std::string said = printable(error.what(), 400);
-        throw InputError(said + "; expected what 'meltpool " + command + "--help' shows" +
-                         (said.starts_with("LESSON ") ? ", and a name that 'meltpool lessons' lists" : ""));
+        throw InputError(refusal(app, error));
     }
     refuseForeignOptions(app);
 }

@@ -1,4 +1,4 @@
-// What is true of every command, for --help and the manual page.
+// Texts about every command, for --help and the manual page.
 #pragma once
 
 #include <array>
@@ -24,6 +24,19 @@ inline constexpr std::array<NamedText, 5> kVariables{{
     {"XDG_CONFIG_HOME", "Settings and best scores are in its folder meltpool; else in ~/.config/meltpool"},
     {"XDG_DATA_HOME", "Recordings, pages and own lessons are in its folder meltpool; else in ~/.local/share/meltpool"},
     {"XDG_CACHE_HOME", "What can be made again is in its folder meltpool; else in ~/.cache/meltpool"},
+}};
+
+/// Command lines for a start, each with the result that it gives.
+inline constexpr std::array<NamedText, 6> kExamples{{
+    {"meltpool --lesson gmaw-bead", "Open the trainer's window on the first weld."},
+    {"meltpool run tee-fillet --out fillet --pictures 1",
+     "Weld the demonstration of a lesson without a screen, with a picture each second, into the folder fillet."},
+    {"meltpool run gmaw-bead --out slow --torch path.csv --set voltage=22",
+     "Weld a torch path of one's own with another voltage."},
+    {"meltpool lessons gmaw-bead", "List the values that --set takes."},
+    {"meltpool replay weld.meltrec --out faster --what-if speed=1.2",
+     "Weld a kept attempt as it was and a fifth faster, and compare both."},
+    {"meltpool recordings --csv class.csv", "Write all attempts with their scores into one table."},
 }};
 
 } // namespace meltpool

@@ -6,7 +6,7 @@ namespace meltpool {
 
 namespace {
 
-/// What the name of a value stands for. A folder that is read may be the folder of a run or one of its files.
+/// The kind behind the name of a value. A folder that is read may be the folder of a run or one of its files.
 ValueKind kindOf(const std::string& value, bool positional) {
     static const std::map<std::string, ValueKind> kinds{
         {"LESSON", ValueKind::lesson}, {"CHECK", ValueKind::lesson}, {"DIR", ValueKind::folder},
@@ -28,13 +28,14 @@ DeclaredWord wordOf(const CLI::Option& option) {
     word.repeated = !flag && option.get_items_expected_max() > 2;
     if (flag) return word;
     word.value = positional ? word.name : option.get_type_name();
-    word.kind = kindOf(word.value, positional);
+    word.kind = word.name == "--set" ? ValueKind::setting : kindOf(word.value, positional);
     return word;
 }
 
 DeclaredCommand commandOf(const CLI::App& app, const std::string& name) {
     DeclaredCommand command{name, app.get_description(), {}, {}};
     for (const CLI::Option* option : app.get_options()) {
+        if (option->get_group().empty()) continue; // for completion scripts alone
         DeclaredWord word = wordOf(*option);
         const bool positional = !word.name.starts_with("--");
         (positional ? command.positionals : command.options).push_back(std::move(word));

@@ -1,4 +1,4 @@
-// What the program's command line declares, as completion scripts and the manual page need it.
+// The declared command line as completion scripts and the manual page need it.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -8,15 +8,16 @@
 
 namespace meltpool {
 
-/// What may stand for a value on the command line.
+/// Kind of an option's value on the command line.
 enum class ValueKind {
-    none,   ///< a flag, which takes no value
-    free,   ///< a number or a text that nobody can guess
-    file,   ///< any file
-    folder, ///< a folder
-    lesson, ///< a lesson's name, or its file
-    suite,  ///< a part of the benchmark
-    shell,  ///< a shell that has a completion script
+    none,    ///< a flag, which takes no value
+    free,    ///< a number or a text that cannot be completed
+    file,    ///< any file
+    folder,  ///< a folder
+    lesson,  ///< a lesson's name, or its file
+    setting, ///< KEY=VALUE of the lesson that the command line names
+    suite,   ///< a part of the benchmark
+    shell,   ///< a shell that has a completion script
 };
 
 /// An option or a positional argument.
@@ -35,7 +36,7 @@ struct DeclaredCommand {
     std::vector<DeclaredWord> options, positionals;
 };
 
-/// The program itself first, then its commands, without those that are hidden.
+/// The program itself first, then its commands, without hidden commands and options.
 std::vector<DeclaredCommand> declaredCommands(const CLI::App& app);
 
 } // namespace meltpool

@@ -9,6 +9,17 @@
 
 namespace meltpool {
 
+namespace {
+
+std::string joined(const std::vector<std::string>& sentences, const char* between) {
+    std::string all;
+    for (const std::string& sentence : sentences)
+        all += (all.empty() ? "" : between) + printable(sentence, 1000);
+    return all;
+}
+
+} // namespace
+
 bool CheckOutcome::passed() const {
     return error.empty() && std::all_of(values.begin(), values.end(), [](const auto& each) { return each.passed; });
 }
@@ -38,11 +49,10 @@ void writeJunitFile(const std::filesystem::path& file, const std::vector<CheckOu
         one.append_attribute("classname") = each.file.parent_path().filename().string().c_str();
         one.append_attribute("name") = each.name.c_str();
         one.append_attribute("time") = each.wallSeconds;
-        if (each.passed()) continue;
-        std::string all;
-        for (const std::string& fault : each.faults())
-            all += (all.empty() ? "" : "; ") + printable(fault, 1000);
-        one.append_child(broken(each) ? "error" : "failure").append_attribute("message") = all.c_str();
+        if (!each.passed())
+            one.append_child(broken(each) ? "error" : "failure").append_attribute("message") =
+                joined(each.faults(), "; ").c_str();
+        if (!each.warnings.empty()) one.append_child("system-err").text() = joined(each.warnings, "\n").c_str();
     }
     std::ostringstream text;
     document.save(text, "  ");

@@ -13,8 +13,9 @@ struct CheckOutcome {
     std::string name;
     std::filesystem::path file;
     std::vector<CheckedValue> values;
-    std::string error;      ///< why the check could not be run to its end; empty where it was
-    double wallSeconds = 0; ///< that it took
+    std::vector<std::string> warnings; ///< of the lesson and its torch path; they do not fail it
+    std::string error;                 ///< why the check could not be run to its end; empty where it was
+    double wallSeconds = 0;            ///< that it took
 
     bool passed() const;
     /// What did not come out as expected, a sentence for each; empty where it passed.

@@ -43,7 +43,7 @@ std::string item(std::string_view head, std::string_view value, std::string_view
     return lines + "\n" + roff(text) + "\n";
 }
 
-/// Every option, and below it what it does.
+/// Every option with its text.
 std::string optionsOf(const DeclaredCommand& command) {
     std::string text;
     for (const DeclaredWord& word : command.positionals)
@@ -57,7 +57,8 @@ std::string optionsOf(const DeclaredCommand& command) {
 
 std::string manualPage(const CLI::App& app) {
     const std::vector<DeclaredCommand> commands = declaredCommands(app);
-    std::string text = ".TH MELTPOOL 1 \"\" \"meltpool " + roff(programVersion()) + "\" \"User Commands\"\n";
+    // The version in the date's place: a page that is printed again is the same file.
+    std::string text = ".TH MELTPOOL 1 \"version " + roff(programVersion()) + "\" \"Meltpool\" \"User Commands\"\n";
     text += ".SH NAME\nmeltpool \\- virtual welding trainer\n.SH SYNOPSIS\n";
     for (const DeclaredCommand& command : commands)
         text += ".B " + roff(usageOf(command)) + "\n.br\n";
@@ -67,6 +68,9 @@ std::string manualPage(const CLI::App& app) {
     for (const DeclaredCommand& command : commands)
         if (!command.name.empty())
             text += ".SS " + roff(usageOf(command)) + "\n" + roff(command.text) + ".\n" + optionsOf(command);
+    text += ".SH EXAMPLES\n";
+    for (const NamedText& example : kExamples)
+        text += item(example.name, {}, example.text);
     text += ".SH EXIT STATUS\n";
     for (const NamedText& code : kExitCodes)
         text += item(code.name, {}, code.text);

@@ -27,9 +27,7 @@ void warn(const std::string& sentence) {
 }
 
 void tellForm(const std::filesystem::path& file, const TorchPath& path) {
-    if (path.form() && !path.form()->ours)
-        say("Torch path %s is read as %s.\n", printable(file.string(), kMostBytes).c_str(),
-            printable(path.form()->text(), kMostBytes).c_str());
+    if (const std::string text = pathFormText(file, path); !text.empty()) say("%s\n", text.c_str());
 }
 
 std::vector<std::string> tellWarnings(const Lesson& lesson, bool cut) {

@@ -15,10 +15,10 @@ Lesson namedLesson(const std::string& name, const LessonFolders& folders);
 /// One line on standard error.
 void warn(const std::string& sentence);
 
-/// How a torch path's table was understood, where it is not one of this program's own.
+/// Says pathFormText() where there is one.
 void tellForm(const std::filesystem::path& file, const TorchPath& path);
 
-/// What a person should know before the run: told here, and again in the result. `cut`: the run's time was asked for.
+/// Warns of lessonWarnings() and pathWarnings() and answers them, for the result. `cut`: the run's time was asked for.
 std::vector<std::string> tellWarnings(const Lesson& lesson, bool cut = false);
 
 } // namespace meltpool

@@ -4,6 +4,7 @@
 #include "app/commands/attempt_welder.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/comparison_output.hpp"
+#include "app/commands/named_lesson.hpp"
 #include "app/platform/say.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
@@ -41,23 +42,30 @@ Lesson requestedAttempt(const ReplayRequest& request) {
     return lesson;
 }
 
-/// Lets the run begin at the newest of `moments` that is not behind its end.
-RunHooks beginAt(RecordedMoments& moments) {
+/// The result holds the warnings, as that of `run` does.
+RunHooks warned(const std::vector<std::string>& warnings) {
     RunHooks hooks;
+    hooks.warnings = warnings;
+    hooks.warn = warn;
+    return hooks;
+}
+
+/// Lets the run begin at the newest of `moments` that is not behind its end.
+void beginAt(RecordedMoments& moments, RunHooks& hooks) {
     hooks.start = [&moments](Trainer& trainer) {
         const auto moment = moments.beforeStep(stepsOfRun(trainer));
         if (!moment) return;
         trainer.restore(*moment);
         say("It begins at %.2f s, at a moment that the recording holds.\n", trainer.time());
     };
-    return hooks;
 }
 
 /// Welds to the lesson's end, which is the second that was asked for.
-void weldSought(AttemptWelder& welder, const Lesson& lesson, RunFolder& folder) {
+void weldSought(AttemptWelder& welder, const Lesson& lesson, RunFolder& folder, RunHooks hooks) {
     const MomentsOfAttempt recorded = momentsOfAttempt(lesson, welder.machine());
     if (!recorded.refused.empty()) say("%s\n", printable(recorded.refused, 1000).c_str());
-    welder.weld(lesson, folder, recorded.moments ? beginAt(*recorded.moments) : RunHooks{});
+    if (recorded.moments) beginAt(*recorded.moments, hooks);
+    welder.weld(lesson, folder, hooks);
 }
 
 /// Mean travel speed, m/s, over the judged millimetres of a run's seam; nothing where none is known.
@@ -74,10 +82,9 @@ std::optional<double> meanTravelSpeed(const RunResults& run) {
 }
 
 /// Welds as the attempt was and keeps each step of the hand.
-std::vector<AttemptStep> weldOriginal(AttemptWelder& welder, const Lesson& lesson, RunFolder& folder) {
+std::vector<AttemptStep> weldOriginal(AttemptWelder& welder, const Lesson& lesson, RunFolder& folder, RunHooks hooks) {
     std::vector<AttemptStep> steps;
     steps.reserve(lesson.recorded->rows);
-    RunHooks hooks;
     hooks.torch = [&steps](const Trainer& trainer) {
         const TorchSample torch = trainer.demonstration();
         steps.push_back({torch, static_cast<double>(trainer.burntOff()), trainer.arc().burns()});
@@ -88,8 +95,7 @@ std::vector<AttemptStep> weldOriginal(AttemptWelder& welder, const Lesson& lesso
 }
 
 void weldChanged(AttemptWelder& welder, Lesson lesson, const std::vector<AttemptStep>& steps, const WhatIf& whatIf,
-                 RunFolder& folder) {
-    RunHooks hooks;
+                 RunFolder& folder, RunHooks hooks) {
     hooks.whatIf = whatIf.asked;
     takeWhatIf(lesson, whatIf, whatIf.path.speed);
     if (lesson.model != LessonModel::Weld) { // its torch leads no seam
@@ -108,11 +114,12 @@ void replayChanged(const ReplayRequest& request, const Lesson& lesson) {
     WhatIf whatIf = readWhatIf(request.whatIf, lesson);
     RunFolder original(request.folder / "original", lessonSources(lesson));
     RunFolder changed(request.folder / "what-if", lessonSources(lesson));
+    const RunHooks hooks = warned(tellWarnings(lesson));
     AttemptWelder welder;
-    const std::vector<AttemptStep> steps = weldOriginal(welder, lesson, original);
+    const std::vector<AttemptStep> steps = weldOriginal(welder, lesson, original, hooks);
     const ComparedRun first{"original", readRunResults(original.path())};
     whatIf.path = whatIf.path.resolved(meanTravelSpeed(first.results));
-    weldChanged(welder, lesson, steps, whatIf, changed);
+    weldChanged(welder, lesson, steps, whatIf, changed, hooks);
     tellComparison(first, {"what if: " + whatIf.text(), readRunResults(changed.path())}, request.folder, request.page);
 }
 
@@ -125,11 +132,12 @@ void replayAttempt(const ReplayRequest& request) {
         return;
     }
     RunFolder folder(request.folder, lessonSources(lesson));
+    const RunHooks hooks = warned(tellWarnings(lesson));
     AttemptWelder welder;
     if (request.seek.empty())
-        welder.weld(lesson, folder);
+        welder.weld(lesson, folder, hooks);
     else
-        weldSought(welder, lesson, folder);
+        weldSought(welder, lesson, folder, hooks);
     sayResult({}, folder.result());
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kShells = "bash zsh fish";
 
-/// A text in single quotes; `apostrophe` is what stands for one inside of them.
+/// A text in single quotes; `apostrophe` is written for each one inside of them.
 std::string quoted(const std::string& text, const std::string& apostrophe) {
     std::string result = "'";
     for (const char c : text)
@@ -66,6 +66,11 @@ constexpr const char* kBashTail = R"(    esac
     fi
     case $kind in
     words) _meltpool_add < <(compgen -W "$words" -- "$cur") ;;
+    setting)
+        while IFS= read -r name; do
+            if [[ $name == "$cur"* ]]; then COMPREPLY+=("$name"); fi
+        done < <("$program" completion keys -- "${COMP_WORDS[@]:2}" 2>/dev/null)
+        compopt -o nospace ;;
     lesson)
         while IFS= read -r name; do
             if [[ $name == "$cur"* ]]; then COMPREPLY+=("$name"); fi
@@ -91,6 +96,7 @@ std::string bashKind(ValueKind kind) {
     if (const std::string words = wordsOf(kind); !words.empty()) return "kind=words words='" + words + "'";
     if (kind == ValueKind::file) return "kind=file";
     if (kind == ValueKind::folder) return "kind=folder";
+    if (kind == ValueKind::setting) return "kind=setting";
     return kind == ValueKind::lesson ? "kind=lesson" : "kind=free";
 }
 
@@ -130,6 +136,12 @@ _meltpool_lessons() {
     _alternative "lessons:lesson:compadd -a names" "files:file:_files -g '*.(toml|meltpool)'"
 }
 
+_meltpool_keys() {
+    local -a keys
+    keys=("${(@f)$("$program" completion keys -- "${words[@]}" 2>/dev/null)}")
+    compadd -S '' -a keys
+}
+
 _meltpool() {
     local program=$words[1] command=$words[2]
     local -a commands
@@ -140,6 +152,7 @@ std::string zshAction(ValueKind kind) {
     if (const std::string words = wordsOf(kind); !words.empty()) return "(" + words + ")";
     if (kind == ValueKind::file) return "_files";
     if (kind == ValueKind::folder) return "_files -/";
+    if (kind == ValueKind::setting) return "_meltpool_keys";
     return kind == ValueKind::lesson ? "_meltpool_lessons" : " ";
 }
 
@@ -197,11 +210,12 @@ std::string fishQuoted(const std::string& text) {
     return quoted(escaped, "\\'");
 }
 
-/// How a value is completed; empty where files are what fish offers anyway.
+/// Options of `complete` for a value; empty where fish offers files by itself.
 std::string fishValue(ValueKind kind) {
     if (const std::string words = wordsOf(kind); !words.empty()) return " -x -a " + fishQuoted(words);
     if (kind == ValueKind::file) return " -r -F";
     if (kind == ValueKind::folder) return " -x -a '(__fish_complete_directories)'";
+    if (kind == ValueKind::setting) return " -x -a '(meltpool completion keys -- (commandline -opc)[2..] 2>/dev/null)'";
     if (kind == ValueKind::lesson)
         return " -x -a '(meltpool completion lessons 2>/dev/null; __fish_complete_suffix .toml)'";
     return " -x";

@@ -1,4 +1,4 @@
-// What shells and man read of the command line: completion scripts and the manual page, made from its definitions.
+// Completion scripts and the manual page, made from the definitions of the command line.
 #pragma once
 
 #include <string>

@@ -74,7 +74,10 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
         messages_.warn(fault, now());
     home_.open = options.lesson.empty();
     home_.choose(session_.lesson().key);
-    if (!options.replay.empty()) lessons_.openAttempt(options.replay, now(), options.lesson);
+    if (!options.replay.empty())
+        lessons_.openAttempt(options.replay, now(), options.lesson);
+    else if (!options.lesson.empty())
+        lessons_.tellPath(now());
     window_.resize({windowParameters_.width, windowParameters_.height}, windowParameters_.maximised);
     window_.show();
     lastFrame_ = now();

@@ -4,6 +4,7 @@
 #include "app/platform/open_file.hpp"
 #include "core/base/error.hpp"
 #include "core/training/lesson/lesson_folders.hpp"
+#include "core/training/lesson/plausibility.hpp"
 
 #include <array>
 #include <optional>
@@ -35,7 +36,8 @@ void DesktopLessons::take(Lesson opened) {
     settings_.takeFrom(session_.lesson(), session_.sections());
     session_.open(std::move(opened));
     settings_.giveTo(session_.lesson(), session_.sections());
-    messages_.clear("lesson");
+    for (const std::string_view topic : {"lesson", "path form", "path"})
+        messages_.clear(topic);
     home_.open = false;
 }
 
@@ -43,9 +45,20 @@ void DesktopLessons::open(const CataloguedLesson& lesson, double now) {
     try {
         if (lesson.taken) throw InputError(lesson.fault);
         take(readLesson(lesson.file));
+        tellPath(now);
     } catch (const InputError& fault) {
         messages_.warn(fault.what(), now, "lesson");
     }
+}
+
+void DesktopLessons::tellPath(double now) {
+    const Lesson& lesson = session_.lesson();
+    if (std::string form = pathFormText(lesson.torchFile.filename(), lesson.torch); !form.empty())
+        messages_.note(std::move(form), now, "path form");
+    std::string all;
+    for (const std::string& sentence : pathWarnings(lesson))
+        all += (all.empty() ? "" : " ") + sentence;
+    if (!all.empty()) messages_.warn(std::move(all), now, "path");
 }
 
 bool DesktopLessons::start(void (LessonSession::*begin)(Controls&), double now) {

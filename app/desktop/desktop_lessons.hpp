@@ -25,6 +25,8 @@ class DesktopLessons {
     void goHome();
     /// The first page of another lesson; a file at fault is told and nothing changes.
     void open(const CataloguedLesson& lesson, double now);
+    /// Tells how the table of the lesson's torch path is read, and pathWarnings().
+    void tellPath(double now);
     /// Runs the lesson by an attempt or a demonstration. False, with a message, where it cannot begin.
     bool start(void (LessonSession::*begin)(Controls&), double now);
 

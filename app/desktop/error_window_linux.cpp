@@ -202,7 +202,7 @@ Window openWindow(Display* display, const Canvas& canvas, Atom farewell) {
     return window;
 }
 
-/// Whether the event asks for the window's end.
+/// True for the button, a key of it or the window's cross.
 bool closes(XEvent& event, const Button& button, Atom farewell) {
     if (event.type == ClientMessage) return static_cast<Atom>(event.xclient.data.l[0]) == farewell;
     if (event.type == ButtonRelease) return button.holds(event.xbutton.x, event.xbutton.y);

@@ -1,6 +1,7 @@
 #include "core/base/parameter.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/likely_name.hpp"
 #include "core/base/text.hpp"
 
 #include <algorithm>
@@ -76,11 +77,11 @@ struct Print {
     std::string operator()(const std::string* value) const { return *value; }
 };
 
-std::string knownKeys(const ParameterList& list) {
-    std::string text;
+std::vector<std::string> knownKeys(const ParameterList& list) {
+    std::vector<std::string> keys;
     for (const Parameter& p : list)
-        text += (text.empty() ? "" : ", ") + std::string(p.key);
-    return text;
+        keys.emplace_back(p.key);
+    return keys;
 }
 
 } // namespace
@@ -93,7 +94,7 @@ const Parameter* findParameter(const ParameterList& list, std::string_view key) 
 void setParameter(const ParameterList& list, std::string_view key, std::string_view text, std::string_view where) {
     const Parameter* p = findParameter(list, key);
     if (p == nullptr)
-        throw InputError(std::string(where) + ": unknown key " + quote(key) + "; expected one of " + knownKeys(list));
+        throw InputError(std::string(where) + ": unknown key " + quote(key) + expectedNames(key, knownKeys(list)));
     if (!std::visit(Assign{*p, text}, p->value))
         throw InputError(std::string(where) + ": '" + std::string(key) + "' is " + quote(text) + "; expected " +
                          expectation(*p));

@@ -1,6 +1,7 @@
 #include "core/base/toml_table.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/likely_name.hpp"
 #include "core/base/text.hpp"
 #include "core/base/text_encoding.hpp"
 
@@ -346,10 +347,9 @@ std::vector<std::string> TomlTable::keys() const {
 void TomlTable::finish() const {
     for (const auto& [key, node] : table_) {
         if (asked_.contains(key.str())) continue;
-        std::string known;
-        for (const std::string& name : asked_)
-            known += (known.empty() ? "" : ", ") + name;
-        failAt(static_cast<int>(key.source().begin.line), key.str(), "unknown key; known here: " + known);
+        const std::vector<std::string> known(asked_.begin(), asked_.end());
+        failAt(static_cast<int>(key.source().begin.line), key.str(),
+               "unknown key" + expectedNames(key.str(), known, "known here: "));
     }
 }
 

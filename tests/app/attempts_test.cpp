@@ -39,7 +39,7 @@ fs::path attemptIn(const std::string& name) {
                                                   "[[move]]\nkind = 'hold'\nseconds = 0.2\n");
     writeTextFileAtomically(
         folder / "bead.toml",
-        "title = 'Bead'\nmodel = 'weld'\ntorch = 'path.toml'\n[run]\nseconds = 3\n"
+        "title = 'Bead'\nnext = 'after-bead'\nmodel = 'weld'\ntorch = 'path.toml'\n[run]\nseconds = 3\n"
         "[workpiece]\nworkpiece = 'plate'\nlength_mm = 22\nwidth_mm = 14\nthickness_mm = 3\nspacing_mm = 1\n"
         "[process]\nprocess = 'gmaw'\nvoltage = 21\nwire_diameter_mm = 1.2\nwire_feed_m_min = 4.5\n"
         "[technique]\nlength_from_mm = -7\nlength_to_mm = 7\n"
@@ -84,6 +84,9 @@ TEST_CASE("an attempt is replayed to its bits, seeked, changed, compared and sho
         CHECK(result["parameters"]["voltage"] == 22);
         CHECK(result["parameters"]["azimuth"] == 90);
         CHECK_FALSE(result.contains("what_if"));
+        CHECK_THAT(same.errors, containsText("meltpool: warning: The lesson bead.toml names 'after-bead'"));
+        CHECK(result["warnings"] == original["warnings"]);
+        CHECK(result["warnings"].size() == 1);
 
         // The run's folder and the replay's are one and the same attempt.
         const test::Outcome compared = runMeltpool("compare" + quoted(folder / "run") + quoted(folder / "same") +

@@ -131,6 +131,23 @@ TEST_CASE("a command with a part missing points to its own help", "[app]") {
     CHECK_THAT(runMeltpool("fly").errors, containsText("expected what 'meltpool --help' shows"));
 }
 
+TEST_CASE("a misspelled word is answered with the word that is meant", "[app]") {
+    CHECK_THAT(runMeltpool("recrodings").errors, containsText("did you mean 'recordings'? Expected what 'meltpool"));
+    CHECK_THAT(runMeltpool("run gmaw-bead --ouz x").errors, containsText("did you mean '--out'? Expected what"));
+    CHECK_THAT(runMeltpool("run gmaw-bead --pictrues=2").errors, containsText("did you mean '--pictures'?"));
+    CHECK_THAT(runMeltpool("lessons tee-filet").errors, containsText("did you mean 'tee-fillet'? Expected one of "));
+    CHECK_THAT(runMeltpool("run gmaw-bead --set votlage=20").errors, containsText("did you mean 'voltage'?"));
+    CHECK(runMeltpool("run gmaw-bead --set xyzzy=20").errors.find("did you mean") == std::string::npos);
+}
+
+TEST_CASE("an option without its value says what it takes", "[app]") {
+    const test::Outcome outcome = runMeltpool("recordings --csv");
+    CHECK(outcome.code == 2);
+    CHECK(outcome.errors == "meltpool: --csv has no value; expected --csv [FILE] OUT: write one table of all attempts "
+                            "with their results; FILE OUT: the steps of one recording\n");
+    CHECK_THAT(runMeltpool("run gmaw-bead --seconds").errors, containsText("expected --seconds S: simulated time, s"));
+}
+
 TEST_CASE("a reader who has read enough ends the output without a word", "[app]") {
     for (const char* arguments : {"lessons", "lessons gmaw-bead", "--help"}) {
         INFO(arguments);

@@ -100,6 +100,22 @@ TEST_CASE("checks are welded and held against what they expect", "[app]") {
     CHECK_THAT(none.errors, containsText("[expect]"));
 }
 
+TEST_CASE("a check tells how it reads a torch path and what is implausible, as a run does", "[app]") {
+    const fs::path folder = test::scratchFolder("check-warnings");
+    writeLesson(folder);
+    const fs::path check = folder / "robot.toml", junit = folder / "junit.xml";
+    writeTextFileAtomically(folder / "robot.csv", "time_s;x_mm;y_mm;z_mm;qx;qy;qz;qw;trigger\n"
+                                                  "0;1250;400;800;-0.7071;0;0;0.7071;1\n"
+                                                  "1;1260;400;800;-0.7071;0;0;0.7071;0\n");
+    writeTextFileAtomically(check, "lesson = 'bead.toml'\ntorch = 'robot.csv'\n[expect]\nscored = false\n");
+    const test::Outcome outcome = runMeltpool("check '" + check.string() + "' --junit '" + junit.string() + "'");
+    INFO(outcome.errors << outcome.output);
+    CHECK(outcome.code == 0); // a warning fails no check
+    CHECK_THAT(outcome.output, containsText("robot.csv is read as UTF-8, columns parted by semicolons"));
+    CHECK_THAT(outcome.errors, containsText("meltpool: warning: The torch path robot.csv lies wholly outside"));
+    CHECK_THAT(readTextFile(junit), containsText("<system-err>The torch path robot.csv lies wholly outside"));
+}
+
 TEST_CASE("an expert and a fault of a lesson come out as expected, of another lesson every day", "[app]") {
     const auto today = static_cast<size_t>(std::time(nullptr) / 86400);
     const std::vector<fs::path> lessons = checkedLessons();

@@ -9,6 +9,7 @@
 #include "core/training/trainer/result_file.hpp"
 #include "core/validation/validation_case.hpp"
 #include "core/weld/torch/torch_csv.hpp"
+#include "core/weld/torch/torch_moves.hpp"
 #include "tests/app/handbook.hpp"
 #include "tests/app/program.hpp"
 #include "tests/support/catch.hpp"
@@ -18,6 +19,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <regex>
 #include <sstream>
@@ -275,6 +277,24 @@ TEST_CASE("files that the handbook shows are read", "[app][handbook]") {
             kinds.insert(shown.kind);
         }
     CHECK(kinds.size() == readers.size());
+}
+
+TEST_CASE("poses that the handbook shows hold the torch as they say", "[app][handbook]") {
+    const auto tables = tablesOf("pose of a torch");
+    REQUIRE(tables.size() == 1);
+    const std::array<std::pair<double, double>, 4> kAngles{{{90, 0}, {90, 10}, {90, -10}, {45, 0}}}; // work, travel
+    REQUIRE(tables[0].rows.size() == kAngles.size());
+    for (size_t row = 0; row < kAngles.size(); ++row) {
+        const std::string cells = tables[0].code(row, 1).at(0);
+        INFO(cells);
+        const fs::path file = scratchFolder("pose") / "pose.csv";
+        writeTextFileAtomically(file, "time_s,x_mm,y_mm,z_mm,qx,qy,qz,qw,trigger\n0,0,0,0," + cells + ",1\n");
+        const glm::vec3 axis = TorchPath::read(file).sample(0).axis();
+        const auto& [work, travel] = kAngles[row];
+        TorchSample held;
+        held.orientation = heldOrientation(glm::radians(work), glm::radians(travel), {1, 0, 0});
+        CHECK(glm::distance(axis, held.axis()) < 1e-3f);
+    }
 }
 
 TEST_CASE("keys in the handbook's tables of lessons are the program's", "[app][handbook]") {

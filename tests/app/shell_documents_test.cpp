@@ -87,6 +87,11 @@ TEST_CASE("bash completes commands, options, files and lessons", "[app]") {
     CHECK(offered(script, {"run", "x", "--seconds", ""}, data) == "//");
     CHECK_THAT(offered(script, {"bench", ""}, data), containsText("/weld/"));
     CHECK(offered(script, {"completion", ""}, data) == "/bash/zsh/fish/");
+    // Keys of the lesson that the line names, wherever it stands.
+    CHECK(offered(script, {"run", "gmaw-bead", "--set", "volt"}, data) == "/voltage=/");
+    CHECK_THAT(offered(script, {"run", "--video", "classic", "--set", ""}, data),
+               containsText("/particles=/") && !containsText("/voltage=/"));
+    CHECK(offered(script, {"run", "x", "--set", "volt"}, data) == "//");
 }
 
 TEST_CASE("every shell's script and the manual page have every option of --help", "[app]") {
@@ -116,6 +121,8 @@ TEST_CASE("every shell's script and the manual page have every option of --help"
     CHECK_THAT(manual,
                containsText("\\fB--torch\\fR \\fIFILE\\fR\nTorch path, .csv or .toml, instead of the lesson's"));
     CHECK_THAT(manual, containsText("MELTPOOL_LESSONS"));
+    CHECK_THAT(manual, containsText("\n.SH EXAMPLES\n.TP\n\\fBmeltpool --lesson gmaw-bead\\fR\n"));
+    CHECK(manual.substr(0, manual.find('\n')).find("\"\"") == std::string::npos); // no empty field
     if (succeeds("command -v groff")) {
         // A warning is a request or an escape that roff does not know.
         CHECK(succeeds("test -z \"$(groff -man -Tutf8 -ww '" + (folder / "meltpool.1").string() +

@@ -1,10 +1,12 @@
-// The order of the source tree: who may include whom, how many units a folder holds, how long a function is, and that
-// blocks shared by C++ and GLSL name their members.
+// The order of the source tree: who may include whom, how many units a folder holds, how long a function and how large
+// a class is, and that blocks shared by C++ and GLSL name their members.
 #include "tests/house/source_scan.hpp"
+#include "tests/house/thermometers.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/places.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 
@@ -16,6 +18,29 @@ using test::SourceFile;
 
 constexpr int kMostUnits = 50;
 constexpr int kMostLines = 70;
+constexpr int kMostPublicFunctions = 40;
+constexpr int kMostMembers = 30;
+
+/// A class beyond the bounds, with the counts that it may have until it is divided. They are only ever made smaller.
+struct LargeClass {
+    std::string_view name;
+    int publicFunctions;
+    int members;
+};
+
+constexpr std::array<LargeClass, 7> kLargeClasses{{
+    {"DesktopApp", 6, 44},
+    {"Flow", 15, 34},
+    {"HeatSolver", 14, 36},
+    {"LessonSession", 88, 42},
+    {"RigidFragments", 9, 32},
+    {"Surface::Work", 18, 48},
+    {"Trainer", 51, 30},
+}};
+
+bool isBeyond(const test::ClassSize& size) {
+    return size.publicFunctions > kMostPublicFunctions || size.members > kMostMembers;
+}
 
 const std::vector<SourceFile>& programSources() {
     static const std::vector<SourceFile> files =
@@ -157,6 +182,57 @@ TEST_CASE("the scanner measures functions of C++ and GLSL") {
     CHECK(functions[0].head == "void tooLong(int i) ");
 }
 
+TEST_CASE("the scanner counts public functions and members of classes") {
+    struct Counts {
+        std::string name;
+        int functions, members;
+        bool operator==(const Counts& other) const {
+            return name == other.name && functions == other.functions && members == other.members;
+        }
+    };
+    const auto classes = [](std::string_view text) {
+        std::vector<Counts> counts;
+        for (const test::ClassSize& size : test::findClasses(text))
+            counts.push_back({size.name, size.publicFunctions, size.members});
+        return counts;
+    };
+    using Found = std::vector<Counts>;
+    CHECK(classes("class A {\n    int f();\n  public:\n    A();\n    int g() const { return x_; }\n  private:\n"
+                  "    void h() {}\n    int x_ = 0, y_{1};\n};\n") == Found{{"A", 2, 2}});
+    CHECK(classes("struct A : B<int> {\n    int a;\n    virtual void f() = 0;\n};\n") == Found{{"A", 1, 1}});
+    CHECK(classes("class A final : public B {\n  protected:\n    int f();\n};") == Found{{"A", 0, 0}});
+    // Parentheses and commas that are of no function and no second member.
+    CHECK(classes("struct A {\n    std::function<void(int, int)> a;\n    std::map<int, B<C>> b = f(1, 2);\n"
+                  "    int (*c)(int);\n    std::function<int()> d{};\n    glm::vec3 e{1, f(2), 3};\n"
+                  "    alignas(16) int g;\n    unsigned h : 3;\n};\n") == Found{{"A", 0, 7}});
+    // What belongs to no object, or to none that may use it.
+    CHECK(classes("struct A {\n    static constexpr int a = f(1);\n    static int b;\n    using C = int;\n"
+                  "    friend bool operator==(A, A) = default;\n    friend void g(A) {}\n    class D;\n"
+                  "    enum class E { one, two };\n    A(const A&) = delete;\n    static A make();\n};\n") ==
+          Found{{"A", 1, 0}});
+    CHECK(classes(
+              "struct A {\n    bool operator<(const std::vector<int>& b) const;\n    explicit operator bool() const {\n"
+              "        return true;\n    }\n    bool operator()(int) const;\n};\n") == Found{{"A", 3, 0}});
+    CHECK(classes("struct A {\n    A(int a) : b{a}, c(f({1})) {\n        if (a) { g(); }\n    }\n    void f(B b = {}, "
+                  "int = 3);\n"
+                  "    int b, c;\n};\n") == Found{{"A", 2, 2}});
+    CHECK(classes("namespace a {\ntemplate <class T, int N = 3>\nclass A {\n  public:\n    template <class U>\n    "
+                  "void f(U u) {}\n"
+                  "};\n}\nstruct B::C {\n    int a;\n};\n") == Found{{"A", 1, 0}, {"B::C", 0, 1}});
+    // Types within a type.
+    CHECK(classes("class A {\n    struct B {\n        int c;\n    };\n    struct {\n        int d;\n    } e, f;\n    "
+                  "enum { g } h;\n"
+                  "    union U {\n        int i;\n        float j;\n    };\n};\n") ==
+          Found{{"A::B", 0, 1}, {"A::(unnamed)", 0, 1}, {"A::U", 0, 2}, {"A", 0, 3}});
+    CHECK(
+        classes("enum class A : int { one };\nvoid f() {\n    struct Inside {\n        int a;\n    };\n}\nstruct B;\n")
+            .empty());
+
+    const auto sizes = test::findClasses("// why\n\nclass A\n{\n    int a;\n};\n");
+    REQUIRE(sizes.size() == 1);
+    CHECK(sizes[0].line == 4);
+}
+
 TEST_CASE("the scanner finds vectors whose components mean different things") {
     CHECK(test::findMixedVectors("vec4 origin; // xyz position, w spacing\nvec3 a; // metres\n") == std::vector{1});
     CHECK(test::findMixedVectors("\nuniform vec2 still; ///< x: cells, y: share\n") == std::vector{2});
@@ -208,12 +284,33 @@ TEST_CASE("no folders include each other") {
 }
 
 TEST_CASE("no folder holds more than 50 units") {
-    std::map<std::string, std::set<std::string>> units;
-    for (const SourceFile& file : programSources())
-        units[file.path.parent_path().generic_string()].insert(file.path.stem().string());
-    for (const auto& [folder, names] : units) {
-        INFO(folder << " holds " << names.size() << " units");
-        CHECK(names.size() <= kMostUnits);
+    for (const auto& [folder, units] : test::unitsOfFolders(programSources())) {
+        INFO(folder << " holds " << units << " units");
+        CHECK(units <= kMostUnits);
+    }
+}
+
+TEST_CASE("no class has more than 40 public functions or 30 members") {
+    const std::vector<test::LocatedClass> classes = test::classesOf(programSources());
+    CHECK(classes.size() > 500);
+    for (const auto& [size, at] : classes) {
+        const auto large = std::find_if(kLargeClasses.begin(), kLargeClasses.end(),
+                                        [&](const LargeClass& each) { return each.name == size.name; });
+        const bool listed = large != kLargeClasses.end();
+        INFO(at << ": " << size.name << " has " << size.publicFunctions << " public functions and " << size.members
+                << " members" << (listed ? "; a class of kLargeClasses may only shrink" : ""));
+        CHECK(size.publicFunctions <= std::max(kMostPublicFunctions, listed ? large->publicFunctions : 0));
+        CHECK(size.members <= std::max(kMostMembers, listed ? large->members : 0));
+    }
+}
+
+TEST_CASE("the list of large classes holds no class that has become small") {
+    const std::vector<test::LocatedClass> classes = test::classesOf(programSources());
+    for (const LargeClass& large : kLargeClasses) {
+        INFO(large.name << " is within the bounds or gone: take it off kLargeClasses");
+        CHECK(std::any_of(classes.begin(), classes.end(), [&](const test::LocatedClass& each) {
+            return each.size.name == large.name && isBeyond(each.size);
+        }));
     }
 }
 

@@ -182,6 +182,170 @@ class FunctionScanner {
     int parentheses_ = 0;
 };
 
+/// The text without the word `template` and without <..>, whose parentheses and commas do not count.
+std::string withoutTemplateArguments(const std::string& text) {
+    static const std::regex innermost(R"(([A-Za-z0-9_])\s*<[^<>;]*>)"), word(R"(\btemplate\b\s*)");
+    std::string before, after = text;
+    while (after != before) {
+        before = after;
+        after = std::regex_replace(before, innermost, "$1");
+    }
+    return std::regex_replace(after, word, "");
+}
+
+/// Declarations of one class, counted.
+class ClassBody {
+  public:
+    explicit ClassBody(bool isPublic) : public_(isPublic) {}
+
+    void setPublic(bool isPublic) { public_ = isPublic; }
+    int publicFunctions() const { return publicFunctions_; }
+    int members() const { return members_; }
+
+    /// A function with its body.
+    void takeFunction() { publicFunctions_ += public_ ? 1 : 0; }
+
+    /// A declaration on one line, without what is in braces; where it follows a nested type, only the names behind it.
+    void take(const std::string& declaration, bool behindType) {
+        static const std::regex none(R"(\s*((using|typedef|friend|static_assert|enum)\b.*)?)");
+        static const std::regex forward(R"(\s*(class|struct|union)\s+\w+\s*)");
+        static const std::regex aside(R"(\[\[[^\]]*\]\]|\balignas\s*\([^)]*\))");
+        static const std::regex deleted(R"(=\s*delete\s*$)");
+        const std::string text = std::regex_replace(withoutTemplateArguments(declaration), aside, "");
+        if (std::regex_match(text, none) || std::regex_match(text, forward)) return;
+        if (!behindType && isFunction(text)) {
+            if (!std::regex_search(text, deleted)) takeFunction();
+            return;
+        }
+        static const std::regex shared(R"(^[^=]*\bstatic\b)");
+        if (!std::regex_search(text, shared)) members_ += 1 + commasOutside(text);
+    }
+
+  private:
+    static bool isFunction(const std::string& text) {
+        if (text.find("operator") != std::string::npos) return true;
+        const size_t open = text.find('(');
+        return open != std::string::npos && open < text.find('=') && text.compare(open, 2, "(*") != 0;
+    }
+
+    static int commasOutside(const std::string& text) {
+        int depth = 0, commas = 0;
+        for (const char c : text) {
+            commas += c == ',' && depth == 0 ? 1 : 0;
+            depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+        }
+        return commas;
+    }
+
+    bool public_;
+    int publicFunctions_ = 0;
+    int members_ = 0;
+};
+
+/// Walks over the declarations of a text without comments, from scope to scope.
+class ClassScanner {
+  public:
+    explicit ClassScanner(std::string_view source) : code_(onlyCode(source)) {}
+
+    std::vector<ClassSize> scan() {
+        declarations(0, code_.size(), "", nullptr);
+        return found_;
+    }
+
+  private:
+    /// The declarations from `begin` to `end`, in the class `inside` of the name `outer` or, where that is null, in a
+    /// namespace.
+    void declarations(size_t begin, size_t end, const std::string& outer, ClassBody* inside) {
+        std::string head; // of the declaration, since its begin
+        bool behindType = false;
+        const auto finish = [&] {
+            head.clear();
+            behindType = false;
+        };
+        for (size_t i = begin; i < end; ++i) {
+            const char c = code_[i];
+            if (c == '{') {
+                const size_t close = closingBrace(i);
+                switch (kindOfHead(head)) {
+                case Brace::scope:
+                    behindType = scope(i, close, onOneLine(head), outer, inside);
+                    head.clear();
+                    break;
+                case Brace::function:
+                    if (continues(close)) break; // braces of a member's initialiser
+                    if (inside != nullptr && !onOneLine(head).starts_with("friend ")) inside->takeFunction();
+                    finish();
+                    break;
+                case Brace::initialiser:
+                    break;
+                }
+                i = close;
+            } else if (c == ';') {
+                if (inside != nullptr) inside->take(onOneLine(head), behindType);
+                finish();
+            } else if (c == ':' && inside != nullptr && setsAccess(head, i, *inside)) {
+                finish();
+            } else {
+                head += c;
+            }
+        }
+    }
+
+    /// The class, namespace or enumeration between two braces. True for a type, behind which names may follow.
+    bool scope(size_t open, size_t close, const std::string& head, const std::string& outer, ClassBody* inside) {
+        static const std::regex type(R"((?:^|[^\w])(class|struct|union)\s+((?:alignas\s*\([^)]*\)\s*)?)([\w:]*))");
+        static const std::regex enumeration(R"(\benum\b)");
+        std::smatch match;
+        if (std::regex_search(head, enumeration)) return true;
+        const std::string plain = withoutTemplateArguments(head);
+        if (!std::regex_search(plain, match, type)) {
+            declarations(open + 1, close, outer, nullptr);
+            return inside != nullptr;
+        }
+        const std::string own = match[3].length() > 0 ? match[3].str() : std::string("(unnamed)");
+        const std::string name = outer.empty() ? own : outer + "::" + own;
+        ClassBody body(match[1] != "class");
+        declarations(open + 1, close, name, &body);
+        found_.push_back({lineOf(code_, open), name, body.publicFunctions(), body.members()});
+        return true;
+    }
+
+    static Brace kindOfHead(const std::string& head) {
+        const auto open = std::count(head.begin(), head.end(), '('), closed = std::count(head.begin(), head.end(), ')');
+        if (open != closed) return Brace::initialiser; // of a default argument
+        return kindOf(withoutTemplateArguments(onOneLine(head)));
+    }
+
+    /// Whether a label of access ends at `at`; it then holds for what follows.
+    bool setsAccess(const std::string& head, size_t at, ClassBody& body) const {
+        if (code_.compare(at, 2, "::") == 0 || (at > 0 && code_[at - 1] == ':')) return false;
+        const std::string word = onOneLine(head);
+        const size_t end = word.find_last_not_of(' ');
+        const std::string label = end == std::string::npos ? std::string() : word.substr(0, end + 1);
+        if (label != "public" && label != "protected" && label != "private") return false;
+        body.setPublic(label == "public");
+        return true;
+    }
+
+    size_t closingBrace(size_t open) const {
+        int depth = 0;
+        for (size_t i = open; i < code_.size(); ++i) {
+            depth += code_[i] == '{' ? 1 : code_[i] == '}' ? -1 : 0;
+            if (depth == 0) return i;
+        }
+        return code_.size();
+    }
+
+    /// Whether a constructor goes on behind the brace at `close`.
+    bool continues(size_t close) const {
+        const size_t next = code_.find_first_not_of(" \t\n", close + 1);
+        return next != std::string::npos && (code_[next] == ',' || code_[next] == '{');
+    }
+
+    std::string code_;
+    std::vector<ClassSize> found_;
+};
+
 /// The distinct names of components in a comment: "xyz position, w temperature" has two.
 std::set<std::string> componentsNamed(const std::string& comment) {
     static const std::regex product(R"([0-9)]\s*x\s*[0-9(])"); // 4 x 4
@@ -226,6 +390,10 @@ std::vector<Include> findIncludes(std::string_view text) {
 
 std::vector<FunctionLength> findFunctions(std::string_view text) {
     return FunctionScanner(text).scan();
+}
+
+std::vector<ClassSize> findClasses(std::string_view text) {
+    return ClassScanner(text).scan();
 }
 
 std::vector<int> findMixedVectors(std::string_view text) {

@@ -1,5 +1,5 @@
-// What the house test reads from source files: includes, lengths of functions, comments that give the components of a
-// vector different meanings.
+// Facts of source files for the house test: includes, lengths of functions, sizes of classes, comments that give the
+// components of a vector different meanings.
 #pragma once
 
 #include <filesystem>
@@ -36,6 +36,20 @@ struct FunctionLength {
 /// All functions of a C++ or GLSL text with their bodies. Functions and lambdas inside another function belong to the
 /// outer one. Preprocessor lines are ignored, so that both branches of an #if must have balanced braces.
 std::vector<FunctionLength> findFunctions(std::string_view text);
+
+/// A class, struct or union with its body.
+struct ClassSize {
+    int line = 0;     ///< of its opening brace, from 1
+    std::string name; ///< with the classes around it: "Surface::Work"
+    int publicFunctions = 0;
+    int members = 0;
+};
+
+/// All classes of a C++ text in the order of their ends, those inside of others too, but none inside of functions.
+/// Public functions are constructors, operators and overloads as well, but none that is deleted. Members are data of
+/// each object, of any access: `int a, b;` is two, and a nested class counts for itself. Macros, functions and
+/// preprocessor lines are treated as by findFunctions().
+std::vector<ClassSize> findClasses(std::string_view text);
 
 /// Lines (from 1) of a shared header or shader that declare a vector member, uniform or varying whose comment gives its
 /// components different meanings: "vec4 origin; // xyz position, w temperature".

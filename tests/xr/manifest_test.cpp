@@ -1,14 +1,13 @@
 // The file that names the active runtime: what is wrong with it is said at once, with its name.
 #include "core/base/text.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/environment_change.hpp"
 #include "tests/support/gl_fixture.hpp"
 #include "xr/diagnosis.hpp"
 #include "xr/headset_connection.hpp"
 #include "xr/runtime_manifest.hpp"
 
 #include <chrono>
-#include <cstdlib>
-#include <optional>
 #include <thread>
 
 using namespace meltpool;
@@ -17,29 +16,6 @@ using namespace meltpool::test;
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Sets an environment variable (nullptr: removes it) while it lives.
-class Variable {
-  public:
-    Variable(const char* name, const char* value) : name_(name) {
-        if (const char* now = std::getenv(name)) before_ = now;
-        set(value);
-    }
-    ~Variable() { set(before_ ? before_->c_str() : nullptr); }
-    Variable(const Variable&) = delete;
-    Variable& operator=(const Variable&) = delete;
-
-  private:
-    void set(const char* value) const {
-        if (value == nullptr)
-            unsetenv(name_);
-        else
-            setenv(name_, value, 1);
-    }
-
-    const char* name_;
-    std::optional<std::string> before_;
-};
 
 fs::path manifest(const std::string& name, const std::string& text) {
     static const fs::path folder = scratchFolder("manifests");
@@ -89,7 +65,7 @@ TEST_CASE("a manifest in order has no fault, wherever its library is named from"
 
 TEST_CASE("the active runtime is looked for where the loader looks") {
     const fs::path home = scratchFolder("manifests-home"), shared = scratchFolder("manifests-shared");
-    const Variable none("XR_RUNTIME_JSON", nullptr), config("XDG_CONFIG_HOME", home.c_str()),
+    const EnvironmentChange none("XR_RUNTIME_JSON", nullptr), config("XDG_CONFIG_HOME", home.c_str()),
         folders("XDG_CONFIG_DIRS", ("/nowhere:" + shared.string()).c_str());
     const fs::path own = home / "openxr/1/active_runtime.json", common = shared / "openxr/1/active_runtime.json";
     fs::create_directories(common.parent_path());
@@ -99,13 +75,13 @@ TEST_CASE("the active runtime is looked for where the loader looks") {
     fs::create_symlink("/nowhere/runtime.json", own); // of a runtime that was removed
     CHECK(xr::findRuntimeManifest().file == own.string());
     CHECK_THAT(xr::findRuntimeManifest().fault, containsText("does not exist"));
-    const Variable named("XR_RUNTIME_JSON", "/else/where.json");
+    const EnvironmentChange named("XR_RUNTIME_JSON", "/else/where.json");
     CHECK_THAT(xr::findRuntimeManifest().fault, containsText("/else/where.json") && containsText("XR_RUNTIME_JSON"));
 }
 
 TEST_CASE("connection and doctor say at once what is wrong with the manifest") {
     const fs::path file = manifest("broken.json", "not JSON");
-    const Variable named("XR_RUNTIME_JSON", file.c_str());
+    const EnvironmentChange named("XR_RUNTIME_JSON", file.c_str());
     const xr::Diagnosis told = xr::diagnose(false);
     CHECK_FALSE(told.usable);
     CHECK_THAT(told.advice, containsText(file.string()) && containsText("is no JSON"));

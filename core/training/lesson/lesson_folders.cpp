@@ -2,6 +2,7 @@
 
 #include "core/base/environment.hpp"
 #include "core/base/error.hpp"
+#include "core/base/likely_name.hpp"
 #include "core/base/output_file.hpp"
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"
@@ -149,14 +150,13 @@ fs::path ownLessonsFolder() {
 Lesson findLesson(const std::string& name, const LessonFolders& folders) {
     if (isLessonName(name)) return readLesson(name);
     if (const std::vector<NamedLesson> found = folders.named(name); !found.empty()) return readLesson(found[0].file);
-    std::string known;
-    std::vector<std::string> faults;
+    std::vector<std::string> known, faults;
     for (const NamedLesson& each : folders.list(&faults))
-        if (each.fault.empty()) known += (known.empty() ? "" : ", ") + each.key;
+        if (each.fault.empty()) known.push_back(each.key);
     std::string unread;
     for (const std::string& fault : faults)
         unread += "; " + fault;
-    throw InputError("lesson " + quote(name) + " is not in the catalogue; expected one of " + known +
+    throw InputError("lesson " + quote(name) + " is not in the catalogue" + expectedNames(name, known) +
                      ", or a file that ends in .toml or .meltpool" + unread);
 }
 

@@ -180,6 +180,13 @@ std::vector<std::string> pathWarnings(const Lesson& lesson, bool cut) {
     return sentences;
 }
 
+std::string pathFormText(const std::filesystem::path& file, const TorchPath& path) {
+    constexpr size_t kMostBytes = 1000;
+    if (!path.form() || path.form()->ours) return {};
+    return "Torch path " + printable(file.string(), kMostBytes) + " is read as " +
+           printable(path.form()->text(), kMostBytes) + ".";
+}
+
 std::vector<std::string> lessonWarnings(const Lesson& lesson, const LessonFolders& catalogue) {
     std::vector<std::string> sentences;
     const std::string name = "The lesson " + printable(lesson.file.filename().string(), 80) + " ";

@@ -3,6 +3,7 @@
 
 #include "core/training/lesson/lesson_folders.hpp"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,10 @@ namespace meltpool {
 /// that it is about a thousand times too small or too large for the workpiece, or that it hurries as no welder can.
 /// `cut`: a person has chosen the lesson's time, which may end before the trigger is pulled. Throws as makeWorkpiece().
 std::vector<std::string> pathWarnings(const Lesson& lesson, bool cut = false);
+
+/// "Torch path F is read as UTF-8, columns parted by commas, decimal point, times in s."; empty for moves, for a record
+/// of this program and without a path. `file`: the name that the sentence gives it.
+std::string pathFormText(const std::filesystem::path& file, const TorchPath& path);
 
 /// A sentence for each of these: the lesson has no title, and the lesson that it names as the next is not in the
 /// catalogue.

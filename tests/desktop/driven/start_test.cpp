@@ -132,6 +132,19 @@ TEST_CASE("broken settings are told on the screen and set aside, never a crash")
     });
 }
 
+TEST_CASE("a lesson whose torch path is of another program or cannot weld it says so when it opens") {
+    const auto folder = scratchFolder("robot-lesson");
+    writeTextFileAtomically(folder / "robot.csv", "time_s;x_mm;y_mm;z_mm;qx;qy;qz;qw;trigger\n"
+                                                  "0;1250;400;800;-0.7071;0;0;0.7071;1\n"
+                                                  "1;1260;400;800;-0.7071;0;0;0.7071;0\n");
+    writeTextFileAtomically(folder / "robot.toml", "title = 'Robot'\nmodel = 'weld'\ntorch = 'robot.csv'\n");
+    TrainerWindow window("robot", {.lesson = (folder / "robot.toml").string()});
+    window.waitFor("how the table is read, and the warning", [](const json& row) {
+        return showsMessage(row, "robot.csv is read as UTF-8, columns parted by semicolons") &&
+               showsMessage(row, "The torch path robot.csv lies wholly outside the workpiece");
+    });
+}
+
 TEST_CASE("too little OpenGL is refused in one sentence, a telemetry file that cannot be written too") {
     const auto folder = scratchFolder("refused");
     const auto refuse = [&](std::vector<std::string> arguments, std::map<std::string, std::string> environment) {

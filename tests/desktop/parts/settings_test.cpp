@@ -132,7 +132,8 @@ TEST_CASE("each fault is told with its line, good values beside it are taken, th
     REQUIRE(faults.size() == 7);
     const std::string name = file.string();
     CHECK_THAT(all, test::containsText(name + ":2: 'speed' is '50'; expected a number from 0 to 10 (m/s)"));
-    CHECK_THAT(all, test::containsText(name + ":4: unknown key 'spede'; expected one of speed, count"));
+    CHECK_THAT(
+        all, test::containsText(name + ":4: unknown key 'spede'; did you mean 'speed'? Expected one of speed, count"));
     CHECK_THAT(all, test::containsText(name + ":7: 'kind' is 'shuffled'; expected one of ordered, random"));
     CHECK_THAT(all, test::containsText(name + ":8: 'open' is '3'; expected true or false"));
     CHECK_THAT(all, test::containsText(name + ":9: 'pull'"));
