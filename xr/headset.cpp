@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kOpening{10000};
 
-/// Far beyond what a software driver takes to draw a frame.
+/// Far beyond what a processor without a card takes to draw a frame.
 constexpr std::chrono::milliseconds kDrawing{60000};
 
 /// The least time that a call gets, however slow the frame was.

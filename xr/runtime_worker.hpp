@@ -66,7 +66,7 @@ class RuntimeWorker : public ThreadOwned {
     void dropFrame();    ///< ends a frame that was given up
     void requestExit();
 
-    /// Software drivers do not all wait by themselves for another context: awaitDrawing() is needed before endFrame().
+    /// A driver without a card may not wait by itself for another context: awaitDrawing() is needed before endFrame().
     bool drawsOnProcessor() const { return software_; }
 
     // Results.

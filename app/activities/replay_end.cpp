@@ -7,7 +7,7 @@ namespace meltpool {
 
 namespace {
 
-/// "version 0.1.0 (1a2b3c4) on llvmpipe"; what a record does not tell is said to be unknown.
+/// "version 0.1.0 (1a2b3c4) on GeForce RTX 3060"; what a record does not tell is said to be unknown.
 std::string machineText(const std::string& program, const std::string& driver) {
     return (program.empty() ? std::string("an unknown version") : "version " + program) + " on " +
            (driver.empty() ? std::string("an unknown driver") : driver);

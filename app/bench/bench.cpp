@@ -8,7 +8,7 @@
 #include "core/base/output_file.hpp"
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"
-#include "core/gl/driver_threads.hpp"
+#include "core/gl/software_driver/software_driver.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -130,7 +130,7 @@ std::string benchJson(const gl::ContextInfo& driver, const std::vector<BenchRow>
     json["driver"] = driver.version;
     json["processor"] = processorName();
     json["threads"] = std::thread::hardware_concurrency();
-    json["driver_threads_spared"] = gl::driverThreadsSpared();
+    json["driver_threads_spared"] = gl::driverIsSingleThreaded();
     if (const double load = loadAverage(); load >= 0) json["load_average"] = load;
     json["version"] = programVersion();
     json["commit"] = programCommit();
@@ -166,7 +166,7 @@ void runBench(const std::string& suite, const std::filesystem::path& jsonFile) {
         if (known.find(part.suite) == std::string::npos) known += (known.empty() ? "" : ", ") + std::string(part.suite);
     }
     if (chosen.empty()) throw InputError("bench suite " + quote(suite) + " is unknown; expected one of " + known);
-    if (suite == "weld") gl::spareDriverThreads(); // as the window and runs without pictures do
+    if (suite == "weld") gl::runDriverSingleThreaded(); // as the window and runs without pictures do
     const gl::HeadlessContext context(false);
     const bool keeps = !jsonFile.empty() && isPlainFile(jsonFile);
     std::optional<FileLock> lock;
@@ -177,7 +177,7 @@ void runBench(const std::string& suite, const std::filesystem::path& jsonFile) {
     gl::ShaderLibrary shaders(resourceFolder() / "shaders");
     std::printf("%s, %s; %s, %u threads%s; meltpool %s\n", context.info().renderer.c_str(),
                 context.info().version.c_str(), processorName().c_str(), std::thread::hardware_concurrency(),
-                gl::driverThreadsSpared() ? ", of which the driver has one" : "", programBuild().c_str());
+                gl::driverIsSingleThreaded() ? ", of which the driver has one" : "", programBuild().c_str());
     std::printf("%-10s %-40s %9s %11s %9s %10s\n", "suite", "what / pass", "particles", "ms (least)", "B/part.", "MiB");
     for (const BenchPart& part : chosen) {
         Bench bench(shaders, std::string(part.suite));

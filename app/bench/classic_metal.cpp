@@ -31,8 +31,8 @@ void prepareLiquid(ClassicMetal& metal, size_t particles) {
     metal.restore(state);
 }
 
-/// `cpu_ms` is the time of all this program's threads: with a software driver the figure that other programs on the
-/// machine disturb least.
+/// `cpu_ms` is the time of all this program's threads: where the processor draws, the figure that other programs on
+/// the machine disturb least.
 BenchRow measureSteps(Bench& bench, const std::string& what, ClassicMetal& metal, const ClassicSource& source) {
     double processor = std::numeric_limits<double>::infinity();
     BenchRow row = bench.measure(what, [&](gl::Profiler& profiler) {

@@ -11,7 +11,7 @@
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"
 #include "core/gl/context.hpp"
-#include "core/gl/driver_threads.hpp"
+#include "core/gl/software_driver/software_driver.hpp"
 #include "core/training/lesson/lesson_check.hpp"
 #include "core/training/trainer/trainer.hpp"
 
@@ -115,7 +115,7 @@ bool runChecks(const CheckRequest& request) {
     // Every file is read before the first is welded.
     const std::vector<LessonCheck> checks = readChecks(request.checks);
     if (!request.junit.empty()) requireWritable(request.junit);
-    gl::spareDriverThreads();
+    gl::runDriverSingleThreaded();
     const gl::HeadlessContext context(false);
     gl::ShaderLibrary shaders(resourceFolder() / "shaders");
     std::vector<CheckOutcome> outcomes;

@@ -10,7 +10,7 @@
 #include "core/base/error.hpp"
 #include "core/base/resources.hpp"
 #include "core/gl/context.hpp"
-#include "core/gl/driver_threads.hpp"
+#include "core/gl/software_driver/software_driver.hpp"
 #include "core/render/view_submission.hpp"
 #include "core/training/lesson/lesson.hpp"
 
@@ -43,18 +43,6 @@ constexpr std::array<Limit, 6> kLimits{{
     {"edge of a picture", GL_MAX_TEXTURE_SIZE, 8192},
 }};
 
-/// Measured: the same welds and pictures take a fifth to a third less time with Mesa 25 than with Mesa 22.
-constexpr int kFastMesa = 25;
-
-/// The advice to install a newer software driver, where one is faster.
-std::optional<Finding> newerDriver(const gl::ContextInfo& info) {
-    const int major = gl::mesaMajor(info.version);
-    if (!info.software || major == 0 || major >= kFastMesa) return std::nullopt;
-    return Finding{"age of the software driver", State::note,
-                   "Mesa " + std::to_string(major) + ": a newer one is faster",
-                   "Mesa " + std::to_string(kFastMesa) + ", as Debian 13 has it"};
-}
-
 void inspectDriver(std::vector<Finding>& findings) {
     const gl::ContextSystem system = gl::contextSystem();
     findings.push_back({system.name, State::good, system.version, ""});
@@ -65,7 +53,8 @@ void inspectDriver(std::vector<Finding>& findings) {
         if (info.software)
             findings.push_back({"graphics card", State::note, "none in use: the processor draws",
                                 "install the graphics card's driver for larger lessons and a headset"});
-        if (const auto newer = newerDriver(info)) findings.push_back(*newer);
+        if (const auto advice = gl::newerDriver(info.renderer, info.version))
+            findings.push_back({advice->about, State::note, advice->found, advice->remedy});
         findings.push_back(
             {"automatic detail of pictures", State::good,
              info.software ? "low, as the processor draws" : "measured when a lesson begins, from high down", ""});
@@ -148,7 +137,7 @@ bool printFindings(const std::vector<Finding>& findings) {
 
 bool runDoctor(bool speed) {
     std::printf("meltpool %s\n", programBuild().c_str());
-    gl::spareDriverThreads(); // the speed of a weld is that of the window
+    gl::runDriverSingleThreaded(); // the speed of a weld is that of the window
     std::vector<Finding> findings;
     inspectDriver(findings);
     inspectDisplay(findings);

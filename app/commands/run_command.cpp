@@ -12,7 +12,7 @@
 #include "core/base/output_file.hpp"
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"
-#include "core/gl/driver_threads.hpp"
+#include "core/gl/software_driver/software_driver.hpp"
 #include "core/training/attempt/record_text.hpp"
 #include "core/training/lesson/lesson.hpp"
 #include "core/training/lesson/lesson_room.hpp"
@@ -142,7 +142,7 @@ void runLesson(const RunRequest& request) {
     if (!request.mesh.empty()) meshFormat(request.mesh); // throws for an unknown ending
     RunFolder folder(request.folder.empty() ? newRunFolder({}, lesson.key) : request.folder, sources);
     if (!request.mesh.empty()) requireWritable(request.mesh); // it may lie in the folder
-    if (hasFewPictures(lesson, hooks.film)) gl::spareDriverThreads();
+    if (hasFewPictures(lesson, hooks.film)) gl::runDriverSingleThreaded();
     const gl::HeadlessContext context;
     gl::ShaderLibrary shaders(resourceFolder() / "shaders");
     requireRoom(lesson, machineRoom());

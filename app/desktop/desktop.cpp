@@ -3,7 +3,7 @@
 #include "app/desktop/desktop_app.hpp"
 #include "app/desktop/window_system.hpp"
 #include "app/platform/stop_signals.hpp"
-#include "core/gl/driver_threads.hpp"
+#include "core/gl/software_driver/software_driver.hpp"
 
 #include <cstdio>
 #include <cstdlib>
@@ -13,7 +13,7 @@ namespace meltpool {
 int runDesktop(const DesktopOptions& options) {
     const StopSignals signals;
     // Steps and picture have a thread each; both eyes' pictures are wide.
-    if (options.headset != HeadsetUse::wanted) gl::spareDriverThreads();
+    if (options.headset != HeadsetUse::wanted) gl::runDriverSingleThreaded();
     DesktopApp app(options);
     surviveLostDisplay();
     while (!app.closing() && !StopSignals::asked() && !displayLost())

@@ -8,7 +8,7 @@
 #include "core/base/error.hpp"
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"
-#include "core/gl/order.hpp"
+#include "core/gl/software_driver/software_driver.hpp"
 
 #include <algorithm>
 #include <array>
@@ -32,7 +32,7 @@ std::string driverText(const gl::ContextInfo& info) {
 
 /// Where the processor draws, the metal has a context and a thread of its own; null elsewhere.
 std::unique_ptr<StepThread> makeStepThread(const std::filesystem::path& shaders) {
-    if (!gl::dispatchesEndAtOnce()) return nullptr;
+    if (!gl::dispatchIsSynchronous()) return nullptr;
     auto thread = std::make_unique<StepThread>(std::make_unique<HeadlessStepContext>(shaders));
     return thread->usable() ? std::move(thread) : nullptr;
 }

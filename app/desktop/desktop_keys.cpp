@@ -53,7 +53,8 @@ void DesktopApp::replayByKeys(const InputFrame& input) {
     if (std::find(input.struck.begin(), input.struck.end(), Key::space) != input.struck.end()) line.toggle();
 }
 
-/// A large picture takes a software driver seconds. An attempt whose arc burns would lose what the hand did in them.
+/// A large picture takes seconds where the processor draws. An attempt whose arc burns would lose what the hand did in
+/// them.
 bool DesktopApp::mayStandStill() const {
     if (!session_.running() || headsetFrame_) return false;
     return !window_.driver().software || session_.played() || !session_.arc().burns();

@@ -30,7 +30,7 @@ RenderTarget ScaledPicture::begin(glm::ivec2 window, float share) {
     return {buffers_->framebuffer.name(), {0, 0, size.x, size.y}};
 }
 
-/// Drawn, as Mesa's software driver takes half as long again to enlarge with glBlitNamedFramebuffer().
+/// Drawn: where the processor draws, glBlitNamedFramebuffer() takes half as long again to enlarge.
 void ScaledPicture::end(GLuint window) const {
     glBindFramebuffer(GL_FRAMEBUFFER, window);
     if (!buffers_) return;

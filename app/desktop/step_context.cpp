@@ -1,7 +1,7 @@
 #include "app/desktop/step_context.hpp"
 
 #include "core/base/error.hpp"
-#include "core/gl/order.hpp"
+#include "core/gl/software_driver/software_driver.hpp"
 
 namespace meltpool {
 
@@ -11,7 +11,7 @@ bool HeadlessStepContext::enter() {
     } catch (const InputError&) { // the window's own context serves, too
         return false;
     }
-    if (!gl::dispatchesEndAtOnce()) {
+    if (!gl::dispatchIsSynchronous()) {
         context_.reset();
         return false;
     }

@@ -21,13 +21,12 @@ class StepContext {
     virtual gl::ShaderLibrary& shaders() = 0;
 };
 
-/// Shares nothing with the window's context. Of Mesa's llvmpipe each has a driver of its own, so that dispatches of one
-/// do not wait for those of the other (llvmpipe_launch_grid() locks cs_mutex of what both share).
+/// Shares nothing with the window's context, so that dispatches of one do not wait for those of the other.
 class HeadlessStepContext final : public StepContext {
   public:
     /// `shaders`: the folder that programs are loaded from.
     explicit HeadlessStepContext(std::filesystem::path shaders) : root_(std::move(shaders)) {}
-    /// False where another driver than one of gl::dispatchesEndAtOnce() would serve, or none.
+    /// False where its dispatches would not end at once, or no driver serves.
     bool enter() override;
     void leave() override;
     gl::ShaderLibrary& shaders() override { return *shaders_; }

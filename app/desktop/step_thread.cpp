@@ -1,6 +1,6 @@
 #include "app/desktop/step_thread.hpp"
 
-#include "core/gl/order.hpp"
+#include "core/gl/software_driver/software_driver.hpp"
 
 #include <utility>
 
@@ -31,7 +31,7 @@ StepThread::~StepThread() {
 
 void StepThread::live() {
     usable_ = context_->enter();
-    const gl::InOrderThread inOrder;
+    const gl::BarrierFreeThread barrierFree;
     std::unique_lock lock(mutex_);
     ready_ = true;
     changed_.notify_all();
@@ -64,8 +64,8 @@ void StepThread::serve(std::unique_lock<std::mutex>& lock) {
     work_ = nullptr;
 }
 
-/// Buffer textures of a lesson that is over keep its buffers until the context that read them flushes: Mesa's context
-/// lets go of its views of deleted textures only then.
+/// Buffer textures of a lesson that is over keep its buffers until the context that read them flushes: only then does
+/// it let go of its views of deleted textures.
 void StepThread::freeDeleted() {
     const auto now = std::chrono::steady_clock::now();
     if (now - flushed_ < kBetweenFlushes) return;

@@ -156,7 +156,7 @@ Window::Window(const Options& options) : normalSize_(options.width, options.heig
         open(options);
         driver_ = gl::useCurrentContext(gl::debugBuild());
         if (driver_.software && options.samples > 0) {
-            // A software driver takes too long for four samples a pixel.
+            // Four samples a pixel take too long where the processor draws.
             glfwDestroyWindow(std::exchange(window_, nullptr));
             Options plain = options;
             plain.samples = 0;

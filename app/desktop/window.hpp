@@ -20,7 +20,7 @@ class Window {
     struct Options {
         int width = 1280; ///< screen points
         int height = 720;
-        int samples = 4; ///< per pixel; 0 on software drivers
+        int samples = 4; ///< per pixel; 0 where the processor draws
     };
 
     /// Opens the window, hidden until show(). Throws InputError in one sentence when there is no display or the driver

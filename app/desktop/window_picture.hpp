@@ -36,7 +36,7 @@ class WindowPicture {
     /// Draws that. Leaves the window's frame buffer bound.
     void draw(LessonSession& session, gl::Profiler* profiler);
     /// The same moment without panels and with all detail, 4K or as much of that as has the window's shape. Waits for
-    /// the driver, which a software driver makes seconds. Throws RuntimeFault when it cannot draw it.
+    /// the driver: seconds where the processor draws. Throws RuntimeFault when it cannot draw it.
     Image large(LessonSession& session);
     /// What the last picture was drawn at, see pictureSentence().
     std::string_view sentence() const { return sentence_; }

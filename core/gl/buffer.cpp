@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/gl/order.hpp"
+#include "core/gl/software_driver/software_driver.hpp"
 
 #include <algorithm>
 #include <cstring>

@@ -2,10 +2,9 @@
 
 #include "core/base/error.hpp"
 #include "core/base/last_facts.hpp"
+#include "core/gl/software_driver/software_driver.hpp"
 
-#include <charconv>
 #include <cstdio>
-#include <cstring>
 
 namespace meltpool::gl {
 
@@ -22,25 +21,10 @@ void GLAPIENTRY reportDebugMessage(GLenum, GLenum type, GLuint, GLenum severity,
     std::fprintf(stderr, "OpenGL: %s\n", message);
 }
 
-bool drawsOnCpu(const std::string& renderer) {
-    for (const char* name : {"llvmpipe", "softpipe", "swrast", "SwiftShader"})
-        if (renderer.find(name) != std::string::npos) return true;
-    return false;
-}
-
 } // namespace
 
-int mesaMajor(std::string_view version) {
-    constexpr std::string_view kName = "Mesa ";
-    const size_t at = version.find(kName);
-    int major = 0;
-    if (at != std::string_view::npos)
-        std::from_chars(version.data() + at + kName.size(), version.data() + version.size(), major);
-    return major;
-}
-
 bool drawnOnProcessor() {
-    return drawsOnCpu(textOf(GL_RENDERER));
+    return drawsOnProcessor(textOf(GL_RENDERER));
 }
 
 ContextInfo useCurrentContext(bool debug) {
@@ -55,7 +39,7 @@ ContextInfo useCurrentContext(bool debug) {
     ContextInfo info{textOf(GL_RENDERER), textOf(GL_VENDOR), textOf(GL_VERSION)};
     glGetIntegerv(GL_MAJOR_VERSION, &info.major);
     glGetIntegerv(GL_MINOR_VERSION, &info.minor);
-    info.software = drawsOnCpu(info.renderer);
+    info.software = drawsOnProcessor(info.renderer);
     noteFact(LastFact::driver, info.version + " on " + info.renderer);
     if (info.major * 10 + info.minor < 45)
         throw InputError("the graphics driver '" + info.renderer + "' offers OpenGL " + std::to_string(info.major) +

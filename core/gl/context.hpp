@@ -17,10 +17,6 @@ struct ContextInfo {
     bool software = false; ///< a driver that draws on the CPU
 };
 
-/// The major version of Mesa in OpenGL's version text, such as 22 in "4.5 (Core Profile) Mesa 22.3.6"; 0 of another
-/// driver.
-int mesaMajor(std::string_view version);
-
 /// Loads the functions of the current context and reads its names and version. Throws InputError with the version found
 /// when it is less than OpenGL 4.5 core. `debug`: from now on the driver's errors and warnings go to standard error.
 ContextInfo useCurrentContext(bool debug);
@@ -50,7 +46,7 @@ struct ContextSystem {
 /// Asks the system; makes no context.
 ContextSystem contextSystem();
 
-/// An OpenGL 4.5 core context without a window on the screen: a GPU where there is one, else a software driver. On
+/// An OpenGL 4.5 core context without a window on the screen: a GPU where there is one, else the processor. On
 /// Linux it comes from EGL and needs no display; on Windows from WGL and a window that is never shown.
 class HeadlessContext {
   public:

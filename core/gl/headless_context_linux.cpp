@@ -1,5 +1,6 @@
 #include "core/base/error.hpp"
 #include "core/gl/context.hpp"
+#include "core/gl/software_driver/software_driver.hpp"
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -16,8 +17,7 @@ bool offers(const char* list, const char* extension) {
     return list != nullptr && std::strstr(list, extension) != nullptr;
 }
 
-/// The displays worth trying, best first: each EGL device (a GPU before Mesa's software device), then the surfaceless
-/// platform.
+/// The displays worth trying, best first: each EGL device that is a card, then the surfaceless platform.
 std::vector<EGLDisplay> candidateDisplays() {
     const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     const auto getDisplay =
@@ -33,7 +33,7 @@ std::vector<EGLDisplay> candidateDisplays() {
         queryDevices(EGLint(devices.size()), devices.data(), &count);
         for (EGLint i = 0; i < count; ++i) {
             const EGLDeviceEXT device = devices[static_cast<size_t>(i)];
-            if (offers(deviceString(device, EGL_EXTENSIONS), "EGL_MESA_device_software")) continue;
+            if (isProcessorDevice(deviceString(device, EGL_EXTENSIONS))) continue;
             displays.push_back(getDisplay(EGL_PLATFORM_DEVICE_EXT, device, nullptr));
         }
     }
@@ -84,8 +84,7 @@ struct HeadlessContext::Handles {
 ContextSystem contextSystem() {
     const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_VERSION);
     if (client == nullptr) client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
-    return {"EGL", client == nullptr ? "too old to be asked" : std::string(client).substr(0, 60),
-            "on Debian and Ubuntu: apt-get install libegl1 libgl1-mesa-dri, or the card's own driver"};
+    return {"EGL", client == nullptr ? "too old to be asked" : std::string(client).substr(0, 60), kDriverRemedy};
 }
 
 HeadlessContext::HeadlessContext(bool debug) : handles_(std::make_unique<Handles>()) {
@@ -95,8 +94,9 @@ HeadlessContext::HeadlessContext(bool debug) : handles_(std::make_unique<Handles
         if (handles_->context != EGL_NO_CONTEXT) break;
     }
     if (handles_->context == EGL_NO_CONTEXT)
-        throw InputError("no OpenGL 4.5 core context could be made through EGL; expected a graphics driver, or Mesa's "
-                         "software driver (packages libegl1 and libgl1-mesa-dri)");
+        throw InputError(
+            std::string("no OpenGL 4.5 core context could be made through EGL; expected a graphics driver (") +
+            kDriverRemedy + ")");
     info_ = useCurrentContext(debug);
 }
 

@@ -1,55 +1,18 @@
 #include "core/gl/order.hpp"
 
+#include "core/gl/software_driver/software_driver.hpp"
+
 #include <array>
 #include <cstring>
-#include <string_view>
 
 namespace meltpool::gl {
 
-namespace {
-
-thread_local bool inOrder = false;
-
-} // namespace
-
-bool dispatchesEndAtOnce() {
-    const GLubyte* renderer = glGetString(GL_RENDERER);
-    return renderer != nullptr &&
-           std::string_view(reinterpret_cast<const char*>(renderer)).find("llvmpipe") != std::string_view::npos;
-}
-
-InOrderThread::InOrderThread() {
-    inOrder = true;
-}
-
-InOrderThread::~InOrderThread() {
-    inOrder = false;
-}
-
 void memoryBarrier(GLbitfield barriers) {
-    if (!inOrder) glMemoryBarrier(barriers);
+    if (!barrierFree()) glMemoryBarrier(barriers);
 }
 
 GLsync fence() {
-    return inOrder ? nullptr : glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-}
-
-GLbitfield directStorage() {
-    return dispatchesEndAtOnce() ? GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT : 0;
-}
-
-// Such a driver gives the buffer's memory itself, which may be read too. A mapping for reading could not be
-// unsynchronized, and what is synchronized is looked for in pictures.
-void mapDirectly(GLuint buffer, size_t bytes) {
-    if (const GLbitfield flags = directStorage(); flags != 0)
-        glMapNamedBufferRange(buffer, 0, static_cast<GLsizeiptr>(bytes), flags | GL_MAP_UNSYNCHRONIZED_BIT);
-}
-
-std::byte* directMemory(GLuint buffer) {
-    if (!inOrder) return nullptr;
-    void* memory = nullptr;
-    glGetNamedBufferPointerv(buffer, GL_BUFFER_MAP_POINTER, &memory);
-    return static_cast<std::byte*>(memory);
+    return barrierFree() ? nullptr : glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
 }
 
 void copyBytes(GLuint from, GLuint to, size_t bytes, size_t fromOffset, size_t toOffset) {
@@ -74,7 +37,7 @@ void fillWords(GLuint buffer, size_t offset, size_t bytes, GLuint word) {
 
 void dispatchIndirect(size_t offset) {
     GLint counts = 0;
-    if (inOrder) glGetIntegerv(GL_DISPATCH_INDIRECT_BUFFER_BINDING, &counts);
+    if (barrierFree()) glGetIntegerv(GL_DISPATCH_INDIRECT_BUFFER_BINDING, &counts);
     const std::byte* memory = counts != 0 ? directMemory(static_cast<GLuint>(counts)) : nullptr;
     if (memory == nullptr) {
         glDispatchComputeIndirect(static_cast<GLintptr>(offset));

@@ -1,6 +1,7 @@
 #include "core/gl/program.hpp"
 
 #include "core/base/error.hpp"
+#include "core/gl/block_layout.hpp"
 #include "core/gl/order.hpp"
 
 #include <algorithm>
@@ -55,6 +56,19 @@ Shader compile(const std::string& file, const ShaderSource& source) {
         throw InputError(source.files.front(), 0,
                          "the shader does not compile: " + readableShaderLog(source, compileLog(shader.name())));
     return shader;
+}
+
+/// Throws InputError where a block of the linked `program` that the stage `source` declares has another layout than
+/// here.
+void checkBlocks(GLuint program, const ShaderSource& source) {
+    for (const BlockDeclaration& block : findBlocks(source.text)) {
+        const std::string difference = blockDifference(program, block, sharedStructs());
+        if (!difference.empty())
+            throw InputError(source.files.front(), 0,
+                             difference +
+                                 "; the shaders belong to another version of the program: install it again, or "
+                                 "set MELTPOOL_DATA to the folder that belongs to this version");
+    }
 }
 
 fs::file_time_type newestTime(const std::vector<fs::path>& files) {
@@ -152,11 +166,10 @@ std::vector<std::string> ShaderLibrary::standingFaults() const {
 
 void ShaderLibrary::build(Entry& entry) const {
     std::vector<Shader> stages;
-    std::vector<fs::path> sources;
+    std::vector<ShaderSource> sources;
     for (const std::string& file : entry.files) {
-        const ShaderSource source = loadShaderSource(root_, file, entry.defines);
-        sources.insert(sources.end(), source.files.begin(), source.files.end());
-        stages.push_back(compile(file, source));
+        sources.push_back(loadShaderSource(root_, file, entry.defines));
+        stages.push_back(compile(file, sources.back()));
     }
     Program program;
     program.handle_ = Handle<Program::destroy>(glCreateProgram());
@@ -169,10 +182,14 @@ void ShaderLibrary::build(Entry& entry) const {
     glGetProgramiv(program.name(), GL_LINK_STATUS, &linked);
     if (linked == GL_FALSE)
         throw InputError(root_ / entry.files.front(), 0, "the program does not link: " + linkLog(program.name()));
+    for (const ShaderSource& source : sources)
+        checkBlocks(program.name(), source);
     program.listUniforms();
     labelObject(GL_PROGRAM, program.name(), entry.files.back());
     entry.program = std::move(program);
-    entry.sources = std::move(sources);
+    entry.sources.clear();
+    for (const ShaderSource& source : sources)
+        entry.sources.insert(entry.sources.end(), source.files.begin(), source.files.end());
     entry.newest = newestTime(entry.sources);
 }
 

@@ -65,7 +65,7 @@ class ShaderLibrary {
     explicit ShaderLibrary(std::filesystem::path root) : root_(std::move(root)) {}
 
     /// Files relative to the root; the stage follows from the ending (.comp, .vert, .frag, .geom).
-    /// Throws InputError with the driver's message when one does not compile or link.
+    /// Throws InputError when one does not compile or link, or has a block with another layout than its C++ struct.
     const Program& load(std::vector<std::string> files, Defines defines = {});
     const Program& compute(std::string file, Defines defines = {}) {
         return load({std::move(file)}, std::move(defines));

@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/gl/order.hpp"
+#include "core/gl/software_driver/software_driver.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -68,7 +69,8 @@ void StateArchive::text(std::string& words) {
     }
 }
 
-/// On an InOrderThread nothing of OpenGL is made that the archive, which ends on another thread, would have to delete.
+/// On a BarrierFreeThread nothing of OpenGL is made that the archive, which ends on another thread, would have to
+/// delete.
 void StateArchive::copyTo(const Buffer& buffer, size_t bytes, size_t begin) {
     if (std::byte* memory = directMemory(buffer.name())) {
         if (bytes > 0) std::memcpy(memory, from_.data() + begin, bytes);

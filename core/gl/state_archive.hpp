@@ -29,7 +29,7 @@ struct StateParts {
     struct Region {
         GLuint buffer = 0;
         size_t bytes = 0;
-        /// The buffer's own where it was named on an InOrderThread, whose context may be another one than that which
+        /// The buffer's own where it was named on a BarrierFreeThread, whose context may be another one than that which
         /// copies: any thread reads it as long as no shader writes there.
         const std::byte* memory = nullptr;
     };

@@ -25,8 +25,8 @@ struct SkyKey {
     bool operator==(const SkyKey&) const = default;
 };
 
-/// Shading the sky takes a software driver a fifth of a picture; a copy takes a fraction of that. The copy has the same
-/// bits.
+/// Shading the sky is a fifth of a picture where the processor draws; a copy is a fraction of that. The copy has the
+/// same bits.
 class KeptSky {
   public:
     /// Whether the sky of the coming picture can be copied. It is drawn by `draw`, into a target of its own, when a

@@ -11,8 +11,8 @@
 
 namespace meltpool {
 
-/// Shaders leave a measure out where its name is not defined. A branch would cost as much as the measure on software
-/// drivers, which compute both sides.
+/// Shaders leave a measure out where its name is not defined. SYNCHRONOUS_DRIVER: a branch would cost as much as the
+/// measure, as it computes both sides.
 class MeasuredProgram {
   public:
     /// `measures`: those that the shaders know, as bits of measuresOf(), each with the name that is defined for it.

@@ -23,7 +23,7 @@ void join(inout MetalPart sum, MetalPart part) {
     sum.broken += part.broken;
 }
 
-/// What a slot adds. Without a branch: drivers that run on the CPU pay for both sides of one.
+/// What a slot adds. SYNCHRONOUS_DRIVER: no branch, as it computes both sides of one.
 MetalPart partOf(uint slot) {
     uint bits = texelFetch(phases, int(slot)).x;
     vec4 p = texelFetch(positions, int(slot));

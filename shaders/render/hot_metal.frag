@@ -1,7 +1,7 @@
 // Metal with a temperature in kelvin: mirrors its surroundings and glows. At the melting point it turns from dull and
 // bright to mirroring and darker: that is how a welder sees the pool's edge.
-// POOL: what is liquid mirrors torch and workpiece too. Solid metal is too dull to show more than the room. It is another
-// program and no branch, of which software drivers compute both sides.
+// POOL: what is liquid mirrors torch and workpiece too. Solid metal is too dull to show more than the room.
+// SYNCHRONOUS_DRIVER: another program and no branch, of which it computes both sides.
 // ROUGH_LOBES: lamp, arc and room are mirrored as rough metal does; else by Phong's lobes.
 // SPECULAR_AA: highlights are as wide as the normals within a pixel make them.
 // RIPPLES, only with ROUGH_LOBES: solid metal has the ripples of its freezing.
@@ -122,7 +122,7 @@ const float kArcSharpness = 24.0;
 
 vec3 lightOff(float liquid) {
     float dull = frame.dullness * (1.0 - liquid);
-    // A whole level: between two, software drivers read both.
+    // SYNCHRONOUS_DRIVER: a whole level, as between two it reads both.
     float level = floor(mix(kLevels.x, kLevels.y, dull) + 0.5);
     vec3 seen = lampLight * decodeEnvironment(textureLod(roughEnvironment, mirrorWay, level).rgb);
 #ifdef POOL

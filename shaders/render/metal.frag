@@ -16,8 +16,8 @@ layout(binding = ROUGH_UNIT) uniform samplerCube roughEnvironment;
 const float kLiquidLevel = 1.0;
 const float kSolidLevel = 3.0;
 
-// Solid and liquid metal have a whole level each: between two levels software drivers read both. What interpolation adds to
-// the solid's dullness is rounded away.
+// Solid and liquid metal have a whole level each. The difference that interpolation adds to the solid's dullness is rounded
+// away. SYNCHRONOUS_DRIVER: between two levels it reads both.
 float levelAt(float dull) {
     float solid = floor(mix(kLiquidLevel, kSolidLevel, frame.dullness) + 0.5);
     float level = mix(kLiquidLevel, solid, dull / max(frame.dullness, 1e-3));

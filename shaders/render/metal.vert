@@ -1,5 +1,5 @@
-// A vertex of opaque metal. Everything that varies smoothly over a triangle is computed here: the triangles are small, and
-// software drivers are slow per pixel.
+// A vertex of opaque metal. Everything that varies smoothly over a triangle is computed here: the triangles are small.
+// SYNCHRONOUS_DRIVER: it is slow per pixel.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/view.glsl"

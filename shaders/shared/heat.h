@@ -33,7 +33,7 @@
 #define HEAT_LISTED_ROWS 12 // uint (nor beside either of them): see HeatControl
 #define HEAT_OFF_LATTICE 0xffffffffu // it is in the list of slots off the lattice
 
-// Buffers that are read as textures: drivers that run on the CPU fetch texels several times faster than storage.
+// Buffers that are read as textures. SYNCHRONOUS_DRIVER: it fetches texels several times faster than storage.
 #define HEAT_TEXELS_TABLE 0 // samples of temperature and theta, and the next ones beside them
 #define HEAT_TEXELS_THETA 1
 #define HEAT_TEXELS_WEIGHT 2
@@ -133,8 +133,8 @@ struct HeatBlock {
     float evaporatesFrom;          // K
     float time;                    // s since the start, at the end of the step
     float liquidTheta;             // W/m, of metal at its liquidus
-    int mostTurns;                 // of Newton's method for evaporation; drivers on the CPU run all turns of a loop whose number
-                                   // they know, one that they do not know only as long as an invocation needs it
+    int mostTurns;                 // of Newton's method for evaporation. SYNCHRONOUS_DRIVER: it runs all turns of a loop whose
+                                   // number it knows; of one that it does not know, those that an invocation needs
     vec3 stirringLess;             // share that stirred liquid conducts less along each axis, where the stirring has a way
     float reservedWay;
     HeatSourceData sources[HEAT_SOURCES];

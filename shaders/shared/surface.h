@@ -64,7 +64,7 @@
 #define SURFACE_BIND_BASE_TRIANGLES 2
 #define SURFACE_BIND_OBSOLETE_TRIANGLES 10
 
-// The same buffers as buffer textures, for passes that read much: drivers fetch texels faster than storage.
+// The same buffers as buffer textures, for passes that read much. SYNCHRONOUS_DRIVER: it fetches texels faster than storage.
 #define SURFACE_TEXELS_PARTICLES 0
 #define SURFACE_TEXELS_SPLATTED 1
 #define SURFACE_TEXELS_DENSITY 2

@@ -47,8 +47,8 @@ struct LatticeFace {
 };
 
 /// The flat face nearest to `place` that looks along `axis` (an axis, or its opposite). `inner`: a little inside of the place, so
-/// that a place in the plane between two cells is in the one that the metal is in. `tries`: 3, or 0 to look for none: drivers
-/// that run on the CPU skip a loop that no invocation makes, and no branch.
+/// that a place in the plane between two cells is in the one that the metal is in. `tries`: 3, or 0 to look for none.
+/// SYNCHRONOUS_DRIVER: it skips a loop that no invocation makes, and no branch.
 LatticeFace faceAt(vec3 place, vec3 inner, ivec3 axis, int tries) {
     vec3 along = abs(vec3(axis));
     int out_ = axis.x + axis.y + axis.z;

@@ -125,7 +125,7 @@ vec2 writeFreezing(uint index, ivec3 a, ivec3 b, float part, float weight) {
     FreezingSums atA = freezingAt(a), atB = freezingAt(b);
     float frozen = mix(atA.weight, atB.weight, part);
     float time = mix(atA.weight * atA.time, atB.weight * atB.time, part) / max(frozen, 1e-6);
-    // An empty box where nothing froze: drivers that run on the CPU skip a loop that no invocation makes.
+    // An empty box where nothing froze. SYNCHRONOUS_DRIVER: it skips a loop that no invocation makes.
     ivec3 first = frozen > 0.0 ? max(a - 1, ivec3(1)) : ivec3(1), last = frozen > 0.0 ? min(b + 1, setup.cells + 1) : ivec3(0);
     SurfaceFreezing fit = fitFreezing(first, last, mix(vec3(a), vec3(b), part), time);
     fit.slope *= vec3(setup.cells) / setup.extent;
@@ -176,7 +176,7 @@ void main() {
     float share = untouchedShare(loose, hottest);
     if (setup.flatPlaneCount > 0 && !cap)
         flatten(vertex, weightA > weightB ? a : b, weightA > weightB ? axis : -axis, loose, share);
-    // A loop: drivers that run on the CPU skip one that no invocation makes, and no branch.
+    // SYNCHRONOUS_DRIVER: a loop, as it skips one that no invocation makes, and no branch.
     for (int i = 0; i < setup.pipeCount && !cap; ++i) putOnPipe(vertex, share);
 #endif
     vertices[commands.firstVertex + index] = vertex;

@@ -286,6 +286,20 @@ TEST_CASE("a run that cannot begin says so in its result", "[app]") {
     CHECK_THAT(resultIn(folder / "out").at("error").get<std::string>(), containsText(".comp"));
 }
 
+TEST_CASE("a run with shaders of another version is refused with one sentence", "[app]") {
+    const auto folder = test::scratchFolder("other-version");
+    fs::copy(test::testFolder().parent_path() / "shaders", folder / "shaders", fs::copy_options::recursive);
+    fs::create_directory_symlink(test::testFolder().parent_path() / "app" / "data", folder / "data");
+    std::string text = readTextFile(folder / "shaders" / "shared" / "classic.h");
+    text.replace(text.find("    float solidifyRate;"), 0, "    vec4 more;\n");
+    writeTextFileAtomically(folder / "shaders" / "shared" / "classic.h", text);
+    const test::Outcome outcome =
+        runMeltpool(kQuick + "--set particles=64", "env MELTPOOL_DATA='" + folder.string() + "'");
+    CHECK(outcome.code == 2);
+    CHECK_THAT(outcome.errors, containsText("block 'StepBlock' (struct ClassicStep) has 112 bytes, but 96") &&
+                                   containsText("set MELTPOOL_DATA to the folder"));
+}
+
 TEST_CASE("a run that this machine cannot hold is refused before its folder is touched", "[app]") {
     const auto folder = test::scratchFolder("room");
     runInto(folder, kQuick + "--pictures 0 --seconds 0.1 --set particles=64");

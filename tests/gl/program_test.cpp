@@ -5,6 +5,7 @@
 #include "core/gl/order.hpp"
 #include "core/gl/profiler.hpp"
 #include "core/gl/readback.hpp"
+#include "core/gl/software_driver/software_driver.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
@@ -105,7 +106,7 @@ TEST_CASE("every dispatch is counted, and an indirect one takes its group counts
 
 TEST_CASE("where dispatches end at once, a thread of its own reaches buffers without the driver, which sees the same") {
     test::context();
-    if (!dispatchesEndAtOnce()) return; // of a card's driver nothing is claimed
+    if (!dispatchIsSynchronous()) return; // of a card's driver nothing is claimed
     ShaderLibrary library(shaderFolder(kCountShader));
     const Program& program = library.compute("count.comp", {{"OFFSET", "7u"}});
     program.set("count", 256U);
@@ -116,7 +117,7 @@ TEST_CASE("where dispatches end at once, a thread of its own reaches buffers wit
     Readback readback("readback", 40);
     CHECK(directMemory(values.name()) == nullptr);
     {
-        const InOrderThread inOrder;
+        const BarrierFreeThread barrierFree;
         REQUIRE(directMemory(values.name()) != nullptr);
         written.write(std::span<const unsigned>(ten));
         written.copyTo(copied, 36, 4, 0);

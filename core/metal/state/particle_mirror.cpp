@@ -1,7 +1,7 @@
 #include "core/metal/state/particle_mirror.hpp"
 
 #include "core/base/error.hpp"
-#include "core/gl/order.hpp"
+#include "core/gl/software_driver/software_driver.hpp"
 #include "core/metal/state/metal_state.hpp"
 
 #include <algorithm>

@@ -19,7 +19,7 @@ namespace meltpool {
 class LessonMetal {
   public:
     /// `there`: the metal's context, null for the calling thread's. It must outlive the metal and be of a driver of
-    /// gl::dispatchesEndAtOnce(). Throws what makeMetalModel() throws.
+    /// gl::dispatchIsSynchronous(). Throws what makeMetalModel() throws.
     LessonMetal(gl::ShaderLibrary& shaders, const Lesson& lesson, gl::OtherContext* there);
     ~LessonMetal();
     LessonMetal(const LessonMetal&) = delete;

@@ -14,8 +14,8 @@ layout(std430, binding = FLOW_COUNTERS) buffer Counters { FlowCounters counters;
 layout(std430, binding = FLOW_CHANGED) buffer Changed { uint changed[]; };
 layout(std430, binding = FLOW_WALL_SUMS) buffer WallSums { ivec4 wallSums[]; };
 
-// What is gathered from many places is read as texels: some drivers fetch a whole texel at once but storage word by word.
-// A pass reads no texels of what it writes.
+// SYNCHRONOUS_DRIVER: passes that gather from many places read texels, which it fetches whole, but storage word by word. A
+// pass reads no texels of what it writes.
 layout(binding = FLOW_TEXELS_POSITIONS) uniform samplerBuffer positionTexels;
 layout(binding = FLOW_TEXELS_PARTICLES) uniform samplerBuffer particleTexels;
 layout(binding = FLOW_TEXELS_NEIGHBOURS) uniform usamplerBuffer neighbourTexels;
@@ -122,8 +122,8 @@ vec3 stepsInside(vec3 position) {
     return floor(clamp((inCells - vec3(cellAt(position))) * 1024, vec3(0), vec3(1023)));
 }
 
-/// The same with ten bits an axis: a search reads one word to see whether a particle is near. Drivers that run on the CPU
-/// pay for each word read.
+/// The same with ten bits an axis: a search reads one word to see whether a particle is near. SYNCHRONOUS_DRIVER: it pays
+/// for each word.
 uint packPosition(vec3 position) {
     const uvec3 steps = uvec3(stepsInside(position));
     return steps.x | steps.y << 10 | steps.z << 20;

@@ -1,7 +1,7 @@
 // Lists what is near a position from the lists of the cells around it. Included after common.glsl.
 //
 // Distances are those of packed positions: their differences are whole numbers, so that two particles see the same distance,
-// and four fit a texel. Drivers that run on the CPU pay for each texel.
+// and four fit a texel. SYNCHRONOUS_DRIVER: it pays for each texel.
 
 /// The square of a way in steps of a 1024th of the cell is the sum of the axes' squares times these, m².
 vec3 squareOfStep() {
@@ -100,8 +100,8 @@ uint indexOfBit(NearSpan span, uint bit, out bool isWall) {
 /// Wall metal lists no wall metal: `withWalls` is false for it. `renewing`: of moving metal lists only what renews its list
 /// too. `unlisted`: there is solid metal among them that is no boundary particle yet.
 ///
-/// Looks at cells and particles first and then at what is near, in loops that go on in step for all invocations: drivers that
-/// run on the CPU go through every loop as often as the invocation side by side that needs it most.
+/// Looks at cells and particles first and then at what is near, in loops that go on in step for all invocations.
+/// SYNCHRONOUS_DRIVER: it runs every loop as often as the invocation side by side that needs it most.
 uint listNeighbours(uint slot, vec3 place, uint base, uint found, bool withWalls, bool renewing, out bool unlisted) {
     const uint since = counters.fullSearch;
     unlisted = false;

@@ -1,8 +1,9 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 // Orders the moving metal of each cell by slot and notes the rows whose neighbour lists are to be made anew: the first of
-// three passes that make them. Few rows in few groups: the next pass costs a driver on the CPU as much for a group in which
-// one row is wanted as for one in which all are.
+// three passes that make them.
+// SYNCHRONOUS_DRIVER: few rows in few groups, as a group in which one row is wanted costs the next pass as much as one in
+// which all are.
 #include "metal/flow/common.glsl"
 layout(local_size_x = GROUP_SIZE) in;
 

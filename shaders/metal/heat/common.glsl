@@ -82,8 +82,8 @@ bool reaches(HeatSourceData s, ivec3 tilePlace) {
     return all(greaterThanEqual(tilePlace, s.firstTile)) && all(lessThan(tilePlace, s.firstTile + s.tileExtent));
 }
 
-/// The first source from number `i` on that may reach a tile; the number of sources where none does. For the heads of loops:
-/// drivers that run on the CPU leave out a loop that no invocation enters, but no branch.
+/// The first source from number `i` on that may reach a tile; the number of sources where none does. For the heads of loops.
+/// SYNCHRONOUS_DRIVER: it leaves out a loop that no invocation enters, but no branch.
 int nextReaching(ivec3 tilePlace, int i) {
     while (i < heatBlock.sourceCount && !reaches(heatBlock.sources[i], tilePlace)) ++i;
     return i;

@@ -1,8 +1,9 @@
 #version 450 core
 // Net power into each cell of the mixed tiles: conduction with its neighbours through the Kirchhoff variable, and what the
-// sources give: of the mixed tiles that a source may reach, with SOURCES, or of the others, as drivers that run on the CPU
-// would compute what a source gives in both. An invocation a cell. Metal off the lattice shares cells here: a face or a square conducts as the least filled of
-// its cells allows. The particles themselves lose heat through the free surface later.
+// sources give: of the mixed tiles that a source may reach, with SOURCES, or of the others. An invocation a cell. Metal off
+// the lattice shares cells here: a face or a square conducts as the least filled of its cells allows. The particles
+// themselves lose heat through the free surface later.
+// SYNCHRONOUS_DRIVER: two programs and no branch, as it would compute a source's share in both.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/dispatch.h"
 layout(local_size_x = GROUP_SIZE) in;

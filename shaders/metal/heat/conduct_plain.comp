@@ -2,10 +2,10 @@
 // A whole step of the plain tiles, where metal on the lattice conducts and its surface loses heat to the air, and nothing
 // else happens: theta in one half of its buffer -> enthalpy, temperature, phase, theta in the other half. An
 // invocation a row of four cells along x: a row and its neighbours along y and z are a texel each.
-// What flows is the same as in neighbours.glsl and squares.glsl.
-// Drivers that run on the CPU execute every line whether its condition holds or not, but leave out a loop that none of the
-// invocations side by side enters: what only some tiles need is left to the passes over mixed tiles, and what only hot metal
-// needs stands in a loop.
+// The flow is that of neighbours.glsl and squares.glsl; squares.glsl derives the stencil of 19 points.
+// SYNCHRONOUS_DRIVER: the whole pass; a card would take the passes over mixed tiles for these tiles, too. Such a driver
+// executes every line whether its condition holds or not, but leaves out a loop that none of the invocations side by side
+// enters: work that only some tiles need is left to those passes, and work that only hot metal needs is in a loop.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/dispatch.h"
 #include "shared/heat.h"

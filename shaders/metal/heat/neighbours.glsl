@@ -1,7 +1,7 @@
 // Conduction between a cell and its six neighbours, for passes with an invocation a cell. Included after common.glsl.
 
-/// The neighbours of a cell along x, y and z, on the low and on the high side. Written without loops over axes: drivers that
-/// run on the CPU keep arrays that are indexed at run time in memory.
+/// The neighbours of a cell along x, y and z, on the low and on the high side.
+/// SYNCHRONOUS_DRIVER: no loops over axes, as it keeps arrays that are indexed at run time in memory.
 struct NeighbourOffsets {
     ivec3 low, high;       // from the cell on; 0 beyond the lattice's end, where the cell stands for its neighbour
     bvec3 edgeLow, edgeHigh; // the neighbour is in another tile

@@ -23,7 +23,7 @@ void main() {
     int row = listed % TILE_ROWS;
     int base = thetaBase(stampOf(tile), tile);
     const int first = nextReaching(tilePlace, 0);
-    vec4 sums = vec4(0); // of the sources: a vector, as drivers that run on the CPU keep arrays in memory
+    vec4 sums = vec4(0); // of the sources; SYNCHRONOUS_DRIVER: a vector, as it keeps arrays in memory
     for (int inside = TILE_EDGE * row; inside < TILE_EDGE * (row + 1); ++inside) {
         int cell = tile * TILE_CELLS + inside;
         float theta = texelFetch(thetaTexels, base + inside).x;

@@ -6,7 +6,7 @@
 #include "metal/solid/common.glsl"
 
 layout(local_size_x = FRAGMENT_GROUP) in;
-// What is gathered is read as texels: some drivers fetch a whole texel at once but storage number by number.
+// SYNCHRONOUS_DRIVER: gathered values are read as texels, which it fetches whole, but storage number by number.
 layout(binding = FRAGMENT_TEXELS_FIRST_LABEL) uniform usamplerBuffer firstTexels;
 layout(binding = FRAGMENT_TEXELS_LATTICE) uniform usamplerBuffer latticeTexels;
 layout(binding = FRAGMENT_TEXELS_POSITION) uniform samplerBuffer positionTexels;

@@ -1,0 +1,94 @@
+#include "core/gl/software_driver/software_driver.hpp"
+
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
+#include <thread>
+
+namespace meltpool::gl {
+
+namespace {
+
+constexpr const char* kThreadsKey = "LP_NUM_THREADS";
+
+/// The first version with which the same welds and pictures take a fifth to a third less time.
+constexpr int kFastMesa = 25;
+
+thread_local bool withoutBarriers = false;
+
+} // namespace
+
+bool drawsOnProcessor(std::string_view renderer) {
+    for (const char* name : {"llvmpipe", "softpipe", "swrast", "SwiftShader"})
+        if (renderer.find(name) != std::string_view::npos) return true;
+    return false;
+}
+
+bool isProcessorDevice(const char* extensions) {
+    return extensions != nullptr && std::strstr(extensions, "EGL_MESA_device_software") != nullptr;
+}
+
+bool dispatchIsSynchronous() {
+    const GLubyte* renderer = glGetString(GL_RENDERER);
+    return renderer != nullptr &&
+           std::string_view(reinterpret_cast<const char*>(renderer)).find("llvmpipe") != std::string_view::npos;
+}
+
+void runDriverSingleThreaded() {
+#ifdef __linux__
+    if (std::thread::hardware_concurrency() <= 2) setenv(kThreadsKey, "0", 0);
+#endif
+}
+
+bool driverIsSingleThreaded() {
+    const char* threads = std::getenv(kThreadsKey);
+    return threads != nullptr && std::string_view(threads) == "0";
+}
+
+BarrierFreeThread::BarrierFreeThread() {
+    withoutBarriers = true;
+}
+
+BarrierFreeThread::~BarrierFreeThread() {
+    withoutBarriers = false;
+}
+
+bool barrierFree() {
+    return withoutBarriers;
+}
+
+GLbitfield directStorage() {
+    return dispatchIsSynchronous() ? GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT : 0;
+}
+
+// Such a driver gives the buffer's memory itself, which may be read too. A mapping for reading could not be
+// unsynchronized, and what is synchronized is looked for in pictures.
+void mapDirectly(GLuint buffer, size_t bytes) {
+    if (const GLbitfield flags = directStorage(); flags != 0)
+        glMapNamedBufferRange(buffer, 0, static_cast<GLsizeiptr>(bytes), flags | GL_MAP_UNSYNCHRONIZED_BIT);
+}
+
+std::byte* directMemory(GLuint buffer) {
+    if (!withoutBarriers) return nullptr;
+    void* memory = nullptr;
+    glGetNamedBufferPointerv(buffer, GL_BUFFER_MAP_POINTER, &memory);
+    return static_cast<std::byte*>(memory);
+}
+
+int mesaMajor(std::string_view version) {
+    constexpr std::string_view kName = "Mesa ";
+    const size_t at = version.find(kName);
+    int major = 0;
+    if (at != std::string_view::npos)
+        std::from_chars(version.data() + at + kName.size(), version.data() + version.size(), major);
+    return major;
+}
+
+std::optional<DriverAdvice> newerDriver(std::string_view renderer, std::string_view version) {
+    const int major = mesaMajor(version);
+    if (!drawsOnProcessor(renderer) || major == 0 || major >= kFastMesa) return std::nullopt;
+    return DriverAdvice{"age of the software driver", "Mesa " + std::to_string(major) + ": a newer one is faster",
+                        "Mesa " + std::to_string(kFastMesa) + ", as Debian 13 has it"};
+}
+
+} // namespace meltpool::gl
