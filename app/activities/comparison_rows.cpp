@@ -1,5 +1,7 @@
 #include "app/activities/comparison_rows.hpp"
 
+#include "core/weld/gauge/weld_figures.hpp"
+
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -44,9 +46,7 @@ std::string failsOf(const Judgement& judgement) {
     if (!judgement.verdict) return kNone;
     std::string names;
     for (const VerdictItem& item : judgement.verdict->items)
-        if (item.state == VerdictState::fail) names += (names.empty() ? "" : ", ") + item.name;
-    for (char& letter : names)
-        if (letter == '_') letter = ' ';
+        if (item.state == VerdictState::fail) names += (names.empty() ? "" : ", ") + imperfectionName(item.name);
     return names.empty() ? "nothing" : names;
 }
 

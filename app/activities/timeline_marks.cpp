@@ -2,6 +2,7 @@
 
 #include "app/activities/redo.hpp"
 #include "core/base/text.hpp"
+#include "core/weld/gauge/weld_figures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,8 +37,7 @@ std::vector<size_t> redoneAt(const RecordedAttempt& attempt) {
 
 /// "undercut" -> "Undercut fails: 0.8 mm at 23 mm of the seam".
 std::string failText(const VerdictItem& item) {
-    std::string text = item.name;
-    std::replace(text.begin(), text.end(), '_', ' ');
+    std::string text = imperfectionName(item.name);
     if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
     const std::string unit(item.unit == "deg" ? std::string_view("\xC2\xB0") : item.unit);
     char part[80] = "";

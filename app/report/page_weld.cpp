@@ -3,6 +3,7 @@
 #include "app/report/page_text.hpp"
 #include "app/report/seam_strip.hpp"
 #include "app/report/svg_text.hpp"
+#include "core/weld/gauge/weld_figures.hpp"
 
 #include <algorithm>
 #include <array>
@@ -107,7 +108,7 @@ std::string stripOf(const RunResults& results, const std::vector<LetteredItem>& 
 std::string itemRow(const LetteredItem& each) {
     const json& item = *each.item;
     const std::string unit = rawIn(item, "unit");
-    return "<tr><td>" + each.letter + "</td><td>" + namedUnit(rawIn(item, "name")).words + "</td>" +
+    return "<tr><td>" + each.letter + "</td><td>" + escaped(imperfectionName(rawIn(item, "name"))) + "</td>" +
            numberCell(measure(numberIn(item, "value"), unit)) + numberCell(limitText(item)) + "<td>" + whereText(item) +
            "</td><td class=\"" + textIn(item, "state") + "\">" + stateText(item) + "</td></tr>\n";
 }

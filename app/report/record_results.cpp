@@ -157,9 +157,7 @@ RunResults readRecordResults(const fs::path& record, const Lesson& lesson) {
     context.renderer = repeated.recorded->head.driver;
     context.attempt = factsOf(*repeated.recorded);
     context.judgement = judged(repeated, stepsIn(record));
-    const Judgement& judgement = context.judgement;
-    RunResults results =
-        resultsOf(resultText(repeated, nullptr, context), techniqueCsv(judgement.seam, judgement.distance), "", record);
+    RunResults results = resultsOf(resultEntries(repeated, nullptr, context), context.judgement);
     results.notes.push_back("This page is made of the record alone, which holds the hand and the arc but no metal. To "
                             "see the weld, repeat the record: meltpool run " +
                             repeated.key + " --torch " + record.filename().string() +

@@ -82,12 +82,11 @@ NumberTable numberTable(const std::string& text, const fs::path& file) {
     return table;
 }
 
-RunResults resultsOf(const std::string& result, const std::string& technique, const std::string& weld,
-                     const fs::path& origin) {
+RunResults resultsOf(const nlohmann::ordered_json& entries, const Judgement& judgement) {
     RunResults results;
-    results.result = resultIn(result, origin);
-    results.technique = numberTable(technique, origin);
-    results.weld = numberTable(weld, origin);
+    results.result = entries;
+    results.technique = numberTable(techniqueCsv(judgement.seam, judgement.distance), "technique.csv");
+    if (judgement.weld) results.weld = numberTable(weldTable(*judgement.weld), "weld.csv");
     return results;
 }
 

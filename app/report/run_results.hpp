@@ -1,6 +1,8 @@
 // What a run has left in its folder, read for a report.
 #pragma once
 
+#include "core/training/judging/judgement.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
@@ -41,10 +43,9 @@ struct RunResults {
     std::vector<std::string> notes; ///< sentences of what a reader should know, such as that parts are missing
 };
 
-/// The results that these texts hold, as files of a run's folder do. Throws InputError for a text that no run writes;
-/// `origin` is named in faults.
-RunResults resultsOf(const std::string& result, const std::string& technique, const std::string& weld,
-                     const std::filesystem::path& origin);
+/// The results of an attempt that was judged just now, as if its run's folder had been read: `entries` of its
+/// result.json, technique and weld from the judgement. Without pictures.
+RunResults resultsOf(const nlohmann::ordered_json& entries, const Judgement& judgement);
 
 /// Reads result.json, technique.csv, weld.csv and the pictures of the last moment of a run's folder. `place`: the
 /// folder, or the result.json in it. Throws InputError for a folder without a finished run, and for files that are not

@@ -60,9 +60,7 @@ std::string attemptPage(Trainer& trainer, Renderer& renderer, const Judgement& j
     const LessonResult result = trainer.result();
     Lesson lesson = trainer.lesson();
     lesson.torchFile.clear(); // the person led the torch
-    RunResults results =
-        resultsOf(resultText(lesson, &result, context), techniqueCsv(judgement.seam, judgement.distance),
-                  judgement.weld ? weldTable(*judgement.weld) : std::string(), "the attempt");
+    RunResults results = resultsOf(resultEntries(lesson, &result, context), judgement);
     results.pictures = picturesOf(trainer, renderer);
     return reportPage(results);
 }

@@ -1,11 +1,12 @@
 #include "app/session/judgement_rows.hpp"
 
 #include "core/base/text.hpp"
+#include "core/weld/gauge/weld_figures.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+#include <span>
 #include <string_view>
 
 namespace meltpool {
@@ -24,13 +25,6 @@ std::string rounded(double value, int digits) {
 std::string capitalised(std::string_view words) {
     std::string text(words);
     if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-    return text;
-}
-
-/// "lack_of_fusion" -> "Lack of fusion".
-std::string readable(std::string_view name) {
-    std::string text = capitalised(name);
-    std::replace(text.begin(), text.end(), '_', ' ');
     return text;
 }
 
@@ -120,13 +114,13 @@ std::string stateText(const VerdictItem& item) {
 
 /// What is to be said where the metal tells no value.
 std::string unknownText(const VerdictItem& item) {
-    const Imperfection* known = findImperfection(item.name);
-    const bool absent = known != nullptr && known->measure == nullptr;
+    const WeldFigure* known = findImperfection(item.name);
+    const bool absent = known != nullptr && known->judged == nullptr;
     return absent ? "This metal cannot show it" : "Not measured on this weld";
 }
 
 JudgementRow verdictRow(const VerdictItem& item) {
-    JudgementRow row{readable(item.name), stateText(item), {}, RowState::open};
+    JudgementRow row{capitalised(imperfectionName(item.name)), stateText(item), {}, RowState::open};
     if (item.state == VerdictState::pass) row.state = RowState::good;
     if (item.state == VerdictState::fail) row.state = RowState::bad;
     if (item.state == VerdictState::estimated) {
@@ -178,7 +172,8 @@ std::string countText(const Verdict& verdict) {
 std::string failedText(const Verdict& verdict) {
     std::string names;
     for (const VerdictItem& item : verdict.items)
-        if (item.state == VerdictState::fail) names += (names.empty() ? "" : ", ") + readable(item.name);
+        if (item.state == VerdictState::fail)
+            names += (names.empty() ? "" : ", ") + capitalised(imperfectionName(item.name));
     return names.empty() ? names : "Fails: " + names + ".";
 }
 
@@ -205,49 +200,43 @@ void addVerdict(JudgementRows& rows, const Judgement& judgement) {
         rows.judged.rows.push_back(verdictRow(item));
 }
 
-/// A figure of the stations that a trainee reads.
-struct Figure {
-    std::string_view words;
-    std::string_view unit;
-    double inSi; ///< the unit
-    int digits;
-    WeldStation::Value WeldStation::*value;
-};
+using Member = WeldStation::Value WeldStation::*;
 
-constexpr double kMm = 1e-3;
+/// The figures that a trainee reads, in this order.
+constexpr std::array<Member, 4> kFilletFigures{&WeldStation::throat, &WeldStation::leg1, &WeldStation::leg2,
+                                               &WeldStation::convexity};
+constexpr std::array<Member, 3> kBeadFigures{&WeldStation::toeWidth, &WeldStation::height,
+                                             &WeldStation::excessPenetration};
+constexpr std::array<Member, 4> kCommonFigures{&WeldStation::fusedWidth, &WeldStation::penetration,
+                                               &WeldStation::hazWidth, &WeldStation::coolingTime};
 
-constexpr std::array kFilletFigures{
-    Figure{"Throat", "mm", kMm, 1, &WeldStation::throat},
-    Figure{"Leg on the lying plate", "mm", kMm, 1, &WeldStation::leg1},
-    Figure{"Leg on the standing plate", "mm", kMm, 1, &WeldStation::leg2},
-    Figure{"Convexity", "mm", kMm, 1, &WeldStation::convexity},
-};
-constexpr std::array kBeadFigures{
-    Figure{"Width from toe to toe", "mm", kMm, 1, &WeldStation::toeWidth},
-    Figure{"Height over the plate", "mm", kMm, 1, &WeldStation::height},
-    Figure{"Root: metal under the plate", "mm", kMm, 1, &WeldStation::excessPenetration},
-};
-constexpr std::array kCommonFigures{
-    Figure{"Fused width", "mm", kMm, 1, &WeldStation::fusedWidth},
-    Figure{"Penetration", "mm", kMm, 1, &WeldStation::penetration},
-    Figure{"Heat-affected zone on each side", "mm", kMm, 1, &WeldStation::hazWidth},
-    Figure{"Cooling from 800 to 500 \xC2\xB0"
-           "C",
-           "s", 1, 1, &WeldStation::coolingTime},
-};
+std::string panelName(Member member) {
+    return capitalised(stationFigure(member).panelWords());
+}
 
-void addFigures(std::vector<JudgementRow>& rows, const WeldMeasures& weld, std::span<const Figure> figures) {
-    for (const Figure& figure : figures) {
-        const WeldStation::Value& value = weld.mean.*figure.value;
+/// "4.3 mm" of a value in SI.
+std::string figureText(const WeldFigure& figure, double value) {
+    return withUnit(rounded(value / figure.inSi(), figure.digits), figure.unit);
+}
+
+void addFigures(std::vector<JudgementRow>& rows, const WeldMeasures& weld, std::span<const Member> members) {
+    for (const Member member : members) {
+        const WeldStation::Value& value = weld.mean.*member;
         if (!value) continue;
+        const WeldFigure& figure = stationFigure(member);
         std::string range;
-        const WeldStation::Value &least = weld.least.*figure.value, &greatest = weld.greatest.*figure.value;
+        const WeldStation::Value &least = weld.least.*member, &greatest = weld.greatest.*member;
         if (least && greatest)
-            range = "From " + rounded(*least / figure.inSi, figure.digits) + " to " +
-                    withUnit(rounded(*greatest / figure.inSi, figure.digits), figure.unit);
-        rows.push_back({std::string(figure.words), withUnit(rounded(*value / figure.inSi, figure.digits), figure.unit),
-                        std::move(range), RowState::plain});
+            range = "From " + rounded(*least / figure.inSi(), figure.digits) + " to " + figureText(figure, *greatest);
+        rows.push_back({panelName(member), figureText(figure, *value), std::move(range), RowState::plain});
     }
+}
+
+/// A share of the seam's length.
+void addShare(std::vector<JudgementRow>& rows, const WeldMeasures& weld, Member member, std::string name) {
+    if (const WeldStation::Value& share = weld.mean.*member)
+        rows.push_back(
+            {std::move(name), figureText(stationFigure(member), *share), "Of the seam's length", RowState::plain});
 }
 
 void addMeasures(JudgementRows& rows, const Judgement& judgement) {
@@ -266,18 +255,16 @@ void addMeasures(JudgementRows& rows, const Judgement& judgement) {
     else
         addFigures(list, weld, kBeadFigures);
     addFigures(list, weld, kCommonFigures);
-    if (weld.mean.rootFused)
-        list.push_back(
-            {"Root fused", rounded(*weld.mean.rootFused * 100, 0) + " %", "Of the seam's length", RowState::plain});
-    if (weld.mean.facesFused)
-        list.push_back({weld.kind == WeldKind::bead ? "Plate fused" : "Both plates fused",
-                        rounded(*weld.mean.facesFused * 100, 0) + " %", "Of the seam's length", RowState::plain});
+    addShare(list, weld, &WeldStation::rootFused, panelName(&WeldStation::rootFused));
+    addShare(list, weld, &WeldStation::facesFused,
+             weld.kind == WeldKind::bead ? "Plate fused" : panelName(&WeldStation::facesFused));
     if (!weld.mean.coolingTime)
-        list.push_back({std::string(kCommonFigures.back().words), "not known yet",
-                        "Judge again when the metal has cooled", RowState::plain});
-    if (weld.straightness)
-        list.push_back(
-            {"Off a straight line", withUnit(rounded(*weld.straightness * 1e3, 1), "mm"), {}, RowState::plain});
+        list.push_back({panelName(&WeldStation::coolingTime), "not known yet", "Judge again when the metal has cooled",
+                        RowState::plain});
+    for (const WeldFigure& figure : wholeWeldFigures())
+        if (figure.whole != nullptr && weld.*figure.whole)
+            list.push_back(
+                {capitalised(figure.panelWords()), figureText(figure, *(weld.*figure.whole)), {}, RowState::plain});
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // Two attempts beside each other: the way to it, the difference in words, figures and curves of both.
 #include "app/ui/curves.hpp"
 #include "app/ui/panels.hpp"
+#include "core/weld/gauge/weld_figures.hpp"
 
 #include <algorithm>
 #include <array>
@@ -81,13 +82,13 @@ void handOfBoth(Context& context, const AttemptComparison& comparison, Technique
 
 /// A figure of the weld at the stations of both, over mm of seam.
 void weldOfBoth(Context& context, const AttemptComparison& comparison, const ComparedFigure& figure,
-                const StationColumn& column) {
+                const WeldFigure& row) {
     const auto &first = comparison.attempt(0)->judgement.weld, &second = comparison.attempt(1)->judgement.weld;
     if (!first || !second) return;
     const auto placeIn = [](const WeldMeasures& weld, size_t i) { return weld.stations[i].place * 1e3; };
     const auto valueIn = [&](const WeldMeasures& weld, size_t i) {
-        const WeldStation::Value& value = weld.stations[i].*column.value;
-        return value ? *value / column.unit : std::nan("");
+        const WeldStation::Value& value = weld.stations[i].*row.member;
+        return value ? *value / row.inSi() : std::nan("");
     };
     const auto firstPlace = [&](size_t i) { return placeIn(*first, i); };
     const auto firstValue = [&](size_t i) { return valueIn(*first, i); };
@@ -110,9 +111,8 @@ void curvesOfBoth(Context& context, const AttemptComparison& comparison) {
     else
         handOfBoth(context, comparison, TechniqueQuantity::travelSpeed);
     for (const FigurePair& pair : comparison.comparison()->pairs)
-        for (const StationColumn& column : stationColumns())
-            if (pair.figure.group == FigureGroup::weld && column.name == pair.figure.key && pair.isDrawn())
-                weldOfBoth(context, comparison, pair.figure, column);
+        if (const WeldFigure* row = findStationFigure(pair.figure.key); row != nullptr && pair.isDrawn())
+            weldOfBoth(context, comparison, pair.figure, *row);
     ImGui::PopFont();
 }
 

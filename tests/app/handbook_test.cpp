@@ -3,11 +3,11 @@
 #include "core/base/text.hpp"
 #include "core/training/judging/acceptance.hpp"
 #include "core/training/judging/along_seam.hpp"
-#include "core/training/judging/imperfections.hpp"
 #include "core/training/lesson/lesson.hpp"
 #include "core/training/lesson/lesson_check.hpp"
 #include "core/training/trainer/result_file.hpp"
 #include "core/validation/validation_case.hpp"
+#include "core/weld/gauge/weld_figures.hpp"
 #include "core/weld/torch/torch_csv.hpp"
 #include "core/weld/torch/torch_moves.hpp"
 #include "tests/app/handbook.hpp"
@@ -341,10 +341,10 @@ TEST_CASE("the handbook names every lesson", "[app][handbook]") {
 
 TEST_CASE("the handbook names every column of weld.csv and every imperfection", "[app][handbook]") {
     Names columns{"place_mm"}, known;
-    for (const StationColumn& column : stationColumns())
-        columns.emplace(column.name);
-    for (const Imperfection& each : imperfections())
-        known.emplace(each.name);
+    for (const WeldFigure& figure : stationFigures())
+        columns.emplace(figure.key);
+    for (const WeldFigure& each : imperfections())
+        known.emplace(each.key);
     const auto weld = tablesOf("column of weld.csv"), judged = tablesOf("imperfection");
     REQUIRE(weld.size() == 1);
     REQUIRE(judged.size() == 1);

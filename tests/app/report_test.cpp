@@ -4,6 +4,7 @@
 #include "app/report/report_page.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
+#include "core/training/trainer/result_file.hpp"
 #include "tests/app/markup.hpp"
 #include "tests/app/program.hpp"
 #include "tests/support/catch.hpp"
@@ -112,6 +113,34 @@ TEST_CASE("the page tells how the attempt was made, its score, verdict and weld,
     }
     CHECK(html.find(base64("old")) == std::string::npos); // only the last moment is shown
     CHECK(html.find("Not scored") == std::string::npos);
+}
+
+TEST_CASE("an attempt that is at hand has the page of its run's folder", "[app]") {
+    Lesson lesson = findLesson("gmaw-bead", test::testFolder().parent_path() / "app" / "data" / "lessons");
+    ResultContext context;
+    Judgement& judgement = context.judgement;
+    judgement.arc = {2, 400, 9000};
+    judgement.seam.resize(3);
+    for (size_t i = 0; i < judgement.seam.size(); ++i) {
+        judgement.seam[i].place = 1e-3 * static_cast<double>(i);
+        judgement.seam[i].values[TechniqueQuantity::travelSpeed] = 5.3e-3 + 1e-4 * static_cast<double>(i);
+    }
+    WeldStation station;
+    station.toeWidth = 8.123e-3;
+    station.undercut1 = 0.7e-3;
+    station.rootFused = 0.984;
+    judgement.weld = summarise({station, station, station}, WeldKind::bead, 2e-3, 1e-3);
+    judgement.verdict = judge(*judgement.weld, *lesson.acceptance, lesson.nominalWeld());
+    const LessonResult result;
+
+    const fs::path folder = test::scratchFolder("report-at-hand");
+    writeResult(folder / "result.json", lesson, result, context);
+    writeTechniqueCsv(folder / "technique.csv", judgement.seam, judgement.distance);
+    writeWeldTable(folder / "weld.csv", *judgement.weld);
+    const std::string page = reportPage(resultsOf(resultEntries(lesson, &result, context), judgement));
+    CHECK(page == reportPage(readRunResults(folder)));
+    for (const char* text : {"8.12 mm", "undercut, side 1", "98 %", "<td>undercut</td>", "<polyline"})
+        CHECK_THAT(page, containsText(text));
 }
 
 TEST_CASE("figures stand on the page in the order of an inspector, those of a newer program last", "[app]") {

@@ -1,5 +1,7 @@
 #include "core/training/attempt/attempt_figures.hpp"
 
+#include "core/weld/gauge/weld_figures.hpp"
+
 #include <array>
 #include <cmath>
 
@@ -7,71 +9,47 @@ namespace meltpool {
 
 namespace {
 
-/// Times half a spacing that an area differs by at least, in mm: the length of outline over which layers of particles
-/// are one more or one less.
-constexpr double kOutlineMm = 8;
-
-struct Row {
+struct ArcRow {
     std::string_view key, name, unit, more, less;
-    double halfSpacings, least, much;
-    bool onlyOver;
-};
-
-/// Of the weld. What differs by `much` weighs alike: chosen here as what an inspector would call another weld.
-constexpr std::array kWeldRows{
-    Row{"penetration_mm", "penetration", "mm", "more penetration", "less penetration", 1, 0, 0.5, false},
-    Row{"toe_width_mm", "width", "mm", "wider", "narrower", 1, 0, 1, false},
-    Row{"height_mm", "reinforcement", "mm", "higher", "lower", 1, 0, 0.5, false},
-    Row{"leg1_mm", "leg on the lying plate", "mm", "more leg on the lying plate", "less leg on the lying plate", 1, 0,
-        1, false},
-    Row{"leg2_mm", "leg on the standing plate", "mm", "more leg on the standing plate",
-        "less leg on the standing plate", 1, 0, 1, false},
-    Row{"throat_mm", "throat", "mm", "more throat", "less throat", 1, 0, 0.5, false},
-    Row{"convexity_mm", "convexity", "mm", "more convex", "less convex", 1, 0, 0.5, false},
-    Row{"root_fusion_mm", "root fusion", "mm", "more root fusion", "less root fusion", 1, 0, 0.5, false},
-    Row{"root_fused_percent", "fused root", "%", "more of the root fused", "less of the root fused", 0, 5, 20, false},
-    Row{"lack_of_fusion_mm", "lack of fusion", "mm", "more lack of fusion", "less lack of fusion", 1, 0, 0.5, true},
-    Row{"root_missing_mm", "missing root", "mm", "more of the root missing", "less of the root missing", 1, 0, 0.5,
-        true},
-    Row{"overlap_1_mm", "overlap on side 1", "mm", "more overlap on side 1", "less overlap on side 1", 1, 0, 0.5, true},
-    Row{"overlap_2_mm", "overlap on side 2", "mm", "more overlap on side 2", "less overlap on side 2", 1, 0, 0.5, true},
-    Row{"undercut_1_mm", "undercut on side 1", "mm", "more undercut on side 1", "less undercut on side 1", 1, 0, 0.3,
-        true},
-    Row{"undercut_2_mm", "undercut on side 2", "mm", "more undercut on side 2", "less undercut on side 2", 1, 0, 0.3,
-        true},
-    Row{"underfill_mm", "underfill", "mm", "more underfill", "less underfill", 1, 0, 0.5, true},
-    Row{"excess_penetration_mm", "excess penetration", "mm", "more excess penetration", "less excess penetration", 1, 0,
-        0.5, true},
-    Row{"root_concavity_mm", "root concavity", "mm", "more root concavity", "less root concavity", 1, 0, 0.5, true},
-    Row{"hole_mm", "burn-through", "mm", "more burn-through", "less burn-through", 1, 0, 0.5, true},
-    Row{"deposited_mm2", "deposited metal", "mm2", "more deposited metal", "less deposited metal", kOutlineMm, 0, 8,
-        false},
-    Row{"haz_width_mm", "heat-affected zone", "mm", "more heat-affected zone", "less heat-affected zone", 1, 0, 1,
-        false},
-    Row{"t85_s", "cooling time t8/5", "s", "longer cooling (t8/5)", "shorter cooling (t8/5)", 0, 0.5, 3, false},
+    double least, much;
+    int decimals;
 };
 
 constexpr std::array kArcRows{
-    Row{"heat_input_kj_mm", "heat input", "kJ/mm", "more heat input", "less heat input", 0, 0.02, 0.2, false},
-    Row{"mean_current_a", "mean current", "A", "more current", "less current", 0, 1, 30, false},
-    Row{"mean_voltage_v", "mean voltage", "V", "more voltage", "less voltage", 0, 0.2, 3, false},
-    Row{"seconds", "time of the arc", "s", "longer arc time", "shorter arc time", 0, 0.2, 10, false},
+    ArcRow{"heat_input_kj_mm", "heat input", "kJ/mm", "more heat input", "less heat input", 0.02, 0.2, 2},
+    ArcRow{"mean_current_a", "mean current", "A", "more current", "less current", 1, 30, 0},
+    ArcRow{"mean_voltage_v", "mean voltage", "V", "more voltage", "less voltage", 0.2, 3, 1},
+    ArcRow{"seconds", "time of the arc", "s", "longer arc time", "shorter arc time", 0.2, 10, 1},
 };
 
-ComparedFigure figureOf(const Row& row, FigureGroup group) {
+ComparedFigure figureOf(const WeldFigure& row) {
+    ComparedFigure figure;
+    figure.key = row.key;
+    figure.name = row.words.name;
+    figure.unit = row.unit;
+    figure.more = row.words.more;
+    figure.less = row.words.less;
+    figure.group = FigureGroup::weld;
+    figure.resolution = row.resolution;
+    figure.least = row.scale.least;
+    figure.much = row.scale.much;
+    figure.decimals = row.digits;
+    figure.onlyOver = row.scale.onlyOver;
+    figure.isSize = row.scale.isSize;
+    return figure;
+}
+
+ComparedFigure figureOf(const ArcRow& row) {
     ComparedFigure figure;
     figure.key = row.key;
     figure.name = row.name;
     figure.unit = row.unit;
     figure.more = row.more;
     figure.less = row.less;
-    figure.group = group;
-    figure.halfSpacings = row.halfSpacings;
+    figure.group = FigureGroup::arc;
     figure.least = row.least;
     figure.much = row.much;
-    figure.onlyOver = row.onlyOver;
-    if (row.unit == "%" || row.unit == "A") figure.decimals = 0;
-    if (row.unit == "kJ/mm") figure.decimals = 2;
+    figure.decimals = row.decimals;
     return figure;
 }
 
@@ -133,12 +111,12 @@ void addArc(AttemptFigures& figures, const Judgement& judgement, const ProcessSe
 
 std::vector<ComparedFigure> comparedFigures(DistanceKind distance) {
     std::vector<ComparedFigure> all;
-    for (const Row& row : kWeldRows)
-        all.push_back(figureOf(row, FigureGroup::weld));
+    for (const WeldFigure& row : stationFigures())
+        if (row.scale.much > 0) all.push_back(figureOf(row));
     for (const QuantityInfo& info : quantities(distance))
         if (!info.key.empty()) all.push_back(figureOf(info));
-    for (const Row& row : kArcRows)
-        all.push_back(figureOf(row, FigureGroup::arc));
+    for (const ArcRow& row : kArcRows)
+        all.push_back(figureOf(row));
     return all;
 }
 
@@ -147,9 +125,9 @@ AttemptFigures figuresOf(const Judgement& judgement, const ProcessSettings& proc
     figures.distance = judgement.distance;
     if (judgement.weld) {
         figures.spacing = judgement.weld->spacing;
-        for (const StationColumn& column : stationColumns())
-            if (const auto& value = judgement.weld->mean.*column.value)
-                figures.values[std::string(column.name)] = *value / column.unit;
+        for (const WeldFigure& figure : stationFigures())
+            if (const auto& value = judgement.weld->mean.*figure.member)
+                figures.values[std::string(figure.key)] = *value / figure.inSi();
     }
     for (const QuantityInfo& info : quantities(judgement.distance))
         if (const double mean = meanOf(judgement.seam, info); !info.key.empty() && std::isfinite(mean))

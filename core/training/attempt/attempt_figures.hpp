@@ -23,12 +23,12 @@ struct ComparedFigure {
     std::string more; ///< behind a number that is greater: "more penetration", "wider"
     std::string less; ///< behind one that is smaller: "less penetration", "narrower"
     FigureGroup group = FigureGroup::weld;
-    /// In half spacings of the particles, of what the metal must resolve; 0 of all other figures.
-    double halfSpacings = 0;
+    double resolution = 0; ///< of a figure of the weld, see WeldFigure::resolution
     double least = 0;      ///< in `unit`: a smaller difference is none
     double much = 1;       ///< in `unit`: differences of so much weigh alike
     int decimals = 1;      ///< that are told
-    bool onlyOver = false; ///< below 0 it tells how far away the fault is, which is no difference of the weld
+    bool onlyOver = false; ///< values below 0 say how far away the fault is and count as 0
+    bool isSize = false;   ///< a size by which every weld is known
 };
 
 /// All figures that are compared, of a process with this distance. Each key once.

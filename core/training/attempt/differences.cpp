@@ -16,7 +16,7 @@ constexpr double kRounding = 1e-9;
 
 /// What of a figure is resolved by metal of this spacing (m), in its unit.
 double resolvedOf(const ComparedFigure& figure, double spacing) {
-    return std::max({figure.least, figure.halfSpacings * spacing / kMm / 2, kRounding});
+    return std::max({figure.least, figure.resolution * spacing / kMm, kRounding});
 }
 
 std::string fixed(double value, int decimals) {
@@ -56,9 +56,7 @@ bool FigurePair::differs() const {
 }
 
 bool FigurePair::isDrawn() const {
-    constexpr std::array<std::string_view, 6> kSizes{"penetration_mm", "toe_width_mm", "height_mm",
-                                                     "leg1_mm",        "leg2_mm",      "throat_mm"};
-    return differs() || std::find(kSizes.begin(), kSizes.end(), figure.key) != kSizes.end();
+    return differs() || figure.isSize;
 }
 
 int FigurePair::decimals() const {

@@ -4,7 +4,7 @@
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"
 #include "core/base/toml_table.hpp"
-#include "core/training/judging/imperfections.hpp"
+#include "core/weld/gauge/weld_figures.hpp"
 
 #include <algorithm>
 #include <array>
@@ -38,8 +38,8 @@ std::string readName(TomlTable& table) {
     const std::string name = table.text("imperfection");
     if (findImperfection(name) != nullptr) return name;
     std::string known;
-    for (const Imperfection& each : imperfections())
-        known += (known.empty() ? "" : ", ") + std::string(each.name);
+    for (const WeldFigure& each : imperfections())
+        known += (known.empty() ? "" : ", ") + std::string(each.key);
     table.fail("imperfection", "is " + quote(name) + "; expected one of " + known);
 }
 

@@ -53,7 +53,7 @@ enum class LimitKind { notPermitted, atMost, atLeast };
 
 /// One limit.
 struct AcceptanceItem {
-    std::string imperfection; ///< a name of imperfections()
+    std::string imperfection; ///< a key of imperfections()
     std::vector<WeldKind> appliesTo;
     LimitKind kind = LimitKind::atMost;
     LimitFormula formula;                    ///< 0 of what is not permitted

@@ -13,7 +13,7 @@ namespace meltpool {
 
 /// An imperfection that technique lets expect, or that it gives no reason to expect.
 struct Estimate {
-    std::string name; ///< of imperfections()
+    std::string name; ///< a key of imperfections(), see WeldFigure::estimate
     double value = 0; ///< mm of the weld's length on which it is to be expected; 0: nothing speaks for it
     std::string rule; ///< by which rules and sources, a sentence
 };

@@ -1,6 +1,6 @@
 #include "core/training/judging/section_measures.hpp"
 
-#include "core/training/judging/imperfections.hpp"
+#include "core/weld/gauge/weld_figures.hpp"
 #include "core/weld/gauge/weld_outline.hpp"
 #include "core/weld/workpiece/simulated_size.hpp"
 
@@ -95,9 +95,17 @@ class Anchors {
     WeldOutline outline_;
 };
 
-std::string millimetres(const char* words, double metres) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%s %.1f", words, metres / kMm);
+using Member = WeldStation::Value WeldStation::*;
+
+/// As the table has it: "leg".
+std::string drawnWords(Member figure) {
+    return std::string(stationFigure(figure).words.drawn);
+}
+
+/// " 7.0" of 7 mm, behind words.
+std::string millimetres(double metres) {
+    char text[32];
+    std::snprintf(text, sizeof text, " %.1f", metres / kMm);
     return text;
 }
 
@@ -116,40 +124,40 @@ class Marks {
         drawUnfusedCorner(leg1, leg2);
         if (leg1 <= 0 || leg2 <= 0) return;
         const Place lying(leg1, 0), standing(0, leg2), corner(0);
-        length("leg", station_.leg1, corner, lying);
-        length("leg", station_.leg2, corner, standing);
-        length("toe to toe", station_.toeWidth, lying, standing);
-        length("throat", station_.throat, corner, station_.throat.value_or(0) * throatWay());
+        length(&WeldStation::leg1, corner, lying);
+        length(&WeldStation::leg2, corner, standing);
+        length(&WeldStation::toeWidth, lying, standing);
+        length(&WeldStation::throat, corner, station_.throat.value_or(0) * throatWay());
         drawConvexity(lying, standing);
         drawCornerPenetration();
-        length("root fused", station_.rootFusion, corner, Place(-station_.rootFusion.value_or(0), 0));
-        angle(station_.edgeAngle1, lying, {-1, 0}, {0, 1});
-        angle(station_.edgeAngle2, standing, {0, -1}, {1, 0});
-        fault("overlap", station_.overlap1, spacing_, lying, lying - Place(station_.overlap1.value_or(0), 0));
-        fault("overlap", station_.overlap2, spacing_, standing, standing - Place(0, station_.overlap2.value_or(0)));
+        length(&WeldStation::rootFusion, corner, Place(-station_.rootFusion.value_or(0), 0));
+        angle(&WeldStation::edgeAngle1, lying, {-1, 0}, {0, 1});
+        angle(&WeldStation::edgeAngle2, standing, {0, -1}, {1, 0});
+        fault(&WeldStation::overlap1, spacing_, lying, lying - Place(station_.overlap1.value_or(0), 0));
+        fault(&WeldStation::overlap2, spacing_, standing, standing - Place(0, station_.overlap2.value_or(0)));
         const Place beside(spacing_, -station_.undercut1.value_or(0)), over(-station_.undercut2.value_or(0), spacing_);
-        fault("undercut", station_.undercut1, resolution_, lying + Place(spacing_, 0), lying + beside);
-        fault("undercut", station_.undercut2, resolution_, standing + Place(0, spacing_), standing + over);
+        fault(&WeldStation::undercut1, resolution_, lying + Place(spacing_, 0), lying + beside);
+        fault(&WeldStation::undercut2, resolution_, standing + Place(0, spacing_), standing + over);
     }
 
     void drawLevel(const SectionFaces& faces, bool butt) {
         const double upper = faces.upper, middle = station_.middle.value_or(0);
         const double half = 0.5 * station_.toeWidth.value_or(0);
         const Place low(middle - half, upper), high(middle + half, upper);
-        length("toe to toe", station_.toeWidth, low, high);
+        length(&WeldStation::toeWidth, low, high);
         drawFusedWidth(upper);
         drawUpAndDown(upper, butt);
         if (half > 0) {
-            angle(station_.edgeAngle1, low, {1, 0}, {0, 1});
-            angle(station_.edgeAngle2, high, {-1, 0}, {0, 1});
-            fault("overlap", station_.overlap1, spacing_, low, low + Place(station_.overlap1.value_or(0), 0));
-            fault("overlap", station_.overlap2, spacing_, high, high - Place(station_.overlap2.value_or(0), 0));
+            angle(&WeldStation::edgeAngle1, low, {1, 0}, {0, 1});
+            angle(&WeldStation::edgeAngle2, high, {-1, 0}, {0, 1});
+            fault(&WeldStation::overlap1, spacing_, low, low + Place(station_.overlap1.value_or(0), 0));
+            fault(&WeldStation::overlap2, spacing_, high, high - Place(station_.overlap2.value_or(0), 0));
         }
         const Place before = low - Place(spacing_, 0), after = high + Place(spacing_, 0);
-        fault("undercut", station_.undercut1, resolution_, before, before - Place(0, station_.undercut1.value_or(0)));
-        fault("undercut", station_.undercut2, resolution_, after, after - Place(0, station_.undercut2.value_or(0)));
+        fault(&WeldStation::undercut1, resolution_, before, before - Place(0, station_.undercut1.value_or(0)));
+        fault(&WeldStation::undercut2, resolution_, after, after - Place(0, station_.undercut2.value_or(0)));
         const Place top(middle, upper);
-        fault("underfill", station_.underfill, resolution_, top, top - Place(0, station_.underfill.value_or(0)));
+        fault(&WeldStation::underfill, resolution_, top, top - Place(0, station_.underfill.value_or(0)));
         if (butt) drawRoot(upper - faces.thickness);
     }
 
@@ -161,25 +169,30 @@ class Marks {
     }
 
     /// A length as the station has it, where there is one.
-    void length(const char* words, WeldStation::Value value, Place from, Place to) {
+    void length(Member figure, Place from, Place to) {
+        const WeldStation::Value value = station_.*figure;
         if (!value || *value <= 0) return;
-        if (*value >= resolution_) return add({.label = millimetres(words, *value)}, from, to);
-        char text[64];
-        std::snprintf(text, sizeof text, "%s < %.2g", words, resolution_ / kMm);
-        add({SectionMark::Kind::note, SectionMark::Tint::unresolved, text}, from, to);
+        if (*value >= resolution_) return add({.label = drawnWords(figure) + millimetres(*value)}, from, to);
+        char limit[32];
+        std::snprintf(limit, sizeof limit, " < %.2g", resolution_ / kMm);
+        add({SectionMark::Kind::note, SectionMark::Tint::unresolved, drawnWords(figure) + limit}, from, to);
     }
 
-    void fault(const char* words, WeldStation::Value value, double least, Place from, Place to) {
+    void fault(Member figure, double least, Place from, Place to) { fault(figure, station_.*figure, least, from, to); }
+    /// With a value that is not the figure's alone.
+    void fault(Member figure, WeldStation::Value value, double least, Place from, Place to) {
         if (value && *value > least)
-            add({SectionMark::Kind::length, SectionMark::Tint::fault, millimetres(words, *value)}, from, to);
+            add({SectionMark::Kind::length, SectionMark::Tint::fault, drawnWords(figure) + millimetres(*value)}, from,
+                to);
     }
 
     /// Between the plate's way into the weld and the weld's surface, which rises towards `side`.
-    void angle(WeldStation::Value value, Place toe, Place inwards, Place side) {
+    void angle(Member figure, Place toe, Place inwards, Place side) {
+        const WeldStation::Value value = station_.*figure;
         if (!value) return;
-        char text[64];
-        std::snprintf(text, sizeof text, "angle %.0f\xC2\xB0", *value / kDegree);
-        SectionMark mark{SectionMark::Kind::angle, SectionMark::Tint::measure, text};
+        char degrees[32];
+        std::snprintf(degrees, sizeof degrees, " %.0f\xC2\xB0", *value / kDegree);
+        SectionMark mark{SectionMark::Kind::angle, SectionMark::Tint::measure, drawnWords(figure) + degrees};
         mark.first = inwards;
         mark.second = std::cos(*value) * inwards + std::sin(*value) * side;
         add(std::move(mark), toe, toe);
@@ -201,7 +214,7 @@ class Marks {
             return glm::dot(place - lying, out);
         });
         const Place foot = lying + way * (highest ? glm::dot(*highest - lying, way) : 0.5 * chord);
-        length("convexity", station_.convexity, foot, foot + out * station_.convexity.value_or(0));
+        length(&WeldStation::convexity, foot, foot + out * station_.convexity.value_or(0));
     }
 
     void drawCornerPenetration() {
@@ -213,7 +226,7 @@ class Marks {
         if (!deepest) return;
         const Place face = glm::max(*deepest, Place(0)); // the nearest place of the faces
         const Place way = (*deepest - face) / depth(*deepest);
-        length("penetration", station_.penetration, face, face + way * station_.penetration.value_or(0));
+        length(&WeldStation::penetration, face, face + way * station_.penetration.value_or(0));
     }
 
     /// Of the two plates it is the one that is colder beside the corner; the station has the worse one's length.
@@ -222,7 +235,8 @@ class Marks {
         if (unfused <= 0) return;
         const double probe = 0.5 * unfused;
         const bool lying = leg2 <= 0 || (leg1 > 0 && !anchors_.fused({probe, -inside}));
-        fault("not fused", unfused, resolution_, Place(0), lying ? Place(unfused, 0) : Place(0, unfused));
+        fault(&WeldStation::lackOfFusion, unfused, resolution_, Place(0),
+              lying ? Place(unfused, 0) : Place(0, unfused));
     }
 
     void drawFusedWidth(double upper) {
@@ -230,33 +244,30 @@ class Marks {
         const auto middle = anchors_.fusedMiddle(height);
         if (!middle) return;
         const double half = 0.5 * station_.fusedWidth.value_or(0);
-        length("fused width", station_.fusedWidth, {*middle - half, height}, {*middle + half, height});
+        length(&WeldStation::fusedWidth, {*middle - half, height}, {*middle + half, height});
     }
 
     void drawUpAndDown(double upper, bool butt) {
         const auto crown = anchors_.onOutline([](Place place) { return std::optional(place.y); });
         const double at = crown ? crown->x : station_.middle.value_or(0);
-        length("height", station_.height, {at, upper}, {at, upper + station_.height.value_or(0)});
+        length(&WeldStation::height, {at, upper}, {at, upper + station_.height.value_or(0)});
         if (butt) return; // a bevel is a face too, so that the distance from the faces has no one place
         const auto deepest = anchors_.deepestFused([upper](Place place) { return upper - place.y; });
         if (!deepest) return;
-        length("penetration", station_.penetration, {deepest->x, upper},
-               {deepest->x, upper - station_.penetration.value_or(0)});
+        length(&WeldStation::penetration, {deepest->x, upper}, {deepest->x, upper - station_.penetration.value_or(0)});
     }
 
     void drawRoot(double lower) {
         const auto lowest = anchors_.onOutline([](Place place) { return std::optional(-place.y); });
         const double at = lowest ? lowest->x : 0, half = 0.5 * station_.rootWidth.value_or(0);
-        if (station_.rootWidth.value_or(0) > 0)
-            length("root width", station_.rootWidth, {at - half, lower}, {at + half, lower});
-        length("root", station_.excessPenetration, {at, lower}, {at, lower - station_.excessPenetration.value_or(0)});
+        if (station_.rootWidth.value_or(0) > 0) length(&WeldStation::rootWidth, {at - half, lower}, {at + half, lower});
+        length(&WeldStation::excessPenetration, {at, lower}, {at, lower - station_.excessPenetration.value_or(0)});
         const double unfused =
             std::max(station_.rootMissing.value_or(0), 0.0) + std::max(station_.lackOfFusion.value_or(0), 0.0);
-        fault("not fused", unfused, resolution_, {0, lower}, {0, lower + unfused});
-        fault("hollow root", station_.rootConcavity, resolution_, {at, lower},
-              {at, lower + station_.rootConcavity.value_or(0)});
+        fault(&WeldStation::lackOfFusion, unfused, resolution_, {0, lower}, {0, lower + unfused});
+        fault(&WeldStation::rootConcavity, resolution_, {at, lower}, {at, lower + station_.rootConcavity.value_or(0)});
         const double wide = 0.5 * station_.hole.value_or(0);
-        fault("open", station_.hole, resolution_, {-wide, lower}, {wide, lower});
+        fault(&WeldStation::hole, resolution_, {-wide, lower}, {wide, lower});
     }
 
     const WeldStation& station_;

@@ -45,7 +45,7 @@ class ItemJudge {
           item_(item),
           nominal_(nominal),
           what_(*findImperfection(item.imperfection)),
-          resolution_(what_.unit == "deg" ? kResolvedAngle : what_.resolution * measures.spacing * kPerMetre),
+          resolution_(resolvedOf(what_, measures.spacing)),
           sizes_{kUnknown, nominal.throatOf(measures.kind).value_or(kUnknown) * kPerMetre,
                  nominal.thickness * kPerMetre, nominal.legOf().value_or(kUnknown) * kPerMetre} {}
 
@@ -68,7 +68,7 @@ class ItemJudge {
     const WeldMeasures& measures_;
     const AcceptanceItem& item_;
     const NominalWeld& nominal_;
-    const Imperfection& what_;
+    const WeldFigure& what_;
     double resolution_; ///< in the imperfection's unit
     LimitSizes sizes_;  ///< of the whole weld, without b
 };
@@ -89,7 +89,7 @@ Look ItemJudge::look(const WeldStation& station, const ImperfectionValue& told, 
 
 VerdictItem ItemJudge::blank() const {
     VerdictItem item;
-    item.name = what_.name;
+    item.name = what_.key;
     item.kind = item_.kind;
     item.unit = what_.unit;
     item.resolution = resolution_;
@@ -128,7 +128,7 @@ std::optional<VerdictItem> ItemJudge::judge() const {
     std::vector<Look> looks, shortLooks;
     bool told = false;
     for (const WeldStation& station : measures_.stations) {
-        const auto value = what_.measure ? what_.measure(station, nominal_, measures_.kind) : std::nullopt;
+        const auto value = what_.judged ? what_.judged(station, nominal_, measures_.kind) : std::nullopt;
         if (!value) continue;
         told = true;
         if (!item_.b.contains(value->width)) continue;
@@ -210,25 +210,24 @@ void enter(std::vector<VerdictItem>& items, VerdictItem item) {
         *same = std::move(item);
 }
 
-/// The name of the estimate that tells of an imperfection: one for all pores.
-std::string_view estimateOf(std::string_view imperfection) {
-    return imperfection == "piping_porosity" ? "surface_pore" : imperfection;
-}
-
-const Estimate* findEstimate(std::span<const Estimate> estimates, std::string_view imperfection) {
+/// The estimate that answers for an imperfection which the metal does not contain; null where there is none.
+const Estimate* findEstimate(std::span<const Estimate> estimates, const WeldFigure& imperfection) {
+    if (imperfection.judged != nullptr) return nullptr;
     const auto found = std::find_if(estimates.begin(), estimates.end(),
-                                    [&](const Estimate& each) { return each.name == estimateOf(imperfection); });
+                                    [&](const Estimate& each) { return each.name == imperfection.estimate; });
     return found == estimates.end() ? nullptr : &*found;
 }
 
 /// Estimates of what no item of the file speaks of.
 void enterFreeEstimates(std::span<const Estimate> estimates, std::vector<VerdictItem>& items) {
     for (const Estimate& estimate : estimates) {
-        const auto known = [&](const VerdictItem& each) { return estimateOf(each.name) == estimate.name; };
+        const auto known = [&](const VerdictItem& each) {
+            return findImperfection(each.name)->estimate == estimate.name;
+        };
         if (std::any_of(items.begin(), items.end(), known)) continue;
         VerdictItem item;
         item.name = estimate.name;
-        item.unit = "mm";
+        item.unit = findImperfection(estimate.name)->unit;
         takeEstimate(item, estimate);
         items.push_back(std::move(item));
     }
@@ -243,8 +242,7 @@ Verdict judge(const WeldMeasures& measures, const Acceptance& acceptance, const 
         const ItemJudge judge(measures, item, nominal);
         auto judged = judge.judge();
         if (!judged) continue;
-        if (const Estimate* estimate = findEstimate(estimates, item.imperfection);
-            estimate && !findImperfection(item.imperfection)->measure)
+        if (const Estimate* estimate = findEstimate(estimates, *findImperfection(item.imperfection)))
             judged = judge.judgeEstimate(*estimate);
         enter(verdict.items, std::move(*judged));
     }

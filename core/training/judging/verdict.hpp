@@ -3,7 +3,7 @@
 
 #include "core/training/judging/acceptance.hpp"
 #include "core/training/judging/estimates.hpp"
-#include "core/training/judging/imperfections.hpp"
+#include "core/weld/gauge/weld_figures.hpp"
 
 #include <array>
 
@@ -19,7 +19,7 @@ constexpr std::string_view nameOf(VerdictState state) {
 
 /// One imperfection by one limit, at the place of the weld where it is worst.
 struct VerdictItem {
-    std::string name; ///< of imperfections()
+    std::string name; ///< a key of imperfections()
     /// In `unit`; at least 0 of what is too much or missing. Of an estimate see Estimate::value. None where neither the
     /// metal nor an estimate tells it.
     std::optional<double> value;

@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/base/toml_table.hpp"
+#include "core/weld/gauge/weld_figures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,13 +25,6 @@ const QuantityInfo* findQuantity(std::string_view key, DistanceKind distance) {
     for (const QuantityInfo& info : quantities(distance))
         if (!info.key.empty() && info.key == key) return &info;
     return nullptr;
-}
-
-const StationColumn* findColumn(std::string_view name) {
-    const auto columns = stationColumns();
-    const auto found =
-        std::find_if(columns.begin(), columns.end(), [&](const auto& each) { return each.name == name; });
-    return found == columns.end() ? nullptr : &*found;
 }
 
 NumberRange readRange(TomlTable& table, std::string_view key) {
@@ -67,7 +61,7 @@ Expectation readExpectation(TomlTable& table, const std::string& key, const Less
     if (findImperfection(key)) return {key, readWord(table, key, kVerdictStates)};
     const std::vector<std::string_view> judged = judgedKeys(lesson);
     const bool banded = std::find(judged.begin(), judged.end(), key) != judged.end();
-    if (key == "score" || banded || findColumn(key)) return {key, readRange(table, key)};
+    if (key == "score" || banded || findStationFigure(key)) return {key, readRange(table, key)};
     table.fail(key,
                "is no value of a judged weld; expected score, scored, lowest, accepted, a parameter that the lesson "
                "judges, an imperfection, or a column of weld.csv");
@@ -149,10 +143,10 @@ std::optional<double> numberOf(const std::string& key, const Judgement& judgemen
         const ParameterScore* parameter = score && score->scored ? score->find(info->quantity) : nullptr;
         return parameter != nullptr ? std::optional(parameter->score) : std::nullopt;
     }
-    const StationColumn* column = findColumn(key);
-    if (column == nullptr || !judgement.weld) return std::nullopt;
-    const auto& mean = judgement.weld->mean.*column->value;
-    return mean ? std::optional(*mean / column->unit) : std::nullopt;
+    const WeldFigure* figure = findStationFigure(key);
+    if (figure == nullptr || !judgement.weld) return std::nullopt;
+    const auto& mean = judgement.weld->mean.*figure->member;
+    return mean ? std::optional(*mean / figure->inSi()) : std::nullopt;
 }
 
 std::string wordOf(const std::string& key, const Judgement& judgement) {

@@ -205,8 +205,8 @@ void addSimulatedSizes(Json& json, const Lesson& lesson) {
     if (!sizes.empty()) json["simulated_text"] = simulatedSizesText(lesson.workpiece);
 }
 
-/// The text with the entries behind the figures.
-std::string finished(Json json, Lesson& lesson, const ResultContext& context) {
+/// With the entries behind the figures.
+Json finished(Json json, Lesson& lesson, const ResultContext& context) {
     json["torch"] = lesson.torchFile.filename().string();
     if (const auto& form = lesson.torch.form(); form && !form->ours) json["torch_form"] = torchFormOf(*form);
     json["version"] = context.version;
@@ -219,6 +219,10 @@ std::string finished(Json json, Lesson& lesson, const ResultContext& context) {
     Json& parameters = json["parameters"];
     for (const Parameter& parameter : lesson.parameters())
         parameters[std::string(parameter.key)] = valueOf(parameter);
+    return json;
+}
+
+std::string textOf(const Json& json) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -245,7 +249,7 @@ AttemptFacts factsOf(const RecordedAttempt& attempt) {
     return facts;
 }
 
-std::string resultText(Lesson& lesson, const LessonResult* result, const ResultContext& context) {
+nlohmann::ordered_json resultEntries(Lesson& lesson, const LessonResult* result, const ResultContext& context) {
     Json json = beginning(lesson, context);
     if (result != nullptr) addFigures(json, *result, lesson.model);
     if (context.section) json["section"] = sectionOf(*context.section);
@@ -259,12 +263,12 @@ std::string resultText(Lesson& lesson, const LessonResult* result, const ResultC
 }
 
 void writeUnfinishedResult(const std::filesystem::path& file, Lesson& lesson, const ResultContext& context) {
-    writeTextFileAtomically(file, finished(beginning(lesson, context), lesson, context));
+    writeTextFileAtomically(file, textOf(finished(beginning(lesson, context), lesson, context)));
 }
 
 void writeResult(const std::filesystem::path& file, Lesson& lesson, const LessonResult& result,
                  const ResultContext& context) {
-    writeTextFileAtomically(file, resultText(lesson, &result, context));
+    writeTextFileAtomically(file, textOf(resultEntries(lesson, &result, context)));
 }
 
 } // namespace meltpool

@@ -4,6 +4,8 @@
 #include "core/training/trainer/trainer.hpp"
 #include "core/weld/gauge/weld_section.hpp"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -42,15 +44,15 @@ struct ResultContext {
     std::vector<std::string> warnings = {};                       ///< sentences of what is implausible
 };
 
-/// The text of result.json: the figures of a run together with every parameter it had. `result`: null where there is no
-/// metal, as where a record alone is judged. It is finished where the context has no error.
-std::string resultText(Lesson& lesson, const LessonResult* result, const ResultContext& context);
+/// The entries of result.json: the figures of a run together with every parameter it had. `result`: null where there is
+/// no metal, as where a record alone is judged. The run is finished where the context has no error.
+nlohmann::ordered_json resultEntries(Lesson& lesson, const LessonResult* result, const ResultContext& context);
 
 /// Writes what a run is about to do, marked as not finished: what stands in the folder of a run that was killed.
 /// `context.error` says so in a sentence. Throws what writeFile() throws.
 void writeUnfinishedResult(const std::filesystem::path& file, Lesson& lesson, const ResultContext& context);
 
-/// Writes resultText(). Throws what writeFile() throws.
+/// Writes resultEntries() as text. Throws what writeFile() throws.
 void writeResult(const std::filesystem::path& file, Lesson& lesson, const LessonResult& result,
                  const ResultContext& context);
 

@@ -1,5 +1,7 @@
 #include "core/training/trainer/result_judgement.hpp"
 
+#include "core/weld/gauge/weld_figures.hpp"
+
 #include <cmath>
 
 namespace meltpool {
@@ -108,10 +110,12 @@ Json weldOf(const WeldMeasures& weld) {
               {"stations", weld.stations.size()},
               {"pitch_mm", jsonNumber(millimetres(weld.pitch))},
               {"spacing_mm", jsonNumber(millimetres(weld.spacing))}};
-    for (const StationColumn& column : stationColumns())
-        if (const auto& value = weld.mean.*column.value)
-            json[std::string(column.name)] = jsonNumber(*value / column.unit);
-    if (weld.straightness) json["straightness_mm"] = jsonNumber(millimetres(*weld.straightness));
+    for (const WeldFigure& figure : stationFigures())
+        if (const auto& value = weld.mean.*figure.member)
+            json[std::string(figure.key)] = jsonNumber(*value / figure.inSi());
+    for (const WeldFigure& figure : wholeWeldFigures())
+        if (figure.whole != nullptr && weld.*figure.whole)
+            json[std::string(figure.key)] = jsonNumber(*(weld.*figure.whole) / figure.inSi());
     return json;
 }
 

@@ -1,9 +1,9 @@
 #include "core/weld/gauge/weld_stations.hpp"
 
 #include "core/base/text.hpp"
+#include "core/weld/gauge/weld_figures.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -12,41 +12,7 @@ namespace meltpool {
 namespace {
 
 constexpr double kMm = 1e-3;
-constexpr double kSquareMm = 1e-6;
-constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kPercent = 0.01;
 constexpr size_t kLeastForLine = 3; ///< stations that a straight line is told from
-
-constexpr std::array kColumns{
-    StationColumn{"toe_width_mm", kMm, &WeldStation::toeWidth},
-    StationColumn{"fused_width_mm", kMm, &WeldStation::fusedWidth},
-    StationColumn{"height_mm", kMm, &WeldStation::height},
-    StationColumn{"leg1_mm", kMm, &WeldStation::leg1},
-    StationColumn{"leg2_mm", kMm, &WeldStation::leg2},
-    StationColumn{"throat_mm", kMm, &WeldStation::throat},
-    StationColumn{"convexity_mm", kMm, &WeldStation::convexity},
-    StationColumn{"penetration_mm", kMm, &WeldStation::penetration},
-    StationColumn{"root_fused_percent", kPercent, &WeldStation::rootFused},
-    StationColumn{"root_fusion_mm", kMm, &WeldStation::rootFusion},
-    StationColumn{"faces_fused_percent", kPercent, &WeldStation::facesFused},
-    StationColumn{"lack_of_fusion_mm", kMm, &WeldStation::lackOfFusion},
-    StationColumn{"root_missing_mm", kMm, &WeldStation::rootMissing},
-    StationColumn{"edge_angle_1_deg", kDegree, &WeldStation::edgeAngle1},
-    StationColumn{"edge_angle_2_deg", kDegree, &WeldStation::edgeAngle2},
-    StationColumn{"overlap_1_mm", kMm, &WeldStation::overlap1},
-    StationColumn{"overlap_2_mm", kMm, &WeldStation::overlap2},
-    StationColumn{"undercut_1_mm", kMm, &WeldStation::undercut1},
-    StationColumn{"undercut_2_mm", kMm, &WeldStation::undercut2},
-    StationColumn{"underfill_mm", kMm, &WeldStation::underfill},
-    StationColumn{"excess_penetration_mm", kMm, &WeldStation::excessPenetration},
-    StationColumn{"root_width_mm", kMm, &WeldStation::rootWidth},
-    StationColumn{"root_concavity_mm", kMm, &WeldStation::rootConcavity},
-    StationColumn{"hole_mm", kMm, &WeldStation::hole},
-    StationColumn{"deposited_mm2", kSquareMm, &WeldStation::deposited},
-    StationColumn{"middle_mm", kMm, &WeldStation::middle},
-    StationColumn{"haz_width_mm", kMm, &WeldStation::hazWidth},
-    StationColumn{"t85_s", 1, &WeldStation::coolingTime},
-};
 
 /// A weld without toes is as wide as nothing.
 void takeBead(const BeadShape& bead, const std::optional<FaceStretch>& fused, WeldStation& station) {
@@ -148,10 +114,6 @@ std::string_view nameOf(WeldKind kind) {
     return kind == WeldKind::butt ? "butt" : "bead";
 }
 
-std::span<const StationColumn> stationColumns() {
-    return kColumns;
-}
-
 WeldStation stationOf(const Section& section, WeldKind kind, double place) {
     WeldStation station;
     station.place = place;
@@ -206,19 +168,19 @@ WeldMeasures summarise(std::vector<WeldStation> stations, WeldKind kind, double 
     measures.spacing = spacing;
     measures.stations = std::move(stations);
     measures.straightness = straightnessOf(measures.stations);
-    for (const StationColumn& column : kColumns) {
+    for (const WeldFigure& figure : stationFigures()) {
         double sum = 0, count = 0;
         for (const WeldStation& station : measures.stations) {
-            const auto& value = station.*column.value;
+            const auto& value = station.*figure.member;
             if (!value) continue;
             sum += *value;
             ++count;
-            auto& least = measures.least.*column.value;
-            auto& greatest = measures.greatest.*column.value;
+            auto& least = measures.least.*figure.member;
+            auto& greatest = measures.greatest.*figure.member;
             least = std::min(least.value_or(*value), *value);
             greatest = std::max(greatest.value_or(*value), *value);
         }
-        if (count > 0) measures.mean.*column.value = sum / count;
+        if (count > 0) measures.mean.*figure.member = sum / count;
     }
     return measures;
 }
@@ -242,15 +204,15 @@ WeldMeasures measureWeld(const WeldParticles& particles, const Material& materia
 
 std::string weldTable(const WeldMeasures& measures) {
     std::string table = "place_mm";
-    for (const StationColumn& column : kColumns)
-        table += "," + std::string(column.name);
+    for (const WeldFigure& figure : stationFigures())
+        table += "," + std::string(figure.key);
     table += "\n";
     const auto put = [&](double value) { appendNumber(table, std::round(value * 1e4) / 1e4); };
     for (const WeldStation& station : measures.stations) {
         put(station.place / kMm);
-        for (const StationColumn& column : kColumns) {
+        for (const WeldFigure& figure : stationFigures()) {
             table += ",";
-            if (const auto& value = station.*column.value) put(*value / column.unit);
+            if (const auto& value = station.*figure.member) put(*value / figure.inSi());
         }
         table += "\n";
     }

@@ -27,9 +27,10 @@ struct StationSettings {
     std::optional<FaceStretch> seam;
 };
 
-/// The figures of one station in SI units, or a figure of many stations under the same names. Side 1 is that of -z on a
-/// level workpiece and the lying plate in a corner; side 2 is that of +z, or the standing plate. None: does not apply
-/// to this weld, or cannot be told here. Where a section has no weld its sizes are 0.
+/// The figures of one station in SI units, or a figure of many stations under the same names. Each member has a row in
+/// weld_figures.cpp. Side 1 is that of -z on a level workpiece and the lying plate in a corner; side 2 is that of +z,
+/// or the standing plate. None: does not apply to this weld, or cannot be told here. Where a section has no weld its
+/// sizes are 0.
 struct WeldStation {
     using Value = std::optional<double>;
 
@@ -68,16 +69,6 @@ struct WeldStation {
     Value coolingTime;          ///< s, Section::coolingTime (t8/5)
 };
 
-/// A figure of a station as files name it.
-struct StationColumn {
-    std::string_view name; ///< with its unit
-    double unit;           ///< that the name says, in SI: 1e-3 for mm
-    WeldStation::Value WeldStation::*value;
-};
-
-/// All figures but the place, in the order of the file's columns.
-std::span<const StationColumn> stationColumns();
-
 /// A whole weld.
 struct WeldMeasures {
     WeldKind kind = WeldKind::bead;
@@ -112,7 +103,7 @@ WeldMeasures measureWeld(const MetalState& state, std::span<const MetalSeed> ori
 WeldMeasures measureWeld(const WeldParticles& particles, const Material& material, WeldKind kind,
                          const StationSettings& settings = {});
 
-/// weld.csv: a head, then one row a station: `place_mm` and stationColumns(). A cell is empty where the station has no
+/// weld.csv: a head, then one row a station: `place_mm` and stationFigures(). A cell is empty where the station has no
 /// such figure.
 std::string weldTable(const WeldMeasures& measures);
 /// Throws as writeTextFileAtomically().

@@ -31,7 +31,7 @@ TEST_CASE("every figure that is compared has its words once", "[training][compar
             CHECK_FALSE(figure.unit.empty());
             CHECK(figure.more != figure.less);
             CHECK(figure.much > 0);
-            CHECK(figure.halfSpacings + figure.least > 0);
+            CHECK(figure.resolution + figure.least > 0);
         }
         for (const QuantityInfo& info : quantities(kind))
             if (!info.key.empty()) CHECK(keys.count(std::string(info.key)) == 1);

@@ -3,6 +3,7 @@
 #include "core/weld/gauge/weld_stations.hpp"
 
 #include "core/base/text.hpp"
+#include "core/weld/gauge/weld_figures.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
@@ -233,7 +234,7 @@ TEST_CASE("the table has a row a station and empty cells where there is no figur
     const auto lines = splitText(table, '\n');
     REQUIRE(lines.size() == 3); // the last one is empty
     const auto heads = splitText(lines[0], ','), cells = splitText(lines[1], ',');
-    REQUIRE(heads.size() == stationColumns().size() + 1);
+    REQUIRE(heads.size() == stationFigures().size() + 1);
     REQUIRE(cells.size() == heads.size());
     CHECK(std::set<std::string_view>(heads.begin(), heads.end()).size() == heads.size());
     const auto cell = [&](std::string_view name) {

@@ -1,0 +1,99 @@
+// The table of figures and imperfections: complete, with unique keys, units that keys name, and words.
+#include "core/weld/gauge/weld_figures.hpp"
+
+#include "tests/support/catch.hpp"
+
+#include <algorithm>
+#include <set>
+
+using namespace meltpool;
+
+namespace {
+
+/// The ending of a figure's key in files.
+std::string endingOf(std::string_view unit) {
+    if (unit == "%") return "_percent";
+    return unit.empty() ? "" : "_" + std::string(unit);
+}
+
+WeldStation fillet() {
+    WeldStation station;
+    station.leg1 = 6e-3;
+    station.leg2 = 4.5e-3;
+    station.throat = 3.5e-3;
+    station.toeWidth = 7e-3;
+    station.overlap1 = -0.2e-3;
+    station.overlap2 = 0.8e-3;
+    station.undercut1 = 0.3e-3;
+    station.edgeAngle1 = 2;
+    station.edgeAngle2 = 1;
+    return station;
+}
+
+std::optional<ImperfectionValue> judged(std::string_view key, const NominalWeld& nominal = {}) {
+    return findImperfection(key)->judged(fillet(), nominal, WeldKind::fillet);
+}
+
+} // namespace
+
+TEST_CASE("every member of a station has one row, whose key names the unit", "[figures]") {
+    constexpr size_t kMembers = (sizeof(WeldStation) - sizeof(WeldStation::place)) / sizeof(WeldStation::Value);
+    CHECK(stationFigures().size() == kMembers);
+    std::set<std::string_view> keys;
+    for (const WeldFigure& figure : stationFigures()) {
+        INFO(figure.key);
+        REQUIRE(figure.member != nullptr);
+        CHECK(&stationFigure(figure.member) == &figure); // no other row has its member
+        CHECK(findStationFigure(figure.key) == &figure);
+        CHECK(keys.insert(figure.key).second);
+        CHECK(figure.key.ends_with(endingOf(figure.unit)));
+        CHECK_FALSE(figure.pageWords().empty());
+        CHECK(figure.words.more.empty() == (figure.scale.much == 0));
+        CHECK(figure.words.less.empty() == (figure.scale.much == 0));
+    }
+    CHECK(findStationFigure("overlap") == nullptr);
+}
+
+TEST_CASE("every imperfection has one row with a name", "[figures]") {
+    std::set<std::string_view> keys, names;
+    for (const WeldFigure& each : imperfections()) {
+        INFO(each.key);
+        CHECK(findImperfection(each.key) == &each);
+        CHECK(keys.insert(each.key).second);
+        CHECK(names.insert(each.words.name).second);
+        CHECK((each.unit == "mm" || each.unit == "deg"));
+        CHECK(each.standard.number.empty() == each.standard.name.empty());
+        CHECK(each.standard.number.find_first_not_of("0123456789, ") == std::string_view::npos);
+        if (each.estimate.empty()) continue;
+        CHECK(each.judged == nullptr); // what the metal contains is measured
+        CHECK(findImperfection(each.estimate) != nullptr);
+    }
+    CHECK(imperfectionName("not_filled_up") == "not filled up");
+    CHECK(imperfectionName("of_a_newer_program") == "of a newer program");
+}
+
+TEST_CASE("an imperfection is the worse side in millimetres, with the width of its limit", "[figures]") {
+    CHECK(judged("overlap")->value == Approx(0.8));
+    CHECK(judged("undercut")->value == Approx(0.3)); // the other side has none
+    CHECK(judged("undercut")->width == Approx(7));
+    CHECK(judged("toe_angle")->value == Approx(180 - 2 * 57.29578));
+    CHECK(judged("unequal_legs")->value == Approx(1.5));
+    CHECK_FALSE(judged("burn_through"));
+    CHECK_FALSE(judged("throat_too_small")); // no nominal throat
+    NominalWeld nominal;
+    nominal.throat = 4e-3;
+    nominal.platesOffset = 0.5e-3;
+    CHECK(judged("throat_too_small", nominal)->value == Approx(0.5));
+    CHECK(judged("throat_too_big", nominal)->value == Approx(-0.5));
+    CHECK(judged("plates_offset", nominal)->value == Approx(0.5));
+    CHECK(findImperfection("crack")->judged == nullptr);
+}
+
+TEST_CASE("particles resolve half a spacing of a length, a whole one of an overlap, and 15 degrees", "[figures]") {
+    CHECK(resolvedOf(*findImperfection("undercut"), 1e-3) == Approx(0.5));
+    CHECK(resolvedOf(*findImperfection("overlap"), 1e-3) == Approx(1));
+    CHECK(resolvedOf(*findImperfection("toe_angle"), 1e-3) == 15);
+    CHECK(resolvedOf(*findImperfection("burn_through"), 1e-3) == 0);
+    CHECK(resolvedOf(stationFigure(&WeldStation::deposited), 1e-3) == Approx(4));
+    CHECK(stationFigure(&WeldStation::deposited).inSi() == 1e-6);
+}
