@@ -19,7 +19,8 @@ void DesktopSound::update(LessonSession& session, const Controls& controls, cons
 }
 
 void DesktopSound::judged(LessonSession& session) const {
-    if (session.judged() && session.lesson().process.is<Smaw>()) session.hearing().ear.chip(kChips);
+    const bool slag = traitsOf(session.lesson().process).shielding == Shielding::slag;
+    if (slag && session.judged()) session.hearing().ear.chip(kChips);
 }
 
 } // namespace meltpool

@@ -91,7 +91,7 @@ void WorkshopScene::addProcessTorch(const HeadsetParameters& parameters, const H
 
 /// The table and the machine are made again only when they change.
 void WorkshopScene::furnish(const HeadsetParameters& parameters, const HandsView& hands) {
-    const FurnitureKey key{parameters.tableHeight, hands.process->kind, machineSettings(*hands.process)};
+    const FurnitureKey key{parameters.tableHeight, hands.process->kind, equipmentOf(*hands.process).displays};
     if (furnished_ != key) {
         const glm::mat4 bench = glm::translate(glm::mat4(1.0f), {0, parameters.tableHeight, 0});
         furniture_.clear();

@@ -49,7 +49,7 @@ class WorkshopScene {
     struct FurnitureKey {
         float tableHeight = 0;
         int process = 0;
-        MachineSettings settings{};
+        std::array<MachineDisplay, 2> displays{};
         bool operator==(const FurnitureKey&) const = default;
     };
 

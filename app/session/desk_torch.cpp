@@ -77,7 +77,7 @@ void DeskTorch::begin(const Lesson& lesson) {
     seam_.reset();
     if (lesson.model != LessonModel::Weld) return;
     seam_ = seamOf(lesson.workpiece);
-    kind_ = distanceKindOf(lesson.process);
+    kind_ = traitsOf(lesson.process).distance;
     take(lesson.process);
     const double usual = kind_ == DistanceKind::arcLength ? 3 * kMm : stickOut_ + 3 * kMm;
     wanted_ = {};

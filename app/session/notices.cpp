@@ -46,11 +46,6 @@ std::string_view sentenceOf(NoArc reason, Striking striking) {
 
 } // namespace
 
-Striking strikingOf(const ProcessSettings& process) {
-    if (process.is<Gmaw>()) return Striking::wire;
-    return process.is<Smaw>() ? Striking::touch : Striking::spark;
-}
-
 std::string_view ArcNotice::update(const ArcState& arc, Striking striking, double elapsed) {
     const bool stubs = striking == Striking::wire && arc.action == ArcAction::stubbed;
     const std::string_view sentence =
@@ -94,7 +89,7 @@ void Notices::update(LessonSession& session, LessonFigures& figures, const Trigg
     std::string_view sentence;
     if (session.running() && !session.played()) {
         if (!session.paused()) figures.slow = slow_.update(figures.speed, elapsed); // else the metal stands
-        sentence = arc_.update(session.arc(), strikingOf(session.lesson().process), elapsed);
+        sentence = arc_.update(session.arc(), traitsOf(session.lesson().process).striking, elapsed);
         if (session.cues().withheld(CueKind::arc)) sentence = {};
         if (lock.holdsBack()) sentence = arcOutSentence(lock.reason());
     }

@@ -12,15 +12,6 @@
 
 namespace meltpool {
 
-/// How a torch strikes.
-enum class Striking {
-    spark, ///< a spark jumps to the metal: GTAW
-    wire,  ///< by itself when the wire reaches the metal: GMAW
-    touch, ///< when the electrode touches and is lifted: SMAW
-};
-
-Striking strikingOf(const ProcessSettings& process);
-
 /// Why an arc that the trigger asks for does not burn; empty: it does, or nobody asks.
 class ArcNotice {
   public:

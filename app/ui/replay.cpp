@@ -52,7 +52,7 @@ ImU32 tintOf(const TimelineMark& mark) {
 CurveAnswer overTime(Context& context, const LessonSession& session, TechniqueQuantity quantity,
                      const CurveTrack& track, std::string_view name) {
     const Lesson& lesson = session.lesson();
-    const QuantityInfo& info = quantityInfo(quantity, distanceKindOf(lesson.process));
+    const QuantityInfo& info = quantityInfo(quantity, traitsOf(lesson.process).distance);
     const TechniqueBand* band = lesson.technique ? lesson.technique->find(quantity) : nullptr;
     const double duration = session.replay().line().duration();
     // Stretches that were played too fast to be all known are joined.

@@ -70,34 +70,20 @@ std::string number(float value, int places) {
     return text.data();
 }
 
-/// A setting as the machine shows it.
-struct Display {
-    std::string value;
-    std::string unit;
-};
-
-std::vector<Display> displaysOf(const ProcessSettings& process) {
-    const MachineSettings shown = machineSettings(process);
-    if (process.is<Gmaw>()) return {{number(shown[0], 1), "v"}, {number(shown[1], 1), "m/min"}};
-    if (process.is<Gtaw>() || process.is<Smaw>()) return {{number(shown[0], 0), "a"}};
-    if (process.is<SolderingIron>())
-        return {{number(shown[0], 0), "\xC2\xB0"
-                                      "c"}};
-    return {};
-}
-
 constexpr glm::vec3 kMachineSize(0.20f, 0.26f, 0.36f);
 
 /// Front of the machine, its lower edge's middle at the origin, looking to +z.
-void addFront(Builder& add, const std::vector<Display>& displays) {
+void addFront(Builder& add, std::span<const MachineDisplay> displays) {
     constexpr float kDisplayHeight = 0.042f, kFigure = 0.026f;
     add.box({0, 0.5f * kMachineSize.y, 0}, {kMachineSize.x - 0.02f, kMachineSize.y - 0.025f, 0.012f}, kPanel, 0.3f);
     float top = kMachineSize.y - 0.03f;
-    for (const Display& display : displays) {
+    for (const MachineDisplay& display : displays) {
+        if (display.unit.empty()) continue;
+        const std::string value = number(display.value, display.digits);
         const float middle = top - 0.5f * kDisplayHeight;
         add.box({-0.025f, middle, 0.006f}, {0.105f, kDisplayHeight, 0.004f}, kSlotBlack, 0.5f);
-        const float length = strokeTextLength(display.value, kFigure);
-        add.text(display.value, {0.018f - length, middle - 0.5f * kFigure, 0.009f}, kFigure, kSlotBlack, kDisplayLight);
+        const float length = strokeTextLength(value, kFigure);
+        add.text(value, {0.018f - length, middle - 0.5f * kFigure, 0.009f}, kFigure, kSlotBlack, kDisplayLight);
         add.text(display.unit, {0.034f, middle - 0.5f * kFigure, 0.008f}, 0.5f * kFigure, kLabelWhite, glm::vec3(0));
         top -= kDisplayHeight + 0.014f;
     }
@@ -161,14 +147,6 @@ void addPost(Builder& add, const Workpiece& piece, float overTable) {
 
 } // namespace
 
-MachineSettings machineSettings(const ProcessSettings& process) {
-    if (process.is<Gmaw>()) return {process.of<Gmaw>().voltage, process.of<Gmaw>().wireFeedMPerMin};
-    if (process.is<Gtaw>()) return {process.of<Gtaw>().current};
-    if (process.is<Smaw>()) return {process.of<Smaw>().current};
-    if (process.is<SolderingIron>()) return {process.of<SolderingIron>().tipTemperatureC};
-    return {};
-}
-
 void addTable(std::vector<Solid>& solids, const glm::mat4& toWorld, float height) {
     constexpr float kWidth = 1.2f, kDepth = 0.75f, kThickness = 0.03f, kLeg = 0.05f;
     Builder add(solids, toWorld);
@@ -189,8 +167,8 @@ void addTable(std::vector<Solid>& solids, const glm::mat4& toWorld, float height
 }
 
 void addMachine(std::vector<Solid>& solids, const glm::mat4& toWorld, const ProcessSettings& process) {
-    const std::vector<Display> displays = displaysOf(process);
-    if (displays.empty()) return;
+    const auto displays = equipmentOf(process).displays;
+    if (displays.front().unit.empty()) return;
     constexpr float kTurn = -0.45f; // rad about the vertical, towards the welder
     constexpr glm::vec3 kPlace(0.36f, 0, -0.10f);
     const glm::mat4 toBench = glm::rotate(glm::translate(glm::mat4(1), kPlace), kTurn, glm::vec3(0, 1, 0));

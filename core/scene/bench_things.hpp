@@ -5,7 +5,6 @@
 #include "core/weld/process/processes.hpp"
 #include "core/weld/workpiece/workpiece.hpp"
 
-#include <array>
 #include <vector>
 
 namespace meltpool {
@@ -17,16 +16,12 @@ constexpr float kUsualTableHeight = 0.9f;
 /// to the welder.
 constexpr glm::vec3 kCableEnd(-0.63f, -0.30f, 0.05f);
 
-/// The settings that a process's machine shows; 0 where it shows none.
-using MachineSettings = std::array<float, 2>;
-MachineSettings machineSettings(const ProcessSettings& process);
-
 /// Adds the table with its slots and legs, which stand on the floor `height` (m) below its top. `toWorld`: from the
 /// middle of its top, m.
 void addTable(std::vector<Solid>& solids, const glm::mat4& toWorld, float height);
 
-/// Adds the machine of this process on the table, its settings on its front: voltage and wire feed, current, or the
-/// iron's temperature. A flame has none. `toWorld`: as for the table.
+/// Adds the machine of this process on the table, Equipment::displays on its front. Without displays there is none.
+/// `toWorld`: as for the table.
 void addMachine(std::vector<Solid>& solids, const glm::mat4& toWorld, const ProcessSettings& process);
 
 /// Adds what holds the workpiece: clamps at both ends of a plate that lies on the table, else a post that stands

@@ -102,7 +102,7 @@ class Builder {
     const glm::mat4& toWorld_;
 };
 
-void addGmaw(Builder& add, const TorchSample& torch, float stickOut) {
+void addWireTorch(Builder& add, const TorchSample& torch, float stickOut) {
     const glm::vec3 way = handleWay(torch, kBendAngle);
     add.part(stickOut + 0.012f, stickOut + 0.002f, 0.0075f, kCopper, 0.6f);
     add.part(stickOut + 0.026f, stickOut + 0.012f, 0.0085f, kBrass, 0.7f);                   // tip holder
@@ -118,7 +118,7 @@ void addGmaw(Builder& add, const TorchSample& torch, float stickOut) {
     add.cable(end - way * 0.01f, way, kCableWidth, kRubber);
 }
 
-void addGtaw(Builder& add, const TorchSample& torch) {
+void addTungstenTorch(Builder& add, const TorchSample& torch) {
     const glm::vec3 way = handleWay(torch, 1.2f); // heads of TIG torches stand off their handle by about 70 degrees
     add.part(0.034f, 0.006f, 0.0165f, kCeramic, 0.35f, SolidShape::cup);
     add.part(0.032f, 0.010f, 0.0036f, kSteel, 0.5f); // collet
@@ -133,7 +133,7 @@ void addGtaw(Builder& add, const TorchSample& torch) {
 }
 
 /// The jaws hold the electrode by its bare end.
-void addSmaw(Builder& add, const TorchSample& torch, float whole) {
+void addElectrodeHolder(Builder& add, const TorchSample& torch, float whole) {
     const glm::vec3 way = handleWay(torch, 1.25f);
     const glm::vec3 grip = add.at(whole - 0.012f);
     const glm::vec3 across = glm::normalize(glm::cross(way, torch.axis()));
@@ -149,7 +149,7 @@ void addSmaw(Builder& add, const TorchSample& torch, float whole) {
     add.cable(end - way * 0.01f, way, kCableWidth, kRubber);
 }
 
-void addFlame(Builder& add, const TorchSample& torch) {
+void addBurner(Builder& add, const TorchSample& torch) {
     constexpr float kNozzle = 0.012f;
     const glm::vec3 way = handleWay(torch, kBendAngle);
     add.part(kNozzle + 0.026f, kNozzle, 0.0105f, kBrass, 0.6f, SolidShape::cup);
@@ -176,6 +176,22 @@ void addIron(Builder& add, const TorchSample& torch) {
     add.cable(end - way * 0.01f, way, 0.006f, kRubber);
 }
 
+void addFittings(Builder& add, const TorchSample& torch, const ProcessSettings& process) {
+    const Equipment tools = equipmentOf(process);
+    switch (traitsOf(process).torch) {
+    case TorchShape::wireTorch:
+        return addWireTorch(add, torch, static_cast<float>(tools.heldBehind));
+    case TorchShape::tungstenTorch:
+        return addTungstenTorch(add, torch);
+    case TorchShape::electrodeHolder:
+        return addElectrodeHolder(add, torch, static_cast<float>(tools.electrodeLength));
+    case TorchShape::burner:
+        return addBurner(add, torch);
+    case TorchShape::iron:
+        return addIron(add, torch);
+    }
+}
+
 } // namespace
 
 glm::vec3 handleWay(const TorchSample& torch, float angle) {
@@ -189,11 +205,7 @@ void buildTorchFittings(std::vector<Solid>& solids, const TorchSample& torch, co
                         const TorchSurroundings& around, const glm::mat4& workpieceToWorld) {
     solids.clear();
     Builder add(solids, torch, around, workpieceToWorld);
-    if (process.is<Gmaw>()) addGmaw(add, torch, static_cast<float>(heldBehind(process)));
-    if (process.is<Gtaw>()) addGtaw(add, torch);
-    if (process.is<Smaw>()) addSmaw(add, torch, process.of<Smaw>().lengthMm * 1e-3f);
-    if (process.is<Flame>()) addFlame(add, torch);
-    if (process.is<SolderingIron>()) addIron(add, torch);
+    addFittings(add, torch, process);
     if (!torch.rod || !holdsRod(process)) return;
     constexpr float kHeld = 0.20f; // m behind the rod's tip: far enough that the arc does not burn the glove
     const glm::vec3 back = -torch.rod->axis();

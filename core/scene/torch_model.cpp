@@ -61,7 +61,7 @@ class Builder {
 };
 
 /// The contact tip stands the set stick-out behind the pose's tip; the wire reaches as far as it does.
-void addGmaw(Builder& add, float stickOut, float extension, float diameter, const ArcLight& light) {
+void addWireTorch(Builder& add, float stickOut, float extension, float diameter, const ArcLight& light) {
     add.part(SolidShape::cylinder, stickOut, stickOut - extension, diameter, kCopper, 0.8F);
     add.coarse(stickOut + 0.012F, stickOut, 0.006F, kCopper, 0.7F);
     add.coarse(stickOut + 0.05F, stickOut + 0.003F, 0.014F, kBrass, 0.85F);
@@ -70,7 +70,7 @@ void addGmaw(Builder& add, float stickOut, float extension, float diameter, cons
 }
 
 /// The tip of the pose is that of the electrode.
-void addGtaw(Builder& add, const ArcLight& light) {
+void addTungstenTorch(Builder& add, const ArcLight& light) {
     add.part(SolidShape::cone, 0.004F, 0.0F, 0.0024F, kTungsten, 0.7F);
     add.part(SolidShape::cylinder, 0.010F, 0.004F, 0.0024F, kTungsten, 0.7F);
     add.coarse(0.038F, 0.006F, 0.012F, kCeramic, 0.3F);
@@ -91,8 +91,8 @@ void addRod(std::vector<Solid>& solids, const RodSample& rod, float diameter, co
 }
 
 /// What is left of the electrode reaches from the holder to its end; its covering ends a little before its core.
-void addSmaw(Builder& add, const SmawSettings& smaw, float left, const ArcLight& light) {
-    const float whole = smaw.lengthMm * 1e-3F, burnt = whole - left, core = smaw.diameterMm * 1e-3F;
+void addElectrodeHolder(Builder& add, float whole, float core, float left, const ArcLight& light) {
+    const float burnt = whole - left;
     constexpr float kHeld = 0.025F, kCovering = 1.7F;
     add.part(SolidShape::cylinder, whole, burnt, core, kTungsten, 0.6F);
     add.part(SolidShape::cylinder, whole - kHeld, burnt + core / 2, core * kCovering, kCovered, 0.15F);
@@ -102,7 +102,7 @@ void addSmaw(Builder& add, const SmawSettings& smaw, float left, const ArcLight&
 }
 
 /// The tip of the pose is where the flame is hottest, in front of the burner's nozzle.
-void addFlame(Builder& add, float share) {
+void addBurner(Builder& add, float share) {
     constexpr float kNozzle = 0.012F;
     add.coarse(kNozzle + 0.03F, kNozzle, 0.009F, kBrass, 0.6F);
     add.coarse(kNozzle + 0.08F, kNozzle + 0.028F, 0.006F, kDarkSteel, 0.4F);
@@ -116,19 +116,23 @@ void addIron(Builder& add) {
 }
 
 void addTorch(Builder& add, const ProcessSettings& process, const ArcState& arc, const ArcLight& light) {
-    if (process.is<Gmaw>()) {
-        const GmawSettings& gmaw = process.of<Gmaw>();
-        const auto stickOut = static_cast<float>(heldBehind(process));
-        // Before the first step nothing is known of the wire: it is as long as it is set.
-        return addGmaw(add, stickOut, arc.extension > 0 ? arc.extension : stickOut, gmaw.wireDiameterMm * 1e-3F, light);
+    const Equipment tools = equipmentOf(process);
+    // Before the first step nothing is known of wire and electrode: they are as long as they are set.
+    const auto left = [&](double set) { return arc.extension > 0 ? arc.extension : static_cast<float>(set); };
+    switch (traitsOf(process).torch) {
+    case TorchShape::wireTorch:
+        return addWireTorch(add, static_cast<float>(tools.heldBehind), left(tools.heldBehind),
+                            static_cast<float>(tools.wire), light);
+    case TorchShape::tungstenTorch:
+        return addTungstenTorch(add, light);
+    case TorchShape::electrodeHolder:
+        return addElectrodeHolder(add, static_cast<float>(tools.electrodeLength), static_cast<float>(tools.electrode),
+                                  left(tools.electrodeLength), light);
+    case TorchShape::burner:
+        return addBurner(add, arc.burns() ? arc.share : 0);
+    case TorchShape::iron:
+        return addIron(add);
     }
-    if (process.is<Gtaw>()) return addGtaw(add, light);
-    if (process.is<Smaw>()) {
-        const SmawSettings& smaw = process.of<Smaw>();
-        return addSmaw(add, smaw, arc.extension > 0 ? arc.extension : smaw.lengthMm * 1e-3F, light);
-    }
-    if (process.is<Flame>()) return addFlame(add, arc.burns() ? arc.share : 0);
-    addIron(add);
 }
 
 } // namespace
@@ -137,8 +141,9 @@ ArcLight torchArcLight(const TorchSample& torch, const ProcessSettings& process,
     if (!arc.burns() || arc.current <= 0) return {};
     const float candela = kLumenPerWatt * arc.voltage * arc.current / (4 * std::numbers::pi_v<float>);
     // The arc hangs between the wire's or electrode's end and the metal.
-    const float back = process.is<Smaw>() ? process.of<Smaw>().lengthMm * 1e-3F - arc.extension
-                                          : static_cast<float>(heldBehind(process));
+    const Equipment tools = equipmentOf(process);
+    const float back = tools.electrodeLength > 0 ? static_cast<float>(tools.electrodeLength) - arc.extension
+                                                 : static_cast<float>(tools.heldBehind);
     const float middle = arc.distance - std::max(arc.length, kShortestShown) / 2;
     return {torch.tip + torch.axis() * (middle - back), kArcColour * (candela / static_cast<float>(kPaperLuminance)),
             kArcDiameter / 2};

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace meltpool {
 
@@ -13,20 +12,13 @@ namespace {
 
 constexpr double kFillerSpare = 1.1; // of the room for wire
 
-/// m³/s; 0 without wire.
-double wireRate(const ProcessSettings& settings) {
-    if (!settings.is<Gmaw>()) return 0;
-    const GmawSettings& gmaw = settings.of<Gmaw>();
-    const double diameter = static_cast<double>(gmaw.wireDiameterMm) * 1e-3;
-    return std::numbers::pi / 4 * diameter * diameter * static_cast<double>(gmaw.wireFeedMPerMin) / 60;
-}
-
 WeldSurroundings surroundings(const ValidationCase& from, const ProcessSettings& settings, double ambient,
                               double seconds) {
     WeldSurroundings around;
     around.ambient = ambient;
     around.fillerRoom =
-        static_cast<size_t>(kFillerSpare * wireRate(settings) * seconds / std::pow(from.spacing, 3)) + 100;
+        static_cast<size_t>(kFillerSpare * equipmentOf(settings).wireRate() * seconds / std::pow(from.spacing, 3)) +
+        100;
     return around;
 }
 
@@ -39,7 +31,7 @@ ValidationCase withinThree(ValidationCase from) {
 } // namespace
 
 void requireWeldRoom(const ValidationCase& from, const ProcessSettings& settings, double volume, double seconds) {
-    const double count = (volume + wireRate(settings) * seconds) / std::pow(from.spacing, 3);
+    const double count = (volume + equipmentOf(settings).wireRate() * seconds) / std::pow(from.spacing, 3);
     const double cells = 4 * count; // with the space around the workpiece
     requireRoom(from, {cells, count, count, cells});
 }
@@ -50,7 +42,7 @@ CaseWeld::CaseWeld(const ValidationCase& from, gl::ShaderLibrary& shaders, const
       material_(from.material),
       weld_(shaders, material_, piece_, settings, surroundings(from, settings, ambient, seconds)),
       seconds_(seconds),
-      fed_(wireRate(settings) > 0) {}
+      fed_(equipmentOf(settings).wireRate() > 0) {}
 
 void CaseWeld::run(const TorchPath& path, FunctionRef<bool(double)> watch, ValidationResult& result) {
     const double step = weld_.timeStep();

@@ -67,11 +67,7 @@ void runEnergy(const ValidationCase& from, gl::ShaderLibrary& shaders, Validatio
     requireSpacings(from, "on a plate of 32x8x32 mm, its thickness", static_cast<double>(kThickness), 1);
     const double cell = std::pow(from.spacing, 3);
     const double plateCount = static_cast<double>(seam.length * kThickness * kSide) / cell;
-    const GmawSettings& gmaw = seam.process.of<Gmaw>();
-    const double wireCount = seam.process.is<Gmaw>()
-                                 ? 0.7854e-6 * std::pow(static_cast<double>(gmaw.wireDiameterMm), 2) *
-                                       static_cast<double>(gmaw.wireFeedMPerMin) / 60 * seam.on / cell
-                                 : 0;
+    const double wireCount = equipmentOf(seam.process).wireRate() * seam.on / cell;
     requireRoom(from, {4 * plateCount, plateCount + wireCount, plateCount + wireCount, 4 * plateCount});
     const Workpiece plate = casePlate(from, seam.length, kThickness, kSide, kAmbient);
     Weld weld(shaders, from.material, plate, seam.process, surroundings(from, wireCount));

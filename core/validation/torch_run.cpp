@@ -90,7 +90,7 @@ ProcessSettings caseProcess(const ValidationCase& from) {
 }
 
 float caseTorchHeight(const ValidationCase& from, const ProcessSettings& settings) {
-    if (!settings.is<Gmaw>()) return static_cast<float>(from.number("arc_length_mm")) * kMm;
+    if (!hasWire(from)) return static_cast<float>(from.number("arc_length_mm")) * kMm;
     return static_cast<float>(from.number("ctwd_mm")) * kMm - settings.of<Gmaw>().stickOutMm * kMm;
 }
 

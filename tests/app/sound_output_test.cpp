@@ -33,7 +33,7 @@ Ears heardFrom(const glm::vec3& place, float volume = 1) {
     std::vector<std::int16_t> block(OpenAlDevice::kBlock), both(2 * OpenAlDevice::kBlock);
     Ears ears;
     for (int i = 0; i < 60; ++i) {
-        while (feed.push(openArc(SoundProcess::gmaw, 0.8F)) && feed.waiting() < 4) {
+        while (feed.push(openArc(Gmaw::kTraits, 0.8F)) && feed.waiting() < 4) {
         }
         for (size_t room = device->room(); room > 0; --room) {
             stream.fill(block);
@@ -94,7 +94,7 @@ TEST_CASE("a stream lasts over a late frame, falls silent where the lesson stand
     };
     CHECK(level() == 0); // no lesson yet
     for (int i = 0; i < 9; ++i)
-        feed.push(openArc(SoundProcess::gmaw, 0.8F));
+        feed.push(openArc(Gmaw::kTraits, 0.8F));
     for (int i = 0; i < 9; ++i)
         level();
     CHECK(stream.withoutStep() < 1000);
@@ -104,7 +104,7 @@ TEST_CASE("a stream lasts over a late frame, falls silent where the lesson stand
         level();
     CHECK(level() == 0); // the lesson is paused
     for (size_t i = 0; i < SoundFeed::kRoom; ++i)
-        feed.push(openArc(SoundProcess::gmaw, 0.8F));
+        feed.push(openArc(Gmaw::kTraits, 0.8F));
     level();
     level();
     CHECK(static_cast<double>(feed.waiting()) * kSoundStep < SoundStream::kMost);

@@ -1,5 +1,5 @@
 // The order of the source tree: who may include whom, how many units a folder holds, how long a function and how large
-// a class is, and that blocks shared by C++ and GLSL name their members.
+// a class is, that blocks shared by C++ and GLSL name their members, and that a process is asked for its traits.
 #include "tests/house/source_scan.hpp"
 #include "tests/house/thermometers.hpp"
 #include "tests/support/catch.hpp"
@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
+#include <regex>
 #include <set>
 
 namespace meltpool {
@@ -328,6 +330,17 @@ TEST_CASE("no function is longer than 70 lines") {
             CHECK(function.lines <= kMostLines);
         }
     CHECK(functions > 1000);
+}
+
+TEST_CASE("nothing outside core/weld/process asks which process it is: others ask the traits") {
+    const std::regex question(R"((\.|->)is<[A-Z]\w*>\(\))");
+    REQUIRE(std::regex_search("if (process.is<Gmaw>()) return;", question));
+    for (const SourceFile& file : programSources()) {
+        if (file.path.parent_path() == "core/weld/process") continue;
+        const std::sregex_iterator begin(file.text.begin(), file.text.end(), question);
+        INFO(file.path << ": see core/weld/process/process_traits.hpp");
+        CHECK(std::distance(begin, std::sregex_iterator()) == 0);
+    }
 }
 
 TEST_CASE("shared blocks and shaders name their quantities instead of giving components meanings") {

@@ -132,7 +132,7 @@ TEST_CASE("what stands before the tip is known") {
 TEST_CASE("the machine shows the settings of its process") {
     ProcessSettings process;
     process.choose<Gmaw>().voltage = 23;
-    CHECK(machineSettings(process)[0] == 23);
+    CHECK(equipmentOf(process).displays[0].value == 23);
     std::vector<Solid> solids, others;
     addMachine(solids, glm::mat4(1), process);
     process.of<Gmaw>().voltage = 11.1f; // ones have fewer strokes

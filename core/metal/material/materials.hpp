@@ -78,6 +78,9 @@ struct Material {
     double evaporatesFrom = 0;   ///< K, below which evaporation is left out; 0: half the boiling point
     std::string boilingSource;
 
+    bool alternatingCurrent = false; ///< GTAW welds it with alternating current, which breaks its oxide
+    std::string weldingSource;       ///< empty where the file says nothing of it
+
     MaterialLooks looks;
 
     /// Surface tension at a temperature (K), N/m: the table's, less R T G ln(1 + K a) for a per cent of sulphur,

@@ -108,6 +108,13 @@ void readBoiling(TomlTable& file, Material& material) {
     boiling.finish();
 }
 
+void readWelding(TomlTable& file, Material& material) {
+    TomlTable welding = file.table("welding");
+    material.alternatingCurrent = welding.flag("alternating_current", false);
+    material.weldingSource = welding.text("source");
+    welding.finish();
+}
+
 glm::vec3 readColour(TomlTable& looks, std::string_view key) {
     const std::vector<double> values = looks.numbers(key, {0, 1}, 3);
     if (values.size() != 3) looks.fail(key, "expected three numbers from 0 to 1: red, green, blue, linear");
@@ -161,6 +168,7 @@ Material readMaterial(const std::filesystem::path& file) {
     readMelting(table, material);
     readPhases(table, material);
     if (table.has("boiling")) readBoiling(table, material);
+    if (table.has("welding")) readWelding(table, material);
     material.looks = readLooks(table);
     table.finish();
     return material;

@@ -4,12 +4,6 @@
 
 namespace meltpool {
 
-float fumeScattering(const ProcessSettings& process) {
-    if (process.is<Gmaw>()) return 1.0F;
-    if (process.is<Smaw>()) return 1.5F;
-    return 0;
-}
-
 ArcEffects::ArcEffects() {
     sparks_.reserve(Spatter::kMostFlying + Spatter::kMostBeads + 16);
 }
@@ -25,7 +19,7 @@ void ArcEffects::step(const ArcEffectsStep& step) {
     time_ = step.time;
     spatter_.step(step);
     wire_.step(step);
-    if (step.process != nullptr) scattering_ = fumeScattering(*step.process);
+    if (step.process != nullptr) scattering_ = traitsOf(*step.process).fume;
     puffs_.step(step, scattering_);
     const double aim = step.arc.burns() ? 1 : 0;
     smoke_ += (aim - smoke_) * (1 - std::exp(-step.seconds / kGathers));

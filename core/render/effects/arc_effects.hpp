@@ -8,11 +8,6 @@
 
 namespace meltpool {
 
-/// Share of light that a metre of this process's fume scatters: its mass in the air about the arc (some tenths of a
-/// gram a cubic metre for a wire, more for a covered electrode, as fume rates of 0.2 to 0.8 g/min leave it) times about
-/// 3 m²/g. No source gives it so near the arc.
-float fumeScattering(const ProcessSettings& process);
-
 class ArcEffects {
   public:
     /// s in which the smoke gathers after the arc has struck, and thins out after it. None: chosen.

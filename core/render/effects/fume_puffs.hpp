@@ -50,7 +50,7 @@ class FumePuffs {
     /// The blocks under which smoke cannot rise; they must outlive this.
     void setGround(const SpatterGround& ground) { ground_ = ground; }
 
-    /// `scattering`: of the process's smoke, see fumeScattering(); 0: none is born.
+    /// `scattering`: of the process's smoke, see ProcessTraits::fume; 0: none is born.
     void step(const ArcEffectsStep& step, float scattering);
 
     /// Writes those that are there `time` s after the lesson's beginning to `puffs`, the oldest first; answers how

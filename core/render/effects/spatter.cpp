@@ -16,31 +16,19 @@ namespace {
 constexpr float kFullPower = 5000;                    // W of a short circuit that throws kMostOfBurst drops
 constexpr float kLeastOfBurst = 3, kMostOfBurst = 14; // drops
 constexpr int kStrikeDrops = 25;                      // of an arc that strikes
-constexpr double kOpenRate = 45;                      // 1/s of an open arc that does not spray
 constexpr double kLongRate = 400;                     // 1/s more where it is about to go out
 constexpr double kStubRate = 120;                     // 1/s of a wire that stubs
-constexpr double kElectrodeRate = 90;                 // 1/s of a covered electrode, whose gas tears the drops
-constexpr double kDeepElectrode = 2;                  // times that for a cellulosic one
 constexpr float kSlowest = 0.5F, kFastest = 3.5F;     // m/s: films show 1 to 4
 constexpr float kFlattest = 0.10F, kSteepest = 0.92F; // cosine from the torch's axis
 /// m about the arc in which metal that falls is taken up by the pool and beads on the plate melt.
 constexpr float kPool = 4e-3F;
 
-double openRate(const ArcEffectsStep& step) {
-    const ArcState& arc = step.arc;
+/// 1/s of drops beside those of short circuits.
+double openRate(const ArcState& arc, const Equipment& tools) {
     const double stretched = static_cast<double>(arc.stretch) * static_cast<double>(arc.stretch);
-    if (step.process->is<Smaw>()) {
-        const bool cellulosic = step.process->of<Smaw>().electrode == 2;
-        return kElectrodeRate * (cellulosic ? kDeepElectrode : 1) + kLongRate * stretched;
-    }
-    if (arc.action == ArcAction::stubbed) return kStubRate;
-    if (arc.action == ArcAction::shorting) return 0; // its spatter comes with the short circuits
-    return kOpenRate + kLongRate * stretched;
-}
-
-/// Tungsten throws nothing, nor do flame and iron.
-bool throwsSpatter(const ProcessSettings& process) {
-    return process.is<Gmaw>() || process.is<Smaw>();
+    if (tools.wire > 0 && arc.action == ArcAction::stubbed) return kStubRate;
+    if (tools.wire > 0 && arc.action == ArcAction::shorting) return 0; // its spatter comes with the short circuits
+    return tools.spatter + kLongRate * stretched;
 }
 
 } // namespace
@@ -56,7 +44,9 @@ void Spatter::reset() {
 
 void Spatter::step(const ArcEffectsStep& step) {
     draws_ = 0;
-    if (!step.arc.burns() || step.process == nullptr || !throwsSpatter(*step.process)) return;
+    if (!step.arc.burns() || step.process == nullptr) return;
+    const Equipment tools = equipmentOf(*step.process);
+    if (tools.spatter <= 0) return;
     meltBeads(step);
     const double begin = step.time - step.seconds;
     if (step.arc.action == ArcAction::striking) burst(step, begin, kStrikeDrops);
@@ -65,7 +55,7 @@ void Spatter::step(const ArcEffectsStep& step) {
         const float more = (kMostOfBurst - kLeastOfBurst) * share * countedChance(step.number, draws_++);
         burst(step, begin + static_cast<double>(each.at), static_cast<int>(kLeastOfBurst + more));
     }
-    const double mean = openRate(step) * step.seconds;
+    const double mean = openRate(step.arc, tools) * step.seconds;
     const auto drops = static_cast<int>(mean + static_cast<double>(countedChance(step.number, draws_++)));
     for (int i = 0; i < drops; ++i)
         throwDrop(step, begin + step.seconds * static_cast<double>(countedChance(step.number, draws_++)));

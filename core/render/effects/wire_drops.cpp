@@ -21,17 +21,16 @@ double WireDrops::dropDiameter(double diameter, double speed, double rate) {
 }
 
 void WireDrops::step(const ArcEffectsStep& step) {
-    burns_ = step.process != nullptr && step.process->is<Gmaw>() && step.arc.burns() &&
-             step.arc.action != ArcAction::stubbed;
+    const Equipment tools = step.process != nullptr ? equipmentOf(*step.process) : Equipment();
+    const double wire = tools.wire;
+    burns_ = wire > 0 && step.arc.burns() && step.arc.action != ArcAction::stubbed;
     if (!burns_) return;
-    const GmawSettings& set = step.process->of<Gmaw>();
-    const double wire = static_cast<double>(set.wireDiameterMm) * 1e-3;
     const bool dips = step.arc.action == ArcAction::shorting;
     // The phase of the short circuits is that of the ones that are heard.
     rate_ = dips ? static_cast<double>(step.arc.shorts) : step.dropRate;
     phase_ = dips ? step.shortPhase : phase_ + rate_ * step.seconds;
     wire_ = static_cast<float>(wire);
-    diameter_ = dropDiameter(wire, static_cast<double>(set.wireFeedMPerMin) / 60, rate_);
+    diameter_ = dropDiameter(wire, tools.wireSpeed, rate_);
     const bool sprays = diameter_ < 1.3 * wire; // between as thick as the wire and twice that, see wireDropRate()
     speed_ = sprays ? kSprayDropSpeed : kDropSpeed;
     gap_ = dips ? 0 : step.arc.length;

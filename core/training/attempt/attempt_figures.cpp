@@ -103,7 +103,7 @@ void addArc(AttemptFigures& figures, const Judgement& judgement, const ProcessSe
     figures.values["mean_current_a"] = arc.meanCurrent();
     figures.values["mean_voltage_v"] = arc.meanVoltage();
     const double length = static_cast<double>(judgement.seam.size()) * 1e-3; // as result.json has it
-    if (const auto efficiency = standardEfficiency(process); efficiency && length > 0)
+    if (const auto efficiency = traitsOf(process).efficiency; efficiency && length > 0)
         figures.values["heat_input_kj_mm"] = arc.heatInput(*efficiency, length) * 1e-6;
 }
 

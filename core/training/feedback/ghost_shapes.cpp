@@ -44,8 +44,8 @@ bool outside(const glm::mat4& toClip, const glm::vec3& point) {
 /// As much of a covered electrode as ends over the seam; its path tells where the end of a whole one would be.
 ArcState arcOf(const GhostMoment& moment, const ProcessSettings& process, const Seam& seam) {
     ArcState arc;
-    if (!process.is<Smaw>()) return arc;
-    const double whole = static_cast<double>(process.of<Smaw>().lengthMm) * 1e-3;
+    const double whole = equipmentOf(process).electrodeLength;
+    if (whole <= 0) return arc;
     const glm::dvec3 up = seam.at(moment.place).up;
     const double down = std::max(-glm::dot(glm::dvec3(moment.torch.axis()), up), kFlattest);
     const double burnt = std::max((kElectrodeOver - moment.height) / down, 0.0);

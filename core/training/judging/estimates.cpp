@@ -57,23 +57,29 @@ Rule outOfBalance() {
             }};
 }
 
-std::vector<Rule> poreRules(const ProcessSettings& process) {
-    if (process.is<Gmaw>()) return {tooFar(), tooFlat()};
-    if (process.is<Gtaw>()) return {tooLong(kGasCoverArc, "this program's choice"), tooFlat()};
-    const double core = static_cast<double>(process.of<Smaw>().diameterMm) / kPerMetre;
-    return {tooLong(kUncoveredArc * core, "twice the core, this program's choice")};
+/// `core`: m, diameter of a covered electrode.
+std::vector<Rule> poreRules(const ProcessTraits& traits, double core) {
+    switch (traits.shielding) {
+    case Shielding::gas:
+        if (traits.distance == DistanceKind::ctwd) return {tooFar(), tooFlat()};
+        return {tooLong(kGasCoverArc, "this program's choice"), tooFlat()};
+    case Shielding::slag:
+        return {tooLong(kUncoveredArc * core, "twice the core, this program's choice")};
+    case Shielding::none:
+        break;
+    }
+    return {};
 }
 
-std::vector<Rule> spatterRules(const ProcessSettings& process) {
-    if (process.is<Gmaw>()) return {outOfBalance()};
-    if (!process.is<Smaw>()) return {};
-    const double core = static_cast<double>(process.of<Smaw>().diameterMm) / kPerMetre;
-    return {tooLong(kSpatteringArc * core, "a maker asks for at most the core's diameter; the half more is this "
-                                           "program's choice")};
+std::vector<Rule> spatterRules(const ProcessTraits& traits, double core) {
+    if (traits.feedsWire) return {outOfBalance()};
+    if (traits.shielding != Shielding::slag) return {};
+    return {tooLong(kSpatteringArc * core,
+                    "a maker asks for at most the core's diameter; the half more is this program's choice")};
 }
 
-std::vector<Rule> slagRules(const ProcessSettings& process, std::optional<double> askedSpeed) {
-    if (!process.is<Smaw>()) return {};
+std::vector<Rule> slagRules(const ProcessTraits& traits, std::optional<double> askedSpeed) {
+    if (traits.shielding != Shielding::slag) return {};
     std::vector<Rule> rules{{"the electrode pushes, so that slag runs before the pool (trade knowledge)",
                              [](const SeamMillimetre& mm) { return mm.values[travelAngle] > 0; }}};
     if (!askedSpeed) return rules;
@@ -110,12 +116,16 @@ Estimate estimate(std::string name, std::span<const SeamMillimetre> seam, std::s
 
 std::vector<Estimate> estimateImperfections(std::span<const SeamMillimetre> seam, const ProcessSettings& process,
                                             std::optional<double> askedSpeed) {
+    const ProcessTraits& traits = traitsOf(process);
+    const double core = equipmentOf(process).electrode;
     std::vector<Estimate> estimates;
-    if (seam.empty() || !isArcWelding(process)) return estimates;
-    estimates.push_back(estimate("surface_pore", seam, poreRules(process)));
-    if (const auto rules = spatterRules(process); !rules.empty()) estimates.push_back(estimate("spatter", seam, rules));
-    if (const auto rules = slagRules(process, askedSpeed); !rules.empty())
-        estimates.push_back(estimate("slag_inclusion", seam, rules));
+    if (seam.empty() || !traits.arc) return estimates;
+    const auto add = [&](const char* name, std::span<const Rule> rules) {
+        if (!rules.empty()) estimates.push_back(estimate(name, seam, rules));
+    };
+    add("surface_pore", poreRules(traits, core));
+    add("spatter", spatterRules(traits, core));
+    add("slag_inclusion", slagRules(traits, askedSpeed));
     return estimates;
 }
 

@@ -22,16 +22,10 @@ void ArcAccount::add(const ArcState& arc, double step) {
     energy += static_cast<double>(arc.current) * static_cast<double>(arc.voltage) * step;
 }
 
-std::optional<double> standardEfficiency(const ProcessSettings& process) {
-    if (process.is<Gtaw>()) return 0.6;
-    if (process.is<Gmaw>() || process.is<Smaw>()) return 0.8;
-    return std::nullopt;
-}
-
 Technique techniqueOf(const WorkpieceParameters& workpiece, const ProcessSettings& process,
                       const std::optional<TechniqueBands>& bands) {
     TechniqueSettings settings;
-    settings.distance = distanceKindOf(process);
+    settings.distance = traitsOf(process).distance;
     return Technique(seamOf(workpiece), bands ? bands->settings() : settings);
 }
 

@@ -32,10 +32,6 @@ struct ArcAccount {
     double heatInput(double efficiency, double length) const { return length > 0 ? efficiency * energy / length : 0; }
 };
 
-/// Thermal efficiency by EN 1011-1: 0.8 of GMAW and SMAW, 0.6 of GTAW; none for what is no arc. The metal of this
-/// program gets what its own process says; this number is for comparing heat inputs with those of procedures.
-std::optional<double> standardEfficiency(const ProcessSettings& process);
-
 struct Judgement {
     ArcAccount arc;
     double realTime = 1;                        ///< simulated over real time while a person welded

@@ -1,7 +1,5 @@
 #include "core/training/judging/quantity.hpp"
 
-#include "core/weld/process/processes.hpp"
-
 #include <numbers>
 
 namespace meltpool {
@@ -40,10 +38,6 @@ constexpr List kElectrode = listOf("arc_length", "arc_length_mm", "arc length");
 
 const std::array<QuantityInfo, kTechniqueQuantities>& quantities(DistanceKind kind) {
     return kind == DistanceKind::ctwd ? kWire : kElectrode;
-}
-
-DistanceKind distanceKindOf(const ProcessSettings& process) {
-    return process.is<Gtaw>() || process.is<Smaw>() ? DistanceKind::arcLength : DistanceKind::ctwd;
 }
 
 const QuantityInfo& quantityInfo(TechniqueQuantity quantity, DistanceKind kind) {

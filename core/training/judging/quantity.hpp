@@ -1,21 +1,14 @@
 // The quantities of a welder's technique: their names in lessons and records, and their units.
 #pragma once
 
+#include "core/weld/process/process_traits.hpp"
+
 #include <array>
 #include <cstddef>
 #include <limits>
 #include <string_view>
 
 namespace meltpool {
-
-struct ProcessSettings;
-
-/// What TechniqueQuantity::distance is. ctwd: ArcState::distance, of wire processes from the contact tip to the work
-/// (of flame and iron from the tip). arcLength: ArcState::length, of GTAW and SMAW.
-enum class DistanceKind { ctwd, arcLength };
-
-/// Wire processes are led by the contact tip's distance, those with an electrode in the torch by the arc's length.
-DistanceKind distanceKindOf(const ProcessSettings& process);
 
 /// See the handbook's page on technique for definitions and signs.
 enum class TechniqueQuantity {

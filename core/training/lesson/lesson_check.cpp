@@ -52,7 +52,7 @@ std::vector<std::string_view> judgedKeys(const Lesson& lesson) {
 
 Expectation readExpectation(TomlTable& table, const std::string& key, const Lesson& lesson) {
     const bool technique =
-        key == "score" || key == "scored" || key == "lowest" || findQuantity(key, distanceKindOf(lesson.process));
+        key == "score" || key == "scored" || key == "lowest" || findQuantity(key, traitsOf(lesson.process).distance);
     if (technique && !lesson.technique) table.fail(key, "expected a lesson with a table [technique]");
     if ((key == "accepted" || findImperfection(key)) && !lesson.acceptance)
         table.fail(key, "expected a lesson with a table [acceptance]");

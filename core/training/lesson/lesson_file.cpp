@@ -41,8 +41,7 @@ void readProcess(TomlTable& root, ProcessSettings& settings) {
     const std::string where = group.file().string() + ":" + std::to_string(group.lineOf("process"));
     if (group.has("process")) {
         const std::string kind = group.text("process");
-        // Lessons of earlier editions call GTAW by its other name.
-        setParameter(describe(settings), "process", kind == "tig" ? "gtaw" : kind, where);
+        setParameter(describe(settings), "process", std::string(presentProcessName(kind)), where);
     }
     const ParameterList list = describe(settings);
     for (const Parameter& parameter : list)
@@ -161,7 +160,7 @@ void readTechnique(TomlTable& root, Lesson& lesson) {
     root.allow("technique");
     if (!root.has("technique")) return;
     TomlTable group = root.table("technique");
-    lesson.technique = readTechniqueBands(group, distanceKindOf(lesson.process), seamOf(lesson.workpiece));
+    lesson.technique = readTechniqueBands(group, traitsOf(lesson.process).distance, seamOf(lesson.workpiece));
     group.finish();
 }
 

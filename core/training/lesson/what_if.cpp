@@ -39,7 +39,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kShortNam
 
 /// The one of both lengths that this lesson's hand leads.
 std::string_view lengthKey(const Lesson& lesson) {
-    return distanceKindOf(lesson.process) == DistanceKind::arcLength ? "arc_length" : "stick_out";
+    return traitsOf(lesson.process).distance == DistanceKind::arcLength ? "arc_length" : "stick_out";
 }
 
 bool fitsProcess(std::string_view key, const Lesson& lesson) {
@@ -124,7 +124,8 @@ class Reader {
 
     [[noreturn]] void fail(const std::string& key) {
         std::string hint;
-        if (key == "current" && lesson_.process.is<Gmaw>()) hint = "the current comes with the wire, see wire_feed; ";
+        if (key == "current" && traitsOf(lesson_.process).feedsWire)
+            hint = "the current comes with the wire, see wire_feed; ";
         if (key == "arc_length") hint = "the voltage sets the length of a wire's arc; ";
         throw InputError(where_ + ": " + quote(key) + " is nothing that can be changed in this lesson; " + hint +
                          "expected one of " + knownKeys(lesson_));

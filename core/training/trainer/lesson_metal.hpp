@@ -18,8 +18,8 @@ namespace meltpool {
 /// made by the first call after the metal changed, which stay as they are while further steps are made.
 class LessonMetal {
   public:
-    /// `there`: the metal's context, null for the calling thread's. It must outlive the metal and be of a driver of
-    /// gl::dispatchIsSynchronous(). Throws what makeMetalModel() throws.
+    /// `there`: the metal's context, null for the calling thread's. It must outlive the metal, and any
+    /// thread must be able to read its buffers (gl::directMemory()). Throws what makeMetalModel() throws.
     LessonMetal(gl::ShaderLibrary& shaders, const Lesson& lesson, gl::OtherContext* there);
     ~LessonMetal();
     LessonMetal(const LessonMetal&) = delete;

@@ -122,13 +122,14 @@ Json weldOf(const WeldMeasures& weld) {
 /// Means while the arc burned. Heat input over the whole millimetres of seam on which it did.
 Json arcOf(const Judgement& judgement, const ProcessSettings& process) {
     const ArcAccount& arc = judgement.arc;
-    Json json{{"process", AllProcesses::kNames[static_cast<size_t>(process.kind)]},
+    const ProcessTraits& traits = traitsOf(process);
+    Json json{{"process", traits.name},
               {"seconds", jsonNumber(arc.seconds)},
               {"mean_current_a", jsonNumber(arc.meanCurrent())},
               {"mean_voltage_v", jsonNumber(arc.meanVoltage())},
               {"energy_kj", jsonNumber(arc.energy * 1e-3)}};
     const double length = static_cast<double>(judgement.seam.size()) * 1e-3;
-    if (const auto efficiency = standardEfficiency(process); efficiency && length > 0) {
+    if (const auto efficiency = traits.efficiency; efficiency && length > 0) {
         json["seam_mm"] = jsonNumber(length * 1e3);
         json["travel_speed_mm_s"] = jsonNumber(length * 1e3 / arc.seconds);
         json["efficiency_en_1011_1"] = *efficiency;

@@ -24,8 +24,7 @@ Trainer::Trainer(gl::ShaderLibrary& shaders, Lesson lesson, gl::OtherContext* me
     if (lesson_.model != LessonModel::Weld) return;
     sight_.open(scene);
     technique_.emplace(techniqueOf(lesson_.workpiece, lesson_.process, lesson_.technique));
-    // Aluminium is welded with alternating current, which breaks its oxide.
-    sound_.setAlternating(std::string_view(lesson_.workpiece.metal).starts_with("aluminium"));
+    sound_.setAlternating(workpieceMaterial(lesson_.workpiece).alternatingCurrent);
 }
 
 Trainer::~Trainer() = default;

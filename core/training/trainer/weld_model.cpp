@@ -71,10 +71,10 @@ void WeldModel::reset() {
 
 void WeldModel::apply(const Lesson& lesson) {
     const int kind = process_.kind;
-    const MachineSettings shown = machineSettings(process_);
+    const auto shown = equipmentOf(process_).displays;
     process_ = lesson.process;
     process_.kind = kind; // another process waits for the next start
-    if (machineSettings(process_) != shown) furnish();
+    if (equipmentOf(process_).displays != shown) furnish();
     weld_.apply(process_);
 }
 
@@ -124,10 +124,9 @@ SceneView WeldModel::scene(const TorchSample& torch) const {
     scene.temperature = {kRoomTemperature, colourTop(material_), true, static_cast<float>(material_.solidus),
                          static_cast<float>(material_.liquidus)};
     scene.looks = &material_.looks;
-    scene.ripples = ripplesOf(process_);
+    scene.ripples = equipmentOf(process_).ripples;
     scene.rolled = rolled_;
-    // Silicon and manganese of the wire make the oxide; hot-rolled steel brings more.
-    if (process_.is<Gmaw>() && material_.looks.millScale > 0)
+    if (traitsOf(process_).oxideIslands && material_.looks.millScale > 0)
         scene.oxideRadius = kOxideRadius * workpiece_.lattice.spacing;
     return scene;
 }

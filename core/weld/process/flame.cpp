@@ -12,8 +12,16 @@ namespace {
 constexpr float kMm = 1e-3F;
 /// Spacings that heated metal lies deeper beside the axis than on it.
 constexpr float kRelief = 3;
+/// Its pool is wide and slow.
+constexpr FreezingRipples kRipples{4, 0.7F};
 
 } // namespace
+
+constinit const ProcessTraits Flame::kTraits{.name = kName, .torch = TorchShape::burner, .sound = {.roar = 0.10F}};
+
+Equipment Flame::equipment(const FlameSettings& settings) {
+    return {.rod = static_cast<double>(settings.rodDiameterMm) * 1e-3, .ripples = kRipples};
+}
 
 ParameterList describe(FlameSettings& s) {
     return {

@@ -17,6 +17,8 @@ class Flame : public RodProcess {
   public:
     using Settings = FlameSettings;
     static constexpr std::string_view kName = "flame";
+    static const ProcessTraits kTraits;
+    static Equipment equipment(const Settings& settings);
 
     using RodProcess::RodProcess;
     void apply(const ProcessSettings& settings) override;

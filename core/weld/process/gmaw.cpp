@@ -26,6 +26,30 @@ constexpr float kStraightWire = 0.06F;
 constexpr float kMostShorts = 120;
 /// m of arc over which the shorts become fewer; none: chosen.
 constexpr float kShortingLength = 1e-3F;
+/// 1/s of an open arc that does not spray, see Equipment::spatter.
+constexpr double kOpenSpatter = 45;
+/// Drops finer than the wire leave the pool calm.
+constexpr FreezingRipples kDipRipples{10, 1}, kSprayRipples{16, 0.5F};
+
+constexpr std::array kRetired{
+    RetiredSetting{"current", "the current follows from voltage and wire_feed_m_min"},
+    kRetiredEfficiency,
+    kRetiredSigma,
+    RetiredSetting{"arc_length_mm", "the arc's length follows from voltage and wire_feed_m_min"},
+    RetiredSetting{"drop_temperature_c", "the drops' temperature is a constant of the process"},
+    RetiredSetting{"drop_speed", "the drops' speed is a constant of the process"},
+};
+
+/// At the current that melts the wire as fast as it is fed.
+FreezingRipples ripplesOf(const GmawSettings& settings) {
+    const auto diameter = static_cast<double>(settings.wireDiameterMm);
+    const double current = WireMelting::steel(diameter * 1e-3)
+                               .current(static_cast<double>(settings.wireFeedMPerMin) / 60,
+                                        static_cast<double>(settings.stickOutMm) * 1e-3);
+    const auto sprays = static_cast<float>(sprayShare(current, diameter));
+    return {std::lerp(kDipRipples.frequency, kSprayRipples.frequency, sprays),
+            std::lerp(kDipRipples.height, kSprayRipples.height, sprays)};
+}
 
 } // namespace
 
@@ -36,6 +60,29 @@ double sprayShare(double current, double diameterMm) {
 
 double sprayHeatRadius(double current) {
     return kSprayRadius * std::pow(std::max(current, kLeastArcCurrent) / kSprayRadiusCurrent, kSprayRadiusExponent);
+}
+
+constinit const ProcessTraits Gmaw::kTraits{
+    .name = kName,
+    .arc = true,
+    .feedsWire = true,
+    .striking = Striking::wire,
+    .shielding = Shielding::gas,
+    .torch = TorchShape::wireTorch,
+    .efficiency = 0.8,
+    .fume = 1,
+    .oxideIslands = true,
+    // Rule of thumb for the gas: half a second; no document was checked.
+    .sound = {.quiet = 0.020F, .loud = 0.110F, .lowPitch = 1100, .highPitch = 6000, .postFlow = 0.5},
+    .retired = kRetired};
+
+Equipment Gmaw::equipment(const GmawSettings& settings) {
+    return {.wire = static_cast<double>(settings.wireDiameterMm) * 1e-3,
+            .wireSpeed = static_cast<double>(settings.wireFeedMPerMin) * (1.0 / 60),
+            .heldBehind = static_cast<double>(settings.stickOutMm) * 1e-3,
+            .spatter = kOpenSpatter,
+            .ripples = ripplesOf(settings),
+            .displays = {{{settings.voltage, "v", 1}, {settings.wireFeedMPerMin, "m/min", 1}}}};
 }
 
 ParameterList describe(GmawSettings& s) {

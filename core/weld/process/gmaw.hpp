@@ -27,6 +27,8 @@ class Gmaw : public Process {
   public:
     using Settings = GmawSettings;
     static constexpr std::string_view kName = "gmaw";
+    static const ProcessTraits kTraits;
+    static Equipment equipment(const Settings& settings);
 
     explicit Gmaw(const ProcessMetal& metal);
     void apply(const ProcessSettings& settings) override;

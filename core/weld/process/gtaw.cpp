@@ -5,6 +5,7 @@
 #include "core/weld/process/weld_constants.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace meltpool {
@@ -21,11 +22,47 @@ constexpr double kMachineReserve = 1.35; // of the load line, where the arc goes
 constexpr float kStrikeGap = 4e-3F;      // m that the high-frequency spark jumps; trade knowledge, no document checked
 constexpr float kTouch = 0.25e-3F;       // m: the surface is known to within about that
 
+/// Nothing falls into its pool but the rod, whose dips show in the freezing times themselves.
+constexpr FreezingRipples kRipples{6, 0.7F};
+
+constexpr std::array kRetired{
+    RetiredSetting{"voltage", "the voltage follows from the arc's length"},
+    kRetiredEfficiency,
+    kRetiredSigma,
+    RetiredSetting{"arc_length_mm", "the arc's length is the distance of the torch from the metal"},
+};
+
 double loadLine(double current) {
     return kLoadLineVoltage + kLoadLineSlope * current;
 }
 
 } // namespace
+
+constinit const ProcessTraits Gtaw::kTraits{
+    .name = kName,
+    .formerName = "tig",
+    .arc = true,
+    .distance = DistanceKind::arcLength,
+    .striking = Striking::spark,
+    .shielding = Shielding::gas,
+    .torch = TorchShape::tungstenTorch,
+    .efficiency = 0.6,
+    .alternating = 100, // none: chosen
+    // Rule of thumb for the gas: a second for each 10 A, at least five; no document was checked.
+    .sound = {.quiet = 0.016F,
+              .loud = 0.070F,
+              .lowPitch = 1400,
+              .highPitch = 6500,
+              .scratches = true,
+              .postFlow = 5,
+              .postFlowPerAmpere = 0.1},
+    .retired = kRetired};
+
+Equipment Gtaw::equipment(const GtawSettings& settings) {
+    return {.rod = static_cast<double>(settings.rodDiameterMm) * kMm,
+            .ripples = kRipples,
+            .displays = {{{settings.current, "a"}}}};
+}
 
 ParameterList describe(GtawSettings& s) {
     return {

@@ -25,6 +25,8 @@ class Gtaw : public RodProcess {
   public:
     using Settings = GtawSettings;
     static constexpr std::string_view kName = "gtaw";
+    static const ProcessTraits kTraits;
+    static Equipment equipment(const Settings& settings);
 
     using RodProcess::RodProcess;
     void apply(const ProcessSettings& settings) override;

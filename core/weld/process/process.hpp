@@ -15,7 +15,9 @@
 
 namespace meltpool {
 
+struct Equipment;
 struct ProcessSettings;
+struct ProcessTraits;
 
 /// What a process must know of the metal that it works on.
 struct ProcessMetal {

@@ -1,28 +1,26 @@
 #include "core/weld/process/processes.hpp"
 
+#include <numbers>
+
 namespace meltpool {
 
 namespace {
 
-struct RetiredKey {
-    std::string_view process, key, successor;
-};
+template <class... P>
+std::span<const ProcessTraits* const> allTraits(ProcessList<P...>) {
+    static constexpr std::array<const ProcessTraits*, sizeof...(P)> kAll{&P::kTraits...};
+    return kAll;
+}
 
-constexpr std::string_view kEfficiency = "the efficiency is a constant of the process";
-constexpr std::string_view kSigma = "the width of the heat follows from the arc's length and current";
-constexpr std::string_view kArcLength = "the arc's length is the distance of the torch from the metal";
-constexpr std::array kRetired{
-    RetiredKey{"gtaw", "voltage", "the voltage follows from the arc's length"},
-    RetiredKey{"gtaw", "efficiency", kEfficiency},
-    RetiredKey{"gtaw", "sigma_mm", kSigma},
-    RetiredKey{"gtaw", "arc_length_mm", kArcLength},
-    RetiredKey{"gmaw", "current", "the current follows from voltage and wire_feed_m_min"},
-    RetiredKey{"gmaw", "efficiency", kEfficiency},
-    RetiredKey{"gmaw", "sigma_mm", kSigma},
-    RetiredKey{"gmaw", "arc_length_mm", "the arc's length follows from voltage and wire_feed_m_min"},
-    RetiredKey{"gmaw", "drop_temperature_c", "the drops' temperature is a constant of the process"},
-    RetiredKey{"gmaw", "drop_speed", "the drops' speed is a constant of the process"},
-};
+template <class... P>
+Equipment equipmentIn(const ProcessSettings& settings, ProcessList<P...>) {
+    Equipment made;
+    const auto attempt = [&]<class One>(std::type_identity<One>) {
+        if (settings.is<One>()) made = One::equipment(settings.of<One>());
+    };
+    (attempt(std::type_identity<P>{}), ...);
+    return made;
+}
 
 template <class... P>
 ParameterList settingsOf(ProcessSettings& settings, ProcessList<P...>) {
@@ -56,19 +54,22 @@ ParameterList describe(ProcessSettings& settings) {
     return list;
 }
 
-bool isArcWelding(const ProcessSettings& settings) {
-    return settings.is<Gmaw>() || settings.is<Gtaw>() || settings.is<Smaw>();
+const ProcessTraits& traitsOf(const ProcessSettings& settings) {
+    return *allTraits(AllProcesses{})[static_cast<size_t>(settings.kind)];
 }
 
-double rodDiameter(const ProcessSettings& settings) {
-    if (settings.is<Gtaw>()) return static_cast<double>(settings.of<Gtaw>().rodDiameterMm) * 1e-3;
-    if (settings.is<Flame>()) return static_cast<double>(settings.of<Flame>().rodDiameterMm) * 1e-3;
-    if (settings.is<SolderingIron>()) return static_cast<double>(settings.of<SolderingIron>().rodDiameterMm) * 1e-3;
-    return 0;
+Equipment equipmentOf(const ProcessSettings& settings) {
+    return equipmentIn(settings, AllProcesses{});
 }
 
-double heldBehind(const ProcessSettings& settings) {
-    return settings.is<Gmaw>() ? static_cast<double>(settings.of<Gmaw>().stickOutMm) * 1e-3 : 0.0;
+double Equipment::wireRate() const {
+    return std::numbers::pi / 4 * wire * wire * wireSpeed;
+}
+
+std::string_view presentProcessName(std::string_view name) {
+    for (const ProcessTraits* traits : allTraits(AllProcesses{}))
+        if (!traits->formerName.empty() && traits->formerName == name) return traits->name;
+    return name;
 }
 
 std::unique_ptr<Process> makeProcess(const ProcessSettings& settings, const ProcessMetal& metal) {
@@ -78,9 +79,8 @@ std::unique_ptr<Process> makeProcess(const ProcessSettings& settings, const Proc
 }
 
 std::string_view successorOf(const ProcessSettings& settings, std::string_view key) {
-    const std::string_view process = AllProcesses::kNames[static_cast<size_t>(settings.kind)];
-    for (const RetiredKey& retired : kRetired)
-        if (retired.process == process && retired.key == key) return retired.successor;
+    for (const RetiredSetting& retired : traitsOf(settings).retired)
+        if (retired.key == key) return retired.successor;
     return {};
 }
 

@@ -1,9 +1,11 @@
-// The welding processes that lessons can name. A new one is a file of its own and one line in `AllProcesses`.
+// The welding processes that lessons can name. A new one is a class in a file of its own and one line in
+// `AllProcesses`.
 #pragma once
 
 #include "core/weld/process/flame.hpp"
 #include "core/weld/process/gmaw.hpp"
 #include "core/weld/process/gtaw.hpp"
+#include "core/weld/process/process_traits.hpp"
 #include "core/weld/process/smaw.hpp"
 #include "core/weld/process/soldering_iron.hpp"
 
@@ -51,18 +53,32 @@ struct ProcessSettings {
     }
 };
 
-/// Welds with an arc: GMAW, GTAW and SMAW.
-bool isArcWelding(const ProcessSettings& settings);
+/// Constants of the chosen process. They outlive the settings.
+const ProcessTraits& traitsOf(const ProcessSettings& settings);
+/// Torch, consumables and machine of the chosen process as it is set.
+Equipment equipmentOf(const ProcessSettings& settings);
+
+/// Welds with an arc.
+inline bool isArcWelding(const ProcessSettings& settings) {
+    return traitsOf(settings).arc;
+}
 
 /// Diameter (m) of the filler rod or wire in the other hand, which this process melts; 0: none is held.
-double rodDiameter(const ProcessSettings& settings);
+inline double rodDiameter(const ProcessSettings& settings) {
+    return equipmentOf(settings).rod;
+}
 inline bool holdsRod(const ProcessSettings& settings) {
     return rodDiameter(settings) > 0;
 }
 
 /// m from the place that a torch's sample names, along the torch, back to what it is held by its distance from: the
 /// contact tip of GMAW. 0 where both are one.
-double heldBehind(const ProcessSettings& settings);
+inline double heldBehind(const ProcessSettings& settings) {
+    return equipmentOf(settings).heldBehind;
+}
+
+/// The name that lessons and records give this process today; `name` may be one of an earlier edition.
+std::string_view presentProcessName(std::string_view name);
 
 /// The choice of process, and the settings of the one that is chosen.
 ParameterList describe(ProcessSettings& settings);

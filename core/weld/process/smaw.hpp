@@ -34,6 +34,8 @@ class Smaw : public Process {
   public:
     using Settings = SmawSettings;
     static constexpr std::string_view kName = "smaw";
+    static const ProcessTraits kTraits;
+    static Equipment equipment(const Settings& settings);
 
     using Process::Process;
     void apply(const ProcessSettings& settings) override;

@@ -14,6 +14,14 @@ constexpr float kKelvin = 273.15F;
 
 } // namespace
 
+constinit const ProcessTraits SolderingIron::kTraits{.name = kName, .torch = TorchShape::iron};
+
+Equipment SolderingIron::equipment(const IronSettings& settings) {
+    return {.rod = static_cast<double>(settings.rodDiameterMm) * 1e-3,
+            .displays = {{{settings.tipTemperatureC, "\xC2\xB0"
+                                                     "c"}}}};
+}
+
 ParameterList describe(IronSettings& s) {
     return {
         {"tip_temperature_c", "Iron", "°C", &s.tipTemperatureC, 20, 1500, "temperature of the tip"},

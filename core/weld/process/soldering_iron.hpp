@@ -16,6 +16,8 @@ class SolderingIron : public RodProcess {
   public:
     using Settings = IronSettings;
     static constexpr std::string_view kName = "iron";
+    static const ProcessTraits kTraits;
+    static Equipment equipment(const Settings& settings);
 
     using RodProcess::RodProcess;
     void apply(const ProcessSettings& settings) override;

@@ -87,6 +87,15 @@ TEST_CASE("Sulphur lowers surface tension and turns its slope, as the published 
     }
 }
 
+TEST_CASE("Aluminium alone of the shipped metals is welded with alternating current", "[materials]") {
+    for (const auto& file : materialFiles(sourceMaterial("s235").parent_path())) {
+        const Material m = readMaterial(file);
+        INFO(m.key);
+        CHECK(m.alternatingCurrent == (m.key == "aluminium-6061"));
+        CHECK(m.weldingSource.empty() != m.alternatingCurrent);
+    }
+}
+
 TEST_CASE("The steel standard's formulas come out of its tables", "[materials]") {
     const Material steel = readMaterial(sourceMaterial("s235"));
     for (const double celsius : {20.0, 137.0, 333.0, 512.0, 580.0}) {
@@ -139,6 +148,10 @@ TEST_CASE("A material file's faults are named with their line", "[materials]") {
     CHECK_THAT(faultOf("solidus = {", "solidos = {"), containsText("solidus: is missing"));
     CHECK_THAT(faultOf("[liquid]", "[liquid]\ncolour = 3"), containsText("colour: unknown key; known here:"));
     CHECK_THAT(faultOf(", source = \"EN 1993-1-2:2005, 3.2.2\"", ""), containsText("source: is missing"));
+    CHECK_THAT(faultOf("[looks]", "[welding]\nalternating_current = 1\nsource = \"none\"\n[looks]"),
+               containsText("[welding] alternating_current: expected true or false"));
+    CHECK_THAT(faultOf("[looks]", "[welding]\nalternating_current = true\n[looks]"),
+               containsText("source: is missing"));
     CHECK_THAT(faultOf("1813.15", "1713.15"), containsText("must not lie below the solidus"));
     CHECK_THAT(faultOf("[333.15,", "[233.15,"), containsText("temperatures must rise"));
     CHECK_THAT(faultOf("[boiling]", "[boiling"), containsText("bad.toml:4"));

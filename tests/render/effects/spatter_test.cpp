@@ -105,7 +105,10 @@ TEST_CASE("a long arc spatters more than a short one, a covered electrode more t
     ProcessSettings smaw, gtaw;
     smaw.choose<Smaw>();
     gtaw.choose<Gtaw>();
-    CHECK(bornOf(smaw, arcOf(ArcAction::burning)) > normal);
+    const auto rutile = bornOf(smaw, arcOf(ArcAction::burning));
+    CHECK(rutile > normal);
+    smaw.of<Smaw>().electrode = 2; // cellulosic
+    CHECK(double(bornOf(smaw, arcOf(ArcAction::burning))) == Approx(2 * double(rutile)).epsilon(0.1));
     CHECK(bornOf(gtaw, arcOf(ArcAction::breaking, 0.9F)) == 0);
 }
 

@@ -501,11 +501,11 @@ TEST_CASE("wire, flame and iron are led by the tip's distance, electrodes by the
           "[training][technique]") {
     ProcessSettings process;
     process.choose<Gmaw>();
-    CHECK(distanceKindOf(process) == DistanceKind::ctwd);
+    CHECK(traitsOf(process).distance == DistanceKind::ctwd);
     process.choose<Flame>();
-    CHECK(distanceKindOf(process) == DistanceKind::ctwd);
+    CHECK(traitsOf(process).distance == DistanceKind::ctwd);
     process.choose<Gtaw>();
-    CHECK(distanceKindOf(process) == DistanceKind::arcLength);
+    CHECK(traitsOf(process).distance == DistanceKind::arcLength);
     process.choose<Smaw>();
-    CHECK(distanceKindOf(process) == DistanceKind::arcLength);
+    CHECK(traitsOf(process).distance == DistanceKind::arcLength);
 }

@@ -3,7 +3,6 @@
 #include "core/base/text.hpp"
 #include "core/training/trainer/classic_model.hpp"
 #include "core/training/trainer/trainer.hpp"
-#include "core/weld/process/ripples.hpp"
 #include "core/weld/torch/torch_csv.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
@@ -310,7 +309,7 @@ TEST_CASE("oxide floats where GMAW melts hot-rolled steel, and a weld's ripples 
     const SceneView wire = Trainer(test::shaders(), lesson).scene();
     CHECK(wire.oxideRadius > 0);
     CHECK(wire.rolled.count == 1);
-    CHECK(wire.ripples.frequency == ripplesOf(lesson.process).frequency);
+    CHECK(wire.ripples.frequency == equipmentOf(lesson.process).ripples.frequency);
     lesson.process.choose<Gtaw>();
     const Trainer tungsten(test::shaders(), lesson);
     CHECK(tungsten.scene().oxideRadius == 0);

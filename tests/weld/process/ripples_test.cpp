@@ -1,6 +1,5 @@
 // How often each process lets a pool's tail freeze in waves.
 #include "core/weld/process/processes.hpp"
-#include "core/weld/process/ripples.hpp"
 #include "tests/support/catch.hpp"
 
 #include <array>
@@ -14,7 +13,7 @@ template <class P>
 FreezingRipples of() {
     ProcessSettings settings;
     settings.choose<P>();
-    return ripplesOf(settings);
+    return equipmentOf(settings).ripples;
 }
 
 FreezingRipples ofWire(float feedMPerMin) {
@@ -22,7 +21,7 @@ FreezingRipples ofWire(float feedMPerMin) {
     GmawSettings& gmaw = settings.choose<Gmaw>();
     gmaw.wireDiameterMm = 1.2F;
     gmaw.wireFeedMPerMin = feedMPerMin;
-    return ripplesOf(settings);
+    return equipmentOf(settings).ripples;
 }
 
 } // namespace

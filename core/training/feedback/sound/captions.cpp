@@ -19,7 +19,7 @@ constexpr double kMomentStays = 1.0; // s that ticks and strokes are told
 
 /// Mean and square of the rate over the last kMemory, from the first short circuit on.
 void Captions::followRate(const SoundStep& step) {
-    const bool shorts = step.arc.action == ArcAction::shorting && step.process == SoundProcess::gmaw;
+    const bool shorts = step.arc.action == ArcAction::shorting && step.process != nullptr && step.process->feedsWire;
     const double rate = shorts ? static_cast<double>(step.arc.shorts) : 0;
     if (!shorts && mean_ < kForgotten) {
         mean_ = square_ = weight_ = 0;

@@ -32,11 +32,6 @@ struct SoundLevels {
 /// Follows the steps: what they sound like now, and what begins in them.
 class SoundState {
   public:
-    /// s of gas after the arc. Rules of thumb: GMAW half a second, GTAW one second for each 10 A, at least five; no
-    /// document was checked.
-    static constexpr double kGmawPostFlow = 0.5;
-    static constexpr double kGtawPostFlow = 5;
-    static constexpr double kGtawPostFlowPerAmpere = 0.1;
     /// K by which the metal's hottest place cools between two ticks, while it is below kTickBelow. None: chosen.
     static constexpr float kTickStep = 25;
     static constexpr float kTickBelow = 1100;

@@ -12,16 +12,7 @@ namespace meltpool {
 namespace {
 
 constexpr double kMm = 1e-3;
-constexpr double kMetresPerMinute = 1.0 / 60;
 constexpr double kGlobularDrop = 2; // wire diameters
-
-SoundProcess processOf(const ProcessSettings& settings) {
-    if (settings.is<Gmaw>()) return SoundProcess::gmaw;
-    if (settings.is<Gtaw>()) return SoundProcess::gtaw;
-    if (settings.is<Smaw>()) return SoundProcess::smaw;
-    if (settings.is<Flame>()) return SoundProcess::flame;
-    return SoundProcess::iron;
-}
 
 bool isOpen(const ArcState& arc) {
     return arc.action == ArcAction::burning || arc.action == ArcAction::breaking;
@@ -56,19 +47,16 @@ void SoundSource::step(const ProcessSettings& settings, const ArcState& arc, con
     shorts_.step(arc, seconds);
     last_ = {};
     last_.seconds = seconds;
-    last_.process = processOf(settings);
+    last_.process = &traitsOf(settings);
     last_.arc = arc;
     last_.trigger = std::clamp(torch.trigger, 0.0F, 1.0F);
     last_.hottest = static_cast<float>(hottest);
     if (tip_ && seconds > 0) last_.tipSpeed = glm::distance(*tip_, torch.tip) / static_cast<float>(seconds);
     tip_ = torch.tip;
-    if (alternating_ && last_.process == SoundProcess::gtaw) last_.alternating = kAlternating;
-    if (last_.process == SoundProcess::gmaw && isOpen(arc)) {
-        const GmawSettings& set = settings.of<Gmaw>();
-        last_.dropRate = static_cast<float>(wireDropRate(static_cast<double>(set.wireDiameterMm) * kMm,
-                                                         static_cast<double>(set.wireFeedMPerMin) * kMetresPerMinute,
-                                                         static_cast<double>(arc.current)));
-    }
+    if (alternating_) last_.alternating = last_.process->alternating;
+    if (const Equipment tools = equipmentOf(settings); tools.wire > 0 && isOpen(arc))
+        last_.dropRate =
+            static_cast<float>(wireDropRate(tools.wire, tools.wireSpeed, static_cast<double>(arc.current)));
     last_.shortPhase = shorts_.phase();
     last_.shortCount = shorts_.last().size();
     std::copy(shorts_.last().begin(), shorts_.last().end(), last_.shorts.begin());

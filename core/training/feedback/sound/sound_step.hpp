@@ -11,13 +11,10 @@
 
 namespace meltpool {
 
-/// What sounds.
-enum class SoundProcess { none, gmaw, gtaw, smaw, flame, iron };
-
 /// One step, for ears. Small and without memory of its own, so that a thread can hand it to another one.
 struct SoundStep {
-    double seconds = 0; ///< length of the step
-    SoundProcess process = SoundProcess::none;
+    double seconds = 0;                     ///< length of the step
+    const ProcessTraits* process = nullptr; ///< null: nothing sounds
     ArcState arc;
     float trigger = 0;     ///< 0 released .. 1: gas flows, the machine is on
     float dropRate = 0;    ///< 1/s, drops that leave the wire of an open arc
@@ -40,10 +37,7 @@ double wireDropRate(double diameter, double speed, double current);
 /// Makes what is heard of a lesson's steps. The same steps give the same, to the last bit.
 class SoundSource {
   public:
-    /// Hz of the alternating current that TIG machines give for aluminium. None: chosen.
-    static constexpr float kAlternating = 100;
-
-    /// `alternating`: the machine's current does; for GTAW only.
+    /// `alternating`: the metal is welded with alternating current by processes whose machine gives it.
     void setAlternating(bool alternating) { alternating_ = alternating; }
     void reset();
     /// `hottest`: of the metal, K.

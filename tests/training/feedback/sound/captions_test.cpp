@@ -19,19 +19,19 @@ std::string after(Captions& captions, const SoundStep& step, double seconds) {
 
 TEST_CASE("captions name what is heard", "[sound]") {
     Captions captions;
-    CHECK(after(captions, noArc(SoundProcess::gmaw), 1).empty());
-    CHECK(after(captions, noArc(SoundProcess::gmaw, 1), 1) == "Gas flows");
-    SoundStep spray = openArc(SoundProcess::gmaw);
+    CHECK(after(captions, noArc(Gmaw::kTraits), 1).empty());
+    CHECK(after(captions, noArc(Gmaw::kTraits, 1), 1) == "Gas flows");
+    SoundStep spray = openArc(Gmaw::kTraits);
     spray.dropRate = 250;
     CHECK(after(captions, spray, 1) == "Drops hum");
     spray.dropRate = 20;
     CHECK(after(captions, spray, 1) == "Large drops fall");
-    CHECK(after(captions, openArc(SoundProcess::gmaw, 0.9F), 1) == "A long arc hisses");
-    CHECK(after(captions, noArc(SoundProcess::gmaw), 0.4) == "Gas flows"); // after the arc
-    CHECK(after(captions, noArc(SoundProcess::gmaw), 2).empty());
-    CHECK(after(captions, openArc(SoundProcess::smaw), 1) == "The electrode crackles");
-    CHECK(after(captions, openArc(SoundProcess::gtaw), 1) == "The arc hisses softly");
-    CHECK(after(captions, noArc(SoundProcess::flame, 1), 1) == "The flame roars");
+    CHECK(after(captions, openArc(Gmaw::kTraits, 0.9F), 1) == "A long arc hisses");
+    CHECK(after(captions, noArc(Gmaw::kTraits), 0.4) == "Gas flows"); // after the arc
+    CHECK(after(captions, noArc(Gmaw::kTraits), 2).empty());
+    CHECK(after(captions, openArc(Smaw::kTraits), 1) == "The electrode crackles");
+    CHECK(after(captions, openArc(Gtaw::kTraits), 1) == "The arc hisses softly");
+    CHECK(after(captions, noArc(Flame::kTraits, 1), 1) == "The flame roars");
 }
 
 TEST_CASE("captions tell even short circuits from uneven ones", "[sound]") {
@@ -41,20 +41,20 @@ TEST_CASE("captions tell even short circuits from uneven ones", "[sound]") {
         captions.step(shorting(shorts));
     CHECK(captions.text() == "Short circuits, even");
     for (int i = 0; i < 180; ++i)
-        captions.step(i % 40 < 20 ? shorting(shorts, 120) : openArc(SoundProcess::gmaw));
+        captions.step(i % 40 < 20 ? shorting(shorts, 120) : openArc(Gmaw::kTraits));
     CHECK(captions.text() == "Short circuits, uneven");
-    SoundStep stubs = openArc(SoundProcess::gmaw);
+    SoundStep stubs = openArc(Gmaw::kTraits);
     stubs.arc.action = ArcAction::stubbed;
     CHECK(after(captions, stubs, 0.5) == "The wire stubs");
 }
 
 TEST_CASE("a caption does not flicker", "[sound]") {
     Captions captions;
-    after(captions, openArc(SoundProcess::smaw), 1);
+    after(captions, openArc(Smaw::kTraits), 1);
     int changes = 0;
     std::string last(captions.text());
     for (int i = 0; i < 900; ++i) { // an arc that goes out for a moment again and again
-        captions.step(i % 20 < 3 ? noArc(SoundProcess::smaw, 1) : openArc(SoundProcess::smaw));
+        captions.step(i % 20 < 3 ? noArc(Smaw::kTraits, 1) : openArc(Smaw::kTraits));
         changes += captions.text() != last ? 1 : 0;
         last = captions.text();
     }
@@ -64,7 +64,7 @@ TEST_CASE("a caption does not flicker", "[sound]") {
 TEST_CASE("an ear hands steps on in order, drops what nobody takes, and chips with the next step", "[sound]") {
     Ear ear;
     for (size_t i = 0; i < SoundFeed::kRoom + 10; ++i) {
-        SoundStep step = noArc(SoundProcess::smaw);
+        SoundStep step = noArc(Smaw::kTraits);
         step.hottest = static_cast<float>(i);
         ear.hear(step);
     }
@@ -77,8 +77,8 @@ TEST_CASE("an ear hands steps on in order, drops what nobody takes, and chips wi
     }
     CHECK_FALSE(ear.feed().pop(taken));
     ear.chip(3);
-    ear.hear(noArc(SoundProcess::smaw));
-    ear.hear(noArc(SoundProcess::smaw));
+    ear.hear(noArc(Smaw::kTraits));
+    ear.hear(noArc(Smaw::kTraits));
     REQUIRE(ear.feed().pop(taken));
     CHECK(taken.chips == 3);
     REQUIRE(ear.feed().pop(taken));

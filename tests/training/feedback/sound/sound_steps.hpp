@@ -11,10 +11,10 @@ namespace meltpool::test {
 inline constexpr double kSoundStep = 1.0 / 90; ///< s
 
 /// An open arc of 120 A; `stretch` 0..1.
-inline SoundStep openArc(SoundProcess process, float stretch = 0, float share = 1) {
+inline SoundStep openArc(const ProcessTraits& process, float stretch = 0, float share = 1) {
     SoundStep step;
     step.seconds = kSoundStep;
-    step.process = process;
+    step.process = &process;
     step.trigger = share;
     step.arc.action = ArcAction::burning;
     step.arc.share = share;
@@ -25,10 +25,10 @@ inline SoundStep openArc(SoundProcess process, float stretch = 0, float share = 
     return step;
 }
 
-inline SoundStep noArc(SoundProcess process, float trigger = 0) {
+inline SoundStep noArc(const ProcessTraits& process, float trigger = 0) {
     SoundStep step;
     step.seconds = kSoundStep;
-    step.process = process;
+    step.process = &process;
     step.trigger = trigger;
     step.arc.noArc = NoArc::released;
     return step;
@@ -36,7 +36,7 @@ inline SoundStep noArc(SoundProcess process, float trigger = 0) {
 
 /// A wire that shorts `rate` times a second; takes the short circuits of the step from `shorts`.
 inline SoundStep shorting(ShortCircuits& shorts, float rate = 120) {
-    SoundStep step = openArc(SoundProcess::gmaw);
+    SoundStep step = openArc(Gmaw::kTraits);
     step.arc.action = ArcAction::shorting;
     step.arc.length = 0;
     step.arc.shorts = rate;

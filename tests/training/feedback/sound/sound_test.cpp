@@ -54,7 +54,7 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
 }
 
 SoundStep stubbedWire() {
-    SoundStep step = openArc(SoundProcess::gmaw);
+    SoundStep step = openArc(Gmaw::kTraits);
     step.arc.action = ArcAction::stubbed;
     return step;
 }
@@ -66,9 +66,9 @@ TEST_CASE("as many clicks are heard as short circuits are counted", "[sound]") {
         Sound sound;
         ShortCircuits shorts;
         std::vector<float> samples, strike;
-        append(strike, sound, openArc(SoundProcess::gmaw)); // the arc's own beginning is no short circuit
+        append(strike, sound, openArc(Gmaw::kTraits)); // the arc's own beginning is no short circuit
         for (int i = 0; i < 60; ++i)
-            append(strike, sound, openArc(SoundProcess::gmaw));
+            append(strike, sound, openArc(Gmaw::kTraits));
         for (int i = 0; i < 900; ++i)
             append(samples, sound, shorting(shorts, rate));
         INFO(rate);
@@ -79,7 +79,7 @@ TEST_CASE("as many clicks are heard as short circuits are counted", "[sound]") {
 
 TEST_CASE("a click is as loud as the step of power", "[sound]") {
     const auto click = [](float current) {
-        SoundStep step = openArc(SoundProcess::gmaw);
+        SoundStep step = openArc(Gmaw::kTraits);
         step.arc.action = ArcAction::shorting;
         step.arc.stretch = 0;
         Sound sound;
@@ -97,13 +97,13 @@ TEST_CASE("a click is as loud as the step of power", "[sound]") {
 }
 
 TEST_CASE("the noise of an open arc rises in level and pitch with its length", "[sound]") {
-    for (const SoundProcess process : {SoundProcess::gmaw, SoundProcess::gtaw, SoundProcess::smaw}) {
+    for (const ProcessTraits* process : {&Gmaw::kTraits, &Gtaw::kTraits, &Smaw::kTraits}) {
         double level = 0, pitch = 0;
         for (const float stretch : {0.0F, 0.35F, 0.7F, 1.0F}) {
-            const std::vector<float> samples = soundOf(openArc(process, stretch), 2);
+            const std::vector<float> samples = soundOf(openArc(*process, stretch), 2);
             const std::span<const float> steady = std::span(samples).subspan(Sound::kRate / 2);
-            INFO(static_cast<int>(process) << ", stretch " << stretch << ": " << rootMeanSquare(steady) << ", "
-                                           << meanFrequency(steady) << " Hz");
+            INFO(process->name << ", stretch " << stretch << ": " << rootMeanSquare(steady) << ", "
+                               << meanFrequency(steady) << " Hz");
             CHECK(rootMeanSquare(steady) > level);
             CHECK(meanFrequency(steady) > pitch);
             level = rootMeanSquare(steady);
@@ -116,54 +116,54 @@ TEST_CASE("drops hum at their rate: slow and large below the current of spray, f
     const double globular = wireDropRate(1.0e-3, 0.1, 100), spray = wireDropRate(1.0e-3, 0.2, 300);
     CHECK(globular == Approx(1.5 * 0.1 / 8e-3));
     CHECK(spray == Approx(1.5 * 0.2 / 1e-3));
-    SoundStep step = openArc(SoundProcess::gmaw);
+    SoundStep step = openArc(Gmaw::kTraits);
     step.dropRate = 300;
     const std::vector<float> with = soundOf(step, 1);
-    CHECK(rootMeanSquare(with) > 2 * rootMeanSquare(soundOf(openArc(SoundProcess::gtaw), 1)));
+    CHECK(rootMeanSquare(with) > 2 * rootMeanSquare(soundOf(openArc(Gtaw::kTraits), 1)));
 }
 
 TEST_CASE("gas flows before the arc and after it, then there is silence to the last bit", "[sound]") {
-    for (const SoundProcess process : {SoundProcess::gmaw, SoundProcess::gtaw}) {
+    for (const ProcessTraits* process : {&Gmaw::kTraits, &Gtaw::kTraits}) {
         Sound sound;
         std::vector<float> before, burning, after, late;
         for (int i = 0; i < 45; ++i)
-            append(before, sound, noArc(process, 1));
+            append(before, sound, noArc(*process, 1));
         for (int i = 0; i < 90; ++i)
-            append(burning, sound, openArc(process));
+            append(burning, sound, openArc(*process));
         for (int i = 0; i < 30; ++i)
-            append(after, sound, noArc(process));
+            append(after, sound, noArc(*process));
         for (int i = 0; i < 90 * 13; ++i)
-            append(late, sound, noArc(process));
+            append(late, sound, noArc(*process));
         CHECK(rootMeanSquare(before) > 0.003);
         CHECK(rootMeanSquare(std::span(after).last(1000)) > 0.003);
         CHECK(rootMeanSquare(burning) > 2 * rootMeanSquare(std::span(after).last(1000)));
         CHECK(isSilent(std::span(late).last(Sound::kRate / 2)));
     }
-    CHECK(isSilent(soundOf(noArc(SoundProcess::smaw), 1)));
-    CHECK(isSilent(soundOf(noArc(SoundProcess::flame), 1)));
+    CHECK(isSilent(soundOf(noArc(Smaw::kTraits), 1)));
+    CHECK(isSilent(soundOf(noArc(Flame::kTraits), 1)));
 }
 
 TEST_CASE("each thing that happens is heard: stub, scratch, flame, alternating current, ticks, hammer", "[sound]") {
-    SoundStep touching = noArc(SoundProcess::smaw, 1);
+    SoundStep touching = noArc(Smaw::kTraits, 1);
     touching.arc.noArc = NoArc::touching;
     touching.arc.distance = 0;
     CHECK(isSilent(soundOf(touching, 0.5)));
     touching.tipSpeed = 0.03F;
     CHECK(rootMeanSquare(soundOf(touching, 0.5)) > 0.01);
 
-    SoundStep flame = noArc(SoundProcess::flame, 1);
+    SoundStep flame = noArc(Flame::kTraits, 1);
     CHECK(rootMeanSquare(soundOf(flame, 1)) > 0.05);
-    CHECK(meanFrequency(soundOf(flame, 1)) < meanFrequency(soundOf(openArc(SoundProcess::gtaw), 1)));
+    CHECK(meanFrequency(soundOf(flame, 1)) < meanFrequency(soundOf(openArc(Gtaw::kTraits), 1)));
 
     CHECK(rootMeanSquare(soundOf(stubbedWire(), 1)) > 0.1);
 
-    SoundStep alternating = openArc(SoundProcess::gtaw);
-    alternating.alternating = SoundSource::kAlternating;
-    CHECK(rootMeanSquare(soundOf(alternating, 1)) > 2 * rootMeanSquare(soundOf(openArc(SoundProcess::gtaw), 1)));
+    SoundStep alternating = openArc(Gtaw::kTraits);
+    alternating.alternating = Gtaw::kTraits.alternating;
+    CHECK(rootMeanSquare(soundOf(alternating, 1)) > 2 * rootMeanSquare(soundOf(openArc(Gtaw::kTraits), 1)));
 
     Sound cooling;
     std::vector<float> ticks;
-    SoundStep hot = noArc(SoundProcess::smaw);
+    SoundStep hot = noArc(Smaw::kTraits);
     for (int i = 0; i < 900; ++i) { // 400 K in ten seconds
         hot.hottest = 1000 - 0.4F / 0.9F * static_cast<float>(i);
         append(ticks, cooling, hot);
@@ -172,11 +172,11 @@ TEST_CASE("each thing that happens is heard: stub, scratch, flame, alternating c
 
     Sound hammer;
     std::vector<float> strokes;
-    SoundStep chipped = noArc(SoundProcess::smaw);
+    SoundStep chipped = noArc(Smaw::kTraits);
     chipped.chips = 3;
     append(strokes, hammer, chipped);
     for (int i = 0; i < 180; ++i)
-        append(strokes, hammer, noArc(SoundProcess::smaw));
+        append(strokes, hammer, noArc(Smaw::kTraits));
     CHECK(clicksIn(strokes, 0.25F, 0.2) == 3);
 }
 
@@ -186,7 +186,7 @@ TEST_CASE("the same steps sound the same to the last bit, however they are read"
         ShortCircuits shorts;
         std::vector<float> samples;
         for (int i = 0; i < 300; ++i) {
-            sound.begin(i < 100 ? openArc(SoundProcess::smaw, 0.3F) : i < 200 ? shorting(shorts) : stubbedWire());
+            sound.begin(i < 100 ? openArc(Smaw::kTraits, 0.3F) : i < 200 ? shorting(shorts) : stubbedWire());
             while (sound.left() > 0) {
                 std::vector<float> part(chunk);
                 part.resize(sound.read(part));
@@ -207,7 +207,7 @@ TEST_CASE("nothing clips, whatever sounds at once", "[sound]") {
     ShortCircuits shorts;
     for (int i = 0; i < 400; ++i) {
         SoundStep step = i % 3 == 0 ? stubbedWire() : shorting(shorts, 168);
-        if (i % 50 == 0) step = noArc(SoundProcess::gmaw); // strikes again and again
+        if (i % 50 == 0) step = noArc(Gmaw::kTraits); // strikes again and again
         step.arc.current = 600;
         step.arc.voltage = 60;
         for (ShortCircuit& each : step.shorts)
@@ -242,18 +242,18 @@ TEST_CASE("what the hand feels rises and falls with what is heard", "[sound]") {
         }
     };
     const auto spray = [] {
-        SoundStep step = openArc(SoundProcess::gmaw, 0.1F);
+        SoundStep step = openArc(Gmaw::kTraits, 0.1F);
         step.dropRate = 250;
         return step;
     };
-    play(90, [] { return noArc(SoundProcess::gmaw); });
+    play(90, [] { return noArc(Gmaw::kTraits); });
     play(180, [&] { return shorting(shorts); });
-    play(90, [] { return noArc(SoundProcess::gmaw, 1); });
+    play(90, [] { return noArc(Gmaw::kTraits, 1); });
     play(180, spray);
     play(90, [] { return stubbedWire(); });
-    play(90, [] { return noArc(SoundProcess::gmaw); });
+    play(90, [] { return noArc(Gmaw::kTraits); });
     play(90, [&] { return shorting(shorts, 60); });
-    play(90, [] { return noArc(SoundProcess::gmaw); });
+    play(90, [] { return noArc(Gmaw::kTraits); });
     const double share = correlation(heard, felt);
     INFO(share);
     CHECK(share > 0.8);
@@ -264,14 +264,14 @@ TEST_CASE("ten seconds of each process: level, loudest sample and mean frequency
         const char* name;
         SoundStep step;
     };
-    SoundStep spray = openArc(SoundProcess::gmaw, 0.1F);
+    SoundStep spray = openArc(Gmaw::kTraits, 0.1F);
     spray.dropRate = 250;
-    SoundStep alternating = openArc(SoundProcess::gtaw, 0.1F);
-    alternating.alternating = SoundSource::kAlternating;
-    for (const Case& each : {Case{"GMAW, spray", spray}, Case{"GMAW, long arc", openArc(SoundProcess::gmaw, 1)},
-                             Case{"GTAW", openArc(SoundProcess::gtaw, 0.1F)}, Case{"GTAW on aluminium", alternating},
-                             Case{"SMAW", openArc(SoundProcess::smaw, 0.1F)},
-                             Case{"flame", noArc(SoundProcess::flame, 1)}, Case{"GMAW, stubbed", stubbedWire()}}) {
+    SoundStep alternating = openArc(Gtaw::kTraits, 0.1F);
+    alternating.alternating = Gtaw::kTraits.alternating;
+    for (const Case& each : {Case{"GMAW, spray", spray}, Case{"GMAW, long arc", openArc(Gmaw::kTraits, 1)},
+                             Case{"GTAW", openArc(Gtaw::kTraits, 0.1F)}, Case{"GTAW on aluminium", alternating},
+                             Case{"SMAW", openArc(Smaw::kTraits, 0.1F)}, Case{"flame", noArc(Flame::kTraits, 1)},
+                             Case{"GMAW, stubbed", stubbedWire()}}) {
         const std::vector<float> samples = soundOf(each.step, 10);
         WARN(each.name << ": level " << 20 * std::log10(rootMeanSquare(samples)) << " dB of full scale, loudest "
                        << loudest(samples) << ", mean frequency " << meanFrequency(samples) << " Hz");
@@ -292,7 +292,7 @@ TEST_CASE("ten seconds of each process: level, loudest sample and mean frequency
 TEST_CASE("a sound track keeps a run's samples as 16 bits", "[sound]") {
     SoundTrack track;
     for (int i = 0; i < 90; ++i)
-        track.add(openArc(SoundProcess::smaw, 0.5F));
+        track.add(openArc(Smaw::kTraits, 0.5F));
     CHECK(track.samples().size() == Sound::kRate);
     CHECK(*std::max_element(track.samples().begin(), track.samples().end()) > 1000);
 }
