@@ -1,6 +1,7 @@
 // A kept attempt that is played again over its own metal, to the same bits: stepped, sought, and compared at its end.
 #pragma once
 
+#include "app/activities/activity.hpp"
 #include "app/activities/curve_track.hpp"
 #include "app/activities/moments_of_attempt.hpp"
 #include "app/activities/replay_end.hpp"
@@ -20,7 +21,7 @@
 namespace meltpool {
 
 /// Works on the Trainer of a lesson that takeTorch() gave the attempt to; the same one from begin() to end().
-class AttemptReplay {
+class AttemptReplay final : public Activity {
   public:
     static constexpr double kSpacing = 0.5;            ///< s of the metal between two moments that are kept
     static constexpr size_t kRoom = size_t(384) << 20; ///< bytes, of the moments that are kept
@@ -29,6 +30,14 @@ class AttemptReplay {
     /// At the start, playing. `now`: s of a clock that never goes back. Reads the recording's moments.
     void begin(const Trainer& trainer, ReplayMachine machine, double (*now)());
     void end();
+
+    Allowed allowed() const override { return {.values = true}; }
+    NextAttempt nextAttempt(bool) const override { return NextAttempt::freshMetal; }
+    bool hurries() const override { return line_.seeking(); }
+    /// A seek is done here.
+    std::optional<int> due(ActivityFrame& frame) override;
+    void step(ActivityFrame& frame, int step, int steps) override;
+    void finish(ActivityFrame& frame) override;
 
     bool shown() const { return line_.shown(); }
     ReplayTimeline& line() { return line_; }

@@ -2,6 +2,8 @@
 // time.
 #pragma once
 
+#include "app/activities/activity.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -9,17 +11,24 @@ namespace meltpool {
 
 /// From its start the torch welds the metal. Brought to another time it moves alone, over the metal as it was at first:
 /// metal cannot be brought to a time without all the steps before it.
-class Demonstration {
+class Demonstration final : public Activity {
   public:
     static constexpr double kKeyStep = 0.5; ///< s, of a stroke of an arrow key
 
-    /// `duration` of the expert's path, s.
-    void begin(double duration) {
+    /// `duration` of the expert's path, s. `otherSettings`: the machine is set as the lesson has it, not as the person.
+    void begin(double duration, bool otherSettings = false) {
         *this = {};
         duration_ = duration;
+        otherSettings_ = otherSettings;
         shown_ = playing_ = welds_ = true;
     }
     void end() { *this = {}; }
+
+    Allowed allowed() const override { return {.values = true}; }
+    NextAttempt nextAttempt(bool forScore) const override;
+    std::optional<int> due(ActivityFrame& frame) override;
+    void step(ActivityFrame& frame, int step, int steps) override;
+    void finish(ActivityFrame& frame) override;
 
     bool shown() const { return shown_; }
     bool playing() const { return playing_; }
@@ -57,6 +66,7 @@ class Demonstration {
     bool playing_ = false;
     bool welds_ = false;
     bool metalDue_ = false;
+    bool otherSettings_ = false;
     double time_ = 0;
     double duration_ = 0;
 };

@@ -1,5 +1,6 @@
 #include "app/activities/speed_trial.hpp"
 
+#include "app/library/best_scores.hpp"
 #include "core/base/text.hpp"
 #include "core/weld/workpiece/simulated_size.hpp"
 
@@ -66,6 +67,29 @@ void SpeedTrial::begin(const Lesson& lesson) {
     waited_ = real_ = simulated_ = 0;
 }
 
+/// Once it asks how to go on, the lesson is what it is before an attempt. A result that was open stays open meanwhile.
+Allowed SpeedTrial::allowed() const {
+    const bool asks = !running();
+    return {.ownTorch = true, .values = asks, .help = asks, .judging = true, .notes = asks};
+}
+
+std::optional<int> SpeedTrial::due(ActivityFrame& frame) {
+    Trainer& trainer = frame.trainer;
+    if (!running() || frame.stopped) {
+        frame.clock.restart();
+        return std::nullopt;
+    }
+    const double before = time_;
+    const int steps = frame.clock.due(frame.seconds, trainer.timeStep());
+    const double begin = frame.now();
+    for (int step = 0; step < steps; ++step)
+        trainer.advance(trainer.lesson().torch.sample(time_ += trainer.timeStep()), frame.profiler);
+    frame.clock.took(frame.now() - begin, steps);
+    frame.changed = true;
+    verdict_ = count(frame.seconds, time_ - before);
+    return std::nullopt;
+}
+
 SpeedTrial::Verdict SpeedTrial::count(double real, double simulated) {
     waited_ += real;
     if (waited_ < kSettling) return Verdict::more;
@@ -74,7 +98,7 @@ SpeedTrial::Verdict SpeedTrial::count(double real, double simulated) {
     if (real_ < kMeasuring) return Verdict::more;
     offers_[current_].ratio = simulated_ / real_;
     const bool first = current_ == 0;
-    if (first && offers_[0].ratio >= kLeast) {
+    if (first && offers_[0].ratio >= kLeastSpeedForScore) {
         stop();
         return Verdict::fastEnough;
     }
@@ -93,7 +117,7 @@ Question SpeedTrial::question() const {
     question.text = "The metal runs at " + percent(offers_.front().ratio) +
                     " of real time on this machine, so that the weld would not be the one that the hand makes. An "
                     "attempt for score needs " +
-                    percent(kLeast) + ". Measured here:";
+                    percent(kLeastSpeedForScore) + ". Measured here:";
     for (size_t i = 1; i < offers_.size(); ++i)
         question.answers.push_back("With " + offers_[i].label + ": " + percent(offers_[i].ratio));
     question.answers.emplace_back("Practise as it is, without score");

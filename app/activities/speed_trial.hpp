@@ -2,6 +2,7 @@
 // other values it would.
 #pragma once
 
+#include "app/activities/activity.hpp"
 #include "app/activities/question.hpp"
 #include "core/training/lesson/lesson.hpp"
 
@@ -20,16 +21,28 @@ struct SpeedOffer {
 
 /// The trial runs the demonstration with everything that the program does in a frame, for a second or two: first the
 /// lesson as it is set, and where that is too slow each offer in turn.
-class SpeedTrial {
+class SpeedTrial final : public Activity {
   public:
-    static constexpr double kLeast = 0.95;     ///< ratio below which no attempt for score starts
     static constexpr double kSettling = 0.5;   ///< s of real time at the start that do not count
     static constexpr double kMeasuring = 1.25; ///< s of real time that count
 
     enum class Verdict { more, another, fastEnough, tooSlow };
 
+    /// While it measures, nothing that a person does reaches the metal.
+    Allowed allowed() const override;
+    NextAttempt nextAttempt(bool) const override { return NextAttempt::none; }
+    bool hurries() const override { return running(); }
+    /// Makes the steps of the frame itself and counts them, see takeVerdict().
+    std::optional<int> due(ActivityFrame& frame) override;
+    void step(ActivityFrame&, int, int) override {}
+    void finish(ActivityFrame&) override {}
+
     /// Begins with the lesson as it is set.
     void begin(const Lesson& lesson);
+    /// The metal of current() was made: the demonstration is run from where it begins to heat.
+    void beginOffer(const Lesson& lesson) { time_ = lesson.torch.firstPull().value_or(0); }
+    /// Verdict of the frame that was counted last, once; `more` where none was.
+    Verdict takeVerdict() { return std::exchange(verdict_, Verdict::more); }
     void stop() { offers_.clear(); }
     bool running() const { return current_ < offers_.size(); }
     /// What is to be measured now.
@@ -50,6 +63,8 @@ class SpeedTrial {
     std::vector<SpeedOffer> offers_; ///< the first is the lesson as it is set
     size_t current_ = 0;
     double waited_ = 0, real_ = 0, simulated_ = 0;
+    double time_ = 0; ///< s in the demonstration
+    Verdict verdict_ = Verdict::more;
 };
 
 /// What could make this lesson cheaper: fewer particles, a coarser surface, both.

@@ -40,7 +40,7 @@ struct Scene {
         time += kFrame;
         const auto held = [this](int, int) { return session.lesson().torch.sample(time); };
         session.advance(controls, kLate, nullptr, held);
-        session.fillFigures(figures);
+        fillFigures(figures, session);
     }
 
     LessonSession session;
@@ -113,9 +113,9 @@ BenchRow measureWithoutRuntime(Scene& scene, bool counted) {
     return measureFrames("no headset", counted,
                          [&] {
                              scene.advance();
-                             const SceneView shown = scene.session.scene(nullptr);
-                             scene.session.renderer().draw(shown, scene.session.lesson().look, eyes, target.target(),
-                                                           nullptr);
+                             const SceneView shown = scene.session.picture().scene(nullptr);
+                             scene.session.picture().renderer().draw(shown, scene.session.lesson().look, eyes,
+                                                                     target.target(), nullptr);
                              target.resolve();
                              return true;
                          })

@@ -1,11 +1,11 @@
 #include "app/commands/headless_runner.hpp"
 
+#include "app/activities/attempt_ghost.hpp"
 #include "app/export/mesh_file.hpp"
 #include "app/platform/program_info.hpp"
 #include "app/platform/progress_bar.hpp"
 #include "app/platform/say.hpp"
 #include "app/report/attempt_pictures.hpp"
-#include "app/session/attempt_ghost.hpp"
 #include "app/session/seeing.hpp"
 #include "core/base/error.hpp"
 #include "core/base/resources.hpp"

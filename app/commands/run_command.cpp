@@ -1,5 +1,6 @@
 #include "app/commands/commands.hpp"
 
+#include "app/activities/attempt_ghost.hpp"
 #include "app/commands/headless_runner.hpp"
 #include "app/commands/named_lesson.hpp"
 #include "app/commands/run_folder.hpp"
@@ -7,7 +8,6 @@
 #include "app/platform/program_info.hpp"
 #include "app/platform/say.hpp"
 #include "app/platform/stop_signals.hpp"
-#include "app/session/attempt_ghost.hpp"
 #include "core/base/error.hpp"
 #include "core/base/output_file.hpp"
 #include "core/base/resources.hpp"

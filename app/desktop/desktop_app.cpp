@@ -54,15 +54,16 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
       windowSection_("window", describe(windowParameters_)),
       controlSection_("controls", describe(controls_.parameters)),
       panelSection_("panels", describe(menus_.panels)),
-      recordingSection_("recordings", describe(session_.recordings().parameters)),
+      recordingSection_("recordings", describe(session_.log().recordings().parameters)),
       settings_(options.settings),
       lessons_(home_, session_, settings_, controls_, messages_),
       picture_(shaders_),
       detail_(window_.driver().software),
       driver_(driverText(window_.driver())) {
     if (options_.headset != HeadsetUse::off && options_.makeHeadset) headset_ = options_.makeHeadset(settingsFolder());
-    session_.records().use(options_.record, programBuild(), window_.driver().renderer);
-    if (options_.recordings) session_.recordings().use(recordingsFolder(), programBuild(), window_.driver().renderer);
+    session_.log().records().use(options_.record, programBuild(), window_.driver().renderer);
+    if (options_.recordings)
+        session_.log().recordings().use(recordingsFolder(), programBuild(), window_.driver().renderer);
     if (telemetry_.enabled()) callsCounted_ = joinCallCounters();
     for (std::string& fault : settings_.load(ownSections()))
         messages_.warn(std::move(fault), now());
@@ -94,19 +95,20 @@ DesktopApp::~DesktopApp() {
 
 /// A file that is wrong ends the program before the window shows anything, as far as it is known for which lesson.
 void DesktopApp::takeGhost() {
-    session_.ghost().findBestBy([](const std::string& lesson) { return bestKept(recordingsFolder(), lesson); });
+    session_.attempt().ghost().findBestBy(
+        [](const std::string& lesson) { return bestKept(recordingsFolder(), lesson); });
     if (options_.ghost.empty()) return;
     std::error_code missing;
     if (!std::filesystem::is_regular_file(options_.ghost, missing))
         throw InputError(options_.ghost, 0, "is no file for --ghost; expected an attempt or a torch path");
     const Lesson& lesson = session_.lesson();
     if (!options_.lesson.empty() && lesson.model == LessonModel::Weld) ghostTorch(lesson, options_.ghost);
-    session_.ghost().choose(std::filesystem::absolute(options_.ghost));
+    session_.attempt().ghost().choose(std::filesystem::absolute(options_.ghost));
 }
 
 std::vector<ParameterSection*> DesktopApp::ownSections() {
-    std::vector<ParameterSection*> sections{&windowSection_,        &controlSection_,         &panelSection_,
-                                            &session_.cueSection(), &session_.soundSection(), &session_.ghostSection(),
+    std::vector<ParameterSection*> sections{&windowSection_,       &controlSection_,       &panelSection_,
+                                            &session_.help().cues, &session_.help().sound, &session_.help().ghost,
                                             &recordingSection_};
     if (headset_) sections.push_back(&headset_->section());
     return sections;
@@ -114,7 +116,7 @@ std::vector<ParameterSection*> DesktopApp::ownSections() {
 
 bool DesktopApp::finish() {
     session_.end("the program ended");
-    session_.recordings().finish();
+    session_.log().recordings().finish();
     const glm::ivec2 size = window_.normalSize();
     windowParameters_.width = std::clamp(size.x, 640, 16384);
     windowParameters_.height = std::clamp(size.y, 480, 16384);
@@ -128,14 +130,14 @@ bool DesktopApp::finish() {
         std::fprintf(stderr, "meltpool: the settings were not saved: %s\n", fault.what());
         kept = false;
     }
-    if (session_.records().lost())
+    if (session_.log().records().lost())
         std::fprintf(stderr, "meltpool: an attempt was not recorded to its end, as the window told; expected %s\n",
                      "a place for --record that takes it");
-    const std::string& unrecorded = session_.recordings().lost();
+    const std::string& unrecorded = session_.log().recordings().lost();
     if (!unrecorded.empty()) std::fprintf(stderr, "meltpool: %s\n", printable(unrecorded, 3000).c_str());
     if (!lostPicture_.empty())
         std::fprintf(stderr, "meltpool: a picture was not saved: %s\n", printable(lostPicture_, 3000).c_str());
-    return kept && unrecorded.empty() && lostPicture_.empty() && !session_.records().lost() &&
+    return kept && unrecorded.empty() && lostPicture_.empty() && !session_.log().records().lost() &&
            telemetry_.fault().empty();
 }
 
@@ -172,9 +174,9 @@ void DesktopApp::runFrame() {
     interface_.begin(windowParameters_.interfaceSize, captured, !session_.running() && !home_.open);
     interface_.takeInput(input, captured);
     handleKeys(input);
-    tellRecordings(session_.recordings(), time, messages_);
+    tellRecordings(session_.log().recordings(), time, messages_);
     detail_.update(windowParameters_.detail, session_.running(), headsetFrame_);
-    session_.setDetail(detail_.level());
+    session_.picture().setDetail(detail_.level());
     figures_.detail = detailSentence(detail_.level());
     const bool timed = menus_.panels.timings && !menus_.panels.hidden;
     if (timed) profiler_.beginFrame();
@@ -203,7 +205,7 @@ void DesktopApp::runFrame() {
 /// Surface, picture and menus, and beside them, where the processor draws, the metal's steps. The picture is of the
 /// metal before these steps.
 void DesktopApp::show() {
-    if (stepsDue_) stepThread_->begin([this] { session_.makeSteps(nullptr); });
+    if (stepsDue_) stepThread_->begin([this] { session_.run().makeSteps(nullptr); });
     drawPicture();
     const gl::Scope scope(&profiler_, "interface");
     interface_.end();
@@ -283,7 +285,7 @@ void DesktopApp::act(MenuRequest request) {
         break;
     case MenuRequest::cut:
         session_.toggleCut(controls_);
-        if (session_.cut().shown()) menus_.showResult(session_);
+        if (session_.picture().cut().shown()) menus_.showResult(session_);
         break;
     case MenuRequest::restart:
         lessons_.leave();
@@ -316,12 +318,12 @@ void DesktopApp::simulate(const InputFrame& input, double seconds) {
     const TorchSource held = headsetFrame_ && !controls_.captured() ? headset_->torch() : TorchSource{};
     if (held) controls_.putOut(ArcOut::takenOver);
     const double waited = stepsBeside_ ? stepsBeside_->waited : 0;
-    session_.stepBeside(stepsBesidePicture() ? std::max(seconds - waited, 1e-3) : 0);
+    session_.run().stepBeside(stepsBesidePicture() ? std::max(seconds - waited, 1e-3) : 0);
     stepsDue_ = session_.beginSteps(controls_, seconds, &profiler_, held);
     if (stepsDue_ && stepsBesidePicture()) return;
     if (std::exchange(stepsDue_, false)) {
-        session_.makeSteps(&profiler_);
-        session_.finishSteps();
+        session_.run().makeSteps(&profiler_);
+        session_.run().finishSteps();
     }
     tellLesson(seconds);
 }
@@ -340,23 +342,23 @@ void DesktopApp::finishSteps(double seconds) {
         stepThread_->wait();
     }
     stepsBeside_ = {stepThread_->seconds(), stepThread_->waited()};
-    session_.finishSteps();
+    session_.run().finishSteps();
     tellLesson(seconds);
 }
 
 /// What the newest steps have changed, for menus, messages and headset.
 void DesktopApp::tellLesson(double seconds) {
-    session_.fillFigures(figures_);
+    fillFigures(figures_, session_);
     takeJudgement();
-    if (session_.recordFault().empty())
+    if (session_.run().recordFault().empty())
         messages_.clear("record");
     else
-        messages_.hold("The record of this attempt has stopped: " + session_.recordFault(), "record");
+        messages_.hold("The record of this attempt has stopped: " + session_.run().recordFault(), "record");
     const bool handHolds = headsetFrame_ && !controls_.captured();
     notices_.update(session_, figures_, handHolds ? headset_->triggerLock() : controls_.triggerLock(), seconds,
                     messages_);
-    if (!session_.fault().empty())
-        messages_.hold("The simulation has stopped: " + session_.fault() + ". Reset starts it again.", "metal");
+    if (!session_.run().fault().empty())
+        messages_.hold("The simulation has stopped: " + session_.run().fault() + ". Reset starts it again.", "metal");
     else if (figures_.refused > 0)
         messages_.hold(
             "The metal became unstable: the new state of some particles was not finite, and they kept their old one. "
@@ -368,11 +370,12 @@ void DesktopApp::tellLesson(double seconds) {
 
 /// A new judgement is shown, and its score kept where it is the best.
 void DesktopApp::takeJudgement() {
-    if (session_.judgements() == judgements_) return;
-    judgements_ = session_.judgements();
+    if (session_.attempt().judgements() == judgements_) return;
+    judgements_ = session_.attempt().judgements();
     menus_.showResult(session_);
     sound_.judged(session_);
-    lessons_.keepScore(session_.held() && headset_ ? static_cast<double>(headset_->zoom()) : 1, now());
+    lessons_.keepScore(session_.leader() == TorchLeader::hand && headset_ ? static_cast<double>(headset_->zoom()) : 1,
+                       now());
 }
 
 void DesktopApp::preparePicture(double seconds) {
@@ -402,9 +405,9 @@ void DesktopApp::drawPicture() {
 MenuRequest DesktopApp::drawMenus() {
     LessonSections& lesson = session_.sections();
     const std::array<const ParameterSection*, 9> view{
-        &session_.cueSection(), &session_.ghostSection(), &lesson.view,
-        &lesson.surface,        &session_.soundSection(), &controlSection_,
-        &windowSection_,        &recordingSection_,       headset_ ? &headset_->section() : nullptr};
+        &session_.help().cues, &session_.help().ghost, &lesson.view,
+        &lesson.surface,       &session_.help().sound, &controlSection_,
+        &windowSection_,       &recordingSection_,     headset_ ? &headset_->section() : nullptr};
     return menus_.draw({session_, home_, controls_, messages_, figures_, profiler_, pacer_.frameSeconds() * 1000,
                         driver_, std::span(view).first(headset_ ? 9 : 8)});
 }
@@ -450,8 +453,8 @@ void DesktopApp::writeTelemetry() {
     meter_.pause();
     const LessonSections& lesson = session_.sections();
     const std::vector<const ParameterSection*> sections{
-        &lesson.start,    &lesson.view,   &lesson.surface,        &lesson.simulation,       &windowSection_,
-        &controlSection_, &panelSection_, &session_.cueSection(), &session_.soundSection(), &session_.ghostSection()};
+        &lesson.start,    &lesson.view,   &lesson.surface,       &lesson.simulation,     &windowSection_,
+        &controlSection_, &panelSection_, &session_.help().cues, &session_.help().sound, &session_.help().ghost};
     std::vector<std::string> passes;
     for (const gl::PassTime& pass : profiler_.passes())
         passes.push_back(pass.name);
@@ -459,8 +462,8 @@ void DesktopApp::writeTelemetry() {
     telemetry_.write({page,
                       lastFrame_, // which the metal's time belongs to, however long the frame takes
                       pacer_.frames(),
-                      session_.steps(),
-                      session_.running() ? session_.torch() : TorchSample{},
+                      session_.run().steps(),
+                      session_.running() ? session_.run().torch() : TorchSample{},
                       controls_,
                       menus_.panels,
                       figures_,
@@ -472,10 +475,10 @@ void DesktopApp::writeTelemetry() {
                       window_.pixels(),
                       screenshot_,
                       stepsBeside_.has_value(),
-                      session_.judged(),
+                      session_.attempt().judged(),
                       session_.demonstration(),
                       session_.replay(),
-                      session_.cut(),
+                      session_.picture().cut(),
                       headset_ ? headset_->status() : HeadsetStatus{},
                       meter_,
                       callsCounted_});

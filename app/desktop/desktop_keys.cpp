@@ -57,7 +57,7 @@ void DesktopApp::replayByKeys(const InputFrame& input) {
 /// them.
 bool DesktopApp::mayStandStill() const {
     if (!session_.running() || headsetFrame_) return false;
-    return !window_.driver().software || session_.played() || !session_.arc().burns();
+    return !window_.driver().software || !session_.welds();
 }
 
 void DesktopApp::handleKeys(const InputFrame& input) {
@@ -89,7 +89,7 @@ void DesktopApp::handleKeys(const InputFrame& input) {
             menus_.panels.timings = !menus_.panels.timings;
             break;
         case Key::h:
-            if (session_.played() || !session_.arc().burns()) act(MenuRequest::home);
+            if (!session_.welds()) act(MenuRequest::home);
             break;
         case Key::j:
             act(MenuRequest::judge);

@@ -2,6 +2,7 @@
 
 #include "app/activities/attempt_lesson.hpp"
 #include "app/platform/open_file.hpp"
+#include "app/session/attempt_page.hpp"
 #include "core/base/error.hpp"
 #include "core/training/lesson/lesson_folders.hpp"
 #include "core/training/lesson/plausibility.hpp"
@@ -64,7 +65,7 @@ void DesktopLessons::tellPath(double now) {
 bool DesktopLessons::start(void (LessonSession::*begin)(Controls&), double now) {
     if (home_.open) return false;
     if (const CataloguedLesson* lesson = home_.find(session_.lesson()))
-        session_.cues().setSkill(home_.scores.beginAttempt(lesson->key));
+        session_.attempt().cues().setSkill(home_.scores.beginAttempt(lesson->key));
     try {
         (session_.*begin)(controls_);
         return true;
@@ -106,7 +107,7 @@ bool DesktopLessons::weldBeside(const std::filesystem::path& file, double now) {
             throw InputError(file, 0, "is of lesson '" + attempt.key + "', which allows no ghost");
         take(readLesson(attempt.file));
         tellMoved(attempt, now);
-        session_.ghost().choose(file);
+        session_.attempt().ghost().choose(file);
     } catch (const std::exception& fault) {
         messages_.warn(fault.what(), now, "start");
         return false;
@@ -129,21 +130,21 @@ void DesktopLessons::compare(double now) {
 void DesktopLessons::keepScore(double zoom, double now) {
     zoom_ = zoom;
     const CataloguedLesson* lesson = home_.find(session_.lesson());
-    if (lesson == nullptr || !session_.judged() || session_.earlierMoments().redone() > 0) return;
-    std::optional<BestScore> score = countedScore(session_.judged()->judgement);
+    if (lesson == nullptr || !session_.attempt().judged() || session_.log().moments().redone() > 0) return;
+    std::optional<BestScore> score = countedScore(session_.attempt().judged()->judgement);
     if (!score) return;
     score->zoom = zoom;
     score->forScore = session_.sections().attempt.forScore;
     score->guided = session_.deskTorch().guided();
-    score->changed = session_.workpieceChanged() || session_.settingsChanged();
-    score->chosen = session_.chosenText();
-    score->cues = session_.cues().used();
-    score->ghost = session_.ghost().used();
+    score->changed = session_.values().workpieceChanged() || session_.values().settingsChanged();
+    score->chosen = session_.values().chosenText();
+    score->cues = session_.attempt().cues().used();
+    score->ghost = session_.attempt().ghost().used();
     const std::vector<std::string>& faults = home_.scores.faults();
     const size_t told = faults.size();
     try {
         home_.scores.offer(lesson->key, *score);
-        home_.scores.practise(lesson->key, session_.cues().skill());
+        home_.scores.practise(lesson->key, session_.attempt().cues().skill());
     } catch (const std::exception& fault) {
         messages_.warn(std::string("The best score cannot be kept: ") + fault.what(), now, "scores");
     }
@@ -153,8 +154,8 @@ void DesktopLessons::keepScore(double zoom, double now) {
 
 void DesktopLessons::writePage(const std::string& driver, double now) {
     try {
-        const std::filesystem::path page = session_.writePage(zoom_, driver);
-        if (!session_.held()) openForPerson(page); // a browser is of no use in a headset
+        const std::filesystem::path page = writeAttemptPage(session_, zoom_, driver);
+        if (session_.leader() == TorchLeader::desk) openForPerson(page); // a browser is of no use in a headset
         messages_.note("The page of this attempt is " + page.string(), now, "page");
     } catch (const std::exception& fault) {
         messages_.warn(std::string("The page cannot be written: ") + fault.what(), now, "page");

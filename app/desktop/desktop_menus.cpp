@@ -26,7 +26,7 @@ MenuRequest DesktopMenus::draw(const DesktopMenuContent& content) {
     LessonSession& session = content.session;
     // In a narrow window it would lie over the demonstration's controls.
     const bool covers = session.demonstration().shown() && ui::narrowerThan(context, 760);
-    machineWaits_ = session.cut().shown() || session.replay().shown() || covers;
+    machineWaits_ = session.picture().cut().shown() || session.replay().shown() || covers;
     MenuRequest request = MenuRequest::none;
     if (content.home.open)
         request = ui::homePage(context, content.home, content.driver, panels.help);
@@ -55,7 +55,8 @@ MenuRequest DesktopMenus::drawPanels(const DesktopMenuContent& content) {
     if (content.session.replay().shown())
         if (const MenuRequest asked = ui::replayBar(context, content.session); asked != MenuRequest::none)
             request = asked;
-    ui::temperatureScale(context, lesson.look.colours, content.session.temperature(), coveredLeft());
+    ui::temperatureScale(context, lesson.look.colours, content.session.run().trainer()->scene().temperature,
+                         coveredLeft());
     panels.result = panels.result && content.session.judges();
     makeRoom();
     if (panels.result)

@@ -11,16 +11,17 @@ constexpr int kChips = 3; ///< strokes of the hammer
 void DesktopSound::update(LessonSession& session, const Controls& controls, const WindowHeadset* headset) {
     std::optional<glm::vec3> place = headset != nullptr ? headset->arcFromHead(session) : std::nullopt;
     if (!place)
-        if (const auto seen = session.arcFrom(controls.view(1).worldToEye)) place = SoundOutput::atDesk(*seen);
+        if (const auto seen = session.picture().arcFrom(controls.view(1).worldToEye))
+            place = SoundOutput::atDesk(*seen);
     output_.update(session.hearing().parameters.volume, place.value_or(glm::vec3(0, 0, -1)));
     if (told_ || !output_.known()) return;
     told_ = true;
-    session.soundSection().parameters = describe(session.hearing().parameters, output_.sentence());
+    session.help().sound.parameters = describe(session.hearing().parameters, output_.sentence());
 }
 
 void DesktopSound::judged(LessonSession& session) const {
     const bool slag = traitsOf(session.lesson().process).shielding == Shielding::slag;
-    if (slag && session.judged()) session.hearing().ear.chip(kChips);
+    if (slag && session.attempt().judged()) session.hearing().ear.chip(kChips);
 }
 
 } // namespace meltpool

@@ -7,16 +7,19 @@
 namespace meltpool {
 
 void WindowPicture::count(const LessonSession& session, double seconds, const std::optional<StepsBeside>& beside) {
-    const double steps = session.clock().busy();
-    const bool seeks = session.seeks() || session.measuresSpeed();
-    const bool metalStopped = still_.count(seconds, beside || steps > 0 || seeks);
+    const double steps = session.run().clock().busy();
+    const bool hurries = session.activity().hurries();
+    const bool metalStopped = still_.count(seconds, beside || steps > 0 || hurries);
     if (!session.running()) stands_ = false;
     if (!session.running() || metalStopped) return budget_.restart();
     // A seek and a trial of the machine's speed take all the time that they can get.
-    if (!counts_ || seeks) return;
+    if (!counts_ || hurries) return;
     if (beside)
-        return budget_.add({seconds, beside->waited, 0, seconds - beside->seconds + session.clock().busyBeside()});
-    budget_.add({seconds, steps, steps > 0 ? session.loadOfSteps() : 0, 0});
+        return budget_.add(
+            {seconds, beside->waited, 0, seconds - beside->seconds + session.run().clock().busyBeside()});
+    // Real time that the steps of a second of the metal take.
+    const double load = 1 / session.run().clock().speedOfSteps(session.run().trainer()->timeStep());
+    budget_.add({seconds, steps, steps > 0 ? load : 0, 0});
 }
 
 void WindowPicture::prepare(LessonSession& session, const Controls& controls, const PictureWish& wish,
@@ -24,7 +27,7 @@ void WindowPicture::prepare(LessonSession& session, const Controls& controls, co
     if (wish.pixels != pixels_) budget_.restart();
     pixels_ = wish.pixels;
     const float aspect = static_cast<float>(pixels_.x) / static_cast<float>(std::max(pixels_.y, 1));
-    shown_ = session.picture(controls, aspect, wish.shift, wish.surfaceLater, profiler);
+    shown_ = session.picture().atDesk(controls, aspect, wish.shift, wish.surfaceLater, profiler);
     stands_ = still_.stands(shown_.view);
     counts_ = wish.setting == 0 && !wish.whole && !stands_;
     level_ = wish.whole          ? PictureLevel::full
@@ -36,9 +39,9 @@ void WindowPicture::prepare(LessonSession& session, const Controls& controls, co
 }
 
 void WindowPicture::draw(LessonSession& session, gl::Profiler* profiler) {
-    session.completeSurface(shown_, profiler);
+    session.picture().completeSurface(shown_, profiler);
     const RenderTarget target = scaled_.begin(pixels_, kPictureShares[static_cast<size_t>(level_)]);
-    session.draw(shown_, target, profiler);
+    session.picture().draw(shown_, target, profiler);
     scaled_.end();
 }
 
@@ -49,14 +52,14 @@ Image WindowPicture::large(LessonSession& session) {
     counts_ = false; // this frame is longer than its picture
     LargePicture wish;
     wish.size = fitInto(pixels_, wish.size);
-    if (session.look().mode == kPointsMode) wish.margin = kPointMargin;
+    if (session.picture().look().mode == kPointsMode) wish.margin = kPointMargin;
     View view = shown_.view;
     view.eyeToClip[2][0] += offset_;
-    session.setDetail(kHighDetail);
+    session.picture().setDetail(kHighDetail);
     DeskPicture tile = shown_;
     const Image image = drawLargePicture(wish, view, [&](const View& part, const RenderTarget& target) {
         tile.view = part;
-        session.draw(tile, target, nullptr);
+        session.picture().draw(tile, target, nullptr);
     });
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     return image;

@@ -12,7 +12,7 @@ namespace meltpool {
 /// What the window knows of a picture to be drawn.
 struct PictureWish {
     glm::ivec2 pixels{0};      ///< of the window
-    float shift = 0;           ///< see LessonSession::draw()
+    float shift = 0;           ///< see LessonPicture::atDesk()
     int setting = 0;           ///< of pictureChoices()
     bool whole = false;        ///< with all pixels whatever the setting: it is to be kept
     bool surfaceLater = false; ///< the metal's surface is made in draw()

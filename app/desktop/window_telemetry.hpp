@@ -1,10 +1,10 @@
 // The state of the window for tests and observers: a file with one JSON object a line, the newest last.
 #pragma once
 
+#include "app/activities/attempt_judge.hpp"
 #include "app/activities/attempt_replay.hpp"
 #include "app/activities/demonstration.hpp"
 #include "app/platform/frame_meter.hpp"
-#include "app/session/attempt_judge.hpp"
 #include "app/session/controls.hpp"
 #include "app/session/cut_view.hpp"
 #include "app/session/headset_status.hpp"

@@ -6,9 +6,9 @@ namespace meltpool {
 
 bool HeadsetChanges::lessonBegan(const LessonSession& session) {
     started_ = session.running() && !running_;
-    const bool began = started_ || (session.running() && session.steps() < steps_);
+    const bool began = started_ || (session.running() && session.run().steps() < steps_);
     running_ = session.running();
-    steps_ = session.steps();
+    steps_ = session.run().steps();
     if (began) {
         shown_.reset();
         holder_.reset();
@@ -25,7 +25,7 @@ void HeadsetChanges::takeParameters(const HeadsetParameters& parameters, float z
     shown_ = now;
     const auto note = [&](bool changed, std::string_view name, ArcOut reason, const auto& value) {
         if (changed) hands.putOut(reason);
-        if (changed || fresh) session.event(name, value());
+        if (changed || fresh) session.run().event(name, value());
     };
     note(now.zoom != last.zoom, "zoom", ArcOut::zoomed, [&] { return formatNumber(static_cast<double>(now.zoom)); });
     note(now.tableHeight != last.tableHeight, "table_height", ArcOut::tableMoved,
@@ -38,23 +38,24 @@ void HeadsetChanges::takeParameters(const HeadsetParameters& parameters, float z
 
 void HeadsetChanges::recentred(HeadsetHands& hands, LessonSession& session) {
     hands.putOut(ArcOut::recentred);
-    session.event("recentred");
+    session.run().event("recentred");
 }
 
 void HeadsetChanges::takeConnection(bool inUse, HeadsetHands& hands, ArcOut reason, LessonSession& session) {
     if (!inUse) hands.lose(reason);
-    if (inUse != inUse_) session.event("headset", inUse ? "in_use" : "lost");
+    if (inUse != inUse_) session.run().event("headset", inUse ? "in_use" : "lost");
     inUse_ = inUse;
 }
 
 void HeadsetChanges::takeTorch(const HeadsetHands& hands, LessonSession& session) {
     const TrackedTorch& torch = hands.torch();
-    if (torch.tracked() != seen_) session.event("torch", torch.tracked() ? "seen" : "lost");
+    if (torch.tracked() != seen_) session.run().event("torch", torch.tracked() ? "seen" : "lost");
     seen_ = torch.tracked();
     const TorchHolder holder = hands.selector().holder();
-    if (holder_ != holder) session.event("torch_on", holder == TorchHolder::tracker ? "tracker" : "controller");
+    if (holder_ != holder) session.run().event("torch_on", holder == TorchHolder::tracker ? "tracker" : "controller");
     holder_ = holder;
-    if (burning_ && torch.triggerLock().locked()) session.event("arc_out", arcOutName(torch.triggerLock().reason()));
+    if (burning_ && torch.triggerLock().locked())
+        session.run().event("arc_out", arcOutName(torch.triggerLock().reason()));
     burning_ = torch.trigger() > 0;
 }
 

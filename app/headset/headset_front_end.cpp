@@ -45,12 +45,13 @@ bool HeadsetFrontEnd::begin(LessonSession& session, const Home& home, double ela
     mirrored_ = false;
     if (changes_.lessonBegan(session)) {
         hands_.forgetSteps();
-        hands_.putOut(session.earlierMoments().redone() > 0 ? ArcOut::redone : ArcOut::lessonBegan);
+        hands_.putOut(session.log().moments().redone() > 0 ? ArcOut::redone : ArcOut::lessonBegan);
     }
     const bool weld = session.lesson().model == LessonModel::Weld;
     if (weld && changes_.lessonStarted()) parameters_.weldZoom = 1;
     section_.idle = idleParameters(weld);
-    place_ = WorkpiecePlace(parameters_.tableHeight, shownZoom(parameters_, weld), session.bottom(), session.fixture());
+    place_ = WorkpiecePlace(parameters_.tableHeight, shownZoom(parameters_, weld), session.picture().bottom(),
+                            session.picture().fixture());
     connection_.use(settingsOf(parameters_)); // the settings file may have been read since the start
     const bool runs = connection_.update() == xr::ConnectionState::running;
     drawn_ = drawn_ && connection_.headset() != nullptr;
@@ -82,7 +83,7 @@ void HeadsetFrontEnd::readHands(LessonSession& session, const Home& home, double
         focusedOpening_ = connection_.openings();
     else
         hands_.lose(ArcOut::notFocused);
-    if (session.running() && session.steps() > 0 && !session.held()) {
+    if (session.run().steps() > 0 && session.leader() != TorchLeader::hand) {
         hands_.putOut(ArcOut::takenOver);
         hands_.forgetSteps();
     }
@@ -95,12 +96,12 @@ void HeadsetFrontEnd::readHands(LessonSession& session, const Home& home, double
 
 /// A new judgement opens the panel; a panel that was opened so closes when the weld goes on or begins again.
 void HeadsetFrontEnd::showResult(const LessonSession& session) {
-    const bool fresh = session.judged() && session.judgements() != judgements_;
-    judgements_ = session.judgements();
+    const bool fresh = session.attempt().judged() && session.attempt().judgements() != judgements_;
+    judgements_ = session.attempt().judgements();
     if (fresh && !panel_.open()) {
         panel_.show();
         openedByResult_ = true;
-    } else if (openedByResult_ && !session.judged()) {
+    } else if (openedByResult_ && !session.attempt().judged()) {
         if (!session.question().asked()) panel_.hide();
         openedByResult_ = false;
     }
@@ -112,7 +113,7 @@ void HeadsetFrontEnd::askAgain(const LessonSession& session, const xr::Input& in
     const xr::Hand other = hands_.torchHand() == xr::Hand::right ? xr::Hand::left : xr::Hand::right;
     const xr::HandInput& hand = input.hand(other);
     const bool pulled = hand.tracked && hand.trigger > 0.5f && panel_.pointingHand() != other;
-    again_ = pulled && !otherPulled_ && session.judged() && !session.question().asked();
+    again_ = pulled && !otherPulled_ && session.attempt().judged() && !session.question().asked();
     otherPulled_ = pulled;
 }
 
@@ -142,8 +143,8 @@ MenuRequest HeadsetFrontEnd::draw(LessonSession& session, Home& home, const Less
 }
 
 void HeadsetFrontEnd::drawEyes(LessonSession& session, double elapsed, gl::Profiler* profiler) {
-    const SceneView scene = session.scene(profiler);
-    if (leadsTorch()) session.sound(hands_.sample(place_));
+    const SceneView scene = session.picture().scene(profiler);
+    if (leadsTorch()) session.run().requestSurfaceDistance(hands_.sample(place_));
     const Clock::time_point start = Clock::now();
     guarded([&] {
         xr::Headset& headset = *connection_.headset();
@@ -161,7 +162,7 @@ void HeadsetFrontEnd::drawEyes(LessonSession& session, double elapsed, gl::Profi
 
 /// Where head and hands are in this frame, for the recording.
 void HeadsetFrontEnd::recordPerson(LessonSession& session) {
-    if (!drawn_ || !inFrame_ || session.recordings().current() == nullptr) return;
+    if (!drawn_ || !inFrame_ || session.log().recordings().current() == nullptr) return;
     const auto inWorkpiece = [this](const xr::Pose& inSession) {
         const xr::Pose pose = workshop_.toWorkshop(inSession);
         return RecordingPose{place_.toWorkpiece(pose.position),
@@ -170,13 +171,13 @@ void HeadsetFrontEnd::recordPerson(LessonSession& session) {
     xr::Headset& headset = *connection_.headset();
     const std::array<xr::EyeView, 2>& eyes = headset.views();
     RecordingPerson person;
-    person.steps = session.steps();
+    person.steps = session.run().steps();
     person.head = inWorkpiece(xr::interpolate(eyes[0].pose, eyes[1].pose, 0.5f));
     if (const auto& left = headset.input().hand(xr::Hand::left); left.tracked) person.left = inWorkpiece(left.grip);
     if (const auto& right = headset.input().hand(xr::Hand::right); right.tracked)
         person.right = inWorkpiece(right.grip);
     person.zoom = place_.zoom;
-    session.recordings().person(person);
+    session.log().recordings().person(person);
 }
 
 void HeadsetFrontEnd::drawNotice(const LessonFigures& figures, const Messages& messages, double elapsed) {
@@ -240,7 +241,7 @@ std::optional<glm::vec3> HeadsetFrontEnd::arcFromHead(const LessonSession& sessi
     if (!drawn_ || !session.running() || connection_.headset() == nullptr) return std::nullopt;
     const std::array<xr::EyeView, 2>& eyes = connection_.headset()->views();
     const xr::Pose head = workshop_.toWorkshop(xr::interpolate(eyes[0].pose, eyes[1].pose, 0.5f));
-    return head.inverse() * place_.toWorkshop(session.torch().tip);
+    return head.inverse() * place_.toWorkshop(session.run().torch().tip);
 }
 
 std::string HeadsetFrontEnd::sentence() const {

@@ -74,7 +74,7 @@ void HeadsetMenu::lessonButtons(ui::Context& context, const LessonSession& sessi
     };
     if (!session.running()) {
         asks("headset.start", "Start the lesson", MenuRequest::start, ui::ButtonKind::main, 0);
-        if (session.hasDemonstration())
+        if (session.lesson().torch.duration() > 0)
             asks("headset.demonstration", "Demonstration", MenuRequest::demonstrate, ui::ButtonKind::plain, 0);
         ImGui::NewLine();
     } else {
@@ -97,8 +97,8 @@ void HeadsetMenu::pagePart(ui::Context& context, LessonSession& session, const H
     ImGui::Dummy({0, context.points(4)});
     static constexpr std::array<std::string_view, 4> kPages{"headset", "machine", "view", "result"};
     const bool judges = session.judges();
-    if (session.judgements() != judgements_ || (page_ == kResult && !judges)) page_ = judges ? kResult : 0;
-    judgements_ = session.judgements();
+    if (session.attempt().judgements() != judgements_ || (page_ == kResult && !judges)) page_ = judges ? kResult : 0;
+    judgements_ = session.attempt().judgements();
     ui::choiceRow(context, "headset.page", std::span(kPages).first(judges ? 4 : 3), page_);
     if (page_ == 0) headsetPage(context, content);
     if (page_ == kResult)
@@ -113,11 +113,11 @@ void HeadsetMenu::pagePart(ui::Context& context, LessonSession& session, const H
     if (page_ == 2) {
         if (session.lesson().model == LessonModel::Weld &&
             ui::groupHeading(context, "cues", "Cues at the torch", false))
-            drawParameters(context, session.cueSection());
-        if (session.ghostSection().idle.empty() && ui::groupHeading(context, "ghost", "Ghost torch", false))
-            drawParameters(context, session.ghostSection());
+            drawParameters(context, session.help().cues);
+        if (session.help().ghost.idle.empty() && ui::groupHeading(context, "ghost", "Ghost torch", false))
+            drawParameters(context, session.help().ghost);
         drawParameters(context, session.sections().view);
-        if (ui::groupHeading(context, "sound", "Sound", false)) drawParameters(context, session.soundSection());
+        if (ui::groupHeading(context, "sound", "Sound", false)) drawParameters(context, session.help().sound);
         if (ui::groupHeading(context, "surface", "Expert", false)) drawParameters(context, session.sections().surface);
     }
 }

@@ -3,6 +3,7 @@
 #include "app/session/cut_stand.hpp"
 #include "app/session/seeing.hpp"
 #include "core/render/look/measures.hpp"
+#include "core/training/trainer/classic_model.hpp"
 
 #include "shaders/shared/render.h"
 
@@ -47,14 +48,14 @@ void StereoView::takeHands(const HeadsetHands& hands, const PanelPointer& panel)
 /// Turns the cut workpiece to the person, with measures that can be read at arm's length.
 void StereoView::standCut(LessonSession& session, SceneView& scene) const {
     constexpr float kFigure = 9e-3f; // m in the room
-    const MarkLayout upright = uprightLayout(session.fixture().up(), kFigure);
-    scene.modelToWorld = standOfCut(
-        scene.modelToWorld,
-        {scene.section.at, upright.up, static_cast<float>(session.cut().extent()), scene.boxMin, scene.boxMax},
-        parameters_.tableHeight);
+    const MarkLayout upright = uprightLayout(session.picture().fixture().up(), kFigure);
+    scene.modelToWorld = standOfCut(scene.modelToWorld,
+                                    {scene.section.at, upright.up, static_cast<float>(session.picture().cut().extent()),
+                                     scene.boxMin, scene.boxMax},
+                                    parameters_.tableHeight);
     MarkLayout layout = upright;
     layout.text = kFigure / glm::length(glm::vec3(scene.modelToWorld[0]));
-    scene.section.strokes = session.cut().strokes(layout);
+    scene.section.strokes = session.picture().cut().strokes(layout);
 }
 
 /// A weld without an arc needs no visor.
@@ -62,7 +63,7 @@ void StereoView::wearVisor(const LessonSession& session, SceneView& scene, const
     if (!scene.temperature.kelvin) return visor_.wear(parameters_, false, look);
     if (!isArcWelding(session.lesson().process)) return;
     const double elapsed = std::exchange(sinceSeen_, 0);
-    visor_.update(parameters_, seenArc(scene, between, session.arc().length), look, elapsed);
+    visor_.update(parameters_, seenArc(scene, between, session.run().arc().length), look, elapsed);
     visor_.wear(parameters_, true, look);
     scene.afterImage = visor_.afterImage(parameters_);
 }
@@ -70,10 +71,10 @@ void StereoView::wearVisor(const LessonSession& session, SceneView& scene, const
 /// Torch and hands of the process, table, machine and holders, in a room with depth.
 void StereoView::furnish(LessonSession& session, const SceneView& lesson) {
     hands_.process = &session.lesson().process;
-    hands_.extension = session.arc().extension;
+    hands_.extension = session.run().arc().extension;
     if (!holdsRod(*hands_.process)) hands_.rod.reset();
-    if (!session.cut().shown()) hands_.holders = lesson.furniture.last(lesson.holderSolids);
-    if (session.played()) {
+    if (!session.picture().cut().shown()) hands_.holders = lesson.furniture.last(lesson.holderSolids);
+    if (session.leader() == TorchLeader::path) {
         hands_.toolFittings = lesson.fittings;
         hands_.rod.reset();
     }
@@ -85,11 +86,11 @@ void StereoView::draw(LessonSession& session, const SceneView& lesson, const Wor
     hands_.arcGlow.reset();
     if (scene.arc.intensity.g > 0)
         hands_.arcGlow = scene.arc.intensity / (std::numbers::pi_v<float> * scene.arc.radius * scene.arc.radius);
-    scene.modelToWorld = place.modelToWorkshop(session.unit()) * scene.modelToWorld;
-    const bool demonstrated = session.played();
+    scene.modelToWorld = place.modelToWorkshop(kClassicUnit) * scene.modelToWorld;
+    const bool demonstrated = session.leader() == TorchLeader::path;
     hands_.tools = demonstrated ? lesson.solids : lesson.solids.last(lesson.rodSolids);
-    hands_.toolsToWorkshop = place.modelToWorkshop(session.unit());
-    LookParameters look = session.look();
+    hands_.toolsToWorkshop = place.modelToWorkshop(kClassicUnit);
+    LookParameters look = session.picture().look();
     const bool fine = has(look, Measure::room) && lesson.room.shown; // weld lessons have a room
     if (fine) furnish(session, lesson);
     scene.solids = scene_.build(parameters_, hands_);
@@ -99,16 +100,16 @@ void StereoView::draw(LessonSession& session, const SceneView& lesson, const Wor
     scene.room.shown = lesson.room.shown && look.showSky;
     scene.room.toWorld = glm::translate(glm::mat4(1.0f), {0, -float(WORKSHOP_FLOOR), 0});
     scene.source.shown &= demonstrated; // else the drawn torch takes its place
-    if (session.cut().shown()) standCut(session, scene);
+    if (session.picture().cut().shown()) standCut(session, scene);
     look.showBox = false;
     View between = viewOf(workshop, eyes.views[0], eyes); // cues stand at one place for both eyes
     between.eye = (between.eye + viewOf(workshop, eyes.views[1], eyes).eye) * 0.5f;
     wearVisor(session, scene, between, look);
-    Renderer& renderer = session.renderer();
+    Renderer& renderer = session.picture().renderer();
     renderer.submitBy(wantedSubmission(parameters_));
     const std::array<View, 2> views{viewOf(workshop, eyes.views[0], eyes), viewOf(workshop, eyes.views[1], eyes)};
-    scene.ghost = session.ghostMarkers(scene, between, place.zoom);
-    scene.markers = session.cueMarkers(scene, between);
+    scene.ghost = session.picture().ghostMarkers(scene, between, place.zoom);
+    scene.markers = session.picture().cueMarkers(scene, between);
     renderer.draw(scene, look, views, {eyes.framebuffer, {0, 0, 2 * eyes.width, eyes.height}, eyes.encodesSrgb},
                   profiler);
 }

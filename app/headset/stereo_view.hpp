@@ -17,7 +17,7 @@ class StereoView {
     /// Darkens the visor of the classic lesson with the heat of the torch, the hand's or that of a demonstration or
     /// replay; that of a weld sees the arc when it is drawn. `elapsed`: real seconds since the last frame.
     void update(const LessonSession& session, const TrackedTorch& torch, double elapsed) {
-        const float trigger = session.played() ? session.torch().trigger : torch.trigger();
+        const float trigger = session.leader() == TorchLeader::path ? session.run().torch().trigger : torch.trigger();
         visor_.update(trigger > 0, elapsed);
         sinceSeen_ += elapsed;
     }

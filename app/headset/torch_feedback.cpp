@@ -4,14 +4,15 @@ namespace meltpool {
 
 void TorchFeedback::update(const LessonSession& session, const TrackedTorch& torch, float strength, double elapsed) {
     time_ += elapsed;
-    surface_ = session.surfaceDistance();
+    const Trainer* trainer = session.run().trainer();
+    surface_ = session.run().surfaceDistance();
     if (torch.tracked())
-        touch_.update(session.touchRadius(), surface_, torch.velocity(), elapsed);
+        touch_.update(trainer == nullptr ? 0 : trainer->touchRadius(), surface_, torch.velocity(), elapsed);
     else
         touch_.forget();
-    const bool welds = session.held() && torch.trigger() > 0;
-    feel_ = {time_, welds ? session.arc() : ArcState{}, touch_.since(), touch_.speed()};
-    feel_.shorts = session.shortPhase();
+    const bool welds = session.leader() == TorchLeader::hand && torch.trigger() > 0;
+    feel_ = {time_, welds ? session.run().arc() : ArcState{}, touch_.since(), touch_.speed()};
+    feel_.shorts = trainer == nullptr ? 0 : trainer->heard().shortPhase;
     feel_.arc.liquid = surface_.liquid;
     vibration_ = feel(feel_);
     vibration_.amplitude *= strength;

@@ -1,6 +1,5 @@
 #include "app/library/best_scores.hpp"
 
-#include "app/activities/speed_trial.hpp"
 #include "app/platform/aside_file.hpp"
 #include "core/base/error.hpp"
 #include "core/base/file_lock.hpp"
@@ -136,7 +135,7 @@ std::string bestScoreText(const BestScore& best) {
     if (!best.cues.empty()) text += ", with cues";
     if (!best.ghost.empty()) text += ", with a ghost";
     if (best.changed) text += ", changed values";
-    if (best.realTime < SpeedTrial::kLeast)
+    if (best.realTime < kLeastSpeedForScore)
         text += ", metal at " + std::to_string(std::lround(best.realTime * 100)) + " %";
     if (!best.chosen.empty()) text += ", " + best.chosen;
     return text;

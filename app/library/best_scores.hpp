@@ -14,6 +14,9 @@
 
 namespace meltpool {
 
+/// Simulated over real time below which no attempt for score starts, and which a best score tells.
+inline constexpr double kLeastSpeedForScore = 0.95;
+
 /// How a person's attempt at a lesson turned out.
 struct BestScore {
     double score = 0;      ///< 0..100

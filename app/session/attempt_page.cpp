@@ -3,10 +3,14 @@
 #include "app/platform/program_info.hpp"
 #include "app/report/attempt_pictures.hpp"
 #include "app/report/report_page.hpp"
+#include "app/session/lesson_session.hpp"
 #include "core/base/error.hpp"
+#include "core/base/output_file.hpp"
 #include "core/base/resources.hpp"
+#include "core/base/text.hpp"
 
 #include <algorithm>
+#include <chrono>
 
 namespace meltpool {
 
@@ -78,6 +82,29 @@ fs::path attemptPageName(const fs::path& record, const std::string& lesson, cons
     std::string name = lesson + " " + date + ".html";
     std::replace(name.begin(), name.end(), ':', '.');
     return freeName(folder / name);
+}
+
+std::filesystem::path writeAttemptPage(LessonSession& session, double zoom, const std::string& driver) {
+    const Attempt& attempt = session.attempt();
+    LessonValues& values = session.values();
+    if (!session.judges() || !attempt.judged() || session.run().arc().burns())
+        throw InputError("there is no judged attempt; expected a weld that was judged, with the arc out");
+    const Judgement& judgement = attempt.judged()->judgement;
+    AttemptFacts facts;
+    facts.head.date = formatDate(std::chrono::system_clock::now());
+    facts.forScore = values.forScore();
+    facts.realTime = judgement.realTime;
+    facts.zoom = zoom;
+    facts.guided = session.deskTorch().guided();
+    facts.changed = values.workpieceChanged() || values.settingsChanged();
+    if (const CueSet used = attempt.cues().used(); !used.empty()) facts.cues = used.names();
+    facts.ghost = attempt.ghost().used();
+    const std::filesystem::path page =
+        attemptPageName(session.log().records().wholeFile(), session.lesson().key, facts.head.date);
+    writeFile(page, attemptPage(*session.run().trainer(), session.picture().renderer(), judgement, facts, driver));
+    session.run().metalChanged();
+    session.run().clock().restart(); // the metal does not make good the time that this took
+    return page;
 }
 
 } // namespace meltpool

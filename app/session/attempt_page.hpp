@@ -10,6 +10,8 @@
 
 namespace meltpool {
 
+class LessonSession;
+
 /// The page's HTML, with pictures of the weld from outside and cut. `driver`: of the graphics. Waits for the GPU, as
 /// judging does. Throws RuntimeFault where driver or memory fail.
 std::string attemptPage(Trainer& trainer, Renderer& renderer, const Judgement& judgement, const AttemptFacts& facts,
@@ -19,5 +21,10 @@ std::string attemptPage(Trainer& trainer, Renderer& renderer, const Judgement& j
 /// of pages, keptFolder() / "pages", which is made. Throws InputError where it cannot be.
 std::filesystem::path attemptPageName(const std::filesystem::path& record, const std::string& lesson,
                                       const std::string& date);
+
+/// Writes the page of the session's judged attempt: beside its record, where it has one, else into the user's folder.
+/// `zoom` at which the workpiece was shown; `driver` of the graphics. Answers where it is. Waits for the GPU. Throws
+/// InputError where nothing is judged or nothing can be written there, RuntimeFault where the machine fails.
+std::filesystem::path writeAttemptPage(LessonSession& session, double zoom, const std::string& driver);
 
 } // namespace meltpool

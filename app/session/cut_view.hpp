@@ -2,7 +2,7 @@
 // the same one.
 #pragma once
 
-#include "app/session/attempt_judge.hpp"
+#include "app/activities/attempt_judge.hpp"
 #include "core/render/section.hpp"
 #include "core/scene/section_marks.hpp"
 #include "core/training/judging/section_measures.hpp"

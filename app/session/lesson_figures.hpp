@@ -9,6 +9,8 @@
 
 namespace meltpool {
 
+class LessonSession;
+
 struct LessonFigures {
     double time = 0;               ///< simulated seconds
     double speed = 1;              ///< simulated over real time
@@ -28,5 +30,8 @@ struct LessonFigures {
     std::optional<DeskPose> torch;
     DistanceKind distance = DistanceKind::ctwd;
 };
+
+/// The figures of the lesson as it is now; those of the picture, and all of them without a running lesson, stay.
+void fillFigures(LessonFigures& figures, LessonSession& session);
 
 } // namespace meltpool

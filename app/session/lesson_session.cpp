@@ -1,30 +1,15 @@
 #include "app/session/lesson_session.hpp"
 
 #include "core/base/error.hpp"
-#include "core/base/resources.hpp"
 #include "core/training/lesson/lesson_folders.hpp"
-#include "core/training/trainer/classic_model.hpp"
 
 #include <glm/trigonometric.hpp>
 
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 namespace meltpool {
-
-namespace {
-
-bool same(const SurfaceParameters& a, const SurfaceParameters& b) {
-    return a.influence == b.influence && a.isoLevel == b.isoLevel && a.caps == b.caps;
-}
-
-/// The lesson with its machine as the trainee finds it.
-Lesson machineAtStart(Lesson lesson) {
-    lesson.takeStartSettings();
-    return lesson;
-}
-
-} // namespace
 
 Lesson loadLesson(const std::string& name) {
     return findLesson(name, LessonFolders::ofUser());
@@ -36,135 +21,119 @@ double machineSeconds() {
 
 LessonSession::LessonSession(gl::ShaderLibrary& shaders, Lesson lesson, Stopwatch stopwatch,
                              gl::OtherContext* metalThere)
-    : shaders_(shaders),
-      metalThere_(metalThere),
-      given_(lesson.process),
-      lesson_(machineAtStart(std::move(lesson))),
-      sections_(std::in_place, lesson_),
-      renderer_(shaders, cacheFolder()),
-      now_(stopwatch) {
-    openCues();
+    : values_(std::move(lesson)),
+      run_(shaders, activities_, stopwatch, metalThere),
+      picture_(shaders, {values_.lesson(), run_, activities_, lead_}),
+      help_{{"cues", describe(attempt().cues().parameters)},
+            {"sound", describe(hearing_.parameters)},
+            {"ghost", describe(attempt().ghost().parameters)}} {
+    openHelp();
 }
 
 void LessonSession::open(Lesson lesson) {
     end("another lesson was opened");
-    const bool forScore = sections_->attempt.forScore;
-    given_ = lesson.process;
-    lesson_ = machineAtStart(std::move(lesson));
-    sections_.emplace(lesson_);
-    sections_->attempt.forScore = forScore;
-    openCues();
+    values_.open(std::move(lesson));
+    openHelp();
 }
 
-void LessonSession::openCues() {
-    cues_.open(lesson_);
-    cueSection_.idle = cues_.idle();
-    ghost_.open(lesson_);
-    ghostSection_.idle = ghost_.idle();
-}
-
-bool LessonSession::workpieceChanged() {
-    return sections_->workpieceChanged(lesson_);
-}
-
-bool LessonSession::settingsChanged() const {
-    return sections_->machineChanged(lesson_);
+void LessonSession::openHelp() {
+    attempt().open(lesson());
+    help_.cues.idle = attempt().cues().idle();
+    help_.ghost.idle = attempt().ghost().idle();
 }
 
 /// Ends what runs, and puts torch and camera to the lesson's places.
 void LessonSession::prepare(Controls& controls) {
     end("another attempt began");
     controls.restart();
-    controls.source().setCold(lesson_.source.kind == 1);
-    desk_.begin(lesson_);
-    controls.leadTorch(desk_.leads());
-    const CameraParameters& camera = lesson_.camera;
+    controls.source().setCold(lesson().source.kind == 1);
+    lead_.begin(lesson());
+    controls.leadTorch(lead_.desk().leads());
+    const CameraParameters& camera = lesson().camera;
     controls.placeCamera(OrbitCamera(glm::radians(camera.azimuth), glm::radians(camera.elevation), camera.distance));
     controls.lens.fieldOfView = glm::radians(camera.fieldOfView);
 }
 
 void LessonSession::begin(Controls& controls) {
     prepare(controls);
-    sections_->restoreGiven();
-    if (const std::string unset = lesson_.unsetSettings(); !unset.empty()) {
+    sections().restoreGiven();
+    if (const std::string unset = values_.lesson().unsetSettings(); !unset.empty()) {
         question_ = {unset, {"Set the machine"}};
         return;
     }
-    if (sections_->attempt.forScore) {
-        trial_.begin(lesson_);
+    if (values_.forScore()) {
+        activities_.trial.begin(lesson());
         beginTrial();
         return;
     }
-    makeTrainer();
+    makeMetal();
     beginAttempt();
 }
 
 /// `process`: other settings than those of the menus, which then change nothing.
-void LessonSession::makeTrainer(const ProcessSettings* process) {
-    trainer_.reset(); // its memory may be needed for the next
-    Lesson lesson = lesson_;
-    if (trial_.running())
-        for (const auto& [key, value] : trial_.current().values)
-            lesson.set(key, value, "a value that was offered");
-    if (process != nullptr) lesson.process = *process;
-    trainer_ = std::make_unique<Trainer>(shaders_, std::move(lesson), metalThere_);
+void LessonSession::makeMetal(const ProcessSettings* process) {
+    run_.free();
+    Lesson made = lesson();
+    const SpeedTrial& trial = activities_.trial;
+    if (trial.running())
+        for (const auto& [key, value] : trial.current().values)
+            made.set(key, value, "a value that was offered");
+    if (process != nullptr) made.process = *process;
+    run_.make(std::move(made));
     hearing_.ear.reset();
-    if (!trial_.running()) trainer_->listen(&hearing_.ear);
-    clock_.reset();
-    if (process != nullptr) return;
-    wanted_ = liveParameters(lesson_.metalParameters());
-    running_ = liveParameters(trainer_->lesson().metalParameters());
+    if (!trial.running()) run_.trainer()->listen(&hearing_.ear);
+    if (process == nullptr) values_.follow(*run_.trainer());
 }
 
-void LessonSession::reset(Controls& controls) {
-    if (!running() || !trial_.offers().empty()) return; // an attempt for score has not begun yet
-    if (replay_.shown()) return begin(controls);
-    const bool otherSettings = wanted_.empty(); // see makeTrainer()
-    if (demonstration_.shown() && (sections_->attempt.forScore || otherSettings)) return begin(controls);
-    demonstration_.end();
-    closeCut(controls);
-    controls.reset();
-    desk_.begin(lesson_);
-    tellRecordingJudgement();
-    trainer_->reset();
-    recordings_.close();
-    records_.check(*trainer_); // the last lines of the record that ended
-    clock_.restart();
-    beginAttempt();
-}
-
-void LessonSession::judge() {
-    if (!judges() || question_.asked() || !fault_.empty()) return;
-    try {
-        judge_.judge(*trainer_);
-        if (const auto& judged = judge_.judged(); judged && judged->judgement.score && redo_.redone() == 0)
-            cues_.practised(*judged->judgement.score);
-    } catch (const RuntimeFault& fault) {
-        fault_ = fault.what();
-        event("fault", fault_);
-    }
-    clock_.restart(); // the metal does not make good the time that judging took
+/// The person turns to this, over metal at its start.
+void LessonSession::beginOver(Activity& activity) {
+    activities_.turnTo(activity);
+    run_.beginAgain();
 }
 
 void LessonSession::beginAttempt() {
-    cut_.close();
-    judge_.forget();
-    cues_.begin();
-    ghost_.begin(*trainer_);
-    surfaceDistance_ = {};
-    fault_.clear();
-    surfaceIsOld_ = true;
+    picture_.cut().close();
+    run_.forgetSurfaceDistance();
     paused_ = false;
     question_ = {};
-    recordings_.begin(*trainer_, records_.attempt() + 1);
-    beginMoments();
-    try {
-        records_.begin(*trainer_);
-    } catch (const std::runtime_error& fault) { // no such place, or no room for even its head
-        question_ = {std::string("This attempt cannot be recorded: ") + fault.what(),
-                     {"Weld without a record", "Start menu"}};
+    beginOver(attempt());
+    if (const std::string fault = attempt().begin(*run_.trainer(), values_.forScore()); !fault.empty())
+        question_ = {"This attempt cannot be recorded: " + fault, {"Weld without a record", "Start menu"}};
+}
+
+void LessonSession::demonstrate(Controls& controls) {
+    if (!(lesson().torch.duration() > 0)) return;
+    prepare(controls);
+    makeMetal(values_.machineChosen() ? &values_.given() : nullptr);
+    beginOver(activities_.demonstration);
+    demonstration().begin(lesson().torch.duration(), !values_.followed());
+}
+
+void LessonSession::openReplay(Lesson attempt, Controls& controls) {
+    prepare(controls);
+    attempt.surface = lesson().surface; // how it is shown is the viewer's choice
+    run_.make(std::move(attempt));
+    hearing_.ear.reset();
+    beginOver(activities_.replay);
+    replay().begin(*run_.trainer(), thisMachine(), run_.stopwatch());
+}
+
+void LessonSession::reset(Controls& controls) {
+    switch (activities_.current().nextAttempt(values_.forScore())) {
+    case NextAttempt::none:
+        return;
+    case NextAttempt::freshMetal:
+        return begin(controls);
+    case NextAttempt::sameMetal:
+        break;
     }
-    if (sections_->attempt.forScore) event("for_score", "yes");
+    demonstration().end();
+    closeCut(controls);
+    controls.reset();
+    lead_.begin(lesson());
+    attempt().reset(*run_.trainer());
+    run_.clock().restart();
+    beginAttempt();
 }
 
 void LessonSession::settle(Controls& controls) {
@@ -172,9 +141,9 @@ void LessonSession::settle(Controls& controls) {
     if (answer < 0 || !question_.asked()) return;
     question_ = {};
     if (!running()) return; // the machine is set on the lesson's first page
-    if (!trial_.offers().empty()) return settleTrial(answer, controls);
+    if (!activities_.trial.offers().empty()) return settleTrial(answer, controls);
     if (answer == 0) {
-        records_.renounce();
+        log().records().renounce();
         return;
     }
     end("start menu");
@@ -182,68 +151,65 @@ void LessonSession::settle(Controls& controls) {
 }
 
 void LessonSession::end(std::string_view reason) noexcept {
-    tellRecordingJudgement();
     question_ = {};
-    judge_.forget();
-    redo_.begin();
-    cut_.close();
-    trial_.stop();
-    demonstration_.end();
-    replay_.end();
-    wanted_.clear();
-    running_.clear();
-    surfaceDistance_ = {};
+    picture_.cut().close();
+    activities_.end();
+    values_.unfollow();
+    run_.forgetSurfaceDistance();
     if (!running()) return;
+    log().stop(*run_.trainer(), reason);
+    run_.free();
+    log().close();
+}
+
+void LessonSession::judge() {
+    if (!judges() || question_.asked() || !run_.fault().empty()) return;
+    run_.guarded([&] { attempt().judge(*run_.trainer()); });
+    run_.clock().restart(); // the metal does not make good the time that judging took
+}
+
+/// An attempt for score is welded once, from its beginning to its end.
+bool LessonSession::redoes() {
+    return judges() && !values_.forScore() && !question_.asked() && run_.fault().empty() && log().moments().can();
+}
+
+void LessonSession::redo(Controls& controls) {
+    if (!redoes()) return;
+    closeCut(controls);
     try {
-        trainer_->stopRecord(reason);
-        records_.check(*trainer_);
-    } catch (const std::exception&) {
-        records_.renounce(); // the metal cannot even be read any more
+        if (!attempt().goBack(*run_.trainer())) return;
+    } catch (const std::exception& fault) { // the metal may be of neither moment
+        run_.stop(fault.what());
+        run_.event("fault", run_.fault());
+        return;
     }
-    trainer_.reset();
-    recordings_.close();
+    controls.putOut(ArcOut::redone);
+    const double place = run_.trainer()->technique()->place();
+    if (lead_.desk().leads() && std::isfinite(place)) lead_.desk().standAt(place);
+    run_.forgetSurfaceDistance();
+    run_.metalChanged();
+    run_.clock().restart();
 }
 
-/// The attempt ends: its recording tells how it was judged, unless the weld went on after that.
-void LessonSession::tellRecordingJudgement() {
-    const auto& judged = judge_.judged();
-    if (!judged) return recordings_.judged({}, {});
-    const Judgement& judgement = judged->judgement;
-    const bool scored = judgement.score && judgement.score->scored;
-    const char* verdict = !judgement.verdict ? "" : judgement.verdict->accepted ? "accepted" : "not accepted";
-    recordings_.judged(scored ? std::optional(judgement.score->total) : std::nullopt, verdict);
+bool LessonSession::cuts() const {
+    return judges() && (!run_.arc().burns() || paused_) && !question_.asked() && run_.fault().empty() &&
+           CutView::canCut(run_.trainer()->lesson());
 }
 
-void LessonSession::event(std::string_view name, std::string_view value) {
-    if (running() && !played()) trainer_->event(name, value); // what happens to the viewer is none of the attempt
-}
-
-const std::string& LessonSession::recordFault() const {
-    static const std::string kNone;
-    return running() ? trainer_->recordFault() : kNone;
-}
-
-bool LessonSession::takeOverChanges(const Controls& controls) {
-    lesson_.source.kind = controls.source().cold() ? 1 : 0;
-    for (size_t i = 0; i < wanted_.size(); ++i)
-        if (!sameValue(wanted_[i], running_[i]))
-            trainer_->change(wanted_[i].key, parameterText(wanted_[i]), "the menu");
-    Lesson& running = trainer_->lesson();
-    const bool changed = !same(shownSurface_, lesson_.surface);
-    const bool detailed = running.look.detail != detail_; // decides what the surface holds
-    running.surface = lesson_.surface;
-    running.look.detail = detail_;
-    shownSurface_ = lesson_.surface;
-    return changed || detailed;
-}
-
-void LessonSession::sound(const TorchSample& torch) {
-    if (!running()) return;
-    if (const auto fresh = trainer_->pollDistance()) {
-        surfaceDistance_ = *fresh;
-        trainer_->setSurfaceDistance(surfaceDistance_);
+void LessonSession::toggleCut(Controls& controls) {
+    if (picture_.cut().shown()) return closeCut(controls);
+    if (!cuts()) return;
+    try {
+        picture_.openCut(controls);
+    } catch (const RuntimeFault& fault) {
+        run_.stop(fault.what());
+        return;
     }
-    trainer_->requestDistance(torch);
+    run_.event("cut", "open");
+}
+
+void LessonSession::closeCut(Controls& controls) {
+    if (picture_.closeCut(controls)) run_.event("cut", "closed");
 }
 
 } // namespace meltpool

@@ -6,22 +6,13 @@ namespace meltpool {
 
 /// Makes the metal of the trial's current offer, and finds where its demonstration begins to heat.
 void LessonSession::beginTrial() {
-    makeTrainer();
-    fault_.clear();
-    surfaceIsOld_ = true;
+    makeMetal();
+    SpeedTrial& trial = activities_.trial;
+    beginOver(trial);
     question_ = {};
     question_.text = "Measuring whether this machine keeps up with the clock";
-    question_.text += trial_.current().label.empty() ? " ..." : ", with " + trial_.current().label + " ...";
-    trialTime_ = lesson_.torch.firstPull().value_or(0);
-}
-
-void LessonSession::measureSpeed(double seconds, gl::Profiler* profiler) {
-    const double before = trialTime_;
-    makeDueSteps(seconds, [&](int, int) {
-        trainer_->advance(lesson_.torch.sample(trialTime_ += trainer_->timeStep()), profiler);
-    });
-    surfaceIsOld_ = true;
-    nextTrial(trial_.count(seconds, trialTime_ - before));
+    question_.text += trial.current().label.empty() ? " ..." : ", with " + trial.current().label + " ...";
+    trial.beginOffer(lesson());
 }
 
 void LessonSession::nextTrial(SpeedTrial::Verdict verdict) {
@@ -29,24 +20,24 @@ void LessonSession::nextTrial(SpeedTrial::Verdict verdict) {
         try {
             return beginTrial();
         } catch (const InputError&) { // a workpiece may have no room for such coarse particles
-            verdict = trial_.skip();
+            verdict = activities_.trial.skip();
         }
     }
-    if (verdict == SpeedTrial::Verdict::tooSlow) question_ = trial_.question();
+    if (verdict == SpeedTrial::Verdict::tooSlow) question_ = activities_.trial.question();
     if (verdict != SpeedTrial::Verdict::fastEnough) return;
-    makeTrainer();
+    makeMetal();
     beginAttempt();
 }
 
 void LessonSession::settleTrial(int answer, Controls& controls) {
-    const std::vector<SpeedOffer> offers = trial_.offers();
-    trial_.stop();
+    const std::vector<SpeedOffer> offers = activities_.trial.offers();
+    activities_.trial.stop();
     if (static_cast<size_t>(answer) + 1 < offers.size()) {
         for (const auto& [key, value] : offers[static_cast<size_t>(answer) + 1].values)
-            lesson_.set(key, value, "a value that was offered");
+            values_.lesson().set(key, value, "a value that was offered");
         begin(controls);
     } else if (static_cast<size_t>(answer) + 1 == offers.size()) {
-        sections_->attempt.forScore = false;
+        sections().attempt.forScore = false;
         begin(controls);
     } else {
         end("start menu");

@@ -87,22 +87,22 @@ void Notices::update(LessonSession& session, LessonFigures& figures, const Trigg
                      Messages& messages) {
     figures.slow = {};
     std::string_view sentence;
-    if (session.running() && !session.played()) {
+    if (session.activity().allowed().ownTorch) {
         if (!session.paused()) figures.slow = slow_.update(figures.speed, elapsed); // else the metal stands
-        sentence = arc_.update(session.arc(), traitsOf(session.lesson().process).striking, elapsed);
-        if (session.cues().withheld(CueKind::arc)) sentence = {};
+        sentence = arc_.update(session.run().arc(), traitsOf(session.lesson().process).striking, elapsed);
+        if (session.attempt().cues().withheld(CueKind::arc)) sentence = {};
         if (lock.holdsBack()) sentence = arcOutSentence(lock.reason());
     }
     tellSlow(figures.slow, messages);
     const bool eye = session.running() && session.lesson().look.adaptation;
-    if (eye && !session.visor().sentence().empty())
-        messages.hold(session.visor().sentence(), "visor");
+    if (eye && !session.picture().visor().sentence().empty())
+        messages.hold(session.picture().visor().sentence(), "visor");
     else
         messages.clear("visor");
-    if (session.ghost().fault().empty())
+    if (session.attempt().ghost().fault().empty())
         messages.clear("ghost");
     else
-        messages.hold(session.ghost().fault(), "ghost");
+        messages.hold(session.attempt().ghost().fault(), "ghost");
     if (sentence.empty())
         messages.clear("arc");
     else

@@ -3,6 +3,7 @@
 
 #include "app/session/headset_status.hpp"
 #include "app/session/home.hpp"
+#include "app/session/lesson_figures.hpp"
 #include "app/session/lesson_session.hpp"
 #include "app/session/messages.hpp"
 #include "app/session/trigger_lock.hpp"

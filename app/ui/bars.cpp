@@ -35,7 +35,7 @@ struct ModeName {
 };
 
 ModeName modeOf(const Controls& controls, const LessonSession& session) {
-    if (session.cut().shown()) return {"Cut open \xE2\x80\x93 paused", colour::kCold};
+    if (session.picture().cut().shown()) return {"Cut open \xE2\x80\x93 paused", colour::kCold};
     // A demonstration goes on while the person looks around.
     if (session.demonstration().shown()) return {"Demonstration", colour::kCold};
     if (session.replay().shown()) return {"Replay", colour::kCold};

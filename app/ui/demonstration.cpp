@@ -34,8 +34,8 @@ MenuRequest demonstrationPart(Context& context, LessonSession& session) {
     if (demonstration.welds())
         quietText(context, "The expert's torch welds the metal. Pull the handle to bring the torch to any moment.");
     else
-        quietText(context, session.torch().trigger > 0 ? "The torch alone; here it heats the metal."
-                                                       : "The torch alone; here it is off.");
+        quietText(context, session.run().torch().trigger > 0 ? "The torch alone; here it heats the metal."
+                                                             : "The torch alone; here it is off.");
     return request;
 }
 

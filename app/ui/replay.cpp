@@ -106,9 +106,10 @@ ShortText stateText(const LessonSession& session) {
         return ShortText(text);
     }
     constexpr double kKeepsUp = 0.95;
-    if (line.playing() && session.replaySpeed() < kKeepsUp * line.speed()) {
-        std::snprintf(text, sizeof text, "This machine plays it at %.2f of the attempt's speed, not %.2f.",
-                      session.replaySpeed(), line.speed());
+    const double speed = line.speed() * session.run().clock().speed();
+    if (line.playing() && speed < kKeepsUp * line.speed()) {
+        std::snprintf(text, sizeof text, "This machine plays it at %.2f of the attempt's speed, not %.2f.", speed,
+                      line.speed());
         return ShortText(text);
     }
     if (replay.comparison()) return ShortText(std::string_view(replay.comparison()->text));

@@ -72,7 +72,7 @@ std::optional<double> worstPlace(const Judgement& judgement, const Correction& c
 /// What to correct first; below each that has a place a button that goes back before it.
 MenuRequest drawCorrections(Context& context, LessonSession& session) {
     static constexpr std::array<const char*, 3> kButtons{"result.redo.1", "result.redo.2", "result.redo.3"};
-    const JudgedAttempt& attempt = *session.judged();
+    const JudgedAttempt& attempt = *session.attempt().judged();
     const std::vector<Correction>& corrections = attempt.judgement.corrections;
     MenuRequest request = MenuRequest::none;
     if (attempt.rows.corrections.empty()) return request;
@@ -87,7 +87,7 @@ MenuRequest drawCorrections(Context& context, LessonSession& session) {
         if (!place || !button(context, kButtons[i], "Redo from here", ButtonKind::plain, 150,
                               "Back to a second before the place where this was worst; the rest is practice"))
             continue;
-        session.earlierMoments().choose(*place);
+        session.log().moments().choose(*place);
         request = MenuRequest::redo;
     }
     return request;
@@ -95,14 +95,14 @@ MenuRequest drawCorrections(Context& context, LessonSession& session) {
 
 MenuRequest drawJudgement(Context& context, LessonSession& session, const TechniqueBands* bands,
                           const std::string& best) {
-    const JudgedAttempt& attempt = *session.judged();
+    const JudgedAttempt& attempt = *session.attempt().judged();
     const JudgementRows& rows = attempt.rows;
     ImGui::PushFont(context.fonts.title);
     ImGui::TextUnformatted(rows.score.c_str());
     ImGui::PopFont();
     markItem(context, "result.score");
     if (!best.empty()) quietText(context, best);
-    if (session.earlierMoments().redone() > 0)
+    if (session.log().moments().redone() > 0)
         quietText(context, "Practice: this attempt went back to an earlier moment, so its score does not count.");
     quietText(context, rows.scoreNote);
     ImGui::PushFont(context.fonts.strong);
@@ -142,31 +142,32 @@ float resultReach(const Context& context) {
 MenuRequest resultPart(Context& context, LessonSession& session, const Home& home) {
     MenuRequest request = MenuRequest::none;
     ButtonRow row(context, 10);
-    if (row.add("result.judge", "Judge the weld", session.judged() ? ButtonKind::plain : ButtonKind::main, 150))
+    if (row.add("result.judge", "Judge the weld", session.attempt().judged() ? ButtonKind::plain : ButtonKind::main,
+                150))
         request = MenuRequest::judge;
-    if (row.add("result.again", "Again", session.judged() ? ButtonKind::main : ButtonKind::plain, 110))
+    if (row.add("result.again", "Again", session.attempt().judged() ? ButtonKind::main : ButtonKind::plain, 110))
         request = MenuRequest::reset;
     if (row.add("result.home", "Home", ButtonKind::plain, 80,
                 ShortText{"All lessons (", context.key(Key::h), ")"}.c_str()))
         request = MenuRequest::home;
     const CataloguedLesson* next = home.find(session.lesson().next);
-    if (next != nullptr && session.judged() &&
+    if (next != nullptr && session.attempt().judged() &&
         button(context, "result.next", ShortText{"Next: ", next->title}.c_str(), ButtonKind::plain))
         request = MenuRequest::next;
-    if (session.judged()) {
+    if (session.attempt().judged()) {
         if (button(context, "result.page", "Page", ButtonKind::plain, 80,
                    "Writes this result as a page that a browser shows and prints"))
             request = MenuRequest::page;
-        if (session.cut().shown() || session.cuts()) ImGui::SameLine();
+        if (session.picture().cut().shown() || session.cuts()) ImGui::SameLine();
     }
     if (const MenuRequest asked = cutPart(context, session); asked != MenuRequest::none) request = asked;
     if (session.redoes() && button(context, "result.redo", "Back 3 s", ButtonKind::plain, 110,
                                    "The metal as it was; the rest is practice (Backspace)"))
         request = MenuRequest::redo;
-    if (session.judged()) {
+    if (session.attempt().judged()) {
         const MenuRequest asked = drawJudgement(context, session, bandsOf(session.lesson()), bestText(session, home));
         if (asked != MenuRequest::none) request = asked;
-    } else if (session.arc().burns()) {
+    } else if (session.run().arc().burns()) {
         quietText(context, "The arc burns. Let it go out, then the weld can be judged.");
     } else {
         quietText(context, "Nothing is judged yet. A finished weld of 10 mm or more is judged by itself a second after "

@@ -225,7 +225,7 @@ MenuRequest startMenu(Context& context, LessonSession& session, Home& home, cons
     taskAndValues(context, session, home, screen.y - context.points(16) - 2 * padding.y);
     const float foot = ImGui::GetCursorPosY();
     if (!low) ImGui::Dummy({0, context.points(8)});
-    const MenuRequest request = startButtons(context, session.hasDemonstration());
+    const MenuRequest request = startButtons(context, session.lesson().torch.duration() > 0);
     if (!low) {
         ImGui::Dummy({0, context.points(2)});
         quietText(context, driver);

@@ -85,7 +85,7 @@ const char* ruleOf(const BendTest& test) {
 } // namespace
 
 MenuRequest cutPart(Context& context, LessonSession& session) {
-    CutView& cut = session.cut();
+    CutView& cut = session.picture().cut();
     if (!cut.shown() && !session.cuts()) return MenuRequest::none;
     MenuRequest request = MenuRequest::none;
     if (button(context, "cut.open", cut.shown() ? "Close the cut" : "Cut the weld open",

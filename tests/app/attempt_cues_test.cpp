@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 class Welder {
   public:
     explicit Welder(const fs::path& record = {}) : session(test::shaders(), test::smallBead(), [] { return 0.0; }) {
-        session.records().use(record, "program", "driver");
+        session.log().records().use(record, "program", "driver");
         session.begin(controls);
     }
 
@@ -39,8 +39,8 @@ class Welder {
         x_ = kBegin;
     }
     size_t markers() {
-        const SceneView scene = session.scene(nullptr);
-        return session.cueMarkers(scene, controls.view(1.5F)).size();
+        const SceneView scene = session.picture().scene(nullptr);
+        return session.picture().cueMarkers(scene, controls.view(1.5F)).size();
     }
 
     Controls controls;
@@ -58,23 +58,23 @@ TEST_CASE("an attempt's record and help tell its cues: all, those left on, and n
     Welder welder(first);
     welder.lead(0.1, 0);
     CHECK(welder.markers() > 5);
-    CHECK(welder.session.cues().used().empty()); // no arc yet
+    CHECK(welder.session.attempt().cues().used().empty()); // no arc yet
     welder.lead(1, 1);
     CHECK(welder.markers() > 10);
-    CHECK(welder.session.cues().used() == CueSet::all());
-    setParameter(welder.session.cueSection().parameters, "seam", "false", "test");
-    setParameter(welder.session.cueSection().parameters, "aim", "false", "test");
+    CHECK(welder.session.attempt().cues().used() == CueSet::all());
+    setParameter(welder.session.help().cues.parameters, "seam", "false", "test");
+    setParameter(welder.session.help().cues.parameters, "aim", "false", "test");
     welder.lead(0.1, 1);
     welder.again();
     welder.lead(0.3, 1);
-    CHECK(welder.session.cues().used().names() == "speed angles distance arc");
+    CHECK(welder.session.attempt().cues().used().names() == "speed angles distance arc");
 
     welder.session.sections().attempt.forScore = true;
     welder.again();
     welder.lead(0.5, 1);
-    CHECK(welder.session.arc().burns());
+    CHECK(welder.session.run().arc().burns());
     CHECK(welder.markers() == 0);
-    CHECK(welder.session.cues().used().empty());
+    CHECK(welder.session.attempt().cues().used().empty());
     welder.session.end("done");
     const std::string one = readTextFile(first), two = readTextFile(folder / "weld-2.csv"),
                       three = readTextFile(folder / "weld-3.csv");
@@ -88,24 +88,24 @@ TEST_CASE("cues fade with the trainee's skill from the next attempt on; each att
     Welder welder;
     welder.lead(2, 1);
     welder.lead(1.2, 0);
-    REQUIRE(welder.session.judged());
-    REQUIRE(welder.session.judged()->judgement.score);
-    const CueSkill expected = CueSkill().after(*welder.session.judged()->judgement.score);
-    CHECK(welder.session.cues().skill() == expected);
+    REQUIRE(welder.session.attempt().judged());
+    REQUIRE(welder.session.attempt().judged()->judgement.score);
+    const CueSkill expected = CueSkill().after(*welder.session.attempt().judged()->judgement.score);
+    CHECK(welder.session.attempt().cues().skill() == expected);
     CHECK(expected.good(TechniqueQuantity::travelSpeed) == 1);
     welder.session.judge(); // the same attempt once more
-    CHECK(welder.session.cues().skill() == expected);
+    CHECK(welder.session.attempt().cues().skill() == expected);
 
     CueSkill master;
     for (const CuedQuantity& cued : cuedQuantities())
         master.setGood(cued.quantity, CueSkill::kMastered);
-    welder.session.cues().setSkill(master);
+    welder.session.attempt().cues().setSkill(master);
     welder.again();
     welder.lead(0.5, 1);
     CHECK(welder.markers() == 0);
-    CHECK(welder.session.cues().used().names() == "arc");
+    CHECK(welder.session.attempt().cues().used().names() == "arc");
     welder.session.open(test::smallBead()); // nothing is known of the trainee in another lesson
-    CHECK(welder.session.cues().skill() == CueSkill());
+    CHECK(welder.session.attempt().cues().skill() == CueSkill());
 }
 
 TEST_CASE("a lesson shows the cues that it allows and can measure, and menus only those", "[app]") {
@@ -119,14 +119,14 @@ TEST_CASE("a lesson shows the cues that it allows and can measure, and menus onl
     welder.session.open(lesson);
     welder.session.begin(welder.controls);
     welder.lead(0.3, 1);
-    CHECK(welder.session.cues().used().names() == "aim");
+    CHECK(welder.session.attempt().cues().used().names() == "aim");
     size_t shown = 0;
-    for (const Parameter& parameter : welder.session.cueSection().parameters)
-        shown += welder.session.cueSection().shows(parameter) ? 1 : 0;
+    for (const Parameter& parameter : welder.session.help().cues.parameters)
+        shown += welder.session.help().cues.shows(parameter) ? 1 : 0;
     CHECK(shown == 1);
     welder.session.open(findLesson("classic", test::shippedLessons()));
-    for (const Parameter& parameter : welder.session.cueSection().parameters)
-        CHECK_FALSE(welder.session.cueSection().shows(parameter));
+    for (const Parameter& parameter : welder.session.help().cues.parameters)
+        CHECK_FALSE(welder.session.help().cues.shows(parameter));
 }
 
 TEST_CASE("why the arc is out is told unless that cue is off; a demonstration has no cues", "[app]") {
@@ -141,13 +141,13 @@ TEST_CASE("why the arc is out is told unless that cue is off; a demonstration ha
         return !messages.shown().empty();
     };
     welder.lead(0.5, 1);
-    REQUIRE(welder.session.arc().burns());
+    REQUIRE(welder.session.run().arc().burns());
     welder.lead(0.4, 1, 40e-3F);
-    REQUIRE_FALSE(welder.session.arc().burns());
+    REQUIRE_FALSE(welder.session.run().arc().burns());
     const size_t sign = welder.markers();
-    INFO(noArcName(welder.session.arc().noArc));
+    INFO(noArcName(welder.session.run().arc().noArc));
     CHECK(told());
-    setParameter(welder.session.cueSection().parameters, "arc", "false", "test");
+    setParameter(welder.session.help().cues.parameters, "arc", "false", "test");
     welder.lead(0.03, 1, 40e-3F);
     CHECK_FALSE(told());
     CHECK(welder.markers() < sign);

@@ -23,9 +23,9 @@ class Welder {
   public:
     explicit Welder(GhostChoice ghost, const fs::path& record = {}, const Lesson& lesson = test::smallBead())
         : session(test::shaders(), lesson, [] { return 0.0; }) {
-        session.records().use(record, "program", "driver");
-        session.ghost().parameters.ghost = static_cast<int>(ghost);
-        session.ghost().findBestBy([this](const std::string& key) {
+        session.log().records().use(record, "program", "driver");
+        session.attempt().ghost().parameters.ghost = static_cast<int>(ghost);
+        session.attempt().ghost().findBestBy([this](const std::string& key) {
             asked = key;
             return best;
         });
@@ -54,17 +54,17 @@ class Welder {
         x_ = kBegin;
     }
     std::vector<Marker> ghost() {
-        const SceneView scene = session.scene(nullptr);
-        const auto markers = session.ghostMarkers(scene, controls.view(1.5F));
+        const SceneView scene = session.picture().scene(nullptr);
+        const auto markers = session.picture().ghostMarkers(scene, controls.view(1.5F));
         return {markers.begin(), markers.end()};
     }
     std::string words() const {
         std::string all;
-        for (size_t i = 0; i < session.ghost().words().lines(); ++i)
-            all += std::string(session.ghost().words().line(i)) + "\n";
+        for (size_t i = 0; i < session.attempt().ghost().words().lines(); ++i)
+            all += std::string(session.attempt().ghost().words().line(i)) + "\n";
         return all;
     }
-    std::string fault() const { return std::string(session.ghost().fault()); }
+    std::string fault() const { return std::string(session.attempt().ghost().fault()); }
     double place() const { return static_cast<double>(x_); }
 
     std::string asked; ///< for its best attempt
@@ -85,19 +85,20 @@ TEST_CASE("the expert's ghost stands at the torch's place, is told to the record
     welder.begin();
     welder.lead(0.1, 0);
     CHECK(welder.ghost().size() > 3);
-    CHECK(welder.session.ghost().used().empty()); // no arc yet
+    CHECK(welder.session.attempt().ghost().used().empty()); // no arc yet
     welder.lead(1.2, 1);
-    REQUIRE(welder.session.ghost().moment());
-    CHECK(welder.session.ghost().moment()->place == Approx(welder.place()).margin(2e-3)); // it follows a little late
-    CHECK(welder.session.ghost().used() == "expert");
+    REQUIRE(welder.session.attempt().ghost().moment());
+    CHECK(welder.session.attempt().ghost().moment()->place ==
+          Approx(welder.place()).margin(2e-3)); // it follows a little late
+    CHECK(welder.session.attempt().ghost().used() == "expert");
     INFO(welder.words());
     CHECK_THAT(welder.words(), test::containsText("travel angle 10\xC2\xB0 less\n"));
     welder.session.sections().attempt.forScore = true;
     welder.again();
     welder.lead(0.3, 1);
-    CHECK(welder.session.arc().burns());
+    CHECK(welder.session.run().arc().burns());
     CHECK(welder.ghost().empty());
-    CHECK(welder.session.ghost().used().empty());
+    CHECK(welder.session.attempt().ghost().used().empty());
     welder.session.sections().attempt.forScore = false;
     welder.session.demonstrate(welder.controls);
     welder.lead(0.1, 0);
@@ -130,18 +131,18 @@ TEST_CASE("a ghost fades as cues do, and a master has none", "[app]") {
     CueSkill skill;
     for (const CuedQuantity& cued : cuedQuantities())
         skill.setGood(cued.quantity, CueSkill::kMastered / 2);
-    welder.session.cues().setSkill(skill);
+    welder.session.attempt().cues().setSkill(skill);
     welder.begin();
     welder.lead(0.1, 1);
     REQUIRE_FALSE(welder.ghost().empty());
     CHECK(welder.ghost().front().opacity == Approx(kGhostOpacity / 2));
     for (const CuedQuantity& cued : cuedQuantities())
         skill.setGood(cued.quantity, CueSkill::kMastered);
-    welder.session.cues().setSkill(skill);
+    welder.session.attempt().cues().setSkill(skill);
     welder.again();
     welder.lead(0.1, 1);
     CHECK(welder.ghost().empty());
-    CHECK(welder.session.ghost().used().empty());
+    CHECK(welder.session.attempt().ghost().used().empty());
 }
 
 TEST_CASE("the best kept attempt and a named file are ghosts too; what is missing is told for a while", "[app]") {
@@ -174,21 +175,21 @@ TEST_CASE("the best kept attempt and a named file are ghosts too; what is missin
     welder.lead(0.3, 1);
     CHECK(welder.fault().empty());
     CHECK_FALSE(welder.ghost().empty());
-    CHECK(welder.session.ghost().used() == "best");
+    CHECK(welder.session.attempt().ghost().used() == "best");
 
-    welder.session.ghost().choose(folder / "nowhere.csv"); // in the middle of the attempt
+    welder.session.attempt().ghost().choose(folder / "nowhere.csv"); // in the middle of the attempt
     welder.lead(0.05, 1);
     CHECK(welder.ghost().empty());
     CHECK_THAT(welder.fault(), test::containsText("next attempt"));
     welder.again();
     welder.lead(0.05, 1);
     CHECK_THAT(welder.fault(), test::containsText("nowhere.csv"));
-    welder.session.ghost().choose(kept);
+    welder.session.attempt().ghost().choose(kept);
     welder.again();
     welder.lead(0.3, 1);
     CHECK_FALSE(welder.ghost().empty());
-    CHECK(welder.session.ghost().used() == "file");
-    welder.session.ghost().parameters.ghost = static_cast<int>(GhostChoice::none); // at once
+    CHECK(welder.session.attempt().ghost().used() == "file");
+    welder.session.attempt().ghost().parameters.ghost = static_cast<int>(GhostChoice::none); // at once
     welder.lead(0.05, 1);
     CHECK(welder.ghost().empty());
     CHECK(welder.fault().empty());
@@ -196,15 +197,15 @@ TEST_CASE("the best kept attempt and a named file are ghosts too; what is missin
 
 TEST_CASE("paced by time the ghost goes its own way from the strike on", "[app]") {
     Welder welder(GhostChoice::expert);
-    welder.session.ghost().parameters.pace = static_cast<int>(GhostPace::time);
+    welder.session.attempt().ghost().parameters.pace = static_cast<int>(GhostPace::time);
     welder.begin();
     welder.lead(0.1, 0);
-    REQUIRE(welder.session.ghost().moment());
-    const double waits = welder.session.ghost().moment()->torch.time;
+    REQUIRE(welder.session.attempt().ghost().moment());
+    const double waits = welder.session.attempt().ghost().moment()->torch.time;
     CHECK(waits < 1); // where it struck, before the plate
     welder.lead(0.6, 1);
-    REQUIRE(welder.session.arc().burns());
-    const double since = welder.session.ghost().moment()->torch.time - waits;
+    REQUIRE(welder.session.run().arc().burns());
+    const double since = welder.session.attempt().ghost().moment()->torch.time - waits;
     CHECK(since > 0.1);
     CHECK(since < 0.65);
     CHECK_THAT(welder.words(), test::containsText("mm ahead\n"));
@@ -219,7 +220,7 @@ TEST_CASE("a lesson that allows no ghost shows none, and menus do not offer it",
     CHECK(welder.ghost().empty());
     CHECK(welder.fault().empty());
     const auto offered = [&] {
-        const ParameterSection& section = welder.session.ghostSection();
+        const ParameterSection& section = welder.session.help().ghost;
         return std::count_if(section.parameters.begin(), section.parameters.end(),
                              [&](const Parameter& parameter) { return section.shows(parameter); });
     };

@@ -53,17 +53,17 @@ TEST_CASE("a finished weld is judged by itself once, and welding on or another a
     Welder welder(test::smallBead());
     CHECK(welder.session.judges());
     welder.lead(0.1, 0);
-    CHECK_FALSE(welder.session.judged());
+    CHECK_FALSE(welder.session.attempt().judged());
     welder.lead(2, 1);
-    REQUIRE(welder.session.arc().burns());
+    REQUIRE(welder.session.run().arc().burns());
     welder.session.judge(); // nothing while the arc burns
-    CHECK_FALSE(welder.session.judged());
+    CHECK_FALSE(welder.session.attempt().judged());
     welder.lead(0.5, 0);
-    CHECK_FALSE(welder.session.judged());
+    CHECK_FALSE(welder.session.attempt().judged());
     welder.lead(1, 0);
-    REQUIRE(welder.session.judged());
-    CHECK(welder.session.judgements() == 1);
-    const JudgedAttempt& judged = *welder.session.judged();
+    REQUIRE(welder.session.attempt().judged());
+    CHECK(welder.session.attempt().judgements() == 1);
+    const JudgedAttempt& judged = *welder.session.attempt().judged();
     REQUIRE(judged.judgement.score);
     CHECK(judged.judgement.score->scored);
     CHECK(judged.rows.technique.rows.size() == judged.judgement.score->parameters.size());
@@ -72,27 +72,27 @@ TEST_CASE("a finished weld is judged by itself once, and welding on or another a
     REQUIRE(judged.judgement.verdict);
     CHECK_THAT(judged.rows.verdict, test::containsText("ISO 5817, level C"));
     welder.lead(2, 0);
-    CHECK(welder.session.judgements() == 1);
+    CHECK(welder.session.attempt().judgements() == 1);
 
     SECTION("the arc burns again") {
         welder.lead(0.3, 1);
-        REQUIRE(welder.session.arc().burns());
-        CHECK_FALSE(welder.session.judged());
+        REQUIRE(welder.session.run().arc().burns());
+        CHECK_FALSE(welder.session.attempt().judged());
         welder.lead(1.2, 0);
-        CHECK(welder.session.judgements() == 2); // of all that was welded
+        CHECK(welder.session.attempt().judgements() == 2); // of all that was welded
     }
     SECTION("again") {
         welder.session.reset(welder.controls);
-        CHECK_FALSE(welder.session.judged());
+        CHECK_FALSE(welder.session.attempt().judged());
         welder.lead(1.5, 0);
-        CHECK(welder.session.judgements() == 1); // nothing is welded yet
+        CHECK(welder.session.attempt().judgements() == 1); // nothing is welded yet
     }
     SECTION("the start menu") {
         welder.session.end("start menu");
-        CHECK_FALSE(welder.session.judged());
+        CHECK_FALSE(welder.session.attempt().judged());
         CHECK_FALSE(welder.session.judges());
         welder.session.judge();
-        CHECK_FALSE(welder.session.judged());
+        CHECK_FALSE(welder.session.attempt().judged());
     }
 }
 
@@ -106,15 +106,15 @@ TEST_CASE("a short weld, and one of a lesson that asks for nothing, is judged on
     Welder welder(std::move(lesson));
     welder.lead(asks ? 0.8 : 2, 1);
     welder.lead(1.5, 0);
-    CHECK_FALSE(welder.session.judged());
+    CHECK_FALSE(welder.session.attempt().judged());
     welder.session.judge();
-    REQUIRE(welder.session.judged());
-    const JudgedAttempt& judged = *welder.session.judged();
+    REQUIRE(welder.session.attempt().judged());
+    const JudgedAttempt& judged = *welder.session.attempt().judged();
     CHECK(judged.judgement.score.has_value() == asks);
     CHECK(judged.judgement.verdict.has_value() == asks);
     CHECK(judged.judgement.weld);
     welder.session.judge(); // asked again: judged again
-    CHECK(welder.session.judgements() == 2);
+    CHECK(welder.session.attempt().judgements() == 2);
 }
 
 TEST_CASE("the classic lesson has nothing to judge", "[app]") {
@@ -125,7 +125,7 @@ TEST_CASE("the classic lesson has nothing to judge", "[app]") {
     Welder welder(std::move(lesson));
     CHECK_FALSE(welder.session.judges());
     welder.session.judge();
-    CHECK_FALSE(welder.session.judged());
+    CHECK_FALSE(welder.session.attempt().judged());
 }
 
 TEST_CASE("an attempt in which the hand went unseen for a long frame under the arc is not scored", "[app]") {
@@ -133,17 +133,17 @@ TEST_CASE("an attempt in which the hand went unseen for a long frame under the a
     welder.lead(0.1, 0);
     welder.stall(0.5, 0); // before the arc it spoils nothing
     welder.lead(0.9, 1);
-    REQUIRE(welder.session.arc().burns());
+    REQUIRE(welder.session.run().arc().burns());
     const bool stalls = GENERATE(false, true);
     if (stalls) welder.stall(0.5, 1);
     welder.lead(1, 1);
     welder.lead(1.5, 0);
-    REQUIRE(welder.session.judged());
-    REQUIRE(welder.session.judged()->judgement.score);
-    CHECK(welder.session.judged()->judgement.score->scored == !stalls);
-    CHECK((welder.session.judged()->judgement.score->unknownMm > 0) == stalls);
+    REQUIRE(welder.session.attempt().judged());
+    REQUIRE(welder.session.attempt().judged()->judgement.score);
+    CHECK(welder.session.attempt().judged()->judgement.score->scored == !stalls);
+    CHECK((welder.session.attempt().judged()->judgement.score->unknownMm > 0) == stalls);
     if (stalls)
-        CHECK_THAT(welder.session.judged()->judgement.score->reason,
+        CHECK_THAT(welder.session.attempt().judged()->judgement.score->reason,
                    test::containsText("1 sample of the torch was missing") &&
                        test::containsText(" of 20 mm of the seam. From 5 % on"));
 }

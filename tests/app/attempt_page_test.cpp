@@ -38,14 +38,14 @@ TEST_CASE("a judged attempt becomes a page beside its record, and the record alo
     const fs::path folder = test::scratchFolder("attempt-page"), record = folder / "weld.csv";
     LessonSession session(test::shaders(), test::smallBead(), [] { return 0.0; });
     Controls controls;
-    session.records().use(record, "program", "driver");
+    session.log().records().use(record, "program", "driver");
     session.begin(controls);
-    CHECK_THROWS_AS(session.writePage(1, "driver"), InputError); // nothing is judged
+    CHECK_THROWS_AS(writeAttemptPage(session, 1, "driver"), InputError); // nothing is judged
     float x = -0.010f;
     lead(session, controls, x, 2, 1);
     lead(session, controls, x, 1.3, 0);
-    REQUIRE(session.judged());
-    const fs::path page = session.writePage(2, "a driver");
+    REQUIRE(session.attempt().judged());
+    const fs::path page = writeAttemptPage(session, 2, "a driver");
     CHECK(page == folder / "weld.html");
     const std::string html = readTextFile(page);
     CHECK(test::firstUnclosed(html) == "");
@@ -55,9 +55,9 @@ TEST_CASE("a judged attempt becomes a page beside its record, and the record alo
         INFO(text);
         CHECK_THAT(html, containsText(text));
     }
-    CHECK(session.writePage(1, "a driver") == folder / "weld (2).html"); // none is replaced
-    REQUIRE(session.judged()->judgement.score);
-    const double score = session.judged()->judgement.score->total;
+    CHECK(writeAttemptPage(session, 1, "a driver") == folder / "weld (2).html"); // none is replaced
+    REQUIRE(session.attempt().judged()->judgement.score);
+    const double score = session.attempt().judged()->judgement.score->total;
     session.end("start menu");
     const RunResults hand = readRecordResults(record, test::smallBead());
     CHECK(hand.result.at("score").at("total").get<double>() == Approx(score).margin(0.01));

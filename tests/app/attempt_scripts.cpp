@@ -155,7 +155,7 @@ class Person {
     }
 
     void frame() {
-        const double time = session_.torch().time;
+        const double time = session_.run().torch().time;
         turnSettings(time);
         tellLoss(time);
         if (time >= script_.pause && !std::exchange(paused_, true)) pause();
@@ -169,7 +169,7 @@ class Person {
     }
 
   private:
-    TorchSample next() const { return torchAt(script_, session_.torch().time + 1.0 / 90); }
+    TorchSample next() const { return torchAt(script_, session_.run().torch().time + 1.0 / 90); }
 
     void turnSettings(double time) {
         for (; turned_ < script_.changes.size() && time >= script_.changes[turned_].time; ++turned_) {
@@ -180,24 +180,24 @@ class Person {
 
     void tellLoss(double time) {
         const bool lost = time >= script_.lost && time < script_.lost + kOutOfSight;
-        if (lost != std::exchange(lost_, lost)) session_.event("torch", lost ? "lost" : "seen");
+        if (lost != std::exchange(lost_, lost)) session_.run().event("torch", lost ? "lost" : "seen");
     }
 
     /// Some frames in which no step is made.
     void pause() {
-        const size_t steps = session_.steps();
+        const size_t steps = session_.run().steps();
         controls_.setMode(Mode::view);
         for (int i = 0; i < 3; ++i)
             session_.advance(controls_, kFrame, nullptr);
         controls_.setMode(Mode::interact);
-        CHECK(session_.steps() == steps);
-        session_.event("zoom", "2");
+        CHECK(session_.run().steps() == steps);
+        session_.run().event("zoom", "2");
     }
 
     void goBack() {
         REQUIRE(session_.redoes());
         session_.redo(controls_);
-        CHECK(session_.earlierMoments().redone() == 1);
+        CHECK(session_.log().moments().redone() == 1);
     }
 
     void leadByMouse(double time) {
@@ -245,17 +245,17 @@ Lesson lessonOf(const AttemptScript& script) {
 
 std::filesystem::path recordAttempt(const AttemptScript& script, const std::filesystem::path& folder) {
     LessonSession session(shaders(), lessonOf(script), [] { return 0.0; });
-    session.recordings().use(folder, "program", "driver");
+    session.log().recordings().use(folder, "program", "driver");
     Person person(script, session);
     person.begin();
-    for (int frames = 0; frames < 1000 && session.torch().time < script.seconds; ++frames)
+    for (int frames = 0; frames < 1000 && session.run().torch().time < script.seconds; ++frames)
         person.frame();
-    CHECK(session.fault() == "");
-    CHECK(session.torch().time >= script.seconds);
+    CHECK(session.run().fault() == "");
+    CHECK(session.run().torch().time >= script.seconds);
     session.end("start menu");
-    session.recordings().finish();
-    CHECK(session.recordings().lost() == "");
-    return session.recordings().file();
+    session.log().recordings().finish();
+    CHECK(session.log().recordings().lost() == "");
+    return session.log().recordings().file();
 }
 
 } // namespace meltpool::test

@@ -49,7 +49,7 @@ class Welder {
 };
 
 const WeldStation* stationNear(const LessonSession& session, double place) {
-    const auto& stations = session.judged()->judgement.weld->stations;
+    const auto& stations = session.attempt().judged()->judgement.weld->stations;
     const auto found = std::min_element(stations.begin(), stations.end(), [&](const auto& a, const auto& b) {
         return std::abs(a.place - place) < std::abs(b.place - place);
     });
@@ -67,19 +67,19 @@ const SectionMark* markOf(const CutView& cut, const std::string& words) {
 TEST_CASE("the judged weld is cut open with the verdict's own stations, and the metal waits", "[app]") {
     Welder welder;
     LessonSession& session = welder.session;
-    CutView& cut = session.cut();
+    CutView& cut = session.picture().cut();
     welder.lead(2, 1);
     CHECK_FALSE(session.cuts()); // the arc burns
     session.toggleCut(welder.controls);
     CHECK_FALSE(cut.shown());
     welder.lead(1.5, 0);
-    REQUIRE(session.judged());
+    REQUIRE(session.attempt().judged());
     const OrbitCamera before = welder.controls.orbitCamera();
     session.toggleCut(welder.controls);
     REQUIRE(cut.shown());
     CHECK(cut.judged());
     REQUIRE(cut.station() != nullptr);
-    const size_t steps = session.steps();
+    const size_t steps = session.run().steps();
 
     // The slider's way through the session: station and picture follow.
     for (const double wanted : {-4e-3, 0.0, 3e-3}) {
@@ -90,15 +90,15 @@ TEST_CASE("the judged weld is cut open with the verdict's own stations, and the 
         const WeldStation* station = stationNear(session, wanted);
         CHECK(cut.station()->place == station->place);
         CHECK(cut.station()->toeWidth == station->toeWidth);
-        CHECK(session.scene(nullptr).section.shown);
-        CHECK(static_cast<double>(session.scene(nullptr).section.at) == Approx(wanted).margin(1e-7));
-        REQUIRE(session.scene(nullptr).section.map != nullptr);
+        CHECK(session.picture().scene(nullptr).section.shown);
+        CHECK(static_cast<double>(session.picture().scene(nullptr).section.at) == Approx(wanted).margin(1e-7));
+        REQUIRE(session.picture().scene(nullptr).section.map != nullptr);
         const SectionMark* toes = markOf(cut, "toe to toe");
         REQUIRE(toes != nullptr);
         CHECK(static_cast<double>(glm::distance(toes->from, toes->to)) == Approx(*station->toeWidth));
     }
-    CHECK(session.steps() == steps);
-    CHECK(session.judged()); // it stays
+    CHECK(session.run().steps() == steps);
+    CHECK(session.attempt().judged()); // it stays
 
     // Arrow keys and a dragging mouse.
     InputFrame input;
@@ -120,17 +120,17 @@ TEST_CASE("the judged weld is cut open with the verdict's own stations, and the 
     CHECK(glm::distance(forward, glm::vec3(-1, 0, 0)) < 1e-4f);
     session.toggleCut(welder.controls);
     CHECK_FALSE(cut.shown());
-    CHECK_FALSE(session.scene(nullptr).section.shown);
+    CHECK_FALSE(session.picture().scene(nullptr).section.shown);
     CHECK(glm::distance(welder.controls.orbitCamera().forward(), before.forward()) < 1e-5f);
     welder.lead(0.2, 0);
-    CHECK(session.steps() > steps);
+    CHECK(session.run().steps() > steps);
 
     session.toggleCut(welder.controls);
     session.reset(welder.controls);
     CHECK_FALSE(cut.shown());
     CHECK(glm::distance(welder.controls.orbitCamera().forward(), before.forward()) < 1e-5f);
     welder.lead(0.2, 0);
-    CHECK(session.steps() > 0);
+    CHECK(session.run().steps() > 0);
 }
 
 TEST_CASE("a weld that is not judged is cut with the figures of the cut itself; a pause lets it be cut in between",
@@ -138,7 +138,7 @@ TEST_CASE("a weld that is not judged is cut with the figures of the cut itself; 
     Welder welder;
     LessonSession& session = welder.session;
     welder.lead(1.2, 1);
-    REQUIRE(session.arc().burns());
+    REQUIRE(session.run().arc().burns());
     CHECK_FALSE(session.cuts());
     Notices notices;
     const auto toldSlow = [&] {
@@ -156,15 +156,15 @@ TEST_CASE("a weld that is not judged is cut with the figures of the cut itself; 
     REQUIRE(session.cuts());
     CHECK_FALSE(toldSlow()); // metal that stands still is not slow
     session.toggleCut(welder.controls);
-    REQUIRE(session.cut().shown());
+    REQUIRE(session.picture().cut().shown());
     CHECK(welder.controls.mode() == Mode::interact); // its camera
-    CHECK_FALSE(session.cut().judged());
-    session.cut().moveTo(-5e-3);
+    CHECK_FALSE(session.picture().cut().judged());
+    session.picture().cut().moveTo(-5e-3);
     welder.frame({});
     CHECK_FALSE(toldSlow());
-    REQUIRE(session.cut().station() != nullptr);
-    CHECK(*session.cut().station()->penetration > 0);
-    CHECK_THAT(cutNote(session.cut()), test::containsText("not judged yet"));
+    REQUIRE(session.picture().cut().station() != nullptr);
+    CHECK(*session.picture().cut().station()->penetration > 0);
+    CHECK_THAT(cutNote(session.picture().cut()), test::containsText("not judged yet"));
     session.toggleCut(welder.controls);
     CHECK(welder.controls.mode() == Mode::view);
 }

@@ -33,7 +33,7 @@ class Trainee {
     }
     double torchOff() const {
         const glm::vec3 expert = session.lesson().torch.sample(session.demonstration().time()).tip;
-        return static_cast<double>(glm::distance(session.torch().tip, expert));
+        return static_cast<double>(glm::distance(session.run().torch().tip, expert));
     }
 
     Controls controls;
@@ -77,23 +77,23 @@ TEST_CASE("the expert's torch welds in the demonstration; nothing of it is recor
     const fs::path record = test::scratchFolder("demonstration") / "weld.csv";
     Trainee trainee;
     LessonSession& session = trainee.session;
-    session.records().use(record, "program", "driver");
+    session.log().records().use(record, "program", "driver");
     session.demonstrate(trainee.controls);
     REQUIRE(session.running());
     trainee.watch(1.5);
-    CHECK(session.steps() > 10);
+    CHECK(session.run().steps() > 10);
     CHECK(trainee.torchOff() < 1e-4); // the trainee's hand does not lead it
-    CHECK_FALSE(session.held());
+    CHECK(session.leader() == TorchLeader::path);
     LessonFigures figures;
-    session.fillFigures(figures);
+    fillFigures(figures, session);
     CHECK(figures.time == Approx(session.demonstration().time()));
     CHECK(figures.time == Approx(1.5).margin(0.1));
-    CHECK(session.arc().burns());
+    CHECK(session.run().arc().burns());
     CHECK_FALSE(session.judges());
     session.judge();
-    CHECK_FALSE(session.judged());
+    CHECK_FALSE(session.attempt().judged());
     CHECK_FALSE(fs::exists(record));
-    CHECK(session.records().attempt() == 0);
+    CHECK(session.log().records().attempt() == 0);
     Messages messages;
     Notices notices;
     TriggerLock lock;
@@ -102,40 +102,40 @@ TEST_CASE("the expert's torch welds in the demonstration; nothing of it is recor
 
     SECTION("paused") {
         session.demonstration().toggle();
-        const size_t steps = session.steps();
+        const size_t steps = session.run().steps();
         trainee.watch(0.5);
-        CHECK(session.steps() == steps);
+        CHECK(session.run().steps() == steps);
         session.demonstration().toggle();
         trainee.watch(0.5);
-        CHECK(session.steps() > steps);
+        CHECK(session.run().steps() > steps);
         CHECK(session.demonstration().time() < 2.1);
     }
     SECTION("moved: the torch goes there alone, over fresh metal, and plays on") {
         session.demonstration().toggle();
         session.demonstration().moveTo(4);
         trainee.watch(0.1);
-        CHECK(session.steps() == 0);
+        CHECK(session.run().steps() == 0);
         CHECK(trainee.torchOff() < 1e-6);
-        session.fillFigures(figures);
+        fillFigures(figures, session);
         CHECK(figures.molten == 0);
         session.demonstration().toggle();
         trainee.watch(1);
         CHECK(session.demonstration().time() == Approx(5).margin(0.1));
         CHECK(trainee.torchOff() < 1e-6);
-        CHECK(session.steps() == 0);
+        CHECK(session.run().steps() == 0);
         session.demonstration().again();
         trainee.watch(0.5);
-        CHECK(session.steps() > 10);
+        CHECK(session.run().steps() > 10);
         CHECK(session.demonstration().time() < 0.6);
     }
     SECTION("one's own attempt follows with a record of its own, on fresh metal") {
         session.reset(trainee.controls);
         CHECK_FALSE(session.demonstration().shown());
-        CHECK(session.steps() == 0);
+        CHECK(session.run().steps() == 0);
         CHECK(session.judges());
         trainee.watch(0.2);
-        CHECK(session.held());
-        CHECK(session.records().attempt() == 1);
+        CHECK(session.leader() == TorchLeader::hand);
+        CHECK(session.log().records().attempt() == 1);
         CHECK(fs::exists(record));
     }
     SECTION("an attempt for score is measured first") {
@@ -151,7 +151,6 @@ TEST_CASE("a lesson without a torch path has no demonstration", "[app]") {
     lesson.torch = {};
     LessonSession session(test::shaders(), std::move(lesson), [] { return 0.0; });
     Controls controls;
-    CHECK_FALSE(session.hasDemonstration());
     session.demonstrate(controls);
     CHECK_FALSE(session.running());
 }

@@ -46,19 +46,19 @@ Shown weldWith(Kind kind, const TorchSample& torch) {
     LessonSession session(test::shaders(), smallWeld(kind));
     Controls controls;
     session.begin(controls);
-    while (session.steps() < 20) // at most one a call, as fast as this machine is
+    while (session.run().steps() < 20) // at most one a call, as fast as this machine is
         session.advance(controls, 1.0 / 200, nullptr, [&](int, int) { return torch; });
-    REQUIRE(session.steps() == 20);
-    REQUIRE(session.arc().burns());
+    REQUIRE(session.run().steps() == 20);
+    REQUIRE(session.run().arc().burns());
     // Of a rod that the lesson does not want nothing is known, to the record neither.
-    CHECK(session.torch().rod.has_value() == (torch.rod.has_value() && kind == Kind::gtaw));
+    CHECK(session.run().torch().rod.has_value() == (torch.rod.has_value() && kind == Kind::gtaw));
 
     Shown shown;
     const PictureTarget window(kWidth, kHeight);
-    const SceneView scene = session.scene(nullptr);
+    const SceneView scene = session.picture().scene(nullptr);
     shown.solids = scene.solids.size();
     const std::array<View, 1> view{controls.view(static_cast<float>(kWidth) / kHeight)};
-    session.renderer().draw(scene, session.lesson().look, view, window.target(), nullptr);
+    session.picture().renderer().draw(scene, session.lesson().look, view, window.target(), nullptr);
     shown.window = window.read();
 
     HeadsetParameters parameters;
@@ -76,8 +76,8 @@ Shown weldWith(Kind kind, const TorchSample& torch) {
         eyes.views[size_t(eye)] = {
             {glm::angleAxis(-0.85F, glm::vec3(1, 0, 0)), {eye == 0 ? -0.03F : 0.03F, 1.2F, 0.25F}},
             {-0.6F, 0.6F, 0.5F, -0.5F}};
-    const WorkpiecePlace place(parameters.tableHeight, 4, session.bottom());
-    stereo.draw(session, session.scene(nullptr), place, Workshop(), eyes, nullptr);
+    const WorkpiecePlace place(parameters.tableHeight, 4, session.picture().bottom());
+    stereo.draw(session, session.picture().scene(nullptr), place, Workshop(), eyes, nullptr);
     shown.eyes = both.read();
     return shown;
 }

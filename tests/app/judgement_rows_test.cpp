@@ -1,5 +1,5 @@
 // The words of the result panel, from judgements that are put together here.
-#include "app/session/judgement_rows.hpp"
+#include "app/activities/judgement_rows.hpp"
 #include "tests/support/catch.hpp"
 
 #include <cmath>

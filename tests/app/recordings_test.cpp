@@ -35,7 +35,7 @@ Lesson smallLesson() {
 class Welder {
   public:
     explicit Welder(const fs::path& folder) : session(shaders(), smallLesson(), [] { return 0.0; }) {
-        session.recordings().use(folder, "program", "driver");
+        session.log().recordings().use(folder, "program", "driver");
     }
 
     void weld(int frames) {
@@ -44,7 +44,7 @@ class Welder {
             const TorchSource torch = [&](int, int) { return TorchSample{0, glm::vec3(place), {1, 0, 0, 0}, 1}; };
             session.advance(controls, 1.0 / 45, nullptr, torch);
             session.settle(controls);
-            tellRecordings(session.recordings(), 0, messages);
+            tellRecordings(session.log().recordings(), 0, messages);
         }
     }
 
@@ -95,23 +95,23 @@ TEST_CASE("each attempt has a recording that replays to the same bits, whatever 
     std::vector<fs::path> files;
     {
         Welder welder(folder);
-        welder.session.records().use(record, "program", "driver");
+        welder.session.log().records().use(record, "program", "driver");
         welder.session.begin(welder.controls);
-        files.push_back(welder.session.recordings().file());
+        files.push_back(welder.session.log().recordings().file());
         const auto& live = welder.session.sections().simulation.parameters;
         welder.weld(15);
         setParameter(live, "heat_temperature", "0.3", "test");
-        welder.session.event("zoom", "2");
-        welder.session.event("torch", "lost");
+        welder.session.run().event("zoom", "2");
+        welder.session.run().event("torch", "lost");
         welder.weld(15);
         welder.session.reset(welder.controls);
-        files.push_back(welder.session.recordings().file());
+        files.push_back(welder.session.log().recordings().file());
         welder.weld(10);
         setParameter(live, "viscosity", "4", "test");
         welder.weld(10);
         welder.session.end("start menu");
-        welder.session.recordings().finish();
-        CHECK(welder.session.recordings().lost() == "");
+        welder.session.log().recordings().finish();
+        CHECK(welder.session.log().recordings().lost() == "");
         CHECK(welder.messages.shown().empty());
     }
     for (const fs::path& file : files) {
@@ -152,10 +152,10 @@ TEST_CASE("the desk's camera stands in the recording as the person's head", "[ap
     welder.session.begin(welder.controls);
     welder.weld(3);
     const View view = welder.controls.view(1);
-    welder.session.recordings().person(deskPerson(view, glm::mat3(1.0f), 2.0f, welder.session.steps()));
+    welder.session.log().recordings().person(deskPerson(view, glm::mat3(1.0f), 2.0f, welder.session.run().steps()));
     welder.session.end("start menu");
-    welder.session.recordings().finish();
-    const Recording recording = readRecording(welder.session.recordings().file());
+    welder.session.log().recordings().finish();
+    const Recording recording = readRecording(welder.session.log().recordings().file());
     REQUIRE(recording.people.size() == 1);
     REQUIRE(recording.people[0].head);
     CHECK(recording.people[0].steps == recording.steps.size());
@@ -171,12 +171,12 @@ TEST_CASE("an attempt that cannot be recorded is told, goes on, and is told in t
     Welder welder("/proc/nowhere/recordings");
     welder.session.begin(welder.controls);
     welder.weld(5);
-    CHECK(welder.session.steps() > 0);
+    CHECK(welder.session.run().steps() > 0);
     CHECK(welder.warned("This attempt is not recorded: "));
     CHECK(welder.warned("/proc/nowhere/recordings"));
     welder.session.end("start menu");
-    welder.session.recordings().finish();
-    CHECK_THAT(welder.session.recordings().lost(), containsText("This attempt is not recorded"));
+    welder.session.log().recordings().finish();
+    CHECK_THAT(welder.session.log().recordings().lost(), containsText("This attempt is not recorded"));
 }
 
 TEST_CASE("a folder that is removed under an attempt is told at its end at the latest", "[app]") {
@@ -186,21 +186,21 @@ TEST_CASE("a folder that is removed under an attempt is told at its end at the l
     welder.weld(5);
     fs::remove_all(folder);
     welder.session.reset(welder.controls);
-    welder.session.recordings().finish();
+    welder.session.log().recordings().finish();
     welder.weld(5);
-    CHECK(welder.session.steps() > 0); // the lesson goes on
+    CHECK(welder.session.run().steps() > 0); // the lesson goes on
     CHECK(welder.warned("the recording is no longer there"));
-    CHECK_THAT(welder.session.recordings().lost(), containsText("is no longer there"));
+    CHECK_THAT(welder.session.log().recordings().lost(), containsText("is no longer there"));
 }
 
 TEST_CASE("no recordings are made where nobody wants them, nor of demonstrations", "[app]") {
     const fs::path folder = scratchFolder("recordings-unwanted");
     Welder welder(folder);
-    welder.session.recordings().parameters.keep = false;
+    welder.session.log().recordings().parameters.keep = false;
     welder.session.begin(welder.controls);
     welder.weld(3);
     welder.session.end("start menu");
-    welder.session.recordings().parameters.keep = true;
+    welder.session.log().recordings().parameters.keep = true;
     welder.session.demonstrate(welder.controls);
     welder.weld(3);
     welder.session.end("start menu");
@@ -274,15 +274,15 @@ TEST_CASE("an attempt of this run of the program is never removed, whatever othe
     Welder welder(folder);
     welder.session.begin(welder.controls);
     welder.weld(2);
-    const fs::path made = welder.session.recordings().file();
+    const fs::path made = welder.session.log().recordings().file();
     // From a machine whose clock is ahead: later names, and later moments.
     for (const char* date : {"2099-01-01T10:00:00+0000", "2099-01-02T10:00:00+0000"})
         keptAt(folder, date, "", 1, 30'000'000);
-    welder.session.recordings().parameters.limitMb = 50;
+    welder.session.log().recordings().parameters.limitMb = 50;
     welder.session.begin(welder.controls);
     welder.weld(1);
     CHECK(fs::exists(made));
-    CHECK(fs::exists(welder.session.recordings().file()));
+    CHECK(fs::exists(welder.session.log().recordings().file()));
     CHECK(welder.warned("the oldest, 2099-01-01_10-00-00_classic_1, was removed"));
     const std::vector<fs::path> own{made};
     CHECK(keepWithinLimit(folder, 1, own).find("oldest") != std::string::npos);
@@ -296,7 +296,7 @@ TEST_CASE("a start near the limit is told before anything is removed, and a remo
     for (int day = 1; day <= 2; ++day)
         keptFile(folder, day, 24'000'000);
     Welder welder(folder);
-    welder.session.recordings().parameters.limitMb = 50;
+    welder.session.log().recordings().parameters.limitMb = 50;
     welder.session.begin(welder.controls);
     welder.weld(1);
     CHECK(welder.warned("The recordings take 48 of 50 MB."));

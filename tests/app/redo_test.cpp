@@ -29,13 +29,13 @@ class Welder {
   public:
     explicit Welder(const std::filesystem::path& record = {})
         : session(test::shaders(), test::plainBead(), [] { return 0.0; }) {
-        session.records().use(record, "program", "driver");
+        session.log().records().use(record, "program", "driver");
     }
 
     /// Frames of 1/45 s; in each the moment that was begun before has time to be kept.
     void weld(int frames) {
         const TorchSource torch = [&](int step, int) {
-            return torchAt(session.steps() + static_cast<size_t>(step), 1.0 / 90);
+            return torchAt(session.run().steps() + static_cast<size_t>(step), 1.0 / 90);
         };
         for (int i = 0; i < frames; ++i) {
             session.advance(controls, 1.0 / 45, nullptr, torch);
@@ -66,18 +66,18 @@ TEST_CASE("an attempt goes back three seconds and on to another end, which its r
         CHECK_FALSE(welder.session.redoes());
         welder.weld(200);
         REQUIRE(welder.session.redoes());
-        CHECK(welder.session.earlierMoments().redone() == 0);
-        const double before = welder.session.torch().time;
-        const size_t steps = welder.session.steps();
+        CHECK(welder.session.log().moments().redone() == 0);
+        const double before = welder.session.run().torch().time;
+        const size_t steps = welder.session.run().steps();
         welder.controls.update({}, 1.0 / 45); // the lock of the lesson's begin is open
         welder.session.redo(welder.controls);
-        REQUIRE(welder.session.steps() < steps);
-        CHECK(welder.session.torch().time <= before - Redo::kBack + 1e-6);
-        CHECK(welder.session.earlierMoments().redone() == 1);
+        REQUIRE(welder.session.run().steps() < steps);
+        CHECK(welder.session.run().torch().time <= before - Redo::kBack + 1e-6);
+        CHECK(welder.session.log().moments().redone() == 1);
         CHECK(welder.controls.triggerLock().locked());
         CHECK(welder.controls.triggerLock().reason() == ArcOut::redone);
         welder.weld(30);
-        CHECK(welder.session.fault().empty());
+        CHECK(welder.session.run().fault().empty());
         welder.session.end("the test ended");
     }
     const auto attempt = readRecordedAttempt(file);
@@ -96,14 +96,14 @@ TEST_CASE("one goes back before a fault by its place, and another attempt knows 
     welder.weld(200);
     CHECK_FALSE(firstTimeAt(Technique(seamOf(test::plainBead().workpiece)), 0));
     REQUIRE(welder.session.redoes());
-    welder.session.earlierMoments().choose(-0.002); // where the torch was after 2 s
+    welder.session.log().moments().choose(-0.002); // where the torch was after 2 s
     welder.session.redo(welder.controls);
-    CHECK(welder.session.torch().time < 1.2);
+    CHECK(welder.session.run().torch().time < 1.2);
     welder.session.reset(welder.controls);
-    CHECK(welder.session.earlierMoments().redone() == 0);
+    CHECK(welder.session.log().moments().redone() == 0);
     CHECK_FALSE(welder.session.redoes());
     welder.session.redo(welder.controls);
-    CHECK(welder.session.steps() == 0);
+    CHECK(welder.session.run().steps() == 0);
 }
 
 TEST_CASE("an attempt that goes back ten times from the same place takes no more memory", "[app]") {
@@ -114,12 +114,12 @@ TEST_CASE("an attempt that goes back ten times from the same place takes no more
     for (int i = 0; i < 10; ++i) {
         welder.weld(30);
         REQUIRE(welder.session.redoes());
-        welder.session.earlierMoments().choose(-0.0078);
+        welder.session.log().moments().choose(-0.0078);
         welder.session.redo(welder.controls);
-        CHECK(welder.session.earlierMoments().redone() == static_cast<size_t>(i) + 1);
-        if (i == 1) first = welder.session.earlierMoments().bytes();
+        CHECK(welder.session.log().moments().redone() == static_cast<size_t>(i) + 1);
+        if (i == 1) first = welder.session.log().moments().bytes();
     }
-    CHECK(welder.session.earlierMoments().bytes() < first + first / 4);
+    CHECK(welder.session.log().moments().bytes() < first + first / 4);
 }
 
 TEST_CASE("a record that goes back where it cannot is refused with its line", "[app]") {

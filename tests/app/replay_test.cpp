@@ -80,13 +80,13 @@ TEST_CASE("an attempt played again has its bits at the end, from the start and a
     AttemptReplay& replay = session.replay();
     session.openReplay(lessonOfAttempt(file), viewer.controls);
     REQUIRE(session.running());
-    CHECK(session.played());
+    CHECK(session.leader() == TorchLeader::path);
     CHECK_FALSE(session.judges());
-    CHECK(session.records().attempt() == 0);
+    CHECK(session.log().records().attempt() == 0);
     CHECK(replay.marks().size() == 1);
     viewer.frames(10);
-    CHECK_FALSE(session.held()); // the viewer's own torch does not lead it
-    CHECK(session.steps() > 3);
+    CHECK(session.leader() != TorchLeader::hand); // the viewer's own torch does not lead it
+    CHECK(session.run().steps() > 3);
     CHECK_FALSE(replay.comparison());
     REQUIRE(viewer.untilStill());
     CHECK(replay.line().over());
@@ -94,7 +94,7 @@ TEST_CASE("an attempt played again has its bits at the end, from the start and a
     viewer.frames(3);             // the last may still be on its way from the GPU
     CHECK(replay.moments() >= 2); // one each half second
     CHECK(replay.distance().most() > 0);
-    const size_t steps = session.steps();
+    const size_t steps = session.run().steps();
 
     SECTION("back and on, from the start and from moments that were kept") {
         for (const double time : {0.7, 1.3, 0.0, 1.05}) {
@@ -102,34 +102,34 @@ TEST_CASE("an attempt played again has its bits at the end, from the start and a
             viewer.bringTo(time);
             CHECK_FALSE(replay.comparison());
             CHECK(replay.line().time() == Approx(time).margin(0.02));
-            CHECK(session.torch().time == Approx(replay.line().time()));
-            CHECK(session.fault().empty());
+            CHECK(session.run().torch().time == Approx(replay.line().time()));
+            CHECK(session.run().fault().empty());
         }
         replay.line().toggle();
         REQUIRE(viewer.untilStill());
-        CHECK(session.steps() == steps);
+        CHECK(session.run().steps() == steps);
         CHECK(viewer.verdict() == ReplayEnd::Verdict::same);
     }
     SECTION("at its end Play begins again") {
         replay.line().toggle();
         viewer.frames(3);
-        CHECK(session.steps() < steps / 2);
+        CHECK(session.run().steps() < steps / 2);
         REQUIRE(viewer.untilStill());
         CHECK(viewer.verdict() == ReplayEnd::Verdict::same);
     }
     SECTION("forward, and paused meanwhile") {
         viewer.bringTo(0);
-        CHECK(session.steps() == 0);
+        CHECK(session.run().steps() == 0);
         viewer.bringTo(1.2);
         CHECK_FALSE(replay.line().playing()); // as before
-        const size_t there = session.steps();
+        const size_t there = session.run().steps();
         viewer.frames(5);
-        CHECK(session.steps() == there);
+        CHECK(session.run().steps() == there);
     }
     SECTION("one's own attempt follows") {
         session.reset(viewer.controls);
-        CHECK_FALSE(session.played());
-        CHECK_FALSE(session.fault().size() > 0);
+        CHECK(session.leader() == TorchLeader::desk);
+        CHECK_FALSE(session.run().fault().size() > 0);
     }
 }
 
@@ -140,7 +140,7 @@ TEST_CASE("half the speed makes half the steps", "[app]") {
     viewer.session.replay().line().setSpeed(0.5);
     viewer.frames(24); // the first only starts the clock
     CHECK(viewer.session.replay().line().time() == Approx(23 * kFrame / 2).margin(0.02));
-    CHECK(viewer.session.replaySpeed() == Approx(0.5).margin(0.05));
+    CHECK(viewer.session.replay().line().speed() * viewer.session.run().clock().speed() == Approx(0.5).margin(0.05));
 }
 
 TEST_CASE("a recording whose metal was another is told to be simulated, with both machines", "[app]") {

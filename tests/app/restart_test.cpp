@@ -1,5 +1,6 @@
 // Another attempt begins at once: metal, technique and torch are put back in place; no shader is compiled again and no
 // buffer made anew.
+#include "app/session/lesson_figures.hpp"
 #include "app/session/lesson_session.hpp"
 #include "core/training/lesson/recorded_attempt.hpp"
 #include "tests/app/small_lessons.hpp"
@@ -55,7 +56,7 @@ void weld(LessonSession& session, Controls& controls, double seconds) {
             torch.trigger = 1;
             return torch;
         });
-        session.scene(nullptr); // the surface, as a frame draws it
+        session.picture().scene(nullptr); // the surface, as a frame draws it
     }
 }
 
@@ -69,11 +70,11 @@ TEST_CASE("again puts everything back in under a second and compiles no shader",
     gl::ShaderLibrary shaders(test::testFolder().parent_path() / "shaders");
     MakingCalls counted;
     LessonSession session(shaders, test::smallBead(), [] { return 0.0; });
-    session.records().use(folder / "weld.csv", "program", "driver");
+    session.log().records().use(folder / "weld.csv", "program", "driver");
     session.begin(controls);
     weld(session, controls, 0.6);
     LessonFigures figures;
-    session.fillFigures(figures);
+    fillFigures(figures, session);
     CHECK(figures.molten > 0);
     session.end("start menu");
 
@@ -81,24 +82,24 @@ TEST_CASE("again puts everything back in under a second and compiles no shader",
     CHECK(buffers > 20);
     session.begin(controls);
     weld(session, controls, 0.6);
-    CHECK(session.arc().burns());
+    CHECK(session.run().arc().burns());
     made = buffers = 0;
     const auto before = std::chrono::steady_clock::now();
     session.reset(controls);
-    session.scene(nullptr);
+    session.picture().scene(nullptr);
     glFinish();
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
     WARN("another attempt began after " << 1000 * seconds << " ms, its surface made");
-    CHECK(session.steps() == 0);
-    CHECK_FALSE(session.arc().burns());
-    CHECK_FALSE(session.judged());
-    session.fillFigures(figures);
+    CHECK(session.run().steps() == 0);
+    CHECK_FALSE(session.run().arc().burns());
+    CHECK_FALSE(session.attempt().judged());
+    fillFigures(figures, session);
     CHECK(figures.time == 0);
     CHECK(figures.molten == 0);
     weld(session, controls, 0.6);
     CHECK(made == 0);
     CHECK(buffers == 0);
-    CHECK(session.steps() > 20);
+    CHECK(session.run().steps() > 20);
     session.end("start menu");
 
     // The attempt after it is the one that a fresh start makes, to the last bit.

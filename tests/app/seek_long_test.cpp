@@ -46,20 +46,20 @@ double now() {
 
 fs::path recordedIn(const fs::path& folder) {
     LessonSession session(test::shaders(), shippedBead(), now); // moments lie closer where this machine is slow
-    session.recordings().use(folder, thisMachine().program, thisMachine().driver);
+    session.log().recordings().use(folder, thisMachine().program, thisMachine().driver);
     Controls controls;
     session.begin(controls);
     const double step = 1.0 / 90;
     const TorchSource lead = [&](int ahead, int) {
-        return torchAt(static_cast<double>(session.steps() + static_cast<size_t>(ahead)) * step);
+        return torchAt(static_cast<double>(session.run().steps() + static_cast<size_t>(ahead)) * step);
     };
-    while (session.torch().time < kSeconds && session.fault().empty())
+    while (session.run().torch().time < kSeconds && session.run().fault().empty())
         session.advance(controls, kFrame, nullptr, lead);
-    CHECK(session.fault().empty());
+    CHECK(session.run().fault().empty());
     session.end("the test ended");
-    session.recordings().finish();
-    CHECK(session.recordings().lost() == "");
-    return session.recordings().file();
+    session.log().recordings().finish();
+    CHECK(session.log().recordings().lost() == "");
+    return session.log().recordings().file();
 }
 
 } // namespace
@@ -95,10 +95,10 @@ TEST_CASE("any second of a two-minute attempt is come to from the moments of its
         while (line.seeking());
         glFinish();
         const double took = now() - began;
-        CHECK(session.torch().time == Approx(wanted).margin(0.05));
+        CHECK(session.run().torch().time == Approx(wanted).margin(0.05));
         longest = std::max(longest, took);
         sum += took;
     }
-    CHECK(session.fault().empty());
+    CHECK(session.run().fault().empty());
     WARN("without drawing a seek took " << sum / kSeeks << " s on average, " << longest << " s at most");
 }

@@ -34,7 +34,7 @@ constexpr double kFrame = 1.0 / 45;
 class Welder {
   public:
     explicit Welder(const fs::path& folder) : session(test::shaders(), test::plainBead(), [] { return 0.0; }) {
-        session.recordings().use(folder, thisMachine().program, thisMachine().driver);
+        session.log().recordings().use(folder, thisMachine().program, thisMachine().driver);
         session.begin(controls);
     }
 
@@ -42,7 +42,7 @@ class Welder {
     void weld(int frames) {
         const TorchSource lead = [&](int step, int) {
             TorchSample torch;
-            const double time = static_cast<double>(session.steps() + static_cast<size_t>(step)) / 90;
+            const double time = static_cast<double>(session.run().steps() + static_cast<size_t>(step)) / 90;
             torch.tip = {-0.008F + 3e-3F * static_cast<float>(time), 0.003F, 0};
             torch.orientation = glm::angleAxis(-1.5707963F, glm::vec3(1, 0, 0));
             torch.trigger = 1;
@@ -52,14 +52,14 @@ class Welder {
             session.advance(controls, kFrame, nullptr, lead);
             if (i % 10 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(20));
         }
-        CHECK(session.fault().empty());
+        CHECK(session.run().fault().empty());
     }
 
     fs::path end() {
         session.end("the test ended");
-        session.recordings().finish();
-        CHECK(session.recordings().lost() == "");
-        return session.recordings().file();
+        session.log().recordings().finish();
+        CHECK(session.log().recordings().lost() == "");
+        return session.log().recordings().file();
     }
 
     Controls controls;
@@ -123,12 +123,12 @@ TEST_CASE("a replay goes to the moments that its recording holds, and to the sam
         const double last = recording.steps[recording.checkpoints.back().steps - 1].torch.time;
         replay.line().seek(seconds - 0.05);
         frame();
-        CHECK(session.torch().time >= last);
+        CHECK(session.run().torch().time >= last);
         for (int i = 0; i < 3000 && (replay.line().playing() || replay.line().seeking()); ++i)
             frame();
         REQUIRE(replay.comparison());
         CHECK(replay.comparison()->verdict == ReplayEnd::Verdict::same);
-        CHECK(session.fault().empty());
+        CHECK(session.run().fault().empty());
     }
     SECTION("by the command") {
         const fs::path stripped = withoutMoments(file);
@@ -165,7 +165,7 @@ TEST_CASE("the recording of an attempt that went back repeats its last end and i
     welder.weld(200);
     REQUIRE(welder.session.redoes());
     welder.session.redo(welder.controls);
-    REQUIRE(welder.session.earlierMoments().redone() == 1);
+    REQUIRE(welder.session.log().moments().redone() == 1);
     welder.weld(80);
     const fs::path file = welder.end();
     const Lesson lesson = attemptIn(file);

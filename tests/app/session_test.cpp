@@ -1,4 +1,5 @@
 // The lesson that window and headset share: attempts and their records, changes on the way, questions, and time.
+#include "app/session/lesson_figures.hpp"
 #include "app/session/lesson_session.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
@@ -25,7 +26,7 @@ class Person {
   public:
     /// Steps take no time, however busy this machine is.
     explicit Person(const fs::path& record = {}) : session(test::shaders(), smallLesson(), [] { return 0.0; }) {
-        session.records().use(record, "program", "driver");
+        session.log().records().use(record, "program", "driver");
     }
 
     /// Frames of 1/45 s with the flame at the corner.
@@ -81,8 +82,8 @@ TEST_CASE("no button ends or cuts a record: each attempt has its own file, which
         person.session.end("start menu");
         person.session.begin(person.controls);
         person.weld(10);
-        CHECK(person.session.records().attempt() == 3);
-        CHECK_FALSE(person.session.records().lost());
+        CHECK(person.session.log().records().attempt() == 3);
+        CHECK_FALSE(person.session.log().records().lost());
     }
     const RecordedAttempt one = attemptIn(first), two = attemptIn(folder / "weld-2.csv"),
                           three = attemptIn(folder / "weld-3.csv");
@@ -111,7 +112,7 @@ TEST_CASE("every attempt replays to the same bits, whatever was changed while it
     setParameter(live, "heat_temperature", "0.3", "test");
     person.weld(10);
     setParameter(live, "viscosity", "4", "test");
-    person.session.event("zoom", "2");
+    person.session.run().event("zoom", "2");
     person.weld(10);
     person.session.reset(person.controls);
     person.weld(15);
@@ -141,18 +142,18 @@ TEST_CASE("a record that cannot be written is asked about before the first step,
         REQUIRE(person.session.question().asked());
         CHECK(person.session.question().text.find(place) != std::string::npos);
         person.weld(10);
-        CHECK(person.session.steps() == 0);
-        CHECK_FALSE(person.session.records().lost());
+        CHECK(person.session.run().steps() == 0);
+        CHECK_FALSE(person.session.log().records().lost());
         SECTION("the person agrees") {
             person.answer("Weld without a record");
             person.weld(10);
-            CHECK(person.session.steps() > 5);
-            CHECK(person.session.records().lost());
+            CHECK(person.session.run().steps() > 5);
+            CHECK(person.session.log().records().lost());
         }
         SECTION("the person does not") {
             person.answer("Start menu");
             CHECK_FALSE(person.session.running());
-            CHECK_FALSE(person.session.records().lost());
+            CHECK_FALSE(person.session.log().records().lost());
         }
     }
 }
@@ -162,7 +163,7 @@ TEST_CASE("another lesson is opened in the same session: its own values, the old
     Person person(file);
     person.session.sections().attempt.forScore = true;
     setParameter(person.session.sections().start.parameters, "particles", "2000", "test");
-    CHECK(person.session.workpieceChanged());
+    CHECK(person.session.values().workpieceChanged());
     person.session.sections().attempt.forScore = false;
     person.session.begin(person.controls);
     person.weld(10);
@@ -172,19 +173,19 @@ TEST_CASE("another lesson is opened in the same session: its own values, the old
     CHECK_FALSE(person.session.running());
     CHECK(attemptIn(file).ended == "another lesson was opened");
     CHECK(person.session.lesson().key == "gmaw-bead");
-    CHECK_FALSE(person.session.workpieceChanged());
+    CHECK_FALSE(person.session.values().workpieceChanged());
     LessonSections& sections = person.session.sections();
     CHECK(sections.attempt.forScore); // the person's choice, not the lesson's
     setParameter(sections.simulation.parameters, "voltage", "24.5", "test");
     CHECK(person.session.lesson().process.of<Gmaw>().voltage == 24.5f);
-    CHECK_FALSE(person.session.workpieceChanged()); // the machine is the trainee's to set
+    CHECK_FALSE(person.session.values().workpieceChanged()); // the machine is the trainee's to set
     setParameter(sections.start.parameters, "thickness_mm", "9", "test");
-    CHECK(person.session.workpieceChanged());
+    CHECK(person.session.values().workpieceChanged());
     person.session.open(smallLesson());
     person.session.sections().attempt.forScore = false;
     person.session.begin(person.controls);
     person.weld(10);
-    CHECK(person.session.steps() > 0);
+    CHECK(person.session.run().steps() > 0);
 }
 
 TEST_CASE("steps follow the clock at 45 frames a second and at 12", "[app]") {
@@ -195,7 +196,7 @@ TEST_CASE("steps follow the clock at 45 frames a second and at 12", "[app]") {
         person.frame(static_cast<int>(2 * rate), 1 / rate);
         INFO(rate << " frames a second");
         LessonFigures figures;
-        person.session.fillFigures(figures);
+        fillFigures(figures, person.session);
         CHECK(figures.time == Approx(2).margin(0.05));
         CHECK(figures.speed == Approx(1).margin(0.05));
     }
@@ -229,9 +230,9 @@ TEST_CASE("an attempt for score starts where the machine keeps up, and else says
         person.frame(100, 1.0 / 45);
         CHECK_FALSE(person.session.question().asked());
         CHECK(attemptIn(file).values.size() > 5);
-        const size_t steps = person.session.steps();
+        const size_t steps = person.session.run().steps();
         person.frame(10, 1.0 / 45);
-        CHECK(person.session.steps() > steps);
+        CHECK(person.session.run().steps() > steps);
         person.session.end("start menu");
         CHECK(readTextFile(file).find("# event for_score yes\n") != std::string::npos);
         CHECK(hashOfRepeat(file) == attemptIn(file).stateHash); // nothing of the measuring is left in the metal
@@ -251,7 +252,7 @@ TEST_CASE("an attempt for score starts where the machine keeps up, and else says
             person.answer("Practise");
             CHECK_FALSE(person.session.question().asked());
             person.frame(10, 1.0 / 45);
-            CHECK(person.session.steps() > 0);
+            CHECK(person.session.run().steps() > 0);
             CHECK(fs::exists(file));
         }
     }
@@ -275,20 +276,20 @@ TEST_CASE("a standing plate stands in the picture, and the torch is led in the r
         }
     };
     frames();
-    REQUIRE(session.steps() > 0);
-    const glm::mat3 turn = session.fixture().turn;
-    const glm::vec3 before = turn * session.torch().tip;
-    CHECK(glm::distance(turn * session.torch().axis(), glm::vec3(0, 0, -1)) < 1e-5F); // at the standing plate
+    REQUIRE(session.run().steps() > 0);
+    const glm::mat3 turn = session.picture().fixture().turn;
+    const glm::vec3 before = turn * session.run().torch().tip;
+    CHECK(glm::distance(turn * session.run().torch().axis(), glm::vec3(0, 0, -1)) < 1e-5F); // at the standing plate
     controls.captureMouse();
     InputFrame hand;
     hand.mouseMove = {0, -100}; // the vertical seam goes up the screen
     controls.update(hand, 1.0 / 45);
     frames();
-    const glm::vec3 way = turn * session.torch().tip - before;
+    const glm::vec3 way = turn * session.run().torch().tip - before;
     CHECK(glm::distance(way, glm::vec3(0, controls.parameters.torchMouse * 1e-3F, 0)) < 1e-5F);
     CHECK(glm::distance(turn * glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)) < 1e-6F); // its face looks at the welder
     // The seam is vertical: 15 mm of it and 6 mm of supports lie under the middle.
-    CHECK(session.bottom() == Approx(-0.021F));
+    CHECK(session.picture().bottom() == Approx(-0.021F));
 }
 
 namespace {
@@ -318,7 +319,7 @@ TEST_CASE("a machine that stands outside of a lesson's limits is set before the 
     const fs::path file = test::scratchFolder("unset") / "weld.csv";
     Controls controls;
     LessonSession session(test::shaders(), beadToSet(), [] { return 0.0; });
-    session.records().use(file, "program", "driver");
+    session.log().records().use(file, "program", "driver");
     CHECK(valueOf(session, "voltage") == "15");
     session.begin(controls);
     CHECK_FALSE(session.running());
@@ -349,7 +350,7 @@ TEST_CASE("a machine that stands outside of a lesson's limits is set before the 
     CHECK(record.find("# value voltage 21.5\n") != std::string::npos);
     CHECK(record.find("# chosen voltage\n") != std::string::npos);
     CHECK(record.find("# chosen wire_feed_m_min\n") == std::string::npos);
-    CHECK(session.chosenText() == "voltage 21.5 V");
+    CHECK(session.values().chosenText() == "voltage 21.5 V");
 }
 
 TEST_CASE("for score what a lesson gives stays the lesson's", "[app]") {
@@ -362,7 +363,7 @@ TEST_CASE("for score what a lesson gives stays the lesson's", "[app]") {
     CHECK_FALSE(given("wire_feed_m_min"));
     set(session, "voltage", "22");
     set(session, "wire_feed_m_min", "6");
-    CHECK(session.settingsChanged());
+    CHECK(session.values().settingsChanged());
     sections.restoreGiven(); // nothing is given for practice
     CHECK(valueOf(session, "wire_feed_m_min") == "6");
     sections.attempt.forScore = true;
@@ -371,6 +372,6 @@ TEST_CASE("for score what a lesson gives stays the lesson's", "[app]") {
     session.begin(controls);
     CHECK(valueOf(session, "wire_feed_m_min") == "4.5");
     CHECK(valueOf(session, "voltage") == "22");
-    CHECK_FALSE(session.settingsChanged());
+    CHECK_FALSE(session.values().settingsChanged());
     session.end("start menu");
 }

@@ -21,9 +21,9 @@ class Watcher {
         constexpr double kFrame = 1.0 / 45;
         for (double time = 0; time < seconds; time += kFrame) {
             session.advance(controls, kFrame, nullptr);
-            session.draw(session.picture(controls, 1, 0, false, nullptr), target.target(), nullptr);
+            session.picture().draw(session.picture().atDesk(controls, 1, 0, false, nullptr), target.target(), nullptr);
             LessonFigures figures;
-            session.fillFigures(figures);
+            fillFigures(figures, session);
             notices.update(session, figures, lock, kFrame, messages);
         }
     }
@@ -32,7 +32,7 @@ class Watcher {
             if (message.text.find(text) != std::string::npos) return true;
         return false;
     }
-    float shade() const { return session.visor().filter().shade(visorOf(session.lesson().look)); }
+    float shade() const { return session.picture().visor().filter().shade(visorOf(session.lesson().look)); }
 
     Controls controls;
     LessonSession session;
@@ -68,14 +68,14 @@ TEST_CASE("who watches an arc without a visor is dazzled and told so, where the 
     look.adaptation = true;
     Watcher watcher(look);
     watcher.watch(0.2);
-    CHECK_FALSE(watcher.session.arc().burns());
-    const float before = watcher.session.visor().eye().exposure();
+    CHECK_FALSE(watcher.session.run().arc().burns());
+    const float before = watcher.session.picture().visor().eye().exposure();
     CHECK_FALSE(watcher.told("You looked"));
     watcher.watch(1);
-    REQUIRE(watcher.session.arc().burns());
+    REQUIRE(watcher.session.run().arc().burns());
     CHECK(watcher.told("You looked into the arc without a visor for "));
-    CHECK(watcher.session.visor().eye().exposure() < 0.8f * before);
-    CHECK(watcher.session.visor().eye().afterImage().strength > 0.5f);
+    CHECK(watcher.session.picture().visor().eye().exposure() < 0.8f * before);
+    CHECK(watcher.session.picture().visor().eye().afterImage().strength > 0.5f);
 }
 
 TEST_CASE("the window's auto-darkening visor is light before the arc and dark while it burns", "[app]") {
@@ -87,16 +87,16 @@ TEST_CASE("the window's auto-darkening visor is light before the arc and dark wh
     watcher.watch(0.2);
     CHECK(watcher.shade() == 3);
     watcher.watch(1);
-    REQUIRE(watcher.session.arc().burns());
+    REQUIRE(watcher.session.run().arc().burns());
     CHECK(watcher.shade() == 10);
     CHECK(watcher.messages.shown().empty());
-    CHECK(watcher.session.visor().eye().afterImage().strength == 0);
+    CHECK(watcher.session.picture().visor().eye().afterImage().strength == 0);
 }
 
 TEST_CASE("a look without adaptation tells and changes nothing", "[app]") {
     Watcher watcher({});
     watcher.watch(1.2);
-    REQUIRE(watcher.session.arc().burns());
+    REQUIRE(watcher.session.run().arc().burns());
     CHECK(watcher.messages.shown().empty());
     CHECK(watcher.shade() == 0);
 }

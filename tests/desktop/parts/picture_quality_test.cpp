@@ -1,7 +1,7 @@
 // How finely the window's picture is drawn on machines of different speed, with the steps of the metal that they make.
+#include "app/activities/step_clock.hpp"
 #include "app/desktop/picture_quality.hpp"
 #include "app/desktop/scaled_picture.hpp"
-#include "app/session/step_clock.hpp"
 #include "core/render/picture_target.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"

@@ -1,5 +1,5 @@
 // The metal's time against the hand's time at different frame rates and on machines of different speed.
-#include "app/session/step_clock.hpp"
+#include "app/activities/step_clock.hpp"
 #include "core/training/attempt/checkpoint_pace.hpp"
 #include "tests/support/catch.hpp"
 

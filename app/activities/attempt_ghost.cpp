@@ -1,4 +1,4 @@
-#include "app/session/attempt_ghost.hpp"
+#include "app/activities/attempt_ghost.hpp"
 
 #include "core/base/error.hpp"
 

@@ -1,4 +1,4 @@
-#include "app/session/attempt_cues.hpp"
+#include "app/activities/attempt_cues.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>

@@ -1,4 +1,4 @@
-#include "app/session/attempt_judge.hpp"
+#include "app/activities/attempt_judge.hpp"
 
 #include "core/weld/workpiece/simulated_size.hpp"
 

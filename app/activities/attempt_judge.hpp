@@ -1,7 +1,7 @@
 // The judgement of the running attempt: made when somebody asks for it, and by itself once a weld is finished.
 #pragma once
 
-#include "app/session/judgement_rows.hpp"
+#include "app/activities/judgement_rows.hpp"
 #include "core/training/judging/bend_test.hpp"
 #include "core/training/trainer/trainer.hpp"
 

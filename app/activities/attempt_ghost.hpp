@@ -2,7 +2,7 @@
 // is off it.
 #pragma once
 
-#include "app/session/attempt_cues.hpp"
+#include "app/activities/attempt_cues.hpp"
 #include "core/base/parameter.hpp"
 #include "core/training/feedback/ghost_shapes.hpp"
 #include "core/training/trainer/trainer.hpp"

@@ -1,4 +1,4 @@
-#include "app/session/judgement_rows.hpp"
+#include "app/activities/judgement_rows.hpp"
 
 #include "core/base/text.hpp"
 #include "core/weld/gauge/weld_figures.hpp"

@@ -1,0 +1,66 @@
+#include "app/activities/attempt_log.hpp"
+
+#include "core/base/output_file.hpp"
+
+namespace meltpool {
+
+void AttemptRecords::use(const std::filesystem::path& file, std::string program, std::string driver) {
+    file_ = file;
+    program_ = std::move(program);
+    driver_ = std::move(driver);
+}
+
+std::filesystem::path AttemptRecords::freeName() const {
+    std::error_code failure;
+    if (!std::filesystem::is_regular_file(file_, failure)) return file_; // devices and pipes take every attempt
+    for (int number = 2;; ++number) {
+        std::filesystem::path name = file_;
+        name.replace_filename(file_.stem().string() + "-" + std::to_string(number) + file_.extension().string());
+        if (!std::filesystem::exists(std::filesystem::symlink_status(name, failure))) return name;
+    }
+}
+
+std::filesystem::path AttemptRecords::wholeFile() const {
+    return !lost_ && !newest_.empty() && isPlainFile(newest_) ? newest_ : std::filesystem::path();
+}
+
+void AttemptRecords::begin(Trainer& trainer) {
+    ++attempt_;
+    if (!wanted()) return;
+    const std::filesystem::path name = freeName();
+    trainer.record(name, {attempt_, program_, driver_, true, false});
+    newest_ = name;
+}
+
+std::string AttemptLog::begin(Trainer& trainer, bool goesBack) {
+    recordings_.begin(trainer, records_.attempt() + 1);
+    moments_.begin(recordings_.writer(), goesBack);
+    try {
+        records_.begin(trainer);
+    } catch (const std::runtime_error& fault) { // no such place, or no room for even its head
+        return fault.what();
+    }
+    return {};
+}
+
+void AttemptLog::keepMoment(const Trainer& trainer, double speed) {
+    if (moments_.goes() || recordings_.current() != nullptr) moments_.update(trainer, speed);
+}
+
+void AttemptLog::judged(const Judgement* judgement) {
+    if (judgement == nullptr) return recordings_.judged({}, {});
+    const bool scored = judgement->score && judgement->score->scored;
+    const char* verdict = !judgement->verdict ? "" : judgement->verdict->accepted ? "accepted" : "not accepted";
+    recordings_.judged(scored ? std::optional(judgement->score->total) : std::nullopt, verdict);
+}
+
+void AttemptLog::stop(Trainer& trainer, std::string_view reason) noexcept {
+    try {
+        trainer.stopRecord(reason);
+        records_.check(trainer);
+    } catch (const std::exception&) {
+        records_.renounce(); // the metal cannot even be read any more
+    }
+}
+
+} // namespace meltpool

@@ -1,0 +1,135 @@
+#include "app/session/lesson_picture.hpp"
+
+#include "app/session/seeing.hpp"
+#include "core/base/resources.hpp"
+#include "core/training/trainer/classic_model.hpp"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_access.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/vector_relational.hpp>
+
+#include <utility>
+
+namespace meltpool {
+
+namespace {
+
+bool same(const SurfaceParameters& a, const SurfaceParameters& b) {
+    return a.influence == b.influence && a.isoLevel == b.isoLevel && a.caps == b.caps;
+}
+
+} // namespace
+
+LessonPicture::LessonPicture(gl::ShaderLibrary& shaders, const PictureSource& source)
+    : source_(source), renderer_(shaders, cacheFolder()) {}
+
+LookParameters LessonPicture::look() const {
+    LookParameters look = source_.lesson.look;
+    look.detail = detail_;
+    return look;
+}
+
+void LessonPicture::beginFrame(double seconds, bool live) {
+    sinceSeen_ += seconds;
+    if (!live) return;
+    const SurfaceParameters& surface = source_.lesson.surface;
+    Lesson& running = trainer()->lesson();
+    const bool detailed = running.look.detail != detail_; // decides what the surface holds
+    if (detailed || !same(shownSurface_, surface)) source_.run.metalChanged();
+    running.surface = surface;
+    running.look.detail = detail_;
+    shownSurface_ = surface;
+}
+
+SceneView LessonPicture::scene(gl::Profiler* profiler) {
+    noteSurface();
+    if (trainer() != nullptr) trainer()->makeSurface(profiler);
+    return sceneOfMetal();
+}
+
+void LessonPicture::noteSurface() {
+    // The vibration needs the surface also while the particles are shown.
+    const bool needed = leader() == TorchLeader::hand || source_.lesson.look.mode != kPointsMode;
+    if (needed) source_.run.noteMetal();
+}
+
+void LessonPicture::completeSurface(DeskPicture& picture, gl::Profiler* profiler) {
+    if (trainer() == nullptr) return;
+    trainer()->makeSurface(profiler);
+    picture.scene.mesh = trainer()->mesh();
+}
+
+SceneView LessonPicture::sceneOfMetal() {
+    if (trainer() == nullptr) return {};
+    SceneView scene = trainer()->scene();
+    if (cut_.shown()) {
+        scene.section = cut_.view();
+        scene.putTorchAway();
+    }
+    return scene;
+}
+
+std::span<const Marker> LessonPicture::cueMarkers(const SceneView& scene, const View& eye) {
+    if (!showsHelp()) return {};
+    return source_.activities.attempt.cues().markers(*trainer(), scene, eye);
+}
+
+std::span<const Marker> LessonPicture::ghostMarkers(const SceneView& scene, const View& eye, float zoom) {
+    if (!showsHelp()) return {};
+    return source_.activities.attempt.ghost().markers(*trainer(), scene, eye, zoom);
+}
+
+Fixture LessonPicture::fixture() const {
+    return weld() ? fixtureOf(trainer()->lesson().workpiece) : Fixture{};
+}
+
+std::optional<glm::vec3> LessonPicture::arcFrom(const glm::mat4& worldToEye) const {
+    if (!weld()) return std::nullopt;
+    const glm::vec3 world = fixture().turn * trainer()->torch().tip / kClassicUnit;
+    return glm::vec3(worldToEye * glm::vec4(world, 1)) * kClassicUnit;
+}
+
+float LessonPicture::bottom() const {
+    if (trainer() == nullptr) return 0.0f;
+    const SceneView scene = trainer()->scene();
+    // Along the world's vertical each axis of the box has its lower end.
+    const glm::vec3 vertical = glm::row(glm::mat3(scene.modelToWorld), 1);
+    const glm::vec3 lowest = glm::mix(scene.boxMax, scene.boxMin, glm::greaterThan(vertical, glm::vec3(0)));
+    return (glm::dot(vertical, lowest) + scene.modelToWorld[3].y) * kClassicUnit;
+}
+
+DeskPicture LessonPicture::atDesk(const Controls& controls, float aspect, float shift, bool surfaceLater,
+                                  gl::Profiler* profiler) {
+    noteSurface();
+    if (trainer() != nullptr && !surfaceLater) trainer()->makeSurface(profiler);
+    DeskPicture picture{sceneOfMetal(), controls.view(aspect)};
+    SceneView& scene = picture.scene;
+    View& view = picture.view;
+    if (leader() == TorchLeader::desk) {
+        const SteeredSource& source = controls.source();
+        scene.source.position = glm::inverse(scene.modelToWorld) * glm::vec4(source.position(), 1);
+        scene.source.on = source.on();
+        scene.source.cold = source.cold();
+    }
+    if (cut_.shown()) standBeforeCut(scene, view);
+    if (leader() == TorchLeader::desk)
+        source_.activities.attempt.log().recordings().person(
+            deskPerson(view, fixture().turn, kClassicUnit, trainer()->steps()));
+    const LookParameters& look = source_.lesson.look;
+    visor_.update(seenArc(scene, view, source_.run.arc().length), visorOf(look), look, std::exchange(sinceSeen_, 0));
+    if (look.adaptation) scene.afterImage = visor_.eye().afterImage();
+    view.eyeToClip[2][0] -= shift; // clip x over w, and w is -z in the eye
+    lookThroughTable(scene, view);
+    scene.ghost = ghostMarkers(scene, view);
+    scene.markers = cueMarkers(scene, view);
+    return picture;
+}
+
+void LessonPicture::draw(const DeskPicture& picture, const RenderTarget& target, gl::Profiler* profiler) {
+    LookParameters seen = look();
+    visor_.wear(visorOf(seen), seen);
+    renderer_.draw(picture.scene, seen, std::span(&picture.view, 1), target, profiler);
+}
+
+} // namespace meltpool

@@ -1,0 +1,53 @@
+#include "app/session/lesson_values.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace meltpool {
+
+namespace {
+
+/// The lesson with its machine as the trainee finds it.
+Lesson machineAtStart(Lesson lesson) {
+    lesson.takeStartSettings();
+    return lesson;
+}
+
+bool sameSettings(ProcessSettings a, ProcessSettings b) {
+    const ParameterList first = describe(a), second = describe(b);
+    return a.kind == b.kind && std::equal(first.begin(), first.end(), second.begin(), second.end(), sameValue);
+}
+
+} // namespace
+
+LessonValues::LessonValues(Lesson lesson)
+    : given_(lesson.process), lesson_(machineAtStart(std::move(lesson))), sections_(std::in_place, lesson_) {}
+
+void LessonValues::open(Lesson lesson) {
+    const bool forScore = sections_->attempt.forScore;
+    given_ = lesson.process;
+    lesson_ = machineAtStart(std::move(lesson));
+    sections_.emplace(lesson_);
+    sections_->attempt.forScore = forScore;
+}
+
+bool LessonValues::machineChosen() const {
+    return !lesson_.choose.empty() && !sameSettings(lesson_.process, given_);
+}
+
+void LessonValues::follow(Trainer& trainer) {
+    wanted_ = liveParameters(lesson_.metalParameters());
+    running_ = liveParameters(trainer.lesson().metalParameters());
+}
+
+void LessonValues::unfollow() {
+    wanted_.clear();
+    running_.clear();
+}
+
+void LessonValues::apply(Trainer& trainer) {
+    for (size_t i = 0; i < wanted_.size(); ++i)
+        if (!sameValue(wanted_[i], running_[i])) trainer.change(wanted_[i].key, parameterText(wanted_[i]), "the menu");
+}
+
+} // namespace meltpool
