@@ -1,4 +1,4 @@
-// What a person can be doing in a lesson, behind one interface: weld, watch, measure the machine, or nothing yet.
+// The interface of all that a person can be doing in a lesson: weld, watch, have the machine measured, or nothing yet.
 #pragma once
 
 #include "app/activities/step_clock.hpp"

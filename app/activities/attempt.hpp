@@ -27,7 +27,7 @@ class Attempt final : public Activity {
     std::string begin(Trainer& trainer, bool forScore);
     /// The attempt is over, or there was none: its judgement goes into its recording.
     void end();
-    /// The same before another attempt over this metal, which is put back to its start.
+    /// Puts the metal back to its start for another attempt; the judgement goes into the recording of this one.
     void reset(Trainer& trainer);
 
     /// Judges the attempt so far; nothing while the arc burns or before the attempt has begun. Waits for the GPU. A
@@ -42,7 +42,7 @@ class Attempt final : public Activity {
 
     AttemptLog& log() { return log_; }
     const AttemptLog& log() const { return log_; }
-    /// What is shown beside the torch.
+    /// Help beside the torch.
     AttemptCues& cues() { return cues_; }
     const AttemptCues& cues() const { return cues_; }
     /// Another's torch beside one's own.

@@ -1,4 +1,4 @@
-// What is kept of a session's attempts: their records, their recordings, and the moments to go back to.
+// Log of a session's attempts: their records, their recordings, and the moments to go back to.
 #pragma once
 
 #include "app/activities/redo.hpp"
@@ -29,7 +29,7 @@ class AttemptRecords {
     int attempt() const { return attempt_; }
     /// Of the newest attempt that has one.
     const std::filesystem::path& file() const { return newest_; }
-    /// The same where it can be shown beside other files of the attempt; empty where it was cut short or is no file.
+    /// file() where it is whole and an ordinary file, so that others can stand beside it; else empty.
     std::filesystem::path wholeFile() const;
     /// An attempt has no record, or none to its end, though one was wanted.
     bool lost() const { return lost_; }
@@ -64,7 +64,7 @@ class AttemptLog {
     /// The attempt is about to end with this judgement, which its recording names; null: the weld is not judged, or
     /// went on after it was.
     void judged(const Judgement* judgement);
-    /// Ends the files of the attempt; `reason` stands in them.
+    /// Ends the files of the attempt; they name `reason`.
     void stop(Trainer& trainer, std::string_view reason) noexcept;
     /// The attempt's trainer was reset or is gone: its recording takes no more. Does not wait for the disk.
     void close() { recordings_.close(); }

@@ -47,7 +47,7 @@ class LessonRun {
     /// Why the attempt's record was cut short; empty while it is whole or none is wanted.
     const std::string& recordFault() const;
 
-    /// What the metal's steps cost of the frames.
+    /// Costs of the metal's steps in the frames.
     StepClock& clock() { return clock_; }
     const StepClock& clock() const { return clock_; }
     Stopwatch stopwatch() const { return now_; }
@@ -69,7 +69,7 @@ class LessonRun {
 
     /// The metal is another than at the last noteMetal().
     void metalChanged() { changed_ = true; }
-    /// See Trainer::noteMetal(); no-op while the metal is the same.
+    /// See Trainer::noteMetal(); no-op while the metal has not changed.
     void noteMetal();
 
     /// Asks where the metal lies under the torch in the hand. The answer comes frames later; nothing waits for it.

@@ -20,7 +20,7 @@ Lesson loadLesson(const std::string& name);
 /// The machine's clock, as a Stopwatch.
 double machineSeconds();
 
-/// Switches of what a person sees and hears beside the weld, the same in every lesson; those that do nothing in this
+/// Switches of the help that a person sees and hears beside the weld, for every lesson; those that do nothing in this
 /// one are idle.
 struct HelpSections {
     ParameterSection cues, sound, ghost;
@@ -38,7 +38,7 @@ class LessonSession {
     void open(Lesson lesson);
 
     /// Makes the metal from the start values: another attempt. Throws InputError or RuntimeFault when memory or driver
-    /// do not suffice. What the person must decide first stands in question().
+    /// do not suffice. See question() for a decision that must come first.
     void begin(Controls& controls);
     /// Makes the metal and plays the lesson's demonstration over it, where it has one. It has no record and is not
     /// judged; reset() ends it and begins an attempt. Throws as begin() does.
@@ -53,7 +53,7 @@ class LessonSession {
     /// There is metal.
     bool running() const { return run_.trainer() != nullptr; }
 
-    /// What the person is doing, and may do.
+    /// The person's activity, which tells what is allowed.
     const Activity& activity() const { return activities_.current(); }
     TorchLeader leader() const { return lead_.leader(activity().allowed()); }
     /// The person's own arc burns: what interrupts the frames now would lose what the hand does meanwhile.
@@ -67,14 +67,14 @@ class LessonSession {
     const Demonstration& demonstration() const { return activities_.demonstration; }
     AttemptReplay& replay() { return activities_.replay; }
     const AttemptReplay& replay() const { return activities_.replay; }
-    /// What is kept of the attempts.
+    /// Files and moments of the attempts.
     AttemptLog& log() { return attempt().log(); }
     const AttemptLog& log() const { return attempt().log(); }
 
     /// Runs the steps that fit into `seconds` of real time. The torch follows `held`, or the controls where that is
     /// empty; then nothing runs in view mode.
     void advance(const Controls& controls, double seconds, gl::Profiler* profiler, const TorchSource& held = {});
-    /// The same in three parts, the others being of run(), see LessonRun::beginSteps(); `controls` must stay as they
+    /// advance() in three parts, the others being of run(), see LessonRun::beginSteps(); `controls` must stay as they
     /// are until the steps are finished. False: all is done.
     bool beginSteps(const Controls& controls, double seconds, gl::Profiler* profiler, const TorchSource& held = {});
     LessonRun& run() { return run_; }
@@ -83,29 +83,29 @@ class LessonSession {
     LessonPicture& picture() { return picture_; }
     const LessonPicture& picture() const { return picture_; }
 
-    /// What the person must answer first; until then no step is made. Menus show it and set `answered`.
+    /// Question that the person must answer first; until then no step is made. Menus show it and set `answered`.
     Question& question() { return question_; }
     const Question& question() const { return question_; }
-    /// Does what the person answered.
+    /// Carries out the answer.
     void settle(Controls& controls);
 
-    /// Whether this lesson's weld can be measured and judged.
+    /// The weld can be measured and judged.
     bool judges() const { return activity().allowed().judging && run_.trainer()->technique() != nullptr; }
     /// Judges the attempt so far, see Attempt::judge(). A fault stops the simulation.
     void judge();
-    /// Whether the attempt can go back to an earlier moment now.
+    /// The attempt can go back to an earlier moment now.
     bool redoes();
     /// Goes back to before the fault that was chosen in the log's moments(), or some seconds: the metal is as it was
     /// then, and the torch welds on from there once its trigger was let go. The attempt is practice from here on. Waits
     /// for the GPU.
     void redo(Controls& controls);
-    /// Whether the weld can be cut open now: it can be judged, and the arc does not burn or the person has paused.
+    /// The weld can be cut open now: it can be judged, and the arc does not burn or the person has paused.
     bool cuts() const;
     /// Cuts the weld open, the desk's camera square before the cut, or closes it again, with camera and mode as before.
     /// While it is open no step is made; arrow keys and a dragging mouse move the cut.
     void toggleCut(Controls& controls);
 
-    /// What is heard of the lesson.
+    /// Sound of the lesson.
     Hearing& hearing() { return hearing_; }
     HelpSections& help() { return help_; }
     /// The torch that mouse and keys lead, in a weld lesson.

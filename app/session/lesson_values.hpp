@@ -15,7 +15,7 @@ class LessonValues {
     LessonValues(const LessonValues&) = delete;
     LessonValues& operator=(const LessonValues&) = delete;
 
-    /// Takes another lesson, with the values of its file. Whether attempts are for score stays. What sections()
+    /// Takes another lesson, with the values of its file; forScore() stays. What sections()
     /// answered before is gone.
     void open(Lesson lesson);
 

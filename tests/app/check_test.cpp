@@ -107,7 +107,8 @@ TEST_CASE("a check tells how it reads a torch path and what is implausible, as a
     writeTextFileAtomically(folder / "robot.csv", "time_s;x_mm;y_mm;z_mm;qx;qy;qz;qw;trigger\n"
                                                   "0;1250;400;800;-0.7071;0;0;0.7071;1\n"
                                                   "1;1260;400;800;-0.7071;0;0;0.7071;0\n");
-    writeTextFileAtomically(check, "lesson = 'bead.toml'\ntorch = 'robot.csv'\n[expect]\nscored = false\n");
+    writeTextFileAtomically(
+        check, "lesson = 'bead.toml'\ntorch = 'robot.csv'\n[set]\nseconds = 0.1\n[expect]\nscored = false\n");
     const test::Outcome outcome = runMeltpool("check '" + check.string() + "' --junit '" + junit.string() + "'");
     INFO(outcome.errors << outcome.output);
     CHECK(outcome.code == 0); // a warning fails no check

@@ -21,12 +21,13 @@ constexpr int kFewLines = 60; ///< a file of fewer with one user probably belong
 constexpr size_t kShown = 10; ///< classes and headers
 constexpr int kMostPublicFunctions = 40, kMostMembers = 30;
 
-std::vector<SourceFile> programSources() {
-    return readSources(sourceFolder(), {"core", "xr", "app"}, {".cpp", ".hpp"});
+std::vector<SourceFile> programSources(const std::filesystem::path& root) {
+    return readSources(root, {"core", "xr", "app"}, {".cpp", ".hpp"});
 }
 
-std::vector<SourceFile> shaderSources() {
-    return readSources(sourceFolder(), {"shaders"}, {".comp", ".vert", ".frag", ".geom", ".glsl", ".h"});
+std::string variable(const char* name, const std::string& otherwise) {
+    const char* value = std::getenv(name);
+    return value == nullptr ? otherwise : value;
 }
 
 std::vector<NamedCount> smallFolders(const std::vector<SourceFile>& files) {
@@ -63,9 +64,12 @@ int dependentsOf(const std::map<std::string, int>& dependents, std::string_view 
     return 0;
 }
 
-Json measured() {
-    const std::vector<SourceFile> program = programSources(), shaders = shaderSources();
-    std::vector<SourceFile> all = readSources(sourceFolder(), {"tests"}, {".cpp", ".hpp"});
+/// Of the tree at `root`, which may be another version of this one.
+Json measured(const std::filesystem::path& root) {
+    const std::vector<SourceFile> program = programSources(root);
+    const std::vector<SourceFile> shaders =
+        readSources(root, {"shaders"}, {".comp", ".vert", ".frag", ".geom", ".glsl", ".h"});
+    std::vector<SourceFile> all = readSources(root, {"tests"}, {".cpp", ".hpp"});
     all.insert(all.end(), program.begin(), program.end());
     all.insert(all.end(), shaders.begin(), shaders.end());
     const auto isSource = [](const SourceFile& file) { return file.path.extension() == ".cpp"; };
@@ -117,7 +121,7 @@ TEST_CASE("thermometers count what they name") {
 }
 
 TEST_CASE("small folders, small files and the largest classes are listed") {
-    const std::vector<SourceFile> files = programSources();
+    const std::vector<SourceFile> files = programSources(sourceFolder());
     std::string text =
         listed("Folders of fewer than 5 units", smallFolders(files), "units") +
         listed("Files of fewer than 60 lines with one user", smallFilesOfOneUser(files, kFewLines), "lines") +
@@ -131,13 +135,11 @@ TEST_CASE("small folders, small files and the largest classes are listed") {
     CHECK(classes.front().size.publicFunctions + classes.front().size.members > 10);
 }
 
-/// tests/house/thermometers.sh runs it and names the file for the figures.
-TEST_CASE("the thermometers of this tree are written", "[.thermometers]") {
-    const char* file = std::getenv("MELTPOOL_THERMOMETERS");
-    REQUIRE(file != nullptr);
-    Json json{{"commit", std::getenv("MELTPOOL_COMMIT") == nullptr ? "" : std::getenv("MELTPOOL_COMMIT")}};
-    json.update(measured());
-    std::ofstream out(file);
+/// tests/house/thermometers.sh runs it and names tree and file.
+TEST_CASE("the thermometers of a tree are written", "[.thermometers]") {
+    Json json{{"commit", variable("MELTPOOL_COMMIT", "")}};
+    json.update(measured(variable("MELTPOOL_TREE", sourceFolder().string())));
+    std::ofstream out(variable("MELTPOOL_THERMOMETERS", (buildFolder() / "thermometers.json").string()));
     out << json.dump(2) << '\n';
     REQUIRE(out.good());
 }

@@ -53,7 +53,7 @@ void AttemptRecorder::end(std::string_view reason, std::uint64_t stateHash, std:
     endCsv(reason, stateHash);
 }
 
-/// The weld goes on; whoever shows it tells of the fault.
+/// The weld goes on; fault() has the reason.
 void AttemptRecorder::guard(FunctionRef<void()> write) {
     try {
         write();

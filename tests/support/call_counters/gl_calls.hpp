@@ -17,7 +17,7 @@
     W(glDrawArraysInstanced) W(glDrawElementsIndirect) W(glDrawElementsInstanced) \
     W(glDrawElementsInstancedBaseInstance) W(glEnableVertexArrayAttrib) W(glFenceSync) \
     W(glGenerateTextureMipmap) W(glGetActiveUniform) W(glGetInteger64v) W(glGetNamedBufferPointerv) W(glGetNamedBufferSubData) W(glGetNamedFramebufferParameteriv) W(glGetProgramInfoLog) \
-    W(glGetProgramiv) W(glGetQueryObjectiv) W(glGetQueryObjectui64v) W(glGetShaderInfoLog) W(glGetShaderiv) \
+    W(glGetProgramResourceIndex) W(glGetProgramResourceName) W(glGetProgramResourceiv) W(glGetProgramiv) W(glGetQueryObjectiv) W(glGetQueryObjectui64v) W(glGetShaderInfoLog) W(glGetShaderiv) \
     W(glGetStringi) W(glGetTextureImage) W(glGetUniformLocation) W(glLinkProgram) W(glMapNamedBufferRange) \
     W(glMemoryBarrier) W(glNamedBufferStorage) W(glNamedBufferSubData) W(glNamedFramebufferTexture) \
     W(glNamedFramebufferTextureLayer) W(glObjectLabel) W(glPopDebugGroup) W(glProgramUniform1f) \

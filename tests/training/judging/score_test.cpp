@@ -475,7 +475,7 @@ TEST_CASE("faults of a lesson's bands are told with file, line and key", "[train
     const std::string good = "aim = { ideal = 0, inner = 1, outer = 3 }\n";
     CHECK(told(head + good) == "");
     checkTold(head + good + "speed = { ideal = 1 }\n",
-              "lesson.toml:5: [technique] speed: unknown key; known here: aim, ctwd");
+              "lesson.toml:5: [technique] speed: unknown key; did you mean");
     checkTold(head + "aim = { ideal = 0, inner = 2, outer = 1 }\n",
               "lesson.toml:4: [technique.aim] outer: is below inner; expected at least 2");
     checkTold(head + "aim = { ideal = 0, inner = 0, outer = 0 }\n", "[technique.aim] outer: is 0");

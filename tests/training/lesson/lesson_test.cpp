@@ -256,7 +256,8 @@ TEST_CASE("a bad lesson is refused in one sentence with file, line and expectati
 }
 
 TEST_CASE("an unknown lesson is refused with the names that there are", "[training]") {
-    CHECK_THROWS_WITH(findLesson("clasic", shippedLessons()), containsText("expected one of butt-1g, classic"));
+    CHECK_THROWS_WITH(findLesson("clasic", shippedLessons()),
+                      containsText("did you mean 'classic'? Expected one of butt-1g, classic"));
     CHECK_THROWS_WITH(findLesson("nowhere/mine.toml", shippedLessons()), containsText("nowhere/mine.toml"));
 }
 
