@@ -39,6 +39,7 @@ void work(double seconds) {
 
 TEST_CASE("work is counted where it is done, by the processor's time") {
     WorkMeter meter;
+    const double before = threadSeconds();
     meter.begin();
     work(2 * kUnit);
     {
@@ -48,11 +49,12 @@ TEST_CASE("work is counted where it is done, by the processor's time") {
         work(0.5 * kUnit);
     }
     meter.end();
-    // What this thread spent between two looks is at least what it was asked to, and little more.
+    // A busy machine takes more of the processor than it was asked for: each place has at most what the others left.
+    const double spent = threadSeconds() - before;
     CHECK(meter.cpuSeconds(WorkPlace::own) > 1.95 * kUnit);
-    CHECK(meter.cpuSeconds(WorkPlace::own) < 2.4 * kUnit);
+    CHECK(meter.cpuSeconds(WorkPlace::own) < spent - 1.4 * kUnit);
     CHECK(meter.cpuSeconds(WorkPlace::runtime) > 0.95 * kUnit);
-    CHECK(meter.cpuSeconds(WorkPlace::runtime) < 1.2 * kUnit);
+    CHECK(meter.cpuSeconds(WorkPlace::runtime) < spent - 2.4 * kUnit);
     CHECK(meter.cpuSeconds(WorkPlace::driver) > 0.45 * kUnit);
     CHECK(meter.cpuSeconds(WorkPlace::waiting) == 0);
     CHECK(meter.forAnother().cpuSeconds ==
