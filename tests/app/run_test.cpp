@@ -293,8 +293,8 @@ TEST_CASE("a run with shaders of another version is refused with one sentence", 
     std::string text = readTextFile(folder / "shaders" / "shared" / "classic.h");
     text.replace(text.find("    float solidifyRate;"), 0, "    vec4 more;\n");
     writeTextFileAtomically(folder / "shaders" / "shared" / "classic.h", text);
-    const test::Outcome outcome =
-        runMeltpool(kQuick + "--set particles=64", "env MELTPOOL_DATA='" + folder.string() + "'");
+    const test::Outcome outcome = runMeltpool(kQuick + "--set particles=64 --out '" + (folder / "out").string() + "'",
+                                              "env MELTPOOL_DATA='" + folder.string() + "'");
     CHECK(outcome.code == 2);
     CHECK_THAT(outcome.errors, containsText("block 'StepBlock' (struct ClassicStep) has 112 bytes, but 96") &&
                                    containsText("set MELTPOOL_DATA to the folder"));
