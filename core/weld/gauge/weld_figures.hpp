@@ -1,6 +1,6 @@
 // The table of a weld's figures and imperfections: key, unit, digits, words, standard and measure of each. Files,
-// verdict, result panel, page, comparison and drawn section read it; a new figure or imperfection is a row of
-// weld_figures.cpp.
+// verdict, result panel, page, comparison and drawn section read it; a new figure is a row of weld_figures.cpp, a
+// new imperfection one of weld_imperfections.cpp.
 #pragma once
 
 #include "core/weld/gauge/weld_stations.hpp"
@@ -75,6 +75,9 @@ struct WeldFigure {
     std::string_view panelWords() const { return words.panel.empty() ? words.name : words.panel; }
     std::string_view pageWords() const { return words.page.empty() ? words.name : words.page; }
 };
+
+/// The row of a key; null for an unknown one.
+const WeldFigure* findByKey(std::span<const WeldFigure> rows, std::string_view key);
 
 /// The figures of a station, in the order of weld.csv's columns.
 std::span<const WeldFigure> stationFigures();

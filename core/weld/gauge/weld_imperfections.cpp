@@ -1,0 +1,230 @@
+// The imperfections of the table of weld figures, each with its measure at a station.
+#include "core/weld/gauge/weld_figures.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace meltpool {
+
+namespace {
+
+constexpr double kMmPerMetre = 1e3;
+
+using Value = WeldStation::Value;
+using Member = Value WeldStation::*;
+using Judged = std::optional<ImperfectionValue>;
+
+Judged inMm(const Value& metres, const Value& width = {}) {
+    if (!metres) return std::nullopt;
+    return ImperfectionValue{*metres * kMmPerMetre, width.value_or(0) * kMmPerMetre};
+}
+
+Value greater(const Value& a, const Value& b) {
+    return a && b ? std::max(*a, *b) : a ? a : b;
+}
+
+/// A figure of the station; `width` is the b with which its limit may grow.
+template <Member figure, Member width = nullptr>
+Judged measured(const WeldStation& s, const NominalWeld&, WeldKind) {
+    if constexpr (width == nullptr)
+        return inMm(s.*figure);
+    else
+        return inMm(s.*figure, s.*width);
+}
+
+/// The greater figure of both sides of the weld.
+template <Member side1, Member side2>
+Judged worseSide(const WeldStation& s, const NominalWeld&, WeldKind) {
+    return inMm(greater(s.*side1, s.*side2), s.toeWidth);
+}
+
+/// A size of the workpiece as it was set up.
+template <double NominalWeld::*size>
+Judged setUp(const WeldStation&, const NominalWeld& nominal, WeldKind) {
+    return inMm(nominal.*size);
+}
+
+/// Where a plate is fused nowhere, which may be a place without weld, all of the nominal weld is missing.
+Judged lackOfFusion(const WeldStation& s, const NominalWeld& nominal, WeldKind) {
+    if (!s.lackOfFusion || !s.facesFused || *s.facesFused > 0) return inMm(s.lackOfFusion);
+    return inMm(std::max(*s.lackOfFusion, nominal.legOf().value_or(nominal.thickness)));
+}
+
+Judged toeAngle(const WeldStation& s, const NominalWeld&, WeldKind) {
+    const Value inside = greater(s.edgeAngle1, s.edgeAngle2);
+    if (!inside) return std::nullopt;
+    return ImperfectionValue{180 - *inside * 180 / std::numbers::pi, s.toeWidth.value_or(0) * kMmPerMetre};
+}
+
+Judged unequalLegs(const WeldStation& s, const NominalWeld&, WeldKind) {
+    return s.leg1 && s.leg2 ? inMm(std::abs(*s.leg1 - *s.leg2)) : std::nullopt;
+}
+
+Judged throatTooSmall(const WeldStation& s, const NominalWeld& nominal, WeldKind kind) {
+    const auto throat = nominal.throatOf(kind);
+    return s.throat && throat ? inMm(*throat - *s.throat) : std::nullopt;
+}
+
+Judged throatTooBig(const WeldStation& s, const NominalWeld& nominal, WeldKind kind) {
+    const auto throat = nominal.throatOf(kind);
+    return s.throat && throat ? inMm(*s.throat - *throat) : std::nullopt;
+}
+
+Judged legTooSmall(const WeldStation& s, const NominalWeld& nominal, WeldKind) {
+    const auto leg = nominal.legOf();
+    return s.leg1 && s.leg2 && leg ? inMm(*leg - std::min(*s.leg1, *s.leg2)) : std::nullopt;
+}
+
+/// An overlap is the distance between two places, each known to half a spacing.
+constexpr double kTwoPlaces = 2 * kResolvedSpacings;
+
+constexpr std::array kImperfections{
+    WeldFigure{.key = "lack_of_fusion",
+               .unit = "mm",
+               .resolution = kResolvedSpacings,
+               .words = {.name = "lack of fusion"},
+               .standard = {"401", "lack of fusion"},
+               .judged = lackOfFusion},
+    WeldFigure{.key = "burn_through",
+               .unit = "mm",
+               .words = {.name = "burn through"},
+               .standard = {"510", "burn-through"},
+               .judged = measured<&WeldStation::hole>},
+    WeldFigure{.key = "root_penetration_missing",
+               .unit = "mm",
+               .resolution = kResolvedSpacings,
+               .words = {.name = "root penetration missing"},
+               .standard = {"4021", "incomplete root penetration"},
+               .judged = measured<&WeldStation::rootMissing>},
+    WeldFigure{.key = "undercut",
+               .unit = "mm",
+               .resolution = kResolvedSpacings,
+               .words = {.name = "undercut"},
+               .standard = {"5011, 5012", "undercut"},
+               .judged = worseSide<&WeldStation::undercut1, &WeldStation::undercut2>},
+    WeldFigure{.key = "excess_weld_metal",
+               .unit = "mm",
+               .resolution = kResolvedSpacings,
+               .words = {.name = "excess weld metal"},
+               .standard = {"502", "excess weld metal"},
+               .judged = measured<&WeldStation::height, &WeldStation::toeWidth>},
+    WeldFigure{.key = "convexity",
+               .unit = "mm",
+               .resolution = kResolvedSpacings,
+               .words = {.name = "convexity"},
+               .standard = {"503", "excessive convexity"},
+               .judged = measured<&WeldStation::convexity, &WeldStation::toeWidth>},
+    WeldFigure{.key = "excess_penetration",
+               .unit = "mm",
+               .resolution = kResolvedSpacings,
+               .words = {.name = "excess penetration"},
+               .standard = {"504", "excess penetration"},
+               .judged = measured<&WeldStation::excessPenetration, &WeldStation::rootWidth>},
+    WeldFigure{.key = "toe_angle",
+               .unit = "deg",
+               .words = {.name = "toe angle"},
+               .standard = {"505", "incorrect weld toe"},
+               .judged = toeAngle},
+    WeldFigure{.key = "overlap",
+               .unit = "mm",
+               .resolution = kTwoPlaces,
+               .words = {.name = "overlap"},
+               .standard = {"506", "overlap"},
+               .judged = worseSide<&WeldStation::overlap1, &WeldStation::overlap2>},
+    WeldFigure{.key = "unequal_legs",
+               .unit = "mm",
+               .resolution = kResolvedSpacings,
+               .words = {.name = "unequal legs"},
+               .standard = {"512", "excessive asymmetry of fillet weld"},
+               .judged = unequalLegs},
+    WeldFigure{.key = "not_filled_up",
+               .unit = "mm",
+               .resolution = kResolvedSpacings,
+               .words = {.name = "not filled up"},
+               .standard = {"511", "incompletely filled groove"},
+               .judged = measured<&WeldStation::underfill>},
+    WeldFigure{.key = "root_concavity",
+               .unit = "mm",
+               .resolution = kResolvedSpacings,
+               .words = {.name = "root concavity"},
+               .standard = {"515", "root concavity"},
+               .judged = measured<&WeldStation::rootConcavity>},
+    WeldFigure{.key = "throat_too_small",
+               .unit = "mm",
+               .resolution = kResolvedSpacings,
+               .words = {.name = "throat too small"},
+               .standard = {"5213", "insufficient throat thickness"},
+               .judged = throatTooSmall},
+    WeldFigure{.key = "throat_too_big",
+               .unit = "mm",
+               .resolution = kResolvedSpacings,
+               .words = {.name = "throat too big"},
+               .standard = {"5214", "excessive throat thickness"},
+               .judged = throatTooBig},
+    WeldFigure{.key = "leg_too_small",
+               .unit = "mm",
+               .resolution = kResolvedSpacings,
+               .words = {.name = "leg too small"},
+               .judged = legTooSmall},
+    WeldFigure{.key = "plates_offset",
+               .unit = "mm",
+               .words = {.name = "plates offset"},
+               .standard = {"507", "linear misalignment"},
+               .judged = setUp<&NominalWeld::platesOffset>},
+    WeldFigure{.key = "joint_gap",
+               .unit = "mm",
+               .words = {.name = "joint gap"},
+               .standard = {"617", "incorrect root gap for fillet welds"},
+               .judged = setUp<&NominalWeld::jointGap>},
+    WeldFigure{.key = "crack", .unit = "mm", .words = {.name = "crack"}, .standard = {"100", "crack"}},
+    WeldFigure{.key = "surface_pore",
+               .unit = "mm",
+               .words = {.name = "surface pore"},
+               .standard = {"2017", "surface pore"},
+               .estimate = "surface_pore"},
+    WeldFigure{
+        .key = "piping_porosity", .unit = "mm", .words = {.name = "piping porosity"}, .estimate = "surface_pore"},
+    WeldFigure{.key = "unfilled_crater", .unit = "mm", .words = {.name = "unfilled crater"}},
+    WeldFigure{.key = "spatter",
+               .unit = "mm",
+               .words = {.name = "spatter"},
+               .standard = {"602", "spatter"},
+               .estimate = "spatter"},
+    WeldFigure{.key = "slag_inclusion",
+               .unit = "mm",
+               .words = {.name = "slag inclusion"},
+               .standard = {"301", "slag inclusion"},
+               .estimate = "slag_inclusion"},
+};
+
+} // namespace
+
+std::optional<double> NominalWeld::throatOf(WeldKind kind) const {
+    if (throat) return throat;
+    if (leg) return *leg / std::numbers::sqrt2;
+    return kind == WeldKind::butt ? std::optional(thickness) : std::nullopt;
+}
+
+std::optional<double> NominalWeld::legOf() const {
+    if (leg) return leg;
+    return throat ? std::optional(*throat * std::numbers::sqrt2) : std::nullopt;
+}
+
+std::span<const WeldFigure> imperfections() {
+    return kImperfections;
+}
+
+const WeldFigure* findImperfection(std::string_view key) {
+    return findByKey(kImperfections, key);
+}
+
+std::string imperfectionName(std::string_view key) {
+    if (const WeldFigure* known = findImperfection(key)) return std::string(known->words.name);
+    std::string name(key);
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return name;
+}
+
+} // namespace meltpool
