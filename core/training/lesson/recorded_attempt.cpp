@@ -147,6 +147,7 @@ RecordedAttempt attemptOf(const Recording& recording) {
     attempt.file = recording.file;
     attempt.framed = true;
     attempt.head = recording.head;
+    attempt.head.values.clear();
     for (const auto& [key, value] : recording.head.values)
         attempt.values.push_back({0, key, value, 1, 0});
     for (const RecordingNote& note : recording.changes)

@@ -33,8 +33,8 @@ struct RecordedEvent {
 
 struct RecordedAttempt {
     std::filesystem::path file;
-    bool framed = false; ///< the file is a recording; else a record
-    AttemptHead head;    ///< its values have their places in `values`; date: of the file, local, as formatDate()
+    bool framed = false;                 ///< the file is a recording; else a record
+    AttemptHead head;                    ///< without its values; date: of the file, local, as formatDate()
     std::vector<RecordedChange> values;  ///< at the start
     std::vector<RecordedChange> changes; ///< in the order of the steps
     std::vector<RecordedEvent> events;   ///< in the same order
