@@ -30,7 +30,10 @@ class SpeedTrial final : public Activity {
 
     /// While it measures, nothing that a person does reaches the metal.
     Allowed allowed() const override;
-    NextAttempt nextAttempt(bool) const override { return NextAttempt::none; }
+    /// One that was given up, by stop(), can be begun again.
+    NextAttempt nextAttempt(bool) const override {
+        return offers_.empty() ? NextAttempt::freshMetal : NextAttempt::none;
+    }
     bool hurries() const override { return running(); }
     /// Makes the steps of the frame itself and counts them, see takeVerdict().
     std::optional<int> due(ActivityFrame& frame) override;

@@ -38,6 +38,11 @@ bool LessonSession::beginSteps(const Controls& controls, double seconds, gl::Pro
     RunFrame frame{seconds, waits(controls), values_.forScore(),
                    [this](int step, int steps) { return nextTorch(step, steps); }};
     const bool due = run_.beginSteps(std::move(frame), hearing_.ear, profiler);
+    if (activities_.trial.running() && !run_.fault().empty()) {
+        activities_.trial.stop();
+        question_ = {};
+        return false;
+    }
     nextTrial(activities_.trial.takeVerdict());
     if (due && leader() == TorchLeader::desk) {
         const glm::mat3 toScreen = glm::mat3(controls.view(1).worldToEye) * picture_.fixture().turn;

@@ -215,6 +215,32 @@ TEST_CASE("the record tells how much slower than the clock the metal was", "[app
     CHECK(std::stod(rows.furtherCells.back().back()) < 0.5);
 }
 
+TEST_CASE("a fault while the machine's speed is measured stops the measuring, and a reset begins it again", "[app]") {
+    static bool broken = false;
+    const Stopwatch clock = []() -> double { return broken ? throw RuntimeFault("the card was taken out") : 0.0; };
+    LessonSession session(test::shaders(), smallLesson(), clock);
+    Controls controls;
+    session.sections().attempt.forScore = true;
+    session.begin(controls);
+    session.advance(controls, 1.0 / 45, nullptr);
+    CHECK(session.run().fault().empty());
+    CHECK(session.question().asked());
+    broken = true;
+    session.advance(controls, 1.0 / 45, nullptr);
+    CHECK(session.run().fault() == "the card was taken out");
+    CHECK_FALSE(session.question().asked());
+    session.advance(controls, 1.0 / 45, nullptr);
+    CHECK(session.run().steps() < 10);
+    broken = false;
+    session.reset(controls);
+    CHECK(session.run().fault().empty());
+    CHECK(session.question().asked()); // measured from the start
+    for (int i = 0; i < 110; ++i)
+        session.advance(controls, 1.0 / 45, nullptr);
+    CHECK_FALSE(session.question().asked());
+    CHECK(session.leader() == TorchLeader::desk); // the attempt
+}
+
 TEST_CASE("an attempt for score starts where the machine keeps up, and else says what would help", "[app]") {
     const fs::path file = test::scratchFolder("score") / "weld.csv";
     Person person(file);
