@@ -43,8 +43,8 @@ struct ActivityFrame {
     double beside;        ///< see StepClock::due()
     bool waits;           ///< the person looks around, has cut the weld open, or is asked something
     bool forScore;        ///< the lesson is set to attempts for score
-    bool stopped;         ///< by a fault; an activity that begins anew clears it
-    bool changed = false; ///< the metal was changed besides steps: its surface must be made anew
+    bool stopped;         ///< by a fault; an activity clears it to go on
+    bool changed = false; ///< the metal was changed besides steps: its surface is out of date
     TorchSource torch;    ///< of the person's torch
 };
 

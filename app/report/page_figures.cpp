@@ -52,7 +52,7 @@ std::string rowOf(const json& part, std::string_view words, const Figure& figure
     return value ? tableRow(escaped(words), valueText(figure, *value)) : std::string();
 }
 
-/// What a newer program wrote, by its keys.
+/// Rows of entries that only a newer program knows, named by their keys.
 std::string furtherRows(const json& part, const Keys& shown) {
     std::string rows;
     if (!part.is_object()) return rows;

@@ -75,8 +75,7 @@ class LessonPicture {
     float bottom() const;
     /// How the workpiece is held; as it lies without a running weld lesson.
     Fixture fixture() const;
-    /// Where the arc is from an eye of this view matrix, in the eye's directions, m. Nothing without a running weld
-    /// lesson.
+    /// Place of the arc in the eye's frame of this view matrix, m. Nothing without a running weld lesson.
     std::optional<glm::vec3> arcFrom(const glm::mat4& worldToEye) const;
 
   private:

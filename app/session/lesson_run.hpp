@@ -21,9 +21,9 @@ struct RunFrame {
 
 class LessonRun {
   public:
-    /// Runs what `activities` are at. `stopwatch` tells how long steps take. `metalThere`: the metal lies in that
-    /// context, see MetalElsewhere. All must outlive this.
-    LessonRun(gl::ShaderLibrary& shaders, Activities& activities, Stopwatch stopwatch, gl::OtherContext* metalThere);
+    /// Runs what `activities` are at. `now` tells how long steps take. `metalThere`: the metal lies in that
+    /// context, see LessonMetal. All must outlive this.
+    LessonRun(gl::ShaderLibrary& shaders, Activities& activities, Stopwatch now, gl::OtherContext* metalThere);
 
     /// Makes the metal of this lesson in the place of the one before, which is freed first, and with it the clock.
     /// Throws InputError or RuntimeFault when memory or driver do not suffice; then there is none.

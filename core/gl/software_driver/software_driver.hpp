@@ -11,14 +11,14 @@
 
 namespace meltpool::gl {
 
-/// Whether the driver with this name (GL_RENDERER) draws on the processor.
+/// True for the name (GL_RENDERER) of a driver that draws on the processor.
 bool drawsOnProcessor(std::string_view renderer);
 
-/// Whether this EGL device, told by its extensions (null: none), is the processor and no card.
+/// True for the extensions of an EGL device that is the processor and no card; null: it has none.
 bool isProcessorDevice(const char* extensions);
 
-/// Whether dispatches of the current context's driver have ended when the call that issues them returns:
-/// llvmpipe_launch_grid() waits for its own threads. Such a driver also locks whatever contexts that share objects have
+/// True where a dispatch of the current context has ended when the call that issues it returns: llvmpipe_launch_grid()
+/// waits for its own threads. Such a driver also locks whatever contexts that share objects have
 /// in common (cs_mutex), so that only contexts which share nothing compute side by side.
 bool dispatchIsSynchronous();
 
@@ -27,7 +27,7 @@ bool dispatchIsSynchronous();
 /// wide ones and pictures without steps beside them gain. To be called before anything of OpenGL.
 void runDriverSingleThreaded();
 
-/// Whether that driver, if it is the one in use, works on the threads that call it.
+/// True where that driver, if it is the one in use, works on the threads that call it.
 bool driverIsSingleThreaded();
 
 /// While it exists, this thread's barriers and fences are left out: its context only computes, with a driver of
