@@ -115,6 +115,8 @@ TrainerWindow::TrainerWindow(const std::string& name, const Options& options)
                            {"XDG_DATA_HOME", (folder_ / "data").string()},
                            {"XDG_PICTURES_DIR", ""},
                            {"WAYLAND_DISPLAY", ""},
+                           // Mesa's compiled shaders, else made anew in every window's own home.
+                           {"MESA_SHADER_CACHE_DIR", (test::buildFolder() / "tests" / "shader-cache").string()},
                            {"MELTPOOL_DATA", data.string()}};
     for (const auto& [variable, value] : options.environment)
         process.environment[variable] = value;
