@@ -2,6 +2,7 @@
 
 #include "app/activities/attempt_lesson.hpp"
 #include "core/base/error.hpp"
+#include "core/base/words.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -122,7 +123,8 @@ void AttemptComparison::compare() {
     rows_ = comparisonRows(sides_[0]->judgement, sides_[1]->judgement, *comparison_);
     for (size_t i = 0; i < sides_.size(); ++i)
         if (const ReplayEnd& end = sides_[i]->end; end.verdict != ReplayEnd::Verdict::same)
-            rows_->notes.push_back((i == 0 ? "First: " : "Second: ") + end.text);
+            rows_->notes.push_back(
+                phrase(i == 0 ? "compared.note.first" : "compared.note.second", {{"sentences", end.text}}));
 }
 
 } // namespace meltpool

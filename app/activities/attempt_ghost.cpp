@@ -1,6 +1,7 @@
 #include "app/activities/attempt_ghost.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/words.hpp"
 
 #include <cmath>
 #include <utility>
@@ -88,18 +89,18 @@ void AttemptGhost::load(const Trainer& trainer) {
     untold_ = 0;
     try {
         if (loaded_ == GhostChoice::expert) {
-            if (lesson.torch.empty()) return refuse("There is no ghost: this lesson has no demonstration.");
+            if (lesson.torch.empty()) return refuse(phrase("lead.fault.no_demonstration"));
             follow(trainer, loaded_, lesson.torch);
         } else if (loaded_ == GhostChoice::best) {
             const std::filesystem::path best = findBest_ ? findBest_(lesson.key) : std::filesystem::path();
-            if (best.empty()) return refuse("There is no ghost: no scored attempt at this lesson is kept yet.");
+            if (best.empty()) return refuse(phrase("lead.fault.no_scored_attempt"));
             follow(trainer, loaded_, read(lesson, best));
         } else if (loaded_ == GhostChoice::file) {
-            if (parameters.file.empty()) return refuse("There is no ghost: no file is named; start with --ghost FILE.");
+            if (parameters.file.empty()) return refuse(phrase("lead.fault.no_file"));
             follow(trainer, loaded_, read(lesson, parameters.file));
         }
     } catch (const std::exception& fault) {
-        refuse(std::string("There is no ghost: ") + fault.what());
+        refuse(phrase("lead.fault.not_read", {{"fault", fault.what()}}));
     }
 }
 
@@ -117,7 +118,7 @@ const TorchPath& AttemptGhost::read(const Lesson& lesson, const std::filesystem:
 void AttemptGhost::follow(const Trainer& trainer, GhostChoice choice, const TorchPath& torch) {
     loaded_ = choice;
     path_ = GhostPath(torch, trainer.technique()->seam(), trainer.technique()->settings());
-    if (path_.empty()) refuse("There is no ghost: its torch never pulls the trigger.");
+    if (path_.empty()) refuse(phrase("lead.fault.no_trigger"));
 }
 
 void AttemptGhost::refuse(std::string fault) {
@@ -143,7 +144,7 @@ void AttemptGhost::update(Trainer& trainer, bool test, double strength, double e
         if (wanted() == GhostChoice::none || wanted() == GhostChoice::expert)
             load(trainer);
         else if (std::exchange(put_, wanted()) != wanted())
-            refuse("The ghost of a file comes with the next attempt.");
+            refuse(phrase("lead.next_attempt"));
     }
     const bool shows = allowed_ && !test && wanted() != GhostChoice::none && wanted() == loaded_ && !path_.empty();
     note(trainer, shows && strength > 0 ? wanted() : GhostChoice::none);

@@ -1,6 +1,7 @@
 #include "app/activities/attempt_replay.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/words.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -120,7 +121,7 @@ void AttemptReplay::restoreRecorded(Trainer& trainer, double target) {
     try {
         trainer.restore(*recorded_.moments->before(target));
     } catch (const InputError& fault) {
-        recorded_ = {nullptr, std::string("The moments in the recording cannot be used: ") + fault.what()};
+        recorded_ = {nullptr, phrase("attempt.moments.faulty", {{"fault", fault.what()}})};
         toStart(trainer);
     }
 }

@@ -1,10 +1,10 @@
 #include "app/activities/comparison_rows.hpp"
 
+#include "core/base/words.hpp"
 #include "core/weld/gauge/weld_figures.hpp"
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <string_view>
 #include <utility>
 
@@ -15,11 +15,7 @@ namespace {
 constexpr const char* kNone = "-";
 
 std::string fixed(double value, int decimals) {
-    std::array<char, 48> text{};
-    std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
-    const std::string_view number(text.data());
-    return std::string(number.find_first_not_of("-0.") == std::string_view::npos && number[0] == '-' ? number.substr(1)
-                                                                                                     : number);
+    return std::string(PhraseNumber(value, decimals));
 }
 
 std::string withUnit(const std::string& number, std::string_view unit) {
@@ -28,7 +24,7 @@ std::string withUnit(const std::string& number, std::string_view unit) {
 }
 
 std::string withSign(double value, int decimals) {
-    return (value > 0 ? "+" : "") + fixed(value, decimals);
+    return std::string(PhraseNumber(value, decimals, true));
 }
 
 std::string capitalised(std::string text) {
@@ -36,23 +32,28 @@ std::string capitalised(std::string text) {
     return text;
 }
 
-std::string verdictOf(const Judgement& judgement) {
-    if (!judgement.verdict) return judgement.weld && !judgement.weld->stations.empty() ? "not judged" : "no weld";
-    return judgement.verdict->accepted ? "accepted" : "not accepted";
+const std::string& verdictOf(const Judgement& judgement) {
+    if (judgement.verdict)
+        return phrase(judgement.verdict->accepted ? "compared.verdict.accepted" : "compared.verdict.not_accepted");
+    const bool welded = judgement.weld && !judgement.weld->stations.empty();
+    return phrase(welded ? "compared.verdict.not_judged" : "compared.verdict.no_weld");
 }
 
 /// "overlap, undercut"; "nothing" of a verdict that fails nothing.
 std::string failsOf(const Judgement& judgement) {
     if (!judgement.verdict) return kNone;
     std::string names;
-    for (const VerdictItem& item : judgement.verdict->items)
-        if (item.state == VerdictState::fail) names += (names.empty() ? "" : ", ") + imperfectionName(item.name);
-    return names.empty() ? "nothing" : names;
+    for (const VerdictItem& item : judgement.verdict->items) {
+        if (item.state != VerdictState::fail) continue;
+        if (!names.empty()) names += phrase("list.separator");
+        names += imperfectionName(item.name);
+    }
+    return names.empty() ? phrase("compared.fails.nothing") : names;
 }
 
 /// Of a row of words, where they differ.
 std::string other(const std::string& first, const std::string& second) {
-    return first == second ? "" : "other";
+    return first == second ? std::string() : phrase("compared.other");
 }
 
 std::string points(const std::optional<double>& value) {
@@ -60,17 +61,18 @@ std::string points(const std::optional<double>& value) {
 }
 
 ComparedSection resultOf(const Judgement& first, const Judgement& second) {
-    ComparedSection section{"Verdict", {}};
+    ComparedSection section{phrase("compared.verdict.heading"), {}};
     const std::array<std::string, 2> verdicts{verdictOf(first), verdictOf(second)};
-    section.rows.push_back({"Verdict", verdicts[0], verdicts[1], other(verdicts[0], verdicts[1])});
+    section.rows.push_back(
+        {phrase("compared.verdict.name"), verdicts[0], verdicts[1], other(verdicts[0], verdicts[1])});
     const std::array<std::string, 2> fails{failsOf(first), failsOf(second)};
     if (fails[0] != kNone || fails[1] != kNone)
-        section.rows.push_back({"Fails", fails[0], fails[1], other(fails[0], fails[1])});
+        section.rows.push_back({phrase("compared.fails.name"), fails[0], fails[1], other(fails[0], fails[1])});
     return section;
 }
 
 ComparedSection scoresOf(const Comparison& comparison) {
-    ComparedSection section{"Points of 100", {}};
+    ComparedSection section{phrase("compared.points"), {}};
     for (const ScorePair& pair : comparison.scores) {
         ComparedRow row{capitalised(pair.name), points(pair.first), points(pair.second), {}};
         if (pair.first && pair.second && std::abs(*pair.second - *pair.first) >= 1)
@@ -80,7 +82,7 @@ ComparedSection scoresOf(const Comparison& comparison) {
     return section;
 }
 
-ComparedSection groupOf(const Comparison& comparison, FigureGroup group, const char* title) {
+ComparedSection groupOf(const Comparison& comparison, FigureGroup group, const std::string& title) {
     ComparedSection section{title, {}};
     for (const FigurePair& pair : comparison.pairs) {
         if (pair.figure.group != group) continue;
@@ -96,14 +98,14 @@ ComparedSection groupOf(const Comparison& comparison, FigureGroup group, const c
 
 ComparisonRows comparisonRows(const Judgement& first, const Judgement& second, const Comparison& comparison) {
     ComparisonRows rows;
-    rows.words = "The second: " + comparisonText(comparison) + ".";
+    rows.words = phrase("compared.words", {{"differences", comparisonText(comparison)}});
     if (comparison.halfSpacing > 0)
-        rows.notes.push_back("Lengths of the weld that differ by less than " + fixed(comparison.halfSpacing * 1e3, 2) +
-                             " mm, half a particle spacing, are no difference.");
+        rows.notes.push_back(
+            phrase("compared.note.resolved", {{"length", PhraseNumber(comparison.halfSpacing * 1e3, 2)}}));
     rows.sections = {resultOf(first, second), scoresOf(comparison),
-                     groupOf(comparison, FigureGroup::weld, "The weld, means over its stations"),
-                     groupOf(comparison, FigureGroup::hand, "The hand, means along the seam"),
-                     groupOf(comparison, FigureGroup::arc, "The arc")};
+                     groupOf(comparison, FigureGroup::weld, phrase("compared.group.weld")),
+                     groupOf(comparison, FigureGroup::hand, phrase("compared.group.hand")),
+                     groupOf(comparison, FigureGroup::arc, phrase("compared.group.arc"))};
     std::erase_if(rows.sections, [](const ComparedSection& section) { return section.rows.empty(); });
     return rows;
 }

@@ -1,6 +1,7 @@
 #include "app/activities/judgement_rows.hpp"
 
 #include "core/base/text.hpp"
+#include "core/base/words.hpp"
 #include "core/weld/gauge/weld_figures.hpp"
 
 #include <algorithm>
@@ -33,15 +34,15 @@ std::string withUnit(const std::string& number, std::string_view unit) {
     return number + " " + std::string(unit);
 }
 
-/// What a sign means; empty where it means more or less of the same.
-std::string_view sideOf(TechniqueQuantity quantity, double value) {
+/// The sentence in which a sign is a side; empty where it means more or less of the same.
+std::string_view sideKey(TechniqueQuantity quantity, double value) {
     switch (quantity) {
     case TechniqueQuantity::aim:
-        return value > 0 ? " to your side" : " to the far side";
+        return value > 0 ? "judgement.side.near" : "judgement.side.far";
     case TechniqueQuantity::workAngle:
-        return value > 0 ? " towards you" : " away from you";
+        return value > 0 ? "judgement.side.towards" : "judgement.side.away";
     case TechniqueQuantity::travelAngle:
-        return value > 0 ? " push" : " drag";
+        return value > 0 ? "judgement.side.push" : "judgement.side.drag";
     default:
         return {};
     }
@@ -49,42 +50,51 @@ std::string_view sideOf(TechniqueQuantity quantity, double value) {
 
 /// "8\xC2\xB0 push", "0.4 mm to your side", "7.6 mm/s".
 std::string valueText(const QuantityInfo& info, double value) {
-    if (std::isnan(value)) return "not known";
     const std::string number = rounded(value, info.unit == "\xC2\xB0" ? 0 : 1);
-    const std::string_view side = sideOf(info.quantity, value);
-    if (number == "0" || side.empty()) return withUnit(number, info.unit);
-    return withUnit(number[0] == '-' ? number.substr(1) : number, info.unit) + std::string(side);
+    const std::string_view key = sideKey(info.quantity, value);
+    if (number == "0" || key.empty()) return withUnit(number, info.unit);
+    return phrase(key, {{"value", withUnit(number[0] == '-' ? number.substr(1) : number, info.unit)}});
+}
+
+/// The mean, and what was asked for where there is a band.
+std::string techniqueDetail(const ParameterScore& parameter, const TechniqueBand* band, const QuantityInfo& info) {
+    const bool known = !std::isnan(parameter.mean);
+    const std::string mean = known ? valueText(info, parameter.mean) : std::string();
+    if (band == nullptr) return phrase(known ? "judgement.hand.mean" : "judgement.hand.unknown", {{"mean", mean}});
+    return phrase(known ? "judgement.hand.mean_asked" : "judgement.hand.unknown_asked",
+                  {{"mean", mean},
+                   {"asked", valueText(info, band->ideal)},
+                   {"tolerance", withUnit(rounded(band->inner, 1), info.unit)}});
 }
 
 JudgementRow techniqueRow(const ParameterScore& parameter, const TechniqueBand* band, DistanceKind distance) {
     const QuantityInfo& info = quantityInfo(parameter.quantity, distance);
-    JudgementRow row{capitalised(info.words), rounded(parameter.score, 0) + " of 100",
-                     "Mean " + valueText(info, parameter.mean), RowState::plain};
-    if (band != nullptr)
-        row.detail += "; asked for " + valueText(info, band->ideal) + ", give or take " +
-                      withUnit(rounded(band->inner, 1), info.unit);
+    JudgementRow row{capitalised(info.words()),
+                     phrase("judgement.hand.points", {{"points", rounded(parameter.score, 0)}}),
+                     techniqueDetail(parameter, band, info), RowState::plain};
     if (parameter.score >= kGood) row.state = RowState::good;
     if (parameter.score < kBad) row.state = RowState::bad;
     return row;
 }
 
 void addTechnique(JudgementRows& rows, const Judgement& judgement, const TechniqueBands* bands) {
-    rows.technique.title = "Your hand";
+    rows.technique.title = phrase("judgement.hand.heading");
     if (!judgement.score) {
-        rows.score = "No score";
-        rows.scoreNote = "This lesson asks for no particular technique, so the hand has no score.";
+        rows.score = phrase("judgement.score.none");
+        rows.scoreNote = phrase("judgement.score.no_technique");
         rows.technique.note = rows.scoreNote;
         return;
     }
     const TechniqueScore& score = *judgement.score;
     if (!score.scored) {
-        rows.score = "Not scored";
+        rows.score = phrase("judgement.score.not_scored");
         rows.scoreNote = score.reason;
-        rows.technique.note = "Nothing was scored.";
+        rows.technique.note = phrase("judgement.hand.not_scored");
         return;
     }
-    rows.score = "Score " + rounded(score.total, 0) + " of 100";
-    rows.scoreNote = rounded(score.weldedMm, 0) + " of " + rounded(score.wantedMm, 0) + " mm of the seam are welded.";
+    rows.score = phrase("judgement.score.points", {{"points", rounded(score.total, 0)}});
+    rows.scoreNote = phrase("judgement.score.welded",
+                            {{"welded", rounded(score.weldedMm, 0)}, {"wanted", rounded(score.wantedMm, 0)}});
     if (score.unknownMm > 0) rows.scoreNote += " " + unknownSentence(score);
     for (const ParameterScore& parameter : score.parameters)
         rows.technique.rows.push_back(
@@ -92,31 +102,24 @@ void addTechnique(JudgementRows& rows, const Judgement& judgement, const Techniq
 }
 
 std::string limitText(const VerdictItem& item) {
-    if (!item.limit) return "no limit";
-    if (item.kind == LimitKind::notPermitted) return "none is allowed";
-    return (item.kind == LimitKind::atLeast ? "at least " : "at most ") + withUnit(rounded(*item.limit, 1), item.unit);
+    if (!item.limit) return phrase("judgement.limit.none");
+    if (item.kind == LimitKind::notPermitted) return phrase("judgement.limit.not_permitted");
+    return phrase(item.kind == LimitKind::atLeast ? "judgement.limit.at_least" : "judgement.limit.at_most",
+                  {{"limit", withUnit(rounded(*item.limit, 1), item.unit)}});
 }
 
 /// The state as a word.
-std::string stateText(const VerdictItem& item) {
-    switch (item.state) {
-    case VerdictState::pass:
-        return "pass";
-    case VerdictState::fail:
-        return "FAIL";
-    case VerdictState::estimated:
-        return item.beyond ? "estimated: likely" : "estimated: unlikely";
-    case VerdictState::notResolved:
-        break;
-    }
-    return "not resolved";
+const std::string& stateText(const VerdictItem& item) {
+    if (item.state == VerdictState::estimated)
+        return phrase(item.beyond ? "judgement.state.likely" : "judgement.state.unlikely");
+    return phraseOf("judgement.state", nameOf(item.state));
 }
 
 /// What is to be said where the metal tells no value.
-std::string unknownText(const VerdictItem& item) {
+const std::string& unknownText(const VerdictItem& item) {
     const WeldFigure* known = findImperfection(item.name);
     const bool absent = known != nullptr && known->judged == nullptr;
-    return absent ? "This metal cannot show it" : "Not measured on this weld";
+    return phrase(absent ? "judgement.item.never_shown" : "judgement.item.not_measured");
 }
 
 JudgementRow verdictRow(const VerdictItem& item) {
@@ -124,14 +127,15 @@ JudgementRow verdictRow(const VerdictItem& item) {
     if (item.state == VerdictState::pass) row.state = RowState::good;
     if (item.state == VerdictState::fail) row.state = RowState::bad;
     if (item.state == VerdictState::estimated) {
-        row.detail = "From your technique, not from the metal: ";
-        row.detail += item.beyond ? rounded(item.value.value_or(0), 0) + " mm of the weld. " + item.rule
-                                  : "nothing speaks for it.";
+        row.detail = phrase(item.beyond ? "judgement.item.likely" : "judgement.item.unlikely",
+                            {{"length", rounded(item.value.value_or(0), 0)}, {"rule", item.rule}});
         return row;
     }
-    row.detail = item.value ? withUnit(rounded(*item.value, 1), item.unit) : unknownText(item);
-    row.detail += "; " + limitText(item);
-    if (item.place && item.state != VerdictState::pass) row.detail += ", at " + rounded(*item.place * 1e3, 0) + " mm";
+    const std::string value = item.value ? withUnit(rounded(*item.value, 1), item.unit) : unknownText(item);
+    const bool placed = item.place && item.state != VerdictState::pass;
+    row.detail =
+        phrase(placed ? "judgement.item.value_at" : "judgement.item.value",
+               {{"value", value}, {"limit", limitText(item)}, {"place", rounded(item.place.value_or(0) * 1e3, 0)}});
     return row;
 }
 
@@ -150,48 +154,56 @@ int rankOf(VerdictState state) {
     return 3;
 }
 
-std::string countText(const Verdict& verdict) {
+/// "1 fail, 4 pass, 2 are not resolved", of the numbers by rankOf().
+std::string countText(const std::array<int, 4>& counts) {
+    std::string text;
+    const auto add = [&](std::string_view key, int count) {
+        if (!text.empty()) text += phrase("list.separator");
+        text += phraseOfCount(key, count, {{"count", PhraseNumber(count)}});
+    };
+    add("judgement.count.fail", counts[0]);
+    add("judgement.count.pass", counts[3]);
+    if (counts[1] > 0) add("judgement.count.not_resolved", counts[1]);
+    if (counts[2] > 0) add("judgement.count.estimated", counts[2]);
+    return text;
+}
+
+std::string verdictNote(const Verdict& verdict) {
     std::array<int, 4> counts{};
     for (const VerdictItem& item : verdict.items)
         ++counts[static_cast<size_t>(rankOf(item.state))];
-    std::string text = formatNumber(double(counts[0])) + " fail, " + formatNumber(double(counts[3])) + " pass";
-    if (counts[1] > 0) text += ", " + formatNumber(double(counts[1])) + " are not resolved";
-    if (counts[2] > 0)
-        text += ", " + formatNumber(double(counts[2])) + (counts[2] == 1 ? " is" : " are") + " estimated";
-    text += ".";
-    if (counts[1] > 0)
-        text += " Not resolved: finer than the particles of this metal, or nothing that it contains; it does not "
-                "count either way.";
-    if (counts[2] > 0)
-        text += " Estimated: this metal contains no pores, spatter or slag, so your technique tells of them; that does "
-                "not count either way.";
+    std::string text = phrase("judgement.standard.note",
+                              {{"edition", verdict.edition}, {"level", verdict.level}, {"counts", countText(counts)}});
+    if (counts[1] > 0) text += " " + phrase("judgement.standard.not_resolved");
+    if (counts[2] > 0) text += " " + phrase("judgement.standard.estimated");
     return text;
 }
 
 /// "Fails: overlap, undercut."; empty where nothing fails.
 std::string failedText(const Verdict& verdict) {
     std::string names;
-    for (const VerdictItem& item : verdict.items)
-        if (item.state == VerdictState::fail)
-            names += (names.empty() ? "" : ", ") + capitalised(imperfectionName(item.name));
-    return names.empty() ? names : "Fails: " + names + ".";
+    for (const VerdictItem& item : verdict.items) {
+        if (item.state != VerdictState::fail) continue;
+        if (!names.empty()) names += phrase("list.separator");
+        names += capitalised(imperfectionName(item.name));
+    }
+    return names.empty() ? names : phrase("judgement.verdict.fails", {{"imperfections", names}});
 }
 
 void addVerdict(JudgementRows& rows, const Judgement& judgement) {
-    rows.judged.title = "The weld by a standard";
     if (!judgement.verdict) {
         const bool welded = judgement.weld && !judgement.weld->stations.empty();
-        rows.verdict = welded ? "Measured, not judged" : "No weld to judge";
-        rows.judged.note = welded ? "This lesson names no standard, so the weld is measured but not judged."
-                                  : "There is no weld to judge yet.";
+        rows.verdict = phrase(welded ? "judgement.verdict.not_judged" : "judgement.verdict.no_weld");
+        rows.judged.title = phrase("judgement.standard.heading_without");
+        rows.judged.note = phrase(welded ? "judgement.standard.none" : "judgement.standard.no_weld");
         return;
     }
     const Verdict& verdict = *judgement.verdict;
-    rows.verdict = verdict.accepted ? "Accepted" : "Not accepted";
-    rows.verdict += " by " + verdict.standard + ", level " + verdict.level;
+    rows.verdict = phrase(verdict.accepted ? "judgement.verdict.accepted" : "judgement.verdict.not_accepted",
+                          {{"standard", verdict.standard}, {"level", verdict.level}});
     rows.verdictState = verdict.accepted ? RowState::good : RowState::bad;
-    rows.judged.title = "The weld by " + verdict.standard;
-    rows.judged.note = "Edition " + verdict.edition + ", level " + verdict.level + ": " + countText(verdict);
+    rows.judged.title = phrase("judgement.standard.heading", {{"standard", verdict.standard}});
+    rows.judged.note = verdictNote(verdict);
     rows.verdictNote = failedText(verdict);
     std::vector<VerdictItem> items = verdict.items;
     std::stable_sort(items.begin(), items.end(),
@@ -227,7 +239,8 @@ void addFigures(std::vector<JudgementRow>& rows, const WeldMeasures& weld, std::
         std::string range;
         const WeldStation::Value &least = weld.least.*member, &greatest = weld.greatest.*member;
         if (least && greatest)
-            range = "From " + rounded(*least / figure.inSi(), figure.digits) + " to " + figureText(figure, *greatest);
+            range = phrase("judgement.measured.range", {{"least", rounded(*least / figure.inSi(), figure.digits)},
+                                                        {"greatest", figureText(figure, *greatest)}});
         rows.push_back({panelName(member), figureText(figure, *value), std::move(range), RowState::plain});
     }
 }
@@ -235,20 +248,20 @@ void addFigures(std::vector<JudgementRow>& rows, const WeldMeasures& weld, std::
 /// A share of the seam's length.
 void addShare(std::vector<JudgementRow>& rows, const WeldMeasures& weld, Member member, std::string name) {
     if (const WeldStation::Value& share = weld.mean.*member)
-        rows.push_back(
-            {std::move(name), figureText(stationFigure(member), *share), "Of the seam's length", RowState::plain});
+        rows.push_back({std::move(name), figureText(stationFigure(member), *share), phrase("judgement.measured.share"),
+                        RowState::plain});
 }
 
 void addMeasures(JudgementRows& rows, const Judgement& judgement) {
-    rows.measured.title = "The weld, measured";
+    rows.measured.title = phrase("judgement.measured.heading");
     if (!judgement.weld || judgement.weld->stations.empty()) {
-        rows.measured.note = "There is no weld to measure yet.";
+        rows.measured.note = phrase("judgement.measured.none");
         return;
     }
     const WeldMeasures& weld = *judgement.weld;
-    rows.measured.note = "Means over " + rounded(weld.length() * 1e3, 0) + " mm of seam, cut at " +
-                         formatNumber(double(weld.stations.size())) + " places; the particles are " +
-                         rounded(weld.spacing * 1e3, 1) + " mm apart.";
+    rows.measured.note = phrase("judgement.measured.note", {{"length", rounded(weld.length() * 1e3, 0)},
+                                                            {"count", PhraseNumber(double(weld.stations.size()))},
+                                                            {"spacing", rounded(weld.spacing * 1e3, 1)}});
     std::vector<JudgementRow>& list = rows.measured.rows;
     if (weld.kind == WeldKind::fillet)
         addFigures(list, weld, kFilletFigures);
@@ -257,10 +270,11 @@ void addMeasures(JudgementRows& rows, const Judgement& judgement) {
     addFigures(list, weld, kCommonFigures);
     addShare(list, weld, &WeldStation::rootFused, panelName(&WeldStation::rootFused));
     addShare(list, weld, &WeldStation::facesFused,
-             weld.kind == WeldKind::bead ? "Plate fused" : panelName(&WeldStation::facesFused));
+             weld.kind == WeldKind::bead ? phrase("judgement.measured.plate_fused")
+                                         : panelName(&WeldStation::facesFused));
     if (!weld.mean.coolingTime)
-        list.push_back({panelName(&WeldStation::coolingTime), "not known yet", "Judge again when the metal has cooled",
-                        RowState::plain});
+        list.push_back({panelName(&WeldStation::coolingTime), phrase("judgement.measured.unknown"),
+                        phrase("judgement.measured.when_cooled"), RowState::plain});
     for (const WeldFigure& figure : wholeWeldFigures())
         if (figure.whole != nullptr && weld.*figure.whole)
             list.push_back(

@@ -1,5 +1,6 @@
 #include "app/activities/moments_of_attempt.hpp"
 
+#include "core/base/words.hpp"
 #include "core/training/attempt/recording_reader.hpp"
 #include "core/training/judging/judgement.hpp"
 
@@ -10,12 +11,14 @@ namespace meltpool {
 
 namespace {
 
-/// Who made them, where that is another one than here; empty where it is not.
-std::string otherMaker(const RecordedAttempt& attempt, const Lesson& lesson, const ReplayMachine& machine) {
-    if (attempt.head.driver != machine.driver) return "another driver, " + attempt.head.driver;
-    if (attempt.head.program != machine.program) return "another version, " + attempt.head.program;
+/// Why they are not used where they were made by another one than here, as a sentence; empty where they were not.
+std::string refusalOf(const RecordedAttempt& attempt, const Lesson& lesson, const ReplayMachine& machine) {
+    if (attempt.head.driver != machine.driver)
+        return phrase("attempt.moments.other_driver", {{"driver", attempt.head.driver}});
+    if (attempt.head.program != machine.program)
+        return phrase("attempt.moments.other_program", {{"program", attempt.head.program}});
     if (!attempt.head.lessonHash.empty() && attempt.head.lessonHash != fileHash(lesson.file))
-        return "another version of its lesson";
+        return phrase("attempt.moments.other_lesson");
     return {};
 }
 
@@ -25,10 +28,8 @@ MomentsOfAttempt momentsOfAttempt(const Lesson& lesson, const ReplayMachine& mac
     if (!lesson.recorded || !lesson.recorded->framed) return {};
     const Recording recording = readSoundRecording(lesson.recorded->file);
     if (recording.checkpoints.empty()) return {};
-    const std::string other = otherMaker(*lesson.recorded, lesson, machine);
-    if (!other.empty())
-        return {nullptr, "The moments in the recording were made with " + other +
-                             ": they are not used, and the way to another moment begins at the start."};
+    std::string refusal = refusalOf(*lesson.recorded, lesson, machine);
+    if (!refusal.empty()) return {nullptr, std::move(refusal)};
     std::optional<Technique> technique;
     if (lesson.model == LessonModel::Weld)
         technique.emplace(techniqueOf(lesson.workpiece, lesson.process, lesson.technique));

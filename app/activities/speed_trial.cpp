@@ -2,10 +2,10 @@
 
 #include "app/library/best_scores.hpp"
 #include "core/base/text.hpp"
+#include "core/base/words.hpp"
 #include "core/weld/workpiece/simulated_size.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 namespace meltpool {
@@ -30,13 +30,13 @@ float coarser(float spacing) {
 /// "a particle spacing of 1.5 mm", with the sizes of the workpiece that coarser layers change.
 std::string spacingLabel(WorkpieceParameters workpiece, float spacing) {
     workpiece.spacingMm = spacing;
-    std::string label = "a particle spacing of " + formatNumber(spacing) + " mm", changed;
+    std::string changed;
     for (const SimulatedSize& size : simulatedSizes(workpiece)) {
-        std::string name(size.label);
-        name.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
-        changed += (changed.empty() ? "" : ", ") + name + " " + formatNumber(size.simulated) + " mm";
+        if (!changed.empty()) changed += phrase("list.separator");
+        changed += phrase("trial.size." + std::string(size.key), {{"length", formatNumber(size.simulated)}});
     }
-    return changed.empty() ? label : label + " (" + changed + ")";
+    return phrase(changed.empty() ? "trial.spacing" : "trial.spacing_and_sizes",
+                  {{"spacing", formatNumber(spacing)}, {"sizes", changed}});
 }
 
 } // namespace
@@ -44,15 +44,17 @@ std::string spacingLabel(WorkpieceParameters workpiece, float spacing) {
 std::vector<SpeedOffer> cheaperValues(const Lesson& lesson) {
     std::vector<SpeedOffer> offers;
     if (const int cells = lesson.surface.cells / 2; cells >= kFewestCells)
-        offers.push_back({"a surface of " + std::to_string(cells) + " cells", {{"cells", std::to_string(cells)}}});
+        offers.push_back({phrase("trial.cells", {{"cells", PhraseNumber(cells)}}), {{"cells", std::to_string(cells)}}});
     if (lesson.model == LessonModel::Classic) {
         if (const int particles = lesson.setup.particles / 2; particles >= kFewestParticles)
-            offers.push_back({std::to_string(particles) + " particles", {{"particles", std::to_string(particles)}}});
+            offers.push_back({phrase("trial.particles", {{"particles", PhraseNumber(particles)}}),
+                              {{"particles", std::to_string(particles)}}});
     } else if (const float spacing = coarser(lesson.workpiece.spacingMm); spacing > lesson.workpiece.spacingMm) {
         offers.push_back({spacingLabel(lesson.workpiece, spacing), {{"spacing_mm", formatNumber(spacing)}}});
     }
     if (offers.size() == 2) {
-        SpeedOffer both{offers[0].label + " and " + offers[1].label, offers[0].values};
+        SpeedOffer both{phrase("trial.both", {{"first", offers[0].label}, {"second", offers[1].label}}),
+                        offers[0].values};
         both.values.insert(both.values.end(), offers[1].values.begin(), offers[1].values.end());
         offers.push_back(both);
     }
@@ -114,14 +116,13 @@ SpeedTrial::Verdict SpeedTrial::skip() {
 
 Question SpeedTrial::question() const {
     Question question;
-    question.text = "The metal runs at " + percent(offers_.front().ratio) +
-                    " of real time on this machine, so that the weld would not be the one that the hand makes. An "
-                    "attempt for score needs " +
-                    percent(kLeastSpeedForScore) + ". Measured here:";
+    question.text =
+        phrase("trial.question", {{"speed", percent(offers_.front().ratio)}, {"needed", percent(kLeastSpeedForScore)}});
     for (size_t i = 1; i < offers_.size(); ++i)
-        question.answers.push_back("With " + offers_[i].label + ": " + percent(offers_[i].ratio));
-    question.answers.emplace_back("Practise as it is, without score");
-    question.answers.emplace_back("Start menu");
+        question.answers.push_back(
+            phrase("trial.answer", {{"change", offers_[i].label}, {"speed", percent(offers_[i].ratio)}}));
+    question.answers.push_back(phrase("trial.practise"));
+    question.answers.push_back(phrase("trial.start_menu"));
     return question;
 }
 

@@ -2,19 +2,19 @@
 
 #include "app/activities/redo.hpp"
 #include "core/base/text.hpp"
+#include "core/base/words.hpp"
 #include "core/weld/gauge/weld_figures.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace meltpool {
 
 namespace {
 
 std::string eventText(const RecordedEvent& event) {
-    if (event.name == "torch") return event.value == "lost" ? "The torch was lost" : "The torch was seen again";
-    if (event.name == "samples") return "Samples of the torch are missing";
+    if (event.name == "torch") return phrase(event.value == "lost" ? "timeline.torch_lost" : "timeline.torch_seen");
+    if (event.name == "samples") return phrase("timeline.samples_missing");
     return event.value.empty() ? event.name : event.name + " " + event.value;
 }
 
@@ -39,12 +39,11 @@ std::vector<size_t> redoneAt(const RecordedAttempt& attempt) {
 std::string failText(const VerdictItem& item) {
     std::string text = imperfectionName(item.name);
     if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-    const std::string unit(item.unit == "deg" ? std::string_view("\xC2\xB0") : item.unit);
-    char part[80] = "";
-    if (item.value)
-        std::snprintf(part, sizeof part, ": %.1f %s at %.0f mm of the seam", *item.value, unit.c_str(),
-                      item.place.value_or(0) * 1e3);
-    return text + " fails" + part;
+    if (!item.value) return phrase("timeline.fails", {{"imperfection", text}});
+    return phrase("timeline.fails_by", {{"imperfection", text},
+                                        {"value", PhraseNumber(*item.value, 1)},
+                                        {"unit", item.unit == "deg" ? std::string_view("\xC2\xB0") : item.unit},
+                                        {"place", PhraseNumber(item.place.value_or(0) * 1e3)}});
 }
 
 void sortByTime(std::vector<TimelineMark>& marks) {
@@ -66,7 +65,7 @@ std::vector<TimelineMark> timelineMarks(const RecordedAttempt& attempt, double d
     for (const RecordedEvent& event : attempt.events)
         marks.push_back({timeOf(event.steps), eventText(event), spoils(event)});
     for (const size_t step : redoneAt(attempt))
-        marks.push_back({timeOf(step), "Back to here, and on to another end: practice", false, true});
+        marks.push_back({timeOf(step), phrase("timeline.redo"), false, true});
     sortByTime(marks);
     return marks;
 }

@@ -5,6 +5,7 @@
 #include "app/platform/stop_signals.hpp"
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"
+#include "core/base/words.hpp"
 #include "core/training/lesson/lesson_room.hpp"
 #include "core/training/trainer/repetition.hpp"
 
@@ -31,17 +32,18 @@ LessonResult AttemptWelder::weld(const Lesson& lesson, RunFolder& folder, const 
     StopSignals signals;
     signals.endAfter(kPatience, {});
     requireRoom(lesson, machineRoom());
-    const std::string place = printable(folder.path().string(), kLongestShown);
-    if (const size_t removed = folder.clear(); removed > 0)
-        say("%s held an earlier run; its %zu files are removed.\n", place.c_str(), removed);
+    if (const size_t removed = folder.clear(); removed > 0) say("%s\n", removedText(folder.path(), removed).c_str());
     RunStop stop;
     stop.asked = StopSignals::asked;
     stop.grant = [&signals] { signals.grantStop(); };
     stop.endAfter = [&signals](const std::function<void()>& last) { signals.endAfter(kPatience, last); };
     const LessonResult result = runHeadless(context_.info(), shaders_, lesson,
                                             {folder.result(), folder.telemetry(), folder.path()}, stop, hooks);
-    say("%s: %.2f s in %zu steps; pictures and result are in %s\n", printable(lesson.key, kLongestShown).c_str(),
-        result.seconds, result.steps, place.c_str());
+    say("%s\n", phrase("run.welded", {{"lesson", printable(lesson.key, kLongestShown)},
+                                      {"seconds", PhraseNumber(result.seconds, 2)},
+                                      {"steps", std::to_string(result.steps)},
+                                      {"folder", printable(folder.path().string(), kLongestShown)}})
+                    .c_str());
     if (lesson.recorded && hooks.whatIf.empty())
         say("%s\n", repetitionText(*lesson.recorded, result, programBuild(), context_.info().renderer).c_str());
     std::fflush(stdout);

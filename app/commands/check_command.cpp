@@ -10,6 +10,7 @@
 #include "core/base/output_file.hpp"
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"
+#include "core/base/words.hpp"
 #include "core/gl/context.hpp"
 #include "core/gl/software_driver/software_driver.hpp"
 #include "core/training/lesson/lesson_check.hpp"
@@ -76,16 +77,15 @@ Judgement weld(const LessonCheck& check, gl::ShaderLibrary& shaders) {
 
 /// The score and what was measured in one line.
 void printOutcome(const CheckOutcome& outcome, const Judgement& judgement) {
-    std::string score = "no score";
-    char text[40];
-    if (judgement.score && judgement.score->scored) {
-        std::snprintf(text, sizeof text, "score %.0f", judgement.score->total);
-        score = text;
-    }
-    if (judgement.verdict) score += judgement.verdict->accepted ? ", accepted" : ", not accepted";
+    std::string score = judgement.score && judgement.score->scored
+                            ? phrase("run.check.score", {{"points", PhraseNumber(judgement.score->total)}})
+                            : phrase("run.check.no_score");
+    if (judgement.verdict)
+        score += phrase("list.separator") +
+                 phrase(judgement.verdict->accepted ? "run.check.accepted" : "run.check.not_accepted");
     if (isQuiet() && outcome.passed()) return;
     std::printf("%-32s %-28s %s\n", printable(outcome.name, 80).c_str(), score.c_str(),
-                outcome.passed() ? "as expected" : "NOT AS EXPECTED");
+                phrase(outcome.passed() ? "run.check.as_expected" : "run.check.not_as_expected").c_str());
     for (const std::string& fault : outcome.faults())
         std::printf("    %s\n", printable(fault, 1000).c_str());
     std::fflush(stdout);
@@ -128,7 +128,9 @@ bool runChecks(const CheckRequest& request) {
                                std::to_string(checks.size()));
     }
     const auto passed = std::count_if(outcomes.begin(), outcomes.end(), [](const auto& each) { return each.passed(); });
-    say("%td of %zu checks as expected\n", passed, outcomes.size());
+    say("%s\n",
+        phrase("run.check.passed", {{"passed", std::to_string(passed)}, {"checks", std::to_string(outcomes.size())}})
+            .c_str());
     if (!request.junit.empty()) sayResult({}, request.junit);
     return passed == static_cast<std::ptrdiff_t>(outcomes.size());
 }

@@ -16,6 +16,7 @@
 #include "core/base/likely_name.hpp"
 #include "core/base/output_file.hpp"
 #include "core/base/text.hpp"
+#include "core/base/words.hpp"
 #include "core/training/lesson/lesson_folders.hpp"
 
 #include <CLI/CLI.hpp>
@@ -401,6 +402,7 @@ int runProgram(int argc, char** argv) {
 #ifdef __linux__
         if (const auto words = withoutOption(argc, argv, kErrorWindow)) return runForIcon(*words);
 #endif
+        chooseUsersLanguage();
         return parseAndRun(argc, argv);
     } catch (const InputError& error) {
         complain(error.what());

@@ -6,6 +6,7 @@
 #include "core/base/error.hpp"
 #include "core/base/output_file.hpp"
 #include "core/base/text.hpp"
+#include "core/base/words.hpp"
 #include "core/weld/torch/torch_csv.hpp"
 
 #include <algorithm>
@@ -54,13 +55,16 @@ void makeDemonstration(const DemonstrationRequest& request) {
     const std::string text = whole ? demonstrationLesson(lesson, stretch, path, request.out) : std::string();
     writeTorchCsv(path, {stretch.samples, {}, std::vector<std::vector<std::string>>(stretch.samples.size())});
     if (whole) writeTextFileAtomically(request.out, text);
-    say("%s: %.1f s of %.1f s, from %.1f s on.\n", shown(path).c_str(), stretch.end - stretch.begin,
-        lesson.torch.duration(), stretch.begin);
-    sayResult(whole ? shown(request.out) + " is the lesson that shows it." : std::string(), request.out);
+    say("%s\n", phrase("run.demonstration.stretch", {{"file", shown(path)},
+                                                     {"seconds", PhraseNumber(stretch.end - stretch.begin, 1)},
+                                                     {"whole", PhraseNumber(lesson.torch.duration(), 1)},
+                                                     {"begin", PhraseNumber(stretch.begin, 1)}})
+                    .c_str());
+    sayResult(whole ? phrase("run.demonstration.lesson", {{"file", shown(request.out)}}) : std::string(), request.out);
     if (const size_t later = changesAfter(*lesson.recorded, stretch.firstPull, lesson.torch.duration()); later > 0)
-        say("%zu values that were changed after the first pull of the trigger are not part of it: it welds "
-            "with those of that moment.\n",
-            later);
+        say("%s\n", phraseOfCount("run.demonstration.later_values", static_cast<long long>(later),
+                                  {{"values", std::to_string(later)}})
+                        .c_str());
 }
 
 } // namespace meltpool

@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/base/toml_table.hpp"
+#include "core/base/words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -134,7 +135,7 @@ std::string demonstrationLesson(const Lesson& lesson, const WeldedStretch& stret
     const double seconds = lastRelease(stretch.samples) + ownTail(readLesson(lesson.file));
     groupIn(root, "run").insert_or_assign("seconds", shortNumber(static_cast<float>(seconds)));
     root.insert_or_assign("torch", path.filename().generic_string());
-    root.insert_or_assign("title", lesson.title + " (demonstration from an attempt)");
+    root.insert_or_assign("title", phrase("run.demonstration.title", {{"lesson", lesson.title}}));
     root.erase("expect"); // of the lesson's own demonstration
     std::ostringstream text;
     text << "# " << printable(lesson.key, 80) << " with a recorded attempt as its demonstration.\n" << root << "\n";

@@ -110,7 +110,12 @@ void inspectFiles(std::vector<Finding>& findings) {
 
 void inspectSound(std::vector<Finding>& findings) {
     try {
-        findings.push_back({"sound", State::good, "device " + OpenAlDevice::openDefault()->name(), ""});
+        const std::unique_ptr<OpenAlDevice> device = OpenAlDevice::openDefault();
+        findings.push_back(
+            {"sound", State::good,
+             "device " + device->name() +
+                 (device->hasHeadModel() ? ", with a model of the head (HRTF)" : ", without a model of the head"),
+             ""});
     } catch (const std::exception& error) {
         findings.push_back({"sound", State::note, error.what(),
                             "a sound card or sound server; without one the "

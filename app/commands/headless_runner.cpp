@@ -10,6 +10,7 @@
 #include "core/base/error.hpp"
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"
+#include "core/base/words.hpp"
 #include "core/render/picture_target.hpp"
 #include "core/render/renderer.hpp"
 #include "core/training/feedback/sound/sound_track.hpp"
@@ -244,8 +245,7 @@ class Run {
         if (!trainer_.hasArc() || judgement.arc.seconds > 0 || pulledSeconds_ < kTimeToLight ||
             !hooks_.warnings.empty())
             return {};
-        return "The arc of " + quote(lesson.key) +
-               " was never lit, though the trigger was pulled: the torch was too far from the metal, or touched it.";
+        return phrase("run.never_lit", {{"lesson", quote(lesson.key)}});
     }
 
     void writeSound() const {

@@ -5,6 +5,7 @@
 #include "app/platform/say.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
+#include "core/base/words.hpp"
 #include "core/training/attempt/recording_csv.hpp"
 #include "core/training/attempt/recording_reader.hpp"
 
@@ -28,7 +29,9 @@ std::string shown(const std::string& text) {
 
 bool check(const std::filesystem::path& file) {
     const Recording recording = readRecording(file);
-    std::printf("%s: %s.\n", shown(file.string()).c_str(), shown(recording.stateSentence()).c_str());
+    std::printf("%s\n", phrase("run.recordings.state",
+                               {{"file", shown(file.string())}, {"state", shown(recording.stateSentence())}})
+                            .c_str());
     return !recording.damaged();
 }
 
@@ -40,7 +43,9 @@ bool writeTable(const std::filesystem::path& file, const std::filesystem::path& 
     if (recording.steps.empty())
         throw InputError(file, 0, "holds no whole step; expected an attempt in which something was done");
     writeTextFileAtomically(table, recordingCsv(recording));
-    sayResult("The table is " + shown(table.string()) + "; " + shown(recording.stateSentence()) + ".", table);
+    sayResult(
+        phrase("run.recordings.table", {{"table", shown(table.string())}, {"state", shown(recording.stateSentence())}}),
+        table);
     return !recording.damaged();
 }
 
@@ -48,8 +53,8 @@ void printAttempt(const KeptAttempt& kept) {
     const std::string score = kept.score ? std::to_string(*kept.score) : "-";
     std::printf("%-16s  %-20s %12s %5s %-12s %9.1f MB  %s\n", shown(kept.when).c_str(), shown(kept.lesson).c_str(),
                 durationText(kept.seconds).c_str(), score.c_str(),
-                shown(kept.practice ? "practice" : kept.verdict).c_str(), static_cast<double>(kept.bytes) * 1e-6,
-                shown(kept.file.filename().string()).c_str());
+                shown(kept.practice ? phrase("run.recordings.practice") : kept.verdict).c_str(),
+                static_cast<double>(kept.bytes) * 1e-6, shown(kept.file.filename().string()).c_str());
 }
 
 /// How many recordings a folder has lost to its limit.
@@ -132,33 +137,39 @@ void tabulate(const std::filesystem::path& folder, const std::filesystem::path& 
         text += (text.empty() ? "" : ",") + std::string(column);
     const std::vector<KeptAttempt> attempts = attemptsOf(folder);
     if (attempts.empty())
-        say("There are no attempts in %s; the window and the headset keep them there.\n",
-            shown(folder.string()).c_str());
+        say("%s\n", phrase("run.recordings.no_attempts", {{"folder", shown(folder.string())}}).c_str());
     for (const KeptAttempt& kept : attempts) {
         const auto row = rowOf(kept);
         for (size_t i = 0; i < row.size(); ++i)
             text += (i == 0 ? "\n" : ",") + cell(row[i]);
     }
     writeTextFileAtomically(table, text + "\n");
-    sayResult("The table of " + std::to_string(attempts.size()) + " attempts is " + shown(table.string()), table);
+    sayResult(phraseOfCount("run.recordings.table_of_attempts", static_cast<long long>(attempts.size()),
+                            {{"attempts", std::to_string(attempts.size())}, {"table", shown(table.string())}}),
+              table);
 }
 
 void list(const std::filesystem::path& folder) {
     std::vector<std::string> faults;
     const std::vector<KeptAttempt> attempts = keptRecordings(folder, &faults);
     if (attempts.empty()) {
-        std::printf("There are no recordings in %s.\n", shown(folder.string()).c_str());
+        std::printf("%s\n", phrase("run.recordings.none", {{"folder", shown(folder.string())}}).c_str());
     } else {
-        std::printf("%-16s  %-20s %12s %5s %-12s %12s  %s\n", "begun", "lesson", "length", "score", "verdict", "size",
-                    "file");
+        const auto column = [](std::string_view name) { return phraseOf("run.recordings.column", name).c_str(); };
+        std::printf("%-16s  %-20s %12s %5s %-12s %12s  %s\n", column("begun"), column("lesson"), column("length"),
+                    column("score"), column("verdict"), column("size"), column("file"));
         for (const KeptAttempt& kept : attempts)
             printAttempt(kept);
-        std::printf("They are in %s and take %.1f MB.\n", shown(folder.string()).c_str(),
-                    static_cast<double>(recordedBytes(folder)) * 1e-6);
+        const PhraseNumber megabytes(static_cast<double>(recordedBytes(folder)) * 1e-6, 1);
+        std::printf(
+            "%s\n",
+            phrase("run.recordings.place", {{"folder", shown(folder.string())}, {"megabytes", megabytes}}).c_str());
     }
     if (const size_t removed = removedCount(folder); removed > 0)
-        std::printf("%zu older ones were removed, as all together are limited; %s names them.\n", removed,
-                    shown((folder / kRemovedList).string()).c_str());
+        std::printf("%s\n", phraseOfCount("run.recordings.removed", static_cast<long long>(removed),
+                                          {{"recordings", std::to_string(removed)},
+                                           {"list", shown((folder / kRemovedList).string())}})
+                                .c_str());
     for (const std::string& fault : faults)
         std::printf("%s\n", shown(fault).c_str());
 }

@@ -8,6 +8,7 @@
 #include "app/platform/say.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
+#include "core/base/words.hpp"
 #include "core/training/lesson/changed_path.hpp"
 #include "core/training/lesson/lesson.hpp"
 
@@ -56,7 +57,7 @@ void beginAt(RecordedMoments& moments, RunHooks& hooks) {
         const auto moment = moments.beforeStep(stepsOfRun(trainer));
         if (!moment) return;
         trainer.restore(*moment);
-        say("It begins at %.2f s, at a moment that the recording holds.\n", trainer.time());
+        say("%s\n", phrase("run.replay.begins", {{"seconds", PhraseNumber(trainer.time(), 2)}}).c_str());
     };
 }
 
@@ -117,10 +118,12 @@ void replayChanged(const ReplayRequest& request, const Lesson& lesson) {
     const RunHooks hooks = warned(tellWarnings(lesson));
     AttemptWelder welder;
     const std::vector<AttemptStep> steps = weldOriginal(welder, lesson, original, hooks);
-    const ComparedRun first{"original", readRunResults(original.path())};
+    const ComparedRun first{phrase("run.replay.original"), readRunResults(original.path())};
     whatIf.path = whatIf.path.resolved(meanTravelSpeed(first.results));
     weldChanged(welder, lesson, steps, whatIf, changed, hooks);
-    tellComparison(first, {"what if: " + whatIf.text(), readRunResults(changed.path())}, request.folder, request.page);
+    const ComparedRun second{phrase("run.replay.what_if", {{"changes", whatIf.text()}}),
+                             readRunResults(changed.path())};
+    tellComparison(first, second, request.folder, request.page);
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "app/report/report_page.hpp"
 #include "core/base/error.hpp"
 #include "core/base/output_file.hpp"
+#include "core/base/words.hpp"
 
 #include <cstdio>
 
@@ -66,7 +67,7 @@ void writeReports(const ReportRequest& request) {
         const fs::path page = request.page.empty() ? pageOf(source) : request.page;
         requireNoSource(page, source);
         writeFile(page, reportPage(resultsIn(source, request.lesson)));
-        sayResult("The report is " + page.string(), page);
+        sayResult(phrase("run.report", {{"file", page.string()}}), page);
     }
 }
 

@@ -12,13 +12,16 @@
 #include "core/base/output_file.hpp"
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"
+#include "core/base/words.hpp"
 #include "core/gl/software_driver/software_driver.hpp"
 #include "core/training/attempt/record_text.hpp"
 #include "core/training/lesson/lesson.hpp"
 #include "core/training/lesson/lesson_room.hpp"
 #include "core/training/trainer/repetition.hpp"
 
+#include <array>
 #include <chrono>
+#include <cstdio>
 
 namespace meltpool {
 
@@ -95,16 +98,27 @@ bool hasFewPictures(const Lesson& lesson, const FilmRequest& film) {
 /// The coldest and the hottest: "20 to 2310 °C"; of the classic metal, whose scale has no unit, "0 to 0.53 (solid is 0,
 /// liquid 1)".
 std::string temperatures(const Lesson& lesson, const MetalStatistics& metal) {
-    char text[80];
     if (lesson.model == LessonModel::Weld)
-        std::snprintf(text, sizeof text,
-                      "%.0f to %.0f \xC2\xB0"
-                      "C",
-                      celsius(metal.minTemperature), celsius(metal.maxTemperature));
-    else
-        std::snprintf(text, sizeof text, "%.3g to %.3g (solid is 0, liquid 1)", metal.minTemperature,
-                      metal.maxTemperature);
-    return text;
+        return phrase("run.temperature.weld", {{"coldest", PhraseNumber(celsius(metal.minTemperature))},
+                                               {"hottest", PhraseNumber(celsius(metal.maxTemperature))}});
+    const auto number = [](double value) {
+        std::array<char, 24> text{};
+        std::snprintf(text.data(), text.size(), "%.3g", value);
+        return std::string(text.data());
+    };
+    return phrase("run.temperature.classic",
+                  {{"coldest", number(metal.minTemperature)}, {"hottest", number(metal.maxTemperature)}});
+}
+
+std::string endText(const Lesson& lesson, const LessonResult& result, const std::filesystem::path& folder) {
+    return phrase("run.end", {{"lesson", shown(lesson.key)},
+                              {"seconds", PhraseNumber(result.seconds, 2)},
+                              {"steps", std::to_string(result.steps)},
+                              {"molten", std::to_string(result.metal.molten)},
+                              {"particles", std::to_string(result.metal.particles)},
+                              {"temperatures", temperatures(lesson, result.metal)},
+                              {"lost", std::to_string(result.metal.lost)},
+                              {"folder", shown(folder.string())}});
 }
 
 } // namespace
@@ -150,8 +164,7 @@ void runLesson(const RunRequest& request) {
     if (!request.ghost.empty()) tellForm(request.ghost, hooks.ghost);
     hooks.warnings = tellWarnings(lesson, !request.seconds.empty());
     hooks.warn = warn;
-    if (const size_t removed = folder.clear(); removed > 0)
-        say("%s held an earlier run; its %zu files are removed.\n", shown(folder.path().string()).c_str(), removed);
+    if (const size_t removed = folder.clear(); removed > 0) say("%s\n", removedText(folder.path(), removed).c_str());
     RunStop stop;
     stop.asked = StopSignals::asked;
     stop.grant = [&signals] { signals.grantStop(); };
@@ -160,13 +173,10 @@ void runLesson(const RunRequest& request) {
     const LessonResult result =
         runHeadless(context.info(), shaders, lesson,
                     {folder.result(), telemetry, folder.path(), request.sound, request.mesh}, stop, hooks);
-    say("%s: %.2f s in %zu steps, %zu of %zu particles molten, temperature %s, %zu lost; pictures and "
-        "result are in %s\n",
-        shown(lesson.key).c_str(), result.seconds, result.steps, result.metal.molten, result.metal.particles,
-        temperatures(lesson, result.metal).c_str(), result.metal.lost, shown(folder.path().string()).c_str());
+    say("%s\n", endText(lesson, result, folder.path()).c_str());
     sayResult({}, folder.result());
     if (hooks.film.video) say("%s\n", shown(finishFilm(hooks.film, folder.path())).c_str());
-    if (!request.mesh.empty()) sayResult("The mesh is in " + shown(request.mesh.string()) + ".", request.mesh);
+    if (!request.mesh.empty()) sayResult(phrase("run.mesh", {{"file", shown(request.mesh.string())}}), request.mesh);
     if (lesson.recorded)
         say("%s\n", repetitionText(*lesson.recorded, result, programBuild(), context.info().renderer).c_str());
 }

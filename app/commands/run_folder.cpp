@@ -4,6 +4,8 @@
 #include "app/platform/lock_notice.hpp"
 #include "core/base/error.hpp"
 #include "core/base/files.hpp"
+#include "core/base/text.hpp"
+#include "core/base/words.hpp"
 
 #include <algorithm>
 #include <string>
@@ -68,6 +70,12 @@ fs::path newRunFolder(const fs::path& parent, const std::string& lessonKey) {
     for (int i = 2; fs::exists(folder, unknown); ++i)
         folder = parent / (name + "-" + std::to_string(i));
     return folder;
+}
+
+std::string removedText(const fs::path& folder, size_t files) {
+    constexpr size_t kLongestShown = 1000;
+    return phraseOfCount("run.removed", static_cast<long long>(files),
+                         {{"folder", printable(folder.string(), kLongestShown)}, {"files", std::to_string(files)}});
 }
 
 bool isRunFile(std::string_view name) {

@@ -34,6 +34,9 @@ class RunFolder {
 /// then "meltpool-KEY-2" and so on.
 std::filesystem::path newRunFolder(const std::filesystem::path& parent, const std::string& lessonKey);
 
+/// The sentence that clear() removed so many files of an earlier run.
+std::string removedText(const std::filesystem::path& folder, size_t files);
+
 /// Whether a run writes files of this name: result, telemetry, pictures, and what a killed run left of them.
 bool isRunFile(std::string_view name);
 

@@ -8,6 +8,7 @@
 #include "core/base/error.hpp"
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"
+#include "core/base/words.hpp"
 #include "core/gl/software_driver/software_driver.hpp"
 
 #include <algorithm>
@@ -27,7 +28,7 @@ constexpr double kRest = 0.1;
 constexpr double kHeadsetPatience = 120;
 
 std::string driverText(const gl::ContextInfo& info) {
-    return info.renderer + (info.software ? " \xE2\x80\x93 drawn on the processor, without a graphics card" : "");
+    return info.software ? phrase("desk.on_processor", {{"driver", info.renderer}}) : info.renderer;
 }
 
 /// Where the processor draws, the metal has a context and a thread of its own; null elsewhere.
@@ -353,17 +354,14 @@ void DesktopApp::tellLesson(double seconds) {
     if (session_.run().recordFault().empty())
         messages_.clear("record");
     else
-        messages_.hold("The record of this attempt has stopped: " + session_.run().recordFault(), "record");
+        messages_.hold(phrase("desk.message.record_stopped", {{"reason", session_.run().recordFault()}}), "record");
     const bool handHolds = headsetFrame_ && !controls_.captured();
     notices_.update(session_, figures_, handHolds ? headset_->triggerLock() : controls_.triggerLock(), seconds,
                     messages_);
     if (!session_.run().fault().empty())
-        messages_.hold("The simulation has stopped: " + session_.run().fault() + ". Reset starts it again.", "metal");
+        messages_.hold(phrase("desk.message.simulation_stopped", {{"reason", session_.run().fault()}}), "metal");
     else if (figures_.refused > 0)
-        messages_.hold(
-            "The metal became unstable: the new state of some particles was not finite, and they kept their old one. "
-            "Reduce the time step, the heat or the stiffness; Reset starts again.",
-            "metal");
+        messages_.hold(phrase("desk.message.unstable"), "metal");
     else
         messages_.clear("metal");
 }
@@ -441,7 +439,7 @@ void DesktopApp::takePicture() {
     pictureAsked_ = false;
     try {
         screenshot_ = (large ? savePicture(picture_.large(session_)) : saveScreenshot(window_.pixels())).string();
-        messages_.note("Picture saved as " + screenshot_, now(), "picture");
+        messages_.note(phrase("desk.message.picture_saved", {{"file", screenshot_}}), now(), "picture");
     } catch (const std::exception& fault) {
         messages_.warn(fault.what(), now(), "picture");
         if (lostPicture_.empty()) lostPicture_ = fault.what();
@@ -484,7 +482,7 @@ void DesktopApp::writeTelemetry() {
                       callsCounted_});
     meter_.resume();
     if (telemetry_.fault().empty()) return;
-    messages_.hold("The telemetry has stopped: " + telemetry_.fault(), "telemetry");
+    messages_.hold(phrase("desk.message.telemetry_stopped", {{"reason", telemetry_.fault()}}), "telemetry");
     std::fprintf(stderr, "meltpool: %s\n", telemetry_.fault().c_str());
 }
 

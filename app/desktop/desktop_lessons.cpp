@@ -4,6 +4,7 @@
 #include "app/platform/open_file.hpp"
 #include "app/session/attempt_page.hpp"
 #include "core/base/error.hpp"
+#include "core/base/words.hpp"
 #include "core/training/lesson/lesson_folders.hpp"
 #include "core/training/lesson/plausibility.hpp"
 
@@ -113,8 +114,7 @@ bool DesktopLessons::weldBeside(const std::filesystem::path& file, double now) {
         return false;
     }
     bool& forScore = session_.sections().attempt.forScore;
-    if (std::exchange(forScore, false))
-        messages_.note("This attempt is practice: one for score has no ghost.", now, "start");
+    if (std::exchange(forScore, false)) messages_.note(phrase("desk.message.practice_with_ghost"), now, "start");
     return start(&LessonSession::begin, now);
 }
 
@@ -123,7 +123,7 @@ void DesktopLessons::compare(double now) {
     try {
         home_.comparison.begin({first.file, first.detail}, {second.file, second.detail});
     } catch (const std::exception& fault) {
-        messages_.warn(std::string("These attempts cannot be compared: ") + fault.what(), now, "start");
+        messages_.warn(phrase("desk.message.not_compared", {{"reason", fault.what()}}), now, "start");
     }
 }
 
@@ -146,7 +146,7 @@ void DesktopLessons::keepScore(double zoom, double now) {
         home_.scores.offer(lesson->key, *score);
         home_.scores.practise(lesson->key, session_.attempt().cues().skill());
     } catch (const std::exception& fault) {
-        messages_.warn(std::string("The best score cannot be kept: ") + fault.what(), now, "scores");
+        messages_.warn(phrase("desk.message.score_not_kept", {{"reason", fault.what()}}), now, "scores");
     }
     for (size_t i = told; i < faults.size(); ++i)
         messages_.warn(faults[i], now);
@@ -156,9 +156,9 @@ void DesktopLessons::writePage(const std::string& driver, double now) {
     try {
         const std::filesystem::path page = writeAttemptPage(session_, zoom_, driver);
         if (session_.leader() == TorchLeader::desk) openForPerson(page); // a browser is of no use in a headset
-        messages_.note("The page of this attempt is " + page.string(), now, "page");
+        messages_.note(phrase("desk.message.page", {{"file", page.string()}}), now, "page");
     } catch (const std::exception& fault) {
-        messages_.warn(std::string("The page cannot be written: ") + fault.what(), now, "page");
+        messages_.warn(phrase("desk.message.page_not_written", {{"reason", fault.what()}}), now, "page");
     }
 }
 

@@ -3,6 +3,7 @@
 #include "app/desktop/detail_choice.hpp"
 #include "app/desktop/picture_quality.hpp"
 #include "core/base/resources.hpp"
+#include "core/base/words.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -69,7 +70,7 @@ std::vector<std::string> DesktopSettings::load(const std::vector<ParameterSectio
     try {
         if (std::string warning = requireSavableSettings(file_); !warning.empty()) faults.push_back(std::move(warning));
     } catch (const std::exception& fault) {
-        faults.push_back("The settings of this session cannot be saved: " + std::string(fault.what()));
+        faults.push_back(phrase("desk.message.settings_not_saved", {{"reason", fault.what()}}));
     }
     return faults;
 }

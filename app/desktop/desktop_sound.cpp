@@ -16,7 +16,8 @@ void DesktopSound::update(LessonSession& session, const Controls& controls, cons
     output_.update(session.hearing().parameters.volume, place.value_or(glm::vec3(0, 0, -1)));
     if (told_ || !output_.known()) return;
     told_ = true;
-    session.help().sound.parameters = describe(session.hearing().parameters, output_.sentence());
+    device_ = output_.sentence();
+    session.help().sound.parameters = describe(session.hearing().parameters, device_);
 }
 
 void DesktopSound::judged(LessonSession& session) const {

@@ -6,6 +6,8 @@
 #include "app/session/window_headset.hpp"
 #include "app/sound/sound_output.hpp"
 
+#include <string>
+
 namespace meltpool {
 
 class DesktopSound {
@@ -21,7 +23,8 @@ class DesktopSound {
 
   private:
     SoundOutput output_;
-    bool told_ = false; ///< the settings say which sound device there is
+    bool told_ = false;  ///< the settings say which sound device there is
+    std::string device_; ///< what they say, and refer to
 };
 
 } // namespace meltpool

@@ -1,5 +1,7 @@
 #include "app/desktop/detail_choice.hpp"
 
+#include "core/base/words.hpp"
+
 #include <algorithm>
 #include <array>
 
@@ -19,8 +21,9 @@ std::span<const std::string_view> detailChoices() {
 }
 
 std::string_view detailSentence(PictureDetail level) {
-    static constexpr std::array<std::string_view, 3> kSentences{"low detail", "medium detail", ""};
-    return kSentences[static_cast<size_t>(level)];
+    static constexpr std::array<std::string_view, 3> kKeys{"desk.detail.low", "desk.detail.medium", ""};
+    const std::string_view key = kKeys[static_cast<size_t>(level)];
+    return key.empty() ? key : phrase(key);
 }
 
 void DetailTrial::restart() {

@@ -1,5 +1,7 @@
 #include "app/desktop/picture_quality.hpp"
 
+#include "core/base/words.hpp"
+
 #include <algorithm>
 
 namespace meltpool {
@@ -32,9 +34,10 @@ std::span<const std::string_view> pictureChoices() {
 }
 
 std::string_view pictureSentence(PictureLevel level) {
-    static constexpr std::array<std::string_view, kPictureLevels> kSentences{"", "picture at 3/4", "picture at 1/2",
-                                                                             "picture at 3/8"};
-    return kSentences[static_cast<size_t>(level)];
+    static constexpr std::array<std::string_view, kPictureLevels> kKeys{"", "desk.picture.fine", "desk.picture.medium",
+                                                                        "desk.picture.coarse"};
+    const std::string_view key = kKeys[static_cast<size_t>(level)];
+    return key.empty() ? key : phrase(key);
 }
 
 void PictureBudget::restart() {

@@ -1,5 +1,7 @@
 #include "app/desktop/shader_watch.hpp"
 
+#include "core/base/words.hpp"
+
 #include <string>
 
 namespace meltpool {
@@ -24,7 +26,7 @@ void ShaderWatch::update(gl::ShaderLibrary& shaders, gl::OtherContext* other, Me
     if (faults.empty())
         messages.clear("shader");
     else
-        messages.hold("A changed shader was refused; its old version runs on:" + faults, "shader");
+        messages.hold(phrase("desk.message.shader_refused") + faults, "shader");
 }
 
 } // namespace meltpool

@@ -3,11 +3,11 @@
 #include "app/platform/other_program.hpp"
 #include "core/base/error.hpp"
 #include "core/base/files.hpp"
+#include "core/base/words.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <vector>
 
 namespace meltpool {
@@ -106,13 +106,13 @@ bool isFilmFile(std::string_view name) {
 
 std::string finishFilm(const FilmRequest& request, const fs::path& folder) {
     const std::vector<fs::path> frames = framesIn(folder);
-    char length[64];
-    std::snprintf(length, sizeof length, "%.1f s", static_cast<double>(frames.size()) / request.rate);
-    const std::string what = "The time-lapse, " + std::to_string(frames.size()) + " pictures or " + length;
+    const auto told = [&](std::string_view key, const fs::path& place) {
+        return phrase(key, {{"pictures", std::to_string(frames.size())},
+                            {"seconds", PhraseNumber(static_cast<double>(frames.size()) / request.rate, 1)},
+                            {"place", place.string()}});
+    };
     const fs::path program = findProgram("ffmpeg");
-    if (program.empty())
-        return what + ", is " + (folder / (std::string(kFrames) + "*.png")).string() +
-               "; ffmpeg, which makes a video of them, is not in PATH.";
+    if (program.empty()) return told("page.film.pictures", folder / (std::string(kFrames) + "*.png"));
     std::error_code failure;
     const fs::path whole = fs::absolute(folder, failure);
     const fs::path video = whole / kVideo;
@@ -131,7 +131,7 @@ std::string finishFilm(const FilmRequest& request, const fs::path& folder) {
                            "); its pictures are in " + folder.string() + ", expected an ffmpeg that writes MP4");
     for (const fs::path& frame : frames)
         fs::remove(frame, failure);
-    return what + ", is " + (folder / kVideo).string() + ".";
+    return told("page.film.video", folder / kVideo);
 }
 
 } // namespace meltpool

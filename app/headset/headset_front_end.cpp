@@ -1,5 +1,7 @@
 #include "app/headset/headset_front_end.hpp"
 
+#include "core/base/words.hpp"
+
 #include <algorithm>
 #include <array>
 
@@ -269,7 +271,7 @@ std::string_view HeadsetFrontEnd::warning() const {
     case xr::ConnectionState::running:
         // At the start the runtime gives the input a few frames after the picture.
         if (connection_.headset()->mode() != xr::SessionMode::focused && focusedOpening_ == connection_.openings())
-            return "The headset shows something else than the trainer, so the arc is out.";
+            return phrase("headset.not_shown");
         return view_.dazzled().empty() ? hands_.warning() : view_.dazzled();
     case xr::ConnectionState::asleep:
     case xr::ConnectionState::ended:

@@ -1,6 +1,7 @@
 #include "app/headset/headset_hands.hpp"
 
 #include "app/headset/workshop_scene.hpp"
+#include "core/base/words.hpp"
 
 namespace meltpool {
 
@@ -47,8 +48,7 @@ TorchSample HeadsetHands::withRod(TorchSample sample, const WorkpiecePlace& plac
 
 std::string_view HeadsetHands::warning() const {
     if (!selector_.warning().empty()) return selector_.warning();
-    if (torch_.known() && !torch_.tracked())
-        return "The torch is out of sight: the arc is out. Hold it where the headset sees it.";
+    if (torch_.known() && !torch_.tracked()) return phrase("headset.torch.lost");
     return {};
 }
 

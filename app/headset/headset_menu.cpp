@@ -1,21 +1,32 @@
 #include "app/headset/headset_menu.hpp"
 
+#include "core/base/words.hpp"
+
 #include <array>
-#include <cstdio>
 
 namespace meltpool {
 
 namespace {
 
 ui::ShortText figuresText(const LessonFigures& figures) {
-    std::array<char, 128> text{};
     const double share = figures.particles > 0 ? 100.0 * double(figures.molten) / double(figures.particles) : 0;
-    std::snprintf(text.data(), text.size(), "%.1f s   \xC2\xB7   %.1f %% molten   \xC2\xB7   hottest ", figures.time,
-                  share);
-    return {text.data(), ui::hottestText(figures)};
+    ui::ShortText text;
+    appendPhrase(text, "headset.figures",
+                 {{"seconds", PhraseNumber(figures.time, 1)},
+                  {"share", PhraseNumber(share, 1)},
+                  {"hottest", ui::hottestText(figures)}});
+    return text;
 }
 
 constexpr int kResult = 3; ///< the page
+
+bool plainButton(ui::Context& context, std::string_view name, std::string_view key, float width) {
+    return ui::button(context, name, phrase(key).c_str(), ui::ButtonKind::plain, width);
+}
+
+bool group(ui::Context& context, std::string_view name, std::string_view key) {
+    return ui::groupHeading(context, name, phrase(key).c_str(), false);
+}
 
 void drawParameters(ui::Context& context, const ParameterSection& section) {
     for (const Parameter& parameter : section.parameters)
@@ -40,13 +51,13 @@ HeadsetMenuAnswer HeadsetMenu::draw(const xr::Panel& panel, const PointerOnPanel
 
 /// The list of lessons; below it, closed, what can be set of the headset before any lesson.
 void HeadsetMenu::homePart(ui::Context& context, const HeadsetMenuContent& content) {
-    ui::strongText(context, "Lessons");
+    ui::strongText(context, phrase("headset.lessons"));
     if (!content.warning.empty()) ui::quietText(context, content.warning);
     ImGui::Dummy({0, context.points(4)});
     if (const MenuRequest asked = ui::homePart(context, content.home); asked != MenuRequest::none)
         answer_.request = asked;
-    answer_.recentre = ui::button(context, "headset.recentre", "Workshop here", ui::ButtonKind::plain, 140);
-    if (ui::groupHeading(context, "headset", "Headset", false)) headsetPage(context, content);
+    answer_.recentre = plainButton(context, "headset.recentre", "headset.button.recentre", 140);
+    if (group(context, "headset", "headset.group.headset")) headsetPage(context, content);
 }
 
 void HeadsetMenu::lessonPart(ui::Context& context, LessonSession& session, const HeadsetMenuContent& content) {
@@ -68,28 +79,29 @@ void HeadsetMenu::lessonPart(ui::Context& context, LessonSession& session, const
 }
 
 void HeadsetMenu::lessonButtons(ui::Context& context, const LessonSession& session) {
-    const auto asks = [&](const char* name, const char* text, MenuRequest request, ui::ButtonKind kind, float width) {
-        if (ui::button(context, name, text, kind, width)) answer_.request = request;
+    const auto asks = [&](const char* name, const char* key, MenuRequest request, ui::ButtonKind kind, float width) {
+        if (ui::button(context, name, phrase(key).c_str(), kind, width)) answer_.request = request;
         ImGui::SameLine();
     };
     if (!session.running()) {
-        asks("headset.start", "Start the lesson", MenuRequest::start, ui::ButtonKind::main, 0);
+        asks("headset.start", "headset.button.start", MenuRequest::start, ui::ButtonKind::main, 0);
         if (session.lesson().torch.duration() > 0)
-            asks("headset.demonstration", "Demonstration", MenuRequest::demonstrate, ui::ButtonKind::plain, 0);
+            asks("headset.demonstration", "headset.button.demonstration", MenuRequest::demonstrate,
+                 ui::ButtonKind::plain, 0);
         ImGui::NewLine();
     } else {
-        asks("headset.reset", "Reset", MenuRequest::reset, ui::ButtonKind::plain, 70);
-        asks("headset.restart", "Lesson", MenuRequest::restart, ui::ButtonKind::plain, 76);
+        asks("headset.reset", "headset.button.reset", MenuRequest::reset, ui::ButtonKind::plain, 70);
+        asks("headset.restart", "headset.button.restart", MenuRequest::restart, ui::ButtonKind::plain, 76);
     }
-    asks("headset.home", "Home", MenuRequest::home, ui::ButtonKind::plain, 70);
-    answer_.recentre = ui::button(context, "headset.recentre", "Workshop here", ui::ButtonKind::plain, 130);
+    asks("headset.home", "headset.button.home", MenuRequest::home, ui::ButtonKind::plain, 70);
+    answer_.recentre = plainButton(context, "headset.recentre", "headset.button.recentre", 130);
 }
 
 void HeadsetMenu::headsetPage(ui::Context& context, const HeadsetMenuContent& content) {
     drawParameters(context, content.section);
-    answer_.measureTip = ui::button(context, "headset.tip", "Measure the torch's tip", ui::ButtonKind::plain, 200);
+    answer_.measureTip = plainButton(context, "headset.tip", "headset.button.tip", 200);
     ImGui::SameLine();
-    answer_.measureAxis = ui::button(context, "headset.axis", "and its direction", ui::ButtonKind::plain, 160);
+    answer_.measureAxis = plainButton(context, "headset.axis", "headset.button.axis", 160);
     if (!content.tipReport.empty()) ui::quietText(context, content.tipReport);
 }
 
@@ -111,14 +123,13 @@ void HeadsetMenu::pagePart(ui::Context& context, LessonSession& session, const H
             ui::setupPart(context, session);
     }
     if (page_ == 2) {
-        if (session.lesson().model == LessonModel::Weld &&
-            ui::groupHeading(context, "cues", "Cues at the torch", false))
+        if (session.lesson().model == LessonModel::Weld && group(context, "cues", "headset.group.cues"))
             drawParameters(context, session.help().cues);
-        if (session.help().ghost.idle.empty() && ui::groupHeading(context, "ghost", "Ghost torch", false))
+        if (session.help().ghost.idle.empty() && group(context, "ghost", "headset.group.ghost"))
             drawParameters(context, session.help().ghost);
         drawParameters(context, session.sections().view);
-        if (ui::groupHeading(context, "sound", "Sound", false)) drawParameters(context, session.help().sound);
-        if (ui::groupHeading(context, "surface", "Expert", false)) drawParameters(context, session.sections().surface);
+        if (group(context, "sound", "headset.group.sound")) drawParameters(context, session.help().sound);
+        if (group(context, "surface", "headset.group.surface")) drawParameters(context, session.sections().surface);
     }
 }
 

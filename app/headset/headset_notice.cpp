@@ -1,5 +1,7 @@
 #include "app/headset/headset_notice.hpp"
 
+#include "app/ui/short_text.hpp"
+#include "core/base/words.hpp"
 #include "core/training/feedback/cue_shapes.hpp"
 
 #include <algorithm>
@@ -43,11 +45,11 @@ void NoticeText::compose(const Messages& messages, const LessonFigures& figures,
     quietFrom_ = length_;
     if (!figures.caption.empty()) addLine(figures.caption);
     if (zoom == 1) return;
-    std::array<char, 96> line{};
-    std::snprintf(line.data(), line.size(),
-                  "Zoom %.3g: the metal is shown %.3g times its size, and so are ways and speeds",
-                  static_cast<double>(zoom), static_cast<double>(zoom));
-    addLine(line.data());
+    std::array<char, 16> times{};
+    std::snprintf(times.data(), times.size(), "%.3g", static_cast<double>(zoom));
+    ui::ShortText line;
+    appendPhrase(line, "headset.notice.zoom", {{"zoom", times.data()}});
+    addLine(line);
 }
 
 void NoticePlace::update(bool warns, const xr::Pose& head, const std::optional<glm::vec3>& tip, float tableHeight,

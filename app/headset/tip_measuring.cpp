@@ -1,12 +1,11 @@
 #include "app/headset/tip_measuring.hpp"
 
 #include "core/base/file_lock.hpp"
+#include "core/base/words.hpp"
 
 #include <glm/geometric.hpp>
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 namespace meltpool {
@@ -19,10 +18,8 @@ constexpr double kGettingReady = 5;  ///< s before the first pose counts, to bri
 constexpr size_t kWishedPoses = 120; ///< measuring goes on until there are so many ...
 constexpr double kLongest = 35;      ///< ... for this long at most, s
 
-std::string decimals(float value, int digits) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.*f", digits, static_cast<double>(value));
-    return text.data();
+PhraseNumber decimals(float value, int digits) {
+    return PhraseNumber(static_cast<double>(value), digits);
 }
 
 } // namespace
@@ -76,38 +73,36 @@ std::optional<xr::TipCalibration> TipMeasuring::gather(const xr::HandInput& torc
 std::optional<xr::TipCalibration> TipMeasuring::finish(xr::TipCalibration tip) {
     if (task_ == Task::axis) {
         const xr::AxisResult axis = xr::solveAxis(poses_);
-        found_ = axis.accepted ? "The torch's direction was found, to " + decimals(axis.spreadDegrees, 1) + " degrees."
-                               : "The torch's direction was not found: " + axis.reason + ".";
+        found_ = axis.accepted ? phrase("headset.tip.axis.found", {{"degrees", decimals(axis.spreadDegrees, 1)}})
+                               : phrase("headset.tip.axis.not_found", {{"reason", axis.reason}});
         if (!axis.accepted) return std::nullopt;
         tip.pointAlong(axis.direction);
         return tip;
     }
     const xr::PivotResult pivot = xr::solvePivot(poses_);
     if (!pivot.accepted) {
-        found_ = "The tip was not found: " + pivot.reason + ".";
+        found_ = phrase("headset.tip.pivot.not_found", {{"reason", pivot.reason}});
         return std::nullopt;
     }
-    found_ = "The tip was found, " + decimals(1000 * glm::length(pivot.offset), 0) + " mm from the grip, certain to " +
-             decimals(pivot.errorMm, 2) + " mm (it wandered " + decimals(pivot.residualMm, 1) + " mm on average).";
+    found_ = phrase("headset.tip.pivot.found", {{"distance", decimals(1000 * glm::length(pivot.offset), 0)},
+                                                {"error", decimals(pivot.errorMm, 2)},
+                                                {"wandered", decimals(pivot.residualMm, 1)}});
     tip.offset = pivot.offset;
     tip.residualMm = pivot.residualMm;
     return tip;
 }
 
 void TipMeasuring::kept(const std::string& fault) {
-    if (!fault.empty()) found_ += " It could not be kept: " + fault;
+    if (!fault.empty()) found_ += " " + phrase("headset.tip.not_kept", {{"reason", fault}});
 }
 
 std::string TipMeasuring::report() const {
     if (!underWay()) return found_;
     const bool ready = spent_ > kGettingReady;
-    const std::string seconds =
-        std::to_string(static_cast<int>(std::ceil(ready ? left_ : kGettingReady - spent_))) + " s";
+    const PhraseNumber seconds(std::ceil(ready ? left_ : kGettingReady - spent_));
     if (task_ == Task::axis)
-        return "Stand the torch upright, its tip straight down, " +
-               (ready ? "and hold it still: " + seconds : "measuring begins in " + seconds);
-    return "Rest the tip in a small dent, " +
-           (ready ? "swing the torch about it to all sides: " + seconds : "measuring begins in " + seconds);
+        return phrase(ready ? "headset.tip.axis.measures" : "headset.tip.axis.begins", {{"seconds", seconds}});
+    return phrase(ready ? "headset.tip.pivot.measures" : "headset.tip.pivot.begins", {{"seconds", seconds}});
 }
 
 } // namespace meltpool

@@ -1,5 +1,7 @@
 #include "app/headset/torch_selector.hpp"
 
+#include "core/base/words.hpp"
+
 #include <algorithm>
 
 namespace meltpool {
@@ -34,9 +36,9 @@ void TorchSelector::update(bool wanted, const xr::HandInput& hand, std::span<con
 
 std::string_view TorchSelector::warning() const {
     if (!wanted_ || visible_) return {};
-    if (!seen_) return "No tracker is visible: the controller is the torch.";
-    if (holder_ == TorchHolder::tracker) return "The torch's tracker is out of sight: the arc is out.";
-    return "The torch's tracker is out of sight: the controller is the torch until it is back.";
+    if (!seen_) return phrase("headset.torch.no_tracker");
+    if (holder_ == TorchHolder::tracker) return phrase("headset.torch.tracker_lost");
+    return phrase("headset.torch.controller_instead");
 }
 
 } // namespace meltpool

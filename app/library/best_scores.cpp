@@ -6,6 +6,7 @@
 #include "core/base/output_file.hpp"
 #include "core/base/text.hpp"
 #include "core/base/toml_table.hpp"
+#include "core/base/words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -128,16 +129,20 @@ std::optional<BestScore> countedScore(const Judgement& judgement) {
 }
 
 std::string bestScoreText(const BestScore& best) {
-    std::string text = "Best " + std::to_string(std::lround(best.score));
-    if (best.accepted) text += ", accepted";
-    if (best.zoom > 1) text += ", zoom " + formatNumber(best.zoom);
-    if (best.guided) text += ", guided";
-    if (!best.cues.empty()) text += ", with cues";
-    if (!best.ghost.empty()) text += ", with a ghost";
-    if (best.changed) text += ", changed values";
+    std::string text = phrase("best.score", {{"score", PhraseNumber(std::round(best.score))}});
+    const auto add = [&](std::string_view more) {
+        text += phrase("list.separator");
+        text += more;
+    };
+    if (best.accepted) add(phrase("best.accepted"));
+    if (best.zoom > 1) add(phrase("best.zoom", {{"zoom", formatNumber(best.zoom)}}));
+    if (best.guided) add(phrase("best.guided"));
+    if (!best.cues.empty()) add(phrase("best.cues"));
+    if (!best.ghost.empty()) add(phrase("best.ghost"));
+    if (best.changed) add(phrase("best.changed"));
     if (best.realTime < kLeastSpeedForScore)
-        text += ", metal at " + std::to_string(std::lround(best.realTime * 100)) + " %";
-    if (!best.chosen.empty()) text += ", " + best.chosen;
+        add(phrase("best.slow", {{"percent", PhraseNumber(std::round(best.realTime * 100))}}));
+    if (!best.chosen.empty()) add(best.chosen);
     return text;
 }
 

@@ -1,6 +1,7 @@
 #include "app/library/lesson_catalogue.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/words.hpp"
 #include "core/training/lesson/lesson.hpp"
 
 #include <algorithm>
@@ -55,7 +56,7 @@ std::string shortFault(const CataloguedLesson& lesson) {
 
 std::string levelText(int level) {
     if (level <= 0) return {};
-    return "Level " + std::to_string(level) + " of " + std::to_string(kMostLevel);
+    return phrase("library.level", {{"level", std::to_string(level)}, {"levels", std::to_string(kMostLevel)}});
 }
 
 } // namespace meltpool

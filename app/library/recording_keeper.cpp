@@ -4,6 +4,7 @@
 #include "core/base/files.hpp"
 #include "core/base/moment.hpp"
 #include "core/base/resources.hpp"
+#include "core/base/words.hpp"
 #include "core/training/attempt/recording_reader.hpp"
 
 #include <glm/matrix.hpp>
@@ -39,7 +40,7 @@ void RecordingKeeper::begin(Trainer& trainer, int attempt) {
     try {
         open(trainer, attempt);
     } catch (const std::exception& failure) {
-        tell("This attempt is not recorded: ", failure.what());
+        tell("library.recording.not_begun", failure.what());
     }
 }
 
@@ -87,20 +88,19 @@ void RecordingKeeper::close() {
     current_ = nullptr;
 }
 
-void RecordingKeeper::tell(const char* what, const std::string& why) {
-    fault_ = what + why;
+void RecordingKeeper::tell(std::string_view key, std::string_view reason) {
+    fault_ = phrase(key, {{"reason", reason}});
     if (lost_.empty()) lost_ = fault_;
 }
 
 void RecordingKeeper::update() {
     if (current_ && !told_ && !current_->fault().empty()) {
         told_ = true;
-        tell("This attempt is no longer recorded: ", current_->fault());
+        tell("library.recording.stopped", current_->fault());
     }
     std::erase_if(closing_, [this](const Closing& each) {
         if (!each.writer->finished()) return false;
-        if (!each.told && !each.writer->fault().empty())
-            tell("The last attempt is not recorded to its end: ", each.writer->fault());
+        if (!each.told && !each.writer->fault().empty()) tell("library.recording.not_ended", each.writer->fault());
         return true;
     });
 }

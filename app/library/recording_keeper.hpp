@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -64,7 +65,7 @@ class RecordingKeeper {
 
     void open(Trainer& trainer, int attempt);
     void makeRoom();
-    void tell(const char* what, const std::string& why);
+    void tell(std::string_view key, std::string_view reason);
 
     std::filesystem::path folder_;
     std::string program_, driver_;

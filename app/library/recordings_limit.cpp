@@ -1,5 +1,6 @@
 #include "app/library/recordings_limit.hpp"
 
+#include "core/base/words.hpp"
 #include "core/training/attempt/recording_reader.hpp"
 
 #include <algorithm>
@@ -120,20 +121,22 @@ std::string keepWithinLimit(const fs::path& folder, std::uint64_t limit, std::sp
     std::ofstream list(folder / kRemovedList, std::ios::app);
     for (const File* file : removed)
         list << file->path.filename().string() << "\n";
-    std::string sentence = "All recordings together are limited to " + megabytes(limit) + " MB: ";
-    if (removed.size() == 1) return sentence + "the oldest, " + stem(*removed.front()) + ", was removed.";
-    return sentence + "the " + std::to_string(removed.size()) + " oldest, " + stem(*removed.front()) + " to " +
-           stem(*removed.back()) + ", were removed.";
+    return phraseOfCount("library.recordings.removed", static_cast<long long>(removed.size()),
+                         {{"limit", megabytes(limit)},
+                          {"count", std::to_string(removed.size())},
+                          {"first", stem(*removed.front())},
+                          {"last", stem(*removed.back())}});
 }
 
 std::string nearLimit(const fs::path& folder, std::uint64_t limit, std::span<const fs::path> spared) {
     const std::vector<File> all = ownFiles(folder);
     const std::uint64_t bytes = sum(all);
     if (all.empty() || static_cast<double>(bytes) < kNear * static_cast<double>(limit)) return {};
-    const std::string sentence = "The recordings take " + megabytes(bytes) + " of " + megabytes(limit) + " MB. ";
+    const std::string taken =
+        phrase("library.recordings.taken", {{"megabytes", megabytes(bytes)}, {"limit", megabytes(limit)}});
     const std::vector<File> files = removable(all, spared);
-    if (files.empty()) return sentence + "All are of this session, so that none is removed before it ends.";
-    return sentence + "Beyond that the oldest are removed, first " + stem(files.front()) + ".";
+    if (files.empty()) return taken + " " + phrase("library.recordings.none_removable");
+    return taken + " " + phrase("library.recordings.first_removed", {{"first", stem(files.front())}});
 }
 
 } // namespace meltpool

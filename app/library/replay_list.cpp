@@ -1,23 +1,29 @@
 #include "app/library/replay_list.hpp"
 
 #include "app/library/kept_attempts.hpp"
+#include "core/base/words.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 namespace meltpool {
 
 namespace {
 
+/// What a recording calls a verdict, as the person reads it.
+std::string verdictText(const std::string& verdict) {
+    if (verdict == "accepted") return phrase("library.attempt.accepted");
+    return verdict == "not accepted" ? phrase("library.attempt.not_accepted") : verdict;
+}
+
 /// "2026-11-23 08:10 · 12.3 s · score 84, accepted".
 std::string detailOf(const KeptAttempt& kept) {
     const std::string dot = " \xC2\xB7 ";
     std::string text = kept.when + dot + lengthText(kept.seconds);
-    if (kept.score) text += dot + "score " + std::to_string(*kept.score);
-    if (!kept.verdict.empty()) text += (kept.score ? ", " : dot) + kept.verdict;
-    return kept.practice ? text + dot + "practice" : text;
+    if (kept.score) text += dot + phrase("library.attempt.score", {{"score", std::to_string(*kept.score)}});
+    if (!kept.verdict.empty()) text += (kept.score ? phrase("list.separator") : dot) + verdictText(kept.verdict);
+    return kept.practice ? text + dot + phrase("library.attempt.practice") : text;
 }
 
 } // namespace
@@ -29,7 +35,10 @@ void ReplayList::show() {
         entries.push_back({kept.file, kept.lesson, detailOf(kept)});
     show(std::move(entries));
     if (!faults.empty()) fault_ = faults.front();
-    if (faults.size() > 1) fault_ += " And " + std::to_string(faults.size() - 1) + " more files.";
+    if (faults.size() < 2) return;
+    const size_t more = faults.size() - 1;
+    fault_ += " " + phraseOfCount("library.attempt.more_faults", static_cast<long long>(more),
+                                  {{"count", std::to_string(more)}});
 }
 
 void ReplayList::show(std::vector<ReplayEntry> entries) {
@@ -55,13 +64,9 @@ bool ReplayList::mark(size_t index) {
 }
 
 std::string lengthText(double seconds) {
-    char text[40];
-    if (seconds < 59.95)
-        std::snprintf(text, sizeof text, "%.1f s", seconds);
-    else
-        std::snprintf(text, sizeof text, "%d:%02d min", static_cast<int>(std::lround(seconds)) / 60,
-                      static_cast<int>(std::lround(seconds)) % 60);
-    return text;
+    if (seconds < 59.95) return std::string(PhraseNumber(seconds, 1)) + " s";
+    const long whole = std::lround(seconds);
+    return std::to_string(whole / 60) + (whole % 60 < 10 ? ":0" : ":") + std::to_string(whole % 60) + " min";
 }
 
 } // namespace meltpool

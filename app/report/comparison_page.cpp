@@ -3,11 +3,11 @@
 #include "app/report/report_page.hpp"
 #include "app/report/twin_curve.hpp"
 #include "core/base/text.hpp"
+#include "core/base/words.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace meltpool {
 
@@ -33,18 +33,12 @@ input[name=unit] { accent-color: #1f5fbf } .in { display: none }
 @media print { input, label { display: none } }
 )";
 
-std::string fixed(double value, int decimals) {
-    std::array<char, 48> text{};
-    std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
-    return text.data();
-}
-
-/// A number with its unit, a length also in inches, of which the page shows one. `sign`: a plus before what is not
-/// negative.
+/// A number with its unit, a length also in inches, of which the page shows one. `sign`: a plus before what is above
+/// 0.
 std::string measure(double value, const std::string& unit, int decimals, bool sign) {
     const auto text = [&](double number, int places, const std::string& name) {
-        const std::string plus = sign && number >= 0 ? "+" : "";
-        return plus + fixed(number, places) + (name.empty() || name == "%" || name == "°" ? "" : " ") + escaped(name);
+        const char* gap = name.empty() || name == "%" || name == "°" ? "" : " ";
+        return numberText(number, places, sign) + gap + escaped(name);
     };
     const auto both = [&](double inches, int places, const std::string& name) {
         return "<span class=\"mm\">" + text(value, decimals, unit == "mm2" ? "mm²" : unit) +
@@ -70,39 +64,51 @@ std::string describe(const ComparedRun& run) {
     if (const auto found = result.find("recorded"); found != result.end())
         if (const std::string kind = textIn(*found, "repetition"); !kind.empty()) text += " · " + kind;
     if (const auto found = result.find("verdict"); found != result.end() && found->is_object())
-        text += found->value("accepted", json()) == true ? " · accepted" : " · not accepted";
-    return text + " · state " + textIn(result, "state_hash");
+        text += " · " + phrase(found->value("accepted", json()) == true ? "comparison_page.accepted"
+                                                                        : "comparison_page.not_accepted");
+    return text + " · " + phrase("comparison_page.state", {{"state", textIn(result, "state_hash")}});
+}
+
+std::string titleOf(const ComparedRun& first, const ComparedRun& second) {
+    return phrase("comparison_page.title", {{"second", escaped(second.name)}, {"first", escaped(first.name)}});
 }
 
 std::string headPart(const ComparedRun& first, const ComparedRun& second) {
-    std::string html = "<h1>" + escaped(second.name) + " against " + escaped(first.name) + "</h1>\n";
+    std::string html = "<h1>" + titleOf(first, second) + "</h1>\n";
     for (const ComparedRun* run : {&first, &second})
-        html += "<p class=\"quiet\">" + escaped(run->name) + ": " + describe(*run) + "</p>\n";
+        html += "<p class=\"quiet\">" +
+                phrase("comparison_page.attempt", {{"attempt", escaped(run->name)}, {"facts", describe(*run)}}) +
+                "</p>\n";
     if (textIn(first.results.result, "lesson") != textIn(second.results.result, "lesson"))
-        html += "<p>The attempts are of different lessons: the figures tell how the welds differ, not who welded "
-                "better.</p>\n";
+        html += "<p>" + phrase("comparison_page.other_lesson") + "</p>\n";
     return html;
 }
 
 std::string wordsPart(const Comparison& comparison) {
     std::string list;
     for (const FigurePair& pair : comparison.differences())
-        list += "<li>" + measure(std::abs(pair.difference()), pair.figure.unit, pair.decimals(), false) + " " +
-                escaped(pair.words()) + "</li>\n";
+        list += "<li>" + pair.told(measure(std::abs(pair.difference()), pair.figure.unit, pair.decimals(), false)) +
+                "</li>\n";
     if (const auto points = comparison.morePoints())
-        list += "<li>" + fixed(std::abs(*points), 0) + (*points > 0 ? " points more" : " points less") + "</li>\n";
-    std::string html = "<h2>The difference</h2>\n";
-    html += list.empty() ? "<p>No difference that the metal resolves.</p>\n" : "<ol>\n" + list + "</ol>\n";
+        list +=
+            "<li>" +
+            phrase(*points > 0 ? "comparison_page.difference.points_more" : "comparison_page.difference.points_less",
+                   {{"points", PhraseNumber(std::abs(*points))}}) +
+            "</li>\n";
+    std::string html = "<h2>" + phrase("comparison_page.difference.heading") + "</h2>\n";
+    html += list.empty() ? "<p>" + phrase("comparison_page.difference.none") + "</p>\n" : "<ol>\n" + list + "</ol>\n";
     if (comparison.halfSpacing > 0)
-        html += "<p class=\"quiet\">Lengths of the weld that differ by less than " +
-                measure(comparison.halfSpacing * 1e3, "mm", 2, false) +
-                ", half a particle spacing, are no difference.</p>\n";
+        html += "<p class=\"quiet\">" +
+                phrase("comparison_page.difference.resolved",
+                       {{"length", measure(comparison.halfSpacing * 1e3, "mm", 2, false)}}) +
+                "</p>\n";
     return html;
 }
 
 std::string headsOf(const std::string& what, const ComparedRun& first, const ComparedRun& second) {
     return "<tr><th>" + what + "</th><th class=\"n\">" + escaped(first.name) + "</th><th class=\"n\">" +
-           escaped(second.name) + "</th><th class=\"n\">difference</th></tr>\n";
+           escaped(second.name) + "</th><th class=\"n\">" + phrase("comparison_page.column.difference") +
+           "</th></tr>\n";
 }
 
 std::string rowOf(const std::string& name, const std::string& first, const std::string& second,
@@ -114,8 +120,11 @@ std::string rowOf(const std::string& name, const std::string& first, const std::
 
 std::string scorePart(const Comparison& comparison, const ComparedRun& first, const ComparedRun& second) {
     if (comparison.scores.empty()) return {};
-    const auto points = [](const std::optional<double>& value) { return value ? fixed(*value, 0) : std::string("–"); };
-    std::string html = "<h2>Points of 100</h2>\n<table>\n" + headsOf("technique", first, second);
+    const auto points = [](const std::optional<double>& value) {
+        return value ? numberText(*value, 0) : std::string("–");
+    };
+    std::string html = "<h2>" + phrase("comparison_page.points.heading") + "</h2>\n<table>\n" +
+                       headsOf(phrase("comparison_page.column.technique"), first, second);
     for (const ScorePair& pair : comparison.scores) {
         std::string difference;
         if (pair.first && pair.second && std::abs(*pair.second - *pair.first) >= 1)
@@ -127,9 +136,9 @@ std::string scorePart(const Comparison& comparison, const ComparedRun& first, co
 
 std::string figuresPart(const Comparison& comparison, const ComparedRun& first, const ComparedRun& second) {
     constexpr std::array<std::pair<FigureGroup, const char*>, 3> kGroups{
-        {{FigureGroup::weld, "The weld"}, {FigureGroup::hand, "The hand"}, {FigureGroup::arc, "The arc"}}};
+        {{FigureGroup::weld, "weld"}, {FigureGroup::hand, "hand"}, {FigureGroup::arc, "arc"}}};
     std::string html;
-    for (const auto& [group, title] : kGroups) {
+    for (const auto& [group, name] : kGroups) {
         std::string rows;
         for (const FigurePair& pair : comparison.pairs) {
             if (pair.figure.group != group) continue;
@@ -138,15 +147,15 @@ std::string figuresPart(const Comparison& comparison, const ComparedRun& first, 
                           pair.differs() ? measure(pair.difference(), pair.figure.unit, pair.decimals(), true) : "");
         }
         if (!rows.empty())
-            html +=
-                "<h2>" + std::string(title) + "</h2>\n<table>\n" + headsOf("mean", first, second) + rows + "</table>\n";
+            html += "<h2>" + phraseOf("comparison_page.group", name) + "</h2>\n<table>\n" +
+                    headsOf(phrase("comparison_page.column.mean"), first, second) + rows + "</table>\n";
     }
     return html;
 }
 
 std::string pictureOf(const ReportPicture& picture, const std::string& attempt) {
-    return "<img alt=\"" + escaped(picture.name + " of " + attempt) + "\" src=\"data:image/png;base64," +
-           base64(picture.png) + "\">\n";
+    const std::string caption = phrase("comparison_page.picture", {{"picture", picture.name}, {"attempt", attempt}});
+    return "<img alt=\"" + escaped(caption) + "\" src=\"data:image/png;base64," + base64(picture.png) + "\">\n";
 }
 
 std::string picturesPart(const ComparedRun& first, const ComparedRun& second) {
@@ -156,9 +165,10 @@ std::string picturesPart(const ComparedRun& first, const ComparedRun& second) {
             if (one.name == other.name)
                 html += "<div class=\"pair\">\n<h2>" + escaped(one.name) + "</h2>\n" + pictureOf(one, first.name) +
                         pictureOf(other, second.name) + "</div>\n";
-    return html.empty() ? html
-                        : "<p class=\"quiet\">Left " + escaped(first.name) + ", right " + escaped(second.name) +
-                              ".</p>\n" + html;
+    if (html.empty()) return html;
+    return "<p class=\"quiet\">" +
+           phrase("comparison_page.sides", {{"first", escaped(first.name)}, {"second", escaped(second.name)}}) +
+           "</p>\n" + html;
 }
 
 Curve curveOf(const NumberTable& table, std::string_view column, const std::string& title, const std::string& unit) {
@@ -193,22 +203,23 @@ std::string curvesPart(const Comparison& comparison, const ComparedRun& first, c
         }
     }
     if (weld.empty() && hand.empty()) return {};
-    return "<h2>Along the seam</h2>\n<p class=\"quiet\">Dashed " + escaped(first.name) + ", whole " +
-           escaped(second.name) + ".</p>\n" + hand + weld;
+    return "<h2>" + phrase("comparison_page.curves.heading") + "</h2>\n<p class=\"quiet\">" +
+           phrase("comparison_page.curves.lines", {{"first", escaped(first.name)}, {"second", escaped(second.name)}}) +
+           "</p>\n" + hand + weld;
 }
 
 } // namespace
 
 std::string comparisonPage(const ComparedRun& first, const ComparedRun& second) {
     const Comparison comparison = compareRuns(first, second);
-    const std::string title = escaped(second.name) + " against " + escaped(first.name);
-    return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" + title +
-           " – Meltpool</title>\n<style>" + kStyle +
+    return "<!DOCTYPE html>\n<html lang=\"" + std::string(language()) +
+           "\">\n<head>\n<meta charset=\"utf-8\">\n<title>" + titleOf(first, second) + " – Meltpool</title>\n<style>" +
+           kStyle +
            "</style>\n</head>\n<body>\n"
            "<input type=\"radio\" name=\"unit\" id=\"metric\" checked><label for=\"metric\">mm</label>\n"
-           "<input type=\"radio\" name=\"unit\" id=\"inch\"><label for=\"inch\">inch</label>\n<main>\n" +
-           headPart(first, second) + wordsPart(comparison) + scorePart(comparison, first, second) +
-           figuresPart(comparison, first, second) + picturesPart(first, second) +
+           "<input type=\"radio\" name=\"unit\" id=\"inch\"><label for=\"inch\">" +
+           phrase("page.inch") + "</label>\n<main>\n" + headPart(first, second) + wordsPart(comparison) +
+           scorePart(comparison, first, second) + figuresPart(comparison, first, second) + picturesPart(first, second) +
            curvesPart(comparison, first, second) + "</main>\n</body>\n</html>\n";
 }
 

@@ -1,6 +1,7 @@
 #include "app/report/curve_drawing.hpp"
 
 #include "core/base/text.hpp"
+#include "core/base/words.hpp"
 
 #include <cmath>
 #include <string_view>
@@ -39,7 +40,9 @@ void drawTicks(const CurveRange& range, int about, double scale, const Draw& dra
 class Drawing {
   public:
     Drawing(const Curve& curve, const CurveSheet& sheet)
-        : curve_(curve), sheet_(sheet), svg_(kCurveWidth, kCurveHeight, curve.title + " along the seam") {}
+        : curve_(curve),
+          sheet_(sheet),
+          svg_(kCurveWidth, kCurveHeight, phrase("drawing.curve.label", {{"quantity", curve.title}})) {}
 
     std::string element() {
         band();
@@ -117,13 +120,13 @@ class Drawing {
     }
 
     void title() {
-        const auto text = [&](std::string_view unit, std::string_view system, std::string_view length) {
-            svg_.word(4, 10, "start", curve_.title + " (" + std::string(unit) + ") over " + std::string(length),
-                      "title " + std::string(system));
+        const auto text = [&](std::string_view key, std::string_view unit, std::string_view style) {
+            svg_.word(4, 10, "start", phrase(key, {{"quantity", curve_.title}, {"unit", unit}}), style);
         };
         const Inches inches = inchesOf(curve_.unit);
-        text(curve_.unit, "mm", "mm of seam");
-        text(inches.unit.empty() ? std::string_view(curve_.unit) : inches.unit, "in", "inches of seam");
+        text("drawing.curve.over_mm", curve_.unit, "title mm");
+        text("drawing.curve.over_inches", inches.unit.empty() ? std::string_view(curve_.unit) : inches.unit,
+             "title in");
     }
 
     const Curve& curve_;

@@ -2,6 +2,7 @@
 #include "app/report/page_parts.hpp"
 #include "app/report/page_text.hpp"
 #include "app/report/svg_text.hpp"
+#include "core/base/words.hpp"
 #include "core/weld/gauge/weld_figures.hpp"
 
 #include <array>
@@ -15,16 +16,15 @@ namespace {
 
 using nlohmann::json;
 
-/// An entry of `arc` in result.json, and its words on the page.
+/// An entry of `arc` in result.json. Its words are figure.KEY.name.
 struct ArcFigure {
-    std::string_view key, words, unit;
+    std::string_view key, unit;
     int decimals = -1; ///< -1: as many as its unit has
 };
 
 constexpr std::array kArcFigures{
-    ArcFigure{"mean_current_a", "mean current", "A", 0},   ArcFigure{"mean_voltage_v", "mean voltage", "V", 1},
-    ArcFigure{"energy_kj", "energy of the arc", "kJ", 1},  ArcFigure{"seconds", "time of the arc", "s", 1},
-    ArcFigure{"seam_mm", "seam on which it burned", "mm"}, ArcFigure{"travel_speed_mm_s", "travel speed", "mm/s"},
+    ArcFigure{"mean_current_a", "A", 0}, ArcFigure{"mean_voltage_v", "V", 1}, ArcFigure{"energy_kj", "kJ", 1},
+    ArcFigure{"seconds", "s", 1},        ArcFigure{"seam_mm", "mm"},          ArcFigure{"travel_speed_mm_s", "mm/s"},
 };
 
 /// Entries that stand in the formula below the table.
@@ -32,13 +32,13 @@ constexpr std::array<std::string_view, 2> kInFormula{"efficiency_en_1011_1", "he
 
 /// Lengths and the like in both systems of units, shares and counts with the table's digits.
 std::string valueText(const WeldFigure& figure, double value) {
-    if (figure.unit.empty()) return rounded(value, figure.digits);
-    return figure.unit == "%" ? rounded(value, figure.digits) + " %" : measure(value, figure.unit);
+    if (figure.unit.empty()) return numberText(value, figure.digits);
+    return figure.unit == "%" ? numberText(value, figure.digits) + " %" : measure(value, figure.unit);
 }
 
 std::string valueText(const ArcFigure& figure, double value) {
     return figure.decimals < 0 ? measure(value, figure.unit)
-                               : rounded(value, figure.decimals) + " " + std::string(figure.unit);
+                               : numberText(value, figure.decimals) + " " + std::string(figure.unit);
 }
 
 using Keys = std::set<std::string, std::less<>>;
@@ -77,7 +77,7 @@ std::string arcRows(const json& arc) {
     Keys shown(kInFormula.begin(), kInFormula.end());
     std::string rows;
     for (const ArcFigure& figure : kArcFigures)
-        rows += rowOf(arc, figure.words, figure, shown);
+        rows += rowOf(arc, phraseOf("figure", std::string(figure.key) + ".name"), figure, shown);
     return rows + furtherRows(arc, shown);
 }
 
@@ -89,16 +89,17 @@ std::string table(const std::string& rows) {
 std::string heatPart(const json& arc) {
     const auto heat = numberIn(arc, "heat_input_kj_mm"), k = numberIn(arc, "efficiency_en_1011_1");
     if (!heat) return {};
-    std::string html = "<h2>Heat input by EN 1011-1</h2>\n<p><b>" + measure(heat, "kJ/mm") + "</b>";
+    std::string text = "<b>" + measure(heat, "kJ/mm") + "</b>";
     const auto volts = numberIn(arc, "mean_voltage_v"), amperes = numberIn(arc, "mean_current_a"),
                speed = numberIn(arc, "travel_speed_mm_s");
     if (k && volts && amperes && speed)
-        html += " = k \xC2\xB7 U \xC2\xB7 I / v = " + rounded(*k, 1) + " \xC2\xB7 " + rounded(*volts, 1) +
-                " V \xC2\xB7 " + rounded(*amperes, 0) + " A / (" + measure(speed, "mm/s") + ")";
-    html +=
-        "</p>\n<p class=\"quiet\">k is the thermal efficiency by EN 1011-1: 0.8 for GMAW and covered electrodes, 0.6 "
-        "for GTAW. U and I are means while the arc burned, v the seam on which it burned over that time.</p>\n";
-    return html;
+        text = phrase("page_figures.heat.formula", {{"heat", text},
+                                                    {"k", PhraseNumber(*k, 1)},
+                                                    {"voltage", PhraseNumber(*volts, 1)},
+                                                    {"current", PhraseNumber(*amperes)},
+                                                    {"speed", measure(speed, "mm/s")}});
+    return "<h2>" + phrase("page_figures.heat.heading") + "</h2>\n<p>" + text + "</p>\n<p class=\"quiet\">" +
+           phrase("page_figures.heat.meaning") + "</p>\n";
 }
 
 } // namespace
@@ -108,8 +109,8 @@ std::string figurePart(const RunResults& results) {
     const std::string weld = weldRows(partIn(results.result, "weld"));
     const std::string burned = arcRows(arc);
     if (weld.empty() && burned.empty()) return {};
-    return "<h2>The weld in figures</h2>\n<div class=\"columns\">\n" + table(weld) + table(burned) + "</div>\n" +
-           heatPart(arc);
+    return "<h2>" + phrase("page_figures.heading") + "</h2>\n<div class=\"columns\">\n" + table(weld) + table(burned) +
+           "</div>\n" + heatPart(arc);
 }
 
 } // namespace meltpool

@@ -2,6 +2,7 @@
 #include "app/report/curve_drawing.hpp"
 #include "app/report/page_parts.hpp"
 #include "app/report/page_text.hpp"
+#include "core/base/words.hpp"
 #include "core/training/judging/quantity.hpp"
 
 #include <algorithm>
@@ -28,14 +29,14 @@ std::string capitalised(std::string_view words) {
 }
 
 std::string points(std::optional<double> value) {
-    return value ? rounded(*value, 1) : std::string(kDash);
+    return value ? numberText(*value, 1) : std::string(kDash);
 }
 
 std::string techniqueRow(const QuantityInfo& info, const json& score, const json& value) {
     const std::string key(info.key), unit(info.unit);
     const auto ideal = numberIn(value, "ideal"), inner = numberIn(value, "inner");
     const std::string asked = ideal ? measure(ideal, unit) + " \xC2\xB1 " + measure(inner, unit) : std::string(kDash);
-    return "<tr><td>" + capitalised(info.words) + "</td>" +
+    return "<tr><td>" + capitalised(info.words()) + "</td>" +
            numberCell(points(numberIn(partIn(score, "parameters"), key.c_str()))) +
            numberCell(points(numberIn(value, "lost_points"))) + numberCell(measure(numberIn(value, "mean"), unit)) +
            numberCell(asked) + numberCell(measure(numberIn(value, "worst_at_mm"), "mm")) + "</tr>\n";
@@ -64,7 +65,7 @@ std::string plainCurves(const RunResults& results) {
             // Only the distance is another one.
             if (kind == DistanceKind::arcLength && quantity != TechniqueQuantity::distance) continue;
             const QuantityInfo& info = quantityInfo(quantity, kind);
-            curves += drawn(results, info.column, capitalised(info.words), info.unit, {});
+            curves += drawn(results, info.column, capitalised(info.words()), info.unit, {});
         }
     return curves;
 }
@@ -79,11 +80,12 @@ std::string techniquePart(const RunResults& results) {
     for (const auto& [key, value] : values.items())
         if (const QuantityInfo* info = quantityOf(key)) rows += techniqueRow(*info, score, value);
     if (const auto lost = numberIn(score, "lost_to_length_points"); lost && *lost > 0)
-        rows += "<tr><td>What was not welded</td>" + numberCell(kDash) + numberCell(points(lost)) + numberCell(kDash) +
-                numberCell(kDash) + numberCell(kDash) + "</tr>\n";
-    return "<h2>The hand</h2>\n<table><thead><tr><th>technique</th><th>points of 100</th><th>lost of the score</th>"
-           "<th>mean</th><th>asked for</th><th>worst at</th></tr></thead>\n<tbody>" +
-           rows + "</tbody></table>\n";
+        rows += "<tr><td>" + phrase("page.hand.not_welded") + "</td>" + numberCell(kDash) + numberCell(points(lost)) +
+                numberCell(kDash) + numberCell(kDash) + numberCell(kDash) + "</tr>\n";
+    return "<h2>" + phrase("page.hand.heading") + "</h2>\n<table><thead><tr>" +
+           headCells({"page.hand.column.technique", "page.hand.column.points", "page.hand.column.lost",
+                      "page.hand.column.mean", "page.hand.column.asked", "page.hand.column.worst"}) +
+           "</tr></thead>\n<tbody>" + rows + "</tbody></table>\n";
 }
 
 std::string curvePart(const RunResults& results) {
@@ -92,19 +94,16 @@ std::string curvePart(const RunResults& results) {
     if (values.is_object())
         for (const auto& [key, value] : values.items())
             if (const QuantityInfo* info = quantityOf(key))
-                curves += drawn(results, info->column, capitalised(info->words), info->unit, bandOf(value));
+                curves += drawn(results, info->column, capitalised(info->words()), info->unit, bandOf(value));
     const bool judged = !curves.empty();
     if (!judged) curves = plainCurves(results);
     const auto volts = results.technique.column("voltage_v");
     if (std::any_of(volts.begin(), volts.end(), [](double value) { return value > 0; }))
-        curves +=
-            drawn(results, "current_a", "Arc current", "A", {}) + drawn(results, "voltage_v", "Arc voltage", "V", {});
-    if (curves.empty()) return "<p class=\"quiet\">There are no curves: no arc burned on the seam.</p>\n";
-    return "<h2>Along the seam</h2>\n<div class=\"pair\">\n" + curves + "</div>\n" +
-           (judged
-                ? "<p class=\"quiet\">Dashed: what the lesson asks for. Green: full points. Dotted: the limits, beyond "
-                  "which there are none.</p>\n"
-                : "");
+        curves += drawn(results, "current_a", phrase("page.curves.current"), "A", {}) +
+                  drawn(results, "voltage_v", phrase("page.curves.voltage"), "V", {});
+    if (curves.empty()) return "<p class=\"quiet\">" + phrase("page.curves.none") + "</p>\n";
+    return "<h2>" + phrase("page.curves.heading") + "</h2>\n<div class=\"pair\">\n" + curves + "</div>\n" +
+           (judged ? "<p class=\"quiet\">" + phrase("page.curves.legend") + "</p>\n" : "");
 }
 
 } // namespace meltpool

@@ -3,6 +3,7 @@
 #include "app/report/page_text.hpp"
 #include "app/report/section_drawing.hpp"
 #include "app/report/svg_text.hpp"
+#include "core/base/words.hpp"
 
 #include <algorithm>
 
@@ -12,35 +13,37 @@ namespace {
 
 using nlohmann::json;
 
-/// A list item of the head; nothing where there is no value.
+/// A list item of the head, `name` of page.fact; nothing where there is no value.
 std::string fact(const char* name, const std::string& value) {
-    return value.empty() ? std::string() : "<li><b>" + std::string(name) + ":</b> " + value + "</li>\n";
+    return value.empty() ? std::string() : "<li><b>" + phraseOf("page.fact", name) + "</b> " + value + "</li>\n";
 }
 
 std::string numberFact(const char* name, std::optional<double> value, int decimals, const char* unit) {
-    return value ? fact(name, rounded(*value, decimals) + unit) : std::string();
+    return value ? fact(name, numberText(*value, decimals) + unit) : std::string();
 }
 
 /// Who led the torch, and how it counts.
 std::string kindOf(const json& result) {
     const json& attempt = partIn(result, "attempt");
-    if (attempt.is_null()) return "a torch path from a file, no person's attempt";
+    if (attempt.is_null()) return phrase("page.kind.path");
     const json& forScore = partIn(attempt, "for_score");
-    if (forScore == true) return "an attempt for score";
-    if (forScore == false) return "practice";
-    return "an attempt; whether it was for score is not recorded";
+    if (forScore == true) return phrase("page.kind.for_score");
+    if (forScore == false) return phrase("page.kind.practice");
+    return phrase("page.kind.not_recorded");
 }
 
 /// What helped the hand; "none" only where all of it is known.
 std::string helpOf(const json& attempt) {
     std::string help;
-    const auto add = [&](const std::string& word) { help += (help.empty() ? "" : ", ") + word; };
-    if (partIn(attempt, "guided") == true) add("the torch was guided along the seam");
-    if (partIn(attempt, "changed") == true) add("workpiece or given settings were changed");
-    if (const std::string cues = textIn(attempt, "cues"); !cues.empty()) add("cues: " + cues);
-    if (const std::string ghost = textIn(attempt, "ghost"); !ghost.empty()) add("ghost: " + ghost);
+    const auto add = [&](const std::string& word) { help += (help.empty() ? "" : phrase("list.separator")) + word; };
+    if (partIn(attempt, "guided") == true) add(phrase("page.help.guided"));
+    if (partIn(attempt, "changed") == true) add(phrase("page.help.changed"));
+    if (const std::string cues = textIn(attempt, "cues"); !cues.empty())
+        add(phrase("page.help.cues", {{"cues", cues}}));
+    if (const std::string ghost = textIn(attempt, "ghost"); !ghost.empty())
+        add(phrase("page.help.ghost", {{"ghost", ghost}}));
     const bool known = attempt.is_object() && attempt.contains("guided") && attempt.contains("changed");
-    return help.empty() && known ? "none" : help;
+    return help.empty() && known ? phrase("page.help.none") : help;
 }
 
 /// Of the attempt where a person made it, else of the run.
@@ -53,25 +56,26 @@ std::string programOf(const json& result) {
     const std::string version = textIn(result, "version");
     const std::string run = version.empty() ? version : version + " (" + textIn(result, "commit") + ")";
     const std::string attempt = textIn(partIn(result, "attempt"), "program");
-    return attempt.empty() || attempt == run ? run : run + ", attempt made with " + attempt;
+    return attempt.empty() || attempt == run ? run
+                                             : phrase("page.other_program", {{"program", run}, {"attempt", attempt}});
 }
 
 std::string driverOf(const json& result) {
     const std::string run = textIn(result, "renderer"), attempt = textIn(partIn(result, "attempt"), "driver");
-    return attempt.empty() || attempt == run ? run : run + ", attempt made on " + attempt;
+    return attempt.empty() || attempt == run ? run
+                                             : phrase("page.other_driver", {{"driver", run}, {"attempt", attempt}});
 }
 
 /// Whether a repeated record ended in the attempt's bits of metal.
 std::string sameOf(const json& result) {
     const json& same = partIn(partIn(result, "recorded"), "same");
-    if (same == true) return "the same bits of metal as in the attempt";
-    return same == false ? "other metal than in the attempt: a simulation of the record, on another driver or version"
-                         : std::string();
+    if (same == true) return phrase("page.repeated.same");
+    return same == false ? phrase("page.repeated.other") : std::string();
 }
 
 std::string realTimeOf(const json& attempt) {
     const auto ratio = numberIn(attempt, "real_time");
-    return ratio ? rounded(*ratio * 100, 0) + " % of the clock" : std::string();
+    return ratio ? phrase("page.of_the_clock", {{"share", PhraseNumber(*ratio * 100)}}) : std::string();
 }
 
 /// What the weld is known by of a result: `section`, else the means of `weld`.
@@ -111,9 +115,17 @@ std::string imageOf(const ReportPicture& picture, const std::string& caption) {
            "\"><figcaption>" + escaped(caption) + "</figcaption></figure>\n";
 }
 
+/// The lines of a sentence below each other.
+std::string withBreaks(const std::string& sentence) {
+    std::string html;
+    for (const char c : sentence)
+        html += c == '\n' ? std::string("<br>") : std::string(1, c);
+    return html;
+}
+
 std::string sectionCaption(const json& result) {
     const auto at = numberIn(partIn(result, "section"), "at_mm");
-    return at ? "The weld cut across at " + rounded(*at, 1) + " mm of the seam" : "The weld cut across";
+    return at ? phrase("page.picture.section_at", {{"place", PhraseNumber(*at, 1)}}) : phrase("page.picture.section");
 }
 
 } // namespace
@@ -123,14 +135,14 @@ std::string headPart(const RunResults& results) {
     const json& attempt = partIn(result, "attempt");
     const std::string key = textIn(result, "lesson"), title = textIn(result, "title");
     std::string html = "<h1>" + (title.empty() ? key : title) + "</h1>\n<ul class=\"facts\">\n";
-    html += fact("Lesson", key) + fact("What it is", kindOf(result)) + fact("Date", dateOf(result));
-    html += fact("Settings chosen", textIn(result, "chosen_text"));
-    html += fact("Sizes simulated", textIn(result, "simulated_text"));
-    html += fact("Torch path", textIn(result, "torch")) + numberFact("Simulated", numberIn(result, "seconds"), 1, " s");
-    html += fact("Metal ran at", realTimeOf(attempt)) + numberFact("Zoom", numberIn(attempt, "zoom"), 1, "");
-    html += fact("Help", helpOf(attempt)) + fact("Repeated", sameOf(result));
-    html += fact("Program", programOf(result)) + fact("Driver", driverOf(result));
-    html += fact("State of the metal", textIn(result, "state_hash")) + "</ul>\n";
+    html += fact("lesson", key) + fact("kind", kindOf(result)) + fact("date", dateOf(result));
+    html += fact("settings", textIn(result, "chosen_text"));
+    html += fact("sizes", textIn(result, "simulated_text"));
+    html += fact("torch_path", textIn(result, "torch")) + numberFact("simulated", numberIn(result, "seconds"), 1, " s");
+    html += fact("metal_ran_at", realTimeOf(attempt)) + numberFact("zoom", numberIn(attempt, "zoom"), 1, "");
+    html += fact("help", helpOf(attempt)) + fact("repeated", sameOf(result));
+    html += fact("program", programOf(result)) + fact("driver", driverOf(result));
+    html += fact("state", textIn(result, "state_hash")) + "</ul>\n";
     for (const std::string& note : results.notes)
         html += "<p class=\"quiet\">" + escaped(note) + "</p>\n";
     return html;
@@ -138,38 +150,40 @@ std::string headPart(const RunResults& results) {
 
 std::string scorePart(const RunResults& results) {
     const json& score = partIn(results.result, "score");
-    if (!score.is_object()) return "<p class=\"quiet\">This lesson asks for no technique: there is no score.</p>\n";
+    if (!score.is_object()) return "<p class=\"quiet\">" + phrase("page.score.none") + "</p>\n";
     const auto total = numberIn(score, "total");
-    if (!total) return "<p class=\"fail\">Not scored: " + textIn(score, "reason") + "</p>\n";
-    std::string html = "<div class=\"top\"><div><span class=\"score\">" + rounded(*total, 0) +
-                       "</span><br>of 100 points<br>of technique";
+    if (!total)
+        return "<p class=\"fail\">" + phrase("page.score.not_scored", {{"reason", textIn(score, "reason")}}) + "</p>\n";
+    const std::string points = "<span class=\"score\">" + numberText(*total, 0) + "</span>";
+    std::string html = "<div class=\"top\"><div>" + withBreaks(phrase("page.score.of_technique", {{"points", points}}));
     const auto welded = numberIn(score, "welded_mm"), wanted = numberIn(score, "wanted_mm");
-    if (welded && wanted) html += "<br>" + measure(welded, "mm") + " of<br>" + measure(wanted, "mm") + " welded";
+    if (welded && wanted)
+        html += "<br>" + withBreaks(phrase("page.score.welded",
+                                           {{"welded", measure(welded, "mm")}, {"wanted", measure(wanted, "mm")}}));
     html += "</div>\n<div>\n";
     if (const std::string unknown = textIn(score, "unknown"); !unknown.empty()) html += "<p>" + unknown + "</p>\n";
     const json& corrections = partIn(score, "corrections");
     if (corrections.is_array() && !corrections.empty()) {
-        html += "<h2>What to correct first</h2>\n<ol>\n";
+        html += "<h2>" + phrase("page.score.corrections") + "</h2>\n<ol>\n";
         for (const json& sentence : corrections)
             if (sentence.is_string()) html += "<li>" + escaped(sentence.get<std::string>()) + "</li>\n";
         html += "</ol>\n";
     } else {
-        html += "<p>Nothing in particular is to be corrected.</p>\n";
+        html += "<p>" + phrase("page.score.no_corrections") + "</p>\n";
     }
     return html + "</div></div>\n";
 }
 
 std::string picturePart(const RunResults& results) {
     std::string html;
-    if (const ReportPicture* outside = outsideOf(results.pictures)) html += imageOf(*outside, "The weld at the end");
+    if (const ReportPicture* outside = outsideOf(results.pictures))
+        html += imageOf(*outside, phrase("page.picture.outside"));
     const auto cut = std::find_if(results.pictures.begin(), results.pictures.end(), isSection);
     if (cut != results.pictures.end())
         html += imageOf(*cut, sectionCaption(results.result));
     else if (const std::string drawn = sectionDrawing(sizesOf(results.result)); !drawn.empty())
-        html += "<figure>" + drawn +
-                "<figcaption>Section, drawn to scale from its measured sizes; there is no picture of "
-                "it.</figcaption></figure>\n";
-    return html.empty() ? "<p class=\"quiet\">There is no picture of this weld.</p>\n"
+        html += "<figure>" + drawn + "<figcaption>" + phrase("page.picture.drawn") + "</figcaption></figure>\n";
+    return html.empty() ? "<p class=\"quiet\">" + phrase("page.picture.none") + "</p>\n"
                         : "<div class=\"pair\">\n" + html + "</div>\n";
 }
 

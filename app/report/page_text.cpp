@@ -1,6 +1,7 @@
 #include "app/report/page_text.hpp"
 
 #include "app/report/svg_text.hpp"
+#include "core/base/words.hpp"
 
 #include <array>
 #include <cmath>
@@ -52,19 +53,23 @@ const json& partIn(const json& object, const char* key) {
     return found == object.end() ? kNone : *found;
 }
 
+std::string numberText(double value, int decimals, bool sign) {
+    return std::string(PhraseNumber(value, decimals, sign));
+}
+
 std::string measure(std::optional<double> value, std::string_view unit) {
     if (!value || !std::isfinite(*value)) return kDash;
     const auto both = [&](std::string_view shown, double inches, std::string_view inchUnit, int decimals) {
-        return "<span class=\"mm\">" + rounded(*value, 2) + " " + std::string(shown) + "</span><span class=\"in\">" +
-               rounded(inches, decimals) + " " + std::string(inchUnit) + "</span>";
+        return "<span class=\"mm\">" + numberText(*value, 2) + " " + std::string(shown) + "</span><span class=\"in\">" +
+               numberText(inches, decimals) + " " + std::string(inchUnit) + "</span>";
     };
     if (unit == "mm") return both(unit, *value / kInch, "in", 3);
     if (unit == "mm2") return both("mm\xC2\xB2", *value / (kInch * kInch), "in\xC2\xB2", 4);
     if (unit == "mm/s") return both(unit, *value / kInch * 60, "in/min", 1);
     if (unit == "kJ/mm") return both(unit, *value * kInch, "kJ/in", 1);
-    if (unit.empty()) return rounded(*value, 2);
-    if (unit == "deg" || unit == "\xC2\xB0") return rounded(*value, 1) + "\xC2\xB0";
-    return rounded(*value, 2) + " " + escaped(unit);
+    if (unit.empty()) return numberText(*value, 2);
+    if (unit == "deg" || unit == "\xC2\xB0") return numberText(*value, 1) + "\xC2\xB0";
+    return numberText(*value, 2) + " " + escaped(unit);
 }
 
 NamedUnit namedUnit(const std::string& key) {
@@ -90,6 +95,13 @@ NamedUnit namedUnit(const std::string& key) {
 
 std::string tableRow(const std::string& name, const std::string& value) {
     return "<tr><td>" + name + "</td>" + numberCell(value) + "</tr>\n";
+}
+
+std::string headCells(std::initializer_list<std::string_view> keys) {
+    std::string cells;
+    for (const std::string_view key : keys)
+        cells += "<th>" + phrase(key) + "</th>";
+    return cells;
 }
 
 std::string numberCell(const std::string& value) {

@@ -3,6 +3,7 @@
 #include "app/report/page_text.hpp"
 #include "app/report/seam_strip.hpp"
 #include "app/report/svg_text.hpp"
+#include "core/base/words.hpp"
 #include "core/weld/gauge/weld_figures.hpp"
 
 #include <algorithm>
@@ -16,34 +17,28 @@ namespace {
 
 using nlohmann::json;
 
-/// States in the order in which the page shows them, and their words.
-constexpr std::array<std::pair<std::string_view, const char*>, 4> kStates{
-    {{"fail", "FAILS"}, {"not_resolved", "not resolved"}, {"estimated", "estimated"}, {"pass", "passes"}}};
+/// States in the order in which the page shows them.
+constexpr std::array<std::string_view, 4> kStates{"fail", "not_resolved", "estimated", "pass"};
 
 size_t rankOf(const json& item) {
-    const std::string state = rawIn(item, "state");
-    for (size_t i = 0; i < kStates.size(); ++i)
-        if (kStates[i].first == state) return i;
-    return kStates.size();
+    return static_cast<size_t>(std::find(kStates.begin(), kStates.end(), rawIn(item, "state")) - kStates.begin());
 }
 
 std::string stateText(const json& item) {
     const size_t rank = rankOf(item);
     if (rank == kStates.size()) return textIn(item, "state");
-    std::string text = kStates[rank].second;
-    if (rawIn(item, "state") == "estimated") {
-        text += partIn(item, "beyond") == true ? ": likely" : ": unlikely";
-        if (partIn(item, "beyond") == true) text += ". " + textIn(item, "rule");
-    }
-    return text;
+    if (kStates[rank] != "estimated") return phraseOf("page.state", kStates[rank]);
+    return partIn(item, "beyond") == true ? phrase("page.state.likely", {{"rule", textIn(item, "rule")}})
+                                          : phrase("page.state.unlikely");
 }
 
 std::string limitText(const json& item) {
     const std::string kind = rawIn(item, "limit_kind");
     const auto limit = numberIn(item, "limit");
     if (!limit) return kDash;
-    if (kind == "not_permitted") return "none allowed";
-    return (kind == "at_least" ? "at least " : "at most ") + measure(limit, rawIn(item, "unit"));
+    if (kind == "not_permitted") return phrase("page.limit.not_permitted");
+    return phrase(kind == "at_least" ? "page.limit.at_least" : "page.limit.at_most",
+                  {{"limit", measure(limit, rawIn(item, "unit"))}});
 }
 
 std::vector<std::pair<double, double>> stretchesOf(const json& item) {
@@ -60,9 +55,9 @@ std::vector<std::pair<double, double>> stretchesOf(const json& item) {
 std::string whereText(const json& item) {
     const auto at = numberIn(item, "at_mm");
     if (!at || rawIn(item, "state") == "pass") return kDash;
-    std::string text = "at " + measure(at, "mm");
+    std::string text = phrase("page.where.place", {{"place", measure(at, "mm")}});
     for (const auto& [from, to] : stretchesOf(item))
-        text += "; " + measure(from, "mm") + " to " + measure(to, "mm");
+        text += "; " + phrase("page.where.stretch", {{"from", measure(from, "mm")}, {"to", measure(to, "mm")}});
     return text;
 }
 
@@ -119,22 +114,26 @@ std::string verdictPart(const RunResults& results) {
     const json& verdict = partIn(results.result, "verdict");
     if (!verdict.is_object())
         return partIn(results.result, "weld").is_object()
-                   ? "<p class=\"quiet\">This lesson names no standard: the weld is measured but not judged.</p>\n"
+                   ? "<p class=\"quiet\">" + phrase("page.verdict.no_standard") + "</p>\n"
                    : std::string();
     const bool accepted = partIn(verdict, "accepted") == true;
-    std::string html = "<h2>The weld by " + textIn(verdict, "standard") + " " + textIn(verdict, "level") + " (" +
-                       textIn(verdict, "edition") + "): <span class=\"" +
-                       (accepted ? "pass\">accepted" : "fail\">not accepted") + "</span></h2>\n";
+    const std::string word = accepted ? "<span class=\"pass\">" + phrase("page.verdict.accepted") + "</span>"
+                                      : "<span class=\"fail\">" + phrase("page.verdict.not_accepted") + "</span>";
+    std::string html = "<h2>" +
+                       phrase("page.verdict.heading", {{"standard", textIn(verdict, "standard")},
+                                                       {"level", textIn(verdict, "level")},
+                                                       {"edition", textIn(verdict, "edition")},
+                                                       {"verdict", word}}) +
+                       "</h2>\n";
     const std::vector<LetteredItem> items = lettered(partIn(verdict, "items"));
     html += stripOf(results, items);
-    html += "<table><thead><tr><th></th><th>imperfection</th><th>value</th><th>limit</th><th>where</th>"
-            "<th>verdict</th></tr></thead>\n<tbody>\n";
+    html += "<table><thead><tr><th></th>" +
+            headCells({"page.verdict.column.imperfection", "page.verdict.column.value", "page.verdict.column.limit",
+                       "page.verdict.column.where", "page.verdict.column.verdict"}) +
+            "</tr></thead>\n<tbody>\n";
     for (const LetteredItem& each : items)
         html += itemRow(each);
-    return html +
-           "</tbody></table>\n<p class=\"quiet\">Letters: on the strip, at the worst place; hatched: where it "
-           "fails. Not resolved: finer than the particles, or nothing that the metal contains. Estimated: from the "
-           "technique, in mm of weld. Neither passes nor fails.</p>\n";
+    return html + "</tbody></table>\n<p class=\"quiet\">" + phrase("page.verdict.legend") + "</p>\n";
 }
 
 } // namespace meltpool

@@ -3,6 +3,7 @@
 #include "app/platform/program_info.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
+#include "core/base/words.hpp"
 #include "core/training/attempt/recording_reader.hpp"
 #include "core/training/trainer/result_file.hpp"
 #include "core/weld/torch/torch_csv.hpp"
@@ -158,11 +159,9 @@ RunResults readRecordResults(const fs::path& record, const Lesson& lesson) {
     context.attempt = factsOf(*repeated.recorded);
     context.judgement = judged(repeated, stepsIn(record));
     RunResults results = resultsOf(resultEntries(repeated, nullptr, context), context.judgement);
-    results.notes.push_back("This page is made of the record alone, which holds the hand and the arc but no metal. To "
-                            "see the weld, repeat the record: meltpool run " +
-                            repeated.key + " --torch " + record.filename().string() +
-                            " --out DIR, then meltpool report DIR.");
-    if (repeated.recorded->ended.empty()) results.notes.push_back("The program ended in the middle of this attempt.");
+    results.notes.push_back(
+        phrase("page.note.record_alone", {{"lesson", repeated.key}, {"record", record.filename().string()}}));
+    if (repeated.recorded->ended.empty()) results.notes.push_back(phrase("page.note.cut_short"));
     return results;
 }
 

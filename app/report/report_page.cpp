@@ -1,6 +1,7 @@
 #include "app/report/report_page.hpp"
 
 #include "app/report/page_parts.hpp"
+#include "core/base/words.hpp"
 
 namespace meltpool {
 
@@ -48,14 +49,16 @@ input[name=unit] { accent-color: #174a9c } .in { display: none }
 std::string reportPage(const RunResults& results) {
     const std::string lesson = textIn(results.result, "lesson");
     const std::string weld = verdictPart(results) + figurePart(results);
-    return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+    return "<!DOCTYPE html>\n<html lang=\"" + std::string(language()) +
+           "\">\n<head>\n<meta charset=\"utf-8\">\n"
            "<meta name=\"viewport\" content=\"width=device-width\">\n<title>" +
            lesson + " \xE2\x80\x93 Meltpool</title>\n<style>" + kStyle +
            "</style>\n</head>\n<body>\n"
            "<input type=\"radio\" name=\"unit\" id=\"metric\" checked><label for=\"metric\">mm</label>\n"
-           "<input type=\"radio\" name=\"unit\" id=\"inch\"><label for=\"inch\">inch</label>\n<main>\n" +
-           headPart(results) + scorePart(results) + picturePart(results) + techniquePart(results) + curvePart(results) +
-           (weld.empty() ? "" : "<div class=\"turn\"></div>\n") + weld + "</main>\n</body>\n</html>\n";
+           "<input type=\"radio\" name=\"unit\" id=\"inch\"><label for=\"inch\">" +
+           phrase("page.inch") + "</label>\n<main>\n" + headPart(results) + scorePart(results) + picturePart(results) +
+           techniquePart(results) + curvePart(results) + (weld.empty() ? "" : "<div class=\"turn\"></div>\n") + weld +
+           "</main>\n</body>\n</html>\n";
 }
 
 } // namespace meltpool

@@ -3,6 +3,7 @@
 #include "app/report/curve_scale.hpp"
 #include "app/report/svg_text.hpp"
 #include "core/base/text.hpp"
+#include "core/base/words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +19,7 @@ constexpr double kClose = 12;     ///< letters that are nearer than this stand i
 
 class Strip {
   public:
-    Strip(double from, double to)
-        : from_(from), to_(to), svg_(kStripWidth, kHeight, "the seam to scale with its imperfections") {}
+    Strip(double from, double to) : from_(from), to_(to), svg_(kStripWidth, kHeight, phrase("drawing.seam.label")) {}
 
     std::string element(const std::vector<SeamMark>& marks) {
         svg_.rectangle(kStripLeft, kTop, kStripRight, kBottom, "seam");

@@ -1,6 +1,7 @@
 #include "app/report/section_drawing.hpp"
 
 #include "app/report/svg_text.hpp"
+#include "core/base/words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,6 @@ constexpr double kEdge = 8;      ///< units free around it
 constexpr double kPlate = 4;     ///< mm of plate where its thickness is not known
 constexpr double kBeside = 0.3;  ///< of the weld's width: how much plate is shown beside it
 constexpr double kRow = 12;      ///< units from word to word
-constexpr const char* kParts[] = {"weld metal", "fused plate"};
 
 double plateOf(const SectionSizes& sizes) {
     return sizes.thickness.value_or(std::max(kPlate, sizes.penetration.value_or(0) * 1.2));
@@ -40,7 +40,9 @@ Extent extentOf(const SectionSizes& sizes) {
 class Drawing {
   public:
     explicit Drawing(const SectionSizes& sizes)
-        : sizes_(sizes), scale_(sectionScale(sizes)), svg_(kSectionWidth, kSectionHeight, "section, to scale") {}
+        : sizes_(sizes),
+          scale_(sectionScale(sizes)),
+          svg_(kSectionWidth, kSectionHeight, phrase("drawing.section.label")) {}
 
     std::string element() {
         sizes_.fillet() ? fillet() : bead();
@@ -103,32 +105,38 @@ class Drawing {
                   "fused");
     }
 
-    void word(const char* name, const std::optional<double>& mm) {
+    void word(std::string_view size, const std::optional<double>& mm) {
         if (!mm) return;
         const double y = kEdge + kRow * ++rows_;
-        const std::string start = std::string(name) + " ";
-        svg_.word(kPicture + 12, y, "start", start + rounded(*mm, 1) + " mm", "mm");
-        svg_.word(kPicture + 12, y, "start", start + rounded(*mm / kInch, 3) + " in", "in");
+        const std::string key = "drawing.section." + std::string(size);
+        const auto sized = [&](const PhraseNumber& number, std::string_view unit) {
+            const std::string length = std::string(number).append(" ").append(unit);
+            svg_.word(kPicture + 12, y, "start", phrase(key, {{"length", length}}), unit);
+        };
+        sized(PhraseNumber(*mm, 1), "mm");
+        sized(PhraseNumber(*mm / kInch, 3), "in");
+    }
+
+    void part(int row, std::string_view style) {
+        const double y = kSectionHeight - 28 + row * kRow;
+        svg_.rectangle(kPicture + 12, y, kPicture + 21, y + 9, style);
+        svg_.word(kPicture + 25, y + 8, "start", phraseOf("drawing.section.part", style));
     }
 
     void words() {
         if (sizes_.fillet()) {
-            word("leg, lying", sizes_.legLying);
-            word("leg, standing", sizes_.legStanding);
+            word("leg_lying", sizes_.legLying);
+            word("leg_standing", sizes_.legStanding);
             word("throat", sizes_.throat);
         } else {
             word("width", sizes_.toeWidth);
             word("height", sizes_.height);
         }
         word("penetration", sizes_.penetration);
-        word("fused width", sizes_.fusedWidth);
+        word("fused_width", sizes_.fusedWidth);
         word("plate", sizes_.thickness);
-        const char* styles[] = {"weld", "fused"};
-        for (int i = 0; i < 2; ++i) {
-            const double y = kSectionHeight - 28 + i * kRow;
-            svg_.rectangle(kPicture + 12, y, kPicture + 21, y + 9, styles[i]);
-            svg_.word(kPicture + 25, y + 8, "start", kParts[i]);
-        }
+        part(0, "weld");
+        part(1, "fused");
     }
 
     void scaleBar() {
@@ -136,7 +144,7 @@ class Drawing {
         svg_.line(kEdge, y, kEdge + 5 * scale_, y, "axis mm");
         svg_.word(kEdge + 5 * scale_ + 4, y, "start", "5 mm", "mm");
         svg_.line(kEdge, y, kEdge + 0.25 * kInch * scale_, y, "axis in");
-        svg_.word(kEdge + 0.25 * kInch * scale_ + 4, y, "start", "0.25 in", "in");
+        svg_.word(kEdge + 0.25 * kInch * scale_ + 4, y, "start", std::string(PhraseNumber(0.25, 2)) + " in", "in");
     }
 
     const SectionSizes& sizes_;

@@ -2,6 +2,7 @@
 
 #include "app/report/svg_text.hpp"
 #include "core/base/text.hpp"
+#include "core/base/words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -79,7 +80,7 @@ void drawSystem(SvgText& svg, const CurveSheet& sheet, const Curve& curve, std::
         svg.word(x, sheet.bottom + 15, "middle", text, system);
     });
     svg.word(sheet.left, 14, "start",
-             curve.title + " (" + std::string(value.unit) + ") along the seam (" + std::string(place.unit) + ")",
+             phrase("drawing.twin.title", {{"quantity", curve.title}, {"unit", value.unit}, {"length", place.unit}}),
              system);
 }
 
@@ -106,7 +107,7 @@ void drawLines(SvgText& svg, const CurveSheet& sheet, const Curve& curve, std::s
 std::string twinCurveDrawing(const Curve& first, const Curve& second) {
     const CurveSheet sheet = sheetOfBoth(first, second);
     if (sheet.places.empty() || sheet.values.empty()) return {};
-    SvgText svg(kWidth, kHeight, first.title + " of both");
+    SvgText svg(kWidth, kHeight, phrase("drawing.twin.label", {{"quantity", first.title}}));
     if (first.band) drawBand(svg, sheet, *first.band);
     drawSystem(svg, sheet, first, "mm");
     drawSystem(svg, sheet, first, "in");

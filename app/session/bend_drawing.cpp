@@ -1,10 +1,12 @@
 #include "app/session/bend_drawing.hpp"
 
+#include "core/base/words.hpp"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 namespace meltpool {
@@ -142,9 +144,7 @@ class Sheet {
     void addScale(glm::vec2 low, float length) {
         const bool side = strap_.kind == BendKind::side;
         const auto label = [&](float x, double value, const char* unit) {
-            char text[32];
-            std::snprintf(text, sizeof text, "%.0f%s", value, unit);
-            drawing_.labels.push_back({{x, low.y}, text});
+            drawing_.labels.push_back({{x, low.y}, std::string(PhraseNumber(value)) + unit});
         };
         label(low.x, side ? 0 : strap_.from * 1e3, "");
         label(low.x + length, side ? test_.plate * 1e3 : strap_.to * 1e3, " mm");
@@ -155,9 +155,12 @@ class Sheet {
     BendDrawing drawing_;
 };
 
-const char* stateWords(VerdictState state) {
-    if (state == VerdictState::pass) return "passes";
-    return state == VerdictState::fail ? "fails" : "not resolved";
+/// The key of what a strap shows as a whole.
+std::string keyOf(const BentStrap& strap) {
+    static constexpr std::array<std::string_view, 4> kKinds{"face", "root", "side", "fillet_break"};
+    const bool resolved = strap.state == VerdictState::pass || strap.state == VerdictState::fail;
+    const std::string_view state = nameOf(resolved ? strap.state : VerdictState::notResolved);
+    return "bend_drawing." + std::string(kKinds[static_cast<size_t>(strap.kind)]) + "." + std::string(state);
 }
 
 } // namespace
@@ -167,22 +170,16 @@ BendDrawing drawBend(const BentStrap& strap, const BendTest& test) {
 }
 
 std::string bendSentence(const BentStrap& strap) {
-    std::string name(nameOf(strap.kind));
-    name[0] = static_cast<char>(name[0] - 'a' + 'A');
-    char text[200];
-    int written = std::snprintf(text, sizeof text, "%s, %.0f to %.0f mm: %s.", name.c_str(), strap.from * 1e3,
-                                strap.to * 1e3, stateWords(strap.state));
-    std::string sentence(text, static_cast<size_t>(std::max(written, 0)));
-    if (strap.longest > 0) {
-        std::snprintf(text, sizeof text, " Longest opening %.0f mm, %.0f mm together.", strap.longest * 1e3,
-                      strap.together * 1e3);
-        sentence += text;
-    }
+    const auto number = [](double metres) { return PhraseNumber(metres * 1e3); };
+    std::string sentences = phrase(keyOf(strap), {{"from", number(strap.from)}, {"to", number(strap.to)}});
+    if (strap.longest > 0)
+        sentences += " " + phrase("bend_drawing.longest",
+                                  {{"longest", number(strap.longest)}, {"together", number(strap.together)}});
     const auto unresolved = std::count_if(strap.openings.begin(), strap.openings.end(),
                                           [](const BendOpening& opening) { return !opening.resolved; });
-    if (unresolved > 0) sentence += " Outlined places may gape or not: they are finer than the particles.";
-    if (strap.openings.empty()) sentence += " Nothing opens.";
-    return sentence;
+    if (unresolved > 0) sentences += " " + phrase("bend_drawing.outlined");
+    if (strap.openings.empty()) sentences += " " + phrase("bend_drawing.nothing_opens");
+    return sentences;
 }
 
 } // namespace meltpool

@@ -1,11 +1,12 @@
 #include "app/session/cut_view.hpp"
 
+#include "core/base/words.hpp"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace meltpool {
@@ -122,17 +123,10 @@ std::span<const SectionStroke> CutView::strokes(const MarkLayout& layout) {
 }
 
 std::string cutNote(const CutView& cut) {
-    char text[160];
-    const double place = cut.place() / kMm;
-    if (cut.station() == nullptr)
-        std::snprintf(text, sizeof text, "Cut at %.1f mm, beside what is judged: start, end crater or no weld.", place);
-    else if (cut.judged())
-        std::snprintf(text, sizeof text, "Cut at %.1f mm. Figures in mm, of the verdict's station at %.1f mm.", place,
-                      cut.station()->place / kMm);
-    else
-        std::snprintf(text, sizeof text, "Cut at %.1f mm. Figures in mm, of this cut: the weld is not judged yet.",
-                      place);
-    return text;
+    const PhraseNumber place(cut.place() / kMm, 1);
+    if (cut.station() == nullptr) return phrase("cut.beside", {{"place", place}});
+    if (!cut.judged()) return phrase("cut.not_judged", {{"place", place}});
+    return phrase("cut.judged", {{"place", place}, {"station", PhraseNumber(cut.station()->place / kMm, 1)}});
 }
 
 } // namespace meltpool

@@ -1,6 +1,7 @@
 #include "app/session/lesson_session.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/words.hpp"
 #include "core/training/lesson/lesson_folders.hpp"
 
 #include <glm/trigonometric.hpp>
@@ -58,7 +59,7 @@ void LessonSession::begin(Controls& controls) {
     prepare(controls);
     sections().restoreGiven();
     if (const std::string unset = values_.lesson().unsetSettings(); !unset.empty()) {
-        question_ = {unset, {"Set the machine"}};
+        question_ = {unset, {phrase("session.set_machine")}};
         return;
     }
     if (values_.forScore()) {
@@ -98,7 +99,8 @@ void LessonSession::beginAttempt() {
     question_ = {};
     beginOver(attempt());
     if (const std::string fault = attempt().begin(*run_.trainer(), values_.forScore()); !fault.empty())
-        question_ = {"This attempt cannot be recorded: " + fault, {"Weld without a record", "Start menu"}};
+        question_ = {phrase("session.no_record", {{"reason", fault}}),
+                     {phrase("session.without_record"), phrase("session.start_menu")}};
 }
 
 void LessonSession::demonstrate(Controls& controls) {

@@ -1,6 +1,7 @@
 // The part of LessonSession that measures, before an attempt for score, whether the machine keeps up.
 #include "app/session/lesson_session.hpp"
 #include "core/base/error.hpp"
+#include "core/base/words.hpp"
 
 namespace meltpool {
 
@@ -10,8 +11,9 @@ void LessonSession::beginTrial() {
     SpeedTrial& trial = activities_.trial;
     beginOver(trial);
     question_ = {};
-    question_.text = "Measuring whether this machine keeps up with the clock";
-    question_.text += trial.current().label.empty() ? " ..." : ", with " + trial.current().label + " ...";
+    const std::string& change = trial.current().label;
+    question_.text =
+        change.empty() ? phrase("session.measuring") : phrase("session.measuring_with", {{"change", change}});
     trial.beginOffer(lesson());
 }
 

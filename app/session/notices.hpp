@@ -7,7 +7,7 @@
 #include "app/session/messages.hpp"
 #include "app/session/trigger_lock.hpp"
 
-#include <array>
+#include <string>
 #include <string_view>
 
 namespace meltpool {
@@ -25,17 +25,20 @@ class ArcNotice {
     double waiting_ = 0; ///< s that the arc has not struck, or the wire has stubbed
 };
 
-/// Whether the metal runs slower than the person's hand; empty or a sentence's text.
+/// Whether the metal runs slower than the person's hand.
 class SlowNotice {
   public:
     static constexpr double kSlow = 0.95, kKeepsUp = 0.97; ///< of real time
     static constexpr double kPatience = 0.5;               ///< s
 
-    /// `speed`: of the metal over real time.
+    /// A few words for a row of figures; empty: it keeps up. `speed`: of the metal over real time. Both texts are valid
+    /// until the next call, which takes their room.
     std::string_view update(double speed, double elapsed);
+    /// The same as a sentence, and what it means for the weld; of the last time that there were words.
+    std::string_view sentence() const { return sentence_; }
 
   private:
-    std::array<char, 48> text_{};
+    std::string text_, sentence_;
     double slowFor_ = 0; ///< s
     bool told_ = false;
 };
@@ -53,9 +56,6 @@ class Notices {
                 Messages& messages);
 
   private:
-    void tellSlow(std::string_view slow, Messages& messages);
-
-    std::array<char, 160> slowSentence_{};
     ArcNotice arc_;
     SlowNotice slow_;
 };

@@ -1,44 +1,33 @@
 #include "app/session/trigger_lock.hpp"
 
+#include "core/base/words.hpp"
+
 #include <array>
 
 namespace meltpool {
 
 namespace {
 
-struct Words {
-    std::string_view name, sentence;
+constexpr std::string_view kGroup = "notice.arc_out.";
+
+/// Keys of the sentences, in the order of ArcOut; what follows the group is the word for records.
+constexpr std::array<std::string_view, 15> kKeys{
+    "notice.arc_out.recentred",  "notice.arc_out.zoomed",       "notice.arc_out.hand",
+    "notice.arc_out.holder",     "notice.arc_out.table",        "notice.arc_out.jump",
+    "notice.arc_out.torch_lost", "notice.arc_out.runtime_lost", "notice.arc_out.not_focused",
+    "notice.arc_out.taken_over", "notice.arc_out.paused",       "notice.arc_out.lesson",
+    "notice.arc_out.panel",      "notice.arc_out.measuring",    "notice.arc_out.redone",
 };
-
-/// In the order of ArcOut.
-constexpr std::array<Words, 15> kWords{{
-    {"recentred", "The workshop has moved: the arc is out. Let the trigger go to strike again."},
-    {"zoomed", "The zoom has changed: the arc is out. Let the trigger go to strike again."},
-    {"hand", "The torch is in the other hand: the arc is out. Let the trigger go to strike again."},
-    {"holder", "Something else holds the torch: the arc is out. Let the trigger go to strike again."},
-    {"table", "The table has moved: the arc is out. Let the trigger go to strike again."},
-    {"jump", "The torch has jumped: the arc is out. Let the trigger go to strike again."},
-    {"torch_lost", "The torch was out of sight: the arc is out. Let the trigger go to strike again."},
-    {"runtime_lost", "The headset was away: the arc is out. Let the trigger go to strike again."},
-    {"not_focused", "The headset showed something else: the arc is out. Let the trigger go to strike again."},
-    {"taken_over", "Mouse or hand has taken the torch over: the arc is out. Let the trigger go to strike again."},
-    {"paused", "The lesson was paused: the arc is out. Let the trigger go to strike again."},
-    {"lesson", "The lesson begins: let the trigger go, then strike."},
-    {"panel", "The trigger was used at the panel: let it go to strike."},
-    {"measuring", "The torch was measured: let the trigger go to strike."},
-    {"redone", "You are back at an earlier moment: let the trigger go, then strike."},
-}};
-
-static_assert(kWords.size() == static_cast<size_t>(ArcOut::redone) + 1);
+static_assert(kKeys.size() == static_cast<size_t>(ArcOut::redone) + 1);
 
 } // namespace
 
 std::string_view arcOutName(ArcOut reason) {
-    return kWords[static_cast<size_t>(reason)].name;
+    return kKeys[static_cast<size_t>(reason)].substr(kGroup.size());
 }
 
 std::string_view arcOutSentence(ArcOut reason) {
-    return kWords[static_cast<size_t>(reason)].sentence;
+    return phrase(kKeys[static_cast<size_t>(reason)]);
 }
 
 void TriggerLock::lock(ArcOut reason) {

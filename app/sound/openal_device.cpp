@@ -94,7 +94,6 @@ void OpenAlDevice::open(const int* attributes) {
     alcGetIntegerv(device, ALC_HRTF_SOFT, 1, &model);
     headModel_ = model == ALC_TRUE;
     if (const ALCchar* name = alcGetString(device, ALC_ALL_DEVICES_SPECIFIER)) name_ = name;
-    name_ += headModel_ ? ", with a model of the head (HRTF)" : ", without a model of the head";
     alGenSources(1, &source_);
     alGenBuffers(kBlocks, buffers_);
     alDistanceModel(AL_INVERSE_DISTANCE_CLAMPED);

@@ -33,7 +33,7 @@ class OpenAlDevice {
     OpenAlDevice(const OpenAlDevice&) = delete;
     OpenAlDevice& operator=(const OpenAlDevice&) = delete;
 
-    /// "Built-in Audio, with a model of the head (HRTF)".
+    /// "Built-in Audio".
     const std::string& name() const { return name_; }
     /// Both ears get what a head would let them hear.
     bool hasHeadModel() const { return headModel_; }

@@ -2,6 +2,7 @@
 
 #include "app/sound/openal_device.hpp"
 #include "app/sound/sound_stream.hpp"
+#include "core/base/words.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -33,6 +34,11 @@ void SoundOutput::update(float volume, const glm::vec3& place) {
     z_.store(place.z, std::memory_order_relaxed);
 }
 
+std::string SoundOutput::sentence() const {
+    if (!fault_.empty()) return phrase("sound.none", {{"reason", fault_}});
+    return phrase(headModel_ ? "sound.plays_with_head" : "sound.plays", {{"device", device_}});
+}
+
 glm::vec3 SoundOutput::atDesk(const glm::vec3& eye) {
     const float distance = glm::length(eye);
     return distance > 0 ? eye * (kDeskDistance / distance) : glm::vec3(0, 0, -kDeskDistance);
@@ -42,14 +48,15 @@ void SoundOutput::run() {
     try {
         play();
     } catch (const std::exception& fault) {
-        if (state_ == State::opening) sentence_ = std::string("no sound: ") + fault.what();
+        if (state_ == State::opening) fault_ = fault.what();
         state_.store(State::silent, std::memory_order_release);
     }
 }
 
 void SoundOutput::play() {
     const std::unique_ptr<OpenAlDevice> device = OpenAlDevice::openDefault();
-    sentence_ = "loudness of the weld; it plays on " + device->name();
+    device_ = device->name();
+    headModel_ = device->hasHeadModel();
     state_.store(State::plays, std::memory_order_release);
     SoundStream stream(feed_);
     std::array<std::int16_t, OpenAlDevice::kBlock> block{};

@@ -30,8 +30,8 @@ class SoundOutput {
     /// Whether there is a device is known.
     bool known() const { return state_.load(std::memory_order_acquire) != State::opening; }
     bool plays() const { return state_.load(std::memory_order_acquire) == State::plays; }
-    /// What plays, or why nothing does; valid from known() on.
-    const std::string& sentence() const { return sentence_; }
+    /// What plays, or why nothing does; from known() on.
+    std::string sentence() const;
 
     /// The place of something seen at `eye` (from the eye, its directions) that the desk's picture sounds from.
     static glm::vec3 atDesk(const glm::vec3& eye);
@@ -46,7 +46,8 @@ class SoundOutput {
     std::atomic<State> state_{State::opening};
     std::atomic<bool> ends_{false};
     std::atomic<float> volume_{0}, x_{0}, y_{0}, z_{-1};
-    std::string sentence_;
+    std::string device_, fault_; ///< from known() on: what plays, or why nothing does
+    bool headModel_ = false;
     std::thread thread_; ///< last: it uses the others
 };
 

@@ -1,5 +1,6 @@
 // The list of the attempts that were kept, with what can be done with each.
 #include "app/ui/panels.hpp"
+#include "core/base/words.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -46,13 +47,14 @@ MenuRequest entryRow(Context& context, Home& home, size_t index) {
     entryText(context, home, entry, words + context.points(4));
     MenuRequest request = MenuRequest::none;
     ButtonRow row(context);
-    if (row.add(nameOf(index, "play"), "Play", ButtonKind::plain, 60, "The attempt again, over its own metal"))
+    if (row.add(nameOf(index, "play"), phrase("attempts.play").c_str(), ButtonKind::plain, 60,
+                phrase("attempts.play_tip").c_str()))
         request = MenuRequest::replay;
-    if (row.add(nameOf(index, "ghost"), "Ghost", ButtonKind::plain, 66,
-                "Weld yourself, with this torch beside your own"))
+    if (row.add(nameOf(index, "ghost"), phrase("attempts.ghost").c_str(), ButtonKind::plain, 66,
+                phrase("attempts.ghost_tip").c_str()))
         request = MenuRequest::ghost;
-    if (row.add(nameOf(index, "compare"), "Compare", list.marked(index) ? ButtonKind::lit : ButtonKind::plain, 84,
-                "Mark two attempts at the same lesson to see both side by side") &&
+    if (row.add(nameOf(index, "compare"), phrase("attempts.compare").c_str(),
+                list.marked(index) ? ButtonKind::lit : ButtonKind::plain, 84, phrase("attempts.compare_tip").c_str()) &&
         list.mark(index))
         return MenuRequest::compare;
     if (request != MenuRequest::none) list.choose(index);
@@ -60,12 +62,16 @@ MenuRequest entryRow(Context& context, Home& home, size_t index) {
 }
 
 void pageButtons(Context& context, ReplayList& list, size_t pages) {
-    if (button(context, "home.attempts.newer", "Newer", ButtonKind::plain, 100) && list.page > 0) --list.page;
+    if (button(context, "home.attempts.newer", phrase("attempts.newer").c_str(), ButtonKind::plain, 100) &&
+        list.page > 0)
+        --list.page;
     ImGui::SameLine();
-    if (button(context, "home.attempts.older", "Older", ButtonKind::plain, 100) && list.page + 1 < pages) ++list.page;
+    if (button(context, "home.attempts.older", phrase("attempts.older").c_str(), ButtonKind::plain, 100) &&
+        list.page + 1 < pages)
+        ++list.page;
     ImGui::SameLine();
-    char page[60];
-    std::snprintf(page, sizeof page, "Page %zu of %zu", list.page + 1, pages);
+    ShortText page;
+    appendPhrase(page, "attempts.page", {{"page", std::to_string(list.page + 1)}, {"pages", std::to_string(pages)}});
     quietText(context, page);
 }
 
@@ -81,11 +87,11 @@ MenuRequest attemptList(Context& context, Home& home, size_t rows) {
     if (!list.fault().empty()) quietText(context, list.fault());
     const size_t count = list.entries().size();
     if (count == 0) {
-        if (list.fault().empty()) quietText(context, "No attempt has been kept yet.");
+        if (list.fault().empty()) quietText(context, phrase("attempts.none"));
         return request;
     }
     if (list.marks()) {
-        quietText(context, "One attempt is marked: choose Compare at another one of the same lesson.");
+        quietText(context, phrase("attempts.one_marked"));
         markItem(context, "home.attempts.marked");
     }
     const size_t pages = (count + rows - 1) / rows;

@@ -1,12 +1,12 @@
 // The bars at the top and bottom of the running trainer, the messages above them and the colour scale.
 #include "app/ui/panels.hpp"
 #include "core/base/function_ref.hpp"
+#include "core/base/words.hpp"
 #include "core/render/look/temperature_scale.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 namespace meltpool::ui {
@@ -30,22 +30,22 @@ void beginBar(Context& context, const char* name, float y) {
 
 /// Who works, and whether anything moves.
 struct ModeName {
-    const char* text;
+    std::string_view key; ///< of its words
     ImU32 tint;
 };
 
 ModeName modeOf(const Controls& controls, const LessonSession& session) {
-    if (session.picture().cut().shown()) return {"Cut open \xE2\x80\x93 paused", colour::kCold};
+    if (session.picture().cut().shown()) return {"bar.mode.cut_open", colour::kCold};
     // A demonstration goes on while the person looks around.
-    if (session.demonstration().shown()) return {"Demonstration", colour::kCold};
-    if (session.replay().shown()) return {"Replay", colour::kCold};
-    if (controls.mode() == Mode::interact) return {"Working", colour::kAccent};
-    return {"Looking around \xE2\x80\x93 paused", colour::kCold};
+    if (session.demonstration().shown()) return {"bar.mode.demonstration", colour::kCold};
+    if (session.replay().shown()) return {"bar.mode.replay", colour::kCold};
+    if (controls.mode() == Mode::interact) return {"bar.mode.working", colour::kAccent};
+    return {"bar.mode.looking", colour::kCold};
 }
 
 /// A rounded label in the middle of the bar.
 void modeSign(Context& context, const ModeName& mode, float left, float right) {
-    const auto [text, tint] = mode;
+    const char* const text = phrase(mode.key).c_str();
     ImDrawList* draw = ImGui::GetWindowDrawList();
     ImGui::PushFont(context.fonts.strong);
     const ImVec2 size = ImGui::CalcTextSize(text);
@@ -55,44 +55,41 @@ void modeSign(Context& context, const ModeName& mode, float left, float right) {
     // In the window's middle, or pushed aside by the buttons; in a very small window only the dot is left.
     const float x = std::clamp((screen.x - size.x) / 2, left + 4 * dot, std::max(left + 4 * dot, right - size.x - dot));
     const bool fits = x + size.x < right;
-    draw->AddCircleFilled({x - dot * 3, y + size.y / 2}, dot, tint, 16);
-    if (fits) draw->AddText({x, y}, tint, text);
+    draw->AddCircleFilled({x - dot * 3, y + size.y / 2}, dot, mode.tint, 16);
+    if (fits) draw->AddText({x, y}, mode.tint, text);
     ImGui::PopFont();
 }
 
 /// How the torch is held: "CTWD 15.0 mm, work 0°, travel +10°".
 ShortText torchText(const LessonFigures& f) {
     constexpr double kDegrees = 180 / std::numbers::pi;
-    char text[120];
-    std::snprintf(text, sizeof text, "%s %.1f mm   work %+.0f\xC2\xB0   travel %+.0f\xC2\xB0",
-                  f.distance == DistanceKind::ctwd ? "CTWD" : "arc", f.torch->distance * 1e3, f.torch->work * kDegrees,
-                  f.torch->travel * kDegrees);
-    return ShortText(text);
+    ShortText text;
+    appendPhrase(text, f.distance == DistanceKind::ctwd ? "bar.figures.ctwd" : "bar.figures.arc_length",
+                 {{"distance", PhraseNumber(f.torch->distance * 1e3, 1)},
+                  {"work", PhraseNumber(f.torch->work * kDegrees, 0, true)},
+                  {"travel", PhraseNumber(f.torch->travel * kDegrees, 0, true)}});
+    return text;
 }
 
 ShortText metalText(const LessonFigures& f) {
     const double share = f.particles > 0 ? 100.0 * static_cast<double>(f.molten) / static_cast<double>(f.particles) : 0;
-    const ShortText hottest = hottestText(f);
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "%.1f s   \xC2\xB7   %zu particles   \xC2\xB7   %.1f %% molten   \xC2\xB7   hottest ", f.time,
-                  f.particles, share);
-    return {text, hottest};
+    ShortText text;
+    appendPhrase(text, "bar.figures.metal",
+                 {{"seconds", PhraseNumber(f.time, 1)},
+                  {"particles", PhraseNumber(static_cast<double>(f.particles))},
+                  {"molten", PhraseNumber(share, 1)},
+                  {"hottest", hottestText(f)}});
+    return text;
 }
 
 /// Of the metal, or of the torch where it is led along a seam.
 ShortText figuresText(const LessonFigures& f) {
     ShortText all = f.torch && !f.stopped ? torchText(f) : metalText(f);
-    if (f.stopped) {
-        all += "   \xC2\xB7   stopped";
-    } else if (!f.slow.empty()) {
+    const std::string_view pace = f.stopped ? std::string_view(phrase("bar.figures.stopped")) : f.slow;
+    for (const std::string_view more : {pace, f.picture, f.detail}) {
+        if (more.empty()) continue;
         all += "   \xC2\xB7   ";
-        all += f.slow;
-    }
-    for (const std::string_view drawn : {f.picture, f.detail}) {
-        if (drawn.empty()) continue;
-        all += "   \xC2\xB7   ";
-        all += drawn;
+        all += more;
     }
     return all;
 }
@@ -116,7 +113,7 @@ void keyHint(Context& context, const char* key, const char* what) {
 
 struct Hint {
     ShortText key;
-    const char* what;
+    std::string_view what; ///< the key of its words
 };
 
 /// "W A S D" of the keyboard that is there.
@@ -126,24 +123,38 @@ ShortText flyingKeys(const Context& context) {
 
 /// The hints of what the person does now, in order of weight; gives them to `draw`.
 void giveHints(const Context& context, const Controls& controls, bool torch, FunctionRef<bool(const Hint&)> draw) {
-    const ShortText look = context.key(Key::v), mouse = context.key(Key::c);
+    const ShortText look = context.key(Key::v), capture = context.key(Key::c);
+    const ShortText left(phrase("bar.key.left_button")), right(phrase("bar.key.right_button"));
+    const ShortText mouse(phrase("bar.key.mouse")), wheel(phrase("bar.key.wheel")), arrows(phrase("bar.key.arrows"));
     const bool working = controls.mode() == Mode::interact, caught = controls.captured();
     const auto all = [&](std::initializer_list<Hint> hints) {
         for (const Hint& hint : hints)
             if (!draw(hint)) return;
     };
     if (working && torch && caught)
-        all({{"Left button", "weld"}, {"Wheel", "arc length"}, {"Arrows", "lean"}, {mouse, "free the mouse"}});
+        all({{left, "bar.hint.weld"},
+             {wheel, "bar.hint.arc_length"},
+             {arrows, "bar.hint.lean"},
+             {capture, "bar.hint.free_mouse"}});
     else if (working && torch)
-        all({{"Left button", "weld"}, {"Mouse", "along the seam"}, {"Arrows", "lean"}, {mouse, "catch the mouse"}});
+        all({{left, "bar.hint.weld"},
+             {mouse, "bar.hint.along_seam"},
+             {arrows, "bar.hint.lean"},
+             {capture, "bar.hint.catch_mouse"}});
     else if (working && caught)
-        all({{"Left button", "heat"}, {"Right button", "near and far"}, {mouse, "free the mouse"}});
+        all({{left, "bar.hint.heat"}, {right, "bar.hint.near_and_far"}, {capture, "bar.hint.free_mouse"}});
     else if (working)
-        all({{"Left button", "heat"}, {look, "look around"}, {mouse, "catch the mouse"}, {"F1", "help"}});
+        all({{left, "bar.hint.heat"},
+             {look, "bar.hint.look_around"},
+             {capture, "bar.hint.catch_mouse"},
+             {"F1", "bar.hint.help"}});
     else if (caught)
-        all({{"Mouse", "look"}, {flyingKeys(context), "fly"}, {mouse, "free the mouse"}});
+        all({{mouse, "bar.hint.look"}, {flyingKeys(context), "bar.hint.fly"}, {capture, "bar.hint.free_mouse"}});
     else
-        all({{flyingKeys(context), "fly"}, {look, "back to work"}, {mouse, "catch the mouse"}, {"F1", "help"}});
+        all({{flyingKeys(context), "bar.hint.fly"},
+             {look, "bar.hint.work"},
+             {capture, "bar.hint.catch_mouse"},
+             {"F1", "bar.hint.help"}});
 }
 
 constexpr float kWholeBar = 740;    ///< points in which every button of the bar has room
@@ -160,28 +171,33 @@ bool barTabs(Context& context, PanelState& panels, const LessonSession& session,
         }
         if (width <= 0) ImGui::SameLine(0, context.points(6));
     };
-    tab("bar.view", "View", panels.view, "How the metal is shown (F2)");
-    tab("bar.simulation", "Machine", panels.simulation, "What heats the metal (F3)");
-    tab("bar.timings", "Timings", panels.timings, "Where the time of a frame goes (F4)");
-    if (session.judges())
-        tab("bar.result", "Result", panels.result,
-            ShortText{"The weld judged and measured (", context.key(Key::j), " judges it)"}.c_str());
+    tab("bar.view", phrase("bar.button.view").c_str(), panels.view, phrase("bar.tooltip.view").c_str());
+    tab("bar.simulation", phrase("bar.button.machine").c_str(), panels.simulation,
+        phrase("bar.tooltip.machine").c_str());
+    tab("bar.timings", phrase("bar.button.timings").c_str(), panels.timings, phrase("bar.tooltip.timings").c_str());
+    if (session.judges()) {
+        ShortText note;
+        appendPhrase(note, "bar.tooltip.result", {{"key", context.key(Key::j)}});
+        tab("bar.result", phrase("bar.button.result").c_str(), panels.result, note.c_str());
+    }
     return pressed;
 }
 
 bool resetButton(Context& context, float width) {
-    return button(context, "bar.reset", "Reset", ButtonKind::plain, width,
-                  "Metal and torch back to where they began (F5)");
+    return button(context, "bar.reset", phrase("bar.button.reset").c_str(), ButtonKind::plain, width,
+                  phrase("bar.tooltip.reset").c_str());
 }
 
 /// The ways out of the running lesson.
 MenuRequest wayButtons(Context& context, float width, bool beside = true) {
     MenuRequest request = MenuRequest::none;
-    if (button(context, "bar.restart", "Restart", ButtonKind::plain, width, "Back to the lesson's first page"))
+    if (button(context, "bar.restart", phrase("bar.button.restart").c_str(), ButtonKind::plain, width,
+               phrase("bar.tooltip.restart").c_str()))
         request = MenuRequest::restart;
     if (beside) ImGui::SameLine(0, context.points(6));
-    if (button(context, "bar.home", "Home", ButtonKind::plain, width,
-               ShortText{"All lessons (", context.key(Key::h), ")"}.c_str()))
+    ShortText note;
+    appendPhrase(note, "bar.tooltip.home", {{"key", context.key(Key::h)}});
+    if (button(context, "bar.home", phrase("bar.button.home").c_str(), ButtonKind::plain, width, note.c_str()))
         request = MenuRequest::home;
     return request;
 }
@@ -190,7 +206,8 @@ MenuRequest wayButtons(Context& context, float width, bool beside = true) {
 MenuRequest barMenu(Context& context, PanelState& panels, const LessonSession& session) {
     constexpr float kWidth = 150;
     MenuRequest request = MenuRequest::none;
-    if (button(context, "bar.menu", "Menu", ButtonKind::plain, kCommandWidth)) ImGui::OpenPopup("bar menu");
+    if (button(context, "bar.menu", phrase("bar.button.menu").c_str(), ButtonKind::plain, kCommandWidth))
+        ImGui::OpenPopup("bar menu");
     const float left = ImGui::GetItemRectMin().x, top = barHeight(context);
     const float width =
         context.points(kWidth) + 2 * ImGui::GetStyle().WindowPadding.x + ImGui::GetStyle().ScrollbarSize;
@@ -245,8 +262,10 @@ MenuRequest topBar(Context& context, PanelState& panels, const Controls& control
         if (const MenuRequest asked = wayButtons(context, kCommandWidth); asked != MenuRequest::none) request = asked;
         ImGui::SameLine(0, context.points(6));
     }
-    if (button(context, "bar.help", "Help", panels.help ? ButtonKind::lit : ButtonKind::plain, kCommandWidth,
-               ShortText{"All keys (F1). Lesson: ", session.lesson().title}.c_str()))
+    ShortText note;
+    appendPhrase(note, "bar.tooltip.help", {{"lesson", session.lesson().title}});
+    if (button(context, "bar.help", phrase("bar.button.help").c_str(),
+               panels.help ? ButtonKind::lit : ButtonKind::plain, kCommandWidth, note.c_str()))
         panels.help = !panels.help;
     ImGui::End();
     return request;
@@ -277,10 +296,10 @@ void statusBar(Context& context, const LessonFigures& figures, const Controls& c
         ImGui::GetIO().DisplaySize.x - ImGui::CalcTextSize(text.c_str()).x - context.points(16), context.points(16));
 
     giveHints(context, controls, figures.torch.has_value(), [&](const Hint& hint) {
-        const float need =
-            ImGui::CalcTextSize(hint.key.c_str()).x + ImGui::CalcTextSize(hint.what).x + context.points(40);
+        const char* const what = phrase(hint.what).c_str();
+        const float need = ImGui::CalcTextSize(hint.key.c_str()).x + ImGui::CalcTextSize(what).x + context.points(40);
         if (ImGui::GetCursorPosX() + need > right) return false;
-        keyHint(context, hint.key.c_str(), hint.what);
+        keyHint(context, hint.key.c_str(), what);
         return true;
     });
     ImGui::GetWindowDrawList()->AddText({right, ImGui::GetWindowPos().y + (height - ImGui::GetTextLineHeight()) / 2},
@@ -350,14 +369,17 @@ void temperatureScale(Context& context, int colours, const TemperatureMeaning& m
         draw->AddRectFilledMultiColor({x, top}, {x + width, top + part}, upper, upper, lower, lower);
     }
     draw->AddText(context.fonts.small, loadedSize(*context.fonts.small) * ImGui::GetIO().FontGlobalScale,
-                  {x - context.points(2), y - context.points(29)}, colour::kQuiet, "Temperature");
+                  {x - context.points(2), y - context.points(29)}, colour::kQuiet, phrase("bar.scale.heading").c_str());
     const auto degrees = [&meaning](float share) {
         const float kelvin = meaning.coldest + share * (meaning.hottest - meaning.coldest);
         return ShortText{niceNumber(std::round(static_cast<double>(kelvin) - 273.15)), " \xC2\xB0", "C"};
     };
-    const std::array<ShortText, 3> labels = meaning.kelvin
-                                                ? std::array<ShortText, 3>{degrees(1), degrees(0.5f), degrees(0)}
-                                                : std::array<ShortText, 3>{"1  liquid", "0.5", "0  solid"};
+    std::array<ShortText, 3> labels;
+    if (meaning.kelvin)
+        labels = {degrees(1), degrees(0.5f), degrees(0)};
+    else
+        labels = {ShortText(phrase("bar.scale.liquid")), ShortText(PhraseNumber(0.5, 1)),
+                  ShortText(phrase("bar.scale.solid"))};
     for (size_t i = 0; i < 3; ++i)
         draw->AddText(context.fonts.small, loadedSize(*context.fonts.small) * ImGui::GetIO().FontGlobalScale,
                       {x + width + context.points(8), y + height / 2 * static_cast<float>(i) - context.points(9)},

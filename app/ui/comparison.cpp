@@ -1,19 +1,18 @@
 // Two attempts beside each other: the way to it, the difference in words, figures and curves of both.
 #include "app/ui/curves.hpp"
 #include "app/ui/panels.hpp"
+#include "core/base/words.hpp"
 #include "core/weld/gauge/weld_figures.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace meltpool::ui {
 
 namespace {
 
 constexpr std::array<ImU32, 2> kTints{kFirstTint, kCurveTint};
-constexpr std::array<const char*, 2> kNames{"First", "Second"};
 
 /// Right ends of the three columns of figures, as shares of the width.
 constexpr std::array<float, 3> kColumns{0.6f, 0.8f, 1};
@@ -50,7 +49,10 @@ void figuresOfBoth(Context& context, const ComparisonRows& rows) {
     for (const ComparedSection& section : rows.sections) {
         if (!groupHeading(context, "comparison", section.title.c_str())) continue;
         ImGui::PushFont(context.fonts.small);
-        tableLine("", {kNames[0], kNames[1], "Difference"}, {kTints[0], kTints[1], colour::kQuiet});
+        tableLine("",
+                  {phrase("comparison.column.first"), phrase("comparison.column.second"),
+                   phrase("comparison.column.difference")},
+                  {kTints[0], kTints[1], colour::kQuiet});
         for (const ComparedRow& row : section.rows)
             tableLine(row.name, {row.first, row.second, row.difference},
                       {colour::kText, colour::kText, colour::kWarning});
@@ -75,7 +77,7 @@ void handOfBoth(Context& context, const AttemptComparison& comparison, Technique
     const std::array<CurveSeries, 2> both{{{first.seam.size(), firstPlace, firstValue, kGap, kTints[0]},
                                            {second.seam.size(), secondPlace, secondValue, kGap, kTints[1]}}};
     const ShortText name{"comparison.curve.", info.column};
-    CurveChart chart{name, info.words, info.unit, "mm", {}};
+    CurveChart chart{name, info.words(), info.unit, "mm", {}};
     if (band != nullptr) chart.band = CurveBand{band->ideal, band->inner, band->outer};
     curveChart(context, chart, both);
 }
@@ -103,7 +105,7 @@ void weldOfBoth(Context& context, const AttemptComparison& comparison, const Com
 }
 
 void curvesOfBoth(Context& context, const AttemptComparison& comparison) {
-    if (!groupHeading(context, "comparison", "Along the seam")) return;
+    if (!groupHeading(context, "comparison", phrase("comparison.curves").c_str())) return;
     ImGui::PushFont(context.fonts.small);
     if (comparison.bands() != nullptr)
         for (const TechniqueBand& band : comparison.bands()->bands)
@@ -117,10 +119,10 @@ void curvesOfBoth(Context& context, const AttemptComparison& comparison) {
 }
 
 void wayPart(Context& context, const AttemptComparison& comparison) {
-    char text[120];
-    std::snprintf(text, sizeof text, "Welding the %s attempt again: %.0f %% of all.",
-                  comparison.current() == 0 ? "first" : "second", 100 * comparison.progress());
-    ImGui::TextUnformatted(text);
+    ShortText text;
+    appendPhrase(text, comparison.current() == 0 ? "comparison.welding.first" : "comparison.welding.second",
+                 {{"share", PhraseNumber(100 * comparison.progress())}});
+    ImGui::TextUnformatted(text.c_str());
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, height = context.points(8);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -128,19 +130,23 @@ void wayPart(Context& context, const AttemptComparison& comparison) {
     const float done = width * static_cast<float>(comparison.progress());
     fillRounded(draw, low, {low.x + done, low.y + height}, colour::kAccent, context.points(3));
     ImGui::Dummy({width, height});
-    quietText(context, "Both welds are made and measured as they were, which takes about as long as a replay. The last "
-                       "six that were measured stay known until the program ends.");
+    quietText(context, phrase("comparison.welding.note"));
 }
 
 } // namespace
 
 void comparisonPart(Context& context, AttemptComparison& comparison) {
-    const bool back = button(context, "comparison.back", comparison.welding() ? "Stop" : "Back to the attempts",
-                             ButtonKind::plain, comparison.welding() ? 80 : 160);
+    const std::string& leave = phrase(comparison.welding() ? "comparison.button.stop" : "comparison.button.back");
+    const bool back =
+        button(context, "comparison.back", leave.c_str(), ButtonKind::plain, comparison.welding() ? 80 : 160);
     ImGui::SameLine();
     strongText(context, comparison.lesson());
-    for (size_t i = 0; i < kNames.size(); ++i)
-        tinted(ShortText{kNames[i], ": ", comparison.side(i).detail}, kTints[i]);
+    for (size_t i = 0; i < kTints.size(); ++i) {
+        ShortText attempt;
+        appendPhrase(attempt, i == 0 ? "comparison.attempt.first" : "comparison.attempt.second",
+                     {{"detail", comparison.side(i).detail}});
+        tinted(attempt, kTints[i]);
+    }
     ImGui::Dummy({0, context.points(4)});
     if (!comparison.fault().empty()) {
         tinted(comparison.fault(), colour::kWarning);

@@ -2,6 +2,7 @@
 #include "app/ui/curves.hpp"
 
 #include "app/ui/panels.hpp"
+#include "core/base/words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -123,17 +124,21 @@ ShortText pointedNumber(double value) {
 void drawPointed(Context& context, ImDrawList& draw, const CurveChart& chart, std::span<const CurveSeries> series,
                  const CurveSheet& sheet, double under, float top) {
     std::optional<double> place;
-    ShortText text;
+    ShortText values;
     for (const CurveSeries& each : series) {
         const std::optional<size_t> point = nearest(each, place.value_or(under));
         if (!place && point) place = each.place(*point);
-        text += text.empty() ? "" : " / ";
-        text += point ? pointedNumber(each.value(*point)) : ShortText("-");
+        values += values.empty() ? "" : " / ";
+        values += point ? pointedNumber(each.value(*point)) : ShortText("-");
     }
     if (!place) return;
     curveMark(context, sheet, *place, colour::kAccent);
-    const ShortText where = niceNumber(std::round(*place * 10) / 10);
-    text += ShortText{" ", chart.unit, " at ", where, " ", chart.placeUnit};
+    ShortText text;
+    appendPhrase(text, "curve.pointed",
+                 {{"values", values},
+                  {"unit", chart.unit},
+                  {"place", niceNumber(std::round(*place * 10) / 10)},
+                  {"place_unit", chart.placeUnit}});
     draw.AddText({static_cast<float>(sheet.right) - ImGui::CalcTextSize(text.c_str()).x, top}, colour::kAccent,
                  text.c_str());
 }
@@ -152,7 +157,7 @@ void drawQuantity(Context& context, const Judgement& judgement, TechniqueQuantit
     std::optional<CurveBand> asked;
     if (band != nullptr) asked = CurveBand{band->ideal, band->inner, band->outer};
     drawSeam(
-        context, judgement.seam, {info.column, info.words, info.unit},
+        context, judgement.seam, {info.column, info.words(), info.unit},
         [&](const SeamMillimetre& mm) { return mm.values[quantity] * info.perSi; }, asked);
 }
 
@@ -177,7 +182,8 @@ CurveAnswer curveChart(Context& context, const CurveChart& chart, std::span<cons
     const double share = (static_cast<double>(ImGui::GetIO().MousePos.x) - sheet.left) / (sheet.right - sheet.left);
     answer.under = sheet.places.from + std::clamp(share, 0.0, 1.0) * (sheet.places.to - sheet.places.from);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const ShortText title{chart.title, " (", chart.unit, ")"};
+    ShortText title;
+    appendPhrase(title, "curve.title", {{"quantity", chart.title}, {"unit", chart.unit}});
     draw.AddText(corner, colour::kText, title.c_str());
     if (chart.band && !sheet.values.empty()) drawBand(draw, sheet, *chart.band);
     drawAxes(context, draw, sheet);
@@ -193,7 +199,7 @@ void curveMark(Context& context, const CurveSheet& sheet, double place, ImU32 ti
 }
 
 void curvesPart(Context& context, const Judgement& judgement, const TechniqueBands* bands) {
-    if (judgement.seam.empty() || !groupHeading(context, "result", "Along the seam", false)) return;
+    if (judgement.seam.empty() || !groupHeading(context, "result", phrase("curve.heading").c_str(), false)) return;
     ImGui::PushFont(context.fonts.small);
     if (bands != nullptr)
         for (const TechniqueBand& band : bands->bands)
@@ -202,16 +208,13 @@ void curvesPart(Context& context, const Judgement& judgement, const TechniqueBan
         for (const TechniqueQuantity quantity : kPlain)
             drawQuantity(context, judgement, quantity, nullptr);
     if (judgement.arc.charge > 0) {
-        drawSeam(context, judgement.seam, {"current_a", "arc current", "A"},
+        drawSeam(context, judgement.seam, {"current_a", phrase("curve.current"), "A"},
                  [](const SeamMillimetre& mm) { return mm.current; }, {});
-        drawSeam(context, judgement.seam, {"voltage_v", "arc voltage", "V"},
+        drawSeam(context, judgement.seam, {"voltage_v", phrase("curve.voltage"), "V"},
                  [](const SeamMillimetre& mm) { return mm.voltage; }, {});
     }
     ImGui::PopFont();
-    if (bands != nullptr)
-        quietText(context,
-                  "Over mm of seam. Line: what the lesson asks for; green: full points; outside the pale strip "
-                  "there are none. The value under the pointer stands at the right.");
+    if (bands != nullptr) quietText(context, phrase("curve.note"));
 }
 
 } // namespace meltpool::ui

@@ -1,5 +1,6 @@
 // The controls of a lesson's demonstration: pause, time, and the way to one's own attempt.
 #include "app/ui/panels.hpp"
+#include "core/base/words.hpp"
 
 #include <algorithm>
 
@@ -10,7 +11,7 @@ namespace {
 /// The time as a slider; the torch follows it.
 void timeSlider(Context& context, Demonstration& demonstration) {
     auto time = static_cast<float>(demonstration.time());
-    const Parameter parameter{"time", "Time", "s", &time, 0, demonstration.duration(), ""};
+    const Parameter parameter{"time", phrase("demonstration.time"), "s", &time, 0, demonstration.duration(), ""};
     static const DefaultTexts kNone;
     if (parameterControl(context, "demonstration", parameter, kNone)) demonstration.moveTo(static_cast<double>(time));
 }
@@ -20,22 +21,25 @@ void timeSlider(Context& context, Demonstration& demonstration) {
 MenuRequest demonstrationPart(Context& context, LessonSession& session) {
     Demonstration& demonstration = session.demonstration();
     MenuRequest request = MenuRequest::none;
-    strongText(context, "Demonstration");
+    strongText(context, phrase("demonstration.heading"));
     timeSlider(context, demonstration);
     ButtonRow row(context);
-    if (row.add("demonstration.play", demonstration.playing() ? "Pause" : "Play", ButtonKind::plain, 76,
-                "Stops the torch, or lets it go on (Space)"))
+    const std::string& play =
+        phrase(demonstration.playing() ? "demonstration.button.pause" : "demonstration.button.play");
+    if (row.add("demonstration.play", play.c_str(), ButtonKind::plain, 76,
+                phrase("demonstration.tooltip.play").c_str()))
         demonstration.toggle();
-    if (row.add("demonstration.again", "From the start", ButtonKind::plain, 120, "The torch and the metal"))
+    if (row.add("demonstration.again", phrase("demonstration.button.again").c_str(), ButtonKind::plain, 120,
+                phrase("demonstration.tooltip.again").c_str()))
         demonstration.again();
-    if (row.add("demonstration.weld", "Weld it yourself", ButtonKind::main, 140,
-                "The metal as it was at first, and your torch (Enter, F5)"))
+    if (row.add("demonstration.weld", phrase("demonstration.button.weld").c_str(), ButtonKind::main, 140,
+                phrase("demonstration.tooltip.weld").c_str()))
         request = MenuRequest::reset;
     if (demonstration.welds())
-        quietText(context, "The expert's torch welds the metal. Pull the handle to bring the torch to any moment.");
+        quietText(context, phrase("demonstration.note.welds"));
     else
-        quietText(context, session.run().torch().trigger > 0 ? "The torch alone; here it heats the metal."
-                                                             : "The torch alone; here it is off.");
+        quietText(context,
+                  phrase(session.run().torch().trigger > 0 ? "demonstration.note.heats" : "demonstration.note.off"));
     return request;
 }
 

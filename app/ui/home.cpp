@@ -1,5 +1,6 @@
 // The home page: the lessons with picture, level and best score, in the window and on the headset's panel.
 #include "app/ui/panels.hpp"
+#include "core/base/words.hpp"
 
 #include <algorithm>
 
@@ -58,7 +59,7 @@ void drawLesson(Context& context, Home& home, const CataloguedLesson& lesson, Im
     draw.PushClipRect(at, {high.x - pad / 2, high.y}, true);
     draw.AddText(strong, line, at, colour::kText, lesson.title.c_str(), nullptr, width);
     if (!usable && beside) drawFault(context, lesson, {at.x, at.y + line}, high);
-    const std::string standing = usable ? home.standing(lesson) : std::string("This lesson's file is at fault.");
+    const std::string standing = usable ? home.standing(lesson) : phrase("home.at_fault");
     if (usable || !beside)
         draw.AddText(small, quiet, {at.x, high.y - quiet - pad}, usable ? colour::kQuiet : colour::kWarning,
                      standing.c_str());
@@ -133,8 +134,8 @@ std::vector<HomePage> pagesOf(const Home& home) {
 void attemptsButton(Context& context, Home& home) {
     const bool shown = home.attempts.shown();
     if (home.comparison.shown()) return; // which has its own way back
-    if (!button(context, "home.attempts", shown ? "Lessons" : "Attempts", ButtonKind::plain, 100,
-                shown ? "All lessons" : "What was welded before, to be seen again"))
+    if (!button(context, "home.attempts", phrase(shown ? "home.lessons" : "home.attempts").c_str(), ButtonKind::plain,
+                100, phrase(shown ? "home.lessons_tip" : "home.attempts_tip").c_str()))
         return;
     if (shown)
         home.attempts.hide();
@@ -173,12 +174,12 @@ MenuRequest homePage(Context& context, Home& home, const std::string& driver, bo
     ImGui::PushFont(low ? context.fonts.strong : context.fonts.title);
     const bool attempts = home.attempts.shown();
     const bool both = attempts && home.comparison.shown();
-    ImGui::TextUnformatted(both ? "Two attempts" : attempts ? "Attempts" : "Lessons");
+    ImGui::TextUnformatted(phrase(both ? "home.two_attempts" : attempts ? "home.attempts" : "home.lessons").c_str());
     ImGui::PopFont();
     if (!low)
-        quietText(context, both       ? "What the second is otherwise than the first."
-                           : attempts ? "See one again, weld beside its torch, or compare two of a lesson."
-                                      : "Click a lesson, or choose one with the arrow keys and press Enter.");
+        quietText(context, phrase(both       ? "home.two_attempts_hint"
+                                  : attempts ? "home.attempts_hint"
+                                             : "home.lessons_hint"));
     ImGui::EndGroup();
     ImGui::BeginChild("lessons", {0, -context.points(44)});
     MenuRequest request = MenuRequest::none;
@@ -188,7 +189,8 @@ MenuRequest homePage(Context& context, Home& home, const std::string& driver, bo
         request = MenuRequest::openLesson;
     ImGui::EndChild();
     markItem(context, "home.lessons");
-    if (button(context, "home.help", "Help", help ? ButtonKind::lit : ButtonKind::plain, 86, "All keys (F1)"))
+    if (button(context, "home.help", phrase("home.help").c_str(), help ? ButtonKind::lit : ButtonKind::plain, 86,
+               phrase("home.help_tip").c_str()))
         help = !help;
     ImGui::SameLine(0, context.points(14));
     attemptsButton(context, home);
@@ -215,12 +217,17 @@ MenuRequest homePart(Context& context, Home& home) {
     attemptsButton(context, home);
     if (pages.size() == 1) return request;
     ImGui::SameLine();
-    if (button(context, "home.previous", "Previous", ButtonKind::plain, 100) && home.page > 0) --home.page;
+    if (button(context, "home.previous", phrase("home.previous").c_str(), ButtonKind::plain, 100) && home.page > 0)
+        --home.page;
     ImGui::SameLine();
-    if (button(context, "home.following", "More", ButtonKind::plain, 100) && home.page + 1 < pages.size()) ++home.page;
+    if (button(context, "home.following", phrase("home.following").c_str(), ButtonKind::plain, 100) &&
+        home.page + 1 < pages.size())
+        ++home.page;
     ImGui::SameLine();
-    const std::string group = home.groups().size() > 1 ? ", " + std::string(headingOf(page.origin)) : std::string();
-    quietText(context, "Page " + std::to_string(home.page + 1) + " of " + std::to_string(pages.size()) + group);
+    quietText(context, phrase(home.groups().size() > 1 ? "home.page_of_group" : "home.page",
+                              {{"page", std::to_string(home.page + 1)},
+                               {"pages", std::to_string(pages.size())},
+                               {"group", headingOf(page.origin)}}));
     return request;
 }
 

@@ -1,5 +1,7 @@
 #include "app/ui/letters.hpp"
 
+#include "core/base/words.hpp"
+
 #include <array>
 #include <cstdio>
 
@@ -89,10 +91,10 @@ void MissingLetters::look(ImFont& font, std::string_view text) {
 
 std::optional<MissingLetters::Sentences> MissingLetters::take() {
     if (count_ == 0) return std::nullopt;
-    const std::string place = "; \xEF\xBF\xBD stands in their place.";
-    const Sentences both{"the window's fonts do not have these letters:" + letters_ + place,
-                         "The window's fonts do not have " + std::to_string(count_) + " of the letters used here (" +
-                             numbers_.substr(1) + ")" + place};
+    const Sentences both{
+        phrase("letters.missing", {{"letters", std::string_view(letters_).substr(1)}}),
+        phraseOfCount("letters.missing_here", count_,
+                      {{"count", std::to_string(count_)}, {"numbers", std::string_view(numbers_).substr(1)}})};
     letters_.clear();
     numbers_.clear();
     count_ = 0;

@@ -1,9 +1,9 @@
 // View menu, machine menu, timings and help of the running trainer.
 #include "app/ui/panels.hpp"
+#include "core/base/words.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 namespace meltpool::ui {
 
@@ -89,8 +89,7 @@ void drawGroups(Context& context, std::span<const ParameterSection* const> secti
 }
 
 void passRow(Context& context, std::string_view name, double ms, double whole, int depth) {
-    char text[48];
-    std::snprintf(text, sizeof text, "%.2f ms", ms);
+    const ShortText text{PhraseNumber(ms, 2), " ms"};
     const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
@@ -102,14 +101,14 @@ void passRow(Context& context, std::string_view name, double ms, double whole, i
     ImGui::PushStyleColor(ImGuiCol_Text, depth == 0 ? colour::kText : colour::kQuiet);
     ImGui::TextUnformatted(readableName(name).c_str());
     ImGui::SameLine();
-    ImGui::SetCursorPosX(right - ImGui::CalcTextSize(text).x - context.points(4));
-    ImGui::TextUnformatted(text);
+    ImGui::SetCursorPosX(right - ImGui::CalcTextSize(text.c_str()).x - context.points(4));
+    ImGui::TextUnformatted(text.c_str());
     ImGui::PopStyleColor();
 }
 
 struct Shortcut {
     ShortText keys;
-    const char* what;
+    std::string_view what; ///< the key of its words
 };
 
 void shortcutColumn(Context& context, const char* title, std::span<const Shortcut> rows) {
@@ -122,7 +121,7 @@ void shortcutColumn(Context& context, const char* title, std::span<const Shortcu
         ImGui::PopStyleColor();
         ImGui::SameLine();
         ImGui::SetCursorPosX(left + context.points(140));
-        ImGui::TextUnformatted(row.what);
+        ImGui::TextUnformatted(phrase(row.what).c_str());
     }
     ImGui::PopTextWrapPos();
     ImGui::Dummy({0, context.points(6)});
@@ -132,41 +131,42 @@ void shortcutColumn(Context& context, const char* title, std::span<const Shortcu
 void torchKeys(Context& context) {
     const std::string_view a = context.key(Key::a), d = context.key(Key::d), e = context.key(Key::e),
                            q = context.key(Key::q), s = context.key(Key::s), w = context.key(Key::w);
-    const std::array<Shortcut, 5> torch{{{"Left button", "heat while held"},
-                                         {"Mouse", "torch sideways and up"},
-                                         {"+ right button", "torch near and far"},
-                                         {"Arrow keys", "torch in steps"},
-                                         {"Page up, down", "torch up and down"}}};
-    const std::array<Shortcut, 2> heat{
-        {{context.key(Key::f), "hot or cold source"}, {{"F5  ", context.key(Key::j)}, "again: reset; judge the weld"}}};
-    const std::array<Shortcut, 4> orbit{{{{a, "  ", d}, "around the metal"},
-                                         {{w, "  ", s}, "over and under it"},
-                                         {{q, "  ", e}, "nearer and farther"},
-                                         {"Wheel", "nearer and farther"}}};
-    shortcutColumn(context, "The torch, while working", torch);
-    shortcutColumn(context, "The metal", heat);
-    shortcutColumn(context, "The camera, while working", orbit);
+    const std::array<Shortcut, 5> torch{{{{phrase("help.key.left_button")}, "help.heat_while_held"},
+                                         {{phrase("help.key.mouse")}, "help.torch_sideways_and_up"},
+                                         {{phrase("help.key.and_right_button")}, "help.torch_near_and_far"},
+                                         {{phrase("help.key.arrow_keys")}, "help.torch_in_steps"},
+                                         {{phrase("help.key.page_keys")}, "help.torch_up_and_down"}}};
+    const std::array<Shortcut, 2> heat{{{context.key(Key::f), "help.hot_or_cold_source"},
+                                        {{"F5  ", context.key(Key::j)}, "help.again_reset_judge_the_weld"}}};
+    const std::array<Shortcut, 4> orbit{{{{a, "  ", d}, "help.around_the_metal"},
+                                         {{w, "  ", s}, "help.over_and_under_it"},
+                                         {{q, "  ", e}, "help.nearer_and_farther"},
+                                         {{phrase("help.key.wheel")}, "help.nearer_and_farther"}}};
+    shortcutColumn(context, phrase("help.heading.torch").c_str(), torch);
+    shortcutColumn(context, phrase("help.heading.metal").c_str(), heat);
+    shortcutColumn(context, phrase("help.heading.camera").c_str(), orbit);
 }
 
 /// The right half of the help page.
 void programKeys(Context& context) {
     const std::string_view a = context.key(Key::a), d = context.key(Key::d), e = context.key(Key::e),
                            q = context.key(Key::q), s = context.key(Key::s), w = context.key(Key::w);
-    const std::array<Shortcut, 4> fly{{{"Mouse", "look"},
-                                       {{w, "  ", s}, "forwards and back"},
-                                       {{a, "  ", d}, "to the sides"},
-                                       {{q, "  ", e}, "down and up"}}};
-    const std::array<Shortcut, 9> program{{{context.key(Key::v), "work, or pause and look around"},
-                                           {context.key(Key::h), "home: all lessons"},
-                                           {{context.key(Key::c), "  Escape"}, "catch or free the mouse"},
-                                           {"F1", "this page"},
-                                           {"F2  F3  F4", "view, machine, timings"},
-                                           {"Tab", "hide and show all panels"},
-                                           {"F10  F12", "save the window; the metal in 4K"},
-                                           {"F11", "full screen"},
-                                           {"Arrows  Enter", "in the list of lessons"}}};
-    shortcutColumn(context, "The camera, while looking around", fly);
-    shortcutColumn(context, "The program", program);
+    const std::array<Shortcut, 4> fly{{{{phrase("help.key.mouse")}, "help.look"},
+                                       {{w, "  ", s}, "help.forwards_and_back"},
+                                       {{a, "  ", d}, "help.to_the_sides"},
+                                       {{q, "  ", e}, "help.down_and_up"}}};
+    const std::array<Shortcut, 9> program{
+        {{context.key(Key::v), "help.work_or_pause_and_look_around"},
+         {context.key(Key::h), "help.home_all_lessons"},
+         {{context.key(Key::c), "  ", phrase("help.key.escape")}, "help.catch_or_free_the_mouse"},
+         {"F1", "help.this_page"},
+         {"F2  F3  F4", "help.view_machine_timings"},
+         {{phrase("help.key.tab")}, "help.hide_and_show_all_panels"},
+         {"F10  F12", "help.save_the_window_the_metal_in_4k"},
+         {"F11", "help.full_screen"},
+         {{phrase("help.key.arrows_enter")}, "help.in_the_list_of_lessons"}}};
+    shortcutColumn(context, phrase("help.heading.camera_free").c_str(), fly);
+    shortcutColumn(context, phrase("help.heading.program").c_str(), program);
 }
 
 } // namespace
@@ -177,7 +177,7 @@ float panelReach(const Context& context) {
 
 void viewMenu(Context& context, std::span<const ParameterSection* const> sections) {
     beginPanel(context, "view menu", Side::left);
-    panelTitle(context, "View", "How the metal is shown. Nothing here changes what it does.");
+    panelTitle(context, phrase("menu.view").c_str(), phrase("menu.view_text").c_str());
     static constexpr std::array<Group, 11> kGroups{
         {{"cues", "Cues at the torch", {"speed", "angles", "distance", "aim", "seam", "arc"}, true},
          {"ghost", "Ghost torch", {"ghost", "ghost_pace", "ghost_file"}, false},
@@ -225,13 +225,15 @@ void machinePart(Context& context, const ParameterSection& section) {
 
 void machineMenu(Context& context, const ParameterSection& section, Controls& controls) {
     beginPanel(context, "machine menu", Side::right);
-    panelTitle(context, "Machine", "What heats the metal. Everything takes effect at once.");
+    panelTitle(context, phrase("menu.machine").c_str(), phrase("menu.machine_text").c_str());
     bool cold = controls.source().cold();
     // Only the source of the classic lesson cools.
-    if (findParameter(section.parameters, "heat_temperature") != nullptr &&
-        toggle(context, "simulation.cold", "Cold source", cold,
-               ShortText{"Freezes what it touches instead of melting it (", context.key(Key::f), ")"}.c_str()))
-        controls.source().setCold(cold);
+    if (findParameter(section.parameters, "heat_temperature") != nullptr) {
+        ShortText note;
+        appendPhrase(note, "menu.cold_tip", {{"key", context.key(Key::f)}});
+        if (toggle(context, "simulation.cold", phrase("menu.cold"), cold, note.c_str()))
+            controls.source().setCold(cold);
+    }
     machinePart(context, section);
     ImGui::End();
 }
@@ -239,12 +241,12 @@ void machineMenu(Context& context, const ParameterSection& section, Controls& co
 void timingsPanel(Context& context, const gl::Profiler& profiler, const LessonFigures& figures, double frameMs,
                   const std::string& driver, bool besideView) {
     beginPanel(context, "timings", besideView ? Side::leftBeside : Side::left);
-    panelTitle(context, "Timings", driver.c_str());
-    char text[64];
-    std::snprintf(text, sizeof text, "%.0f frames a second", figures.framesPerSecond);
-    ImGui::TextUnformatted(text);
+    panelTitle(context, phrase("menu.timings").c_str(), driver.c_str());
+    ShortText text;
+    appendPhrase(text, "menu.frames_per_second", {{"frames", PhraseNumber(figures.framesPerSecond)}});
+    ImGui::TextUnformatted(text.c_str());
     ImGui::PushFont(context.fonts.small);
-    passRow(context, "whole frame", frameMs, frameMs, 0);
+    passRow(context, phrase("menu.whole_frame"), frameMs, frameMs, 0);
     for (const gl::PassTime& pass : profiler.passes())
         passRow(context, pass.name, pass.lastMs, frameMs, pass.depth);
     ImGui::PopFont();
@@ -280,11 +282,9 @@ void helpOverlay(Context& context, bool& open) {
     if (!narrow) ImGui::NextColumn();
     programKeys(context);
     ImGui::Columns(1);
-    quietText(context,
-              "A mouse that is not caught moves the torch too, while a button is held on the picture. Double click a "
-              "slider to type a number; point at a name to read what it does.");
+    quietText(context, phrase("help.more"));
     ImGui::Dummy({0, context.points(4)});
-    if (button(context, "help.close", "Close", ButtonKind::main, 140)) open = false;
+    if (button(context, "help.close", phrase("help.close").c_str(), ButtonKind::main, 140)) open = false;
     ImGui::End();
 }
 

@@ -2,6 +2,7 @@
 #include "app/ui/widgets.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
+#include "core/base/words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,11 +41,44 @@ struct Scale {
     }
 };
 
+/// What starts the keys of the words of a parameter's choices.
+ShortText choiceWords(const Parameter& p) {
+    return {"parameter.", p.key, ".choice"};
+}
+
+/// A value's text as a person reads it: the name of a choice and a switch's state have words.
+std::string_view shownText(const Parameter& p, std::string_view text) {
+    if (!p.choices.empty()) return phraseOr(ShortText{choiceWords(p), ".", text}, text);
+    if (std::holds_alternative<bool*>(p.value)) return phrase(text == "true" ? "control.true" : "control.false");
+    return text;
+}
+
+/// As expectation(), for a person who reads the menus.
+std::string allowedText(const Parameter& p) {
+    if (!p.choices.empty()) {
+        std::string list;
+        for (const std::string_view choice : p.choices) {
+            if (!list.empty()) list += phrase("list.separator");
+            list += shownText(p, choice);
+        }
+        return phrase("control.allowed.one_of", {{"choices", list}});
+    }
+    if (std::holds_alternative<bool*>(p.value)) return phrase("control.allowed.switch");
+    if (std::holds_alternative<std::string*>(p.value)) return phrase("control.allowed.text");
+    const bool whole = std::holds_alternative<int*>(p.value), vector = std::holds_alternative<glm::vec3*>(p.value);
+    const ShortText key{"control.allowed.",
+                        whole    ? "whole_number"
+                        : vector ? "three_numbers"
+                                 : "number",
+                        p.unit.empty() ? "" : "_with_unit"};
+    return phrase(key, {{"low", formatNumber(p.minimum)}, {"high", formatNumber(p.maximum)}, {"unit", p.unit}});
+}
+
 std::string description(const Parameter& p, std::string_view original) {
-    std::string text = sentence(p.note);
+    std::string text = sentence(translatedNote(p));
     if (!text.empty()) text += "\n\n";
-    text += sentence(expectation(p));
-    if (!original.empty()) text += " At first " + std::string(original) + ".";
+    text += allowedText(p);
+    if (!original.empty()) text += " " + phrase("control.at_first", {{"value", shownText(p, original)}});
     return text;
 }
 
@@ -117,7 +151,8 @@ bool labelLine(Context& context, std::string_view name, const Parameter& p, std:
     const float left = ImGui::GetCursorPosX();
     const float right = left + ImGui::GetContentRegionAvail().x;
     ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(p.label.data(), p.label.data() + p.label.size());
+    const std::string_view label = translatedLabel(p);
+    ImGui::TextUnformatted(label.data(), label.data() + label.size());
     ImGui::PopTextWrapPos();
     if (ImGui::IsItemHovered()) tooltip(context, description(p, original));
     bool back = false;
@@ -134,7 +169,9 @@ bool labelLine(Context& context, std::string_view name, const Parameter& p, std:
         back = ImGui::InvisibleButton("##back", {size, ImGui::GetTextLineHeight()});
         markItem(context, ShortText{name, ".back"});
         const ImU32 tint = ImGui::IsItemHovered() ? colour::kAccent : colour::kQuiet;
-        tooltip(context, ShortText{"Back to ", original});
+        ShortText note;
+        appendPhrase(note, "control.back_to", {{"value", shownText(p, original)}});
+        tooltip(context, note);
         const ImVec2 centre{corner.x + size / 2, corner.y + ImGui::GetTextLineHeight() / 2};
         const float r = context.points(5);
         ImDrawList* draw = ImGui::GetWindowDrawList();
@@ -166,7 +203,8 @@ ShortText valueWithUnit(const Parameter& p, double value) {
 ShortText givenText(const Parameter& p) {
     if (const auto* value = std::get_if<float*>(&p.value)) return valueWithUnit(p, static_cast<double>(**value));
     if (const auto* value = std::get_if<int*>(&p.value))
-        return p.choices.empty() ? valueWithUnit(p, **value) : ShortText(p.choices[static_cast<size_t>(**value)]);
+        return p.choices.empty() ? valueWithUnit(p, **value)
+                                 : ShortText(shownText(p, p.choices[static_cast<size_t>(**value)]));
     return std::string_view(parameterText(p)); // no process has others
 }
 
@@ -197,12 +235,12 @@ struct Draw {
             return *target != before;
         }
         if (labelLine(context, name, p, "", original)) setParameter({p}, p.key, original, p.key);
-        choiceRow(context, name, p.choices, *target);
+        choiceRow(context, name, p.choices, *target, choiceWords(p));
         return *target != before;
     }
     bool operator()(bool* target) const {
         bool hovered = false;
-        const bool changed = toggle(context, name, p.label, *target, nullptr, &hovered);
+        const bool changed = toggle(context, name, translatedLabel(p), *target, nullptr, &hovered);
         if (hovered) tooltip(context, description(p, original));
         return changed;
     }
@@ -228,6 +266,14 @@ struct Draw {
 
 } // namespace
 
+std::string_view translatedLabel(const Parameter& parameter) {
+    return phraseOr(ShortText{"parameter.", parameter.key, ".label"}, parameter.label);
+}
+
+std::string_view translatedNote(const Parameter& parameter) {
+    return phraseOr(ShortText{"parameter.", parameter.key, ".tooltip"}, parameter.note);
+}
+
 bool parameterControl(Context& context, std::string_view prefix, const Parameter& parameter,
                       const DefaultTexts& defaults) {
     const ShortText name{prefix, ".", parameter.key};
@@ -246,7 +292,9 @@ bool parameterControl(Context& context, const ParameterSection& section, const P
     const ShortText name{section.name, ".", parameter.key, ".given"};
     ImGui::PushID(name.c_str());
     ImGui::BeginGroup();
-    labelLine(context, name, parameter, ShortText{givenText(parameter), ", given"}, {});
+    ShortText given;
+    appendPhrase(given, "control.given", {{"value", givenText(parameter)}});
+    labelLine(context, name, parameter, given, {});
     ImGui::EndGroup();
     markItem(context, name);
     ImGui::PopID();

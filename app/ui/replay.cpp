@@ -1,11 +1,11 @@
 // A kept attempt that is played again: its time line with curves and events, pause, speed, and what its end was.
 #include "app/ui/curves.hpp"
 #include "app/ui/panels.hpp"
+#include "core/base/words.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace meltpool::ui {
 
@@ -17,7 +17,8 @@ constexpr ImU32 kFaultTint = IM_COL32(255, 138, 120, 255);
 /// The time as a slider; the metal follows it.
 void timeSlider(Context& context, ReplayTimeline& line) {
     auto time = static_cast<float>(line.target());
-    const Parameter parameter{"time", "Time", "s", &time, 0, line.duration(), "The metal is brought to this moment"};
+    const Parameter parameter{"time",          phrase("replay.time"),        "s", &time, 0,
+                              line.duration(), phrase("replay.tooltip.time")};
     static const DefaultTexts kNone;
     if (parameterControl(context, "replay", parameter, kNone)) line.seek(static_cast<double>(time));
 }
@@ -25,12 +26,12 @@ void timeSlider(Context& context, ReplayTimeline& line) {
 void speedSlider(Context& context, ReplayTimeline& line) {
     auto speed = static_cast<float>(line.speed());
     const Parameter parameter{"speed",
-                              "Speed",
+                              phrase("replay.speed"),
                               "",
                               &speed,
                               ReplayTimeline::kSlowest,
                               ReplayTimeline::kFastest,
-                              "1 is as fast as it was welded"};
+                              phrase("replay.tooltip.speed")};
     static const DefaultTexts kUsual{{"speed", "1"}};
     if (parameterControl(context, "replay", parameter, kUsual)) line.setSpeed(static_cast<double>(speed));
 }
@@ -61,7 +62,7 @@ CurveAnswer overTime(Context& context, const LessonSession& session, TechniqueQu
     const auto place = [&](size_t i) { return (static_cast<double>(i) + 0.5) / kPlaces * duration; };
     const auto value = [&](size_t i) { return static_cast<double>(track.values()[i]); };
     const std::array<CurveSeries, 1> series{{{track.values().size(), place, value, kJoined / kPlaces * duration}}};
-    CurveChart chart{name, info.words, info.unit, "s", {}, {0, duration}, kChartHeight};
+    CurveChart chart{name, info.words(), info.unit, "s", {}, {0, duration}, kChartHeight};
     if (band != nullptr) chart.band = CurveBand{band->ideal, band->inner, band->outer};
     return curveChart(context, chart, series);
 }
@@ -100,36 +101,39 @@ void distanceOverTime(Context& context, LessonSession& session) {
 ShortText stateText(const LessonSession& session) {
     const AttemptReplay& replay = session.replay();
     const ReplayTimeline& line = replay.line();
-    char text[160];
+    ShortText text;
     if (line.seeking()) {
-        std::snprintf(text, sizeof text, "On the way to %.1f s: %.0f %%", line.target(), 100 * line.progress());
-        return ShortText(text);
+        appendPhrase(text, "replay.state.seeking",
+                     {{"seconds", PhraseNumber(line.target(), 1)}, {"share", PhraseNumber(100 * line.progress())}});
+        return text;
     }
     constexpr double kKeepsUp = 0.95;
     const double speed = line.speed() * session.run().clock().speed();
     if (line.playing() && speed < kKeepsUp * line.speed()) {
-        std::snprintf(text, sizeof text, "This machine plays it at %.2f of the attempt's speed, not %.2f.", speed,
-                      line.speed());
-        return ShortText(text);
+        appendPhrase(text, "replay.state.slow",
+                     {{"speed", PhraseNumber(speed, 2)}, {"asked", PhraseNumber(line.speed(), 2)}});
+        return text;
     }
     if (replay.comparison()) return ShortText(std::string_view(replay.comparison()->text));
     if (!replay.momentsRefused().empty()) return ShortText(std::string_view(replay.momentsRefused()));
-    return "The torch of the attempt welds its metal again; at the end both are compared.";
+    return ShortText(phrase("replay.state.welds"));
 }
 
 MenuRequest replayButtons(Context& context, ReplayTimeline& line) {
     MenuRequest request = MenuRequest::none;
     ButtonRow row(context);
-    if (row.add("replay.play", line.playing() ? "Pause" : "Play", ButtonKind::plain, 76,
-                "Stops the attempt, or lets it go on (Space)"))
+    if (row.add("replay.play", phrase(line.playing() ? "replay.button.pause" : "replay.button.play").c_str(),
+                ButtonKind::plain, 76, phrase("replay.tooltip.play").c_str()))
         line.toggle();
-    if (row.add("replay.back", "-1 s", ButtonKind::plain, 52, "A second back (Left arrow)"))
+    if (row.add("replay.back", phrase("replay.button.back").c_str(), ButtonKind::plain, 52,
+                phrase("replay.tooltip.back").c_str()))
         line.seek(line.target() - ReplayTimeline::kKeyStep);
-    if (row.add("replay.on", "+1 s", ButtonKind::plain, 52, "A second on (Right arrow)"))
+    if (row.add("replay.on", phrase("replay.button.on").c_str(), ButtonKind::plain, 52,
+                phrase("replay.tooltip.on").c_str()))
         line.seek(line.target() + ReplayTimeline::kKeyStep);
-    if (row.add("replay.start", "From the start", ButtonKind::plain, 116)) line.seek(0);
-    if (row.add("replay.weld", "Weld it yourself", ButtonKind::main, 136,
-                "Another attempt in this lesson, with the values of its first page (F5)"))
+    if (row.add("replay.start", phrase("replay.button.start").c_str(), ButtonKind::plain, 116)) line.seek(0);
+    if (row.add("replay.weld", phrase("replay.button.weld").c_str(), ButtonKind::main, 136,
+                phrase("replay.tooltip.weld").c_str()))
         request = MenuRequest::reset;
     return request;
 }
@@ -157,7 +161,7 @@ MenuRequest wideRows(Context& context, LessonSession& session) {
 MenuRequest replayPart(Context& context, LessonSession& session) {
     constexpr float kWide = 900; // points in which two columns have room for the buttons
     ReplayTimeline& line = session.replay().line();
-    strongText(context, "Attempt again");
+    strongText(context, phrase("replay.heading"));
     timeSlider(context, line);
     if (ImGui::GetContentRegionAvail().x >= context.points(kWide)) return wideRows(context, session);
     speedOverTime(context, session);

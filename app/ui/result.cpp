@@ -1,10 +1,10 @@
 // The result of an attempt: score, what to correct, verdict and measured weld, for the window and the headset's panel.
 #include "app/ui/panels.hpp"
+#include "core/base/words.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <string>
 
@@ -77,15 +77,15 @@ MenuRequest drawCorrections(Context& context, LessonSession& session) {
     MenuRequest request = MenuRequest::none;
     if (attempt.rows.corrections.empty()) return request;
     ImGui::Dummy({0, context.points(4)});
-    strongText(context, "Correct this first");
+    strongText(context, phrase("result.correction.heading"));
     for (size_t i = 0; i < attempt.rows.corrections.size(); ++i) {
         ImGui::Bullet();
         ImGui::SameLine();
         wrapped(attempt.rows.corrections[i]);
         if (i >= kButtons.size() || i >= corrections.size() || !session.redoes()) continue;
         const auto place = worstPlace(attempt.judgement, corrections[i]);
-        if (!place || !button(context, kButtons[i], "Redo from here", ButtonKind::plain, 150,
-                              "Back to a second before the place where this was worst; the rest is practice"))
+        if (!place || !button(context, kButtons[i], phrase("result.correction.redo").c_str(), ButtonKind::plain, 150,
+                              phrase("result.correction.redo_tooltip").c_str()))
             continue;
         session.log().moments().choose(*place);
         request = MenuRequest::redo;
@@ -102,8 +102,7 @@ MenuRequest drawJudgement(Context& context, LessonSession& session, const Techni
     ImGui::PopFont();
     markItem(context, "result.score");
     if (!best.empty()) quietText(context, best);
-    if (session.log().moments().redone() > 0)
-        quietText(context, "Practice: this attempt went back to an earlier moment, so its score does not count.");
+    if (session.log().moments().redone() > 0) quietText(context, phrase("result.note.practice"));
     quietText(context, rows.scoreNote);
     ImGui::PushFont(context.fonts.strong);
     wrapped(rows.verdict, tintOf(rows.verdictState));
@@ -114,11 +113,10 @@ MenuRequest drawJudgement(Context& context, LessonSession& session, const Techni
         if (!section->rows.empty() || section->note != rows.scoreNote) drawSection(context, *section);
     if (attempt.bend) bendPart(context, *attempt.bend);
     curvesPart(context, attempt.judgement, bands);
-    char text[128];
-    std::snprintf(text, sizeof text, "This is the attempt as it was after %.1f s. When you weld on, it is judged anew.",
-                  attempt.time);
+    ShortText moment;
+    appendPhrase(moment, "result.note.moment", {{"seconds", PhraseNumber(attempt.time, 1)}});
     ImGui::Dummy({0, context.points(4)});
-    quietText(context, text);
+    quietText(context, moment);
     return request;
 }
 
@@ -142,36 +140,40 @@ float resultReach(const Context& context) {
 MenuRequest resultPart(Context& context, LessonSession& session, const Home& home) {
     MenuRequest request = MenuRequest::none;
     ButtonRow row(context, 10);
-    if (row.add("result.judge", "Judge the weld", session.attempt().judged() ? ButtonKind::plain : ButtonKind::main,
+    const bool judged = session.attempt().judged().has_value();
+    if (row.add("result.judge", phrase("result.button.judge").c_str(), judged ? ButtonKind::plain : ButtonKind::main,
                 150))
         request = MenuRequest::judge;
-    if (row.add("result.again", "Again", session.attempt().judged() ? ButtonKind::main : ButtonKind::plain, 110))
+    if (row.add("result.again", phrase("result.button.again").c_str(), judged ? ButtonKind::main : ButtonKind::plain,
+                110))
         request = MenuRequest::reset;
-    if (row.add("result.home", "Home", ButtonKind::plain, 80,
-                ShortText{"All lessons (", context.key(Key::h), ")"}.c_str()))
+    ShortText homeNote;
+    appendPhrase(homeNote, "result.tooltip.home", {{"key", context.key(Key::h)}});
+    if (row.add("result.home", phrase("result.button.home").c_str(), ButtonKind::plain, 80, homeNote.c_str()))
         request = MenuRequest::home;
     const CataloguedLesson* next = home.find(session.lesson().next);
-    if (next != nullptr && session.attempt().judged() &&
-        button(context, "result.next", ShortText{"Next: ", next->title}.c_str(), ButtonKind::plain))
-        request = MenuRequest::next;
-    if (session.attempt().judged()) {
-        if (button(context, "result.page", "Page", ButtonKind::plain, 80,
-                   "Writes this result as a page that a browser shows and prints"))
+    if (next != nullptr && judged) {
+        ShortText text;
+        appendPhrase(text, "result.button.next", {{"lesson", next->title}});
+        if (button(context, "result.next", text.c_str())) request = MenuRequest::next;
+    }
+    if (judged) {
+        if (button(context, "result.page", phrase("result.button.page").c_str(), ButtonKind::plain, 80,
+                   phrase("result.tooltip.page").c_str()))
             request = MenuRequest::page;
         if (session.picture().cut().shown() || session.cuts()) ImGui::SameLine();
     }
     if (const MenuRequest asked = cutPart(context, session); asked != MenuRequest::none) request = asked;
-    if (session.redoes() && button(context, "result.redo", "Back 3 s", ButtonKind::plain, 110,
-                                   "The metal as it was; the rest is practice (Backspace)"))
+    if (session.redoes() && button(context, "result.redo", phrase("result.button.redo").c_str(), ButtonKind::plain, 110,
+                                   phrase("result.tooltip.redo").c_str()))
         request = MenuRequest::redo;
-    if (session.attempt().judged()) {
+    if (judged) {
         const MenuRequest asked = drawJudgement(context, session, bandsOf(session.lesson()), bestText(session, home));
         if (asked != MenuRequest::none) request = asked;
     } else if (session.run().arc().burns()) {
-        quietText(context, "The arc burns. Let it go out, then the weld can be judged.");
+        quietText(context, phrase("result.note.arc_burns"));
     } else {
-        quietText(context, "Nothing is judged yet. A finished weld of 10 mm or more is judged by itself a second after "
-                           "the arc is out, where the lesson says what is asked for; the button judges any weld.");
+        quietText(context, phrase("result.note.not_judged"));
     }
     return request;
 }
@@ -185,7 +187,7 @@ MenuRequest resultPanel(Context& context, LessonSession& session, const Home& ho
     ImGui::Begin("result", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
-    strongText(context, "Result");
+    strongText(context, phrase("result.heading"));
     const MenuRequest request = resultPart(context, session, home);
     ImGui::End();
     return request;

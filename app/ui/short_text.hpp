@@ -5,6 +5,7 @@
 #include <array>
 #include <cstring>
 #include <initializer_list>
+#include <string>
 #include <string_view>
 
 namespace meltpool::ui {
@@ -19,6 +20,7 @@ class ShortText {
     }
     ShortText(std::string_view text) { *this += text; }
     ShortText(const char* text) { *this += text; }
+    ShortText(const std::string& text) { *this += text; }
 
     ShortText& operator+=(std::string_view part) {
         const size_t fits = std::min(part.size(), text_.size() - 1 - length_);

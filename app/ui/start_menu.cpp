@@ -1,6 +1,7 @@
 // A lesson's first page: what is asked for, the machine's values, start; and the program's logo and backdrop.
 #include "app/ui/panels.hpp"
 
+#include "core/base/words.hpp"
 #include "core/weld/workpiece/simulated_size.hpp"
 
 #include <algorithm>
@@ -108,7 +109,7 @@ void introduction(Context& context, const Lesson& lesson, Home& home) {
     ImGui::BeginGroup();
     ImGui::PushTextWrapPos(0);
     strongText(context, lesson.title);
-    ImGui::TextUnformatted(lesson.text.empty() ? "Melt metal where the torch heats it." : lesson.text.c_str());
+    ImGui::TextUnformatted(lesson.text.empty() ? phrase("start.free_task").c_str() : lesson.text.c_str());
     ImGui::PopTextWrapPos();
     if (const CataloguedLesson* listed = home.find(lesson)) quietText(context, home.standing(*listed));
     ImGui::EndGroup();
@@ -117,7 +118,7 @@ void introduction(Context& context, const Lesson& lesson, Home& home) {
 /// A parameter with what it does below it.
 void explained(Context& context, const ParameterSection& section, const Parameter& parameter) {
     parameterControl(context, section, parameter);
-    quietText(context, sentence(parameter.note));
+    quietText(context, sentence(translatedNote(parameter)));
     ImGui::Dummy({0, context.points(3)});
 }
 
@@ -150,18 +151,20 @@ MenuRequest startButtons(Context& context, bool demonstrated) {
     const float thick = lowerThan(context, 420) ? 6.0f : 11.0f;
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {context.points(12), context.points(thick)});
     ButtonRow ways(context, 12);
-    if (ways.add("start.start", "Start", ButtonKind::main, half, "Weld with these values (Enter)"))
+    if (ways.add("start.start", phrase("start.start").c_str(), ButtonKind::main, half,
+                 phrase("start.start_tip").c_str()))
         request = MenuRequest::start;
-    if (ways.add("start.defaults", "Start with defaults", ButtonKind::plain, half,
-                 "Forget the values above and use the lesson's own"))
+    if (ways.add("start.defaults", phrase("start.defaults").c_str(), ButtonKind::plain, half,
+                 phrase("start.defaults_tip").c_str()))
         request = MenuRequest::startWithDefaults;
     ImGui::PopStyleVar();
     ButtonRow others(context, 12);
-    if (others.add("start.home", "Home", ButtonKind::plain, half,
-                   ShortText{"All lessons (", context.key(Key::h), ")"}.c_str()))
+    ShortText note;
+    appendPhrase(note, "start.home_tip", {{"key", context.key(Key::h)}});
+    if (others.add("start.home", phrase("start.home").c_str(), ButtonKind::plain, half, note.c_str()))
         request = MenuRequest::home;
-    if (demonstrated && others.add("start.demonstration", "Demonstration", ButtonKind::plain, half,
-                                   "The expert's torch welds; it can be stopped and brought to any moment"))
+    if (demonstrated && others.add("start.demonstration", phrase("start.demonstration").c_str(), ButtonKind::plain,
+                                   half, phrase("start.demonstration_tip").c_str()))
         request = MenuRequest::demonstrate;
     return request;
 }

@@ -1,9 +1,9 @@
 // The weld looked into: cut open at any place, and bent. For the window and the headset's panel.
 #include "app/session/bend_drawing.hpp"
 #include "app/ui/panels.hpp"
+#include "core/base/words.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <span>
 #include <vector>
 
@@ -21,12 +21,12 @@ constexpr float kLargest = 8; ///< points a millimetre of a drawing
 void placeSlider(Context& context, CutView& cut) {
     auto place = static_cast<float>(cut.place() * 1e3);
     const Parameter parameter{"place",
-                              "Place of the cut",
+                              phrase("weld_view.cut.place"),
                               "mm",
                               &place,
                               cut.reach().low * 1e3,
                               cut.reach().high * 1e3,
-                              "along the seam; arrow keys go 1 mm, and a dragging mouse moves it in the picture"};
+                              phrase("weld_view.cut.place_tooltip")};
     static const DefaultTexts kNone;
     if (parameterControl(context, "cut", parameter, kNone)) cut.moveTo(static_cast<double>(place) * 1e-3);
 }
@@ -72,27 +72,16 @@ void drawSheet(Context& context, const BendDrawing& drawing) {
     ImGui::Dummy({width, drawing.size.y * scale});
 }
 
-const char* ruleOf(const BendTest& test) {
-    if (test.former <= 0)
-        return "The fillet is broken open from its root, as AWS D1.1 breaks its test fillets. It must be fused to the "
-               "root "
-               "all along. The broken face is shown with the root at its lower edge.";
-    return "Straps as AWS D1.1 bends them, 180\xC2\xB0 round four times their thickness. No opening may be longer than "
-           "3 mm, "
-           "and those over 1 mm not more than 10 mm together. Every strap of this weld is bent both ways.";
-}
-
 } // namespace
 
 MenuRequest cutPart(Context& context, LessonSession& session) {
     CutView& cut = session.picture().cut();
     if (!cut.shown() && !session.cuts()) return MenuRequest::none;
     MenuRequest request = MenuRequest::none;
-    if (button(context, "cut.open", cut.shown() ? "Close the cut" : "Cut the weld open",
-               cut.shown() ? ButtonKind::lit : ButtonKind::plain, 150,
-               ShortText{"Shows the section with what is measured in it; the metal waits meanwhile (",
-                         context.key(Key::x), ")"}
-                   .c_str()))
+    ShortText note;
+    appendPhrase(note, "weld_view.cut.tooltip", {{"key", context.key(Key::x)}});
+    if (button(context, "cut.open", phrase(cut.shown() ? "weld_view.cut.close" : "weld_view.cut.open").c_str(),
+               cut.shown() ? ButtonKind::lit : ButtonKind::plain, 150, note.c_str()))
         request = MenuRequest::cut;
     if (!cut.shown()) return request;
     placeSlider(context, cut);
@@ -102,8 +91,9 @@ MenuRequest cutPart(Context& context, LessonSession& session) {
 
 void bendPart(Context& context, const BendTest& test) {
     const bool broken = test.former <= 0;
-    if (!groupHeading(context, "result", broken ? "Fillet break" : "Bend test")) return;
-    quietText(context, ruleOf(test));
+    if (!groupHeading(context, "result", phrase(broken ? "weld_view.break.heading" : "weld_view.bend.heading").c_str()))
+        return;
+    quietText(context, phrase(broken ? "weld_view.break.rule" : "weld_view.bend.rule"));
     for (const BentStrap& strap : test.straps) {
         const bool good = strap.state == VerdictState::pass, bad = strap.state == VerdictState::fail;
         ImGui::PushStyleColor(ImGuiCol_Text, good  ? IM_COL32(134, 214, 140, 255)

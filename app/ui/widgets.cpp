@@ -1,10 +1,10 @@
 #include "app/ui/widgets.hpp"
+#include "core/base/words.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 
 namespace meltpool::ui {
@@ -75,14 +75,13 @@ ShortText niceNumber(double value) {
     const double size = std::abs(value);
     int decimals = 0;
     if (size > 0 && size < 1000) decimals = std::clamp(3 - static_cast<int>(std::floor(std::log10(size))), 0, 6);
-    char text[64];
-    std::snprintf(text, sizeof text, "%.*f", decimals, value);
+    const PhraseNumber text(value, decimals);
     std::string_view number = text;
-    if (number.find('.') != std::string_view::npos) {
+    if (decimals > 0) {
         number = number.substr(0, number.find_last_not_of('0') + 1);
-        if (number.back() == '.') number.remove_suffix(1);
+        if (std::isdigit(static_cast<unsigned char>(number.back())) == 0) number.remove_suffix(1); // the decimal mark
     }
-    return number == "-0" ? "0" : number;
+    return number;
 }
 
 std::string sentence(std::string_view text) {
@@ -215,14 +214,16 @@ bool toggle(Context& context, std::string_view name, std::string_view label, boo
     return clicked;
 }
 
-bool choiceRow(Context& context, std::string_view name, std::span<const std::string_view> choices, int& value) {
+bool choiceRow(Context& context, std::string_view name, std::span<const std::string_view> choices, int& value,
+               std::string_view words) {
     const float gap = context.points(5);
     const float right = ImGui::GetContentRegionAvail().x;
     float used = 0;
     bool changed = false;
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {context.points(8), context.points(4)});
     for (size_t i = 0; i < choices.size(); ++i) {
-        const ShortText text = readableName(choices[i]);
+        const ShortText readable = readableName(choices[i]);
+        const ShortText text = phraseOr(ShortText{words, ".", choices[i]}, readable);
         const float width = ImGui::CalcTextSize(text.c_str()).x + context.points(16);
         if (i > 0 && used + gap + width <= right) {
             ImGui::SameLine(0, gap);
@@ -242,6 +243,28 @@ bool choiceRow(Context& context, std::string_view name, std::span<const std::str
     return changed;
 }
 
+namespace {
+
+/// "group.expert_surface" of "Expert: surface".
+ShortText groupKey(std::string_view title) {
+    ShortText key("group.");
+    bool gap = false;
+    for (const char c : title) {
+        const bool capital = c >= 'A' && c <= 'Z', letter = capital || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+        if (!letter) {
+            gap = true;
+            continue;
+        }
+        if (gap) key += "_";
+        gap = false;
+        const char small = capital ? static_cast<char>(c - 'A' + 'a') : c;
+        key += std::string_view(&small, 1);
+    }
+    return key;
+}
+
+} // namespace
+
 bool groupHeading(Context& context, std::string_view prefix, const char* title, bool openAtFirst) {
     ImGui::Dummy({0, context.points(4)});
     ImGuiStorage* storage = ImGui::GetStateStorage();
@@ -258,7 +281,8 @@ bool groupHeading(Context& context, std::string_view prefix, const char* title, 
     markItem(context, ShortText{prefix, ".group.", title});
     ImDrawList* draw = ImGui::GetWindowDrawList();
     const ImU32 tint = ImGui::IsItemHovered() ? IM_COL32(255, 205, 168, 255) : IM_COL32(255, 178, 122, 255);
-    draw->AddText({corner.x, corner.y + context.points(3)}, tint, title);
+    const std::string_view shown = phraseOr(groupKey(title), title);
+    draw->AddText({corner.x, corner.y + context.points(3)}, tint, shown.data(), shown.data() + shown.size());
     ImGui::PopFont();
     // A chevron at the right: down while open, to the side while folded.
     const ImVec2 centre{corner.x + width - context.points(8), corner.y + height / 2};

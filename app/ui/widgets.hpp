@@ -44,7 +44,12 @@ bool parameterControl(Context& context, std::string_view prefix, const Parameter
 /// The same for one of a section; a value that the lesson gives is shown without a control.
 bool parameterControl(Context& context, const ParameterSection& section, const Parameter& parameter);
 
-/// A heading of a group; false when it is folded.
+/// Label and explanation of a parameter in the chosen language.
+std::string_view translatedLabel(const Parameter& parameter);
+std::string_view translatedNote(const Parameter& parameter);
+
+/// A heading of a group; false when it is folded. `title` names it among the places; it is shown in the chosen language
+/// (group.TITLE in small letters with low lines).
 bool groupHeading(Context& context, std::string_view prefix, const char* title, bool openAtFirst = true);
 
 enum class ButtonKind { plain, main, lit };
@@ -80,8 +85,9 @@ bool lowerThan(const Context& context, float height);
 bool toggle(Context& context, std::string_view name, std::string_view label, bool& value, const char* tooltip = nullptr,
             bool* hovered = nullptr);
 
-/// Buttons of which one is chosen, wrapped into rows.
-bool choiceRow(Context& context, std::string_view name, std::span<const std::string_view> choices, int& value);
+/// Buttons of which one is chosen, wrapped into rows. `words` starts the keys of their words: "group" of "group.view".
+bool choiceRow(Context& context, std::string_view name, std::span<const std::string_view> choices, int& value,
+               std::string_view words = "group");
 
 /// Draw a rectangle with rounded corners, `radius` in pixels: its inside, its edge. Every rectangle of the interface is
 /// drawn by these two: Dear ImGui 1.86 divides by zero when the radius that it finds room for is between 0 and 1e-6

@@ -1,7 +1,8 @@
-// Variables of the environment, as UTF-8.
+// Variables of the environment and the person's language, as UTF-8.
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace meltpool {
 
@@ -10,5 +11,8 @@ std::string environmentVariable(const char* name);
 
 /// Sets the variable, for libraries too, unless somebody has set it already.
 void setEnvironmentDefault(const char* name, const char* value);
+
+/// The person's languages as the system is set, the most wanted first: "de", "pt". Letters before the country only.
+std::vector<std::string> preferredLanguages();
 
 } // namespace meltpool

@@ -1,8 +1,7 @@
 #include "core/render/effects/worn_visor.hpp"
 
+#include "core/base/words.hpp"
 #include "core/render/look/heat_colours.hpp"
-
-#include <cstdio>
 
 namespace meltpool {
 
@@ -38,11 +37,9 @@ void WornVisor::wear(const VisorSettings& visor, LookParameters& look) const {
 }
 
 void WornVisor::tell() {
-    length_ = 0;
+    text_.clear();
     if (eye_.looked() < kLeastLook || eye_.sinceLook() > kTold) return;
-    const char* begin = worn_ ? "The visor was still light: you looked into the arc for"
-                              : "You looked into the arc without a visor for";
-    length_ = static_cast<size_t>(std::snprintf(text_.data(), text_.size(), "%s %.1f s.", begin, eye_.looked()));
+    appendPhrase(text_, worn_ ? "visor.still_light" : "visor.none", {{"seconds", PhraseNumber(eye_.looked(), 1)}});
 }
 
 } // namespace meltpool

@@ -5,7 +5,7 @@
 #include "core/render/effects/visor_filter.hpp"
 #include "core/render/look/look.hpp"
 
-#include <array>
+#include <string>
 #include <string_view>
 
 namespace meltpool {
@@ -35,7 +35,7 @@ class WornVisor {
     const Eye& eye() const { return eye_; }
     /// A look into the arc without enough of a filter, as a sentence; empty where there was none lately. Valid until
     /// the next update().
-    std::string_view sentence() const { return {text_.data(), length_}; }
+    std::string_view sentence() const { return text_; }
 
   private:
     void tell();
@@ -43,8 +43,7 @@ class WornVisor {
     VisorFilter filter_;
     Eye eye_;
     bool worn_ = false; ///< a visor was on at the last look
-    std::array<char, 96> text_{};
-    size_t length_ = 0;
+    std::string text_;
 };
 
 /// The visor that a look asks for.

@@ -1,5 +1,6 @@
 #include "core/training/attempt/attempt_figures.hpp"
 
+#include "core/base/words.hpp"
 #include "core/weld/gauge/weld_figures.hpp"
 
 #include <array>
@@ -10,25 +11,23 @@ namespace meltpool {
 namespace {
 
 struct ArcRow {
-    std::string_view key, name, unit, more, less;
+    std::string_view key, unit;
     double least, much;
     int decimals;
 };
 
 constexpr std::array kArcRows{
-    ArcRow{"heat_input_kj_mm", "heat input", "kJ/mm", "more heat input", "less heat input", 0.02, 0.2, 2},
-    ArcRow{"mean_current_a", "mean current", "A", "more current", "less current", 1, 30, 0},
-    ArcRow{"mean_voltage_v", "mean voltage", "V", "more voltage", "less voltage", 0.2, 3, 1},
-    ArcRow{"seconds", "time of the arc", "s", "longer arc time", "shorter arc time", 0.2, 10, 1},
+    ArcRow{"heat_input_kj_mm", "kJ/mm", 0.02, 0.2, 2},
+    ArcRow{"mean_current_a", "A", 1, 30, 0},
+    ArcRow{"mean_voltage_v", "V", 0.2, 3, 1},
+    ArcRow{"seconds", "s", 0.2, 10, 1},
 };
 
 ComparedFigure figureOf(const WeldFigure& row) {
     ComparedFigure figure;
     figure.key = row.key;
-    figure.name = row.words.name;
+    figure.name = row.name();
     figure.unit = row.unit;
-    figure.more = row.words.more;
-    figure.less = row.words.less;
     figure.group = FigureGroup::weld;
     figure.resolution = row.resolution;
     figure.least = row.scale.least;
@@ -42,10 +41,8 @@ ComparedFigure figureOf(const WeldFigure& row) {
 ComparedFigure figureOf(const ArcRow& row) {
     ComparedFigure figure;
     figure.key = row.key;
-    figure.name = row.name;
+    figure.name = phraseOf("figure", figure.key + ".name");
     figure.unit = row.unit;
-    figure.more = row.more;
-    figure.less = row.less;
     figure.group = FigureGroup::arc;
     figure.least = row.least;
     figure.much = row.much;
@@ -65,14 +62,8 @@ constexpr std::array<HandScale, 5> kHandScales{
 ComparedFigure figureOf(const QuantityInfo& info) {
     ComparedFigure figure;
     figure.key = info.key;
-    figure.name = info.words;
+    figure.name = info.words();
     figure.unit = info.unit;
-    figure.more = "more " + figure.name;
-    figure.less = "less " + figure.name;
-    if (info.quantity == TechniqueQuantity::travelSpeed) {
-        figure.more = "faster travel";
-        figure.less = "slower travel";
-    }
     figure.group = FigureGroup::hand;
     for (const HandScale& scale : kHandScales)
         if (scale.unit == info.unit) {

@@ -15,13 +15,12 @@ namespace meltpool {
 /// What a figure is told of.
 enum class FigureGroup { weld, hand, arc };
 
-/// A figure of an attempt and how a difference of it is told.
+/// A figure of an attempt. How a difference of it is told stands under its key in data/words: figure.KEY.more and
+/// figure.KEY.less.
 struct ComparedFigure {
     std::string key;  ///< a column of weld.csv, a key of QuantityInfo, an entry of `arc` in result.json
     std::string name; ///< "penetration"
     std::string unit; ///< "mm", "mm2", "mm/s", "°", "%", "Hz", "s", "A", "V", "kJ/mm"
-    std::string more; ///< behind a number that is greater: "more penetration", "wider"
-    std::string less; ///< behind one that is smaller: "less penetration", "narrower"
     FigureGroup group = FigureGroup::weld;
     double resolution = 0; ///< of a figure of the weld, see WeldFigure::resolution
     double least = 0;      ///< in `unit`: a smaller difference is none

@@ -1,9 +1,9 @@
 #include "core/training/attempt/differences.hpp"
 
+#include "core/base/words.hpp"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace meltpool {
 
@@ -19,27 +19,22 @@ double resolvedOf(const ComparedFigure& figure, double spacing) {
     return std::max({figure.least, figure.resolution * spacing / kMm, kRounding});
 }
 
-std::string fixed(double value, int decimals) {
-    std::array<char, 48> text{};
-    std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
-    return text.data();
-}
-
 std::string amountText(double amount, int decimals, const std::string& unit) {
-    if (unit == "°" || unit == "%") return fixed(amount, decimals) + unit;
-    return fixed(amount, decimals) + " " + (unit == "mm2" ? "mm²" : unit);
+    std::string text(PhraseNumber(amount, decimals));
+    if (unit != "°" && unit != "%") text += " ";
+    return text + (unit == "mm2" ? "mm²" : unit);
 }
 
 std::vector<ScorePair> scorePairs(const AttemptFigures& first, const AttemptFigures& second) {
     if (!first.score && !second.score) return {};
-    std::vector<ScorePair> pairs{{"score", first.score, second.score}};
+    std::vector<ScorePair> pairs{{phrase("figure.differences.score"), first.score, second.score}};
     const auto pointsOf = [](const AttemptFigures& figures, const std::string& key) {
         const auto found = figures.points.find(key);
         return found != figures.points.end() ? std::optional(found->second) : std::nullopt;
     };
     for (const QuantityInfo& info : quantities(second.distance)) {
         const std::string key(info.key);
-        ScorePair pair{std::string(info.words), pointsOf(first, key), pointsOf(second, key)};
+        ScorePair pair{std::string(info.words()), pointsOf(first, key), pointsOf(second, key)};
         if (pair.first || pair.second) pairs.push_back(std::move(pair));
     }
     return pairs;
@@ -65,6 +60,11 @@ int FigurePair::decimals() const {
     for (double step = std::pow(10.0, -decimals); decimals < 3 && std::abs(difference()) < step; step /= 10)
         ++decimals;
     return decimals;
+}
+
+std::string FigurePair::told(std::string_view size) const {
+    const std::string key = "figure." + figure.key + (difference() > 0 ? ".more" : ".less");
+    return phrase(key, {{"size", size}});
 }
 
 std::vector<FigurePair> Comparison::differences() const {
@@ -96,20 +96,29 @@ Comparison compareAttempts(const AttemptFigures& first, const AttemptFigures& se
 }
 
 std::string differenceText(const FigurePair& pair) {
-    return amountText(std::abs(pair.difference()), pair.decimals(), pair.figure.unit) + " " + pair.words();
+    return pair.told(amountText(std::abs(pair.difference()), pair.decimals(), pair.figure.unit));
 }
 
 std::string comparisonText(const Comparison& comparison, size_t most) {
     std::string text;
-    const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
+    const auto add = [&](const std::string& part) {
+        if (!text.empty()) text += phrase("list.separator");
+        text += part;
+    };
     const std::vector<FigurePair> found = comparison.differences();
     for (size_t i = 0; i < std::min(found.size(), most); ++i)
         add(differenceText(found[i]));
-    if (found.size() > most) add("and " + std::to_string(found.size() - most) + " more");
-    if (const auto points = comparison.morePoints())
-        add(fixed(std::abs(*points), 0) + (std::abs(*points) < 1.5 ? " point " : " points ") +
-            (*points > 0 ? "more" : "less"));
-    return text.empty() ? "no difference that the metal resolves" : text;
+    if (found.size() > most) {
+        const size_t further = found.size() - most;
+        add(phraseOfCount("figure.differences.further", static_cast<long long>(further),
+                          {{"count", std::to_string(further)}}));
+    }
+    if (const auto points = comparison.morePoints()) {
+        const PhraseNumber shown(std::abs(*points));
+        add(phraseOfCount(*points > 0 ? "figure.differences.points_more" : "figure.differences.points_less",
+                          std::llround(std::abs(*points)), {{"points", shown}}));
+    }
+    return text.empty() ? phrase("figure.differences.none") : text;
 }
 
 } // namespace meltpool

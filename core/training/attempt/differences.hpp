@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace meltpool {
@@ -22,8 +23,8 @@ struct FigurePair {
     /// Of one that differs: its size by what differs as much; 1 is much.
     double weight() const { return std::abs(difference()) / figure.much; }
     int decimals() const; ///< with which the difference is told: no fewer than it needs to be seen
-    /// "more penetration", behind the size of the difference.
-    const std::string& words() const { return difference() > 0 ? figure.more : figure.less; }
+    /// "0.4 mm more penetration" of a size "0.4 mm", which may stand in HTML.
+    std::string told(std::string_view size) const;
 };
 
 /// Points that the quantities of the hand had; nothing where an attempt was not judged by it.

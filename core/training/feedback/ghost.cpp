@@ -1,11 +1,12 @@
 #include "core/training/feedback/ghost.hpp"
 
+#include "core/base/words.hpp"
+
 #include <glm/common.hpp>
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace meltpool {
@@ -121,26 +122,29 @@ GhostDelta ghostDelta(const Technique& hand, int direction, const GhostMoment& m
     return delta;
 }
 
-/// "work angle 4° less": `before` and `unit` with their spaces.
-void GhostWords::add(const char* before, double amount, int digits, const char* unit, const char* word) {
-    Line& line = lines_[count_++];
-    const int length =
-        std::snprintf(line.text.data(), line.text.size(), "%s%.*f%s %s", before, digits, amount, unit, word);
-    line.length = std::min(static_cast<size_t>(std::max(length, 0)), line.text.size() - 1);
+GhostWords::Line& GhostWords::Line::operator+=(std::string_view piece) {
+    const size_t fits = std::min(piece.size(), text.size() - length);
+    std::copy_n(piece.begin(), fits, text.begin() + static_cast<std::ptrdiff_t>(length));
+    length += fits;
+    return *this;
+}
+
+void GhostWords::add(std::string_view key, double amount, int digits) {
+    appendPhrase(lines_[count_++], key, {{"amount", PhraseNumber(amount, digits)}});
 }
 
 GhostWords::GhostWords(const GhostDelta& delta, GhostPace pace) {
     // Unknown values compare as false.
     const double speed = std::round(std::abs(delta.speed) * 1e4) / 10;
-    if (speed > 0) add("", speed, 1, " mm/s", delta.speed > 0 ? "faster" : "slower");
-    const auto angle = [&](const char* name, double radians) {
+    if (speed > 0) add(delta.speed > 0 ? "ghost.faster" : "ghost.slower", speed, 1);
+    const auto angle = [&](double radians, std::string_view more, std::string_view less) {
         const double degrees = std::round(std::abs(glm::degrees(radians)));
-        if (degrees > 0) add(name, degrees, 0, "\xC2\xB0", radians > 0 ? "more" : "less");
+        if (degrees > 0) add(radians > 0 ? more : less, degrees, 0);
     };
-    angle("work angle ", delta.workAngle);
-    angle("travel angle ", delta.travelAngle);
+    angle(delta.workAngle, "ghost.work_angle.more", "ghost.work_angle.less");
+    angle(delta.travelAngle, "ghost.travel_angle.more", "ghost.travel_angle.less");
     const double ahead = std::round(std::abs(delta.ahead) * 1e3);
-    if (pace == GhostPace::time && ahead > 0) add("", ahead, 0, " mm", delta.ahead > 0 ? "ahead" : "behind");
+    if (pace == GhostPace::time && ahead > 0) add(delta.ahead > 0 ? "ghost.ahead" : "ghost.behind", ahead, 0);
 }
 
 } // namespace meltpool

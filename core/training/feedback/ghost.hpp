@@ -105,10 +105,11 @@ class GhostWords {
 
   private:
     struct Line {
-        std::array<char, 40> text{};
+        std::array<char, 80> text{};
         size_t length = 0;
+        Line& operator+=(std::string_view piece); ///< cuts what does not fit
     };
-    void add(const char* before, double amount, int digits, const char* unit, const char* word);
+    void add(std::string_view key, double amount, int digits);
 
     std::array<Line, 4> lines_;
     size_t count_ = 0;

@@ -1,7 +1,6 @@
 #include "core/training/judging/bend_test.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace meltpool {
@@ -187,11 +186,6 @@ class Bender {
 };
 
 } // namespace
-
-std::string_view nameOf(BendKind kind) {
-    static constexpr std::array<std::string_view, 4> kNames{"face bend", "root bend", "side bend", "fillet break"};
-    return kNames[static_cast<size_t>(kind)];
-}
 
 std::optional<BendTest> bendTest(const WeldMeasures& weld, double thickness, const BendRule& rule) {
     if (weld.kind == WeldKind::bead || weld.stations.empty() || !(thickness > 0)) return std::nullopt;

@@ -11,8 +11,6 @@ namespace meltpool {
 
 /// Which face of a strap is stretched. Of a fillet the joint is folded onto its face until it breaks, or lies flat.
 enum class BendKind { face, root, side, filletBreak };
-/// "face bend", "root bend", "side bend" or "fillet break".
-std::string_view nameOf(BendKind kind);
 
 /// AWS D1.1, visual examination of bend specimens (table 6.1 to 2015, 8.1 from 2020). Lengths in m.
 struct BendRule {

@@ -1,6 +1,7 @@
 #include "core/training/judging/estimates.hpp"
 
 #include "core/base/text.hpp"
+#include "core/base/words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,8 +20,10 @@ constexpr double kPerMetre = 1e3;       ///< mm
 
 /// One reason to expect an imperfection.
 struct Rule {
-    std::string when; ///< "the contact tip is over 18 mm from the work (a public scoring table)"
+    std::string_view name; ///< in the keys of the sentences that tell of it
     std::function<bool(const SeamMillimetre&)> holds;
+    std::string_view limitName = {}; ///< the place for its limit in those sentences; empty: its limits are constants
+    double limit = 0;                ///< as the sentence has it, mm or mm/s
 };
 
 std::string number(double value) {
@@ -28,30 +31,24 @@ std::string number(double value) {
 }
 
 Rule tooFar() {
-    return {"the contact tip is over " + number(kGasCoverDistance * kPerMetre) +
-                " mm from the work (a scoring table for GMAW trainers)",
-            [](const SeamMillimetre& mm) { return mm.values[distance] > kGasCoverDistance; }};
+    return {"tip_far", [](const SeamMillimetre& mm) { return mm.values[distance] > kGasCoverDistance; }, "distance",
+            kGasCoverDistance * kPerMetre};
 }
 
 Rule tooFlat() {
-    return {"the torch pushes by over " + number(kMostPush) + "\xC2\xB0 or drags by over " + number(kMostDrag) +
-                "\xC2\xB0 (angles of a scoring table; that they draw air in is trade knowledge)",
-            [](const SeamMillimetre& mm) {
+    return {"torch_flat", [](const SeamMillimetre& mm) {
                 const double angle = mm.values[travelAngle] * 180 / std::numbers::pi;
                 return angle > kMostPush || angle < -kMostDrag;
             }};
 }
 
 /// An arc longer than `most` (m).
-Rule tooLong(double most, const std::string& source) {
-    return {"the arc is over " + number(most * kPerMetre) + " mm long (" + source + ")",
-            [most](const SeamMillimetre& mm) { return mm.values[distance] > most; }};
+Rule tooLong(double most, std::string_view name) {
+    return {name, [most](const SeamMillimetre& mm) { return mm.values[distance] > most; }, "arc", most * kPerMetre};
 }
 
 Rule outOfBalance() {
-    return {"the voltage is over " + number(kBalanceAbove) + " V above or " + number(kBalanceBelow) +
-                " V below 14 V + 0.05 V/A (published settings and 3 V, which this program chose)",
-            [](const SeamMillimetre& mm) {
+    return {"out_of_balance", [](const SeamMillimetre& mm) {
                 const double excess = mm.voltage - (kLoadLineVoltage + kLoadLineSlope * mm.current);
                 return excess > kBalanceAbove || excess < -kBalanceBelow;
             }};
@@ -62,9 +59,9 @@ std::vector<Rule> poreRules(const ProcessTraits& traits, double core) {
     switch (traits.shielding) {
     case Shielding::gas:
         if (traits.distance == DistanceKind::ctwd) return {tooFar(), tooFlat()};
-        return {tooLong(kGasCoverArc, "this program's choice"), tooFlat()};
+        return {tooLong(kGasCoverArc, "arc_long"), tooFlat()};
     case Shielding::slag:
-        return {tooLong(kUncoveredArc * core, "twice the core, this program's choice")};
+        return {tooLong(kUncoveredArc * core, "arc_uncovered")};
     case Shielding::none:
         break;
     }
@@ -74,23 +71,21 @@ std::vector<Rule> poreRules(const ProcessTraits& traits, double core) {
 std::vector<Rule> spatterRules(const ProcessTraits& traits, double core) {
     if (traits.feedsWire) return {outOfBalance()};
     if (traits.shielding != Shielding::slag) return {};
-    return {tooLong(kSpatteringArc * core,
-                    "a maker asks for at most the core's diameter; the half more is this program's choice")};
+    return {tooLong(kSpatteringArc * core, "arc_spatters")};
 }
 
 std::vector<Rule> slagRules(const ProcessTraits& traits, std::optional<double> askedSpeed) {
     if (traits.shielding != Shielding::slag) return {};
-    std::vector<Rule> rules{{"the electrode pushes, so that slag runs before the pool (trade knowledge)",
-                             [](const SeamMillimetre& mm) { return mm.values[travelAngle] > 0; }}};
+    std::vector<Rule> rules{{"electrode_pushes", [](const SeamMillimetre& mm) { return mm.values[travelAngle] > 0; }}};
     if (!askedSpeed) return rules;
     const double least = kSlagOvertakes * *askedSpeed;
-    rules.push_back({"the arc travels below " + number(least * kPerMetre) +
-                         " mm/s, half of what is asked for (this program's choice)",
-                     [least](const SeamMillimetre& mm) { return mm.values[travelSpeed] < least; }});
+    rules.push_back({"travels_slowly", [least](const SeamMillimetre& mm) { return mm.values[travelSpeed] < least; },
+                     "speed", least * kPerMetre});
     return rules;
 }
 
-/// The millimetres that meet any of the rules, told with those rules that some meet; with all of them where none does.
+/// The millimetres that meet any of one or two rules, told with those rules that some meet; with all of them where none
+/// does.
 Estimate estimate(std::string name, std::span<const SeamMillimetre> seam, std::span<const Rule> rules) {
     Estimate made{std::move(name), 0, {}};
     const auto count = [&](const auto& holds) {
@@ -99,16 +94,23 @@ Estimate estimate(std::string name, std::span<const SeamMillimetre> seam, std::s
     made.value = count([&](const SeamMillimetre& mm) {
         return std::any_of(rules.begin(), rules.end(), [&](const Rule& rule) { return rule.holds(mm); });
     });
-    made.rule = made.value > 0 ? "To be expected where " : "It would be expected where ";
-    bool first = true;
+    std::string key = made.value > 0 ? "estimate.expected." : "estimate.not_expected.";
+    std::vector<double> lengths; // of the rules that are told
     for (const Rule& rule : rules) {
         const double length = count(rule.holds);
         if (made.value > 0 && length == 0) continue;
-        made.rule += (first ? "" : ", or ") + rule.when;
-        if (length > 0) made.rule += ": " + number(length) + " mm";
-        first = false;
+        key += lengths.empty() ? "" : "_or_";
+        key += rule.name;
+        lengths.push_back(length);
     }
-    made.rule += ".";
+    made.rule = phrase(key, {{"length", number(lengths.front())},
+                             {"second_length", number(lengths.back())},
+                             {rules.front().limitName, number(rules.front().limit)},
+                             {rules.back().limitName, number(rules.back().limit)},
+                             {"push", number(kMostPush)},
+                             {"drag", number(kMostDrag)},
+                             {"above", number(kBalanceAbove)},
+                             {"below", number(kBalanceBelow)}});
     return made;
 }
 

@@ -1,5 +1,7 @@
 #include "core/training/judging/quantity.hpp"
 
+#include "core/base/words.hpp"
+
 #include <numbers>
 
 namespace meltpool {
@@ -12,29 +14,33 @@ using List = std::array<QuantityInfo, kTechniqueQuantities>;
 constexpr double kMm = 1e3;
 constexpr double kDegrees = 180 / std::numbers::pi;
 
-constexpr List listOf(std::string_view key, std::string_view column, std::string_view words) {
+constexpr List listOf(std::string_view key, std::string_view column, std::string_view wordsKey) {
     return {{
-        {aim, "aim", "aim_mm", "aim", "mm", kMm, -100, 100},
-        {height, "", "height_mm", "height", "mm", kMm, 0, 0},
-        {distance, key, column, words, "mm", kMm, 0, 200},
-        {workAngle, "work_angle", "work_angle_deg", "work angle", "°", kDegrees, -90, 90},
-        {travelAngle, "travel_angle", "travel_angle_deg", "travel angle", "°", kDegrees, -90, 90},
-        {travelSpeed, "travel_speed", "speed_mm_s", "travel speed", "mm/s", kMm, 0, 1000},
-        {weaveWidth, "weave_width", "weave_mm", "weave's width", "mm", kMm, 0, 100},
-        {weaveFrequency, "weave_frequency", "weave_hz", "weave's frequency", "Hz", 1, 0, 50},
-        {weaveDwell, "weave_dwell", "weave_dwell_s", "dwell at the toes", "s", 1, 0, 10},
-        {whipLength, "whip_length", "whip_mm", "whip's length", "mm", kMm, 0, 100},
-        {whipPeriod, "whip_period", "whip_period_s", "whip's period", "s", 1, 0, 10},
-        {whipDwell, "whip_dwell", "whip_dwell_s", "dwell in the pool", "s", 1, 0, 10},
-        {rodAngle, "rod_angle", "rod_angle_deg", "rod's angle", "°", kDegrees, -90, 90},
-        {rodFrequency, "rod_frequency", "rod_hz", "rod's rhythm", "Hz", 1, 0, 50},
+        {aim, "aim", "aim_mm", "quantity.aim", "mm", kMm, -100, 100},
+        {height, "", "height_mm", "quantity.height", "mm", kMm, 0, 0},
+        {distance, key, column, wordsKey, "mm", kMm, 0, 200},
+        {workAngle, "work_angle", "work_angle_deg", "quantity.work_angle", "°", kDegrees, -90, 90},
+        {travelAngle, "travel_angle", "travel_angle_deg", "quantity.travel_angle", "°", kDegrees, -90, 90},
+        {travelSpeed, "travel_speed", "speed_mm_s", "quantity.travel_speed", "mm/s", kMm, 0, 1000},
+        {weaveWidth, "weave_width", "weave_mm", "quantity.weave_width", "mm", kMm, 0, 100},
+        {weaveFrequency, "weave_frequency", "weave_hz", "quantity.weave_frequency", "Hz", 1, 0, 50},
+        {weaveDwell, "weave_dwell", "weave_dwell_s", "quantity.weave_dwell", "s", 1, 0, 10},
+        {whipLength, "whip_length", "whip_mm", "quantity.whip_length", "mm", kMm, 0, 100},
+        {whipPeriod, "whip_period", "whip_period_s", "quantity.whip_period", "s", 1, 0, 10},
+        {whipDwell, "whip_dwell", "whip_dwell_s", "quantity.whip_dwell", "s", 1, 0, 10},
+        {rodAngle, "rod_angle", "rod_angle_deg", "quantity.rod_angle", "°", kDegrees, -90, 90},
+        {rodFrequency, "rod_frequency", "rod_hz", "quantity.rod_frequency", "Hz", 1, 0, 50},
     }};
 }
 
-constexpr List kWire = listOf("ctwd", "ctwd_mm", "contact tip to work distance");
-constexpr List kElectrode = listOf("arc_length", "arc_length_mm", "arc length");
+constexpr List kWire = listOf("ctwd", "ctwd_mm", "quantity.ctwd");
+constexpr List kElectrode = listOf("arc_length", "arc_length_mm", "quantity.arc_length");
 
 } // namespace
+
+std::string_view QuantityInfo::words() const {
+    return phrase(wordsKey);
+}
 
 const std::array<QuantityInfo, kTechniqueQuantities>& quantities(DistanceKind kind) {
     return kind == DistanceKind::ctwd ? kWire : kElectrode;

@@ -43,13 +43,16 @@ class TechniqueValues {
 
 struct QuantityInfo {
     TechniqueQuantity quantity;
-    std::string_view key;    ///< in lessons and results, such as "travel_speed"; "" of one that lessons do not judge
-    std::string_view column; ///< of technique.csv, with its unit
-    std::string_view words;  ///< in sentences, such as "travel speed"
-    std::string_view unit;   ///< of lessons and sentences: "mm", "mm/s", "°", "Hz", "s"
-    double perSi = 1;        ///< value in `unit` over the value in SI
-    double least = 0;        ///< in `unit`, that a lesson may ask for
+    std::string_view key;      ///< in lessons and results, such as "travel_speed"; "" of one that lessons do not judge
+    std::string_view column;   ///< of technique.csv, with its unit
+    std::string_view wordsKey; ///< of words()
+    std::string_view unit;     ///< of lessons and sentences: "mm", "mm/s", "°", "Hz", "s"
+    double perSi = 1;          ///< value in `unit` over the value in SI
+    double least = 0;          ///< in `unit`, that a lesson may ask for
     double most = 0;
+
+    /// In sentences, such as "travel speed". Stays valid for the whole run.
+    std::string_view words() const;
 };
 
 /// `distance` decides between `ctwd` and `arc_length`.

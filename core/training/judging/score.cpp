@@ -1,6 +1,7 @@
 #include "core/training/judging/score.hpp"
 
 #include "core/base/text.hpp"
+#include "core/base/words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -62,24 +63,24 @@ std::string tellNumber(double value, int digits = 1) {
     return formatNumber(rounded == 0 ? 0.0 : rounded);
 }
 
+std::string unknownHandReason(const TechniqueFaults& faults, const TechniqueScore& score) {
+    std::string reason;
+    if (faults.lostSeconds > 0)
+        reason = phrase("score.tracking_lost", {{"seconds", tellNumber(faults.lostSeconds, 2)}}) + " ";
+    if (faults.dropped > 0)
+        reason += phraseOfCount("score.samples_missing", static_cast<long long>(faults.dropped),
+                                {{"count", tellNumber(static_cast<double>(faults.dropped))}}) +
+                  " ";
+    return reason + phrase("score.hand_unknown", {{"unknown", tellNumber(score.unknownMm)},
+                                                  {"wanted", tellNumber(score.wantedMm)},
+                                                  {"share", tellNumber(kMostUnknownShare * 100)}});
+}
+
 std::string reasonAgainst(const TechniqueFaults& faults, const TechniqueScore& score) {
-    if (score.unknownMm > 0 && score.unknownMm >= kMostUnknownShare * score.wantedMm) {
-        std::string reason;
-        if (faults.lostSeconds > 0)
-            reason = "Tracking of the torch was lost for " + tellNumber(faults.lostSeconds, 2) +
-                     " s from a moment when the arc burned. ";
-        if (faults.dropped > 0)
-            reason += tellNumber(static_cast<double>(faults.dropped)) +
-                      (faults.dropped == 1 ? " sample of the torch was" : " samples of the torch were") +
-                      " missing while the arc burned. ";
-        return reason + "The hand is not known on " + tellNumber(score.unknownMm) + " of " +
-               tellNumber(score.wantedMm) + " mm of the seam. From " + tellNumber(kMostUnknownShare * 100) +
-               " % on an attempt has no score.";
-    }
-    if (faults.arcSeconds <= 0) return "The arc was never lit, so there is nothing to score.";
-    if (score.judgedMm <= 0)
-        return "The arc burned too short a way on the wanted seam (" + tellNumber(score.weldedMm) +
-               " mm, with strike and crater), so there is nothing to score.";
+    if (score.unknownMm > 0 && score.unknownMm >= kMostUnknownShare * score.wantedMm)
+        return unknownHandReason(faults, score);
+    if (faults.arcSeconds <= 0) return phrase("score.arc_never_lit");
+    if (score.judgedMm <= 0) return phrase("score.too_short", {{"welded", tellNumber(score.weldedMm)}});
     return {};
 }
 
@@ -108,61 +109,41 @@ void sumUp(TechniqueScore& score, const TechniqueBands& bands) {
     score.lostToLength = 100 * (1 - score.coverage);
 }
 
-/// What to do about a value that is too high or too low.
-std::string_view advice(const TechniqueBand& band, bool tooMuch) {
+/// Which sentence of its quantity a parameter is told with, see [correction] of the words file.
+std::string_view caseOf(const ParameterScore& parameter, const TechniqueBand& band) {
+    if (std::isnan(parameter.mean)) return "unknown";
+    const double off = std::abs(parameter.deviation);
+    // Values on both sides of the ideal have a mean near it: then it is the unevenness that costs.
+    if (off < 0.5 * parameter.spread || tellNumber(off) == "0") return "uneven";
+    const bool tooMuch = parameter.deviation > 0;
     switch (band.quantity) {
-    case TechniqueQuantity::aim:
-        return tooMuch ? "Aim farther away from you" : "Aim closer to you";
-    case TechniqueQuantity::height:
-    case TechniqueQuantity::distance:
-        return tooMuch ? "Hold the torch closer" : "Hold the torch farther away";
-    case TechniqueQuantity::workAngle:
-        return tooMuch ? "Lean the torch less towards you" : "Lean the torch more towards you";
-    case TechniqueQuantity::travelAngle:
-        if (tooMuch) return band.ideal < 0 ? "Drag more" : "Push less";
-        return band.ideal > 0 ? "Push more" : "Drag less";
     case TechniqueQuantity::travelSpeed:
-        return tooMuch ? "Travel slower" : "Travel faster";
-    case TechniqueQuantity::weaveWidth:
-        return tooMuch ? "Weave narrower" : "Weave wider";
-    case TechniqueQuantity::weaveFrequency:
-        return tooMuch ? "Weave slower" : "Weave faster";
-    case TechniqueQuantity::weaveDwell:
-        return tooMuch ? "Stay shorter at the toes" : "Stay longer at the toes";
-    case TechniqueQuantity::whipLength:
-        return tooMuch ? "Whip less far" : "Whip farther";
-    case TechniqueQuantity::whipPeriod:
-        return tooMuch ? "Whip faster" : "Whip slower";
-    case TechniqueQuantity::whipDwell:
-        return tooMuch ? "Stay shorter in the pool" : "Stay longer in the pool";
-    case TechniqueQuantity::rodAngle:
-        return tooMuch ? "Lay the rod flatter" : "Hold the rod steeper";
-    case TechniqueQuantity::rodFrequency:
-        return tooMuch ? "Dip the rod slower" : "Dip the rod faster";
+        if (parameter.mean < 0) return "against";
+        break;
+    case TechniqueQuantity::aim:
+        if (band.ideal != 0) return tooMuch ? "above_line" : "below_line";
+        break;
+    case TechniqueQuantity::travelAngle:
+        if (tooMuch && band.ideal < 0) return "above_drag";
+        if (!tooMuch && band.ideal > 0) return "below_push";
+        break;
+    default:
+        break;
     }
-    return "";
+    return tooMuch ? "above" : "below";
 }
 
 std::string sentenceOf(const ParameterScore& parameter, const TechniqueBand& band, const QuantityInfo& info) {
-    const std::string words(info.words);
-    const std::string unit = info.unit == "°" ? "°" : " " + std::string(info.unit);
-    const auto tell = [&](double value) { return tellNumber(value) + unit; };
-    if (std::isnan(parameter.mean)) return "The " + words + " could not be measured anywhere on the seam.";
-    const double off = std::abs(parameter.deviation);
-    // Values on both sides of the ideal have a mean near it: then it is the unevenness that costs.
-    if (off < 0.5 * parameter.spread || tellNumber(off) == "0")
-        return "Keep the " + words + " even: it went from " + tell(parameter.least) + " to " + tell(parameter.most) +
-               "; asked for is " + tell(band.ideal) + ".";
-    const bool tooMuch = parameter.deviation > 0;
-    std::string sentence(advice(band, tooMuch));
-    if (parameter.quantity == TechniqueQuantity::travelSpeed && parameter.mean < 0)
-        return "Weld in the other direction: the torch went against the one asked for, at " + tell(-parameter.mean) +
-               " on average.";
-    if (parameter.quantity == TechniqueQuantity::aim)
-        return sentence + ": the aim was " + tell(off) + " off " + (band.ideal == 0 ? "" : "the line asked for ") +
-               "on average, " + (tooMuch ? "on your side." : "on the side away from you.");
-    return sentence + ": the " + words + " was " + tell(parameter.mean) + " on average, " + tell(off) +
-           (tooMuch ? " above the " : " below the ") + tell(band.ideal) + " asked for.";
+    std::string key = "correction.";
+    key += info.key;
+    key += '.';
+    key += caseOf(parameter, band);
+    return phrase(key, {{"mean", tellNumber(parameter.mean)},
+                        {"off", tellNumber(std::abs(parameter.deviation))},
+                        {"ideal", tellNumber(band.ideal)},
+                        {"least", tellNumber(parameter.least)},
+                        {"most", tellNumber(parameter.most)},
+                        {"speed", tellNumber(std::abs(parameter.mean))}});
 }
 
 } // namespace
@@ -175,8 +156,7 @@ const ParameterScore* TechniqueScore::find(TechniqueQuantity quantity) const {
 
 std::string unknownSentence(const TechniqueScore& score) {
     if (score.unknownMm <= 0) return {};
-    return "Left out of the score: " + tellNumber(score.unknownMm) +
-           " mm of the seam, where the hand is not known because the picture stood still or tracking was lost.";
+    return phrase("score.left_out", {{"length", tellNumber(score.unknownMm)}});
 }
 
 TechniqueScore scoreTechnique(const TechniqueFaults& faults, const std::vector<SeamMillimetre>& seam,
@@ -207,8 +187,8 @@ std::vector<Correction> corrections(const TechniqueScore& score, const Technique
     if (score.lostToLength >= kLeastLoss)
         all.push_back({{},
                        score.lostToLength,
-                       "Weld the whole seam: " + tellNumber(score.weldedMm) + " of " + tellNumber(score.wantedMm) +
-                           " mm are welded."});
+                       phrase("correction.whole_seam",
+                              {{"welded", tellNumber(score.weldedMm)}, {"wanted", tellNumber(score.wantedMm)}})});
     for (const ParameterScore& parameter : score.parameters) {
         const TechniqueBand* band = bands.find(parameter.quantity);
         if (band == nullptr || parameter.lost < kLeastLoss) continue;

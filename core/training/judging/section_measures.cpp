@@ -1,5 +1,6 @@
 #include "core/training/judging/section_measures.hpp"
 
+#include "core/base/words.hpp"
 #include "core/weld/gauge/weld_figures.hpp"
 #include "core/weld/gauge/weld_outline.hpp"
 #include "core/weld/workpiece/simulated_size.hpp"
@@ -97,16 +98,22 @@ class Anchors {
 
 using Member = WeldStation::Value WeldStation::*;
 
-/// As the table has it: "leg".
-std::string drawnWords(Member figure) {
-    return std::string(stationFigure(figure).words.drawn);
+/// "leg 7.0" of 7 mm.
+std::string lengthLabel(Member figure, double metres) {
+    return phrase("drawing.measure.length",
+                  {{"figure", stationFigure(figure).drawnWords()}, {"length", PhraseNumber(metres / kMm, 1)}});
 }
 
-/// " 7.0" of 7 mm, behind words.
-std::string millimetres(double metres) {
-    char text[32];
-    std::snprintf(text, sizeof text, " %.1f", metres / kMm);
-    return text;
+/// "leg < 0.5" of a length that is not resolved.
+std::string limitLabel(Member figure, double metres) {
+    char limit[32];
+    std::snprintf(limit, sizeof limit, "%.2g", metres / kMm);
+    return phrase("drawing.measure.below", {{"figure", stationFigure(figure).drawnWords()}, {"length", limit}});
+}
+
+std::string angleLabel(Member figure, double radians) {
+    return phrase("drawing.measure.angle",
+                  {{"figure", stationFigure(figure).drawnWords()}, {"angle", PhraseNumber(radians / kDegree)}});
 }
 
 class Marks {
@@ -172,27 +179,22 @@ class Marks {
     void length(Member figure, Place from, Place to) {
         const WeldStation::Value value = station_.*figure;
         if (!value || *value <= 0) return;
-        if (*value >= resolution_) return add({.label = drawnWords(figure) + millimetres(*value)}, from, to);
-        char limit[32];
-        std::snprintf(limit, sizeof limit, " < %.2g", resolution_ / kMm);
-        add({SectionMark::Kind::note, SectionMark::Tint::unresolved, drawnWords(figure) + limit}, from, to);
+        if (*value >= resolution_) return add({.label = lengthLabel(figure, *value)}, from, to);
+        add({SectionMark::Kind::note, SectionMark::Tint::unresolved, limitLabel(figure, resolution_)}, from, to);
     }
 
     void fault(Member figure, double least, Place from, Place to) { fault(figure, station_.*figure, least, from, to); }
     /// With a value that is not the figure's alone.
     void fault(Member figure, WeldStation::Value value, double least, Place from, Place to) {
         if (value && *value > least)
-            add({SectionMark::Kind::length, SectionMark::Tint::fault, drawnWords(figure) + millimetres(*value)}, from,
-                to);
+            add({SectionMark::Kind::length, SectionMark::Tint::fault, lengthLabel(figure, *value)}, from, to);
     }
 
     /// Between the plate's way into the weld and the weld's surface, which rises towards `side`.
     void angle(Member figure, Place toe, Place inwards, Place side) {
         const WeldStation::Value value = station_.*figure;
         if (!value) return;
-        char degrees[32];
-        std::snprintf(degrees, sizeof degrees, " %.0f\xC2\xB0", *value / kDegree);
-        SectionMark mark{SectionMark::Kind::angle, SectionMark::Tint::measure, drawnWords(figure) + degrees};
+        SectionMark mark{SectionMark::Kind::angle, SectionMark::Tint::measure, angleLabel(figure, *value)};
         mark.first = inwards;
         mark.second = std::cos(*value) * inwards + std::sin(*value) * side;
         add(std::move(mark), toe, toe);

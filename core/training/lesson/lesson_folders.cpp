@@ -7,6 +7,7 @@
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"
 #include "core/base/toml_table.hpp"
+#include "core/base/words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -79,8 +80,9 @@ std::string_view nameOf(LessonOrigin origin) {
 }
 
 std::string_view headingOf(LessonOrigin origin) {
-    constexpr std::array<std::string_view, 3> kHeadings{"Meltpool lessons", "School lessons", "Own lessons"};
-    return kHeadings[static_cast<size_t>(origin)];
+    constexpr std::array<std::string_view, 3> kHeadings{"library.origin.shipped", "library.origin.school",
+                                                        "library.origin.own"};
+    return phrase(kHeadings[static_cast<size_t>(origin)]);
 }
 
 LessonFolders::LessonFolders(const fs::path& shipped) : folders_{{LessonOrigin::shipped, shipped}} {}

@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
+#include "core/base/words.hpp"
 #include "core/weld/workpiece/simulated_size.hpp"
 
 #include <algorithm>
@@ -99,11 +100,14 @@ std::string Lesson::unsetSettings() {
         if (parameter == nullptr) continue; // another process was chosen
         const double value = parseDouble(parameterText(*parameter)).value_or(each.from);
         if (value >= each.from && value <= each.to) continue;
-        told += (told.empty() ? "Set the machine before you weld: " : "; ") + lowerFirst(parameter->label) + " " +
-                formatNumber(each.from) + " to " + formatNumber(each.to) + " " + std::string(parameter->unit) +
-                " (it stands at " + parameterText(*parameter) + ")";
+        if (!told.empty()) told += "; ";
+        told += phrase("cue.settings.unset_one", {{"setting", lowerFirst(parameter->label)},
+                                                  {"least", formatNumber(each.from)},
+                                                  {"most", formatNumber(each.to)},
+                                                  {"unit", parameter->unit},
+                                                  {"value", parameterText(*parameter)}});
     }
-    return told.empty() ? told : told + ".";
+    return told.empty() ? told : phrase("cue.settings.unset", {{"settings", told}});
 }
 
 std::string Lesson::chosenText() {

@@ -1,6 +1,7 @@
 #include "core/training/lesson/plausibility.hpp"
 
 #include "core/base/text.hpp"
+#include "core/base/words.hpp"
 #include "core/training/judging/seam.hpp"
 
 #include <algorithm>
@@ -69,11 +70,12 @@ class WeldedPlaces {
 
 /// "x from -50 to 50, y from -6 to 0, z from -25 to 25 mm"
 std::string boxText(const glm::dvec3& low, const glm::dvec3& high) {
-    std::string text;
-    for (int i = 0; i < 3; ++i)
-        text += std::string(i > 0 ? ", " : "") + "xyz"[i] + " from " + rounded(low[i] / kMm) + " to " +
-                rounded(high[i] / kMm);
-    return text + " mm";
+    return phrase("path.box", {{"x_low", rounded(low.x / kMm)},
+                               {"x_high", rounded(high.x / kMm)},
+                               {"y_low", rounded(low.y / kMm)},
+                               {"y_high", rounded(high.y / kMm)},
+                               {"z_low", rounded(low.z / kMm)},
+                               {"z_high", rounded(high.z / kMm)}});
 }
 
 /// Whether a path of this length would fit the workpiece (m) once its numbers were other ones by `times`.
@@ -81,28 +83,28 @@ bool fitsAfter(double length, double times, double size) {
     return length * times > size / 20 && length * times < 3 * size;
 }
 
-/// Of a path whose numbers fit the workpiece in another unit; empty: of none.
-std::string unitWarning(const WeldedPlaces& places, double size) {
-    const std::string piece =
-        " mm, and the workpiece is " + rounded(size / kMm) + " mm long: it is about a thousand times too ";
+/// Of a path whose numbers fit the workpiece in another unit; empty: of none. `path`: its name in the sentences.
+std::string unitWarning(const std::string& path, const WeldedPlaces& places, double size) {
+    const auto told = [&](std::string_view key, double length) {
+        return phrase(key, {{"path", path}, {"length", rounded(length / kMm)}, {"piece", rounded(size / kMm)}});
+    };
     if (places.farthest() < size / 100 && fitsAfter(places.farthest(), kThousand, size))
-        return "reaches " + rounded(places.farthest() / kMm) + piece +
-               "small. Are its positions metres? Millimetres are expected, or a header such as X [m].";
+        return told("path.too_small", places.farthest());
     if (places.span() > 20 * size && fitsAfter(places.span(), 1 / kThousand, size))
-        return "is " + rounded(places.span() / kMm) + piece +
-               "large. Are its positions micrometres? Millimetres are expected.";
+        return told("path.too_large", places.span());
     return {};
 }
 
-std::string placeWarning(const Lesson& lesson, const WeldedPlaces& places, const Workpiece& piece) {
+std::string placeWarning(const std::string& path, const Lesson& lesson, const WeldedPlaces& places,
+                         const Workpiece& piece) {
     const glm::dvec3 low(piece.bodyLow), high(piece.bodyHigh);
     const auto near = [&](const glm::dvec3& place) {
         return glm::all(glm::greaterThan(place, low - kReach)) && glm::all(glm::lessThan(place, high + kReach));
     };
     if (std::none_of(places.all().begin(), places.all().end(), near))
-        return "lies wholly outside the workpiece: " + boxText(places.low(), places.high()) +
-               ", and the workpiece has " + boxText(low, high) +
-               ". Coordinates are expected whose origin lies on the seam, not those of a robot's world.";
+        return phrase(
+            "path.outside",
+            {{"path", path}, {"path_box", boxText(places.low(), places.high())}, {"piece_box", boxText(low, high)}});
     const Seam seam = seamOf(lesson.workpiece);
     const auto onSeam = [&](const glm::dvec3& place) {
         const SeamPlace found = seam.nearest(place);
@@ -113,12 +115,12 @@ std::string placeWarning(const Lesson& lesson, const WeldedPlaces& places, const
         lesson.workpiece.kind != static_cast<int>(WorkpieceKind::Bridge) &&
         lesson.workpiece.kind != static_cast<int>(WorkpieceKind::Plate) &&
         std::none_of(places.all().begin(), places.all().end(), onSeam))
-        return "never comes within " + rounded(kSeamReach / kMm) + " mm of the joint's seam.";
+        return phrase("path.off_seam", {{"path", path}, {"distance", rounded(kSeamReach / kMm)}});
     return {};
 }
 
 /// Of a recorded path that hurries along with its trigger pulled, as one with times of another unit does.
-std::string speedWarning(const TorchPath& path) {
+std::string speedWarning(const std::string& name, const TorchPath& path) {
     double way = 0, time = 0;
     const std::vector<TorchSample>& samples = path.samples();
     for (size_t i = 1; i < samples.size(); ++i) {
@@ -128,32 +130,30 @@ std::string speedWarning(const TorchPath& path) {
         time += after.time - before.time;
     }
     if (time <= 0 || way < kFastest * time) return {};
-    return "travels at " + rounded(way / time / kMm) + " mm/s with its trigger pulled, " + rounded(time) +
-           " s in all. Are its times of another unit, or do points part their thousands?";
+    return phrase("path.too_fast", {{"path", name}, {"speed", rounded(way / time / kMm)}, {"seconds", rounded(time)}});
 }
 
-std::string pipeWarning(const Lesson& lesson) {
+std::string pipeWarning(const std::string& path, const Lesson& lesson) {
     const bool pipe = lesson.workpiece.kind == static_cast<int>(WorkpieceKind::Pipe);
     const double written = 2 * lesson.torch.pipeRadius() / kMm;
     const auto diameter = static_cast<double>(lesson.workpiece.diameterMm);
-    if (written > 0 && !pipe) return "is written for a pipe of " + rounded(written) + " mm, and the workpiece is none.";
+    if (written > 0 && !pipe) return phrase("path.no_pipe", {{"path", path}, {"diameter", rounded(written)}});
     if (written > 0 && std::abs(written - diameter) > 0.5)
-        return "is written for a pipe of " + rounded(written) + " mm, and the workpiece has " + rounded(diameter) +
-               " mm.";
+        return phrase("path.other_pipe",
+                      {{"path", path}, {"diameter", rounded(written)}, {"piece", rounded(diameter)}});
     return {};
 }
 
-std::string triggerWarning(const Lesson& lesson, bool cut) {
+std::string triggerWarning(const std::string& path, const Lesson& lesson, bool cut) {
     const auto pull = [&]() -> std::optional<double> {
         for (const TorchSample& torch : lesson.torch.samples())
             if (torch.trigger > 0) return torch.time;
         return lesson.torch.samples().empty() ? lesson.torch.firstPull() : std::nullopt;
     }();
-    if (!pull) return "never pulls the trigger: nothing is heated.";
+    if (!pull) return phrase("path.no_trigger", {{"path", path}});
     const auto seconds = static_cast<double>(lesson.run.seconds);
     if (!cut && *pull > seconds)
-        return "pulls the trigger at " + rounded(*pull) + " s, and the run ends at " + rounded(seconds) +
-               " s: nothing is heated.";
+        return phrase("path.late_trigger", {{"path", path}, {"seconds", rounded(*pull)}, {"end", rounded(seconds)}});
     return {};
 }
 
@@ -161,30 +161,29 @@ std::string triggerWarning(const Lesson& lesson, bool cut) {
 
 std::vector<std::string> pathWarnings(const Lesson& lesson, bool cut) {
     if (lesson.torch.empty() || lesson.recorded) return {};
-    std::vector<std::string> sentences{triggerWarning(lesson, cut)};
+    const std::string path = printable(lesson.torchFile.filename().string(), 80);
+    std::vector<std::string> sentences{triggerWarning(path, lesson, cut)};
     if (lesson.torch.duration() > kHour)
-        sentences.push_back("lasts " + rounded(lesson.torch.duration() / kHour) + " hours.");
+        sentences.push_back(
+            phrase("path.too_long", {{"path", path}, {"hours", rounded(lesson.torch.duration() / kHour)}}));
     if (lesson.model == LessonModel::Weld) {
         const WeldedPlaces places(lesson.torch);
         const Workpiece piece = makeWorkpiece(lesson.workpiece);
         const glm::vec3 size = piece.bodyHigh - piece.bodyLow;
-        const std::string unit = unitWarning(places, static_cast<double>(std::max({size.x, size.y, size.z})));
-        sentences.push_back(unit.empty() ? placeWarning(lesson, places, piece) : unit);
-        sentences.push_back(unit.empty() ? speedWarning(lesson.torch) : std::string());
-        sentences.push_back(pipeWarning(lesson));
+        const std::string unit = unitWarning(path, places, static_cast<double>(std::max({size.x, size.y, size.z})));
+        sentences.push_back(unit.empty() ? placeWarning(path, lesson, places, piece) : unit);
+        sentences.push_back(unit.empty() ? speedWarning(path, lesson.torch) : std::string());
+        sentences.push_back(pipeWarning(path, lesson));
     }
     std::erase(sentences, "");
-    const std::string path = "The torch path " + printable(lesson.torchFile.filename().string(), 80) + " ";
-    for (std::string& sentence : sentences)
-        sentence.insert(0, path);
     return sentences;
 }
 
 std::string pathFormText(const std::filesystem::path& file, const TorchPath& path) {
     constexpr size_t kMostBytes = 1000;
     if (!path.form() || path.form()->ours) return {};
-    return "Torch path " + printable(file.string(), kMostBytes) + " is read as " +
-           printable(path.form()->text(), kMostBytes) + ".";
+    return phrase("path.form", {{"file", printable(file.string(), kMostBytes)},
+                                {"form", printable(path.form()->text(), kMostBytes)}});
 }
 
 std::vector<std::string> lessonWarnings(const Lesson& lesson, const LessonFolders& catalogue) {

@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
+#include "core/base/words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -161,7 +162,7 @@ std::string WhatIf::text() const {
     std::string words;
     for (const auto& [key, value] : asked)
         words += (words.empty() ? "" : ", ") + key + "=" + value;
-    return words.empty() ? "nothing" : words;
+    return words.empty() ? phrase("what_if.nothing") : words;
 }
 
 WhatIf readWhatIf(std::span<const std::string> wishes, const Lesson& lesson) {

@@ -1,6 +1,7 @@
 #include "core/training/trainer/repetition.hpp"
 
 #include "core/base/text.hpp"
+#include "core/base/words.hpp"
 
 namespace meltpool {
 
@@ -8,7 +9,7 @@ namespace {
 
 /// A text of a file as a terminal may show it.
 std::string shown(const std::string& text) {
-    return text.empty() ? "an unnamed one" : quote(text);
+    return text.empty() ? phrase("run.repetition.unnamed") : quote(text);
 }
 
 } // namespace
@@ -38,20 +39,17 @@ std::string repetitionText(const RecordedAttempt& attempt, const LessonResult& r
     const bool told = sameEnd(attempt, result.steps, result.stateHash).has_value();
     switch (repetitionOf(attempt, result, program, driver)) {
     case Repetition::sameBits:
-        return "The metal ended in the same bits as in the record.";
+        return phrase("run.repetition.same");
     case Repetition::simulation:
-        return std::string(told ? "The metal did not end in the bits of the record: this"
-                                : "The record names no state for this end, and it was made by another program or "
-                                  "driver: this") +
-               " is a simulation of the recording. It was made with driver " + shown(attempt.head.driver) +
-               " and program " + shown(attempt.head.program) + "; this is driver " + shown(driver) + " and program " +
-               shown(program) + ".";
+        return phrase(told ? "run.repetition.other_end" : "run.repetition.other_maker",
+                      {{"made_driver", shown(attempt.head.driver)},
+                       {"made_program", shown(attempt.head.program)},
+                       {"driver", shown(driver)},
+                       {"program", shown(program)}});
     case Repetition::unchecked:
         break;
     }
-    return attempt.stateHash.empty()
-               ? "The record names no state at its end, as it ended without warning: nothing to check the metal by."
-               : "The repetition is not as long as the attempt: the state at its end is not checked.";
+    return phrase(attempt.stateHash.empty() ? "run.repetition.no_state" : "run.repetition.shorter");
 }
 
 } // namespace meltpool

@@ -1,6 +1,6 @@
-// The table of a weld's figures and imperfections: key, unit, digits, words, standard and measure of each. Files,
-// verdict, result panel, page, comparison and drawn section read it; a new figure is a row of weld_figures.cpp, a
-// new imperfection one of weld_imperfections.cpp.
+// The table of a weld's figures and imperfections: key, unit, digits, standard and measure of each. Files, verdict,
+// result panel, page, comparison and drawn section read it; a new figure is a row of weld_figures.cpp, a new
+// imperfection one of weld_imperfections.cpp. Their words stand under their keys in data/words.
 #pragma once
 
 #include "core/weld/gauge/weld_stations.hpp"
@@ -32,16 +32,6 @@ struct StandardTerm {
     std::string_view name = {};
 };
 
-/// The words for people. An empty `panel` or `page` is the name.
-struct FigureWords {
-    std::string_view name = {};  ///< in sentences and lists, such as "penetration"
-    std::string_view more = {};  ///< behind the size of a difference: "more penetration", "wider"
-    std::string_view less = {};  ///< "less penetration", "narrower"
-    std::string_view panel = {}; ///< in the result panel
-    std::string_view page = {};  ///< in the table of the HTML page
-    std::string_view drawn = {}; ///< beside its measure in a drawn section; empty of a figure that is not drawn
-};
-
 /// How a figure of two attempts is compared; see ComparedFigure.
 struct FigureScale {
     double much = 0;  ///< in the figure's unit: differences of this size weigh alike; 0: the figure is not compared
@@ -60,7 +50,7 @@ struct WeldFigure {
     /// What the particles resolve, in spacings; of an area in mm2 per mm of spacing. 0: nothing limits it, or the
     /// workpiece or the metal itself answers. Angles: see resolvedOf().
     double resolution = 0;
-    FigureWords words = {};
+    std::string_view table = "figure."; ///< of data/words, in which its words stand under its key
     FigureScale scale = {};
     WeldStation::Value WeldStation::*member = nullptr;    ///< of a station's figure
     std::optional<double> WeldMeasures::*whole = nullptr; ///< of a figure of the whole weld
@@ -71,9 +61,16 @@ struct WeldFigure {
     /// Key of the imperfection whose estimate from technique answers for it: all pores share one. Empty: not estimated.
     std::string_view estimate = {};
 
-    double inSi() const; ///< the unit in SI: 1e-3 of "mm", 1 of "s"
-    std::string_view panelWords() const { return words.panel.empty() ? words.name : words.panel; }
-    std::string_view pageWords() const { return words.page.empty() ? words.name : words.page; }
+    double inSi() const;                                      ///< the unit in SI: 1e-3 of "mm", 1 of "s"
+    std::string_view name() const { return wordsOf("name"); } ///< in sentences and lists, such as "penetration"
+    std::string_view panelWords() const;                      ///< in the result panel
+    std::string_view pageWords() const;                       ///< in the table of the HTML page
+    /// Beside its measure in a drawn section; empty of a figure that is not drawn.
+    std::string_view drawnWords() const { return wordsOf("drawn"); }
+
+  private:
+    /// For a place where they are shown; empty where the words file has none for it.
+    std::string_view wordsOf(std::string_view place) const;
 };
 
 /// The row of a key; null for an unknown one.

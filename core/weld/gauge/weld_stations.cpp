@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace meltpool {
 
@@ -13,60 +12,6 @@ namespace {
 
 constexpr double kMm = 1e-3;
 constexpr size_t kLeastForLine = 3; ///< stations that a straight line is told from
-
-/// A weld without toes is as wide as nothing.
-void takeBead(const BeadShape& bead, const std::optional<FaceStretch>& fused, WeldStation& station) {
-    station.toeWidth = bead.toeWidth();
-    station.height = bead.height;
-    if (bead.toes) {
-        station.edgeAngle1 = (*bead.toes)[0].angle;
-        station.edgeAngle2 = (*bead.toes)[1].angle;
-        station.middle = 0.5 * ((*bead.toes)[0].place + (*bead.toes)[1].place);
-        station.overlap1 = fused ? fused->low - bead.cover.low : 0.5 * bead.cover.length();
-        station.overlap2 = fused ? bead.cover.high - fused->high : 0.5 * bead.cover.length();
-    } else if (fused) {
-        station.middle = 0.5 * (fused->low + fused->high);
-    }
-}
-
-void takeButt(const Section& section, WeldStation& station) {
-    station.rootFused = section.rootFused;
-    station.facesFused = section.facesFused;
-    station.rootConcavity = section.rootConcavity;
-    if (!section.unfusedEdges) return;
-    const auto [less, more] = std::minmax((*section.unfusedEdges)[0], (*section.unfusedEdges)[1]);
-    station.rootMissing = less > 0 ? less : -section.root.height;
-    station.lackOfFusion = more > 0 ? more - less : -section.root.height;
-}
-
-/// Length of a fillet's face that is not fused from the corner outwards.
-double unfusedFrom(const FaceStretch& fused, double leg) {
-    return fused.length() > 0 ? std::min(fused.low, leg) : leg;
-}
-
-void takeFillet(const Section& section, WeldStation& station) {
-    const FilletShape fillet = section.fillet.value_or(FilletShape{});
-    station.leg1 = fillet.toes[0].place;
-    station.leg2 = fillet.toes[1].place;
-    station.throat = fillet.throat;
-    station.convexity = fillet.convexity;
-    station.toeWidth = fillet.faceWidth();
-    station.rootFused = section.rootFused;
-    station.facesFused = section.facesFused;
-    station.rootFusion = section.rootFusion;
-    if (section.fillet) {
-        station.edgeAngle1 = fillet.toes[0].angle;
-        station.edgeAngle2 = fillet.toes[1].angle;
-        station.middle = (*station.leg1 - *station.leg2) / (2 * std::numbers::sqrt2);
-    }
-    if (!section.fusedFaces) return;
-    const auto& [lying, standing] = *section.fusedFaces;
-    const double unfused = std::max(unfusedFrom(lying, *station.leg1), unfusedFrom(standing, *station.leg2));
-    station.lackOfFusion = unfused > 0 ? unfused : -section.rootFusion.value_or(0);
-    if (!section.fillet) return;
-    station.overlap1 = *station.leg1 - lying.high;
-    station.overlap2 = *station.leg2 - standing.high;
-}
 
 /// Root mean square distance from the line of least squares through (place, middle).
 std::optional<double> straightnessOf(const std::vector<WeldStation>& stations) {
@@ -112,38 +57,6 @@ WeldKind weldKindOf(const WorkpieceParameters& workpiece) {
 std::string_view nameOf(WeldKind kind) {
     if (kind == WeldKind::fillet) return "fillet";
     return kind == WeldKind::butt ? "butt" : "bead";
-}
-
-WeldStation stationOf(const Section& section, WeldKind kind, double place) {
-    WeldStation station;
-    station.place = place;
-    if (section.layers == 0) return station;
-    station.fusedWidth = section.fusion.width;
-    station.penetration = section.fusion.depth;
-    station.undercut1 = section.undercut[0];
-    station.undercut2 = section.undercut[1];
-    if (!section.openCorner) {
-        station.excessPenetration = section.root.height;
-        station.rootWidth = section.root.toeWidth();
-    }
-    station.hole = section.hole;
-    station.deposited = section.deposited;
-    if (section.heatAffected)
-        station.hazWidth = std::max(0.5 * (section.heatAffected->width - section.fusion.width), 0.0);
-    station.coolingTime = section.coolingTime;
-    if (kind == WeldKind::fillet) {
-        takeFillet(section, station);
-        return station;
-    }
-    takeBead(section.bead.value_or(BeadShape{}), section.fusedTop, station);
-    station.underfill = section.underfill;
-    if (kind == WeldKind::butt) {
-        takeButt(section, station);
-        return station;
-    }
-    station.facesFused = section.fusion.depth > 0 ? 1 : 0;
-    station.lackOfFusion = section.fusion.depth > 0 ? -section.fusion.depth : *station.toeWidth;
-    return station;
 }
 
 std::vector<SectionCut> stationCuts(const Material& material, const FaceStretch& seam, double spacing,

@@ -27,10 +27,10 @@ struct StationSettings {
     std::optional<FaceStretch> seam;
 };
 
-/// The figures of one station in SI units, or a figure of many stations under the same names. Each member has a row in
-/// weld_figures.cpp. Side 1 is that of -z on a level workpiece and the lying plate in a corner; side 2 is that of +z,
-/// or the standing plate. None: does not apply to this weld, or cannot be told here. Where a section has no weld its
-/// sizes are 0.
+/// The figures of one station in SI units, or a figure of many stations under the same names. Each member has its value
+/// and its row in weld_figures.cpp. Side 1 is that of -z on a level workpiece and the lying plate in a corner; side 2
+/// is that of +z, or the standing plate. None: does not apply to this weld, or cannot be told here. Where a section has
+/// no weld its sizes are 0.
 struct WeldStation {
     using Value = std::optional<double>;
 

@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
+#include "core/base/words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -243,11 +244,16 @@ void appendPose(std::string& text, const glm::vec3& place, const glm::quat& orie
 } // namespace
 
 std::string TorchForm::text() const {
-    std::string text = table.text() + ", times in " + clock.unit;
-    if (clock.judged) text += " by their size";
-    if (clock.shifted) text += " from " + formatNumber(std::round(clock.begin * 1e3) / 1e3) + " s on";
-    if (placesWithoutUnit) text += ", positions taken to be mm";
-    if (unseenRows > 0) text += ", " + std::to_string(unseenRows) + " rows without a pose";
+    const std::string& separator = phrase("list.separator");
+    const std::string begin = formatNumber(std::round(clock.begin * 1e3) / 1e3);
+    const char* const times = clock.shifted ? "run.path_form.times_from" : "run.path_form.times";
+    const char* const judged = clock.shifted ? "run.path_form.judged_times_from" : "run.path_form.judged_times";
+    std::string text =
+        table.text() + separator + phrase(clock.judged ? judged : times, {{"unit", clock.unit}, {"begin", begin}});
+    if (placesWithoutUnit) text += separator + phrase("run.path_form.positions");
+    if (unseenRows > 0)
+        text += separator + phraseOfCount("run.path_form.unseen", static_cast<long long>(unseenRows),
+                                          {{"rows", std::to_string(unseenRows)}});
     return text;
 }
 

@@ -1,6 +1,7 @@
 #include "core/weld/workpiece/simulated_size.hpp"
 
 #include "core/base/text.hpp"
+#include "core/base/words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -99,15 +100,17 @@ std::string simulatedSizesText(const WorkpieceParameters& asked) {
     const std::vector<SimulatedSize> sizes = simulatedSizes(asked);
     if (sizes.empty()) return {};
     const auto mm = [](float length) { return formatNumber(length) + " mm"; };
-    std::string text = "Particles of " + mm(asked.spacingMm) + " make whole layers only.";
+    std::string text = phrase("joint.whole_layers", {{"spacing", mm(asked.spacingMm)}});
     for (const SimulatedSize& size : sizes)
-        text += " " + std::string(size.label) + " is " + mm(size.simulated) + " instead of " + mm(size.asked) + ".";
+        text += " " + phrase("joint.simulated." + std::string(size.key),
+                             {{"simulated", mm(size.simulated)}, {"asked", mm(size.asked)}});
     if (std::none_of(sizes.begin(), sizes.end(), [](const auto& size) { return size.key == "thickness_mm"; }))
         return text;
     const double thickness = static_cast<double>(asked.thicknessMm);
     const double layers = std::ceil(thickness / static_cast<double>(asked.spacingMm));
     const double spacing = std::round(thickness / layers * 1e4) * 1e-4;
-    if (spacing >= kFinest) text += " Particles of " + mm(static_cast<float>(spacing)) + " keep the thickness.";
+    if (spacing >= kFinest)
+        text += " " + phrase("joint.keeps_thickness", {{"spacing", mm(static_cast<float>(spacing))}});
     return text;
 }
 

@@ -1,5 +1,7 @@
 // Two attempts in words: what is resolved is told, heaviest first, and nothing else.
 #include "core/training/attempt/differences.hpp"
+
+#include "core/base/words.hpp"
 #include "core/training/judging/bands.hpp"
 #include "tests/support/catch.hpp"
 
@@ -29,7 +31,12 @@ TEST_CASE("every figure that is compared has its words once", "[training][compar
             CHECK(keys.insert(figure.key).second);
             CHECK_FALSE(figure.name.empty());
             CHECK_FALSE(figure.unit.empty());
-            CHECK(figure.more != figure.less);
+            const std::string *more = findPhrase("figure." + figure.key + ".more"),
+                              *less = findPhrase("figure." + figure.key + ".less");
+            REQUIRE((more != nullptr && less != nullptr));
+            CHECK(*more != *less);
+            CHECK(more->find_first_of("<&") == std::string::npos); // they stand in HTML too
+            CHECK(less->find_first_of("<&") == std::string::npos);
             CHECK(figure.much > 0);
             CHECK(figure.resolution + figure.least > 0);
         }

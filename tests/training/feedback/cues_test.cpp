@@ -56,7 +56,7 @@ TEST_CASE("a cue has the sign, amount and zone of what technique measures, and t
     const auto check = [&](TechniqueQuantity quantity, double offset, double outer, BandZone zone, int correction) {
         const Cue* cue = cues.find(quantity);
         REQUIRE(cue != nullptr);
-        INFO(quantityInfo(quantity, bands.distance).words);
+        INFO(quantityInfo(quantity, bands.distance).words());
         CHECK(cue->offset == Approx(offset).margin(0.02));
         CHECK(cue->share == Approx(offset / outer).margin(0.01));
         CHECK(cue->zone == zone);

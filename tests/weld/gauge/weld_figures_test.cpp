@@ -1,6 +1,7 @@
 // The table of figures and imperfections: complete, with unique keys, units that keys name, and words.
 #include "core/weld/gauge/weld_figures.hpp"
 
+#include "core/base/words.hpp"
 #include "tests/support/catch.hpp"
 
 #include <algorithm>
@@ -47,10 +48,17 @@ TEST_CASE("every member of a station has one row, whose key names the unit", "[f
         CHECK(findStationFigure(figure.key) == &figure);
         CHECK(keys.insert(figure.key).second);
         CHECK(figure.key.ends_with(endingOf(figure.unit)));
+        CHECK_FALSE(figure.name().empty());
         CHECK_FALSE(figure.pageWords().empty());
-        CHECK(figure.words.more.empty() == (figure.scale.much == 0));
-        CHECK(figure.words.less.empty() == (figure.scale.much == 0));
+        for (const char* told : {".more", ".less"})
+            CHECK((findPhrase("figure." + std::string(figure.key) + told) != nullptr) == (figure.scale.much > 0));
     }
+    CHECK(stationFigure(&WeldStation::height).name() == "reinforcement");
+    CHECK(stationFigure(&WeldStation::height).panelWords() == "height over the plate");
+    CHECK(stationFigure(&WeldStation::height).pageWords() == "reinforcement"); // has no words of its own there
+    CHECK(stationFigure(&WeldStation::middle).drawnWords().empty());
+    for (const WeldFigure& figure : wholeWeldFigures())
+        CHECK_FALSE(figure.name().empty());
     CHECK(findStationFigure("overlap") == nullptr);
 }
 
@@ -60,7 +68,8 @@ TEST_CASE("every imperfection has one row with a name", "[figures]") {
         INFO(each.key);
         CHECK(findImperfection(each.key) == &each);
         CHECK(keys.insert(each.key).second);
-        CHECK(names.insert(each.words.name).second);
+        CHECK_FALSE(each.name().empty());
+        CHECK(names.insert(each.name()).second);
         CHECK((each.unit == "mm" || each.unit == "deg"));
         CHECK(each.standard.number.empty() == each.standard.name.empty());
         CHECK(each.standard.number.find_first_not_of("0123456789, ") == std::string_view::npos);

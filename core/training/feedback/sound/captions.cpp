@@ -1,5 +1,7 @@
 #include "core/training/feedback/sound/captions.hpp"
 
+#include "core/base/words.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -31,25 +33,29 @@ void Captions::followRate(const SoundStep& step) {
     square_ += (rate * rate - square_) * share;
 }
 
-std::string_view Captions::nameOf(const SoundStep& step) const {
+std::string_view Captions::keyOf(const SoundStep& step) const {
     const SoundLevels& levels = state_.levels();
-    if (levels.stub > 0) return "The wire stubs";
-    if (levels.hiss > 0 && step.arc.stretch > kLongArc) return "A long arc hisses";
+    if (levels.stub > 0) return "cue.heard.wire_stubs";
+    if (levels.hiss > 0 && step.arc.stretch > kLongArc) return "cue.heard.long_arc";
     const double mean = weight_ > 0 ? mean_ / weight_ : 0;
     if (mean > kLeastRate && step.arc.burns()) {
         const double spread = std::sqrt(std::max(square_ / weight_ - mean * mean, 0.0));
-        return spread > kUneven * mean ? "Short circuits, uneven" : "Short circuits, even";
+        return spread > kUneven * mean ? "cue.heard.shorts_uneven" : "cue.heard.shorts_even";
     }
-    if (levels.crackle > 0) return "The electrode crackles";
-    if (levels.buzz > 0) return "Alternating current buzzes";
-    if (levels.drops > 0) return levels.dropRate >= kFastDrops ? "Drops hum" : "Large drops fall";
-    if (levels.hiss > 0) return "The arc hisses softly";
-    if (levels.roar > 0) return "The flame roars";
-    if (levels.scratch > 0) return "The electrode scratches";
-    if (chips_ > 0) return "The slag is chipped off";
-    if (state_.gasAlone()) return "Gas flows";
-    if (ticks_ > 0) return "Cooling metal ticks";
+    if (levels.crackle > 0) return "cue.heard.electrode_crackles";
+    if (levels.buzz > 0) return "cue.heard.current_buzzes";
+    if (levels.drops > 0) return levels.dropRate >= kFastDrops ? "cue.heard.drops_hum" : "cue.heard.drops_fall";
+    if (levels.hiss > 0) return "cue.heard.arc_hisses";
+    if (levels.roar > 0) return "cue.heard.flame_roars";
+    if (levels.scratch > 0) return "cue.heard.electrode_scratches";
+    if (chips_ > 0) return "cue.heard.slag_chipped";
+    if (state_.gasAlone()) return "cue.heard.gas_flows";
+    if (ticks_ > 0) return "cue.heard.metal_ticks";
     return {};
+}
+
+std::string_view Captions::text() const {
+    return told_.empty() ? std::string_view() : phrase(told_);
 }
 
 void Captions::step(const SoundStep& step) {
@@ -57,10 +63,10 @@ void Captions::step(const SoundStep& step) {
     followRate(step);
     chips_ = step.chips > 0 ? kMomentStays : std::max(chips_ - step.seconds, 0.0);
     ticks_ = state_.ticks() > 0 ? kMomentStays : std::max(ticks_ - step.seconds, 0.0);
-    const std::string_view heard = nameOf(step);
+    const std::string_view heard = keyOf(step);
     since_ = heard == next_ ? since_ + step.seconds : 0;
     next_ = heard;
-    if (since_ >= (heard.empty() ? kStays : kPatience)) text_ = heard;
+    if (since_ >= (heard.empty() ? kStays : kPatience)) told_ = heard;
 }
 
 } // namespace meltpool

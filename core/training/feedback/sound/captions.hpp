@@ -17,15 +17,16 @@ class Captions {
     void reset() { *this = {}; }
     void step(const SoundStep& step);
 
-    /// "Short circuits, even"; empty while nothing sounds. One of a few constant texts.
-    std::string_view text() const { return text_; }
+    /// "Short circuits, even"; empty while nothing sounds. Stays valid for the whole run.
+    std::string_view text() const;
 
   private:
-    std::string_view nameOf(const SoundStep& step) const;
+    /// The key of its sentence; empty while nothing sounds.
+    std::string_view keyOf(const SoundStep& step) const;
     void followRate(const SoundStep& step);
 
     SoundState state_;
-    std::string_view text_;
+    std::string_view told_; ///< key of text()
     std::string_view next_;
     double since_ = 0; ///< s that `next_` has been the one
     double chips_ = 0; ///< s since strokes of the hammer that are still told

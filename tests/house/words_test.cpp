@@ -1,0 +1,109 @@
+// Every sentence that the program asks for stands in the English file, every one that stands there is asked for, and
+// other languages have the same keys and places.
+#include "core/base/words.hpp"
+#include "tests/house/source_scan.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/places.hpp"
+
+#include <algorithm>
+#include <map>
+#include <regex>
+#include <set>
+
+namespace meltpool {
+
+namespace {
+
+std::filesystem::path wordsFolder() {
+    return test::sourceFolder() / "app" / "data" / "words";
+}
+
+const Words& english() {
+    static const Words words(wordsFolder(), "en");
+    return words;
+}
+
+/// What stands between quotation marks in the program's sources, by the first place where it stands.
+const std::map<std::string, std::string>& literals() {
+    static const std::map<std::string, std::string> found = [] {
+        static const std::regex literal(R"re("((?:[^"\\\n]|\\.)*)")re");
+        std::map<std::string, std::string> all;
+        for (const test::SourceFile& file :
+             test::readSources(test::sourceFolder(), {"core", "xr", "app"}, {".cpp", ".hpp"}))
+            for (std::sregex_iterator each(file.text.begin(), file.text.end(), literal), end; each != end; ++each)
+                all.emplace((*each)[1].str(), file.path.generic_string());
+        return all;
+    }();
+    return found;
+}
+
+/// Keys that are asked for by name, with the file that does: phrase("KEY"), appendPhrase(text, "KEY") and counted ones.
+std::map<std::string, std::string> askedKeys() {
+    static const std::regex asked(
+        R"re(\b(phrase|phraseOfCount|findPhrase|appendPhrase)\(\s*(?:[\w.\->\[\]]+\s*,\s*)?"([a-z0-9_.]+)")re");
+    std::map<std::string, std::string> keys;
+    for (const test::SourceFile& file :
+         test::readSources(test::sourceFolder(), {"core", "xr", "app"}, {".cpp", ".hpp"}))
+        for (std::sregex_iterator each(file.text.begin(), file.text.end(), asked), end; each != end; ++each) {
+            const std::string key = (*each)[2];
+            if (key.back() == '.') continue; // a name follows
+            if ((*each)[1] == "phraseOfCount") {
+                keys.emplace(key + ".one", file.path.generic_string());
+                keys.emplace(key + ".other", file.path.generic_string());
+            } else {
+                keys.emplace(key, file.path.generic_string());
+            }
+        }
+    return keys;
+}
+
+/// Whether some literal is this key, or what it begins with up to one of its points.
+bool isAsked(const std::string& key) {
+    const auto& all = literals();
+    if (all.count(key) > 0) return true;
+    for (size_t point = key.find('.'); point != std::string::npos; point = key.find('.', point + 1))
+        if (all.count(key.substr(0, point)) > 0 || all.count(key.substr(0, point + 1)) > 0) return true;
+    return false;
+}
+
+std::set<std::string> namesIn(std::string_view sentence) {
+    std::set<std::string> names;
+    for (const std::string_view name : placesOf(sentence))
+        names.emplace(name);
+    return names;
+}
+
+} // namespace
+
+TEST_CASE("every sentence that is asked for by name stands in the English file", "[house][words]") {
+    const std::map<std::string, std::string> keys = askedKeys();
+    CHECK(keys.size() > 100); // the search finds them
+    for (const auto& [key, file] : keys) {
+        INFO(key << " of " << file);
+        CHECK(english().find(key) != nullptr);
+    }
+}
+
+TEST_CASE("every sentence of the English file is asked for", "[house][words]") {
+    for (const auto& [key, sentence] : english().sentences()) {
+        INFO(key << ": " << sentence);
+        CHECK(isAsked(key));
+        CHECK_FALSE(sentence.empty());
+    }
+}
+
+TEST_CASE("other languages have keys and places of the English file", "[house][words]") {
+    for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(wordsFolder())) {
+        const Words words(wordsFolder(), entry.path().stem().string());
+        for (const auto& [key, sentence] : words.sentences()) {
+            INFO(entry.path().filename().string() << ", " << key);
+            const std::string* original = english().find(key);
+            const bool ofTables = key.starts_with("parameter.") || key.starts_with("group.") ||
+                                  key.starts_with("choice.") || key.starts_with("language.");
+            CHECK((original != nullptr || ofTables));
+            if (original != nullptr) CHECK(namesIn(sentence) == namesIn(*original));
+        }
+    }
+}
+
+} // namespace meltpool
