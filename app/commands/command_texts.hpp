@@ -19,7 +19,8 @@ inline constexpr std::array<NamedText, 3> kExitCodes{{
 }};
 
 inline constexpr std::array<NamedText, 6> kVariables{{
-    {"MELTPOOL_LANGUAGE", "Language of the sentences, such as de; else the system's, where it has a file, else English"},
+    {"MELTPOOL_LANGUAGE",
+     "Language of the sentences, such as de; else the system's, where it has a file, else English"},
     {"MELTPOOL_LESSONS", "Folder of a school's lessons"},
     {"MELTPOOL_DATA", "Folder of the program's shaders and data, where they are not beside the program"},
     {"XDG_CONFIG_HOME", "Settings and best scores are in its folder meltpool; else in ~/.config/meltpool"},
