@@ -25,13 +25,13 @@ ReplayMachine thisMachine() {
 
 ReplayEnd replayEnd(const RecordedAttempt* attempt, size_t steps, std::uint64_t stateHash,
                     const ReplayMachine& machine) {
-    using Verdict = ReplayEnd::Verdict;
-    if (attempt == nullptr) return {Verdict::unknown, phrase("attempt.end.path")};
-    if (attempt->stateHash.empty()) return {Verdict::unknown, phrase("attempt.end.broken_off")};
+    using Answer = ReplayEnd::Verdict;
+    if (attempt == nullptr) return {Answer::unknown, phrase("attempt.end.path")};
+    if (attempt->stateHash.empty()) return {Answer::unknown, phrase("attempt.end.broken_off")};
     const auto same = sameEnd(*attempt, steps, stateHash);
-    if (!same) return {Verdict::unknown, phrase("attempt.end.other_step")};
-    if (*same) return {Verdict::same, phrase("attempt.end.same")};
-    return {Verdict::different,
+    if (!same) return {Answer::unknown, phrase("attempt.end.other_step")};
+    if (*same) return {Answer::same, phrase("attempt.end.same")};
+    return {Answer::different,
             phrase("attempt.end.different", {{"recorder", machineText(attempt->head.program, attempt->head.driver)},
                                              {"player", machineText(machine.program, machine.driver)}})};
 }

@@ -108,8 +108,8 @@ Json document(const ColouredMesh& coloured, Blob& blob) {
 }
 
 /// A lesson's name may come from a file's name, which need not be UTF-8.
-std::string textOf(const Json& json) {
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+std::string textOf(const Json& value) {
+    return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 /// `text` filled up to a multiple of four bytes.

@@ -1,5 +1,6 @@
 #include "app/report/comparison_page.hpp"
 
+#include "app/report/page_text.hpp"
 #include "app/report/report_page.hpp"
 #include "app/report/twin_curve.hpp"
 #include "core/base/text.hpp"
@@ -35,7 +36,7 @@ input[name=unit] { accent-color: #1f5fbf } .in { display: none }
 
 /// A number with its unit, a length also in inches, of which the page shows one. `sign`: a plus before what is above
 /// 0.
-std::string measure(double value, const std::string& unit, int decimals, bool sign) {
+std::string withInches(double value, const std::string& unit, int decimals, bool sign) {
     const auto text = [&](double number, int places, const std::string& name) {
         const char* gap = name.empty() || name == "%" || name == "°" ? "" : " ";
         return numberText(number, places, sign) + gap + escaped(name);
@@ -49,12 +50,6 @@ std::string measure(double value, const std::string& unit, int decimals, bool si
     if (unit == "mm/s") return both(value / kInch * 60, decimals, "in/min");
     if (unit == "kJ/mm") return both(value * kInch, std::max(decimals - 1, 0), "kJ/in");
     return text(value, decimals, unit);
-}
-
-std::string textIn(const json& object, const char* key) {
-    if (!object.is_object()) return {};
-    const auto found = object.find(key);
-    return found != object.end() && found->is_string() ? escaped(found->get<std::string>()) : std::string();
 }
 
 /// What a repetition is of its recording, and the verdict, in a few words.
@@ -87,7 +82,7 @@ std::string headPart(const ComparedRun& first, const ComparedRun& second) {
 std::string wordsPart(const Comparison& comparison) {
     std::string list;
     for (const FigurePair& pair : comparison.differences())
-        list += "<li>" + pair.told(measure(std::abs(pair.difference()), pair.figure.unit, pair.decimals(), false)) +
+        list += "<li>" + pair.told(withInches(std::abs(pair.difference()), pair.figure.unit, pair.decimals(), false)) +
                 "</li>\n";
     if (const auto points = comparison.morePoints())
         list +=
@@ -100,7 +95,7 @@ std::string wordsPart(const Comparison& comparison) {
     if (comparison.halfSpacing > 0)
         html += "<p class=\"quiet\">" +
                 phrase("comparison_page.difference.resolved",
-                       {{"length", measure(comparison.halfSpacing * 1e3, "mm", 2, false)}}) +
+                       {{"length", withInches(comparison.halfSpacing * 1e3, "mm", 2, false)}}) +
                 "</p>\n";
     return html;
 }
@@ -128,7 +123,7 @@ std::string scorePart(const Comparison& comparison, const ComparedRun& first, co
     for (const ScorePair& pair : comparison.scores) {
         std::string difference;
         if (pair.first && pair.second && std::abs(*pair.second - *pair.first) >= 1)
-            difference = measure(*pair.second - *pair.first, "", 0, true);
+            difference = withInches(*pair.second - *pair.first, "", 0, true);
         html += rowOf(pair.name, points(pair.first), points(pair.second), difference);
     }
     return html + "</table>\n";
@@ -142,9 +137,11 @@ std::string figuresPart(const Comparison& comparison, const ComparedRun& first, 
         std::string rows;
         for (const FigurePair& pair : comparison.pairs) {
             if (pair.figure.group != group) continue;
-            const auto shown = [&](double value) { return measure(value, pair.figure.unit, pair.decimals(), false); };
+            const auto shown = [&](double value) {
+                return withInches(value, pair.figure.unit, pair.decimals(), false);
+            };
             rows += rowOf(pair.figure.name, shown(pair.first), shown(pair.second),
-                          pair.differs() ? measure(pair.difference(), pair.figure.unit, pair.decimals(), true) : "");
+                          pair.differs() ? withInches(pair.difference(), pair.figure.unit, pair.decimals(), true) : "");
         }
         if (!rows.empty())
             html += "<h2>" + phraseOf("comparison_page.group", name) + "</h2>\n<table>\n" +

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 /// What a file says, in its own unit.
-struct Solid {
+struct ReadMesh {
     std::vector<glm::vec3> positions, normals, colours;
     std::vector<std::uint32_t> indices;
 };
@@ -65,7 +65,7 @@ std::pair<Json, std::string> splitGlb(const std::string& bytes) {
 }
 
 /// The one mesh of a document, found by its accessors.
-Solid readGltf(const Json& gltf, const std::string& buffer) {
+ReadMesh readGltf(const Json& gltf, const std::string& buffer) {
     CHECK(gltf.at("asset").at("version") == "2.0");
     CHECK(gltf.at("buffers")[0].at("byteLength").get<size_t>() <= buffer.size());
     const Json& primitive = gltf.at("meshes")[0].at("primitives")[0];
@@ -84,7 +84,7 @@ Solid readGltf(const Json& gltf, const std::string& buffer) {
     CHECK(normal.at("count") == count);
     CHECK(colour.at("count") == count);
     CHECK(colour.at("normalized") == true);
-    Solid solid;
+    ReadMesh solid;
     solid.positions = vectorsAt<float>(buffer, offset(position), count, 12, 1);
     solid.normals = vectorsAt<float>(buffer, offset(normal), count, 12, 1);
     solid.colours = vectorsAt<std::uint16_t>(buffer, offset(colour), count, 8, 1 / 65535.0F);
@@ -108,7 +108,7 @@ size_t countIn(const std::string& header, const std::string& element) {
     return std::stoul(header.substr(at + element.size() + 9));
 }
 
-Solid readPly(const std::string& bytes) {
+ReadMesh readPly(const std::string& bytes) {
     const std::string end = "end_header\n";
     const size_t body = bytes.find(end) + end.size();
     const std::string header = bytes.substr(0, body);
@@ -116,7 +116,7 @@ Solid readPly(const std::string& bytes) {
     const size_t vertices = countIn(header, "vertex"), faces = countIn(header, "face");
     constexpr size_t kVertex = 27, kFace = 13;
     REQUIRE(bytes.size() == body + vertices * kVertex + faces * kFace);
-    Solid solid;
+    ReadMesh solid;
     solid.positions = vectorsAt<float>(bytes, body, vertices, kVertex, 1);
     solid.normals = vectorsAt<float>(bytes, body + 12, vertices, kVertex, 1);
     solid.colours = vectorsAt<std::uint8_t>(bytes, body + 24, vertices, kVertex, 1 / 255.0F);
@@ -130,7 +130,7 @@ Solid readPly(const std::string& bytes) {
 }
 
 /// Closed, with every index and number in range; answers the volume.
-double checkSolid(const Solid& solid) {
+double checkSolid(const ReadMesh& solid) {
     std::map<std::pair<unsigned, unsigned>, int> sides;
     double volume = 0;
     REQUIRE(solid.indices.size() % 3 == 0);
@@ -179,7 +179,7 @@ std::string outputOf(const std::string& command) {
 }
 
 /// Another library reads the file: vertices, faces and colours are there.
-void checkWithAssimp(const fs::path& file, const Solid& solid) {
+void checkWithAssimp(const fs::path& file, const ReadMesh& solid) {
     if (!succeeds("command -v assimp")) {
         if (std::getenv("CI") != nullptr) FAIL("assimp is missing; expected the package assimp-utils");
         WARN("assimp is missing: nobody else has read " << file.filename());
@@ -208,7 +208,7 @@ void checkWithAssimp(const fs::path& file, const Solid& solid) {
 TEST_CASE("a box comes back from glTF with its numbers", "[app]") {
     const ColouredMesh box = redCorneredBox();
     const auto [gltf, buffer] = splitGlb(glbOf(box));
-    const Solid solid = readGltf(gltf, buffer);
+    const ReadMesh solid = readGltf(gltf, buffer);
     CHECK(checkSolid(solid) == Approx(0.02 * 0.01 * 0.04));
     CHECK(solid.indices == box.mesh.indices);
     CHECK(solid.positions[7] == glm::vec3(0.02F, 0.01F, 0.04F));
@@ -232,7 +232,7 @@ TEST_CASE("a box comes back from PLY in millimetres and displayed colours", "[ap
     ColouredMesh box = redCorneredBox();
     box.notes.lesson = "of two\nlines";
     const std::string bytes = plyOf(box);
-    const Solid solid = readPly(bytes);
+    const ReadMesh solid = readPly(bytes);
     CHECK(checkSolid(solid) == Approx(20 * 10 * 40));
     CHECK(solid.colours[7] == glm::vec3(1, 0, 0));
     CHECK(solid.colours[0].g == Approx(188 / 255.0).margin(1e-3)); // half of the light as sRGB
@@ -266,7 +266,7 @@ TEST_CASE("a weld's run leaves its mesh, which another library reads", "[app]") 
     REQUIRE(outcome.code == 0);
     CHECK_THAT(outcome.output, containsText("weld.glb"));
     const auto [gltf, buffer] = splitGlb(readTextFile(file));
-    const Solid solid = readGltf(gltf, buffer);
+    const ReadMesh solid = readGltf(gltf, buffer);
     CHECK(checkSolid(solid) * 1e9 == Approx(1920).epsilon(0.08)); // mm³, with what was deposited
     CHECK(gltf.at("asset").at("extras").at("lesson") == "gmaw-bead");
     glm::vec3 darkest(1), brightest(0);
@@ -289,7 +289,7 @@ TEST_CASE("the classic metal's run leaves its mesh too", "[app]") {
         INFO(outcome.errors);
         REQUIRE(outcome.code == 0);
     }
-    const Solid solid = readPly(readTextFile(folder / "cube.ply"));
+    const ReadMesh solid = readPly(readTextFile(folder / "cube.ply"));
     CHECK(checkSolid(solid) > 1000); // mm³
     checkWithAssimp(folder / "cube.ply", solid);
     checkWithAssimp(folder / "cube.gltf", solid);

@@ -20,7 +20,7 @@ using namespace meltpool::test;
 namespace {
 
 /// A half-melted cube and the workshop around it.
-struct Lesson {
+struct DrawnLesson {
     gl::ShaderLibrary shaders{test::sourceFolder() / "shaders"};
     HeadsetParameters parameters;
     WorkpiecePlace place{parameters.tableHeight, parameters.zoom, -0.04f};
@@ -30,7 +30,7 @@ struct Lesson {
     WorkshopScene workshop;
     LookParameters look;
 
-    Lesson() {
+    DrawnLesson() {
         for (int i = 0; i < 40; ++i)
             metal.step({glm::vec3(0.5f, 0.0f, 0.5f), 1.0f, false}, nullptr);
         surface.update(metal.particles(), nullptr);
@@ -73,14 +73,14 @@ TEST_CASE("each eye shows what one view from its place shows, whichever way the 
     state.head.position = {0.0f, 1.55f, 0.42f};
     state.head.orientation = glm::angleAxis(-0.85f, glm::vec3(1, 0, 0));
     driver.send(state);
-    Lesson lesson;
+    DrawnLesson lesson;
     xr::Headset headset(std::make_unique<xr::Instance>(), {.resolutionScale = 0.6f, .samples = 4});
     REQUIRE(reach(headset, xr::SessionMode::focused));
 
     xr::BothEyes last;
     const auto draw = [&](const xr::BothEyes& eyes) {
         last = eyes;
-        const std::array<View, 2> views{Lesson::view(eyes.views[0], eyes), Lesson::view(eyes.views[1], eyes)};
+        const std::array<View, 2> views{DrawnLesson::view(eyes.views[0], eyes), DrawnLesson::view(eyes.views[1], eyes)};
         lesson.renderer.draw(lesson.scene(), lesson.look, views,
                              {eyes.framebuffer, {0, 0, 2 * eyes.width, eyes.height}, eyes.encodesSrgb}, nullptr);
     };
@@ -97,7 +97,7 @@ TEST_CASE("each eye shows what one view from its place shows, whichever way the 
 
         const PictureTarget alone(last.width, last.height, headset.eyes().samples());
         for (int eye = 0; eye < 2; ++eye) {
-            const std::array<View, 1> one{Lesson::view(last.views[size_t(eye)], last)};
+            const std::array<View, 1> one{DrawnLesson::view(last.views[size_t(eye)], last)};
             lesson.renderer.draw(lesson.scene(), lesson.look, one, alone.target(), nullptr);
             const ImageDifference difference = compareImages(alone.read(), column(both, eye), 24);
             INFO(name << " (" << chosen.sentence << "), eye " << eye << ": mean " << difference.mean << ", far "
