@@ -30,10 +30,9 @@ struct LargeClass {
     int members;
 };
 
-constexpr std::array<LargeClass, 7> kLargeClasses{{
+constexpr std::array<LargeClass, 6> kLargeClasses{{
     {"DesktopApp", 6, 44},
     {"Flow", 15, 34},
-    {"HeatSolver", 14, 36},
     {"LessonSession", 42, 11},
     {"RigidFragments", 9, 32},
     {"Surface::Work", 18, 48},

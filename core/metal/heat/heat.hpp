@@ -5,7 +5,10 @@
 #include "core/gl/buffer_view.hpp"
 #include "core/gl/profiler.hpp"
 #include "core/gl/program.hpp"
+#include "core/metal/heat/conduction.hpp"
 #include "core/metal/heat/heat_source.hpp"
+#include "core/metal/heat/heat_tiles.hpp"
+#include "core/metal/heat/source_weights.hpp"
 #include "core/metal/state/metal_state.hpp"
 #include "shaders/shared/dispatch.h"
 #include "shaders/shared/heat.h"
@@ -31,27 +34,8 @@ struct HeatSettings {
     bool meltedLeaves = false;  ///< melted particles leave the lattice (with flow) or stay on it (heat alone)
 };
 
-/// Joules since the start, from the ledger.
-struct HeatBalance {
-    double gained = 0; ///< from sources and held walls
-    double lost = 0;   ///< through the surface
-};
-
-/// The solver's list of the slots of all living metal off the lattice (liquid, solid that fell or was fed), except
-/// what is held, for passes that run over it. `slots` holds one uint each from entry `first` on, in no particular
-/// order. Their number is a uint at byte `count` of `control` and stays on the GPU. Bind `control` as
-/// GL_DISPATCH_INDIRECT_BUFFER to dispatch groups of GROUP_SIZE over the list from byte `dispatch`.
-/// The list is up to date after HeatSolver::step() as of that step's end, and includes what melted in it. Particles
-/// that MetalState::add() brought since and solid that came free since are listed in the next step. A slot stays in the
-/// list for good: a pass over it skips those without PHASE_ALIVE.
-struct OffLatticeList {
-    const gl::Buffer& slots;
-    size_t first;
-    const gl::Buffer& control; ///< HeatControl
-    size_t count;              ///< byte of the number of entries in `control`
-    size_t dispatch;           ///< byte of the indirect dispatch arguments in `control`
-};
-
+/// A step of heat in the metal: which parts take part (HeatTiles), how sources divide their power (SourceWeights), and
+/// what each cell gains and loses (Conduction).
 class HeatSolver {
   public:
     /// `state` must outlive the solver.
@@ -79,11 +63,11 @@ class HeatSolver {
     /// After others added particles to the lattice or took some off: reads the whole lattice and wakes every tile.
     void refresh();
 
-    OffLatticeList offLattice() const;
+    OffLatticeList offLattice() const { return tiles_.offLattice(); }
 
     /// Tiles that took part in the last step. Waits for the GPU.
-    unsigned readActiveTiles() const;
-    HeatBalance readBalance() const;
+    unsigned readActiveTiles() const { return tiles_.readActive(block_.stepNumber); }
+    HeatBalance readBalance() const { return conduction_.readBalance(); }
 
     /// Saves or restores all that the next step reads; the state comes before it.
     void transfer(gl::StateArchive& archive);
@@ -98,35 +82,26 @@ class HeatSolver {
         GLuint unit;
     };
 
-    void makeBuffers();
     void makeTexels();
-    void makeSourceSums(int count);
-    void writeTable();
     void begin();
     void prepareBlock();
     void writeBlock(double seconds, std::span<const HeatSource> sources);
-    void writeSource(HeatSourceData& data, const HeatSource& source, int firstRowSum) const;
     void bind() const;
-    void indirect(const gl::Program& program, size_t groups) const;
-    void depositOffLattice();
-    void listTiles();
-    void normaliseSources();
-    void stepMixedCells();
-    void stepLatticeMetal();
+    void listOffLattice();
 
     MetalState& state_;
     const Material material_;
     HeatSettings settings_;
     HeatBlock block_{};
-    size_t searched_ = 0; ///< slots that were searched for metal off the lattice
+    size_t searched_ = 0;      ///< slots that were searched for metal off the lattice
     unsigned regroupings_ = 0; ///< and labellings of the state when all slots were last searched
-    double time_ = 0; ///< s
-    const gl::Program *refresh_, *listOffLattice_, *deposit_, *listTiles_, *averageCells_, *listRows_, *sourceWeights_,
-        *normaliseSources_, *conductReached_, *conductUnreached_, *advanceOffLattice_, *conductPlain_, *advanceMixed_,
-        *fold_;
-    gl::Buffer blockBuffer_, table_, cellTheta_, cellWeight_, cellSums_, cellRanges_, tiles_, tileStamps_, lists_,
-        listedRows_, control_, knownCells_, sourceSums_, ledger_;
-    std::vector<Texels> texels_;
+    double time_ = 0;          ///< s
+    HeatTiles tiles_;
+    SourceWeights sources_;
+    Conduction conduction_;
+    const gl::Program &refresh_, &fold_;
+    gl::Buffer blockBuffer_;
+    std::vector<Texels> texels_; ///< of the state
 };
 
 } // namespace meltpool

@@ -1,0 +1,62 @@
+// Conduction between cells, loss through the surface and melting: temperatures of cells and passes that advance them.
+#pragma once
+
+#include "core/gl/buffer.hpp"
+#include "core/gl/buffer_view.hpp"
+#include "core/gl/program.hpp"
+#include "core/gl/state_archive.hpp"
+#include "core/metal/material/heat_table.hpp"
+#include "shaders/shared/heat.h"
+
+namespace meltpool {
+
+/// Joules since the start, from the ledger.
+struct HeatBalance {
+    double gained = 0; ///< from sources and held walls
+    double lost = 0;   ///< through the surface
+};
+
+/// Metal off the lattice shares its temperature out over the cells around it; the cells exchange heat with their
+/// neighbours; the power into each cell goes to the metal in it. The functions are the passes of a step in their order;
+/// each expects the lists that HeatTiles makes for it.
+class Conduction {
+  public:
+    /// For a lattice of `cells` and a state of `slots`. `defines`: of the passes of heat. `ledger`: books every joule.
+    Conduction(gl::ShaderLibrary& shaders, const gl::Defines& defines, size_t cells, size_t slots, bool ledger);
+
+    /// Samples of a material's table for the GPU, and their places for the block of a step.
+    void setTable(const HeatTable& table, HeatBlock& block);
+    /// For a state of another capacity. Throws RuntimeFault when the driver has no room.
+    void setSlots(size_t slots);
+    /// Empties cells and ledger.
+    void clear();
+
+    /// Binds cells, table and ledger.
+    void bind() const;
+
+    /// Adds the metal off the lattice to the sums of the cells that it shares.
+    void depositOffLattice() const;
+    /// Makes the temperature of each cell of the sums.
+    void averageCells() const;
+    /// Power into each cell of mixed tiles, from neighbours and sources.
+    void conductMixedTiles() const;
+    void advanceOffLattice() const;
+    /// Metal that melts here is off the lattice from the next step on.
+    void advanceLattice() const;
+
+    /// Zeros without a ledger. Waits for the GPU.
+    HeatBalance readBalance() const;
+
+    void transfer(gl::StateArchive& archive);
+    size_t bytes() const; ///< of GPU memory
+
+  private:
+    size_t cells_; ///< of the lattice
+    bool hasLedger_;
+    const gl::Program &deposit_, &averageCells_, &conductUnreached_, &conductReached_, &advanceOffLattice_,
+        &conductPlain_, &advanceMixed_;
+    gl::Buffer table_, cellTheta_, cellWeight_, cellSums_, cellRanges_, ledger_;
+    gl::BufferView tableTexels_, thetaTexels_, weightTexels_, thetaRowTexels_;
+};
+
+} // namespace meltpool

@@ -1,0 +1,83 @@
+#include "core/metal/heat/source_weights.hpp"
+
+#include "core/base/error.hpp"
+#include "core/metal/heat/heat_barriers.hpp"
+
+#include <glm/common.hpp>
+
+#include <string>
+
+namespace meltpool {
+
+namespace {
+
+HeatSourceData dataOf(const HeatSource& source, const MetalLattice& lattice) {
+    HeatSourceData data{};
+    data.position = source.position;
+    data.kind = source.kind;
+    data.axis = source.axis;
+    data.power = source.power;
+    data.travel = source.travel;
+    data.size = source.size;
+    data.halfWidth = source.halfWidth;
+    data.depth = source.depth;
+    data.rear = source.rear;
+    data.frontFraction = source.frontFraction;
+    data.tipTemperature = source.tipTemperature;
+    data.tipConductance = source.tipConductance;
+    data.before = source.before;
+    data.beyond = source.beyond;
+    data.fullWeight = source.fullWeight;
+    const glm::ivec3 lastTile = lattice.tiles - 1;
+    const glm::ivec3 cellLimit = lattice.cells();
+    // Clamped before the division, which rounds towards zero, and against sources that reach beyond every number.
+    const auto tileAt = [&](glm::vec3 place) {
+        const glm::vec3 cell = glm::clamp((place - lattice.low) / lattice.spacing, glm::vec3(-1), glm::vec3(cellLimit));
+        return glm::ivec3(glm::floor(cell / static_cast<float>(TILE_EDGE)));
+    };
+    const glm::ivec3 low = glm::clamp(tileAt(source.position - source.reach()), glm::ivec3(0), lastTile);
+    const glm::ivec3 high = glm::clamp(tileAt(source.position + source.reach()), glm::ivec3(0), lastTile);
+    data.firstTile = low;
+    data.tileExtent = high - low + 1;
+    data.tileCount = data.tileExtent.x * data.tileExtent.y * data.tileExtent.z;
+    return data;
+}
+
+} // namespace
+
+SourceWeights::SourceWeights(gl::ShaderLibrary& shaders)
+    : sumRows_(shaders.compute("metal/heat/source_weights.comp")),
+      sumSources_(shaders.compute("metal/heat/normalise_sources.comp")) {}
+
+void SourceWeights::write(std::span<const HeatSource> sources, const MetalLattice& lattice, HeatBlock& block) {
+    if (sources.size() > HEAT_SOURCES)
+        throw RuntimeFault("at most " + std::to_string(HEAT_SOURCES) + " heat sources can burn at once");
+    count_ = static_cast<unsigned>(sources.size());
+    block.sourceCount = static_cast<int>(sources.size());
+    int firstRowSum = HEAT_SOURCES; // behind the sums of the sources
+    for (size_t i = 0; i < sources.size(); ++i) {
+        block.sources[i] = dataOf(sources[i], lattice);
+        block.sources[i].firstRowSum = firstRowSum;
+        firstRowSum += TILE_ROWS * block.sources[i].tileCount;
+    }
+    makeSums(firstRowSum);
+}
+
+/// They hold within a step, so that none is kept where there must be more.
+void SourceWeights::makeSums(int count) {
+    const size_t bytes = static_cast<size_t>(count) * sizeof(float);
+    if (sums_.bytes() < bytes) sums_ = gl::Buffer::gpuOnly("heat source sums", bytes + bytes / 2);
+}
+
+void SourceWeights::sum() const {
+    sums_.bindStorage(HEAT_SOURCE_SUMS);
+    if (count_ == 0) return;
+    gl::memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    sums_.clear();                                                 // of rows without metal, too
+    sumRows_.dispatchIndirect(offsetof(HeatControl, reachedRows)); // cell theta, weight -> sum of weights a row
+    storageBarrier();
+    sumSources_.dispatchGroups(count_); // -> sum of weights a source
+    storageBarrier();
+}
+
+} // namespace meltpool

@@ -1,0 +1,37 @@
+// Weights that divide the power of heat sources among the metal that they reach.
+#pragma once
+
+#include "core/gl/buffer.hpp"
+#include "core/gl/program.hpp"
+#include "core/metal/heat/heat_source.hpp"
+#include "core/metal/state/metal_state.hpp"
+#include "shaders/shared/heat.h"
+
+#include <span>
+
+namespace meltpool {
+
+/// A source gives each cell its power times weight by sum of weights, so that exactly its power goes in.
+class SourceWeights {
+  public:
+    explicit SourceWeights(gl::ShaderLibrary& shaders);
+
+    /// Writes the sources, and which tiles of the lattice each of them reaches, into the block of a step. Throws
+    /// RuntimeFault for more than HEAT_SOURCES sources, or when the driver has no room for their sums.
+    void write(std::span<const HeatSource> sources, const MetalLattice& lattice, HeatBlock& block);
+
+    /// Sums the weights of the sources last written and leaves the sums bound. Expects the rows that sources reach to
+    /// be listed (HeatTiles).
+    void sum() const;
+
+    size_t bytes() const { return sums_.bytes(); } ///< of GPU memory
+
+  private:
+    void makeSums(int count);
+
+    const gl::Program &sumRows_, &sumSources_;
+    gl::Buffer sums_; ///< made in each step
+    unsigned count_ = 0;
+};
+
+} // namespace meltpool
