@@ -30,12 +30,11 @@ struct LargeClass {
     int members;
 };
 
-constexpr std::array<LargeClass, 6> kLargeClasses{{
+constexpr std::array<LargeClass, 5> kLargeClasses{{
     {"DesktopApp", 6, 44},
     {"Flow", 15, 34},
     {"LessonSession", 42, 11},
     {"RigidFragments", 9, 32},
-    {"Surface::Work", 18, 48},
     {"Trainer", 51, 23},
 }};
 
