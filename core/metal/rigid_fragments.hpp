@@ -2,10 +2,10 @@
 // rigid bodies, and joins them again where they freeze together.
 #pragma once
 
-#include "core/gl/buffer_view.hpp"
 #include "core/gl/profiler.hpp"
 #include "core/gl/program.hpp"
 #include "core/gl/readback.hpp"
+#include "core/metal/fragment_labels.hpp"
 #include "core/metal/state/metal_state.hpp"
 #include "shaders/shared/fragments.h"
 
@@ -29,15 +29,18 @@ struct FragmentReport {
     unsigned rejected = 0;  ///< free ones beyond FRAGMENT_MAX_COUNT: they stand still
 };
 
+/// Moves the fragments that FragmentLabels finds free.
 class RigidFragments {
   public:
     /// `state` must outlive this object.
     RigidFragments(gl::ShaderLibrary& shaders, MetalState& state, const FragmentSetup& setup);
+    RigidFragments(const RigidFragments&) = delete; // its labels read its block
+    RigidFragments& operator=(const RigidFragments&) = delete;
 
     /// As new, in the same memory, for a state that was reset and has its particles again.
     void reset();
     /// After the state's capacity became another one. Throws RuntimeFault when the driver has no room.
-    void takeCapacity();
+    void takeCapacity() { labels_.takeCapacity(); }
 
     /// One small part of labelling the fragments, at most about the same for any amount of metal; a whole cycle takes
     /// 26 calls, more where there is very much metal. Call it once a frame. Reads positions and phases; at the end of a
@@ -62,28 +65,18 @@ class RigidFragments {
     size_t bytes() const;
 
   private:
-    void makeTexels();
-    void bind() const;
-    void begin();
-    void joinPart();
-    void finish();
+    void labelled();
     bool mayBeFree();
     void keepContacts(size_t free);
     void moveOnce() const;
-    void indirect(const gl::Program& program, size_t offset) const;
 
-    MetalState& state_;
     FragmentBlock block_{};
     const size_t mostContacts_; ///< that are kept however much metal is free
-    int call_ = 0;              ///< of relabel() in this cycle
-    size_t slots_ = 0;          ///< that were there when the cycle began
-    size_t joined_ = 0;         ///< of them
     bool mayBeFree_ = true;     ///< false: the GPU said that the last cycle found nothing free
     gl::Readback freeParticles_;
-    gl::Buffer blockBuffer_, cellHeads_, cellNext_, labels_, firstLabels_, control_, motions_, freeSlots_, contacts_;
-    gl::BufferView firstLabelTexels_, latticeTexels_, positionTexels_;
-    const gl::Program &clearCells_, &beginLabels_, &linkCells_, &linkFree_, &join_, &countMembers_, &numberFragments_,
-        &assignFragments_, &listFree_, &contactsPass_, &rigidMotion_, &movePass_;
+    gl::Buffer blockBuffer_, motions_, contacts_;
+    FragmentLabels labels_;
+    const gl::Program &clearCells_, &linkCells_, &linkFree_, &contactsPass_, &rigidMotion_, &movePass_;
 };
 
 } // namespace meltpool

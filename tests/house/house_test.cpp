@@ -30,11 +30,10 @@ struct LargeClass {
     int members;
 };
 
-constexpr std::array<LargeClass, 5> kLargeClasses{{
+constexpr std::array<LargeClass, 4> kLargeClasses{{
     {"DesktopApp", 6, 44},
     {"Flow", 15, 34},
     {"LessonSession", 42, 11},
-    {"RigidFragments", 9, 32},
     {"Trainer", 51, 23},
 }};
 

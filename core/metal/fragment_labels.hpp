@@ -1,0 +1,51 @@
+// Labels the connected fragments of solid metal, a small part in each call, and lists the particles of free ones.
+#pragma once
+
+#include "core/gl/buffer_view.hpp"
+#include "core/gl/program.hpp"
+#include "core/metal/state/metal_state.hpp"
+#include "shaders/shared/fragments.h"
+
+namespace meltpool {
+
+/// A cycle gives every solid particle the label of its fragment, numbers the fragments that nothing holds, and takes
+/// their metal off the lattice. Its lists of coarse cells and of free particles serve the passes that move fragments.
+class FragmentLabels {
+  public:
+    /// `state` and `block` (FragmentBlock) must outlive this object.
+    FragmentLabels(gl::ShaderLibrary& shaders, MetalState& state, const gl::Buffer& block);
+
+    /// As new, in the same memory.
+    void reset();
+    /// After the state's capacity became another one. Throws RuntimeFault when the driver has no room.
+    void takeCapacity();
+
+    /// Makes the next part of a cycle; true when that was the last one.
+    bool advance();
+    /// Makes a whole cycle at once, from its beginning.
+    void cycleNow();
+
+    /// Binds state, block, labels and lists.
+    void bind() const;
+    const gl::Buffer& control() const { return control_; } ///< FragmentControl
+
+    void transfer(gl::StateArchive& archive);
+    size_t bytes() const; ///< of GPU memory
+
+  private:
+    void makeTexels();
+    void begin();
+    void joinPart();
+    void finish();
+
+    MetalState& state_;
+    const gl::Buffer& block_;
+    int call_ = 0;      ///< of advance() in this cycle
+    size_t slots_ = 0;  ///< that were there when the cycle began
+    size_t joined_ = 0; ///< of them
+    gl::Buffer cellHeads_, cellNext_, labels_, firstLabels_, control_, freeSlots_;
+    gl::BufferView firstLabelTexels_, latticeTexels_, positionTexels_;
+    const gl::Program &beginLabels_, &join_, &countMembers_, &numberFragments_, &assignFragments_, &listFree_;
+};
+
+} // namespace meltpool
