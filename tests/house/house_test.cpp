@@ -30,9 +30,8 @@ struct LargeClass {
     int members;
 };
 
-constexpr std::array<LargeClass, 4> kLargeClasses{{
+constexpr std::array<LargeClass, 3> kLargeClasses{{
     {"DesktopApp", 6, 44},
-    {"Flow", 15, 34},
     {"LessonSession", 42, 11},
     {"Trainer", 51, 23},
 }};

@@ -100,14 +100,6 @@ gl::Buffer makeLists(size_t capacity) {
     return gl::Buffer::gpuOnly("flow lists", (2 * capacity + FLOW_STALE_CAPACITY) * sizeof(uint));
 }
 
-/// Pages of moving metal that may be needed: each liquid particle may be alone in its cell, and fragments are where
-/// wall metal was. Liquid takes half the rows at most, as long as there can be more.
-size_t movingPages(const FlowRoom& room, const FlowBlock& block) {
-    const auto slots = static_cast<size_t>(block.capacity);
-    const size_t liquids = room.rows() < slots ? room.rows() / 2 : slots;
-    return std::min<size_t>(block.cellCount, liquids + room.wallPages());
-}
-
 } // namespace
 
 Flow::Flow(gl::ShaderLibrary& shaders, MetalState& state, const FlowFluid& fluid, const FlowSpace& space)
@@ -171,9 +163,9 @@ void Flow::moveLists(size_t before) {
 
 /// The room that lists and pages have grown to is kept: more of it than needed changes no result.
 void Flow::reset() {
-    for (const gl::Buffer* buffer :
-         {&particles_, &cells_, &pages_, &nextInCell_, &lists_, &neighbours_, &counters_, &changed_, &wallSums_})
-        if (*buffer) buffer->clear();
+    for (const gl::Buffer* buffer : {&particles_, &cells_, &nextInCell_, &lists_, &counters_, &changed_, &wallSums_})
+        buffer->clear();
+    tables_.clear();
     FlowBlock block = first_;
     block.capacity = block_.capacity;
     block.rowCapacity = block_.rowCapacity;
@@ -185,45 +177,15 @@ void Flow::reset() {
     regroupings_ = 0;
 }
 
-void Flow::makeNeighbourLists() {
-    const size_t old = block_.rowCapacity * sizeof(uint), row = room_.rows() * sizeof(uint);
-    auto rows = gl::Buffer::gpuOnly("flow neighbours", (FLOW_NEIGHBOUR_CAPACITY + 2) * row);
-    if (neighbours_) {
-        gl::memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-        neighbours_.copyTo(rows, FLOW_NEIGHBOUR_CAPACITY * old);
-        for (const size_t part : {FLOW_NEIGHBOUR_CAPACITY, FLOW_NEIGHBOUR_CAPACITY + 1})
-            neighbours_.copyTo(rows, old, part * old, part * row);
-    }
-    neighbours_ = std::move(rows);
-    neighbourTexels_ = gl::BufferView("flow neighbour texels", neighbours_, GL_R32UI, sizeof(uint));
-    block_.rowCapacity = static_cast<uint>(room_.rows());
-    blockChanged_ = true;
-}
-
-void Flow::makePages() {
-    block_.wallPageCapacity = static_cast<uint>(1 + room_.wallPages());
-    block_.movingPageCapacity = static_cast<uint>(1 + movingPages(room_, block_));
-    const size_t count = block_.wallPageCapacity + block_.movingPageCapacity;
-    auto pages = gl::Buffer::gpuOnly("flow pages", count * FLOW_PAGE_WORDS * sizeof(uint));
-    if (pages_) {
-        // Those of wall metal; the others hold for one search only.
-        gl::memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-        pages_.copyTo(pages, std::min(pages.bytes(), pages_.bytes()));
-    }
-    pages_ = std::move(pages);
-    pageSlotTexels_ = gl::BufferView("flow page slot texels", pages_, GL_R32UI, sizeof(uint));
-    pagePositionTexels_ = gl::BufferView("flow page position texels", pages_, GL_RGBA32UI, sizeof(uvec4));
-    blockChanged_ = true;
-}
-
 /// `waits`: for what is in use now, instead of what was some steps ago.
 void Flow::makeRoom(bool waits) {
     if (known_ == 0) room_.start(state_, block_);
     if (waits) room_.readNow(state_.particles(), counters_);
     room_.update(state_.particles(), counters_);
-    if (room_.rows() != block_.rowCapacity) makeNeighbourLists();
-    if (1 + room_.wallPages() != block_.wallPageCapacity || 1 + movingPages(room_, block_) != block_.movingPageCapacity)
-        makePages();
+    if (!FlowTables::fits(room_, block_)) {
+        blockChanged_ = true;
+        tables_.fit(room_, block_);
+    }
     bind();
 }
 
@@ -234,20 +196,16 @@ void Flow::bind() {
     blockBuffer_.bindUniform(FLOW_BLOCK);
     particles_.bindStorage(FLOW_PARTICLES);
     cells_.bindStorage(FLOW_CELLS);
-    pages_.bindStorage(FLOW_PAGES);
     nextInCell_.bindStorage(FLOW_NEXT_IN_CELL);
     lists_.bindStorage(FLOW_LISTS);
-    neighbours_.bindStorage(FLOW_NEIGHBOURS);
     counters_.bindStorage(FLOW_COUNTERS);
     changed_.bindStorage(FLOW_CHANGED);
     wallSums_.bindStorage(FLOW_WALL_SUMS);
     state_.changes.bindStorage(FLOW_PHASE_CHANGES);
     positionTexels_.bind(FLOW_TEXELS_POSITIONS);
     particleTexels_.bind(FLOW_TEXELS_PARTICLES);
-    neighbourTexels_.bind(FLOW_TEXELS_NEIGHBOURS);
     cellTexels_.bind(FLOW_TEXELS_CELLS);
-    pageSlotTexels_.bind(FLOW_TEXELS_PAGE_SLOTS);
-    pagePositionTexels_.bind(FLOW_TEXELS_PAGE_POSITIONS);
+    tables_.bind();
     glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, counters_.name());
 }
 
@@ -335,9 +293,9 @@ std::vector<FlowParticle> Flow::readParticles() const {
 }
 
 size_t Flow::bytes() const {
-    size_t sum = 0;
-    for (const gl::Buffer* buffer : {&blockBuffer_, &particles_, &cells_, &pages_, &nextInCell_, &lists_, &neighbours_,
-                                     &counters_, &changed_, &wallSums_})
+    size_t sum = tables_.bytes();
+    for (const gl::Buffer* buffer :
+         {&blockBuffer_, &particles_, &cells_, &nextInCell_, &lists_, &counters_, &changed_, &wallSums_})
         sum += buffer->bytes();
     return sum;
 }

@@ -7,6 +7,7 @@
 #include "core/metal/flow/arc_pressure.hpp"
 #include "core/metal/flow/flow_constants.hpp"
 #include "core/metal/flow/flow_room.hpp"
+#include "core/metal/flow/flow_tables.hpp"
 
 namespace meltpool {
 
@@ -65,8 +66,6 @@ class Flow {
     void takeSavedRoom();
     void makeTexels();
     void moveLists(size_t before);
-    void makeNeighbourLists();
-    void makePages();
     void bind();
     void updateGroups(gl::Profiler* profiler);
     void substep(gl::Profiler* profiler);
@@ -89,10 +88,9 @@ class Flow {
     const gl::Program& move_;
     const gl::Program& fold_;
     FlowRoom room_;
-    gl::Buffer blockBuffer_, particles_, cells_, pages_, nextInCell_, lists_, neighbours_, counters_, changed_,
-        wallSums_;
-    gl::BufferView positionTexels_, particleTexels_, neighbourTexels_, cellTexels_, pageSlotTexels_,
-        pagePositionTexels_;
+    FlowTables tables_;
+    gl::Buffer blockBuffer_, particles_, cells_, nextInCell_, lists_, counters_, changed_, wallSums_;
+    gl::BufferView positionTexels_, particleTexels_, cellTexels_;
 };
 
 } // namespace meltpool
