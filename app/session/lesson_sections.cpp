@@ -67,7 +67,10 @@ LessonSections::LessonSections(Lesson& lesson)
     view.idle = idleLook(lesson);
     start.everyday = kStart;
     if (lesson.model == LessonModel::Classic) simulation.everyday = kFlame;
-    if (lesson.model == LessonModel::Weld) simulation.fixed = &attempt.forScore;
+    if (lesson.model == LessonModel::Weld) {
+        simulation.fixed = &attempt.forScore;
+        simulation.words = traitsOf(lesson.process).name; // processes give one key different labels
+    }
     for (const ChosenSetting& each : lesson.choose) {
         simulation.chosen.push_back(each.key);
         // What may not be chosen is nothing to go back to.

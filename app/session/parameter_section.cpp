@@ -6,7 +6,7 @@
 namespace meltpool {
 
 ParameterSection::ParameterSection(std::string theName, ParameterList list)
-    : name(std::move(theName)), parameters(std::move(list)) {
+    : name(std::move(theName)), words(name), parameters(std::move(list)) {
     for (const Parameter& p : parameters)
         defaults[std::string(p.key)] = parameterText(p);
 }

@@ -19,6 +19,8 @@ struct ParameterSection {
     ParameterSection(std::string theName, ParameterList list);
 
     std::string name; ///< begins the names of its controls, and is its table in the settings file
+    /// The table of its labels and tooltips in a language's file; the name where nothing else is set.
+    std::string words;
     ParameterList parameters;
     DefaultTexts defaults;
     /// Keys that menus leave out, since they do nothing in the lesson at hand. Files and `--set` take them.

@@ -41,25 +41,27 @@ struct Scale {
     }
 };
 
-/// What starts the keys of the words of a parameter's choices.
-ShortText choiceWords(const Parameter& p) {
+/// The words that start the keys of a choice's words: those of the table where a language has them, else the key's own.
+ShortText choiceWords(std::string_view table, const Parameter& p) {
+    const ShortText own{"parameter.", table, ".", p.key, ".choice"};
+    if (!p.choices.empty() && findPhrase(ShortText{own, ".", p.choices.front()}) != nullptr) return own;
     return {"parameter.", p.key, ".choice"};
 }
 
 /// A value's text as a person reads it: the name of a choice and a switch's state have words.
-std::string_view shownText(const Parameter& p, std::string_view text) {
-    if (!p.choices.empty()) return phraseOr(ShortText{choiceWords(p), ".", text}, text);
+std::string_view shownText(std::string_view table, const Parameter& p, std::string_view text) {
+    if (!p.choices.empty()) return phraseOr(ShortText{choiceWords(table, p), ".", text}, text);
     if (std::holds_alternative<bool*>(p.value)) return phrase(text == "true" ? "control.true" : "control.false");
     return text;
 }
 
 /// As expectation(), for a person who reads the menus.
-std::string allowedText(const Parameter& p) {
+std::string allowedText(std::string_view table, const Parameter& p) {
     if (!p.choices.empty()) {
         std::string list;
         for (const std::string_view choice : p.choices) {
             if (!list.empty()) list += phrase("list.separator");
-            list += shownText(p, choice);
+            list += shownText(table, p, choice);
         }
         return phrase("control.allowed.one_of", {{"choices", list}});
     }
@@ -74,11 +76,11 @@ std::string allowedText(const Parameter& p) {
     return phrase(key, {{"low", formatNumber(p.minimum)}, {"high", formatNumber(p.maximum)}, {"unit", p.unit}});
 }
 
-std::string description(const Parameter& p, std::string_view original) {
-    std::string text = sentence(translatedNote(p));
+std::string description(std::string_view table, const Parameter& p, std::string_view original) {
+    std::string text = sentence(translatedNote(table, p));
     if (!text.empty()) text += "\n\n";
-    text += allowedText(p);
-    if (!original.empty()) text += " " + phrase("control.at_first", {{"value", shownText(p, original)}});
+    text += allowedText(table, p);
+    if (!original.empty()) text += " " + phrase("control.at_first", {{"value", shownText(table, p, original)}});
     return text;
 }
 
@@ -146,15 +148,15 @@ bool slider(Context& context, std::string_view name, const Scale& scale, bool wh
 }
 
 /// Label at the left, value and unit at the right, and a way back to the first value in between.
-bool labelLine(Context& context, std::string_view name, const Parameter& p, std::string_view value,
-               std::string_view original) {
+bool labelLine(Context& context, std::string_view name, std::string_view table, const Parameter& p,
+               std::string_view value, std::string_view original) {
     const float left = ImGui::GetCursorPosX();
     const float right = left + ImGui::GetContentRegionAvail().x;
     ImGui::PushTextWrapPos(0);
-    const std::string_view label = translatedLabel(p);
+    const std::string_view label = translatedLabel(table, p);
     ImGui::TextUnformatted(label.data(), label.data() + label.size());
     ImGui::PopTextWrapPos();
-    if (ImGui::IsItemHovered()) tooltip(context, description(p, original));
+    if (ImGui::IsItemHovered()) tooltip(context, description(table, p, original));
     bool back = false;
     const float width = ImGui::CalcTextSize(value.data(), value.data() + value.size()).x;
     const float size = context.points(18);
@@ -170,7 +172,7 @@ bool labelLine(Context& context, std::string_view name, const Parameter& p, std:
         markItem(context, ShortText{name, ".back"});
         const ImU32 tint = ImGui::IsItemHovered() ? colour::kAccent : colour::kQuiet;
         ShortText note;
-        appendPhrase(note, "control.back_to", {{"value", shownText(p, original)}});
+        appendPhrase(note, "control.back_to", {{"value", shownText(table, p, original)}});
         tooltip(context, note);
         const ImVec2 centre{corner.x + size / 2, corner.y + ImGui::GetTextLineHeight() / 2};
         const float r = context.points(5);
@@ -200,22 +202,23 @@ ShortText valueWithUnit(const Parameter& p, double value) {
 }
 
 /// The value as menus show it, with its unit.
-ShortText givenText(const Parameter& p) {
+ShortText givenText(std::string_view table, const Parameter& p) {
     if (const auto* value = std::get_if<float*>(&p.value)) return valueWithUnit(p, static_cast<double>(**value));
     if (const auto* value = std::get_if<int*>(&p.value))
         return p.choices.empty() ? valueWithUnit(p, **value)
-                                 : ShortText(shownText(p, p.choices[static_cast<size_t>(**value)]));
+                                 : ShortText(shownText(table, p, p.choices[static_cast<size_t>(**value)]));
     return std::string_view(parameterText(p)); // no process has others
 }
 
 struct Draw {
     Context& context;
     std::string_view name;
+    std::string_view table; ///< of its words
     const Parameter& p;
     std::string_view original;
 
     bool number(double& value, bool whole) const {
-        if (labelLine(context, name, p, valueWithUnit(p, value), original)) {
+        if (labelLine(context, name, table, p, valueWithUnit(p, value), original)) {
             setParameter({p}, p.key, original, p.key);
             return false; // typed values are set at full precision
         }
@@ -234,19 +237,19 @@ struct Draw {
             if (number(value, true)) *target = static_cast<int>(value);
             return *target != before;
         }
-        if (labelLine(context, name, p, "", original)) setParameter({p}, p.key, original, p.key);
-        choiceRow(context, name, p.choices, *target, choiceWords(p));
+        if (labelLine(context, name, table, p, "", original)) setParameter({p}, p.key, original, p.key);
+        choiceRow(context, name, p.choices, *target, choiceWords(table, p));
         return *target != before;
     }
     bool operator()(bool* target) const {
         bool hovered = false;
-        const bool changed = toggle(context, name, translatedLabel(p), *target, nullptr, &hovered);
-        if (hovered) tooltip(context, description(p, original));
+        const bool changed = toggle(context, name, translatedLabel(table, p), *target, nullptr, &hovered);
+        if (hovered) tooltip(context, description(table, p, original));
         return changed;
     }
     bool operator()(glm::vec3* target) const {
         const glm::vec3 before = *target;
-        if (labelLine(context, name, p, isBareUnit(p.unit) ? std::string_view() : p.unit, original))
+        if (labelLine(context, name, table, p, isBareUnit(p.unit) ? std::string_view() : p.unit, original))
             setParameter({p}, p.key, original, p.key);
         ImGui::SetNextItemWidth(-1);
         const float speed = static_cast<float>(std::min(p.maximum - p.minimum, 40.0) / 400);
@@ -258,43 +261,56 @@ struct Draw {
         return *target != before;
     }
     bool operator()(std::string* target) const {
-        labelLine(context, name, p, "", original);
+        labelLine(context, name, table, p, "", original);
         quietText(context, *target);
         return false;
     }
 };
 
-} // namespace
-
-std::string_view translatedLabel(const Parameter& parameter) {
-    return phraseOr(ShortText{"parameter.", parameter.key, ".label"}, parameter.label);
+/// The table's own sentence for the parameter, the one for all tables that have its key, or the English one.
+std::string_view translated(std::string_view table, const Parameter& p, std::string_view part,
+                            std::string_view english) {
+    return phraseOr(ShortText{"parameter.", table, ".", p.key, part},
+                    phraseOr(ShortText{"parameter.", p.key, part}, english));
 }
 
-std::string_view translatedNote(const Parameter& parameter) {
-    return phraseOr(ShortText{"parameter.", parameter.key, ".tooltip"}, parameter.note);
-}
-
-bool parameterControl(Context& context, std::string_view prefix, const Parameter& parameter,
-                      const DefaultTexts& defaults) {
+bool control(Context& context, std::string_view prefix, std::string_view table, const Parameter& parameter,
+             const DefaultTexts& defaults) {
     const ShortText name{prefix, ".", parameter.key};
     const auto known = defaults.find(parameter.key);
     const std::string_view original = known == defaults.end() ? std::string_view() : known->second;
     ImGui::PushID(name.c_str());
     ImGui::BeginGroup();
-    const bool changed = std::visit(Draw{context, name, parameter, original}, parameter.value);
+    const bool changed = std::visit(Draw{context, name, table, parameter, original}, parameter.value);
     ImGui::EndGroup();
     ImGui::PopID();
     return changed;
 }
 
+} // namespace
+
+std::string_view translatedLabel(std::string_view table, const Parameter& parameter) {
+    return translated(table, parameter, ".label", parameter.label);
+}
+
+std::string_view translatedNote(std::string_view table, const Parameter& parameter) {
+    return translated(table, parameter, ".tooltip", parameter.note);
+}
+
+bool parameterControl(Context& context, std::string_view prefix, const Parameter& parameter,
+                      const DefaultTexts& defaults) {
+    return control(context, prefix, prefix, parameter, defaults);
+}
+
 bool parameterControl(Context& context, const ParameterSection& section, const Parameter& parameter) {
-    if (!section.isGiven(parameter)) return parameterControl(context, section.name, parameter, section.defaults);
+    const std::string_view table = section.words;
+    if (!section.isGiven(parameter)) return control(context, section.name, table, parameter, section.defaults);
     const ShortText name{section.name, ".", parameter.key, ".given"};
     ImGui::PushID(name.c_str());
     ImGui::BeginGroup();
     ShortText given;
-    appendPhrase(given, "control.given", {{"value", givenText(parameter)}});
-    labelLine(context, name, parameter, given, {});
+    appendPhrase(given, "control.given", {{"value", givenText(table, parameter)}});
+    labelLine(context, name, table, parameter, given, {});
     ImGui::EndGroup();
     markItem(context, name);
     ImGui::PopID();

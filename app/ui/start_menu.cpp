@@ -118,7 +118,7 @@ void introduction(Context& context, const Lesson& lesson, Home& home) {
 /// A parameter with what it does below it.
 void explained(Context& context, const ParameterSection& section, const Parameter& parameter) {
     parameterControl(context, section, parameter);
-    quietText(context, sentence(translatedNote(parameter)));
+    quietText(context, sentence(translatedNote(section.words, parameter)));
     ImGui::Dummy({0, context.points(3)});
 }
 

@@ -37,16 +37,17 @@ struct Context {
 void markItem(Context& context, std::string_view name);
 
 /// Draws one parameter with label, value, unit and tooltip; true when it was changed. `prefix` starts its name among
-/// the places.
+/// the places, and is the table of its words.
 bool parameterControl(Context& context, std::string_view prefix, const Parameter& parameter,
                       const DefaultTexts& defaults);
 
 /// The same for one of a section; a value that the lesson gives is shown without a control.
 bool parameterControl(Context& context, const ParameterSection& section, const Parameter& parameter);
 
-/// Label and explanation of a parameter in the chosen language.
-std::string_view translatedLabel(const Parameter& parameter);
-std::string_view translatedNote(const Parameter& parameter);
+/// Label and explanation of a parameter in the chosen language. `table` holds its words: parameter.TABLE.KEY.label, or
+/// parameter.KEY.label for all tables.
+std::string_view translatedLabel(std::string_view table, const Parameter& parameter);
+std::string_view translatedNote(std::string_view table, const Parameter& parameter);
 
 /// A heading of a group; false when it is folded. `title` names it among the places; it is shown in the chosen language
 /// (group.TITLE in small letters with low lines).

@@ -25,6 +25,9 @@ TEST_CASE("a lesson's pages have the values of its own process only, and all of 
         CHECK(shows(sections.simulation, "electrode_diameter_mm") ==
               (lesson.process.is<Gtaw>() || lesson.process.is<Smaw>()));
         CHECK_FALSE(shows(sections.simulation, "heat_temperature")); // of the classic source
+        CHECK(sections.simulation.name == "simulation");             // names its controls and its table in the settings
+        CHECK(sections.simulation.words == traitsOf(lesson.process).name);
+        CHECK(sections.view.words == "view");
         const bool arc = isArcWelding(lesson.process);
         CHECK(shows(sections.view, "arc_light") == arc);
         CHECK_FALSE(shows(sections.view, "material")); // the workpiece's own is shown
@@ -40,6 +43,7 @@ TEST_CASE("a lesson's pages have the values of its own process only, and all of 
     CHECK(shows(sections.view, "show_source"));
     CHECK_FALSE(shows(sections.view, "arc_light"));
     CHECK(shows(sections.simulation, "heat_temperature"));
+    CHECK(sections.simulation.words == "simulation");
 }
 
 TEST_CASE("the highest temperature has its unit, but for the classic metal, whose scale has none") {
