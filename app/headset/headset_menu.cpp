@@ -24,8 +24,8 @@ bool plainButton(ui::Context& context, std::string_view name, std::string_view k
     return ui::button(context, name, phrase(key).c_str(), ui::ButtonKind::plain, width);
 }
 
-bool group(ui::Context& context, std::string_view name, std::string_view key) {
-    return ui::groupHeading(context, name, phrase(key).c_str(), false);
+bool group(ui::Context& context, std::string_view name, const char* title) {
+    return ui::groupHeading(context, name, title, false);
 }
 
 void drawParameters(ui::Context& context, const ParameterSection& section) {
@@ -57,7 +57,7 @@ void HeadsetMenu::homePart(ui::Context& context, const HeadsetMenuContent& conte
     if (const MenuRequest asked = ui::homePart(context, content.home); asked != MenuRequest::none)
         answer_.request = asked;
     answer_.recentre = plainButton(context, "headset.recentre", "headset.button.recentre", 140);
-    if (group(context, "headset", "headset.group.headset")) headsetPage(context, content);
+    if (group(context, "headset", "Headset")) headsetPage(context, content);
 }
 
 void HeadsetMenu::lessonPart(ui::Context& context, LessonSession& session, const HeadsetMenuContent& content) {
@@ -123,13 +123,13 @@ void HeadsetMenu::pagePart(ui::Context& context, LessonSession& session, const H
             ui::setupPart(context, session);
     }
     if (page_ == 2) {
-        if (session.lesson().model == LessonModel::Weld && group(context, "cues", "headset.group.cues"))
+        if (session.lesson().model == LessonModel::Weld && group(context, "cues", "Cues at the torch"))
             drawParameters(context, session.help().cues);
-        if (session.help().ghost.idle.empty() && group(context, "ghost", "headset.group.ghost"))
+        if (session.help().ghost.idle.empty() && group(context, "ghost", "Ghost torch"))
             drawParameters(context, session.help().ghost);
         drawParameters(context, session.sections().view);
-        if (group(context, "sound", "headset.group.sound")) drawParameters(context, session.help().sound);
-        if (group(context, "surface", "headset.group.surface")) drawParameters(context, session.sections().surface);
+        if (group(context, "sound", "Sound")) drawParameters(context, session.help().sound);
+        if (group(context, "surface", "Expert")) drawParameters(context, session.sections().surface);
     }
 }
 
