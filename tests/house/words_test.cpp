@@ -92,6 +92,22 @@ TEST_CASE("every sentence of the English file is asked for", "[house][words]") {
     }
 }
 
+TEST_CASE("headings of settings are handed over in English, and have their words", "[house][words]") {
+    static const std::regex heading(R"re(\b(group|groupHeading)\(context, [\w.>"-]+, "([^"]*)")re");
+    int found = 0;
+    for (const test::SourceFile& file : test::readSources(test::sourceFolder(), {"app"}, {".cpp"}))
+        for (std::sregex_iterator each(file.text.begin(), file.text.end(), heading), end; each != end; ++each) {
+            ++found;
+            const std::string title = (*each)[2];
+            INFO(title << " of " << file.path.generic_string());
+            bool known = false;
+            for (const auto& [key, sentence] : english().sentences())
+                known = known || (key.starts_with("group.") && sentence == title);
+            CHECK(known);
+        }
+    CHECK(found >= 8);
+}
+
 TEST_CASE("other languages have keys and places of the English file", "[house][words]") {
     for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(wordsFolder())) {
         const Words words(wordsFolder(), entry.path().stem().string());
