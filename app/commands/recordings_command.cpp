@@ -2,6 +2,7 @@
 #include "app/commands/commands.hpp"
 #include "app/library/kept_attempts.hpp"
 #include "app/library/recordings_limit.hpp"
+#include "app/library/replay_list.hpp"
 #include "app/platform/say.hpp"
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
@@ -53,7 +54,7 @@ void printAttempt(const KeptAttempt& kept) {
     const std::string score = kept.score ? std::to_string(*kept.score) : "-";
     std::printf("%-16s  %-20s %12s %5s %-12s %9.1f MB  %s\n", shown(kept.when).c_str(), shown(kept.lesson).c_str(),
                 durationText(kept.seconds).c_str(), score.c_str(),
-                shown(kept.practice ? phrase("run.recordings.practice") : kept.verdict).c_str(),
+                shown(kept.practice ? phrase("run.recordings.practice") : verdictText(kept.verdict)).c_str(),
                 static_cast<double>(kept.bytes) * 1e-6, shown(kept.file.filename().string()).c_str());
 }
 

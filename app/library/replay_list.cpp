@@ -11,12 +11,6 @@ namespace meltpool {
 
 namespace {
 
-/// What a recording calls a verdict, as the person reads it.
-std::string verdictText(const std::string& verdict) {
-    if (verdict == "accepted") return phrase("library.attempt.accepted");
-    return verdict == "not accepted" ? phrase("library.attempt.not_accepted") : verdict;
-}
-
 /// "2026-11-23 08:10 · 12.3 s · score 84, accepted".
 std::string detailOf(const KeptAttempt& kept) {
     const std::string dot = " \xC2\xB7 ";
@@ -27,6 +21,11 @@ std::string detailOf(const KeptAttempt& kept) {
 }
 
 } // namespace
+
+std::string verdictText(const std::string& verdict) {
+    if (verdict == "accepted") return phrase("library.attempt.accepted");
+    return verdict == "not accepted" ? phrase("library.attempt.not_accepted") : verdict;
+}
 
 void ReplayList::show() {
     std::vector<std::string> faults;

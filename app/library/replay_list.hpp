@@ -55,4 +55,7 @@ class ReplayList {
 /// "12.3 s": the length of an attempt, "2:05 min" from a minute on.
 std::string lengthText(double seconds);
 
+/// A recorded verdict ("accepted", "not accepted", "" for none), as the person reads it.
+std::string verdictText(const std::string& verdict);
+
 } // namespace meltpool
