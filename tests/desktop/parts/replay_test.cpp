@@ -5,6 +5,7 @@
 #include "app/activities/timeline.hpp"
 #include "app/activities/timeline_marks.hpp"
 #include "app/library/replay_list.hpp"
+#include "core/base/words.hpp"
 #include "core/training/judging/seam.hpp"
 #include "tests/support/catch.hpp"
 
@@ -245,6 +246,12 @@ TEST_CASE("an attempt's length is told in seconds, from a minute on in minutes")
     CHECK(lengthText(59.94) == "59.9 s");
     CHECK(lengthText(59.96) == "1:00 min");
     CHECK(lengthText(125) == "2:05 min");
+}
+
+TEST_CASE("a recorded verdict is said in the language's words, another word as it is recorded") {
+    CHECK(verdictText("accepted") == phrase("library.attempt.accepted"));
+    CHECK(verdictText("not accepted") == phrase("library.attempt.not_accepted"));
+    CHECK(verdictText("").empty());
 }
 
 } // namespace meltpool
