@@ -24,6 +24,7 @@
 
 #include <chrono>
 #include <memory>
+#include <span>
 
 namespace meltpool {
 
@@ -50,7 +51,24 @@ class DesktopApp {
     /// Sections of the settings file that belong to no lesson.
     std::vector<ParameterSection*> ownSections();
     void handleKeys(const InputFrame& input);
+    struct Action;
+    static std::span<const Action> actions();
+    /// Runs the action that a button asks for, or that has the key and is allowed now; no-op without one.
     void act(MenuRequest request);
+    void act(Key key);
+    void goHome();
+    void goBack();
+    void openNext();
+    void startWithDefaults();
+    void replay();
+    void weldBeside();
+    void reset();
+    void leave();
+    void judge();
+    void cut();
+    void toggle(bool PanelState::*panel);
+    void hidePanels();
+    void askForPicture(bool large);
     void start(void (LessonSession::*begin)(Controls&));
     void moveByKeys(const InputFrame& input);
     void demonstrateByKeys(const InputFrame& input);

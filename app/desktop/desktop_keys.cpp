@@ -1,4 +1,4 @@
-// The part of DesktopApp that answers to keys.
+// Keys whose meaning depends on the page that is open; all others are keys of actions, see actions().
 #include "app/desktop/desktop_app.hpp"
 
 #include <algorithm>
@@ -53,13 +53,6 @@ void DesktopApp::replayByKeys(const InputFrame& input) {
     if (std::find(input.struck.begin(), input.struck.end(), Key::space) != input.struck.end()) line.toggle();
 }
 
-/// A large picture takes seconds where the processor draws. An attempt whose arc burns would lose what the hand did in
-/// them.
-bool DesktopApp::mayStandStill() const {
-    if (!session_.running() || headsetFrame_) return false;
-    return !window_.driver().software || !session_.welds();
-}
-
 void DesktopApp::handleKeys(const InputFrame& input) {
     if (!session_.running())
         moveByKeys(input);
@@ -67,54 +60,8 @@ void DesktopApp::handleKeys(const InputFrame& input) {
         replayByKeys(input);
     else
         demonstrateByKeys(input);
-    for (const Key key : input.struck) {
-        switch (key) {
-        case Key::escape:
-            if (!session_.running() && !menus_.panels.help) act(MenuRequest::home);
-            menus_.panels.help = false;
-            break;
-        case Key::tab:
-            menus_.panels.hidden = session_.running() && !menus_.panels.hidden;
-            break;
-        case Key::f1:
-            menus_.panels.help = !menus_.panels.help;
-            break;
-        case Key::f2:
-            menus_.panels.view = !menus_.panels.view;
-            break;
-        case Key::f3:
-            menus_.panels.simulation = !menus_.panels.simulation;
-            break;
-        case Key::f4:
-            menus_.panels.timings = !menus_.panels.timings;
-            break;
-        case Key::h:
-            if (!session_.welds()) act(MenuRequest::home);
-            break;
-        case Key::j:
-            act(MenuRequest::judge);
-            break;
-        case Key::backspace:
-            act(MenuRequest::redo);
-            break;
-        case Key::x:
-            act(MenuRequest::cut);
-            break;
-        case Key::f5:
-            act(MenuRequest::reset);
-            break;
-        case Key::f11:
-            window_.toggleFullScreen();
-            break;
-        case Key::f10:
-        case Key::f12:
-            (key == Key::f12 && mayStandStill() ? largeAsked_ : pictureAsked_) = true;
-            messages_.clear("picture"); // the last picture's message is not for this one
-            break;
-        default:
-            break;
-        }
-    }
+    for (const Key key : input.struck)
+        act(key);
 }
 
 } // namespace meltpool

@@ -1,0 +1,157 @@
+// The table of the window's actions. Keys, menus and the headset look them up here.
+#include "app/desktop/desktop_app.hpp"
+
+#include <optional>
+#include <span>
+
+namespace meltpool {
+
+/// Only keys ask `allowed`: a menu decides itself where it shows a button.
+struct DesktopApp::Action {
+    const char* name;
+    MenuRequest request;    ///< by which menus and headset ask for it; none: they do not
+    std::optional<Key> key; ///< empty: no key of its own
+    bool (*allowed)(const DesktopApp& app);
+    void (*run)(DesktopApp& app);
+};
+
+std::span<const DesktopApp::Action> DesktopApp::actions() {
+    using App = DesktopApp;
+    using Request = MenuRequest;
+    constexpr auto always = [](const App&) { return true; };
+    constexpr auto noWelding = [](const App& app) { return !app.session_.welds(); };
+    static constexpr Action table[] = {
+        {"lesson list", Request::home, Key::h, noWelding, [](App& app) { app.goHome(); }},
+        {"open lesson",
+         Request::openLesson,
+         {},
+         always,
+         [](App& app) { app.lessons_.open(app.home_.chosen(), app.now()); }},
+        {"next lesson", Request::next, {}, always, [](App& app) { app.openNext(); }},
+        {"start", Request::start, {}, always, [](App& app) { app.start(&LessonSession::begin); }},
+        {"start with the lesson's values",
+         Request::startWithDefaults,
+         {},
+         always,
+         [](App& app) { app.startWithDefaults(); }},
+        {"demonstration", Request::demonstrate, {}, always, [](App& app) { app.start(&LessonSession::demonstrate); }},
+        {"replay", Request::replay, {}, always, [](App& app) { app.replay(); }},
+        {"weld beside a kept attempt", Request::ghost, {}, always, [](App& app) { app.weldBeside(); }},
+        {"compare", Request::compare, {}, always, [](App& app) { app.lessons_.compare(app.now()); }},
+        {"new attempt", Request::reset, Key::f5, always, [](App& app) { app.reset(); }},
+        {"lesson page", Request::restart, {}, always, [](App& app) { app.leave(); }},
+        {"judge", Request::judge, Key::j, always, [](App& app) { app.judge(); }},
+        {"page of the attempt",
+         Request::page,
+         {},
+         always,
+         [](App& app) { app.lessons_.writePage(app.driver_, app.now()); }},
+        {"redo", Request::redo, Key::backspace, always, [](App& app) { app.session_.redo(app.controls_); }},
+        {"cut", Request::cut, Key::x, always, [](App& app) { app.cut(); }},
+        {"back", Request::none, Key::escape, always, [](App& app) { app.goBack(); }},
+        {"hide panels", Request::none, Key::tab, always, [](App& app) { app.hidePanels(); }},
+        {"help", Request::none, Key::f1, always, [](App& app) { app.toggle(&PanelState::help); }},
+        {"view menu", Request::none, Key::f2, always, [](App& app) { app.toggle(&PanelState::view); }},
+        {"machine menu", Request::none, Key::f3, always, [](App& app) { app.toggle(&PanelState::simulation); }},
+        {"timings", Request::none, Key::f4, always, [](App& app) { app.toggle(&PanelState::timings); }},
+        {"full screen", Request::none, Key::f11, always, [](App& app) { app.window_.toggleFullScreen(); }},
+        {"picture of the window", Request::none, Key::f10, always, [](App& app) { app.askForPicture(false); }},
+        {"large picture", Request::none, Key::f12, always, [](App& app) { app.askForPicture(app.mayStandStill()); }},
+    };
+    return table;
+}
+
+void DesktopApp::act(MenuRequest request) {
+    if (request == MenuRequest::none) return;
+    for (const Action& action : actions())
+        if (action.request == request) action.run(*this);
+}
+
+void DesktopApp::act(Key key) {
+    for (const Action& action : actions())
+        if (action.key == key && action.allowed(*this)) action.run(*this);
+}
+
+void DesktopApp::goHome() {
+    lessons_.goHome();
+    menus_.panels.help = menus_.panels.result = false;
+}
+
+void DesktopApp::openNext() {
+    if (const CataloguedLesson* next = home_.find(session_.lesson().next)) lessons_.open(*next, now());
+    menus_.panels.result = false;
+}
+
+void DesktopApp::start(void (LessonSession::*begin)(Controls&)) {
+    if (lessons_.start(begin, now())) showAll();
+}
+
+void DesktopApp::startWithDefaults() {
+    session_.sections().restoreDefaults();
+    start(&LessonSession::begin);
+}
+
+void DesktopApp::replay() {
+    if (lessons_.replay(home_.attempts.chosen(), now())) showAll();
+}
+
+void DesktopApp::weldBeside() {
+    if (lessons_.weldBeside(home_.attempts.chosen(), now())) showAll();
+}
+
+void DesktopApp::reset() {
+    if (session_.replay().shown())
+        start(&LessonSession::begin);
+    else
+        session_.reset(controls_);
+}
+
+void DesktopApp::leave() {
+    lessons_.leave();
+    menus_.panels.help = menus_.panels.result = false;
+    profiler_.reset();
+}
+
+void DesktopApp::judge() {
+    session_.judge();
+    menus_.showResult(session_);
+}
+
+void DesktopApp::cut() {
+    session_.toggleCut(controls_);
+    if (session_.picture().cut().shown()) menus_.showResult(session_);
+}
+
+/// Closes the help, or leaves the lesson's page.
+void DesktopApp::goBack() {
+    if (!session_.running() && !menus_.panels.help) goHome();
+    menus_.panels.help = false;
+}
+
+void DesktopApp::toggle(bool PanelState::*panel) {
+    menus_.panels.*panel = !(menus_.panels.*panel);
+}
+
+void DesktopApp::hidePanels() {
+    menus_.panels.hidden = session_.running() && !menus_.panels.hidden;
+}
+
+/// As at the start of a lesson.
+void DesktopApp::showAll() {
+    menus_.panels.hidden = false;
+    profiler_.reset();
+}
+
+/// A large picture takes seconds where the processor draws. An attempt whose arc burns would lose what the hand did in
+/// them.
+bool DesktopApp::mayStandStill() const {
+    if (!session_.running() || headsetFrame_) return false;
+    return !window_.driver().software || !session_.welds();
+}
+
+void DesktopApp::askForPicture(bool large) {
+    (large ? largeAsked_ : pictureAsked_) = true;
+    messages_.clear("picture"); // the last picture's message is not for this one
+}
+
+} // namespace meltpool
