@@ -6,7 +6,7 @@
 #include "core/render/camera.hpp"
 #include "core/render/picture_target.hpp"
 #include "core/render/renderer.hpp"
-#include "core/training/trainer/trainer.hpp"
+#include "core/training/trainer/lesson_scene.hpp"
 
 #include <algorithm>
 #include <array>
@@ -147,6 +147,7 @@ void measurePools(Bench& bench, const CardLimits& limits) {
 
 void measureWeldAndEyes(Bench& bench, const Lesson& lesson, const CardLimits& limits) {
     Trainer trainer(bench.shaders(), lesson);
+    LessonScene shown(bench.shaders(), trainer);
     const auto begin = Clock::now();
     const auto step = [&] { trainer.advance(trainer.demonstration(), nullptr); };
     while (trainer.time() < limits.weldSeconds && millisecondsSince(begin) < limits.seconds * 1e3) {
@@ -169,12 +170,12 @@ void measureWeldAndEyes(Bench& bench, const Lesson& lesson, const CardLimits& li
                                                                 static_cast<double>(trainer.steps() - steps)}});
     bench.add(std::move(weld));
     const Times surface(
-        limits.seconds / 4, limits.repeats, [&] { trainer.updateSurface(nullptr); }, step);
+        limits.seconds / 4, limits.repeats, [&] { shown.updateSurface(nullptr); }, step);
     bench.add(surface.row(lesson.key + ", surface after a step", result.metal.particles));
     Renderer renderer(bench.shaders());
     const PictureTarget target(2 * limits.eyeWidth, limits.eyeHeight, kSamples);
     const auto eyes = eyesOver(static_cast<float>(limits.eyeWidth) / static_cast<float>(limits.eyeHeight));
-    const SceneView scene = trainer.scene();
+    const SceneView scene = shown.view();
     BenchRow picture = Times(limits.seconds / 2, limits.repeats, [&] {
                            renderer.draw(scene, trainer.lesson().look, eyes, target.target(), nullptr);
                            target.resolve();

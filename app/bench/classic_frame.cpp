@@ -5,7 +5,7 @@
 #include "core/render/camera.hpp"
 #include "core/render/picture_target.hpp"
 #include "core/render/renderer.hpp"
-#include "core/training/trainer/trainer.hpp"
+#include "core/training/trainer/lesson_scene.hpp"
 
 namespace meltpool {
 
@@ -22,6 +22,7 @@ void benchClassicFrame(Bench& bench) {
     lesson.set("particles", "8192", "bench");
     lesson.set("cells", "64", "bench");
     Trainer trainer(bench.shaders(), lesson);
+    LessonScene shown(bench.shaders(), trainer);
     Renderer renderer(bench.shaders());
     const PictureTarget target(kWidth, kHeight);
     const View view = OrbitCamera().view(Lens{}, static_cast<float>(kWidth) / kHeight);
@@ -31,13 +32,13 @@ void benchClassicFrame(Bench& bench) {
         "frame",
         [&](gl::Profiler& profiler) {
             trainer.advance(trainer.demonstration(), &profiler);
-            trainer.updateSurface(&profiler);
-            renderer.draw(trainer.scene(), trainer.lesson().look, {&view, 1}, target.target(), &profiler);
+            shown.updateSurface(&profiler);
+            renderer.draw(shown.view(), trainer.lesson().look, {&view, 1}, target.target(), &profiler);
         },
         3.0);
     const LessonResult result = trainer.result();
     row.particles = result.metal.particles;
-    row.bytes = result.metalBytes + result.surfaceBytes;
+    row.bytes = result.metalBytes + shown.surface().bytes();
     row.bytesPerParticle = static_cast<double>(result.metalBytes) / static_cast<double>(row.particles);
     row.further = {{"frames_per_second", 1e3 / row.stepMs},
                    {"grid", static_cast<double>(trainer.lesson().surface.cells)}};

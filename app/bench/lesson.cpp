@@ -5,7 +5,7 @@
 #include "core/render/camera.hpp"
 #include "core/render/picture_target.hpp"
 #include "core/render/renderer.hpp"
-#include "core/training/trainer/trainer.hpp"
+#include "core/training/trainer/lesson_scene.hpp"
 
 #include <algorithm>
 #include <array>
@@ -29,6 +29,7 @@ class Demonstration {
   public:
     Demonstration(Bench& bench, const Lesson& lesson, const LessonMeasurement& m)
         : trainer_(bench.shaders(), lesson),
+          scene_(bench.shaders(), trainer_),
           renderer_(bench.shaders()),
           target_(m.width, m.height),
           view_(OrbitCamera().view(Lens{}, static_cast<float>(m.width) / static_cast<float>(m.height))),
@@ -40,14 +41,15 @@ class Demonstration {
             timed(spent.physics, [&] { trainer_.advance(trainer_.demonstration(), nullptr); });
             if (trainer_.time() * perSecond_ < static_cast<double>(pictures_ + 1)) continue;
             ++pictures_;
-            timed(spent.surface, [&] { trainer_.updateSurface(nullptr); });
+            timed(spent.surface, [&] { scene_.updateSurface(nullptr); });
             timed(spent.picture, [&] {
-                renderer_.draw(trainer_.scene(), trainer_.lesson().look, {&view_, 1}, target_.target(), nullptr);
+                renderer_.draw(scene_.view(), trainer_.lesson().look, {&view_, 1}, target_.target(), nullptr);
             });
         }
     }
 
     const Trainer& trainer() const { return trainer_; }
+    size_t surfaceBytes() const { return scene_.surface().bytes(); }
     size_t pictures() const { return pictures_; }
 
     Spent spent;
@@ -62,6 +64,7 @@ class Demonstration {
     }
 
     Trainer trainer_;
+    LessonScene scene_;
     Renderer renderer_;
     PictureTarget target_;
     View view_;
@@ -93,7 +96,7 @@ BenchRow measureLesson(Bench& bench, const Lesson& lesson, const LessonMeasureme
     row.suite = "lesson";
     row.what = lesson.key + ", simulated second";
     row.particles = result.metal.particles;
-    row.bytes = result.metalBytes + result.surfaceBytes;
+    row.bytes = result.metalBytes + run.surfaceBytes();
     row.bytesPerParticle = static_cast<double>(result.metalBytes) / static_cast<double>(row.particles);
     row.stepMs = least;
     row.further = {{"simulated_over_wall", seconds * 1e3 / wall},

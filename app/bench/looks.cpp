@@ -6,7 +6,7 @@
 #include "core/render/look/measures.hpp"
 #include "core/render/picture_target.hpp"
 #include "core/render/renderer.hpp"
-#include "core/training/trainer/trainer.hpp"
+#include "core/training/trainer/lesson_scene.hpp"
 
 #include <algorithm>
 #include <array>
@@ -73,10 +73,11 @@ void tellOfAnEye(Measured& measured, const BenchRow& high) {
 
 void measureLooks(Bench& bench, const Lesson& lesson, const LooksMeasurement& m) {
     Trainer trainer(bench.shaders(), lesson);
+    LessonScene shown(bench.shaders(), trainer);
     while (trainer.time() + 0.5 * trainer.timeStep() < m.moment)
         trainer.advance(trainer.demonstration(), nullptr);
-    trainer.updateSurface(nullptr);
-    const SceneView scene = trainer.scene();
+    shown.updateSurface(nullptr);
+    const SceneView scene = shown.view();
     Renderer renderer(bench.shaders());
     const PictureTarget one(m.width, m.height), two(2 * m.width, m.height);
     const View middle = OrbitCamera().view(Lens{}, static_cast<float>(m.width) / static_cast<float>(m.height));

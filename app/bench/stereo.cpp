@@ -5,7 +5,7 @@
 #include "core/base/resources.hpp"
 #include "core/render/picture_target.hpp"
 #include "core/render/renderer.hpp"
-#include "core/training/trainer/trainer.hpp"
+#include "core/training/trainer/lesson_scene.hpp"
 
 #include <algorithm>
 #include <array>
@@ -39,9 +39,10 @@ void benchStereo(Bench& bench) {
     Lesson lesson = findLesson(std::string(kDefaultLesson), resourceFolder() / "data" / "lessons");
     lesson.set("particles", "8192", "bench");
     Trainer trainer(bench.shaders(), lesson);
+    LessonScene shown(bench.shaders(), trainer);
     for (int i = 0; i < kMeltingSteps; ++i)
         trainer.advance(trainer.demonstration(), nullptr);
-    trainer.updateSurface(nullptr);
+    shown.updateSurface(nullptr);
     Renderer renderer(bench.shaders());
     const HeadsetParameters parameters;
     WorkshopScene workshop;
@@ -49,7 +50,7 @@ void benchStereo(Bench& bench) {
     hands.torch = true;
     hands.tip.position = {0.1f, 1.15f, 0.1f};
     hands.grip.position = {0.12f, 1.25f, 0.2f};
-    SceneView scene = trainer.scene();
+    SceneView scene = shown.view();
     scene.modelToWorld =
         WorkpiecePlace(parameters.tableHeight, parameters.zoom, -kWorldUnit).modelToWorkshop(kWorldUnit) *
         scene.modelToWorld;

@@ -78,7 +78,7 @@ double medianRatio(const std::vector<double>& above, const std::vector<double>& 
 class BenchWeld {
   public:
     BenchWeld(gl::ShaderLibrary& shaders, int edge) : lesson_(lessonOf(edge)), model_(shaders, lesson_) {
-        const SceneView scene = model_.scene({});
+        const SceneView scene = model_.makeScene()->view({});
         surface_ = std::make_unique<Surface>(shaders, lesson_.surface, scene.boxMin, scene.boxMax);
         model_.prepare(*surface_);
     }

@@ -41,9 +41,10 @@ int samplesFor(const RunParameters& run) {
 /// Takes the lesson's pictures at their times.
 class Photographer {
   public:
-    Photographer(gl::ShaderLibrary& shaders, const RunParameters& run, const FilmRequest& film,
+    Photographer(gl::ShaderLibrary& shaders, LessonScene& scene, const RunParameters& run, const FilmRequest& film,
                  std::filesystem::path folder)
-        : renderer_(shaders, cacheFolder()),
+        : scene_(scene),
+          renderer_(shaders, cacheFolder()),
           target_(run.width, run.height, samplesFor(run)),
           film_(film, folder),
           folder_(std::move(folder)),
@@ -63,7 +64,7 @@ class Photographer {
         for (size_t i = 0; i < pictures.size(); ++i) {
             const LookParameters& look = pictures[i].look;
             if (!hasPast(look)) continue;
-            const SeenArc arc = seenArc(trainer.scene(), {}, trainer.arc().length);
+            const SeenArc arc = seenArc(scene_.view(), {}, trainer.arc().length);
             seen_[i].update({arc.intensity, arc.height, true, arc.towards}, visorOf(look), look, trainer.timeStep());
         }
     }
@@ -74,7 +75,7 @@ class Photographer {
         const size_t frames = film_.due(trainer.time(), half);
         if (!due && !last && frames == 0) return;
         trainer.lesson().look.detail = mostDetail(trainer.lesson());
-        trainer.updateSurface(nullptr);
+        scene_.updateSurface(nullptr);
         ghost_.update(trainer, false, 1, kLongAgo);
         if (frames > 0) film_.add(picture(trainer, filmLook(trainer.lesson())), frames);
         if (due || last) takePictures(trainer);
@@ -110,7 +111,7 @@ class Photographer {
         const auto putOut = [](SceneView& scene, const View&) { scene.arc = {}; };
         for (int i = 0; i < pictures; ++i) {
             const PictureLook look = turnedLook(filmLook(trainer.lesson()), i, pictures);
-            film_.addTurned(takePicture(renderer_, target_, trainer, look, putOut), i);
+            film_.addTurned(takePicture(renderer_, target_, scene_, look, putOut), i);
         }
     }
 
@@ -118,7 +119,7 @@ class Photographer {
         const auto ghost = [&](SceneView& scene, const View& view) {
             if (look.look.showSource && !look.sectionAt) scene.ghost = ghost_.markers(trainer, scene, view);
         };
-        return takePicture(renderer_, target_, trainer, look, ghost);
+        return takePicture(renderer_, target_, scene_, look, ghost);
     }
 
     void keep(Trainer& trainer, const PictureLook& look) {
@@ -131,6 +132,7 @@ class Photographer {
         }
     }
 
+    LessonScene& scene_;
     Renderer renderer_;
     AttemptGhost ghost_;
     std::vector<WornVisor> seen_; ///< one for each of the lesson's pictures
@@ -153,8 +155,9 @@ ResultContext contextOf(const gl::ContextInfo& driver, const std::string& error)
 
 class Run {
   public:
-    Run(const gl::ContextInfo& driver, Trainer& trainer, const RunPlaces& places, const RunHooks& hooks)
-        : driver_(driver), trainer_(trainer), places_(places), hooks_(hooks) {}
+    Run(const gl::ContextInfo& driver, Trainer& trainer, LessonScene& scene, const RunPlaces& places,
+        const RunHooks& hooks)
+        : driver_(driver), trainer_(trainer), scene_(scene), places_(places), hooks_(hooks) {}
 
     LessonResult toTheEnd(gl::ShaderLibrary& shaders, const RunStop& stop) {
         try {
@@ -184,7 +187,7 @@ class Run {
         if (hooks_.start) hooks_.start(trainer_);
         const size_t before = trainer_.steps();
         if (before > 0) trainer_.event("begun_at", std::to_string(before));
-        Photographer photographer(shaders, run, hooks_.film, places_.folder);
+        Photographer photographer(shaders, scene_, run, hooks_.film, places_.folder);
         if (!hooks_.ghost.empty()) photographer.showGhost(trainer_, hooks_.ghost);
         ProgressBar bar(trainer_.lesson().key);
         photographer.takeDue(trainer_, whole <= before);
@@ -210,7 +213,7 @@ class Run {
     void keepMesh(gl::ShaderLibrary& shaders) const {
         if (places_.mesh.empty()) return;
         try {
-            writeMesh(shaders, trainer_, places_.mesh);
+            writeMesh(shaders, scene_, places_.mesh);
         } catch (const InputError& error) { // as with pictures: it could be written when the run began
             throw RuntimeFault(error.what());
         }
@@ -227,6 +230,7 @@ class Run {
         context.wallSeconds = wall;
         context.section = trainer_.section();
         context.judgement = trainer_.judge();
+        context.surfaceBytes = scene_.surface().bytes();
         if (const auto& recorded = trainer_.lesson().recorded) context.attempt = factsOf(*recorded);
         context.whatIf = hooks_.whatIf;
         context.warnings = hooks_.warnings;
@@ -242,7 +246,7 @@ class Run {
     /// Of a weld whose arc never burned though its trigger was pulled; empty: it did, or a warning told the reason.
     std::string arcWarning(const Judgement& judgement) const {
         const Lesson& lesson = trainer_.lesson();
-        if (!trainer_.hasArc() || judgement.arc.seconds > 0 || pulledSeconds_ < kTimeToLight ||
+        if (lesson.model != LessonModel::Weld || judgement.arc.seconds > 0 || pulledSeconds_ < kTimeToLight ||
             !hooks_.warnings.empty())
             return {};
         return phrase("run.never_lit", {{"lesson", quote(lesson.key)}});
@@ -283,6 +287,7 @@ class Run {
 
     const gl::ContextInfo& driver_;
     Trainer& trainer_;
+    LessonScene& scene_;
     RunPlaces places_;
     SoundTrack sound_;
     double pulledSeconds_ = 0; ///< with the trigger pulled
@@ -312,15 +317,17 @@ LessonResult runHeadless(const gl::ContextInfo& driver, gl::ShaderLibrary& shade
         }
     });
     std::optional<Trainer> trainer;
+    std::optional<LessonScene> scene;
     try {
         trainer.emplace(shaders, lesson);
+        scene.emplace(shaders, *trainer);
     } catch (const std::exception& fault) {
         stop.grant();
         writeUnfinishedResult(places.result, copy, contextOf(driver, fault.what()));
         throw;
     }
     tellSizes(lesson);
-    return Run(driver, *trainer, places, hooks).toTheEnd(shaders, stop);
+    return Run(driver, *trainer, *scene, places, hooks).toTheEnd(shaders, stop);
 }
 
 void requireFinite(const Trainer& trainer) {

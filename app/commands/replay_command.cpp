@@ -88,7 +88,7 @@ std::vector<AttemptStep> weldOriginal(AttemptWelder& welder, const Lesson& lesso
     steps.reserve(lesson.recorded->rows);
     hooks.torch = [&steps](const Trainer& trainer) {
         const TorchSample torch = trainer.demonstration();
-        steps.push_back({torch, static_cast<double>(trainer.burntOff()), trainer.arc().burns()});
+        steps.push_back({torch, static_cast<double>(trainer.metal().model().burntOff()), trainer.arc().burns()});
         return torch;
     };
     welder.weld(lesson, folder, hooks);
@@ -106,7 +106,8 @@ void weldChanged(AttemptWelder& welder, Lesson lesson, const std::vector<Attempt
     const ChangedPath path(steps, seamOf(lesson.workpiece), whatIf.path);
     lesson.run.seconds = static_cast<float>(path.duration());
     hooks.torch = [&path](const Trainer& trainer) {
-        return path.sample(trainer.time() + trainer.timeStep(), static_cast<double>(trainer.burntOff()));
+        return path.sample(trainer.time() + trainer.timeStep(),
+                           static_cast<double>(trainer.metal().model().burntOff()));
     };
     welder.weld(lesson, folder, hooks);
 }

@@ -55,7 +55,7 @@ MenuRequest DesktopMenus::drawPanels(const DesktopMenuContent& content) {
     if (content.session.replay().shown())
         if (const MenuRequest asked = ui::replayBar(context, content.session); asked != MenuRequest::none)
             request = asked;
-    ui::temperatureScale(context, lesson.look.colours, content.session.run().trainer()->scene().temperature,
+    ui::temperatureScale(context, lesson.look.colours, content.session.run().scene()->view().temperature,
                          coveredLeft());
     panels.result = panels.result && content.session.judges();
     makeRoom();

@@ -7,6 +7,7 @@
 #include "core/base/output_file.hpp"
 #include "core/base/text.hpp"
 #include "core/render/surface_colours.hpp"
+#include "core/training/trainer/body_mesh.hpp"
 
 #include <ctime>
 
@@ -51,14 +52,15 @@ MeshFormat meshFormat(const std::filesystem::path& file) {
     throw InputError(file, 0, "is no name of a mesh; expected a file that ends in .glb, .gltf or .ply");
 }
 
-void writeMesh(gl::ShaderLibrary& shaders, const Trainer& trainer, const std::filesystem::path& file) {
+void writeMesh(gl::ShaderLibrary& shaders, LessonScene& scene, const std::filesystem::path& file) {
     const MeshFormat format = meshFormat(file);
     ColouredMesh coloured;
-    coloured.mesh = trainer.bodyMesh(shaders);
+    const Trainer& trainer = scene.trainer();
+    coloured.mesh = bodyMesh(shaders, trainer.metal(), trainer.lesson().surface);
     if (coloured.mesh.indices.empty())
         throw RuntimeFault(printable(file.string(), 200) + ": no metal is left whose surface could be written");
     const std::vector<glm::vec2> heats = heatsOf(coloured.mesh);
-    coloured.colours = surfaceColours(shaders, trainer.scene(), trainer.lesson().look, heats);
+    coloured.colours = surfaceColours(shaders, scene.view(), trainer.lesson().look, heats);
     coloured.notes = {printable(trainer.lesson().key, 200), today(), programBuild()};
     writeFile(file, bytesOf(coloured, format));
 }

@@ -1,7 +1,7 @@
 // The weld as a file for other programs: glTF and PLY.
 #pragma once
 
-#include "core/training/trainer/trainer.hpp"
+#include "core/training/trainer/lesson_scene.hpp"
 
 #include <filesystem>
 
@@ -12,9 +12,9 @@ enum class MeshFormat { Glb, Gltf, Ply };
 /// By the ending of the name. Throws InputError for any other than .glb, .gltf and .ply.
 MeshFormat meshFormat(const std::filesystem::path& file);
 
-/// Writes the bodies of the trainer's metal as they are now (Trainer::bodyMesh()), with the colours of the lesson's
+/// Writes the bodies of the scene's metal as they are now (bodyMesh()), with the colours of the lesson's
 /// look (surfaceColours()), in the format of the file's ending. Waits for the GPU. Throws what writeFile() throws,
 /// InputError for an unknown ending, RuntimeFault when there is no metal to show.
-void writeMesh(gl::ShaderLibrary& shaders, const Trainer& trainer, const std::filesystem::path& file);
+void writeMesh(gl::ShaderLibrary& shaders, LessonScene& scene, const std::filesystem::path& file);
 
 } // namespace meltpool

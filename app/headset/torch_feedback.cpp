@@ -7,7 +7,8 @@ void TorchFeedback::update(const LessonSession& session, const TrackedTorch& tor
     const Trainer* trainer = session.run().trainer();
     surface_ = session.run().surfaceDistance();
     if (torch.tracked())
-        touch_.update(trainer == nullptr ? 0 : trainer->touchRadius(), surface_, torch.velocity(), elapsed);
+        touch_.update(trainer == nullptr ? 0 : trainer->metal().model().touchRadius(), surface_, torch.velocity(),
+                      elapsed);
     else
         touch_.forget();
     const bool welds = session.leader() == TorchLeader::hand && torch.trigger() > 0;

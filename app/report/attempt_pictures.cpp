@@ -32,11 +32,12 @@ std::vector<SectionStroke> measureStrokes(const WeldSection& section, const Work
 
 } // namespace
 
-Image takePicture(Renderer& renderer, const PictureTarget& target, const Trainer& trainer, const PictureLook& picture,
+Image takePicture(Renderer& renderer, const PictureTarget& target, LessonScene& shown, const PictureLook& picture,
                   const std::function<void(SceneView&, const View&)>& adorn) {
     const float aspect = static_cast<float>(target.width()) / static_cast<float>(target.height());
     const View view = viewOf(picture.camera, aspect);
-    SceneView scene = trainer.scene();
+    const Trainer& trainer = shown.trainer();
+    SceneView scene = shown.view();
     if (!picture.look.showSource) scene.putTorchAway(); // the torch is the source of a weld
     std::optional<WeldSection> section;
     if (picture.sectionAt) {

@@ -28,15 +28,15 @@ const PictureLook* outsideOf(const std::vector<PictureLook>& pictures) {
     return first == pictures.end() ? nullptr : &*first;
 }
 
-std::vector<ReportPicture> picturesOf(Trainer& trainer, Renderer& renderer) {
+std::vector<ReportPicture> picturesOf(LessonScene& scene, Renderer& renderer) {
     std::vector<ReportPicture> taken;
-    const std::vector<PictureLook>& pictures = trainer.lesson().pictures;
+    const std::vector<PictureLook>& pictures = scene.trainer().lesson().pictures;
     const PictureLook* outside = outsideOf(pictures);
     const PictureTarget target(kWidth, kHeight, kSamples);
-    trainer.updateSurface(nullptr);
+    scene.updateSurface(nullptr);
     for (const PictureLook& picture : pictures)
         if (&picture == outside || picture.sectionAt)
-            taken.push_back({picture.name, pngBytes(takePicture(renderer, target, trainer, picture))});
+            taken.push_back({picture.name, pngBytes(takePicture(renderer, target, scene, picture))});
     return taken;
 }
 
@@ -51,8 +51,9 @@ fs::path freeName(const fs::path& wanted) {
 
 } // namespace
 
-std::string attemptPage(Trainer& trainer, Renderer& renderer, const Judgement& judgement, const AttemptFacts& facts,
+std::string attemptPage(LessonScene& scene, Renderer& renderer, const Judgement& judgement, const AttemptFacts& facts,
                         const std::string& driver) {
+    const Trainer& trainer = scene.trainer();
     ResultContext context;
     context.version = programVersion();
     context.commit = programCommit();
@@ -61,11 +62,12 @@ std::string attemptPage(Trainer& trainer, Renderer& renderer, const Judgement& j
     context.attempt = facts;
     context.section = trainer.section();
     context.judgement = judgement;
+    context.surfaceBytes = scene.surface().bytes();
     const LessonResult result = trainer.result();
     Lesson lesson = trainer.lesson();
     lesson.torchFile.clear(); // the person led the torch
     RunResults results = resultsOf(resultEntries(lesson, &result, context), judgement);
-    results.pictures = picturesOf(trainer, renderer);
+    results.pictures = picturesOf(scene, renderer);
     return reportPage(results);
 }
 
@@ -101,7 +103,7 @@ std::filesystem::path writeAttemptPage(LessonSession& session, double zoom, cons
     facts.ghost = attempt.ghost().used();
     const std::filesystem::path page =
         attemptPageName(session.log().records().wholeFile(), session.lesson().key, facts.head.date);
-    writeFile(page, attemptPage(*session.run().trainer(), session.picture().renderer(), judgement, facts, driver));
+    writeFile(page, attemptPage(*session.run().scene(), session.picture().renderer(), judgement, facts, driver));
     session.run().metalChanged();
     session.run().clock().restart(); // the metal does not make good the time that this took
     return page;

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/render/renderer.hpp"
+#include "core/training/trainer/lesson_scene.hpp"
 #include "core/training/trainer/result_file.hpp"
-#include "core/training/trainer/trainer.hpp"
 
 #include <filesystem>
 #include <string>
@@ -14,7 +14,7 @@ class LessonSession;
 
 /// The page's HTML, with pictures of the weld from outside and cut. `driver`: of the graphics. Waits for the GPU, as
 /// judging does. Throws RuntimeFault where driver or memory fail.
-std::string attemptPage(Trainer& trainer, Renderer& renderer, const Judgement& judgement, const AttemptFacts& facts,
+std::string attemptPage(LessonScene& scene, Renderer& renderer, const Judgement& judgement, const AttemptFacts& facts,
                         const std::string& driver);
 
 /// A name for it that no file has: that of the attempt's record with .html, else by `lesson` and `date` in the folder

@@ -44,7 +44,7 @@ void LessonPicture::beginFrame(double seconds, bool live) {
 
 SceneView LessonPicture::scene(gl::Profiler* profiler) {
     noteSurface();
-    if (trainer() != nullptr) trainer()->makeSurface(profiler);
+    if (shown() != nullptr) shown()->makeSurface(profiler);
     return sceneOfMetal();
 }
 
@@ -55,14 +55,14 @@ void LessonPicture::noteSurface() {
 }
 
 void LessonPicture::completeSurface(DeskPicture& picture, gl::Profiler* profiler) {
-    if (trainer() == nullptr) return;
-    trainer()->makeSurface(profiler);
-    picture.scene.mesh = trainer()->mesh();
+    if (shown() == nullptr) return;
+    shown()->makeSurface(profiler);
+    picture.scene.mesh = shown()->surface().mesh();
 }
 
 SceneView LessonPicture::sceneOfMetal() {
-    if (trainer() == nullptr) return {};
-    SceneView scene = trainer()->scene();
+    if (shown() == nullptr) return {};
+    SceneView scene = shown()->view();
     if (cut_.shown()) {
         scene.section = cut_.view();
         scene.putTorchAway();
@@ -91,8 +91,8 @@ std::optional<glm::vec3> LessonPicture::arcFrom(const glm::mat4& worldToEye) con
 }
 
 float LessonPicture::bottom() const {
-    if (trainer() == nullptr) return 0.0f;
-    const SceneView scene = trainer()->scene();
+    if (shown() == nullptr) return 0.0f;
+    const SceneView scene = shown()->view();
     // Along the world's vertical each axis of the box has its lower end.
     const glm::vec3 vertical = glm::row(glm::mat3(scene.modelToWorld), 1);
     const glm::vec3 lowest = glm::mix(scene.boxMax, scene.boxMin, glm::greaterThan(vertical, glm::vec3(0)));
@@ -102,7 +102,7 @@ float LessonPicture::bottom() const {
 DeskPicture LessonPicture::atDesk(const Controls& controls, float aspect, float shift, bool surfaceLater,
                                   gl::Profiler* profiler) {
     noteSurface();
-    if (trainer() != nullptr && !surfaceLater) trainer()->makeSurface(profiler);
+    if (shown() != nullptr && !surfaceLater) shown()->makeSurface(profiler);
     DeskPicture picture{sceneOfMetal(), controls.view(aspect)};
     SceneView& scene = picture.scene;
     View& view = picture.view;

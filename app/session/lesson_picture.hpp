@@ -80,6 +80,7 @@ class LessonPicture {
 
   private:
     Trainer* trainer() const { return source_.run.trainer(); }
+    LessonScene* shown() const { return source_.run.scene(); }
     TorchLeader leader() const { return source_.lead.leader(source_.activities.allowed()); }
     bool showsHelp() const { return source_.activities.allowed().help && !cut_.shown(); }
     bool weld() const { return trainer() != nullptr && source_.lesson.model == LessonModel::Weld; }

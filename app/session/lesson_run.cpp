@@ -10,12 +10,15 @@ LessonRun::LessonRun(gl::ShaderLibrary& shaders, Activities& activities, Stopwat
 
 void LessonRun::make(Lesson lesson) {
     free(); // its memory may be needed for the next
-    trainer_ = std::make_unique<Trainer>(shaders_, std::move(lesson), metalThere_);
+    auto trainer = std::make_unique<Trainer>(shaders_, std::move(lesson), metalThere_);
+    scene_ = std::make_unique<LessonScene>(shaders_, *trainer);
+    trainer_ = std::move(trainer);
     clock_.reset();
 }
 
 void LessonRun::free() {
     activities_.leave();
+    scene_.reset();
     trainer_.reset();
 }
 
@@ -75,18 +78,18 @@ void LessonRun::finishSteps() {
 }
 
 void LessonRun::noteMetal() {
-    if (!trainer_ || !changed_) return;
-    trainer_->noteMetal();
+    if (!scene_ || !changed_) return;
+    scene_->noteMetal();
     changed_ = false;
 }
 
 void LessonRun::requestSurfaceDistance(const TorchSample& torch) {
     if (!trainer_) return;
-    if (const auto fresh = trainer_->pollDistance()) {
+    if (const auto fresh = scene_->pollDistance()) {
         surfaceDistance_ = *fresh;
         trainer_->setSurfaceDistance(surfaceDistance_);
     }
-    trainer_->requestDistance(torch);
+    scene_->requestDistance(torch);
 }
 
 } // namespace meltpool

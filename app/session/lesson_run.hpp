@@ -1,8 +1,10 @@
-// The running metal of a lesson: its Trainer, the clock that its steps follow, and the fault that stopped it.
+// The running metal of a lesson: its Trainer, how it is seen, the clock that its steps follow, and the fault that
+// stopped it.
 #pragma once
 
 #include "app/activities/activities.hpp"
 #include "core/base/function_ref.hpp"
+#include "core/training/trainer/lesson_scene.hpp"
 
 #include <memory>
 #include <optional>
@@ -36,6 +38,8 @@ class LessonRun {
     /// Metal and process; null where there are none.
     Trainer* trainer() { return trainer_.get(); }
     const Trainer* trainer() const { return trainer_.get(); }
+    /// How the metal is seen; null where there is none.
+    LessonScene* scene() { return scene_.get(); }
     /// The arc of the last step; out where there is no metal.
     ArcState arc() const { return trainer_ ? trainer_->arc() : ArcState{}; }
     /// The torch of the last step. Only where there is metal.
@@ -69,7 +73,7 @@ class LessonRun {
 
     /// The metal is another than at the last noteMetal().
     void metalChanged() { changed_ = true; }
-    /// See Trainer::noteMetal(); no-op while the metal has not changed.
+    /// See LessonScene::noteMetal(); no-op while the metal has not changed.
     void noteMetal();
 
     /// Asks where the metal lies under the torch in the hand. The answer comes frames later; nothing waits for it.
@@ -84,6 +88,7 @@ class LessonRun {
     gl::OtherContext* metalThere_;
     Stopwatch now_;
     std::unique_ptr<Trainer> trainer_;
+    std::unique_ptr<LessonScene> scene_; ///< of the trainer
     StepClock clock_;
     double beside_ = 0;                  ///< see stepBeside()
     std::optional<ActivityFrame> frame_; ///< between beginSteps() and finishSteps()

@@ -44,7 +44,7 @@ TorchSample TorchLead::next(const Trainer& trainer, const Controls& controls, co
     }
     if (held_) return held(step, steps);
     if (!desk_.leads()) return torchOf(controls.source(), turn);
-    return desk_.next(step, steps, trainer.timeStep(), trainer.burntOff(), controls.trigger());
+    return desk_.next(step, steps, trainer.timeStep(), trainer.metal().model().burntOff(), controls.trigger());
 }
 
 } // namespace meltpool

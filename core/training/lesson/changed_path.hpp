@@ -12,7 +12,7 @@ namespace meltpool {
 /// A step of the attempt as it was welded.
 struct AttemptStep {
     TorchSample torch;   ///< its time is that of the step's end
-    double burntOff = 0; ///< m, Trainer::burntOff() before the step
+    double burntOff = 0; ///< m, Process::burntOff() before the step
     bool burned = false; ///< the arc, before the step
 };
 

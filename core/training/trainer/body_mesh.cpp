@@ -34,7 +34,7 @@ SurfaceParameters bodySurface(float spacing, glm::vec3 boxMin, glm::vec3 boxMax)
 }
 
 MeshCopy bodyMesh(gl::ShaderLibrary& shaders, const LessonMetal& metal, const SurfaceParameters& shown) {
-    const SceneView scene = metal.scene({});
+    const SceneView scene = metal.model().makeScene()->view({});
     SurfaceParameters parameters = shown;
     if (const auto spacing = metal.model().spacing()) parameters = bodySurface(*spacing, scene.boxMin, scene.boxMax);
     parameters.caps = true;

@@ -10,6 +10,28 @@
 
 namespace meltpool {
 
+namespace {
+
+/// The box with its source; everything else is the default of a SceneView.
+class ClassicScene : public MetalScene {
+  public:
+    explicit ClassicScene(const bool& cold) : cold_(cold) {}
+
+    SceneView view(const TorchSample& torch) override {
+        SceneView scene;
+        scene.source.shown = true;
+        scene.source.position = classicSourcePosition(torch.tip);
+        scene.source.on = torch.trigger > 0;
+        scene.source.cold = cold_;
+        return scene;
+    }
+
+  private:
+    const bool& cold_; ///< of the metal, whose lesson may change it
+};
+
+} // namespace
+
 glm::vec3 classicSourcePosition(const glm::vec3& tip) {
     return glm::clamp(tip / kClassicUnit, glm::vec3(-1.0f), glm::vec3(1.0f));
 }
@@ -48,14 +70,8 @@ void ClassicModel::prepare(Surface& surface) const {
     surface.incremental = {true, 0.02F, 0.001F};
 }
 
-SceneView ClassicModel::scene(const TorchSample& torch) const {
-    SceneView scene;
-    scene.particles = metal_.particles();
-    scene.source.shown = true;
-    scene.source.position = classicSourcePosition(torch.tip);
-    scene.source.on = torch.trigger > 0;
-    scene.source.cold = cold_;
-    return scene;
+std::unique_ptr<MetalScene> ClassicModel::makeScene() const {
+    return std::make_unique<ClassicScene>(cold_);
 }
 
 } // namespace meltpool

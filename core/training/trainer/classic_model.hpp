@@ -26,7 +26,7 @@ class ClassicModel : public MetalModel {
     float liquidShare(float temperature) const override;
     /// A source that gives the more the nearer it is.
     ArcState arc(const SurfaceDistance& surface) const override;
-    SceneView scene(const TorchSample& torch) const override;
+    std::unique_ptr<MetalScene> makeScene() const override;
     MetalStatistics statistics() override { return metal_.statistics(); }
     void requestStatistics() override { metal_.requestStatistics(); }
     std::optional<MetalStatistics> pollStatistics() override { return metal_.pollStatistics(); }

@@ -44,10 +44,4 @@ ParticleView LessonMetal::particles() const {
     return mirror_.view();
 }
 
-SceneView LessonMetal::scene(const TorchSample& torch) const {
-    SceneView scene = metal_->scene(torch);
-    scene.particles = particles();
-    return scene;
-}
-
 } // namespace meltpool

@@ -13,9 +13,9 @@
 
 namespace meltpool {
 
-/// In another context: each function may be called on that context's thread or, while nothing is under way there, on the
-/// thread that made this. particles() and scene() show buffers of the calling thread's context: on the latter copies,
-/// made by the first call after the metal changed, which stay as they are while further steps are made.
+/// In another context: each function may be called on that context's thread or, while nothing is under way there, on
+/// the thread that made this. particles() shows buffers of the calling thread's context: on the latter copies, made by
+/// the first call after the metal changed, which stay as they are while further steps are made.
 class LessonMetal {
   public:
     /// `there`: the metal's context, null for the calling thread's. It must outlive the metal, and any
@@ -42,7 +42,6 @@ class LessonMetal {
     /// One fixed step. `profiler` may be null.
     void step(const TorchSample& torch, gl::Profiler* profiler);
     ParticleView particles() const;
-    SceneView scene(const TorchSample& torch) const;
     /// GPU memory with the copies, bytes.
     size_t bytes() const { return metal_->bytes() + mirror_.bytes(); }
 

@@ -1,11 +1,11 @@
-// What a Trainer needs from any metal: stepping under a torch, and being looked at.
+// The metal of any lesson: it steps under a torch, answers for its figures and lends its particles to pictures.
 #pragma once
 
 #include "core/gl/profiler.hpp"
 #include "core/gl/state_archive.hpp"
 #include "core/metal/state/particle_view.hpp"
 #include "core/metal/state/statistics.hpp"
-#include "core/render/scene.hpp"
+#include "core/scene/metal_scene.hpp"
 #include "core/surface/surface.hpp"
 #include "core/weld/gauge/weld_section.hpp"
 #include "core/weld/gauge/weld_stations.hpp"
@@ -52,8 +52,9 @@ class MetalModel {
     virtual bool takesRod() const { return false; }
     /// Where the wire has gone; nothing for processes without.
     virtual WireAccount wire() const { return {}; }
-    /// Box of the particles, their temperatures' meaning and the source under this torch; without a mesh.
-    virtual SceneView scene(const TorchSample& torch) const = 0;
+    /// Makes the surroundings of this metal for pictures. They show the process and its arc as they are at each view;
+    /// the metal must outlive them.
+    virtual std::unique_ptr<MetalScene> makeScene() const = 0;
 
     /// The weld cut across at `place` (m along the seam), by default in the middle of what was welded; nothing where
     /// there is no weld to cut, and of a pipe, whose seam is no straight line. Waits for the GPU.

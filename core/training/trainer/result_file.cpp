@@ -178,7 +178,7 @@ void addEnd(Json& json, const LessonResult& result, const ResultContext& context
     json["state_hash"] = formatHexadecimal(result.stateHash);
     json["wall_seconds"] = jsonNumber(context.wallSeconds);
     json["metal_bytes"] = result.metalBytes;
-    json["surface_bytes"] = result.surfaceBytes;
+    json["surface_bytes"] = context.surfaceBytes;
 }
 
 /// What the reader of a torch path assumed of its table.

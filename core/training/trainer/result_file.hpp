@@ -42,6 +42,7 @@ struct ResultContext {
     std::optional<AttemptFacts> attempt = {}; ///< where a person welded, or a record of an attempt is repeated
     std::vector<std::pair<std::string, std::string>> whatIf = {}; ///< what was changed of a recorded attempt
     std::vector<std::string> warnings = {};                       ///< sentences of what is implausible
+    size_t surfaceBytes = 0;                                      ///< GPU memory of the pictures' surface
 };
 
 /// The entries of result.json: the figures of a run together with every parameter it had. `result`: null where there is

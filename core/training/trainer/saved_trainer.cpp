@@ -85,7 +85,6 @@ void Trainer::transfer(gl::StateArchive& archive) {
     arc_.transfer(archive);
     transferTorch(archive, torch_);
     sound_.transfer(archive);
-    if (archive.restores()) sight_.reset();
     if (technique_) technique_->transfer(archive);
 }
 
@@ -152,7 +151,7 @@ void Trainer::restore(const Checkpoint& checkpoint) {
         throw InputError("the checkpoint of step " + std::to_string(checkpoint.step) +
                          " has more bytes than this lesson's state; expected one that this program saved");
     fold();
-    forgetProbe_ = true;
+    if (watcher_ != nullptr) watcher_->restored();
     figures_.readAgain();
     if (!lesson_.recorded) return;
     // The checkpoint may be of the attempt itself, which repeated none; those behind this very step may come again.

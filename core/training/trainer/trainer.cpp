@@ -3,7 +3,6 @@
 #include "core/base/error.hpp"
 #include "core/base/last_facts.hpp"
 #include "core/base/text.hpp"
-#include "core/training/trainer/body_mesh.hpp"
 
 #include <utility>
 
@@ -14,15 +13,11 @@ Trainer::Trainer(gl::ShaderLibrary& shaders, Lesson lesson, gl::OtherContext* me
       metal_(shaders, lesson_, metalThere),
       identity_(identityOf(lesson_)),
       live_(liveParameters(lesson_)),
-      probe_(shaders),
       figures_(metal_, recorder_) {
     noteFact(LastFact::lesson, lesson_.key);
-    const SceneView scene = metal_.scene({});
-    surface_ = std::make_unique<Surface>(shaders, lesson_.surface, scene.boxMin, scene.boxMax);
     torch_ = lesson_.torch.sample(0);
     torch_.trigger = 0;
     if (lesson_.model != LessonModel::Weld) return;
-    sight_.open(scene);
     technique_.emplace(techniqueOf(lesson_.workpiece, lesson_.process, lesson_.technique));
     sound_.setAlternating(workpieceMaterial(lesson_.workpiece).alternatingCurrent);
 }
@@ -45,7 +40,7 @@ void Trainer::reset() {
     figures_.reset();
     arc_ = {};
     sound_.reset();
-    sight_.reset();
+    if (watcher_ != nullptr) watcher_->beganAgain();
     recorder_.reset();
     account_ = {};
     surfaceDistance_ = {};
@@ -90,15 +85,15 @@ void Trainer::advance(const TorchSample& torch, gl::Profiler* profiler) {
     recorder_.step(steps_, torch_, arc_);
     if (burned && wentOut(arc_.noArc)) event("arc_out", noArcName(arc_.noArc));
     figures_.update(time_);
-    hearAndSee();
+    tellOfStep();
 }
 
 /// After the figures: a run that waits for them hears those of its own step.
-void Trainer::hearAndSee() {
+void Trainer::tellOfStep() {
     if (lesson_.model != LessonModel::Weld) return;
     sound_.step(lesson_.process, arc_, torch_, timeStep(), figures_.newest().maxTemperature);
     if (ear_ != nullptr) ear_->hear(sound_.last());
-    sight_.step(lesson_.process, sound_.last(), torch_, steps_);
+    if (watcher_ != nullptr) watcher_->stepped();
 }
 
 /// Of a path that people brought: a record has these events itself.
@@ -125,42 +120,6 @@ void Trainer::advanceDemonstration(gl::Profiler* profiler) {
     advance(demonstration(), profiler);
 }
 
-void Trainer::noteMetal() {
-    const int cells = surface_->parameters.cells;
-    surface_->parameters = lesson_.surface;
-    surface_->parameters.cells = cells;
-    metal_.model().prepare(*surface_);
-    noted_ = metal_.particles();
-    if (lesson_.look.detail == kLowDetail) noted_->frozenAt = nullptr; // ripples are not drawn
-}
-
-void Trainer::makeSurface(gl::Profiler* profiler) {
-    if (noted_) surface_->update(*noted_, profiler);
-    noted_.reset();
-}
-
-void Trainer::requestDistance(const TorchSample& torch) {
-    if (std::exchange(forgetProbe_, false)) probe_.forget();
-    probe_.request(*surface_, metal_.model(), torch);
-}
-
-std::optional<SurfaceDistance> Trainer::pollDistance() {
-    if (std::exchange(forgetProbe_, false)) probe_.forget();
-    return probe_.poll(metal_.model());
-}
-
-SceneView Trainer::scene() const {
-    SceneView scene = metal_.scene(torch_);
-    scene.mesh = surface_->mesh();
-    scene.meshIsOpen = !lesson_.surface.caps;
-    scene.effects = sight_.view();
-    return scene;
-}
-
-MeshCopy Trainer::bodyMesh(gl::ShaderLibrary& shaders) const {
-    return meltpool::bodyMesh(shaders, metal_, lesson_.surface);
-}
-
 AttemptHead Trainer::attemptHead() {
     AttemptHead head;
     head.lesson = lesson_.key;
@@ -168,7 +127,7 @@ AttemptHead Trainer::attemptHead() {
         head.values.emplace_back(parameter.key, parameterText(parameter));
     for (const ChosenSetting& each : lesson_.choose)
         head.chosen.push_back(each.key);
-    head.arc = hasArc();
+    head.arc = lesson_.model == LessonModel::Weld;
     head.rod = metal_.model().takesRod();
     return head;
 }
@@ -190,7 +149,7 @@ void Trainer::stopRecord(std::string_view reason) {
 
 LessonResult Trainer::result() const {
     const MetalStatistics metal = metal_.run([](MetalModel& model) { return model.statistics(); });
-    return {time_, steps_, metal, stateHash(), metal_.bytes(), surface_->bytes(), wire()};
+    return {time_, steps_, metal, stateHash(), metal_.bytes(), metal_.model().wire()};
 }
 
 Judgement Trainer::judge() const {

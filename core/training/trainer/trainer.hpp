@@ -1,21 +1,16 @@
-// A lesson in progress: steps the metal under the torch, keeps its surface, record and figures. Windows, headsets,
-// scripts and replays all drive this and only this.
+// A lesson in progress: steps the metal under the torch. Windows, headsets, scripts and replays all drive this and only
+// this; pictures of it are made by a LessonScene.
 #pragma once
 
 #include "core/gl/profiler.hpp"
 #include "core/gl/program.hpp"
-#include "core/render/scene.hpp"
-#include "core/surface/mesh_copy.hpp"
-#include "core/surface/surface.hpp"
 #include "core/training/attempt/checkpoint_capture.hpp"
-#include "core/training/feedback/sight.hpp"
 #include "core/training/feedback/sound/ear.hpp"
 #include "core/training/judging/judgement.hpp"
 #include "core/training/lesson/lesson.hpp"
 #include "core/training/trainer/attempt_recorder.hpp"
 #include "core/training/trainer/figure_reader.hpp"
 #include "core/training/trainer/lesson_metal.hpp"
-#include "core/training/trainer/tip_probe.hpp"
 
 #include <memory>
 #include <optional>
@@ -29,9 +24,8 @@ struct LessonResult {
     size_t steps = 0;
     MetalStatistics metal;
     std::uint64_t stateHash = 0;
-    size_t metalBytes = 0;   ///< GPU memory of the metal
-    size_t surfaceBytes = 0; ///< GPU memory of the surface
-    WireAccount wire;        ///< where the wire has gone; area 0 without wire
+    size_t metalBytes = 0; ///< GPU memory of the metal
+    WireAccount wire;      ///< where the wire has gone; area 0 without wire
 };
 
 /// What a record says of its attempt beside the lesson.
@@ -43,10 +37,23 @@ struct RecordContext {
     bool replace = true; ///< a file of this name may be replaced
 };
 
+/// Watches the steps of a lesson, on the thread that makes them.
+class StepWatcher {
+  public:
+    virtual ~StepWatcher() = default;
+    /// A weld made a step, which heard(), torch() and steps() of its Trainer describe. Not called for the classic
+    /// model, which has no arc.
+    virtual void stepped() = 0;
+    /// The metal is back at its start.
+    virtual void beganAgain() = 0;
+    /// A checkpoint took the metal's place.
+    virtual void restored() = 0;
+};
+
 class Trainer {
   public:
-    /// Makes metal and surface. Throws InputError when the lesson's values are impossible here. `metalThere`: the metal
-    /// lies in that context, see LessonMetal; advance() and what makes no surface may then be called on its thread.
+    /// Makes the metal. Throws InputError when the lesson's values are impossible here. `metalThere`: the metal lies in
+    /// that context, see LessonMetal; all functions may then be called on its thread too.
     Trainer(gl::ShaderLibrary& shaders, Lesson lesson, gl::OtherContext* metalThere = nullptr);
     ~Trainer();
     Trainer(const Trainer&) = delete;
@@ -83,46 +90,23 @@ class Trainer {
     /// Shows the torch here until the next step; the metal is not touched by it.
     void show(const TorchSample& torch) { torch_ = torch; }
 
-    /// Makes the surface of the metal as it is now, for the pictures to come; nothing is read back.
-    void updateSurface(gl::Profiler* profiler) {
-        noteMetal();
-        makeSurface(profiler);
-    }
-    /// The same in two parts: of a metal elsewhere makeSurface() shows the metal as it was at noteMetal(), while steps
-    /// are made there. Nothing where nothing was noted since the last one.
-    void noteMetal();
-    void makeSurface(gl::Profiler* profiler);
-    SurfaceMesh mesh() const { return surface_->mesh(); }
+    /// The torch of the last step, or the one that show() put there since.
+    const TorchSample& torch() const { return torch_; }
 
-    /// Asks where the metal lies under this torch, on the surface of the last updateSurface(); never waits.
-    void requestDistance(const TorchSample& torch);
-    /// The answer, once, frames later.
-    std::optional<SurfaceDistance> pollDistance();
-    /// Waits for the GPU.
-    SurfaceDistance distanceNow(const TorchSample& torch) { return probe_.now(*surface_, metal_.model(), torch); }
+    /// The metal after the last step, to look at. Its model tells how far the electrode has burnt off, where the wire
+    /// has gone and how thick the torch's touching end is.
+    const LessonMetal& metal() const { return metal_; }
     /// The arc of the last step: one state for hand, eye, score and record.
     const ArcState& arc() const { return arc_; }
     /// What is heard of the last step, its short circuits one by one; the classic model makes no sound.
     const SoundStep& heard() const { return sound_.last(); }
-    /// From the next step on each one is given to `ear` (null: to nobody), which must outlive this.
+    /// From the next step on each one is given to `ear` (null: dropped), which must outlive this.
     void listen(Ear* ear) { ear_ = ear; }
+    /// From the next step on `watcher`, null for none, replaces the watcher before. It must outlive this or be replaced
+    /// before it ends.
+    void watch(StepWatcher* watcher) { watcher_ = watcher; }
     /// Tells models without an arc of their own where the shown metal lies from the tip.
     void setSurfaceDistance(const SurfaceDistance& surface) { surfaceDistance_ = surface; }
-    /// Radius (m) of what touches the metal first.
-    float touchRadius() const { return metal_.model().touchRadius(); }
-    /// See Process::burntOff().
-    float burntOff() const { return metal_.model().burntOff(); }
-    WireAccount wire() const { return metal_.model().wire(); }
-    /// The lesson's metal has an arc, whose figures stand in the record.
-    bool hasArc() const { return lesson_.model == LessonModel::Weld; }
-
-    /// The world under the last torch, with the surface of the last updateSurface().
-    SceneView scene() const;
-    const TorchSample& torch() const { return torch_; }
-    Surface& surface() { return *surface_; }
-    /// The bodies of the metal as they are now, for files; see bodyMesh() in body_mesh.hpp. Waits for the GPU. What an
-    /// earlier scene() lends is no longer valid.
-    MeshCopy bodyMesh(gl::ShaderLibrary& shaders) const;
 
     /// Writes every following step to `file`; see Record. Throws InputError when it cannot be written.
     void record(const std::filesystem::path& file, const RecordContext& context = {});
@@ -180,7 +164,7 @@ class Trainer {
     void applyValues();
     std::uint64_t stateHash() const;
     void followUnseen();
-    void hearAndSee();
+    void tellOfStep();
     void transfer(gl::StateArchive& archive);
     void fold();
     void transferLesson(gl::StateArchive& archive);
@@ -192,10 +176,6 @@ class Trainer {
     LessonMetal metal_;
     std::uint64_t identity_; ///< of lesson, workpiece and process, which other checkpoints do not have
     ParameterList live_;     ///< the lesson's values that may change while it is welded
-    std::unique_ptr<Surface> surface_;
-    std::optional<ParticleView> noted_; ///< for the surface
-    TipProbe probe_;
-    bool forgetProbe_ = false; ///< what it was asked is of another metal; not forgotten at once, but on its own thread
     AttemptRecorder recorder_;
     FigureReader figures_;
     ArcAccount account_;
@@ -205,7 +185,7 @@ class Trainer {
     ArcState arc_;
     SoundSource sound_;
     Ear* ear_ = nullptr;
-    mutable Sight sight_; ///< what it shows is made when somebody looks
+    StepWatcher* watcher_ = nullptr;
     std::optional<Technique> technique_;
     bool tracked_ = true; ///< the torch, since the last event of it
     SurfaceDistance surfaceDistance_;

@@ -3,7 +3,6 @@
 
 #include "core/training/trainer/metal_model.hpp"
 #include "core/weld/process/weld.hpp"
-#include "core/weld/workpiece/rolled_faces.hpp"
 
 namespace meltpool {
 
@@ -24,8 +23,7 @@ class WeldModel : public MetalModel {
     float burntOff() const override { return weld_.process().burntOff(); }
     bool takesRod() const override { return weld_.process().takesRod(); }
     WireAccount wire() const override { return weld_.process().wire(); }
-    /// The torch's solids in it are lent until the next call.
-    SceneView scene(const TorchSample& torch) const override;
+    std::unique_ptr<MetalScene> makeScene() const override;
     std::optional<WeldSection> section(std::optional<double> place) const override;
     std::optional<WeldMeasures> measureWeld(std::optional<FaceStretch> seam) const override;
     void prepare(Surface& surface) const override;
@@ -42,22 +40,13 @@ class WeldModel : public MetalModel {
     const Workpiece& workpiece() const { return workpiece_; }
 
   private:
-    void furnish();
-
     Material material_;
+    WorkpieceParameters parameters_; ///< as the workpiece was made
     Workpiece workpiece_;
-    RolledFaces rolled_;
     WeldKind kind_;
     std::optional<double> pipeRadius_; ///< m, outside
     ProcessSettings process_;
     Weld weld_;
-    float overTable_;                        ///< m, see Fixture
-    std::vector<Solid> furniture_;           ///< table, machine and what holds the workpiece
-    size_t holders_ = 0;                     ///< how many of its last hold the workpiece
-    glm::mat4 roomToWorld_{1.0F};            ///< of the workshop
-    glm::vec3 cableEnd_{0.0F};               ///< of the torch, in the workpiece's frame
-    mutable std::vector<Solid> torchSolids_; ///< those that the last scene() lends
-    mutable std::vector<Solid> fittings_;    ///< the same
 };
 
 } // namespace meltpool

@@ -1,7 +1,7 @@
 // The metal in a context of its own, on the thread of the steps: the same weld as in one context, and a surface of the
 // metal as it was, made while further steps are made.
 #include "app/desktop/step_thread.hpp"
-#include "core/training/trainer/trainer.hpp"
+#include "core/training/trainer/lesson_scene.hpp"
 #include "shaders/shared/surface.h"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
@@ -59,6 +59,7 @@ TEST_CASE("a weld whose metal lies in another context has the bits of one in the
     Elsewhere elsewhere;
     const Lesson lesson = GENERATE(0, 1) == 0 ? smallBead() : smallClassic();
     Trainer here(test::shaders(), lesson), there(test::shaders(), lesson, &elsewhere.thread);
+    LessonScene seenHere(test::shaders(), here), seenThere(test::shaders(), there);
     weld(here, 40);
     elsewhere.thread.begin([&] { weld(there, 30); });
     elsewhere.thread.wait();
@@ -66,9 +67,9 @@ TEST_CASE("a weld whose metal lies in another context has the bits of one in the
     CHECK(there.result().stateHash == here.result().stateHash);
     CHECK(there.result().metal.maxTemperature == here.result().metal.maxTemperature);
     CHECK(there.result().metalBytes > here.result().metalBytes); // with what is shown
-    here.updateSurface(nullptr);
-    there.updateSurface(nullptr);
-    CHECK(same(trianglesOf(there.mesh()), trianglesOf(here.mesh())));
+    seenHere.updateSurface(nullptr);
+    seenThere.updateSurface(nullptr);
+    CHECK(same(trianglesOf(seenThere.surface().mesh()), trianglesOf(seenHere.surface().mesh())));
     there.reset();
     here.reset();
     CHECK(there.result().stateHash == here.result().stateHash);
@@ -78,20 +79,21 @@ TEST_CASE("a surface that is made beside steps is of the metal before them") {
     test::context();
     Elsewhere elsewhere;
     Trainer here(test::shaders(), smallBead()), there(test::shaders(), smallBead(), &elsewhere.thread);
+    LessonScene seenHere(test::shaders(), here), seenThere(test::shaders(), there);
     for (int frame = 0; frame < 4; ++frame) {
         weld(here, 3);
         weld(there, 3);
-        here.updateSurface(nullptr);
-        there.noteMetal();
+        seenHere.updateSurface(nullptr);
+        seenThere.noteMetal();
         elsewhere.thread.begin([&] { weld(there, 6); });
-        there.makeSurface(nullptr);
-        const auto shown = trianglesOf(there.mesh());
+        seenThere.makeSurface(nullptr);
+        const auto shown = trianglesOf(seenThere.surface().mesh());
         elsewhere.thread.wait();
         REQUIRE(shown.size() > 1000);
-        CHECK(same(shown, trianglesOf(here.mesh())));
+        CHECK(same(shown, trianglesOf(seenHere.surface().mesh())));
         weld(here, 6);
-        there.makeSurface(nullptr); // nothing was noted since
-        CHECK(same(shown, trianglesOf(there.mesh())));
+        seenThere.makeSurface(nullptr); // nothing was noted since
+        CHECK(same(shown, trianglesOf(seenThere.surface().mesh())));
     }
 }
 
@@ -119,6 +121,7 @@ TEST_CASE("passes of a metal elsewhere are timed within the frame of the calling
     test::context();
     Elsewhere elsewhere;
     Trainer trainer(test::shaders(), smallBead(), &elsewhere.thread);
+    LessonScene scene(test::shaders(), trainer);
     gl::Profiler profiler;
     for (int frame = 0; frame < 3; ++frame) {
         profiler.beginFrame();
@@ -127,7 +130,7 @@ TEST_CASE("passes of a metal elsewhere are timed within the frame of the calling
             trainer.advanceDemonstration(&profiler);
             trainer.advanceDemonstration(&profiler);
         }
-        trainer.updateSurface(&profiler);
+        scene.updateSurface(&profiler);
         profiler.endFrame();
     }
     profiler.finish();

@@ -1,4 +1,5 @@
 // The times at which metal froze belong to a checkpoint, and the surface has them where a picture may show them.
+#include "core/training/trainer/lesson_scene.hpp"
 #include "shaders/shared/surface.h"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
@@ -12,12 +13,12 @@ using namespace meltpool;
 namespace {
 
 /// The latest time at which metal at the surface froze, s; 0 where none has.
-float latestFreezing(Trainer& trainer) {
-    trainer.updateSurface(nullptr);
-    const gl::Buffer* freezing = trainer.scene().mesh.freezing;
+float latestFreezing(LessonScene& scene) {
+    scene.updateSurface(nullptr);
+    const gl::Buffer* freezing = scene.surface().mesh().freezing;
     REQUIRE(freezing != nullptr);
     float latest = 0;
-    for (const SurfaceFreezing& each : freezing->read<SurfaceFreezing>(trainer.surface().statistics().vertices))
+    for (const SurfaceFreezing& each : freezing->read<SurfaceFreezing>(scene.surface().statistics().vertices))
         latest = std::max(latest, each.time);
     return latest;
 }
@@ -35,32 +36,34 @@ void weldAndCool(Trainer& trainer, size_t welded, size_t end) {
 
 TEST_CASE("metal that froze before a checkpoint has its time again after it, in a new metal too", "[training]") {
     Trainer trainer(test::shaders(), test::checkpointLesson("gmaw"));
-    CHECK(latestFreezing(trainer) == 0);
+    LessonScene scene(test::shaders(), trainer);
+    CHECK(latestFreezing(scene) == 0);
     weldAndCool(trainer, 40, 85);
-    const float before = latestFreezing(trainer);
+    const float before = latestFreezing(scene);
     CHECK(before > 40 * float(trainer.timeStep()));
     CHECK(double(before) <= trainer.time() + 0.01);
     const Checkpoint checkpoint = trainer.save();
     weldAndCool(trainer, 40, 200);
-    const float after = latestFreezing(trainer);
+    const float after = latestFreezing(scene);
     CHECK(after > before);
     trainer.restore(checkpoint);
-    CHECK(latestFreezing(trainer) ==
-          Approx(before).margin(0.01)); // corners weigh times within what counts as no change
+    CHECK(latestFreezing(scene) == Approx(before).margin(0.01)); // corners weigh times within what counts as no change
     Trainer fresh(test::shaders(), test::checkpointLesson("gmaw"));
+    LessonScene freshScene(test::shaders(), fresh);
     fresh.restore(checkpoint);
-    CHECK(latestFreezing(fresh) == Approx(before).margin(0.01));
+    CHECK(latestFreezing(freshScene) == Approx(before).margin(0.01));
 }
 
 TEST_CASE("in low detail the surface has no freezing times", "[training]") {
     Lesson lesson = test::checkpointLesson("gmaw");
     lesson.look.detail = kLowDetail;
     Trainer trainer(test::shaders(), lesson);
-    trainer.updateSurface(nullptr);
-    CHECK(trainer.scene().mesh.freezing == nullptr);
-    const size_t low = trainer.surface().bytes();
+    LessonScene scene(test::shaders(), trainer);
+    scene.updateSurface(nullptr);
+    CHECK(scene.view().mesh.freezing == nullptr);
+    const size_t low = scene.surface().bytes();
     trainer.lesson().look.detail = kMediumDetail;
-    trainer.updateSurface(nullptr);
-    CHECK(trainer.scene().mesh.freezing != nullptr);
-    CHECK(trainer.surface().bytes() > low);
+    scene.updateSurface(nullptr);
+    CHECK(scene.view().mesh.freezing != nullptr);
+    CHECK(scene.surface().bytes() > low);
 }

@@ -45,7 +45,7 @@ Welded weld(const Lesson& lesson, const ChangedPath* path, std::vector<AttemptSt
     const double seconds = path != nullptr ? path->duration() : kSeconds;
     const auto steps = static_cast<size_t>(seconds / trainer.timeStep() * (1 - 1e-6)) + 1;
     for (size_t step = 0; step < steps; ++step) {
-        const auto burnt = static_cast<double>(trainer.burntOff());
+        const auto burnt = static_cast<double>(trainer.metal().model().burntOff());
         const TorchSample torch =
             path != nullptr ? path->sample(trainer.time() + trainer.timeStep(), burnt) : trainer.demonstration();
         if (kept != nullptr) kept->push_back({torch, burnt, trainer.arc().burns()});

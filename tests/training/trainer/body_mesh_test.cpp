@@ -23,6 +23,10 @@ Lesson smallPlate(float spacingMm) {
     return lesson;
 }
 
+MeshCopy bodiesOf(const Trainer& trainer) {
+    return bodyMesh(test::shaders(), trainer.metal(), trainer.lesson().surface);
+}
+
 struct Measures {
     double above = 0;                ///< area seen from above, with every layer counted, mm²
     double volume = 0;               ///< mm³
@@ -67,7 +71,7 @@ TEST_CASE("a plate's mesh is the plate, in a grid of pictures that makes a spong
         Lesson lesson = smallPlate(spacing);
         lesson.surface.caps = false; // a file's mesh is closed all the same
         const Trainer trainer(test::shaders(), lesson);
-        const MeshCopy mesh = trainer.bodyMesh(test::shaders());
+        const MeshCopy mesh = bodiesOf(trainer);
         const Measures m = measure(mesh);
         CHECK(m.above == Approx(480).epsilon(0.03));
         CHECK(m.volume == Approx(1920).epsilon(0.05));
@@ -90,10 +94,10 @@ TEST_CASE("plates with an open gap are two bodies, and tacks make them one", "[t
     lesson.workpiece.lengthMm = 30;
     lesson.workpiece.gapMm = 3;
     const Trainer tacked(test::shaders(), lesson);
-    CHECK(countParts(tacked.bodyMesh(test::shaders())) == 1);
+    CHECK(countParts(bodiesOf(tacked)) == 1);
     lesson.workpiece.tackCount = 0;
     const Trainer untacked(test::shaders(), lesson);
-    const MeshCopy mesh = untacked.bodyMesh(test::shaders());
+    const MeshCopy mesh = bodiesOf(untacked);
     CHECK(countParts(mesh) == 2);
     CHECK(isClosed(mesh));
     CHECK(measure(mesh).volume == Approx(30.0 * (41 - 3) * 3).epsilon(0.06));
@@ -103,7 +107,7 @@ TEST_CASE("y of the mesh points up where the plate hangs overhead", "[training]"
     Lesson plate = smallPlate(1);
     plate.set("position", "4G", "test");
     const Trainer hanging(test::shaders(), plate);
-    const Measures m = measure(hanging.bodyMesh(test::shaders()));
+    const Measures m = measure(bodiesOf(hanging));
     CHECK(m.above == Approx(480).epsilon(0.03));
     CHECK(m.volume == Approx(1920).epsilon(0.05));
     CHECK(m.high.y == Approx(4).margin(0.25)); // its face, at the origin, looks down
@@ -116,7 +120,7 @@ TEST_CASE("the classic metal's mesh is closed and in metres", "[training]") {
     lesson.metal.supportRadius = 0.1F;
     lesson.surface.cells = 16;
     const Trainer trainer(test::shaders(), lesson);
-    const MeshCopy mesh = trainer.bodyMesh(test::shaders());
+    const MeshCopy mesh = bodiesOf(trainer);
     REQUIRE_FALSE(mesh.indices.empty());
     CHECK(isClosed(mesh));
     const Measures m = measure(mesh);

@@ -2,7 +2,7 @@
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/training/trainer/classic_model.hpp"
-#include "core/training/trainer/trainer.hpp"
+#include "core/training/trainer/lesson_scene.hpp"
 #include "core/weld/torch/torch_csv.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
@@ -37,9 +37,9 @@ void repeat(Trainer& trainer, const TorchSample& torch, int steps) {
 
 /// The hottest particle in the octant of the box that `side` points into, by the start's places.
 float hottestNear(const Trainer& trainer, float side) {
-    const SceneView scene = trainer.scene();
+    const ParticleView particles = trainer.metal().particles();
     float hottest = 0;
-    for (const glm::vec4& p : scene.particles.positions->read<glm::vec4>(scene.particles.count))
+    for (const glm::vec4& p : particles.positions->read<glm::vec4>(particles.count))
         if (p.x * side > 0.2f && p.y * side > 0.2f && p.z * side > 0.2f) hottest = std::max(hottest, p.w);
     return hottest;
 }
@@ -279,9 +279,10 @@ TEST_CASE("the classic source stays inside its box", "[training]") {
 
 TEST_CASE("the scene carries the surface, the particles and the source", "[training]") {
     Trainer trainer(test::shaders(), smallLesson());
+    LessonScene shown(test::shaders(), trainer);
     trainer.advance(flameAt(22, 1), nullptr);
-    trainer.updateSurface(nullptr);
-    const SceneView scene = trainer.scene();
+    shown.updateSurface(nullptr);
+    const SceneView scene = shown.view();
     CHECK(scene.particles.count == kParticles);
     CHECK(scene.mesh.vertices != nullptr);
     CHECK(scene.source.shown);
@@ -291,52 +292,69 @@ TEST_CASE("the scene carries the surface, the particles and the source", "[train
 
 TEST_CASE("the surface of the classic metal takes up only the metal that changed", "[training]") {
     Trainer trainer(test::shaders(), smallLesson());
+    LessonScene scene(test::shaders(), trainer);
     repeat(trainer, flameAt(21, 1), 60);
-    trainer.updateSurface(nullptr);
-    REQUIRE(trainer.surface().statistics().rebuilt);
-    const unsigned before = trainer.surface().statistics().triangles;
+    scene.updateSurface(nullptr);
+    REQUIRE(scene.surface().statistics().rebuilt);
+    const unsigned before = scene.surface().statistics().triangles;
     trainer.advance(flameAt(21, 1), nullptr);
-    trainer.updateSurface(nullptr);
-    const SurfaceStatistics after = trainer.surface().statistics();
+    scene.updateSurface(nullptr);
+    const SurfaceStatistics after = scene.surface().statistics();
     CHECK(after.particles > 0);
     CHECK(after.particles < kParticles / 2);
     CHECK(after.triangles > before / 2);
 }
 
+TEST_CASE("scenes come and go while a weld is stepped, whose bits stay", "[training]") {
+    Trainer seen(test::shaders(), smallBead()), unseen(test::shaders(), smallBead());
+    for (int i = 0; i < 3; ++i) {
+        LessonScene scene(test::shaders(), seen);
+        scene.updateSurface(nullptr);
+        seen.advanceDemonstration(nullptr);
+        unseen.advanceDemonstration(nullptr);
+        CHECK_FALSE(scene.view().solids.empty());
+    }
+    seen.advanceDemonstration(nullptr);
+    unseen.advanceDemonstration(nullptr);
+    CHECK(seen.result().stateHash == unseen.result().stateHash);
+}
+
 TEST_CASE("oxide floats where GMAW melts hot-rolled steel, and a weld's ripples are those of its process",
           "[training]") {
     Lesson lesson = smallBead();
-    const SceneView wire = Trainer(test::shaders(), lesson).scene();
+    const auto shown = [&] { return Trainer(test::shaders(), lesson).metal().model().makeScene()->view({}); };
+    const SceneView wire = shown();
     CHECK(wire.oxideRadius > 0);
     CHECK(wire.rolled.count == 1);
     CHECK(wire.ripples.frequency == equipmentOf(lesson.process).ripples.frequency);
     lesson.process.choose<Gtaw>();
-    const Trainer tungsten(test::shaders(), lesson);
-    CHECK(tungsten.scene().oxideRadius == 0);
-    CHECK(tungsten.scene().ripples.frequency < wire.ripples.frequency);
+    const SceneView tungsten = shown();
+    CHECK(tungsten.oxideRadius == 0);
+    CHECK(tungsten.ripples.frequency < wire.ripples.frequency);
     lesson.process.choose<Gmaw>();
     lesson.workpiece.metal = "304";
-    CHECK(Trainer(test::shaders(), lesson).scene().oxideRadius == 0);
+    CHECK(shown().oxideRadius == 0);
 }
 
 TEST_CASE("the tip is told how far the metal is and whether it is liquid, in metres", "[training]") {
     Lesson lesson = smallLesson();
     lesson.surface.cells = 64;
     Trainer trainer(test::shaders(), lesson);
-    trainer.updateSurface(nullptr);
+    LessonScene scene(test::shaders(), trainer);
+    scene.updateSurface(nullptr);
     TorchSample over = upright({0, 0.03f, 0});
     // The cube reaches to 20 mm, and what is shown of it at this iso level a grid cell of 1.25 mm farther.
-    SurfaceDistance metal = trainer.distanceNow(over);
+    SurfaceDistance metal = scene.distanceNow(over);
     CHECK(metal.ahead == Approx(0.009).margin(0.0015));
     CHECK(metal.nearest == Approx(metal.ahead).epsilon(0.1));
     CHECK(metal.liquid == 0);
     CHECK(metal.normal.y > 0.9f);
     over.tip = {0, 0.2f, 0};
-    CHECK(trainer.distanceNow(over).ahead == std::numeric_limits<float>::infinity());
+    CHECK(scene.distanceNow(over).ahead == std::numeric_limits<float>::infinity());
     repeat(trainer, flameAt(21, 1), 60);
-    trainer.updateSurface(nullptr);
+    scene.updateSurface(nullptr);
     over.tip = {0.017f, 0.03f, 0.017f};
-    metal = trainer.distanceNow(over);
+    metal = scene.distanceNow(over);
     CHECK(metal.liquid > 0.2f);
     trainer.setSurfaceDistance(metal);
     repeat(trainer, flameAt(21, 1), 1);
@@ -346,10 +364,11 @@ TEST_CASE("the tip is told how far the metal is and whether it is liquid, in met
 
 TEST_CASE("over a steel plate the shown surface is as far as the torch is held", "[training]") {
     Trainer trainer(test::shaders(), smallBead());
-    trainer.updateSurface(nullptr);
+    LessonScene scene(test::shaders(), trainer);
+    scene.updateSurface(nullptr);
     for (const float mm : {3.0f, -1.0f, 9.0f}) {
         const TorchSample torch = upright({0.001f, mm * 1e-3f, 0.002f});
-        const SurfaceDistance metal = trainer.distanceNow(torch);
+        const SurfaceDistance metal = scene.distanceNow(torch);
         INFO("held at " << mm << " mm, " << metal.ahead * 1000 << " mm found");
         CHECK(metal.ahead * 1000 == Approx(mm).margin(0.3));
         CHECK(metal.liquid == 0);

@@ -1,0 +1,45 @@
+// A weld's workshop: torch, cable, table, machine and what holds the workpiece, with the looks of the material.
+#pragma once
+
+#include "core/scene/metal_scene.hpp"
+#include "core/weld/process/weld.hpp"
+#include "core/weld/workpiece/rolled_faces.hpp"
+
+#include <array>
+#include <vector>
+
+namespace meltpool {
+
+/// The weld that a WeldScene shows. All of it must outlive the scene.
+struct ShownWeld {
+    const Weld& weld;
+    const Workpiece& workpiece;
+    const WorkpieceParameters& parameters; ///< that the workpiece was made of
+    const Material& material;
+    const ProcessSettings& process; ///< read by each view(); other displays furnish the workshop anew
+};
+
+class WeldScene : public MetalScene {
+  public:
+    /// Builds the table, the machine and the holders.
+    explicit WeldScene(const ShownWeld& shown);
+
+    SceneView view(const TorchSample& torch) override;
+
+  private:
+    void furnish();
+    void showTorch(SceneView& scene, const TorchSample& torch);
+
+    ShownWeld shown_;
+    RolledFaces rolled_;
+    float overTable_;                        ///< m, see Fixture
+    std::array<MachineDisplay, 2> displays_; ///< of the machine as it was furnished
+    std::vector<Solid> furniture_;           ///< table, machine and what holds the workpiece
+    size_t holders_ = 0;                     ///< how many of its last hold the workpiece
+    glm::mat4 roomToWorld_{1.0F};            ///< of the workshop
+    glm::vec3 cableEnd_{0.0F};               ///< of the torch, in the workpiece's frame
+    std::vector<Solid> torchSolids_;         ///< lent by the last view()
+    std::vector<Solid> fittings_;            ///< likewise
+};
+
+} // namespace meltpool

@@ -1,0 +1,65 @@
+// A lesson in progress as it is seen: the surface of its metal, the solids around it, and the sparks about the arc.
+// Only made where there are pictures, or a hand that must feel where the metal lies.
+#pragma once
+
+#include "core/surface/surface.hpp"
+#include "core/training/feedback/sight.hpp"
+#include "core/training/trainer/tip_probe.hpp"
+#include "core/training/trainer/trainer.hpp"
+
+#include <memory>
+#include <optional>
+
+namespace meltpool {
+
+class LessonScene : private StepWatcher {
+  public:
+    /// Makes the surface for the trainer's metal and watches its steps from now on. The trainer must outlive this.
+    /// Throws InputError when the lesson's surface is impossible here, RuntimeFault without GPU memory.
+    LessonScene(gl::ShaderLibrary& shaders, Trainer& trainer);
+    ~LessonScene() override;
+    LessonScene(const LessonScene&) = delete;
+    LessonScene& operator=(const LessonScene&) = delete;
+
+    /// The lesson that is shown.
+    const Trainer& trainer() const { return trainer_; }
+
+    /// Makes the surface of the metal as it is now, for the pictures to come; nothing is read back.
+    void updateSurface(gl::Profiler* profiler) {
+        noteMetal();
+        makeSurface(profiler);
+    }
+    /// The two parts of updateSurface(): of a metal elsewhere makeSurface() shows the metal as it was at noteMetal(),
+    /// while steps are made there. makeSurface() is a no-op without a new noteMetal().
+    void noteMetal();
+    void makeSurface(gl::Profiler* profiler);
+    const Surface& surface() const { return *surface_; }
+
+    /// The world under the trainer's torch, with the surface of the last updateSurface(). Lends solids and sparks that
+    /// stay valid until the next call.
+    SceneView view();
+
+    /// Asks where the metal lies under this torch, on the surface of the last updateSurface(); never waits.
+    void requestDistance(const TorchSample& torch);
+    /// The answer, once, frames later.
+    std::optional<SurfaceDistance> pollDistance();
+    /// Waits for the GPU.
+    SurfaceDistance distanceNow(const TorchSample& torch);
+
+  private:
+    void stepped() override;
+    void beganAgain() override;
+    void restored() override;
+    SceneView withoutSurface(const TorchSample& torch);
+    void forgetOldMetal();
+
+    Trainer& trainer_;
+    std::unique_ptr<MetalScene> around_;
+    std::unique_ptr<Surface> surface_;
+    std::optional<ParticleView> noted_; ///< for the surface
+    TipProbe probe_;
+    bool metalExchanged_ = false; ///< since the probe was asked, which forgets it on its own thread
+    Sight sight_;
+};
+
+} // namespace meltpool
