@@ -2,7 +2,7 @@
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/training/trainer/classic_model.hpp"
-#include "core/training/trainer/lesson_scene.hpp"
+#include "core/training/trainer/trainer.hpp"
 #include "core/weld/torch/torch_csv.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
@@ -275,104 +275,6 @@ TEST_CASE("a disk that is full in mid-attempt ends the record, not the weld", "[
 TEST_CASE("the classic source stays inside its box", "[training]") {
     CHECK(classicSourcePosition({0.02f, -0.01f, 0}) == glm::vec3(0.5f, -0.25f, 0));
     CHECK(classicSourcePosition({1, -1, 0.05f}) == glm::vec3(1, -1, 1));
-}
-
-TEST_CASE("the scene carries the surface, the particles and the source", "[training]") {
-    Trainer trainer(test::shaders(), smallLesson());
-    LessonScene shown(test::shaders(), trainer);
-    trainer.advance(flameAt(22, 1), nullptr);
-    shown.updateSurface(nullptr);
-    const SceneView scene = shown.view();
-    CHECK(scene.particles.count == kParticles);
-    CHECK(scene.mesh.vertices != nullptr);
-    CHECK(scene.source.shown);
-    CHECK(scene.source.on);
-    CHECK(scene.source.position.x == Approx(0.55f));
-}
-
-TEST_CASE("the surface of the classic metal takes up only the metal that changed", "[training]") {
-    Trainer trainer(test::shaders(), smallLesson());
-    LessonScene scene(test::shaders(), trainer);
-    repeat(trainer, flameAt(21, 1), 60);
-    scene.updateSurface(nullptr);
-    REQUIRE(scene.surface().statistics().rebuilt);
-    const unsigned before = scene.surface().statistics().triangles;
-    trainer.advance(flameAt(21, 1), nullptr);
-    scene.updateSurface(nullptr);
-    const SurfaceStatistics after = scene.surface().statistics();
-    CHECK(after.particles > 0);
-    CHECK(after.particles < kParticles / 2);
-    CHECK(after.triangles > before / 2);
-}
-
-TEST_CASE("scenes come and go while a weld is stepped, whose bits stay", "[training]") {
-    Trainer seen(test::shaders(), smallBead()), unseen(test::shaders(), smallBead());
-    for (int i = 0; i < 3; ++i) {
-        LessonScene scene(test::shaders(), seen);
-        scene.updateSurface(nullptr);
-        seen.advanceDemonstration(nullptr);
-        unseen.advanceDemonstration(nullptr);
-        CHECK_FALSE(scene.view().solids.empty());
-    }
-    seen.advanceDemonstration(nullptr);
-    unseen.advanceDemonstration(nullptr);
-    CHECK(seen.result().stateHash == unseen.result().stateHash);
-}
-
-TEST_CASE("oxide floats where GMAW melts hot-rolled steel, and a weld's ripples are those of its process",
-          "[training]") {
-    Lesson lesson = smallBead();
-    const auto shown = [&] { return Trainer(test::shaders(), lesson).metal().model().makeScene()->view({}); };
-    const SceneView wire = shown();
-    CHECK(wire.oxideRadius > 0);
-    CHECK(wire.rolled.count == 1);
-    CHECK(wire.ripples.frequency == equipmentOf(lesson.process).ripples.frequency);
-    lesson.process.choose<Gtaw>();
-    const SceneView tungsten = shown();
-    CHECK(tungsten.oxideRadius == 0);
-    CHECK(tungsten.ripples.frequency < wire.ripples.frequency);
-    lesson.process.choose<Gmaw>();
-    lesson.workpiece.metal = "304";
-    CHECK(shown().oxideRadius == 0);
-}
-
-TEST_CASE("the tip is told how far the metal is and whether it is liquid, in metres", "[training]") {
-    Lesson lesson = smallLesson();
-    lesson.surface.cells = 64;
-    Trainer trainer(test::shaders(), lesson);
-    LessonScene scene(test::shaders(), trainer);
-    scene.updateSurface(nullptr);
-    TorchSample over = upright({0, 0.03f, 0});
-    // The cube reaches to 20 mm, and what is shown of it at this iso level a grid cell of 1.25 mm farther.
-    SurfaceDistance metal = scene.distanceNow(over);
-    CHECK(metal.ahead == Approx(0.009).margin(0.0015));
-    CHECK(metal.nearest == Approx(metal.ahead).epsilon(0.1));
-    CHECK(metal.liquid == 0);
-    CHECK(metal.normal.y > 0.9f);
-    over.tip = {0, 0.2f, 0};
-    CHECK(scene.distanceNow(over).ahead == std::numeric_limits<float>::infinity());
-    repeat(trainer, flameAt(21, 1), 60);
-    scene.updateSurface(nullptr);
-    over.tip = {0.017f, 0.03f, 0.017f};
-    metal = scene.distanceNow(over);
-    CHECK(metal.liquid > 0.2f);
-    trainer.setSurfaceDistance(metal);
-    repeat(trainer, flameAt(21, 1), 1);
-    CHECK(trainer.arc().action == ArcAction::burning);
-    CHECK(trainer.arc().liquid == metal.liquid);
-}
-
-TEST_CASE("over a steel plate the shown surface is as far as the torch is held", "[training]") {
-    Trainer trainer(test::shaders(), smallBead());
-    LessonScene scene(test::shaders(), trainer);
-    scene.updateSurface(nullptr);
-    for (const float mm : {3.0f, -1.0f, 9.0f}) {
-        const TorchSample torch = upright({0.001f, mm * 1e-3f, 0.002f});
-        const SurfaceDistance metal = scene.distanceNow(torch);
-        INFO("held at " << mm << " mm, " << metal.ahead * 1000 << " mm found");
-        CHECK(metal.ahead * 1000 == Approx(mm).margin(0.3));
-        CHECK(metal.liquid == 0);
-    }
 }
 
 TEST_CASE("an arc that goes out stands in the record with the process's reason, before the next step", "[training]") {
