@@ -1,7 +1,8 @@
-// The activities of a lesson, of which the person is at one.
+// The activities of a person, who is at one of them.
 #pragma once
 
 #include "app/activities/attempt.hpp"
+#include "app/activities/attempt_comparison.hpp"
 #include "app/activities/attempt_replay.hpp"
 #include "app/activities/demonstration.hpp"
 #include "app/activities/speed_trial.hpp"
@@ -17,11 +18,14 @@ class Activities {
     Attempt attempt;
     Demonstration demonstration;
     AttemptReplay replay;
+    AttemptComparison comparison;
     SpeedTrial trial;
 
     Activity& current() { return *current_; }
     const Activity& current() const { return *current_; }
     Allowed allowed() const { return current_->allowed(); }
+    /// The person is at this one.
+    bool at(const Activity& activity) const { return current_ == &activity; }
 
     /// The person turns to one of these. It has begun itself.
     void turnTo(Activity& activity) { current_ = &activity; }
@@ -31,6 +35,13 @@ class Activities {
         trial.stop();
         demonstration.end();
         replay.end();
+        comparison.end();
+        leave();
+    }
+    /// Back to the list of attempts. No-op where none are compared.
+    void endComparison() {
+        if (!at(comparison)) return;
+        comparison.end();
         leave();
     }
     /// There is no metal while it is made for another activity.

@@ -1,4 +1,4 @@
-// The interface of all that a person can be doing in a lesson: weld, watch, have the machine measured, or nothing yet.
+// The interface of all that a person can be doing: weld, watch, compare, have the machine measured, or nothing yet.
 #pragma once
 
 #include "app/activities/step_clock.hpp"
@@ -34,7 +34,8 @@ enum class NextAttempt {
 
 /// A frame as an activity sees it, from its begin to the end of its steps.
 struct ActivityFrame {
-    Trainer& trainer;
+    gl::ShaderLibrary& shaders; ///< of metal that the activity makes itself
+    Trainer* trainer;           ///< the lesson's metal; null outside a lesson, see Activity::inLesson()
     StepClock& clock;
     Ear& ear;
     Stopwatch now;
@@ -54,6 +55,8 @@ class Activity {
   public:
     virtual ~Activity() = default;
 
+    /// It goes on over the lesson's metal, not on a page before the lesson.
+    virtual bool inLesson() const { return true; }
     virtual Allowed allowed() const = 0;
     /// `forScore`: the next attempt is one for score.
     virtual NextAttempt nextAttempt(bool forScore) const = 0;
@@ -75,6 +78,7 @@ class Activity {
 /// There is no metal: the person is on a page before the lesson.
 class NoActivity final : public Activity {
   public:
+    bool inLesson() const override { return false; }
     Allowed allowed() const override { return {}; }
     NextAttempt nextAttempt(bool) const override { return NextAttempt::none; }
     std::optional<int> due(ActivityFrame&) override { return std::nullopt; }

@@ -34,13 +34,13 @@ void Attempt::tellJudgement() {
 }
 
 std::optional<int> Attempt::due(ActivityFrame& frame) {
-    if (!frame.waits && !frame.stopped) return frame.clock.due(frame.seconds, frame.trainer.timeStep(), frame.beside);
+    if (!frame.waits && !frame.stopped) return frame.clock.due(frame.seconds, frame.trainer->timeStep(), frame.beside);
     frame.clock.restart();
     return std::nullopt;
 }
 
 void Attempt::step(ActivityFrame& frame, int step, int steps) {
-    Trainer& trainer = frame.trainer;
+    Trainer& trainer = *frame.trainer;
     if (step == 0 && frame.clock.dropped() && trainer.arc().burns())
         trainer.event("samples", droppedText(steps * trainer.timeStep()));
     trainer.setRealTime(frame.clock.speed());
@@ -51,7 +51,7 @@ void Attempt::step(ActivityFrame& frame, int step, int steps) {
 }
 
 void Attempt::finish(ActivityFrame& frame) {
-    Trainer& trainer = frame.trainer;
+    Trainer& trainer = *frame.trainer;
     log_.keepMoment(trainer, frame.clock.speedOfSteps(trainer.timeStep()));
     cues_.update(trainer, frame.forScore, frame.seconds);
     const auto& bands = trainer.lesson().technique;
@@ -67,7 +67,7 @@ void Attempt::judge(const Trainer& trainer) {
         cues_.practised(*judged->judgement.score);
 }
 
-bool Attempt::goBack(Trainer& trainer) {
+bool Attempt::beginFromCheckpoint(Trainer& trainer) {
     if (!log_.moments().back(trainer)) return false;
     judge_.forget();
     return true;

@@ -1,4 +1,5 @@
 // A person's own attempt: the weld under their torch, with the help beside it, its judgement, and what is kept of it.
+// It begins over the metal at its start, or again from one of its checkpoints: then it is redone.
 #pragma once
 
 #include "app/activities/activity.hpp"
@@ -25,6 +26,9 @@ class Attempt final : public Activity {
     /// Begins over the metal at its start. An attempt for score is welded once, from its beginning to its end. Answers
     /// why its record cannot be written; empty: it is, or none is wanted.
     std::string begin(Trainer& trainer, bool forScore);
+    /// Begins again from an earlier moment of its own metal, see Redo::back(): files, cues and ghost go on, the
+    /// judgement is forgotten. False where no such moment is kept. Waits for the GPU.
+    bool beginFromCheckpoint(Trainer& trainer);
     /// The attempt is over, or there was none: its judgement goes into its recording.
     void end();
     /// Puts the metal back to its start for another attempt; the judgement goes into the recording of this one.
@@ -37,9 +41,6 @@ class Attempt final : public Activity {
     /// The judgement of the attempt, until the arc burns again or another attempt begins, and how many there were.
     const std::optional<JudgedAttempt>& judged() const { return judge_.judged(); }
     size_t judgements() const { return judge_.count(); }
-    /// Goes back to an earlier moment, see Redo::back(), and forgets the judgement; false where none is kept.
-    bool goBack(Trainer& trainer);
-
     AttemptLog& log() { return log_; }
     const AttemptLog& log() const { return log_; }
     /// Help beside the torch.

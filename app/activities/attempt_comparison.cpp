@@ -33,7 +33,7 @@ void AttemptComparison::begin(const Side& first, const Side& second) {
         throw InputError(first.file, 0, "cannot be compared with itself; expected two attempts");
     std::array<std::optional<Lesson>, 2> lessons{lessonOfAttempt(first.file), lessonOfAttempt(second.file)};
     requireSame(*lessons[0], *lessons[1], second);
-    stop();
+    end();
     title_ = lessons[0]->title;
     bands_ = lessons[0]->technique;
     chosen_ = {first, second};
@@ -43,12 +43,10 @@ void AttemptComparison::begin(const Side& first, const Side& second) {
         sides_[i] = known(chosen_[i].file, sizeOf(chosen_[i].file));
         if (!sides_[i]) ++due_;
     }
-    shown_ = true;
     if (due_ == 0) compare();
 }
 
-void AttemptComparison::stop() {
-    shown_ = false;
+void AttemptComparison::end() {
     trainer_.reset();
     lessons_ = {};
     sides_ = {};
@@ -64,7 +62,12 @@ AttemptComparison::Kept AttemptComparison::known(const std::filesystem::path& fi
     return found == kept_.end() ? Kept() : *found;
 }
 
-void AttemptComparison::update(gl::ShaderLibrary& shaders, double seconds, double (*now)()) {
+std::optional<int> AttemptComparison::due(ActivityFrame& frame) {
+    update(frame.shaders, frame.seconds, frame.now);
+    return std::nullopt;
+}
+
+void AttemptComparison::update(gl::ShaderLibrary& shaders, double seconds, Stopwatch now) {
     if (!welding()) return;
     try {
         if (!trainer_) {

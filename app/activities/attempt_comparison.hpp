@@ -2,6 +2,7 @@
 // other.
 #pragma once
 
+#include "app/activities/activity.hpp"
 #include "app/activities/comparison_rows.hpp"
 #include "app/activities/replay_end.hpp"
 #include "app/activities/seek_pace.hpp"
@@ -26,7 +27,8 @@ struct ComparedAttempt {
     ReplayEnd end; ///< whether it is the attempt to the last bit
 };
 
-class AttemptComparison {
+/// Goes on beside the list of attempts, outside a lesson: it makes the metal of both itself.
+class AttemptComparison final : public Activity {
   public:
     static constexpr size_t kKept = 6; ///< attempts whose results stay known
 
@@ -39,15 +41,23 @@ class AttemptComparison {
     /// Reads both; nothing is welded yet. Throws InputError where they are no two attempts at the same weld lesson, and
     /// what lessonOfAttempt() throws; what was shown before stays then.
     void begin(const Side& first, const Side& second);
-    /// Frees the metal and shows nothing; results that are whole stay known.
-    void stop();
+    /// Frees the metal and forgets both; results that are whole stay known.
+    void end();
 
-    bool shown() const { return shown_; }
+    bool inLesson() const override { return false; }
+    Allowed allowed() const override { return {}; }
+    NextAttempt nextAttempt(bool) const override { return NextAttempt::none; }
+    bool hurries() const override { return welding(); }
+    /// Makes the steps of the frame itself, see update().
+    std::optional<int> due(ActivityFrame& frame) override;
+    void step(ActivityFrame&, int, int) override {}
+    void finish(ActivityFrame&) override {}
+
     /// Steps are still to be made.
-    bool welding() const { return shown_ && fault_.empty() && !rows_; }
-    /// A frame's share of the welding; `seconds`: of the last frame, `now`: s of a clock that never goes back. The
-    /// first one of each attempt makes its metal and its last one waits for the GPU. A fault is told in fault().
-    void update(gl::ShaderLibrary& shaders, double seconds, double (*now)());
+    bool welding() const { return fault_.empty() && !rows_ && lessons_[current()].has_value(); }
+    /// A frame's share of the welding; `seconds`: of the last frame. The first one of each attempt makes its
+    /// metal and its last one waits for the GPU. A fault is told in fault().
+    void update(gl::ShaderLibrary& shaders, double seconds, Stopwatch now);
 
     /// 0..1 of all the welding that there was to do.
     double progress() const;
@@ -77,7 +87,6 @@ class AttemptComparison {
     void finishSide();
     void compare();
 
-    bool shown_ = false;
     std::string title_;
     std::optional<TechniqueBands> bands_;
     std::array<Side, 2> chosen_;

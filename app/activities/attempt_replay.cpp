@@ -38,25 +38,26 @@ void AttemptReplay::end() {
 }
 
 std::optional<int> AttemptReplay::due(ActivityFrame& frame) {
-    frame.trainer.listen(line_.seeking() ? nullptr : &frame.ear);
+    frame.trainer->listen(line_.seeking() ? nullptr : &frame.ear);
     if (frame.stopped || (!line_.seeking() && !line_.playing())) {
         frame.clock.restart();
         collect();
         return std::nullopt;
     }
-    if (!line_.seeking()) return frame.clock.due(frame.seconds * line_.speed(), frame.trainer.timeStep(), frame.beside);
-    frame.changed |= seek(frame.trainer, frame.seconds, frame.profiler);
+    if (!line_.seeking())
+        return frame.clock.due(frame.seconds * line_.speed(), frame.trainer->timeStep(), frame.beside);
+    frame.changed |= seek(*frame.trainer, frame.seconds, frame.profiler);
     frame.clock.restart();
     finish(frame);
     return std::nullopt;
 }
 
 void AttemptReplay::step(ActivityFrame& frame, int, int) {
-    step(frame.trainer, frame.profiler);
+    step(*frame.trainer, frame.profiler);
 }
 
 void AttemptReplay::finish(ActivityFrame& frame) {
-    if (findFaults(frame.trainer)) frame.clock.restart();
+    if (findFaults(*frame.trainer)) frame.clock.restart();
     collect();
 }
 

@@ -39,7 +39,6 @@ class AttemptReplay final : public Activity {
     void step(ActivityFrame& frame, int step, int steps) override;
     void finish(ActivityFrame& frame) override;
 
-    bool shown() const { return line_.shown(); }
     ReplayTimeline& line() { return line_; }
     const ReplayTimeline& line() const { return line_; }
 
@@ -87,7 +86,7 @@ class AttemptReplay final : public Activity {
     CurveTrack speed_, distance_;
     std::optional<ReplayEnd> comparison_;
     SeekPace pace_{kSeekSlice};
-    std::unique_ptr<KeptMoments> moments_; ///< of a replay that is shown
+    std::unique_ptr<KeptMoments> moments_; ///< between begin() and end()
     MomentsOfAttempt recorded_;            ///< the same from the file, however far they lie apart
 };
 

@@ -20,7 +20,7 @@ class Demonstration final : public Activity {
         *this = {};
         duration_ = duration;
         otherSettings_ = otherSettings;
-        shown_ = playing_ = welds_ = true;
+        playing_ = welds_ = true;
     }
     void end() { *this = {}; }
 
@@ -30,7 +30,6 @@ class Demonstration final : public Activity {
     void step(ActivityFrame& frame, int step, int steps) override;
     void finish(ActivityFrame& frame) override;
 
-    bool shown() const { return shown_; }
     bool playing() const { return playing_; }
     bool welds() const { return welds_; }
     double time() const { return time_; } ///< s
@@ -62,7 +61,6 @@ class Demonstration final : public Activity {
     }
 
   private:
-    bool shown_ = false;
     bool playing_ = false;
     bool welds_ = false;
     bool metalDue_ = false;

@@ -1,4 +1,5 @@
 // The way back into the running attempt: an earlier moment of its metal, from which it is welded again as practice.
+// The person stays at that Attempt, which begins from a checkpoint: see Attempt::beginFromCheckpoint().
 #pragma once
 
 #include "core/training/attempt/kept_moments.hpp"

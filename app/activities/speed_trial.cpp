@@ -71,13 +71,13 @@ void SpeedTrial::begin(const Lesson& lesson) {
 
 /// Once it asks how to go on, the lesson is what it is before an attempt. A result that was open stays open meanwhile.
 Allowed SpeedTrial::allowed() const {
-    const bool asks = !running();
+    const bool asks = !measuring();
     return {.ownTorch = true, .values = asks, .help = asks, .judging = true, .notes = asks};
 }
 
 std::optional<int> SpeedTrial::due(ActivityFrame& frame) {
-    Trainer& trainer = frame.trainer;
-    if (!running() || frame.stopped) {
+    Trainer& trainer = *frame.trainer;
+    if (!measuring() || frame.stopped) {
         frame.clock.restart();
         return std::nullopt;
     }
@@ -106,12 +106,12 @@ SpeedTrial::Verdict SpeedTrial::count(double real, double simulated) {
     }
     ++current_;
     waited_ = real_ = simulated_ = 0;
-    return running() ? Verdict::another : Verdict::tooSlow;
+    return measuring() ? Verdict::another : Verdict::tooSlow;
 }
 
 SpeedTrial::Verdict SpeedTrial::skip() {
     offers_.erase(offers_.begin() + static_cast<std::ptrdiff_t>(current_));
-    return running() ? Verdict::another : Verdict::tooSlow;
+    return measuring() ? Verdict::another : Verdict::tooSlow;
 }
 
 Question SpeedTrial::question() const {

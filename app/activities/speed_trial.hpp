@@ -34,7 +34,7 @@ class SpeedTrial final : public Activity {
     NextAttempt nextAttempt(bool) const override {
         return offers_.empty() ? NextAttempt::freshMetal : NextAttempt::none;
     }
-    bool hurries() const override { return running(); }
+    bool hurries() const override { return measuring(); }
     /// Makes the steps of the frame itself and counts them, see takeVerdict().
     std::optional<int> due(ActivityFrame& frame) override;
     void step(ActivityFrame&, int, int) override {}
@@ -47,7 +47,8 @@ class SpeedTrial final : public Activity {
     /// Verdict of the frame that was counted last, once; `more` where none was.
     Verdict takeVerdict() { return std::exchange(verdict_, Verdict::more); }
     void stop() { offers_.clear(); }
-    bool running() const { return current_ < offers_.size(); }
+    /// Offers are still to be measured; else it asks, or was stopped.
+    bool measuring() const { return current_ < offers_.size(); }
     /// What is to be measured now.
     const SpeedOffer& current() const { return offers_[current_]; }
 

@@ -17,11 +17,10 @@ class ReplayTimeline {
     void begin(double duration) {
         *this = {};
         duration_ = duration;
-        shown_ = playing_ = true;
+        playing_ = true;
     }
     void end() { *this = {}; }
 
-    bool shown() const { return shown_; }
     /// Steps follow the clock; while it seeks, as soon as the place is reached.
     bool playing() const { return playing_; }
     double time() const { return time_; }
@@ -69,7 +68,6 @@ class ReplayTimeline {
     }
 
   private:
-    bool shown_ = false;
     bool playing_ = false;
     bool over_ = false;
     bool fresh_ = false;

@@ -100,7 +100,7 @@ void DesktopApp::weldBeside() {
 }
 
 void DesktopApp::reset() {
-    if (session_.replay().shown())
+    if (session_.activities().at(session_.activities().replay))
         start(&LessonSession::begin);
     else
         session_.reset(controls_);

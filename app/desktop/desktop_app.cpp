@@ -155,7 +155,7 @@ void DesktopApp::frame() {
 bool DesktopApp::rests() const {
     if (headsetFrame_) return false;
     // A headset that is about to open with its lesson is not kept waiting.
-    const bool before = !session_.running() && (home_.open || !headset_) && !home_.comparison.welding();
+    const bool before = !session_.running() && (home_.open || !headset_) && !session_.activities().current().hurries();
     const bool still = before || picture_.stands();
     return window_.minimised() || (still && !window_.stirred());
 }
@@ -183,7 +183,6 @@ void DesktopApp::runFrame() {
     if (timed) profiler_.beginFrame();
     picture_.count(session_, seconds, stepsBeside_);
     simulate(input, seconds);
-    if (home_.open) home_.comparison.update(shaders_, seconds, machineSeconds);
     drawHeadset(seconds);
     preparePicture(seconds);
     const MenuRequest request = drawMenus();
@@ -241,6 +240,7 @@ void DesktopApp::simulate(const InputFrame& input, double seconds) {
     if (!session_.running()) { // what was told of the lesson is over
         figures_.caption = {};
         notices_.update(session_, figures_, controls_.triggerLock(), seconds, messages_);
+        session_.advance(controls_, seconds, nullptr); // of a comparison
         return;
     }
     controls_.update(input, seconds);
@@ -403,8 +403,7 @@ void DesktopApp::writeTelemetry() {
                       screenshot_,
                       stepsBeside_.has_value(),
                       session_.attempt().judged(),
-                      session_.demonstration(),
-                      session_.replay(),
+                      session_.activities(),
                       session_.picture().cut(),
                       headset_ ? headset_->status() : HeadsetStatus{},
                       meter_,

@@ -10,8 +10,8 @@ void DesktopApp::moveByKeys(const InputFrame& input) {
     if (menus_.panels.help) return;
     if (home_.open && home_.attempts.shown()) {
         if (std::find(input.struck.begin(), input.struck.end(), Key::escape) == input.struck.end()) return;
-        if (home_.comparison.shown())
-            home_.comparison.stop();
+        if (Activities& activities = session_.activities(); activities.at(activities.comparison))
+            activities.endComparison();
         else
             home_.attempts.hide();
         return;
@@ -30,8 +30,8 @@ void DesktopApp::moveByKeys(const InputFrame& input) {
 
 /// Keys of the demonstration: pause, its time, and Enter for one's own attempt.
 void DesktopApp::demonstrateByKeys(const InputFrame& input) {
-    Demonstration& demonstration = session_.demonstration();
-    if (!demonstration.shown() || menus_.panels.help) return;
+    if (menus_.panels.help) return;
+    Demonstration& demonstration = session_.activities().demonstration;
     for (const Key key : input.pressed) {
         if (key == Key::left) demonstration.moveTo(demonstration.time() - Demonstration::kKeyStep);
         if (key == Key::right) demonstration.moveTo(demonstration.time() + Demonstration::kKeyStep);
@@ -45,7 +45,7 @@ void DesktopApp::demonstrateByKeys(const InputFrame& input) {
 /// Keys of a kept attempt: pause and its time.
 void DesktopApp::replayByKeys(const InputFrame& input) {
     if (menus_.panels.help) return;
-    ReplayTimeline& line = session_.replay().line();
+    ReplayTimeline& line = session_.activities().replay.line();
     for (const Key key : input.pressed) {
         if (key == Key::left) line.seek(line.target() - ReplayTimeline::kKeyStep);
         if (key == Key::right) line.seek(line.target() + ReplayTimeline::kKeyStep);
@@ -54,11 +54,12 @@ void DesktopApp::replayByKeys(const InputFrame& input) {
 }
 
 void DesktopApp::handleKeys(const InputFrame& input) {
+    const Activities& activities = session_.activities();
     if (!session_.running())
         moveByKeys(input);
-    else if (session_.replay().shown())
+    else if (activities.at(activities.replay))
         replayByKeys(input);
-    else
+    else if (activities.at(activities.demonstration))
         demonstrateByKeys(input);
     for (const Key key : input.struck)
         act(key);

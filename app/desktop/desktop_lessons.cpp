@@ -34,7 +34,6 @@ void DesktopLessons::goHome() {
 /// Its values become those of the settings file; what was set in the lesson before is kept there.
 void DesktopLessons::take(Lesson opened) {
     leave();
-    home_.comparison.stop();
     settings_.takeFrom(session_.lesson(), session_.sections());
     session_.open(std::move(opened));
     settings_.giveTo(session_.lesson(), session_.sections());
@@ -121,7 +120,7 @@ bool DesktopLessons::weldBeside(const std::filesystem::path& file, double now) {
 void DesktopLessons::compare(double now) {
     const auto& [first, second] = home_.attempts.pair();
     try {
-        home_.comparison.begin({first.file, first.detail}, {second.file, second.detail});
+        session_.compare({first.file, first.detail}, {second.file, second.detail});
     } catch (const std::exception& fault) {
         messages_.warn(phrase("desk.message.not_compared", {{"reason", fault.what()}}), now, "start");
     }

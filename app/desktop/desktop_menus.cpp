@@ -25,11 +25,12 @@ MenuRequest DesktopMenus::draw(const DesktopMenuContent& content) {
     ui::Context& context = interface_.context();
     LessonSession& session = content.session;
     // In a narrow window it would lie over the demonstration's controls.
-    const bool covers = session.demonstration().shown() && ui::narrowerThan(context, 760);
-    machineWaits_ = session.picture().cut().shown() || session.replay().shown() || covers;
+    const Activities& activities = session.activities();
+    const bool covers = activities.at(activities.demonstration) && ui::narrowerThan(context, 760);
+    machineWaits_ = session.picture().cut().shown() || activities.at(activities.replay) || covers;
     MenuRequest request = MenuRequest::none;
     if (content.home.open)
-        request = ui::homePage(context, content.home, content.driver, panels.help);
+        request = ui::homePage(context, content.home, session.activities(), content.driver, panels.help);
     else if (!session.running())
         request = ui::startMenu(context, session, content.home, content.driver);
     else if (!panels.hidden)
@@ -48,11 +49,12 @@ MenuRequest DesktopMenus::drawPanels(const DesktopMenuContent& content) {
     ui::statusBar(context, content.figures, content.controls);
     if (!content.figures.caption.empty())
         ui::captionLine(context, content.figures.caption, coveredLeft(), coveredRight());
-    if (content.session.demonstration().shown())
+    const Activities& activities = content.session.activities();
+    if (activities.at(activities.demonstration))
         if (const MenuRequest asked = ui::demonstrationBar(context, content.session, coveredLeft(), coveredRight());
             asked != MenuRequest::none)
             request = asked;
-    if (content.session.replay().shown())
+    if (activities.at(activities.replay))
         if (const MenuRequest asked = ui::replayBar(context, content.session); asked != MenuRequest::none)
             request = asked;
     ui::temperatureScale(context, lesson.look.colours, content.session.run().scene()->view().temperature,

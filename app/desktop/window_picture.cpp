@@ -8,7 +8,7 @@ namespace meltpool {
 
 void WindowPicture::count(const LessonSession& session, double seconds, const std::optional<StepsBeside>& beside) {
     const double steps = session.run().clock().busy();
-    const bool hurries = session.activity().hurries();
+    const bool hurries = session.activities().current().hurries();
     const bool metalStopped = still_.count(seconds, beside || steps > 0 || hurries);
     if (!session.running()) stands_ = false;
     if (!session.running() || metalStopped) return budget_.restart();

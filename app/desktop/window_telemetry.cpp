@@ -115,16 +115,19 @@ json judgement(const std::optional<JudgedAttempt>& judged) {
             {"corrections", judged->rows.corrections}};
 }
 
-/// Null while none is shown.
-json demonstration(const Demonstration& shown) {
-    if (!shown.shown()) return nullptr;
+/// Null while the person is at something else.
+json demonstration(const Activities& activities) {
+    const Demonstration& shown = activities.demonstration;
+    if (!activities.at(shown)) return nullptr;
     return {
         {"time", shown.time()}, {"duration", shown.duration()}, {"playing", shown.playing()}, {"welds", shown.welds()}};
 }
 
-/// Null while none is shown; `same` is null before the end and where there is nothing to compare with.
-json replay(const AttemptReplay& shown) {
-    if (!shown.shown()) return nullptr;
+/// Null while the person is at something else; `same` is null before the end and where there is nothing to compare
+/// with.
+json replay(const Activities& activities) {
+    const AttemptReplay& shown = activities.replay;
+    if (!activities.at(shown)) return nullptr;
     const ReplayTimeline& line = shown.line();
     json same = nullptr;
     if (const auto& end = shown.comparison(); end && end->verdict != ReplayEnd::Verdict::unknown)
@@ -206,8 +209,8 @@ void WindowTelemetry::write(const TelemetryRow& row) {
         {"places", places(row.context)},
         {"screenshot", row.screenshot},
         {"judgement", judgement(row.judged)},
-        {"demonstration", demonstration(row.demonstration)},
-        {"replay", replay(row.replay)},
+        {"demonstration", demonstration(row.activities)},
+        {"replay", replay(row.activities)},
         {"cut", cut(row.cut)},
         {"headset", headset(row.headset)},
         {"frame_costs", frameCosts(row.meter, row.callsCounted)},

@@ -1,9 +1,8 @@
 // The state of the window for tests and observers: a file with one JSON object a line, the newest last.
 #pragma once
 
+#include "app/activities/activities.hpp"
 #include "app/activities/attempt_judge.hpp"
-#include "app/activities/attempt_replay.hpp"
-#include "app/activities/demonstration.hpp"
 #include "app/platform/frame_meter.hpp"
 #include "app/session/controls.hpp"
 #include "app/session/cut_view.hpp"
@@ -41,8 +40,7 @@ struct TelemetryRow {
     std::string screenshot;                     ///< the last picture saved
     bool stepsBeside = false;                   ///< a thread of their own made the last frame's steps
     const std::optional<JudgedAttempt>& judged; ///< the attempt
-    const Demonstration& demonstration;
-    const AttemptReplay& replay;
+    const Activities& activities;
     const CutView& cut;
     HeadsetStatus headset;
     const FrameMeter& meter;   ///< what the frames before this row cost

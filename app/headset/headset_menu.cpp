@@ -42,7 +42,7 @@ HeadsetMenuAnswer HeadsetMenu::draw(const xr::Panel& panel, const PointerOnPanel
         panel_ = std::make_unique<HeadsetPanel>(panel.shape().widthPixels, panel.shape().heightPixels);
     answer_ = {};
     panel_->draw(panel.framebuffer(), pointer, elapsed, [&](ui::Context& context) {
-        if (content.home.open) return homePart(context, content);
+        if (content.home.open) return homePart(context, session, content);
         lessonPart(context, session, content);
         pagePart(context, session, content);
     });
@@ -50,11 +50,11 @@ HeadsetMenuAnswer HeadsetMenu::draw(const xr::Panel& panel, const PointerOnPanel
 }
 
 /// The list of lessons; below it, closed, what can be set of the headset before any lesson.
-void HeadsetMenu::homePart(ui::Context& context, const HeadsetMenuContent& content) {
+void HeadsetMenu::homePart(ui::Context& context, LessonSession& session, const HeadsetMenuContent& content) {
     ui::strongText(context, phrase("headset.lessons"));
     if (!content.warning.empty()) ui::quietText(context, content.warning);
     ImGui::Dummy({0, context.points(4)});
-    if (const MenuRequest asked = ui::homePart(context, content.home); asked != MenuRequest::none)
+    if (const MenuRequest asked = ui::homePart(context, content.home, session.activities()); asked != MenuRequest::none)
         answer_.request = asked;
     answer_.recentre = plainButton(context, "headset.recentre", "headset.button.recentre", 140);
     if (group(context, "headset", "Headset")) headsetPage(context, content);
@@ -69,10 +69,11 @@ void HeadsetMenu::lessonPart(ui::Context& context, LessonSession& session, const
     if (!content.warning.empty()) ui::quietText(context, content.warning);
     ImGui::Dummy({0, context.points(4)});
     if (session.question().asked()) return ui::questionPart(context, session.question());
-    if (session.demonstration().shown())
+    const Activities& activities = session.activities();
+    if (activities.at(activities.demonstration))
         if (const MenuRequest asked = ui::demonstrationPart(context, session); asked != MenuRequest::none)
             answer_.request = asked;
-    if (session.replay().shown())
+    if (activities.at(activities.replay))
         if (const MenuRequest asked = ui::replayPart(context, session); asked != MenuRequest::none)
             answer_.request = asked;
     lessonButtons(context, session);

@@ -40,7 +40,7 @@ class HeadsetMenu {
     std::map<std::string, ui::Place> places() const;
 
   private:
-    void homePart(ui::Context& context, const HeadsetMenuContent& content);
+    void homePart(ui::Context& context, LessonSession& session, const HeadsetMenuContent& content);
     void lessonPart(ui::Context& context, LessonSession& session, const HeadsetMenuContent& content);
     void lessonButtons(ui::Context& context, const LessonSession& session);
     void headsetPage(ui::Context& context, const HeadsetMenuContent& content);

@@ -1,7 +1,6 @@
 // The home page that window and headset share: which lessons there are, which one is chosen, the best scores.
 #pragma once
 
-#include "app/activities/attempt_comparison.hpp"
 #include "app/library/best_scores.hpp"
 #include "app/library/lesson_catalogue.hpp"
 #include "app/library/lesson_pictures.hpp"
@@ -58,7 +57,6 @@ class Home {
     BestScores scores;
     LessonPictures pictures;
     ReplayList attempts;
-    AttemptComparison comparison; ///< of two of them; while it is shown it stands in their list's place
 
   private:
     /// The index a row further, at the same column or the row's end; the same index where there is no such row.

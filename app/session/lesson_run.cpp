@@ -47,8 +47,8 @@ void LessonRun::guarded(FunctionRef<void()> work) {
 
 bool LessonRun::beginSteps(RunFrame frame, Ear& ear, gl::Profiler* profiler) {
     ActivityFrame& now =
-        frame_.emplace(ActivityFrame{*trainer_, clock_, ear, now_, profiler, frame.seconds, beside_, frame.waits,
-                                     frame.forScore, !fault_.empty(), false, std::move(frame.torch)});
+        frame_.emplace(ActivityFrame{shaders_, trainer_.get(), clock_, ear, now_, profiler, frame.seconds, beside_,
+                                     frame.waits, frame.forScore, !fault_.empty(), false, std::move(frame.torch)});
     std::optional<int> due;
     guarded([&] {
         due = activities_.current().due(now);

@@ -65,7 +65,7 @@ class LessonRun {
     /// The next steps are made beside a picture, whose frame takes so long besides steps (s); 0: before it.
     void stepBeside(double rest) { beside_ = rest; }
     /// True: makeSteps() and then finishSteps() are to be called before anything else of the lesson but completing and
-    /// drawing its picture. `ear` hears them. Only where there is metal.
+    /// drawing its picture. `ear` hears them. Outside a lesson nothing is left to be made: false.
     bool beginSteps(RunFrame frame, Ear& ear, gl::Profiler* profiler);
     /// May run on the thread of the metal's context, while the picture shows the metal as it was.
     void makeSteps(gl::Profiler* profiler);

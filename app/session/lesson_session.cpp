@@ -76,13 +76,13 @@ void LessonSession::makeMetal(const ProcessSettings* process) {
     run_.free();
     Lesson made = lesson();
     const SpeedTrial& trial = activities_.trial;
-    if (trial.running())
+    if (trial.measuring())
         for (const auto& [key, value] : trial.current().values)
             made.set(key, value, "a value that was offered");
     if (process != nullptr) made.process = *process;
     run_.make(std::move(made));
     hearing_.ear.reset();
-    if (!trial.running()) run_.trainer()->listen(&hearing_.ear);
+    if (!trial.measuring()) run_.trainer()->listen(&hearing_.ear);
     if (process == nullptr) values_.follow(*run_.trainer());
 }
 
@@ -108,7 +108,7 @@ void LessonSession::demonstrate(Controls& controls) {
     prepare(controls);
     makeMetal(values_.machineChosen() ? &values_.given() : nullptr);
     beginOver(activities_.demonstration);
-    demonstration().begin(lesson().torch.duration(), !values_.followed());
+    activities_.demonstration.begin(lesson().torch.duration(), !values_.followed());
 }
 
 void LessonSession::openReplay(Lesson attempt, Controls& controls) {
@@ -117,7 +117,13 @@ void LessonSession::openReplay(Lesson attempt, Controls& controls) {
     run_.make(std::move(attempt));
     hearing_.ear.reset();
     beginOver(activities_.replay);
-    replay().begin(*run_.trainer(), thisMachine(), run_.stopwatch());
+    activities_.replay.begin(*run_.trainer(), thisMachine(), run_.stopwatch());
+}
+
+void LessonSession::compare(const AttemptComparison::Side& first, const AttemptComparison::Side& second) {
+    if (running()) end("two attempts are compared");
+    activities_.comparison.begin(first, second);
+    activities_.turnTo(activities_.comparison);
 }
 
 void LessonSession::reset(Controls& controls) {
@@ -129,7 +135,7 @@ void LessonSession::reset(Controls& controls) {
     case NextAttempt::sameMetal:
         break;
     }
-    demonstration().end();
+    activities_.demonstration.end();
     closeCut(controls);
     controls.reset();
     lead_.begin(lesson());
@@ -143,7 +149,7 @@ void LessonSession::settle(Controls& controls) {
     if (answer < 0 || !question_.asked()) return;
     question_ = {};
     if (!running()) return; // the machine is set on the lesson's first page
-    if (!activities_.trial.offers().empty()) return settleTrial(answer, controls);
+    if (activities_.at(activities_.trial)) return settleTrial(answer, controls);
     if (answer == 0) {
         log().records().renounce();
         return;
@@ -158,7 +164,7 @@ void LessonSession::end(std::string_view reason) noexcept {
     activities_.end();
     values_.unfollow();
     run_.forgetSurfaceDistance();
-    if (!running()) return;
+    if (run_.trainer() == nullptr) return;
     log().stop(*run_.trainer(), reason);
     run_.free();
     log().close();
@@ -179,7 +185,7 @@ void LessonSession::redo(Controls& controls) {
     if (!redoes()) return;
     closeCut(controls);
     try {
-        if (!attempt().goBack(*run_.trainer())) return;
+        if (!attempt().beginFromCheckpoint(*run_.trainer())) return;
     } catch (const std::exception& fault) { // the metal may be of neither moment
         run_.stop(fault.what());
         run_.event("fault", run_.fault());

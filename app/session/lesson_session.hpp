@@ -46,33 +46,33 @@ class LessonSession {
     /// Makes the metal of a kept attempt, see lessonOfAttempt(), and plays it. It has no record and is not judged; the
     /// menus' values change nothing of it. reset() ends it and begins an attempt. Throws as begin() does.
     void openReplay(Lesson attempt, Controls& controls);
+    /// Compares two kept attempts, see AttemptComparison::begin(), whose metal advance() makes and steps. A running
+    /// lesson ends.
+    void compare(const AttemptComparison::Side& first, const AttemptComparison::Side& second);
     /// Puts metal and source back to their start: another attempt. No shader is compiled anew.
     void reset(Controls& controls);
     /// Ends the lesson and frees the metal. `reason` stands in the attempt's record.
     void end(std::string_view reason) noexcept;
-    /// There is metal.
-    bool running() const { return run_.trainer() != nullptr; }
+    /// The person is in the lesson: their activity goes on over its metal.
+    bool running() const { return activities_.current().inLesson(); }
 
-    /// The person's activity, which tells what is allowed.
-    const Activity& activity() const { return activities_.current(); }
-    TorchLeader leader() const { return lead_.leader(activity().allowed()); }
+    /// All that the person can be at, and the one that they are at. Demonstration and replay are played, paused and
+    /// moved through these.
+    Activities& activities() { return activities_; }
+    const Activities& activities() const { return activities_; }
+    TorchLeader leader() const { return lead_.leader(activities_.allowed()); }
     /// The person's own arc burns: what interrupts the frames now would lose what the hand does meanwhile.
-    bool welds() const { return activity().allowed().ownTorch && run_.arc().burns(); }
+    bool welds() const { return activities_.allowed().ownTorch && run_.arc().burns(); }
     /// No step was made in the last frame, as the person looks around or the weld is cut open.
     bool paused() const { return paused_; }
     Attempt& attempt() { return activities_.attempt; }
     const Attempt& attempt() const { return activities_.attempt; }
-    /// It is played, paused and moved through this.
-    Demonstration& demonstration() { return activities_.demonstration; }
-    const Demonstration& demonstration() const { return activities_.demonstration; }
-    AttemptReplay& replay() { return activities_.replay; }
-    const AttemptReplay& replay() const { return activities_.replay; }
     /// Files and moments of the attempts.
     AttemptLog& log() { return attempt().log(); }
     const AttemptLog& log() const { return attempt().log(); }
 
-    /// Runs the steps that fit into `seconds` of real time. The torch follows `held`, or the controls where that is
-    /// empty; then nothing runs in view mode.
+    /// Runs the steps that fit into `seconds` of real time, of a comparison too. The torch follows `held`, or the
+    /// controls where that is empty; then nothing runs in view mode.
     void advance(const Controls& controls, double seconds, gl::Profiler* profiler, const TorchSource& held = {});
     /// advance() in three parts, the others being of run(), see LessonRun::beginSteps(); `controls` must stay as they
     /// are until the steps are finished. False: all is done.
@@ -90,7 +90,7 @@ class LessonSession {
     void settle(Controls& controls);
 
     /// The weld can be measured and judged.
-    bool judges() const { return activity().allowed().judging && run_.trainer()->technique() != nullptr; }
+    bool judges() const { return activities_.allowed().judging && run_.trainer()->technique() != nullptr; }
     /// Judges the attempt so far, see Attempt::judge(). A fault stops the simulation.
     void judge();
     /// The attempt can go back to an earlier moment now.

@@ -24,8 +24,13 @@ void LessonSession::advance(const Controls& controls, double seconds, gl::Profil
 
 bool LessonSession::beginSteps(const Controls& controls, double seconds, gl::Profiler* profiler,
                                const TorchSource& held) {
-    if (!running()) return false;
-    const Allowed allowed = activity().allowed();
+    if (!running()) {
+        RunFrame frame;
+        frame.seconds = seconds;
+        run_.beginSteps(std::move(frame), hearing_.ear, profiler);
+        return false;
+    }
+    const Allowed allowed = activities_.allowed();
     if (allowed.values) {
         values_.lesson().source.kind = controls.source().cold() ? 1 : 0;
         values_.apply(*run_.trainer());
@@ -38,7 +43,7 @@ bool LessonSession::beginSteps(const Controls& controls, double seconds, gl::Pro
     RunFrame frame{seconds, waits(controls), values_.forScore(),
                    [this](int step, int steps) { return nextTorch(step, steps); }};
     const bool due = run_.beginSteps(std::move(frame), hearing_.ear, profiler);
-    if (activities_.trial.running() && !run_.fault().empty()) {
+    if (activities_.trial.measuring() && !run_.fault().empty()) {
         activities_.trial.stop();
         question_ = {};
         return false;

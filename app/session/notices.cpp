@@ -88,7 +88,7 @@ void Notices::update(LessonSession& session, LessonFigures& figures, const Trigg
                      Messages& messages) {
     figures.slow = {};
     std::string_view sentence;
-    if (session.activity().allowed().ownTorch) {
+    if (session.activities().allowed().ownTorch) {
         if (!session.paused()) figures.slow = slow_.update(figures.speed, elapsed); // else the metal stands
         sentence = arc_.update(session.run().arc(), traitsOf(session.lesson().process).striking, elapsed);
         if (session.attempt().cues().withheld(CueKind::arc)) sentence = {};

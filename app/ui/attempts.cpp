@@ -77,9 +77,9 @@ void pageButtons(Context& context, ReplayList& list, size_t pages) {
 
 } // namespace
 
-MenuRequest attemptList(Context& context, Home& home, size_t rows) {
-    if (home.comparison.shown()) {
-        comparisonPart(context, home.comparison);
+MenuRequest attemptList(Context& context, Home& home, Activities& activities, size_t rows) {
+    if (activities.at(activities.comparison)) {
+        comparisonPart(context, activities);
         return MenuRequest::none;
     }
     ReplayList& list = home.attempts;

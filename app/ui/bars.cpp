@@ -37,8 +37,9 @@ struct ModeName {
 ModeName modeOf(const Controls& controls, const LessonSession& session) {
     if (session.picture().cut().shown()) return {"bar.mode.cut_open", colour::kCold};
     // A demonstration goes on while the person looks around.
-    if (session.demonstration().shown()) return {"bar.mode.demonstration", colour::kCold};
-    if (session.replay().shown()) return {"bar.mode.replay", colour::kCold};
+    const Activities& activities = session.activities();
+    if (activities.at(activities.demonstration)) return {"bar.mode.demonstration", colour::kCold};
+    if (activities.at(activities.replay)) return {"bar.mode.replay", colour::kCold};
     if (controls.mode() == Mode::interact) return {"bar.mode.working", colour::kAccent};
     return {"bar.mode.looking", colour::kCold};
 }

@@ -135,7 +135,8 @@ void wayPart(Context& context, const AttemptComparison& comparison) {
 
 } // namespace
 
-void comparisonPart(Context& context, AttemptComparison& comparison) {
+void comparisonPart(Context& context, Activities& activities) {
+    const AttemptComparison& comparison = activities.comparison;
     const std::string& leave = phrase(comparison.welding() ? "comparison.button.stop" : "comparison.button.back");
     const bool back =
         button(context, "comparison.back", leave.c_str(), ButtonKind::plain, comparison.welding() ? 80 : 160);
@@ -162,7 +163,7 @@ void comparisonPart(Context& context, AttemptComparison& comparison) {
         figuresOfBoth(context, *comparison.rows());
         curvesOfBoth(context, comparison);
     }
-    if (back) comparison.stop();
+    if (back) activities.endComparison();
 }
 
 } // namespace meltpool::ui

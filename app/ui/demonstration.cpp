@@ -19,7 +19,7 @@ void timeSlider(Context& context, Demonstration& demonstration) {
 } // namespace
 
 MenuRequest demonstrationPart(Context& context, LessonSession& session) {
-    Demonstration& demonstration = session.demonstration();
+    Demonstration& demonstration = session.activities().demonstration;
     MenuRequest request = MenuRequest::none;
     strongText(context, phrase("demonstration.heading"));
     timeSlider(context, demonstration);

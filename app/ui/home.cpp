@@ -131,9 +131,9 @@ std::vector<HomePage> pagesOf(const Home& home) {
 }
 
 /// Between the lessons and the attempts that were kept.
-void attemptsButton(Context& context, Home& home) {
+void attemptsButton(Context& context, Home& home, const Activities& activities) {
     const bool shown = home.attempts.shown();
-    if (home.comparison.shown()) return; // which has its own way back
+    if (activities.at(activities.comparison)) return; // which has its own way back
     if (!button(context, "home.attempts", phrase(shown ? "home.lessons" : "home.attempts").c_str(), ButtonKind::plain,
                 100, phrase(shown ? "home.lessons_tip" : "home.attempts_tip").c_str()))
         return;
@@ -150,7 +150,7 @@ void drawPicture(ImDrawList& draw, GLuint texture, ImVec2 low, ImVec2 high) {
     outlineRounded(draw, low, high, colour::kPanelEdge, 0);
 }
 
-MenuRequest homePage(Context& context, Home& home, const std::string& driver, bool& help) {
+MenuRequest homePage(Context& context, Home& home, Activities& activities, const std::string& driver, bool& help) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     drawBackdrop(screen.x, screen.y);
     ImGui::SetNextWindowPos({0, 0});
@@ -173,7 +173,7 @@ MenuRequest homePage(Context& context, Home& home, const std::string& driver, bo
     ImGui::BeginGroup();
     ImGui::PushFont(low ? context.fonts.strong : context.fonts.title);
     const bool attempts = home.attempts.shown();
-    const bool both = attempts && home.comparison.shown();
+    const bool both = attempts && activities.at(activities.comparison);
     ImGui::TextUnformatted(phrase(both ? "home.two_attempts" : attempts ? "home.attempts" : "home.lessons").c_str());
     ImGui::PopFont();
     if (!low)
@@ -184,7 +184,7 @@ MenuRequest homePage(Context& context, Home& home, const std::string& driver, bo
     ImGui::BeginChild("lessons", {0, -context.points(44)});
     MenuRequest request = MenuRequest::none;
     if (attempts)
-        request = attemptList(context, home, kAttemptsAPage);
+        request = attemptList(context, home, activities, kAttemptsAPage);
     else if (lessonGrid(context, home))
         request = MenuRequest::openLesson;
     ImGui::EndChild();
@@ -193,7 +193,7 @@ MenuRequest homePage(Context& context, Home& home, const std::string& driver, bo
                phrase("home.help_tip").c_str()))
         help = !help;
     ImGui::SameLine(0, context.points(14));
-    attemptsButton(context, home);
+    attemptsButton(context, home, activities);
     ImGui::SameLine(0, context.points(14));
     ImGui::AlignTextToFramePadding();
     quietLine(context, driver);
@@ -201,11 +201,11 @@ MenuRequest homePage(Context& context, Home& home, const std::string& driver, bo
     return request;
 }
 
-MenuRequest homePart(Context& context, Home& home) {
+MenuRequest homePart(Context& context, Home& home, Activities& activities) {
     MenuRequest request = MenuRequest::none;
     if (home.attempts.shown()) {
-        request = attemptList(context, home, kAttemptsOnPanel);
-        attemptsButton(context, home);
+        request = attemptList(context, home, activities, kAttemptsOnPanel);
+        attemptsButton(context, home, activities);
         return request;
     }
     const std::vector<HomePage> pages = pagesOf(home);
@@ -214,7 +214,7 @@ MenuRequest homePart(Context& context, Home& home) {
     const ImVec2 size{ImGui::GetContentRegionAvail().x, context.points(kRowHeight)};
     for (size_t i = page.begin; i < page.end; ++i)
         if (lessonTile(context, home, i, size, true, false)) request = MenuRequest::openLesson;
-    attemptsButton(context, home);
+    attemptsButton(context, home, activities);
     if (pages.size() == 1) return request;
     ImGui::SameLine();
     if (button(context, "home.previous", phrase("home.previous").c_str(), ButtonKind::plain, 100) && home.page > 0)

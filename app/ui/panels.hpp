@@ -28,9 +28,9 @@ float barHeight(const Context& context);
 ShortText hottestText(const LessonFigures& figures);
 
 /// The list of lessons in the whole window. `help`: its button was pressed.
-MenuRequest homePage(Context& context, Home& home, const std::string& driver, bool& help);
+MenuRequest homePage(Context& context, Home& home, Activities& activities, const std::string& driver, bool& help);
 /// The same inside the current window, a few lessons a page, for the headset's panel.
-MenuRequest homePart(Context& context, Home& home);
+MenuRequest homePart(Context& context, Home& home, Activities& activities);
 /// The lesson's first page: what is asked for, the machine's values, start.
 MenuRequest startMenu(Context& context, LessonSession& session, Home& home, const std::string& driver);
 /// The values that are chosen before the start, inside the current window.
@@ -55,11 +55,11 @@ MenuRequest replayBar(Context& context, LessonSession& session);
 /// The same inside the current window, for the headset's panel.
 MenuRequest replayPart(Context& context, LessonSession& session);
 /// The attempts that were kept, newest first, `rows` a page, inside the current window; in their place the comparison
-/// of two of them while one is shown.
-MenuRequest attemptList(Context& context, Home& home, size_t rows);
+/// of two of them while the person is at it.
+MenuRequest attemptList(Context& context, Home& home, Activities& activities, size_t rows);
 /// Two attempts beside each other: what is still to be welded, then difference, figures and curves of both, inside the
 /// current window.
-void comparisonPart(Context& context, AttemptComparison& comparison);
+void comparisonPart(Context& context, Activities& activities);
 /// Width of the result panel with its gap to the picture; points.
 float resultReach(const Context& context);
 /// The judged attempt at the left: score, what to correct, verdict, measured weld.

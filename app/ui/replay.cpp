@@ -55,7 +55,7 @@ CurveAnswer overTime(Context& context, const LessonSession& session, TechniqueQu
     const Lesson& lesson = session.lesson();
     const QuantityInfo& info = quantityInfo(quantity, traitsOf(lesson.process).distance);
     const TechniqueBand* band = lesson.technique ? lesson.technique->find(quantity) : nullptr;
-    const double duration = session.replay().line().duration();
+    const double duration = session.activities().replay.line().duration();
     // Stretches that were played too fast to be all known are joined.
     constexpr double kJoined = 8.5;
     constexpr auto kPlaces = static_cast<double>(CurveTrack::kPlaces);
@@ -80,7 +80,7 @@ void marksOfTime(Context& context, AttemptReplay& replay, const CurveAnswer& cha
 }
 
 void speedOverTime(Context& context, LessonSession& session) {
-    AttemptReplay& replay = session.replay();
+    AttemptReplay& replay = session.activities().replay;
     if (!(replay.line().duration() > 0)) return;
     ImGui::PushFont(context.fonts.small);
     marksOfTime(context, replay,
@@ -89,7 +89,7 @@ void speedOverTime(Context& context, LessonSession& session) {
 }
 
 void distanceOverTime(Context& context, LessonSession& session) {
-    AttemptReplay& replay = session.replay();
+    AttemptReplay& replay = session.activities().replay;
     if (session.lesson().model != LessonModel::Weld || !(replay.line().duration() > 0)) return;
     ImGui::PushFont(context.fonts.small);
     marksOfTime(context, replay,
@@ -99,7 +99,7 @@ void distanceOverTime(Context& context, LessonSession& session) {
 
 /// What it does at this moment.
 ShortText stateText(const LessonSession& session) {
-    const AttemptReplay& replay = session.replay();
+    const AttemptReplay& replay = session.activities().replay;
     const ReplayTimeline& line = replay.line();
     ShortText text;
     if (line.seeking()) {
@@ -141,7 +141,7 @@ MenuRequest replayButtons(Context& context, ReplayTimeline& line) {
 /// Curves beside each other, then buttons beside the speed: low, so that the metal above stays in view.
 MenuRequest wideRows(Context& context, LessonSession& session) {
     MenuRequest request = MenuRequest::none;
-    ReplayTimeline& line = session.replay().line();
+    ReplayTimeline& line = session.activities().replay.line();
     if (!ImGui::BeginTable("replay.wide", 2, ImGuiTableFlags_SizingStretchSame)) return request;
     ImGui::TableNextColumn();
     speedOverTime(context, session);
@@ -160,7 +160,7 @@ MenuRequest wideRows(Context& context, LessonSession& session) {
 
 MenuRequest replayPart(Context& context, LessonSession& session) {
     constexpr float kWide = 900; // points in which two columns have room for the buttons
-    ReplayTimeline& line = session.replay().line();
+    ReplayTimeline& line = session.activities().replay.line();
     strongText(context, phrase("replay.heading"));
     timeSlider(context, line);
     if (ImGui::GetContentRegionAvail().x >= context.points(kWide)) return wideRows(context, session);

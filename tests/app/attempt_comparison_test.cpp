@@ -1,6 +1,8 @@
 // Two kept attempts in the window's comparison: welded a frame's share at a time, to their own bits, and kept.
 #include "app/activities/attempt_comparison.hpp"
+#include "app/session/lesson_session.hpp"
 #include "core/base/error.hpp"
+#include "tests/app/small_lessons.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/gl_fixture.hpp"
 
@@ -56,7 +58,7 @@ TEST_CASE("two attempts are welded again in shares of frames, held against each 
     const fs::path folder = test::scratchFolder("window-comparison");
     const fs::path slow = recordedBead(folder, "slow.csv", 5), fast = recordedBead(folder, "fast.csv", 8);
     AttemptComparison comparison;
-    CHECK_FALSE(comparison.shown());
+    CHECK_FALSE(comparison.welding());
     comparison.begin({slow, "slow"}, {fast, "fast"});
     REQUIRE(comparison.welding());
     CHECK(comparison.current() == 0);
@@ -81,25 +83,58 @@ TEST_CASE("two attempts are welded again in shares of frames, held against each 
     CHECK(comparison.current() == 1);
     untilBoth(comparison);
     CHECK(comparison.welded() == 3);
-    comparison.stop();
-    CHECK_FALSE(comparison.shown());
+    comparison.end();
+    CHECK_FALSE(comparison.rows());
 }
 
-TEST_CASE("what is no pair of welds of a lesson is refused, and stopping frees the metal", "[app]") {
+TEST_CASE("what is no pair of welds of a lesson is refused, and ending frees the metal", "[app]") {
     const fs::path folder = test::scratchFolder("window-comparison-faults");
     const fs::path one = recordedBead(folder, "one.csv", 8);
     AttemptComparison comparison;
     CHECK_THROWS_WITH(comparison.begin({one, ""}, {one, ""}), test::containsText("with itself"));
     CHECK_THROWS_AS(comparison.begin({one, ""}, {folder / "nowhere.csv", ""}), InputError);
-    CHECK_FALSE(comparison.shown());
+    CHECK_FALSE(comparison.welding());
     const fs::path two = recordedBead(folder, "two.csv", 9);
     comparison.begin({one, "one"}, {two, "two"});
     for (int frame = 0; frame < 4; ++frame)
         comparison.update(test::shaders(), 1.0 / 45, [] { return 0.0; });
     CHECK(comparison.welding());
     CHECK(comparison.progress() > 0);
-    comparison.stop();
+    comparison.end();
     CHECK_FALSE(comparison.welding());
     comparison.update(test::shaders(), 1.0 / 45, [] { return 0.0; });
     CHECK(comparison.welded() == 0);
+}
+
+TEST_CASE("a person who compares two attempts is in no lesson, and the session makes the steps of both", "[app]") {
+    const fs::path folder = test::scratchFolder("window-comparison-session");
+    const fs::path one = recordedBead(folder, "one.csv", 8), two = recordedBead(folder, "two.csv", 9);
+    LessonSession session(test::shaders(), test::plainBead(), [] { return 0.0; });
+    Controls controls;
+    Activities& activities = session.activities();
+    const AttemptComparison& comparison = activities.comparison;
+    CHECK_THROWS_AS(session.compare({one, ""}, {one, ""}), InputError);
+    CHECK_FALSE(activities.at(comparison));
+    session.compare({one, "one"}, {two, "two"});
+    CHECK(activities.at(comparison));
+    CHECK(activities.current().hurries());
+    CHECK_FALSE(session.running());
+    CHECK(session.leader() == TorchLeader::none);
+    for (int frame = 0; comparison.welding() && frame < 3000; ++frame)
+        session.advance(controls, 1.0 / 45, nullptr);
+    CHECK(comparison.rows());
+    CHECK_FALSE(activities.current().hurries());
+    session.reset(controls); // there is no lesson to be put back
+    CHECK(activities.at(comparison));
+    activities.endComparison();
+    CHECK_FALSE(activities.at(comparison));
+    CHECK_FALSE(comparison.rows());
+    session.compare({two, "two"}, {one, "one"});
+    CHECK(comparison.rows()); // both are known
+    session.begin(controls);
+    CHECK(activities.at(activities.attempt));
+    CHECK_FALSE(comparison.rows());
+    session.compare({one, "one"}, {two, "two"}); // which ends the lesson
+    CHECK_FALSE(session.running());
+    CHECK(session.run().trainer() == nullptr);
 }

@@ -32,7 +32,7 @@ class Trainee {
             session.advance(controls, kFrame, nullptr, [](int, int) { return TorchSample{0, {0, 0.2f, 0}}; });
     }
     double torchOff() const {
-        const glm::vec3 expert = session.lesson().torch.sample(session.demonstration().time()).tip;
+        const glm::vec3 expert = session.lesson().torch.sample(session.activities().demonstration.time()).tip;
         return static_cast<double>(glm::distance(session.run().torch().tip, expert));
     }
 
@@ -44,9 +44,9 @@ class Trainee {
 
 TEST_CASE("a demonstration is played, paused, moved and begun again", "[app]") {
     Demonstration shown;
-    CHECK_FALSE(shown.shown());
+    CHECK_FALSE((shown.playing() || shown.welds()));
     shown.begin(4);
-    CHECK((shown.shown() && shown.playing() && shown.welds()));
+    CHECK((shown.playing() && shown.welds()));
     shown.reach(1.5);
     CHECK(shown.time() == 1.5);
     CHECK_FALSE(shown.takeMetalDue());
@@ -69,7 +69,7 @@ TEST_CASE("a demonstration is played, paused, moved and begun again", "[app]") {
     CHECK(shown.time() == 4);
     CHECK_FALSE(shown.playing());
     shown.end();
-    CHECK_FALSE(shown.shown());
+    CHECK_FALSE((shown.playing() || shown.welds()));
 }
 
 TEST_CASE("the expert's torch welds in the demonstration; nothing of it is recorded, judged or the trainee's",
@@ -86,7 +86,7 @@ TEST_CASE("the expert's torch welds in the demonstration; nothing of it is recor
     CHECK(session.leader() == TorchLeader::path);
     LessonFigures figures;
     fillFigures(figures, session);
-    CHECK(figures.time == Approx(session.demonstration().time()));
+    CHECK(figures.time == Approx(session.activities().demonstration.time()));
     CHECK(figures.time == Approx(1.5).margin(0.1));
     CHECK(session.run().arc().burns());
     CHECK_FALSE(session.judges());
@@ -101,36 +101,36 @@ TEST_CASE("the expert's torch welds in the demonstration; nothing of it is recor
     CHECK(messages.shown().empty());
 
     SECTION("paused") {
-        session.demonstration().toggle();
+        session.activities().demonstration.toggle();
         const size_t steps = session.run().steps();
         trainee.watch(0.5);
         CHECK(session.run().steps() == steps);
-        session.demonstration().toggle();
+        session.activities().demonstration.toggle();
         trainee.watch(0.5);
         CHECK(session.run().steps() > steps);
-        CHECK(session.demonstration().time() < 2.1);
+        CHECK(session.activities().demonstration.time() < 2.1);
     }
     SECTION("moved: the torch goes there alone, over fresh metal, and plays on") {
-        session.demonstration().toggle();
-        session.demonstration().moveTo(4);
+        session.activities().demonstration.toggle();
+        session.activities().demonstration.moveTo(4);
         trainee.watch(0.1);
         CHECK(session.run().steps() == 0);
         CHECK(trainee.torchOff() < 1e-6);
         fillFigures(figures, session);
         CHECK(figures.molten == 0);
-        session.demonstration().toggle();
+        session.activities().demonstration.toggle();
         trainee.watch(1);
-        CHECK(session.demonstration().time() == Approx(5).margin(0.1));
+        CHECK(session.activities().demonstration.time() == Approx(5).margin(0.1));
         CHECK(trainee.torchOff() < 1e-6);
         CHECK(session.run().steps() == 0);
-        session.demonstration().again();
+        session.activities().demonstration.again();
         trainee.watch(0.5);
         CHECK(session.run().steps() > 10);
-        CHECK(session.demonstration().time() < 0.6);
+        CHECK(session.activities().demonstration.time() < 0.6);
     }
     SECTION("one's own attempt follows with a record of its own, on fresh metal") {
         session.reset(trainee.controls);
-        CHECK_FALSE(session.demonstration().shown());
+        CHECK_FALSE(session.activities().at(session.activities().demonstration));
         CHECK(session.run().steps() == 0);
         CHECK(session.judges());
         trainee.watch(0.2);
@@ -141,7 +141,7 @@ TEST_CASE("the expert's torch welds in the demonstration; nothing of it is recor
     SECTION("an attempt for score is measured first") {
         session.sections().attempt.forScore = true;
         session.reset(trainee.controls);
-        CHECK_FALSE(session.demonstration().shown());
+        CHECK_FALSE(session.activities().at(session.activities().demonstration));
         CHECK(session.question().asked());
     }
 }

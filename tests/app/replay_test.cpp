@@ -50,19 +50,19 @@ class Viewer {
     }
     /// Frames until it stands still; false where it never does.
     bool untilStill() {
-        const ReplayTimeline& line = session.replay().line();
+        const ReplayTimeline& line = session.activities().replay.line();
         for (int frame = 0; frame < 3000 && (line.playing() || line.seeking()); ++frame)
             frames(1);
         return !line.playing() && !line.seeking();
     }
     /// Brings it to a moment and waits until it is there.
     void bringTo(double time) {
-        session.replay().line().seek(time);
-        for (int frame = 0; frame < 3000 && session.replay().line().seeking(); ++frame)
+        session.activities().replay.line().seek(time);
+        for (int frame = 0; frame < 3000 && session.activities().replay.line().seeking(); ++frame)
             frames(1);
     }
     ReplayEnd::Verdict verdict() const {
-        const auto& end = session.replay().comparison();
+        const auto& end = session.activities().replay.comparison();
         return end ? end->verdict : ReplayEnd::Verdict::unknown;
     }
 
@@ -77,7 +77,7 @@ TEST_CASE("an attempt played again has its bits at the end, from the start and a
     const fs::path file = recordedWeld("replay", 1.6);
     Viewer viewer;
     LessonSession& session = viewer.session;
-    AttemptReplay& replay = session.replay();
+    AttemptReplay& replay = session.activities().replay;
     session.openReplay(lessonOfAttempt(file), viewer.controls);
     REQUIRE(session.running());
     CHECK(session.leader() == TorchLeader::path);
@@ -137,10 +137,11 @@ TEST_CASE("half the speed makes half the steps", "[app]") {
     const fs::path file = recordedWeld("replay-speed", 1);
     Viewer viewer;
     viewer.session.openReplay(lessonOfAttempt(file), viewer.controls);
-    viewer.session.replay().line().setSpeed(0.5);
+    viewer.session.activities().replay.line().setSpeed(0.5);
     viewer.frames(24); // the first only starts the clock
-    CHECK(viewer.session.replay().line().time() == Approx(23 * kFrame / 2).margin(0.02));
-    CHECK(viewer.session.replay().line().speed() * viewer.session.run().clock().speed() == Approx(0.5).margin(0.05));
+    CHECK(viewer.session.activities().replay.line().time() == Approx(23 * kFrame / 2).margin(0.02));
+    CHECK(viewer.session.activities().replay.line().speed() * viewer.session.run().clock().speed() ==
+          Approx(0.5).margin(0.05));
 }
 
 TEST_CASE("a recording whose metal was another is told to be simulated, with both machines", "[app]") {
@@ -154,9 +155,9 @@ TEST_CASE("a recording whose metal was another is told to be simulated, with bot
     Viewer viewer;
     viewer.session.openReplay(lessonOfAttempt(file), viewer.controls);
     REQUIRE(viewer.untilStill());
-    REQUIRE(viewer.session.replay().comparison());
+    REQUIRE(viewer.session.activities().replay.comparison());
     CHECK(viewer.verdict() == ReplayEnd::Verdict::different);
-    CHECK_THAT(viewer.session.replay().comparison()->text,
+    CHECK_THAT(viewer.session.activities().replay.comparison()->text,
                test::containsText("simulation of the recording") && test::containsText("some program on some driver"));
 }
 

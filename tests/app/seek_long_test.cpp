@@ -81,7 +81,7 @@ TEST_CASE("any second of a two-minute attempt is come to from the moments of its
     LessonSession session(test::shaders(), shippedBead(), [] { return 0.0; });
     Controls controls;
     session.openReplay(lesson, controls);
-    ReplayTimeline& line = session.replay().line();
+    ReplayTimeline& line = session.activities().replay.line();
     line.toggle(); // it does not play between the seeks
     std::mt19937 random(7);
     std::uniform_real_distribution<double> second(1, kSeconds - 1);

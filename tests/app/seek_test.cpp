@@ -116,7 +116,7 @@ TEST_CASE("a replay goes to the moments that its recording holds, and to the sam
         LessonSession session(test::shaders(), test::plainBead(), [] { return 0.0; });
         Controls controls;
         session.openReplay(attemptIn(file), controls);
-        AttemptReplay& replay = session.replay();
+        AttemptReplay& replay = session.activities().replay;
         CHECK(replay.recordedMoments() == recording.checkpoints.size());
         CHECK(replay.momentsRefused().empty());
         const auto frame = [&] { session.advance(controls, kFrame, nullptr, {}); };

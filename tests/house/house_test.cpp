@@ -30,9 +30,8 @@ struct LargeClass {
     int members;
 };
 
-constexpr std::array<LargeClass, 2> kLargeClasses{{
+constexpr std::array<LargeClass, 1> kLargeClasses{{
     {"DesktopApp", 6, 44},
-    {"LessonSession", 42, 11},
 }};
 
 bool isBeyond(const test::ClassSize& size) {

@@ -23,12 +23,15 @@ TEST_CASE("without metal nothing is allowed") {
     const Allowed allowed = activities.allowed();
     CHECK_FALSE((allowed.ownTorch || allowed.values || allowed.help || allowed.judging || allowed.notes));
     CHECK(activities.current().nextAttempt(false) == NextAttempt::none);
+    CHECK_FALSE(activities.current().inLesson());
     CHECK(TorchLead().leader(allowed) == TorchLeader::none);
 }
 
 TEST_CASE("an attempt is one's own, led from the desk or by a hand") {
     Activities activities;
     activities.turnTo(activities.attempt);
+    CHECK(activities.at(activities.attempt));
+    CHECK(activities.current().inLesson());
     const Allowed allowed = activities.allowed();
     CHECK((allowed.ownTorch && allowed.values && allowed.help && allowed.judging && allowed.notes));
     CHECK(activities.current().nextAttempt(true) == NextAttempt::sameMetal);
@@ -60,6 +63,20 @@ TEST_CASE("a demonstration and a replay are led by their path, whatever a hand d
     CHECK(activities.replay.hurries());
 }
 
+TEST_CASE("a comparison goes on outside a lesson and leaves only itself") {
+    Activities activities;
+    activities.turnTo(activities.attempt);
+    activities.endComparison();
+    CHECK(activities.at(activities.attempt));
+    activities.turnTo(activities.comparison);
+    const Allowed allowed = activities.allowed();
+    CHECK_FALSE((allowed.ownTorch || allowed.values || allowed.help || allowed.judging || allowed.notes));
+    CHECK_FALSE((activities.current().inLesson() || activities.current().hurries()));
+    CHECK(activities.current().nextAttempt(false) == NextAttempt::none);
+    activities.endComparison();
+    CHECK_FALSE(activities.at(activities.comparison));
+}
+
 TEST_CASE("an attempt after a demonstration keeps its metal unless that has other settings or counts for score") {
     Demonstration demonstration;
     demonstration.begin(5);
@@ -75,7 +92,7 @@ TEST_CASE("while the machine's speed is measured nothing that a person does reac
     CHECK(trial.hurries());
     CHECK_FALSE((trial.allowed().values || trial.allowed().help));
     CHECK(trial.nextAttempt(false) == NextAttempt::none);
-    while (trial.running())
+    while (trial.measuring())
         trial.count(0.25, 0.1);
     CHECK_FALSE(trial.hurries()); // it asks how to go on
     CHECK(trial.allowed().values);

@@ -25,10 +25,12 @@ class Listed {
 TEST_CASE("each attempt of the list can be played, be the ghost, and be compared with another of its lesson") {
     Listed listed("attempts-list", {{"new", "gmaw-bead", "today"}, {"old", "gmaw-bead", "before"}});
     Home& home = listed.home;
+    Activities activities;
     test::DrawnInterface interface;
     MenuRequest request = MenuRequest::none;
     const auto content = [&](ui::Context& context) {
-        if (const MenuRequest asked = ui::attemptList(context, home, 8); asked != MenuRequest::none) request = asked;
+        if (const MenuRequest asked = ui::attemptList(context, home, activities, 8); asked != MenuRequest::none)
+            request = asked;
     };
     const auto click = [&](const char* name) {
         request = MenuRequest::none;
@@ -53,8 +55,9 @@ TEST_CASE("a long list of attempts has pages") {
         entries.push_back({std::to_string(i), "knitting", "once"}); // a lesson that is gone has no title
     Listed listed("attempts-pages", std::move(entries));
     Home& home = listed.home;
+    Activities activities;
     test::DrawnInterface interface;
-    const auto content = [&](ui::Context& context) { ui::attemptList(context, home, 2); };
+    const auto content = [&](ui::Context& context) { ui::attemptList(context, home, activities, 2); };
     interface.draw(content);
     CHECK(interface.shows("home.attempt.1.play"));
     CHECK_FALSE(interface.shows("home.attempt.2.play"));

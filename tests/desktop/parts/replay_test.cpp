@@ -31,9 +31,9 @@ RecordedAttempt attemptOf(size_t rows) {
 
 TEST_CASE("an attempt plays to its end, pauses, and begins again from there") {
     ReplayTimeline line;
-    CHECK_FALSE(line.shown());
+    CHECK_FALSE(line.playing());
     line.begin(4);
-    CHECK((line.shown() && line.playing() && !line.seeking()));
+    CHECK((line.playing() && !line.seeking()));
     CHECK(line.target() == 0);
     line.reach(1.5, kStep, false);
     CHECK(line.time() == 1.5);
@@ -48,7 +48,7 @@ TEST_CASE("an attempt plays to its end, pauses, and begins again from there") {
     CHECK((line.playing() && line.seeking()));
     CHECK(line.target() == 0);
     line.end();
-    CHECK_FALSE(line.shown());
+    CHECK_FALSE(line.playing());
 }
 
 TEST_CASE("a moment that is asked for is reached by the step that is nearest to it") {

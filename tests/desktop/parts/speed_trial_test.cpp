@@ -35,7 +35,7 @@ TEST_CASE("a machine that keeps up is asked nothing") {
     trial.begin(plate());
     CHECK(trial.current().label.empty());
     CHECK(measure(trial, 0.97) == SpeedTrial::Verdict::fastEnough);
-    CHECK_FALSE(trial.running());
+    CHECK_FALSE(trial.measuring());
     CHECK(trial.offers().empty());
 }
 
