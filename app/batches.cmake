@@ -1,4 +1,4 @@
-# Compiles sources of a target eight at a time, which takes half the time where all of them include most of the program.
+# Compiles sources of a target eight at a time, which is quicker where all of them include most of the program.
 # Sources of a batch share their unnamed namespaces, so none comes into one that has a name of its own already.
 
 # The constants in `LINES`, of which some begin with blanks or not, as PATTERN says.

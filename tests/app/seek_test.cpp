@@ -95,6 +95,55 @@ std::string hashAt(const fs::path& file, const std::string& second, const std::s
     return nlohmann::json::parse(readTextFile(folder / "result.json")).at("state_hash");
 }
 
+void seekInWindow(const fs::path& file, const Recording& recording) {
+    LessonSession session(test::shaders(), test::plainBead(), [] { return 0.0; });
+    Controls controls;
+    session.openReplay(attemptIn(file), controls);
+    AttemptReplay& replay = session.activities().replay;
+    CHECK(replay.recordedMoments() == recording.checkpoints.size());
+    CHECK(replay.momentsRefused().empty());
+    const auto frame = [&] { session.advance(controls, kFrame, nullptr, {}); };
+    const double last = recording.steps[recording.checkpoints.back().steps - 1].torch.time;
+    replay.line().seek(recording.seconds() - 0.05);
+    frame();
+    CHECK(session.run().torch().time >= last);
+    for (int i = 0; i < 3000 && (replay.line().playing() || replay.line().seeking()); ++i)
+        frame();
+    REQUIRE(replay.comparison());
+    CHECK(replay.comparison()->verdict == ReplayEnd::Verdict::same);
+    CHECK(session.run().fault().empty());
+}
+
+void seekByCommand(const fs::path& file, const Recording& recording) {
+    const fs::path stripped = withoutMoments(file);
+    const std::string second = formatNumber(static_cast<float>(recording.seconds() - 0.2));
+    CHECK(hashAt(file, second, "from a moment") == hashAt(stripped, second, ""));
+}
+
+void refuseForeignMoments(const fs::path& file) {
+    const Lesson lesson = attemptIn(file);
+    CHECK(momentsOfAttempt(lesson, thisMachine()).moments);
+    CHECK(momentsOfAttempt(lesson, thisMachine()).refused.empty());
+    ReplayMachine other = thisMachine();
+    other.program += "x";
+    CHECK_FALSE(momentsOfAttempt(lesson, other).moments);
+    CHECK_THAT(momentsOfAttempt(lesson, other).refused, containsText("another version, " + programBuild()));
+    other = thisMachine();
+    other.driver += "x";
+    CHECK_THAT(momentsOfAttempt(lesson, other).refused, containsText("another driver"));
+    Lesson changed = lesson;
+    changed.recorded->head.lessonHash = "0123456789abcdef";
+    CHECK_THAT(momentsOfAttempt(changed, thisMachine()).refused, containsText("version of its lesson"));
+}
+
+void makePageOfHand(const fs::path& file) {
+    const fs::path page = test::scratchFolder("seek-page") / "page.html";
+    const test::Outcome outcome = test::runMeltpool("report '" + file.string() + "' --out '" + page.string() + "'");
+    INFO(outcome.errors << outcome.output);
+    REQUIRE(outcome.code == 0);
+    CHECK_THAT(readTextFile(page), containsText("holds the hand and the arc but no metal"));
+}
+
 } // namespace
 
 TEST_CASE("a replay goes to the moments that its recording holds, and to the same bits as without", "[app][seek]") {
@@ -112,51 +161,10 @@ TEST_CASE("a replay goes to the moments that its recording holds, and to the sam
     CHECK(static_cast<double>(fs::file_size(file) - recording.checkpoints[0].size) <
           CheckpointPace::kAtOnce + (CheckpointPace::kBytesPerSecond + kSteps) * seconds + 1e5);
 
-    SECTION("in the window") {
-        LessonSession session(test::shaders(), test::plainBead(), [] { return 0.0; });
-        Controls controls;
-        session.openReplay(attemptIn(file), controls);
-        AttemptReplay& replay = session.activities().replay;
-        CHECK(replay.recordedMoments() == recording.checkpoints.size());
-        CHECK(replay.momentsRefused().empty());
-        const auto frame = [&] { session.advance(controls, kFrame, nullptr, {}); };
-        const double last = recording.steps[recording.checkpoints.back().steps - 1].torch.time;
-        replay.line().seek(seconds - 0.05);
-        frame();
-        CHECK(session.run().torch().time >= last);
-        for (int i = 0; i < 3000 && (replay.line().playing() || replay.line().seeking()); ++i)
-            frame();
-        REQUIRE(replay.comparison());
-        CHECK(replay.comparison()->verdict == ReplayEnd::Verdict::same);
-        CHECK(session.run().fault().empty());
-    }
-    SECTION("by the command") {
-        const fs::path stripped = withoutMoments(file);
-        const std::string second = formatNumber(static_cast<float>(seconds - 0.2));
-        CHECK(hashAt(file, second, "from a moment") == hashAt(stripped, second, ""));
-    }
-    SECTION("not to those of another program, driver or lesson") {
-        const Lesson lesson = attemptIn(file);
-        CHECK(momentsOfAttempt(lesson, thisMachine()).moments);
-        CHECK(momentsOfAttempt(lesson, thisMachine()).refused.empty());
-        ReplayMachine other = thisMachine();
-        other.program += "x";
-        CHECK_FALSE(momentsOfAttempt(lesson, other).moments);
-        CHECK_THAT(momentsOfAttempt(lesson, other).refused, containsText("another version, " + programBuild()));
-        other = thisMachine();
-        other.driver += "x";
-        CHECK_THAT(momentsOfAttempt(lesson, other).refused, containsText("another driver"));
-        Lesson changed = lesson;
-        changed.recorded->head.lessonHash = "0123456789abcdef";
-        CHECK_THAT(momentsOfAttempt(changed, thisMachine()).refused, containsText("version of its lesson"));
-    }
-    SECTION("the page of the hand is made of the recording alone") {
-        const fs::path page = test::scratchFolder("seek-page") / "page.html";
-        const test::Outcome outcome = test::runMeltpool("report '" + file.string() + "' --out '" + page.string() + "'");
-        INFO(outcome.errors << outcome.output);
-        REQUIRE(outcome.code == 0);
-        CHECK_THAT(readTextFile(page), containsText("holds the hand and the arc but no metal"));
-    }
+    seekInWindow(file, recording);
+    seekByCommand(file, recording);
+    refuseForeignMoments(file);
+    makePageOfHand(file);
 }
 
 TEST_CASE("the recording of an attempt that went back repeats its last end and is practice", "[app][seek]") {
