@@ -56,7 +56,7 @@ class AttemptComparison final : public Activity {
     /// Steps are still to be made.
     bool welding() const { return fault_.empty() && !rows_ && lessons_[current()].has_value(); }
     /// A frame's share of the welding; `seconds`: of the last frame. The first one of each attempt makes its
-    /// metal and its last one waits for the GPU. A fault is told in fault().
+    /// metal and its last one waits for the GPU. Read fault() for what went wrong.
     void update(gl::ShaderLibrary& shaders, double seconds, Stopwatch now);
 
     /// 0..1 of all the welding that there was to do.

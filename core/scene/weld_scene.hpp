@@ -16,7 +16,7 @@ struct ShownWeld {
     const Workpiece& workpiece;
     const WorkpieceParameters& parameters; ///< that the workpiece was made of
     const Material& material;
-    const ProcessSettings& process; ///< read by each view(); other displays furnish the workshop anew
+    const ProcessSettings& process; ///< read by each view(); other displays furnish the workshop again
 };
 
 class WeldScene : public MetalScene {

@@ -33,7 +33,7 @@ float freezingUnit(int influence) {
 
 } // namespace
 
-/// What volumes and mesher share: the grid, the setup of an update, and the sizes that the GPU decides.
+/// Shared by volumes and mesher: the grid, the setup of an update, and the sizes that the GPU decides.
 struct Surface::Work {
     Work(gl::ShaderLibrary& shaders, const SurfaceGrid& theGrid)
         : grid(theGrid),

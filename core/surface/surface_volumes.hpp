@@ -21,9 +21,9 @@ class SurfaceVolumes {
     SurfaceVolumes(gl::ShaderLibrary& shaders, const SurfaceGrid& grid, const gl::Buffer& commands);
 
     /// Makes the buffers large enough that store `particles` as splatted, for incremental updates. New ones are empty:
-    /// the volumes must be filled anew.
+    /// the volumes must be filled again.
     void growParticleBuffers(size_t particles);
-    /// The next update must fill the volumes anew.
+    /// The next update must fill the volumes again.
     void forget() { splattedCount_ = 0; }
     /// The volumes hold particles of this kind, and no more of them: splatChanged() suffices.
     bool canFollow(const ParticleView& particles) const;

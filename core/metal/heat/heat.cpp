@@ -156,7 +156,7 @@ void HeatSolver::writeBlock(double seconds, std::span<const HeatSource> sources)
     blockBuffer_.writeValue(block_);
 }
 
-/// Only slots that came since the last step, unless the state told metal on the lattice from other metal anew.
+/// Only slots that came since the last step, unless the state has again told metal on the lattice from other metal.
 void HeatSolver::listOffLattice() {
     const unsigned regroupings = state_.regroupings() + state_.labellings();
     const size_t first = regroupings_ == regroupings ? searched_ : 0;
