@@ -55,8 +55,10 @@ std::span<const DesktopApp::Action> DesktopApp::actions() {
         {"machine menu", Request::none, Key::f3, always, [](App& app) { app.toggle(&PanelState::simulation); }},
         {"timings", Request::none, Key::f4, always, [](App& app) { app.toggle(&PanelState::timings); }},
         {"full screen", Request::none, Key::f11, always, [](App& app) { app.window_.toggleFullScreen(); }},
-        {"picture of the window", Request::none, Key::f10, always, [](App& app) { app.askForPicture(false); }},
-        {"large picture", Request::none, Key::f12, always, [](App& app) { app.askForPicture(app.mayStandStill()); }},
+        {"picture of the window", Request::none, Key::f10, always,
+         [](App& app) { app.screenshots_.ask(false, app.messages_); }},
+        {"large picture", Request::none, Key::f12, always,
+         [](App& app) { app.screenshots_.ask(app.mayStandStill(), app.messages_); }},
     };
     return table;
 }
@@ -147,11 +149,6 @@ void DesktopApp::showAll() {
 bool DesktopApp::mayStandStill() const {
     if (!session_.running() || headsetFrame_) return false;
     return !window_.driver().software || !session_.welds();
-}
-
-void DesktopApp::askForPicture(bool large) {
-    (large ? largeAsked_ : pictureAsked_) = true;
-    messages_.clear("picture"); // the last picture's message is not for this one
 }
 
 } // namespace meltpool

@@ -1,6 +1,5 @@
 #include "app/desktop/desktop_app.hpp"
 
-#include "app/desktop/screenshot.hpp"
 #include "app/library/best_kept.hpp"
 #include "app/library/kept_attempts.hpp"
 #include "app/platform/call_counters.hpp"
@@ -136,9 +135,9 @@ bool DesktopApp::finish() {
                      "a place for --record that takes it");
     const std::string& unrecorded = session_.log().recordings().lost();
     if (!unrecorded.empty()) std::fprintf(stderr, "meltpool: %s\n", printable(unrecorded, 3000).c_str());
-    if (!lostPicture_.empty())
-        std::fprintf(stderr, "meltpool: a picture was not saved: %s\n", printable(lostPicture_, 3000).c_str());
-    return kept && unrecorded.empty() && lostPicture_.empty() && !session_.log().records().lost() &&
+    if (!screenshots_.lost().empty())
+        std::fprintf(stderr, "meltpool: a picture was not saved: %s\n", printable(screenshots_.lost(), 3000).c_str());
+    return kept && unrecorded.empty() && screenshots_.lost().empty() && !session_.log().records().lost() &&
            telemetry_.fault().empty();
 }
 
@@ -193,7 +192,8 @@ void DesktopApp::runFrame() {
     writeTelemetry();
     show();
     if (timed) profiler_.endFrame();
-    if (pictureAsked_ || largeAsked_) takePicture();
+    if (screenshots_.asked())
+        screenshots_.take(picturePrepared_ ? &picture_ : nullptr, session_, window_.pixels(), messages_, now());
     window_.swap();
     finishSteps(seconds);
     act(request);
@@ -313,8 +313,8 @@ void DesktopApp::preparePicture(double seconds) {
     if (headsetFrame_ && headset_->mirror(pixels)) return;
     // The metal moves smoothly to the middle of what the panels leave free.
     shift_ += (menus_.middleOfPicture() - shift_) * std::min(1.0f, static_cast<float>(seconds) * 10);
-    picture_.prepare(session_, controls_, {pixels, shift_, windowParameters_.picture, pictureAsked_, stepsDue_},
-                     &profiler_);
+    picture_.prepare(session_, controls_,
+                     {pixels, shift_, windowParameters_.picture, screenshots_.windowAsked(), stepsDue_}, &profiler_);
     figures_.picture = picture_.sentence();
     picturePrepared_ = true;
 }
@@ -363,18 +363,6 @@ void DesktopApp::tellMissingLetters() {
     messages_.warn(told->window, now());
 }
 
-void DesktopApp::takePicture() {
-    const bool large = std::exchange(largeAsked_, false) && picturePrepared_;
-    pictureAsked_ = false;
-    try {
-        screenshot_ = (large ? savePicture(picture_.large(session_)) : saveScreenshot(window_.pixels())).string();
-        messages_.note(phrase("desk.message.picture_saved", {{"file", screenshot_}}), now(), "picture");
-    } catch (const std::exception& fault) {
-        messages_.warn(fault.what(), now(), "picture");
-        if (lostPicture_.empty()) lostPicture_ = fault.what();
-    }
-}
-
 void DesktopApp::writeTelemetry() {
     if (!telemetry_.due(now())) return;
     meter_.pause();
@@ -400,7 +388,7 @@ void DesktopApp::writeTelemetry() {
                       interface_.context(),
                       window_.size(),
                       window_.pixels(),
-                      screenshot_,
+                      screenshots_.saved(),
                       stepsBeside_.has_value(),
                       session_.attempt().judged(),
                       session_.activities(),

@@ -9,6 +9,7 @@
 #include "app/desktop/detail_choice.hpp"
 #include "app/desktop/frame_pacer.hpp"
 #include "app/desktop/interface.hpp"
+#include "app/desktop/screenshot_taker.hpp"
 #include "app/desktop/shader_watch.hpp"
 #include "app/desktop/step_thread.hpp"
 #include "app/desktop/window.hpp"
@@ -68,7 +69,6 @@ class DesktopApp {
     void cut();
     void toggle(bool PanelState::*panel);
     void hidePanels();
-    void askForPicture(bool large);
     void start(void (LessonSession::*begin)(Controls&));
     void moveByKeys(const InputFrame& input);
     void demonstrateByKeys(const InputFrame& input);
@@ -87,7 +87,6 @@ class DesktopApp {
     bool mayStandStill() const;
     MenuRequest drawMenus();
     void tellMissingLetters();
-    void takePicture();
     void writeTelemetry();
     double now() const { return std::chrono::duration<double>(Clock::now() - begun_).count(); }
 
@@ -124,12 +123,9 @@ class DesktopApp {
     WindowPicture picture_;
     DetailChoice detail_;
     ui::MissingLetters missingLetters_;
-    std::string screenshot_;
-    std::string lostPicture_; ///< why the first picture that was not saved was not; empty: all were
+    ScreenshotTaker screenshots_;
     std::string driver_;
     size_t judgements_ = 0;                  ///< that the menus have shown
-    bool pictureAsked_ = false;              ///< of the window, with its menus
-    bool largeAsked_ = false;                ///< of the metal
     bool picturePrepared_ = false;           ///< of the running lesson, in this frame
     bool stepsDue_ = false;                  ///< in this frame, beside its picture
     std::optional<StepsBeside> stepsBeside_; ///< in the last frame
