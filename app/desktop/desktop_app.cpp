@@ -11,9 +11,7 @@
 #include "core/gl/software_driver/software_driver.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
-#include <span>
 #include <utility>
 
 namespace meltpool {
@@ -51,10 +49,7 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
       session_(shaders_, loadLesson(options.lesson.empty() ? std::string(kDefaultLesson) : options.lesson),
                machineSeconds, stepThread_.get()),
       sound_(session_),
-      windowSection_("window", describe(windowParameters_)),
-      controlSection_("controls", describe(controls_.parameters)),
-      panelSection_("panels", describe(menus_.panels)),
-      recordingSection_("recordings", describe(session_.log().recordings().parameters)),
+      sections_(controls_, menus_.panels, session_),
       settings_(options.settings),
       lessons_(home_, session_, settings_, controls_, messages_),
       picture_(shaders_),
@@ -65,7 +60,7 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
     if (options_.recordings)
         session_.log().recordings().use(recordingsFolder(), programBuild(), window_.driver().renderer);
     if (telemetry_.enabled()) callsCounted_ = joinCallCounters();
-    for (std::string& fault : settings_.load(ownSections()))
+    for (std::string& fault : settings_.load(sections_.forFile(headsetSection())))
         messages_.warn(std::move(fault), now());
     takeGhost();
     settings_.giveTo(session_.lesson(), session_.sections());
@@ -79,7 +74,7 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
         lessons_.openAttempt(options.replay, now(), options.lesson);
     else if (!options.lesson.empty())
         lessons_.tellPath(now());
-    window_.resize({windowParameters_.width, windowParameters_.height}, windowParameters_.maximised);
+    window_.resize({sections_.window.width, sections_.window.height}, sections_.window.maximised);
     window_.show();
     lastFrame_ = now();
 }
@@ -106,25 +101,22 @@ void DesktopApp::takeGhost() {
     session_.attempt().ghost().choose(std::filesystem::absolute(options_.ghost));
 }
 
-std::vector<ParameterSection*> DesktopApp::ownSections() {
-    std::vector<ParameterSection*> sections{&windowSection_,       &controlSection_,       &panelSection_,
-                                            &session_.help().cues, &session_.help().sound, &session_.help().ghost,
-                                            &recordingSection_};
-    if (headset_) sections.push_back(&headset_->section());
-    return sections;
+/// Null: there is no headset.
+ParameterSection* DesktopApp::headsetSection() {
+    return headset_ ? &headset_->section() : nullptr;
 }
 
 bool DesktopApp::finish() {
     session_.end("the program ended");
     session_.log().recordings().finish();
     const glm::ivec2 size = window_.normalSize();
-    windowParameters_.width = std::clamp(size.x, 640, 16384);
-    windowParameters_.height = std::clamp(size.y, 480, 16384);
-    windowParameters_.maximised = window_.maximised();
+    sections_.window.width = std::clamp(size.x, 640, 16384);
+    sections_.window.height = std::clamp(size.y, 480, 16384);
+    sections_.window.maximised = window_.maximised();
     bool kept = true;
     try {
         settings_.takeFrom(session_.lesson(), session_.sections());
-        for (const std::string& fault : settings_.save(ownSections()))
+        for (const std::string& fault : settings_.save(sections_.forFile(headsetSection())))
             std::fprintf(stderr, "meltpool: %s\n", printable(fault, 3000).c_str());
     } catch (const std::exception& fault) {
         std::fprintf(stderr, "meltpool: the settings were not saved: %s\n", fault.what());
@@ -171,11 +163,11 @@ void DesktopApp::runFrame() {
     messages_.expire(time);
     if (gl::debugBuild() || options_.watchShaders) shaderWatch_.update(shaders_, stepThread_.get(), messages_, time);
     const bool captured = session_.running() && controls_.captured();
-    interface_.begin(windowParameters_.interfaceSize, captured, !session_.running() && !home_.open);
+    interface_.begin(sections_.window.interfaceSize, captured, !session_.running() && !home_.open);
     interface_.takeInput(input, captured);
     handleKeys(input);
     tellRecordings(session_.log().recordings(), time, messages_);
-    detail_.update(windowParameters_.detail, session_.running(), headsetFrame_);
+    detail_.update(sections_.window.detail, session_.running(), headsetFrame_);
     session_.picture().setDetail(detail_.level());
     figures_.detail = detailSentence(detail_.level());
     const bool timed = menus_.panels.timings && !menus_.panels.hidden;
@@ -314,7 +306,7 @@ void DesktopApp::preparePicture(double seconds) {
     // The metal moves smoothly to the middle of what the panels leave free.
     shift_ += (menus_.middleOfPicture() - shift_) * std::min(1.0f, static_cast<float>(seconds) * 10);
     picture_.prepare(session_, controls_,
-                     {pixels, shift_, windowParameters_.picture, screenshots_.windowAsked(), stepsDue_}, &profiler_);
+                     {pixels, shift_, sections_.window.picture, screenshots_.windowAsked(), stepsDue_}, &profiler_);
     figures_.picture = picture_.sentence();
     picturePrepared_ = true;
 }
@@ -330,13 +322,8 @@ void DesktopApp::drawPicture() {
 }
 
 MenuRequest DesktopApp::drawMenus() {
-    LessonSections& lesson = session_.sections();
-    const std::array<const ParameterSection*, 9> view{
-        &session_.help().cues, &session_.help().ghost, &lesson.view,
-        &lesson.surface,       &session_.help().sound, &controlSection_,
-        &windowSection_,       &recordingSection_,     headset_ ? &headset_->section() : nullptr};
     return menus_.draw({session_, home_, controls_, messages_, figures_, profiler_, pacer_.frameSeconds() * 1000,
-                        driver_, std::span(view).first(headset_ ? 9 : 8)});
+                        driver_, sections_.forViewMenu(headsetSection())});
 }
 
 /// What people bring may be written in letters that no font here has: names of lessons and files above all.
@@ -366,10 +353,7 @@ void DesktopApp::tellMissingLetters() {
 void DesktopApp::writeTelemetry() {
     if (!telemetry_.due(now())) return;
     meter_.pause();
-    const LessonSections& lesson = session_.sections();
-    const std::vector<const ParameterSection*> sections{
-        &lesson.start,    &lesson.view,   &lesson.surface,       &lesson.simulation,     &windowSection_,
-        &controlSection_, &panelSection_, &session_.help().cues, &session_.help().sound, &session_.help().ghost};
+    const std::vector<const ParameterSection*> sections = sections_.forTelemetry();
     std::vector<std::string> passes;
     for (const gl::PassTime& pass : profiler_.passes())
         passes.push_back(pass.name);

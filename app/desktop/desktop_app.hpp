@@ -14,6 +14,7 @@
 #include "app/desktop/step_thread.hpp"
 #include "app/desktop/window.hpp"
 #include "app/desktop/window_picture.hpp"
+#include "app/desktop/window_sections.hpp"
 #include "app/desktop/window_telemetry.hpp"
 #include "app/platform/frame_meter.hpp"
 #include "app/session/home.hpp"
@@ -49,8 +50,7 @@ class DesktopApp {
     void takeGhost();
     void runFrame();
     bool rests() const;
-    /// Sections of the settings file that belong to no lesson.
-    std::vector<ParameterSection*> ownSections();
+    ParameterSection* headsetSection();
     void handleKeys(const InputFrame& input);
     struct Action;
     static std::span<const Action> actions();
@@ -94,7 +94,6 @@ class DesktopApp {
     Clock::time_point begun_ = Clock::now();
     WindowTelemetry telemetry_;
     Messages messages_;
-    WindowParameters windowParameters_;
     Controls controls_;
     LessonFigures figures_;
     Notices notices_;
@@ -111,10 +110,7 @@ class DesktopApp {
     gl::Profiler profiler_;
     FrameMeter meter_;
     bool callsCounted_ = false; ///< the meter knows of allocations, stalls and the driver
-    ParameterSection windowSection_;
-    ParameterSection controlSection_;
-    ParameterSection panelSection_;
-    ParameterSection recordingSection_;
+    WindowSections sections_;
 
     DesktopSettings settings_;
     DesktopLessons lessons_;
