@@ -8,7 +8,6 @@
 #include "core/base/resources.hpp"
 #include "core/base/text.hpp"
 #include "core/base/words.hpp"
-#include "core/gl/software_driver/software_driver.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -28,13 +27,6 @@ std::string driverText(const gl::ContextInfo& info) {
     return info.software ? phrase("desk.on_processor", {{"driver", info.renderer}}) : info.renderer;
 }
 
-/// Where the processor draws, the metal has a context and a thread of its own; null elsewhere.
-std::unique_ptr<StepThread> makeStepThread(const std::filesystem::path& shaders) {
-    if (!gl::dispatchIsSynchronous()) return nullptr;
-    auto thread = std::make_unique<StepThread>(std::make_unique<HeadlessStepContext>(shaders));
-    return thread->usable() ? std::move(thread) : nullptr;
-}
-
 } // namespace
 
 DesktopApp::DesktopApp(const DesktopOptions& options)
@@ -44,10 +36,10 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
       interface_(window_),
       menus_(window_, interface_),
       shaders_(resourceFolder() / "shaders"),
-      stepThread_(makeStepThread(shaders_.root())),
+      steps_(shaders_.root()),
       home_(LessonFolders::ofUser(), settingsFolder() / "best-scores.toml"),
       session_(shaders_, loadLesson(options.lesson.empty() ? std::string(kDefaultLesson) : options.lesson),
-               machineSeconds, stepThread_.get()),
+               machineSeconds, steps_.thread()),
       sound_(session_),
       sections_(controls_, menus_.panels, session_),
       settings_(options.settings),
@@ -81,11 +73,7 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
 
 /// A fault of a picture may have left steps under way, of the session that ends now.
 DesktopApp::~DesktopApp() {
-    try {
-        if (stepThread_) stepThread_->wait();
-    } catch (const std::exception& fault) {
-        std::fprintf(stderr, "meltpool: %s\n", fault.what());
-    }
+    steps_.abandon();
 }
 
 /// A file that is wrong ends the program before the window shows anything, as far as it is known for which lesson.
@@ -138,7 +126,7 @@ void DesktopApp::frame() {
     const bool headset = headsetFrame_;
     meter_.begin();
     runFrame();
-    if (stepThread_) meter_.add(stepThread_->takeCosts());
+    if (StepThread* thread = steps_.thread()) meter_.add(thread->takeCosts());
     meter_.end();
     if (headset != headsetFrame_) meter_.restart(); // frames with and without headset are not comparable
 }
@@ -161,7 +149,7 @@ void DesktopApp::runFrame() {
     if (window_.minimised() && !headsetFrame_) return;
 
     messages_.expire(time);
-    if (gl::debugBuild() || options_.watchShaders) shaderWatch_.update(shaders_, stepThread_.get(), messages_, time);
+    if (gl::debugBuild() || options_.watchShaders) shaderWatch_.update(shaders_, steps_.thread(), messages_, time);
     const bool captured = session_.running() && controls_.captured();
     interface_.begin(sections_.window.interfaceSize, captured, !session_.running() && !home_.open);
     interface_.takeInput(input, captured);
@@ -172,7 +160,7 @@ void DesktopApp::runFrame() {
     figures_.detail = detailSentence(detail_.level());
     const bool timed = menus_.panels.timings && !menus_.panels.hidden;
     if (timed) profiler_.beginFrame();
-    picture_.count(session_, seconds, stepsBeside_);
+    picture_.count(session_, seconds, steps_.ofLastFrame());
     simulate(input, seconds);
     drawHeadset(seconds);
     preparePicture(seconds);
@@ -197,7 +185,7 @@ void DesktopApp::runFrame() {
 /// Surface, picture and menus, and beside them, where the processor draws, the metal's steps. The picture is of the
 /// metal before these steps.
 void DesktopApp::show() {
-    if (stepsDue_) stepThread_->begin([this] { session_.run().makeSteps(nullptr); });
+    steps_.begin([this] { session_.run().makeSteps(nullptr); });
     drawPicture();
     const gl::Scope scope(&profiler_, "interface");
     interface_.end();
@@ -239,11 +227,11 @@ void DesktopApp::simulate(const InputFrame& input, double seconds) {
     // While the mouse is captured it leads the torch, even with a headset in use.
     const TorchSource held = headsetFrame_ && !controls_.captured() ? headset_->torch() : TorchSource{};
     if (held) controls_.putOut(ArcOut::takenOver);
-    const double waited = stepsBeside_ ? stepsBeside_->waited : 0;
-    session_.run().stepBeside(stepsBesidePicture() ? std::max(seconds - waited, 1e-3) : 0);
-    stepsDue_ = session_.beginSteps(controls_, seconds, &profiler_, held);
-    if (stepsDue_ && stepsBesidePicture()) return;
-    if (std::exchange(stepsDue_, false)) {
+    const bool beside = stepsBesidePicture();
+    session_.run().stepBeside(beside ? steps_.timeBeside(seconds) : 0);
+    const bool due = session_.beginSteps(controls_, seconds, &profiler_, held);
+    if (due && beside) return steps_.postpone();
+    if (due) {
         session_.run().makeSteps(&profiler_);
         session_.run().finishSteps();
     }
@@ -253,17 +241,11 @@ void DesktopApp::simulate(const InputFrame& input, double seconds) {
 /// Who looks at timings sees each pass alone. The headset's frame ends when its runtime says so.
 bool DesktopApp::stepsBesidePicture() const {
     const bool timed = menus_.panels.timings && !menus_.panels.hidden;
-    return stepThread_ && !headsetFrame_ && !timed;
+    return steps_.possible() && !headsetFrame_ && !timed;
 }
 
 void DesktopApp::finishSteps(double seconds) {
-    stepsBeside_.reset();
-    if (!std::exchange(stepsDue_, false)) return;
-    {
-        const InWork waiting(WorkPlace::waiting);
-        stepThread_->wait();
-    }
-    stepsBeside_ = {stepThread_->seconds(), stepThread_->waited()};
+    if (!steps_.finish()) return;
     session_.run().finishSteps();
     tellLesson(seconds);
 }
@@ -306,7 +288,7 @@ void DesktopApp::preparePicture(double seconds) {
     // The metal moves smoothly to the middle of what the panels leave free.
     shift_ += (menus_.middleOfPicture() - shift_) * std::min(1.0f, static_cast<float>(seconds) * 10);
     picture_.prepare(session_, controls_,
-                     {pixels, shift_, sections_.window.picture, screenshots_.windowAsked(), stepsDue_}, &profiler_);
+                     {pixels, shift_, sections_.window.picture, screenshots_.windowAsked(), steps_.due()}, &profiler_);
     figures_.picture = picture_.sentence();
     picturePrepared_ = true;
 }
@@ -373,7 +355,7 @@ void DesktopApp::writeTelemetry() {
                       window_.size(),
                       window_.pixels(),
                       screenshots_.saved(),
-                      stepsBeside_.has_value(),
+                      steps_.ofLastFrame().has_value(),
                       session_.attempt().judged(),
                       session_.activities(),
                       session_.picture().cut(),

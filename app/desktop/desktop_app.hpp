@@ -1,6 +1,7 @@
 // The window's frame: input, simulation, picture, menus, telemetry.
 #pragma once
 
+#include "app/desktop/background_steps.hpp"
 #include "app/desktop/desktop.hpp"
 #include "app/desktop/desktop_lessons.hpp"
 #include "app/desktop/desktop_menus.hpp"
@@ -11,7 +12,6 @@
 #include "app/desktop/interface.hpp"
 #include "app/desktop/screenshot_taker.hpp"
 #include "app/desktop/shader_watch.hpp"
-#include "app/desktop/step_thread.hpp"
 #include "app/desktop/window.hpp"
 #include "app/desktop/window_picture.hpp"
 #include "app/desktop/window_sections.hpp"
@@ -102,7 +102,7 @@ class DesktopApp {
     ui::Interface interface_;
     DesktopMenus menus_;
     gl::ShaderLibrary shaders_;
-    std::unique_ptr<StepThread> stepThread_; ///< null on a card, which works beside the processor anyway
+    BackgroundSteps steps_;
     Home home_;
     LessonSession session_;
     DesktopSound sound_;
@@ -121,12 +121,10 @@ class DesktopApp {
     ui::MissingLetters missingLetters_;
     ScreenshotTaker screenshots_;
     std::string driver_;
-    size_t judgements_ = 0;                  ///< that the menus have shown
-    bool picturePrepared_ = false;           ///< of the running lesson, in this frame
-    bool stepsDue_ = false;                  ///< in this frame, beside its picture
-    std::optional<StepsBeside> stepsBeside_; ///< in the last frame
-    bool headsetFrame_ = false;              ///< the headset paces this frame
-    bool headsetStarted_ = false;            ///< a headset has had frames before
+    size_t judgements_ = 0;        ///< that the menus have shown
+    bool picturePrepared_ = false; ///< of the running lesson, in this frame
+    bool headsetFrame_ = false;    ///< the headset paces this frame
+    bool headsetStarted_ = false;  ///< a headset has had frames before
     double lastFrame_ = 0;
     float shift_ = 0; ///< of the picture's middle, where panels cover a part of the window
 };

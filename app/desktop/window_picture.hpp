@@ -1,6 +1,7 @@
 // The picture of the running lesson in the window, drawn as finely as the setting says or as the metal leaves time for.
 #pragma once
 
+#include "app/desktop/background_steps.hpp"
 #include "app/desktop/picture_quality.hpp"
 #include "app/desktop/scaled_picture.hpp"
 #include "app/session/lesson_session.hpp"
@@ -16,12 +17,6 @@ struct PictureWish {
     int setting = 0;           ///< of pictureChoices()
     bool whole = false;        ///< with all pixels whatever the setting: it is to be kept
     bool surfaceLater = false; ///< the metal's surface is made in draw()
-};
-
-/// Steps made on another thread beside a picture, s.
-struct StepsBeside {
-    double seconds = 0; ///< from their begin until picture and steps were done
-    double waited = 0;  ///< of that, after the picture
 };
 
 class WindowPicture {

@@ -31,7 +31,7 @@ struct LargeClass {
 };
 
 constexpr std::array<LargeClass, 1> kLargeClasses{{
-    {"DesktopApp", 6, 37},
+    {"DesktopApp", 6, 35},
 }};
 
 bool isBeyond(const test::ClassSize& size) {
