@@ -147,7 +147,7 @@ void DesktopApp::showAll() {
 /// A large picture takes seconds where the processor draws. An attempt whose arc burns would lose what the hand did in
 /// them.
 bool DesktopApp::mayStandStill() const {
-    if (!session_.running() || headsetFrame_) return false;
+    if (!session_.running() || headset_.inFrame()) return false;
     return !window_.driver().software || !session_.welds();
 }
 

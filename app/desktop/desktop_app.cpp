@@ -20,9 +20,6 @@ namespace {
 /// s that a window sleeps between looks at its input where nothing moves: minimised, on a page before the lesson, or in
 /// a lesson whose picture stands.
 constexpr double kRest = 0.1;
-/// How long a headset that was asked for may take to open, s: far beyond what it takes on a busy machine.
-constexpr double kHeadsetPatience = 120;
-
 std::string driverText(const gl::ContextInfo& info) {
     return info.software ? phrase("desk.on_processor", {{"driver", info.renderer}}) : info.renderer;
 }
@@ -47,7 +44,7 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
       picture_(shaders_),
       detail_(window_.driver().software),
       driver_(driverText(window_.driver())) {
-    if (options_.headset != HeadsetUse::off && options_.makeHeadset) headset_ = options_.makeHeadset(settingsFolder());
+    headset_.open(options_, settingsFolder());
     session_.log().records().use(options_.record, programBuild(), window_.driver().renderer);
     if (options_.recordings)
         session_.log().recordings().use(recordingsFolder(), programBuild(), window_.driver().renderer);
@@ -91,7 +88,7 @@ void DesktopApp::takeGhost() {
 
 /// Null: there is no headset.
 ParameterSection* DesktopApp::headsetSection() {
-    return headset_ ? &headset_->section() : nullptr;
+    return headset_.device() ? &headset_.device()->section() : nullptr;
 }
 
 bool DesktopApp::finish() {
@@ -123,18 +120,20 @@ bool DesktopApp::finish() {
 
 void DesktopApp::frame() {
     if (!telemetry_.enabled()) return runFrame();
-    const bool headset = headsetFrame_;
+    const bool headset = headset_.inFrame() != nullptr;
     meter_.begin();
     runFrame();
     if (StepThread* thread = steps_.thread()) meter_.add(thread->takeCosts());
     meter_.end();
-    if (headset != headsetFrame_) meter_.restart(); // frames with and without headset are not comparable
+    if (headset != (headset_.inFrame() != nullptr))
+        meter_.restart(); // frames with and without headset are not comparable
 }
 
 bool DesktopApp::rests() const {
-    if (headsetFrame_) return false;
+    if (headset_.inFrame()) return false;
     // A headset that is about to open with its lesson is not kept waiting.
-    const bool before = !session_.running() && (home_.open || !headset_) && !session_.activities().current().hurries();
+    const bool before =
+        !session_.running() && (home_.open || !headset_.device()) && !session_.activities().current().hurries();
     const bool still = before || picture_.stands();
     return window_.minimised() || (still && !window_.stirred());
 }
@@ -146,7 +145,7 @@ void DesktopApp::runFrame() {
     const double seconds = time - lastFrame_;
     lastFrame_ = time;
     beginHeadset(seconds);
-    if (window_.minimised() && !headsetFrame_) return;
+    if (window_.minimised() && !headset_.inFrame()) return;
 
     messages_.expire(time);
     if (gl::debugBuild() || options_.watchShaders) shaderWatch_.update(shaders_, steps_.thread(), messages_, time);
@@ -155,7 +154,7 @@ void DesktopApp::runFrame() {
     interface_.takeInput(input, captured);
     handleKeys(input);
     tellRecordings(session_.log().recordings(), time, messages_);
-    detail_.update(sections_.window.detail, session_.running(), headsetFrame_);
+    detail_.update(sections_.window.detail, session_.running(), headset_.inFrame() != nullptr);
     session_.picture().setDetail(detail_.level());
     figures_.detail = detailSentence(detail_.level());
     const bool timed = menus_.panels.timings && !menus_.panels.hidden;
@@ -166,7 +165,7 @@ void DesktopApp::runFrame() {
     preparePicture(seconds);
     const MenuRequest request = drawMenus();
     tellMissingLetters();
-    sound_.update(session_, controls_, headsetFrame_ ? headset_.get() : nullptr);
+    sound_.update(session_, controls_, headset_.inFrame());
     pacer_.count(seconds);
     figures_.framesPerSecond = pacer_.framesPerSecond();
     writeTelemetry();
@@ -179,7 +178,7 @@ void DesktopApp::runFrame() {
     act(request);
     session_.settle(controls_);
     window_.captureMouse(session_.running() && controls_.captured());
-    if (!headsetFrame_) pacer_.pace(begin);
+    if (!headset_.inFrame()) pacer_.pace(begin);
 }
 
 /// Surface, picture and menus, and beside them, where the processor draws, the metal's steps. The picture is of the
@@ -192,27 +191,19 @@ void DesktopApp::show() {
 }
 
 void DesktopApp::beginHeadset(double seconds) {
-    headsetFrame_ = headset_ && headset_->begin(session_, home_, seconds);
-    if (!headset_) return;
-    if (options_.headset == HeadsetUse::wanted && headset_->openings() == 0 &&
-        (headset_->hopeless() || now() > kHeadsetPatience))
-        throw InputError("there is no headset to use: " + headset_->sentence());
-    window_.waitForDisplay(!headsetFrame_);
-    if (headset_->warning().empty())
-        messages_.clear("headset");
-    else
-        messages_.hold(headset_->warning(), "headset");
+    const bool putOn = headset_.begin(session_, home_, messages_, seconds, now());
+    if (headset_.device()) window_.waitForDisplay(!headset_.inFrame());
     // The lesson starts when somebody first puts the headset on.
-    if (headsetFrame_ && !headsetStarted_ && !session_.running()) start(&LessonSession::begin);
-    headsetStarted_ = headsetStarted_ || headsetFrame_;
+    if (putOn && !session_.running()) start(&LessonSession::begin);
 }
 
 void DesktopApp::drawHeadset(double seconds) {
-    if (!headsetFrame_) return;
+    WindowHeadset* const headset = headset_.inFrame();
+    if (!headset) return;
     const gl::Scope scope(&profiler_, "headset");
     MenuRequest request = MenuRequest::none;
-    detail_.draw([&] { request = headset_->draw(session_, home_, figures_, messages_, seconds, &profiler_); });
-    headset_->end();
+    detail_.draw([&] { request = headset->draw(session_, home_, figures_, messages_, seconds, &profiler_); });
+    headset->end();
     act(request);
 }
 
@@ -225,7 +216,7 @@ void DesktopApp::simulate(const InputFrame& input, double seconds) {
     }
     controls_.update(input, seconds);
     // While the mouse is captured it leads the torch, even with a headset in use.
-    const TorchSource held = headsetFrame_ && !controls_.captured() ? headset_->torch() : TorchSource{};
+    const TorchSource held = headset_.inFrame() && !controls_.captured() ? headset_.inFrame()->torch() : TorchSource{};
     if (held) controls_.putOut(ArcOut::takenOver);
     const bool beside = stepsBesidePicture();
     session_.run().stepBeside(beside ? steps_.timeBeside(seconds) : 0);
@@ -241,7 +232,7 @@ void DesktopApp::simulate(const InputFrame& input, double seconds) {
 /// Who looks at timings sees each pass alone. The headset's frame ends when its runtime says so.
 bool DesktopApp::stepsBesidePicture() const {
     const bool timed = menus_.panels.timings && !menus_.panels.hidden;
-    return steps_.possible() && !headsetFrame_ && !timed;
+    return steps_.possible() && !headset_.inFrame() && !timed;
 }
 
 void DesktopApp::finishSteps(double seconds) {
@@ -258,9 +249,8 @@ void DesktopApp::tellLesson(double seconds) {
         messages_.clear("record");
     else
         messages_.hold(phrase("desk.message.record_stopped", {{"reason", session_.run().recordFault()}}), "record");
-    const bool handHolds = headsetFrame_ && !controls_.captured();
-    notices_.update(session_, figures_, handHolds ? headset_->triggerLock() : controls_.triggerLock(), seconds,
-                    messages_);
+    const WindowHeadset* const hand = controls_.captured() ? nullptr : headset_.inFrame();
+    notices_.update(session_, figures_, hand ? hand->triggerLock() : controls_.triggerLock(), seconds, messages_);
     if (!session_.run().fault().empty())
         messages_.hold(phrase("desk.message.simulation_stopped", {{"reason", session_.run().fault()}}), "metal");
     else if (figures_.refused > 0)
@@ -275,7 +265,9 @@ void DesktopApp::takeJudgement() {
     judgements_ = session_.attempt().judgements();
     menus_.showResult(session_);
     sound_.judged(session_);
-    lessons_.keepScore(session_.leader() == TorchLeader::hand && headset_ ? static_cast<double>(headset_->zoom()) : 1,
+    lessons_.keepScore(session_.leader() == TorchLeader::hand && headset_.device()
+                           ? static_cast<double>(headset_.device()->zoom())
+                           : 1,
                        now());
 }
 
@@ -284,7 +276,7 @@ void DesktopApp::preparePicture(double seconds) {
     if (!session_.running()) return;
     const glm::ivec2 pixels = window_.pixels();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    if (headsetFrame_ && headset_->mirror(pixels)) return;
+    if (headset_.inFrame() && headset_.inFrame()->mirror(pixels)) return;
     // The metal moves smoothly to the middle of what the panels leave free.
     shift_ += (menus_.middleOfPicture() - shift_) * std::min(1.0f, static_cast<float>(seconds) * 10);
     picture_.prepare(session_, controls_,
@@ -359,7 +351,7 @@ void DesktopApp::writeTelemetry() {
                       session_.attempt().judged(),
                       session_.activities(),
                       session_.picture().cut(),
-                      headset_ ? headset_->status() : HeadsetStatus{},
+                      headset_.device() ? headset_.device()->status() : HeadsetStatus{},
                       meter_,
                       callsCounted_});
     meter_.resume();

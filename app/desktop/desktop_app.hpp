@@ -3,6 +3,7 @@
 
 #include "app/desktop/background_steps.hpp"
 #include "app/desktop/desktop.hpp"
+#include "app/desktop/desktop_headset.hpp"
 #include "app/desktop/desktop_lessons.hpp"
 #include "app/desktop/desktop_menus.hpp"
 #include "app/desktop/desktop_settings.hpp"
@@ -21,11 +22,9 @@
 #include "app/session/lesson_session.hpp"
 #include "app/session/messages.hpp"
 #include "app/session/notices.hpp"
-#include "app/session/window_headset.hpp"
 #include "app/ui/letters.hpp"
 
 #include <chrono>
-#include <memory>
 #include <span>
 
 namespace meltpool {
@@ -106,7 +105,7 @@ class DesktopApp {
     Home home_;
     LessonSession session_;
     DesktopSound sound_;
-    std::unique_ptr<WindowHeadset> headset_;
+    DesktopHeadset headset_;
     gl::Profiler profiler_;
     FrameMeter meter_;
     bool callsCounted_ = false; ///< the meter knows of allocations, stalls and the driver
@@ -123,8 +122,6 @@ class DesktopApp {
     std::string driver_;
     size_t judgements_ = 0;        ///< that the menus have shown
     bool picturePrepared_ = false; ///< of the running lesson, in this frame
-    bool headsetFrame_ = false;    ///< the headset paces this frame
-    bool headsetStarted_ = false;  ///< a headset has had frames before
     double lastFrame_ = 0;
     float shift_ = 0; ///< of the picture's middle, where panels cover a part of the window
 };
