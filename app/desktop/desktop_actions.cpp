@@ -26,7 +26,7 @@ std::span<const DesktopApp::Action> DesktopApp::actions() {
          Request::openLesson,
          {},
          always,
-         [](App& app) { app.lessons_.open(app.home_.chosen(), app.now()); }},
+         [](App& app) { app.lessons_.open(app.home_.chosen(), app.clock_.now()); }},
         {"next lesson", Request::next, {}, always, [](App& app) { app.openNext(); }},
         {"start", Request::start, {}, always, [](App& app) { app.start(&LessonSession::begin); }},
         {"start with the lesson's values",
@@ -37,7 +37,7 @@ std::span<const DesktopApp::Action> DesktopApp::actions() {
         {"demonstration", Request::demonstrate, {}, always, [](App& app) { app.start(&LessonSession::demonstrate); }},
         {"replay", Request::replay, {}, always, [](App& app) { app.replay(); }},
         {"weld beside a kept attempt", Request::ghost, {}, always, [](App& app) { app.weldBeside(); }},
-        {"compare", Request::compare, {}, always, [](App& app) { app.lessons_.compare(app.now()); }},
+        {"compare", Request::compare, {}, always, [](App& app) { app.lessons_.compare(app.clock_.now()); }},
         {"new attempt", Request::reset, Key::f5, always, [](App& app) { app.reset(); }},
         {"lesson page", Request::restart, {}, always, [](App& app) { app.leave(); }},
         {"judge", Request::judge, Key::j, always, [](App& app) { app.judge(); }},
@@ -45,7 +45,7 @@ std::span<const DesktopApp::Action> DesktopApp::actions() {
          Request::page,
          {},
          always,
-         [](App& app) { app.lessons_.writePage(app.driver_, app.now()); }},
+         [](App& app) { app.lessons_.writePage(app.driver_, app.clock_.now()); }},
         {"redo", Request::redo, Key::backspace, always, [](App& app) { app.session_.redo(app.controls_); }},
         {"cut", Request::cut, Key::x, always, [](App& app) { app.cut(); }},
         {"back", Request::none, Key::escape, always, [](App& app) { app.goBack(); }},
@@ -80,12 +80,12 @@ void DesktopApp::goHome() {
 }
 
 void DesktopApp::openNext() {
-    if (const CataloguedLesson* next = home_.find(session_.lesson().next)) lessons_.open(*next, now());
+    if (const CataloguedLesson* next = home_.find(session_.lesson().next)) lessons_.open(*next, clock_.now());
     menus_.panels.result = false;
 }
 
 void DesktopApp::start(void (LessonSession::*begin)(Controls&)) {
-    if (lessons_.start(begin, now())) showAll();
+    if (lessons_.start(begin, clock_.now())) showAll();
 }
 
 void DesktopApp::startWithDefaults() {
@@ -94,11 +94,11 @@ void DesktopApp::startWithDefaults() {
 }
 
 void DesktopApp::replay() {
-    if (lessons_.replay(home_.attempts.chosen(), now())) showAll();
+    if (lessons_.replay(home_.attempts.chosen(), clock_.now())) showAll();
 }
 
 void DesktopApp::weldBeside() {
-    if (lessons_.weldBeside(home_.attempts.chosen(), now())) showAll();
+    if (lessons_.weldBeside(home_.attempts.chosen(), clock_.now())) showAll();
 }
 
 void DesktopApp::reset() {

@@ -10,6 +10,7 @@
 #include "core/base/words.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <utility>
 
@@ -50,22 +51,22 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
         session_.log().recordings().use(recordingsFolder(), programBuild(), window_.driver().renderer);
     if (telemetry_.enabled()) callsCounted_ = joinCallCounters();
     for (std::string& fault : settings_.load(sections_.forFile(headsetSection())))
-        messages_.warn(std::move(fault), now());
+        messages_.warn(std::move(fault), clock_.now());
     takeGhost();
     settings_.giveTo(session_.lesson(), session_.sections());
     for (const std::string& fault : home_.scores.faults())
-        messages_.warn(fault, now());
+        messages_.warn(fault, clock_.now());
     for (const std::string& fault : home_.faults())
-        messages_.warn(fault, now());
+        messages_.warn(fault, clock_.now());
     home_.open = options.lesson.empty();
     home_.choose(session_.lesson().key);
     if (!options.replay.empty())
-        lessons_.openAttempt(options.replay, now(), options.lesson);
+        lessons_.openAttempt(options.replay, clock_.now(), options.lesson);
     else if (!options.lesson.empty())
-        lessons_.tellPath(now());
+        lessons_.tellPath(clock_.now());
     window_.resize({sections_.window.width, sections_.window.height}, sections_.window.maximised);
     window_.show();
-    lastFrame_ = now();
+    clock_.restart();
 }
 
 /// A fault of a picture may have left steps under way, of the session that ends now.
@@ -139,11 +140,10 @@ bool DesktopApp::rests() const {
 }
 
 void DesktopApp::runFrame() {
-    const Clock::time_point begin = Clock::now();
+    const auto begin = std::chrono::steady_clock::now();
     InputFrame input = window_.poll(rests() ? kRest : 0);
-    const double time = now();
-    const double seconds = time - lastFrame_;
-    lastFrame_ = time;
+    const double seconds = clock_.next();
+    const double time = clock_.frame();
     beginHeadset(seconds);
     if (window_.minimised() && !headset_.inFrame()) return;
 
@@ -172,7 +172,7 @@ void DesktopApp::runFrame() {
     show();
     if (timed) profiler_.endFrame();
     if (screenshots_.asked())
-        screenshots_.take(picturePrepared_ ? &picture_ : nullptr, session_, window_.pixels(), messages_, now());
+        screenshots_.take(picturePrepared_ ? &picture_ : nullptr, session_, window_.pixels(), messages_, clock_.now());
     window_.swap();
     finishSteps(seconds);
     act(request);
@@ -191,7 +191,7 @@ void DesktopApp::show() {
 }
 
 void DesktopApp::beginHeadset(double seconds) {
-    const bool putOn = headset_.begin(session_, home_, messages_, seconds, now());
+    const bool putOn = headset_.begin(session_, home_, messages_, seconds, clock_.now());
     if (headset_.device()) window_.waitForDisplay(!headset_.inFrame());
     // The lesson starts when somebody first puts the headset on.
     if (putOn && !session_.running()) start(&LessonSession::begin);
@@ -268,7 +268,7 @@ void DesktopApp::takeJudgement() {
     lessons_.keepScore(session_.leader() == TorchLeader::hand && headset_.device()
                            ? static_cast<double>(headset_.device()->zoom())
                            : 1,
-                       now());
+                       clock_.now());
 }
 
 void DesktopApp::preparePicture(double seconds) {
@@ -321,11 +321,11 @@ void DesktopApp::tellMissingLetters() {
     const auto told = missingLetters_.take();
     if (!told) return;
     std::fprintf(stderr, "meltpool: %s\n", printable(told->terminal, 3000).c_str());
-    messages_.warn(told->window, now());
+    messages_.warn(told->window, clock_.now());
 }
 
 void DesktopApp::writeTelemetry() {
-    if (!telemetry_.due(now())) return;
+    if (!telemetry_.due(clock_.now())) return;
     meter_.pause();
     const std::vector<const ParameterSection*> sections = sections_.forTelemetry();
     std::vector<std::string> passes;
@@ -333,7 +333,7 @@ void DesktopApp::writeTelemetry() {
         passes.push_back(pass.name);
     const char* page = home_.open ? "home" : session_.running() ? "running" : "start";
     telemetry_.write({page,
-                      lastFrame_, // which the metal's time belongs to, however long the frame takes
+                      clock_.frame(), // which the metal's time belongs to, however long the frame takes
                       pacer_.frames(),
                       session_.run().steps(),
                       session_.running() ? session_.run().torch() : TorchSample{},

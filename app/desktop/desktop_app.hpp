@@ -9,6 +9,7 @@
 #include "app/desktop/desktop_settings.hpp"
 #include "app/desktop/desktop_sound.hpp"
 #include "app/desktop/detail_choice.hpp"
+#include "app/desktop/frame_clock.hpp"
 #include "app/desktop/frame_pacer.hpp"
 #include "app/desktop/interface.hpp"
 #include "app/desktop/screenshot_taker.hpp"
@@ -24,7 +25,6 @@
 #include "app/session/notices.hpp"
 #include "app/ui/letters.hpp"
 
-#include <chrono>
 #include <span>
 
 namespace meltpool {
@@ -44,8 +44,6 @@ class DesktopApp {
     bool finish();
 
   private:
-    using Clock = std::chrono::steady_clock;
-
     void takeGhost();
     void runFrame();
     bool rests() const;
@@ -87,10 +85,9 @@ class DesktopApp {
     MenuRequest drawMenus();
     void tellMissingLetters();
     void writeTelemetry();
-    double now() const { return std::chrono::duration<double>(Clock::now() - begun_).count(); }
 
     DesktopOptions options_;
-    Clock::time_point begun_ = Clock::now();
+    FrameClock clock_;
     WindowTelemetry telemetry_;
     Messages messages_;
     Controls controls_;
@@ -122,8 +119,7 @@ class DesktopApp {
     std::string driver_;
     size_t judgements_ = 0;        ///< that the menus have shown
     bool picturePrepared_ = false; ///< of the running lesson, in this frame
-    double lastFrame_ = 0;
-    float shift_ = 0; ///< of the picture's middle, where panels cover a part of the window
+    float shift_ = 0;              ///< of the picture's middle, where panels cover a part of the window
 };
 
 } // namespace meltpool

@@ -31,7 +31,7 @@ struct LargeClass {
 };
 
 constexpr std::array<LargeClass, 1> kLargeClasses{{
-    {"DesktopApp", 6, 33},
+    {"DesktopApp", 6, 32},
 }};
 
 bool isBeyond(const test::ClassSize& size) {
