@@ -2,7 +2,6 @@
 
 #include "app/library/best_kept.hpp"
 #include "app/library/kept_attempts.hpp"
-#include "app/platform/call_counters.hpp"
 #include "app/platform/program_info.hpp"
 #include "core/base/error.hpp"
 #include "core/base/resources.hpp"
@@ -49,7 +48,7 @@ DesktopApp::DesktopApp(const DesktopOptions& options)
     session_.log().records().use(options_.record, programBuild(), window_.driver().renderer);
     if (options_.recordings)
         session_.log().recordings().use(recordingsFolder(), programBuild(), window_.driver().renderer);
-    if (telemetry_.enabled()) callsCounted_ = joinCallCounters();
+    telemetry_.countCalls();
     for (std::string& fault : settings_.load(sections_.forFile(headsetSection())))
         messages_.warn(std::move(fault), clock_.now());
     takeGhost();
@@ -122,12 +121,10 @@ bool DesktopApp::finish() {
 void DesktopApp::frame() {
     if (!telemetry_.enabled()) return runFrame();
     const bool headset = headset_.inFrame() != nullptr;
-    meter_.begin();
+    telemetry_.beginFrame();
     runFrame();
-    if (StepThread* thread = steps_.thread()) meter_.add(thread->takeCosts());
-    meter_.end();
-    if (headset != (headset_.inFrame() != nullptr))
-        meter_.restart(); // frames with and without headset are not comparable
+    StepThread* const thread = steps_.thread();
+    telemetry_.endFrame(thread ? thread->takeCosts() : WorkCosts{}, headset != (headset_.inFrame() != nullptr));
 }
 
 bool DesktopApp::rests() const {
@@ -326,7 +323,6 @@ void DesktopApp::tellMissingLetters() {
 
 void DesktopApp::writeTelemetry() {
     if (!telemetry_.due(clock_.now())) return;
-    meter_.pause();
     const std::vector<const ParameterSection*> sections = sections_.forTelemetry();
     std::vector<std::string> passes;
     for (const gl::PassTime& pass : profiler_.passes())
@@ -351,10 +347,7 @@ void DesktopApp::writeTelemetry() {
                       session_.attempt().judged(),
                       session_.activities(),
                       session_.picture().cut(),
-                      headset_.device() ? headset_.device()->status() : HeadsetStatus{},
-                      meter_,
-                      callsCounted_});
-    meter_.resume();
+                      headset_.device() ? headset_.device()->status() : HeadsetStatus{}});
     if (telemetry_.fault().empty()) return;
     messages_.hold(phrase("desk.message.telemetry_stopped", {{"reason", telemetry_.fault()}}), "telemetry");
     std::fprintf(stderr, "meltpool: %s\n", telemetry_.fault().c_str());

@@ -18,7 +18,6 @@
 #include "app/desktop/window_picture.hpp"
 #include "app/desktop/window_sections.hpp"
 #include "app/desktop/window_telemetry.hpp"
-#include "app/platform/frame_meter.hpp"
 #include "app/session/home.hpp"
 #include "app/session/lesson_session.hpp"
 #include "app/session/messages.hpp"
@@ -37,8 +36,6 @@ class DesktopApp {
 
     bool closing() const { return window_.closing(); }
     void frame();
-    /// What the frames cost; measured where telemetry is asked for.
-    const FrameMeter& meter() const { return meter_; }
     /// Ends the lesson and writes the settings file. False, and a sentence on standard error, where something that was
     /// to be kept is lost.
     bool finish();
@@ -104,8 +101,6 @@ class DesktopApp {
     DesktopSound sound_;
     DesktopHeadset headset_;
     gl::Profiler profiler_;
-    FrameMeter meter_;
-    bool callsCounted_ = false; ///< the meter knows of allocations, stalls and the driver
     WindowSections sections_;
 
     DesktopSettings settings_;

@@ -1,5 +1,6 @@
 #include "app/desktop/window_telemetry.hpp"
 
+#include "app/platform/call_counters.hpp"
 #include "core/base/error.hpp"
 #include "core/base/output_file.hpp"
 
@@ -171,9 +172,20 @@ WindowTelemetry::WindowTelemetry(const std::filesystem::path& file) : name_(file
     if (!file_) throw InputError(file, 0, "the telemetry cannot be written here; expected a file in a writable folder");
 }
 
+void WindowTelemetry::countCalls() {
+    if (enabled()) callsCounted_ = joinCallCounters();
+}
+
+void WindowTelemetry::endFrame(const WorkCosts& beside, bool another) {
+    meter_.add(beside);
+    meter_.end();
+    if (another) meter_.restart();
+}
+
 bool WindowTelemetry::due(double now) {
     if (!enabled() || now < next_) return false;
     next_ = now + kRowSeconds;
+    meter_.pause();
     return true;
 }
 
@@ -213,13 +225,15 @@ void WindowTelemetry::write(const TelemetryRow& row) {
         {"replay", replay(row.activities)},
         {"cut", cut(row.cut)},
         {"headset", headset(row.headset)},
-        {"frame_costs", frameCosts(row.meter, row.callsCounted)},
+        {"frame_costs", frameCosts(meter_, callsCounted_)},
     };
     // Bytes of a message need not be UTF-8 (a path, a driver's log); they are replaced, not refused.
     file_ << object.dump(-1, ' ', false, json::error_handler_t::replace) << std::endl;
-    if (file_) return;
-    fault_ = name_.string() + ": the telemetry cannot be written on; " + writeExpectation(errno);
-    file_.close();
+    if (!file_) {
+        fault_ = name_.string() + ": the telemetry cannot be written on; " + writeExpectation(errno);
+        file_.close();
+    }
+    meter_.resume();
 }
 
 } // namespace meltpool

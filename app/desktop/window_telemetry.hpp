@@ -43,8 +43,6 @@ struct TelemetryRow {
     const Activities& activities;
     const CutView& cut;
     HeadsetStatus headset;
-    const FrameMeter& meter;   ///< what the frames before this row cost
-    bool callsCounted = false; ///< the meter knows of allocations, stalls and the driver
 };
 
 class WindowTelemetry {
@@ -55,7 +53,18 @@ class WindowTelemetry {
     bool enabled() const { return file_.is_open(); }
     /// Why the telemetry ended before the program, as a sentence; empty while it is whole or none is wanted.
     const std::string& fault() const { return fault_; }
-    /// True when it is time for another row: at most 20 a second.
+
+    /// Counts allocations, stalls and the driver's time too, where telemetry is wanted and call counters are loaded. To
+    /// be called once OpenGL's functions are loaded.
+    void countCalls();
+    /// The processor's costs of a frame are those between these two calls.
+    void beginFrame() { meter_.begin(); }
+    /// `beside`: what other threads did for the frame. `another`: the frames so far are not comparable with the next
+    /// ones, with a headset or without, and are forgotten.
+    void endFrame(const WorkCosts& beside, bool another);
+
+    /// True when it is time for another row: at most 20 a second. What the frame costs is then not counted until
+    /// write(), which must follow.
     bool due(double now);
     /// Adds a row. The first that the disk does not take ends the telemetry and sets fault(); the window goes on.
     void write(const TelemetryRow& row);
@@ -65,6 +74,8 @@ class WindowTelemetry {
     std::ofstream file_;
     std::string fault_;
     double next_ = 0;
+    FrameMeter meter_;          ///< what the frames before a row cost
+    bool callsCounted_ = false; ///< the meter knows of allocations, stalls and the driver
 };
 
 } // namespace meltpool
