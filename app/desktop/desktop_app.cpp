@@ -168,8 +168,7 @@ void DesktopApp::runFrame() {
     writeTelemetry();
     show();
     if (timed) profiler_.endFrame();
-    if (screenshots_.asked())
-        screenshots_.take(picturePrepared_ ? &picture_ : nullptr, session_, window_.pixels(), messages_, clock_.now());
+    if (screenshots_.asked()) screenshots_.take(picture_, session_, window_.pixels(), messages_, clock_.now());
     window_.swap();
     finishSteps(seconds);
     act(request);
@@ -269,21 +268,19 @@ void DesktopApp::takeJudgement() {
 }
 
 void DesktopApp::preparePicture(double seconds) {
-    picturePrepared_ = false;
     if (!session_.running()) return;
     const glm::ivec2 pixels = window_.pixels();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     if (headset_.inFrame() && headset_.inFrame()->mirror(pixels)) return;
-    // The metal moves smoothly to the middle of what the panels leave free.
-    shift_ += (menus_.middleOfPicture() - shift_) * std::min(1.0f, static_cast<float>(seconds) * 10);
-    picture_.prepare(session_, controls_,
-                     {pixels, shift_, sections_.window.picture, screenshots_.windowAsked(), steps_.due()}, &profiler_);
+    picture_.prepare(
+        session_, controls_,
+        {pixels, menus_.middleOfPicture(), seconds, sections_.window.picture, screenshots_.windowAsked(), steps_.due()},
+        &profiler_);
     figures_.picture = picture_.sentence();
-    picturePrepared_ = true;
 }
 
 void DesktopApp::drawPicture() {
-    if (picturePrepared_) return detail_.draw([this] { picture_.draw(session_, &profiler_); });
+    if (picture_.prepared()) return detail_.draw([this] { picture_.draw(session_, &profiler_); });
     if (session_.running()) return; // the headset's mirror is there
     const glm::ivec2 pixels = window_.pixels();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);

@@ -112,9 +112,7 @@ class DesktopApp {
     ui::MissingLetters missingLetters_;
     ScreenshotTaker screenshots_;
     std::string driver_;
-    size_t judgements_ = 0;        ///< that the menus have shown
-    bool picturePrepared_ = false; ///< of the running lesson, in this frame
-    float shift_ = 0;              ///< of the picture's middle, where panels cover a part of the window
+    size_t judgements_ = 0; ///< that the menus have shown
 };
 
 } // namespace meltpool

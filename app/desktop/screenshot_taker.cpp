@@ -13,12 +13,12 @@ void ScreenshotTaker::ask(bool large, Messages& messages) {
     messages.clear("picture"); // the last picture's message is not for this one
 }
 
-void ScreenshotTaker::take(WindowPicture* metal, LessonSession& session, glm::ivec2 pixels, Messages& messages,
+void ScreenshotTaker::take(WindowPicture& picture, LessonSession& session, glm::ivec2 pixels, Messages& messages,
                            double now) {
-    const bool large = std::exchange(largeAsked_, false) && metal;
+    const bool large = std::exchange(largeAsked_, false) && picture.prepared();
     windowAsked_ = false;
     try {
-        saved_ = (large ? savePicture(metal->large(session)) : saveScreenshot(pixels)).string();
+        saved_ = (large ? savePicture(picture.large(session)) : saveScreenshot(pixels)).string();
         messages.note(phrase("desk.message.picture_saved", {{"file", saved_}}), now, "picture");
     } catch (const std::exception& fault) {
         messages.warn(fault.what(), now, "picture");

@@ -20,10 +20,10 @@ class ScreenshotTaker {
     /// A picture of the window is due, which needs all its pixels.
     bool windowAsked() const { return windowAsked_; }
 
-    /// Saves the picture asked for, and a message says where it is or why it was not saved. `metal` is the picture in
-    /// the window; null: the window shows none, and a picture of the window replaces a large one. `pixels` of the
-    /// window, drawn and not yet swapped; `now` is s on the program's clock.
-    void take(WindowPicture* metal, LessonSession& session, glm::ivec2 pixels, Messages& messages, double now);
+    /// Saves the picture asked for, and a message says where it is or why it was not saved. Where `picture`
+    /// is not prepared(), a picture of the window replaces a large one. `pixels` of the window, drawn and not yet
+    /// swapped; `now` is s on the program's clock.
+    void take(WindowPicture& picture, LessonSession& session, glm::ivec2 pixels, Messages& messages, double now);
 
     /// File of the newest picture saved; empty: none was.
     const std::string& saved() const { return saved_; }

@@ -7,6 +7,7 @@
 namespace meltpool {
 
 void WindowPicture::count(const LessonSession& session, double seconds, const std::optional<StepsBeside>& beside) {
+    prepared_ = false;
     const double steps = session.run().clock().busy();
     const bool hurries = session.activities().current().hurries();
     const bool metalStopped = still_.count(seconds, beside || steps > 0 || hurries);
@@ -27,7 +28,8 @@ void WindowPicture::prepare(LessonSession& session, const Controls& controls, co
     if (wish.pixels != pixels_) budget_.restart();
     pixels_ = wish.pixels;
     const float aspect = static_cast<float>(pixels_.x) / static_cast<float>(std::max(pixels_.y, 1));
-    shown_ = session.picture().atDesk(controls, aspect, wish.shift, wish.surfaceLater, profiler);
+    shift_ += (wish.middle - shift_) * std::min(1.0f, static_cast<float>(wish.seconds) * 10);
+    shown_ = session.picture().atDesk(controls, aspect, shift_, wish.surfaceLater, profiler);
     stands_ = still_.stands(shown_.view);
     counts_ = wish.setting == 0 && !wish.whole && !stands_;
     level_ = wish.whole          ? PictureLevel::full
@@ -35,7 +37,7 @@ void WindowPicture::prepare(LessonSession& session, const Controls& controls, co
              : stands_           ? PictureLevel::full
                                  : budget_.level();
     sentence_ = pictureSentence(level_);
-    offset_ = wish.shift;
+    prepared_ = true;
 }
 
 void WindowPicture::draw(LessonSession& session, gl::Profiler* profiler) {
@@ -54,7 +56,7 @@ Image WindowPicture::large(LessonSession& session) {
     wish.size = fitInto(pixels_, wish.size);
     if (session.picture().look().mode == kPointsMode) wish.margin = kPointMargin;
     View view = shown_.view;
-    view.eyeToClip[2][0] += offset_;
+    view.eyeToClip[2][0] += shift_;
     session.picture().setDetail(kHighDetail);
     DeskPicture tile = shown_;
     const Image image = drawLargePicture(wish, view, [&](const View& part, const RenderTarget& target) {
