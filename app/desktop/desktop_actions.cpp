@@ -1,26 +1,15 @@
-// The table of the window's actions. Keys, menus and the headset look them up here.
-#include "app/desktop/desktop_app.hpp"
+#include "app/desktop/desktop_actions.hpp"
 
-#include <optional>
-#include <span>
+#include "app/desktop/desktop_app.hpp"
 
 namespace meltpool {
 
-/// Only keys ask `allowed`: a menu decides itself where it shows a button.
-struct DesktopApp::Action {
-    const char* name;
-    MenuRequest request;    ///< by which menus and headset ask for it; none: they do not
-    std::optional<Key> key; ///< empty: no key of its own
-    bool (*allowed)(const DesktopApp& app);
-    void (*run)(DesktopApp& app);
-};
-
-std::span<const DesktopApp::Action> DesktopApp::actions() {
+std::span<const DesktopAction> desktopActions() {
     using App = DesktopApp;
     using Request = MenuRequest;
     constexpr auto always = [](const App&) { return true; };
     constexpr auto noWelding = [](const App& app) { return !app.session_.welds(); };
-    static constexpr Action table[] = {
+    static constexpr DesktopAction table[] = {
         {"lesson list", Request::home, Key::h, noWelding, [](App& app) { app.goHome(); }},
         {"open lesson",
          Request::openLesson,
@@ -65,12 +54,12 @@ std::span<const DesktopApp::Action> DesktopApp::actions() {
 
 void DesktopApp::act(MenuRequest request) {
     if (request == MenuRequest::none) return;
-    for (const Action& action : actions())
+    for (const DesktopAction& action : desktopActions())
         if (action.request == request) action.run(*this);
 }
 
 void DesktopApp::act(Key key) {
-    for (const Action& action : actions())
+    for (const DesktopAction& action : desktopActions())
         if (action.key == key && action.allowed(*this)) action.run(*this);
 }
 

@@ -3,6 +3,7 @@
 
 #include "app/desktop/background_steps.hpp"
 #include "app/desktop/desktop.hpp"
+#include "app/desktop/desktop_actions.hpp"
 #include "app/desktop/desktop_headset.hpp"
 #include "app/desktop/desktop_lessons.hpp"
 #include "app/desktop/desktop_menus.hpp"
@@ -24,8 +25,6 @@
 #include "app/session/notices.hpp"
 #include "app/ui/letters.hpp"
 
-#include <span>
-
 namespace meltpool {
 
 class DesktopApp {
@@ -46,8 +45,7 @@ class DesktopApp {
     bool rests() const;
     ParameterSection* headsetSection();
     void handleKeys(const InputFrame& input);
-    struct Action;
-    static std::span<const Action> actions();
+    friend std::span<const DesktopAction> desktopActions();
     /// Runs the action that a button asks for, or that has the key and is allowed now; no-op without one.
     void act(MenuRequest request);
     void act(Key key);

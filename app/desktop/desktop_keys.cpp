@@ -1,4 +1,4 @@
-// Keys whose meaning depends on the page that is open; all others are keys of actions, see actions().
+// Keys whose meaning depends on the page that is open; all others are keys of actions, see desktopActions().
 #include "app/desktop/desktop_app.hpp"
 
 #include <algorithm>
