@@ -1,6 +1,7 @@
 // The search runs on a thread of its own, since making an instance may block for seconds.
 #include "xr/headset_connection.hpp"
 
+#include "core/base/words.hpp"
 #include "xr/runtime_manifest.hpp"
 
 #include <algorithm>
@@ -20,10 +21,8 @@ constexpr auto kLongestPause = std::chrono::milliseconds(8000);
 std::string unavailable(const RuntimeManifest& manifest) {
     if (!manifest.fault.empty()) return manifest.fault;
     if (!manifest.file.empty())
-        return "the OpenXR runtime that " + manifest.file + " names (" + manifest.library +
-               ") cannot be loaded; install it again or make another one active";
-    return "no OpenXR runtime is active; install SteamVR, Meta Link, Monado or WiVRn and make it the active OpenXR "
-           "runtime in its own settings";
+        return phrase("headset.reason.not_loaded", {{"file", manifest.file}, {"library", manifest.library}});
+    return phrase("headset.reason.no_runtime");
 }
 
 } // namespace
@@ -33,16 +32,15 @@ std::string explain(const XrFault& fault) {
     case XR_ERROR_RUNTIME_UNAVAILABLE:
         return unavailable(findRuntimeManifest());
     case XR_ERROR_FORM_FACTOR_UNAVAILABLE:
-        return "the OpenXR runtime runs but sees no headset; switch the headset on, plug it in or connect it to this "
-               "computer";
+        return phrase("headset.reason.no_headset");
     case XR_ERROR_INSTANCE_LOST:
-        return "the OpenXR runtime has stopped; it is used again as soon as it is back";
+        return phrase("headset.reason.stopped");
     case XR_ERROR_SESSION_LOST:
-        return "the headset is disconnected; it is used again as soon as it is back";
+        return phrase("headset.reason.disconnected");
     case XR_ERROR_RUNTIME_FAILURE:
-        return "the OpenXR runtime does not answer; start it (for Monado: monado-service) or restart it";
+        return phrase("headset.reason.no_answer");
     case XR_ERROR_LIMIT_REACHED:
-        return "another program holds the headset; close it";
+        return phrase("headset.reason.held");
     default:
         return fault.what();
     }
@@ -88,10 +86,10 @@ ConnectionState HeadsetConnection::update() {
     }
     switch (headset_->mode()) {
     case SessionMode::lost:
-        lose("the headset is disconnected; it is used again as soon as it is back");
+        lose(phrase("headset.reason.disconnected"));
         break;
     case SessionMode::ended:
-        lose("the headset's own menu has closed the trainer");
+        lose(phrase("headset.reason.closed"));
         state_ = ConnectionState::ended;
         break;
     default:
@@ -156,7 +154,7 @@ void HeadsetConnection::release() {
 }
 
 void HeadsetConnection::onStall() {
-    reason_ = "the OpenXR runtime does not answer: the arc is out; the headset is used again as soon as it does";
+    reason_ = phrase("headset.reason.stalled");
     state_ = ConnectionState::stalled;
 }
 
@@ -176,7 +174,7 @@ void HeadsetConnection::close() {
     headset_.reset(); // waits for the session to end
     opened_ = false;
     state_ = ConnectionState::ended;
-    reason_ = "the headset is not used";
+    reason_ = phrase("headset.reason.not_used");
 }
 
 } // namespace meltpool::xr

@@ -3,6 +3,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
+#include "core/base/words.hpp"
 
 #include <glm/gtc/constants.hpp>
 #include <glm/gtx/quaternion.hpp>
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <optional>
 #include <utility>
@@ -61,12 +61,6 @@ double smallestEigenvalue(const glm::dmat3& a) {
     return q + 2.0 * p * std::cos(std::acos(r) / 3.0 + 2.0 * glm::pi<double>() / 3.0);
 }
 
-std::string millimetres(float value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.1f mm", static_cast<double>(value));
-    return text.data();
-}
-
 PivotResult refuse(PivotResult result, std::string reason) {
     result.reason = std::move(reason);
     return result;
@@ -77,16 +71,14 @@ PivotResult refuse(PivotResult result, std::string reason) {
 PivotResult solvePivot(std::span<const Pose> poses) {
     PivotResult result;
     if (poses.size() < kFewestPoses)
-        return refuse(result, "only " + std::to_string(poses.size()) +
-                                  " poses were tracked; hold the tip in sight of the cameras for longer");
+        return refuse(result, phrase("headset.tip.pivot.few_poses", {{"poses", std::to_string(poses.size())}}));
     const NormalEquations sum = normalEquations(poses);
     // For turns of standard deviation s about an axis, the matrix has s^2 in both directions across it, so the smallest
     // eigenvalue is the turning across the worst-known direction.
     const double weakest = std::max(0.0, smallestEigenvalue(sum.matrix));
     result.turnDegrees = static_cast<float>(glm::degrees(2.0 * std::asin(std::min(1.0, std::sqrt(weakest)))));
     if (result.turnDegrees < kLeastTurnDegrees)
-        return refuse(result, "the torch was hardly turned; swing it by 45 degrees to all sides and turn it about its "
-                              "own axis while the tip stays where it is");
+        return refuse(result, phrase("headset.tip.pivot.hardly_turned"));
     result.offset = glm::vec3(glm::inverse(sum.matrix) * sum.right);
     result.point = glm::vec3(sum.meanRotation * glm::dvec3(result.offset) + sum.meanPosition);
     double squares = 0;
@@ -101,11 +93,11 @@ PivotResult solvePivot(std::span<const Pose> poses) {
     const glm::dmat3 spread = glm::inverse(sum.matrix) * (variance / n);
     result.errorMm = static_cast<float>(1000.0 * std::sqrt(spread[0][0] + spread[1][1] + spread[2][2]));
     if (result.residualMm > kLargestResidualMm)
-        return refuse(result, "the tip slid: it was " + millimetres(result.residualMm) +
-                                  " off on average; rest it in a small dent");
+        return refuse(result, phrase("headset.tip.pivot.slid",
+                                     {{"distance", PhraseNumber(static_cast<double>(result.residualMm), 1)}}));
     if (result.errorMm > kPivotError)
-        return refuse(result, "the tip's place is only known to " + millimetres(result.errorMm) +
-                                  "; swing the torch farther to all sides, nearer to the cameras");
+        return refuse(result, phrase("headset.tip.pivot.uncertain",
+                                     {{"error", PhraseNumber(static_cast<double>(result.errorMm), 1)}}));
     result.accepted = true;
     return result;
 }
@@ -114,8 +106,7 @@ AxisResult solveAxis(std::span<const Pose> poses, const glm::vec3& down) {
     constexpr float kLargestSpread = 3.0f;
     AxisResult result;
     if (poses.size() < kFewestPoses) {
-        result.reason =
-            "only " + std::to_string(poses.size()) + " poses were tracked; hold the torch in sight for longer";
+        result.reason = phrase("headset.tip.axis.few_poses", {{"poses", std::to_string(poses.size())}});
         return result;
     }
     glm::dvec3 sum(0.0);
@@ -130,7 +121,7 @@ AxisResult solveAxis(std::span<const Pose> poses, const glm::vec3& down) {
     }
     result.spreadDegrees = static_cast<float>(glm::degrees(std::sqrt(squares / static_cast<double>(poses.size()))));
     result.accepted = result.spreadDegrees <= kLargestSpread;
-    if (!result.accepted) result.reason = "the torch was not held still; stand it upright, its tip down";
+    if (!result.accepted) result.reason = phrase("headset.tip.axis.not_still");
     return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
+#include "core/base/words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -25,18 +26,21 @@ std::string_view withoutQuotes(std::string_view cell) {
 }
 
 std::string separatorName(char separator) {
-    if (separator == ',') return "commas";
-    if (separator == ';') return "semicolons";
-    return separator == '\t' ? "tabs" : quote(std::string(1, separator));
+    if (separator == ',') return phrase("table_form.commas");
+    if (separator == ';') return phrase("table_form.semicolons");
+    return separator == '\t' ? phrase("table_form.tabs") : quote(std::string(1, separator));
 }
 
 } // namespace
 
 std::string TableForm::text() const {
-    std::string text = std::string(encodingName(encoding)) + ", columns parted by " + separatorName(separator) + ", " +
-                       (decimalComma ? "decimal comma" : "decimal point");
-    if (linesAbove > 0) text += ", " + std::to_string(linesAbove) + " lines above the header left out";
-    return text;
+    const std::string between = separatorName(separator), lines = std::to_string(linesAbove);
+    const std::string_view coded = encodingName(encoding);
+    if (linesAbove > 0)
+        return phraseOfCount(decimalComma ? "table_form.comma_below_lines" : "table_form.point_below_lines", linesAbove,
+                             {{"encoding", coded}, {"separator", between}, {"lines", lines}});
+    return phrase(decimalComma ? "table_form.comma" : "table_form.point",
+                  {{"encoding", coded}, {"separator", between}});
 }
 
 TableReader::TableReader(std::string bytes, std::filesystem::path file, const NameTest& knows)

@@ -67,7 +67,8 @@ struct SpokenLanguages {
 };
 
 SpokenLanguages& spoken() {
-    static SpokenLanguages languages;
+    // Never destroyed: a search for a headset may still ask for a sentence while the program ends.
+    static SpokenLanguages& languages = *new SpokenLanguages;
     return languages;
 }
 

@@ -161,7 +161,7 @@ PathChange PathChange::resolved(std::optional<double> mean) const {
 std::string WhatIf::text() const {
     std::string words;
     for (const auto& [key, value] : asked)
-        words += (words.empty() ? "" : ", ") + key + "=" + value;
+        words += (words.empty() ? "" : phrase("list.separator")) + key + "=" + value;
     return words.empty() ? phrase("what_if.nothing") : words;
 }
 
