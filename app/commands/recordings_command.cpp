@@ -28,11 +28,33 @@ std::string shown(const std::string& text) {
     return printable(text, kMostBytes);
 }
 
+/// Why an attempt ended, in the chosen language: the recording has the English words.
+std::string endText(const std::string& reason) {
+    std::string key = "run.recordings.end." + reason;
+    std::replace(key.begin(), key.end(), ' ', '_');
+    return std::string(phraseOr(key, reason));
+}
+
+/// Recording::stateSentence() in the chosen language.
+std::string stateText(const Recording& recording) {
+    const PhraseNumber seconds(recording.seconds(), 2);
+    const std::string frames = std::to_string(recording.frames);
+    if (recording.fault)
+        return phrase(recording.damaged() ? "run.recordings.whole.damaged" : "run.recordings.whole.cut",
+                      {{"seconds", seconds},
+                       {"frames", frames},
+                       {"frame", std::to_string(recording.fault->frame)},
+                       {"byte", std::to_string(recording.fault->byte)}});
+    if (!recording.end) return phrase("run.recordings.whole.killed", {{"seconds", seconds}, {"frames", frames}});
+    return phrase("run.recordings.whole.ended",
+                  {{"seconds", seconds}, {"frames", frames}, {"reason", endText(recording.end->reason)}});
+}
+
 bool check(const std::filesystem::path& file) {
     const Recording recording = readRecording(file);
-    std::printf("%s\n", phrase("run.recordings.state",
-                               {{"file", shown(file.string())}, {"state", shown(recording.stateSentence())}})
-                            .c_str());
+    std::printf("%s\n",
+                phrase("run.recordings.state", {{"file", shown(file.string())}, {"state", shown(stateText(recording))}})
+                    .c_str());
     return !recording.damaged();
 }
 
@@ -45,7 +67,7 @@ bool writeTable(const std::filesystem::path& file, const std::filesystem::path& 
         throw InputError(file, 0, "holds no whole step; expected an attempt in which something was done");
     writeTextFileAtomically(table, recordingCsv(recording));
     sayResult(
-        phrase("run.recordings.table", {{"table", shown(table.string())}, {"state", shown(recording.stateSentence())}}),
+        phrase("run.recordings.table", {{"table", shown(table.string())}, {"state", shown(stateText(recording))}}),
         table);
     return !recording.damaged();
 }
