@@ -25,9 +25,9 @@ struct Spent {
 };
 
 /// The lesson's demonstration, with a picture whenever one is due.
-class Demonstration {
+class WeldedDemonstration {
   public:
-    Demonstration(Bench& bench, const Lesson& lesson, const LessonMeasurement& m)
+    WeldedDemonstration(Bench& bench, const Lesson& lesson, const LessonMeasurement& m)
         : trainer_(bench.shaders(), lesson),
           scene_(bench.shaders(), trainer_),
           renderer_(bench.shaders()),
@@ -75,7 +75,7 @@ class Demonstration {
 } // namespace
 
 BenchRow measureLesson(Bench& bench, const Lesson& lesson, const LessonMeasurement& measurement) {
-    Demonstration run(bench, lesson, measurement);
+    WeldedDemonstration run(bench, lesson, measurement);
     run.runUntil(measurement.warmUp);
     run.spent = {};
     const size_t steps = run.trainer().steps(), pictures = run.pictures();

@@ -21,7 +21,7 @@ namespace {
 constexpr float kBetweenEyes = 0.063f; // m of a head; the lesson's world is not scaled for it
 
 /// A look to be measured, and what came of it.
-struct Measured {
+struct MeasuredLook {
     std::string what;
     LookParameters look;
     size_t eyes = 1;
@@ -29,10 +29,10 @@ struct Measured {
     BenchRow row = {};
 };
 
-std::vector<Measured> looksToMeasure(const LookParameters& lesson) {
+std::vector<MeasuredLook> looksToMeasure(const LookParameters& lesson) {
     constexpr std::array<const char*, 3> kLevels{"low", "medium", "high"};
     constexpr std::array<const char*, 2> kEyes{", one eye", ", two eyes"};
-    std::vector<Measured> all;
+    std::vector<MeasuredLook> all;
     for (size_t eyes = 1; eyes <= kEyes.size(); ++eyes) {
         LookParameters look = lesson;
         for (const int level : {kHighDetail, kMediumDetail, kLowDetail}) {
@@ -56,7 +56,7 @@ double gpuMs(const BenchRow& row) {
 }
 
 /// The numbers of each eye, from those of the picture. `high`: the row of all measures with as many eyes.
-void tellOfAnEye(Measured& measured, const BenchRow& high) {
+void tellOfAnEye(MeasuredLook& measured, const BenchRow& high) {
     const auto eyes = static_cast<double>(measured.eyes);
     const double cpu = measured.row.further.front().second, highCpu = high.further.front().second;
     measured.row.further = {{"cpu_ms", cpu / eyes}, {"gpu_ms", gpuMs(measured.row) / eyes}};
@@ -87,7 +87,7 @@ void measureLooks(Bench& bench, const Lesson& lesson, const LooksMeasurement& m)
         views[i].worldToEye[3].x += side;
         views[i].eye -= glm::vec3(middle.worldToEye[0].x, middle.worldToEye[1].x, middle.worldToEye[2].x) * side;
     }
-    const auto draw = [&](const Measured& measured) {
+    const auto draw = [&](const MeasuredLook& measured) {
         const std::span<const View> eyes = measured.eyes == 1 ? std::span(&middle, 1) : std::span<const View>(views);
         const RenderTarget target = (measured.eyes == 1 ? one : two).target();
         double cpuMs = std::numeric_limits<double>::infinity();
@@ -103,14 +103,14 @@ void measureLooks(Bench& bench, const Lesson& lesson, const LooksMeasurement& m)
         row.further = {{"cpu_ms", cpuMs}};
         return row;
     };
-    std::vector<Measured> all = looksToMeasure(trainer.lesson().look);
+    std::vector<MeasuredLook> all = looksToMeasure(trainer.lesson().look);
     for (int round = 0; round < m.rounds; ++round)
-        for (Measured& each : all)
+        for (MeasuredLook& each : all)
             keepLeast(each.row, draw(each));
     std::array<BenchRow, 2> high;
-    for (const Measured& each : all)
+    for (const MeasuredLook& each : all)
         if (!each.without && each.look.detail == kHighDetail) high[each.eyes - 1] = each.row;
-    for (Measured& each : all) {
+    for (MeasuredLook& each : all) {
         tellOfAnEye(each, high[each.eyes - 1]);
         bench.add(std::move(each.row));
     }

@@ -16,7 +16,7 @@ constexpr glm::vec3 kMat(0.035f, 0.035f, 0.04f);
 constexpr glm::vec3 kTableSteel(0.12f, 0.12f, 0.125f);
 constexpr glm::vec3 kSlotBlack(0.012f);
 constexpr glm::vec3 kRubber(0.025f, 0.025f, 0.03f);
-constexpr glm::vec3 kCopper(0.62f, 0.29f, 0.17f);
+constexpr glm::vec3 kTorchCopper(0.62f, 0.29f, 0.17f);
 constexpr glm::vec3 kBrass(0.58f, 0.44f, 0.17f);
 constexpr glm::vec3 kSafetyRed(0.55f, 0.03f, 0.02f);
 constexpr glm::vec3 kHeatGlow(2.4f, 1.7f, 0.9f);
@@ -55,7 +55,7 @@ void WorkshopScene::addRoom(float tableHeight) {
 void WorkshopScene::addTorch(const HandsView& hands) {
     const xr::Pose& tip = hands.tip; // its +z points from the tip back along the torch
     const auto along = [&](float z, float y) { return tip * glm::vec3(0, y, z); };
-    add(SolidShape::cone, alongLine(along(0.012f, 0), along(0.0f, 0), 0.006f), kCopper, 0.7f);
+    add(SolidShape::cone, alongLine(along(0.012f, 0), along(0.0f, 0), 0.006f), kTorchCopper, 0.7f);
     add(SolidShape::cylinder, alongLine(along(0.05f, 0), along(0.012f, 0), 0.016f), kBrass, 0.6f);
     add(SolidShape::cylinder, alongLine(along(0.085f, 0.012f), along(0.045f, 0), 0.013f), kDarkSteel, 0.4f);
     const glm::vec3 neck = along(0.083f, 0.012f);

@@ -9,7 +9,7 @@ namespace meltpool::ui {
 
 namespace {
 
-constexpr auto kText = std::to_array<ImWchar>({
+constexpr auto kTextLetters = std::to_array<ImWchar>({
     0x0020, 0x024F, // Latin
     0x02B0, 0x02DD, // modifiers
     0x0300, 0x036F, // accents that follow their letter
@@ -32,7 +32,8 @@ constexpr auto kText = std::to_array<ImWchar>({
     0,
 });
 
-constexpr auto kTitle = std::to_array<ImWchar>({0x0020, 0x024F, 0x1E00, 0x1EFF, 0x2010, 0x2044, 0xFFFD, 0xFFFD, 0});
+constexpr auto kTitleLetters =
+    std::to_array<ImWchar>({0x0020, 0x024F, 0x1E00, 0x1EFF, 0x2010, 0x2044, 0xFFFD, 0xFFFD, 0});
 
 /// Nothing is drawn of it anyway.
 bool drawsNothing(char32_t letter) {
@@ -52,11 +53,11 @@ bool has(ImFont& font, char32_t letter) {
 } // namespace
 
 const ImWchar* textLetters() {
-    return kText.data();
+    return kTextLetters.data();
 }
 
 const ImWchar* titleLetters() {
-    return kTitle.data();
+    return kTitleLetters.data();
 }
 
 DecodedLetter decodeLetter(std::string_view text) {

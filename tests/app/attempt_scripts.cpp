@@ -101,15 +101,15 @@ glm::vec2 wayOf(const std::string& hand, double time) {
 }
 
 /// How a workpiece lies under the torch.
-struct Place {
+struct StartPlace {
     glm::vec3 middle{0};
     glm::vec3 up{0, 1, 0};
     glm::vec3 across{0, 0, 1};
     double workAngle = glm::half_pi<double>();
 };
 
-Place placeOf(const AttemptScript& script) {
-    Place place;
+StartPlace placeOf(const AttemptScript& script) {
+    StartPlace place;
     if (script.piece == "cube") place.middle.y = 5 * kMm;
     if (script.piece != "tee") return place;
     const float diagonal = std::sqrt(0.5F);
@@ -121,7 +121,7 @@ Place placeOf(const AttemptScript& script) {
 
 /// The torch at the end of the step at `time`, s.
 TorchSample torchAt(const AttemptScript& script, double time) {
-    const Place place = placeOf(script);
+    const StartPlace place = placeOf(script);
     const glm::vec2 way = wayOf(script.hand, time);
     const bool stick = script.process == "smaw";
     TorchSample torch;

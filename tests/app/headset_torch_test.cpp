@@ -20,7 +20,7 @@ xr::HandInput handAt(const glm::vec3& place, float trigger, bool tracked = true)
 }
 
 /// A torch that welds, and every sample of its steps, two a frame.
-struct Weld {
+struct TrackedWeld {
     TrackedTorch torch;
     Workshop workshop;
     WorkpiecePlace place{0.9f, 1.0f, 0.0f};
@@ -63,7 +63,7 @@ struct Weld {
 } // namespace
 
 TEST_CASE("a recentre puts the arc out before the torch is elsewhere", "[app]") {
-    Weld weld;
+    TrackedWeld weld;
     weld.burn();
     HeadsetParameters parameters;
     weld.torch.putOut(ArcOut::recentred);
@@ -83,7 +83,7 @@ TEST_CASE("a recentre puts the arc out before the torch is elsewhere", "[app]") 
 }
 
 TEST_CASE("zoom puts the arc out before the torch is elsewhere", "[app]") {
-    Weld weld;
+    TrackedWeld weld;
     weld.burn();
     weld.torch.putOut(ArcOut::zoomed);
     weld.place = WorkpiecePlace(0.9f, 4.0f, 0.0f);
@@ -92,7 +92,7 @@ TEST_CASE("zoom puts the arc out before the torch is elsewhere", "[app]") {
 }
 
 TEST_CASE("a jump that no hand makes puts the arc out, a fast hand does not", "[app]") {
-    Weld weld;
+    TrackedWeld weld;
     weld.burn();
     SECTION("a jump") {
         weld.checkOutUntilLetGo({0.172f, 1, 0});
@@ -112,7 +112,7 @@ TEST_CASE("a jump that no hand makes puts the arc out, a fast hand does not", "[
 }
 
 TEST_CASE("a torch that comes back with its trigger pulled stays out, wherever it was lost", "[app]") {
-    Weld weld;
+    TrackedWeld weld;
     weld.burn();
     weld.frame(handAt({0, 1, 0}, 0, false));
     CHECK(weld.samples.back().trigger == 0.0f);
