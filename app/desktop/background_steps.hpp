@@ -19,15 +19,15 @@ struct StepsBeside {
 /// A frame calls postpone() where it has steps for the thread, begin() before it draws and finish() after.
 class BackgroundSteps {
   public:
-    /// There is a thread only where the processor draws: a card works beside the processor anyway. `shaders` is their
-    /// folder.
+    /// There is a thread only where the processor draws: a card works beside the processor anyway. `shaders`: the
+    /// folder of its shaders.
     explicit BackgroundSteps(const std::filesystem::path& shaders);
 
     /// Null: there is none.
     StepThread* thread() { return thread_.get(); }
     bool possible() const { return thread_ != nullptr; }
 
-    /// Time left for steps in a frame as long as the last one, s, if it does not wait for them after its picture.
+    /// Time that steps may take beside a picture, s: the last frame's without its waiting for steps.
     double timeBeside(double lastFrameSeconds) const;
     /// This frame's steps wait for its picture. Only where a thread is possible().
     void postpone() { due_ = true; }

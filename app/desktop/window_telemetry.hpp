@@ -59,11 +59,11 @@ class WindowTelemetry {
     void countCalls();
     /// The processor's costs of a frame are those between these two calls.
     void beginFrame() { meter_.begin(); }
-    /// `beside`: what other threads did for the frame. `another`: the frames so far are not comparable with the next
-    /// ones, with a headset or without, and are forgotten.
+    /// `beside`: costs of other threads' work for the frame. `another`: the next frames are of another kind, with a
+    /// headset or without; forgets the costs of those so far.
     void endFrame(const WorkCosts& beside, bool another);
 
-    /// True when it is time for another row: at most 20 a second. What the frame costs is then not counted until
+    /// True when it is time for another row: at most 20 a second. The frame's costs are then not counted until
     /// write(), which must follow.
     bool due(double now);
     /// Adds a row. The first that the disk does not take ends the telemetry and sets fault(); the window goes on.
