@@ -21,7 +21,18 @@ struct Glyph {
     std::string_view lines;
 };
 
-constexpr char kDegree = '\x01'; ///< stands for the two bytes of the degree sign
+/// Letters of the table for signs of two bytes.
+constexpr char kDegree = '\x01', kAUmlaut = '\x02', kOUmlaut = '\x03', kUUmlaut = '\x04', kSharpS = '\x05';
+
+struct TwoBytes {
+    std::string_view bytes; ///< UTF-8
+    char letter;
+};
+constexpr std::array kTwoBytes{
+    TwoBytes{"\xC2\xB0", kDegree},  TwoBytes{"\xC3\xA4", kAUmlaut}, TwoBytes{"\xC3\x84", kAUmlaut},
+    TwoBytes{"\xC3\xB6", kOUmlaut}, TwoBytes{"\xC3\x96", kOUmlaut}, TwoBytes{"\xC3\xBC", kUUmlaut},
+    TwoBytes{"\xC3\x9C", kUUmlaut}, TwoBytes{"\xC3\x9F", kSharpS},
+};
 
 constexpr std::array kGlyphs{
     Glyph{'0', "123243473818070312"},
@@ -35,6 +46,7 @@ constexpr std::array kGlyphs{
     Glyph{'8', "15354647381807061504031232434435"},
     Glyph{'9', "031232434738180706153546"},
     Glyph{'.', "1213"}, // taller than a point: it must not be overlooked
+    Glyph{',', "1301"},
     Glyph{'-', "0545"},
     Glyph{'/', "0248"},
     Glyph{'<', "360432"},
@@ -65,6 +77,10 @@ constexpr std::array kGlyphs{
     Glyph{'x', "0642 0246"},
     Glyph{'y', "0622 461100"},
     Glyph{'z', "06460242"},
+    Glyph{kAUmlaut, "16364542 441403123243 1818 3838"},
+    Glyph{kOUmlaut, "123243453616050312 1818 3838"},
+    Glyph{kUUmlaut, "0603123243 4642 1818 3838"},
+    Glyph{kSharpS, "0207183847362544433212"},
 };
 
 const Glyph* findGlyph(char letter) {
@@ -89,9 +105,13 @@ float widthOf(const Glyph& glyph) {
 
 /// Takes the next letter off the text.
 char takeLetter(std::string_view& text) {
-    const bool degree = text.starts_with("\xC2\xB0");
-    const char first = degree ? kDegree : static_cast<char>(std::tolower(static_cast<unsigned char>(text.front())));
-    text.remove_prefix(degree ? 2 : 1);
+    for (const TwoBytes& each : kTwoBytes)
+        if (text.starts_with(each.bytes)) {
+            text.remove_prefix(each.bytes.size());
+            return each.letter;
+        }
+    const char first = static_cast<char>(std::tolower(static_cast<unsigned char>(text.front())));
+    text.remove_prefix(1);
     return first;
 }
 

@@ -20,8 +20,9 @@ struct StrokeTextStyle {
 /// Length of a line of text of this height.
 float strokeTextLength(std::string_view text, float height);
 
-/// Adds the strokes of a line of text that begins at `origin`, on its baseline. Known are small letters, figures and
-/// the signs ". - / <" and the degree sign (UTF-8); capitals are drawn small, anything else is left out as a space.
+/// Adds the strokes of a line of text that begins at `origin`, on its baseline. Known are small letters with
+/// those of German, figures and the signs ". , - / <" and the degree sign (UTF-8); capitals are drawn small, anything
+/// else is left out as a space.
 void appendStrokeText(std::vector<SectionStroke>& strokes, std::string_view text, glm::vec2 origin,
                       const StrokeTextStyle& style);
 

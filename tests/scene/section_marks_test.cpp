@@ -94,6 +94,22 @@ TEST_CASE("text of strokes is as long as it says, scales with its height, and le
     CHECK(strokes.size() == 4);
 }
 
+TEST_CASE("letters of German and the decimal comma have strokes") {
+    const auto strokesOf = [](std::string_view text) {
+        std::vector<SectionStroke> strokes;
+        appendStrokeText(strokes, text, {0, 0}, {});
+        return strokes.size();
+    };
+    CHECK(strokesOf(",") == 1);
+    CHECK(strokesOf("\xC3\xA4") == strokesOf("a") + 2); // two dots above
+    CHECK(strokesOf("\xC3\xB6") == strokesOf("o") + 2);
+    CHECK(strokesOf("\xC3\xBC") == strokesOf("u") + 2);
+    CHECK(strokesOf("\xC3\x84\xC3\x96\xC3\x9C") == strokesOf("\xC3\xA4\xC3\xB6\xC3\xBC"));
+    CHECK(strokesOf("\xC3\x9F") > 0);
+    CHECK(strokeTextLength("\xC3\xA4", 2) == Approx(strokeTextLength("a", 2)));
+    CHECK(strokeTextLength("4,2", 2) == Approx(strokeTextLength("4.2", 2)));
+}
+
 TEST_CASE("a measure's line ends where it is asked to, and words lie beside all measures") {
     const std::vector<SectionMark> marks{mark("leg 6.0", {0, 0}, {0.006f, 0}), mark("leg 5.0", {0, 0}, {0, 0.005f}),
                                          mark("throat 4.0", {0, 0}, {0.003f, 0.003f})};
