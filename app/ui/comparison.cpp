@@ -105,7 +105,7 @@ void weldOfBoth(Context& context, const AttemptComparison& comparison, const Com
 }
 
 void curvesOfBoth(Context& context, const AttemptComparison& comparison) {
-    if (!groupHeading(context, "comparison", phrase("comparison.curves").c_str())) return;
+    if (!groupHeading(context, "comparison", "Along the seam")) return;
     ImGui::PushFont(context.fonts.small);
     if (comparison.bands() != nullptr)
         for (const TechniqueBand& band : comparison.bands()->bands)

@@ -199,7 +199,7 @@ void curveMark(Context& context, const CurveSheet& sheet, double place, ImU32 ti
 }
 
 void curvesPart(Context& context, const Judgement& judgement, const TechniqueBands* bands) {
-    if (judgement.seam.empty() || !groupHeading(context, "result", phrase("curve.heading").c_str(), false)) return;
+    if (judgement.seam.empty() || !groupHeading(context, "result", "Along the seam", false)) return;
     ImGui::PushFont(context.fonts.small);
     if (bands != nullptr)
         for (const TechniqueBand& band : bands->bands)

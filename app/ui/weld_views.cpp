@@ -91,8 +91,7 @@ MenuRequest cutPart(Context& context, LessonSession& session) {
 
 void bendPart(Context& context, const BendTest& test) {
     const bool broken = test.former <= 0;
-    if (!groupHeading(context, "result", phrase(broken ? "weld_view.break.heading" : "weld_view.bend.heading").c_str()))
-        return;
+    if (!groupHeading(context, "result", broken ? "Fillet break" : "Bend test")) return;
     quietText(context, phrase(broken ? "weld_view.break.rule" : "weld_view.bend.rule"));
     for (const BentStrap& strap : test.straps) {
         const bool good = strap.state == VerdictState::pass, bad = strap.state == VerdictState::fail;
