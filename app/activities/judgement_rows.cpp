@@ -20,7 +20,7 @@ constexpr double kBad = 70;  ///< and below which as bad
 std::string rounded(double value, int digits) {
     const double scale = std::pow(10.0, digits);
     const double number = std::round(value * scale) / scale;
-    return formatNumber(number == 0 ? 0.0 : number);
+    return withDecimalMark(formatNumber(number == 0 ? 0.0 : number));
 }
 
 std::string capitalised(std::string_view words) {

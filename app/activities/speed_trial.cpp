@@ -33,10 +33,11 @@ std::string spacingLabel(WorkpieceParameters workpiece, float spacing) {
     std::string changed;
     for (const SimulatedSize& size : simulatedSizes(workpiece)) {
         if (!changed.empty()) changed += phrase("list.separator");
-        changed += phrase("trial.size." + std::string(size.key), {{"length", formatNumber(size.simulated)}});
+        changed +=
+            phrase("trial.size." + std::string(size.key), {{"length", withDecimalMark(formatNumber(size.simulated))}});
     }
     return phrase(changed.empty() ? "trial.spacing" : "trial.spacing_and_sizes",
-                  {{"spacing", formatNumber(spacing)}, {"sizes", changed}});
+                  {{"spacing", withDecimalMark(formatNumber(spacing))}, {"sizes", changed}});
 }
 
 } // namespace

@@ -21,7 +21,7 @@ std::string points(const std::optional<double>& value) {
 std::string roundedMm(double metres) {
     char text[24];
     std::snprintf(text, sizeof text, "%.2g", metres * 1e3);
-    return text;
+    return withDecimalMark(text);
 }
 
 std::string shown(const std::string& text) {

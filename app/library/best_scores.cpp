@@ -135,7 +135,7 @@ std::string bestScoreText(const BestScore& best) {
         text += more;
     };
     if (best.accepted) add(phrase("best.accepted"));
-    if (best.zoom > 1) add(phrase("best.zoom", {{"zoom", formatNumber(best.zoom)}}));
+    if (best.zoom > 1) add(phrase("best.zoom", {{"zoom", withDecimalMark(formatNumber(best.zoom))}}));
     if (best.guided) add(phrase("best.guided"));
     if (!best.cues.empty()) add(phrase("best.cues"));
     if (!best.ghost.empty()) add(phrase("best.ghost"));

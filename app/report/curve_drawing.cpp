@@ -26,7 +26,7 @@ Inches inchesOf(std::string_view unit) {
 }
 
 std::string tickText(double value) {
-    return formatNumber(static_cast<float>(value));
+    return withDecimalMark(formatNumber(static_cast<float>(value)));
 }
 
 /// Round numbers of one system along an axis; `scale` leads to millimetres and back.

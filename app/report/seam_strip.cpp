@@ -62,7 +62,8 @@ class Strip {
         for (int k = 0; k < ticks.count; ++k) {
             const double at = x(ticks.at(k) / scale), value = std::abs(ticks.at(k)) < 1e-9 ? 0 : ticks.at(k);
             svg_.line(at, kBottom + 4, at, kBottom + 8, "axis " + std::string(system));
-            svg_.word(at, kBottom + 18, "middle", formatNumber(static_cast<float>(value)) + std::string(unit), system);
+            svg_.word(at, kBottom + 18, "middle",
+                      withDecimalMark(formatNumber(static_cast<float>(value))) + std::string(unit), system);
         }
     }
 

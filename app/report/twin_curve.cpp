@@ -63,7 +63,7 @@ void drawTicks(const CurveRange& range, int about, double per, const Draw& draw)
     const CurveTicks ticks = curveTicks({range.from * per, range.to * per}, about);
     for (int k = 0; k < ticks.count; ++k) {
         const double value = std::abs(ticks.at(k)) < 1e-9 * ticks.step ? 0 : ticks.at(k);
-        draw(value / per, formatNumber(static_cast<float>(value)));
+        draw(value / per, withDecimalMark(formatNumber(static_cast<float>(value))));
     }
 }
 

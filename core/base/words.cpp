@@ -108,6 +108,12 @@ const std::string* Words::find(std::string_view key) const {
     return found == sentences_.end() ? nullptr : &found->second;
 }
 
+std::string Words::withDecimalMark(std::string_view number) const {
+    std::string text(number);
+    if (const std::size_t point = text.find('.'); point != std::string::npos) text.replace(point, 1, decimalMark_);
+    return text;
+}
+
 std::vector<std::string_view> placesOf(std::string_view sentence) {
     std::vector<std::string_view> names;
     while (!sentence.empty())
@@ -197,6 +203,10 @@ PhraseNumber::PhraseNumber(double value, int digits, bool sign) {
     if (std::string_view(from, written.ptr).find_first_of("123456789") == std::string_view::npos) leaveZeroPlain();
     const std::string_view mark = chosen().decimalMark();
     if (mark.size() == 1) std::replace(text_.data(), text_.data() + length_, '.', mark[0]);
+}
+
+std::string withDecimalMark(std::string_view number) {
+    return chosen().withDecimalMark(number);
 }
 
 void PhraseNumber::leaveZeroPlain() {

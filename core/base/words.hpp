@@ -34,6 +34,8 @@ class Words {
 
     /// The mark before the decimals, `language.decimal_mark` of the file; a point where it names none.
     std::string_view decimalMark() const { return decimalMark_; }
+    /// See meltpool::withDecimalMark().
+    std::string withDecimalMark(std::string_view number) const;
 
   private:
     std::map<std::string, std::string, std::less<>> sentences_;
@@ -86,6 +88,10 @@ class PhraseNumber {
     std::array<char, 48> text_{};
     std::size_t length_ = 0;
 };
+
+/// A number that formatNumber() or printf wrote with a point, with the language's decimal mark instead: where people
+/// read it. Files and fields that are parsed again keep the point.
+std::string withDecimalMark(std::string_view number);
 
 namespace detail {
 /// A piece of a sentence: text as it stands, or the name of a place.

@@ -27,7 +27,7 @@ struct Rule {
 };
 
 std::string number(double value) {
-    return formatNumber(std::round(value * 100) / 100);
+    return withDecimalMark(formatNumber(std::round(value * 100) / 100));
 }
 
 Rule tooFar() {

@@ -60,7 +60,7 @@ ParameterScore scoreParameter(const std::vector<const SeamMillimetre*>& part, co
 std::string tellNumber(double value, int digits = 1) {
     const double scale = std::pow(10.0, digits);
     const double rounded = std::round(value * scale) / scale;
-    return formatNumber(rounded == 0 ? 0.0 : rounded);
+    return withDecimalMark(formatNumber(rounded == 0 ? 0.0 : rounded));
 }
 
 std::string unknownHandReason(const TechniqueFaults& faults, const TechniqueScore& score) {

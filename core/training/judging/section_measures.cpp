@@ -108,7 +108,8 @@ std::string lengthLabel(Member figure, double metres) {
 std::string limitLabel(Member figure, double metres) {
     char limit[32];
     std::snprintf(limit, sizeof limit, "%.2g", metres / kMm);
-    return phrase("drawing.measure.below", {{"figure", stationFigure(figure).drawnWords()}, {"length", limit}});
+    return phrase("drawing.measure.below",
+                  {{"figure", stationFigure(figure).drawnWords()}, {"length", withDecimalMark(limit)}});
 }
 
 std::string angleLabel(Member figure, double radians) {

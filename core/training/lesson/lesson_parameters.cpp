@@ -102,10 +102,10 @@ std::string Lesson::unsetSettings() {
         if (value >= each.from && value <= each.to) continue;
         if (!told.empty()) told += "; ";
         told += phrase("cue.settings.unset_one", {{"setting", lowerFirst(parameter->label)},
-                                                  {"least", formatNumber(each.from)},
-                                                  {"most", formatNumber(each.to)},
+                                                  {"least", withDecimalMark(formatNumber(each.from))},
+                                                  {"most", withDecimalMark(formatNumber(each.to))},
                                                   {"unit", parameter->unit},
-                                                  {"value", parameterText(*parameter)}});
+                                                  {"value", withDecimalMark(parameterText(*parameter))}});
     }
     return told.empty() ? told : phrase("cue.settings.unset", {{"settings", told}});
 }
