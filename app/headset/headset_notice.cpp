@@ -48,7 +48,7 @@ void NoticeText::compose(const Messages& messages, const LessonFigures& figures,
     std::array<char, 16> times{};
     std::snprintf(times.data(), times.size(), "%.3g", static_cast<double>(zoom));
     ui::ShortText line;
-    appendPhrase(line, "headset.notice.zoom", {{"zoom", times.data()}});
+    appendPhrase(line, "headset.notice.zoom", {{"zoom", withDecimalMark(times.data())}});
     addLine(line);
 }
 

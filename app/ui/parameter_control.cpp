@@ -73,7 +73,9 @@ std::string allowedText(std::string_view table, const Parameter& p) {
                         : vector ? "three_numbers"
                                  : "number",
                         p.unit.empty() ? "" : "_with_unit"};
-    return phrase(key, {{"low", formatNumber(p.minimum)}, {"high", formatNumber(p.maximum)}, {"unit", p.unit}});
+    return phrase(key, {{"low", withDecimalMark(formatNumber(p.minimum))},
+                        {"high", withDecimalMark(formatNumber(p.maximum))},
+                        {"unit", p.unit}});
 }
 
 std::string description(std::string_view table, const Parameter& p, std::string_view original) {

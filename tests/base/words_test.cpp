@@ -82,6 +82,14 @@ TEST_CASE("numbers of sentences have fixed digits and no negative zero", "[base]
     CHECK(shown(1e300, 0) == "1000000000000000");
 }
 
+TEST_CASE("a number that drops its zeros has the language's decimal mark", "[base][words]") {
+    const Words comma = WrittenLanguage("[language]\ndecimal_mark = \",\"\n").read();
+    CHECK(comma.withDecimalMark("-0.5") == "-0,5");
+    CHECK(comma.withDecimalMark("12") == "12");
+    CHECK(WrittenLanguage("a = \"b\"\n").read().withDecimalMark("0.5") == "0.5");
+    CHECK(withDecimalMark("1.25") == "1.25"); // in English
+}
+
 TEST_CASE("a language without a file is refused with those that have one", "[base][words]") {
     CHECK_THROWS_WITH(chooseLanguage("xx"),
                       containsText("no file for the language 'xx'; expected one of: ") && containsText("en"));
