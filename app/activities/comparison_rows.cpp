@@ -61,7 +61,7 @@ std::string points(const std::optional<double>& value) {
 }
 
 ComparedSection resultOf(const Judgement& first, const Judgement& second) {
-    ComparedSection section{phrase("compared.verdict.heading"), {}};
+    ComparedSection section{"verdict", phrase("compared.verdict.heading"), {}};
     const std::array<std::string, 2> verdicts{verdictOf(first), verdictOf(second)};
     section.rows.push_back(
         {phrase("compared.verdict.name"), verdicts[0], verdicts[1], other(verdicts[0], verdicts[1])});
@@ -72,7 +72,7 @@ ComparedSection resultOf(const Judgement& first, const Judgement& second) {
 }
 
 ComparedSection scoresOf(const Comparison& comparison) {
-    ComparedSection section{phrase("compared.points"), {}};
+    ComparedSection section{"points", phrase("compared.points"), {}};
     for (const ScorePair& pair : comparison.scores) {
         ComparedRow row{capitalised(pair.name), points(pair.first), points(pair.second), {}};
         if (pair.first && pair.second && std::abs(*pair.second - *pair.first) >= 1)
@@ -82,8 +82,8 @@ ComparedSection scoresOf(const Comparison& comparison) {
     return section;
 }
 
-ComparedSection groupOf(const Comparison& comparison, FigureGroup group, const std::string& title) {
-    ComparedSection section{title, {}};
+ComparedSection groupOf(const Comparison& comparison, FigureGroup group, const char* name) {
+    ComparedSection section{name, phraseOf("compared.group", name), {}};
     for (const FigurePair& pair : comparison.pairs) {
         if (pair.figure.group != group) continue;
         const auto shown = [&](double value) { return withUnit(fixed(value, pair.decimals()), pair.figure.unit); };
@@ -102,10 +102,8 @@ ComparisonRows comparisonRows(const Judgement& first, const Judgement& second, c
     if (comparison.halfSpacing > 0)
         rows.notes.push_back(
             phrase("compared.note.resolved", {{"length", PhraseNumber(comparison.halfSpacing * 1e3, 2)}}));
-    rows.sections = {resultOf(first, second), scoresOf(comparison),
-                     groupOf(comparison, FigureGroup::weld, phrase("compared.group.weld")),
-                     groupOf(comparison, FigureGroup::hand, phrase("compared.group.hand")),
-                     groupOf(comparison, FigureGroup::arc, phrase("compared.group.arc"))};
+    rows.sections = {resultOf(first, second), scoresOf(comparison), groupOf(comparison, FigureGroup::weld, "weld"),
+                     groupOf(comparison, FigureGroup::hand, "hand"), groupOf(comparison, FigureGroup::arc, "arc")};
     std::erase_if(rows.sections, [](const ComparedSection& section) { return section.rows.empty(); });
     return rows;
 }

@@ -16,6 +16,7 @@ struct ComparedRow {
 };
 
 struct ComparedSection {
+    const char* name = ""; ///< in every language
     std::string title;
     std::vector<ComparedRow> rows;
 };

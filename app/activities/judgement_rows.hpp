@@ -24,6 +24,7 @@ struct JudgementRow {
 };
 
 struct JudgementSection {
+    const char* name = ""; ///< in every language
     std::string title;
     std::string note; ///< a sentence below the title; may be empty
     std::vector<JudgementRow> rows;
@@ -35,10 +36,11 @@ struct JudgementRows {
     std::string verdict;   ///< "Accepted", "Not accepted", or that there is none; by which standard stands in `judged`
     std::string verdictNote; ///< what fails; empty where nothing does
     RowState verdictState = RowState::plain;
-    std::vector<std::string> corrections; ///< sentences, dearest first
-    JudgementSection technique;           ///< one row a parameter, in the lesson's order
-    JudgementSection judged;              ///< one row an imperfection: failed, not resolved, estimated, passed
-    JudgementSection measured;            ///< the weld's figures, means along the seam
+    std::vector<std::string> corrections;           ///< sentences, dearest first
+    JudgementSection technique{"hand", {}, {}, {}}; ///< one row a parameter, in the lesson's order
+    JudgementSection judged{
+        "standard", {}, {}, {}}; ///< one row an imperfection: failed, not resolved, estimated, passed
+    JudgementSection measured{"measured", {}, {}, {}}; ///< the weld's figures, means along the seam
 };
 
 /// `bands`: of the lesson, for what was asked; null where it has none.

@@ -47,7 +47,7 @@ void tableLine(std::string_view name, const std::array<std::string_view, 3>& fig
 
 void figuresOfBoth(Context& context, const ComparisonRows& rows) {
     for (const ComparedSection& section : rows.sections) {
-        if (!groupHeading(context, "comparison", section.title.c_str())) continue;
+        if (!namedHeading(context, "comparison", section.name, section.title)) continue;
         ImGui::PushFont(context.fonts.small);
         tableLine("",
                   {phrase("comparison.column.first"), phrase("comparison.column.second"),

@@ -55,7 +55,7 @@ void drawRow(Context& context, const JudgementRow& row) {
 }
 
 void drawSection(Context& context, const JudgementSection& section) {
-    if (!groupHeading(context, "result", section.title.c_str())) return;
+    if (!namedHeading(context, "result", section.name, section.title)) return;
     if (!section.note.empty()) quietText(context, section.note);
     for (const JudgementRow& row : section.rows)
         drawRow(context, row);

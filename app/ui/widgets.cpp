@@ -266,23 +266,27 @@ ShortText groupKey(std::string_view title) {
 } // namespace
 
 bool groupHeading(Context& context, std::string_view prefix, const char* title, bool openAtFirst) {
+    return namedHeading(context, prefix, title, phraseOr(groupKey(title), title), openAtFirst);
+}
+
+bool namedHeading(Context& context, std::string_view prefix, const char* name, std::string_view title,
+                  bool openAtFirst) {
     ImGui::Dummy({0, context.points(4)});
     ImGuiStorage* storage = ImGui::GetStateStorage();
-    const ImGuiID id = ImGui::GetID(title);
+    const ImGuiID id = ImGui::GetID(name);
     bool open = storage->GetBool(id, openAtFirst);
     ImGui::PushFont(context.fonts.strong);
     const float width = ImGui::GetContentRegionAvail().x;
     const float height = ImGui::GetTextLineHeight() + context.points(6);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    if (ImGui::InvisibleButton(title, {width, height})) {
+    if (ImGui::InvisibleButton(name, {width, height})) {
         open = !open;
         storage->SetBool(id, open);
     }
-    markItem(context, ShortText{prefix, ".group.", title});
+    markItem(context, ShortText{prefix, ".group.", name});
     ImDrawList* draw = ImGui::GetWindowDrawList();
     const ImU32 tint = ImGui::IsItemHovered() ? IM_COL32(255, 205, 168, 255) : IM_COL32(255, 178, 122, 255);
-    const std::string_view shown = phraseOr(groupKey(title), title);
-    draw->AddText({corner.x, corner.y + context.points(3)}, tint, shown.data(), shown.data() + shown.size());
+    draw->AddText({corner.x, corner.y + context.points(3)}, tint, title.data(), title.data() + title.size());
     ImGui::PopFont();
     // A chevron at the right: down while open, to the side while folded.
     const ImVec2 centre{corner.x + width - context.points(8), corner.y + height / 2};

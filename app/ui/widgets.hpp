@@ -52,6 +52,9 @@ std::string_view translatedNote(std::string_view table, const Parameter& paramet
 /// A heading of a group; false when it is folded. `title` names it among the places; it is shown in the chosen language
 /// (group.TITLE in small letters with low lines).
 bool groupHeading(Context& context, std::string_view prefix, const char* title, bool openAtFirst = true);
+/// As groupHeading(), for a title that is made elsewhere: `name` names it among the places in every language.
+bool namedHeading(Context& context, std::string_view prefix, const char* name, std::string_view title,
+                  bool openAtFirst = true);
 
 enum class ButtonKind { plain, main, lit };
 /// A button of the given width in points (0: as wide as its text); wider where its text needs that, and with several
