@@ -77,8 +77,7 @@ PivotResult solvePivot(std::span<const Pose> poses) {
     // eigenvalue is the turning across the worst-known direction.
     const double weakest = std::max(0.0, smallestEigenvalue(sum.matrix));
     result.turnDegrees = static_cast<float>(glm::degrees(2.0 * std::asin(std::min(1.0, std::sqrt(weakest)))));
-    if (result.turnDegrees < kLeastTurnDegrees)
-        return refuse(result, phrase("headset.tip.pivot.hardly_turned"));
+    if (result.turnDegrees < kLeastTurnDegrees) return refuse(result, phrase("headset.tip.pivot.hardly_turned"));
     result.offset = glm::vec3(glm::inverse(sum.matrix) * sum.right);
     result.point = glm::vec3(sum.meanRotation * glm::dvec3(result.offset) + sum.meanPosition);
     double squares = 0;
