@@ -1,5 +1,6 @@
 #include "app/activities/comparison_rows.hpp"
 
+#include "core/base/text.hpp"
 #include "core/base/words.hpp"
 #include "core/weld/gauge/weld_figures.hpp"
 
@@ -25,11 +26,6 @@ std::string withUnit(const std::string& number, std::string_view unit) {
 
 std::string withSign(double value, int decimals) {
     return std::string(PhraseNumber(value, decimals, true));
-}
-
-std::string capitalised(std::string text) {
-    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-    return text;
 }
 
 const std::string& verdictOf(const Judgement& judgement) {

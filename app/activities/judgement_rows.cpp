@@ -23,12 +23,6 @@ std::string rounded(double value, int digits) {
     return withDecimalMark(formatNumber(number == 0 ? 0.0 : number));
 }
 
-std::string capitalised(std::string_view words) {
-    std::string text(words);
-    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-    return text;
-}
-
 std::string withUnit(const std::string& number, std::string_view unit) {
     if (unit == "\xC2\xB0" || unit == "deg") return number + "\xC2\xB0";
     return number + " " + std::string(unit);

@@ -37,8 +37,7 @@ std::vector<size_t> redoneAt(const RecordedAttempt& attempt) {
 
 /// "undercut" -> "Undercut fails: 0.8 mm at 23 mm of the seam".
 std::string failText(const VerdictItem& item) {
-    std::string text = imperfectionName(item.name);
-    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    const std::string text = capitalised(imperfectionName(item.name));
     if (!item.value) return phrase("timeline.fails", {{"imperfection", text}});
     return phrase("timeline.fails_by", {{"imperfection", text},
                                         {"value", PhraseNumber(*item.value, 1)},

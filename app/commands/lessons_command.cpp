@@ -18,9 +18,8 @@ using Json = nlohmann::ordered_json;
 
 /// Notes are written as fragments or sentences; in a list they read as sentences.
 std::string asSentence(std::string_view note) {
-    std::string text(note);
+    std::string text = capitalised(note);
     if (text.empty()) return text;
-    if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
     if (text.back() != '.') text += '.';
     return text;
 }

@@ -8,9 +8,9 @@ namespace meltpool {
 
 namespace {
 
-ui::ShortText figuresText(const LessonFigures& figures) {
+ShortText figuresText(const LessonFigures& figures) {
     const double share = figures.particles > 0 ? 100.0 * double(figures.molten) / double(figures.particles) : 0;
-    ui::ShortText text;
+    ShortText text;
     appendPhrase(text, "headset.figures",
                  {{"seconds", PhraseNumber(figures.time, 1)},
                   {"share", PhraseNumber(share, 1)},

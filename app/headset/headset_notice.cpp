@@ -1,6 +1,6 @@
 #include "app/headset/headset_notice.hpp"
 
-#include "app/ui/short_text.hpp"
+#include "core/base/short_text.hpp"
 #include "core/base/words.hpp"
 #include "core/training/feedback/cue_shapes.hpp"
 
@@ -47,7 +47,7 @@ void NoticeText::compose(const Messages& messages, const LessonFigures& figures,
     if (zoom == 1) return;
     std::array<char, 16> times{};
     std::snprintf(times.data(), times.size(), "%.3g", static_cast<double>(zoom));
-    ui::ShortText line;
+    ShortText line;
     appendPhrase(line, "headset.notice.zoom", {{"zoom", withDecimalMark(times.data())}});
     addLine(line);
 }

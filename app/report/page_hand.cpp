@@ -2,6 +2,7 @@
 #include "app/report/curve_drawing.hpp"
 #include "app/report/page_parts.hpp"
 #include "app/report/page_text.hpp"
+#include "core/base/text.hpp"
 #include "core/base/words.hpp"
 #include "core/training/judging/quantity.hpp"
 
@@ -20,12 +21,6 @@ const QuantityInfo* quantityOf(const std::string& key) {
         for (const QuantityInfo& info : quantities(kind))
             if (!info.key.empty() && info.key == key) return &info;
     return nullptr;
-}
-
-std::string capitalised(std::string_view words) {
-    std::string text(words);
-    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-    return text;
 }
 
 std::string points(std::optional<double> value) {

@@ -109,7 +109,9 @@ bool typeNumber(double low, double high, double& value) {
     typed.fresh = false;
     if (!entered && !left) return false;
     typed.name.clear();
-    const auto number = parseDouble(trimText(typed.text));
+    std::string text(trimText(typed.text));
+    if (decimalMark() == ",") std::replace(text.begin(), text.end(), ',', '.'); // a person writes as the slider shows
+    const auto number = parseDouble(text);
     if (!number || !std::isfinite(*number)) return false;
     value = std::clamp(*number, low, high);
     return true;
@@ -269,13 +271,6 @@ struct Draw {
     }
 };
 
-/// The table's own sentence for the parameter, the one for all tables that have its key, or the English one.
-std::string_view translated(std::string_view table, const Parameter& p, std::string_view part,
-                            std::string_view english) {
-    return phraseOr(ShortText{"parameter.", table, ".", p.key, part},
-                    phraseOr(ShortText{"parameter.", p.key, part}, english));
-}
-
 bool control(Context& context, std::string_view prefix, std::string_view table, const Parameter& parameter,
              const DefaultTexts& defaults) {
     const ShortText name{prefix, ".", parameter.key};
@@ -290,14 +285,6 @@ bool control(Context& context, std::string_view prefix, std::string_view table, 
 }
 
 } // namespace
-
-std::string_view translatedLabel(std::string_view table, const Parameter& parameter) {
-    return translated(table, parameter, ".label", parameter.label);
-}
-
-std::string_view translatedNote(std::string_view table, const Parameter& parameter) {
-    return translated(table, parameter, ".tooltip", parameter.note);
-}
 
 bool parameterControl(Context& context, std::string_view prefix, const Parameter& parameter,
                       const DefaultTexts& defaults) {

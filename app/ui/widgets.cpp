@@ -1,4 +1,5 @@
 #include "app/ui/widgets.hpp"
+#include "core/base/text.hpp"
 #include "core/base/words.hpp"
 
 #include <algorithm>
@@ -85,9 +86,8 @@ ShortText niceNumber(double value) {
 }
 
 std::string sentence(std::string_view text) {
-    std::string whole(text);
+    std::string whole = capitalised(text);
     if (whole.empty()) return whole;
-    whole[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(whole[0])));
     if (whole.back() != '.') whole += '.';
     return whole;
 }

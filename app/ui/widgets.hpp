@@ -4,9 +4,9 @@
 #include "app/session/key_names.hpp"
 #include "app/session/menu_state.hpp"
 #include "app/session/parameter_section.hpp"
-#include "app/ui/short_text.hpp"
 #include "app/ui/theme.hpp"
 #include "core/base/parameter.hpp"
+#include "core/base/short_text.hpp"
 
 #include <map>
 #include <string>
@@ -43,11 +43,6 @@ bool parameterControl(Context& context, std::string_view prefix, const Parameter
 
 /// The same for one of a section; a value that the lesson gives is shown without a control.
 bool parameterControl(Context& context, const ParameterSection& section, const Parameter& parameter);
-
-/// Label and explanation of a parameter in the chosen language. `table` holds its words: parameter.TABLE.KEY.label, or
-/// parameter.KEY.label for all tables.
-std::string_view translatedLabel(std::string_view table, const Parameter& parameter);
-std::string_view translatedNote(std::string_view table, const Parameter& parameter);
 
 /// A heading of a group; false when it is folded. `title` names it among the places; it is shown in the chosen language
 /// (group.TITLE in small letters with low lines).

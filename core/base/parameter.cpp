@@ -2,7 +2,9 @@
 
 #include "core/base/error.hpp"
 #include "core/base/likely_name.hpp"
+#include "core/base/short_text.hpp"
 #include "core/base/text.hpp"
+#include "core/base/words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -130,6 +132,25 @@ std::string expectation(const Parameter& p) {
     text += " from " + formatNumber(p.minimum) + " to " + formatNumber(p.maximum);
     if (!p.unit.empty()) text += " (" + std::string(p.unit) + ")";
     return text;
+}
+
+namespace {
+
+/// The table's own sentence for the parameter, the one for all tables that have its key, or the English one.
+std::string_view translated(std::string_view table, const Parameter& p, std::string_view part,
+                            std::string_view english) {
+    return phraseOr(ShortText{"parameter.", table, ".", p.key, part},
+                    phraseOr(ShortText{"parameter.", p.key, part}, english));
+}
+
+} // namespace
+
+std::string_view translatedLabel(std::string_view table, const Parameter& parameter) {
+    return translated(table, parameter, ".label", parameter.label);
+}
+
+std::string_view translatedNote(std::string_view table, const Parameter& parameter) {
+    return translated(table, parameter, ".tooltip", parameter.note);
 }
 
 } // namespace meltpool

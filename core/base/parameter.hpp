@@ -44,4 +44,9 @@ bool sameValue(const Parameter& a, const Parameter& b);
 /// What the parameter accepts, for messages and help: "a number from 0 to 1 (m)", "one of metal, ice".
 std::string expectation(const Parameter& parameter);
 
+/// Label and explanation of a parameter in the chosen language. `table` holds its words: parameter.TABLE.KEY.label, or
+/// parameter.KEY.label for all tables. Allocates nothing.
+std::string_view translatedLabel(std::string_view table, const Parameter& parameter);
+std::string_view translatedNote(std::string_view table, const Parameter& parameter);
+
 } // namespace meltpool

@@ -157,6 +157,17 @@ std::string lowerCase(std::string_view text) {
     return lower;
 }
 
+std::string capitalised(std::string_view text) {
+    std::string whole(text);
+    const auto byte = [&](size_t i) { return i < whole.size() ? static_cast<unsigned char>(whole[i]) : 0U; };
+    if (byte(0) >= 'a' && byte(0) <= 'z') {
+        whole[0] = static_cast<char>(whole[0] - 'a' + 'A');
+    } else if (byte(0) == 0xC3 && byte(1) >= 0xA0 && byte(1) <= 0xBE && byte(1) != 0xB7) { // U+00E0 to U+00FE
+        whole[1] = static_cast<char>(byte(1) - 0x20);
+    }
+    return whole;
+}
+
 std::string lowerExtension(const std::filesystem::path& file) {
     return lowerCase(file.extension().string());
 }

@@ -42,6 +42,8 @@ std::vector<std::string_view> splitText(std::string_view text, char separator);
 std::string_view trimText(std::string_view text);
 /// With the letters A to Z made small.
 std::string lowerCase(std::string_view text);
+/// With a capital at the beginning: a to z and the small letters of Latin-1, in UTF-8.
+std::string capitalised(std::string_view text);
 /// The ending of a file's name in small letters, such as ".csv"; empty where it has none.
 std::string lowerExtension(const std::filesystem::path& file);
 

@@ -141,14 +141,14 @@ void chooseLanguage(std::string_view language) {
 }
 
 void chooseUsersLanguage() {
-    if (const std::string asked = environmentVariable("MELTPOOL_LANGUAGE"); !asked.empty())
-        return chooseLanguage(asked);
     std::vector<std::string> known;
     try {
         known = languages();
     } catch (const InputError&) {
         return; // what needs the program's own files tells that they are missing
     }
+    if (const std::string asked = environmentVariable("MELTPOOL_LANGUAGE"); !asked.empty())
+        return chooseLanguage(asked);
     for (const std::string& each : preferredLanguages())
         if (std::find(known.begin(), known.end(), each) != known.end()) return chooseLanguage(each);
 }
@@ -203,6 +203,10 @@ PhraseNumber::PhraseNumber(double value, int digits, bool sign) {
     if (std::string_view(from, written.ptr).find_first_of("123456789") == std::string_view::npos) leaveZeroPlain();
     const std::string_view mark = chosen().decimalMark();
     if (mark.size() == 1) std::replace(text_.data(), text_.data() + length_, '.', mark[0]);
+}
+
+std::string_view decimalMark() {
+    return chosen().decimalMark();
 }
 
 std::string withDecimalMark(std::string_view number) {

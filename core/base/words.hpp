@@ -92,6 +92,8 @@ class PhraseNumber {
 /// A number that formatNumber() or printf wrote with a point, with the language's decimal mark instead: where people
 /// read it. Files and fields that are parsed again keep the point.
 std::string withDecimalMark(std::string_view number);
+/// The chosen language's mark before the decimals.
+std::string_view decimalMark();
 
 namespace detail {
 /// A piece of a sentence: text as it stands, or the name of a place.

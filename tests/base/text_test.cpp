@@ -25,6 +25,15 @@ std::string repeated(const std::string& part, size_t count) {
 
 } // namespace
 
+TEST_CASE("a text begins with a capital, with an umlaut too") {
+    CHECK(capitalised("wire feed") == "Wire feed");
+    CHECK(capitalised("\u00FCberhitzt") == "\u00DCberhitzt");
+    CHECK(capitalised("\u00DCberhitzt") == "\u00DCberhitzt");
+    CHECK(capitalised("\u00F7") == "\u00F7"); // no letter
+    CHECK(capitalised("3 mm") == "3 mm");
+    CHECK(capitalised("").empty());
+}
+
 TEST_CASE("nothing of a file moves a terminal's cursor or breaks its text", "[base]") {
     CHECK(printable("plain, grüß Gott – 2 °C", 100) == "plain, grüß Gott – 2 °C");
     CHECK(printable("a\x1b[2Jb\x07", 100) == "a\\x1b[2Jb\\x07");

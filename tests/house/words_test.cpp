@@ -115,7 +115,7 @@ TEST_CASE("other languages have keys and places of the English file", "[house][w
             INFO(entry.path().filename().string() << ", " << key);
             const std::string* original = english().find(key);
             const bool ofTables =
-                key.starts_with("parameter.") || key.starts_with("group.") || key.starts_with("language.");
+                key.starts_with("parameter.") || key.starts_with("group.") || key == "language.decimal_mark";
             CHECK((original != nullptr || ofTables));
             if (original != nullptr) CHECK(namesIn(sentence) == namesIn(*original));
         }

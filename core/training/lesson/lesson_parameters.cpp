@@ -18,11 +18,17 @@ void append(ParameterList& list, ParameterList more) {
     list.insert(list.end(), more.begin(), more.end());
 }
 
-/// A label within a sentence: "Wire feed" -> "wire feed".
+/// A label within an English sentence: "Wire feed" -> "wire feed".
 std::string lowerFirst(std::string_view label) {
     std::string text(label);
     if (!text.empty() && text[0] >= 'A' && text[0] <= 'Z') text[0] = static_cast<char>(text[0] - 'A' + 'a');
     return text;
+}
+
+/// A setting's label within a sentence; another language decides itself about its capitals.
+std::string labelWithin(std::string_view process, const Parameter& setting) {
+    const std::string_view label = translatedLabel(process, setting);
+    return label == setting.label ? lowerFirst(label) : std::string(label);
 }
 
 } // namespace
@@ -101,7 +107,7 @@ std::string Lesson::unsetSettings() {
         const double value = parseDouble(parameterText(*parameter)).value_or(each.from);
         if (value >= each.from && value <= each.to) continue;
         if (!told.empty()) told += "; ";
-        told += phrase("cue.settings.unset_one", {{"setting", lowerFirst(parameter->label)},
+        told += phrase("cue.settings.unset_one", {{"setting", labelWithin(traitsOf(process).name, *parameter)},
                                                   {"least", withDecimalMark(formatNumber(each.from))},
                                                   {"most", withDecimalMark(formatNumber(each.to))},
                                                   {"unit", parameter->unit},

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace meltpool::ui {
+namespace meltpool {
 
 /// Longer text is cut.
 class ShortText {
@@ -45,4 +45,4 @@ class ShortText {
     size_t length_ = 0;
 };
 
-} // namespace meltpool::ui
+} // namespace meltpool
