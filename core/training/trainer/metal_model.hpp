@@ -60,9 +60,8 @@ class MetalModel {
     /// there is no weld to cut, and of a pipe, whose seam is no straight line. Waits for the GPU.
     virtual std::optional<WeldSection> section(std::optional<double> /*place*/) const { return std::nullopt; }
 
-    /// The whole weld at stations along `seam` (m along it; none: along what was welded); nothing where there is no
-    /// weld to measure. Waits for the GPU.
-    virtual std::optional<WeldMeasures> measureWeld(std::optional<FaceStretch> /*seam*/) const { return std::nullopt; }
+    /// The whole weld at these stations; nothing where there is no weld to measure. Waits for the GPU.
+    virtual std::optional<WeldMeasures> measureWeld(const StationSettings& /*stations*/) const { return std::nullopt; }
 
     /// Sets what the surface must know of this metal; called before each of its updates, when it holds the lesson's
     /// values.

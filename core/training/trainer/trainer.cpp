@@ -154,11 +154,12 @@ LessonResult Trainer::result() const {
 
 Judgement Trainer::judge() const {
     if (!technique_) return {};
-    std::optional<FaceStretch> wanted;
+    StationSettings stations;
     if (const auto& bands = lesson_.technique)
-        wanted = FaceStretch{bands->lengthFromMm * 1e-3, bands->lengthToMm * 1e-3};
-    Judgement judgement = judgeAttempt(*technique_, metal_.run([&](MetalModel& metal) { return metal.measureWeld(wanted); }),
-                                       {lesson_.technique, lesson_.acceptance, lesson_.nominalWeld(), lesson_.process});
+        stations.seam = FaceStretch{bands->lengthFromMm * 1e-3, bands->lengthToMm * 1e-3};
+    Judgement judgement =
+        judgeAttempt(*technique_, metal_.run([&](MetalModel& metal) { return metal.measureWeld(stations); }),
+                     {lesson_.technique, lesson_.acceptance, lesson_.nominalWeld(), lesson_.process});
     judgement.arc = account_;
     judgement.realTime = recorder_.realTime();
     return judgement;

@@ -52,13 +52,11 @@ std::optional<WeldSection> WeldModel::section(std::optional<double> place) const
     return cutWeld(weld_.metal().state(), workpiece_.parts(), cut);
 }
 
-std::optional<WeldMeasures> WeldModel::measureWeld(std::optional<FaceStretch> seam) const {
-    StationSettings settings;
-    settings.seam = seam;
+std::optional<WeldMeasures> WeldModel::measureWeld(const StationSettings& stations) const {
     if (pipeRadius_)
         return meltpool::measureWeld(WeldParticles(weld_.metal().state(), workpiece_.parts(), *pipeRadius_), material_,
-                                     kind_, settings);
-    return meltpool::measureWeld(weld_.metal().state(), workpiece_.parts(), material_, kind_, settings);
+                                     kind_, stations);
+    return meltpool::measureWeld(weld_.metal().state(), workpiece_.parts(), material_, kind_, stations);
 }
 
 std::unique_ptr<MetalScene> WeldModel::makeScene() const {

@@ -25,7 +25,7 @@ class WeldModel : public MetalModel {
     WireAccount wire() const override { return weld_.process().wire(); }
     std::unique_ptr<MetalScene> makeScene() const override;
     std::optional<WeldSection> section(std::optional<double> place) const override;
-    std::optional<WeldMeasures> measureWeld(std::optional<FaceStretch> seam) const override;
+    std::optional<WeldMeasures> measureWeld(const StationSettings& stations) const override;
     void prepare(Surface& surface) const override;
     MetalStatistics statistics() override { return weld_.metal().statistics(); }
     void requestStatistics() override { weld_.metal().requestStatistics(); }
