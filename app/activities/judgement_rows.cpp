@@ -112,7 +112,7 @@ const std::string& stateText(const VerdictItem& item) {
 /// What is to be said where the metal tells no value.
 const std::string& unknownText(const VerdictItem& item) {
     const WeldFigure* known = findImperfection(item.name);
-    const bool absent = known != nullptr && known->judged == nullptr;
+    const bool absent = known != nullptr && !known->isMeasured();
     return phrase(absent ? "judgement.item.never_shown" : "judgement.item.not_measured");
 }
 

@@ -40,11 +40,12 @@ VerdictState stateOf(double excess, double limit, double resolution, bool isAngl
 /// The judgement of one item over all stations.
 class ItemJudge {
   public:
-    ItemJudge(const WeldMeasures& measures, const AcceptanceItem& item, const NominalWeld& nominal)
+    ItemJudge(const WeldMeasures& measures, const AcceptanceItem& item, const WeldFigure& imperfection,
+              const NominalWeld& nominal)
         : measures_(measures),
           item_(item),
           nominal_(nominal),
-          what_(*findImperfection(item.imperfection)),
+          what_(imperfection),
           resolution_(resolvedOf(what_, measures.spacing)),
           sizes_{kUnknown, nominal.throatOf(measures.kind).value_or(kUnknown) * kPerMetre,
                  nominal.thickness * kPerMetre, nominal.legOf().value_or(kUnknown) * kPerMetre} {}
@@ -55,7 +56,8 @@ class ItemJudge {
     VerdictItem judgeEstimate(const Estimate& estimate) const;
 
   private:
-    Look look(const WeldStation& station, const ImperfectionValue& told, const LimitFormula& formula) const;
+    std::vector<PlacedImperfection> found() const;
+    Look look(const PlacedImperfection& told, const LimitFormula& formula) const;
     VerdictItem blank() const;
     VerdictItem made(const Look& look, VerdictState state) const;
     VerdictItem decide(const std::vector<Look>& looks, const std::vector<Look>& shortLooks) const;
@@ -73,17 +75,29 @@ class ItemJudge {
     LimitSizes sizes_;  ///< of the whole weld, without b
 };
 
-Look ItemJudge::look(const WeldStation& station, const ImperfectionValue& told, const LimitFormula& formula) const {
+/// The imperfection wherever the weld tells it, in the order of the stations.
+std::vector<PlacedImperfection> ItemJudge::found() const {
+    std::vector<PlacedImperfection> all;
+    if (what_.judged)
+        for (const WeldStation& station : measures_.stations)
+            if (const auto value = what_.judged(station, nominal_, measures_.kind))
+                all.push_back({*value, station.place});
+    if (what_.judgedWhole)
+        if (const auto once = what_.judgedWhole(measures_, nominal_)) all.push_back(*once);
+    return all;
+}
+
+Look ItemJudge::look(const PlacedImperfection& told, const LimitFormula& formula) const {
     LimitSizes sizes = sizes_;
-    sizes.b = told.width;
+    sizes.b = told.found.width;
     const bool isAngle = what_.unit == "deg";
     Look look;
-    look.value = told.value;
+    look.value = told.found.value;
     look.limit = formula.at(sizes);
-    look.excess = item_.kind == LimitKind::atLeast ? look.limit - told.value : told.value - look.limit;
+    look.excess = item_.kind == LimitKind::atLeast ? look.limit - told.found.value : told.found.value - look.limit;
     look.resolution = resolution_;
     look.state = stateOf(look.excess, look.limit, look.resolution, isAngle);
-    look.place = station.place;
+    look.place = told.place;
     return look;
 }
 
@@ -126,16 +140,13 @@ VerdictItem ItemJudge::judgeEstimate(const Estimate& estimate) const {
 std::optional<VerdictItem> ItemJudge::judge() const {
     if (!item_.appliesToKind(measures_.kind) || !item_.holdsFor(sizes_)) return std::nullopt;
     std::vector<Look> looks, shortLooks;
-    bool told = false;
-    for (const WeldStation& station : measures_.stations) {
-        const auto value = what_.judged ? what_.judged(station, nominal_, measures_.kind) : std::nullopt;
-        if (!value) continue;
-        told = true;
-        if (!item_.b.contains(value->width)) continue;
-        looks.push_back(look(station, *value, item_.formula));
-        if (item_.shortOnes) shortLooks.push_back(look(station, *value, item_.shortOnes->formula));
+    const std::vector<PlacedImperfection> all = found();
+    for (const PlacedImperfection& each : all) {
+        if (!item_.b.contains(each.found.width)) continue;
+        looks.push_back(look(each, item_.formula));
+        if (item_.shortOnes) shortLooks.push_back(look(each, item_.shortOnes->formula));
     }
-    if (!told) return blank();
+    if (all.empty()) return blank();
     if (looks.empty()) return std::nullopt;
     VerdictItem item = decide(looks, shortLooks);
     if (item.state == VerdictState::fail) item.failing = failing(looks);
@@ -212,7 +223,7 @@ void enter(std::vector<VerdictItem>& items, VerdictItem item) {
 
 /// The estimate that answers for an imperfection which the metal does not contain; null where there is none.
 const Estimate* findEstimate(std::span<const Estimate> estimates, const WeldFigure& imperfection) {
-    if (imperfection.judged != nullptr) return nullptr;
+    if (imperfection.isMeasured()) return nullptr;
     const auto found = std::find_if(estimates.begin(), estimates.end(),
                                     [&](const Estimate& each) { return each.name == imperfection.estimate; });
     return found == estimates.end() ? nullptr : &*found;
@@ -235,15 +246,20 @@ void enterFreeEstimates(std::span<const Estimate> estimates, std::vector<Verdict
 
 } // namespace
 
+std::optional<VerdictItem> judgeItem(const WeldMeasures& measures, const AcceptanceItem& item,
+                                     const WeldFigure& imperfection, const NominalWeld& nominal) {
+    return ItemJudge(measures, item, imperfection, nominal).judge();
+}
+
 Verdict judge(const WeldMeasures& measures, const Acceptance& acceptance, const NominalWeld& nominal,
               std::span<const Estimate> estimates) {
     Verdict verdict{acceptance.standard, acceptance.edition, acceptance.level, {}, !measures.stations.empty()};
     for (const AcceptanceItem& item : acceptance.items) {
-        const ItemJudge judge(measures, item, nominal);
+        const WeldFigure& imperfection = *findImperfection(item.imperfection);
+        const ItemJudge judge(measures, item, imperfection, nominal);
         auto judged = judge.judge();
         if (!judged) continue;
-        if (const Estimate* estimate = findEstimate(estimates, *findImperfection(item.imperfection)))
-            judged = judge.judgeEstimate(*estimate);
+        if (const Estimate* estimate = findEstimate(estimates, imperfection)) judged = judge.judgeEstimate(*estimate);
         enter(verdict.items, std::move(*judged));
     }
     enterFreeEstimates(estimates, verdict.items);

@@ -45,6 +45,11 @@ struct Verdict {
     bool accepted = false;
 };
 
+/// Judges a weld by one item. `imperfection`: the row that the item names. Nothing where the item does not hold for
+/// this weld. Estimates are left out.
+std::optional<VerdictItem> judgeItem(const WeldMeasures& measures, const AcceptanceItem& item,
+                                     const WeldFigure& imperfection, const NominalWeld& nominal);
+
 /// Judges every station by every item that applies. With `r` = what the particles resolve of the imperfection, a
 /// station
 /// - fails beyond the limit, or, where the limit itself is less than r, beyond limit + r;
@@ -54,6 +59,7 @@ struct Verdict {
 /// An item fails where a station does, unless the item allows short ones: then where a station fails the limit of short
 /// ones too, or where the stations beyond the limit are longer together than allowed. What needs a nominal size that is
 /// not given, and what neither the stations nor an estimate tell, is not resolved.
+/// An imperfection of the whole weld (WeldFigure::judgedWhole) is judged as one station at its own place.
 Verdict judge(const WeldMeasures& measures, const Acceptance& acceptance, const NominalWeld& nominal,
               std::span<const Estimate> estimates = {});
 

@@ -26,6 +26,12 @@ struct ImperfectionValue {
     double width = 0; ///< b, mm: of the reinforcement, the fillet's face or the root that the limit may grow with
 };
 
+/// An imperfection of the whole weld, at the place where it was measured.
+struct PlacedImperfection {
+    ImperfectionValue found;
+    double place = 0; ///< m along the seam
+};
+
 /// An imperfection in ISO 6520-1:2007; both empty where that standard has none or its number is not certain.
 struct StandardTerm {
     std::string_view number = {}; ///< "506"; several with commas
@@ -56,11 +62,16 @@ struct WeldFigure {
     std::optional<double> WeldMeasures::*whole = nullptr; ///< of a figure of the whole weld
     StandardTerm standard = {};                           ///< of an imperfection
     /// The imperfection at a station, lengths in mm, angles in degrees; nothing where the station does not tell it.
-    /// Null for an imperfection that the metal does not contain, and for a figure that is none.
+    /// Null for an imperfection of the whole weld or one that the metal does not contain, and for a figure that is
+    /// none.
     std::optional<ImperfectionValue> (*judged)(const WeldStation&, const NominalWeld&, WeldKind) = nullptr;
+    /// An imperfection that the weld has once, such as at its end; units as `judged`, which is null beside it. Nothing
+    /// where the measures do not tell it.
+    std::optional<PlacedImperfection> (*judgedWhole)(const WeldMeasures&, const NominalWeld&) = nullptr;
     /// Key of the imperfection whose estimate from technique answers for it: all pores share one. Empty: not estimated.
     std::string_view estimate = {};
 
+    bool isMeasured() const { return judged || judgedWhole; } ///< of an imperfection: the metal tells it
     double inSi() const;                                      ///< the unit in SI: 1e-3 of "mm", 1 of "s"
     std::string_view name() const { return wordsOf("name"); } ///< in sentences and lists, such as "penetration"
     std::string_view panelWords() const;                      ///< in the result panel

@@ -312,3 +312,37 @@ TEST_CASE("an item that fails tells where, neighbours together", "[verdict]") {
     const Verdict fine = judge(weldOf(WeldKind::bead), c, nominal(WeldKind::bead));
     CHECK(itemOf(fine, "burn_through").failing.empty());
 }
+
+TEST_CASE("an imperfection of the whole weld is judged at its own place", "[verdict]") {
+    WeldFigure uneven;
+    uneven.key = "uneven";
+    uneven.unit = "mm";
+    uneven.judgedWhole = [](const WeldMeasures& weld, const NominalWeld&) -> std::optional<PlacedImperfection> {
+        if (!weld.straightness) return std::nullopt;
+        return PlacedImperfection{{*weld.straightness / kMm, 0}, 97 * kMm};
+    };
+    CHECK(uneven.isMeasured());
+    AcceptanceItem item; // none is permitted
+    item.imperfection = "uneven";
+    item.appliesTo = {WeldKind::bead};
+    WeldMeasures weld = weldOf(WeldKind::bead);
+    const auto judged = [&] { return judgeItem(weld, item, uneven, nominal(WeldKind::bead)); };
+    weld.straightness.reset();
+    REQUIRE(judged());
+    CHECK(judged()->state == VerdictState::notResolved);
+    CHECK_FALSE(judged()->value);
+    weld.straightness = 50 * kMm; // far beyond any limit
+    const auto fails = judged();
+    REQUIRE(fails);
+    CHECK(fails->name == "uneven");
+    CHECK(fails->state == VerdictState::fail);
+    CHECK(*fails->value == Approx(50));
+    CHECK(*fails->place == Approx(97 * kMm));
+    REQUIRE(fails->failing.size() == 1);
+    CHECK(fails->failing[0].low == Approx(96 * kMm));
+    CHECK(fails->failing[0].high == Approx(98 * kMm));
+    weld.straightness = -1 * kMm;
+    CHECK(judged()->state == VerdictState::pass);
+    weld.kind = WeldKind::fillet;
+    CHECK_FALSE(judged());
+}

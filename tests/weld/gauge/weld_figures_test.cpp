@@ -73,8 +73,9 @@ TEST_CASE("every imperfection has one row with a name", "[figures]") {
         CHECK((each.unit == "mm" || each.unit == "deg"));
         CHECK(each.standard.number.empty() == each.standard.name.empty());
         CHECK(each.standard.number.find_first_not_of("0123456789, ") == std::string_view::npos);
+        CHECK((each.judged == nullptr || each.judgedWhole == nullptr)); // of a station or of the whole weld
         if (each.estimate.empty()) continue;
-        CHECK(each.judged == nullptr); // what the metal contains is measured
+        CHECK_FALSE(each.isMeasured()); // what the metal contains is measured
         CHECK(findImperfection(each.estimate) != nullptr);
     }
     CHECK(imperfectionName("not_filled_up") == "not filled up");
