@@ -54,7 +54,7 @@ class DeskTorch {
                 const ProcessSettings& process);
 
     /// The torch at the end of step `step` of `due` steps (0 <= step < due), each of `seconds`. `burntOff`: see
-    /// Process::burntOff(). `trigger`: 0 or 1.
+    /// Process::burntOff(). `trigger`: 0 to 1; a mouse has no more than these two.
     TorchSample next(int step, int due, double seconds, float burntOff, float trigger);
 
     const DeskPose& pose() const { return wanted_; }
