@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstring>
 #include <initializer_list>
 #include <string>
@@ -28,6 +29,12 @@ class ShortText {
         length_ += fits;
         text_[length_] = 0;
         return *this;
+    }
+    /// The shortest text that reads back as `number`, as formatNumber() gives it.
+    ShortText& addNumber(double number) {
+        std::array<char, 32> digits{};
+        const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number);
+        return *this += std::string_view(digits.data(), end.ptr);
     }
     void cutTo(size_t length) {
         length_ = std::min(length, length_);

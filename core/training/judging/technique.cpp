@@ -29,8 +29,8 @@ bool follows(const TechniqueStep& step, const TechniqueStep& before) {
 
 } // namespace
 
-std::string droppedText(double seconds) {
-    return "dropped " + formatNumber(seconds);
+ShortText droppedText(double seconds) {
+    return ShortText("dropped ").addNumber(seconds);
 }
 
 double droppedSeconds(std::string_view value) {

@@ -1,6 +1,7 @@
 // What the welder's hand does along the seam, measured in every step of the metal.
 #pragma once
 
+#include "core/base/short_text.hpp"
 #include "core/training/judging/quantity.hpp"
 #include "core/training/judging/seam.hpp"
 #include "core/weld/process/arc.hpp"
@@ -35,7 +36,7 @@ inline constexpr double kLongestGuess = 0.25;
 
 /// The value of an event `samples` whose frame makes good `seconds`: "dropped 0.2", and the seconds of such a value.
 /// One without a time, as of older programs, stands for kLongestGuess.
-std::string droppedText(double seconds);
+ShortText droppedText(double seconds);
 double droppedSeconds(std::string_view value);
 
 /// m and m/s: a step along the seam that is longer than both allow is a jump, which ends a stretch as a gap does.

@@ -14,6 +14,8 @@ namespace {
 
 /// 31 cells of no more than 24 characters each.
 constexpr size_t kLongestRow = 800;
+/// Room for the usual lines of what happened before a step.
+constexpr size_t kUsualNote = 200;
 /// Below this the metal stands still, and a ratio of times says nothing.
 constexpr double kLeastPace = 1e-3;
 
@@ -51,6 +53,9 @@ Record::Record(const std::filesystem::path& file, const AttemptHead& head, bool 
     text += columns(head, paced);
     write(text);
     row_.reserve(kLongestRow);
+    before_.reserve(kUsualNote);
+    for (Waiting& step : steps_)
+        step.before.reserve(kUsualNote);
 }
 
 void Record::write(std::string_view text) {
