@@ -190,6 +190,12 @@ bool WindowTelemetry::due(double now) {
 }
 
 void WindowTelemetry::write(const TelemetryRow& row) {
+    writeLine(row);
+    meter_.resume();
+}
+
+/// Letting go of the row's JSON takes memory, too, and is over when this returns.
+void WindowTelemetry::writeLine(const TelemetryRow& row) {
     const Controls& c = row.controls;
     const json object{
         {"page", row.page},
@@ -233,7 +239,6 @@ void WindowTelemetry::write(const TelemetryRow& row) {
         fault_ = name_.string() + ": the telemetry cannot be written on; " + writeExpectation(errno);
         file_.close();
     }
-    meter_.resume();
 }
 
 } // namespace meltpool

@@ -70,6 +70,8 @@ class WindowTelemetry {
     void write(const TelemetryRow& row);
 
   private:
+    void writeLine(const TelemetryRow& row);
+
     std::filesystem::path name_;
     std::ofstream file_;
     std::string fault_;
