@@ -2,7 +2,7 @@
 // A whole step of the plain tiles, where metal on the lattice conducts and its surface loses heat to the air, and nothing
 // else happens: theta in one half of its buffer -> enthalpy, temperature, phase, theta in the other half. An
 // invocation a row of four cells along x: a row and its neighbours along y and z are a texel each.
-// The flow is that of neighbours.glsl and squares.glsl; squares.glsl derives the stencil of 19 points.
+// The flow is that of stencil.glsl, as it is in the mixed tiles.
 // SYNCHRONOUS_DRIVER: the whole pass; a card would take the passes over mixed tiles for these tiles, too. Such a driver
 // executes every line whether its condition holds or not, but leaves out a loop that none of the invocations side by side
 // enters: work that only some tiles need is left to those passes, and work that only hot metal needs is in a loop.
@@ -16,6 +16,7 @@ layout(local_size_x = GROUP_SIZE) in;
 #include "metal/heat/ledger.glsl"
 #include "metal/heat/leave_lattice.glsl"
 #include "metal/heat/listed_rows.glsl"
+#include "metal/heat/stencil.glsl"
 
 layout(binding = HEAT_TEXELS_THETA_ROWS) uniform samplerBuffer thetaRows;
 layout(binding = HEAT_TEXELS_LATTICE_ROWS) uniform usamplerBuffer latticeRows;
@@ -94,15 +95,11 @@ struct RowInflow {
     vec4 openAxes;
 };
 
-vec4 sideInflow(vec4 neighbour, vec4 theta, bvec4 wall) {
-    return mix(neighbour - theta, 2.0 * (-2.0 - neighbour - theta), wall) * (1.0 - vec4(equal(neighbour, vec4(kEmpty))));
-}
-
 void addAxis(inout RowInflow sum, vec4 theta, vec4 low, vec4 high, vec4 countLow, vec4 countHigh) {
     const bvec4 wallLow = lessThan(low, vec4(-1.5));
     const bvec4 wallHigh = lessThan(high, vec4(-1.5));
-    const vec4 fromLow = sideInflow(low, theta, wallLow);
-    const vec4 fromHigh = sideInflow(high, theta, wallHigh);
+    const vec4 fromLow = faceFlow(low, theta, wallLow);
+    const vec4 fromHigh = faceFlow(high, theta, wallHigh);
     sum.walls += fromLow * vec4(wallLow) + fromHigh * vec4(wallHigh);
     sum.metal_ += fromLow * countLow + fromHigh * countHigh;
     sum.largest = max(sum.largest, max(abs(fromLow), abs(fromHigh)));
@@ -110,7 +107,7 @@ void addAxis(inout RowInflow sum, vec4 theta, vec4 low, vec4 high, vec4 countLow
     sum.openAxes += open * open;
 }
 
-/// Sum of the twists (squares.glsl) of the squares that each cell of a row makes with its neighbours along x and in another row.
+/// Sum of the twists of the squares that each cell of a row makes with its neighbours along x and in another row.
 vec4 twistAlongX(Row own, Row other) {
     // Differences across to the other row, then along x.
     const vec4 across = own.theta - other.theta;
@@ -125,7 +122,7 @@ vec4 twistAlongX(Row own, Row other) {
 vec4 twistAcross(Row own, Row y, Row z, RowTile tile, int row) {
     const vec4 corner = texelFetch(thetaRows, tile.base / TILE_EDGE + row);
     const vec4 counts = own.counts * y.counts * z.counts * vec4(greaterThanEqual(corner, vec4(0))) * float(tile.open);
-    return ((own.theta - z.theta) - (y.theta - corner)) * counts;
+    return twistOf(own.theta, y.theta, z.theta, corner) * counts;
 }
 
 RowInflow inflowOfRow(int tile, int row, TileRow side, Row own) {

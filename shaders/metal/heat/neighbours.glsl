@@ -1,4 +1,5 @@
 // Conduction between a cell and its six neighbours, for passes with an invocation a cell. Included after common.glsl.
+#include "metal/heat/stencil.glsl"
 
 /// The neighbours of a cell along x, y and z, on the low and on the high side.
 /// SYNCHRONOUS_DRIVER: no loops over axes, as it keeps arrays that are indexed at run time in memory.
@@ -55,7 +56,7 @@ Neighbours readNeighbours(int tile, int stamp, int inside, NeighbourOffsets offs
 }
 
 /// Power into a cell from each side over one spacing (W/m) as conduction gives it: two cells exchange dx (theta_j - theta_i),
-/// k A/dx with k inside theta. A held neighbour stands for a wall at the face between the two, half as far away.
+/// k A/dx with k inside theta. A held neighbour is a wall at the face between the two, half as far away.
 struct Inflow {
     vec3 low, high;
     bvec3 wallLow, wallHigh;
@@ -65,9 +66,8 @@ Inflow inflowOf(Neighbours n, vec3 theta) {
     Inflow f;
     f.wallLow = lessThan(n.low, vec3(-1.5));
     f.wallHigh = lessThan(n.high, vec3(-1.5));
-    // Where nothing sits the difference is 0.
-    f.low = mix(n.low - theta, 2.0 * (-2.0 - n.low - theta), f.wallLow) * (1.0 - vec3(equal(n.low, vec3(kEmpty))));
-    f.high = mix(n.high - theta, 2.0 * (-2.0 - n.high - theta), f.wallHigh) * (1.0 - vec3(equal(n.high, vec3(kEmpty))));
+    f.low = faceFlow(n.low, theta, f.wallLow);
+    f.high = faceFlow(n.high, theta, f.wallHigh);
     return f;
 }
 

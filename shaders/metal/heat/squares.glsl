@@ -1,18 +1,5 @@
-// Conduction in the squares of four cells that a cell makes with its neighbours, for passes with an invocation a cell. Included
-// after stirring.glsl.
-//
-// The stencil of 19 points, which this file and conduct_plain.comp compute. With theta, the integral of k over temperature,
-// conduction is rho dh/dt = lap theta. The 6 cells across faces (theta_f) and the cell itself (theta_c) give
-//   faces = sum (theta_f - theta_c) = dx² lap theta + dx⁴/12 (theta_xxxx + theta_yyyy + theta_zzzz) + O(dx⁶):
-// heat runs along the axes otherwise than between them. The cell and three others make a square in each of the planes xy, yz
-// and xz on either side, 12 in all. The twist of one is theta of the cell and of the one diagonally opposite (theta_e), less
-// theta of the other two; the four in a plane add up to dx⁴ theta_xxyy + O(dx⁶). So
-//   faces + 1/6 sum of twists = 1/3 sum theta_f + 1/6 sum theta_e - 4 theta_c = dx² lap theta + dx⁴/12 lap² theta + O(dx⁶),
-// whose error is alike in all directions. An explicit step dt lacks (alpha dt)²/2 lap² theta of the exact solution, where alpha
-// is the diffusivity; at dt = dx²/(6 alpha) that is alpha dt dx²/12 lap² theta, which the stencil's error supplies: the step is
-// exact to the fourth order of dx. Each square gives and takes 1/6 of its twist with alternating signs, so energy is kept.
-// Theta that changes along one axis has no twist, and a square with a missing cell does not count: plane surfaces lead heat
-// along themselves as they should.
+// Conduction in the squares of four cells that a cell makes with its neighbours (stencil.glsl), for passes with an invocation a
+// cell. Included after stirring.glsl.
 
 /// The neighbours of a cell along x, y and z on the low or on the high side.
 struct Side {
@@ -60,9 +47,8 @@ void addSquares(inout SquareSum sum, SquareTiles tiles, int cell, float theta, S
     const vec3 weights = vec3(weightOf(cells.x), weightOf(cells.y), weightOf(cells.z));
     vec3 fill = min(weights, min(first.fill.xyx, second.fill.yzz)) * vec3(open) * vec3(not(unknown));
     fill *= vec3(greaterThanEqual(opposite, vec3(0)));
-    // In the order in which conduct_plain.comp takes the differences, so that both sides of a tile's edge find the same.
-    sum.twist += dot(fill, (ledInPlanes(vec3(theta)) - ledInPlanes(second.theta.yzz)) -
-                               (ledInPlanes(first.theta.xyx) - ledInPlanes(opposite)));
+    sum.twist += dot(fill, twistOf(ledInPlanes(vec3(theta)), ledInPlanes(first.theta.xyx), ledInPlanes(second.theta.yzz),
+                                   ledInPlanes(opposite)));
     sum.fill += fill.x + fill.y + fill.z;
     const bvec3 none = equal(fill, vec3(0));
     const vec3 cold = mix(opposite, vec3(3.4e38), none), hot = mix(opposite, vec3(0), none);
