@@ -24,7 +24,7 @@
                           // one, those with metal off the lattice, and those that ever held metal; then the list of slots off it
 #define HEAT_REACHED 0x80000000u
 #define HEAT_CONTROL 11   // HeatControl
-#define HEAT_SOURCE_SUMS 12 // float: sum of weights of each source, then of each row of each tile that a source reaches
+#define HEAT_SOURCE_SUMS 12 // float: sum of weights of each source
 #define HEAT_LEDGER 13      // vec4 a cell, then a particle: joules gained, their residual, joules lost, their residual
 #define HEAT_TILE_STAMPS 14 // int a tile: TILE_... below
 #define HEAT_CELL_WEIGHT 5  // uint a cell (replaces the counters): how many particles share it, in 1/SHARE_UNIT
@@ -93,7 +93,7 @@ struct HeatSourceData {
     float rear;
     float frontFraction;
     ivec3 firstTile;      // that the source can reach
-    int firstRowSum;      // of its tiles in HEAT_SOURCE_SUMS
+    int unused;
     ivec3 tileExtent;     // tiles it can reach along each axis,
     int tileCount;        // and in all
     float tipTemperature; // K

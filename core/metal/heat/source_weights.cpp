@@ -46,37 +46,22 @@ HeatSourceData dataOf(const HeatSource& source, const MetalLattice& lattice) {
 } // namespace
 
 SourceWeights::SourceWeights(gl::ShaderLibrary& shaders)
-    : sumRows_(shaders.compute("metal/heat/source_weights.comp")),
-      sumSources_(shaders.compute("metal/heat/normalise_sources.comp")) {}
+    : sum_(shaders.compute("metal/heat/normalise_sources.comp")),
+      sums_(gl::Buffer::gpuOnly("heat source sums", HEAT_SOURCES * sizeof(float))) {}
 
 void SourceWeights::write(std::span<const HeatSource> sources, const MetalLattice& lattice, HeatBlock& block) {
     if (sources.size() > HEAT_SOURCES)
         throw RuntimeFault("at most " + std::to_string(HEAT_SOURCES) + " heat sources can burn at once");
     count_ = static_cast<unsigned>(sources.size());
     block.sourceCount = static_cast<int>(sources.size());
-    int firstRowSum = HEAT_SOURCES; // behind the sums of the sources
-    for (size_t i = 0; i < sources.size(); ++i) {
+    for (size_t i = 0; i < sources.size(); ++i)
         block.sources[i] = dataOf(sources[i], lattice);
-        block.sources[i].firstRowSum = firstRowSum;
-        firstRowSum += TILE_ROWS * block.sources[i].tileCount;
-    }
-    makeSums(firstRowSum);
-}
-
-/// They hold within a step, so that none is kept where there must be more.
-void SourceWeights::makeSums(int count) {
-    const size_t bytes = static_cast<size_t>(count) * sizeof(float);
-    if (sums_.bytes() < bytes) sums_ = gl::Buffer::gpuOnly("heat source sums", bytes + bytes / 2);
 }
 
 void SourceWeights::sum() const {
     sums_.bindStorage(HEAT_SOURCE_SUMS);
     if (count_ == 0) return;
-    gl::memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    sums_.clear();                                                 // of rows without metal, too
-    sumRows_.dispatchIndirect(offsetof(HeatControl, reachedRows)); // cell theta, weight -> sum of weights a row
-    storageBarrier();
-    sumSources_.dispatchGroups(count_); // -> sum of weights a source
+    sum_.dispatchGroups(count_); // cell theta, weight -> sum of weights a source
     storageBarrier();
 }
 

@@ -17,19 +17,17 @@ class SourceWeights {
     explicit SourceWeights(gl::ShaderLibrary& shaders);
 
     /// Writes the sources, and which tiles of the lattice each of them reaches, into the block of a step. Throws
-    /// RuntimeFault for more than HEAT_SOURCES sources, or when the driver has no room for their sums.
+    /// RuntimeFault for more than HEAT_SOURCES sources.
     void write(std::span<const HeatSource> sources, const MetalLattice& lattice, HeatBlock& block);
 
-    /// Sums the weights of the sources last written and leaves the sums bound. Expects the rows that sources reach to
-    /// be listed (HeatTiles).
+    /// Sums the weights of the sources last written and leaves the sums bound. Expects the tiles that take part to be
+    /// listed (HeatTiles), and the temperatures of cells.
     void sum() const;
 
     size_t bytes() const { return sums_.bytes(); } ///< of GPU memory
 
   private:
-    void makeSums(int count);
-
-    const gl::Program &sumRows_, &sumSources_;
+    const gl::Program& sum_;
     gl::Buffer sums_; ///< made in each step
     unsigned count_ = 0;
 };

@@ -95,12 +95,6 @@ ivec3 sourceTile(HeatSourceData s, int group) {
            ivec3(group % s.tileExtent.x, group / s.tileExtent.x % s.tileExtent.y, group / (s.tileExtent.x * s.tileExtent.y));
 }
 
-/// Number of a tile in the box that the source reaches.
-int sourceTileIndex(HeatSourceData s, ivec3 tilePlace) {
-    ivec3 at = tilePlace - s.firstTile;
-    return (at.z * s.tileExtent.y + at.y) * s.tileExtent.x + at.x;
-}
-
 /// Notes that something happened in a tile whose notes at the start of the pass were `notes`.
 void noteActivity(int tile, TileNotes notes) {
     if (heatBlock.stepNumber - notes.lastActive >= TILE_NOTE_INTERVAL) tiles[tile].lastActive = heatBlock.stepNumber;
