@@ -5,7 +5,6 @@
 #include "core/gl/software_driver/software_driver.hpp"
 
 #include <algorithm>
-#include <cstring>
 
 namespace meltpool::gl {
 
@@ -50,9 +49,7 @@ void Buffer::writeBytes(const void* data, size_t bytes, size_t offset) {
     if (bytes == 0) return;
     if (!writable_) throw RuntimeFault("a write to a GPU buffer that only the GPU writes was refused");
     if (offset + bytes > bytes_) throw RuntimeFault("a write past the end of a GPU buffer was refused");
-    if (std::byte* memory = directMemory(name()))
-        std::memcpy(memory + offset, data, bytes);
-    else
+    if (!writeDirectly(name(), data, bytes, offset))
         glNamedBufferSubData(name(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
 }
 
@@ -60,9 +57,7 @@ void Buffer::readBytes(void* data, size_t bytes, size_t offset) const {
     if (bytes == 0) return;
     if (offset + bytes > bytes_) throw RuntimeFault("a read past the end of a GPU buffer was refused");
     memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    if (const std::byte* memory = directMemory(name()))
-        std::memcpy(data, memory + offset, bytes);
-    else
+    if (!readDirectly(name(), data, bytes, offset))
         glGetNamedBufferSubData(name(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
 }
 

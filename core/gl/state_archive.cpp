@@ -72,10 +72,7 @@ void StateArchive::text(std::string& words) {
 /// On a BarrierFreeThread nothing of OpenGL is made that the archive, which ends on another thread, would have to
 /// delete.
 void StateArchive::copyTo(const Buffer& buffer, size_t bytes, size_t begin) {
-    if (std::byte* memory = directMemory(buffer.name())) {
-        if (bytes > 0) std::memcpy(memory, from_.data() + begin, bytes);
-        return;
-    }
+    if (writeDirectly(buffer.name(), from_.data() + begin, bytes, 0)) return;
     if (!upload_) upload_.emplace("restored state", from_);
     upload_->copyTo(buffer, bytes, begin);
 }

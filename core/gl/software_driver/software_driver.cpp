@@ -1,5 +1,6 @@
 #include "core/gl/software_driver/software_driver.hpp"
 
+#include <array>
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
@@ -73,6 +74,45 @@ std::byte* directMemory(GLuint buffer) {
     void* memory = nullptr;
     glGetNamedBufferPointerv(buffer, GL_BUFFER_MAP_POINTER, &memory);
     return static_cast<std::byte*>(memory);
+}
+
+bool copyDirectly(GLuint from, GLuint to, size_t bytes, size_t fromOffset, size_t toOffset) {
+    const std::byte* source = directMemory(from);
+    std::byte* target = directMemory(to);
+    if (source == nullptr || target == nullptr) return false;
+    std::memmove(target + toOffset, source + fromOffset, bytes);
+    return true;
+}
+
+bool fillDirectly(GLuint buffer, size_t offset, size_t bytes, GLuint word) {
+    std::byte* memory = directMemory(buffer);
+    if (memory == nullptr) return false;
+    for (size_t at = offset; at < offset + bytes; at += sizeof word)
+        std::memcpy(memory + at, &word, sizeof word);
+    return true;
+}
+
+bool writeDirectly(GLuint buffer, const void* data, size_t bytes, size_t offset) {
+    std::byte* memory = directMemory(buffer);
+    if (memory == nullptr) return false;
+    if (bytes > 0) std::memcpy(memory + offset, data, bytes);
+    return true;
+}
+
+bool readDirectly(GLuint buffer, void* data, size_t bytes, size_t offset) {
+    const std::byte* memory = directMemory(buffer);
+    if (memory == nullptr) return false;
+    if (bytes > 0) std::memcpy(data, memory + offset, bytes);
+    return true;
+}
+
+bool dispatchDirectly(size_t offset) {
+    GLint counts = 0;
+    if (withoutBarriers) glGetIntegerv(GL_DISPATCH_INDIRECT_BUFFER_BINDING, &counts);
+    std::array<GLuint, 3> groups{};
+    if (counts == 0 || !readDirectly(static_cast<GLuint>(counts), groups.data(), sizeof groups, offset)) return false;
+    glDispatchCompute(groups[0], groups[1], groups[2]);
+    return true;
 }
 
 int mesaMajor(std::string_view version) {

@@ -52,11 +52,21 @@ GLbitfield directStorage();
 void mapDirectly(GLuint buffer, size_t bytes);
 
 /// A buffer's own memory on a BarrierFreeThread, null elsewhere; it stays where it is as long as the buffer, and any
-/// thread may read it between two works of that one. There, all that writes, reads, copies or clears buffers, and what
-/// dispatches by their numbers, goes there and not through the driver: llvmpipe would look whether a picture still
-/// needs the buffer (llvmpipe_flush_resource()), in lists that a thread which draws with a context that shares objects
-/// changes meanwhile.
+/// thread may read it between two works of that one.
 std::byte* directMemory(GLuint buffer);
+
+// On a BarrierFreeThread these do the work in the buffers' own memory. Elsewhere they return false and do nothing: the
+// driver has to. There the driver must not: llvmpipe would look whether a picture still needs the buffer
+// (llvmpipe_flush_resource()), in lists that a thread which draws with a context that shares objects changes meanwhile.
+
+/// Both buffers have such memory.
+bool copyDirectly(GLuint from, GLuint to, size_t bytes, size_t fromOffset, size_t toOffset);
+/// Sets whole words.
+bool fillDirectly(GLuint buffer, size_t offset, size_t bytes, GLuint word);
+bool writeDirectly(GLuint buffer, const void* data, size_t bytes, size_t offset);
+bool readDirectly(GLuint buffer, void* data, size_t bytes, size_t offset);
+/// Dispatches as many groups as the three numbers say at `offset` of the buffer bound as GL_DISPATCH_INDIRECT_BUFFER.
+bool dispatchDirectly(size_t offset);
 
 /// The major version of Mesa in OpenGL's version text, such as 22 in "4.5 (Core Profile) Mesa 22.3.6"; 0 of another
 /// driver.
