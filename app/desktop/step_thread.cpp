@@ -1,17 +1,8 @@
 #include "app/desktop/step_thread.hpp"
 
-#include "core/gl/software_driver/software_driver.hpp"
-
 #include <utility>
 
 namespace meltpool {
-
-namespace {
-
-/// Not so rare that many lessons come and go.
-constexpr std::chrono::seconds kBetweenFlushes{10};
-
-} // namespace
 
 StepThread::StepThread(std::unique_ptr<StepContext> context) : context_(std::move(context)) {
     thread_ = std::thread([this] { live(); });
@@ -31,14 +22,14 @@ StepThread::~StepThread() {
 
 void StepThread::live() {
     usable_ = context_->enter();
-    const gl::BarrierFreeThread barrierFree;
+    gl::BarrierFreeThread barrierFree;
     std::unique_lock lock(mutex_);
     ready_ = true;
     changed_.notify_all();
     while (true) {
         changed_.wait(lock, [this] { return work_ != nullptr || ending_; });
         if (work_ == nullptr) break;
-        serve(lock);
+        serve(lock, barrierFree);
         changed_.notify_all();
     }
     lock.unlock();
@@ -46,7 +37,7 @@ void StepThread::live() {
 }
 
 /// Does the work that is there, without the lock.
-void StepThread::serve(std::unique_lock<std::mutex>& lock) {
+void StepThread::serve(std::unique_lock<std::mutex>& lock, gl::BarrierFreeThread& barrierFree) {
     lock.unlock();
     std::exception_ptr fault;
     WorkMeter meter;
@@ -56,21 +47,12 @@ void StepThread::serve(std::unique_lock<std::mutex>& lock) {
     } catch (...) {
         fault = std::current_exception();
     }
-    freeDeleted();
+    barrierFree.freeDeleted();
     meter.end();
     lock.lock();
     costs_ += meter.costs();
     fault_ = fault;
     work_ = nullptr;
-}
-
-/// Buffer textures of a lesson that is over keep its buffers until the context that read them flushes: only then does
-/// it let go of its views of deleted textures.
-void StepThread::freeDeleted() {
-    const auto now = std::chrono::steady_clock::now();
-    if (now - flushed_ < kBetweenFlushes) return;
-    flushed_ = now;
-    glFlush();
 }
 
 void StepThread::begin(std::function<void()> work) {

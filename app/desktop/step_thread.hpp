@@ -4,6 +4,7 @@
 #include "app/desktop/step_context.hpp"
 #include "core/base/work_meter.hpp"
 #include "core/gl/other_context.hpp"
+#include "core/gl/software_driver/software_driver.hpp"
 
 #include <chrono>
 #include <condition_variable>
@@ -46,8 +47,7 @@ class StepThread final : public gl::OtherContext {
 
   private:
     void live();
-    void serve(std::unique_lock<std::mutex>& lock);
-    void freeDeleted();
+    void serve(std::unique_lock<std::mutex>& lock, gl::BarrierFreeThread& barrierFree);
 
     std::unique_ptr<StepContext> context_;
     bool usable_ = false;
@@ -56,7 +56,6 @@ class StepThread final : public gl::OtherContext {
     double waited_ = 0;
     double seconds_ = 0;
     WorkCosts costs_;
-    std::chrono::steady_clock::time_point flushed_; ///< on the thread
 
     std::mutex mutex_; // of all below
     std::condition_variable changed_;

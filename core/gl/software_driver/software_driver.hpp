@@ -4,6 +4,7 @@
 
 #include <GL/glew.h>
 
+#include <chrono>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -39,6 +40,13 @@ class BarrierFreeThread {
     ~BarrierFreeThread();
     BarrierFreeThread(const BarrierFreeThread&) = delete;
     BarrierFreeThread& operator=(const BarrierFreeThread&) = delete;
+
+    /// Frees deleted objects now and then, if it is called often. Mesa keeps a deleted buffer texture, and with it the
+    /// buffer, until the context that read it flushes.
+    void freeDeleted();
+
+  private:
+    std::chrono::steady_clock::time_point flushed_;
 };
 
 /// The calling thread is a BarrierFreeThread.
