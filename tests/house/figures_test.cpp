@@ -1,0 +1,143 @@
+// Measured figures in the handbook equal those in tests/bench/results: a comment behind a figure names its place there.
+#include "core/base/text.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/places.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+#include <regex>
+
+namespace meltpool::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+constexpr size_t kFewestFigures = 60; ///< fewer: the comments no longer match kFigure
+
+std::string textOf(const Json& value) {
+    return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+/// The number at the end of `steps`, which '/' separates; the largest of several. A step NAME goes to that member, and
+/// to all elements of an array. A step NAME=TEXT keeps the objects whose member NAME has that text. Nothing where no
+/// number is found, and where one of several is none.
+std::optional<double> findFigure(const Json& root, const std::string& steps) {
+    std::vector<Json> found{root};
+    for (const std::string_view step : splitText(steps, '/')) {
+        const size_t equals = step.find('=');
+        const std::string name(step.substr(0, equals));
+        std::vector<Json> next;
+        for (const Json& object : found) {
+            if (!object.is_object() || !object.contains(name)) continue;
+            const Json& member = object[name];
+            if (equals != std::string_view::npos) {
+                if (textOf(member) == step.substr(equals + 1)) next.push_back(object);
+            } else if (member.is_array()) {
+                next.insert(next.end(), member.begin(), member.end());
+            } else {
+                next.push_back(member);
+            }
+        }
+        found = std::move(next);
+    }
+    std::optional<double> largest;
+    for (const Json& value : found) {
+        if (!value.is_number()) return std::nullopt;
+        largest = std::max(largest.value_or(value.get<double>()), value.get<double>());
+    }
+    return largest;
+}
+
+/// `value` with as many decimals as `shown` has.
+std::string withDecimalsOf(const std::string& shown, double value) {
+    const size_t point = shown.find('.');
+    std::array<char, 400> text{};
+    std::snprintf(text.data(), text.size(), "%.*f",
+                  point == std::string::npos ? 0 : static_cast<int>(shown.size() - point - 1), value);
+    return text.data();
+}
+
+/// The command that makes a file of results. Of `validate` they are called validate-FOLDER-MACHINE.json, of `bench`
+/// SUITE-MACHINE.json.
+std::string commandFor(const std::string& file) {
+    const auto words = splitText(file, '-');
+    const bool validates = words[0] == "validate" && words.size() > 1;
+    return "meltpool " +
+           (validates ? "validate tests/validation/" + std::string(words[1]) : "bench " + std::string(words[0])) +
+           " --json tests/bench/results/" + file;
+}
+
+/// A page with the figures of the results, and a sentence for each that has none there.
+struct FilledPage {
+    std::string text;
+    std::vector<std::string> changed, faults;
+    size_t figures = 0;
+};
+
+FilledPage fillIn(const std::string& page, const fs::path& results) {
+    // NUMBER<!-- figure: FILE/STEPS -->; a number that is still to be filled in has question marks for its digits.
+    static const std::regex kFigure(R"((-?[0-9?]+(?:\.[0-9?]+)?)(<!-- figure: ([^/\n]+)/(.+?) -->))");
+    FilledPage filled;
+    auto rest = page.begin();
+    for (std::sregex_iterator mark(page.begin(), page.end(), kFigure), end; mark != end; ++mark) {
+        const std::string shown = (*mark)[1], file = (*mark)[3].str() + ".json", steps = (*mark)[4];
+        ++filled.figures;
+        filled.text.append(rest, (*mark)[0].first);
+        rest = (*mark)[2].first; // the comment stays
+        std::optional<double> value;
+        if (fs::exists(results / file)) value = findFigure(Json::parse(readTextFile(results / file)), steps);
+        const std::string now = value ? withDecimalsOf(shown, *value) : shown;
+        filled.text += now;
+        if (!value)
+            filled.faults.push_back(file + " has no number at " + steps + "; " + commandFor(file) + " makes it");
+        if (now != shown) filled.changed.push_back(shown + " is " + now + " at " + steps + " of " + file);
+    }
+    filled.text.append(rest, page.end());
+    return filled;
+}
+
+} // namespace
+
+TEST_CASE("figures in the handbook equal the results", "[house]") {
+    const char* approve = std::getenv("MELTPOOL_APPROVE");
+    const bool approved = approve != nullptr && std::string(approve) == "1";
+    size_t figures = 0;
+    for (const auto& entry : fs::directory_iterator(sourceFolder() / "app" / "handbook")) {
+        if (entry.path().extension() != ".md") continue;
+        const std::string page = readTextFile(entry.path());
+        const FilledPage filled = fillIn(page, sourceFolder() / "tests" / "bench" / "results");
+        figures += filled.figures;
+        INFO(entry.path().filename().string());
+        for (const std::string& fault : filled.faults)
+            FAIL_CHECK(fault);
+        if (approved && filled.text != page) writeTextFileAtomically(entry.path(), filled.text);
+        if (approved) continue;
+        for (const std::string& change : filled.changed)
+            FAIL_CHECK(change << "; MELTPOOL_APPROVE=1 build/release/bin/test_house \"figures*\" writes it");
+    }
+    CHECK(figures >= kFewestFigures);
+}
+
+TEST_CASE("a comment behind a figure names its place in the results", "[house]") {
+    const Json results =
+        Json::parse(R"({"rows": [{"what": "a step", "size": 8, "ms": 1.5}, {"what": "a step", "size": 9,
+        "ms": 2.5}, {"what": "other", "ms": null}], "percent": -3.46})");
+    CHECK(findFigure(results, "percent") == -3.46);
+    CHECK(findFigure(results, "rows/what=a step/size=8/ms") == 1.5);
+    CHECK(findFigure(results, "rows/what=a step/ms") == 2.5); // the larger one
+    CHECK_FALSE(findFigure(results, "rows/ms").has_value());  // one of them is no number
+    CHECK_FALSE(findFigure(results, "rows/what=no such/ms").has_value());
+    CHECK(withDecimalsOf("?.?", -3.46) == "-3.5");
+    CHECK(withDecimalsOf("12", 2.5001) == "3");
+    CHECK(commandFor("validate-clad-llvmpipe-2core.json") ==
+          "meltpool validate tests/validation/clad --json tests/bench/results/validate-clad-llvmpipe-2core.json");
+}
+
+} // namespace meltpool::test
