@@ -29,7 +29,7 @@ std::string textOf(const Json& value) {
 /// to all elements of an array. A step NAME=TEXT keeps the objects whose member NAME has that text. Nothing where no
 /// number is found, and where one of several is none.
 std::optional<double> findFigure(const Json& root, const std::string& steps) {
-    std::vector<Json> found{root};
+    std::vector<Json> found(1, root);
     for (const std::string_view step : splitText(steps, '/')) {
         const size_t equals = step.find('=');
         const std::string name(step.substr(0, equals));
