@@ -33,11 +33,6 @@ std::string comment(const std::string& line, const std::string& key) {
     return line.substr(from + begin.size(), to - from - begin.size());
 }
 
-std::string withoutComments(const std::string& line) {
-    static const std::regex kComment("<!--.*?-->");
-    return std::regex_replace(line, kComment, "");
-}
-
 std::vector<std::string> cellsOf(const std::string& line) {
     std::vector<std::string> cells;
     const std::string_view inner = trimText(line);
@@ -146,6 +141,11 @@ class Reader {
 };
 
 } // namespace
+
+std::string withoutComments(const std::string& line) {
+    static const std::regex kComment("<!--.*?-->");
+    return std::regex_replace(line, kComment, "");
+}
 
 std::vector<std::string> codeSpans(const std::string& line) {
     std::vector<std::string> spans;

@@ -60,6 +60,9 @@ Page readPage(const std::filesystem::path& file);
 /// README.md of `folder` and every page of its app/handbook/.
 std::vector<Page> readPages(const std::filesystem::path& folder);
 
+/// A line of Markdown without its comments `<!-- ... -->`.
+std::string withoutComments(const std::string& line);
+
 /// Code spans (`...`) of a line of Markdown.
 std::vector<std::string> codeSpans(const std::string& line);
 

@@ -33,10 +33,12 @@ namespace {
 namespace fs = std::filesystem;
 using Names = std::set<std::string>;
 
-/// The most words of a page, table bars and links among them.
-const std::map<std::string, size_t> kMostWords{{"README.md", 500},          {"hello.md", 500},
-                                               {"user-guide.md", 3000},     {"command-line.md", 2500},
-                                               {"troubleshooting.md", 800}, {"glossary.md", 800}};
+/// The most words of a page, table bars and links among them, comments left out.
+const std::map<std::string, size_t> kMostWords{
+    {"README.md", 500},        {"hello.md", 500},         {"user-guide.md", 3000},    {"command-line.md", 2500},
+    {"file-formats.md", 5000}, {"architecture.md", 1800}, {"the-metal.md", 3000},     {"performance.md", 900},
+    {"extending.md", 1500},    {"teaching.md", 6000},     {"technique.md", 6000},     {"measured-weld.md", 6000},
+    {"headset.md", 6000},      {"glossary.md", 800},      {"troubleshooting.md", 800}};
 
 const std::vector<Page>& pages() {
     static const std::vector<Page> all = readPages(sourceFolder());
@@ -174,7 +176,7 @@ TEST_CASE("pages that are read at one sitting stay short", "[app][handbook]") {
         if (limit == kMostWords.end()) continue;
         size_t words = 0;
         for (const std::string& line : page.lines) {
-            std::istringstream stream(line);
+            std::istringstream stream(withoutComments(line));
             for (std::string word; stream >> word;)
                 ++words;
         }
