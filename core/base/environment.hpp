@@ -1,4 +1,4 @@
-// Variables of the environment and the person's language, as UTF-8.
+// Variables of the environment and the user's language, as UTF-8.
 #pragma once
 
 #include <string>
@@ -6,13 +6,13 @@
 
 namespace meltpool {
 
-/// The variable's value; empty where it is not set or empty.
+/// The variable's value; empty if it is not set or empty.
 std::string environmentVariable(const char* name);
 
-/// Sets the variable, for libraries too, unless somebody has set it already.
+/// Sets the variable, also for libraries; no-op if it is already set.
 void setEnvironmentDefault(const char* name, const char* value);
 
-/// The person's languages as the system is set, the most wanted first: "de", "pt". Letters before the country only.
+/// The languages of the system's settings, the preferred one first: "de", "pt". Only the letters before the country.
 std::vector<std::string> preferredLanguages();
 
 } // namespace meltpool

@@ -7,7 +7,7 @@ namespace meltpool {
 
 namespace {
 
-/// "de" of "de_DE.UTF-8"; empty of "C" and "POSIX".
+/// "de" for "de_DE.UTF-8"; empty for "C" and "POSIX".
 std::string languageOf(const std::string& locale) {
     const auto end = std::find_if(locale.begin(), locale.end(), [](char c) { return c < 'a' || c > 'z'; });
     return end - locale.begin() >= 2 ? std::string(locale.begin(), end) : std::string();
@@ -24,7 +24,7 @@ void setEnvironmentDefault(const char* name, const char* value) {
     setenv(name, value, 0);
 }
 
-// As gettext chooses: LANGUAGE lists several, but not for somebody whose locale is "C".
+// gettext's rule: LANGUAGE lists several languages, but is ignored for the locale "C".
 std::vector<std::string> preferredLanguages() {
     std::string locale;
     for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANG"})

@@ -6,7 +6,7 @@ namespace meltpool {
 
 namespace {
 
-constexpr size_t kLongestSentence = 2000; ///< bytes; the longest of our own lists all keys of a lesson
+constexpr size_t kLongestSentence = 2000; ///< bytes; the longest sentence of the program lists all keys of a lesson
 
 std::string located(const std::filesystem::path& file, int line, std::string_view sentence) {
     std::string text = file.string();

@@ -1,5 +1,5 @@
-// The two kinds of failure: wrong input (exit code 2), or a fault of the machine (exit code 1). Their sentences are fit
-// for a terminal whatever a file or a driver put into them: see printable().
+// The two kinds of failure: wrong input (exit code 2) and a fault of the machine (exit code 1). Their sentences are
+// safe for a terminal, whatever a file or a driver contributed: see printable().
 #pragma once
 
 #include <filesystem>
@@ -9,8 +9,8 @@
 
 namespace meltpool {
 
-/// Input that cannot be used: a file, an argument, a driver that is too old. `what()` is one sentence that names the
-/// place and what was expected. The program ends with exit code 2.
+/// Unusable input: a file, an argument, a driver that is too old. `what()` is one sentence that names the place and the
+/// expected value. The program ends with exit code 2.
 class InputError : public std::runtime_error {
   public:
     explicit InputError(std::string_view sentence);

@@ -23,8 +23,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds kLook{10};    ///< between two looks at a lock that another holds
-constexpr std::chrono::milliseconds kTurn{3'000}; ///< far longer than a small file takes, on a slow share too
+constexpr std::chrono::milliseconds kLook{10};    ///< pause between two attempts at a held lock
+constexpr std::chrono::milliseconds kTurn{3'000}; ///< longest wait; much longer than a small file takes on a slow share
 
 [[noreturn]] void failAsHeld(const std::filesystem::path& place) {
     throw InputError(place, 0, "another program is writing here; expected a place of its own, or to wait for its end");
@@ -32,7 +32,7 @@ constexpr std::chrono::milliseconds kTurn{3'000}; ///< far longer than a small f
 
 #ifndef _WIN32
 
-/// The file may have been removed, or removed and made again, between its opening and its locking.
+/// False if the file was removed, or removed and made again, between opening and locking.
 bool isStillThere(int descriptor, const std::filesystem::path& file) {
     struct stat opened {
     }, named{};
@@ -54,7 +54,7 @@ FileLock::FileLock(const std::filesystem::path& lockFile, const std::filesystem:
             CreateFileW(lockFile.c_str(), GENERIC_WRITE, 0, nullptr, OPEN_ALWAYS, FILE_FLAG_DELETE_ON_CLOSE, nullptr);
         if (handle_ != INVALID_HANDLE_VALUE) return;
         const DWORD code = GetLastError();
-        // A file that is being deleted is told as one without permission.
+        // Windows reports a file that is being deleted as one without permission.
         const bool held = code == ERROR_SHARING_VIOLATION || code == ERROR_ACCESS_DENIED;
         if (!held || Clock::now() >= until) {
             if (code == ERROR_SHARING_VIOLATION) failAsHeld(place);
@@ -81,7 +81,7 @@ FileLock::FileLock(const std::filesystem::path& lockFile, const std::filesystem:
                                  "; expected a folder with write permission");
         const int code = flock(descriptor_, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
         if (code == 0 && isStillThere(descriptor_, lockFile)) return;
-        const bool held = code == EWOULDBLOCK || code == EACCES; // the second from some shares
+        const bool held = code == EWOULDBLOCK || code == EACCES; // some shares report the second code
         if (code != 0 && code != EINTR && !held) {
             warning_ = place.string() + ": cannot be locked (" + std::strerror(code) +
                        "), so that two programs that write here at the same time would mix their files.";
@@ -94,7 +94,7 @@ FileLock::FileLock(const std::filesystem::path& lockFile, const std::filesystem:
 }
 
 FileLock::~FileLock() {
-    unlink(file_.c_str()); // while it is locked, so that nobody else holds it
+    unlink(file_.c_str()); // removed while it is locked, so that no other process holds it
     close(descriptor_);
 }
 
@@ -103,7 +103,7 @@ FileLock::~FileLock() {
 namespace {
 
 std::filesystem::path lockBeside(const std::filesystem::path& file) {
-    std::error_code failed; // the lock tells where the folder cannot be made
+    std::error_code failed; // the lock below reports a folder that cannot be made
     std::filesystem::create_directories(file.parent_path(), failed);
     std::filesystem::path lock = file;
     return lock += ".lock";

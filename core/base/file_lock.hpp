@@ -7,21 +7,21 @@
 
 namespace meltpool {
 
-/// While it lives nobody else, in this process or another, can hold the lock of the same file. The system gives it up
-/// with the process, however that ends; the empty lock file that a killed process leaves does not lock anything.
+/// Excludes all other holders of a lock on the same file, in this process and in others. The system releases the lock
+/// with the process, however that ends; the empty lock file that a killed process leaves locks nothing.
 class FileLock {
   public:
-    /// Makes `lockFile` and locks it; it is removed at the end. `place`: the file or folder that is written, for
-    /// messages. Waits up to `patience` while another holds it. Throws InputError when another still writes there, or
-    /// when the file cannot be made. A file system without locks (a share of the network may have none) is no error:
-    /// see warning().
+    /// Makes `lockFile` and locks it; the destructor removes it. `place`: the file or folder that is written, for
+    /// messages. Waits up to `patience` while another process holds it. Throws InputError if that process is still
+    /// writing afterwards, or if the file cannot be made. A file system without locks (some network shares) is no
+    /// error: see warning().
     FileLock(const std::filesystem::path& lockFile, const std::filesystem::path& place,
              std::chrono::milliseconds patience = {});
     ~FileLock();
     FileLock(const FileLock&) = delete;
     FileLock& operator=(const FileLock&) = delete;
 
-    /// A sentence for the person where the file system has no locks, so that nothing is locked; else empty.
+    /// A sentence for the user if the file system has no locks, so that nothing is locked; else empty.
     const std::string& warning() const { return warning_; }
 
   private:
@@ -34,8 +34,8 @@ class FileLock {
 #endif
 };
 
-/// Who reads a file of the person's, changes it and writes it holds this meanwhile: several programs, on several
-/// machines too, may have the same home. Waits a few seconds for its turn. Makes the file's folder. Throws as FileLock.
+/// The lock around reading, changing and writing one of the user's files: several programs, also on several machines,
+/// may share a home. Waits a few seconds for its turn. Makes the file's folder. Throws as FileLock.
 class FileTurn {
   public:
     explicit FileTurn(const std::filesystem::path& file);

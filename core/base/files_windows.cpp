@@ -15,7 +15,7 @@ namespace meltpool {
 
 namespace {
 
-/// Older C libraries of Windows do not know the mode's 'x'.
+/// Makes the file; older C libraries of Windows lack the mode 'x'.
 std::FILE* makeNewFile(const std::filesystem::path& file) {
     int descriptor = -1;
     const errno_t code = _wsopen_s(&descriptor, file.c_str(), _O_CREAT | _O_EXCL | _O_BINARY | _O_WRONLY | _O_NOINHERIT,
@@ -34,11 +34,12 @@ std::FILE* openFile(const std::filesystem::path& file, const char* mode) {
     return _wfopen(file.c_str(), std::wstring(mode, mode + std::strlen(mode)).c_str());
 }
 
-// The C library, and with it std::filesystem's iterator, lists no folder whose path is longer than 260 characters.
+// Lists by the Windows API: the C library, and with it std::filesystem's iterator, lists no folder whose path is longer
+// than 260 characters.
 std::vector<std::filesystem::path> listFolder(const std::filesystem::path& folder, std::error_code& failure) {
     failure.clear();
     std::filesystem::path all = std::filesystem::absolute(folder).make_preferred() / L"*";
-    if (!all.native().starts_with(L"\\\\")) all = L"\\\\?\\" + all.native(); // else a share, or so already
+    if (!all.native().starts_with(L"\\\\")) all = L"\\\\?\\" + all.native(); // others are shares or have the prefix
     std::vector<std::filesystem::path> found;
     WIN32_FIND_DATAW entry;
     const HANDLE search = FindFirstFileW(all.c_str(), &entry);
@@ -72,7 +73,7 @@ std::string isoDate(std::time_t moment) {
     std::tm local{}, world{};
     localtime_s(&local, &moment);
     gmtime_s(&world, &moment);
-    // Both as if they were local time in winter: their difference is the zone's offset.
+    // Both count as local winter time: their difference is the zone's offset.
     local.tm_isdst = world.tm_isdst = 0;
     std::tm localCopy = local;
     const long minutes = static_cast<long>(std::difftime(std::mktime(&localCopy), std::mktime(&world)) / 60);

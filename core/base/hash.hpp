@@ -29,8 +29,8 @@ class StateHash {
     std::uint64_t hash_ = 0xCBF29CE484222325U;
 };
 
-/// A hash over bytes, eight at a time: megabytes in a millisecond. Any single byte that is another one, and any length
-/// that is another one, gives another number. It is no protection against those who mean harm.
+/// A fast hash over bytes, eight at a time: megabytes in a millisecond. A change of any single byte or of the length
+/// changes the hash. It gives no protection against deliberate collisions.
 inline std::uint64_t hashOfBytes(std::span<const std::byte> bytes, std::uint64_t hash = 0xCBF29CE484222325U) {
     const auto add = [&](std::uint64_t word) {
         hash = (hash ^ word) * 0x9E3779B97F4A7C15U;

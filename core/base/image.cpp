@@ -11,7 +11,7 @@
 namespace meltpool {
 
 std::string pngBytes(const Image& image) {
-    // stb tells no fault of a file that it writes itself.
+    // Encodes into memory: stb reports no errors for files that it writes itself.
     std::string bytes;
     const auto append = [](void* to, void* data, int size) {
         static_cast<std::string*>(to)->append(static_cast<const char*>(data), static_cast<size_t>(size));

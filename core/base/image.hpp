@@ -15,23 +15,23 @@ struct Image {
     std::vector<std::uint8_t> rgb;
 };
 
-/// The bytes of the picture's PNG file. Throws RuntimeFault where memory does not suffice.
+/// The bytes of the picture's PNG file. Throws RuntimeFault if memory does not suffice.
 std::string pngBytes(const Image& image);
 
-/// Writes the whole picture or nothing; throws what writeFile() throws.
+/// Writes the whole picture or nothing; throws as writeFile().
 void writePng(const std::filesystem::path& file, const Image& image);
 
-/// Throws InputError when the file is missing or not a picture.
+/// Reads a PNG picture. Throws InputError if the file is missing or no picture.
 Image readPng(const std::filesystem::path& file);
 
-/// How two pictures of the same size differ.
+/// The difference of two pictures of equal size.
 struct ImageDifference {
     double mean = 0;      ///< mean absolute difference of all channels, 0..255
     double farPixels = 0; ///< share of pixels with a channel that differs by more than `threshold`
     int largest = 0;      ///< largest difference of a channel
 };
 
-/// Throws InputError when the sizes differ.
+/// Compares two pictures. Throws InputError if their sizes differ.
 ImageDifference compareImages(const Image& a, const Image& b, int threshold);
 
 } // namespace meltpool

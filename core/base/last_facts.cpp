@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kBytes = 128;
 
 std::array<std::array<char, kBytes>, static_cast<std::size_t>(LastFact::count)> facts{};
-std::mutex writing; ///< a reader takes what is there, even half of a new text
+std::mutex writing; ///< serialises writers; a reader takes the present bytes, even half of a new text
 
 } // namespace
 

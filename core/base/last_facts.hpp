@@ -1,4 +1,4 @@
-// What the report of a crash tells about the running program besides where it crashed.
+// Facts about the running program for the crash report.
 #pragma once
 
 #include <string_view>
@@ -7,10 +7,10 @@ namespace meltpool {
 
 enum class LastFact { driver, lesson, count };
 
-/// Remembers the first 127 bytes of the newest of each kind.
+/// Stores the first 127 bytes as the newest fact of its kind.
 void noteFact(LastFact kind, std::string_view text);
 
-/// May be called where nothing else works any more: allocates nothing, waits for no lock. "none yet" before the first.
+/// The newest fact; "none yet" before the first. Safe in a crash handler: allocates nothing, waits for no lock.
 const char* lastFact(LastFact kind);
 
 } // namespace meltpool

@@ -6,8 +6,8 @@
 
 namespace meltpool {
 
-/// Bytes of memory available without swapping (Linux: MemAvailable; Windows: free physical memory); nothing where the
-/// system does not tell.
+/// Bytes of memory available without swapping (Linux: MemAvailable; Windows: free physical memory); nothing if the
+/// system does not report it.
 std::optional<std::size_t> availableMemory();
 
 } // namespace meltpool

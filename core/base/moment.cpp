@@ -12,14 +12,14 @@ namespace {
 
 using namespace std::chrono;
 
-/// Digits only, such as "08".
+/// The number of a text of digits, such as "08".
 std::optional<int> digits(std::string_view text) {
     if (text.empty() || text.find_first_not_of("0123456789") != std::string_view::npos) return std::nullopt;
     const auto value = parseInteger(text);
     return value ? std::optional(static_cast<int>(*value)) : std::nullopt;
 }
 
-/// "Z", "+0100", "-0330"
+/// The offset of "Z", "+0100" or "-0330".
 std::optional<minutes> parseZone(std::string_view zone) {
     if (zone == "Z") return minutes(0);
     if (zone.size() != 5 || (zone[0] != '+' && zone[0] != '-')) return std::nullopt;
@@ -74,7 +74,7 @@ std::optional<Moment> writtenAt(const std::filesystem::path& file) {
     std::error_code missing;
     const auto written = std::filesystem::last_write_time(file, missing);
     if (missing) return std::nullopt;
-    // By the distance from now, as clocks of files are not related to the system's everywhere.
+    // Computed from the distance from now: the clock of files is not everywhere related to the system's.
     const auto ago = duration_cast<milliseconds>(std::filesystem::file_time_type::clock::now() - written);
     return momentNow() - ago;
 }

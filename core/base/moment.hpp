@@ -1,4 +1,4 @@
-// Moments of the world's clock as text, which keep their order wherever and whenever they were written.
+// UTC times as text that sort in time order, whatever the zone in which they were written.
 #pragma once
 
 #include <chrono>
@@ -9,19 +9,19 @@
 
 namespace meltpool {
 
-/// To the millisecond, since 1970 in UTC.
+/// A time since 1970 in UTC, ms.
 using Moment = std::chrono::sys_time<std::chrono::milliseconds>;
 
 Moment momentNow();
 
-/// "2026-11-23T07:10:43.125Z"
+/// The text of a time: "2026-11-23T07:10:43.125Z".
 std::string utcText(Moment moment);
 
-/// The moment of a date with its distance from UTC, such as "2026-11-23T08:10:43+0100" and what utcText() makes;
-/// nothing for any other text, and for a date without that distance.
+/// The time of a date with a UTC offset, such as "2026-11-23T08:10:43+0100" or the result of utcText(); nothing for any
+/// other text, or for a date without an offset.
 std::optional<Moment> parseMoment(std::string_view text);
 
-/// When a file was last written; nothing where it is not there.
+/// The time of a file's last change; nothing if the file does not exist.
 std::optional<Moment> writtenAt(const std::filesystem::path& file);
 
 } // namespace meltpool

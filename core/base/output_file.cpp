@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kMostLinks = 32; ///< a longer chain of symbolic links is a circle
 
-/// The disk or the system fails; everything else that prevents a file is the choice of its place.
+/// True for failures of disk or system; all other failures come from the choice of the place.
 bool isMachineFault(int code) {
     return code == ENOSPC || code == EIO || code == EMFILE || code == ENFILE || code == ENOMEM
 #ifdef EDQUOT
@@ -33,7 +33,7 @@ bool isMachineFault(int code) {
     throw InputError(file, 0, reason + "; expected a folder with write permission");
 }
 
-/// A file that is written; it closes itself.
+/// A file for writing that closes itself.
 class Stream {
   public:
     Stream(const fs::path& file, const char* mode) {
@@ -46,13 +46,13 @@ class Stream {
     Stream& operator=(const Stream&) = delete;
 
     bool open() const { return stream_ != nullptr; }
-    /// Why it is not open, or what failed last; 0: nothing.
+    /// The errno of the failed opening or of the last failure; 0: none.
     int code() const { return code_; }
 
     bool write(std::string_view bytes) {
         return note(std::fwrite(bytes.data(), 1, bytes.size(), stream_) == bytes.size());
     }
-    /// Brings all to the disk. Pipes and some devices have none.
+    /// Flushes to the disk; no-op for pipes and some devices.
     bool sync() { return note(syncFile(stream_)); }
     bool close() {
         std::FILE* open = std::exchange(stream_, nullptr);
@@ -69,7 +69,7 @@ class Stream {
     int code_ = 0;
 };
 
-/// Where a chain of symbolic links ends; the renamed file must take the place of that, not of the link.
+/// The end of a chain of symbolic links; the renamed file must replace that file, not the link.
 fs::path endOfLinks(fs::path file) {
     std::error_code unreadable;
     for (int i = 0; i < kMostLinks && fs::is_symlink(file, unreadable); ++i) {
@@ -80,7 +80,7 @@ fs::path endOfLinks(fs::path file) {
     return file;
 }
 
-/// A name beside `file` that no other process uses.
+/// A name in the folder of `file` that no other process uses.
 fs::path draftName(const fs::path& file) {
     fs::path name = file;
     name += "." + std::to_string(processNumber()) + ".tmp";
@@ -99,7 +99,7 @@ void writeDirectly(const fs::path& file, std::string_view bytes) {
     if (!stream.close() || !written) failToWrite(file, stream.code());
 }
 
-/// Throws where an existing file must not be changed, which renaming would not notice.
+/// Throws if an existing file must not be changed, which renaming would not notice.
 void requirePermission(const fs::path& file) {
     std::error_code unreadable;
     if (!fs::exists(file, unreadable)) return;
@@ -112,7 +112,7 @@ void requireNoFolder(const fs::path& file) {
     if (fs::is_directory(file, unreadable)) throw InputError(file, 0, "this is a folder; expected the name of a file");
 }
 
-/// Removes the temporary file unless it has got its own name.
+/// Removes the temporary file unless it was renamed.
 struct Draft {
     fs::path name;
     bool renamed = false;

@@ -18,7 +18,7 @@ bool inRange(const Parameter& p, double value) {
     return std::isfinite(value) && value >= p.minimum && value <= p.maximum;
 }
 
-/// Writes the parsed text through the pointer; false when the text does not fit the type or the range.
+/// Writes the parsed text through the pointer; returns false if the text does not fit the type or the range.
 struct Assign {
     const Parameter& p;
     std::string_view text;

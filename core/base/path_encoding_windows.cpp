@@ -1,5 +1,5 @@
-// GCC's library for Windows makes paths of texts with the C library's mbrtowc(), which knows no UTF-8 there. The linker
-// puts this function in its place (--wrap=mbrtowc, CMakeLists.txt), so that paths are made of UTF-8.
+// GCC's library for Windows converts texts to paths with the C library's mbrtowc(), which knows no UTF-8 there. The
+// linker replaces it by this function (--wrap=mbrtowc, CMakeLists.txt), so that paths are made from UTF-8.
 #ifdef __MINGW32__
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 extern "C" std::size_t __wrap_mbrtowc(wchar_t* to, const char* from, std::size_t bytes, std::mbstate_t*);
 
-/// Characters beyond U+FFFF, which need two of Windows' units, are refused as bytes that are no UTF-8.
+/// Decodes UTF-8; refuses characters beyond U+FFFF, which need two of Windows' units, like invalid bytes.
 extern "C" std::size_t __wrap_mbrtowc(wchar_t* to, const char* from, std::size_t bytes, std::mbstate_t*) {
     constexpr auto kRefused = static_cast<std::size_t>(-1), kTooShort = static_cast<std::size_t>(-2);
     if (from == nullptr) return 0;

@@ -15,10 +15,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// As Debian's users without a home have it: nothing can be made there, and messages name it.
+/// Debian's home for users without one: nothing can be made there, and messages name it.
 constexpr const char* kNoHome = "/nonexistent";
 
-/// Of the user database; empty where that knows none.
+/// The home in the user database; empty if the database has none.
 fs::path homeOfUser() {
     std::vector<char> room(1 << 14);
     passwd entry{};
@@ -28,7 +28,7 @@ fs::path homeOfUser() {
     return home.is_absolute() ? home : fs::path();
 }
 
-/// Empty where the user has none.
+/// The user's home; empty if there is none.
 fs::path knownHome() {
     const fs::path home = environmentVariable("HOME");
     return home.is_absolute() ? home : homeOfUser();
@@ -58,7 +58,7 @@ fs::path userFolder(std::string_view line, std::string_view key) {
     size_t i = 0;
     for (; i < rest.size() && rest[i] != '"'; ++i)
         value += rest[i] == '\\' && i + 1 < rest.size() ? rest[++i] : rest[i];
-    if (i == rest.size()) return {}; // without its end
+    if (i == rest.size()) return {}; // no closing quote
     constexpr std::string_view kHome = "$HOME";
     if (!value.starts_with(kHome)) return value.starts_with('/') ? fs::path(value) : fs::path();
     const std::string below = value.substr(kHome.size());

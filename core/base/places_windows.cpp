@@ -10,13 +10,13 @@ namespace meltpool {
 namespace fs = std::filesystem;
 
 fs::path programFolder() {
-    std::vector<wchar_t> name(32768); // the longest that there is
+    std::vector<wchar_t> name(32768); // the longest path
     const DWORD length = GetModuleFileNameW(nullptr, name.data(), static_cast<DWORD>(name.size()));
     return fs::path(name.data(), name.data() + length).parent_path();
 }
 
 fs::path filesOfProgram() {
-    // An installed program has its files beside it; one that was just built has them where Linux has them.
+    // An installed program's files are in its own folder; those of a fresh build are in the layout of Linux.
     std::error_code unreadable;
     const fs::path folder = programFolder();
     if (fs::is_directory(folder / "shaders", unreadable)) return folder;

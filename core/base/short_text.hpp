@@ -11,7 +11,7 @@
 
 namespace meltpool {
 
-/// Longer text is cut.
+/// A text in a fixed buffer; cuts longer text.
 class ShortText {
   public:
     ShortText() = default;
@@ -30,7 +30,7 @@ class ShortText {
         text_[length_] = 0;
         return *this;
     }
-    /// The shortest text that reads back as `number`, as formatNumber() gives it.
+    /// Appends the shortest text that reads back as `number`, in the form of formatNumber().
     ShortText& addNumber(double number) {
         std::array<char, 32> digits{};
         const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number);

@@ -12,8 +12,8 @@ namespace meltpool {
 
 namespace {
 
-constexpr std::array<char, 3> kSeparators{'\t', ';', ','}; ///< the likelier first where they are equally frequent
-constexpr int kMostLinesAbove = 100;                       ///< among which the header is searched
+constexpr std::array<char, 3> kSeparators{'\t', ';', ','}; ///< the likelier first, for equal counts
+constexpr int kMostLinesAbove = 100;                       ///< lines searched for the header
 constexpr std::string_view kSeparatorLine = "sep=";
 
 bool isBlank(char c) {
@@ -57,7 +57,7 @@ void TableReader::fail(int line, const std::string& sentence) const {
     throw InputError(file_, line, sentence);
 }
 
-/// The line at `place`, which is then behind its end.
+/// Returns the line at `place` and moves `place` behind it.
 std::string_view TableReader::takeLine(Place& place) const {
     const size_t end = std::min(text_.find_first_of("\r\n", place.at), text_.size());
     const std::string_view line = std::string_view(text_).substr(place.at, end - place.at);
@@ -70,9 +70,9 @@ std::string_view TableReader::takeLine(Place& place) const {
 
 void TableReader::takeSeparatorLine() {
     Place place = begin_;
-    if (text_.size() > kLongestRow && text_.find_first_of("\r\n") > kLongestRow) return; // told with the header
+    if (text_.size() > kLongestRow && text_.find_first_of("\r\n") > kLongestRow) return; // reported with the header
     const std::string_view line = withoutQuotes(takeLine(place));
-    // The separator may be a blank that trimming takes away: a tab.
+    // The separator may be a blank that trimming removes: a tab.
     if (line == kSeparatorLine) given_ = '\t';
     if (line.size() == kSeparatorLine.size() + 1 && line.starts_with(kSeparatorLine)) given_ = line.back();
     if (given_) begin_ = place;
@@ -154,7 +154,7 @@ bool TableReader::atRowEnd(const Place& place) const {
     return place.at >= text_.size() || text_[place.at] == '\n' || text_[place.at] == '\r';
 }
 
-/// The row at `place`, which is then behind its end.
+/// Reads the row at `place` and moves `place` behind it.
 void TableReader::readRow(Place& place) {
     cells_.clear();
     unquoted_.clear();
@@ -169,7 +169,7 @@ void TableReader::readRow(Place& place) {
         if (atRowEnd(place)) break;
         ++place.at; // the separator
     }
-    takeLine(place); // its end
+    takeLine(place); // the line's end
 }
 
 std::string_view TableReader::plainCell(Place& place) const {
@@ -203,7 +203,7 @@ std::string_view TableReader::quotedCell(Place& place) {
 
 void TableReader::requireWidth() const {
     if (cells_.size() == columns_.size()) return;
-    // Numbers such as 1,5 in a table whose columns are parted by commas too.
+    // Detects numbers such as 1,5 in a table whose columns are separated by commas too.
     const bool torn = form_.separator == ',' && cells_.size() > columns_.size();
     fail(line_, "has " + std::to_string(cells_.size()) + " cells; expected " + std::to_string(columns_.size()) +
                     ", one for each column of the header" +
@@ -218,7 +218,7 @@ std::optional<double> TableReader::number(std::string_view cell) {
     if (comma != std::string_view::npos) text[comma] = '.';
     if (comma != std::string_view::npos && (point || cell.find(',', comma + 1) != std::string_view::npos)) {
         std::erase_if(text, [](char c) { return c == '.' || c == ','; });
-        if (!parseDouble(text)) return std::nullopt; // no number in any case
+        if (!parseDouble(text)) return std::nullopt; // no number with either mark
         fail(line_, "has the number " + quote(cell) + "; expected one without a sign between its thousands");
     }
     const std::optional<double> value = parseDouble(text);

@@ -41,13 +41,13 @@ std::string formatShortest(Number value) {
     return text;
 }
 
-/// The first character of a text. Bytes that are no UTF-8 are characters of one byte without a code.
+/// The first character of a text. Bytes that are not UTF-8 are characters of one byte without a code.
 struct Character {
     size_t bytes = 1;
     std::optional<std::uint32_t> code;
 };
 
-/// RFC 3629: no longer forms than needed, no halves of UTF-16 pairs, nothing beyond U+10FFFF.
+/// Decodes by RFC 3629: refuses overlong forms, UTF-16 surrogates and codes beyond U+10FFFF.
 Character characterAt(std::string_view text) {
     const auto byte = [text](size_t at) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[at])); };
     const std::uint32_t lead = byte(0);
@@ -65,7 +65,7 @@ Character characterAt(std::string_view text) {
     return {bytes, code};
 }
 
-/// Characters that move or hide others on a terminal.
+/// True for characters that move or hide others on a terminal.
 bool isControl(std::uint32_t code) {
     const bool direction = code == 0x200E || code == 0x200F || (code >= 0x202A && code <= 0x202E) ||
                            (code >= 0x2066 && code <= 0x2069) || code == 0x061C;
@@ -178,7 +178,7 @@ std::string printable(std::string_view text, std::size_t mostBytes) {
         const Character next = characterAt(text.substr(at));
         characters.push_back(shown(text.substr(at, next.bytes), next.code));
         at += next.bytes;
-        // Only both ends of a long text are shown.
+        // A long text shows only its two ends.
         if (characters.size() > 2 * mostBytes && at + mostBytes < text.size()) {
             characters.resize(mostBytes);
             at = text.size() - mostBytes;

@@ -40,8 +40,8 @@ void append(std::string& text, std::uint32_t code) {
     put(0x80 | (code & 0x3F));
 }
 
-/// Bytes of the UTF-8 character that begins at `at`; 0 where none does. RFC 3629: no longer forms than needed, no
-/// halves of UTF-16 pairs, nothing beyond U+10FFFF.
+/// Bytes of the UTF-8 character at `at`; 0 if none begins there. RFC 3629: refuses overlong forms, UTF-16 surrogates
+/// and codes beyond U+10FFFF.
 size_t characterLength(std::string_view text, size_t at) {
     const std::uint32_t lead = byteAt(text, at);
     if (lead < 0x80) return 1;
@@ -85,7 +85,7 @@ std::string fromWindows(std::string_view bytes) {
     return text;
 }
 
-/// Every second byte of what Western languages write in UTF-16 is 0.
+/// True if every second byte is 0, as in Western languages in UTF-16.
 bool looksLikeUtf16(std::string_view bytes) {
     const std::string_view start = bytes.substr(0, 64);
     return bytes.size() >= 4 && static_cast<size_t>(std::count(start.begin(), start.end(), '\0')) * 3 > start.size();

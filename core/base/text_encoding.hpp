@@ -1,4 +1,4 @@
-// How the bytes of a text file that other programs wrote spell its characters.
+// Decodes the bytes of text files from other programs.
 #pragma once
 
 #include <filesystem>
@@ -17,11 +17,11 @@ struct DecodedText {
     TextEncoding encoding = TextEncoding::utf8;
 };
 
-/// Bytes at the beginning of `text` that are whole UTF-8 characters: all of them where the text is UTF-8.
+/// Bytes at the beginning of `text` that are whole UTF-8 characters: all of them for UTF-8 text.
 std::size_t utf8Length(std::string_view text);
 
-/// The text of a file's bytes. A mark (U+FEFF) at the beginning tells UTF-8 and UTF-16, of either order of bytes;
-/// without one bytes that are no UTF-8 are Windows-1252, which Latin-1 is a part of. Halves of UTF-16 pairs become
+/// The text of a file's bytes. A mark (U+FEFF) at the beginning identifies UTF-8 and UTF-16 of either byte order;
+/// without one, bytes that are not UTF-8 are Windows-1252, which includes Latin-1. Halves of UTF-16 pairs become
 /// U+FFFD. Throws InputError, naming `file`, for UTF-32, for UTF-16 without a mark or with half a character at its end.
 DecodedText decodeText(std::string bytes, const std::filesystem::path& file);
 

@@ -28,13 +28,13 @@ std::string rangeText(NumberRange range) {
     return "a number";
 }
 
-/// Looks for keys of too many parts and values in too many brackets before the parser makes a table in a table for
-/// each: parser and tables call themselves for every level.
+/// Looks for keys of too many parts and values in too many brackets before the parser makes nested tables: parser and
+/// tables recurse for every level.
 class DepthScan {
   public:
     DepthScan(std::string_view text, const std::filesystem::path& file) : text_(text), file_(file) {}
 
-    /// Up to the first syntax error this sees strings and comments where the parser sees them.
+    /// Checks the text. Up to the first syntax error it finds strings and comments where the parser does.
     void check() {
         while (at_ < text_.size()) {
             const char c = text_[at_];
@@ -73,7 +73,7 @@ class DepthScan {
             const char c = text_[at_];
             if (several && text_.substr(at_, 3) == three) {
                 at_ += 3;
-                // One or two marks more belong to the string.
+                // One or two more marks belong to the string.
                 for (int i = 0; i < 2 && at_ < text_.size() && text_[at_] == mark; ++i)
                     ++at_;
                 return;
@@ -92,18 +92,18 @@ class DepthScan {
     const std::filesystem::path& file_;
     size_t at_ = 0;
     int line_ = 1;
-    int dots_ = 0; ///< since the last sign that ends a key
+    int dots_ = 0; ///< dots since the last sign that ends a key
     int brackets_ = 0;
 };
 
-/// The line of this number, counted from 1; empty where there is none.
+/// The line of this number, counted from 1; empty if there is none.
 std::string_view lineOf(std::string_view text, int number) {
     for (int line = 1; line < number && !text.empty(); ++line)
         text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
     return text.substr(0, text.find('\n'));
 }
 
-/// A line of TOML without its comment and what stands between straight quotes.
+/// A line of TOML without its comment and without the text between straight quotes.
 std::string withoutStrings(std::string_view line) {
     std::string rest;
     char quoted = 0;
@@ -119,7 +119,7 @@ std::string withoutStrings(std::string_view line) {
     return rest;
 }
 
-/// The first quote of a word processor; empty: none.
+/// The first typographic quote, as word processors write it; empty: none.
 std::string_view typographicQuote(std::string_view text) {
     constexpr std::array<std::string_view, 9> kQuotes{"\u201C", "\u201D", "\u201E", "\u201F", "\u2018",
                                                       "\u2019", "\u201A", "\u00AB", "\u00BB"};
@@ -129,7 +129,7 @@ std::string_view typographicQuote(std::string_view text) {
     return first;
 }
 
-/// The number that is all of a value but for its comma, such as 5,5 in `speed = 5,5`; empty: none.
+/// The value that is a number but for its comma, such as 5,5 in `speed = 5,5`; empty: none.
 std::string_view decimalComma(std::string_view line) {
     const size_t equals = line.find('=');
     if (equals == std::string_view::npos) return {};
@@ -141,7 +141,7 @@ std::string_view decimalComma(std::string_view line) {
     return digits && !decimals.empty() ? value : std::string_view{};
 }
 
-/// What people who write TOML by hand do most often, in its own words; else what the parser says.
+/// A sentence for the most frequent mistakes in TOML written by hand; else the parser's message.
 std::string syntaxSentence(std::string_view text, const toml::parse_error& error) {
     const std::string line = withoutStrings(lineOf(text, static_cast<int>(error.source().begin.line)));
     if (const std::string_view mark = typographicQuote(line); !mark.empty())
@@ -297,7 +297,7 @@ std::vector<std::vector<double>> TomlTable::rows(std::string_view key, std::size
 }
 
 TomlTable TomlTable::table(std::string_view key) {
-    // Inside a table of a list, "[[item]]", it is written as "[item.key]".
+    // TOML writes a table inside a table of a list, "[[item]]", as "[item.key]".
     const size_t brackets = where_.starts_with("[[") ? 2 : 1;
     const std::string name =
         where_.empty() ? "[" + std::string(key) + "]"

@@ -1,4 +1,4 @@
-// A strict view of a TOML table: every fault, an unknown key too, is an InputError with file and line.
+// A strict view of a TOML table: every fault, also an unknown key, is an InputError with file and line.
 #pragma once
 
 #include <toml++/toml.h>
@@ -19,19 +19,19 @@ struct NumberRange {
     double maximum = std::numeric_limits<double>::infinity();
 };
 
-/// More than any TOML file of this program should have.
+/// A limit above any TOML file of this program.
 inline constexpr std::size_t kLargestTomlFile = std::size_t(1) << 20;
 
-/// Reads a TOML file. Throws InputError with the line of the first syntax error or the first byte that is no UTF-8,
-/// in words of its own for typographic quotes and a decimal comma, when it cannot be read, or when it is
-/// larger than kLargestTomlFile or nested so deeply that tables in tables would exhaust the stack.
+/// Reads a TOML file. Throws InputError with the line of the first syntax error or of the first byte that is not UTF-8,
+/// with sentences of its own for typographic quotes and a decimal comma; also if the file cannot be read, or is larger
+/// than kLargestTomlFile or nested so deeply that nested tables would exhaust the stack.
 toml::table parseTomlFile(const std::filesystem::path& file);
 
-/// The same of a text that was read from `file`.
+/// Reads a text that came from `file`; throws as parseTomlFile().
 toml::table parseToml(std::string_view text, const std::filesystem::path& file);
 
-/// The names, without their ending, of a folder's TOML files in alphabetical order. Throws InputError, saying that
-/// `expected` ("a folder with ...") was expected, for a folder that cannot be read.
+/// The names, without their ending, of a folder's TOML files in alphabetical order. Throws InputError that names
+/// `expected` ("a folder with ...") for a folder that cannot be read.
 std::vector<std::string> tomlFileNames(const std::filesystem::path& folder, const std::string& expected);
 
 /// One table of a file. Read every key that is allowed, then call finish().
@@ -69,13 +69,13 @@ class TomlTable {
     /// The tables written as [[key]]; none when the key is missing. Call finish() on each.
     std::vector<TomlTable> tables(std::string_view key);
 
-    /// A text, number, flag or list of numbers as the text that setParameter() reads.
+    /// A text, number, flag or list of numbers as text for setParameter().
     std::string valueText(std::string_view key);
 
-    /// Every key of this table, in the file's order of names.
+    /// All keys of this table, in the order of their names.
     std::vector<std::string> keys() const;
 
-    /// Line of a key's value, or of the table itself when the key is missing.
+    /// The line of a key's value, or of the table itself if the key is missing.
     int lineOf(std::string_view key) const;
     int line() const;
     const std::filesystem::path& file() const { return file_; }

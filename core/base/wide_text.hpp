@@ -1,4 +1,4 @@
-// Windows' own texts are UTF-16, the program's are UTF-8.
+// Conversions between UTF-16, the encoding of Windows, and UTF-8, that of the program.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 namespace meltpool {
 
 std::wstring toWide(std::string_view text);
-/// Halves of UTF-16 pairs become U+FFFD.
+/// UTF-8 of a UTF-16 text; halves of pairs become U+FFFD.
 std::string fromWide(std::wstring_view text);
 
 } // namespace meltpool

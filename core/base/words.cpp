@@ -51,7 +51,7 @@ std::filesystem::path wordsFolder() {
     return resourceFolder() / "data" / "words";
 }
 
-/// Every language that was chosen in this run, so that its sentences stay valid.
+/// All languages chosen in this run, so that their sentences stay valid.
 struct SpokenLanguages {
     std::mutex mutex;
     std::vector<std::pair<std::string, std::unique_ptr<const Words>>> read;
@@ -86,7 +86,7 @@ const Words& chosen() {
     return words != nullptr ? *words : english();
 }
 
-/// A key that no file has, kept so that it can be shown.
+/// A key that no file has, stored so that it can be shown.
 const std::string& missing(std::string_view key) {
     static std::mutex mutex;
     static std::map<std::string, std::string, std::less<>> keys;
@@ -145,7 +145,7 @@ void chooseUsersLanguage() {
     try {
         known = languages();
     } catch (const InputError&) {
-        return; // what needs the program's own files tells that they are missing
+        return; // code that needs the program's own files reports that they are missing
     }
     if (const std::string asked = environmentVariable("MELTPOOL_LANGUAGE"); !asked.empty())
         return chooseLanguage(asked);

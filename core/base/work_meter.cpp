@@ -32,7 +32,7 @@ double lookSeconds() {
     return std::chrono::duration<double>(least).count() / kLooks;
 }
 
-/// Whether the thread may sleep there.
+/// True if the thread may sleep in this place.
 bool sleeps(WorkPlace place) {
     return place == WorkPlace::runtime || place == WorkPlace::waiting;
 }
@@ -91,7 +91,7 @@ void WorkMeter::closeWindow() {
         cpu_[place] += std::min(window_[place], now - windowCpuSince_);
     window_ = {};
     windowCpuSince_ = now;
-    windowSince_ = since_ = Clock::now(); // the cost of asking counts for no place
+    windowSince_ = since_ = Clock::now(); // excludes the cost of reading the clock
 }
 
 double WorkMeter::cpuSeconds(WorkPlace place) const {

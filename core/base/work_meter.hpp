@@ -1,6 +1,6 @@
-// Measures where a frame's time goes on a thread: the program's own work, the graphics driver, the headset's runtime,
-// or waiting. Code that calls a driver or runtime marks the call with InWork; without a meter that costs one test of a
-// pointer.
+// Measures the places where a thread spends a frame's time: the program's own work, the graphics driver, the headset's
+// runtime, or waiting. Code that calls a driver or runtime marks the call with InWork; without a meter that costs one
+// test of a pointer.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace meltpool {
 enum class WorkPlace { own, driver, runtime, waiting };
 constexpr size_t kWorkPlaces = 4;
 
-/// Work of another thread for the measured one.
+/// Work that another thread did for the measured one.
 struct WorkElsewhere {
     double cpuSeconds = 0; ///< processor time, without drivers and waiting
     std::uint64_t allocations = 0;
@@ -29,12 +29,12 @@ struct WorkCosts {
     WorkCosts& operator+=(const WorkCosts& other);
 };
 
-/// begin() and end() are called on one thread, which has one meter at a time.
+/// Call begin() and end() on one thread, which has one meter at a time.
 ///
-/// Only the system knows a thread's processor time, and asking takes longer than most driver calls. So the meter asks
-/// once in a kWindow, and wherever the runtime's work or waiting begins or ends. In between it measures wall time for
-/// each place; no place gets more than the processor time of that window. The result is never too small, and too large
-/// by at most one window for each interruption by another program.
+/// Only the system knows a thread's processor time, and asking takes longer than most driver calls. The meter therefore
+/// asks once in a kWindow, and wherever the runtime's work or waiting begins or ends. In between it measures wall time
+/// for each place; no place gets more than the processor time of that window. The result is never too small, and too
+/// large by at most one window for each interruption by another program.
 class WorkMeter {
   public:
     ~WorkMeter() { end(); }
@@ -43,14 +43,14 @@ class WorkMeter {
     void begin();
     void end();
     bool running() const { return current_ == this; }
-    /// Wall time since begin(), s; includes time that other programs took.
+    /// Wall time since begin(), s; includes the time of other programs.
     double seconds(WorkPlace place) const { return spent_[static_cast<size_t>(place)]; }
-    /// Processor time since begin(), s, without the cost of measuring. Wall time where the system does not tell a
+    /// Processor time since begin(), s, without the cost of measuring. Wall time if the system does not report a
     /// thread's processor time.
     double cpuSeconds(WorkPlace place) const;
-    /// Requests to the heap since begin() by work of our own, not by drivers and runtimes; 0 where nothing counts them.
+    /// Heap requests of our own work since begin(), without drivers and runtimes; 0 if no counter is set.
     std::uint64_t ownAllocations() const { return ownAllocations_; }
-    /// Calls since begin() that made the thread wait for the GPU, and the name of the last one.
+    /// Calls since begin() that made the thread wait for the GPU; costs() also names the last one.
     unsigned stalls() const { return stalls_; }
     const char* lastStall() const { return lastStall_; }
 
@@ -68,8 +68,8 @@ class WorkMeter {
     /// The thread's meter, or nullptr.
     static WorkMeter* current() { return current_; }
 
-    /// From here on the thread's time belongs to `place`; what is called while waiting counts as waiting. Answers where
-    /// it belonged before, for leave().
+    /// Counts the thread's time for `place` from here on; calls made while waiting count as waiting. Returns the
+    /// previous place, for leave().
     WorkPlace enter(WorkPlace place) {
         const WorkPlace before = place_;
         if (before != WorkPlace::waiting) change(place);
@@ -77,8 +77,8 @@ class WorkMeter {
     }
     void leave(WorkPlace before) { change(before); }
 
-    /// `count` answers how often the calling thread has asked the heap so far. For all meters that begin later; the
-    /// program itself does not count.
+    /// Sets the counter of heap requests, `count`: the number of requests of the calling thread so far. Applies to all
+    /// meters that begin later; the program itself does not count.
     static void countAllocationsBy(std::uint64_t (*count)()) { countAllocations_ = count; }
     void stalled(const char* call) {
         ++stalls_;
@@ -111,7 +111,7 @@ class WorkMeter {
     const char* lastStall_ = "";
 };
 
-/// While it exists, the thread's time counts for `place`; inside of waiting everything counts as waiting.
+/// Counts the thread's time for `place` during its lifetime; inside waiting everything counts as waiting.
 class InWork {
   public:
     explicit InWork(WorkPlace place) : meter_(WorkMeter::current()) {
