@@ -11,12 +11,12 @@ namespace meltpool::gl {
 
 namespace {
 
-/// Reads GLSL word by word; blanks and comments to the end of the line separate words.
+/// Reads GLSL word by word; blanks and line comments separate words.
 class WordReader {
   public:
     WordReader(std::string_view text, size_t at) : text_(text), at_(at) {}
 
-    /// The identifier that comes next; empty where something else does.
+    /// The next identifier; empty if something else follows.
     std::string_view identifier() {
         skipBlanks();
         const size_t begin = at_;
@@ -32,7 +32,7 @@ class WordReader {
         return true;
     }
 
-    /// Up to and with `sign`.
+    /// Skips up to and including `sign`.
     void skipTo(char sign) { at_ = std::min(text_.find(sign, at_), text_.size() - 1) + 1; }
 
     static bool isLetter(char letter) { return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_'; }
@@ -67,7 +67,7 @@ std::optional<BlockDeclaration> blockAt(std::string_view glsl, size_t at, bool s
     return block;
 }
 
-/// The line of byte `at` has a `//` before it.
+/// True if a `//` precedes byte `at` on its line.
 bool inComment(std::string_view glsl, size_t at) {
     const std::string_view before = glsl.substr(0, at);
     return before.substr(before.rfind('\n') + 1).find("//") != std::string_view::npos;
@@ -86,7 +86,7 @@ const SharedStruct* findStruct(std::span<const SharedStruct> known, std::string_
     return found == known.end() ? nullptr : &*found;
 }
 
-/// A step of OpenGL's name of a variable: "views[1].eye" is member "views", element 1, then "eye".
+/// A step in OpenGL's name of a variable: "views[1].eye" is member "views", element 1, then "eye".
 struct NameStep {
     std::string_view member;
     size_t element = 0;
@@ -104,7 +104,7 @@ NameStep firstStep(std::string_view path) {
     return step;
 }
 
-/// The byte of `within` at which C++ has what OpenGL calls `path`; none where it has no such member.
+/// The byte in the C++ struct `within` of the member that OpenGL calls `path`; none if there is no such member.
 std::optional<size_t> placeOf(std::string_view path, const SharedStruct* within, std::span<const SharedStruct> known) {
     size_t place = 0;
     while (within != nullptr) {
@@ -146,7 +146,7 @@ class LinkedBlock {
         return name.data();
     }
     size_t offsetOf(GLint variable) const { return ofVariable(variable, GL_OFFSET); }
-    /// Bytes from one element to the next of the array that a storage block holds; 0: it holds no array.
+    /// Bytes between elements of the storage block's array; 0: it holds no array.
     size_t strideOf(GLint variable) const {
         return variables_ == GL_UNIFORM ? 0 : ofVariable(variable, GL_TOP_LEVEL_ARRAY_STRIDE);
     }
@@ -166,7 +166,7 @@ class LinkedBlock {
     GLuint index_;
 };
 
-/// Drivers count the bytes of a block up to its last member, or whole vectors of 16.
+/// Compares sizes: drivers count the bytes of a block up to its last member, or whole vectors of 16.
 bool sameSize(size_t counted, size_t bytes) {
     return counted >= bytes && counted <= (bytes + 15) / 16 * 16;
 }

@@ -14,12 +14,12 @@ class Buffer {
   public:
     Buffer() = default;
 
-    /// Zero-filled memory of `bytes` (whole words, at least one, are taken, so that an empty list can be bound).
-    /// Throws RuntimeFault when the driver has no room.
+    /// Zero-filled memory of `bytes` (rounded up to whole words, at least one, so that an empty list can be bound).
+    /// Throws RuntimeFault if the driver has no memory.
     Buffer(std::string_view label, size_t bytes) : Buffer(label, bytes, GL_DYNAMIC_STORAGE_BIT) {}
 
-    /// The same for memory that only the GPU writes, by shaders, clear(), fill() or copyTo(); write() throws
-    /// RuntimeFault. Drivers can place it where the GPU reaches it fastest.
+    /// Memory that only the GPU writes, by shaders, clear(), fill() or copyTo(); write() throws RuntimeFault. Drivers
+    /// can place it where the GPU reaches it fastest. Otherwise as the constructor.
     static Buffer gpuOnly(std::string_view label, size_t bytes) { return Buffer(label, bytes, 0); }
 
     /// Memory holding a copy of `values`.
@@ -32,7 +32,7 @@ class Buffer {
     GLuint name() const { return handle_.name(); }
     explicit operator bool() const { return static_cast<bool>(handle_); }
 
-    /// Copies `values` to byte `offset`. Throws RuntimeFault when they do not fit.
+    /// Copies `values` to byte `offset`. Throws RuntimeFault if they do not fit.
     template <class T>
     void write(std::span<const T> values, size_t offset = 0) {
         writeBytes(values.data(), values.size_bytes(), offset);
@@ -55,9 +55,9 @@ class Buffer {
     void clear() const;
     /// Sets every 32-bit word on the GPU.
     void fill(GLuint word) const;
-    /// Another size: the same bytes as far as both sizes reach, zeros behind them, in memory of another name. Who bound
-    /// the buffer or made a BufferView of it has to do so again. Where the driver has no room it throws RuntimeFault
-    /// and the buffer stays as it was.
+    /// Changes the size: the common bytes stay, zeros follow, and the GL name changes. The caller must bind the buffer
+    /// again and remake its BufferViews. If the driver has no memory, throws RuntimeFault and leaves the buffer
+    /// unchanged.
     void resize(size_t bytes);
     /// Copies `bytes` on the GPU, without the CPU.
     void copyTo(const Buffer& target, size_t bytes, size_t from = 0, size_t to = 0) const;
@@ -74,7 +74,7 @@ class Buffer {
     Handle<destroy> handle_;
     std::string label_;
     size_t bytes_ = 0;
-    bool writable_ = true; ///< by the CPU
+    bool writable_ = true; ///< false: the CPU may not write it
 };
 
 } // namespace meltpool::gl

@@ -10,7 +10,7 @@ class BufferView {
     BufferView() = default;
 
     /// Makes all of `buffer`, which must outlive it, readable as texels of the sized `format` (GL_RGBA32F, ...). Throws
-    /// RuntimeFault when the driver's buffer textures are too small for it.
+    /// RuntimeFault if the driver's buffer textures are too small for it.
     BufferView(std::string_view label, const Buffer& buffer, GLenum format, size_t texelBytes);
 
     void bind(GLuint unit) const { glBindTextureUnit(unit, handle_.name()); }

@@ -30,7 +30,7 @@ bool drawnOnProcessor() {
 ContextInfo useCurrentContext(bool debug) {
     glewExperimental = GL_TRUE;
     const GLenum status = glewInit();
-    // With an EGL context GLEW has loaded every function when it reports the missing GLX display: not an error.
+    // GLEW reports the missing GLX display after it has loaded every function of an EGL context: not an error.
     if (status != GLEW_OK && status != GLEW_ERROR_NO_GLX_DISPLAY)
         throw InputError(std::string("the OpenGL functions cannot be loaded: ") +
                          reinterpret_cast<const char*>(glewGetErrorString(status)));

@@ -1,4 +1,4 @@
-// The current OpenGL context: its driver and whether that suffices; and a context without a window.
+// The current OpenGL context, its driver and the driver's fitness; and a context without a window.
 #pragma once
 
 #include "core/gl/gl.hpp"
@@ -18,16 +18,16 @@ struct ContextInfo {
 };
 
 /// Loads the functions of the current context and reads its names and version. Throws InputError with the version found
-/// when it is less than OpenGL 4.5 core. `debug`: from now on the driver's errors and warnings go to standard error.
+/// if it is less than OpenGL 4.5 core. `debug`: the driver's errors and warnings go to standard error from now on.
 ContextInfo useCurrentContext(bool debug);
 
-/// From now on the errors and warnings of the current context, whose functions are loaded, go to standard error.
+/// Sends errors and warnings of the current context to standard error from now on. Its functions must be loaded.
 void reportFaults();
 
-/// Whether the driver of the current context draws on the CPU.
+/// True if the driver of the current context draws on the CPU.
 bool drawnOnProcessor();
 
-/// Whether this build asks for the driver's debug output.
+/// True if this build asks for the driver's debug output.
 constexpr bool debugBuild() {
 #ifdef NDEBUG
     return false;
@@ -36,18 +36,18 @@ constexpr bool debugBuild() {
 #endif
 }
 
-/// What contexts without a window are made with.
+/// The system that makes contexts without a window.
 struct ContextSystem {
     std::string name; ///< "EGL", "WGL"
     std::string version;
-    std::string remedy; ///< how to get a driver where there is none
+    std::string remedy; ///< how to get a driver if there is none
 };
 
 /// Asks the system; makes no context.
 ContextSystem contextSystem();
 
-/// An OpenGL 4.5 core context without a window on the screen: a GPU where there is one, else the processor. On
-/// Linux it comes from EGL and needs no display; on Windows from WGL and a window that is never shown.
+/// An OpenGL 4.5 core context without a window on the screen: on a GPU if there is one, else on the processor. On Linux
+/// it comes from EGL and needs no display; on Windows from WGL and a window that is never shown.
 class HeadlessContext {
   public:
     /// Creates the context and makes it current. Throws InputError that names the packages to install.

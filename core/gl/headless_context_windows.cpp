@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* kRemedy = "install the driver of the graphics card from its maker (NVIDIA, AMD, Intel)";
 
-/// GetVersion() tells what the program was made for; this tells the truth.
+/// The true version: GetVersion() reports the version that the program was made for.
 std::string windowsVersion() {
     using Ask = LONG(WINAPI*)(OSVERSIONINFOW*);
     const HMODULE library = GetModuleHandleW(L"ntdll.dll");
@@ -20,7 +20,7 @@ std::string windowsVersion() {
     if (ask == nullptr || ask(&version) != 0) return "Windows";
     std::string text = "Windows " + std::to_string(version.dwMajorVersion) + "." +
                        std::to_string(version.dwMinorVersion) + "." + std::to_string(version.dwBuildNumber);
-    // Wine says so by a function of its own.
+    // Wine identifies itself by a function of its own.
     if (GetProcAddress(library, "wine_get_version") != nullptr) text += ", as Wine plays it";
     return text;
 }
@@ -46,7 +46,7 @@ struct HeadlessContext::Handles {
 
 HeadlessContext::HeadlessContext(bool debug) : handles_(std::make_unique<Handles>()) {
     const HDC deviceContext = handles_->deviceContext();
-    // The function that makes core contexts is the driver's own, and is found with a context of the old kind.
+    // The function that makes core contexts is the driver's own, and is found through an old-style context.
     const HGLRC old = wglCreateContext(deviceContext);
     if (old != nullptr && wglMakeCurrent(deviceContext, old) != FALSE)
         handles_->context = static_cast<HGLRC>(handles_->window.makeContext(debug, nullptr));

@@ -12,17 +12,17 @@ namespace {
 
 constexpr const wchar_t* kClass = L"MeltpoolHidden";
 
-// Of WGL_ARB_create_context and WGL_ARB_create_context_profile.
+// Constants of WGL_ARB_create_context and WGL_ARB_create_context_profile.
 constexpr int kMajor = 0x2091, kMinor = 0x2092, kFlags = 0x2094, kProfile = 0x9126;
 constexpr int kDebug = 1, kCore = 1;
 
 void registerClass() {
     WNDCLASSW kind{};
-    kind.style = CS_OWNDC; // the device context stays the same for the window's whole life
+    kind.style = CS_OWNDC; // one device context for the window's whole life
     kind.lpfnWndProc = DefWindowProcW;
     kind.hInstance = GetModuleHandleW(nullptr);
     kind.lpszClassName = kClass;
-    RegisterClassW(&kind); // fails where it was registered before
+    RegisterClassW(&kind); // fails if it was registered before
 }
 
 PIXELFORMATDESCRIPTOR wantedFormat() {
@@ -56,7 +56,7 @@ HiddenWindow::HiddenWindow(int pixelFormat) {
 HiddenWindow::~HiddenWindow() {
     const HWND window = static_cast<HWND>(window_);
     ReleaseDC(window, static_cast<HDC>(deviceContext_));
-    // Windows lets only the thread that made a window destroy it; this message has that thread do so.
+    // Only the thread that made a window may destroy it; this message asks that thread.
     if (GetWindowThreadProcessId(window, nullptr) == GetCurrentThreadId())
         DestroyWindow(window);
     else

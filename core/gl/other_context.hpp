@@ -1,4 +1,4 @@
-// Another OpenGL context, on a thread of its own, that shares nothing with the contexts of other threads.
+// An OpenGL context on a thread of its own that shares nothing with other contexts.
 #pragma once
 
 #include "core/base/function_ref.hpp"
@@ -10,12 +10,12 @@ class ShaderLibrary;
 class OtherContext {
   public:
     virtual ~OtherContext() = default;
-    /// Does `work` on its thread and returns when it is done; throws what it threw. On that thread itself a plain call.
-    /// Allocates nothing.
+    /// Runs `work` on the context's thread and returns when it is done; rethrows its exceptions. A plain call on that
+    /// thread itself. Allocates nothing.
     virtual void run(FunctionRef<void()> work) = 0;
-    /// The calling thread is its thread.
+    /// True on the context's thread.
     virtual bool here() const = 0;
-    /// Its programs, for its thread only.
+    /// The context's programs, for its thread only.
     virtual ShaderLibrary& shaders() = 0;
 };
 

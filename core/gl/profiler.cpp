@@ -15,7 +15,7 @@ Profiler::~Profiler() {
 
 void Profiler::beginFrame() {
     current_ = (current_ + 1) % frames_.size();
-    collect(frames_[current_], true); // four frames old: its result has arrived
+    collect(frames_[current_], true); // the frame is four frames old: its result has arrived
     inFrame_ = true;
 }
 
@@ -49,7 +49,7 @@ void Profiler::include(const Profiler& other) {
         frames_[current_].included.emplace_back(passOf(pass.name, depth_ + pass.depth), pass.lastMs);
 }
 
-/// Its number; a new one is of this depth.
+/// The pass's number; adds a pass of this depth if it is new.
 size_t Profiler::passOf(std::string_view name, int depth) {
     auto found = std::find_if(passes_.begin(), passes_.end(), [name](const PassTime& p) { return p.name == name; });
     if (found == passes_.end()) found = passes_.insert(found, PassTime{std::string(name), depth});

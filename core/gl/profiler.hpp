@@ -11,13 +11,13 @@
 
 namespace meltpool::gl {
 
-/// Time of one pass.
+/// Times of one pass.
 struct PassTime {
     std::string name;
     int depth = 0;      ///< nesting: 0 = top
-    double lastMs = 0;  ///< the newest frame that was read
-    double leastMs = 0; ///< over all frames since reset()
-    double totalMs = 0; ///< over all frames since reset(), with every execution of the pass
+    double lastMs = 0;  ///< the newest frame read
+    double leastMs = 0; ///< minimum over all frames since reset()
+    double totalMs = 0; ///< sum over all frames and executions of the pass since reset()
     int frames = 0;
 };
 
@@ -30,12 +30,12 @@ class Profiler {
 
     void beginFrame();
     void endFrame();
-    bool inFrame() const { return inFrame_; } ///< between these two
+    bool inFrame() const { return inFrame_; } ///< true between beginFrame() and endFrame()
     /// Waits for the pending frames and reads them.
     void finish();
     void reset();
 
-    /// Adds the newest times of passes that another context's profiler measured within this one's frame.
+    /// Adds the newest times of passes that another context's profiler measured within the current frame.
     void include(const Profiler& other);
 
     const std::vector<PassTime>& passes() const { return passes_; }
@@ -71,7 +71,7 @@ class Profiler {
     std::vector<double> frameMs_;
 };
 
-/// A debug group, and with a profiler the timing, of the commands issued while it exists.
+/// A debug group for the commands issued during its lifetime, timed if there is a profiler.
 class Scope {
   public:
     Scope(Profiler* profiler, std::string_view name);

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A context is current on one thread, so each thread counts its own.
+/// Counted per thread: a context is current on one thread.
 thread_local std::uint64_t dispatches = 0;
 
 void deleteShader(GLuint name) {
@@ -58,8 +58,8 @@ Shader compile(const std::string& file, const ShaderSource& source) {
     return shader;
 }
 
-/// Throws InputError where a block of the linked `program` that the stage `source` declares has another layout than
-/// here.
+/// Throws InputError if a block of the linked `program` that the stage `source` declares has a layout other than the
+/// one here.
 void checkBlocks(GLuint program, const ShaderSource& source) {
     for (const BlockDeclaration& block : findBlocks(source.text)) {
         const std::string difference = blockDifference(program, block, sharedStructs());
@@ -73,7 +73,7 @@ void checkBlocks(GLuint program, const ShaderSource& source) {
 
 fs::file_time_type newestTime(const std::vector<fs::path>& files) {
     fs::file_time_type newest = fs::file_time_type::min();
-    std::error_code missing; // a file may be missing for a moment while it is saved
+    std::error_code missing; // a file may be missing for a moment during saving
     for (const fs::path& file : files) {
         const auto time = fs::last_write_time(file, missing);
         if (!missing) newest = std::max(newest, time);
@@ -94,7 +94,7 @@ void Program::listUniforms() {
         glGetActiveUniform(name(), static_cast<GLuint>(i), longest + 1, nullptr, &size, &type, text.data());
         Uniform uniform{text.c_str(), glGetUniformLocation(name(), text.c_str())};
         if (uniform.name.ends_with("[0]")) uniform.name.resize(uniform.name.size() - 3);
-        if (uniform.location >= 0) uniforms_.push_back(std::move(uniform)); // else it belongs to a block
+        if (uniform.location >= 0) uniforms_.push_back(std::move(uniform)); // others belong to a block
     }
 }
 
@@ -122,7 +122,7 @@ void Program::dispatchIndirect(size_t offset) const {
 
 void Program::dispatch(size_t count, unsigned groupSize) const {
     if (count == 0) return;
-    constexpr size_t kMostGroupsPerAxis = 65535; // the least that OpenGL guarantees
+    constexpr size_t kMostGroupsPerAxis = 65535; // the minimum that OpenGL guarantees
     const size_t groups = (count + groupSize - 1) / groupSize;
     const size_t rows = (groups + kMostGroupsPerAxis - 1) / kMostGroupsPerAxis;
     const size_t perRow = (groups + rows - 1) / rows;

@@ -17,7 +17,7 @@
 
 namespace meltpool::gl {
 
-/// Dispatches that this thread has issued so far, direct and indirect ones. Callers compare two readings.
+/// Direct and indirect dispatches issued by this thread so far. Callers compare two readings.
 std::uint64_t dispatchCount();
 
 class Program {
@@ -25,8 +25,8 @@ class Program {
     GLuint name() const { return handle_.name(); }
     void use() const { glUseProgram(name()); }
 
-    /// Runs a compute program with enough groups of `groupSize` for `count` invocations; none for 0.
-    /// Counts beyond one dispatch dimension are folded into y: shaders take their index from `linearInvocation()` in
+    /// Runs a compute program with enough groups of `groupSize` for `count` invocations; none for 0. Counts beyond one
+    /// dispatch dimension are folded into y: shaders take their index from `linearInvocation()` in
     /// shaders/shared/dispatch.h.
     void dispatch(size_t count, unsigned groupSize) const;
     void dispatchGroups(unsigned x, unsigned y = 1, unsigned z = 1) const;
@@ -58,21 +58,21 @@ class Program {
     std::vector<Uniform> uniforms_;
 };
 
-/// Loads programs from a shader folder. The library owns the programs and keeps them as long as it exists; a reload
-/// replaces what is inside them.
+/// Loads programs from a shader folder. The library owns the programs for its lifetime; a reload replaces their
+/// content.
 class ShaderLibrary {
   public:
     explicit ShaderLibrary(std::filesystem::path root) : root_(std::move(root)) {}
 
-    /// Files relative to the root; the stage follows from the ending (.comp, .vert, .frag, .geom).
-    /// Throws InputError when one does not compile or link, or has a block with another layout than its C++ struct.
+    /// Loads a program from files relative to the root; the stage follows from the ending (.comp, .vert, .frag, .geom).
+    /// Throws InputError if one does not compile or link, or has a block with another layout than its C++ struct.
     const Program& load(std::vector<std::string> files, Defines defines = {});
     const Program& compute(std::string file, Defines defines = {}) {
         return load({std::move(file)}, std::move(defines));
     }
 
-    /// Rebuilds the programs of which a file changed. One that fails keeps its old version. Returns the messages of
-    /// those that failed.
+    /// Rebuilds the programs of which a file changed. A failed one continues with its old version. Returns the messages
+    /// of the failed ones.
     std::vector<std::string> reloadChanged();
 
     /// The messages of all programs that still run an old version because their files do not build.
@@ -87,7 +87,7 @@ class ShaderLibrary {
         Program program;
         std::vector<std::filesystem::path> sources;
         std::filesystem::file_time_type newest;
-        std::string fault; ///< of the last reload; empty: it worked
+        std::string fault; ///< message of the last reload; empty: it succeeded
     };
 
     void build(Entry& entry) const;

@@ -43,7 +43,7 @@ void Readback::request(const Buffer& source, size_t offset) {
 const void* Readback::pollInPlace() {
     if (!asked_) return nullptr;
     if (fence_ != nullptr) {
-        // Without the flush the commands might not start while nothing else is drawn.
+        // Flushes, because the commands might not start while nothing else is drawn.
         const GLenum state = glClientWaitSync(fence_, GL_SYNC_FLUSH_COMMANDS_BIT, 0);
         if (state != GL_ALREADY_SIGNALED && state != GL_CONDITION_SATISFIED) return nullptr;
     }

@@ -10,8 +10,8 @@
 
 namespace meltpool::gl {
 
-/// Copies bytes of a buffer on the GPU and gives them to the caller once the GPU has executed the copy. One request at
-/// a time; a request while one is pending is ignored.
+/// Copies bytes of a buffer on the GPU and returns them once the GPU has executed the copy. One request at a time; a
+/// request while one is pending is ignored.
 class Readback {
   public:
     Readback(std::string_view label, size_t bytes);
@@ -19,34 +19,34 @@ class Readback {
     Readback(const Readback&) = delete;
     Readback& operator=(const Readback&) = delete;
 
-    /// Requests the bytes of `source` from byte `offset` on, as they are after the commands issued so far. Throws
-    /// RuntimeFault when they reach past the end of the buffer.
+    /// Requests the bytes of `source` from byte `offset` on, after the commands issued so far. Throws RuntimeFault if
+    /// they reach past the end of the buffer.
     void request(const Buffer& source, size_t offset = 0);
 
-    /// The answer when it has arrived, once. Never waits.
+    /// The answer, once, if it has arrived. Never waits.
     template <class T>
     std::optional<T> poll() {
         T value{};
         return sizeof(T) <= bytes_ && take(&value, sizeof(T)) ? std::optional<T>(value) : std::nullopt;
     }
 
-    /// The answer, once, waiting for the GPU to get there; nothing where none was asked for.
+    /// The answer, once; waits for the GPU. Nothing if there was no request.
     template <class T>
     std::optional<T> await() {
         wait();
         return poll<T>();
     }
 
-    /// The same without copying: nullptr while there is none; valid until the next request.
+    /// The answer without a copy, or nullptr; valid until the next request. Never waits.
     const void* pollInPlace();
-    /// An answer is under way or was not taken yet.
+    /// True while an answer is under way or was not taken.
     bool pending() const { return asked_; }
-    /// Its memory on the GPU, for those who save a state.
+    /// The GL name of its memory, for saving a state.
     GLuint name() const { return handle_.name(); }
     size_t bytes() const { return bytes_; }
     /// Discards a pending request.
     void forget();
-    /// Waits until the answer is there; returns at once where none was asked for.
+    /// Waits for the answer; returns at once if there was no request.
     void wait() const;
 
   private:
@@ -55,15 +55,15 @@ class Readback {
     static void destroy(GLuint name) { glDeleteBuffers(1, &name); }
     Handle<destroy> handle_;
     const void* mapped_ = nullptr;
-    GLsync fence_ = nullptr; ///< null also where the copy has ended at once
+    GLsync fence_ = nullptr; ///< null also if the copy ended at once
     bool asked_ = false;
     size_t bytes_ = 0;
 };
 
-/// Several reads under way, answered in the order in which they were asked for.
+/// A queue of reads; answers come in the order of their requests.
 class ReadbackQueue {
   public:
-    /// `depth`: reads that may be under way at a time.
+    /// `depth`: most reads under way at a time.
     ReadbackQueue(std::string_view label, size_t bytes, size_t depth);
 
     size_t pending() const { return pending_; }
@@ -71,12 +71,12 @@ class ReadbackQueue {
 
     /// As Readback::request(). Throws RuntimeFault when full().
     void request(const Buffer& source);
-    /// The oldest answer that has not been given, where it has arrived; else nullptr. Never waits. Valid until the next
+    /// The oldest answer that was not taken, if it has arrived; else nullptr. Never waits. Valid until the next
     /// request.
     const void* pollInPlace();
-    /// The same, waiting for the GPU; nullptr only where nothing is pending.
+    /// The oldest answer that was not taken; waits for the GPU. nullptr only if nothing is pending.
     const void* awaitInPlace();
-    /// Drops what is pending.
+    /// Discards pending requests.
     void forget();
 
     size_t bytes() const { return bytes_; }

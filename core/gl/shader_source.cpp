@@ -32,7 +32,7 @@ class Assembler {
                     source_.text += "#define " + name + " " + value + "\n";
                 appendLineMark(lineNumber + 1, number);
             } else if (code.starts_with("#extension GL_GOOGLE_include_directive")) {
-                source_.text += "\n"; // only glslangValidator needs it
+                source_.text += "\n"; // only glslangValidator needs the line
             } else if (code.starts_with("#include <")) {
                 source_.text += "\n"; // a C++ header in a shared header
             } else if (code.starts_with("#include")) {

@@ -1,4 +1,4 @@
-// GLSL text with resolved includes, so that C++, glslangValidator and the driver use the same files.
+// GLSL text with resolved includes: C++, glslangValidator and the driver use the same files.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// The structs of shaders/shared/ as this program was compiled with them.
+// The structs of shaders/shared/ with the layout of this program's compiler.
 #pragma once
 
 #include <cstddef>
@@ -9,9 +9,9 @@ namespace meltpool::gl {
 
 struct SharedMember {
     std::string_view name;
-    std::string_view type; ///< as GLSL writes it; of an array its element's
+    std::string_view type; ///< in GLSL's spelling; for an array its element's
     size_t offset = 0;     ///< bytes from the start of the struct
-    size_t bytes = 0;      ///< of the member; of an array of one element
+    size_t bytes = 0;      ///< of the member; for an array of one element
 };
 
 struct SharedStruct {
@@ -20,8 +20,8 @@ struct SharedStruct {
     std::span<const SharedMember> members;
 };
 
-/// All structs of shaders/shared/*.h. The build makes this table of the headers themselves
-/// (app/list_shared_structs.cmake), so that a struct is written once.
+/// All structs of shaders/shared/*.h. The build generates this table from the headers (app/list_shared_structs.cmake),
+/// so that a struct is written once.
 std::span<const SharedStruct> sharedStructs();
 
 } // namespace meltpool::gl

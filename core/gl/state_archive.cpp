@@ -20,7 +20,7 @@ namespace {
 StateArchive::StateArchive(StateParts& into) : numbers_(&into.numbers), parts_(&into) {}
 
 StateArchive::StateArchive(std::span<const std::byte> from) : from_(from) {
-    memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT); // what shaders wrote is written over
+    memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT); // the copy overwrites bytes that shaders wrote
 }
 
 std::span<const std::byte> StateArchive::take(size_t bytes) {
@@ -69,8 +69,8 @@ void StateArchive::text(std::string& words) {
     }
 }
 
-/// On a BarrierFreeThread nothing of OpenGL is made that the archive, which ends on another thread, would have to
-/// delete.
+/// Makes no OpenGL objects on a BarrierFreeThread: the archive, which ends on another thread, would have to delete
+/// them.
 void StateArchive::copyTo(const Buffer& buffer, size_t bytes, size_t begin) {
     if (writeDirectly(buffer.name(), from_.data() + begin, bytes, 0)) return;
     if (!upload_) upload_.emplace("restored state", from_);
@@ -134,7 +134,7 @@ StateParts& StateCapture::begin() {
     return state_;
 }
 
-/// Room for more than is needed, as a metal grows while it is fed.
+/// Reserves spare memory, because a metal grows while it is fed.
 void StateCapture::makeRoom(size_t bytes) {
     if (bytes <= room_) return;
     const size_t room = bytes + bytes / 4;

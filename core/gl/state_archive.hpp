@@ -1,5 +1,5 @@
-// A whole state as bytes: the same code saves it and restores it, numbers of the CPU and buffers of the GPU alike, so
-// that neither can forget what the other knows.
+// A whole state as bytes: one function saves and restores numbers of the CPU and buffers of the GPU, so that both
+// directions name every member.
 #pragma once
 
 #include "core/gl/readback.hpp"
@@ -14,43 +14,43 @@
 
 namespace meltpool::gl {
 
-/// A stretch of a state's bytes that changes, and packs, as one.
+/// A range of a state's bytes that changes, and packs, as one.
 struct StatePart {
     size_t bytes = 0;
-    bool list = false;   ///< of slots or other whole numbers that mostly differ little from the one before
-    bool onGpu = false;  ///< while it is being saved: it comes from a buffer
-    size_t rowWords = 1; ///< 4-byte words of a row, where it is a table: a column's words resemble each other
+    bool list = false;   ///< slots or other whole numbers that mostly differ little from the one before
+    bool onGpu = false;  ///< true during saving: the bytes come from a buffer
+    size_t rowWords = 1; ///< 4-byte words of a row in a table: a column's words resemble each other
 
     bool operator==(const StatePart&) const = default;
 };
 
-/// A state while it is being saved: what the CPU knew, and where on the GPU the rest lies.
+/// A state during saving: the numbers of the CPU, and the places of the rest on the GPU.
 struct StateParts {
     struct Region {
         GLuint buffer = 0;
         size_t bytes = 0;
-        /// The buffer's own where it was named on a BarrierFreeThread, whose context may be another one than that which
-        /// copies: any thread reads it as long as no shader writes there.
+        /// The buffer's own memory if it was named on a BarrierFreeThread, whose context may differ from the one that
+        /// copies: any thread may read it while no shader writes there.
         const std::byte* memory = nullptr;
     };
-    std::vector<std::byte> numbers; ///< of all parts that are not on the GPU, one after the other
+    std::vector<std::byte> numbers; ///< bytes of all parts that are not on the GPU, one after the other
     std::vector<StatePart> parts;
-    std::vector<Region> regions; ///< of the others, in their order
+    std::vector<Region> regions; ///< of the other parts, in order
 };
 
-/// Each class that has a state of its own has a function `void transfer(StateArchive&)` that names its members once.
-/// Where bytes are restored every size is checked: bytes that are too short, or of another state, throw InputError.
+/// Each class with a state of its own has a function `void transfer(StateArchive&)` that names its members once.
+/// Restoring checks every size: bytes that are too short, or of another state, throw InputError.
 class StateArchive {
   public:
-    /// Saves.
+    /// Saves into `into`.
     explicit StateArchive(StateParts& into);
-    /// Saves numbers alone, behind what `into` holds.
+    /// Saves only numbers, behind the content of `into`.
     explicit StateArchive(std::vector<std::byte>& into) : numbers_(&into) {}
-    /// Restores from bytes that stay where they are.
+    /// Restores from bytes that must stay in place.
     explicit StateArchive(std::span<const std::byte> from);
 
     bool restores() const { return numbers_ == nullptr; }
-    /// All bytes were taken.
+    /// True when all bytes were read.
     bool atEnd() const { return at_ == from_.size(); }
 
     /// Plain values: numbers, enumerations, vectors of numbers, structs of these without gaps.
@@ -59,21 +59,21 @@ class StateArchive {
         (value(each), ...);
     }
 
-    /// A number of things that are at most `most`.
+    /// Transfers a count of at most `most`.
     void count(size_t& number, size_t most);
     void text(std::string& words);
 
-    /// The first `bytes` bytes of a buffer. Where it is restored the rest of the buffer becomes zero.
+    /// Transfers the first `bytes` bytes of a buffer. Restoring zeroes the rest of the buffer.
     void buffer(const Buffer& buffer, size_t bytes) { part(buffer, {bytes}); }
-    /// The same of whole numbers, see StatePart::list.
+    /// Transfers a buffer of whole numbers, see StatePart::list.
     void list(const Buffer& buffer, size_t bytes) { part(buffer, {bytes, true}); }
-    /// The same of `count` vectors or structs of `rowBytes`, a multiple of 4.
+    /// Transfers a buffer of `count` vectors or structs of `rowBytes`, a multiple of 4.
     void rows(const Buffer& buffer, size_t count, size_t rowBytes) {
         part(buffer, {count * rowBytes, false, false, rowBytes / 4});
     }
 
-    /// An answer that is under way or has not been taken yet. Where it is restored it comes again by way of `source`,
-    /// the buffer that it was read from.
+    /// Transfers an answer that is under way or was not taken. Restoring requests it again through `source`, the buffer
+    /// that it was read from.
     void answer(Readback& readback, Buffer& source);
 
   private:
@@ -90,15 +90,15 @@ class StateArchive {
     std::span<const std::byte> take(size_t bytes);
     void copyTo(const Buffer& buffer, size_t bytes, size_t begin);
 
-    std::vector<std::byte>* numbers_ = nullptr; ///< null while restoring
+    std::vector<std::byte>* numbers_ = nullptr; ///< null during restoring
     StateParts* parts_ = nullptr;
     std::span<const std::byte> from_;
     size_t at_ = 0;
     std::optional<Buffer> upload_; ///< all of from_ on the GPU
 };
 
-/// A state on its way from the GPU: the copy is made there in the order of the commands, so that nothing waits, and
-/// comes to the CPU frames later.
+/// A state on its way from the GPU: the copy is made there in command order, so that nothing waits, and reaches the CPU
+/// frames later.
 class StateCapture {
   public:
     StateCapture() = default;
@@ -106,21 +106,21 @@ class StateCapture {
     StateCapture(const StateCapture&) = delete;
     StateCapture& operator=(const StateCapture&) = delete;
 
-    /// Where the state is to be saved to; what was under way is dropped.
+    /// The parts to save into; discards a pending copy.
     StateParts& begin();
-    /// Copies on the GPU what begin()'s parts name, as it is after the commands issued so far. Never waits. Parts in
+    /// Copies on the GPU the parts that begin() returned, after the commands issued so far. Never waits. Parts in
     /// memory of their own are copied at once, without OpenGL.
     void request();
-    /// Whether the copy has come. Never waits; false also where none was asked for.
+    /// True when the copy has arrived. Never waits; false also if there was no request.
     bool arrived();
-    /// Waits for it.
+    /// Waits for the copy.
     void wait();
 
-    /// Puts the bytes of all parts one after the other; after arrived() or wait(). Any thread may do this, but the next
-    /// begin() must wait for it.
+    /// Joins the bytes of all parts; call it after arrived() or wait(). Any thread may do this, but the next begin()
+    /// must wait for it.
     void assemble(std::vector<std::byte>& bytes, std::vector<StatePart>& parts) const;
 
-    size_t bytes() const { return room_ + memory_.capacity(); } ///< of the copy
+    size_t bytes() const { return room_ + memory_.capacity(); } ///< memory of the copy
 
   private:
     void makeRoom(size_t bytes);
@@ -133,8 +133,8 @@ class StateCapture {
     Handle<destroy> copy_;
     const void* mapped_ = nullptr;
     size_t room_ = 0;
-    std::vector<std::byte> memory_;     ///< the copy of what lay in memory
-    const std::byte* copied_ = nullptr; ///< the copy, one or the other
+    std::vector<std::byte> memory_;     ///< copy of the parts in memory
+    const std::byte* copied_ = nullptr; ///< either copy
     GLsync fence_ = nullptr;
     bool arrived_ = false;
 };

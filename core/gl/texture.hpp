@@ -51,7 +51,7 @@ class Framebuffer {
     GLuint name() const { return handle_.name(); }
     void attach(GLenum attachment, const Texture& texture, int level = 0) const;
     void attachLayer(GLenum attachment, const Texture& texture, int layer, int level = 0) const;
-    /// Throws RuntimeFault, naming the status, when the driver cannot draw into it.
+    /// Throws RuntimeFault with the status if the driver cannot draw into it.
     void requireComplete() const;
 
   private:
