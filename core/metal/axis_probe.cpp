@@ -25,7 +25,7 @@ AxisProbe::AxisProbe(gl::ShaderLibrary& shaders, const MetalState& state, const 
       bins_("axis probe bins", AXIS_PROBE_BINS * sizeof(AxisProbeBin)),
       answer_("axis probe answer", sizeof(AxisProbeAnswer)) {
     bins_.clear();
-    // The weight (1 - r²/R²)² has the integral pi R²/3 over the plane, where a particle stands for a square spacing.
+    // The weight (1 - r²/R²)² has the integral pi R²/3 over the plane, where a particle covers a square spacing.
     full_ = static_cast<float>(std::numbers::pi / 3 * AXIS_PROBE_RADIUS * AXIS_PROBE_RADIUS);
 }
 

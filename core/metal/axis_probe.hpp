@@ -1,4 +1,4 @@
-// Finds the metal along an axis, from the particles of the step itself, and answers a fixed number of steps later.
+// Finds the metal along an axis from the particles of the step, and answers a fixed number of steps later.
 #pragma once
 
 #include "core/gl/buffer.hpp"
@@ -15,44 +15,44 @@
 
 namespace meltpool {
 
-/// Where to look: m, a unit vector, m.
+/// A ray to search along: origin (m), unit vector, bin length (m).
 struct ProbeRay {
     glm::vec3 origin{0};
     glm::vec3 axis{0, -1, 0};
     float reach = 0.05F;
 };
 
-/// The metal that a look met.
+/// The metal that the ray meets.
 struct MetalOnAxis {
-    ProbeRay ray;                  ///< of the look
-    std::optional<float> distance; ///< m from the origin to the surface; nothing where there is none within reach
+    ProbeRay ray;                  ///< the searched ray
+    std::optional<float> distance; ///< m from the origin to the surface; empty: none within reach
     float liquid = 0;              ///< 0..1, share of liquid over a spacing or two behind the surface
 };
 
-/// A look counts particles within two spacings of the axis, with a weight that falls to the side, in bins along it; the
-/// surface is where half of the count inside solid metal is reached. On a flat surface that is its place to a tenth of
-/// a spacing, upright or slanted; drops that fly along the axis are not taken for it. Where half is reached nowhere, as
-/// over a gap between two plates, their edges are the surface, where they are at least three spacings deep: an arc
-/// burns to the nearest metal. Sums are integers: the same metal gives the same answer.
+/// Counts particles within two spacings of the axis, with a weight that falls to the side, in bins along it; the
+/// surface is where half of the count inside solid metal is reached. On a flat surface, upright or slanted, this is the
+/// surface's position to a tenth of a spacing; drops that fly along the axis do not count. If half is reached nowhere,
+/// as over a gap between two plates, their edges are the surface, provided that they are at least three spacings deep:
+/// an arc burns to the nearest metal. Sums are integers: equal metal gives equal answers.
 class AxisProbe {
   public:
-    /// Steps between a look and its answer, so that the answer is the same whether the GPU is fast or slow, and hardly
-    /// ever waited for.
+    /// Steps between a search and its answer: the answer does not depend on the speed of the GPU, and is hardly ever
+    /// waited for.
     static constexpr size_t kDelay = 4;
 
     AxisProbe(gl::ShaderLibrary& shaders, const MetalState& state, const HeatSolver& heat);
 
-    /// As new, in the same memory.
+    /// Returns to the initial state without allocating.
     void reset();
 
-    /// Saves or restores what was found and not told yet.
+    /// Saves or restores the results that were not returned.
     void transfer(gl::StateArchive& archive);
 
-    /// Looks at the metal as the commands so far leave it. Once a step.
+    /// Searches the metal after the commands issued so far. Call it once a step.
     void look(const ProbeRay& ray, gl::Profiler* profiler);
 
-    /// The answer to the look of kDelay looks ago; nothing before that many. Waits for the GPU where it has not come
-    /// that far.
+    /// The answer to the search kDelay searches ago; nothing before that many. Waits for the GPU if that has not
+    /// finished it.
     std::optional<MetalOnAxis> answer();
 
     size_t bytes() const;

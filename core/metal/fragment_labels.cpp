@@ -9,7 +9,7 @@ namespace meltpool {
 namespace {
 
 constexpr int kCycle = 26;      ///< calls of advance(). None: chosen, so that labels cost little of a step
-constexpr size_t kPart = 32768; ///< slots that a call joins: a frame costs no more with more metal
+constexpr size_t kPart = 32768; ///< slots that a call joins: the cost of a frame does not grow with the metal
 
 void storageBarrier() {
     gl::memoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
@@ -33,7 +33,7 @@ FragmentLabels::FragmentLabels(gl::ShaderLibrary& shaders, MetalState& state, co
       numberFragments_(shaders.compute("metal/solid/number_fragments.comp")),
       assignFragments_(shaders.compute("metal/solid/assign_fragments.comp")),
       listFree_(shaders.compute("metal/solid/list_free.comp")) {
-    // Slots without a label take no part: metal that comes in the middle of a cycle waits for the next one.
+    // Slots without a label take no part: metal that arrives during a cycle waits for the next one.
     labels_.fill(FRAGMENT_NO_LABEL);
     firstLabels_.fill(FRAGMENT_NO_LABEL);
     makeTexels();
@@ -121,7 +121,7 @@ void FragmentLabels::finish() {
     bind();
     call_ = 0;
     const size_t particles = state_.particles();
-    // Nothing is joined any more: the first labels' memory counts members. The next cycle labels all these slots again.
+    // After joining, the first labels' memory counts members. The next cycle labels all these slots again.
     gl::memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     gl::fillWords(firstLabels_.name(), 0, particles * sizeof(uint), 0);
     countMembers_.dispatch(particles, FRAGMENT_GROUP);

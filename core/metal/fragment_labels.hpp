@@ -15,12 +15,12 @@ class FragmentLabels {
     /// `state` and `block` (FragmentBlock) must outlive this object.
     FragmentLabels(gl::ShaderLibrary& shaders, MetalState& state, const gl::Buffer& block);
 
-    /// As new, in the same memory.
+    /// Returns to the initial state without allocating.
     void reset();
-    /// After the state's capacity became another one. Throws RuntimeFault when the driver has no room.
+    /// Adapts to the state's new capacity. Throws RuntimeFault if the driver has no memory.
     void takeCapacity();
 
-    /// Makes the next part of a cycle; true when that was the last one.
+    /// Makes the next part of a cycle; returns true for the last part.
     bool advance();
     /// Makes a whole cycle at once, from its beginning.
     void cycleNow();
@@ -30,7 +30,7 @@ class FragmentLabels {
     const gl::Buffer& control() const { return control_; } ///< FragmentControl
 
     void transfer(gl::StateArchive& archive);
-    size_t bytes() const; ///< of GPU memory
+    size_t bytes() const; ///< GPU memory
 
   private:
     void makeTexels();
@@ -40,9 +40,9 @@ class FragmentLabels {
 
     MetalState& state_;
     const gl::Buffer& block_;
-    int call_ = 0;      ///< of advance() in this cycle
-    size_t slots_ = 0;  ///< that were there when the cycle began
-    size_t joined_ = 0; ///< of them
+    int call_ = 0;      ///< calls of advance() in this cycle
+    size_t slots_ = 0;  ///< slots at the cycle's beginning
+    size_t joined_ = 0; ///< joined slots
     gl::Buffer cellHeads_, cellNext_, labels_, firstLabels_, control_, freeSlots_;
     gl::BufferView firstLabelTexels_, latticeTexels_, positionTexels_;
     const gl::Program &beginLabels_, &join_, &countMembers_, &numberFragments_, &assignFragments_, &listFree_;

@@ -12,13 +12,13 @@ namespace meltpool {
 
 namespace {
 
-// Bytes that buffers and their staging copies take, rounded up.
+// Bytes of buffers and their staging copies, rounded up.
 constexpr double kHeatCell = 80;
 constexpr double kParticle = 300;
 constexpr double kFlowParticle = 4.0 * (FLOW_NEIGHBOUR_CAPACITY + 2) + 400;
-constexpr double kFlowCell = 8.0 * FLOW_PAGE_WORDS + 100; // of (2.4 spacings)³
+constexpr double kFlowCell = 8.0 * FLOW_PAGE_WORDS + 100; // bytes of a cell of (2.4 spacings)³
 constexpr double kFlowCellVolume = 2.4 * 2.4 * 2.4;
-constexpr double kShare = 0.8; // of what is free, that a metal may take
+constexpr double kShare = 0.8; // share of the free memory that a metal may take
 
 std::string figure(double value) {
     std::array<char, 40> text{};
@@ -41,7 +41,7 @@ std::string roomFault(const MetalSize& size, const MetalRoom& room) {
     const std::string needs = "would be " + figure(std::max(size.particles, size.flowParticles) * 1e-6) +
                               " million particles in " + figure(bytes / kGiga) + " GiB, and ";
     if (bytes > room.bytes) return needs + figure(room.bytes / kGiga) + " GiB may be taken";
-    const double mostListed = room.bufferTexels / (FLOW_NEIGHBOUR_CAPACITY + 2.0); // with their neighbours
+    const double mostListed = room.bufferTexels / (FLOW_NEIGHBOUR_CAPACITY + 2.0); // rows of neighbour lists
     if (size.flowParticles > mostListed)
         return needs + "the graphics driver's buffers hold " + figure(mostListed * 1e-6) + " million";
     return {};

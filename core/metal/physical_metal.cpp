@@ -16,12 +16,12 @@ namespace meltpool {
 
 namespace {
 
-constexpr int kFragmentSteps = 8; ///< of free fragments a frame: keeps what rests within 0.1 mm of the floor
-constexpr double kHottest = 3500; ///< K, above which no metal here stays liquid: what the heat step is made for
+constexpr int kFragmentSteps = 8; ///< of free fragments a frame: those at rest stay within 0.1 mm of the floor
+constexpr double kHottest = 3500; ///< K, upper limit for the heat step: no metal here stays liquid above it
 constexpr double kRoomTemperature = 293.15;
 constexpr float kLongestFlight = 0.03F; ///< m that a drop may fly outside the space before it enters
 
-/// The density that masses are made from: of the solid at room temperature, for which workpieces are measured.
+/// The density of the masses: that of the solid at room temperature, for which workpieces are measured.
 double massDensity(const Material& material) {
     return material.solidDensity.at(kRoomTemperature);
 }
@@ -52,9 +52,9 @@ FlowFluid fluidOf(const PhysicalSetup& setup) {
     return fluid;
 }
 
-/// The time step to take where `most` is wanted at most, heat bears steps of `heatStep` and the flow of `flowStep` (s).
-/// Shorter steps take more of all else, so it is shortened by a fifth at most, and only where heat gains more than that
-/// by it; then so that the flow's steps fit in whole.
+/// The time step for an upper limit `most`, heat steps up to `heatStep` and flow steps up to `flowStep` (s). Shorter
+/// steps cost more elsewhere, so it is shortened by a fifth at most, and only if it saves more heat than that; then so
+/// that whole flow steps fill it.
 double chooseTimeStep(double most, double heatStep, double flowStep) {
     constexpr double kWorth = 0.8;
     constexpr double kFewFlowSteps = 8;
@@ -64,10 +64,11 @@ double chooseTimeStep(double most, double heatStep, double flowStep) {
     const double bearable = whole * heatStep;
     const double flowSteps = std::floor(bearable / flowStep);
     const double wanted = flowSteps >= kFewFlowSteps ? flowSteps * flowStep : bearable;
-    return 1 / std::ceil(1 / wanted); // a whole number a second
+    return 1 / std::ceil(1 / wanted); // a whole number of steps a second
 }
 
-/// Moves a drop outside the space along its velocity to where it enters; false where it does not within kLongestFlight.
+/// Moves a drop outside the space along its velocity to its entry; returns false if there is none within
+/// kLongestFlight.
 bool fliesIn(MetalSeed& seed, const FlowSpace& space) {
     const auto inside = [&](glm::vec3 place) {
         return glm::all(glm::greaterThanEqual(place, space.low)) && glm::all(glm::lessThanEqual(place, space.high));
@@ -94,7 +95,7 @@ PhysicalMetal::PhysicalMetal(gl::ShaderLibrary& shaders, const PhysicalSetup& se
       parts_("metal statistics", sizeof(Parts)),
       answers_("metal statistics", sizeof(Parts), kStatisticsInFlight) {
     setup_.heat.meltedLeaves = true;
-    for (int axis = 0; axis < 3; ++axis) { // fragments end where the liquid does
+    for (int axis = 0; axis < 3; ++axis) { // fragments have the limits of the liquid
         if (setup.space.repeats[axis]) continue;
         setup_.fragments.low[axis] = setup.space.low[axis];
         setup_.fragments.high[axis] = setup.space.high[axis];
@@ -114,7 +115,7 @@ void PhysicalMetal::make() {
     room_ = state_->capacity();
 }
 
-/// The state is the first to grow: where the driver has no room for the others, only the state has more than it needs.
+/// Grows the state first: if the driver has no memory for the others, only the state has spare capacity.
 void PhysicalMetal::setCapacity(size_t capacity) {
     state_->setCapacity(capacity);
     heat_->takeCapacity();
@@ -123,7 +124,7 @@ void PhysicalMetal::setCapacity(size_t capacity) {
     room_ = capacity;
 }
 
-/// More room than asked for, so that it is rarely made.
+/// Reserves more than asked for, so that growth is rare.
 void PhysicalMetal::makeRoom(size_t particles) {
     constexpr size_t kLeast = 2048, kShare = 16;
     if (particles <= room_ || !grows_) return;
@@ -132,13 +133,13 @@ void PhysicalMetal::makeRoom(size_t particles) {
     try {
         setCapacity(capacity);
     } catch (const RuntimeFault&) {
-        grows_ = false; // what finds no room is refused, and told with the metal's figures
+        grows_ = false; // filler without capacity is refused and counted in the metal's figures
     }
 }
 
 void PhysicalMetal::reset() {
     answers_.forget();
-    gl::memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT); // what shaders wrote is cleared
+    gl::memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT); // clears bytes that shaders wrote
     state_->reset();
     state_->add(setup_.seeds);
     heat_->reset();
@@ -171,7 +172,7 @@ void PhysicalMetal::fold() {
     constexpr GLbitfield kBarrier = GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
                                     GL_BUFFER_UPDATE_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT;
     gl::memoryBarrier(kBarrier);
-    heat_->fold(); // neither reads what the other changes
+    heat_->fold(); // neither reads values that the other changes
     flow_->fold();
     gl::memoryBarrier(kBarrier);
 }
@@ -183,8 +184,8 @@ void PhysicalMetal::setLiquidConductivity(const Property& conductivity) {
     heat_->takeTable();
 }
 
-/// What lies outside the space flies straight into it where it is near; the rest is refused, as the flow would move it
-/// to the end of the space from anywhere.
+/// Moves nearby drops outside the space straight into it; refuses the others, because the flow would move them to the
+/// end of the space from anywhere.
 void PhysicalMetal::addFiller(std::span<const MetalSeed> filler) {
     accepted_.clear();
     for (MetalSeed seed : filler)
@@ -204,7 +205,7 @@ void PhysicalMetal::step(std::span<const HeatSource> sources, std::span<const Me
     for (int i = 0; i < static_cast<int>(heatSteps); ++i)
         heat_->step(frame / heatSteps, sources, profiler);
 
-    fragments_->relabel(profiler); // before the flow: what becomes a fragment flies on with it and not with both
+    fragments_->relabel(profiler); // before the flow: a new fragment moves with the fragments and not with both
     flow_->step(frame, profiler);
     fragments_->move(timeStep_ / kFragmentSteps, kFragmentSteps, profiler);
 }

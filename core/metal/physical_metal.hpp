@@ -18,7 +18,7 @@ struct PhysicalSetup {
     MetalLattice lattice;
     std::vector<MetalSeed> seeds;
     size_t fillerRoom = 2048;               ///< particles that may be fed before the metal needs more memory
-    size_t mostParticles = size_t(1) << 26; ///< filler beyond is refused; 2^26: what numbers of slots bear
+    size_t mostParticles = size_t(1) << 26; ///< filler beyond is refused; 2^26: the limit of slot numbers
     FlowSpace space;
     FragmentSetup fragments;
     HeatSettings heat;
@@ -28,44 +28,43 @@ struct PhysicalSetup {
     glm::vec3 gravity{0, -9.81F, 0}; ///< m/s², in the workpiece frame
     float timeStep = 1.0F / 90;      ///< s, of one step(), at most; see PhysicalMetal::timeStep()
     double wetting = 1;              ///< of still metal by liquid metal, see FlowFluid
-    double coldAngle = 0; ///< rad, contact angle on cold metal, see wettingForAngle(); 0: wets as warm metal does
-    double coldShare = 0; ///< metal is cold up to this share of the solidus in K
-    double warmShare = 1; ///< and warm from this share on
+    double coldAngle = 0;            ///< rad, contact angle on cold metal, see wettingForAngle(); 0: that of warm metal
+    double coldShare = 0;            ///< share of the solidus in K up to which metal is cold
+    double warmShare = 1;            ///< share from which it is warm
 };
 
 class PhysicalMetal {
   public:
-    /// Throws InputError where the material lacks what flow or heat need, RuntimeFault without GPU memory.
+    /// Throws InputError if the material lacks data for flow or heat, RuntimeFault without GPU memory.
     PhysicalMetal(gl::ShaderLibrary& shaders, const PhysicalSetup& setup);
 
-    /// As new: the same bits in the same memory, but for the liquid's conductivity, which stays as it was set.
+    /// Returns to the initial state: the same bits without allocating. The liquid's conductivity stays as set.
     void reset();
 
-    /// The liquid conducts heat by these values from the next step on; all else of the material stays. The length of a
-    /// step follows at the next reset.
+    /// Sets the liquid's heat conductivity from the next step on; all else of the material stays. The length of a step
+    /// follows at the next reset.
     void setLiquidConductivity(const Property& conductivity);
 
-    /// One time step: filler enters, heat spreads in as many steps as conduction allows, liquid flows in as many as
-    /// surface tension needs, free fragments move. Nothing is read back, but where filler needs more memory,
-    /// once in thousands of particles. Filler that is outside the space, beyond the setup's most particles or more than
-    /// the driver has memory for is refused and counted.
+    /// Makes one time step: filler enters, heat spreads in as many steps as conduction allows, liquid flows in as many
+    /// as surface tension needs, free fragments move. Reads nothing back, except when filler needs more memory, once in
+    /// thousands of particles. Filler that is outside the space, beyond the setup's most particles or beyond the
+    /// driver's memory is refused and counted.
     void step(std::span<const HeatSource> sources, std::span<const MetalSeed> filler, gl::Profiler* profiler);
 
-    /// Saves or restores all that the next step reads; the conductivity is the caller's. Answers that are pending are
-    /// dropped where it restores.
+    /// Saves or restores all that the next step reads; the conductivity is the caller's. Restoring discards pending
+    /// answers.
     void transfer(gl::StateArchive& archive);
-    /// Folds away what follows from the rest of the state: it becomes the bits in which it differs from that, which are
-    /// mostly none and pack to nothing. A second call unfolds it, to the bit. A state is saved and restored folded,
-    /// and of no other use meanwhile.
+    /// Replaces derivable values by their XOR with the derived value, mostly zero, so that they compress to nothing. A
+    /// second call restores them to the bit. A state is saved and restored folded, and has no other use meanwhile.
     void fold();
 
-    /// See HeatSolver::setStirringLess(); expects it of the setup's heat.
+    /// Calls HeatSolver::setStirringLess(), with its condition on the setup's heat.
     void setStirringLess(glm::vec3 shares) { heat_->setStirringLess(shares); }
-    /// Pressure of the arc from the next step on; none with a peak of 0.
+    /// Sets the arc's pressure from the next step on; none with a peak of 0.
     void setArc(const ArcPressure& arc) { flow_->setArc(arc); }
 
-    /// Of one step(), s. Shorter than the setup's where that saves much heat: if one step of heat is only a little too
-    /// short for it, two would be needed.
+    /// Length of one step(), s. Shorter than the setup's if that saves a heat substep: one that is only a little too
+    /// short would make two necessary.
     float timeStep() const { return timeStep_; }
     ParticleView particles() const {
         return {&state_->position,
@@ -85,9 +84,9 @@ class PhysicalMetal {
     size_t refusedFiller() const { return refused_; } ///< particles since the reset
 
     MetalStatistics statistics(); ///< waits for the GPU
-    /// Never waits. Throws RuntimeFault when kStatisticsInFlight answers are pending.
+    /// Requests statistics; never waits. Throws RuntimeFault if kStatisticsInFlight answers are pending.
     void requestStatistics();
-    /// The oldest answer that was not given yet; awaitStatistics() waits for it.
+    /// The oldest answer that was not taken, if it has arrived; awaitStatistics() waits for it.
     std::optional<MetalStatistics> pollStatistics();
     std::optional<MetalStatistics> awaitStatistics();
 
@@ -116,9 +115,9 @@ class PhysicalMetal {
     std::unique_ptr<HeatSolver> heat_;
     std::unique_ptr<Flow> flow_;
     std::unique_ptr<RigidFragments> fragments_;
-    size_t room_ = 0;                 ///< particles that all buffers have room for
-    bool grows_ = true;               ///< false: the driver had no room for more
-    std::vector<MetalSeed> accepted_; ///< kept so that filler costs no allocation
+    size_t room_ = 0;                 ///< particles that fit all buffers
+    bool grows_ = true;               ///< false: the driver had no memory for more
+    std::vector<MetalSeed> accepted_; ///< reused so that filler costs no allocation
     size_t refused_ = 0;
 };
 

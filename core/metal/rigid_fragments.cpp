@@ -8,7 +8,7 @@ namespace meltpool {
 
 namespace {
 
-constexpr size_t kLeastContacts = 256; ///< that there is room for before the number of free particles is known
+constexpr size_t kLeastContacts = 256; ///< capacity before the number of free particles is known
 
 void indirect(const gl::Program& program, size_t offset) {
     program.dispatchIndirect(offset);
@@ -56,14 +56,14 @@ void RigidFragments::relabelNow(gl::Profiler* profiler) {
     labelled();
 }
 
-/// Asks how many particles the cycle that has ended found free.
+/// Requests the number of free particles that the cycle found.
 void RigidFragments::labelled() {
     freeParticles_.forget();
     freeParticles_.request(labels_.control(), offsetof(FragmentControl, particles));
     mayBeFree_ = true;
 }
 
-/// True until the GPU said that the last cycle found no free particles.
+/// True until the GPU reports that the last cycle found no free particles.
 bool RigidFragments::mayBeFree() {
     if (const auto particles = freeParticles_.poll<uint>()) {
         mayBeFree_ = *particles > 0;
@@ -72,7 +72,7 @@ bool RigidFragments::mayBeFree() {
     return mayBeFree_;
 }
 
-/// Room for the contacts of so many free particles. Contacts hold within a step, so that none is kept.
+/// Provides capacity for the contacts of `free` particles. Contacts hold within a step, so none is copied.
 void RigidFragments::keepContacts(size_t free) {
     const size_t wanted = std::min(std::max(free, kLeastContacts), mostContacts_);
     if (contacts_ && wanted <= block_.contactRoom) return;
@@ -105,7 +105,7 @@ void RigidFragments::moveOnce() const {
     indirect(linkFree_, offsetof(FragmentControl, particleGroups));     // positions -> lists of the free
 }
 
-/// The end of the next cycle finds again how much is free: until then passes run that have nothing to do.
+/// Restores as possibly free: passes run without work until the end of the next cycle counts the free particles.
 void RigidFragments::transfer(gl::StateArchive& archive) {
     labels_.transfer(archive);
     archive.buffer(motions_, motions_.bytes());

@@ -1,5 +1,5 @@
 // Solid metal cut free of every clamp: labels the connected fragments, lets the free ones fall, rest and tip over as
-// rigid bodies, and joins them again where they freeze together.
+// rigid bodies, and joins those that freeze together.
 #pragma once
 
 #include "core/gl/profiler.hpp"
@@ -13,20 +13,20 @@ namespace meltpool {
 
 struct FragmentSetup {
     glm::vec3 floorNormal{0, 1, 0}; ///< unit vector out of the floor, against gravity
-    float floorHeight = 0;          ///< m along the normal, the level that nothing falls through
+    float floorHeight = 0;          ///< m along the normal, the level that stops all metal
     float friction = 0.35F;         ///< metal on metal, Coulomb, no unit
-    /// Free particles whose contacts are kept at most, 64 B each. Those of more are found twice: slower, with the same
-    /// result.
+    /// Greatest number of free particles whose contacts are stored, 64 B each. Those of further ones are found twice:
+    /// slower, with the same result.
     unsigned contactRoom = 8192;
     glm::vec3 low{-1e3F}; ///< m, the space whose sides no fragment leaves
     glm::vec3 high{1e3F}; ///< m
 };
 
-/// How many fragments are free at the moment.
+/// The number of free fragments at present.
 struct FragmentReport {
     unsigned fragments = 0; ///< free ones
     unsigned particles = 0; ///< in free ones
-    unsigned rejected = 0;  ///< free ones beyond FRAGMENT_MAX_COUNT: they stand still
+    unsigned rejected = 0;  ///< free ones beyond FRAGMENT_MAX_COUNT: they do not move
 };
 
 /// Moves the fragments that FragmentLabels finds free.
@@ -34,32 +34,32 @@ class RigidFragments {
   public:
     /// `state` must outlive this object.
     RigidFragments(gl::ShaderLibrary& shaders, MetalState& state, const FragmentSetup& setup);
-    RigidFragments(const RigidFragments&) = delete; // its labels read its block
+    RigidFragments(const RigidFragments&) = delete; // its labels refer to its block
     RigidFragments& operator=(const RigidFragments&) = delete;
 
-    /// As new, in the same memory, for a state that was reset and has its particles again.
+    /// Returns to the initial state without allocating; call it after the state was reset and refilled.
     void reset();
-    /// After the state's capacity became another one. Throws RuntimeFault when the driver has no room.
+    /// Adapts to the state's new capacity. Throws RuntimeFault if the driver has no memory.
     void takeCapacity() { labels_.takeCapacity(); }
 
-    /// One small part of labelling the fragments, at most about the same for any amount of metal; a whole cycle takes
-    /// 26 calls, more where there is very much metal. Call it once a frame. Reads positions and phases; at the end of a
-    /// cycle writes the fragment bits, takes free metal off the lattice and clears PHASE_FRESH.
+    /// Does one small part of labelling the fragments, with about the same upper cost for any amount of metal; a whole
+    /// cycle takes 26 calls, more for very much metal. Call it once a frame. Reads positions and phases; at the end of
+    /// a cycle writes the fragment bits, takes free metal off the lattice and clears PHASE_FRESH.
     void relabel(gl::Profiler* profiler);
 
-    /// A whole cycle at once, from its beginning.
+    /// Does a whole cycle at once, from its beginning.
     void relabelNow(gl::Profiler* profiler);
 
     /// Moves every free fragment on by `steps` times `dt` seconds: forces that others added to the velocities of its
     /// particles, gravity, contact with the floor, with fixed metal and with other fragments. Dispatches nothing once
-    /// the number of free particles has come back from the GPU as zero. Until then, four passes a step of as many
-    /// groups as are needed, which are none while nothing is free: when the number arrives changes no result.
+    /// the GPU has reported zero free particles. Until then it dispatches four passes a step indirectly, of no groups
+    /// while nothing is free: the time of the report changes no result.
     void move(float dt, int steps, gl::Profiler* profiler);
 
-    /// Saves or restores all that the next step reads; the state comes before it.
+    /// Saves or restores all that the next step reads; transfer the state first.
     void transfer(gl::StateArchive& archive);
 
-    /// Waits for the GPU.
+    /// The number of free fragments. Waits for the GPU.
     FragmentReport report() const;
 
     size_t bytes() const;
@@ -71,8 +71,8 @@ class RigidFragments {
     void moveOnce() const;
 
     FragmentBlock block_{};
-    const size_t mostContacts_; ///< that are kept however much metal is free
-    bool mayBeFree_ = true;     ///< false: the GPU said that the last cycle found nothing free
+    const size_t mostContacts_; ///< upper limit for any amount of free metal
+    bool mayBeFree_ = true;     ///< false: the GPU reported that the last cycle found nothing free
     gl::Readback freeParticles_;
     gl::Buffer blockBuffer_, motions_, contacts_;
     FragmentLabels labels_;

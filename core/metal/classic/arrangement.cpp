@@ -9,13 +9,13 @@ namespace meltpool {
 
 namespace {
 
-/// SplitMix64, Steele, Lea and Flood 2014. Unlike the distributions of the standard library it gives the same numbers
-/// with every compiler.
+/// SplitMix64 (Steele, Lea and Flood 2014). Unlike the standard library's distributions it gives equal numbers with
+/// every compiler.
 class Random {
   public:
     explicit Random(std::uint64_t seed) : state_(seed) {}
 
-    /// 0 <= value < 1 in steps of 2^-24.
+    /// The next value, 0 <= value < 1 in steps of 2^-24.
     float next() {
         state_ += 0x9E3779B97F4A7C15U;
         std::uint64_t z = state_;

@@ -33,7 +33,7 @@ CellOrder::CellOrder(gl::ShaderLibrary& library, size_t particles)
 void CellOrder::setGrid(const CellGrid& grid) {
     grid_ = grid;
     counted_ = false;
-    const unsigned chunks = grid.cells() / CLASSIC_SCAN_CELLS + 1; // with room for the end of the last cell
+    const unsigned chunks = grid.cells() / CLASSIC_SCAN_CELLS + 1; // includes the end of the last cell
     if (chunks == chunks_) return;
     chunks_ = chunks;
     const size_t padded = static_cast<size_t>(chunks) * CLASSIC_SCAN_CELLS;

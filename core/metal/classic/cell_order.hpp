@@ -15,7 +15,7 @@ struct CellGrid {
     unsigned cells() const { return perAxis * perAxis * perAxis; }
     bool operator==(const CellGrid&) const = default;
 
-    /// Cells with the support radius as edge; larger where there would be more than 8 cells a particle.
+    /// A grid with the support radius as edge of its cells; larger cells if there would be more than 8 a particle.
     static CellGrid forRadius(float supportRadius, size_t particles);
 };
 
@@ -29,14 +29,14 @@ class CellOrder {
     void setGrid(const CellGrid& grid);
     const CellGrid& grid() const { return grid_; }
 
-    /// The next sort() counts the particles of the cells again: they have moved since.
+    /// Makes the next sort() count the particles of the cells again: they have moved since.
     void discardCounts() { counted_ = false; }
 
     /// Binds its buffers for the passes that visit neighbours and count particles.
     void bind() const;
 
     /// Sorts the bound moved state into the bound sorted state. Counts first unless the pass that moved the particles
-    /// counted them. Afterwards the counts are zero, ready for the pass that moves the particles next.
+    /// counted them. Leaves the counts zero for the pass that moves the particles next.
     void sort(gl::Profiler* profiler);
 
     const gl::Buffer& cellStarts() const { return cellStarts_; }
@@ -50,11 +50,11 @@ class CellOrder {
     CellGrid grid_;
     unsigned chunks_ = 0;
     bool counted_ = false;
-    gl::Buffer slots_;       // a uvec2 a particle: its cell, and how many were counted there before it
+    gl::Buffer slots_;       // a uvec2 a particle: its cell, and the particles counted there before it
     gl::Buffer cellNumbers_; // a uint a particle: particle numbers by cell
     gl::Buffer cellCounts_;  // a uint a cell
     gl::Buffer cellStarts_;  // a uint a cell, and one behind the last
-    gl::BufferView countTexels_, startTexels_; // of the two above
+    gl::BufferView countTexels_, startTexels_; // of cellCounts_ and cellStarts_
     gl::Buffer chunkSums_;                     // a uint a chunk of cells
     const gl::Program& count_;
     const gl::Program& sumChunks_;

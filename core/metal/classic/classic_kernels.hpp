@@ -7,7 +7,7 @@
 
 namespace meltpool {
 
-/// All kernels are 0 for r > h. Distances in box units.
+/// The kernels are 0 for r > h. Distances in box units.
 struct ClassicKernels {
     explicit ClassicKernels(double h)
         : supportRadius(h),
@@ -23,7 +23,7 @@ struct ClassicKernels {
         const double inside = supportRadius * supportRadius - r * r;
         return r > supportRadius ? 0 : poly6Factor * inside * inside * inside;
     }
-    /// Slope of the spiky kernel along r: -45/(pi h^6) (h - r)²; its gradient is this times the unit vector.
+    /// The slope of the spiky kernel along r: -45/(pi h^6) (h - r)²; its gradient is this times the unit vector.
     double spikySlope(double r) const {
         const double inside = supportRadius - r;
         return r > supportRadius ? 0 : -spikyFactor * inside * inside;

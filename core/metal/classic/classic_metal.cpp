@@ -51,7 +51,7 @@ void ClassicMetal::reset() {
     restore({arrangeParticles(setup_), std::vector<glm::vec4>(count_, glm::vec4(0))});
     refused_.clear();
     reader_.discard();
-    writeStep({}); // statistics() can be called before the first step
+    writeStep({}); // allows statistics() before the first step
 }
 
 void ClassicMetal::restore(const Snapshot& state) {
@@ -79,7 +79,7 @@ ClassicMetal::Snapshot ClassicMetal::snapshot() const {
     return state;
 }
 
-/// The order of the slots changes no sum: particles of a cell are sorted by number.
+/// Omits the order of the slots, which changes no sum: particles of a cell are sorted by number.
 void ClassicMetal::transfer(gl::StateArchive& archive) {
     archive.rows(movedPositions_, count_, sizeof(vec4));
     archive.rows(movedVelocities_, count_, sizeof(vec4));
@@ -157,8 +157,8 @@ void ClassicMetal::keepOrder() {
     gl::memoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
-/// Reads sorted positions, writes 1 / density into the fourth component of the sorted velocities, and
-/// into the moved state, which is free until the next pass, who is near whom.
+/// Reads sorted positions; writes 1 / density into the fourth component of the sorted velocities, and the neighbours
+/// into the moved state, which is free until the next pass.
 void ClassicMetal::computeDensity(gl::Profiler* profiler) {
     const gl::Scope scope(profiler, "classic density");
     (allPairs_ ? pairs_ : grid_).density.dispatch(count_, GROUP_SIZE);

@@ -26,31 +26,31 @@ struct ClassicSource {
 
 class ClassicMetal {
   public:
-    /// Throws InputError for a setup without particles, RuntimeFault when the GPU has no room.
+    /// Throws InputError for a setup without particles, RuntimeFault if the GPU has no memory.
     ClassicMetal(gl::ShaderLibrary& library, const ClassicSetup& setup);
 
-    /// May be changed between any two steps.
+    /// Changes between steps are allowed.
     ClassicParameters parameters;
 
-    /// Puts every particle back where it started, solid and at rest. The parameters stay.
+    /// Returns every particle to its start, solid and at rest. The parameters stay.
     void reset();
 
-    /// One time step. `profiler` may be null.
+    /// Makes one time step. `profiler` may be null.
     void step(const ClassicSource& source, gl::Profiler* profiler);
 
-    /// Positions and temperatures after the last step, valid as long as this object. The order of the particles changes
-    /// from step to step, their numbers do not.
+    /// Positions and temperatures after the last step, valid for this object's lifetime. The order of the particles
+    /// changes from step to step, their numbers do not.
     ParticleView particles() const {
         return {.positions = &movedPositions_, .count = count_, .numbers = &movedNumbers_};
     }
 
-    /// Counts and temperatures of this moment; waits for the GPU.
+    /// Present counts and temperatures; waits for the GPU.
     MetalStatistics statistics() const;
-    /// Requests them without waiting; a request while all slots are pending is dropped.
+    /// Requests statistics without waiting; dropped while all slots are pending.
     void requestStatistics();
-    /// The newest that arrived since the last call, or nothing; never waits.
+    /// The newest statistics that arrived since the last call, or nothing; never waits.
     std::optional<MetalStatistics> pollStatistics() { return reader_.poll(); }
-    /// The same, waiting for the GPU.
+    /// The requested statistics; waits for the GPU.
     std::optional<MetalStatistics> awaitStatistics() { return reader_.await(); }
 
     /// Hash of the bits of position, temperature and velocity of every particle, in the order of their numbers; waits
@@ -60,19 +60,18 @@ class ClassicMetal {
     /// Bytes of GPU memory in use.
     size_t bytes() const;
 
-    /// Loop over all pairs, as in the thesis, instead of the grid: slow; tests compare the grid with it.
+    /// Loops over all pairs, as in the thesis, instead of the grid: slow; tests compare the grid with it.
     void useAllPairs(bool allPairs) { allPairs_ = allPairs; }
 
     /// State of every particle in the order of their numbers, for tests and recordings; waits for the GPU.
     struct Snapshot {
-        std::vector<glm::vec4> positions;  ///< and temperature
-        std::vector<glm::vec4> velocities; ///< and density in the last step
+        std::vector<glm::vec4> positions;  ///< with temperature
+        std::vector<glm::vec4> velocities; ///< with density in the last step
     };
     Snapshot snapshot() const;
-    /// Saves or restores all that the next step reads but the parameters. Answers that are pending are dropped where it
-    /// restores.
+    /// Saves or restores all that the next step reads except the parameters. Restoring discards pending answers.
     void transfer(gl::StateArchive& archive);
-    /// Sets such a state. Throws RuntimeFault unless both lists have an entry a particle.
+    /// Sets a state. Throws RuntimeFault unless both lists have an entry a particle.
     void restore(const Snapshot& state);
 
   private:
@@ -89,7 +88,7 @@ class ClassicMetal {
     gl::Buffer stepBlock_;
     gl::Buffer movedPositions_, movedVelocities_, movedNumbers_;
     gl::Buffer sortedPositions_, sortedVelocities_, sortedNumbers_;
-    gl::Buffer refused_; // one uint: states since the reset that were not finite and therefore not stored
+    gl::Buffer refused_; // one uint: states since the reset that were not finite and were not stored
     gl::BufferView positionTexels_, velocityTexels_; // of the sorted state
     CellOrder order_;
     StatisticsReader reader_;

@@ -1,4 +1,4 @@
-// Parameters of the classic model: those that can change while it runs, and those of its start.
+// Parameters of the classic model: those that can change during a run, and those of its start.
 #pragma once
 
 #include "core/base/parameter.hpp"
@@ -7,7 +7,7 @@
 
 namespace meltpool {
 
-/// Parameters that can change while it runs; box units (one stands for 40 mm), seconds, temperature 0 .. 1.
+/// Parameters that can change during a run; box units (one is 40 mm), seconds, temperature 0 .. 1.
 struct ClassicParameters {
     float restDensity = 70.0F;
     float particleMass = 0.02F;
@@ -20,11 +20,11 @@ struct ClassicParameters {
     bool wallSlip = false;
     float accelerationLimit = 100.0F;
     float solidifyRate = 0.002F;
-    float heatRadius = 0.1F; ///< a squared length: compared with the squared distance
+    float heatRadius = 0.1F; ///< squared length: compared with the squared distance
     float heatTemperature = 0.02F;
 };
 
-/// Description for menus, files and `--set`; it points into `parameters`.
+/// Descriptions for menus, files and `--set`; they point into `parameters`.
 ParameterList describe(ClassicParameters& parameters);
 
 /// Parameters of the start.
@@ -33,10 +33,10 @@ struct ClassicSetup {
 
     int particles = 20032;
     int arrangement = kOrdered;
-    int seed = 1; ///< of the random positions
+    int seed = 1; ///< seed of the random positions
 };
 
-/// As above; changes take effect at the next start.
+/// Descriptions of the start's parameters; changes take effect at the next start.
 ParameterList describe(ClassicSetup& setup);
 
 } // namespace meltpool

@@ -17,12 +17,12 @@ class StatisticsReader {
     StatisticsReader(const StatisticsReader&) = delete;
     StatisticsReader& operator=(const StatisticsReader&) = delete;
 
-    /// Starts a reduction. `refused` holds one uint: the number of refused states. Throws RuntimeFault when
+    /// Starts a reduction. `refused` holds one uint: the number of refused states. Throws RuntimeFault if
     /// kStatisticsInFlight are pending.
     void request(const gl::Buffer& refused);
-    /// The oldest that has arrived and was not given yet; never waits.
+    /// The oldest result that has arrived and was not taken; never waits.
     std::optional<MetalStatistics> poll();
-    /// The same, waiting for the GPU; nothing only where none is pending.
+    /// The oldest result that was not taken; waits for the GPU. Nothing only if none is pending.
     std::optional<MetalStatistics> await();
     /// Reduces and waits for the result.
     MetalStatistics now(const gl::Buffer& refused) const;

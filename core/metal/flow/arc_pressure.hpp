@@ -1,4 +1,4 @@
-// How an arc presses on the metal. Its own header, since every process tells it and need not know the flow.
+// Pressure of an arc on the metal. A header of its own: every process sets it without knowing the flow.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -11,7 +11,7 @@ struct ArcPressure {
     glm::vec3 axis{0, -1, 0}; ///< unit vector into the metal
     float sigma = 2e-3F;      ///< m
     float peak = 0;           ///< Pa
-    float shear = 0;          ///< Pa, highest drag of the arc's jet along the surface, away from the axis
+    float shear = 0;          ///< Pa, peak drag of the arc's jet along the surface, away from the axis
 };
 
 } // namespace meltpool

@@ -13,24 +13,24 @@ namespace meltpool {
 
 namespace {
 
-// Neighbour lists (Verlet 1967) reach a little beyond the support and hold until two neighbours may have gone some way
-// against each other. The way is summed from the fastest neighbour of each substep, whichever it is, so that nearly all
-// go much less: two drops that collide miss pairs worth 3e-7 of the density on average and 3e-4 at most.
+// Neighbour lists (Verlet 1967) reach a little beyond the support and hold until two neighbours may have moved some way
+// relative to each other. The way is summed from the fastest neighbour of each substep, whichever it is, so that nearly
+// all move much less: two drops that collide miss pairs worth 3e-7 of the density on average and 3e-4 at most.
 constexpr double kSkin = 0.1;    // spacings beyond the support
 constexpr double kFreeWay = 0.5; // spacings
 constexpr GLbitfield kBarrier = GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_COMMAND_BARRIER_BIT;
 constexpr unsigned kChangeGroups =
-    8; // of passes over what changed, whose number the CPU does not know: each invocation does several
+    8; // of passes over changes, whose number the CPU does not know: each invocation handles several
 constexpr unsigned kMostChangeGroups = 1024;
-/// Substeps after which a step that is not over looks for room again, and waits for the GPU. Steps of a frame have
-/// fewer.
+/// Substeps after which an unfinished step checks its buffers' capacity again, and waits for the GPU. Steps of a frame
+/// have fewer.
 constexpr unsigned kSubstepsInRoom = 64;
 
 size_t cellCount(const FlowBlock& block) {
     return static_cast<size_t>(block.cells.x) * static_cast<size_t>(block.cells.y) * static_cast<size_t>(block.cells.z);
 }
 
-/// What follows from the liquid's properties.
+/// Writes the constants that follow from the liquid's properties.
 void setLiquid(FlowBlock& block, const FlowConstants& constants, const FlowFluid& fluid) {
     block.kernelSelf = static_cast<float>(constants.kernelSelf);
     block.soundSpeedSquared = static_cast<float>(constants.soundSpeed * constants.soundSpeed);
@@ -147,8 +147,8 @@ void Flow::takeCapacity() {
     room_.setSlots(capacity);
 }
 
-/// Between two steps only the lists of moving metal hold, see flow/common.glsl: that of fragments ends where the slots
-/// end, and keeps that.
+/// Moves the fragments' list to the new end of the slots, see flow/common.glsl. Between two steps only the lists of
+/// moving metal hold.
 void Flow::moveLists(size_t before) {
     const auto capacity = static_cast<size_t>(block_.capacity);
     const FlowCounters counters = counters_.read<FlowCounters>(1)[0];
@@ -161,7 +161,7 @@ void Flow::moveLists(size_t before) {
     lists_ = std::move(lists);
 }
 
-/// The room that lists and pages have grown to is kept: more of it than needed changes no result.
+/// Keeps the grown capacity of lists and pages: spare capacity changes no result.
 void Flow::reset() {
     for (const gl::Buffer* buffer : {&particles_, &cells_, &nextInCell_, &lists_, &counters_, &changed_, &wallSums_})
         buffer->clear();
@@ -177,7 +177,7 @@ void Flow::reset() {
     regroupings_ = 0;
 }
 
-/// `waits`: for what is in use now, instead of what was some steps ago.
+/// `waits`: reads the present use, instead of that of some steps ago.
 void Flow::makeRoom(bool waits) {
     if (known_ == 0) room_.start(state_, block_);
     if (waits) room_.readNow(state_.particles(), counters_);
@@ -233,7 +233,8 @@ void Flow::step(double seconds, unsigned substeps, gl::Profiler* profiler) {
     const double dt = seconds / substeps;
     if (block_.timeStep != static_cast<float>(dt)) {
         block_.timeStep = static_cast<float>(dt);
-        // Nothing may cross more than a third of a support in a substep: faster metal would pass through walls.
+        // Limits the speed so that no particle crosses more than a third of a support in a substep: faster metal would
+        // pass through walls.
         block_.speedLimit = static_cast<float>(constants_.support / (3 * dt));
         blockChanged_ = true;
     }

@@ -11,7 +11,7 @@
 
 namespace meltpool {
 
-/// The space that metal may move in. Beyond it nothing goes: metal stops at its ends.
+/// The space that metal may move in. Metal stops at its ends.
 struct FlowSpace {
     glm::vec3 low{0};          ///< m
     glm::vec3 high{0};         ///< m
@@ -26,27 +26,26 @@ struct FlowFaults {
 };
 
 /// Moves the liquid particles of a MetalState. Solid metal bounds them with its own density and pressure (Akinci et al.
-/// 2012). A substep touches the moving metal and the wall metal beside it only.
+/// 2012). A substep touches only the moving metal and adjacent wall metal.
 class Flow {
   public:
-    /// `state` must outlive the flow. Throws RuntimeFault where `space` repeats after less than three supports.
+    /// `state` must outlive the flow. Throws RuntimeFault if `space` repeats after less than three supports.
     Flow(gl::ShaderLibrary& shaders, MetalState& state, const FlowFluid& fluid, const FlowSpace& space);
 
-    /// As new, in the same memory, for a state that was reset and has its particles again.
+    /// Returns to the initial state without allocating; call it after the state was reset and refilled.
     void reset();
-    /// After the state's capacity became another one. Waits for the GPU. Throws RuntimeFault when the driver has no
-    /// room.
+    /// Adapts to the state's new capacity. Waits for the GPU. Throws RuntimeFault if the driver has no memory.
     void takeCapacity();
 
-    /// Moves all liquid on by `seconds` in as many equal substeps as stability needs. First finds which slots melted,
-    /// froze or are new.
+    /// Moves all liquid on by `seconds` in as many equal substeps as stability needs. First finds the slots that
+    /// melted, froze or are new.
     void step(double seconds, gl::Profiler* profiler);
-    /// The same with a given number of substeps.
+    /// Moves all liquid on with a given number of substeps.
     void step(double seconds, unsigned substeps, gl::Profiler* profiler);
 
-    /// Saves or restores all that the next step reads; the state comes before it. Waits for the GPU where it restores.
+    /// Saves or restores all that the next step reads; transfer the state first. Waits for the GPU when restoring.
     void transfer(gl::StateArchive& archive);
-    /// See PhysicalMetal::fold(): the flow's copies of places and velocities against the metal's.
+    /// Applies PhysicalMetal::fold() to the flow's copies of places and velocities.
     void fold();
 
     void setAcceleration(glm::vec3 acceleration); ///< body force over density besides gravity, m/s²
@@ -56,8 +55,8 @@ class Flow {
     const FlowConstants& constants() const { return constants_; }
     FlowFaults readFaults() const; ///< waits for the GPU
     unsigned readMoving() const;   ///< moving particles; waits for the GPU
-    unsigned readSearches() const; ///< for neighbours, since the start; waits for the GPU
-    /// Particles as of the last substep's start; density 0 where it was never computed. Waits for the GPU.
+    unsigned readSearches() const; ///< neighbour searches since the start; waits for the GPU
+    /// Particles at the last substep's start; density 0 if it was never computed. Waits for the GPU.
     std::vector<FlowParticle> readParticles() const;
     size_t bytes() const;
 
@@ -74,10 +73,10 @@ class Flow {
     FlowConstants constants_;
     double restDensity_;
     FlowBlock block_{};
-    const FlowBlock first_; ///< as made
+    const FlowBlock first_; ///< the initial values
     bool blockChanged_ = true;
-    size_t known_ = 0;         ///< slots that were classified
-    unsigned regroupings_ = 0; ///< of the state when all slots were last classified
+    size_t known_ = 0;         ///< classified slots
+    unsigned regroupings_ = 0; ///< the state's number when all slots were last classified
     const gl::Program& classify_;
     const gl::Program& compact_;
     const gl::Program& bin_;

@@ -10,15 +10,15 @@ namespace meltpool {
 namespace {
 
 constexpr double kSupport = 2.4;       // spacings
-constexpr double kLatticeSum = 1.0064; // of V W over a cubic lattice of rest density
+constexpr double kLatticeSum = 1.0064; // sum of V W over a cubic lattice of rest density
 constexpr double kStiffness = 12.15;   // rho c² spacing / gamma
-constexpr double kCompression = 0.2;   // by cohesion at that stiffness; true density comes out at 1.0 .. 1.03
+constexpr double kCompression = 0.2;   // compression by cohesion at that stiffness; true density is 1.0 .. 1.03
 constexpr double kCohesion = 2049;
 constexpr double kArea = 0.375;
-// Sums over a lattice of this support lack 0 .. 7 % of the continuum's viscosity, by its direction.
+// Lattice sums with this support lack 0 .. 7 % of the continuum's viscosity, by direction.
 constexpr double kFriction = 10.3;
-// The liquid comes to rest at the wall's surface, half a spacing before its first particles: their friction is that
-// much larger. Calibrated on the flow between plates.
+// The liquid comes to rest at the wall's surface, half a spacing before its first particles: their friction is larger
+// by this factor. Calibrated on the flow between plates.
 constexpr double kWallFriction = 2.6;
 constexpr double kCourant = 0.585; // longest stable c dt / H
 
@@ -73,7 +73,7 @@ double capillarySpacings(const FlowFluid& fluid) {
 
 double wettingForAngle(double angle, double spacings) {
     // Contact angles (degrees) that drops of 500 mm³ of steel show by the mean height of their highest particles, at 1
-    // mm spacing. Their highest point lies 1.3 % higher than theory has it for these angles.
+    // mm spacing. Their highest point is 1.3 % above the theoretical one for these angles.
     static constexpr std::array<std::array<double, 2>, 10> kMeasured{{{0, 1},
                                                                       {27.2, 0.9},
                                                                       {49.3, 0.8},
@@ -84,8 +84,9 @@ double wettingForAngle(double angle, double spacings) {
                                                                       {123.7, 0.25},
                                                                       {141.1, 0.1},
                                                                       {180, 0}}};
-    // Drops of finer particles show more with the same wetting: of steel at 0.7, 0.6 and 0.5 mm, which have 7.3 and
-    // more spacings in the capillary length. At 0.75 and 0.85 mm their heights are up to 5 % too large without that.
+    // Drops of finer particles show larger angles with the same wetting: steel at 0.7, 0.6 and 0.5 mm, with 7.3 and
+    // more spacings in the capillary length. Without this term their heights are up to 5 % too large at 0.75 and 0.85
+    // mm.
     constexpr double kFinerAngle = 5, kFrom = 6.9, kWhole = 7.3;
     const double finer = std::clamp((spacings - kFrom) / (kWhole - kFrom), 0.0, 1.0) * kFinerAngle;
     const double degrees = std::clamp(angle * 180 / std::numbers::pi - finer * std::sin(angle), 0.0, 180.0);

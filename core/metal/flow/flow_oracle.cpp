@@ -22,7 +22,7 @@ double FlowOracle::slopeOverDistance(double r) const {
 }
 
 void FlowOracle::forEachPair(const std::vector<OracleParticle>& particles, const PairFunction& act) const {
-    // Cells along x only, in a sorted list: plain, and far from quadratic for the shapes at hand.
+    // Sorted cells along x only: simple, and far from quadratic for the shapes of the tests.
     const double h = constants_.support;
     std::vector<std::pair<double, size_t>> order(particles.size());
     for (size_t i = 0; i < particles.size(); ++i)

@@ -1,5 +1,5 @@
-// The flow's two sweeps in double precision on the CPU: the compute passes are held against it, and it is the gauge
-// that reads pressure inside the liquid.
+// The flow's two sweeps in double precision on the CPU: the reference for the compute passes, and the gauge for
+// pressure inside the liquid.
 #pragma once
 
 #include "core/metal/flow/flow_constants.hpp"
@@ -21,16 +21,16 @@ struct OracleParticle {
 
 class FlowOracle {
   public:
-    /// `acceleration`: gravity and other body forces, m/s². `period`: length after which space repeats, 0 where not.
+    /// `acceleration`: gravity and other body forces, m/s². `period`: length after which space repeats, 0: it does not.
     explicit FlowOracle(const FlowFluid& fluid, glm::dvec3 acceleration = glm::dvec3(0),
                         glm::dvec3 period = glm::dvec3(0))
         : fluid_(fluid), constants_(FlowConstants::of(fluid)), acceleration_(acceleration), period_(period) {}
 
-    /// Density and gradient of all particles.
+    /// Computes density and gradient of all particles.
     void sweepDensity(std::vector<OracleParticle>& particles) const;
-    /// Acceleration and pressure of the liquid; needs sweepDensity().
+    /// Computes acceleration and pressure of the liquid; needs sweepDensity().
     void sweepForce(std::vector<OracleParticle>& particles) const;
-    /// Both, and the liquid moves on by dt.
+    /// Runs both sweeps and moves the liquid on by dt.
     void step(std::vector<OracleParticle>& particles, double dt) const;
 
   private:

@@ -11,15 +11,14 @@ namespace meltpool {
 namespace {
 
 constexpr size_t kLeastRows = 2048;
-constexpr size_t kRowsEach =
-    4; ///< of a new liquid particle: its own, and of the solid metal that it comes to lie beside
+constexpr size_t kRowsEach = 4; ///< rows of a new liquid particle: its own, and those of adjacent solid metal
 constexpr size_t kLeastPages = 128;
 
 size_t wholeGroups(size_t rows) {
     return (rows + GROUP_SIZE - 1) / GROUP_SIZE * GROUP_SIZE;
 }
 
-/// Cells that hold metal.
+/// Number of cells that hold metal.
 size_t filledCells(const std::vector<vec4>& positions, const FlowBlock& block) {
     std::vector<bool> filled(block.cellCount);
     size_t count = 0;
@@ -69,7 +68,7 @@ void FlowRoom::update(size_t particles, const gl::Buffer& counters) {
             use_ = {answer->liquids + answer->boundary, answer->wallPages, requestedFor_};
             requested_ = false;
         } else if (++stepsBehind_ >= kMostStepsBehind) {
-            readNow(use_.particles, counters); // slots that came since may not have been in a step yet
+            readNow(use_.particles, counters); // new slots may not have been in a step yet
         }
     }
     const size_t added = particles - use_.particles;
@@ -102,7 +101,7 @@ void FlowRoom::growRows(size_t need) {
     rows_ = std::min(mostRows_, wholeGroups(std::max(2 * rows_, 3 * need)));
 }
 
-/// Wall metal appears in new cells by freezing there, so that little need be spare.
+/// Grows by little: wall metal enters new cells only by freezing there.
 void FlowRoom::growPages(size_t need) {
     if (need + need / 16 + kLeastPages / 2 <= pages_) return;
     pages_ = std::min(mostPages_, need + need / 8 + kLeastPages);

@@ -1,4 +1,4 @@
-// How much room the flow's lists need: it follows the metal that moves, not all there is.
+// The capacity of the flow's lists: it follows the moving metal, not all metal.
 #pragma once
 
 #include "core/gl/readback.hpp"
@@ -7,30 +7,30 @@
 
 namespace meltpool {
 
-/// Sizes the neighbour lists and the pages of wall metal. Grows both long before they are full, by what the GPU's
-/// counters say a few steps later; nothing waits in a frame. Room that is larger than needed changes no result.
+/// Sizes the neighbour lists and the pages of wall metal. Grows both long before they are full, from counters of the
+/// GPU that arrive a few steps later; nothing waits in a frame. Spare capacity changes no result.
 class FlowRoom {
   public:
     FlowRoom();
 
-    /// Room for what the metal is before its first step, no less than there was before. `block`: its cells are filled
-    /// in. Waits for the GPU.
+    /// Sets the capacity for the metal before its first step, no less than before. `block`: its cells are filled in.
+    /// Waits for the GPU.
     void start(const MetalState& state, const FlowBlock& block);
 
-    /// After the number of slots that there can be became another one: `slots`.
+    /// Sets the greatest possible number of slots.
     void setSlots(size_t slots);
 
-    /// Makes room for `particles` slots (handed out so far). Waits for the GPU only where its last answer is
-    /// kMostStepsBehind steps old, which no frame lets happen.
+    /// Provides capacity for `particles` slots (handed out so far). Waits for the GPU only if its last answer is
+    /// kMostStepsBehind steps old, which does not happen in a frame.
     void update(size_t particles, const gl::Buffer& counters);
 
-    /// Makes the next update() know what is in use now. Waits for the GPU.
+    /// Reads the present use for the next update(). Waits for the GPU.
     void readNow(size_t particles, const gl::Buffer& counters);
 
-    /// Asks how much of the room is in use now, for a later update().
+    /// Requests the present use for a later update().
     void request(size_t particles, const gl::Buffer& counters);
 
-    /// Saves or restores how much room there is. What is in use is known again after readNow().
+    /// Saves or restores the capacity. The use is known again after readNow().
     void transfer(gl::StateArchive& archive);
 
     size_t rows() const { return rows_; }       ///< neighbour lists, a multiple of GROUP_SIZE
@@ -53,7 +53,7 @@ class FlowRoom {
     size_t requestedFor_ = 0; ///< particles at the time of the request
     int stepsBehind_ = 0;
     size_t rows_ = 0, pages_ = 0;
-    size_t mostRows_ = 0, mostPages_ = 0; ///< enough whatever happens
+    size_t mostRows_ = 0, mostPages_ = 0; ///< upper limits for any motion
 };
 
 } // namespace meltpool

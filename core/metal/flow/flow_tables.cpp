@@ -12,8 +12,8 @@ namespace {
 constexpr size_t kNeighbourWords = FLOW_NEIGHBOUR_CAPACITY + 2; // of a row, see flow/common.glsl
 constexpr size_t kPageBytes = FLOW_PAGE_WORDS * sizeof(uint);
 
-/// Pages of moving metal that may be needed: each liquid particle may be alone in its cell, and fragments are where
-/// wall metal was. Liquid takes half the rows at most, as long as there can be more.
+/// Greatest number of pages of moving metal: each liquid particle may be alone in its cell, and fragments take the
+/// place of wall metal. Liquid takes half the rows at most, as long as there can be more.
 size_t movingPages(const FlowRoom& room, const FlowBlock& block) {
     const auto slots = static_cast<size_t>(block.capacity);
     const size_t liquids = room.rows() < slots ? room.rows() / 2 : slots;
@@ -51,7 +51,7 @@ void FlowTables::growPages(size_t wall, size_t moving, FlowBlock& block) {
     block.movingPageCapacity = static_cast<uint>(moving);
     auto pages = gl::Buffer::gpuOnly("flow pages", (block.wallPageCapacity + block.movingPageCapacity) * kPageBytes);
     if (pages_) {
-        // Those of wall metal; the others hold for one search only.
+        // Transfers the pages of wall metal; the others hold for one search only.
         gl::memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
         pages_.copyTo(pages, std::min(pages.bytes(), pages_.bytes()));
     }
@@ -62,7 +62,7 @@ void FlowTables::growPages(size_t wall, size_t moving, FlowBlock& block) {
 void FlowTables::makeAs(const FlowBlock& block) {
     neighbours_ = {};
     pages_ = {};
-    if (block.rowCapacity == 0) return; // no step was made
+    if (block.rowCapacity == 0) return; // no step so far
     neighbours_ = gl::Buffer::gpuOnly("flow neighbours", kNeighbourWords * block.rowCapacity * sizeof(uint));
     makeNeighbourTexels();
     pages_ = gl::Buffer::gpuOnly("flow pages", (block.wallPageCapacity + block.movingPageCapacity) * kPageBytes);

@@ -1,4 +1,4 @@
-// The flow's tables whose size follows the metal that moves: neighbour lists, and pages of the cells' particles.
+// The flow's tables that grow with the moving metal: neighbour lists, and pages of the cells' particles.
 #pragma once
 
 #include "core/gl/buffer.hpp"
@@ -8,24 +8,25 @@
 
 namespace meltpool {
 
-/// Buffers as large as FlowRoom asks for. Their sizes stand in the flow's block, which says where their parts begin.
+/// Buffers of the sizes that FlowRoom asks for. The flow's block stores the sizes, from which the places of their parts
+/// follow.
 class FlowTables {
   public:
-    /// The tables of the sizes in `block` are as large as `room` says.
+    /// True if the sizes in `block` match those of `room`.
     static bool fits(const FlowRoom& room, const FlowBlock& block);
-    /// Makes the tables as large as `room` says, with what holds between two steps, and writes their sizes into
-    /// `block`. Throws RuntimeFault when the driver has no room.
+    /// Resizes the tables to `room`, with the content that holds between two steps, and writes their sizes into
+    /// `block`. Throws RuntimeFault if the driver has no memory.
     void fit(const FlowRoom& room, FlowBlock& block);
-    /// Makes empty tables of the sizes in `block`; none where no step was made.
+    /// Makes empty tables of the sizes in `block`; none if there was no step.
     void makeAs(const FlowBlock& block);
     void clear() const;
 
     void bind() const;
 
-    /// Pages of wall metal. The others hold for one search, neighbour lists for one step: the next step begins with a
-    /// search for all.
+    /// Transfers the pages of wall metal. The others hold for one search, neighbour lists for one step: the next step
+    /// begins with a search for all.
     void transfer(gl::StateArchive& archive, const FlowBlock& block) const;
-    size_t bytes() const { return neighbours_.bytes() + pages_.bytes(); } ///< of GPU memory
+    size_t bytes() const { return neighbours_.bytes() + pages_.bytes(); } ///< GPU memory
 
   private:
     void growNeighbourLists(size_t rows, FlowBlock& block);

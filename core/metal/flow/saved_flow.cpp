@@ -1,11 +1,11 @@
-// What of the flow belongs to a saved state.
+// Saves and restores the flow.
 #include "core/base/error.hpp"
 #include "core/metal/flow/flow.hpp"
 #include "shaders/shared/dispatch.h"
 
 namespace meltpool {
 
-/// Lists and pages as large as they were: the places of their parts follow from their size.
+/// Restores the old sizes of lists and pages: the places of their parts follow from them.
 void Flow::takeSavedRoom() {
     if (static_cast<size_t>(block_.capacity) != state_.capacity() || block_.rowCapacity > room_.rows() ||
         block_.wallPageCapacity > 1 + room_.wallPages() || block_.movingPageCapacity > 1 + block_.cellCount)
@@ -33,7 +33,7 @@ void Flow::transfer(gl::StateArchive& archive) {
 }
 
 void Flow::fold() {
-    if (block_.rowCapacity == 0) return; // no step was made
+    if (block_.rowCapacity == 0) return; // no step so far
     bind();
     fold_.set("slots", static_cast<unsigned>(state_.particles()));
     fold_.dispatch(state_.particles() + block_.cellCount, GROUP_SIZE);

@@ -98,7 +98,7 @@ void Conduction::advanceOffLattice() const {
     storageBarrier();
 }
 
-/// The plain tiles come first: they read what the mixed ones change.
+/// The plain tiles come first: they read values that the mixed ones change.
 void Conduction::advanceLattice() const {
     // Cell theta -> enthalpy, theta in the other half.
     conductPlain_.dispatchIndirect(offsetof(HeatControl, plainRows));
@@ -118,8 +118,8 @@ HeatBalance Conduction::readBalance() const {
     return balance;
 }
 
-/// Sums and ranges of cells are zero between steps: they are saved all the same, as zeros cost nothing and this part
-/// need not know which pass clears them.
+/// Saves also the sums and ranges of cells, which are zero between steps: zeros cost nothing, and this part need not
+/// know which pass clears them.
 void Conduction::transfer(gl::StateArchive& archive) {
     for (const gl::Buffer* buffer : {&cellTheta_, &cellSums_, &ledger_})
         archive.buffer(*buffer, buffer->bytes());

@@ -16,17 +16,17 @@ struct HeatBalance {
     double lost = 0;   ///< through the surface
 };
 
-/// Metal off the lattice shares its temperature out over the cells around it; the cells exchange heat with their
-/// neighbours; the power into each cell goes to the metal in it. The functions are the passes of a step in their order;
-/// each expects the lists that HeatTiles makes for it.
+/// Distributes the temperature of metal off the lattice over the surrounding cells; the cells exchange heat with their
+/// neighbours; the power into each cell goes to its metal. The functions are the passes of a step in order; each
+/// expects the lists that HeatTiles makes for it.
 class Conduction {
   public:
     /// For a lattice of `cells` and a state of `slots`. `defines`: of the passes of heat. `ledger`: books every joule.
     Conduction(gl::ShaderLibrary& shaders, const gl::Defines& defines, size_t cells, size_t slots, bool ledger);
 
-    /// Samples of a material's table for the GPU, and their places for the block of a step.
+    /// Uploads samples of a material's table, and writes their places into the block of a step.
     void setTable(const HeatTable& table, HeatBlock& block);
-    /// For a state of another capacity. Throws RuntimeFault when the driver has no room.
+    /// Adapts to a state of another capacity. Throws RuntimeFault if the driver has no memory.
     void setSlots(size_t slots);
     /// Empties cells and ledger.
     void clear();
@@ -34,24 +34,24 @@ class Conduction {
     /// Binds cells, table and ledger.
     void bind() const;
 
-    /// Adds the metal off the lattice to the sums of the cells that it shares.
+    /// Adds the metal off the lattice to the sums of its cells.
     void depositOffLattice() const;
-    /// Makes the temperature of each cell of the sums.
+    /// Computes the temperature of each cell from the sums.
     void averageCells() const;
-    /// Power into each cell of mixed tiles, from neighbours and sources.
+    /// Computes the power into each cell of mixed tiles, from neighbours and sources.
     void conductMixedTiles() const;
     void advanceOffLattice() const;
-    /// Metal that melts here is off the lattice from the next step on.
+    /// Advances the lattice; metal that melts here is off the lattice from the next step on.
     void advanceLattice() const;
 
-    /// Zeros without a ledger. Waits for the GPU.
+    /// The balance; zeros without a ledger. Waits for the GPU.
     HeatBalance readBalance() const;
 
     void transfer(gl::StateArchive& archive);
-    size_t bytes() const; ///< of GPU memory
+    size_t bytes() const; ///< GPU memory
 
   private:
-    size_t cells_; ///< of the lattice
+    size_t cells_; ///< cells of the lattice
     bool hasLedger_;
     const gl::Program &deposit_, &averageCells_, &conductUnreached_, &conductReached_, &advanceOffLattice_,
         &conductPlain_, &advanceMixed_;

@@ -14,7 +14,7 @@ constexpr double kGasConstant = 8.314462;        // J/(mol K)
 constexpr double kPressure = 101325;             // Pa
 /// Share of the evaporated metal that does not fall back (Knight 1979: about 18 % does).
 constexpr double kEvaporationShare = 0.82;
-constexpr double kEvaporates = 0.5; ///< of the boiling point: far below any flux that counts
+constexpr double kEvaporates = 0.5; ///< share of the boiling point: far below any flux that counts
 
 /// Flux q = Lv m', m' = share p sqrt(M/(2 pi R T)), p = 1 bar exp(exponent (1/Tb - 1/T)).
 void writeEvaporation(HeatBlock& block, const Material& material) {
@@ -98,7 +98,7 @@ void HeatSolver::prepareBlock() {
     block_.ambient = static_cast<float>(settings_.ambient);
     block_.radiation = static_cast<float>(emissivity * kStefanBoltzmann);
     if (settings_.evaporation && material_.boilingPoint > 0) writeEvaporation(block_, material_);
-    // A sleeping tile with a warm surface cools by this much a step at most.
+    // Largest cooling of a sleeping tile with a warm surface in a step.
     constexpr double kSleepingChange = 0.05; // K a step
     const double capacity = state_.particleMass() * material_.solidSpecificHeat.at(settings_.ambient);
     const double conductivity = material_.solidConductivity.at(settings_.ambient);
@@ -109,7 +109,7 @@ void HeatSolver::prepareBlock() {
     block_.meltLeavesLattice = settings_.meltedLeaves ? 1 : 0;
     block_.liquidTheta = static_cast<float>(state_.table().kirchhoffAt(state_.table().liquidusEnthalpy()));
     block_.tileCount = static_cast<int>(state_.lattice().tileCount());
-    // So many particles' worth of the hottest metal fit into one sum of 32 bits: drops may be fed in one place.
+    // Capacity of one 32-bit sum, in particles of the hottest metal: drops may be fed in one place.
     constexpr double kMostInCell = 32;
     constexpr double kHottest = 8000;
     constexpr double kWholeSum = 4294967295.0;
@@ -152,11 +152,11 @@ void HeatSolver::writeBlock(double seconds, std::span<const HeatSource> sources)
     block_.stepNumber += 1;
     time_ += seconds;
     block_.time = static_cast<float>(time_);
-    block_.endTime = static_cast<uint>(std::llround(time_ * 1e6)); // wraps, which differences do not mind
+    block_.endTime = static_cast<uint>(std::llround(time_ * 1e6)); // wraps; differences stay correct
     blockBuffer_.writeValue(block_);
 }
 
-/// Only slots that came since the last step, unless the state has again told metal on the lattice from other metal.
+/// Searches only slots that came since the last step, unless the state has regrouped the metal.
 void HeatSolver::listOffLattice() {
     const unsigned regroupings = state_.regroupings() + state_.labellings();
     const size_t first = regroupings_ == regroupings ? searched_ : 0;
@@ -169,7 +169,7 @@ void HeatSolver::step(double seconds, std::span<const HeatSource> sources, gl::P
     const gl::Scope scope(profiler, "heat");
     writeBlock(seconds, sources);
     bind();
-    storageBarrier(); // heat reads as texels what others wrote
+    storageBarrier(); // heat reads the writes of others as texels
     {
         const gl::Scope part(profiler, "heat off-lattice shares");
         listOffLattice();

@@ -21,46 +21,47 @@ namespace meltpool {
 struct HeatSettings {
     double ambient = 293.15;        ///< K
     glm::vec3 tableNormal{0, 1, 0}; ///< unit vector out of the welding table, against gravity
-    double tableHeight = 0;         ///< m along the normal, of the welding table that fallen metal lies on
-    double tableConductance = 0;    ///< W/(m² K) from metal that lies on the table, at ambient temperature; 0: none
+    double tableHeight = 0;         ///< m along the normal, height of the welding table that fallen metal rests on
+    double tableConductance = 0;    ///< W/(m² K) from metal that rests on the table, at ambient temperature; 0: none
     double convection = 0;          ///< W/(m² K); 0 together with `radiation` false: insulated
     bool radiation = false;         ///< with the material's emissivity at the liquidus
-    bool evaporation = false;       ///< where the material says how
+    bool evaporation = false;       ///< if the material has the data
     double stepShare = 0.15; ///< longest step as a share of dx²/alpha: 1/6 is the limit of stability of ragged metal,
                              ///< and near it the errors of space and time cancel
-    double wakingKelvin = 0.03; ///< difference between neighbours below which a tile goes to rest
+    double wakingKelvin = 0.03; ///< difference between neighbours below which a tile sleeps
     bool ledger = false;        ///< books every joule in and out, for the balance
     bool ledStirring = false;   ///< setStirringLess() may be called
     bool meltedLeaves = false;  ///< melted particles leave the lattice (with flow) or stay on it (heat alone)
 };
 
-/// A step of heat in the metal: which parts take part (HeatTiles), how sources divide their power (SourceWeights), and
-/// what each cell gains and loses (Conduction).
+/// A step of heat in the metal: the participating parts (HeatTiles), the division of the sources' power
+/// (SourceWeights), and the gain and loss of each cell (Conduction).
 class HeatSolver {
   public:
     /// `state` must outlive the solver.
     HeatSolver(gl::ShaderLibrary& shaders, MetalState& state, const Material& material, const HeatSettings& settings);
 
-    /// As new, in the same memory, for a state that was reset and has its particles again.
+    /// Returns to the initial state without allocating; call it after the state was reset and refilled.
     void reset();
-    /// From the next step on liquid conducts less along x, y and z by these shares of what its table says, each from 0
-    /// to below 1; metal that is not wholly liquid as before. Expects HeatSettings::ledStirring. A reset forgets it.
+    /// Reduces the liquid's conductivity along x, y and z by these shares of the table's value from the next step on,
+    /// each from 0 to below 1; metal that is not wholly liquid is unchanged. Expects HeatSettings::ledStirring. A reset
+    /// cancels it.
     void setStirringLess(glm::vec3 shares) { block_.stirringLess = shares; }
 
-    /// After the state's capacity became another one. Throws RuntimeFault when the driver has no room.
+    /// Adapts to the state's new capacity. Throws RuntimeFault if the driver has no memory.
     void takeCapacity();
 
-    /// After the state's table became another one.
+    /// Adapts to the state's new table.
     void takeTable();
 
     /// Longest step for temperatures up to `hottest` (K): stepShare dx²/alpha, in s.
     double longestStep(double hottest) const;
 
-    /// Makes one step of `seconds`. Reads position, writes heat, phase, position.w; never waits.
-    /// Throws RuntimeFault for more than HEAT_SOURCES sources.
+    /// Makes one step of `seconds`. Reads position, writes heat, phase, position.w; never waits. Throws RuntimeFault
+    /// for more than HEAT_SOURCES sources.
     void step(double seconds, std::span<const HeatSource> sources, gl::Profiler* profiler = nullptr);
 
-    /// After others added particles to the lattice or took some off: reads the whole lattice and wakes every tile.
+    /// Reads the whole lattice and wakes every tile. Call it after adding particles to the lattice or removing some.
     void refresh();
 
     OffLatticeList offLattice() const { return tiles_.offLattice(); }
@@ -69,9 +70,9 @@ class HeatSolver {
     unsigned readActiveTiles() const { return tiles_.readActive(block_.stepNumber); }
     HeatBalance readBalance() const { return conduction_.readBalance(); }
 
-    /// Saves or restores all that the next step reads; the state comes before it.
+    /// Saves or restores all that the next step reads; transfer the state first.
     void transfer(gl::StateArchive& archive);
-    /// See PhysicalMetal::fold(): temperatures, peaks and Kirchhoff variables against the enthalpies.
+    /// Applies PhysicalMetal::fold() to temperatures, peaks and Kirchhoff variables, which follow from the enthalpies.
     void fold();
 
     size_t bytes() const; ///< GPU memory of the solver itself
@@ -93,15 +94,15 @@ class HeatSolver {
     const Material material_;
     HeatSettings settings_;
     HeatBlock block_{};
-    size_t searched_ = 0;      ///< slots that were searched for metal off the lattice
-    unsigned regroupings_ = 0; ///< and labellings of the state when all slots were last searched
+    size_t searched_ = 0;      ///< slots searched for metal off the lattice
+    unsigned regroupings_ = 0; ///< the state's regroupings and labellings when all slots were last searched
     double time_ = 0;          ///< s
     HeatTiles tiles_;
     SourceWeights sources_;
     Conduction conduction_;
     const gl::Program &refresh_, &fold_;
     gl::Buffer blockBuffer_;
-    std::vector<Texels> texels_; ///< of the state
+    std::vector<Texels> texels_; ///< views of the state's buffers
 };
 
 } // namespace meltpool

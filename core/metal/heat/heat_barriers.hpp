@@ -5,12 +5,12 @@
 
 namespace meltpool {
 
-/// Before a pass that reads what the last one wrote.
+/// A barrier before a pass that reads the writes of the last one.
 inline void storageBarrier() {
     gl::memoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
-/// Before an indirect pass whose number of groups the last one wrote as well.
+/// A barrier before an indirect pass whose number of groups the last pass wrote too.
 inline void indirectBarrier() {
     gl::memoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }

@@ -65,8 +65,8 @@ HeatSource HeatSource::hotTip(glm::vec3 position, float radius, float temperatur
 }
 
 float HeatSource::reach() const {
-    constexpr float kSigmas = 4.5F;     // beyond: 4e-5 of a Gaussian's power
-    constexpr float kEllipsoids = 2.2F; // beyond: exp(-3 2.2²) = 5e-7 of the peak
+    constexpr float kSigmas = 4.5F;     // cutoff: 4e-5 of a Gaussian's power is beyond
+    constexpr float kEllipsoids = 2.2F; // cutoff: exp(-3 2.2²) = 5e-7 of the peak
     if (kind == SOURCE_GAUSSIAN) return kSigmas * size;
     if (kind == SOURCE_ELLIPSOID) return kEllipsoids * std::max({size, halfWidth, depth, rear});
     return size;

@@ -7,8 +7,8 @@
 
 namespace meltpool {
 
-/// Something that heats metal. The factories state what each needs; power in W goes in exactly, whatever metal is
-/// there, and not at all where there is none.
+/// A heat source on metal. The factories state the arguments of each kind; the metal receives exactly its power in W,
+/// whatever metal is there, and none if there is none.
 struct HeatSource {
     int kind = SOURCE_SPHERE;
     glm::vec3 position{0};                    ///< m
@@ -21,7 +21,7 @@ struct HeatSource {
     float tipTemperature = 0;                 ///< K
     float tipConductance = 0;                 ///< W/(m² K)
     float before = kUnlimited;                ///< m, of the Gaussian: from the torch to the position
-    float beyond = kUnlimited;                ///< m, from the position to where surfaces lie in shadow
+    float beyond = kUnlimited;                ///< m, from the position to where surfaces are in shadow
     float fullWeight = 0;                     ///< m², see catching()
 
     static constexpr float kUnlimited = 1e6F; ///< m
@@ -30,12 +30,12 @@ struct HeatSource {
     static HeatSource sphere(glm::vec3 centre, float radius, float power);
     /// Gaussian flux exp(-r²/(2 sigma²)) around `axis`, on surface that faces it.
     static HeatSource gaussian(glm::vec3 position, glm::vec3 axis, float sigma, float power);
-    /// The same Gaussian from a torch `before` (m) in front of the position, on the surface that the axis meets there:
-    /// what is behind the torch, or more than `beyond` (m) and twice its distance from the axis behind the position,
-    /// gets nothing.
+    /// This Gaussian, limited to the surface that the axis meets in front of a torch: metal farther than `before` (m)
+    /// in front of the position is behind the torch, and gets nothing; nor does metal more than `beyond` (m) and twice
+    /// its distance from the axis behind the position.
     HeatSource inFront(float before, float beyond) const;
-    /// The same Gaussian whose power goes in only as far as metal catches it: in proportion to the part of its
-    /// cross-section 2 pi sigma² that surface fills, and wholly from `share` of it on.
+    /// This Gaussian with its power limited to the part that metal catches: in proportion to the part of its
+    /// cross-section 2 pi sigma² that surface fills, and in full from `share` of it on.
     HeatSource catching(float share) const;
     /// Double ellipsoid of Goldak, Chakravarti and Bibby (1984). Half-axes in m; the front takes `frontFraction`/2 of
     /// the power.
@@ -45,7 +45,7 @@ struct HeatSource {
     /// times difference, and never more than `power`.
     static HeatSource hotTip(glm::vec3 position, float radius, float temperature, float conductance, float power);
 
-    /// Distance from `position` beyond which the source gives nothing that counts, m.
+    /// Distance from `position` beyond which the source's power is negligible, m.
     float reach() const;
 };
 

@@ -76,7 +76,7 @@ void HeatTiles::listOffLattice(size_t first, size_t last) const {
 }
 
 void HeatTiles::listTiles() {
-    // The lists of slots off the lattice and of tiles that ever held metal are kept.
+    // The lists of slots off the lattice and of tiles that ever held metal stay.
     control_.write(std::as_bytes(std::span(&kNothingListed, 1)).first(offsetof(HeatControl, offLatticeGroups)));
     listedRows_.bindStorage(HEAT_LISTED_ROWS);
     // Tiles -> lists of tiles, of plain tiles' rows.

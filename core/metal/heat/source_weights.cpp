@@ -30,7 +30,7 @@ HeatSourceData dataOf(const HeatSource& source, const MetalLattice& lattice) {
     data.fullWeight = source.fullWeight;
     const glm::ivec3 lastTile = lattice.tiles - 1;
     const glm::ivec3 cellLimit = lattice.cells();
-    // Clamped before the division, which rounds towards zero, and against sources that reach beyond every number.
+    // Clamped before the division, which rounds towards zero, and against sources with a reach beyond all numbers.
     const auto tileAt = [&](glm::vec3 place) {
         const glm::vec3 cell = glm::clamp((place - lattice.low) / lattice.spacing, glm::vec3(-1), glm::vec3(cellLimit));
         return glm::ivec3(glm::floor(cell / static_cast<float>(TILE_EDGE)));

@@ -1,4 +1,4 @@
-// Weights that divide the power of heat sources among the metal that they reach.
+// Weights that divide the power of heat sources among the metal in their reach.
 #pragma once
 
 #include "core/gl/buffer.hpp"
@@ -11,20 +11,20 @@
 
 namespace meltpool {
 
-/// A source gives each cell its power times weight by sum of weights, so that exactly its power goes in.
+/// Each cell gets the source's power times its weight over the sum of weights, so that exactly the power goes in.
 class SourceWeights {
   public:
     explicit SourceWeights(gl::ShaderLibrary& shaders);
 
-    /// Writes the sources, and which tiles of the lattice each of them reaches, into the block of a step. Throws
+    /// Writes the sources, and the tiles of the lattice in the reach of each, into the block of a step. Throws
     /// RuntimeFault for more than HEAT_SOURCES sources.
     void write(std::span<const HeatSource> sources, const MetalLattice& lattice, HeatBlock& block);
 
-    /// Sums the weights of the sources last written and leaves the sums bound. Expects the tiles that take part to be
+    /// Sums the weights of the last written sources and leaves the sums bound. Expects the participating tiles to be
     /// listed (HeatTiles), and the temperatures of cells.
     void sum() const;
 
-    size_t bytes() const { return sums_.bytes(); } ///< of GPU memory
+    size_t bytes() const { return sums_.bytes(); } ///< GPU memory
 
   private:
     const gl::Program& sum_;

@@ -9,7 +9,7 @@ namespace meltpool {
 
 namespace {
 
-/// Beyond this the sampled liquid piece goes on in a straight line.
+/// Upper end of the samples (K); the liquid's part continues beyond it in a straight line.
 constexpr double kHottestSample = 5000;
 
 /// The temperature above `from` at which `area` is reached under the curve; exact for the property's straight pieces.
@@ -19,7 +19,7 @@ double temperatureForArea(const Property& property, double from, double area) {
         if (point.temperature <= left) continue;
         const double whole = property.integral(left, point.temperature);
         if (whole >= area) {
-            // value(T) = a + b (T - left): solve a x + b x²/2 = area without cancellation.
+            // Solves a x + b x²/2 = area without cancellation, from value(T) = a + b (T - left).
             const double a = property.at(left);
             const double b = (property.at(point.temperature) - a) / (point.temperature - left);
             return left + 2 * area / (a + std::sqrt(std::max(0.0, a * a + 2 * b * area)));

@@ -14,11 +14,11 @@ namespace meltpool {
 ///     Hs = integral of cs up to Ts;  Hl = Hs + (cs(Ts) + cl(Tl))/2 (Tl - Ts) + L;  f = (H - Hs)/(Hl - Hs).
 class HeatTable {
   public:
-    /// `liquidConductivityFactor` multiplies the liquid's conductivity: a stand-in for stirring where no flow is
+    /// `liquidConductivityFactor` multiplies the liquid's conductivity: a substitute for stirring if no flow is
     /// computed.
     explicit HeatTable(const Material& material, double liquidConductivityFactor = 1);
 
-    double enthalpyAt(double temperature) const; ///< at a sharp melting point: of the solid
+    double enthalpyAt(double temperature) const; ///< at a sharp melting point: that of the solid
     double temperatureAt(double enthalpy) const;
     double kirchhoffAt(double enthalpy) const;
     double liquidFractionAt(double enthalpy) const; ///< 0 .. 1
@@ -26,7 +26,7 @@ class HeatTable {
     double solidusEnthalpy() const { return solidusEnthalpy_; }
     double liquidusEnthalpy() const { return liquidusEnthalpy_; }
 
-    /// Largest k/(rho c) with the density that masses are made from (m²/s): what limits the explicit step.
+    /// Largest k/(rho c) with the density of the masses (m²/s): it limits the explicit step.
     double largestDiffusivity(double density, double lowest, double highest) const;
 
     /// One row for the shaders: value at enthalpy start + i step is (temperature, theta), i = 0 .. HEAT_TABLE_STEPS.
@@ -37,7 +37,7 @@ class HeatTable {
     };
     const std::array<Piece, 3>& pieces() const { return pieces_; }
 
-    /// The same look-up as the shader makes, in float: (temperature, theta).
+    /// The shader's look-up, in float: (temperature, theta).
     std::array<float, 2> sampled(float enthalpy) const;
 
   private:

@@ -23,7 +23,7 @@ double Property::integral(double from, double to) const {
     if (to < from) return -integral(to, from);
     double sum = 0;
     double left = from;
-    // Between two neighbouring points the value is linear, so the trapezium is exact.
+    // The trapezium is exact: between two neighbouring points the value is linear.
     const auto add = [&](double right) {
         sum += 0.5 * (at(left) + at(right)) * (right - left);
         left = right;
@@ -36,7 +36,7 @@ double Property::integral(double from, double to) const {
 
 double Material::tensionAt(double temperature) const {
     constexpr double kGas = 8.314462;      // J/(mol K)
-    constexpr double kSaturation = 1.3e-5; // mol/m² of a surface full of sulphur
+    constexpr double kSaturation = 1.3e-5; // mol/m² of a surface saturated with sulphur
     constexpr double kOrder = 3.18e-3;
     constexpr double kAdsorption = 1.66e5; // J/mol
     if (sulphur <= 0) return surfaceTension.at(temperature);

@@ -1,5 +1,4 @@
-// What a metal (or wax, or ice) is: its thermal, fluid and optical properties in SI, each with the source of its
-// numbers.
+// A metal (or wax, or ice): its thermal, fluid and optical properties in SI, each with the source of its numbers.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -17,7 +16,7 @@ struct Property {
         double value;
     };
     std::vector<Point> points; ///< at least one, temperatures rising
-    std::string source;        ///< where the numbers are from; begins with "none" where nobody knows
+    std::string source;        ///< the source of the numbers; begins with "none" if it is unknown
 
     double at(double temperature) const;
 
@@ -27,38 +26,37 @@ struct Property {
     static Property constant(double value, std::string source = "given");
 };
 
-/// Per cent by mass: beyond it Material::tensionAt() was not measured.
+/// Per cent by mass up to which Material::tensionAt() was measured.
 inline constexpr double kMostSulphur = 0.2;
 
-/// How the stuff looks; the renderer decides what to make of it. Colours are linear sRGB reflectances at normal
-/// incidence.
+/// Appearance of the material; the renderer interprets it. Colours are linear sRGB reflectances at normal incidence.
 struct MaterialLooks {
     glm::vec3 solidColour{0.55F, 0.56F, 0.57F};
     glm::vec3 liquidColour{0.65F, 0.65F, 0.65F};
     float solidRoughness = 0.5F;   ///< 0 mirror .. 1 dull
-    float liquidRoughness = 0.05F; ///< same, molten
+    float liquidRoughness = 0.05F; ///< 0 mirror .. 1 dull, molten
     float metalness = 1.0F;        ///< 0 dielectric, 1 metal
     float heatTint = 0.0F; ///< strength of the oxide's interference colours on metal that was hot, 0 none .. 1 as steel
-    /// Shares of a black body's light in the visible. What is not given out is mirrored: reflectance is 1 - emissivity.
+    /// Shares of a black body's light in the visible. Reflectance is 1 - emissivity.
     float liquidEmissivity = 0.3F;
     float cleanEmissivity = 0.45F;  ///< solid, bare
-    float scaledEmissivity = 0.85F; ///< solid, under the scale that grows where heat_tint is above 0
-    /// Of the ripples that freezing leaves. None: chosen; beads have ripples of 20 to 80 um.
-    float rippleFrequency = 0;    ///< Hz; 0: as the process makes them
+    float scaledEmissivity = 0.85F; ///< solid, under the scale that grows if heat_tint is above 0
+    /// Ripples that freezing leaves. None: chosen; beads have ripples of 20 to 80 um.
+    float rippleFrequency = 0;    ///< Hz; 0: the process sets them
     float rippleHeight = 25e-6F;  ///< m, of the first harmonic over its mean; 0: the metal freezes smooth
-    float millScale = 0;          ///< share of the rolled faces of its plates that is under mill scale
+    float millScale = 0;          ///< share of its plates' rolled faces under mill scale
     float translucency = 0.0F;    ///< 0 opaque .. 1 clear
-    float refractiveIndex = 1.0F; ///< of translucent stuff
+    float refractiveIndex = 1.0F; ///< of translucent material
     std::string source;
 };
 
 /// One material. All values SI, temperatures in K.
 struct Material {
     std::string key;  ///< file name without ".toml"
-    std::string name; ///< for people
+    std::string name; ///< displayed name
 
     double solidus = 0;    ///< melting begins
-    double liquidus = 0;   ///< melting has ended; equal to solidus for pure stuff
+    double liquidus = 0;   ///< melting has ended; equal to solidus for pure material
     double latentHeat = 0; ///< J/kg over solidus to liquidus, on top of the specific heats
     std::string meltingSource;
 
@@ -66,28 +64,28 @@ struct Material {
     Property solidConductivity, liquidConductivity; ///< W/(m K)
     Property solidSpecificHeat, liquidSpecificHeat; ///< J/(kg K)
     Property viscosity;                             ///< Pa s, liquid
-    Property expansion;                             ///< 1/K, of the liquid's volume: what makes hot metal rise
+    Property expansion;                             ///< 1/K, of the liquid's volume: makes hot metal rise
     Property surfaceTension;                        ///< N/m, without sulphur
     double sulphur = 0;        ///< per cent by mass of steel; it lowers the surface tension, of cold liquid most
-    std::string sulphurSource; ///< empty where the file says nothing of it
+    std::string sulphurSource; ///< empty if the file has none
     Property emissivity;       ///< total hemispherical, for radiation losses
 
-    double boilingPoint = 0;     ///< K at 1 bar; 0 where not given: no evaporation
+    double boilingPoint = 0;     ///< K at 1 bar; 0 if not given: no evaporation
     double vaporisationHeat = 0; ///< J/kg
     double molarMass = 0;        ///< kg/mol of the vapour
     double evaporatesFrom = 0;   ///< K, below which evaporation is left out; 0: half the boiling point
     std::string boilingSource;
 
     bool alternatingCurrent = false; ///< GTAW welds it with alternating current, which breaks its oxide
-    std::string weldingSource;       ///< empty where the file says nothing of it
+    std::string weldingSource;       ///< empty if the file has none
 
     MaterialLooks looks;
 
-    /// Surface tension at a temperature (K), N/m: the table's, less R T G ln(1 + K a) for a per cent of sulphur,
-    /// G = 1.3e-5 mol/m², K = 0.00318 exp(166 kJ/mol / (R T)). Sahoo, DebRoy and McNallan 1988, constants by a program
+    /// Surface tension at a temperature (K), N/m: the table's, less R T G ln(1 + K a) for a per cent of sulphur, G =
+    /// 1.3e-5 mol/m², K = 0.00318 exp(166 kJ/mol / (R T)). Sahoo, DebRoy and McNallan 1988, constants from a program
     /// that cites them.
     double tensionAt(double temperature) const;
-    /// Its slope over temperature, N/(m K): drives the Marangoni flow.
+    /// Slope of surface tension over temperature, N/(m K): drives the Marangoni flow.
     double tensionSlopeAt(double temperature) const;
 };
 
@@ -97,11 +95,10 @@ Material readMaterial(const std::filesystem::path& file);
 /// Files of all materials in a folder, by name.
 std::vector<std::filesystem::path> materialFiles(const std::filesystem::path& folder);
 
-/// The folder with the materials that ship. Throws InputError when the program's data is not there.
+/// The folder with the materials that ship. Throws InputError if the program's data is missing.
 std::filesystem::path materialFolder();
 
-/// The shipped material called `key`, whatever its capitals, blanks and dashes; throws InputError that lists the known
-/// ones.
+/// The shipped material called `key`, ignoring case, blanks and dashes; throws InputError that lists the known ones.
 Material shippedMaterial(const std::string& key);
 
 } // namespace meltpool

@@ -14,7 +14,7 @@ namespace {
 
 constexpr NumberRange kTemperature{0, 10000};
 
-/// A `{ value = .., source = ".." }` with nothing else in it.
+/// Reads a `{ value = .., source = ".." }` with nothing else in it.
 double readValue(TomlTable& parent, std::string_view key, NumberRange range, std::string& source) {
     TomlTable entry = parent.table(key);
     const double value = entry.number("value", range);
@@ -23,7 +23,7 @@ double readValue(TomlTable& parent, std::string_view key, NumberRange range, std
     return value;
 }
 
-/// A value, or `{ table = [[kelvin, value], ..], source = ".." }`.
+/// Reads a value, or `{ table = [[kelvin, value], ..], source = ".." }`.
 Property readProperty(TomlTable& parent, std::string_view key, NumberRange range) {
     TomlTable entry = parent.table(key);
     Property property;
@@ -73,7 +73,7 @@ void readPhases(TomlTable& file, Material& material) {
     material.liquidConductivity = readProperty(liquid, "conductivity", kConductivity);
     material.liquidSpecificHeat = readProperty(liquid, "specific_heat", kSpecificHeat);
     material.viscosity = readProperty(liquid, "viscosity", {1e-6, 1e4});
-    // Not needed for anything but convection; negative for water below 4 °C.
+    // Optional: only convection needs it; negative for water below 4 °C.
     material.expansion =
         liquid.has("expansion") ? readProperty(liquid, "expansion", {-1e-2, 1e-2}) : Property::constant(0, "none");
     liquid.finish();
@@ -131,7 +131,7 @@ MaterialLooks readLooks(TomlTable& file) {
     looks.liquidRoughness = share("liquid_roughness");
     looks.metalness = share("metalness");
     looks.heatTint = share("heat_tint");
-    // One number may stand for all three states.
+    // One number may serve all three states.
     const auto emissivity = [&](std::string_view key) {
         return share(!table.has(key) && table.has("visible_emissivity") ? "visible_emissivity" : key);
     };
@@ -148,7 +148,7 @@ MaterialLooks readLooks(TomlTable& file) {
     return looks;
 }
 
-/// Small letters and digits alone, so that "Aluminium 6061" and "aluminium_6061" are found too.
+/// The key's small letters and digits alone, so that "Aluminium 6061" and "aluminium_6061" match.
 std::string plainKey(std::string_view key) {
     std::string plain;
     for (const char c : key)

@@ -13,7 +13,7 @@ namespace meltpool {
 
 namespace {
 
-/// Share of liquid above which solid metal begins to flow, and below which liquid metal stands still.
+/// Share of liquid above which solid metal begins to flow, and below which liquid metal freezes.
 constexpr float kMeltFraction = 0.6F;
 constexpr float kFreezeFraction = 0.3F;
 
@@ -23,7 +23,7 @@ MetalLattice MetalLattice::covering(glm::vec3 low, glm::vec3 high, float spacing
     MetalLattice lattice;
     lattice.low = low;
     lattice.spacing = spacing;
-    // A box that is a whole number of cells must not get one more for the rounding of its corners.
+    // Subtracts a little, so that rounding of the corners adds no cell to a box of whole cells.
     const glm::vec3 cells = glm::ceil((high - low) / spacing - 1e-3F);
     lattice.tiles = glm::max(glm::ivec3(1), (glm::ivec3(cells) + (TILE_EDGE - 1)) / TILE_EDGE);
     return lattice;

@@ -27,11 +27,11 @@ struct MetalLattice {
     glm::vec3 centre(glm::ivec3 cell) const { return low + (glm::vec3(cell) + 0.5F) * spacing; }
     glm::ivec3 cellAt(glm::vec3 place) const;
     bool contains(glm::ivec3 cell) const;
-    /// Place of a cell in the lattice buffer; the cell must be inside.
+    /// Index of a cell in the lattice buffer; the cell must be inside.
     size_t index(glm::ivec3 cell) const;
 };
 
-/// One particle to start with.
+/// The start of one particle.
 struct MetalSeed {
     glm::vec3 position{0};        ///< m
     float temperature = 293.15F;  ///< K
@@ -44,36 +44,35 @@ struct CellBox {
     glm::ivec3 low{0}, high{0};
 };
 
-/// Seeds for every cell of `lattice` whose centre lies from `low` up to, but not at, `high`, solid and on the lattice,
-/// tile by tile so that neighbours in space are neighbours in memory. Of boxes that share a face one has each cell.
+/// Seeds for every cell of `lattice` whose centre is from `low` up to, but not at, `high`, solid and on the lattice,
+/// tile by tile so that neighbours in space are neighbours in memory. Boxes that share a face share no cell.
 std::vector<MetalSeed> latticeSeeds(const MetalLattice& lattice, glm::vec3 low, glm::vec3 high, float temperature,
                                     unsigned extraPhase = 0);
 
-/// The box that the cells fill for which latticeSeeds() makes a seed, m. Along an axis on which it makes none it ends
-/// where it begins. What lies on the lattice within a thousandth of a spacing keeps its value.
+/// The box of the cells for which latticeSeeds() makes a seed, m. Along an axis without seeds it ends where it begins.
+/// Corners within a thousandth of a spacing of the lattice keep their value.
 struct LatticeBox {
     glm::vec3 low{0}, high{0};
 };
 LatticeBox latticeBox(const MetalLattice& lattice, glm::vec3 low, glm::vec3 high);
 
-/// The buffers that heat and flow work on; see shaders/shared/metal.h for what each holds.
+/// The buffers that heat and flow work on; see shaders/shared/metal.h for their content.
 class MetalState {
   public:
-    /// `density`: what particle masses are made from (kg/m³). `capacity`: room for seeds and later filler, in
-    /// particles.
+    /// `density`: that of the particle masses (kg/m³). `capacity`: of seeds and later filler, in particles.
     MetalState(const MetalLattice& lattice, const HeatTable& table, double density, size_t capacity);
 
-    /// As new, in the same memory: without particles.
+    /// Removes all particles without allocating.
     void reset();
-    /// Another table of the same enthalpies and temperatures: only its conductivity differs.
+    /// Sets another table with equal enthalpies and temperatures: only its conductivity differs.
     void setTable(const HeatTable& table) { table_ = table; }
 
-    /// Room for this many particles, no fewer than there are or than a state has that is restored next. Whoever bound
-    /// the buffers or looks at them as texels has to do so again. Waits for nothing. Throws RuntimeFault when the
-    /// driver has no room; then the room is as it was.
+    /// Sets the capacity in particles, no fewer than there are or than the next restored state has. The caller must
+    /// bind the buffers again and remake its texel views. Waits for nothing. If the driver has no memory, throws
+    /// RuntimeFault and leaves the capacity unchanged.
     void setCapacity(size_t capacity);
 
-    /// Puts particles into the next free slots. Throws RuntimeFault when there is no room.
+    /// Puts particles into the next free slots. Throws RuntimeFault if the capacity is too small.
     void add(std::span<const MetalSeed> seeds);
 
     /// Saves or restores all that the next step reads. The table is the owner's.
@@ -83,7 +82,7 @@ class MetalState {
     void bind() const;
 
     const MetalLattice& lattice() const { return lattice_; }
-    /// Beyond it no metal was ever on the lattice; one cell where none was.
+    /// The cells outside which no metal was ever on the lattice; one cell if none was.
     const CellBox& latticeMetal() const { return latticeMetal_; }
     const HeatTable& table() const { return table_; }
     size_t particles() const { return particles_; }
@@ -98,17 +97,17 @@ class MetalState {
     /// Sum of m H over the living particles with their residuals, J. Waits for the GPU.
     double readEnergy() const;
 
-    /// Goes up whenever phase bits may have changed that `changes` does not list: after the CPU wrote phases, which
-    /// calls noteRegrouping().
+    /// Increments when phase bits may have changed that `changes` does not list: the CPU wrote phases and called
+    /// noteRegrouping().
     unsigned regroupings() const { return regroupings_; }
     void noteRegrouping() { ++regroupings_; }
-    /// Goes up when fragments were labelled: those that came free have left the lattice.
+    /// Increments when fragments were labelled: those that came free have left the lattice.
     unsigned labellings() const { return labellings_; }
     void noteLabelling() { ++labellings_; }
 
     gl::Buffer position, velocity, heat, phase, latticeSlots, counters;
-    gl::Buffer frozenAt; ///< likewise
-    gl::Buffer changes;  ///< see shaders/shared/metal.h; bound by those who use it
+    gl::Buffer frozenAt; ///< as above
+    gl::Buffer changes;  ///< see shaders/shared/metal.h; each user binds it
 
   private:
     void writeBlock();
@@ -117,11 +116,11 @@ class MetalState {
 
     MetalLattice lattice_;
     CellBox latticeMetal_;
-    bool onLattice_ = false; ///< some metal was
+    bool onLattice_ = false; ///< true if some metal was
     HeatTable table_;
     size_t capacity_;
     size_t particles_ = 0;
-    /// What add() writes, kept so that filler costs no allocation.
+    /// Buffers of add(), reused so that filler costs no allocation.
     struct {
         std::vector<vec4> positions, velocities, heats;
         std::vector<float> frozenAt;

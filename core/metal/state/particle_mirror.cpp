@@ -26,7 +26,7 @@ void ParticleMirror::take(const ParticleView& original, gl::OtherContext& there)
     view_.numbers = take(5, original.count * sizeof(uint));
 }
 
-/// The first `bytes` of a buffer, in one that has the original's room.
+/// Copies the first `bytes` of a buffer into one with the original's capacity.
 const gl::Buffer* ParticleMirror::copy(size_t number, const gl::Buffer* original, const std::byte* memory,
                                        size_t bytes) {
     if (original == nullptr) return nullptr;

@@ -1,4 +1,4 @@
-// The particles of another context, copied into buffers of the calling thread's, for surfaces and pictures there.
+// A copy of another context's particles in buffers of the calling thread, for surfaces and pictures there.
 #pragma once
 
 #include "core/gl/other_context.hpp"
@@ -11,10 +11,10 @@ namespace meltpool {
 
 class ParticleMirror {
   public:
-    /// Copies what `original` shows of `there`, whose buffers must be in memory that any thread reads
-    /// (gl::directMemory()). Nothing may be under way there.
+    /// Copies the buffers of `original` from `there`; they must be in memory that any thread reads
+    /// (gl::directMemory()). No work may be under way there.
     void take(const ParticleView& original, gl::OtherContext& there);
-    /// As of the last take().
+    /// The particles of the last take().
     const ParticleView& view() const { return view_; }
     size_t bytes() const;
 

@@ -1,4 +1,4 @@
-// What a look over all particles finds: counts and temperatures.
+// Counts and temperatures over all particles.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +9,14 @@ namespace meltpool {
 struct MetalStatistics {
     size_t particles = 0;
     size_t molten = 0;    ///< classic: temperature above 0, so free to move
-    size_t lost = 0;      ///< outside the box, at a place that is no number, or wire that was fed there and refused
+    size_t lost = 0;      ///< outside the box, at a place that is no number, or refused wire that was fed there
     size_t nonFinite = 0; ///< times since the reset that a particle's new state was no number and was refused
     double minTemperature = 0;
     double meanTemperature = 0;
     double maxTemperature = 0;
 };
 
-/// Looks at a metal that may be under way at a time without waiting for the GPU.
+/// Greatest number of pending statistics requests.
 inline constexpr size_t kStatisticsInFlight = 4;
 
 } // namespace meltpool
