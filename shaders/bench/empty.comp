@@ -1,4 +1,4 @@
 #version 450 core
-// Does nothing: the benchmark measures what a dispatch itself costs.
+// Empty pass: the benchmark measures the cost of a dispatch itself.
 layout(local_size_x = 64) in;
 void main() {}

@@ -1,7 +1,7 @@
 #version 450 core
-// Counts the metal along an axis in bins: the first groups take the lattice cells in a box around the ray, the others the
-// slots off the lattice. A particle is a cube's worth of metal: it covers one spacing along the axis, and counts the less the
-// farther off the axis it lies.
+// Counts the metal along an axis in bins: the first groups take the lattice cells in a box around the ray, the others
+// the slots off the lattice. A particle is a cube of metal: it covers one spacing along the axis, and its weight falls
+// with its distance from the axis.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/axis_probe.h"
 layout(local_size_x = AXIS_PROBE_GROUP) in;

@@ -1,7 +1,7 @@
 #version 450 core
-// Finds where metal begins along the axis: where the count reaches half of that inside metal, linear between the bins'
-// middles; where it reaches it nowhere, as over a gap between plates, the edges beside the axis, if they are deep.
-// Empties the bins for the next look.
+// Finds the beginning of metal along the axis: the point where the count reaches half of that inside metal, linear
+// between the bins' middles; if it reaches it nowhere, as over a gap between plates, the edges beside the axis, if they
+// are deep. Empties the bins for the next search.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/axis_probe.h"
 layout(local_size_x = AXIS_PROBE_BINS) in;
@@ -22,7 +22,7 @@ float meanShareFrom(int bin) {
     return sum / float(probe.edgeBins);
 }
 
-/// Whether the side of something deep beside the axis begins in this bin: a drop or a lone particle is not deep.
+/// True if the side of something deep beside the axis begins in this bin: a drop or a lone particle is not deep.
 bool isEdge(int bin) {
     float inside = meanShareFrom(bin);
     return inside >= AXIS_PROBE_EDGE_SHARE && shareOf(bin) >= 0.5 * inside;

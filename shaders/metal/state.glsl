@@ -30,7 +30,7 @@ bool inLattice(ivec3 cell) {
     return all(greaterThanEqual(cell, ivec3(0))) && all(lessThan(cell, metal.tiles * TILE_EDGE));
 }
 
-/// Place of a cell in the lattice buffer; the cell must be inside.
+/// Index of a cell in the lattice buffer; the cell must be inside.
 uint latticeIndex(ivec3 cell) {
     ivec3 tile = cell / TILE_EDGE;
     ivec3 inside = cell - tile * TILE_EDGE;

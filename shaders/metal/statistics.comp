@@ -1,4 +1,4 @@
-// Counts and temperatures over the physical metal, in parts that are added up in order where they are read.
+// Counts and temperatures over the physical metal, in parts that their reader adds up in order.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "shared/dispatch.h"
@@ -23,7 +23,7 @@ void join(inout MetalPart sum, MetalPart part) {
     sum.broken += part.broken;
 }
 
-/// What a slot adds. SYNCHRONOUS_DRIVER: no branch, as it computes both sides of one.
+/// A slot's contribution. SYNCHRONOUS_DRIVER: no branch, because it computes both sides of one.
 MetalPart partOf(uint slot) {
     uint bits = texelFetch(phases, int(slot)).x;
     vec4 p = texelFetch(positions, int(slot));
@@ -35,7 +35,7 @@ MetalPart partOf(uint slot) {
                      uint(alive && (bits & PHASE_LIQUID) != 0u), uint(alive && !inside), uint(alive && broken), 0u);
 }
 
-// An invocation a part: adding them up behind a barrier costs more, on a CPU, than looking at the metal.
+// An invocation a part: on a CPU, adding the parts behind a barrier costs more than reading the metal.
 void main() {
     uint part = gl_GlobalInvocationID.x;
     MetalPart sum = MetalPart(0.0, 3.4e38, 0.0, 0u, 0u, 0u, 0u, 0u);

@@ -1,4 +1,4 @@
-// An after-image: a dark spot with a purple rim, as strongly lit cells of the eye leave it.
+// An after-image: a dark spot with a purple rim, the effect of strong light on the eye's cells.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/tone.glsl"

@@ -1,4 +1,4 @@
-// A square about the place of the eye's back that an arc has dazzled: fixed to the eye, not to the world.
+// A square about the dazzled place of the eye's back: fixed to the eye, not to the world.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/view.glsl"

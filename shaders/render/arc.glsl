@@ -4,8 +4,8 @@
 
 #include "render/frame.glsl"
 
-// Share of the arc's light that the workpiece lets through to a surface: the less, the longer the straight way to the arc
-// runs through its blocks, so that the edge of the shadow is soft. `toArc`: from the surface, world.
+// Share of the arc's light that the workpiece lets through to a surface: it falls with the length of the straight way
+// to the arc inside the workpiece's blocks, so that the edge of the shadow is soft. `toArc`: from the surface, world.
 float arcBesideWorkpiece(vec3 toArc) {
     mat3 toModel = transpose(mat3(frame.modelToWorld)) / (frame.modelUnit * frame.modelUnit);
     vec3 way = toModel * toArc;

@@ -1,5 +1,5 @@
-// A finished picture over the whole viewport, which may have more pixels: displayed values, so that the filter sees what the
-// eye does.
+// A finished picture over the whole viewport, which may have more pixels: displayed values, so that the filter works on
+// the values that the eye sees.
 #version 450 core
 
 layout(location = 0) in vec2 place; // -1..1

@@ -1,7 +1,7 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-// Lists the particles that carry an island of oxide while they are liquid, in the order of their numbers: one group, so that
-// a list that is full holds the same ones every time. A carrier is one of each OXIDE_STRIDE particles; which, its number says.
+// Lists the particles that carry an island of oxide while they are liquid, in the order of their numbers: one group, so
+// that a full list always holds the same ones. One of each OXIDE_STRIDE particles is a carrier, chosen by its number.
 #include "render/frame.glsl"
 layout(local_size_x = OXIDE_GROUP) in;
 
@@ -41,7 +41,7 @@ void main() {
         uint at = number * OXIDE_STRIDE + chance % OXIDE_STRIDE;
         vec4 particle = number < carriers ? particles[at] : vec4(0.0); // model, K
         bool carries = particle.w > frame.solidus && particle.w < kNoneFrom;
-        barrier(); // the last round's sums are read
+        barrier(); // after all have read the last round's sums
         before[self] = carries ? 1u : 0u;
         sumUp();
         uint slot = found + before[self] - 1u;

@@ -1,5 +1,5 @@
-// A puff of smoke: it scatters the light of arc and room and hides a little of what is behind. Its billows are a noise in
-// space, the same for both eyes.
+// A puff of smoke: it scatters the light of arc and room and hides a little of its background. Its billows are a noise
+// in space, equal for both eyes.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/haze.glsl"
@@ -20,7 +20,7 @@ layout(location = 6) uniform float tableTop; // world height
 
 layout(binding = NOISE_UNIT) uniform sampler3D noise;
 
-// Share of the light that smoke takes which it scatters. Fume is oxides finer than light's waves: it scatters blue most.
+// Share of the light taken by smoke that it scatters. Fume is oxides finer than light's waves: it scatters blue most.
 const vec3 kScatters = vec3(0.80, 0.85, 0.90);
 // m beside the line from the eye to the pool: within the first no smoke is drawn, beyond the second all of it.
 const float kPoolClear = 0.012, kPoolWhole = 0.035;
@@ -43,11 +43,11 @@ float billows(float square) {
     return 3.0 * body * body * mix(kThin, 2.0 - kThin, smoothstep(0.2, 0.8, mix(large, small, 0.4)));
 }
 
-// How far the ray (unit) from the eye goes before it meets the side of a torch part; far away: it does not.
+// Distance along the ray (unit) from the eye to the side of a torch part; far away: no hit.
 float wayToPart(TorchPart part, vec3 ray) {
     vec3 axis = part.to - part.from, start = eye - part.from;
     float whole = dot(axis, axis), turned = dot(axis, ray), along = dot(axis, start);
-    // Across the axis, both times its squared length: the ray, and where it comes from.
+    // Components across the axis, both times its squared length: of the ray, and of its start.
     float a = whole - turned * turned, b = whole * dot(start, ray) - along * turned;
     float c = whole * (dot(start, start) - part.radius * part.radius) - along * along;
     float root = b * b - a * c, way = (-b - sqrt(max(root, 0.0))) / max(a, 1e-12);
@@ -55,7 +55,7 @@ float wayToPart(TorchPart part, vec3 ray) {
     return root > 0.0 && way > 0.0 && on > 0.0 && on < whole ? way : 1e9;
 }
 
-// Share of the puff's depth along the ray that is before workpiece, table and torch: it ends softly at what it meets.
+// Share of the puff's depth along the ray that is before workpiece, table and torch: it ends softly at their surfaces.
 float beforeThings(vec3 ray, float far, float half_) {
     mat3 toModel = transpose(mat3(frame.modelToWorld)) / (frame.modelUnit * frame.modelUnit);
     float free = wayFree(toModel * (eye - frame.modelToWorld[3].xyz), toModel * ray);
@@ -81,7 +81,7 @@ void main() {
     vec3 toArc = frame.arc - eye - way;
     float apart = (dot(toArc, toArc) + 0.25 * radius * radius) / (frame.modelUnit * frame.modelUnit);
     vec3 lit = arcSeen * frame.arcLight / (12.56637 * max(apart, frame.arcMinDistanceSquared));
-    // The lamp's light comes less deep into it: what faces the lamp is brighter.
+    // The lamp's light penetrates it less deeply: the side that faces the lamp is brighter.
     float room = frame.ambient + frame.diffuse * (0.25 + 0.2 * dot(inside, frame.lampDirection));
     vec3 light = kScatters * (lit + room);
     // The tone curve's light is spread over the cover again: a target without linear light then mixes displayed values.

@@ -12,13 +12,13 @@ layout(std430, binding = FUME_BINDING) readonly buffer Fume {
 layout(location = 0) out vec3 place;        // world
 layout(location = 1) out vec3 inside;       // from the puff's middle along the world's axes, shares of its extents
 layout(location = 2) out vec2 at;           // on its ellipse, 0..1 from its middle to its edge
-layout(location = 3) flat out vec3 eye;     // world, as the next
+layout(location = 3) flat out vec3 eye;     // world, likewise the next
 layout(location = 4) flat out float radius;
 layout(location = 5) flat out vec3 grain;
 layout(location = 6) flat out float depth;
 layout(location = 7) flat out float arcSeen; // share of the arc's light that comes past the workpiece
 
-// m from the eye within which smoke is not drawn, and from where on it is whole: a veil before one eye only is no help.
+// m from the eye within which smoke is not drawn, and from which it is whole: a veil before one eye only is no help.
 const float kTooNear = 0.06, kNear = 0.16;
 
 void main() {
@@ -35,7 +35,7 @@ void main() {
     vec3 towards = way / max(far, 1e-6);
     vec3 along = mat3(frame.modelToWorld) * puff.way;
     float half_ = length(along), end = dot(along, towards);
-    // As it is seen: the more from its end, the shorter and the deeper.
+    // As seen: shorter and deeper towards a view from its end.
     float seen = sqrt(half_ * half_ - end * end + radius * radius * (end * end) / (half_ * half_));
     depth = puff.depth * half_ / seen * smoothstep(kTooNear, kNear, far / frame.modelUnit);
     if (depth <= 0.0) {
@@ -43,7 +43,7 @@ void main() {
         return;
     }
     vec3 upright = along - towards * end;
-    // From its very end it is round: any axis does.
+    // From its very end it is round: any axis will do.
     vec3 high = length(upright) > 1e-3 * half_ ? normalize(upright) : normalize(cross(towards, vec3(0.6, 0.0, 0.8)));
     vec3 offset = high * (at.x * seen) + cross(towards, high) * (at.y * radius);
     vec3 axis = along / half_;

@@ -1,4 +1,4 @@
-// The veil that a bright arc throws over its surroundings in the eye itself: light scattered in lens and vitreous body.
+// The veil of a bright arc over its surroundings in the eye itself: light scattered in lens and vitreous body.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/tone.glsl"

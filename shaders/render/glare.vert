@@ -1,4 +1,4 @@
-// A square about the arc's image, as wide as its glare can be seen.
+// A square about the arc's image, as wide as its visible glare.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/view.glsl"
@@ -9,10 +9,11 @@ layout(location = 0) out vec3 way;            // world, from the eye
 layout(location = 1) flat out vec3 toArc;     // world, from the eye
 layout(location = 2) flat out vec3 atEye;     // light that the arc throws into the eye: illuminance, see FrameData.arcLight
 
-// Of paper white: less is not drawn. Behind a filter all is dark and two steps of 255 are seen, else not. None: chosen.
+// Share of paper white below which glare is not drawn. Behind a filter all is dark and two steps of 255 are seen, else
+// not. None: chosen.
 const float kFaintest = 2e-3;
 const float kFaintestFiltered = 5e-4;
-const float kWidest = 0.5236; // rad, 30 degrees: as far as the law holds
+const float kWidest = 0.5236; // rad, 30 degrees: the limit of the law
 // Model units, which are metres where there is an arc: a camera nearer than a welder's eye is a magnifying glass, whose
 // picture must not drown in the arc's light. None: chosen as the distance of a face from the arc.
 const float kNearestEye = 0.35;

@@ -1,4 +1,4 @@
-// The smoke about the arc, in closed form along the ray: nothing is marched, and the same in both eyes.
+// The smoke about the arc, in closed form along the ray: no ray marching, and equal in both eyes.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/haze.glsl"

@@ -7,8 +7,8 @@
 // m from the arc to where the smoke has thinned out. None: chosen, about the width of the plume at a hand's height.
 const float kSmokeReach = 0.02;
 
-// Light that a ray gathers between two places on it, for a scattering of 1; see core/render/effects/haze.hpp. `passing`: from
-// the arc where the ray is nearest to it, `nearest`: along the ray to there; model units.
+// Light that a ray gathers between two places on it, for a scattering of 1; see core/render/effects/haze.hpp.
+// `passing`: from the arc to the nearest place of the ray, `nearest`: along the ray to there; model units.
 vec3 hazeLight(float passing, float nearest, float begin, float end) {
     float h = max(passing, sqrt(frame.arcMinDistanceSquared));
     // The difference of both arcs' tangents is one: between 0 and pi.
@@ -16,7 +16,7 @@ vec3 hazeLight(float passing, float nearest, float begin, float end) {
     return frame.arcLight / 12.56637 * max(even - (end - begin) / (kSmokeReach * kSmokeReach), 0.0);
 }
 
-// How far the ray goes before it meets the workpiece, in lengths of `ray`.
+// Distance along the ray before it meets the workpiece, in lengths of `ray`.
 float wayFree(vec3 from, vec3 ray) {
     vec3 perWay = 1.0 / mix(ray, vec3(1e-9), lessThan(abs(ray), vec3(1e-9)));
     float free = 1e9;

@@ -4,7 +4,7 @@
 #include "render/view.glsl"
 #include "render/haze.glsl"
 
-layout(location = 0) out vec3 way;        // model units, from the eye, as the next
+layout(location = 0) out vec3 way;        // model units, from the eye, likewise the next
 layout(location = 1) flat out vec3 toArc;
 layout(location = 2) flat out vec3 eye;   // model units
 
@@ -12,7 +12,7 @@ void main() {
     ViewData view = frame.views[viewIndex()];
     vec3 arc = frame.arc - view.eye; // world
     float distance_ = length(arc), reach = kSmokeReach * frame.modelUnit;
-    // As seen from the eye a ball is wider than its radius; from inside of it, it is everywhere.
+    // Seen from the eye a ball is wider than its radius; from inside, it is everywhere.
     float half_ = distance_ > 1.05 * reach ? reach * distance_ / sqrt(distance_ * distance_ - reach * reach) : 4.0 * reach;
     int corner = gl_VertexID < 3 ? gl_VertexID : 6 - gl_VertexID; // 0 1 2, 3 2 1
     vec2 at = vec2(corner & 1, corner >> 1) * 2.0 - 1.0;

@@ -1,4 +1,4 @@
-// Light of hot metal, its oxide and what it reflects.
+// Light of hot metal, its oxide and its reflections.
 #ifndef MELTPOOL_RENDER_HOT_GLSL
 #define MELTPOOL_RENDER_HOT_GLSL
 
@@ -9,12 +9,12 @@ layout(binding = HEAT_UNIT) uniform sampler2D heatColours;
 // Highest temperatures (K) at which steel's scale begins to cover the metal and at which it is closed, see temperTint().
 const float kScaleBegins = 673.0;
 const float kScaleClosed = 1173.0;
-// Reflectance of what was molten and scaled while it cooled, over that of scale on rolled metal. None: chosen so that a
-// finished bead stands out a little.
+// Reflectance of scaled metal that was molten, over that of scale on rolled metal. None: chosen so that a finished bead
+// is a little brighter.
 const float kFrozenScale = 1.5;
 // Colour of scale: a little blue. None: chosen.
 const vec3 kScaleColour = vec3(0.93, 0.97, 1.05);
-// Reflectance of the scale of rolling: blue-black. None: chosen, 0.1 to 0.15.
+// Reflectance of mill scale: blue-black. None: chosen, 0.1 to 0.15.
 const vec3 kMillScale = vec3(0.105, 0.116, 0.138);
 
 // A texel of the heat texture; `row`: texture coordinate of the row.
@@ -30,18 +30,18 @@ vec3 glowOf(float kelvin) {
     return root * root;
 }
 
-// Factor on the reflectance of metal whose highest temperature was this.
+// Factor on the reflectance of metal with this highest temperature.
 vec3 tintOf(float peakKelvin) {
     return heatColour(peakKelvin, 0.75);
 }
 
-// How far metal is molten, 0..1. Over the freezing range, or one kelvin, the look changes from that of the solid to that of
-// the liquid.
+// Molten share of metal, 0..1. Over the freezing range, or one kelvin, the look changes from that of the solid to that
+// of the liquid.
 float liquidShare(float kelvin) {
     return clamp((kelvin - frame.solidus) * frame.perMushyRange, 0.0, 1.0);
 }
 
-// Share of solid metal's surface that is under scale.
+// Share of solid metal's surface under scale.
 float scaledShare(float peakKelvin) {
     return material.oxideTint * smoothstep(kScaleBegins, kScaleClosed, peakKelvin);
 }
@@ -56,14 +56,14 @@ float solidEmissivity(float kelvin, float peakKelvin) {
     return mix(material.cleanEmissivity, 1.0 - scaleReflectance(peak), scaledShare(peak));
 }
 
-// Reflectance of solid metal: temper colours where it was clean, scale where it was hotter.
+// Reflectance of solid metal: temper colours on clean metal, scale on metal that was hotter.
 vec3 solidReflectance(float kelvin, float peakKelvin) {
     float peak = max(kelvin, peakKelvin);
     vec3 tint = mix(vec3(1.0), tintOf(peak), material.oxideTint);
     return mix(material.cleanReflectance * tint, kScaleColour * scaleReflectance(peak), scaledShare(peak));
 }
 
-// The same of metal of which the share `milled` is under the scale of its rolling. Without MILL_SCALE none is.
+// Emissivity of solid metal with the share `milled` under mill scale. Without MILL_SCALE none is.
 float solidEmissivity(float kelvin, float peakKelvin, float milled) {
     float bare = solidEmissivity(kelvin, peakKelvin);
 #ifdef MILL_SCALE
@@ -78,7 +78,7 @@ vec3 solidReflectance(float kelvin, float peakKelvin, float milled) {
     vec3 bare = solidReflectance(kelvin, peakKelvin);
 #ifdef MILL_SCALE
     float peak = max(kelvin, peakKelvin);
-    vec3 tint = mix(vec3(1.0), tintOf(peak), material.oxideTint); // of what the scale covers
+    vec3 tint = mix(vec3(1.0), tintOf(peak), material.oxideTint); // tint of the metal under the scale
     return bare + milled * (1.0 - scaledShare(peak)) * (kMillScale - material.cleanReflectance * tint);
 #else
     return bare;
@@ -90,8 +90,8 @@ float solidRoughness() {
     return max(frame.dullness * material.solidRoughness, material.liquidRoughness);
 }
 
-// Light of metal of this emissivity. Without a visor it is compressed: the eye would be dazzled and the pool's edge, where
-// twice as much light falls off within a millimetre, would be white in white.
+// Light of metal of this emissivity. Without a visor it is compressed: it would dazzle the eye, and the pool's edge,
+// where twice as much light falls off within a millimetre, would be white in white.
 vec3 metalGlow(float kelvin, float emissivity) {
     vec3 glow = emissivity * glowOf(kelvin);
     if (frame.glowSoftening <= 0.0) return glow;

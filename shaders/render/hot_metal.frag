@@ -1,11 +1,12 @@
 // Metal with a temperature in kelvin: mirrors its surroundings and glows. At the melting point it turns from dull and
-// bright to mirroring and darker: that is how a welder sees the pool's edge.
-// POOL: what is liquid mirrors torch and workpiece too. Solid metal is too dull to show more than the room.
+// bright to mirroring and darker: this shows a welder the pool's edge.
+// POOL: liquid metal mirrors torch and workpiece too. Solid metal is too dull to show more than the room.
 // SYNCHRONOUS_DRIVER: another program and no branch, of which it computes both sides.
-// ROUGH_LOBES: lamp, arc and room are mirrored as rough metal does; else by Phong's lobes.
+// ROUGH_LOBES: lamp, arc and room are mirrored as by rough metal; else by Phong's lobes.
 // SPECULAR_AA: highlights are as wide as the normals within a pixel make them.
 // RIPPLES, only with ROUGH_LOBES: solid metal has the ripples of its freezing.
-// MILL_SCALE: rolled faces are under scale. FLOATING_OXIDE, only with POOL: liquid metal carries islands, which look as scale.
+// MILL_SCALE: rolled faces are under scale. FLOATING_OXIDE, only with POOL: liquid metal carries islands that look like
+// scale.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/arc.glsl"
@@ -66,9 +67,9 @@ vec3 arcImage(vec3 n, vec3 toEye, vec3 mirrored, float roughness, float share) {
 }
 
 #ifdef RIPPLES
-// Light that a surface scatters with normal `n` over what it scatters with normal `flat_`, which was computed for its
-// vertices. Where that is little, no more than a share of what a surface that faces lamp and arc has: the quotient of two
-// small numbers would show how coarse the vertices lie.
+// Light that a surface scatters with normal `n` over that with normal `flat_`, which was computed for its vertices. For
+// little light, no more than a share of that of a surface that faces lamp and arc: the quotient of two small numbers
+// would show the coarseness of the vertices.
 float litOverFlat(vec3 n, vec3 flat_) {
     vec3 toArc = frame.arc - frame.views[view].eye - way;
     float arc = frame.arcLight.g > 0.0 ? arcOn(toArc).g : 0.0;
@@ -122,7 +123,7 @@ const float kArcSharpness = 24.0;
 
 vec3 lightOff(float liquid) {
     float dull = frame.dullness * (1.0 - liquid);
-    // SYNCHRONOUS_DRIVER: a whole level, as between two it reads both.
+    // SYNCHRONOUS_DRIVER: a whole level, because between two it reads both.
     float level = floor(mix(kLevels.x, kLevels.y, dull) + 0.5);
     vec3 seen = lampLight * decodeEnvironment(textureLod(roughEnvironment, mirrorWay, level).rgb);
 #ifdef POOL

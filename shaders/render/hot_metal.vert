@@ -1,6 +1,7 @@
-// A vertex of metal with a temperature in kelvin: as metal.vert, with temper colours. What jumps at the melting point is
-// computed for each pixel, with ROUGH_LOBES the temper colours too. POOL: only triangles with a liquid corner are drawn, over
-// the others. TORCH_SHADOW, ROUGH_LOBES, MILL_SCALE, RIPPLES (only with ROUGH_LOBES): see core/render/look/measures.hpp.
+// A vertex of metal with a temperature in kelvin: as metal.vert, with temper colours. Values that jump at the melting
+// point are computed for each pixel, with ROUGH_LOBES the temper colours too. POOL: only triangles with a liquid corner
+// are drawn, over the others. TORCH_SHADOW, ROUGH_LOBES, MILL_SCALE, RIPPLES (only with ROUGH_LOBES): see
+// core/render/look/measures.hpp.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/view.glsl"
@@ -87,7 +88,7 @@ void main() {
     temperature = vertexTemperature;
 #ifdef RIPPLES
     cycles = material.rippleFrequency * freezing.w;
-    // Where little of the metal froze the time is that of what lies beside: the bead's edge has none.
+    // The time of barely frozen metal is that of the metal beside it: the bead's edge has none.
     rippleSlope = mat3(frame.modelToWorld) * rippleSlopeOf(freezing.xyz) * (smoothstep(0.3, 0.7, frozen) / frame.modelUnit);
 #endif
 #ifdef POOL

@@ -23,7 +23,7 @@ Clouds clouds(vec3 from, vec3 along, float thickness) {
         vec4 coarse = texture(noise, at * vec3(0.32, 0.12, 0.32));
         vec4 fine = texture(noise, at * vec3(1.15, 0.5, 1.15) + 0.3);
         sum.x += smoothstep(0.05, 0.30, deep) * smoothstep(0.40, 0.72, coarse.r * 0.6 + fine.r * 0.4) * step1;
-        // A crack is a thin sheet; there are some here and there.
+        // A crack is a thin sheet; a few are scattered through the ice.
         float crack = smoothstep(0.014, 0.0, abs(coarse.g - 0.5)) * smoothstep(0.45, 0.75, coarse.b);
         float bubble = smoothstep(0.82, 0.90, fine.a);
         sum.y += (0.5 * crack + bubble) * smoothstep(0.0, 0.08, deep) * step1;

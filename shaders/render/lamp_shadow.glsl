@@ -1,4 +1,4 @@
-// The torch's shadow in the lamp's light, in closed form: no pass over the scene, and the same in both eyes.
+// The torch's shadow in the lamp's light, in closed form: no pass over the scene, and equal in both eyes.
 #ifndef MELTPOOL_RENDER_LAMP_SHADOW_GLSL
 #define MELTPOOL_RENDER_LAMP_SHADOW_GLSL
 
@@ -7,8 +7,8 @@
 // Radius of the lamp's disc, model units. None: chosen, about that of the workshop's soft box seen from the table.
 const float kLampRadius = 0.2;
 
-// Share of a disc that a straight edge leaves free whose signed distance from its centre is this, in radii. The polynomial
-// is within 0.008 of 1/2 + (x sqrt(1 - x²) + asin x) / pi.
+// Free share of a disc behind a straight edge at this signed distance from its centre, in radii. The polynomial is
+// within 0.008 of 1/2 + (x sqrt(1 - x²) + asin x) / pi.
 float discBeyond(float x) {
     x = clamp(x, -1.0, 1.0);
     return 0.5 + x * (0.64 - 0.14 * x * x);
@@ -24,7 +24,7 @@ float lampPast(TorchPart part, vec3 at, vec3 toLamp, float radius) {
     vec3 start = at - part.from;
     float turned = dot(towards, axis), along = dot(towards, start), below = dot(axis, start);
     float square = dot(axis, axis);
-    // Where axis and ray come nearest to each other, 0..1 of the axis; then along the ray.
+    // The nearest points of axis and ray: 0..1 of the axis; then along the ray.
     float on = clamp((below - along * turned) / max(square - turned * turned, 1e-9 * square), shorter, 1.0 - shorter);
     float distance_ = turned * on - along;
     float gap = length(start + towards * distance_ - axis * on);

@@ -1,5 +1,5 @@
-// A marker: its own colour whatever light there is, a little darker towards its outline, so that its form is seen; one
-// that lets more through where it faces the eye keeps its outline.
+// A marker: its own colour in any light, a little darker towards its outline, so that its form is visible; one that is
+// more transparent where it faces the eye keeps its outline.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/tone.glsl"

@@ -1,4 +1,4 @@
-// A vertex of opaque metal. Everything that varies smoothly over a triangle is computed here: the triangles are small.
+// A vertex of opaque metal. Quantities that vary smoothly over a triangle are computed here: the triangles are small.
 // SYNCHRONOUS_DRIVER: it is slow per pixel.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require

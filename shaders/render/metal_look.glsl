@@ -4,7 +4,7 @@
 
 #include "render/tone.glsl"
 
-// How far the colour and the mirror image have changed from solid (0) to liquid (1).
+// Change of the colour and the mirror image from solid (0) to liquid (1).
 struct MeltShares {
     float colour;
     float mirror;

@@ -1,16 +1,16 @@
-// Where a workpiece is under the scale of its rolling: on its rolled faces, but for the band that was ground along the seam.
+// Mill scale of a workpiece: on its rolled faces, except the band that was ground along the seam.
 #ifndef MELTPOOL_RENDER_MILL_SCALE_GLSL
 #define MELTPOOL_RENDER_MILL_SCALE_GLSL
 
 #include "render/frame.glsl"
 
-// m that a face may lie off the box of its part: the particles' surface is rounded. None: chosen.
+// Greatest distance (m) of a face from the box of its part: the particles' surface is rounded. None: chosen.
 const float kOffPart = 1.5e-3;
-// Half the width in which a grinder's band ends, and how far its edge wanders, m. None: chosen.
+// Half the width of the band's fading end, and the wandering of its edge, m. None: chosen.
 const float kBandFades = 1.1e-3;
 const float kBandWanders = 0.7e-3;
 
-// How far a grinder went astray at this place along the seam, m.
+// Wandering of the grinder at this place along the seam, m.
 float bandWander(vec3 place) {
     vec2 along = (place.x + place.z * (1.0 - frame.seamAcross.z)) * vec2(140.0, 390.0);
     return kBandWanders * (0.6 * sin(along.x + 1.3 * sign(place.z)) + 0.4 * sin(along.y));

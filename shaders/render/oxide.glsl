@@ -1,4 +1,4 @@
-// Islands of oxide on a pool: around each carrier that find_oxide.comp found they cover what of the surface is near.
+// Islands of oxide on a pool: they cover the surface near each carrier that find_oxide.comp found.
 #ifndef MELTPOOL_RENDER_OXIDE_GLSL
 #define MELTPOOL_RENDER_OXIDE_GLSL
 
@@ -7,7 +7,7 @@
 layout(std430, binding = OXIDE_BINDING) readonly buffer Oxide { OxideIslands oxide; };
 layout(binding = NOISE_UNIT) uniform sampler3D oxideNoise;
 
-// Waves of an island's outline over its radius, and how deep they cut. None: chosen.
+// Waves of an island's outline over its radius, and their depth. None: chosen.
 const float kOutlineWaves = 0.11;
 const float kOutlineDepth = 0.8;
 

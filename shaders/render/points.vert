@@ -28,7 +28,7 @@ void main() {
     vec4 clip = view.worldToClip * vec4(world, 1.0);
     centre = (clip.xy / max(clip.w, 1e-6) * 0.5 + 0.5) * view.size + view.corner;
     perRadius = 1.0 / radius;
-    gl_PointSize = 2.0 * radius + 1.0; // covers the disc wherever the driver places the point's square
+    gl_PointSize = 2.0 * radius + 1.0; // the point's square covers the disc on every driver
     temperature = particleTemperature;
     lampInEye = normalize(mat3(view.worldToEye) * (frame.lamp - world));
     wayInEye = normalize(mat3(view.worldToEye) * (world - view.eye));

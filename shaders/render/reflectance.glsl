@@ -1,4 +1,4 @@
-// How rough metal reflects: the lobe of Walter et al. 2007 ("Microfacet models for refraction through rough surfaces",
+// Reflection of rough metal: the lobe of Walter et al. 2007 ("Microfacet models for refraction through rough surfaces",
 // GGX) and its share of an even room's light.
 #ifndef MELTPOOL_RENDER_REFLECTANCE_GLSL
 #define MELTPOOL_RENDER_REFLECTANCE_GLSL
@@ -13,16 +13,16 @@ vec2 roomShares(float roughness, float cosine) {
     return textureLod(mirrorShares, (vec2(cosine, roughness) * last + 0.5) / float(MIRROR_SHARE_SIZE), 0.0).rg;
 }
 
-// The same for a surface so smooth that no facet hides another.
+// The shares for a surface so smooth that no facet hides another.
 vec2 smoothShares(float cosine) {
     float off = 1.0 - cosine;
     float grazing = off * off * off * off * off;
     return vec2(1.0 - grazing, grazing);
 }
 
-// Share of an even room's light that metal of this reflectance mirrors. The lobe counts light that meets one facet; what
-// meets several is added as if it lay in the same lobe (Fdez-Aguera 2019, "A multiple-scattering microfacet model for
-// real-time image-based lighting"), so that a perfect mirror loses nothing however rough it is.
+// Share of an even room's light that metal of this reflectance mirrors. The lobe counts light that meets one facet;
+// light that meets several is added to the same lobe (Fdez-Aguera 2019, "A multiple-scattering microfacet model for
+// real-time image-based lighting"), so that a perfect mirror of any roughness loses nothing.
 vec3 mirroredShare(vec3 reflectance, vec2 shares) {
     return (reflectance * shares.x + shares.y) * (1.0 + reflectance * (1.0 / (shares.x + shares.y) - 1.0));
 }

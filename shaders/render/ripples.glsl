@@ -1,12 +1,13 @@
-// The ripples of frozen metal: height = rippleHeight x wave(frequency x time at which it froze). The time changes smoothly
-// along a weld, so that ripples finer than a particle come out sound, and a stop of the torch leaves its mark by itself.
+// The ripples of frozen metal: height = rippleHeight x wave(frequency x time at which it froze). The time changes
+// smoothly along a weld, so that ripples finer than a particle are correct, and a stop of the torch leaves its mark by
+// itself.
 #ifndef MELTPOOL_RENDER_RIPPLES_GLSL
 #define MELTPOOL_RENDER_RIPPLES_GLSL
 
 #include "render/frame.glsl"
 
-// Second harmonic of the wave over the first: newer metal lies over older like scales, whose edges are steeper than their
-// backs. None: chosen.
+// Second harmonic of the wave over the first: newer metal overlaps older like scales, whose edges are steeper than
+// their backs. None: chosen.
 const float kRippleSkew = 0.35;
 // Steepest slope of a ripple's first harmonic: finer ripples are lower. None: chosen, 0.16 is 9 degrees.
 const float kRippleSteepest = 0.16;
@@ -29,8 +30,8 @@ float rippleSeen(vec2 cyclesPerPixel) {
     return clamp(2.0 - 6.0 * length(cyclesPerPixel), 0.0, 1.0);
 }
 
-// The unit normal of a surface with normal `n` once it has height whose gradient is `slope` (Mikkelsen 2010, "Bump mapping
-// unparametrized surfaces on the GPU").
+// The unit normal of a surface with normal `n` after adding a height whose gradient is `slope` (Mikkelsen 2010, "Bump
+// mapping unparametrized surfaces on the GPU").
 vec3 bentNormal(vec3 n, vec3 slope) {
     return normalize(n - (slope - n * dot(n, slope)));
 }

@@ -1,5 +1,5 @@
-// A corner of the workshop's geometry: walls, boxes, soft box and gas bottles. Its colour is that which the environment has
-// in its direction from the place where that was painted, so that from there the picture is that of the sky.
+// A corner of the workshop's geometry: walls, boxes, soft box and gas bottles. Its colour is that of the environment in
+// its direction from the environment's origin, so that the picture from there is that of the sky.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/view.glsl"
@@ -13,7 +13,7 @@ const int kPerBox = 36; // vertices
 const int kBoxesEnd = (1 + WORKSHOP_BOXES) * kPerBox;
 const int kSoftBoxEnd = kBoxesEnd + 12;
 
-// Of the triangles 0 1 2 and 0 2 3 of a rectangle: -1 or 1 along its two edges.
+// Position on the two edges of a rectangle of triangles 0 1 2 and 0 2 3, -1 or 1.
 vec2 rectangleCorner(int vertex) {
     int corner = vertex < 3 ? vertex : (vertex == 3 ? 0 : vertex - 2);
     return vec2(corner == 1 || corner == 2 ? 1.0 : -1.0, corner >= 2 ? 1.0 : -1.0);
@@ -35,7 +35,7 @@ vec3 inBox(vec3 lo, vec3 hi, int vertex, float looks) {
     return 0.5 * (lo + hi + (hi - lo) * boxCorner(vertex, looks));
 }
 
-// The soft box is seen from both sides.
+// The soft box is visible from both sides.
 vec3 onSoftBox(int vertex) {
     vec2 corner = rectangleCorner(vertex % 6);
     float side = vertex < 6 ? 1.0 : -1.0;
@@ -47,7 +47,7 @@ vec3 onBottle(int vertex) {
     int side = vertex / 6 % WORKSHOP_BOTTLE_SIDES;
     vec2 corner = rectangleCorner(vertex % 6);
     float angle = 6.28318531 * (float(side) + 0.5 - 0.5 * corner.x) / float(WORKSHOP_BOTTLE_SIDES);
-    // Half of the polygon lies outside of the circle, half inside.
+    // Half of the polygon is outside of the circle, half inside.
     float radius = kBottleRadius[bottle] / cos(1.57079633 / float(WORKSHOP_BOTTLE_SIDES));
     vec2 middle = kBottleAxis[bottle] + radius * vec2(cos(angle), sin(angle));
     return vec3(middle.x, corner.y < 0.0 ? kRoomMin.y : kBottleTop[bottle], middle.y);

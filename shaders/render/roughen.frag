@@ -40,7 +40,7 @@ void main() {
         vec3 way = 2.0 * cosine * middle - normal;
         float weight = dot(normal, way);
         if (weight <= 0.0) continue;
-        // a sample stands for the solid angle 1 / (samples * pdf); read the level whose texels are that wide
+        // a sample covers the solid angle 1 / (samples * pdf); read the level whose texels are that wide
         float d = (cosine * cosine) * (a * a - 1.0) + 1.0;
         float pdf = a * a / (3.14159265 * d * d) * 0.25;
         float level = 0.5 * log2(6.0 * sourceSize * sourceSize / (4.0 * 3.14159265 * float(samples) * pdf)) + 1.0;

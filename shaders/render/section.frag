@@ -1,5 +1,6 @@
-// The etched section: steel after nital. What was molten shows columns of grains that grew from the fusion line inwards,
-// what was above Ac1 is dark, darkest and coarsest next to the fusion line; the rest shows its rolling. Hot metal glows.
+// The etched section: steel after nital. Metal that was molten shows columns of grains that grew from the fusion line
+// inwards; metal that was above Ac1 is dark, darkest and coarsest next to the fusion line; the rest shows its rolling.
+// Hot metal glows.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/hot.glsl"

@@ -1,5 +1,5 @@
-// A painted solid: mirrors a little and may emit light. ON_TABLE: the vertex shader says what is seen. TORCH_SHADOW: see
-// core/render/look/measures.hpp.
+// A painted solid: mirrors a little and may emit light. ON_TABLE: the vertex shader computes its light. TORCH_SHADOW:
+// see core/render/look/measures.hpp.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/arc.glsl"

@@ -1,6 +1,6 @@
-// A vertex of a painted solid: heat source, torch, table. MANY_AT_ONCE: all solids of a shape are one draw call. ON_TABLE:
-// what stands with the workpiece, which keeps light off it. It covers most of a picture and is dull or small: what is seen of
-// it is computed here.
+// A vertex of a painted solid: heat source, torch, table. MANY_AT_ONCE: all solids of a shape are one draw call.
+// ON_TABLE: things around the workpiece, which blocks light from them. They cover most of a picture and are dull or
+// small: their visible light is computed here.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/view.glsl"
@@ -45,7 +45,7 @@ float lampPastTorchWidely(vec3 world) {
     return share;
 }
 
-// As solid.frag has it for each pixel.
+// Light of the table, computed for each vertex as solid.frag does for each pixel.
 vec3 seenOnTable(vec3 world, vec3 n) {
     vec3 colour = paintAndGloss.rgb;
     float gloss = paintAndGloss.a, sharpness = mix(8.0, 80.0, gloss);

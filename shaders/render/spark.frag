@@ -1,4 +1,4 @@
-// A glowing drop, or a bead that has cooled: the light of its metal, and what arc and lamp throw on it.
+// A glowing drop, or a bead that has cooled: the light of its metal, and the light of arc and lamp on it.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/arc.glsl"

@@ -1,5 +1,5 @@
-// A drop in flight or a bead that lies: a quad that holds a ball drawn out along its way, turned to the eye. As wide as a
-// pixel at least; the light is then spread over it, so that small drops are faint and do not flicker.
+// A drop in flight or a bead at rest: a quad that holds a ball drawn out along its way, turned to the eye. At least a
+// pixel wide; the light is then spread over it, so that small drops are faint and do not flicker.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "render/view.glsl"
@@ -12,9 +12,9 @@ layout(std430, binding = SPARKS_BINDING) readonly buffer Sparks {
 layout(location = 0) out vec2 place;      // along the way from its end and across it, pixels
 layout(location = 1) flat out float reach; // length of the way, pixels
 layout(location = 2) flat out float thick; // radius as drawn, pixels
-layout(location = 3) flat out float share; // of the drop's light where it is drawn wider than it is
+layout(location = 3) flat out float share; // of the drop's light if it is drawn wider than it is
 layout(location = 4) flat out float kelvin;
-layout(location = 5) flat out vec3 along;  // world, unit, as the next two: the quad's own axes
+layout(location = 5) flat out vec3 along;  // world, unit, likewise the next two: the quad's own axes
 layout(location = 6) flat out vec3 across;
 layout(location = 7) flat out vec3 toEye;
 layout(location = 8) flat out vec3 toArc;  // world
@@ -36,7 +36,7 @@ void main() {
     toEye = normalize(view.eye - world);
     toArc = frame.arc - world;
     vec3 way = mat3(frame.modelToWorld) * spark.way;
-    way -= toEye * dot(way, toEye); // as it is seen
+    way -= toEye * dot(way, toEye); // as seen
     float far = length(way);
     vec3 side = transpose(mat3(view.worldToEye))[0];
     along = far * pixels > 0.5 ? way / far : normalize(side - toEye * dot(side, toEye));

@@ -1,6 +1,6 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-// The colours of vertices for files: what the pictures' functions give for them, without lamp, arc and mirror image.
+// The colours of vertices for files: the results of the pictures' functions, without lamp, arc and mirror image.
 #include "shared/dispatch.h"
 #include "render/hot.glsl"
 #include "render/metal_look.glsl"
@@ -13,7 +13,7 @@ layout(std430, binding = COLOURS_BINDING) writeonly buffer Colours { vec4 colour
 vec3 lightOf(float temperature, float peak) {
     if (frame.colourMode > 0.0) return scaleColour(temperature);
     MeltShares share = meltShares(temperature);
-    if (frame.perMushyRange == 0.0) return materialColour(share.colour); // the classic model knows no kelvin
+    if (frame.perMushyRange == 0.0) return materialColour(share.colour); // the classic model has no kelvin
     float liquid = liquidShare(temperature);
     vec3 body = mix(solidReflectance(temperature, peak), materialColour(1.0), liquid);
     return body + metalGlow(temperature, mix(solidEmissivity(temperature, peak), material.liquidEmissivity, liquid));

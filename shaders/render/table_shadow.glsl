@@ -1,4 +1,4 @@
-// What the workpiece keeps off the table that it lies on, in closed form.
+// Light that the workpiece blocks from the table under it, in closed form.
 #ifndef MELTPOOL_RENDER_TABLE_SHADOW_GLSL
 #define MELTPOOL_RENDER_TABLE_SHADOW_GLSL
 

@@ -1,10 +1,10 @@
-// The torch as a few cylinders: what a pool mirrors of it, and the shadow that it throws in the lamp's light.
+// The torch as a few cylinders: its image in a pool, and its shadow in the lamp's light.
 #ifndef MELTPOOL_RENDER_TORCH_PARTS_GLSL
 #define MELTPOOL_RENDER_TORCH_PARTS_GLSL
 
 #include "render/arc.glsl"
 
-// Reflectance of the plate where a pool mirrors it. None: chosen, between clean and scaled steel.
+// Reflectance of the plate in a pool's mirror image. None: chosen, between clean and scaled steel.
 const float kMirroredPlate = 0.25;
 
 struct Mirrored {
@@ -13,7 +13,7 @@ struct Mirrored {
     vec3 colour;
 };
 
-// Replaces `nearest` by the torch part if the ray from `at` meets that before. `towards`: unit.
+// Replaces `nearest` by the torch part if the ray from `at` meets that first. `towards`: unit.
 void meetPart(TorchPart part, vec3 at, vec3 towards, inout Mirrored nearest) {
     vec3 axis = part.to - part.from;
     float whole = length(axis);
@@ -37,7 +37,8 @@ void meetPart(TorchPart part, vec3 at, vec3 towards, inout Mirrored nearest) {
     nearest.colour = part.colour;
 }
 
-// The same for the workpiece's blocks. A ray that starts inside one does not meet it: a pool lies in its own plate.
+// Replaces `nearest` by the workpiece's block if the ray meets that first. A ray that starts inside one does not meet
+// it: a pool is in its own plate.
 void meetBlock(ShadowBox block, vec3 at, vec3 towards, inout Mirrored nearest) {
     mat3 toModel = transpose(mat3(frame.modelToWorld)) / (frame.modelUnit * frame.modelUnit);
     vec3 start = toModel * (at - frame.modelToWorld[3].xyz), per = toModel * towards;
@@ -52,8 +53,8 @@ void meetBlock(ShadowBox block, vec3 at, vec3 towards, inout Mirrored nearest) {
     nearest.colour = vec3(kMirroredPlate);
 }
 
-// What a mirror at `at` shows in the direction `towards`: the torch and the workpiece in the light of arc and lamp, else
-// the room.
+// Mirror image at `at` in the direction `towards`: the torch and the workpiece in the light of arc and lamp, else the
+// room.
 vec3 mirroredThings(vec3 at, vec3 towards, vec3 room) {
     Mirrored nearest = Mirrored(1e9, vec3(0.0), vec3(0.0));
     for (int i = 0; i < frame.torchPartCount; ++i)

@@ -1,4 +1,4 @@
-// What ice and wax share: refraction of light through the body.
+// Common code of ice and wax: refraction of light through the body.
 #ifndef MELTPOOL_RENDER_TRANSLUCENT_GLSL
 #define MELTPOOL_RENDER_TRANSLUCENT_GLSL
 
@@ -35,8 +35,8 @@ struct FarSide {
     float distance; // from the eye; 0: no far side here
 };
 
-// The far side of the body at a position 0..1 of this view. The views lie side by side in one texture; clamping keeps the
-// lookup out of the neighbour's column.
+// The far side of the body at a position 0..1 of this view. The views are side by side in one texture; clamping
+// confines the lookup to the own column.
 FarSide farSide(vec2 inView) {
     vec2 border = 0.5 / frame.views[view].size;
     inView = clamp(inView, border, 1.0 - border);
@@ -45,8 +45,8 @@ FarSide farSide(vec2 inView) {
 }
 
 // Two refractions, at this pixel and where the refracted ray leaves through the far side (Wyman 2005, "An approximate
-// image-space approach for interactive refraction"): the distance inside is that of the straight ray, the far normal is
-// looked up where the end of the refracted ray is projected.
+// image-space approach for interactive refraction"): the distance inside is that of the straight ray, the far normal
+// comes from the projected end of the refracted ray.
 Passage passThrough(vec3 along, vec3 n, float index) {
     ViewData eye = frame.views[view];
     vec2 here = (gl_FragCoord.xy - eye.corner) / eye.size;

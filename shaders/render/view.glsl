@@ -1,6 +1,6 @@
-// The view that a vertex belongs to, and its position there; the only shader code that depends on how several views are
-// drawn. VIEWS_BY_VIEWPORT: an instance a view, each in a viewport of its own. VIEWS_BY_CLIPPING: an instance a view,
-// squeezed into its column of one viewport and clipped at the column's sides. Neither: one view at a time.
+// The view of a vertex, and its position there; only this shader code depends on the method of drawing several views.
+// VIEWS_BY_VIEWPORT: an instance a view, each in a viewport of its own. VIEWS_BY_CLIPPING: an instance a view, squeezed
+// into its column of one viewport and clipped at the column's sides. Neither: one view at a time.
 #ifndef MELTPOOL_RENDER_VIEW_GLSL
 #define MELTPOOL_RENDER_VIEW_GLSL
 
@@ -10,7 +10,7 @@
 
 #include "render/frame.glsl"
 
-#ifdef DRAWN_TWICE // by programs that differ: both must find the same depth
+#ifdef DRAWN_TWICE // by differing programs: both must find the same depth
 invariant gl_Position;
 #endif
 
@@ -57,7 +57,7 @@ void showAt(vec4 clip) {
 #endif
 }
 
-// As showAt(), for the metal's surface, which the section cuts.
+// Calls showAt() for the metal's surface, which the section cuts.
 void showCut(vec3 world) {
     gl_ClipDistance[kCutPlane] = frame.cutOffset - dot(frame.cutNormal, world);
     showAt(toClip(world));

@@ -1,5 +1,5 @@
-// How the room around the metal looks from its origin: a workshop with windows, ceiling lamps, a soft box, benches and gas
-// bottles, lit by the lamps without shadows but darkened near edges between objects.
+// The room around the metal, seen from the metal's origin: a workshop with windows, ceiling lamps, a soft box, benches
+// and gas bottles, lit by the lamps without shadows but darkened near edges between objects.
 #ifndef MELTPOOL_RENDER_WORKSHOP_GLSL
 #define MELTPOOL_RENDER_WORKSHOP_GLSL
 
@@ -73,7 +73,7 @@ Hit trace(vec3 from, vec3 way) {
     return hit;
 }
 
-// Light of the lamp that the ray meets within the distance `nearest`; false where it meets none.
+// Light of the lamp that the ray meets within the distance `nearest`; false if it meets none.
 bool seesLamp(vec3 from, vec3 way, float nearest, out vec3 light) {
     light = vec3(0.0);
     for (int i = 0; i < kLampCount; ++i) {

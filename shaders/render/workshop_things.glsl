@@ -1,5 +1,6 @@
-// The things of the workshop, of which both its picture from the metal's place (workshop.glsl) and its geometry (room.vert)
-// are made. Distances in metres, the place of that picture at the origin. Everything is a box or an upright cylinder.
+// The things of the workshop; both its picture from the metal's place (workshop.glsl) and its geometry (room.vert) are
+// made from them. Distances in metres, the place of that picture at the origin. Everything is a box or an upright
+// cylinder.
 #ifndef MELTPOOL_RENDER_WORKSHOP_THINGS_GLSL
 #define MELTPOOL_RENDER_WORKSHOP_THINGS_GLSL
 
@@ -33,7 +34,7 @@ const Thing kThings[kThingCount] = Thing[](
     Thing(vec3(3.2, -1.25, 0.5), vec3(3.8, -0.45, 1.1), vec3(0.45, 0.16, 0.02), 0.25),
     Thing(vec3(-4.2, -0.42, 0.2), vec3(-3.3, -0.34, 2.6), vec3(0.30, 0.24, 0.18), 0.15),
     Thing(vec3(-4.15, -1.25, 0.4), vec3(-3.5, -0.42, 0.9), vec3(0.08, 0.09, 0.10), 0.2),
-    // the vice: its fixed jaw, the one that is screwed against it, the slide between them and the handle
+    // the vice: its fixed jaw, its moving jaw, the slide between them and the handle
     Thing(vec3(-0.22, -0.20, -3.10), vec3(0.02, -0.03, -3.02), vec3(0.07, 0.11, 0.15), 0.3),
     Thing(vec3(-0.22, -0.20, -2.93), vec3(0.02, -0.03, -2.86), vec3(0.07, 0.11, 0.15), 0.3),
     Thing(vec3(-0.14, -0.19, -3.02), vec3(-0.06, -0.09, -2.80), vec3(0.20, 0.20, 0.20), 0.5),

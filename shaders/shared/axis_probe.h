@@ -1,17 +1,17 @@
-// What the passes that look for metal along an axis share with C++.
+// Constants and structs that the passes which search metal along an axis share with C++.
 #ifndef MELTPOOL_SHARED_AXIS_PROBE_H
 #define MELTPOOL_SHARED_AXIS_PROBE_H
 
 #include "glsl_types.h"
 
 #define AXIS_PROBE_GROUP 64
-#define AXIS_PROBE_BINS 256       // lengths of the ray that metal is counted in
+#define AXIS_PROBE_BINS 256       // lengths of the ray in which metal is counted
 #define AXIS_PROBE_UNIT 65536.0   // of the integer sums, whose order does not matter
 #define AXIS_PROBE_RADIUS 2.0     // spacings from the axis within which metal counts
-#define AXIS_PROBE_EDGE_DEPTH 3.0 // spacings that metal beside the axis must be deep to be an edge that an arc burns to
+#define AXIS_PROBE_EDGE_DEPTH 3.0 // spacings of depth that make metal beside the axis an edge for the arc
 #define AXIS_PROBE_EDGE_SHARE 0.12 // of the count inside metal; 0.17 in the middle of a gap two spacings wide
-#define AXIS_PROBE_DROP_SPEED 0.2 // m/s along the axis from which liquid is a drop on its way and no surface
-#define AXIS_PROBE_LATTICE_GROUPS 128 // groups at most that look through the lattice around the ray; the others take the list of slots
+#define AXIS_PROBE_DROP_SPEED 0.2  // m/s along the axis from which liquid is a drop in flight and no surface
+#define AXIS_PROBE_LATTICE_GROUPS 128 // most groups that search the lattice; the others take the list of slots
 
 #define AXIS_PROBE_BLOCK 1 // uniform buffer
 
@@ -19,7 +19,7 @@
 #define AXIS_PROBE_SUMS 6    // AxisProbeBin a bin
 #define AXIS_PROBE_ANSWER 7  // AxisProbeAnswer
 #define AXIS_PROBE_SLOTS 8   // list of slots off the lattice
-#define AXIS_PROBE_CONTROL 9 // uint: whatever holds their number, see AxisProbeBlock.countWord
+#define AXIS_PROBE_CONTROL 9 // uint: any buffer with their number, see AxisProbeBlock.countWord
 
 #ifdef __cplusplus
 namespace meltpool {
@@ -29,13 +29,13 @@ struct AxisProbeBlock {
     vec3 origin;     // m
     float binLength; // m
     vec3 axis;       // unit vector
-    float full;      // sum of a bin that lies wholly inside metal at rest density
+    float full;      // sum of a bin that is wholly inside metal at rest density
     ivec3 low;       // first lattice cell of the box around the ray
-    uint firstSlot;  // place of the first slot in the list
+    uint firstSlot;  // index of the first slot in the list
     ivec3 cells;     // size of that box
-    uint countWord;  // place of the list's length in its control buffer
+    uint countWord;  // index of the list's length in its control buffer
     int edgeBins;    // bins in AXIS_PROBE_EDGE_DEPTH spacings
-    int latticeGroups; // groups that look through the box
+    int latticeGroups; // groups that search the box
     int reserved2;     // no array: std140 would give each element 16 bytes
     int reserved3;
 };

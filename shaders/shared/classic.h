@@ -1,10 +1,11 @@
-// What C++ and GLSL share of the classic model: uniform block of a step, bindings, group sizes, partial statistics.
+// Definitions of the classic model that C++ and GLSL share: uniform block of a step, bindings, group sizes, partial
+// statistics.
 #ifndef MELTPOOL_SHARED_CLASSIC_H
 #define MELTPOOL_SHARED_CLASSIC_H
 
 #include "glsl_types.h"
 
-/// Invocations of a group of the prefix sum, and cells whose counts it sums.
+/// Invocations of a group of the prefix sum, and the number of cells whose counts it sums.
 #define CLASSIC_SCAN_GROUP 64
 #define CLASSIC_SCAN_CELLS 4096
 /// Particles whose statistics one group sums.
@@ -12,7 +13,7 @@
 
 // Uniform block.
 #define CLASSIC_STEP 0
-// Storage blocks. "Moved": the state after a step; "sorted": the same in the order of the grid cells, which the next
+// Storage blocks. "Moved": the state after a step; "sorted": that state in the order of the grid cells, which the next
 // step reads. A position is a vec4 with the temperature behind it, a sorted velocity one with 1 / density.
 #define CLASSIC_MOVED_POSITIONS 0
 #define CLASSIC_MOVED_VELOCITIES 1
@@ -42,7 +43,7 @@ struct ClassicStep {
     vec3 gravity;
     float heat;              // temperature a step at the source's centre; negative for a cold source, 0 when off
     vec3 source;             // centre of the heat or cold source
-    float heatRadiusSquared; // the source reaches as far as the root of this
+    float heatRadiusSquared; // square of the source's reach
     float solidifyRate;      // temperature lost a step
     float restDensity;
     float gasStiffness;
@@ -56,7 +57,7 @@ struct ClassicStep {
     float cellsPerUnit;      // 1 / edge of a cell
     uint particles;
     uint cellsPerAxis;
-    uint wallSlip;           // 1: a wall reverses only the velocity across it
+    uint wallSlip; // 1: a wall reverses only the velocity component across it
     uint reserved;
     uint reserved2;
 };

@@ -1,4 +1,4 @@
-// How a one-dimensional list of invocations is laid over compute groups; the same in C++ and GLSL.
+// Layout of a one-dimensional list of invocations over compute groups, for C++ and GLSL.
 #ifndef MELTPOOL_SHARED_DISPATCH_H
 #define MELTPOOL_SHARED_DISPATCH_H
 

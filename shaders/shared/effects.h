@@ -1,4 +1,4 @@
-// What the painter of flying drops and of smoke shares with its shaders.
+// Definitions that the painter of flying drops and of smoke shares with its shaders.
 #ifndef MELTPOOL_SHARED_EFFECTS_H
 #define MELTPOOL_SHARED_EFFECTS_H
 
@@ -16,7 +16,7 @@ namespace meltpool {
 struct Spark {
     vec3 place;   // model units
     float radius; // model units
-    vec3 way;     // how far it flies while the eye gathers a picture, model units; 0 where it lies or hangs
+    vec3 way;     // its way while the eye gathers a picture, model units; 0 for a drop at rest or hanging
     float kelvin;
 };
 
@@ -26,7 +26,7 @@ struct FumePuff {
     float radius; // across its way, model units
     vec3 way;     // half its length along its way, model units; no shorter than the radius
     float depth;  // optical depth for scattered light as seen from beside its way, mean over the ellipse
-    vec3 grain;   // the place in the noise that its middle shows, texels
+    vec3 grain;   // the place in the noise at its middle, texels
     float reserved;
 };
 

@@ -1,17 +1,17 @@
-// Buffers and constants of the flow, shared by C++ and GLSL. core/metal/flow/flow_constants.hpp says how the constants
-// follow from a liquid's properties.
+// Buffers and constants of the flow, shared by C++ and GLSL. core/metal/flow/flow_constants.hpp derives the constants
+// from a liquid's properties.
 //
-// Moving metal is liquid, or part of a loose solid fragment, or froze in flight and belongs to no fragment yet: that flies on
-// with the liquid until it touches what stands still. Wall metal is all other solid metal: it stands still and bounds the
-// liquid.
+// Moving metal is liquid, or part of a loose solid fragment, or froze in flight and belongs to no fragment yet: the
+// last flies on with the liquid until it touches fixed metal. Wall metal is all other solid metal: it is fixed and
+// bounds the liquid.
 //
-// Space is cut into cells at least one kernel support wide, so that a particle's neighbours lie in its own cell and the
-// 26 around it. Each cell lists its wall particles, which change only where the phase changes, and its moving particles,
-// which the move pass puts into cells again in every substep. Both lists are ordered by slot, so that sums over
-// neighbours have one order and the same run gives the same bits. Only cells that hold metal have room for lists.
+// Space is cut into cells at least one kernel support wide, so that a particle's neighbours are in its own cell and the
+// 26 around it. Each cell lists its wall particles, which change only where the phase changes, and its moving
+// particles, which the move pass puts into cells again in every substep. Both lists are ordered by slot, so that sums
+// over neighbours have one order and repeated runs give equal bits. Only cells that hold metal have memory for lists.
 //
-// Boundary particles are solid ones, of walls or fragments, within the reach of liquid. Only liquid and boundary particles
-// have neighbour lists.
+// Boundary particles are solid ones, of walls or fragments, within the reach of liquid. Only liquid and boundary
+// particles have neighbour lists.
 #ifndef MELTPOOL_SHARED_FLOW_H
 #define MELTPOOL_SHARED_FLOW_H
 
@@ -23,13 +23,17 @@
 // Storage buffers
 #define FLOW_PARTICLES 6     // FlowParticle for each slot
 #define FLOW_CELLS 7         // FlowCell for each cell
-#define FLOW_PAGES 8         // lists of cells, FLOW_PAGE_WORDS each: pages of wall metal, which cells keep, then pages of moving metal, handed out in every substep; page 0 of both is unused
+// Lists of cells, FLOW_PAGE_WORDS each: pages of wall metal, which stay with their cells, then pages of moving metal,
+// handed out in every substep; page 0 of both is unused.
+#define FLOW_PAGES 8
 #define FLOW_NEXT_IN_CELL 9  // for each slot the next one of its cell: of moving particles, and of new wall particles, in no order
 #define FLOW_LISTS 10        // moving slots, see flow/common.glsl
 #define FLOW_NEIGHBOURS 11   // neighbour lists, see flow/common.glsl
 #define FLOW_COUNTERS 12     // FlowCounters
-#define FLOW_CHANGED 13      // cells whose wall particles changed; then FLOW_WALL_CHANGES slots that became or ceased to be wall
-#define FLOW_WALL_SUMS 14    // ivec4 for each wall slot: what other wall metal adds to its gradient (xyz) and density (w), in 1/FLOW_WALL_SUM_UNIT
+#define FLOW_CHANGED 13      // cells with changed wall particles; then FLOW_WALL_CHANGES slots with changed wall state
+// ivec4 for each wall slot: the share of other wall metal in its gradient (xyz) and density (w), in
+// 1/FLOW_WALL_SUM_UNIT.
+#define FLOW_WALL_SUMS 14
 #define FLOW_PHASE_CHANGES 15 // the metal's list of slots whose phase changed
 
 #define FLOW_BLOCK 1 // uniform buffer
@@ -54,15 +58,15 @@
 // Bits of a slot in a list of neighbours or in the list of a cell
 #define FLOW_SOLID 0x80000000u // solid metal, wall or fragment
 #define FLOW_WALL 0x40000000u  // wall metal (in lists of neighbours)
-#define FLOW_RENEWS 0x40000000u // its own list is made anew in this search (in lists of cells)
+#define FLOW_RENEWS 0x40000000u // its own list is rebuilt in this search (in lists of cells)
 #define FLOW_SLOT 0x3fffffffu
 
 #define FLOW_STALE_CAPACITY 32u    // particles with stale neighbour lists that a search renews one by one; with more it renews all lists
 #define FLOW_STALE_ALL 0xffffffffu // all lists are stale
 
-#define FLOW_WALL_CHANGES 4096u          // slots a frame that may become or cease to be wall before all wall sums are made anew
+#define FLOW_WALL_CHANGES 4096u          // slots a frame with changed wall state before all wall sums are rebuilt
 #define FLOW_NO_LONGER_WALL 0x80000000u  // bit of such a slot: it ceased to be wall
-#define FLOW_WALL_SUM_UNIT 16777216.0    // wall sums are whole numbers: additions and removals in any order lose nothing
+#define FLOW_WALL_SUM_UNIT 16777216.0    // of wall sums: integers lose nothing in any order of additions and removals
 #define FLOW_NO_WALL_SUMS 0xffffffffu    // FlowParticle.wallSumGeneration of a slot without valid sums
 
 #define FLOW_TENSION_SLOPES 16 // a multiple of 4
@@ -89,7 +93,7 @@ struct FlowBlock {
     float kernelSelf;   // s V W(0)
     float soundSpeedSquared; // m²/s²
     float pairFriction; // 10 nu, m²/s
-    float mushyDrag;    // over density, 1/s
+    float mushyDrag;    // mushy drag over density, 1/s
     float cohesion;     // m/s²
     float areaForce;    // prefactor of the surface area force, m²/s²
     float firstSlopeAt; // temperature of the first of tensionSlopes, K
@@ -101,14 +105,14 @@ struct FlowBlock {
     vec3 arcCentre;     // where the arc's axis meets the metal, m
     float arcInverseVariance; // 1/(2 sigma²) of the arc's pressure, 1/m²
     vec3 arcAxis;       // unit vector of the arc into the metal
-    float arcPeak;      // highest pressure of the arc over density, m²/s²
-    float arcShear;     // highest drag of its jet along the surface over density, m²/s²
+    float arcPeak;      // peak pressure of the arc over density, m²/s²
+    float arcShear;     // peak drag of its jet along the surface over density, m²/s²
     float inverseArcSigma; // of its pressure, 1/m
     float coldBelow;    // wall metal is cold up to this temperature, K
     float inverseWettingRange; // 1/(temperature from which wall metal is hot - coldBelow), 1/K
     float expansion;    // of the volume over temperature, 1/K
-    float referenceTemperature; // at which metal has its whole weight, K
-    uint rowCapacity;   // neighbour lists that there is room for, a multiple of GROUP_SIZE
+    float referenceTemperature; // temperature at which metal has its whole weight, K
+    uint rowCapacity;           // capacity of neighbour lists, a multiple of GROUP_SIZE
     uint wallPageCapacity; // pages of wall metal, with the unused one
     uint movingPageCapacity; // pages of moving metal, with the unused one
     uint cellCount;
@@ -124,31 +128,31 @@ struct FlowParticle {
     float temperature; // K
     vec3 velocity;     // at the start of the substep, m/s
     float tether;      // of liquid: PHASE_TETHER_BITS at the start of the substep
-    uint cell;         // that it is listed in
+    uint cell;         // the cell that lists it
     uint group;        // FLOW_GROUP_...
-    uint listedSince;  // of solid metal: FlowCounters.fullSearch at the time when it last became a boundary particle
-    uint wallSumGeneration; // of wall metal: FlowCounters.wallSumGeneration at the time when its wall sums were made; of moving
-                            // metal: 1 where the search in progress makes its neighbour list anew
+    uint listedSince;  // of solid metal: FlowCounters.fullSearch when it last became a boundary particle
+    uint wallSumGeneration; // of wall metal: FlowCounters.wallSumGeneration of its wall sums; of moving
+                            // metal: 1 if the search in progress rebuilds its neighbour list
 };
 
 struct FlowCell {
     uint walls;  // number of wall particles
     uint moving; // number of moving particles
     uint wallPage;   // with the list of wall particles; 0: none yet
-    uint movingPage; // with the list of moving particles, where there are any
+    uint movingPage; // with the list of moving particles, if there are any
     uint firstMoving;  // slot of the last moving particle put into the cell; the others follow in FLOW_NEXT_IN_CELL
     uint firstNewWall; // slot + 1 of the last new wall particle between these two passes, 0 for none; the others follow
-    uint hasWallPage;  // 1: a page was asked for
+    uint hasWallPage;  // 1: a page was requested
     uint changed;      // 1 between the passes that find and compact changed cells
 };
 
 struct FlowCounters {
     uvec3 movingGroups; // indirect dispatch over moving metal
-    uint liquids;       // moving particles that are liquid; from classify.comp to compact.comp also what began to move
-    uvec3 searchGroups; // over moving metal and boundary particles; no groups where the neighbour lists still hold
+    uint liquids;       // liquid moving particles; from classify.comp to compact.comp also metal that began to move
+    uvec3 searchGroups; // over moving metal and boundary particles; no groups while the neighbour lists hold
     uint moveGroupsDone;
-    uvec3 boundaryGroups; // over the boundary particles that this search has found
-    uint wallSumGeneration; // of the wall sums that hold
+    uvec3 boundaryGroups;   // over the boundary particles that this search found
+    uint wallSumGeneration; // generation of the valid wall sums
     uvec3 densityGroups;    // over moving metal and boundary particles
     uint boundary;          // boundary particles
     uint cellsOverfull;     // faults so far
@@ -157,20 +161,20 @@ struct FlowCounters {
     uint listsOverfull;
     uint wallChanges[2]; // slots that became or ceased to be wall, in even and odd frames
     uint frame;
-    uint searches;   // made so far
-    uint stale;      // moving particles whose neighbours went nearly too far; beyond FLOW_STALE_CAPACITY all
+    uint searches;       // searches made so far
+    uint stale;          // moving particles whose neighbours moved nearly too far; beyond FLOW_STALE_CAPACITY all
     uint boundaryBefore; // boundary particles before this search
     uint fullSearch; // number of the last search that renewed all lists
-    uint searchDue;  // 1: a neighbour went too far, so that the next substep must search
+    uint searchDue;  // 1: a neighbour moved too far, so that the next substep must search
     uint fragments;  // moving particles that are part of fragments
     uint compactedLiquids; // of the moving list that is being compacted
     uint compactedFragments;
     uint changedCells;
-    uint wallPages;   // handed out so far
-    uint movingPages; // handed out for the next search
+    uint wallPages;   // wall pages handed out so far
+    uint movingPages; // moving pages handed out for the next search
     uint reserved0, reserved1;
-    uvec3 listGroups; // indirect dispatch over the rows whose lists a search makes anew
-    uint listed;      // number of these rows, which stand where slots are while they are compacted
+    uvec3 listGroups; // indirect dispatch over the rows whose lists a search rebuilds
+    uint listed;      // number of these rows, which are stored in the place of the slots under compaction
 };
 
 #ifdef __cplusplus

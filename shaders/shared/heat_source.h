@@ -1,4 +1,4 @@
-// Kinds of heat sources. Their own header, since every welding process makes sources and need not know the heat passes.
+// Kinds of heat sources. A header of their own: every welding process makes sources without knowing the heat passes.
 #ifndef MELTPOOL_SHARED_HEAT_SOURCE_H
 #define MELTPOOL_SHARED_HEAT_SOURCE_H
 

@@ -1,4 +1,5 @@
-// Temperature and Kirchhoff variable over enthalpy as the shaders read them: three parts (solid, mushy, liquid), each sampled evenly in enthalpy.
+// Temperature and Kirchhoff variable over enthalpy in the shaders' form: three parts (solid, mushy, liquid), each
+// sampled evenly in enthalpy.
 #ifndef MELTPOOL_HEAT_TABLE_H
 #define MELTPOOL_HEAT_TABLE_H
 

@@ -1,4 +1,4 @@
-// Partial results of a look over the physical metal's particles, shared with C++.
+// Partial statistics of the physical metal's particles, shared with C++.
 #ifndef MELTPOOL_SHARED_METAL_STATISTICS_H
 #define MELTPOOL_SHARED_METAL_STATISTICS_H
 
@@ -14,7 +14,7 @@ namespace meltpool {
 #endif
 
 struct MetalPart {
-    float sum;   // of the temperatures, K
+    float sum;   // sum of the temperatures, K
     float least; // K
     float most;  // K
     uint alive;

@@ -1,4 +1,4 @@
-// What the drawing shaders share with the renderer: uniform blocks, texture units, vertex attributes.
+// Definitions that the drawing shaders share with the renderer: uniform blocks, texture units, vertex attributes.
 #ifndef MELTPOOL_SHARED_RENDER_H
 #define MELTPOOL_SHARED_RENDER_H
 
@@ -10,7 +10,7 @@
 
 // Texture units.
 #define SHARP_UNIT 0   // the environment, level 0 only: saves choosing a level
-#define ROUGH_UNIT 1   // the environment with its levels: the higher, the rougher the surface that mirrors it
+#define ROUGH_UNIT 1   // the environment with its levels: higher for rougher mirrors
 #define SCALE_UNIT 2   // temperature colours, one scale a row
 #define BACK_UNIT 3    // back faces of all views side by side: normal and distance from the eye
 #define NOISE_UNIT 4   // smooth random values in space, repeating
@@ -26,7 +26,7 @@
 #define FREEZING_ATTRIBUTE 4 // SurfaceFreezing
 #define FROZEN_ATTRIBUTE 5
 
-// Vertex attributes of solids, besides POSITION_ATTRIBUTE and NORMAL_ATTRIBUTE: the same for all vertices of one.
+// Vertex attributes of solids, besides POSITION_ATTRIBUTE and NORMAL_ATTRIBUTE: constant over the vertices of one.
 #define SOLID_PLACE_ATTRIBUTE 2 // four columns
 #define SOLID_PAINT_ATTRIBUTE 6
 #define SOLID_GLOW_ATTRIBUTE 7
@@ -36,8 +36,8 @@
 #define PULL_INDICES_BINDING 1
 #define STROKES_BINDING 2
 
-// Storage bindings of the islands of oxide, and the pass that finds them. Each of so many particles carries an island while it
-// is liquid: at 1 mm a pool has some five that can be seen. None: chosen.
+// Storage bindings of the islands of oxide, and the pass that finds them. One of each OXIDE_STRIDE particles carries an
+// island while it is liquid: at 1 mm a pool has some five visible ones. None: chosen.
 #define OXIDE_PARTICLES_BINDING 4
 #define OXIDE_BINDING 5
 #define OXIDE_GROUP 256u
@@ -103,10 +103,10 @@ struct ViewData {
     vec2 corner;          // lower left corner in the frame buffer, pixels
 };
 
-/// A block of the workpiece, which keeps the arc's light off what lies behind it.
+/// A block of the workpiece, which blocks the arc's light.
 struct ShadowBox {
     vec3 low;        // model units
-    float fullDepth; // model units of way through it at which no light comes through any more
+    float fullDepth; // model units of way through it after which no light is left
     vec3 high;
     float reserved;
 };
@@ -166,7 +166,7 @@ struct FrameData {
     float pointRadius;            // radius of a drawn particle, world units
     vec3 boxMax;
     float viewCount;
-    vec3 cutNormal;               // world: what has dot(cutNormal, position) > cutOffset is cut away
+    vec3 cutNormal; // world: parts with dot(cutNormal, position) > cutOffset are cut away
     float cutOffset;
     vec3 arc;                     // position, world
     float arcMinDistanceSquared;  // nearer surfaces are lit as from this distance, square model units
@@ -174,7 +174,7 @@ struct FrameData {
     float colourMode;             // ColourMode
     float scaleRow;               // row of the temperature colour texture
     int shadowBoxCount;
-    float glowSoftening;          // hot metal's light is compressed from about this on; 0: drawn as bright as it is
+    float glowSoftening; // hot metal's light is compressed from about this on; 0: drawn at full brightness
     int torchPartCount;
     ShadowBox shadowBoxes[MOST_SHADOW_BOXES];
     TorchPart torchParts[MOST_TORCH_PARTS];

@@ -17,15 +17,15 @@
 #define SURFACE_BLOCK_ROWS 64
 #define SURFACE_BLOCK_WORDS 16
 
-/// The integer that stands for a weight of 1 in the volumes' sums.
+/// The integer for a weight of 1 in the volumes' sums.
 #define SURFACE_UNIT 10000
 
-/// A corner of the freezing volume: x the sum of weights of metal that froze, and times SURFACE_LOOSE that of all metal that
-/// ever melted; y the sum of weight x time of what froze. Weights in units of 1 / SurfaceSetup.freezingUnit, time in ticks. A
-/// corner holds weights of 4095 units up to the longest time.
+/// A corner of the freezing volume: x the sum of weights of metal that froze, and times SURFACE_LOOSE that of all metal
+/// that ever melted; y the sum of weight x time of the frozen metal. Weights in units of 1 / SurfaceSetup.freezingUnit,
+/// time in ticks. A corner holds weights of 4095 units up to the longest time.
 #define SURFACE_LOOSE 65536u
-#define SURFACE_FREEZING_TICKS 512.0    // a second: fine against the time in which metal as wide as a cell freezes
-#define SURFACE_FREEZING_LONGEST 2048.0 // s: what froze later has no time
+#define SURFACE_FREEZING_TICKS 512.0    // ticks a second: much finer than the freezing of a cell's width
+#define SURFACE_FREEZING_LONGEST 2048.0 // s: metal that froze later has no time
 
 /// Bits of one coordinate in packed edges and cells.
 #define SURFACE_COORDINATE_BITS 10
@@ -48,7 +48,7 @@
 #define SURFACE_BIND_VERTICES 12
 #define SURFACE_BIND_INDICES 13
 #define SURFACE_BIND_COMMANDS 14
-// The passes over particles use these numbers for buffers of their own instead.
+// Bindings of the passes over particles, which use these numbers for buffers of their own.
 #define SURFACE_BIND_SPLATTED 5
 #define SURFACE_BIND_CHANGED_LIST 6
 #define SURFACE_BIND_PHASES 7
@@ -56,15 +56,16 @@
 #define SURFACE_BIND_SPLATTED_PEAKS 9
 #define SURFACE_BIND_FREEZING 10
 #define SURFACE_BIND_SPLATTED_FREEZING 11
-// So does the pass that makes the vertices,
+// Bindings of the pass that makes the vertices.
 #define SURFACE_BIND_VERTEX_PEAKS 8
 #define SURFACE_BIND_VERTEX_FREEZING 9
-// and the passes that list and place the blocks.
+// Bindings of the passes that list and place the blocks.
 #define SURFACE_BIND_BLOCK_STATES 1
 #define SURFACE_BIND_BASE_TRIANGLES 2
 #define SURFACE_BIND_OBSOLETE_TRIANGLES 10
 
-// The same buffers as buffer textures, for passes that read much. SYNCHRONOUS_DRIVER: it fetches texels faster than storage.
+// Buffer textures over the same buffers, for passes that read much. SYNCHRONOUS_DRIVER: it fetches texels faster than
+// storage.
 #define SURFACE_TEXELS_PARTICLES 0
 #define SURFACE_TEXELS_SPLATTED 1
 #define SURFACE_TEXELS_DENSITY 2
@@ -79,16 +80,16 @@
 #define SURFACE_TEXELS_LATTICE 11
 #define SURFACE_TEXELS_NUMBERS 12
 
-/// What the particles bring besides position and temperature.
+/// Data of particles besides position and temperature.
 #define SURFACE_WITH_PHASES 1
 #define SURFACE_WITH_PEAKS 2
 #define SURFACE_WITH_FREEZING 4
 #define SURFACE_WITH_NUMBERS 8
 
-/// Most planes along each axis that flat faces lie in.
+/// Most planes of flat faces along each axis.
 #define SURFACE_FLAT_PLANES 6
 
-/// Coordinates of a particle that adds nothing to the volumes: not yet splatted, or no metal any more.
+/// Coordinates of a particle that adds nothing to the volumes: not splatted yet, or no longer metal.
 #define SURFACE_NOWHERE 3.0e38f
 
 /// State of a block between updates.
@@ -106,16 +107,16 @@ struct SurfaceVertex {
     vec3 position;
     float temperature; ///< mean of the particles around, with the weights of the density volume
     vec3 normal;       ///< outward unit normal
-    float frozen;      ///< share of the metal around that was molten and froze, 0..1; 0 where it was not asked for
+    float frozen;      ///< share of the metal around that was molten and froze, 0..1; 0 if it was not requested
 };
 
-/// When the metal around a vertex froze.
+/// The time of freezing of the metal around a vertex.
 struct SurfaceFreezing {
     vec3 slope; ///< gradient of the time, s per model unit
-    float time; ///< s; mean of the particles around that froze, 0 where there is none
+    float time; ///< s; mean of the particles around that froze, 0 for none
 };
 
-/// What glDrawElementsIndirect reads.
+/// The arguments of glDrawElementsIndirect.
 struct SurfaceDraw {
     uint count; ///< indices, three a triangle
     uint instances;
@@ -124,14 +125,14 @@ struct SurfaceDraw {
     uint baseInstance;
 };
 
-/// What glDispatchComputeIndirect reads.
+/// The arguments of glDispatchComputeIndirect.
 struct SurfaceDispatch {
     uint x;
     uint y;
     uint z;
 };
 
-/// Everything the GPU decides about the sizes of later passes; small enough to be read back whole.
+/// The sizes of later passes, all decided by the GPU; small enough to be read back whole.
 ///
 /// The mesh consists of a base part, made at the last rebuild, and behind it the part that every incremental update
 /// makes again.
@@ -175,15 +176,15 @@ struct SurfaceSetup {
     int particleData;           ///< bits SURFACE_WITH_*
     int incremental;            ///< 1: store each particle as splatted, for the next update
     float positionTolerance;    ///< movement up to which a particle counts as unchanged, cells
-    float temperatureTolerance; ///< the same for its temperature, as a share of the temperature range
-    float freezingUnit;         ///< what stands for a weight of 1 in the freezing volume
+    float temperatureTolerance; ///< this tolerance for its temperature, as a share of the temperature range
+    float freezingUnit;         ///< integer for a weight of 1 in the freezing volume
     int flatPlaneCount;         ///< corners in flatPlanes
     vec3 latticeOrigin;         ///< low corner of the lattice that the metal began on, model units
     float perLatticeSpacing;    ///< lattice cells in a model unit
-    ivec3 latticeTiles;         ///< 0: no lattice, or not asked for
-    float flatBelow;            ///< highest temperature so far up to which metal of the lattice is taken to lie as it did
-    vec4 flatPlanes[SURFACE_FLAT_PLANES]; ///< xyz: planes along each axis that flat faces lie in, lattice cells from its low corner
-    vec2 pipeAxis;   ///< where a pipe along z lies, model units
+    ivec3 latticeTiles;         ///< 0: no lattice, or not requested
+    float flatBelow;            ///< highest temperature so far up to which metal of the lattice counts as unmoved
+    vec4 flatPlanes[SURFACE_FLAT_PLANES]; ///< xyz: planes of flat faces along each axis, cells from its low corner
+    vec2 pipeAxis;                        ///< place of the axis of a pipe along z, model units
     float pipeLow;   ///< its ends
     float pipeHigh;
     float pipeOuter; ///< its radii

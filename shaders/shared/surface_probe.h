@@ -1,4 +1,4 @@
-// What the pass that finds the surface around a point shares with C++.
+// Definitions that the pass which finds the surface around a point shares with C++.
 #ifndef MELTPOOL_SHARED_SURFACE_PROBE_H
 #define MELTPOOL_SHARED_SURFACE_PROBE_H
 
@@ -12,8 +12,8 @@
 namespace meltpool {
 #endif
 
-/// Where the surface lies around a point, in model units. A distance is negative when the point is inside the metal, and
-/// equals the query's reach where no surface was found.
+/// The surface around a point, in model units. A distance is negative if the point is inside the metal, and equals the
+/// query's reach if no surface was found.
 struct SurfaceProbeAnswer {
     vec3 normal;       ///< outward unit normal at the nearest place
     float ahead;       ///< distance along the axis; from inside the metal: against the axis

@@ -1,7 +1,7 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-// Lists the particles that moved, changed temperature or (SURFACE_FREEZING) froze or melted since they were last splatted. The order of the list does not
-// matter: the volumes are sums of integers.
+// Lists the particles that moved, changed temperature or (SURFACE_FREEZING) froze or melted since they were last
+// splatted. The order of the list does not matter: the volumes are sums of integers.
 #include "surface/grid.glsl"
 layout(local_size_x = SURFACE_GROUP) in;
 #include "surface/particles.glsl"
@@ -11,7 +11,7 @@ layout(std430, binding = SURFACE_BIND_CHANGED_LIST) writeonly buffer ChangedList
 layout(std430, binding = SURFACE_BIND_COMMANDS) buffer Commands { SurfaceCommands commands; };
 
 #ifdef SURFACE_FREEZING
-layout(binding = SURFACE_TEXELS_FREEZING) uniform samplerBuffer splattedFreezing; // not the volume, which this does not read
+layout(binding = SURFACE_TEXELS_FREEZING) uniform samplerBuffer splattedFreezing; // as last splatted, not the volume
 
 bool sameFreezing(uint index, uint record) {
     return frozenNow(index) == texelFetch(splattedFreezing, int(record)).x;
@@ -28,7 +28,7 @@ void main() {
     uint record = recordOf(index);
     Particle now = particleNow(index), before = fetchParticle(splatted, record);
     vec3 cells = abs((now.position - before.position) * (vec3(setup.cells) / setup.extent));
-    // Written so that a temperature that is not a number counts as a change.
+    // A temperature that is not a number counts as a change in this form of the test.
     bool unchanged = all(lessThanEqual(cells, vec3(setup.positionTolerance))) &&
                      abs(now.temperature - before.temperature) <= setup.temperatureTolerance * setup.temperatureRange;
     if (unchanged && sameFreezing(index, record)) return;

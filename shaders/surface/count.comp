@@ -12,7 +12,7 @@ layout(std430, binding = SURFACE_BIND_OBSOLETE_TRIANGLES) readonly buffer Obsole
 layout(std430, binding = SURFACE_BIND_INDICES) writeonly buffer Indices { uint indices[]; };
 layout(std430, binding = SURFACE_BIND_COMMANDS) readonly buffer Commands { SurfaceCommands commands; };
 
-/// Makes all three corners of each obsolete triangle the same vertex. The rows of a block share its triangles.
+/// Makes all three corners of each obsolete triangle one vertex. The rows of a block share its triangles.
 void emptyObsoleteTriangles(uint index) {
     uvec2 range = obsoleteTriangles[index / SURFACE_BLOCK_ROWS] * 3u;
     for (uint i = index % SURFACE_BLOCK_ROWS; i < range.y; i += SURFACE_BLOCK_ROWS)

@@ -1,19 +1,20 @@
-// When the metal around a vertex froze, and the gradient of that time: a plane through the mean times of the corners around
-// (weighted least squares). A mean over the particles in reach alone follows the particles' places in steps; the plane is
-// exact where the time changes evenly, and needs nothing from metal that did not freeze.
+// Time of freezing of the metal around a vertex, and the gradient of that time: a plane through the mean times of the
+// corners around (weighted least squares). A mean over the particles in reach alone follows the particles' places in
+// steps; the plane is exact for an evenly changing time, and needs nothing from metal that did not freeze.
 #ifndef MELTPOOL_SURFACE_FREEZING_GLSL
 #define MELTPOOL_SURFACE_FREEZING_GLSL
 
 layout(binding = SURFACE_TEXELS_FREEZING) uniform usamplerBuffer freezing;
 
-// Reach of the fit, cells: what normals reach too, so that an incremental update makes the same vertices again.
+// Reach of the fit, cells: also that of normals, so that an incremental update makes equal vertices.
 const float kFitReach = 2.3;
-// Added to the spread of the corners' places, square cells: holds the plane flat where the corners lie in a line or a plane.
+// Added to the spread of the corners' places, square cells: makes the plane flat if the corners are in a line or a
+// plane.
 const float kFitSteadiness = 0.004;
 
 struct FreezingSums {
     float loose;  ///< weight of all metal that ever melted
-    float weight; ///< of that, what froze
+    float weight; ///< weight of its frozen part
     float time; ///< s
 };
 

@@ -1,4 +1,4 @@
-// The surface grid: where corners and blocks are stored, packing of corners.
+// The surface grid: storage of corners and blocks, packing of corners.
 #ifndef MELTPOOL_SURFACE_GRID_GLSL
 #define MELTPOOL_SURFACE_GRID_GLSL
 

@@ -1,6 +1,6 @@
-// Where metal stands on its lattice still, the workpiece's flat faces are those of the lattice's cells in the same planes, with
-// sharp edges. The volumes round both by the particles' reach, and quilt faces. Bevels and tacks are neither flat nor round:
-// their cells make steps.
+// Flat faces of a workpiece whose metal is still on its lattice: they are those of the lattice's cells in common
+// planes, with sharp edges. The volumes round both by the particles' reach, and quilt faces. Bevels and tacks are
+// neither flat nor round: their cells make steps.
 #ifndef MELTPOOL_SURFACE_LATTICE_GLSL
 #define MELTPOOL_SURFACE_LATTICE_GLSL
 
@@ -8,20 +8,20 @@
 
 layout(binding = SURFACE_TEXELS_LATTICE) uniform usamplerBuffer latticeSlots;
 
-// Farthest that a face is looked for along its normal, and that its edge is beside it; lattice cells. The rounding takes less.
+// Greatest distance of a face along its normal, and of its edge beside it; lattice cells. The rounding takes less.
 const float kFarthestFace = 1.2;
 const float kFarthestEdge = 2.0;
-// Farthest that a pipe's face is from the surface that its steps of cells have.
+// Greatest distance of a pipe's face from the surface of its steps of cells.
 const float kFarthestPipe = 1.0;
-// Up to here from where a pipe's round and flat faces meet, a vertex is put on their edge.
+// Distance from the edge of a pipe's round and flat faces up to which a vertex is put on that edge.
 const float kPipeEdge = 0.8;
-// Share of metal off the lattice from which on an edge is not looked for: what melted leaves edges in the lattice.
+// Share of metal off the lattice from which on no edge is searched: melted metal leaves edges in the lattice.
 const float kNoneLoose = 0.01;
-// From this share of `flatBelow` on faces are flat no longer; there metal melts next to them.
+// Share of `flatBelow` from which on faces are no longer flat; metal melts next to them there.
 const float kFlatFrom = 0.75;
-// Where only heat tells them apart, metal off the lattice begins to count from this share of `flatBelow` on.
+// Share of `flatBelow` from which on metal off the lattice counts, if only heat distinguishes it.
 const float kLooseFrom = 0.6;
-// Least share of a normal along an edge of the grid for the face across that edge to be meant.
+// Least share of a normal along an edge of the grid that selects the face across that edge.
 const float kFacing = 0.35;
 
 bool latticeHolds(ivec3 cell) {
@@ -31,7 +31,7 @@ bool latticeHolds(ivec3 cell) {
     return texelFetch(latticeSlots, at * TILE_CELLS + (inside.z * TILE_EDGE + inside.y) * TILE_EDGE + inside.x).x != 0u;
 }
 
-/// Whether flat faces across `along` lie in this plane: nearer than to any other plane between cells.
+/// True if flat faces across `along` are in this plane: nearer than to any other plane between cells.
 bool isFlatPlane(float plane, vec3 along) {
     float nearest = 1.0;
     for (int i = 0; i < setup.flatPlaneCount; ++i)
@@ -43,12 +43,12 @@ bool isFlatPlane(float plane, vec3 along) {
 struct LatticeFace {
     bool found;
     vec3 place; ///< lattice cells from the lattice's low corner
-    ivec3 cell; ///< whose face it is
+    ivec3 cell; ///< the cell of the face
 };
 
-/// The flat face nearest to `place` that looks along `axis` (an axis, or its opposite). `inner`: a little inside of the place, so
-/// that a place in the plane between two cells is in the one that the metal is in. `tries`: 3, or 0 to look for none.
-/// SYNCHRONOUS_DRIVER: it skips a loop that no invocation makes, and no branch.
+/// The flat face nearest to `place` that looks along `axis` (an axis, or its opposite). `inner`: a little inside of the
+/// place, so that a place in the plane between two cells is in the one with metal. `tries`: 3, or 0 to look for none.
+/// SYNCHRONOUS_DRIVER: it skips a loop that no invocation makes, but no branch.
 LatticeFace faceAt(vec3 place, vec3 inner, ivec3 axis, int tries) {
     vec3 along = abs(vec3(axis));
     int out_ = axis.x + axis.y + axis.z;
@@ -66,7 +66,7 @@ LatticeFace faceAt(vec3 place, vec3 inner, ivec3 axis, int tries) {
     return face;
 }
 
-/// Moves the place on a face to where the face ends along `way`, where it does within kFarthestEdge at an edge that sticks out.
+/// Moves the place on a face to the face's end along `way`, if it ends within kFarthestEdge at an edge that sticks out.
 /// `tries` as in faceAt().
 void moveToEdge(inout LatticeFace face, ivec3 axis, ivec3 way, int tries) {
     vec3 along = abs(vec3(way));

@@ -3,7 +3,7 @@
 // Lists the blocks whose mesh this update makes, in rising order; one group.
 //
 // A block that changed once since the last rebuild is meshed again by every update, behind the base part of the mesh.
-// When a third of the occupied blocks is meshed so, the whole mesh is rebuilt and becomes the base part.
+// When a third of the occupied blocks is meshed in this way, the whole mesh is rebuilt and becomes the base part.
 #include "surface/grid.glsl"
 layout(local_size_x = SURFACE_SCAN_GROUP) in;
 #include "surface/scan.glsl"
@@ -15,7 +15,7 @@ layout(std430, binding = SURFACE_BIND_BASE_TRIANGLES) buffer BaseTriangles { uve
 layout(std430, binding = SURFACE_BIND_OBSOLETE_TRIANGLES) writeonly buffer ObsoleteTriangles { uvec2 obsoleteTriangles[]; };
 layout(std430, binding = SURFACE_BIND_COMMANDS) buffer Commands { SurfaceCommands commands; };
 
-/// Whether this block, or one whose vertices its cells use, is marked.
+/// True if this block, or one whose vertices its cells use, is marked.
 bool isMarked(uint block) {
     ivec3 low = blockCoordinates(int(block)), high = min(low + 1, setup.blocks - 1);
     uint marks = 0u;
@@ -26,7 +26,8 @@ bool isMarked(uint block) {
     return marks != 0u;
 }
 
-/// Updates the states of the invocation's blocks. Returns how many are occupied and how many are meshed again.
+/// Updates the states of the invocation's blocks. Returns the numbers of occupied blocks and of blocks that are meshed
+/// again.
 uvec2 updateStates(uint begin, uint end) {
     uvec2 sum = uvec2(0u);
     for (uint block = begin; block < end; ++block) {

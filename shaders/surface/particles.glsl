@@ -1,4 +1,4 @@
-// The particles as the surface's passes read them: as they are now, and as they were last splatted into the volumes.
+// The particles for the surface's passes: in their present state, and as they were last splatted into the volumes.
 #ifndef MELTPOOL_SURFACE_PARTICLES_GLSL
 #define MELTPOOL_SURFACE_PARTICLES_GLSL
 
@@ -17,7 +17,7 @@ Particle fetchParticle(samplerBuffer from, uint index) {
     return Particle(texel.xyz, texel.w);
 }
 
-/// A particle as it is now; at SURFACE_NOWHERE when it is no metal or its position is not a number.
+/// A particle in its present state; at SURFACE_NOWHERE if it is no metal or its position is not a number.
 Particle particleNow(uint index) {
     Particle particle = fetchParticle(particles, index);
     bool alive = (setup.particleData & SURFACE_WITH_PHASES) == 0 || (phases[index] & PHASE_ALIVE) != 0u;
@@ -28,7 +28,7 @@ Particle particleNow(uint index) {
 #ifdef SURFACE_NUMBERED
 layout(binding = SURFACE_TEXELS_NUMBERS) uniform usamplerBuffer numbers;
 
-/// Where the record of a particle stands: what was last splatted of it.
+/// Index of a particle's record: its state when it was last splatted.
 uint recordOf(uint index) { return texelFetch(numbers, int(index)).x; }
 #else
 uint recordOf(uint index) { return index; }
@@ -37,7 +37,7 @@ uint recordOf(uint index) { return index; }
 #ifdef SURFACE_FREEZING
 layout(binding = SURFACE_TEXELS_FROZEN_AT) uniform samplerBuffer frozenAt;
 
-/// When a particle froze, s; negative where it is molten, 0 where it never was.
+/// Time when a particle froze, s; negative if it is molten, 0 if it never was.
 float frozenNow(uint index) {
     return texelFetch(frozenAt, int(index)).x;
 }

@@ -1,6 +1,6 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-// Computes where the vertices and triangles of every listed block start, and the sizes of the later passes; one group.
+// Computes the first vertices and triangles of every listed block, and the sizes of the later passes; one group.
 #include "surface/grid.glsl"
 layout(local_size_x = SURFACE_SCAN_GROUP) in;
 #include "surface/scan.glsl"
@@ -11,7 +11,7 @@ layout(std430, binding = SURFACE_BIND_BLOCK_LIST) readonly buffer BlockList { ui
 layout(std430, binding = SURFACE_BIND_BLOCK_SUMS) buffer BlockSums { uvec2 blockSums[]; };
 layout(std430, binding = SURFACE_BIND_COMMANDS) buffer Commands { SurfaceCommands commands; };
 
-/// `first`, `total`: first vertex and triangle of the part that this update makes, and of what follows it.
+/// `first`, `total`: first vertex and triangle of the part that this update makes, and of the part behind it.
 void writeCommands(uvec2 first, uvec2 total) {
     uvec2 fitting = min(total, uvec2(setup.maxVertices, setup.maxTriangles));
     commands.draw = SurfaceDraw(fitting.y * 3u, 1u, 0u, 0u, 0u);
@@ -27,7 +27,7 @@ void writeCommands(uvec2 first, uvec2 total) {
     commands.baseTriangles = fitting.y;
 }
 
-/// Stores which triangles of the base part belong to a block. A block without triangles is no longer occupied.
+/// Stores the block's triangles in the base part. A block without triangles is no longer occupied.
 void storeBaseTriangles(uint slot, uvec2 place, uvec2 count) {
     uint block = blockList[slot] & ~SURFACE_LISTED_WITH_VERTICES;
     uint first = min(place.y, setup.maxTriangles);

@@ -52,7 +52,7 @@ float isoLevel() {
     return float(max(setup.isoLevel, 1u));
 }
 
-/// Distance from the point along `direction` at which metal begins or, with `inside`, ends; the reach where it does not.
+/// Distance from the point along `direction` at which metal begins or, with `inside`, ends; the reach if it does not.
 float surfaceAlong(vec3 direction, bool inside) {
     vec3 start = gridCoordinates(point), way = direction * cellsPerUnit();
     vec3 safe = mix(way, vec3(1e-12), lessThan(abs(way), vec3(1e-12)));
@@ -106,7 +106,7 @@ float temperatureAt(vec3 place) {
 void main() {
     int ray = int(gl_LocalInvocationIndex);
     bool inside = fieldAt(gridCoordinates(point)).density >= isoLevel();
-    // From inside the metal, the surface on the axis lies behind the point.
+    // From inside the metal, the surface on the axis is behind the point.
     vec3 direction = inside && ray == 0 ? -axis : rayOf(ray);
     directions[ray] = direction;
     distances[ray] = surfaceAlong(direction, inside);

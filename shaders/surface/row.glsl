@@ -1,4 +1,4 @@
-// A row of 8 cells: which of its edges cross the surface and which marching-cubes case each cell is.
+// A row of 8 cells: its edges that cross the surface and the marching-cubes case of each cell.
 #ifndef MELTPOOL_SURFACE_ROW_GLSL
 #define MELTPOOL_SURFACE_ROW_GLSL
 
@@ -65,7 +65,7 @@ uint crossedCells(CellRow row) {
     return setup.caps == 0 ? crossed & gridCells(row) : crossed;
 }
 
-/// Bit dx + 2 dy + 4 dz is set where that corner of the cell is inside.
+/// The case of a cell: bit dx + 2 dy + 4 dz is set if that corner is inside.
 uint cellCase(CellRow row, int cell) {
     return (row.near >> cell & 3u) | (row.up >> cell & 3u) << 2 | (row.back >> cell & 3u) << 4 |
            (row.upBack >> cell & 3u) << 6;

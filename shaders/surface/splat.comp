@@ -1,13 +1,13 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-// Takes every changed particle from the corners it was added to, adds it to the corners around its present position, and marks
-// the blocks whose mesh this can change. Weights are integers, so that exactly what was added is taken away.
+// Removes every changed particle from the corners it was added to, adds it to the corners around its present position,
+// and marks the blocks whose mesh this can change. Weights are integers, so that exactly the added amount is removed.
 //
 // SURFACE_SMOOTH: the weight (1 - d²/r²)³ with r = influence - 1/2 cells falls smoothly to zero inside the reached
 // corners. Without it: the linear weight of the founding thesis, which ends in a step.
 // SURFACE_REBUILD: the volumes are empty and every particle is added.
-// SURFACE_FREEZING: what froze is also added to the freezing volume.
-// SURFACE_NUMBERED: the order of the particles changes; what was splatted of them stands by their numbers.
+// SURFACE_FREEZING: frozen metal is also added to the freezing volume.
+// SURFACE_NUMBERED: the order of the particles changes; their records are stored by number.
 #include "surface/grid.glsl"
 layout(local_size_x = SURFACE_GROUP) in;
 #include "surface/particles.glsl"
@@ -67,7 +67,7 @@ bool withPeaks() {
     return (setup.particleData & SURFACE_WITH_PEAKS) != 0;
 }
 
-/// The highest temperature of a particle so far; the coldest of the range where the particles do not store it.
+/// The highest temperature of a particle so far; the coldest of the range if the particles do not store it.
 float peakNow(uint index) {
     return withPeaks() ? texelFetch(heats, int(index)).z : setup.coldest; // the layout of `heats`: shared/metal.h
 }
@@ -78,10 +78,10 @@ float shareOf(float temperature_) {
     return share > 0.0 ? min(share, 1.0) : 0.0;
 }
 
-/// What a particle brings beside its place and temperature.
+/// Data of a particle besides its place and temperature.
 struct History {
     float hottest;  ///< in the volumes' temperatures
-    float frozenAt; ///< s; negative: molten; 0: never molten, or not asked for
+    float frozenAt; ///< s; negative: molten; 0: never molten, or not requested
 };
 
 History historyNow(uint index) {
@@ -92,7 +92,7 @@ History historyNow(uint index) {
 #endif
 }
 
-/// As it was last splatted.
+/// The history when the particle was last splatted.
 History historySplatted(uint record, History now) {
     History history = now;
     if (withPeaks()) history.hottest = splattedPeaks[record];
@@ -109,13 +109,13 @@ void storeHistory(uint record, History history) {
 #endif
 }
 
-/// Where a particle lies among the corners, which of them it reaches, and what it brings there.
+/// A particle's place among the corners, the corners in its reach, and its contribution.
 struct Splat {
     vec3 place;
     ivec3 nearest, first, last; ///< first > last: it reaches none
     float share, peakShare;     ///< of its temperature and of its highest so far
     bool loose, frozen;         ///< it melted at some time; it froze again
-    uint ticks;                 ///< when it froze
+    uint ticks;                 ///< time of freezing
 };
 
 const Splat kNothing = Splat(vec3(0), ivec3(0), ivec3(1), ivec3(0), 0.0, 0.0, false, false, 0u);
@@ -143,17 +143,19 @@ bool reachesNone(Splat splat) {
     return any(greaterThan(splat.first, splat.last));
 }
 
-/// What a particle adds to the volumes at one corner. Whole numbers: the same for the same particle, whenever it is asked.
+/// A particle's contribution to the volumes at one corner. Whole numbers: equal for an unchanged particle in every
+/// pass.
 struct Addition {
     int density, temperature, peak;
     uvec2 freezing;
 };
 
-/// Square of the way from a particle to a row of corners along x; far beyond every weight in rows that it does not reach.
+/// Square of the way from a particle to a row of corners along x; far beyond every weight in rows that it does not
+/// reach.
 float squareToRow(Splat splat, int y, int z) {
     precise float dy = splat.place.y - float(y), dz = splat.place.z - float(z);
     precise float square = dy * dy + dz * dz;
-#ifndef SURFACE_REBUILD // which visits no other rows
+#ifndef SURFACE_REBUILD // a rebuild visits no other rows
     ivec2 row = ivec2(y, z);
     if (any(lessThan(row, splat.first.yz)) || any(greaterThan(row, splat.last.yz))) square = 1e9;
 #endif
@@ -183,7 +185,7 @@ Addition additionAt(Splat splat, int x, float toRow, float scale) {
     return addition;
 }
 
-/// The same of what is taken away: nothing from empty volumes.
+/// The addition to be removed: nothing from empty volumes.
 Addition takenFrom(Splat splat, int x, float toRow, float scale) {
 #ifdef SURFACE_REBUILD
     return Addition(0, 0, 0, uvec2(0));
@@ -192,8 +194,8 @@ Addition takenFrom(Splat splat, int x, float toRow, float scale) {
 #endif
 }
 
-/// Puts `now` in the place of `before` in the volumes. Both lie near each other, or one of them reaches nothing: a corner that
-/// both reach is changed once, and not where nothing changes.
+/// Replaces `before` by `now` in the volumes. Both are near each other, or one of them reaches nothing: a corner in
+/// reach of both is changed once, and only if its value changes.
 void replace(Splat before, Splat now) {
     bool fresh = reachesNone(before), gone = reachesNone(now);
     if (!fresh) markBlocks(before.first, before.last);
@@ -246,7 +248,7 @@ void main() {
     splatted[record] = now;
     storeHistory(record, history);
     bool together = all(lessThanEqual(abs(after.nearest - before.nearest), ivec3(1)));
-    // One loop instead of two calls: the compiler makes the body once.
+    // One loop instead of two calls: the compiler emits the body once.
     for (int turn = together ? 1 : 0; turn < 2; ++turn) {
         Splat taken = before, added = after;
         if (!together && turn == 0) added = kNothing;

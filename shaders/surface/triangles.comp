@@ -25,7 +25,8 @@ void main() {
     uvec2 entry = triangleList[index];
     ivec3 cell = unpackCorner(entry.x);
     uint edges = texelFetch(cases, int(entry.y)).x;
-    // The table is counter-clockwise in the grid, whose z axis is mirrored: swapping two corners makes it so in the model.
+    // The table is counter-clockwise in the grid, whose z axis is mirrored: swapping two corners corrects this in the
+    // model.
     uvec3 corners = uvec3(vertexOn(cell, edges), vertexOn(cell, edges >> 10), vertexOn(cell, edges >> 5));
     // A triangle with a vertex that did not fit becomes empty.
     if (any(greaterThanEqual(corners, uvec3(setup.maxVertices)))) corners = uvec3(0u);

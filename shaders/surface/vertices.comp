@@ -1,7 +1,7 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-// Makes the vertex of every listed edge: position, temperature, normal. SURFACE_FREEZING: when the metal around it froze, too.
-// SURFACE_FLAT: on the faces of metal that stands on its lattice still.
+// Makes the vertex of every listed edge: position, temperature, normal. SURFACE_FREEZING: its time of freezing, too.
+// SURFACE_FLAT: on the faces of metal that is still on its lattice.
 #include "surface/grid.glsl"
 layout(local_size_x = SURFACE_GROUP) in;
 
@@ -60,14 +60,14 @@ float temperatureOf(float heat, float weight) {
 }
 
 #ifdef SURFACE_FLAT
-/// How far a vertex is to be put on the faces of metal that stands on its lattice still, 0..1. Beside metal that melted the
-/// lattice has holes whose walls are no faces.
+/// Share, 0..1, by which a vertex moves onto the faces of metal that is still on its lattice. Beside metal that melted
+/// the lattice has holes whose walls are no faces.
 float untouchedShare(float loose, float hottest) {
     return (1.0 - smoothstep(kFlatFrom, 1.0, hottest / setup.flatBelow)) * (1.0 - smoothstep(0.02, 0.25, loose));
 }
 
-/// Puts a vertex beside metal of the lattice on the pipe that it is a part of: on its outer or inner face where its normal looks
-/// across the axis, else on an end; near the edge of both, on that.
+/// Puts a vertex beside metal of the lattice on its pipe: on the outer or inner face if its normal looks across the
+/// axis, else on an end; near the edge of both, on that.
 void putOnPipe(inout SurfaceVertex vertex, float share) {
     vec2 off = vertex.position.xy - setup.pipeAxis;
     float radius = length(off);
@@ -86,8 +86,9 @@ void putOnPipe(inout SurfaceVertex vertex, float share) {
     vertex.normal = normalised(mix(vertex.normal, normal, share), vertex.normal);
 }
 
-/// Puts a vertex beside metal of the lattice on the lattice's own surface; `loose`: share of other metal around, `share`:
-/// untouchedShare(). `inside`: the corner of its edge that is inside, `edge`: from there to the outside, in corners.
+/// Puts a vertex beside metal of the lattice on the lattice's own surface; `loose`: share of other metal around,
+/// `share`: untouchedShare(). `inside`: the corner of its edge that is inside, `edge`: from there to the outside, in
+/// corners.
 void flatten(inout SurfaceVertex vertex, ivec3 inside, ivec3 edge, float loose, float share) {
     vec3 n = vertex.normal, size = abs(n);
     ivec3 signs = ivec3(sign(setup.extent)); // of the corners' axes in the model
@@ -111,7 +112,7 @@ void flatten(inout SurfaceVertex vertex, ivec3 inside, ivec3 edge, float loose, 
     vertex.normal = normalised(mix(n, vec3(axis), share), n);
 }
 
-/// Share of metal off the lattice, where nothing says when it froze: it was hot, and heats the mean of the highest
+/// Share of metal off the lattice if no time of freezing is known: it was hot, and heats the mean of the highest
 /// temperatures around.
 float looseByHeat(float hottest) {
     return clamp(hottest / setup.flatBelow - kLooseFrom, 0.0, 1.0);
@@ -119,13 +120,13 @@ float looseByHeat(float hottest) {
 #endif
 
 #ifdef SURFACE_FREEZING
-/// Writes when the metal at a vertex between `a` and `b` froze; gives the shares of the metal there, of density `weight`, that
-/// did (x) and that ever melted (y).
+/// Writes the time of freezing of the metal at a vertex between `a` and `b`; returns the shares of the metal there, of
+/// density `weight`, that froze (x) and that ever melted (y).
 vec2 writeFreezing(uint index, ivec3 a, ivec3 b, float part, float weight) {
     FreezingSums atA = freezingAt(a), atB = freezingAt(b);
     float frozen = mix(atA.weight, atB.weight, part);
     float time = mix(atA.weight * atA.time, atB.weight * atB.time, part) / max(frozen, 1e-6);
-    // An empty box where nothing froze. SYNCHRONOUS_DRIVER: it skips a loop that no invocation makes.
+    // An empty box if nothing froze. SYNCHRONOUS_DRIVER: it skips a loop that no invocation makes.
     ivec3 first = frozen > 0.0 ? max(a - 1, ivec3(1)) : ivec3(1), last = frozen > 0.0 ? min(b + 1, setup.cells + 1) : ivec3(0);
     SurfaceFreezing fit = fitFreezing(first, last, mix(vec3(a), vec3(b), part), time);
     fit.slope *= vec3(setup.cells) / setup.extent;

@@ -1,4 +1,4 @@
-// Counts the particles of each cell and stores for each particle its cell and how many were counted there before it.
+// Counts the particles of each cell and stores for each particle its cell and the number counted there before it.
 // Needed only after a reset or a change of the grid: in other steps the pass that moves the particles counts them.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require

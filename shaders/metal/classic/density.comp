@@ -1,5 +1,5 @@
-// 1 / density of each particle: rho_i = sum over neighbours of m W_poly6(r_ij, h), Müller, Charypar, Gross 2003. Notes for
-// the pass that moves it which of the particles visited are neighbours.
+// Computes 1 / density of each particle: rho_i = sum over neighbours of m W_poly6(r_ij, h), Müller, Charypar, Gross
+// 2003. Records the neighbours among the visited particles for the pass that moves them.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "metal/classic/neighbours.glsl"
@@ -7,13 +7,13 @@
 layout(local_size_x = GROUP_SIZE) in;
 layout(std430, binding = CLASSIC_SORTED_VELOCITIES) buffer Velocities { vec4 velocities[]; };
 #ifndef ALL_PAIRS
-// The moved state, copied in order by now, has room for what this pass finds until the next one writes it anew.
+// The moved state, already copied in order, is free for this pass's results until the next one overwrites it.
 layout(std430, binding = CLASSIC_MOVED_POSITIONS) writeonly buffer Positions { uvec4 firstRows[]; };
 layout(std430, binding = CLASSIC_MOVED_VELOCITIES) writeonly buffer MovedVelocities { uvec4 nextRows[]; };
 layout(std430, binding = CLASSIC_CELL_SLOTS) writeonly buffer Slots { uvec2 lastRow[]; };
 #endif
 
-/// For each row of cells which of its first 32 particles are neighbours, a bit each.
+/// The neighbours among the first 32 particles of each row of cells, a bit each.
 struct Near {
     uvec4 firstRows, nextRows;
     uint lastRow;
@@ -25,10 +25,11 @@ void note(int row, uint found, inout Near near) {
     near.lastRow = found; // the last row comes last
 }
 
-/// A little more than the support radius, squared: the other pass computes the distance otherwise and may round it down.
+/// A little more than the support radius, squared: the other pass rounds the distance differently and may round it
+/// down.
 const float kMore = 1.00001;
 
-/// Whether the particle is warm or in reach of the source, so that the next pass may move it.
+/// True if the particle is warm or in reach of the source, so that the next pass may move it.
 bool mayMove(vec3 place, float temperature) {
     const vec3 displacement = place - now.source;
     return temperature > 0.0 || dot(displacement, displacement) < kMore * now.heatRadiusSquared;
@@ -45,7 +46,7 @@ void main() {
     Near near = Near(uvec4(0), uvec4(0), 0u);
     for (int row = 0; row < kRows; ++row) {
         const uvec2 range = rangeOfRow(cell, row);
-        uint found = 0u, bit = 1u; // from the 33rd on no bit is left
+        uint found = 0u, bit = 1u; // from the 33rd particle on no bit is left
         for (uint j = range.x; j < range.y; ++j) {
             const vec3 displacement = place - texelFetch(positionTexels, int(j)).xyz;
             const float squared = dot(displacement, displacement);

@@ -1,5 +1,5 @@
-// Copies the state of each particle to its slot in cell order. Within a cell particles are sorted by number, so that the
-// order, and with it every sum over neighbours, is the same in every run.
+// Copies the state of each particle to its slot in cell order. Within a cell particles are sorted by number, so that
+// the order, and with it every sum over neighbours, is equal in every run.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "metal/classic/step.glsl"

@@ -5,7 +5,7 @@
 
 layout(local_size_x = GROUP_SIZE) in;
 layout(binding = CLASSIC_VELOCITY_TEXELS) uniform samplerBuffer velocityTexels; // and 1 / density
-// Until this pass writes its moved state here, of each particle the bits of its rows: see density.comp.
+// The neighbour bits of each particle's rows, until this pass writes its moved state here: see density.comp.
 layout(std430, binding = CLASSIC_MOVED_POSITIONS) buffer Positions { uvec4 positions[]; };
 layout(std430, binding = CLASSIC_MOVED_VELOCITIES) buffer Velocities { uvec4 velocities[]; };
 layout(std430, binding = CLASSIC_REFUSED) buffer Refused { uint refused; };
@@ -21,15 +21,15 @@ float heated(vec3 place, float temperature) {
     return clamp(temperature + now.heat * (1.0 - squared / now.heatRadiusSquared), 0.0, 1.0);
 }
 
-/// Sums over the neighbours of a particle, without the factors that all share.
+/// Sums over the neighbours of a particle, without the common factors.
 struct Pull {
     vec3 pressure;
     vec3 viscosity;
 };
 
-/// Adds what neighbour j does to a particle at `place`: Müller, Charypar, Gross 2003, with the viscosity force along
-/// v_j - v_i. With a = 1/rho_j the pressure's factor (p_i + p_j)/(2 rho_j), p = k (rho - rho0), is
-/// ((p_i - k rho0) a + k)/2: no division for a neighbour. The particle itself, and one in the same place, has no direction.
+/// Adds the forces of neighbour j on a particle at `place`: Müller, Charypar, Gross 2003, with the viscosity force
+/// along v_j - v_i. With a = 1/rho_j the pressure's factor (p_i + p_j)/(2 rho_j), p = k (rho - rho0), is ((p_i - k
+/// rho0) a + k)/2: no division for a neighbour. The particle itself, and one in the same place, has no direction.
 void addNeighbour(uint j, vec3 place, vec3 velocity, float own, inout Pull pull) {
     const vec3 displacement = place - texelFetch(positionTexels, int(j)).xyz;
     const vec4 neighbour = texelFetch(velocityTexels, int(j));
@@ -42,8 +42,8 @@ void addNeighbour(uint j, vec3 place, vec3 velocity, float own, inout Pull pull)
     pull.viscosity += (neighbour.xyz - velocity) * (inside * neighbourInverseDensity);
 }
 
-/// Pressure and viscosity force on particle i over its density. It visits those that the density's pass noted as
-/// neighbours, and of a row with more than 32 particles all that have no bit.
+/// Pressure and viscosity force on particle i over its density. Visits the neighbours that the density's pass recorded,
+/// and of a row with more than 32 particles all that have no bit.
 vec3 accelerationByNeighbours(uint i, vec3 place, vec3 velocity, float inverseDensity) {
     const ivec3 cell = cellOf(place);
     const float own = now.gasStiffness * (1.0 / inverseDensity - 2.0 * now.restDensity);

@@ -1,7 +1,7 @@
 // Ranges of particles that may be neighbours: the 27 cells around a position, or with ALL_PAIRS all particles.
 #include "metal/classic/step.glsl"
 
-// SYNCHRONOUS_DRIVER: buffer textures, as it fetches a whole texel at once, but storage component by component.
+// SYNCHRONOUS_DRIVER: buffer textures, because it fetches a whole texel at once, but storage component by component.
 layout(binding = CLASSIC_POSITION_TEXELS) uniform samplerBuffer positionTexels;
 #ifndef ALL_PAIRS
 layout(binding = CLASSIC_START_TEXELS) uniform usamplerBuffer startTexels;

@@ -1,4 +1,4 @@
-// Lists the particle numbers of each cell, within a cell in the order in which they were counted.
+// Lists the particle numbers of each cell, within a cell in counting order.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "metal/classic/step.glsl"

@@ -1,4 +1,4 @@
-// Statistics of chunks of particles. The reader adds the chunks in order, so that sums have the same bits in every run.
+// Statistics of chunks of particles. The reader adds the chunks in order, so that sums have equal bits in every run.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "metal/classic/step.glsl"

@@ -1,7 +1,7 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-// Puts all moving metal into cells for the frame's first substep and sets how far the substeps' passes reach; updates the
-// sums of wall metal around what became or ceased to be wall.
+// Puts all moving metal into cells for the frame's first substep and sets the numbers of groups of the substeps'
+// passes; updates the sums of wall metal around changes of wall.
 #include "metal/flow/common.glsl"
 layout(local_size_x = GROUP_SIZE) in;
 #include "metal/flow/wall_sums.glsl"
@@ -9,7 +9,7 @@ layout(local_size_x = GROUP_SIZE) in;
 /// Adds one slot's share to the sums of the wall metal around it, or takes it away.
 void updateWallSums(uint change) {
     const uint slot = change & ~FLOW_NO_LONGER_WALL;
-    const vec3 place = particles[slot].position; // where it was wall; it may have begun to move
+    const vec3 place = particles[slot].position; // if it was wall; it may have begun to move
     const ivec3 centre = cellAt(place);
     for (ivec3 step = ivec3(-1); step.z <= 1; nextStep(step)) {
         uint cell;

@@ -1,7 +1,7 @@
-// What acts on a liquid particle besides its neighbours, and what stops it. Included after common.glsl and pair_forces.glsl.
+// Body forces and stops on a liquid particle, besides its neighbours. Included after common.glsl and pair_forces.glsl.
 
-/// Drag of a jet along the surface that it strikes, `x` sigmas of its pressure from the axis, over the highest, which lies at
-/// 2.1 sigmas. Beltaos and Rajaratnam 1974, a round jet that strikes a plate from the height h: the pressure is
+/// Drag of a jet along the surface that it strikes, `x` sigmas of its pressure from the axis, over the peak, which is
+/// at 2.1 sigmas. Beltaos and Rajaratnam 1974, a round jet that strikes a plate from the height h: the pressure is
 /// exp(-114 (r/h)²), the drag 0.18 (1 - exp(-114 (r/h)²)) / (r/h) - 9.43 (r/h) exp(-114 (r/h)²); h = 15.1 sigma.
 float jetDrag(float x) {
     const float pressure = exp(-0.5 * x * x);
@@ -24,27 +24,27 @@ vec3 arcForce(vec3 place, vec3 inward) {
     return push + fluid.arcShear * jetDrag(fromAxis * fluid.inverseArcSigma) * facing / fromAxis * along;
 }
 
-/// What hot metal weighs less, m/s² (Boussinesq 1903).
+/// Loss of weight of hot metal, m/s² (Boussinesq 1903).
 vec3 weightCorrection(float temperature) {
     return fluid.expansion * (temperature - fluid.referenceTemperature) * metal.gravity;
 }
 
-/// Share of the velocity that mushy metal keeps over a substep: Carman-Kozeny drag (Voller and Prakash 1987), implicit. What
-/// flies has no crystals around it that stand still, and keeps all of it.
+/// Share of the velocity that mushy metal retains over a substep: Carman-Kozeny drag (Voller and Prakash 1987),
+/// implicit. Flying metal has no fixed crystals around it, and retains all of it.
 float mushyShare(float enthalpy, uint tether) {
     if (tether == 0) return 1;
-    // Pure metal melts at one temperature: its two enthalpies are apart by the latent heat alone.
+    // Pure metal melts at one temperature: its two enthalpies differ by the latent heat alone.
     const float f = clamp((enthalpy - metal.solidusEnthalpy) / max(metal.liquidusEnthalpy - metal.solidusEnthalpy, 1), 0, 1);
     return 1 / (1 + fluid.timeStep * fluid.mushyDrag * (1 - f) * (1 - f) / (f * f * f + 1e-3));
 }
 
-/// Density of solid metal beyond which liquid goes no further into it: 0.63 spacings before its outermost particles. At rest
-/// it keeps farther off. The soft pressure alone does not hold a single drop: inside wall metal it is as low as inside the
-/// pool.
+/// Density of solid metal beyond which liquid goes no further into it: 0.63 spacings before its outermost particles. At
+/// rest it stays farther off. The soft pressure alone does not stop a single drop: inside wall metal it is as low as
+/// inside the pool.
 const float kSolidDensity = 0.5;
 
-/// Takes from a velocity, `change` away from that at the substep's start, what would carry the particle beyond kSolidDensity
-/// in this substep; a particle that is beyond already goes no deeper. Own derivation.
+/// Removes the part of a velocity that would carry the particle beyond kSolidDensity in this substep; `change`: the
+/// velocity less that at the substep's start. A particle that is beyond already goes no deeper. Own derivation.
 vec3 stopAtSolid(SolidAround solids, vec3 change, vec3 velocity) {
     const vec3 gradient = solids.gradient;
     const float steepness2 = max(dot(gradient, gradient), 1e-4 * fluid.inverseSupport * fluid.inverseSupport);
@@ -58,10 +58,10 @@ bool latticeFilled(vec3 place) {
     return inLattice(cell) && latticeSlot[latticeIndex(cell)] != 0;
 }
 
-/// Nearest that a particle may come to the face of a solid lattice cell, in spacings; at rest it keeps about 0.4.
+/// Smallest distance of a particle from the face of a solid lattice cell, in spacings; at rest it is about 0.4.
 const float kWallGap = 0.35;
 
-/// Stops a particle at the faces of solid lattice cells, for the same reason as stopAtSolid(). Own derivation.
+/// Stops a particle at the faces of solid lattice cells, for the reason given at stopAtSolid(). Own derivation.
 vec3 stopAtLattice(vec3 before, vec3 after, inout vec3 velocity) {
     if (latticeFilled(before)) return after; // metal froze around it: let it out
     vec3 place = before;
@@ -78,7 +78,8 @@ vec3 stopAtLattice(vec3 before, vec3 after, inout vec3 velocity) {
     return place;
 }
 
-/// Keeps a place inside space: around the seam where it repeats, else half a spacing off its end, where the particle stops.
+/// Confines a place to space: around the seam where it repeats, else half a spacing off its end, where the particle
+/// stops.
 vec3 confine(vec3 place, inout vec3 velocity) {
     const bvec3 repeats = greaterThan(fluid.period, vec3(0));
     const vec3 around = place - fluid.period * floor((place - fluid.origin) * fluid.inversePeriod);

@@ -1,13 +1,13 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-// Lists the neighbours of the boundary particles that the search before has found; makes the sums of wall metal among them
-// where there are none.
+// Lists the neighbours of the boundary particles that the previous search found; computes the missing sums of wall
+// metal among them.
 #include "metal/flow/common.glsl"
 layout(local_size_x = GROUP_SIZE) in;
 #include "metal/flow/neighbours.glsl"
 #include "metal/flow/wall_sums.glsl"
 
-/// What other wall metal within the support adds to the gradient and density sums.
+/// Contributions of other wall metal within the support to the gradient and density sums.
 ivec4 sumWalls(uint slot, vec3 place) {
     const ivec3 centre = cellAt(place);
     ivec4 sum = ivec4(0);

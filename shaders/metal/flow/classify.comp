@@ -1,7 +1,7 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-// Finds the slots that became or ceased to be moving or wall metal since the last frame: puts them into the moving list and
-// among the new wall metal of their cells, and notes what compact.comp and bin.comp have to do for them.
+// Finds the slots that became or ceased to be moving or wall metal since the last frame: puts them into the moving list
+// and among the new wall metal of their cells, and lists the resulting work of compact.comp and bin.comp.
 #include "metal/flow/common.glsl"
 layout(local_size_x = GROUP_SIZE) in;
 
@@ -14,7 +14,7 @@ void noteChangedCell(uint cell) {
     if (atomicExchange(cells[cell].changed, 1u) == 0) changed[atomicAdd(counters.changedCells, 1u)] = cell;
 }
 
-/// Notes that a slot became or ceased to be wall, for the wall sums of the wall metal around it.
+/// Records that a slot became or ceased to be wall, for the wall sums of the wall metal around it.
 void noteWallChange(uint slot) {
     const uint entry = atomicAdd(counters.wallChanges[counters.frame & 1u], 1u);
     if (entry < FLOW_WALL_CHANGES) changed[fluid.cellCount + entry] = slot;
@@ -40,7 +40,7 @@ void ceaseToBeWall(uint slot) {
     noteWallChange(slot | FLOW_NO_LONGER_WALL);
 }
 
-/// What was wall a moment ago still hangs together with it.
+/// Makes a slot moving metal; former wall still has its tether to wall.
 void becomeMoving(uint slot, bool wasWall) {
     if (wasWall) phase[slot] |= PHASE_TETHER_BITS;
     lists[liquidIndex(atomicAdd(counters.liquids, 1u))] = slot;
@@ -52,11 +52,11 @@ void ceaseToMove(uint slot) { cells[particles[slot].cell].moving = 0; }
 
 void classify(uint slot) {
     const uint bits = phase[slot];
-    const bool fliesOn = flows(bits) && particles[slot].group != FLOW_GROUP_WALL; // also where it froze in flight
+    const bool fliesOn = flows(bits) && particles[slot].group != FLOW_GROUP_WALL; // true also if it froze in flight
     const bool moves = fliesOn || (bits & (PHASE_LIQUID | PHASE_FRAGMENT_BITS)) != 0;
     const uint now = (bits & PHASE_ALIVE) == 0 ? FLOW_GROUP_NONE : moves ? FLOW_GROUP_MOVING : FLOW_GROUP_WALL;
     if (particles[slot].group == now) return;
-    // A slot that is listed twice is dealt with once.
+    // A slot that is listed twice is handled once.
     const uint before = atomicExchange(particles[slot].group, now);
     if (before == now) return;
     if (before == FLOW_GROUP_WALL) ceaseToBeWall(slot);

@@ -14,8 +14,8 @@ layout(std430, binding = FLOW_COUNTERS) buffer Counters { FlowCounters counters;
 layout(std430, binding = FLOW_CHANGED) buffer Changed { uint changed[]; };
 layout(std430, binding = FLOW_WALL_SUMS) buffer WallSums { ivec4 wallSums[]; };
 
-// SYNCHRONOUS_DRIVER: passes that gather from many places read texels, which it fetches whole, but storage word by word. A
-// pass reads no texels of what it writes.
+// SYNCHRONOUS_DRIVER: passes that gather from many places read texels, which it fetches whole, but storage word by
+// word. A pass reads no texels of the buffers that it writes.
 layout(binding = FLOW_TEXELS_POSITIONS) uniform samplerBuffer positionTexels;
 layout(binding = FLOW_TEXELS_PARTICLES) uniform samplerBuffer particleTexels;
 layout(binding = FLOW_TEXELS_NEIGHBOURS) uniform usamplerBuffer neighbourTexels;
@@ -23,9 +23,9 @@ layout(binding = FLOW_TEXELS_CELLS) uniform usamplerBuffer cellTexels;
 layout(binding = FLOW_TEXELS_PAGE_SLOTS) uniform usamplerBuffer pageSlotTexels;
 layout(binding = FLOW_TEXELS_PAGE_POSITIONS) uniform usamplerBuffer pagePositionTexels;
 
-// `lists` holds the moving slots, liquid ones from the front on and those of fragments from the end back (capacity in all);
-// the same while they are compacted (likewise), and in a search the rows whose neighbour lists it makes anew; the slots with
-// stale neighbour lists.
+// `lists` has three parts: the moving slots, liquid ones from the front on and those of fragments from the end back
+// (capacity in all); these slots during compaction (likewise), and in a search the rows whose neighbour lists it
+// rebuilds; the slots with stale neighbour lists.
 uint liquidIndex(uint k) { return k; }
 uint fragmentIndex(uint k) { return uint(fluid.capacity) - 1 - k; }
 uint compactedIndex(uint index) { return uint(fluid.capacity) + index; }
@@ -37,8 +37,8 @@ uint movingSlot(uint k) {
     return lists[k < liquids ? liquidIndex(k) : fragmentIndex(k - liquids)];
 }
 
-// `neighbours` holds the neighbour lists, row by row (liquid particles come first, then boundary particles): entry k of the
-// lists of a work group lie side by side; then the slots of boundary particles; then the length of each row.
+// `neighbours` holds the neighbour lists, row by row (liquid particles come first, then boundary particles): entries k
+// of the lists of a work group are side by side; then the slots of boundary particles; then the length of each row.
 uint boundaryIndex(uint k) { return FLOW_NEIGHBOUR_CAPACITY * fluid.rowCapacity + k; }
 uint neighbourCountIndex(uint row) { return (FLOW_NEIGHBOUR_CAPACITY + 1) * fluid.rowCapacity + row; }
 
@@ -51,10 +51,10 @@ uint slotOf(uint row) {
     return row < liquids ? lists[liquidIndex(row)] : neighbours[boundaryIndex(row - liquids)];
 }
 
-/// Length of a row; 0 where there is no room for it.
+/// Length of a row; 0 if it exceeds the capacity.
 uint neighbourCount(uint row) { return row < fluid.rowCapacity ? neighbours[neighbourCountIndex(row)] : 0u; }
 
-/// Place of the first neighbour of a row in `neighbours`; the next ones follow GROUP_SIZE apart.
+/// Index of the first neighbour of a row in `neighbours`; the next ones follow GROUP_SIZE apart.
 uint neighbourBase(uint row) {
     return row / GROUP_SIZE * (GROUP_SIZE * FLOW_NEIGHBOUR_CAPACITY) + row % GROUP_SIZE;
 }
@@ -62,8 +62,8 @@ uint neighbourBase(uint row) {
 /// Neighbour `k` of the list that begins at `base`.
 uint neighbourTexel(uint base, uint k) { return texelFetch(neighbourTexels, int(base + GROUP_SIZE * k)).x; }
 
-/// True for metal that the flow moves: liquid, and what froze in flight until it touches what stands still or has become a
-/// fragment of its own.
+/// True for metal that the flow moves: liquid, and metal that froze in flight until it touches fixed metal or has
+/// become a fragment of its own.
 bool flows(uint bits) {
     return (bits & PHASE_LIQUID) != 0 ||
            ((bits & PHASE_FRESH) != 0 && (bits & (PHASE_TETHER_BITS | PHASE_FRAGMENT_BITS | PHASE_LATTICE)) == 0);
@@ -97,20 +97,20 @@ void writePageEntry(uint index, uint packedPosition, uint slot) {
 
 uint pageSlotTexel(uint index) { return texelFetch(pageSlotTexels, int(pageSlotIndex(index))).x; }
 
-/// Page number `page`, 0 where there is no room for it.
+/// Page number `page`, 0 if it exceeds the capacity.
 uint checkedPage(uint page, uint capacity) {
     if (page < capacity) return page;
     atomicAdd(counters.cellsOverfull, 1u);
     return 0;
 }
 
-/// Gives a cell its page of wall metal, which following passes find.
+/// Gives a cell its page of wall metal for the following passes.
 void needWallPage(uint cell) {
     if (cells[cell].hasWallPage != 0 || atomicExchange(cells[cell].hasWallPage, 1u) != 0) return;
     cells[cell].wallPage = checkedPage(atomicAdd(counters.wallPages, 1u) + 1, fluid.wallPageCapacity);
 }
 
-/// The cell of a position. Precise, so that every pass comes to the same one.
+/// The cell of a position. Precise, so that all passes agree.
 ivec3 cellAt(vec3 position) {
     precise const vec3 inCells = (position - fluid.origin) * fluid.inverseCellSize;
     return clamp(ivec3(floor(inCells)), ivec3(0), fluid.cells - 1);
@@ -122,8 +122,8 @@ vec3 stepsInside(vec3 position) {
     return floor(clamp((inCells - vec3(cellAt(position))) * 1024, vec3(0), vec3(1023)));
 }
 
-/// The same with ten bits an axis: a search reads one word to see whether a particle is near. SYNCHRONOUS_DRIVER: it pays
-/// for each word.
+/// The steps inside the cell with ten bits an axis: a search reads one word to see whether a particle is near.
+/// SYNCHRONOUS_DRIVER: each word costs time.
 uint packPosition(vec3 position) {
     const uvec3 steps = uvec3(stepsInside(position));
     return steps.x | steps.y << 10 | steps.z << 20;
@@ -133,7 +133,7 @@ uint cellIndex(ivec3 cell) {
     return uint((cell.z * fluid.cells.y + cell.y) * fluid.cells.x + cell.x);
 }
 
-/// The cell `steps` away from `cell`, across the seam of repeating axes; false where space ends.
+/// The cell `steps` away from `cell`, across the seam of repeating axes; returns false where space ends.
 bool neighbourCell(ivec3 cell, ivec3 steps, out uint index) {
     ivec3 other = cell + steps;
 #ifdef REPEATS
@@ -146,7 +146,7 @@ bool neighbourCell(ivec3 cell, ivec3 steps, out uint index) {
     return all(greaterThanEqual(other, ivec3(0))) && all(lessThan(other, fluid.cells));
 }
 
-/// Goes on to the next of the 27 steps from (-1, -1, -1) to (1, 1, 1).
+/// Advances to the next of the 27 steps from (-1, -1, -1) to (1, 1, 1).
 void nextStep(inout ivec3 step) {
     ++step.x;
     if (step.x > 1) {

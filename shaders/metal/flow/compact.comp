@@ -1,13 +1,14 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-// Brings the changed cells' lists of wall metal up to date; takes what ceased to move out of the moving list and parts liquid
+// Updates the changed cells' lists of wall metal; removes metal that stopped from the moving list and separates liquid
 // from fragments there; empties the cells of moving metal.
 #include "metal/flow/common.glsl"
 layout(local_size_x = GROUP_SIZE) in;
 
 layout(std430, binding = FLOW_PHASE_CHANGES) writeonly buffer PhaseChanges { uint phaseChanges[]; };
 
-/// Puts a wall particle among the `kept` ones before it by slot. Few cells change, so an insertion sort is fast enough.
+/// Inserts a wall particle among the `kept` ones before it by slot. Few cells change, so an insertion sort is fast
+/// enough.
 void insertWall(uint base, uint kept, uint packedPosition, uint slot) {
     uint place = kept;
     for (; place > 0 && pages[pageSlotIndex(base + place - 1)] > slot; --place)
@@ -42,7 +43,7 @@ void compactCell(uint cell) {
 }
 
 void finishFrame() {
-    phaseChanges[0] = 0; // all are dealt with
+    phaseChanges[0] = 0; // all changes are handled
     const uint parity = counters.frame & 1u;
     if (counters.wallChanges[parity] > FLOW_WALL_CHANGES) counters.wallSumGeneration += 1;
     counters.wallChanges[1 - parity] = 0; // for the next frame

@@ -13,7 +13,7 @@ void endSearch() {
     counters.listGroups.x = 0;
 }
 
-/// What a particle's sums of gradient (xyz) and density (w) are before its listed neighbours are added.
+/// A particle's sums of gradient (xyz) and density (w) before its listed neighbours are added.
 vec4 startSums(uint slot, bool isWall, float temperature) {
     if (!isWall) return vec4(0, 0, 0, 1);
     const float unit = 1 / FLOW_WALL_SUM_UNIT;

@@ -1,12 +1,12 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-// Takes out of a state that is to be saved what follows from the metal's places: the flow's own copies of them become the bits in
-// which they differ, mostly none. A second run puts them back, to the bit, whatever they were. An invocation a slot, then one
-// a cell.
+// Removes values from a state to be saved that follow from the metal's places: the flow's own copies of them become the
+// bits in which they differ, mostly none. A second run restores them, to the bit, whatever they were. An invocation a
+// slot, then one a cell.
 #include "metal/flow/common.glsl"
 layout(local_size_x = GROUP_SIZE) in;
 
-// The same memory as words, which keep their bits on every driver.
+// The buffer's memory as words, which preserve their bits on every driver.
 layout(std430, binding = FLOW_PARTICLES) buffer ParticleWords { uvec4 particleWords[]; };
 
 uniform uint slots;
@@ -17,7 +17,7 @@ void foldParticle(uint slot) {
     particleWords[first + 2].xyz ^= floatBitsToUint(velocity[slot].xyz);
 }
 
-/// What a page holds beyond its cell's wall metal is read by nobody.
+/// Clears the part of a page beyond its cell's wall metal, which no pass reads.
 void foldPage(uint cell) {
     if (cells[cell].wallPage == 0) return;
     const uint base = wallBase(cells[cell].wallPage);

@@ -1,6 +1,6 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-// Sweep 2: pressure, viscosity and surface tension on the liquid; then it moves on and enters the next substep's cells.
+// Sweep 2: pressure, viscosity and surface tension on the liquid; then moves it on into the next substep's cells.
 #include "metal/flow/common.glsl"
 layout(local_size_x = GROUP_SIZE) in;
 #include "metal/flow/pair_forces.glsl"
@@ -8,7 +8,7 @@ layout(local_size_x = GROUP_SIZE) in;
 
 layout(std430, binding = FLOW_PHASE_CHANGES) buffer PhaseChanges { uint phaseChanges[]; };
 
-/// A particle of the liquid with fewer neighbours than this flies alone or in a drop of a few particles.
+/// Number of neighbours below which a liquid particle flies alone or in a drop of a few particles.
 const uint kFlyingBelow = 20;
 
 /// Sums over the neighbours of a particle.
@@ -16,13 +16,13 @@ struct PairSums {
     vec3 acceleration;   // m/s²
     float fastest2;      // square of the fastest relative velocity of a neighbour that is not much faster than the particle, m²/s²
     SolidAround solids;
-    float tether; // greatest of a neighbour, PHASE_TETHER_MOST + 1 of what stands still
+    float tether; // greatest tether of a neighbour, PHASE_TETHER_MOST + 1 for fixed metal
 #ifdef MARANGONI
     Warming warming;
 #endif
 };
 
-/// The pair of a particle with the neighbour of an entry of its list, and what else the neighbour's texels hold.
+/// The pair of a particle with the neighbour of a list entry, and the other values in the neighbour's texels.
 Pair readPair(FlowParticle own, uint neighbour, out float density, out vec3 normal, out vec4 velocity) {
     const float inverse = fluid.inverseSupport * fluid.inverseSupport;
     const int texel = int(neighbour & FLOW_SLOT) * FLOW_PARTICLE_TEXELS;
@@ -64,7 +64,7 @@ PairSums sumPairs(uint row, FlowParticle own, uint found) {
         vec4 velocity; // w: tether
         const uint neighbour = neighbourTexel(base, k);
         const Pair pair = readPair(own, neighbour, density, normal, velocity);
-        // A single fast particle has a stale list, not all those around it.
+        // A single fast particle makes its own list stale, not those of all particles around it.
         if (dot(velocity.xyz, velocity.xyz) < slower) sums.fastest2 = max(sums.fastest2, dot(pair.relative, pair.relative));
         addSolid(sums.solids, pair);
         sums.tether = max(sums.tether, (neighbour & FLOW_WALL) != 0 ? float(PHASE_TETHER_MOST + 1)
@@ -81,8 +81,8 @@ PairSums sumPairs(uint row, FlowParticle own, uint found) {
     return sums;
 }
 
-/// Acceleration by all neighbours, the arc and the buoyancy, the fastest that a neighbour goes against the particle (m/s), and
-/// how the particle hangs together with what stands still.
+/// Acceleration by all neighbours, the arc and the buoyancy, the fastest speed of a neighbour relative to the particle
+/// (m/s), and the particle's tether to fixed metal.
 vec3 acceleration(uint row, uint slot, out float fastest, out SolidAround solids, out uint tether) {
     const FlowParticle own = particles[slot];
     const uint found = neighbourCount(row);
@@ -90,13 +90,13 @@ vec3 acceleration(uint row, uint slot, out float fastest, out SolidAround solids
     solids = sums.solids;
     tether = uint(max(sums.tether - 1, 0));
     vec3 sum = sums.acceleration;
-    // The particle's surface per volume, 1/m; half of the gradient lies outside, where no particle feels it.
+    // The particle's surface per volume, 1/m; half of the gradient is outside, where no particle feels it.
     const vec3 inward = 2 * own.normal / fluid.densityScale;
 #ifdef MARANGONI
     sum += marangoniForce(sums.warming, inward, own.temperature);
 #endif
     sum += arcForce(own.position, inward);
-    // What flies meets others that are not neighbours yet, and as nothing carries it, it has its whole weight.
+    // Flying metal meets particles that are not neighbours yet; nothing carries it, so it has its whole weight.
     const bool flying = found < kFlyingBelow;
     fastest = flying ? max(sqrt(sums.fastest2), 0.4 * length(own.velocity)) : sqrt(sums.fastest2);
     if (!flying) sum -= weightCorrection(own.temperature);
@@ -109,7 +109,7 @@ const float kNotFinite = 1e6;
 /// Limits a velocity to the speed limit; one that is not finite becomes 0 and is counted.
 vec3 limitSpeed(vec3 fast) {
     const float speed = length(fast);
-    if (!(speed < kNotFinite)) { // also catches what is not a number
+    if (!(speed < kNotFinite)) { // true also for a NaN
         atomicAdd(counters.notFinite, 1u);
         return vec3(0);
     }
@@ -119,7 +119,7 @@ vec3 limitSpeed(vec3 fast) {
 /// Share of its free way from which a particle renews its neighbour list along with others.
 const float kStaleShare = 0.8;
 
-/// Notes the particles whose neighbours may have gone so far (m) since the search that a list misses some.
+/// Records the particles whose neighbours may have moved so far (m) since the search that a list misses some.
 void noteStale(uint slot, float way) {
     if (way <= kStaleShare * fluid.freeWay) return;
     if (way > fluid.freeWay) atomicOr(counters.searchDue, 1u);
@@ -127,8 +127,8 @@ void noteStale(uint slot, float way) {
     if (k < FLOW_STALE_CAPACITY) lists[staleIndex(k)] = slot;
 }
 
-/// Writes how a particle hangs together with what stands still; what froze in flight and has come down is wall from the next
-/// step on.
+/// Writes a particle's tether to fixed metal; metal that froze in flight and has come down is wall from the next step
+/// on.
 void writeTether(uint slot, uint tether) {
     const uint before = phase[slot];
     const uint after = (before & ~PHASE_TETHER_BITS) | tether << PHASE_TETHER_SHIFT;
@@ -165,11 +165,11 @@ void main() {
     if (k < counters.liquids)
         moveLiquid(k, movingSlot(k));
     else if (k < counters.liquids + counters.fragments)
-        binParticle(movingSlot(k), position[movingSlot(k)].xyz); // fragments are moved by others
+        binParticle(movingSlot(k), position[movingSlot(k)].xyz); // other passes move fragments
     memoryBarrierBuffer();
     barrier();
     if (gl_LocalInvocationIndex != 0) return;
-    // The last group to come here knows whether any neighbour went too far and decides whether the next substep searches.
+    // The last group to arrive knows whether a neighbour moved too far, and decides whether the next substep searches.
     if (atomicAdd(counters.moveGroupsDone, 1u) + 1 < counters.movingGroups.x) return;
     counters.searchGroups.x = atomicAdd(counters.searchDue, 0u) > 0 ? counters.densityGroups.x : 0;
     counters.moveGroupsDone = 0;

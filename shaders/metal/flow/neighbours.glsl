@@ -1,9 +1,9 @@
-// Lists what is near a position from the lists of the cells around it. Included after common.glsl.
+// Lists the particles near a position from the lists of the cells around it. Included after common.glsl.
 //
-// Distances are those of packed positions: their differences are whole numbers, so that two particles see the same distance,
-// and four fit a texel. SYNCHRONOUS_DRIVER: it pays for each texel.
+// Distances are those of packed positions: their differences are whole numbers, so that two particles see one distance,
+// and four fit a texel. SYNCHRONOUS_DRIVER: each texel costs time.
 
-/// The square of a way in steps of a 1024th of the cell is the sum of the axes' squares times these, m².
+/// The factors (m²) by which the squares of a way's components, in steps of a 1024th of the cell, sum to its square.
 vec3 squareOfStep() {
     const vec3 step = 1 / (1024 * fluid.inverseCellSize);
     return step * step;
@@ -31,8 +31,8 @@ uint indexOfQuad(Quads quads, uint quad, out uint rest) {
     return (moves ? quads.movingBase : quads.wallBase) + first;
 }
 
-/// Which particles of up to 8 quads from `first` on lie within the reach of neighbour lists around `origin`, given in steps
-/// of their cell: a bit each.
+/// The particles of up to 8 quads from `first` on that are within the reach of neighbour lists around `origin`, given
+/// in steps of their cell: a bit each.
 uint nearInQuads(Quads quads, uint first, vec3 origin, vec3 square) {
     const float reach = fluid.reach * fluid.reach;
     uint near = 0;
@@ -51,7 +51,8 @@ uint nearInQuads(Quads quads, uint first, vec3 origin, vec3 square) {
     return near;
 }
 
-/// Which of the 27 cells around `centre`, in the order of nextStep(), hold something that may be near: a bit each.
+/// The cells among the 27 around `centre`, in the order of nextStep(), that hold something that may be near: a bit
+/// each.
 uint nearCells(ivec3 centre, vec3 steps, vec3 square, bool withWalls) {
     const float reach = fluid.reach * fluid.reach;
     uint near = 0;
@@ -76,13 +77,13 @@ ivec3 stepOf(int bit) {
     return ivec3(bit - 3 * row, row - 3 * layer, layer) - 1;
 }
 
-/// Up to 32 near particles of one cell: a bit each, and where they stand.
+/// Up to 32 near particles of one cell: a bit each, and their indices.
 const uint kNearSpans = 32;
 struct NearSpan {
     uint near;
     uint movingEnd;  // bit after those of moving particles
-    uint movingBase; // index in `pages` of what bit 0 stands for, if that moves
-    uint wallBase;   // the same if that is wall metal
+    uint movingBase; // index in `pages` of bit 0's particle, if that moves
+    uint wallBase;   // index in `pages` of bit 0's particle, if that is wall metal
 };
 
 NearSpan spanOf(Quads quads, uint firstQuad, uint near) {
@@ -90,18 +91,18 @@ NearSpan spanOf(Quads quads, uint firstQuad, uint near) {
     return NearSpan(near, max(moving, first) - first, quads.movingBase + first, quads.wallBase + first - moving);
 }
 
-/// Index in `pages` of the particle that a bit of a span stands for; whether it is wall metal.
+/// Index in `pages` of a bit's particle; `isWall`: it is wall metal.
 uint indexOfBit(NearSpan span, uint bit, out bool isWall) {
     isWall = bit >= span.movingEnd;
     return (isWall ? span.wallBase : span.movingBase) + bit;
 }
 
-/// Adds what is near `place`, except `slot` itself, to the list at `base`, which holds `found`; gives the number found then.
-/// Wall metal lists no wall metal: `withWalls` is false for it. `renewing`: of moving metal lists only what renews its list
-/// too. `unlisted`: there is solid metal among them that is no boundary particle yet.
+/// Adds the particles near `place`, except `slot` itself, to the list at `base`, which holds `found`; returns the new
+/// number. Wall metal lists no wall metal: `withWalls` is false for it. `renewing`: lists only moving metal that renews
+/// its list too. `unlisted`: some of them are solid metal that is no boundary particle yet.
 ///
-/// Looks at cells and particles first and then at what is near, in loops that go on in step for all invocations.
-/// SYNCHRONOUS_DRIVER: it runs every loop as often as the invocation side by side that needs it most.
+/// Looks at cells and particles first and then at the near ones, in loops that advance together for all invocations.
+/// SYNCHRONOUS_DRIVER: it runs every loop as often as the parallel invocation that needs it most.
 uint listNeighbours(uint slot, vec3 place, uint base, uint found, bool withWalls, bool renewing, out bool unlisted) {
     const uint since = counters.fullSearch;
     unlisted = false;

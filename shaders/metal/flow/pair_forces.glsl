@@ -1,4 +1,4 @@
-// What one neighbour does to a liquid particle, an effect a function. Included after common.glsl.
+// Forces of one neighbour on a liquid particle, one effect a function. Included after common.glsl.
 
 /// A liquid particle and one of its neighbours.
 struct Pair {
@@ -7,15 +7,15 @@ struct Pair {
     float q;           // distance over the support, at most 1
     float q2;
     float slope;       // s V W'(r)/r: the kernel's gradient is slope * d, 1/m²
-    vec3 relative;     // velocity of the particle against the neighbour, m/s
-    float approach;    // relative velocity times d, m²/s; negative where they come closer
+    vec3 relative;     // velocity of the particle relative to the neighbour, m/s
+    float approach;    // relative velocity times d, m²/s; negative during approach
     bool solid;        // the neighbour is wall metal or part of a fragment
     float temperature; // of the neighbour, K
     float weight;      // of the two surface forces: density correction and wetting
 };
 
-/// Pressure over density squared (m²/s², for a rest density of 1) by the equation of state p = c² (density - 1), which only
-/// pushes: weakly compressible SPH (Monaghan 1994) with a linear law; that it never pulls is our own choice.
+/// Pressure over density squared (m²/s², for a rest density of 1) by the equation of state p = c² (density - 1), which
+/// only pushes: weakly compressible SPH (Monaghan 1994) with a linear law; the absence of pull is our own choice.
 float pressureTerm(float density) {
     return fluid.soundSpeedSquared * max(density - 1, 0) / (density * density);
 }
@@ -53,8 +53,8 @@ float areaForceOf(Pair pair, vec3 ownNormal, vec3 otherNormal) {
     return pair.weight * fluid.areaForce * 4 * inverse * (1 - pair.q2) * dot(ownNormal - otherNormal, pair.d);
 }
 
-/// Weight of the two surface forces: density correction 2/(rho_i + rho_j) of Akinci et al. 2013, times how strongly solid
-/// metal of its temperature attracts the liquid (own derivation, see wettingAt()).
+/// Weight of the two surface forces: density correction 2/(rho_i + rho_j) of Akinci et al. 2013, times the attraction
+/// of the liquid by solid metal of its temperature (own derivation, see wettingAt()).
 float surfaceWeight(bool solid, float temperature, float ownDensity, float otherDensity) {
     return (solid ? wettingAt(temperature) : 1.0) * 2 / (ownDensity + otherDensity);
 }
@@ -63,7 +63,7 @@ float surfaceWeight(bool solid, float temperature, float ownDensity, float other
 /// Sums for the gradient of temperature.
 struct Warming {
     vec3 sum;    // of temperature differences
-    float trace; // the same sum for a gradient of 1 along each axis, times 3
+    float trace; // this sum for a gradient of 1 along each axis, times 3
 };
 
 void addWarming(inout Warming warming, Pair pair, float ownTemperature) {
@@ -71,7 +71,7 @@ void addWarming(inout Warming warming, Pair pair, float ownTemperature) {
     warming.trace -= pair.slope * pair.distance2;
 }
 
-/// Least share of surface, times half a spacing, of what counts as surface: inside the liquid the sum is never quite 0.
+/// Least share of surface, times half a spacing, that counts as surface: inside the liquid the sum is never quite 0.
 const float kSurfaceShare = 0.1;
 
 /// Slope of surface tension over temperature, over density, m³/(s² K).
@@ -82,7 +82,7 @@ float tensionSlope(float temperature) {
     return mix(fluid.tensionSlopes[left >> 2][left & 3], fluid.tensionSlopes[right >> 2][right & 3], place - float(left));
 }
 
-/// Pull of the surface towards where tension is higher, m/s²: (dgamma/dT) times the surface gradient of temperature, on each
+/// Pull of the surface towards higher tension, m/s²: (dgamma/dT) times the surface gradient of temperature, on each
 /// area of surface (continuum surface force, Brackbill, Kothe and Zemach 1992). `inward`: normal with the surface per
 /// volume as its length, 1/m. The normalised temperature gradient is our own.
 vec3 marangoniForce(Warming warming, vec3 inward, float temperature) {
@@ -98,7 +98,7 @@ vec3 marangoniForce(Warming warming, vec3 inward, float temperature) {
 struct SolidAround {
     vec3 gradient; // of the density of solid metal alone, 1/m
     float density; // of it, over rest density
-    float rising;  // how fast that density rises by the particles' present motion, 1/s
+    float rising;  // rate of rise of that density by the particles' present motion, 1/s
 };
 
 void addSolid(inout SolidAround solids, Pair pair) {

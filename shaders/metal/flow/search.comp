@@ -1,12 +1,12 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-// Lists the neighbours of liquid, a little beyond the support, and the solid metal among them as boundary particles; and the
-// neighbours of boundary particles that were listed before.
+// Lists the neighbours of liquid, a little beyond the support, and the solid metal among them as boundary particles;
+// and the neighbours of boundary particles that were listed before.
 #include "metal/flow/common.glsl"
 layout(local_size_x = GROUP_SIZE) in;
 #include "metal/flow/neighbours.glsl"
 
-/// Lists solid metal that has come to lie beside liquid, each slot once.
+/// Lists solid metal that liquid has reached, each slot once.
 void listBoundary(uint slot) {
     const uint since = counters.fullSearch;
     if (atomicExchange(particles[slot].listedSince, since) == since) return;
@@ -22,7 +22,8 @@ void listBoundary(uint slot) {
     if (row % GROUP_SIZE == 0) atomicMax(counters.densityGroups.x, row / GROUP_SIZE + 1);
 }
 
-/// Lists the solid metal among the neighbours that is not listed yet. First looks for it, so that most particles do no more.
+/// Lists the solid metal among the neighbours that is not listed yet. Checks for it first, so that most particles stop
+/// there.
 void listSolids(uint base, uint found) {
     for (uint first = 0; first < found; first += 32) {
         uint unlisted = 0;
@@ -38,8 +39,8 @@ void listSolids(uint base, uint found) {
 
 bool renews(uint slot) { return particles[slot].wallSumGeneration != 0; }
 
-/// Keeps the moving neighbours that do not renew their lists, in their order; gives their number. They list this particle as
-/// long as it lists them: each pair is on both lists or on none, so that its two forces cancel.
+/// Keeps the moving neighbours that do not renew their lists, in their order; returns their number. They list this
+/// particle as long as it lists them: each pair is on both lists or on none, so that its two forces cancel.
 uint keepOthers(uint base, uint found) {
     uint kept = 0;
     for (uint k = 0; k < found; ++k) {
@@ -65,5 +66,5 @@ void main() {
     if (found == FLOW_NEIGHBOUR_CAPACITY) atomicAdd(counters.neighboursOverfull, 1u);
     if (!liquid) return;
     if (unlisted) listSolids(base, found);
-    velocity[slot].w = 0; // way that neighbours may have gone since the search
+    velocity[slot].w = 0; // way of neighbours since the search
 }

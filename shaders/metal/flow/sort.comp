@@ -1,9 +1,9 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-// Orders the moving metal of each cell by slot and notes the rows whose neighbour lists are to be made anew: the first of
-// three passes that make them.
-// SYNCHRONOUS_DRIVER: few rows in few groups, as a group in which one row is wanted costs the next pass as much as one in
-// which all are.
+// Orders the moving metal of each cell by slot and lists the rows whose neighbour lists are rebuilt: the first of three
+// passes that rebuild them.
+// SYNCHRONOUS_DRIVER: few rows in few groups, because a group with one wanted row costs the next pass as much as one in
+// which all are wanted.
 #include "metal/flow/common.glsl"
 layout(local_size_x = GROUP_SIZE) in;
 
@@ -18,7 +18,7 @@ void beginSearch() {
     counters.boundaryGroups.x = 0;
 }
 
-/// How many moving particles of a cell have a lower slot.
+/// Number of moving particles of a cell with a lower slot.
 uint rankInCell(uint slot, uint cell) {
     const uint count = cells[cell].moving;
     uint rank = 0;
@@ -30,7 +30,7 @@ uint rankInCell(uint slot, uint cell) {
     return rank;
 }
 
-/// Puts the moving slot number k among those of its cell. `renews`: its list is made anew.
+/// Puts the moving slot number k among those of its cell. `renews`: its list is rebuilt.
 void sortMoving(uint k, bool renews) {
     const uint slot = movingSlot(k);
     const uint cell = particles[slot].cell;
@@ -42,7 +42,7 @@ void sortMoving(uint k, bool renews) {
                        slot | solid | (renews ? FLOW_RENEWS : 0u));
 }
 
-/// Notes a row whose list is to be made anew.
+/// Records a row whose list is rebuilt.
 void noteRow(uint row) {
     const uint k = atomicAdd(counters.listed, 1u);
     lists[compactedIndex(k)] = row;
@@ -53,7 +53,7 @@ void main() {
     const uint k = gl_GlobalInvocationID.x;
     if (k == 0) beginSearch();
     const uint liquids = counters.liquids, moving = liquids + counters.fragments;
-    // Where all lists are made anew, there are no boundary particles yet, whatever beginSearch() has done by now.
+    // If all lists are rebuilt, there are no boundary particles yet, whatever beginSearch() has done by now.
     const uint rows = min(counters.stale > FLOW_STALE_CAPACITY ? liquids : liquids + counters.boundary, fluid.rowCapacity);
     if (k >= max(moving, rows)) return;
     const bool renewsMoving = k < moving && nearStale(position[movingSlot(k)].xyz);

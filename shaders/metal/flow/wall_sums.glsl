@@ -1,4 +1,4 @@
-// What wall metal adds to the sums of other wall metal. Included after common.glsl.
+// Contributions of wall metal to the sums of other wall metal. Included after common.glsl.
 
 /// Share of a neighbour at `d` (m) in the gradient sum (xyz, over the support) and the density sum (w), before their
 /// prefactors, in 1/FLOW_WALL_SUM_UNIT.

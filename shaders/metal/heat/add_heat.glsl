@@ -1,4 +1,4 @@
-// How heat changes one particle. Included after common.glsl.
+// Heat taken up by one particle. Included after common.glsl.
 
 const float kCoolingFrom = 1073.15; // 800 degrees C
 const float kCoolingTo = 773.15;    // 500 degrees C
@@ -17,8 +17,8 @@ struct Heated {
     float enthalpy; // without its residual
 };
 
-/// Adds what a particle took up in `duration` s to its state `h` at temperature `before`, keeping in the residual what float
-/// cannot hold. The memory of the peak is written only where it changed.
+/// Adds the heat taken up in `duration` s to a particle's state `h` at temperature `before`; the residual holds the
+/// part that float cannot. The peak is written only if it changed.
 Heated addHeat(uint slot, vec4 h, float before, float joules, float duration) {
     precise float change = joules / metal.particleMass + h.y;
     precise float sum = h.x + change;

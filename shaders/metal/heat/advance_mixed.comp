@@ -1,6 +1,6 @@
 #version 450 core
-// Gives the particles on the lattice of the mixed tiles their shares of what their cells took up, lets them lose heat, and
-// clears the cells' sums for the next step. An invocation a cell.
+// Gives the particles on the lattice of the mixed tiles their shares of their cells' heat, applies the surface loss,
+// and clears the cells' sums for the next step. An invocation a cell.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/dispatch.h"
 layout(local_size_x = GROUP_SIZE) in;

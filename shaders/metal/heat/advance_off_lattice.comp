@@ -1,6 +1,6 @@
 #version 450 core
-// Gives each particle off the lattice its share of what its cells took up, evens it out with them, and lets its free surface
-// lose heat.
+// Gives each particle off the lattice its share of its cells' heat, evens it out with them, and applies the loss of its
+// free surface.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/dispatch.h"
 layout(local_size_x = GROUP_SIZE) in;
@@ -13,8 +13,8 @@ layout(local_size_x = GROUP_SIZE) in;
 #include "metal/heat/leave_lattice.glsl"
 layout(std430, binding = HEAT_CELL_POWER) restrict readonly buffer CellPower { float cellPower[]; };
 
-/// Watts that a particle gives to the welding table that it lies on. What is clamped or still on the lattice stands on its
-/// fixture and does not touch the table.
+/// Watts from a particle to the welding table that it rests on. Metal that is clamped or still on the lattice rests on
+/// its fixture and does not touch the table.
 float tableLoss(vec3 place, float temperature) {
     float spacing = metal.spacing;
     float height = dot(place, heatBlock.weldingTableNormal);
@@ -49,7 +49,7 @@ void main() {
         area += share * texelFetch(thetaTexels, thetaBase(stamp ^ TILE_HALF, tile) + inside).x;
         missing -= weight;
     }
-    // The share of a particle outside the lattice is all surface; 1e-3 leaves out what the whole-numbered weights lack.
+    // The share of a particle outside the lattice is all surface; 1e-3 ignores the rounding of the integer weights.
     if (missing > 1e-3) area += 3.0 * missing * metal.spacing * metal.spacing;
     float joules = power * heatBlock.timeStep;
     float lost =

@@ -1,15 +1,15 @@
-// The coldest and the hottest particle of a cell that metal off the lattice shares, and how fast its particles even out with
-// it. Included after common.glsl.
+// The coldest and the hottest particle of a cell that metal off the lattice shares, and the rate at which its particles
+// even out with it. Included after common.glsl.
 //
-// What a cell conducts follows from its mean, and each of its particles gets its share by weight. The coldest particle of a
-// cell with a hot mean would so give heat to neighbours that are hotter than itself. The exchange with the cell makes up for
-// it: it is as strong as it must be so that no particle leaves the range of its cell and the neighbouring cells.
+// A cell's conduction follows from its mean, and each of its particles gets its share by weight. The coldest particle
+// of a cell with a hot mean would so give heat to neighbours that are hotter than itself. The exchange with the cell
+// prevents this: it is just strong enough that no particle leaves the range of its cell and the neighbouring cells.
 layout(std430, binding = HEAT_CELL_RANGE) restrict buffer CellRanges { uvec2 cellRange[]; };
 
-/// What particles that share a cell exchange with it at least, in conductances of two neighbouring cells, times how full the
-/// cell is: evens out what the cells themselves cannot see. It also spreads heat, where the cells' unevenness hinders it: with
-/// 1.22 the two are even, and liquid conducts within 2 % of what it should, at rest or flowing; with 1.3 it would conduct up to
-/// 3 % too much.
+/// Smallest exchange of particles that share a cell with it, in conductances of two neighbouring cells, times the
+/// cell's fullness: evens out differences that the cells themselves cannot see. It also spreads heat where the cells'
+/// unevenness hinders it: with 1.22 the two balance, and liquid conducts within 2 % of the correct value, at rest or
+/// flowing; with 1.3 it would conduct up to 3 % too much.
 const float kCellExchange = 1.22;
 
 /// Theta of the coldest and the hottest particle of a cell, W/m.
@@ -17,8 +17,8 @@ struct CellRange {
     float low, high;
 };
 
-/// The bits of floats from 0 on rise with the float, and those of the lowest are kept inverted: an empty range is 0, and the
-/// greatest wins in both.
+/// The bits of floats from 0 on rise with the float; the lowest are stored inverted: an empty range is 0, and the
+/// greater value wins in both.
 void addToRange(int cell, float theta) {
     uint bits = floatBitsToUint(theta);
     atomicMax(cellRange[cell].x, ~bits);
@@ -32,8 +32,8 @@ CellRange rangeOf(int cell) {
 
 bool isShared(int cell) { return cellRange[cell].x != 0u; }
 
-/// In place of the range, when conduction is known: conductance of the exchange between a cell and all its particles together,
-/// W/m per W/m of theta over a spacing.
+/// Replaces the range once conduction is known: conductance of the exchange between a cell and all its particles
+/// together, W/m per W/m of theta over a spacing.
 void writeExchange(int cell, float exchange) { cellRange[cell].x = floatBitsToUint(exchange); }
 float exchangeOf(int cell) { return uintBitsToFloat(cellRange[cell].x); }
 void clearRange(int cell) { cellRange[cell] = uvec2(0); }

@@ -10,7 +10,7 @@ layout(std430, binding = HEAT_CELL_WEIGHT) restrict buffer CellWeights { uint ce
 layout(std430, binding = HEAT_TILES) restrict buffer Tiles { HeatTile tiles[]; };
 layout(std430, binding = HEAT_TILE_STAMPS) restrict buffer TileStamps { int tileStamp[]; };
 
-// What a pass only reads, it reads here.
+// Buffers that a pass only reads.
 layout(binding = HEAT_TEXELS_TABLE) uniform samplerBuffer table;
 layout(binding = HEAT_TEXELS_THETA) uniform samplerBuffer thetaTexels;
 layout(binding = HEAT_TEXELS_WEIGHT) uniform usamplerBuffer weightTexels;
@@ -22,15 +22,16 @@ layout(binding = HEAT_TEXELS_HEATS) uniform samplerBuffer heatTexels;
 layout(binding = HEAT_TEXELS_POSITIONS) uniform samplerBuffer positionTexels;
 layout(binding = HEAT_TEXELS_PHASES) uniform usamplerBuffer phaseTexels;
 
-// The Kirchhoff variable of a cell is negative where no particle sits, and more negative for one whose temperature is held.
+// The Kirchhoff variable of a cell is negative if no particle sits there, and more negative for one of fixed
+// temperature.
 const float kEmpty = -1.0;
 bool isEmpty(float theta) { return theta == kEmpty; }
 bool isHeld(float theta) { return theta < -1.5; }
-float markHeld(float theta) { return -2.0 - theta; } // also the way back
+float markHeld(float theta) { return -2.0 - theta; } // its own inverse
 
 /// Temperature (x, K) and Kirchhoff variable (y, W/m) at an enthalpy.
 vec2 thermalState(float enthalpy) {
-    // Solid, mushy and liquid in x, y and z.
+    // The components are solid, mushy and liquid.
     vec3 start = heatBlock.tableStart;
     vec3 scale = heatBlock.tableScale;
     bool solid = enthalpy < start.y;
@@ -47,7 +48,7 @@ float liquidFraction(float enthalpy) {
     return range > 0.0 ? clamp((enthalpy - metal.solidusEnthalpy) / range, 0.0, 1.0) : float(enthalpy >= metal.liquidusEnthalpy);
 }
 
-// Where the lists of HEAT_LISTS begin, behind that of the mixed tiles.
+// Offsets of the lists in HEAT_LISTS, behind that of the mixed tiles.
 int offLatticeTilesBegin() { return heatBlock.tileCount; }
 int metalTilesBegin() { return 2 * heatBlock.tileCount; }
 int offLatticeSlotsBegin() { return 3 * heatBlock.tileCount; }
@@ -68,22 +69,22 @@ float elapsedOf(int tile) { return intBitsToFloat(texelFetch(tileTexels, 2 * til
 uint rowBitsOf(int tile) { return uint(texelFetch(tileTexels, 2 * tile + 1).z); }
 bool tookPart(int stamp, int stepNumber) { return (stamp >> TILE_STEP_SHIFT) == stepNumber; }
 
-/// Where theta of a tile's cell 0 stands during the step that its stamp is of.
+/// Index of theta of a tile's cell 0 during the step of the stamp.
 int thetaBase(int stamp, int tile) { return ((stamp & TILE_HALF) * heatBlock.tileCount + tile) * TILE_CELLS; }
 
-/// How many particles share a cell.
+/// Number of particles that share a cell.
 float weightOf(int cell) { return float(texelFetch(weightTexels, cell).x) / float(SHARE_UNIT); }
 
-/// Where theta of a cell stands during its tile's step.
+/// Index of theta of a cell during its tile's step.
 int thetaIndex(int cell) { return (stampOf(cell / TILE_CELLS) & TILE_HALF) * heatBlock.tileCount * TILE_CELLS + cell; }
 
-/// Whether a source may reach a tile.
+/// True if a source may reach a tile.
 bool reaches(HeatSourceData s, ivec3 tilePlace) {
     return all(greaterThanEqual(tilePlace, s.firstTile)) && all(lessThan(tilePlace, s.firstTile + s.tileExtent));
 }
 
-/// The first source from number `i` on that may reach a tile; the number of sources where none does. For the heads of loops.
-/// SYNCHRONOUS_DRIVER: it leaves out a loop that no invocation enters, but no branch.
+/// The first source from number `i` on that may reach a tile; the number of sources if none does. For the heads of
+/// loops. SYNCHRONOUS_DRIVER: it skips a loop that no invocation enters, but no branch.
 int nextReaching(ivec3 tilePlace, int i) {
     while (i < heatBlock.sourceCount && !reaches(heatBlock.sources[i], tilePlace)) ++i;
     return i;
@@ -95,7 +96,7 @@ ivec3 sourceTile(HeatSourceData s, int group) {
            ivec3(group % s.tileExtent.x, group / s.tileExtent.x % s.tileExtent.y, group / (s.tileExtent.x * s.tileExtent.y));
 }
 
-/// Notes that something happened in a tile whose notes at the start of the pass were `notes`.
+/// Records activity in a tile whose notes at the start of the pass were `notes`.
 void noteActivity(int tile, TileNotes notes) {
     if (heatBlock.stepNumber - notes.lastActive >= TILE_NOTE_INTERVAL) tiles[tile].lastActive = heatBlock.stepNumber;
 }

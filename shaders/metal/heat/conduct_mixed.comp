@@ -1,9 +1,9 @@
 #version 450 core
-// Net power into each cell of the mixed tiles: conduction with its neighbours through the Kirchhoff variable, and what the
-// sources give: of the mixed tiles that a source may reach, with SOURCES, or of the others. An invocation a cell. Metal off
-// the lattice shares cells here: a face or a square conducts as the least filled of its cells allows. The particles
-// themselves lose heat through the free surface later.
-// SYNCHRONOUS_DRIVER: two programs and no branch, as it would compute a source's share in both.
+// Net power into each cell of the mixed tiles: conduction with its neighbours through the Kirchhoff variable, and the
+// power of the sources. With SOURCES for the mixed tiles that a source may reach, else for the others. An invocation a
+// cell. Metal off the lattice shares cells here: a face or a square conducts as the least filled of its cells allows.
+// The particles themselves lose heat through the free surface later.
+// SYNCHRONOUS_DRIVER: two programs and no branch, because it would compute a source's share in both.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/dispatch.h"
 layout(local_size_x = GROUP_SIZE) in;
@@ -20,11 +20,11 @@ layout(std430, binding = HEAT_CONTROL) restrict readonly buffer Control { HeatCo
 #include "metal/heat/listed_rows.glsl"
 layout(std430, binding = HEAT_SOURCE_SUMS) restrict readonly buffer SourceSums { float sourceSum[]; };
 
-/// The exchange that keeps the particles of a cell with mean `theta`, which fills `weight` cells and takes in `flow` (W/m), within
-/// the range of their cell and its surroundings. A particle takes flow + exchange (theta - own) by its share of the weight. With
-/// the surroundings' whole conductance as exchange that is what it would conduct itself, so no more is ever needed: a particle
-/// with `own` at one end of the range of its cell then moves away from that end, or towards the end of the surroundings by no
-/// more than what explicit steps bear.
+/// The exchange that keeps the particles of a cell with mean `theta`, which fills `weight` cells and takes in `flow`
+/// (W/m), within the range of their cell and its surroundings. A particle takes flow + exchange (theta - own) by its
+/// share of the weight. With the surroundings' whole conductance as exchange this is its own conduction, so no more is
+/// ever needed: a particle with `own` at one end of the range of its cell then moves away from that end, or towards the
+/// end of the surroundings by no more than the stability of explicit steps allows.
 float exchangeFor(CellRange range, float theta, float weight, float flow, Surroundings around) {
     float gives = -flow - around.conductance * max(0.0, range.low - around.coldest);
     float takes = flow - around.conductance * max(0.0, around.hottest - range.high);
@@ -33,7 +33,7 @@ float exchangeFor(CellRange range, float theta, float weight, float flow, Surrou
     return max(kCellExchange * weight, min(max(forColdest, forHottest), around.conductance));
 }
 
-/// W that the sources give to a cell.
+/// Power of the sources into a cell, W.
 float givenTo(ivec3 tilePlace, int inside, float weight, FreeSurface surface, float theta) {
     float given = 0.0;
 #ifdef SOURCES

@@ -1,11 +1,11 @@
 #version 450 core
-// A whole step of the plain tiles, where metal on the lattice conducts and its surface loses heat to the air, and nothing
-// else happens: theta in one half of its buffer -> enthalpy, temperature, phase, theta in the other half. An
-// invocation a row of four cells along x: a row and its neighbours along y and z are a texel each.
-// The flow is that of stencil.glsl, as it is in the mixed tiles.
-// SYNCHRONOUS_DRIVER: the whole pass; a card would take the passes over mixed tiles for these tiles, too. Such a driver
-// executes every line whether its condition holds or not, but leaves out a loop that none of the invocations side by side
-// enters: work that only some tiles need is left to those passes, and work that only hot metal needs is in a loop.
+// A whole step of the plain tiles, where metal on the lattice conducts and its surface loses heat to the air, and
+// nothing else happens: theta in one half of its buffer -> enthalpy, temperature, phase, theta in the other half. An
+// invocation a row of four cells along x: a row and its neighbours along y and z are a texel each. The flow is that of
+// stencil.glsl, as in the mixed tiles.
+// SYNCHRONOUS_DRIVER: the whole pass; on a card the passes over mixed tiles would serve these tiles too. Such a driver
+// executes every line whether its condition holds or not, but skips a loop that none of the parallel invocations
+// enters: those passes do the work that only some tiles need, and a loop the work that only hot metal needs.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/dispatch.h"
 #include "shared/heat.h"
@@ -21,14 +21,14 @@ layout(local_size_x = GROUP_SIZE) in;
 layout(binding = HEAT_TEXELS_THETA_ROWS) uniform samplerBuffer thetaRows;
 layout(binding = HEAT_TEXELS_LATTICE_ROWS) uniform usamplerBuffer latticeRows;
 
-/// A tile that a row or its neighbours lie in.
+/// A tile that contains a row or its neighbours.
 struct RowTile {
-    int base;   // of its theta
-    bool there; // not beyond the lattice's end
-    bool open;  // it takes part in this step, so that both sides count the flow
+    int base;   // index of its theta
+    bool there; // false beyond the lattice's end
+    bool open;  // takes part in this step, so that both sides count the flow
 };
 
-/// `diagonal`: the tile shares but an edge with the row's own.
+/// `diagonal`: the tile shares only an edge with the row's own.
 RowTile rowTile(int tile, bool there, bool diagonal) {
     const int stamp = stampOf(there ? tile : 0);
     const bool open = there && tookPart(stamp, heatBlock.stepNumber) && !(diagonal && (stamp & TILE_SHARED) != 0);
@@ -40,7 +40,7 @@ struct TileRow {
     RowTile before, here, after;
 };
 
-/// Those beside the tiles `own` in y or z: `tile` in their middle.
+/// The tiles beside `own` in y or z, with `tile` in their middle.
 TileRow tilesBeyond(TileRow own, int tile, bool there) {
     return TileRow(rowTile(tile - 1, there && own.before.there, true), rowTile(tile, there, false),
                    rowTile(tile + 1, there && own.after.there, true));
@@ -49,9 +49,9 @@ TileRow tilesBeyond(TileRow own, int tile, bool there) {
 /// The way from a row to its neighbours along y or z, of which one may be in another tile.
 struct Way {
     bool lowCrosses, highCrosses;
-    int lowStep, highStep; // from row to row in the tile that the neighbour is in
+    int lowStep, highStep; // from row to row in the neighbour's tile
     int tileStep;          // to that other tile
-    bool there;            // it is not beyond the lattice's end
+    bool there;            // false beyond the lattice's end
 };
 
 /// `at`: coordinate of the row in its tile along the axis; `inner`: from one row to the next; `stride`: from one tile to the
@@ -63,7 +63,7 @@ Way wayAlong(int at, int inner, int stride, int tileAt, int size) {
     return Way(first, last, first ? across : -inner, last ? -across : inner, first ? -stride : stride, there);
 }
 
-/// Four cells along x and the cell at either end. Counts are 1 where metal conducts and its tile takes part, else 0.
+/// Four cells along x and the cell at either end. Counts are 1 if metal conducts and its tile takes part, else 0.
 struct Row {
     vec4 theta, counts;
     float countBefore, before, after, countAfter;
@@ -86,12 +86,12 @@ Row rowIn(TileRow tiles, int row) {
     return r;
 }
 
-/// What flows into the four cells of a row.
+/// Flow into the four cells of a row.
 struct RowInflow {
     vec4 metal_, walls; // W/m
     vec4 largest;       // difference to a neighbour, W/m
-    // Sum over the axes of the squares of how many faces are open. Its root, the length of the sum of the open faces' normals,
-    // is exact on planes along the lattice and on even slopes.
+    // Sum over the axes of the squares of the numbers of open faces. Its root, the length of the sum of the open faces'
+    // normals, is exact on planes along the lattice and on even slopes.
     vec4 openAxes;
 };
 
@@ -118,7 +118,7 @@ vec4 twistAlongX(Row own, Row other) {
     return low + vec4(-low.yzw, (across.w - after) * (counts.w * countAfter));
 }
 
-/// The same of the square with a row along y, one along z and the one diagonally opposite in `tile`.
+/// Sum of the twists of the square with a row along y, one along z and the one diagonally opposite in `tile`.
 vec4 twistAcross(Row own, Row y, Row z, RowTile tile, int row) {
     const vec4 corner = texelFetch(thetaRows, tile.base / TILE_EDGE + row);
     const vec4 counts = own.counts * y.counts * z.counts * vec4(greaterThanEqual(corner, vec4(0))) * float(tile.open);
@@ -152,13 +152,13 @@ RowInflow inflowOfRow(int tile, int row, TileRow side, Row own) {
     return sum;
 }
 
-/// What a cell's step found, for the notes of its tile.
+/// Findings of a cell's step, for the notes of its tile.
 struct Found {
     bool awake, warm, evaporating;
     bool hot; // metal was at its solidus or above before or after the step: no other changes its phase
 };
 
-/// The step of one cell; gives its enthalpy. Nothing happens in an empty cell or where the temperature is held.
+/// Makes the step of one cell; returns its enthalpy. No-op in an empty cell or at a fixed temperature.
 float advance(int cell, int otherHalf, uint entry, float theta, float metalFlow, float wallFlow, float largest,
               float openAxes, float elapsed, inout Found found) {
     if (theta < 0.0) {
@@ -169,7 +169,7 @@ float advance(int cell, int otherHalf, uint entry, float theta, float metalFlow,
     const vec2 power = dx * vec2(metalFlow, wallFlow);
     const uint slot = entry - 1u;
     const vec4 h = texelFetch(heatTexels, int(slot));
-    const float temperature = texelFetch(positionTexels, int(slot)).w; // as the last step left it
+    const float temperature = texelFetch(positionTexels, int(slot)).w; // value of the last step
     const float losing = surfaceLoss(temperature, sqrt(openAxes) * dx * dx);
     const float lost = losing * elapsed; // may be due for several steps at once
     book(cell, power.y * heatBlock.timeStep, lost);

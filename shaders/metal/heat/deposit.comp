@@ -1,6 +1,6 @@
 #version 450 core
-// Adds the shares of each particle off the lattice to the weights, sums and ranges of the eight cells around it, and notes their
-// tiles.
+// Adds the shares of each particle off the lattice to the weights, sums and ranges of the eight cells around it, and
+// records their tiles.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/dispatch.h"
 layout(local_size_x = GROUP_SIZE) in;

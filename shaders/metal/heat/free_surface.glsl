@@ -1,6 +1,6 @@
-// How full a cell is and how much free surface it has. Included after neighbours.glsl.
+// Fullness and free surface of a cell. Included after neighbours.glsl.
 
-/// How full a cell with that weight is, 0 .. 1. Steep, so that the unevenness inside liquid metal makes no surface.
+/// Fullness of a cell with that weight, 0 .. 1. Steep, so that the unevenness inside liquid metal makes no surface.
 float fullness(float weight) { return clamp((weight - 0.15) / 0.5, 0.0, 1.0); }
 
 /// Weights of the six neighbouring cells.
@@ -20,12 +20,12 @@ Weights readWeights(int cell, NeighbourOffsets offsets) {
 }
 
 struct FreeSurface {
-    vec3 normal; // outward, unit length, or zero where both sides are open alike
+    vec3 normal; // outward, unit length, or zero if both sides are equally open
     float area;  // m²
 };
 
-/// Free surface of a cell that metal off the lattice may share. Over each face the step down in fullness counts, so that the
-/// steps through a surface anywhere between cells add up to its area.
+/// Free surface of a cell that metal off the lattice may share. Over each face the step down in fullness counts, so
+/// that the steps through a surface anywhere between cells add up to its area.
 FreeSurface freeSurface(float weight, Weights w) {
     float own = fullness(weight);
     vec3 low = max(vec3(0), own - vec3(fullness(w.low.x), fullness(w.low.y), fullness(w.low.z)));

@@ -1,8 +1,8 @@
-// Books every joule in and out, where LEDGER is defined. Included after common.glsl.
+// Books every joule in and out, if LEDGER is defined. Included after common.glsl.
 #ifdef LEDGER
 layout(std430, binding = HEAT_LEDGER) restrict buffer Ledger { vec4 ledger[]; };
 
-/// a + b with the rest that float cannot hold: (sum, rest), rest of before included.
+/// Sum of a + b and the remainder that float cannot hold: (sum, rest), including the previous rest.
 vec2 carried(vec2 sum, float added) {
     precise float change = added + sum.y;
     precise float total = sum.x + change;

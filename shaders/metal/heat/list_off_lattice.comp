@@ -1,6 +1,6 @@
 #version 450 core
-// Lists living particles off the lattice that are not in the list yet, among a range of slots. Empties the cells of those that
-// others took off the lattice.
+// Lists living particles off the lattice that are not in the list yet, among a range of slots. Empties the cells of
+// those that other passes took off the lattice.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/dispatch.h"
 layout(local_size_x = GROUP_SIZE) in;

@@ -1,6 +1,7 @@
 #version 450 core
-// Lists the rows of cells of the mixed tiles that hold metal: around a bead half of the rows are empty. An invocation a row.
-// list_tiles.comp lists those of the plain tiles, where no metal off the lattice comes and goes; their groups are counted here.
+// Lists the rows of cells of the mixed tiles that hold metal: around a bead half of the rows are empty. An invocation a
+// row. list_tiles.comp lists those of the plain tiles, where no metal off the lattice comes and goes; their groups are
+// counted here.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/dispatch.h"
 layout(local_size_x = GROUP_SIZE) in;
@@ -19,7 +20,7 @@ void main() {
     const int tile = int(listed & ~HEAT_REACHED);
     const int row = int(gl_LocalInvocationIndex % TILE_ROWS);
     const vec4 theta = texelFetch(thetaRows, thetaBase(stampOf(tile), tile) / TILE_EDGE + row);
-    // What once held metal of the lattice may have been left in the other half.
+    // Former metal of the lattice may be left in the other half.
     if (all(equal(theta, vec4(kEmpty))) && (rowBitsOf(tile) >> row & 1u) == 0u) return;
     const uint entry = reached ? atomicAdd(control.reachedRows.w, 1u) : atomicAdd(control.unreachedRows.w, 1u);
     rows[placeOfMixed(reached, entry)] = uint(TILE_ROWS * tile + row);

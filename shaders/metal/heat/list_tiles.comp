@@ -1,7 +1,7 @@
 #version 450 core
-// Lists the tiles that take part in this step, among those that ever held metal: those where something happens, their
-// neighbours, those that a source reaches and those with metal off the lattice. A sleeping tile with a warm surface takes part
-// every TILE_LOSS_INTERVAL steps.
+// Lists the tiles that take part in this step, among those that ever held metal: active tiles, their neighbours, those
+// that a source reaches and those with metal off the lattice. A sleeping tile with a warm surface takes part every
+// TILE_LOSS_INTERVAL steps.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/dispatch.h"
 layout(local_size_x = GROUP_SIZE) in;
@@ -15,7 +15,7 @@ bool holdsOffLattice(TileNotes notes) { return notes.lastOffLattice == heatBlock
 
 bool underSource(ivec3 place) { return nextReaching(place, 0) < heatBlock.sourceCount; }
 
-/// Whether something happens in a tile's neighbours, and whether they hold metal off the lattice.
+/// Activity in a tile's neighbours, and metal off the lattice in them.
 struct Neighbourhood {
     bool awake, offLattice;
 };
@@ -40,7 +40,7 @@ float elapsedSinceStep(int tile, int stamp) {
     return float(heatBlock.endTime - tiles[tile].endTime) * 1e-6;
 }
 
-/// Their groups are counted when all are listed.
+/// Lists a tile's rows. Their groups are counted after all are listed.
 void listPlainRows(int tile, uint rowBits) {
     uint place = atomicAdd(control.plainRows.w, uint(bitCount(rowBits)));
     for (uint left = rowBits; left != 0u; left &= left - 1u) rows[place++] = uint(TILE_ROWS * tile + findLSB(left));

@@ -2,7 +2,7 @@
 layout(std430, binding = HEAT_LISTS) restrict buffer Lists { uint lists[]; };
 layout(std430, binding = HEAT_CONTROL) restrict buffer Control { HeatControl control; };
 
-/// To be called once a tile.
+/// Lists a tile. Call it once a tile.
 void listMetalTile(int tile) {
     uint entry = atomicAdd(control.metalTileCount, 1u);
     if (entry % GROUP_SIZE == 0u) atomicAdd(control.metalTileGroups.x, 1u);

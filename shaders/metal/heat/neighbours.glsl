@@ -2,11 +2,11 @@
 #include "metal/heat/stencil.glsl"
 
 /// The neighbours of a cell along x, y and z, on the low and on the high side.
-/// SYNCHRONOUS_DRIVER: no loops over axes, as it keeps arrays that are indexed at run time in memory.
+/// SYNCHRONOUS_DRIVER: no loops over axes, because it holds arrays that are indexed at run time in memory.
 struct NeighbourOffsets {
-    ivec3 low, high;       // from the cell on; 0 beyond the lattice's end, where the cell stands for its neighbour
+    ivec3 low, high;       // from the cell on; 0 beyond the lattice's end, where the cell is its own neighbour
     bvec3 edgeLow, edgeHigh; // the neighbour is in another tile
-    bvec3 endLow, endHigh; // there is none: beyond the lattice's end
+    bvec3 endLow, endHigh; // beyond the lattice's end: no neighbour
 };
 
 NeighbourOffsets neighbourOffsets(ivec3 tilePlace, int inside) {
@@ -23,11 +23,11 @@ NeighbourOffsets neighbourOffsets(ivec3 tilePlace, int inside) {
     return offsets;
 }
 
-/// What the six neighbouring cells hold.
+/// Values of the six neighbouring cells.
 struct Neighbours {
     vec3 low, high;          // Kirchhoff variable
     bvec3 openLow, openHigh; // the neighbour's tile takes part in this step, so that both sides count the flow
-    ivec3 tiles, stamps;     // of the neighbour in another tile; of the cell's own where there is none
+    ivec3 tiles, stamps;     // of the neighbour in another tile; of the cell's own if there is none
 };
 
 /// The six neighbours of cell `inside` of `tile`, which takes part in this step with `stamp`.
@@ -71,7 +71,7 @@ Inflow inflowOf(Neighbours n, vec3 theta) {
     return f;
 }
 
-/// Whether the differences to the neighbours are worth another step.
+/// True if the differences to the neighbours are worth another step.
 bool keepsAwake(Inflow f) {
     vec3 largest = max(abs(f.low), abs(f.high));
     return max(max(largest.x, largest.y), largest.z) > heatBlock.wakingThetaDifference;
@@ -82,16 +82,16 @@ struct Power {
     float fromMetal, fromWalls;
 };
 
-/// A face is counted when both its tiles take part, so what one side gives the other gets; a wall's heat comes from outside
-/// the metal and needs no open partner.
+/// The power through faces whose tiles both take part, so that one side's loss is the other's gain; a wall's heat comes
+/// from outside the metal and needs no open partner.
 Power powerOf(Inflow f, Neighbours n) {
     vec3 walls = f.low * vec3(f.wallLow) + f.high * vec3(f.wallHigh);
     vec3 metal_ = f.low * vec3(n.openLow) * vec3(not(f.wallLow)) + f.high * vec3(n.openHigh) * vec3(not(f.wallHigh));
     return Power(metal.spacing * (metal_.x + metal_.y + metal_.z), metal.spacing * (walls.x + walls.y + walls.z));
 }
 
-/// What a cell conducts to: the sum of the conductances of its faces, in those of two full neighbouring cells, and the range of
-/// theta behind them.
+/// Surroundings of a cell's conduction: the sum of the conductances of its faces, in those of two full neighbouring
+/// cells, and the range of theta behind them.
 struct Surroundings {
     float conductance;
     float coldest, hottest;

@@ -12,7 +12,7 @@ layout(std430, binding = HEAT_SOURCE_SUMS) restrict writeonly buffer SourceSums 
 
 shared float sums[GROUP_SIZE];
 
-/// Of the four cells of a row; `base`: place of the tile's theta.
+/// Sum of the weights of the four cells of a row; `base`: index of the tile's theta.
 float rowSum(HeatSourceData s, int tile, ivec3 tilePlace, int base, int row) {
     float sum = 0.0;
     for (int inside = TILE_EDGE * row; inside < TILE_EDGE * (row + 1); ++inside) {

@@ -1,9 +1,10 @@
-// Metal off the lattice and the cells: where a particle's eight shares go (cloud in cell). Included after common.glsl.
+// Metal off the lattice and the cells: the distribution of a particle's eight shares (cloud in cell). Included after
+// common.glsl.
 //
-// A particle off the lattice belongs to the eight cells around it with trilinear weights; a particle of the lattice to its own
-// cell with weight 1. A cell has the weighted mean of the Kirchhoff variable, cells exchange heat as they do on the lattice, and
-// what a cell gets goes back to its particles by the same weights. Every exchange is between two cells or between a cell and
-// its own particles, so nothing is gained or lost.
+// A particle off the lattice belongs to the eight cells around it with trilinear weights; a particle of the lattice to
+// its own cell with weight 1. A cell has the weighted mean of the Kirchhoff variable, cells exchange heat as on the
+// lattice, and a cell's gain goes back to its particles by the same weights. Every exchange is between two cells or
+// between a cell and its own particles, so nothing is gained or lost.
 
 /// Slot number `entry` of the list of those off the lattice.
 uint offLatticeSlot(uint entry) { return texelFetch(listTexels, offLatticeSlotsBegin() + int(entry)).x; }
@@ -19,7 +20,7 @@ Shares sharesOf(vec3 place) {
     return Shares(ivec3(low), q - low);
 }
 
-/// Cell `corner` (0 .. 7) of the shares and its weight, a whole number of 1/SHARE_UNIT; -1 where it lies off the lattice.
+/// Cell `corner` (0 .. 7) of the shares and its weight, a whole number of 1/SHARE_UNIT; -1 if it is off the lattice.
 int shareCell(Shares s, int corner, out float weight) {
     ivec3 bit = ivec3(corner & 1, (corner >> 1) & 1, corner >> 2);
     ivec3 cell = s.base + bit;

@@ -1,6 +1,6 @@
 #version 450 core
-// Writes the Kirchhoff variable and the weight of every lattice cell from the particle that sits there, wakes every tile, and lists
-// those with metal.
+// Writes the Kirchhoff variable and the weight of every lattice cell from the particle that sits there, wakes every
+// tile, and lists those with metal.
 #extension GL_GOOGLE_include_directive : require
 #include "shared/dispatch.h"
 layout(local_size_x = GROUP_SIZE) in;

@@ -1,10 +1,10 @@
-// How much of a heat source a place on the metal sees. Included after free_surface.glsl.
+// Share of a heat source that a place on the metal sees. Included after free_surface.glsl.
 
-/// Slope against the source's axis up to which a surface keeps no heat off itself: 63 degrees.
+/// Slope against the source's axis up to which a surface blocks no heat from itself: 63 degrees.
 const float kSteepestSurface = 2.0;
 
-/// 1 on the stretch of a Gaussian's axis that it heats, 0 off it; the ends are a spacing wide. Metal before that stretch is behind
-/// the torch, metal beyond it in the shadow of the surface that the axis meets first. That surface may slope.
+/// 1 on the heated stretch of a Gaussian's axis, 0 off it; the ends are a spacing wide. Metal before that stretch is
+/// behind the torch, metal beyond it in the shadow of the surface that the axis meets first. That surface may slope.
 float shareInFront(HeatSourceData s, float depth, float off) {
     float before = (depth + s.before) / metal.spacing;
     float beyond = (s.beyond + kSteepestSurface * off - depth) / metal.spacing;
@@ -38,14 +38,14 @@ float sourceWeight(HeatSourceData s, vec3 place, float volume, FreeSurface surfa
     return volume * peak * exp(-3.0 * dot(q, q));
 }
 
-/// Watts a unit of weight is worth, from the sum of all weights. What misses the metal heats nothing.
+/// Watts per unit of weight, from the sum of all weights. Power that misses the metal heats nothing.
 float sourceScale(HeatSourceData s, float total) {
     if (total <= 0.0) return 0.0;
     float scale = s.power / max(total, s.fullWeight);
     return s.kind == SOURCE_TIP ? min(1.0, scale) : scale;
 }
 
-/// Temperature that belongs to a Kirchhoff variable, by bisection of the table.
+/// Temperature of a Kirchhoff variable, by bisection of the table.
 float temperatureOf(float theta) {
     int low = 0;
     int high = HEAT_TABLE_ENTRIES - 1;
@@ -61,7 +61,7 @@ float temperatureOf(float theta) {
     return b.y > a.y ? mix(a.x, b.x, (theta - a.y) / (b.y - a.y)) : a.x;
 }
 
-/// Weight of cell `inside` of a tile for source `s`, from how full it is, its free surface and its Kirchhoff variable.
+/// Weight of cell `inside` of a tile for source `s`, from its fullness, its free surface and its Kirchhoff variable.
 float cellWeightIn(HeatSourceData s, ivec3 tilePlace, int inside, float weight, FreeSurface surface, float theta) {
     float volume = weight * metal.spacing * metal.spacing * metal.spacing;
     vec3 place = cellCentre(tilePlace * TILE_EDGE + insideCoordinate(inside));

@@ -9,7 +9,7 @@ struct Side {
     vec3 fill; // share of a full face that conducts from metal to metal
 };
 
-/// Stamps of the tiles that the squares in the planes xy, yz and xz lie in: of the cell itself, of its neighbours along the first
+/// Stamps of the tiles that the squares in the planes xy, yz and xz are in: of the cell itself, of its neighbours along the first
 /// and along the second axis of the plane, where these are in another tile, and across both.
 struct SquareTiles {
     ivec3 own, first, second, both;
@@ -27,10 +27,10 @@ SquareTiles squareTiles(int tile, int stamp, Neighbours n) {
     return t;
 }
 
-/// What the squares of a cell add to the conduction through its faces.
+/// Contribution of a cell's squares to the conduction through its faces.
 struct SquareSum {
     float twist; // W/m
-    float fill;  // how many full squares count
+    float fill;  // number of full squares that count
     float coldest, hottest; // theta of the cells diagonally opposite
 };
 
@@ -39,7 +39,7 @@ void addSquares(inout SquareSum sum, SquareTiles tiles, int cell, float theta, S
     const bvec3 edgeFirst = first.edge.xyx, edgeSecond = second.edge.yzz;
     const ivec3 stamps = mix(mix(tiles.own, tiles.second, edgeSecond), mix(tiles.first, tiles.both, edgeSecond), edgeFirst);
     const bvec3 open = equal(stamps >> TILE_STEP_SHIFT, ivec3(heatBlock.stepNumber));
-    // A plain tile does not know how full the cells diagonally across its edges are.
+    // A plain tile does not know the fullness of the cells diagonally across its edges.
     const bvec3 unknown = bvec3(ivec3(edgeFirst) & ivec3(edgeSecond) & ivec3(not(tiles.full)));
     const ivec3 cells = cell + first.offset.xyx + second.offset.yzz;
     const ivec3 at = cells + (stamps & TILE_HALF) * (heatBlock.tileCount * TILE_CELLS);

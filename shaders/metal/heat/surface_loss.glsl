@@ -1,6 +1,7 @@
-// What a free surface loses: convection, radiation and, where the material says how, evaporation. Included after common.glsl.
+// Losses of a free surface: convection, radiation and, if the material has the data, evaporation. Included after
+// common.glsl.
 
-/// Watts that `area` (m²) at `temperature` (K) loses to the air and by radiation.
+/// Power (W) that `area` (m²) at `temperature` (K) loses to the air and by radiation.
 float surfaceLoss(float temperature, float area) {
     float ambient = heatBlock.ambient;
     float t2 = temperature * temperature;
@@ -8,18 +9,19 @@ float surfaceLoss(float temperature, float area) {
     return area * (heatBlock.convection * (temperature - ambient) + heatBlock.radiation * (t2 * t2 - a2 * a2));
 }
 
-/// Watts a square metre loses by evaporation at `temperature`, after Hertz (1882), Knudsen (1915) and Langmuir (1913), with the
+/// Power (W/m²) lost by evaporation at `temperature`, after Hertz (1882), Knudsen (1915) and Langmuir (1913), with the
 /// vapour pressure of Clausius and Clapeyron.
 float evaporationFlux(float temperature) {
     float exponent = heatBlock.evaporationExponent * (1.0 / heatBlock.boilingPoint - 1.0 / temperature);
     return heatBlock.evaporationFactor * inversesqrt(temperature) * exp(exponent);
 }
 
-/// Whether metal is so hot that its evaporation counts.
+/// True if metal is so hot that its evaporation counts.
 bool evaporates(float temperature) { return temperature > heatBlock.evaporatesFrom; }
 
-/// Temperature after a step in which a surface that would have reached `hot` also evaporates. The flux rises so steeply that
-/// it is taken at the end of the step: Newton's method for T + area dt q(T)/(m c) = hot, which comes down from above.
+/// Temperature after a step in which a surface that would have reached `hot` also evaporates. The flux rises so steeply
+/// that it is taken at the end of the step: Newton's method for T + area dt q(T)/(m c) = hot, which converges from
+/// above.
 float afterEvaporation(float hot, float area) {
     float cooling = area * heatBlock.timeStep / (metal.particleMass * heatBlock.liquidSpecificHeat);
     float t = hot;
@@ -33,8 +35,8 @@ float afterEvaporation(float hot, float area) {
     return area > 0.0 ? max(t, min(hot, heatBlock.evaporatesFrom)) : hot;
 }
 
-/// Joules that a particle of the given enthalpy and temperature with `area` of free surface loses in this step, in which it
-/// takes up `joules` otherwise. Loss to the air may be due for a longer time than the step.
+/// Energy (J) that a particle of the given enthalpy and temperature with `area` of free surface loses in this step, in
+/// which it takes up `joules` otherwise. Loss to the air may be due for a longer time than the step.
 float particleLoss(float enthalpy, float temperature, float joules, float area, float due) {
     float lost = surfaceLoss(temperature, area) * due;
 #ifdef EVAPORATION

@@ -1,6 +1,6 @@
-// Writes the number of its fragment to each particle, takes particles of free fragments off the lattice and stops those of
-// clamped ones. Lists what may have become or ceased to be moving metal by that: whose bits changed, and what froze lately,
-// which is that as long as it flies.
+// Writes the number of its fragment to each particle, takes particles of free fragments off the lattice and stops those
+// of clamped ones. Lists the slots that may have become or ceased to be moving metal: those with changed bits, and
+// metal that froze lately, which moves as long as it flies.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "metal/solid/common.glsl"
@@ -12,7 +12,7 @@ layout(std430, binding = FRAGMENT_MEMBERS) readonly buffer Numbers { uint number
 #define PHASE_CHANGES_BINDING FRAGMENT_CHANGES
 #include "metal/phase_changes.glsl"
 
-/// Phase bits of a solid particle that belongs to a fragment; takes it off the lattice where that is free.
+/// Phase bits of a solid particle that belongs to a fragment; takes it off the lattice if that is free.
 uint bitsInFragment(uint slot, uint bits, uint fragment) {
     bits = (bits & ~(PHASE_FRAGMENT_BITS | PHASE_FRESH)) | (fragment << PHASE_FRAGMENT_SHIFT);
     if (fragment == 0) velocity[slot].xyz = vec3(0);
@@ -28,7 +28,7 @@ void main() {
     uint bits = before;
     if (!isSolid(bits))
         bits &= ~(PHASE_FRAGMENT_BITS | PHASE_FRESH);
-    else if (label[slot] != FRAGMENT_NO_LABEL) // else it froze after this cycle began
+    else if (label[slot] != FRAGMENT_NO_LABEL) // otherwise it froze after this cycle began
         bits = bitsInFragment(slot, bits, number[label[slot]]);
     if (bits != before) phase[slot] = bits;
     if (bits != before || (bits & PHASE_FRESH) != 0u) listPhaseChange(slot);

@@ -1,5 +1,5 @@
-// Gives every solid particle its first label: where metal of its lattice tile leads to without a gap, first along x, then
-// along y, then along z, which is one particle in a full tile; its own slot where that is none before it. Links the solid
+// Gives every solid particle its first label: the end of gapless metal in its lattice tile, first along x, then along
+// y, then along z, which is one particle in a full tile; its own slot if there is none before it. Links the solid
 // particles off the lattice into the lists of their coarse cells.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
@@ -10,14 +10,14 @@ layout(binding = FRAGMENT_TEXELS_LATTICE) uniform usamplerBuffer latticeTexels;
 layout(std430, binding = FRAGMENT_LABELS) writeonly buffer Labels { uint label[]; };
 layout(std430, binding = FRAGMENT_FIRST_LABELS) writeonly buffer FirstLabels { uint firstLabel[]; };
 
-/// Slot + 1 of the solid particle in a cell of the lattice, 0 where none is.
+/// Slot + 1 of the solid particle in a cell of the lattice, 0 for none.
 uint solidAt(int index) {
     uint there = texelFetch(latticeTexels, index).x;
     return there != 0u && isSolid(phase[there - 1u]) ? there : 0u;
 }
 
-/// Goes back from a cell, `way` cells to its tile's end and `stride` apart, as far as metal leads. `there`: slot + 1 of the
-/// metal in the cell.
+/// Goes back from a cell, `way` cells to its tile's end and `stride` apart, through gapless metal. `there`: slot + 1 of
+/// the metal in the cell.
 void goBack(inout int index, inout uint there, int way, int stride) {
     for (; way > 0; --way) {
         uint before = solidAt(index - stride);

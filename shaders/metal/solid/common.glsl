@@ -1,4 +1,4 @@
-// What the passes over solid fragments have in common: their buffers, the coarse cells and which particles are solid.
+// Common code of the passes over solid fragments: their buffers, the coarse cells and the test for solid particles.
 #include "shared/dispatch.h"
 #include "shared/fragments.h"
 #include "metal/state.glsl"
@@ -12,7 +12,7 @@ layout(std430, binding = FRAGMENT_CONTROL) buffer Control { FragmentControl cont
 bool isSolid(uint bits) { return (bits & (PHASE_ALIVE | PHASE_LIQUID)) == PHASE_ALIVE; }
 uint fragmentOf(uint bits) { return (bits & PHASE_FRAGMENT_BITS) >> PHASE_FRAGMENT_SHIFT; }
 
-/// Particles outside the lattice are kept in the border cells: that only costs distance tests.
+/// The coarse cell of a place. Particles outside the lattice are in the border cells: that only costs distance tests.
 ivec3 coarseCell(vec3 place) { return clamp(latticeCell(place) >> 1, ivec3(0), fragmentBlock.coarseCells - 1); }
 
 uint coarseIndex(ivec3 cell) {
@@ -25,13 +25,13 @@ uint coarseCellCount() {
     return uint(size.x * size.y * size.z);
 }
 
-// Each coarse cell has two lists of solid metal off the lattice: of what is fixed, which stands still while fragments move,
-// and of what is free. Fixed here is whatever belongs to no free fragment.
+// Each coarse cell has two lists of solid metal off the lattice: one of fixed metal, which rests while fragments move,
+// and one of free metal. Fixed here is all that belongs to no free fragment.
 uint fixedList(uint cell) { return cell; }
 uint freeList(uint cell) { return coarseCellCount() + cell; }
 
-/// Puts a particle into the list that it belongs to. The order within a list is arbitrary: every sum over one is in integers,
-/// every choice a minimum.
+/// Puts a particle into its list. The order within a list is arbitrary: every sum over one is in integers, every choice
+/// a minimum.
 void link(uint slot, uint bits, vec3 place) {
     uint cell = coarseIndex(coarseCell(place));
     next[slot] = atomicExchange(head[fragmentOf(bits) == 0 ? fixedList(cell) : freeList(cell)], slot + 1);

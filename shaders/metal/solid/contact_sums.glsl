@@ -1,5 +1,5 @@
-// What a particle of a free fragment touches: fixed metal, floor and walls, other free fragments. Penalty contacts after the discrete
-// element method of Cundall and Strack (1979). Included after common.glsl.
+// Contacts of a particle of a free fragment: fixed metal, floor and walls, other free fragments. Penalty contacts after
+// the discrete element method of Cundall and Strack (1979). Included after common.glsl.
 
 // A spring that turns an overlap around in a few steps, and its damper: stable for a lone particle with five neighbours.
 const float kImpactSpring = 0.2;
@@ -77,7 +77,7 @@ void addWallContacts(vec3 place, vec3 own, inout FragmentContact sum) {
 
 FragmentContact noContact() { return FragmentContact(ivec3(0), 0, ivec3(0), 0, ivec3(0), 0, ivec3(0), 0); }
 
-/// True where a particle at `place` would touch metal that stands still.
+/// True if a particle at `place` would touch fixed metal.
 bool touchesFixed(vec3 place) {
     FragmentContact sum = noContact();
     addLatticeContacts(place, vec3(0), sum);
@@ -90,9 +90,9 @@ bool touchesFixed(vec3 place) {
     return sum.fixedContacts != 0;
 }
 
-/// Spacings that a particle may go in a step without being looked after: it cannot pass what it touches.
+/// Longest way in a step, in spacings, without a check: the particle cannot pass metal that it touches.
 const float kSlowWay = 0.3;
-/// Spacings between the places of a longer way that are looked at, unless those would be more than kMostPieces.
+/// Spacings between the checked places of a longer way, unless those would be more than kMostPieces.
 const float kPiece = 0.2;
 const float kMostPieces = 16;
 
@@ -104,8 +104,8 @@ bool insideLattice(vec3 place) {
     return filled != 0 && isSolid(phase[filled - 1]);
 }
 
-/// Share of a long way that a particle goes until it touches metal that stands still; the contact stops it in the steps that
-/// follow. What touches already goes on by one piece.
+/// Share of a long way until a particle touches fixed metal; the contact stops it in the steps that follow. A particle
+/// in contact already goes on by one piece.
 float shareUntilTouch(vec3 place, vec3 way, FragmentContact touched) {
     float pieces = min(ceil(length(way) / (kPiece * metal.spacing)), kMostPieces);
     if (touched.fixedContacts != 0 && dot(vec3(touched.overlap), vec3(touched.normalVelocity)) < 0) return 1.0 / pieces;
@@ -114,15 +114,15 @@ float shareUntilTouch(vec3 place, vec3 way, FragmentContact touched) {
     return 1.0;
 }
 
-/// Share of its way in this step that a particle may go. A lone one would squeeze through the faces of a lattice, whose particles
-/// push it aside more than back: none goes behind such a face.
+/// Share of its way in this step that a particle may go. A lone one would squeeze through the faces of a lattice, whose
+/// particles push it aside more than back: none goes behind such a face.
 float freeShare(vec3 place, vec3 own, FragmentContact touched) {
     vec3 way = own * fragmentBlock.timeStep;
     float share = length(way) > kSlowWay * metal.spacing ? shareUntilTouch(place, way, touched) : 1.0;
     return insideLattice(place + way * share) && !insideLattice(place) ? 0.0 : share;
 }
 
-/// Sums over the contacts of the particle in `slot`; nothing once it melted.
+/// Sums over the contacts of the particle in `slot`; zero once it melted.
 FragmentContact contactsOf(uint slot) {
     FragmentContact sum = noContact();
     uint bits = phase[slot];

@@ -1,5 +1,5 @@
-// Sums up the contacts of each particle of a free fragment, counts those of each fragment and finds how far it may go. The
-// sums of particles beyond the room for them are not kept: rigid_motion.comp makes them again.
+// Sums up the contacts of each particle of a free fragment, counts those of each fragment and finds its permitted way.
+// Sums of particles beyond the capacity are not stored: rigid_motion.comp computes them again.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "metal/solid/common.glsl"

@@ -1,4 +1,5 @@
-// Gives each particle its root for a label. Counts the members of each fragment there and notes whether one of them is clamped.
+// Gives each particle its root for a label. Counts the members of each fragment there and records whether one of them
+// is clamped.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "metal/solid/common.glsl"
@@ -13,7 +14,7 @@ void main() {
     uint own = label[slot];
     if (own == FRAGMENT_NO_LABEL) return;
     uint root = own;
-    for (uint above = label[root]; above != root; above = label[root]) root = above; // some may be lowered to it meanwhile
+    for (uint above = label[root]; above != root; above = label[root]) root = above; // others may lower some to it
     if (root != own) label[slot] = root;
     atomicAdd(members[root], 1);
     if ((phase[slot] & PHASE_CLAMPED) != 0) atomicOr(members[root], FRAGMENT_CLAMPED);

@@ -1,6 +1,7 @@
-// Joins the labels of bonded particles, among a range of slots. A label names a particle of the same fragment, no later than
-// its own, so labels lead to one root; the root of what hangs together in the end is its first slot, in whatever order threads
-// come. See Playne and Hawick 2018, "A new algorithm for parallel connected-component labelling on GPUs", for joining by minima.
+// Joins the labels of bonded particles, among a range of slots. A label names a particle of the same fragment, no later
+// than its own, so labels lead to one root; the root of connected metal in the end is its first slot, in any order of
+// threads. See Playne and Hawick 2018, "A new algorithm for parallel connected-component labelling on GPUs", for
+// joining by minima.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "metal/solid/common.glsl"
@@ -22,15 +23,15 @@ bool bonded(uint mine, uint other) {
     return ((mine | other) & PHASE_FRESH) != 0 || fragmentOf(mine) == fragmentOf(other);
 }
 
-/// Where a particle's label leads to by now.
+/// The present root of a particle's label.
 uint rootOf(uint slot) {
     for (uint above = label[slot]; above != slot; above = label[slot]) slot = above;
     return slot;
 }
 
-/// Joins the fragments of two particles, by their roots: most are joined already. The later root gets the earlier one as its
-/// label; what it has for a label by then, if that is not itself, belongs to the same fragment and is joined next, so that no
-/// bond is lost where two threads lower one label.
+/// Joins the fragments of two particles, by their roots: most are joined already. The later root gets the earlier one
+/// as its label; its own label by then, if that is not itself, belongs to the same fragment and is joined next, so that
+/// no bond is lost if two threads lower one label.
 void join(uint a, uint b) {
     a = rootOf(a);
     b = rootOf(b);
@@ -42,15 +43,15 @@ void join(uint a, uint b) {
     }
 }
 
-/// Joins a particle with the metal in a neighbouring cell of the lattice, which it is bonded to whatever it is: no free
-/// fragment is on the lattice.
+/// Joins a particle with the metal in a neighbouring cell of the lattice. Both are always bonded: no free fragment is
+/// on the lattice.
 void joinWithCell(uint mine, int index) {
     uint other = latticeSlotAt(index);
     uint theirs = other != 0 ? firstLabelOf(other - 1) : FRAGMENT_NO_LABEL;
     join(mine, theirs != FRAGMENT_NO_LABEL ? theirs : mine);
 }
 
-/// With the neighbours before it along each axis: those behind it join with it.
+/// Joins with the neighbours before it along each axis: those behind it join with it.
 void joinOnLattice(ivec3 centre, uint mine) {
     ivec3 inner = ivec3(1, TILE_EDGE, TILE_EDGE * TILE_EDGE);
     ivec3 outer = ivec3(1, metal.tiles.x, metal.tiles.x * metal.tiles.y) * TILE_CELLS - (TILE_EDGE - 1) * inner;
@@ -62,7 +63,7 @@ void joinOnLattice(ivec3 centre, uint mine) {
     joinWithCell(mine, before.z);
 }
 
-/// Goes on to the next of the 27 steps from (-1, -1, -1) to (1, 1, 1).
+/// Advances to the next of the 27 steps from (-1, -1, -1) to (1, 1, 1).
 void nextStep(inout ivec3 step) {
     ++step.x;
     if (step.x > 1) {
@@ -82,7 +83,7 @@ bool isBondedNeighbour(uint other, uint bits, vec3 place) {
     return dot(displacement, displacement) <= reach * reach;
 }
 
-/// A particle off the lattice with those of the lattice that are bonded to it.
+/// Joins a particle off the lattice with those of the lattice that are bonded to it.
 void joinWithLattice(ivec3 centre, uint bits, vec3 place, uint slot) {
     for (ivec3 step = ivec3(-1); step.z <= 1; nextStep(step)) {
         ivec3 cell = centre + step;
@@ -97,7 +98,7 @@ void joinWithList(uint list, uint bits, vec3 place, uint slot) {
         if (isBondedNeighbour(other - 1, bits, place)) join(slot, other - 1);
 }
 
-/// With those off the lattice that are bonded to it.
+/// Joins with those off the lattice that are bonded to it.
 void joinOffLattice(ivec3 centre, uint bits, vec3 place, uint slot) {
     ivec3 low = max(centre - 1, ivec3(0));
     ivec3 high = min(centre + 1, fragmentBlock.coarseCells - 1);

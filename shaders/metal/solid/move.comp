@@ -1,5 +1,5 @@
-// Moves the particles of free fragments as rigid bodies, with exact rotations so that a fragment keeps its shape. Empties the
-// lists that they were in: link_free.comp makes them anew.
+// Moves the particles of free fragments as rigid bodies, with exact rotations so that a fragment keeps its shape.
+// Empties their lists, which link_free.comp fills again.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "metal/solid/common.glsl"
@@ -19,7 +19,7 @@ void main() {
     FragmentMotion body = motion[fragmentOf(bits)];
     float dt = fragmentBlock.timeStep * body.wayShare;
     vec3 arm = rotated(position[slot].xyz - body.centre, body.angularVelocity * dt);
-    // Contacts give way where metal presses on both sides: what they leave outside the space is moved to its edge.
+    // Contacts give way if metal presses on both sides: metal left outside the space moves to its edge.
     position[slot].xyz = clamp(body.centre + body.velocity * dt + arm, fragmentBlock.low, fragmentBlock.high);
     velocity[slot].xyz = body.velocity + cross(body.endAngularVelocity, arm);
 }

@@ -1,6 +1,6 @@
-// Replaces the number of members at each root by the number of its fragment. Free fragments are numbered in the order of
-// their roots. Clamped fragments get 0, and so do free ones beyond
-// FRAGMENT_MAX_COUNT, which stand still until a number is free. One group.
+// Replaces the number of members at each root by the number of its fragment. Free fragments are numbered in the order
+// of their roots. Clamped fragments get 0, and so do free ones beyond FRAGMENT_MAX_COUNT, which do not move until a
+// number is free. One group.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "metal/solid/common.glsl"

@@ -1,5 +1,5 @@
-// Prefix sum of one number a thread within a group of FRAGMENT_GROUP threads, for passes that run as a single group: each
-// thread looks at a run of slots, so that however many there are the group waits for itself only a few times.
+// Prefix sum of one number a thread within a group of FRAGMENT_GROUP threads, for passes that run as a single group:
+// each thread sums a run of slots, so that the group synchronises only a few times for any number of slots.
 shared uint scanned[FRAGMENT_GROUP];
 
 /// First slot of this thread's run; the run ends where the next thread's begins.

@@ -1,5 +1,5 @@
-// The motion of each free fragment as a rigid body: linear and angular momentum of its particles, then gravity, contacts and
-// friction over one step. One group a fragment; sums in the fixed order of the list of free slots.
+// The motion of each free fragment as a rigid body: linear and angular momentum of its particles, then gravity,
+// contacts and friction over one step. One group a fragment; sums in the fixed order of the list of free slots.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "metal/solid/common.glsl"
@@ -11,13 +11,13 @@ layout(std430, binding = FRAGMENT_FREE_SLOTS) readonly buffer FreeSlots { uint f
 layout(std430, binding = FRAGMENT_CONTACTS) readonly buffer Contacts { FragmentContact contact[]; };
 layout(std430, binding = FRAGMENT_MOTIONS) buffer Motions { FragmentMotion motion[]; };
 
-// The spring is shared out over the contacts so that the whole fragment turns around in the same few steps, whatever its size.
+// The spring is shared out over the contacts so that a fragment of any size turns around in the same few steps.
 const float kSpring = 0.2;
 const float kDamper = 0.5;
 
 shared vec4 sums[FRAGMENT_GROUP];
 
-/// Smallest power of two that is no less than the number of lanes that have a particle.
+/// Smallest power of two that is no less than the number of lanes with a particle.
 uint busyLanes() {
     uint lanes = 1;
     while (lanes < min(control.particles, uint(FRAGMENT_GROUP))) lanes *= 2;
@@ -47,7 +47,7 @@ FragmentContact contactAt(uint entry) {
     return contactsOf(freeSlots[entry]);
 }
 
-/// Acceleration of a particle by what it touches, for its share of the fragment's stiffness.
+/// Acceleration of a particle by its contacts, for its share of the fragment's stiffness.
 vec3 contactForce(uint entry, float share) {
     float dt = fragmentBlock.timeStep;
     FragmentContact c = contactAt(entry);
@@ -61,8 +61,9 @@ vec3 contactForce(uint entry, float share) {
     return normal + friction + vec3(c.impact) * 1e-3;
 }
 
-/// Angular velocity (rad/s) of a body with this inertia and angular momentum. `inverted`: of the inertia with a little added, which
-/// is finite; the second step takes out again what the first loses by that, as a body that turns for long would slow down.
+/// Angular velocity (rad/s) of a body with this inertia and angular momentum. `inverted`: of the inertia with a small
+/// addition, which is finite; the second step restores the loss of the first, which would slow down a body that turns
+/// for long.
 vec3 angularVelocityOf(mat3 inertia, mat3 inverted, vec3 angularMomentum) {
     vec3 first = inverted * angularMomentum;
     return first + inverted * (angularMomentum - inertia * first);
@@ -106,8 +107,8 @@ void main() {
     mixed = total(vec4(mixed, 0)).xyz;
     if (lane != 0) return;
     motion[fragment].fixedContacts = 0; // for the next step; all of the group have read it
-    // A lone particle or a straight row has neither inertia nor angular momentum about some axis: a small share of the trace
-    // keeps the inverse finite.
+    // A lone particle or a straight row has neither inertia nor angular momentum about some axis: a small share of the
+    // trace makes the inverse finite.
     float little = 1e-5 * (diagonal.x + diagonal.y + diagonal.z + metal.spacing * metal.spacing);
     mat3 inertia = mat3(diagonal.x, mixed.x, mixed.z, mixed.x, diagonal.y, mixed.y, mixed.z, mixed.y, diagonal.z);
     mat3 inverted = inverse(inertia + mat3(little));
