@@ -17,7 +17,7 @@ namespace meltpool {
 struct TableForm {
     TextEncoding encoding = TextEncoding::utf8;
     char separator = ',';
-    bool decimalComma = false; ///< of the numbers read so far
+    bool decimalComma = false; ///< mark of the numbers read so far
     int linesAbove = 0;        ///< skipped lines above the header that are neither comments nor blank
 
     /// A description: "UTF-8, columns parted by commas, decimal point".

@@ -9,9 +9,9 @@ namespace meltpool::gl {
 
 struct SharedMember {
     std::string_view name;
-    std::string_view type; ///< in GLSL's spelling; for an array its element's
+    std::string_view type; ///< spelling in GLSL; for an array its element's
     size_t offset = 0;     ///< bytes from the start of the struct
-    size_t bytes = 0;      ///< of the member; for an array of one element
+    size_t bytes = 0;      ///< size of the member; for an array of one element
 };
 
 struct SharedStruct {

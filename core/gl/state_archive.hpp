@@ -35,7 +35,7 @@ struct StateParts {
     };
     std::vector<std::byte> numbers; ///< bytes of all parts that are not on the GPU, one after the other
     std::vector<StatePart> parts;
-    std::vector<Region> regions; ///< of the other parts, in order
+    std::vector<Region> regions; ///< places of the other parts, in order
 };
 
 /// Each class with a state of its own has a function `void transfer(StateArchive&)` that names its members once.
@@ -94,7 +94,7 @@ class StateArchive {
     StateParts* parts_ = nullptr;
     std::span<const std::byte> from_;
     size_t at_ = 0;
-    std::optional<Buffer> upload_; ///< all of from_ on the GPU
+    std::optional<Buffer> upload_; ///< copy of from_ on the GPU
 };
 
 /// A state on its way from the GPU: the copy is made there in command order, so that nothing waits, and reaches the CPU

@@ -20,7 +20,7 @@ class Texture {
         int height = 1;
         int depth = 1;   ///< layers or slices
         int levels = 1;  ///< mipmaps
-        int samples = 1; ///< for multisampled targets
+        int samples = 1; ///< sample count of multisampled targets
     };
 
     Texture() = default;

@@ -8,7 +8,7 @@ namespace meltpool {
 /// The numbers of cells and particles of a metal.
 struct MetalSize {
     double heatCells = 0;     ///< cells of the lattice that conducts
-    double particles = 0;     ///< with heat
+    double particles = 0;     ///< particles with heat
     double flowParticles = 0; ///< particles that may move, and adjacent walls
     double flowVolume = 0;    ///< volume of the space they may move in, in spacings cubed
     double otherBytes = 0;    ///< memory for other things than the metal

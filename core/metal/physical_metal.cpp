@@ -16,7 +16,7 @@ namespace meltpool {
 
 namespace {
 
-constexpr int kFragmentSteps = 8; ///< of free fragments a frame: those at rest stay within 0.1 mm of the floor
+constexpr int kFragmentSteps = 8; ///< steps of free fragments a frame: those at rest stay within 0.1 mm of the floor
 constexpr double kHottest = 3500; ///< K, upper limit for the heat step: no metal here stays liquid above it
 constexpr double kRoomTemperature = 293.15;
 constexpr float kLongestFlight = 0.03F; ///< m that a drop may fly outside the space before it enters

@@ -27,7 +27,7 @@ struct PhysicalSetup {
     bool marangoni = false;
     glm::vec3 gravity{0, -9.81F, 0}; ///< m/s², in the workpiece frame
     float timeStep = 1.0F / 90;      ///< s, of one step(), at most; see PhysicalMetal::timeStep()
-    double wetting = 1;              ///< of still metal by liquid metal, see FlowFluid
+    double wetting = 1;              ///< wetting of still metal by liquid metal, see FlowFluid
     double coldAngle = 0;            ///< rad, contact angle on cold metal, see wettingForAngle(); 0: that of warm metal
     double coldShare = 0;            ///< share of the solidus in K up to which metal is cold
     double warmShare = 1;            ///< share from which it is warm

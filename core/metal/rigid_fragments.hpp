@@ -25,7 +25,7 @@ struct FragmentSetup {
 /// The number of free fragments at present.
 struct FragmentReport {
     unsigned fragments = 0; ///< free ones
-    unsigned particles = 0; ///< in free ones
+    unsigned particles = 0; ///< particles of free ones
     unsigned rejected = 0;  ///< free ones beyond FRAGMENT_MAX_COUNT: they do not move
 };
 

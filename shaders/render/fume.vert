@@ -10,8 +10,8 @@ layout(std430, binding = FUME_BINDING) readonly buffer Fume {
 };
 
 layout(location = 0) out vec3 place;        // world
-layout(location = 1) out vec3 inside;       // from the puff's middle along the world's axes, shares of its extents
-layout(location = 2) out vec2 at;           // on its ellipse, 0..1 from its middle to its edge
+layout(location = 1) out vec3 inside;       // offset from the puff's middle along the world's axes, in its extents
+layout(location = 2) out vec2 at;           // place on its ellipse, 0..1 from its middle to its edge
 layout(location = 3) flat out vec3 eye;     // world, likewise the next
 layout(location = 4) flat out float radius;
 layout(location = 5) flat out vec3 grain;

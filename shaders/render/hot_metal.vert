@@ -25,14 +25,14 @@ layout(location = PEAK_ATTRIBUTE) in float peak; // highest temperature so far, 
 layout(location = FREEZING_ATTRIBUTE) in vec4 freezing; // slope of the time, s per model unit; the time, s
 layout(location = FROZEN_ATTRIBUTE) in float frozen;    // share of the metal around
 layout(location = 9) out vec3 rippleSlope;              // world; of the first harmonic where it is steepest
-layout(location = 10) out float cycles;                 // of the ripples' wave since the start
+layout(location = 10) out float cycles;                 // cycles of the ripples' wave since the start
 #endif
 
 #ifdef ROUGH_LOBES
 layout(location = 0) out vec3 normal;        // world, not unit
 layout(location = 1) out vec3 way;           // world, from the eye to the vertex
 layout(location = 7) flat out int view;
-layout(location = 8) out vec2 solidShares;   // of an even room, see mirroredShare(), while it is solid
+layout(location = 8) out vec2 solidShares;   // shares of an even room, see mirroredShare(), while it is solid
 layout(location = 2) out vec3 lit;           // light that falls on it
 layout(location = 3) out float hottest;      // highest temperature so far, K: temper colours are those of each pixel
 #ifdef MILL_SCALE

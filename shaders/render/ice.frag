@@ -13,7 +13,7 @@ struct Clouds {
 };
 
 Clouds clouds(vec3 from, vec3 along, float thickness) {
-    vec2 sum = vec2(0.0); // of milk and flaws
+    vec2 sum = vec2(0.0); // depths of milk and flaws
     float step1 = thickness / float(kSteps);
     for (int i = 0; i < kSteps; ++i) {
         float s = (float(i) + 0.5) * step1;

@@ -9,7 +9,7 @@ layout(location = TEMPERATURE_ATTRIBUTE) in float particleTemperature;
 layout(location = 0) flat out float temperature;
 layout(location = 1) flat out vec3 lampInEye; // unit
 layout(location = 2) flat out vec3 wayInEye;  // unit, from the eye to the particle
-layout(location = 3) flat out vec2 centre;    // of the disc, pixels
+layout(location = 3) flat out vec2 centre;    // centre of the disc, pixels
 layout(location = 5) flat out float perRadius; // 1 / radius of the disc, 1 / pixels
 #ifdef VIEWS_BY_CLIPPING
 layout(location = 4) flat out vec2 column; // left and right side of the view, pixels

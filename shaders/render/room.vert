@@ -7,7 +7,7 @@
 
 layout(location = 1) uniform mat4 roomToWorld;
 
-layout(location = 0) out vec3 direction; // of the environment, not unit
+layout(location = 0) out vec3 direction; // direction in the environment, not unit
 
 const int kPerBox = 36; // vertices
 const int kBoxesEnd = (1 + WORKSHOP_BOXES) * kPerBox;

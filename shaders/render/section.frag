@@ -55,7 +55,7 @@ void main() {
     float molten = smoothstep(fused - 15.0, fused + 15.0, peak);
     float columns = grains(vec2(dot(cell, vec2(-inwards.y, inwards.x)) * 0.16, dot(cell, inwards) * 0.022));
     reflectance = mix(reflectance, 0.40 + 0.22 * (columns - 0.5) + 0.05 * (speckle - 0.5), molten);
-    float line = abs(peak - fused) / max(length(slope), 1e-6) / spacing; // in spacings from the fusion line
+    float line = abs(peak - fused) / max(length(slope), 1e-6) / spacing; // distance from the fusion line, spacings
     reflectance *= 1.0 - 0.45 * smoothstep(0.22, 0.0, line);
 
     float light = frame.ambient + frame.diffuse * 0.8;

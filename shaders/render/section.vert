@@ -3,9 +3,9 @@
 #extension GL_GOOGLE_include_directive : require
 #include "render/view.glsl"
 
-layout(location = 1) uniform float at; // of the plane along x, model units
+layout(location = 1) uniform float at; // place of the plane along x, model units
 layout(location = 2) uniform vec2 corner; // low corner of the map in these axes, model units
-layout(location = 3) uniform vec2 size;   // of the map, model units
+layout(location = 3) uniform vec2 size;   // size of the map, model units
 
 layout(location = 0) out vec2 inPicture; // 0..1
 layout(location = 1) out vec3 world;

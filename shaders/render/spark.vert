@@ -9,10 +9,10 @@ layout(std430, binding = SPARKS_BINDING) readonly buffer Sparks {
     Spark sparks[];
 };
 
-layout(location = 0) out vec2 place;      // along the way from its end and across it, pixels
+layout(location = 0) out vec2 place;      // distances along the way from its end and across it, pixels
 layout(location = 1) flat out float reach; // length of the way, pixels
 layout(location = 2) flat out float thick; // radius as drawn, pixels
-layout(location = 3) flat out float share; // of the drop's light if it is drawn wider than it is
+layout(location = 3) flat out float share; // share of the drop's light if it is drawn wider than it is
 layout(location = 4) flat out float kelvin;
 layout(location = 5) flat out vec3 along;  // world, unit, likewise the next two: the quad's own axes
 layout(location = 6) flat out vec3 across;
@@ -32,11 +32,11 @@ void main() {
         showAt(vec4(2.0, 2.0, 2.0, 1.0));
         return;
     }
-    float pixels = view.pixelsPerUnit / depth; // of a world unit
+    float pixels = view.pixelsPerUnit / depth; // pixels of a world unit
     toEye = normalize(view.eye - world);
     toArc = frame.arc - world;
     vec3 way = mat3(frame.modelToWorld) * spark.way;
-    way -= toEye * dot(way, toEye); // as seen
+    way -= toEye * dot(way, toEye); // the way as seen
     float far = length(way);
     vec3 side = transpose(mat3(view.worldToEye))[0];
     along = far * pixels > 0.5 ? way / far : normalize(side - toEye * dot(side, toEye));

@@ -7,9 +7,9 @@ layout(std430, binding = STROKES_BINDING) readonly buffer Strokes {
     SectionStroke strokes[];
 };
 
-layout(location = 1) uniform float at; // of the strokes' plane along x, model units
+layout(location = 1) uniform float at; // place of the strokes' plane along x, model units
 
-layout(location = 0) out vec2 inStroke;   // along it from its start and across it, in half widths
+layout(location = 0) out vec2 inStroke;   // distances along it from its start and across it, in half widths
 layout(location = 1) flat out vec4 tint;
 layout(location = 2) flat out float reach; // length of the stroke in half widths
 

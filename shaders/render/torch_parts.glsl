@@ -8,7 +8,7 @@
 const float kMirroredPlate = 0.25;
 
 struct Mirrored {
-    float distance; // along the ray, world units
+    float distance; // distance along the ray, world units
     vec3 normal;
     vec3 colour;
 };

@@ -19,7 +19,7 @@ layout(binding = NOISE_UNIT) uniform sampler3D noise;
 
 struct Passage {
     vec3 exitDirection; // world, behind the body
-    float distance;     // inside the body, in widths of the classic cube
+    float distance;     // distance inside the body, in widths of the classic cube
     vec3 inside;        // world direction inside the body, unit
 };
 
@@ -32,7 +32,7 @@ float mirrorShare(float cosine, float index) {
 
 struct FarSide {
     vec3 normal;    // world, unit
-    float distance; // from the eye; 0: no far side here
+    float distance; // distance from the eye; 0: no far side here
 };
 
 // The far side of the body at a position 0..1 of this view. The views are side by side in one texture; clamping

@@ -10,7 +10,7 @@
 
 #include "render/frame.glsl"
 
-#ifdef DRAWN_TWICE // by differing programs: both must find the same depth
+#ifdef DRAWN_TWICE // drawn by differing programs: both must find the same depth
 invariant gl_Position;
 #endif
 

@@ -6,11 +6,11 @@
 
 #define AXIS_PROBE_GROUP 64
 #define AXIS_PROBE_BINS 256       // lengths of the ray in which metal is counted
-#define AXIS_PROBE_UNIT 65536.0   // of the integer sums, whose order does not matter
+#define AXIS_PROBE_UNIT 65536.0   // unit of the integer sums, whose order does not matter
 #define AXIS_PROBE_RADIUS 2.0     // spacings from the axis within which metal counts
 #define AXIS_PROBE_EDGE_DEPTH 3.0 // spacings of depth that make metal beside the axis an edge for the arc
-#define AXIS_PROBE_EDGE_SHARE 0.12 // of the count inside metal; 0.17 in the middle of a gap two spacings wide
-#define AXIS_PROBE_DROP_SPEED 0.2  // m/s along the axis from which liquid is a drop in flight and no surface
+#define AXIS_PROBE_EDGE_SHARE 0.12    // share of the count inside metal; 0.17 in the middle of a gap two spacings wide
+#define AXIS_PROBE_DROP_SPEED 0.2     // m/s along the axis from which liquid is a drop in flight and no surface
 #define AXIS_PROBE_LATTICE_GROUPS 128 // most groups that search the lattice; the others take the list of slots
 
 #define AXIS_PROBE_BLOCK 1 // uniform buffer
@@ -41,7 +41,7 @@ struct AxisProbeBlock {
 };
 
 struct AxisProbeBin {
-    int weight; // of metal, in 1/AXIS_PROBE_UNIT
+    int weight; // weight of metal, in 1/AXIS_PROBE_UNIT
     int liquid; // weight times fraction of liquid
 };
 

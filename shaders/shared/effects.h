@@ -16,14 +16,14 @@ namespace meltpool {
 struct Spark {
     vec3 place;   // model units
     float radius; // model units
-    vec3 way;     // its way while the eye gathers a picture, model units; 0 for a drop at rest or hanging
+    vec3 way;     // way while the eye gathers a picture, model units; 0 for a drop at rest or hanging
     float kelvin;
 };
 
 /// A puff of smoke: an egg, drawn out along its way.
 struct FumePuff {
     vec3 place;   // middle, model units
-    float radius; // across its way, model units
+    float radius; // radius across its way, model units
     vec3 way;     // half its length along its way, model units; no shorter than the radius
     float depth;  // optical depth for scattered light as seen from beside its way, mean over the ellipse
     vec3 grain;   // the place in the noise at its middle, texels

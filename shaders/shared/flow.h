@@ -26,7 +26,7 @@
 // Lists of cells, FLOW_PAGE_WORDS each: pages of wall metal, which stay with their cells, then pages of moving metal,
 // handed out in every substep; page 0 of both is unused.
 #define FLOW_PAGES 8
-#define FLOW_NEXT_IN_CELL 9  // for each slot the next one of its cell: of moving particles, and of new wall particles, in no order
+#define FLOW_NEXT_IN_CELL 9 // next slot of each slot's cell: of moving particles, and of new wall particles, unordered
 #define FLOW_LISTS 10        // moving slots, see flow/common.glsl
 #define FLOW_NEIGHBOURS 11   // neighbour lists, see flow/common.glsl
 #define FLOW_COUNTERS 12     // FlowCounters
@@ -46,8 +46,8 @@
 #define FLOW_TEXELS_PAGE_SLOTS 4
 #define FLOW_TEXELS_PAGE_POSITIONS 5 // four packed positions in a texel
 
-#define FLOW_PARTICLE_TEXELS 4 // of a FlowParticle
-#define FLOW_CELL_TEXELS 2     // of a FlowCell
+#define FLOW_PARTICLE_TEXELS 4                   // texels of a FlowParticle
+#define FLOW_CELL_TEXELS 2                       // texels of a FlowCell
 #define FLOW_PAGE_WORDS (2 * FLOW_CELL_CAPACITY) // packed positions, then slots
 
 // FlowParticle.group
@@ -66,7 +66,7 @@
 
 #define FLOW_WALL_CHANGES 4096u          // slots a frame with changed wall state before all wall sums are rebuilt
 #define FLOW_NO_LONGER_WALL 0x80000000u  // bit of such a slot: it ceased to be wall
-#define FLOW_WALL_SUM_UNIT 16777216.0    // of wall sums: integers lose nothing in any order of additions and removals
+#define FLOW_WALL_SUM_UNIT 16777216.0    // unit of wall sums: integers lose nothing in any order of changes
 #define FLOW_NO_WALL_SUMS 0xffffffffu    // FlowParticle.wallSumGeneration of a slot without valid sums
 
 #define FLOW_TENSION_SLOPES 16 // a multiple of 4
@@ -98,19 +98,19 @@ struct FlowBlock {
     float areaForce;    // prefactor of the surface area force, m²/s²
     float firstSlopeAt; // temperature of the first of tensionSlopes, K
     float wallFriction; // friction against solid metal over that in the liquid
-    float reach;        // of neighbour lists, m
+    float reach;        // reach of neighbour lists, m
     float freeWay;      // relative way of neighbours after which lists are stale, m
     float densityScale; // s of the density sum
     float coldWetting;  // attraction by cold wall metal over that by liquid
-    vec3 arcCentre;     // where the arc's axis meets the metal, m
+    vec3 arcCentre;     // point where the arc's axis meets the metal, m
     float arcInverseVariance; // 1/(2 sigma²) of the arc's pressure, 1/m²
     vec3 arcAxis;       // unit vector of the arc into the metal
     float arcPeak;      // peak pressure of the arc over density, m²/s²
     float arcShear;     // peak drag of its jet along the surface over density, m²/s²
-    float inverseArcSigma; // of its pressure, 1/m
+    float inverseArcSigma; // 1/sigma of its pressure, 1/m
     float coldBelow;    // wall metal is cold up to this temperature, K
     float inverseWettingRange; // 1/(temperature from which wall metal is hot - coldBelow), 1/K
-    float expansion;    // of the volume over temperature, 1/K
+    float expansion;           // expansion of the volume over temperature, 1/K
     float referenceTemperature; // temperature at which metal has its whole weight, K
     uint rowCapacity;           // capacity of neighbour lists, a multiple of GROUP_SIZE
     uint wallPageCapacity; // pages of wall metal, with the unused one
@@ -118,15 +118,15 @@ struct FlowBlock {
     uint cellCount;
     float inverseSlopeStep; // 1/(K from one of tensionSlopes to the next), 1/K
     uint unused0;
-    vec4 tensionSlopes[FLOW_TENSION_SLOPES / 4]; // of surface tension over temperature, over density, m³/(s² K)
+    vec4 tensionSlopes[FLOW_TENSION_SLOPES / 4]; // slopes of surface tension over temperature, over density, m³/(s² K)
 };
 
 struct FlowParticle {
-    vec3 position;     // at the start of the substep, m
-    float density;     // over rest density, scaled
+    vec3 position;     // position at the start of the substep, m
+    float density;     // density over rest density, scaled
     vec3 normal;       // weighted sum of kernel gradients, points into the metal, 1/m
     float temperature; // K
-    vec3 velocity;     // at the start of the substep, m/s
+    vec3 velocity;     // velocity at the start of the substep, m/s
     float tether;      // of liquid: PHASE_TETHER_BITS at the start of the substep
     uint cell;         // the cell that lists it
     uint group;        // FLOW_GROUP_...
@@ -138,8 +138,8 @@ struct FlowParticle {
 struct FlowCell {
     uint walls;  // number of wall particles
     uint moving; // number of moving particles
-    uint wallPage;   // with the list of wall particles; 0: none yet
-    uint movingPage; // with the list of moving particles, if there are any
+    uint wallPage;     // page of wall particles; 0: none yet
+    uint movingPage;   // page of moving particles, if there are any
     uint firstMoving;  // slot of the last moving particle put into the cell; the others follow in FLOW_NEXT_IN_CELL
     uint firstNewWall; // slot + 1 of the last new wall particle between these two passes, 0 for none; the others follow
     uint hasWallPage;  // 1: a page was requested
@@ -149,11 +149,11 @@ struct FlowCell {
 struct FlowCounters {
     uvec3 movingGroups; // indirect dispatch over moving metal
     uint liquids;       // liquid moving particles; from classify.comp to compact.comp also metal that began to move
-    uvec3 searchGroups; // over moving metal and boundary particles; no groups while the neighbour lists hold
+    uvec3 searchGroups; // groups over moving metal and boundary particles; none while the neighbour lists hold
     uint moveGroupsDone;
-    uvec3 boundaryGroups;   // over the boundary particles that this search found
+    uvec3 boundaryGroups;   // groups over the boundary particles that this search found
     uint wallSumGeneration; // generation of the valid wall sums
-    uvec3 densityGroups;    // over moving metal and boundary particles
+    uvec3 densityGroups;    // groups over moving metal and boundary particles
     uint boundary;          // boundary particles
     uint cellsOverfull;     // faults so far
     uint neighboursOverfull;
@@ -167,7 +167,7 @@ struct FlowCounters {
     uint fullSearch; // number of the last search that renewed all lists
     uint searchDue;  // 1: a neighbour moved too far, so that the next substep must search
     uint fragments;  // moving particles that are part of fragments
-    uint compactedLiquids; // of the moving list that is being compacted
+    uint compactedLiquids; // liquid slots of the moving list under compaction
     uint compactedFragments;
     uint changedCells;
     uint wallPages;   // wall pages handed out so far

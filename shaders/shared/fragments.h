@@ -23,7 +23,7 @@
 #define FRAGMENT_CELL_NEXT 7   // uint per slot: slot + 1 of the next one in its list
 #define FRAGMENT_LABELS 8      // uint per slot: slot of its fragment, no greater than its own; its own for the root
 #define FRAGMENT_FIRST_LABELS 9 // these labels at the start of the cycle
-#define FRAGMENT_MEMBERS 9      // in their place after joining: uint per slot, used at roots, see FRAGMENT_CLAMPED
+#define FRAGMENT_MEMBERS 9      // member counts in their place after joining: uint per slot, see FRAGMENT_CLAMPED
 #define FRAGMENT_CHANGES 10    // the metal's list of slots whose phase changed
 #define FRAGMENT_CONTROL 12    // FragmentControl
 #define FRAGMENT_MOTIONS 13    // FragmentMotion per fragment number
@@ -42,7 +42,7 @@ namespace meltpool {
 #endif
 
 struct FragmentBlock {
-    ivec3 coarseCells; // along each axis
+    ivec3 coarseCells; // coarse cells along each axis
     float timeStep;    // s
     vec3 low;          // m, low corner of the space that metal may be in
     float floorHeight; // m along floorNormal
@@ -58,14 +58,14 @@ struct FragmentControl {
     uint rejected;  // free fragments beyond FRAGMENT_MAX_COUNT
     uint reserved0;
     // Groups of the indirect dispatches; all zero while nothing is free. The fourth number of each is unused.
-    uvec4 particleGroups; // over the list of free slots
+    uvec4 particleGroups; // groups over the list of free slots
     uvec4 fragmentGroups; // a group a fragment
-    uvec4 slotGroups;     // over all slots
-    uvec4 cellGroups;     // over the coarse cells
+    uvec4 slotGroups;     // groups over all slots
+    uvec4 cellGroups;     // groups over the coarse cells
 };
 
 struct FragmentMotion {
-    vec3 centre; // of mass, m
+    vec3 centre;        // centre of mass, m
     uint fixedContacts; // number of fixed contacts of its particles
     vec3 velocity; // m/s
     float wayShare;       // share of its way in this step that it moves, see heldBack
@@ -79,11 +79,11 @@ struct FragmentMotion {
 // Sums over a particle's contacts, in integers so that the order of the sum does not matter. Fixed metal is all that
 // does not move: clamped metal, the floor and the walls of the space.
 struct FragmentContact {
-    ivec3 overlap; // with fixed metal, times the normal, nm
+    ivec3 overlap; // overlap with fixed metal, times the normal, nm
     int fixedContacts;
     ivec3 normalVelocity; // relative to fixed metal, µm/s
     int reserved0;
-    ivec3 slipVelocity; // likewise, tangential, µm/s
+    ivec3 slipVelocity; // tangential, likewise, µm/s
     int reserved1;
     ivec3 impact; // acceleration by other free fragments, mm/s²
     int reserved2;

@@ -46,7 +46,7 @@
 #define HEAT_TEXELS_POSITIONS 8
 #define HEAT_TEXELS_PHASES 9
 #define HEAT_TEXELS_THETA_ROWS 10   // four cells along x a texel
-#define HEAT_TEXELS_LATTICE_ROWS 11 // as above
+#define HEAT_TEXELS_LATTICE_ROWS 11 // likewise
 #define HEAT_TEXELS_LISTED_ROWS 12
 
 #define HEAT_SOURCES 4
@@ -66,7 +66,7 @@
 #define TILE_SHARED 4               // metal off the lattice was in it
 #define TILE_HALF 1                 // half of theta during that step
 #define TILE_NO_METAL (-0x40000000) // a tile that never held metal: takes part only when metal off the lattice comes
-#define TILE_UNLISTED (-0x40000000) // as HeatTile.lastOffLattice: it is not in the list of tiles that ever held metal
+#define TILE_UNLISTED (-0x40000000) // value of HeatTile.lastOffLattice: not in the list of tiles that ever held metal
 
 // Rows of four cells along x in a tile. A row that never held metal of the lattice, and that none off it shares, is
 // empty in both halves of theta, and no step visits it.
@@ -92,7 +92,7 @@ struct HeatSourceData {
     float depth;
     float rear;
     float frontFraction;
-    ivec3 firstTile;      // that the source can reach
+    ivec3 firstTile; // first tile that the source can reach
     int unused;
     ivec3 tileExtent;     // tiles it can reach along each axis,
     int tileCount;        // and in all
@@ -114,22 +114,22 @@ struct HeatBlock {
     float radiation;             // emissivity times Stefan-Boltzmann, W/(m² K⁴)
     float boilingPoint;          // K; 0: no evaporation
     float evaporationExponent;   // Lv M/R, K
-    float evaporationFactor;     // of the flux, W K^(1/2)/m²
+    float evaporationFactor;     // factor of the flux, W K^(1/2)/m²
     float liquidSpecificHeat;    // J/(kg K)
-    float wakingThetaDifference; // between neighbours, W/m, that keeps a tile awake
+    float wakingThetaDifference; // difference between neighbours, W/m, that keeps a tile awake
     float warmAboveAmbient;      // K off ambient from which a surface loses heat also in a sleeping tile
     float wakingLoss;            // J of a particle in a step, through the surface, that keeps a tile awake
-    uint endTime;                // of the step, µs; may wrap
+    uint endTime;                // time at the end of the step, µs; may wrap
     int stepNumber;
     int sourceCount;
     int meltLeavesLattice;         // 1: melted particles leave the lattice
-    int tileCount;                 // of the lattice
+    int tileCount;                 // tiles of the lattice
     vec3 tableStart;               // first enthalpy of the solid, mushy and liquid part of the table, J/kg
     float thetaUnit;               // W/m of theta per unit of its integer sum
     vec3 tableScale;               // samples per J/kg in the three parts
     float weldingTableHeight;      // m along its normal, height of the table that fallen metal rests on
     vec3 weldingTableNormal;       // unit vector out of the table
-    float weldingTableConductance; // to metal that rests on it, W/(m² K)
+    float weldingTableConductance; // conductance to metal that rests on it, W/(m² K)
     float evaporatesFrom;          // K
     float time;                    // s since the start, at the end of the step
     float liquidTheta;             // W/m, of metal at its liquidus
@@ -149,12 +149,12 @@ struct HeatControl {
     uvec4 mixedTiles;       // TILE_ROWS invocations each; a group at least
     uvec4 plainRows;        // an invocation each
     uvec4 reachedRows;      // TILE_EDGE invocations each,
-    uvec4 unreachedRows;    // as above,
+    uvec4 unreachedRows;    // likewise,
     uvec4 mixedRows;        // and these two together; w: unused
     uvec4 offLatticeTiles;  // metal off the lattice in the tile: a group each; w: unused
-    uvec3 offLatticeGroups; // over the list of slots off the lattice
+    uvec3 offLatticeGroups; // groups over the list of slots off the lattice
     uint offLatticeCount;   // slots in that list
-    uvec3 metalTileGroups;  // over the list of tiles that ever held metal, which only grows
+    uvec3 metalTileGroups;  // groups over the list of tiles that ever held metal, which only grows
     uint metalTileCount;    // tiles in it
 };
 
@@ -164,7 +164,7 @@ struct HeatTile {
     int lastWarm;        // number of the last step in which its surface was off ambient, to within TILE_NOTE_INTERVAL
     int lastEvaporating; // number of the last step in which metal evaporated in it, to within TILE_NOTE_INTERVAL
     float elapsed;       // simulated time since it last took part, its latest step included, s
-    uint endTime;        // of that step, µs
+    uint endTime;        // end of that step, µs
     uint rows;           // a bit for each row that held metal of the lattice at its last whole reading
     uint reserved;
 };

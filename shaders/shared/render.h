@@ -152,12 +152,12 @@ struct FrameData {
     float modelUnit;              // length of a model unit in world units
     vec3 lampDirection;           // unit, world, from the model's origin: for highlights the lamp is infinitely far away
     float perCubeWidth;           // 1 / width of a classic cube in model units: scales frost and clouds
-    float ambient;                // of Phong's model, as the next three
+    float ambient;                // factors of Phong's model, like the next three
     float diffuse;
     float specular;
     float shininess;
     vec3 exposure;                // factor on all light, with the visor's transmittance
-    float dullness;               // of solid metal
+    float dullness;               // dullness of solid metal
     float coldest;                // lower end of the temperature colours
     float perTemperatureRange;    // 1 / (hottest - coldest)
     float solidus;                // K
@@ -181,32 +181,32 @@ struct FrameData {
     vec3 seamAcross;              // 1 for each axis across the seam, else 0
     float groundHalf;             // model units from the seam up to which the plates are ground bright
     int rolledPartCount;
-    float oxideRadius;            // of an island, model units; 0: none
+    float oxideRadius; // radius of an island, model units; 0: none
     vec2 reserved;
     RolledPlate rolledParts[MOST_ROLLED_PLATES];
 };
 
 struct MaterialData {
-    vec3 solidColour;      // as displayed (sRGB)
+    vec3 solidColour;      // colour as displayed (sRGB)
     float solidMirror;     // share of the mirror image
     vec3 liquidColour;
     float liquidMirror;
     vec3 mirrorColour;     // linear colour of the mirror image
-    float refractiveIndex; // of translucent materials
+    float refractiveIndex; // index of translucent materials
     vec3 highlight;        // linear colour of the lamp's highlight
     float oxideTint;       // strength of the temper colours, 0..1
-    vec3 absorption;       // over the width of a classic cube
-    float scattering;      // over the width of a classic cube
-    vec3 cleanReflectance; // of physical metal, linear: solid and bare
+    vec3 absorption;       // absorption over the width of a classic cube
+    float scattering;      // scattering over the width of a classic cube
+    vec3 cleanReflectance; // reflectance of physical metal, linear: solid and bare
     float cleanEmissivity; // shares of a black body's light, as the next two
     vec3 liquidReflectance;
     float liquidEmissivity;
     float scaledEmissivity; // solid, under scale
     float solidRoughness;   // 0 mirror .. 1 dull
     float liquidRoughness;
-    float rippleFrequency; // of metal that froze, Hz
+    float rippleFrequency; // frequency in metal that froze, Hz
     float rippleHeight;    // model units
-    float millScale;       // of rolled faces, 0..1
+    float millScale;       // share of rolled faces, 0..1
     vec2 reserved2;
 };
 

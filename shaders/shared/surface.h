@@ -138,18 +138,18 @@ struct SurfaceDispatch {
 /// makes again.
 struct SurfaceCommands {
     SurfaceDraw draw;
-    SurfaceDispatch changed;   ///< over the particles that changed; only x is counted
-    SurfaceDispatch words;     ///< over the words of the listed blocks
-    SurfaceDispatch rows;      ///< over the rows of the listed blocks
-    SurfaceDispatch blocks;    ///< over the listed blocks
-    SurfaceDispatch vertices;  ///< over the vertices that fit
-    SurfaceDispatch triangles; ///< over the triangles that fit
+    SurfaceDispatch changed;   ///< groups over the particles that changed; only x is counted
+    SurfaceDispatch words;     ///< groups over the words of the listed blocks
+    SurfaceDispatch rows;      ///< groups over the rows of the listed blocks
+    SurfaceDispatch blocks;    ///< groups over the listed blocks
+    SurfaceDispatch vertices;  ///< groups over the vertices that fit
+    SurfaceDispatch triangles; ///< groups over the triangles that fit
     uint changedCount;         ///< particles that changed
     uint splattedCount;        ///< particles splatted by this update, for the statistics: changedCount is reset
     uint blockCount;           ///< listed blocks: those whose mesh is made by this update
     uint rebuilt;              ///< 1: every occupied block is listed and the whole mesh becomes the base part
-    uint firstVertex;          ///< of the part that this update makes
-    uint firstTriangle;        ///< of the part that this update makes
+    uint firstVertex;          ///< first of the part that this update makes
+    uint firstTriangle;        ///< first of the part that this update makes
     uint vertexCount;          ///< vertices of the whole surface
     uint triangleCount;        ///< triangles of the whole surface
     uint baseVertices;         ///< vertices of the base part
@@ -165,10 +165,10 @@ struct SurfaceSetup {
     int blockCount;             ///< blocks in all
     vec3 origin;                ///< model position of the grid's first corner
     float coldest;              ///< temperature stored as 0
-    vec3 extent;                ///< from the first corner to the last, signed, model units
+    vec3 extent;                ///< vector from the first corner to the last, signed, model units
     float temperatureRange;     ///< temperature stored as 1, less the coldest
     uint particleCount;         ///< particles of this update
-    uint isoLevel;              ///< in units of 1 / SURFACE_UNIT
+    uint isoLevel;              ///< weight at the surface, in 1 / SURFACE_UNIT
     uint maxVertices;           ///< vertices that the buffers hold
     uint maxTriangles;          ///< triangles that the buffers hold
     int caps;                   ///< 1: the surface is closed where the metal touches the box
@@ -185,9 +185,9 @@ struct SurfaceSetup {
     float flatBelow;            ///< highest temperature so far up to which metal of the lattice counts as unmoved
     vec4 flatPlanes[SURFACE_FLAT_PLANES]; ///< xyz: planes of flat faces along each axis, cells from its low corner
     vec2 pipeAxis;                        ///< place of the axis of a pipe along z, model units
-    float pipeLow;   ///< its ends
+    float pipeLow;                        ///< ends of the pipe
     float pipeHigh;
-    float pipeOuter; ///< its radii
+    float pipeOuter; ///< radii of the pipe
     float pipeInner;
     int pipeCount; ///< 0 or 1
     float unused0;

@@ -18,7 +18,7 @@ struct SurfaceProbeAnswer {
     vec3 normal;       ///< outward unit normal at the nearest place
     float ahead;       ///< distance along the axis; from inside the metal: against the axis
     float nearest;     ///< least distance over all rays: before a flat face up to a tenth too long
-    float temperature; ///< where the axis meets the metal (from inside: at the point), as the surface shows it
+    float temperature; ///< temperature at the metal on the axis (from inside: at the point), as the surface shows it
     vec2 reserved;
 };
 

@@ -11,7 +11,7 @@ layout(std430, binding = SURFACE_BIND_CHANGED_LIST) writeonly buffer ChangedList
 layout(std430, binding = SURFACE_BIND_COMMANDS) buffer Commands { SurfaceCommands commands; };
 
 #ifdef SURFACE_FREEZING
-layout(binding = SURFACE_TEXELS_FREEZING) uniform samplerBuffer splattedFreezing; // as last splatted, not the volume
+layout(binding = SURFACE_TEXELS_FREEZING) uniform samplerBuffer splattedFreezing; // last splatted times, not the volume
 
 bool sameFreezing(uint index, uint record) {
     return frozenNow(index) == texelFetch(splattedFreezing, int(record)).x;

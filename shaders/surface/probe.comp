@@ -38,7 +38,7 @@ Field fieldAt(vec3 place) {
     if (any(lessThan(place, vec3(1.0))) || any(greaterThan(place, last))) return Field(0.0, 0.0);
     ivec3 low = min(ivec3(place), setup.cells);
     vec3 part = place - vec3(low);
-    vec2 sum = vec2(0.0); // of both volumes at once
+    vec2 sum = vec2(0.0); // sums of both volumes at once
     for (int i = 0; i < 8; ++i) {
         ivec3 side = ivec3(i & 1, i >> 1 & 1, i >> 2);
         vec3 share = mix(1.0 - part, part, vec3(side));

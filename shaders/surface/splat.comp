@@ -80,7 +80,7 @@ float shareOf(float temperature_) {
 
 /// Data of a particle besides its place and temperature.
 struct History {
-    float hottest;  ///< in the volumes' temperatures
+    float hottest;  ///< highest temperature, in the volumes' temperatures
     float frozenAt; ///< s; negative: molten; 0: never molten, or not requested
 };
 
@@ -113,8 +113,8 @@ void storeHistory(uint record, History history) {
 struct Splat {
     vec3 place;
     ivec3 nearest, first, last; ///< first > last: it reaches none
-    float share, peakShare;     ///< of its temperature and of its highest so far
-    bool loose, frozen;         ///< it melted at some time; it froze again
+    float share, peakShare;     ///< shares of its temperature and of its highest so far
+    bool loose, frozen;         ///< true if it melted at some time; if it froze again
     uint ticks;                 ///< time of freezing
 };
 

@@ -91,7 +91,7 @@ void putOnPipe(inout SurfaceVertex vertex, float share) {
 /// corners.
 void flatten(inout SurfaceVertex vertex, ivec3 inside, ivec3 edge, float loose, float share) {
     vec3 n = vertex.normal, size = abs(n);
-    ivec3 signs = ivec3(sign(setup.extent)); // of the corners' axes in the model
+    ivec3 signs = ivec3(sign(setup.extent)); // signs of the corners' axes in the model
     ivec3 axis = edge * signs;
     if (dot(n, vec3(axis)) < kFacing)
         axis = size.x >= max(size.y, size.z) ? ivec3(sign(n.x), 0, 0) : size.y >= size.z ? ivec3(0, sign(n.y), 0) : ivec3(0, 0, sign(n.z));

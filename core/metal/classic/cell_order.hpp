@@ -54,7 +54,7 @@ class CellOrder {
     gl::Buffer cellNumbers_; // a uint a particle: particle numbers by cell
     gl::Buffer cellCounts_;  // a uint a cell
     gl::Buffer cellStarts_;  // a uint a cell, and one behind the last
-    gl::BufferView countTexels_, startTexels_; // of cellCounts_ and cellStarts_
+    gl::BufferView countTexels_, startTexels_; // views of cellCounts_ and cellStarts_
     gl::Buffer chunkSums_;                     // a uint a chunk of cells
     const gl::Program& count_;
     const gl::Program& sumChunks_;

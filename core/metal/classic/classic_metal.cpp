@@ -105,7 +105,7 @@ void ClassicMetal::writeStep(const ClassicSource& source) {
     step.supportRadius = p.supportRadius;
     step.poly6 = static_cast<float>(static_cast<double>(p.particleMass) * kernels.poly6Factor);
     step.spiky = static_cast<float>(static_cast<double>(p.particleMass) * kernels.spikyFactor);
-    step.viscosity = p.viscosity * step.spiky; // both kernels have the factor 45 / (pi h^6)
+    step.viscosity = p.viscosity * step.spiky; // factor 45 / (pi h^6) of both kernels
     step.timeStep = p.timeStep;
     step.wallRestitution = p.wallRestitution;
     step.accelerationLimit = p.accelerationLimit;

@@ -65,8 +65,8 @@ class ClassicMetal {
 
     /// State of every particle in the order of their numbers, for tests and recordings; waits for the GPU.
     struct Snapshot {
-        std::vector<glm::vec4> positions;  ///< with temperature
-        std::vector<glm::vec4> velocities; ///< with density in the last step
+        std::vector<glm::vec4> positions;  ///< positions with temperature
+        std::vector<glm::vec4> velocities; ///< velocities with density in the last step
     };
     Snapshot snapshot() const;
     /// Saves or restores all that the next step reads except the parameters. Restoring discards pending answers.
@@ -89,7 +89,7 @@ class ClassicMetal {
     gl::Buffer movedPositions_, movedVelocities_, movedNumbers_;
     gl::Buffer sortedPositions_, sortedVelocities_, sortedNumbers_;
     gl::Buffer refused_; // one uint: states since the reset that were not finite and were not stored
-    gl::BufferView positionTexels_, velocityTexels_; // of the sorted state
+    gl::BufferView positionTexels_, velocityTexels_; // views of the sorted state
     CellOrder order_;
     StatisticsReader reader_;
     struct Passes {

@@ -20,7 +20,7 @@ constexpr double kSkin = 0.1;    // spacings beyond the support
 constexpr double kFreeWay = 0.5; // spacings
 constexpr GLbitfield kBarrier = GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_COMMAND_BARRIER_BIT;
 constexpr unsigned kChangeGroups =
-    8; // of passes over changes, whose number the CPU does not know: each invocation handles several
+    8; // groups of passes over changes, whose number the CPU does not know: each invocation handles several
 constexpr unsigned kMostChangeGroups = 1024;
 /// Substeps after which an unfinished step checks its buffers' capacity again, and waits for the GPU. Steps of a frame
 /// have fewer.

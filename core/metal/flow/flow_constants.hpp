@@ -59,11 +59,11 @@ struct FlowConstants {
     double scale;              ///< s of the density sum: 1/lattice sum, enlarged by the compression of cohesion
     double kernelSelf;         ///< s V W(0)
     double kinematicViscosity; ///< m²/s, with its lower bound
-    double friction;           ///< of pairs, m²/s: 10.3 viscosities, calibrated on plates; 10 for many neighbours
+    double friction;     ///< friction of pairs, m²/s: 10.3 viscosities, calibrated on plates; 10 at many neighbours
     double cohesion;     ///< 2049 gamma V²/H⁵ over the mass, m/s²
     double area;         ///< 0.375 gamma V/H over the mass, m²/s²
     double wallFriction; ///< friction of wall metal against liquid, over that of liquid against liquid
-    double mushyDrag;    ///< over density, 1/s
+    double mushyDrag;    ///< drag over density, 1/s
     double longestStep;  ///< longest stable time step, s
 
     /// Computes the constants. The calibration (2049, 0.375, 12.15, 1.2) holds as a whole and for this support.

@@ -40,7 +40,7 @@ class FlowRoom {
     static constexpr int kMostStepsBehind = 8;
 
     struct Use {
-        size_t rows = 0, pages = 0; ///< of wall metal
+        size_t rows = 0, pages = 0; ///< rows of neighbour lists; pages of wall metal
         size_t particles = 0;       ///< slots handed out at that time
     };
 

@@ -9,7 +9,7 @@ namespace meltpool {
 
 namespace {
 
-constexpr size_t kNeighbourWords = FLOW_NEIGHBOUR_CAPACITY + 2; // of a row, see flow/common.glsl
+constexpr size_t kNeighbourWords = FLOW_NEIGHBOUR_CAPACITY + 2; // words of a row, see flow/common.glsl
 constexpr size_t kPageBytes = FLOW_PAGE_WORDS * sizeof(uint);
 
 /// Greatest number of pages of moving metal: each liquid particle may be alone in its cell, and fragments take the

@@ -12,7 +12,7 @@ namespace meltpool {
 
 /// Joules since the start, from the ledger.
 struct HeatBalance {
-    double gained = 0; ///< from sources and held walls
+    double gained = 0; ///< gain from sources and held walls
     double lost = 0;   ///< through the surface
 };
 

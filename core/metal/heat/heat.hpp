@@ -24,7 +24,7 @@ struct HeatSettings {
     double tableHeight = 0;         ///< m along the normal, height of the welding table that fallen metal rests on
     double tableConductance = 0;    ///< W/(m² K) from metal that rests on the table, at ambient temperature; 0: none
     double convection = 0;          ///< W/(m² K); 0 together with `radiation` false: insulated
-    bool radiation = false;         ///< with the material's emissivity at the liquidus
+    bool radiation = false;         ///< radiation with the material's emissivity at the liquidus
     bool evaporation = false;       ///< if the material has the data
     double stepShare = 0.15; ///< longest step as a share of dx²/alpha: 1/6 is the limit of stability of ragged metal,
                              ///< and near it the errors of space and time cancel

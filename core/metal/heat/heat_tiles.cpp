@@ -14,7 +14,7 @@ namespace {
 constexpr uvec4 kNoGroups(0, 1, 1, 0);
 constexpr HeatControl kNothingListed{{1, 1, 1, 0}, kNoGroups,        kNoGroups, kNoGroups,        kNoGroups,
                                      kNoGroups,    uvec3(kNoGroups), 0,         uvec3(kNoGroups), 0};
-constexpr size_t kTileLists = 3; ///< in HEAT_LISTS, before the list of slots
+constexpr size_t kTileLists = 3; ///< lists of tiles in HEAT_LISTS, before the list of slots
 
 } // namespace
 

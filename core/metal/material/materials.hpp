@@ -15,7 +15,7 @@ struct Property {
         double temperature; ///< K
         double value;
     };
-    std::vector<Point> points; ///< at least one, temperatures rising
+    std::vector<Point> points; ///< points, at least one, temperatures rising
     std::string source;        ///< the source of the numbers; begins with "none" if it is unknown
 
     double at(double temperature) const;
@@ -46,7 +46,7 @@ struct MaterialLooks {
     float rippleHeight = 25e-6F;  ///< m, of the first harmonic over its mean; 0: the metal freezes smooth
     float millScale = 0;          ///< share of its plates' rolled faces under mill scale
     float translucency = 0.0F;    ///< 0 opaque .. 1 clear
-    float refractiveIndex = 1.0F; ///< of translucent material
+    float refractiveIndex = 1.0F; ///< index of translucent material
     std::string source;
 };
 

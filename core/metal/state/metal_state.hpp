@@ -106,7 +106,7 @@ class MetalState {
     void noteLabelling() { ++labellings_; }
 
     gl::Buffer position, velocity, heat, phase, latticeSlots, counters;
-    gl::Buffer frozenAt; ///< as above
+    gl::Buffer frozenAt; ///< time of freezing, likewise
     gl::Buffer changes;  ///< see shaders/shared/metal.h; each user binds it
 
   private:

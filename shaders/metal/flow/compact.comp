@@ -46,7 +46,7 @@ void finishFrame() {
     phaseChanges[0] = 0; // all changes are handled
     const uint parity = counters.frame & 1u;
     if (counters.wallChanges[parity] > FLOW_WALL_CHANGES) counters.wallSumGeneration += 1;
-    counters.wallChanges[1 - parity] = 0; // for the next frame
+    counters.wallChanges[1 - parity] = 0; // reset for the next frame
     counters.frame += 1;
     counters.movingPages = 0;
 }

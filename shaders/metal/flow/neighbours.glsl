@@ -13,7 +13,7 @@ vec3 squareOfStep() {
 struct Quads {
     uint moving, all; // number of quads
     uint wallParticles, movingParticles; // number of particles
-    uint wallBase, movingBase; // where its lists begin
+    uint wallBase, movingBase; // starts of its lists
 };
 
 Quads quadsOf(uint cell, bool withWalls) {
@@ -58,7 +58,7 @@ uint nearCells(ivec3 centre, vec3 steps, vec3 square, bool withWalls) {
     uint near = 0;
     uint bit = 1;
     for (ivec3 step = ivec3(-1); step.z <= 1; nextStep(step)) {
-        const vec3 sides = mix(1024 - steps, steps, lessThan(step, ivec3(0))); // to the cell's nearest face
+        const vec3 sides = mix(1024 - steps, steps, lessThan(step, ivec3(0))); // distances to the cell's nearest face
         const vec3 off = mix(sides, vec3(0), equal(step, ivec3(0)));
         uint cell;
         const bool within = neighbourCell(centre, step, cell) &&

@@ -2,7 +2,7 @@
 
 /// A liquid particle and one of its neighbours.
 struct Pair {
-    vec3 d;            // from the neighbour to the particle, m
+    vec3 d;            // vector from the neighbour to the particle, m
     float distance2;   // m²
     float q;           // distance over the support, at most 1
     float q2;
@@ -10,8 +10,8 @@ struct Pair {
     vec3 relative;     // velocity of the particle relative to the neighbour, m/s
     float approach;    // relative velocity times d, m²/s; negative during approach
     bool solid;        // the neighbour is wall metal or part of a fragment
-    float temperature; // of the neighbour, K
-    float weight;      // of the two surface forces: density correction and wetting
+    float temperature; // temperature of the neighbour, K
+    float weight;      // weight of the two surface forces: density correction and wetting
 };
 
 /// Pressure over density squared (m²/s², for a rest density of 1) by the equation of state p = c² (density - 1), which
@@ -62,7 +62,7 @@ float surfaceWeight(bool solid, float temperature, float ownDensity, float other
 #ifdef MARANGONI
 /// Sums for the gradient of temperature.
 struct Warming {
-    vec3 sum;    // of temperature differences
+    vec3 sum;    // sum of temperature differences
     float trace; // this sum for a gradient of 1 along each axis, times 3
 };
 
@@ -96,8 +96,8 @@ vec3 marangoniForce(Warming warming, vec3 inward, float temperature) {
 
 /// Solid metal around a particle.
 struct SolidAround {
-    vec3 gradient; // of the density of solid metal alone, 1/m
-    float density; // of it, over rest density
+    vec3 gradient; // gradient of the density of solid metal alone, 1/m
+    float density; // density of solid metal over rest density
     float rising;  // rate of rise of that density by the particles' present motion, 1/s
 };
 

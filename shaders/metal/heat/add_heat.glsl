@@ -14,7 +14,7 @@ float coolingTime(float before, float after, float duration) {
 /// A particle after it took up heat.
 struct Heated {
     float temperature, theta;
-    float enthalpy; // without its residual
+    float enthalpy; // enthalpy without its residual
 };
 
 /// Adds the heat taken up in `duration` s to a particle's state `h` at temperature `before`; the residual holds the

@@ -28,7 +28,7 @@ void main() {
     uint entry = texelFetch(latticeTexels, cell).x;
     float mean = texelFetch(thetaTexels, index).x;
     float power = cellPower[cell];
-    cellPower[cell] = 0.0; // as an integer this is an empty sum
+    cellPower[cell] = 0.0; // the bits of 0.0 as an integer are an empty sum
     if (entry == 0u) cellTheta[index] = cellTheta[otherHalf] = kEmpty;
     float weight = weightOf(cell);
     bool sharesCell = isShared(cell);

@@ -49,8 +49,8 @@ TileRow tilesBeyond(TileRow own, int tile, bool there) {
 /// The way from a row to its neighbours along y or z, of which one may be in another tile.
 struct Way {
     bool lowCrosses, highCrosses;
-    int lowStep, highStep; // from row to row in the neighbour's tile
-    int tileStep;          // to that other tile
+    int lowStep, highStep; // steps from row to row in the neighbour's tile
+    int tileStep;          // step to that other tile
     bool there;            // false beyond the lattice's end
 };
 

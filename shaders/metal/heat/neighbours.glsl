@@ -4,7 +4,7 @@
 /// The neighbours of a cell along x, y and z, on the low and on the high side.
 /// SYNCHRONOUS_DRIVER: no loops over axes, because it holds arrays that are indexed at run time in memory.
 struct NeighbourOffsets {
-    ivec3 low, high;       // from the cell on; 0 beyond the lattice's end, where the cell is its own neighbour
+    ivec3 low, high;       // offset from the cell; 0 beyond the lattice's end, where the cell is its own neighbour
     bvec3 edgeLow, edgeHigh; // the neighbour is in another tile
     bvec3 endLow, endHigh; // beyond the lattice's end: no neighbour
 };
@@ -27,7 +27,7 @@ NeighbourOffsets neighbourOffsets(ivec3 tilePlace, int inside) {
 struct Neighbours {
     vec3 low, high;          // Kirchhoff variable
     bvec3 openLow, openHigh; // the neighbour's tile takes part in this step, so that both sides count the flow
-    ivec3 tiles, stamps;     // of the neighbour in another tile; of the cell's own if there is none
+    ivec3 tiles, stamps;     // tile and stamp of the neighbour in another tile; the cell's own if there is none
 };
 
 /// The six neighbours of cell `inside` of `tile`, which takes part in this step with `stamp`.

@@ -11,7 +11,7 @@ uint offLatticeSlot(uint entry) { return texelFetch(listTexels, offLatticeSlotsB
 
 struct Shares {
     ivec3 base;    // lowest of the eight cells
-    vec3 fraction; // of the way to the highest
+    vec3 fraction; // share of the way to the highest
 };
 
 Shares sharesOf(vec3 place) {

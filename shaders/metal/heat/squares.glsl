@@ -4,13 +4,13 @@
 /// The neighbours of a cell along x, y and z on the low or on the high side.
 struct Side {
     ivec3 offset;
-    bvec3 edge; // in another tile
+    bvec3 edge; // true in another tile
     vec3 theta;
     vec3 fill; // share of a full face that conducts from metal to metal
 };
 
-/// Stamps of the tiles that the squares in the planes xy, yz and xz are in: of the cell itself, of its neighbours along the first
-/// and along the second axis of the plane, where these are in another tile, and across both.
+/// Stamps of the tiles that the squares in the planes xy, yz and xz are in: of the cell itself, of its neighbours along
+/// the first and along the second axis of the plane, where these are in another tile, and across both.
 struct SquareTiles {
     ivec3 own, first, second, both;
     bvec3 full; // none of the four holds metal off the lattice

@@ -9,8 +9,9 @@
 //   sum (theta_f - theta_c) + 1/6 sum of twists = 1/3 sum theta_f + 1/6 sum theta_e - 4 theta_c = dx² lap theta + dx⁴/12 lap² theta,
 // to O(dx⁶): an error equal in all directions. An explicit step dt lacks (alpha dt)²/2 lap² theta, alpha the
 // diffusivity; at dt = dx²/(6 alpha) that error supplies it, and the step is exact to the fourth order of dx. A square
-// gives and takes 1/6 of its twist with alternating signs, so energy is conserved. A square with a missing cell does not
-// count, and theta that changes along one axis has no twist: plane surfaces conduct heat correctly along themselves.
+// gives and takes 1/6 of its twist with alternating signs, so energy is conserved. A square with a missing cell does
+// not count, and theta that changes along one axis has no twist: plane surfaces conduct heat correctly along
+// themselves.
 
 /// From the cells across faces, W/m. An empty cell gives nothing; a held one is a wall at the face, half as far away.
 vec3 faceFlow(vec3 neighbour, vec3 theta, bvec3 wall) {

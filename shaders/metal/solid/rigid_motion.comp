@@ -106,7 +106,7 @@ void main() {
     diagonal = total(vec4(diagonal, 0)).xyz;
     mixed = total(vec4(mixed, 0)).xyz;
     if (lane != 0) return;
-    motion[fragment].fixedContacts = 0; // for the next step; all of the group have read it
+    motion[fragment].fixedContacts = 0; // reset for the next step, after all of the group have read it
     // A lone particle or a straight row has neither inertia nor angular momentum about some axis: a small share of the
     // trace makes the inverse finite.
     float little = 1e-5 * (diagonal.x + diagonal.y + diagonal.z + metal.spacing * metal.spacing);
@@ -122,7 +122,7 @@ void main() {
     motion[fragment].centre = centre;
     motion[fragment].velocity = velocityNow;
     motion[fragment].wayShare = 1 - float(motion[fragment].heldBack) / FRAGMENT_WAY_UNIT;
-    motion[fragment].heldBack = 0; // for the next step
+    motion[fragment].heldBack = 0; // reset for the next step
     motion[fragment].angularVelocity = angularVelocity;
     motion[fragment].endAngularVelocity = atEnd;
 }
