@@ -1,4 +1,4 @@
-// UTC times as text that sort in time order, whatever the zone in which they were written.
+// UTC times as text that sorts in time order, whatever the zone in which they were written.
 #pragma once
 
 #include <chrono>

@@ -15,7 +15,7 @@
 
 namespace meltpool {
 
-/// A ray to search along: origin (m), unit vector, bin length (m).
+/// A ray to search along: origin (m), unit vector, reach (m).
 struct ProbeRay {
     glm::vec3 origin{0};
     glm::vec3 axis{0, -1, 0};

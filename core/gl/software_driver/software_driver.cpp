@@ -15,7 +15,7 @@ constexpr const char* kThreadsKey = "LP_NUM_THREADS";
 /// The first version that takes a fifth to a third less time for welds and pictures.
 constexpr int kFastMesa = 25;
 
-/// Frequent enough that objects of a few lessons at most wait for deletion.
+/// Short enough that only the objects of a few lessons wait for deletion.
 constexpr std::chrono::seconds kBetweenFlushes{10};
 
 thread_local bool withoutBarriers = false;

@@ -31,8 +31,8 @@ struct HeatSource {
     /// Gaussian flux exp(-r²/(2 sigma²)) around `axis`, on surface that faces it.
     static HeatSource gaussian(glm::vec3 position, glm::vec3 axis, float sigma, float power);
     /// This Gaussian, limited to the surface that the axis meets in front of a torch: metal farther than `before` (m)
-    /// in front of the position is behind the torch, and gets nothing; nor does metal more than `beyond` (m) and twice
-    /// its distance from the axis behind the position.
+    /// in front of the position is behind the torch, and gets nothing; nor does metal more than `beyond` (m) plus
+    /// twice its distance from the axis behind the position.
     HeatSource inFront(float before, float beyond) const;
     /// This Gaussian with its power limited to the part that metal catches: in proportion to the part of its
     /// cross-section 2 pi sigma² that surface fills, and in full from `share` of it on.
