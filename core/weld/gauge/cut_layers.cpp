@@ -16,12 +16,12 @@ namespace {
 
 constexpr std::array<glm::ivec2, 2> kSides{{{0, 1}, {1, 0}}}; ///< up, towards the welder
 constexpr int kNoRow = -1;
-constexpr int kLeastHole = 2;         ///< columns without metal side by side that are a hole
-constexpr float kCooled = 773.15F;    ///< K, 500 °C: what is colder has its whole cooling time
-constexpr double kCooledShare = 0.95; ///< of the molten metal that must be as cold as that
+constexpr int kLeastHole = 2;         ///< adjacent columns without metal that make a hole
+constexpr float kCooled = 773.15F;    ///< K, 500 °C: colder metal has its whole cooling time
+constexpr double kCooledShare = 0.95; ///< share of the molten metal that must be below kCooled
 
-/// The row of a surface of one level, from the uppermost rows of the columns: that of the outermost ones, where both
-/// have the same and nothing is higher. Bevelled edges in between are lower.
+/// Returns the row of a level surface, from the uppermost rows of the columns: the row of the outermost columns, if
+/// they agree and no column is higher. Bevelled edges in between are lower.
 std::optional<int> levelOf(const std::vector<int>& tops) {
     const auto isThere = [](int row) { return row != kNoRow; };
     const auto first = std::find_if(tops.begin(), tops.end(), isThere);
@@ -31,7 +31,7 @@ std::optional<int> levelOf(const std::vector<int>& tops) {
     return last;
 }
 
-/// Columns that held metal at the start: the outermost two; the first above the second where there is none.
+/// Returns the outermost two columns that held metal at the start; the first is above the second if there are none.
 glm::ivec2 heldColumns(const SectionSlice& slice) {
     glm::ivec2 ends(slice.cells().x, -1);
     for (int x = 0; x < slice.cells().x; ++x)
@@ -40,7 +40,7 @@ glm::ivec2 heldColumns(const SectionSlice& slice) {
     return ends;
 }
 
-/// The unfused heights of the edges on both sides of `seam`, the column right of it; cells.
+/// Returns the unfused heights of the edges on both sides of `seam`, which is the column right of it; cells.
 std::optional<glm::dvec2> unfusedBeside(const SectionSlice& slice, int seam, double level) {
     glm::dvec2 unfused(0);
     for (const int side : {0, 1}) {
@@ -109,13 +109,13 @@ void CutLayers::enterPeaks(const std::vector<size_t>& slots) {
     }
 }
 
-/// A cell of several particles has their mean, or is gone where most of them are.
+/// Gives a cell of several particles their mean, or marks it as gone if most of them are.
 void CutLayers::enterMeanPeaks(const std::vector<size_t>& slots) {
     struct Sum {
         double kelvin = 0;
         int stayed = 0, gone = 0;
     };
-    std::map<std::pair<int, int>, Sum> cells; // by column and row; all slots lie in the one layer
+    std::map<std::pair<int, int>, Sum> cells; // sums by column and row; all slots are in the one layer
     for (const size_t slot : slots) {
         const glm::ivec3 cell = lattice_.cellAt(particles_.original()[slot].position);
         Sum& sum = cells[{cell.z, cell.y}];
@@ -284,7 +284,7 @@ void CutLayers::measureCorner(const WeldOutline& outline, glm::ivec2 corner, Sec
 
 void CutLayers::measureShape(const SectionMap& map, Section& section) const {
     const WeldOutline outline = weldOutline(map);
-    double top = 0; // of the deposit over the origin
+    double top = 0; // height of the deposit over the origin
     if (level_) {
         measureLevel(outline, section);
         if (section.bead->height > 0) top = rowHeight(*level_ + 1) + section.bead->height;

@@ -12,18 +12,19 @@ class CutLayers {
     CutLayers(const WeldParticles& particles, const SectionCut& cut);
 
     SectionMap draw() const;
-    /// `map`: what draw() gives.
+    /// Measures the section. `map`: the result of draw().
     Section measure(const SectionMap& map) const;
 
   private:
     struct Layer {
         SectionSlice slice;
-        size_t had;                    ///< cells that held metal at the start
-        size_t holds;                  ///< particles there now
-        std::vector<int> columns = {}; ///< particles there now by column
+        size_t had;                    ///< number of cells that held metal at the start
+        size_t holds;                  ///< number of particles there now
+        std::vector<int> columns = {}; ///< number of particles there now by column
     };
 
-    /// Number of the layer that a place lies in; nothing outside the cut, or for a layer without workpiece.
+    /// Returns the number of the layer that contains a place; nothing outside the cut, or for a layer without
+    /// workpiece.
     std::optional<size_t> layerOf(const vec4& position) const;
     double rowHeight(int row) const { return static_cast<double>(lattice_.low.y) + row * spacing_; }
     double columnPlace(double column) const { return static_cast<double>(lattice_.low.z) + column * spacing_; }
@@ -35,7 +36,7 @@ class CutLayers {
     void enterPresent();
     int used() const;
     int latticeLayers() const { return used() * perLayer_; }
-    /// Mean of `value(layer)` over the layers in use.
+    /// Returns the mean of `value(layer)` over the layers in use.
     template <class Value>
     double mean(Value value) const;
 
@@ -53,12 +54,12 @@ class CutLayers {
     const MetalLattice& lattice_;
     double spacing_;
     int first_ = 0;
-    /// Lattice layers that are measured as one: all of a rolled-out pipe's, whose cells only together hold metal
-    /// wherever the pipe did.
+    /// Number of lattice layers that are measured as one: all of a rolled-out pipe's, whose cells only together hold
+    /// metal wherever the pipe did.
     int perLayer_ = 1;
     std::vector<Layer> layers_;
     std::vector<size_t> living_; ///< slots of the living particles in the layers, ascending
-    std::optional<int> level_;   ///< uppermost row of the workpiece where all columns have the same
+    std::optional<int> level_;   ///< uppermost row of the workpiece if all columns agree on it
     int bottom_ = 0;             ///< lowest row of the workpiece
 };
 

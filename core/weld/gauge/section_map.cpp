@@ -11,11 +11,11 @@ namespace {
 
 constexpr float kTexelsPerSpacing = 8;
 constexpr float kMostTexels = 1024;
-constexpr float kReach = 1.5F; ///< of a particle, spacings
+constexpr float kReach = 1.5F; ///< reach of a particle, spacings
 constexpr float kPi = 3.14159265F;
 constexpr float kFullWeight = kPi / 3 * kReach * kReach; ///< integral of (1 - r²)² over the plane, spacings squared
 
-/// The texels that a row of particles can reach.
+/// The range of texels that a row of particles can reach.
 struct TexelRange {
     glm::ivec2 first, last;
 };
@@ -29,7 +29,7 @@ TexelRange reachedTexels(const SectionMap& map, glm::vec2 place, float reach) {
     return {glm::ivec2(first), glm::ivec2(last)};
 }
 
-/// Which of the lattice's cells, seen along the seam, at least half of the slices fill.
+/// The set of lattice cells, seen along the seam, that at least half of the slices fill.
 class FilledCells {
   public:
     FilledCells(const SectionMap& map, int slices, const std::vector<MapParticle>& particles)
@@ -41,7 +41,8 @@ class FilledCells {
 
     glm::ivec2 size() const { return size_; }
 
-    /// The cell sticks out between two faces that go on straight for some cells; those of a bevel make steps.
+    /// Returns true for a cell that sticks out between two faces that go on straight for some cells; the cells of a
+    /// bevel make steps.
     bool isCorner(glm::ivec2 cell) const {
         for (const int right : {-1, 1})
             for (const int up : {-1, 1})
@@ -52,7 +53,7 @@ class FilledCells {
   private:
     static constexpr int kStraight = 3;
 
-    /// Into the quadrant `out`, of 1 and -1.
+    /// Tests the quadrant `out`, of 1 and -1.
     bool sticksOut(glm::ivec2 cell, glm::ivec2 out) const {
         for (int k = 0; k < kStraight; ++k) {
             const glm::ivec2 along(k * out.x, 0), up(0, k * out.y);

@@ -18,16 +18,16 @@ namespace {
 constexpr glm::ivec2 kUp(0, 1);
 constexpr std::array<glm::ivec2, 4> kWays{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
 
-/// Highest temperatures as the zone's measures see them: of cells, or of their faces.
+/// Highest temperatures for the zone's measures: of cells, or of their faces.
 using Peaks = FunctionRef<double(glm::ivec2)>;
 
-/// Where the zone ends on the way out of a hot cell whose neighbour on that way is colder or air, in cells from the hot
-/// cell's centre.
+/// Returns the distance of the zone's edge from a hot cell's centre towards a neighbour that is colder or air, cells.
 double edgeFrom(Peaks peak, glm::ivec2 hot, glm::ivec2 way, double level) {
     const double inside = peak(hot), first = peak(hot + way);
     if (first == SectionSlice::kAir) return 0.5;
     if (std::isfinite(inside)) return 1 - (level - first) / (inside - first);
-    // The hotter cell is gone: go on towards its centre with a slope that grows as it did over the three before it.
+    // The hotter cell is gone: extrapolate towards its centre with a slope that grows as it did over the three cells
+    // before it.
     const double second = peak(hot + 2 * way), third = peak(hot + 3 * way);
     const double slope = std::isfinite(second) ? first - second : 0;
     const double before = std::isfinite(second) && std::isfinite(third) ? second - third : 0;
@@ -35,19 +35,20 @@ double edgeFrom(Peaks peak, glm::ivec2 hot, glm::ivec2 way, double level) {
     return 1 - (slope > 0 ? std::min(1.0, (level - first) / steeper) : 0.5);
 }
 
-/// How much hotter a cell has been than the next one under its face, 0 where it was not or where that is not known.
+/// Returns the excess of a cell's highest temperature over that of the next cell under its face, 0 if it is negative or
+/// unknown.
 double slopeUnderFace(const SectionSlice& slice, glm::ivec2 cell, glm::ivec2 side) {
     const double slope = slice.peak(cell) - slice.peak(cell - side);
     return std::isfinite(slope) ? std::max(slope, 0.0) : 0;
 }
 
-/// Depth of a zone that ends above the centre of a colder face cell, cells; 0 where there is none.
+/// Returns the depth of a zone that ends above the centre of a colder face cell, cells; 0 if there is none.
 double shallowDepth(const SectionSlice& slice, glm::ivec2 cell, glm::ivec2 side, double level) {
     const double slope = slopeUnderFace(slice, cell, side);
     return slope > 0 ? std::max(0.5 - (level - slice.peak(cell)) / slope, 0.0) : 0;
 }
 
-/// Length of the hot surface from the centre of a hot face cell along `way`, in cells.
+/// Returns the length of the hot surface from the centre of a hot face cell along `way`, in cells.
 double surfaceReach(const SectionSlice& slice, Peaks peak, glm::ivec2 hot, glm::ivec2 way, glm::ivec2 side,
                     double level) {
     double reach = 0;
@@ -66,15 +67,15 @@ double surfaceReach(const SectionSlice& slice, Peaks peak, glm::ivec2 hot, glm::
     }
 }
 
-/// Width of hot surface, and its first moment about the grid's corner.
+/// Width of a hot surface, and its first moment about the grid's corner.
 struct SurfaceStretch {
     double width = 0, moment = 0;
 };
 
-/// The hot surface on all faces that look to `side`, each plane of faces for itself.
+/// Returns the hot surface on all faces that look to `side`, each plane of faces for itself.
 SurfaceStretch hotSurface(const SectionSlice& slice, Peaks peak, glm::ivec2 side, double level) {
     const glm::ivec2 along(std::abs(side.y), std::abs(side.x));
-    std::map<int, glm::ivec2> hottest; // by the plane's place
+    std::map<int, glm::ivec2> hottest; // hottest cells by the plane's place
     for (int y = 0; y < slice.cells().y; ++y)
         for (int x = 0; x < slice.cells().x; ++x) {
             const glm::ivec2 cell(x, y);
@@ -93,7 +94,7 @@ SurfaceStretch hotSurface(const SectionSlice& slice, Peaks peak, glm::ivec2 side
     return sum;
 }
 
-/// The uppermost cell of each column in one row, and the cell under it in the row below.
+/// Returns a slice with the uppermost cell of each column in one row, and the cell under it in the row below.
 SectionSlice topsOf(const SectionSlice& slice) {
     SectionSlice tops({slice.cells().x, 2});
     for (int x = 0; x < slice.cells().x; ++x) {
@@ -106,14 +107,14 @@ SectionSlice topsOf(const SectionSlice& slice) {
     return tops;
 }
 
-/// The hot surface on the uppermost cells, by their centres.
+/// Returns the hot surface on the uppermost cells, by their centres.
 SurfaceStretch hotTops(const SectionSlice& slice, double level) {
     const SectionSlice tops = topsOf(slice);
     return hotSurface(
         tops, [&](glm::ivec2 cell) { return tops.peak(cell); }, kUp, level);
 }
 
-/// Area by strips of cells along `side`; their ends lie between cells.
+/// Returns the area by strips of cells along `side`, whose ends are between cells.
 double areaAlong(const SectionSlice& slice, glm::ivec2 side, double level) {
     const auto peak = [&](glm::ivec2 cell) { return slice.peak(cell); };
     double area = 0;
@@ -127,7 +128,7 @@ double areaAlong(const SectionSlice& slice, glm::ivec2 side, double level) {
     return area;
 }
 
-/// Area of the parts of the zone that end above the centres of the faces' cells.
+/// Returns the area of the parts of the zone that end above the centres of the faces' cells.
 double shallowArea(const SectionSlice& slice, glm::ivec2 side, double level) {
     double area = 0;
     for (int y = 0; y < slice.cells().y; ++y)
@@ -161,7 +162,7 @@ double distanceTo(const std::vector<Face>& faces, glm::dvec2 place) {
     return std::isfinite(least) ? least : 0;
 }
 
-/// Places around a cell where the zone ends, from the grid's corner.
+/// Returns the edge places of the zone around a cell, from the grid's corner.
 std::vector<glm::dvec2> edgesOf(const SectionSlice& slice, glm::ivec2 cell, std::span<const glm::ivec2> sides,
                                 double level) {
     std::vector<glm::dvec2> edges;
@@ -182,7 +183,7 @@ std::vector<glm::dvec2> edgesOf(const SectionSlice& slice, glm::ivec2 cell, std:
     return edges;
 }
 
-/// The fused stretch of the face that begins in `cell` at a corner and goes on along `along`.
+/// Returns the fused stretch of the face that begins in `cell` at a corner and goes on along `along`.
 glm::dvec2 fusedFace(const SectionSlice& slice, glm::ivec2 cell, glm::ivec2 along, glm::ivec2 side, double level) {
     const auto peak = [&](glm::ivec2 at) {
         return slice.peak(at) + (slice.isFace(at, side) ? 0.5 * slopeUnderFace(slice, at, side) : 0);

@@ -1,4 +1,4 @@
-// One slice of the workpiece as it was before welding, one lattice cell thick, and the zones in it that were hot.
+// One slice of the workpiece before welding, one lattice cell thick, and the zones in it that were hot.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -15,19 +15,19 @@ namespace meltpool {
 /// held metal at the start has the highest temperature (K) of that metal so far.
 class SectionSlice {
   public:
-    static constexpr double kAir = -std::numeric_limits<double>::infinity(); ///< held no metal at the start
-    static constexpr double kGone = std::numeric_limits<double>::infinity(); ///< its metal melted and moved away
+    static constexpr double kAir = -std::numeric_limits<double>::infinity(); ///< cell that held no metal at the start
+    static constexpr double kGone = std::numeric_limits<double>::infinity(); ///< cell whose metal melted and moved away
 
     explicit SectionSlice(glm::ivec2 cells);
 
     glm::ivec2 cells() const { return cells_; }
     bool inside(glm::ivec2 cell) const;
-    /// kAir outside the grid.
+    /// Returns the highest temperature (K) of a cell; kAir outside the grid.
     double peak(glm::ivec2 cell) const;
-    /// The cell must lie inside the grid.
+    /// Sets the highest temperature of a cell inside the grid.
     void setPeak(glm::ivec2 cell, double kelvin);
     bool held(glm::ivec2 cell) const { return peak(cell) != kAir; }
-    /// Whether the cell held metal with nothing beside it on that side: a face of the workpiece.
+    /// Returns true if the cell held metal and its neighbour on that side did not: a face of the workpiece.
     bool isFace(glm::ivec2 cell, glm::ivec2 side) const { return held(cell) && !held(cell + side); }
 
   private:
@@ -35,21 +35,23 @@ class SectionSlice {
     std::vector<double> peaks_;
 };
 
-/// The part of a slice that was at least as hot as some temperature; lengths in cells, places from the grid's corner.
+/// The part of a slice that was at least as hot as a given temperature; lengths in cells, places from the grid's
+/// corner.
 struct SliceZone {
-    double width = 0;  ///< of the workpiece's surface that it takes, along the surface
-    double middle = 0; ///< of that width from the grid's corner, where there is one side; 0 without width
+    double width = 0;  ///< width of the workpiece's surface in the zone, along the surface
+    double middle = 0; ///< middle of that width from the grid's corner, if there is one side; 0 without width
     double depth = 0;  ///< greatest distance from the workpiece's surface
     double area = 0;   ///< cells
-    glm::dvec2 low{std::numeric_limits<double>::infinity()};   ///< of the box around it; above `high` when it is empty
-    glm::dvec2 high{-std::numeric_limits<double>::infinity()}; ///< of the box around it
+    /// Low corner of the box around the zone; above `high` for an empty zone.
+    glm::dvec2 low{std::numeric_limits<double>::infinity()};
+    glm::dvec2 high{-std::numeric_limits<double>::infinity()}; ///< high corner of the box around the zone
 };
 
 /// Measures the zone above `level` (K). `sides`: the outward directions of the faces that are welded on, as unit steps.
 ///
-/// Edges of the zone lie where the highest temperature crosses the level, linear between the cells' centres; where the
-/// hotter cell is gone they follow from the slope on the colder side. Between the centre of a face cell and its face
-/// the temperature goes on with the slope under that cell, so that a zone less deep than half a cell is found too.
+/// Edges of the zone are at the places that reached the level, linear between the cells' centres; next to a hotter cell
+/// that is gone they follow from the slope on the colder side. Between the centre of a face cell and its face the
+/// temperature goes on with the slope under that cell, so that a zone less deep than half a cell is found too.
 ///
 /// The width of each plane of faces is that of the hot stretch around its hottest cell; planes add up, and a gap
 /// between two hot edges belongs to the stretch. With one side, which is up, the uppermost cells of all columns count
@@ -58,29 +60,31 @@ struct SliceZone {
 /// that is often only just fused, at the faces themselves.
 SliceZone measureZone(const SectionSlice& slice, std::span<const glm::ivec2> sides, double level);
 
-/// The cell of air in the corner of a tee or a lap joint: the lowest one with metal under it and behind it (-x).
+/// Returns the cell of air in the corner of a tee or a lap joint: the lowest one with metal under it and behind it
+/// (-x).
 std::optional<glm::ivec2> jointCorner(const SectionSlice& slice);
 
-/// How far both plates are fused along the line where they meet, from the joint's corner inwards (-x), in cells; 0
-/// where the corner is not fused. The colder plate decides; between the outermost cells' centres and the corner the
-/// temperature goes on with its slope.
+/// Returns the length over which both plates are fused along the line where they meet, from the joint's corner inwards
+/// (-x), in cells; 0 for a corner that is not fused. The colder plate decides; between the outermost cells' centres and
+/// the corner the temperature goes on with its slope.
 double rootFusion(const SectionSlice& slice, glm::ivec2 corner, double level);
 
-/// From where to where both faces of a joint's corner are fused: the lying and the standing one, in cells along each
-/// from the corner outwards. Both ends 0 where a face is fused nowhere.
+/// Returns the fused stretches of both faces of a joint's corner: base plate and upright plate, in cells along each
+/// from the corner outwards. Both ends are 0 for a face that is fused nowhere.
 std::array<glm::dvec2, 2> fusedFaces(const SectionSlice& slice, glm::ivec2 corner, double level);
 
-/// Whether the plates at a joint's corner meet in a line only, as in an outside corner: behind that line is air.
+/// Returns true if the plates at a joint's corner meet in a line only, as in an outside corner: behind that line is
+/// air.
 bool isOpenCorner(const SectionSlice& slice, glm::ivec2 corner);
 
-/// From where to where the hottest stretch of the uppermost faces is fused at the faces themselves, in cells from the
-/// grid's corner; nothing where no face is.
+/// Returns the stretch of the uppermost faces around the hottest place that is fused at the faces themselves, in cells
+/// from the grid's corner; nothing if no face is fused.
 std::optional<glm::dvec2> fusedTop(const SectionSlice& slice, double level);
 
-/// How much of the height of the edge beside a seam is not fused from its lowest cell upwards, in cells: all of it
-/// where no cell is hot, 0 where the lowest cell's centre is. The edge is in each row the cell nearest to the seam,
-/// which lies between the columns `seam` - 1 and `seam`; `side` is -1 for the columns below `seam` and 1 for the
-/// others. Nothing where there was no metal on that side.
+/// Returns the unfused height of the edge next to a seam from its lowest cell upwards, in cells: all of it if no cell
+/// is hot, 0 if the lowest cell's centre is. The edge is in each row the cell nearest to the seam, which is between the
+/// columns `seam` - 1 and `seam`; `side` is -1 for the columns below `seam` and 1 for the others. Nothing if there was
+/// no metal on that side.
 std::optional<double> unfusedEdge(const SectionSlice& slice, int seam, int side, double level);
 
 } // namespace meltpool

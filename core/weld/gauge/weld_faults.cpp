@@ -7,14 +7,14 @@ namespace meltpool {
 
 namespace {
 
-constexpr double kRoundedEnd = 1.5; ///< spacings from the end of a face that the particles' size rounds
-constexpr int kPlaces = 64;         ///< at which a stretch is looked at
-constexpr double kToeSlack = 0.5;   ///< spacings inside the toe where a groove is looked for too
+constexpr double kRoundedEnd = 1.5; ///< spacings at the end of a face that the particles' size rounds
+constexpr int kPlaces = 64;         ///< number of places at which a stretch is measured
+constexpr double kToeSlack = 0.5;   ///< spacings inside the toe in which a groove is looked for too
 constexpr double kNoMetal = -std::numeric_limits<double>::infinity();
 
 using Line = std::vector<glm::dvec2>;
 
-/// Height of a closed line's uppermost place at `along`; kNoMetal beside the line.
+/// Returns the height of a closed line's uppermost place at `along`; kNoMetal outside the line.
 double upperHeight(const Line& line, double along) {
     double height = kNoMetal;
     for (size_t i = 0; i < line.size(); ++i) {

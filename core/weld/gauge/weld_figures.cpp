@@ -16,7 +16,7 @@ constexpr double kMmPerMetre = 1e3;
 /// mm of outline along which layers of particles are one more or one less, by half a spacing.
 constexpr double kOutline = 8 * kResolvedSpacings;
 
-/// A difference of `much` is one after which an inspector would speak of another weld: chosen for this program.
+/// A difference of `much` is one for which an inspector would speak of another weld: chosen for this program.
 constexpr std::array kStationFigures{
     WeldFigure{.key = "toe_width_mm",
                .unit = "mm",
@@ -141,7 +141,7 @@ constexpr std::array kWholeWeldFigures{
     WeldFigure{.key = "spacing_mm", .unit = "mm"},
 };
 
-/// A weld without toes is as wide as nothing.
+/// Without toes the width is unknown.
 void takeBead(const BeadShape& bead, const std::optional<FaceStretch>& fused, WeldStation& station) {
     station.toeWidth = bead.toeWidth();
     station.height = bead.height;
@@ -166,7 +166,7 @@ void takeButt(const Section& section, WeldStation& station) {
     station.lackOfFusion = more > 0 ? more - less : -section.root.height;
 }
 
-/// Length of a fillet's face that is not fused from the corner outwards.
+/// Returns the length of a fillet's face that is not fused from the corner outwards.
 double unfusedFrom(const FaceStretch& fused, double leg) {
     return fused.length() > 0 ? std::min(fused.low, leg) : leg;
 }

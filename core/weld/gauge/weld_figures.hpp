@@ -1,6 +1,6 @@
 // The table of a weld's figures and imperfections: key, unit, digits, standard and measure of each. Files, verdict,
 // result panel, page, comparison and drawn section read it; a new figure is a row of weld_figures.cpp, a new
-// imperfection one of weld_imperfections.cpp. Their words stand under their keys in data/words.
+// imperfection one of weld_imperfections.cpp. Their words are in data/words under their keys.
 #pragma once
 
 #include "core/weld/gauge/weld_stations.hpp"
@@ -10,11 +10,11 @@ namespace meltpool {
 /// The weld that was asked for. Lengths in m.
 struct NominalWeld {
     double thickness = 0; ///< t, of the thinner plate
-    /// a, nominal throat, and the nominal leg of a fillet. One of them is enough: a = leg / sqrt(2). A butt's throat is
-    /// its plates' thickness where none is given.
+    /// a, nominal throat, and the nominal leg of a fillet. One of them is enough: a = leg / sqrt(2). A butt's throat
+    /// defaults to its plates' thickness.
     std::optional<double> throat, leg;
-    double platesOffset = 0; ///< of a butt's plates against each other, as the workpiece was set up
-    double jointGap = 0;     ///< under a fillet, as the workpiece was set up
+    double platesOffset = 0; ///< offset of a butt's plates against each other, as the workpiece was set up
+    double jointGap = 0;     ///< gap under a fillet, as the workpiece was set up
 
     std::optional<double> throatOf(WeldKind kind) const;
     std::optional<double> legOf() const;
@@ -22,8 +22,8 @@ struct NominalWeld {
 
 /// An imperfection at a station.
 struct ImperfectionValue {
-    double value = 0; ///< in the imperfection's unit; may be negative where the weld is on the safe side
-    double width = 0; ///< b, mm: of the reinforcement, the fillet's face or the root that the limit may grow with
+    double value = 0; ///< in the imperfection's unit; may be negative if the weld is on the safe side
+    double width = 0; ///< b, mm: width of the reinforcement, the fillet's face or the root that the limit may grow with
 };
 
 /// An imperfection of the whole weld, at the place where it was measured.
@@ -32,18 +32,20 @@ struct PlacedImperfection {
     double place = 0; ///< m along the seam
 };
 
-/// An imperfection in ISO 6520-1:2007; both empty where that standard has none or its number is not certain.
+/// The term of an imperfection in ISO 6520-1:2007; both members are empty if that standard has none or its number is
+/// not certain.
 struct StandardTerm {
     std::string_view number = {}; ///< "506"; several with commas
     std::string_view name = {};
 };
 
-/// How a figure of two attempts is compared; see ComparedFigure.
+/// Scale on which a figure of two attempts is compared; see ComparedFigure.
 struct FigureScale {
-    double much = 0;  ///< in the figure's unit: differences of this size weigh alike; 0: the figure is not compared
-    double least = 0; ///< in the figure's unit: a smaller difference is none
-    bool onlyOver = false; ///< values below 0 say how far away the fault is and count as 0
-    bool isSize = false;   ///< a size by which every weld is known: its curve is always drawn
+    /// In the figure's unit: differences of this size have equal weight; 0: the figure is not compared.
+    double much = 0;
+    double least = 0;      ///< in the figure's unit: a smaller difference counts as none
+    bool onlyOver = false; ///< negative values mean "no fault" (their size is the distance from it) and compare as 0
+    bool isSize = false;   ///< a main size of a weld: its curve is always drawn
 };
 
 /// A row of the table.
@@ -51,70 +53,72 @@ struct WeldFigure {
     /// A column of weld.csv and entry of `weld` in result.json ("toe_width_mm"), or an imperfection in acceptance files
     /// and results ("undercut").
     std::string_view key;
-    std::string_view unit; ///< "mm", "mm2", "deg", "%", "s"; empty of a count
+    std::string_view unit; ///< "mm", "mm2", "deg", "%", "s"; empty for a count
     int digits = 1;        ///< behind the decimal point, in panel and comparison
-    /// What the particles resolve, in spacings; of an area in mm2 per mm of spacing. 0: nothing limits it, or the
-    /// workpiece or the metal itself answers. Angles: see resolvedOf().
+    /// Resolution of the particles, in spacings; of an area in mm2 per mm of spacing. 0: nothing limits it, or the
+    /// workpiece or the metal itself decides. Angles: see resolvedOf().
     double resolution = 0;
-    std::string_view table = "figure."; ///< of data/words, in which its words stand under its key
+    std::string_view table = "figure."; ///< table of data/words that has its words under its key
     FigureScale scale = {};
-    WeldStation::Value WeldStation::*member = nullptr;    ///< of a station's figure
-    std::optional<double> WeldMeasures::*whole = nullptr; ///< of a figure of the whole weld
-    StandardTerm standard = {};                           ///< of an imperfection
-    /// The imperfection at a station, lengths in mm, angles in degrees; nothing where the station does not tell it.
-    /// Null for an imperfection of the whole weld or one that the metal does not contain, and for a figure that is
+    WeldStation::Value WeldStation::*member = nullptr;    ///< member of a station's figure
+    std::optional<double> WeldMeasures::*whole = nullptr; ///< member of a figure of the whole weld
+    StandardTerm standard = {};                           ///< term of an imperfection
+    /// Returns the imperfection at a station, lengths in mm, angles in degrees; nothing if the station does not have
+    /// it. Null for an imperfection of the whole weld or one that the metal does not contain, and for a figure that is
     /// none.
     std::optional<ImperfectionValue> (*judged)(const WeldStation&, const NominalWeld&, WeldKind) = nullptr;
-    /// An imperfection that the weld has once, such as at its end; units as `judged`, which is null beside it. Nothing
-    /// where the measures do not tell it.
+    /// Returns an imperfection that the weld has once, such as at its end; units as `judged`, which is then null.
+    /// Nothing if the measures do not have it.
     std::optional<PlacedImperfection> (*judgedWhole)(const WeldMeasures&, const NominalWeld&) = nullptr;
-    /// Key of the imperfection whose estimate from technique answers for it: all pores share one. Empty: not estimated.
+    /// Key of the imperfection whose estimate from technique is used for this one: all pores share one. Empty: not
+    /// estimated.
     std::string_view estimate = {};
 
-    bool isMeasured() const { return judged || judgedWhole; } ///< of an imperfection: the metal tells it
-    double inSi() const;                                      ///< the unit in SI: 1e-3 of "mm", 1 of "s"
-    std::string_view name() const { return wordsOf("name"); } ///< in sentences and lists, such as "penetration"
-    std::string_view panelWords() const;                      ///< in the result panel
-    std::string_view pageWords() const;                       ///< in the table of the HTML page
-    /// Beside its measure in a drawn section; empty of a figure that is not drawn.
+    /// True for an imperfection that is measured on the metal.
+    bool isMeasured() const { return judged || judgedWhole; }
+    double inSi() const;                                      ///< factor from the unit to SI: 1e-3 of "mm", 1 of "s"
+    std::string_view name() const { return wordsOf("name"); } ///< name in sentences and lists, such as "penetration"
+    std::string_view panelWords() const;                      ///< words in the result panel
+    std::string_view pageWords() const;                       ///< words in the table of the HTML page
+    /// Words next to its measure in a drawn section; empty for a figure that is not drawn.
     std::string_view drawnWords() const { return wordsOf("drawn"); }
 
   private:
-    /// For a place where they are shown; empty where the words file has none for it.
+    /// Words for a place that shows them; empty if the words file has none for it.
     std::string_view wordsOf(std::string_view place) const;
 };
 
-/// The row of a key; null for an unknown one.
+/// Returns the row of a key; null for an unknown one.
 const WeldFigure* findByKey(std::span<const WeldFigure> rows, std::string_view key);
 
-/// The figures of a station, in the order of weld.csv's columns.
+/// Returns the figures of a station, in the order of weld.csv's columns.
 std::span<const WeldFigure> stationFigures();
-/// Null for an unknown key.
+/// Returns null for an unknown key.
 const WeldFigure* findStationFigure(std::string_view key);
-/// The row of a member of WeldStation. Throws std::out_of_range for a member that the table lacks.
+/// Returns the row of a member of WeldStation. Throws std::out_of_range for a member that the table lacks.
 const WeldFigure& stationFigure(WeldStation::Value WeldStation::*member);
 
-/// The entries of `weld` in result.json that are no means over stations. Only the straightness has a member: the others
-/// say how the weld was cut and measured.
+/// Returns the entries of `weld` in result.json that are no means over stations. Only the straightness has a member:
+/// the others say how the weld was cut and measured.
 std::span<const WeldFigure> wholeWeldFigures();
 
-/// The imperfections of acceptance files: lengths of what is missing or too much in mm, the toe angle in degrees
+/// Returns the imperfections of acceptance files: lengths of missing or excess metal in mm, the toe angle in degrees
 /// outside the weld metal between plate and weld surface (ISO 5817: 180 less the edge angle).
 std::span<const WeldFigure> imperfections();
-/// Null for an unknown key.
+/// Returns null for an unknown key.
 const WeldFigure* findImperfection(std::string_view key);
-/// The name of an imperfection; of a key that the table lacks, as a newer program may have written it, the key with
-/// blanks.
+/// Returns the name of an imperfection; for a key that the table lacks, such as one of a newer program's file, the key
+/// with blanks.
 std::string imperfectionName(std::string_view key);
 
-/// Half a spacing: what the gauge resolves of a length.
+/// Half a spacing: the gauge's resolution of a length.
 inline constexpr double kResolvedSpacings = 0.5;
 
-/// Degrees of a toe angle that particles resolve: five layers of them scatter by as much about the angle of the surface
-/// that they form (tests/weld/gauge/weld_shape_test.cpp, disordered particles).
+/// Resolution of a toe angle, degrees: five layers of particles scatter by as much about the angle of the surface that
+/// they form (tests/weld/gauge/weld_shape_test.cpp, disordered particles).
 inline constexpr double kResolvedAngle = 15;
 
-/// What particles with this spacing (m) resolve of a figure, in its unit.
+/// Returns the resolution of a figure with particles of this spacing (m), in the figure's unit.
 double resolvedOf(const WeldFigure& figure, double spacing);
 
 } // namespace meltpool

@@ -25,7 +25,7 @@ Value greater(const Value& a, const Value& b) {
     return a && b ? std::max(*a, *b) : a ? a : b;
 }
 
-/// A figure of the station; `width` is the b with which its limit may grow.
+/// Takes the figure of the station; `width` is the b with which its limit may grow.
 template <Member figure, Member width = nullptr>
 Judged measured(const WeldStation& s, const NominalWeld&, WeldKind) {
     if constexpr (width == nullptr)
@@ -34,19 +34,19 @@ Judged measured(const WeldStation& s, const NominalWeld&, WeldKind) {
         return inMm(s.*figure, s.*width);
 }
 
-/// The greater figure of both sides of the weld.
+/// Takes the greater figure of both sides of the weld.
 template <Member side1, Member side2>
 Judged worseSide(const WeldStation& s, const NominalWeld&, WeldKind) {
     return inMm(greater(s.*side1, s.*side2), s.toeWidth);
 }
 
-/// A size of the workpiece as it was set up.
+/// Takes a size of the workpiece as it was set up.
 template <double NominalWeld::*size>
 Judged setUp(const WeldStation&, const NominalWeld& nominal, WeldKind) {
     return inMm(nominal.*size);
 }
 
-/// Where a plate is fused nowhere, which may be a place without weld, all of the nominal weld is missing.
+/// A plate that is fused nowhere, perhaps at a place without weld, lacks all of the nominal weld.
 Judged lackOfFusion(const WeldStation& s, const NominalWeld& nominal, WeldKind) {
     if (!s.lackOfFusion || !s.facesFused || *s.facesFused > 0) return inMm(s.lackOfFusion);
     return inMm(std::max(*s.lackOfFusion, nominal.legOf().value_or(nominal.thickness)));
@@ -80,7 +80,7 @@ Judged legTooSmall(const WeldStation& s, const NominalWeld& nominal, WeldKind) {
 /// An overlap is the distance between two places, each known to half a spacing.
 constexpr double kTwoPlaces = 2 * kResolvedSpacings;
 
-/// Rows whose words stand among those of imperfections, not of figures.
+/// Rows whose words are among those of imperfections, not of figures.
 template <size_t count>
 constexpr std::array<WeldFigure, count> withTheirWords(std::array<WeldFigure, count> rows) {
     for (WeldFigure& each : rows)

@@ -19,17 +19,17 @@ class NodeGrid {
     glm::ivec2 squares() const { return nodes_ - 1; }
     size_t edges() const { return 2 * static_cast<size_t>(nodes_.x) * static_cast<size_t>(nodes_.y); }
     bool metal(glm::ivec2 node) const { return weight(node) >= kEdge; }
-    /// Of the four nodes of a square.
+    /// Returns the mean weight of the four nodes of a square.
     float meanWeight(glm::ivec2 square) const {
         return 0.25F * (weight(square) + weight(square + glm::ivec2(1, 0)) + weight(square + glm::ivec2(0, 1)) +
                         weight(square + 1));
     }
-    /// Number of side `side` of a square: below, right, above, left.
+    /// Returns the number of side `side` of a square: below, right, above, left.
     int edge(glm::ivec2 square, size_t side) const {
         const glm::ivec2 from = square + glm::ivec2(side == 1, side == 2);
         return 2 * (from.y * nodes_.x + from.x) + static_cast<int>(side % 2);
     }
-    /// Where the metal ends on an edge, m.
+    /// Returns the place on an edge at which the metal ends, m.
     glm::dvec2 crossing(int edge) const {
         const glm::ivec2 from(edge / 2 % nodes_.x, edge / 2 / nodes_.x);
         const glm::ivec2 to = from + (edge % 2 == 0 ? glm::ivec2(1, 0) : glm::ivec2(0, 1));
@@ -51,8 +51,8 @@ class NodeGrid {
     glm::ivec2 nodes_;
 };
 
-/// Marching squares: enters the pieces of edge in one square as links from the side where a walk around the square
-/// leaves the metal to the side where the walk enters it again.
+/// Marching squares: enters the pieces of edge in one square as links from the side at which a walk around the square
+/// leaves the metal to the side at which the walk enters it again.
 void link(const NodeGrid& grid, glm::ivec2 square, std::vector<int>& next) {
     constexpr std::array<glm::ivec2, kSides> kCorners{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
     std::array<bool, kSides> in{};

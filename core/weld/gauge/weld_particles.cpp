@@ -11,7 +11,7 @@ namespace meltpool {
 
 namespace {
 
-/// A place of a pipe rolled out, see WeldParticles; all in m.
+/// Returns a place of a pipe rolled out, see WeldParticles; all in m.
 glm::vec3 rolledOut(const glm::vec3& place, double radius) {
     const double x = static_cast<double>(place.x), y = static_cast<double>(place.y) + radius;
     double angle = std::atan2(x, y);
@@ -19,7 +19,7 @@ glm::vec3 rolledOut(const glm::vec3& place, double radius) {
     return {static_cast<float>(angle * radius), static_cast<float>(std::hypot(x, y) - radius), place.z};
 }
 
-/// The lattice of a pipe rolled out, whose cells lie on the outer face as the pipe's own lie on the upper faces.
+/// Returns the lattice of a pipe rolled out, whose cells touch the outer face as the pipe's own touch the upper faces.
 MetalLattice rolledOut(const MetalLattice& lattice, double radius) {
     const double spacing = static_cast<double>(lattice.spacing);
     const auto axis = static_cast<float>(-std::floor(radius / spacing) * spacing);

@@ -1,4 +1,4 @@
-// The metal of a weld as it is read back once for any number of cuts.
+// The metal of a weld, read back once for any number of cuts.
 #pragma once
 
 #include "core/metal/state/metal_state.hpp"
@@ -9,7 +9,7 @@
 
 namespace meltpool {
 
-/// What is read of particles for cuts, slot by slot; see shaders/shared/metal.h.
+/// Values of particles that cuts need, slot by slot; see shaders/shared/metal.h.
 struct ParticleValues {
     std::vector<vec4> positions; ///< xyz m, w K
     std::vector<vec4> heats;
@@ -18,7 +18,7 @@ struct ParticleValues {
 
 class WeldParticles {
   public:
-    /// Of particles that were read before, whose lattice this is. As below otherwise.
+    /// Takes particles that were read before, whose lattice this is. All else as below.
     WeldParticles(const MetalLattice& lattice, ParticleValues values, std::span<const MetalSeed> original,
                   std::optional<double> pipeRadius = {});
 
@@ -26,9 +26,9 @@ class WeldParticles {
     /// for it; it must outlive this. Throws RuntimeFault when the state holds fewer particles than `original`.
     WeldParticles(const MetalState& state, std::span<const MetalSeed> original);
 
-    /// The same of a pipe of this outer radius (m), whose axis lies along z under the origin, rolled out like a plate:
-    /// places are x: length on the outer face from its top towards +x, y: height over that face, z. The lattice is one
-    /// of the rolled-out pipe, in which a cell holds one particle on average, but none or several in places.
+    /// Reads a pipe of this outer radius (m), whose axis is z under the origin, rolled out like a plate: places are x:
+    /// length on the outer face from its top towards +x, y: height over that face, z. The lattice is one of the
+    /// rolled-out pipe, in which a cell holds one particle on average, but none or several in places.
     WeldParticles(const MetalState& state, std::span<const MetalSeed> original, double pipeRadius);
 
     bool rolledOut() const { return rolledOut_; }
@@ -38,9 +38,9 @@ class WeldParticles {
     const vec4& heat(size_t slot) const { return values_.heats[slot]; }         ///< see shaders/shared/metal.h
     uint phase(size_t slot) const { return values_.phases[slot]; }
 
-    /// Living particles that lie in the lattice layers `first` up to but not `end` along the seam; slots ascend.
+    /// Returns the living particles in the lattice layers `first` up to but not `end` along the seam; slots ascend.
     std::vector<size_t> livingIn(int first, int end) const { return gather(living_, first, end); }
-    /// The same of the workpiece's seeds on the lattice, by where they were before welding.
+    /// Returns the workpiece's seeds in these lattice layers, by their places before welding; slots ascend.
     std::vector<size_t> originalIn(int first, int end) const { return gather(originals_, first, end); }
 
   private:
@@ -53,7 +53,7 @@ class WeldParticles {
     MetalLattice lattice_;
     std::span<const MetalSeed> original_;
     bool rolledOut_ = false;
-    std::vector<MetalSeed> rolledSeeds_; ///< of a rolled-out pipe
+    std::vector<MetalSeed> rolledSeeds_; ///< seeds of a rolled-out pipe
     ParticleValues values_;
     Layers living_, originals_;
 };

@@ -1,5 +1,5 @@
-// The macro-section of a weld: what a cut across the seam, ground and etched, would show. Results, validation and
-// pictures all take it from here.
+// The macro-section of a weld: a cut across the seam, ground and etched. Results, validation and pictures all take it
+// from here.
 #pragma once
 
 #include "core/metal/material/materials.hpp"
@@ -17,20 +17,19 @@ namespace meltpool {
 /// Temperature above which steel changes its grain, K (A1, 723 °C).
 inline constexpr double kSteelTransformation = 996.15;
 
-/// Length along the seam that a section is the mean of where nothing else is asked for, m: several particles, so that
-/// no single one decides.
+/// Default length along the seam that a section is the mean of, m: several particles, so that no single one decides.
 inline constexpr double kSectionLength = 5e-3;
 
-/// Where to cut, and what counts as hot.
+/// Place of a cut, and the temperatures that count as hot.
 struct SectionCut {
     double from = 0, to = 0;            ///< m along the seam; the cut takes the whole lattice layers nearest to these
-    double fusion = 0;                  ///< K: what was hotter has been molten
-    std::optional<double> heatAffected; ///< K: what was hotter has changed; only of steel that melts above that
+    double fusion = 0;                  ///< K: hotter metal has been molten
+    std::optional<double> heatAffected; ///< K: hotter metal has changed; only of steel that melts above that
 
     double at() const { return 0.5 * (from + to); }
 };
 
-/// The cut from `from` to `to` (m) through a weld of this material: fusion midway between solidus and liquidus.
+/// Returns the cut from `from` to `to` (m) through a weld of this material: fusion midway between solidus and liquidus.
 SectionCut sectionCut(const Material& material, double from, double to);
 
 /// The box around a zone in the section and its area, with the deposited metal. Heights are from the workpiece's
@@ -44,59 +43,60 @@ struct SectionBox {
 
 /// A part of the workpiece that was hot.
 struct WeldZone {
-    /// m, of the workpiece's surface that it takes. In a plate or a butt joint its breadth from toe to toe, half a
+    /// m, width of the workpiece's surface in the zone. In a plate or a butt joint its breadth from toe to toe, half a
     /// lattice cell below the surface; in the corner of a tee or a lap joint the stretches on both plates together,
     /// measured along them.
     double width = 0;
-    /// The stretch of that surface, m from the seam (z). Only where there is one, on a surface of one level.
+    /// The stretch of that surface, m from the seam (z). Only for one surface of one level.
     std::optional<FaceStretch> stretch;
     double depth = 0; ///< m, greatest distance from the workpiece's own surface: of the fused zone the penetration
     double area = 0;  ///< m², of the workpiece's own metal
     SectionBox box;
 };
 
-/// The figures of a section, each a mean over its layers.
+/// Figures of a section, each a mean over its layers.
 struct Section {
     int layers = 0; ///< lattice layers that held metal at the start; 0: the cut meets no workpiece and nothing applies
     WeldZone fusion;
-    std::optional<WeldZone> heatAffected; ///< where the cut asks for it
-    /// Only where the workpiece's surface is one level all across the cut, as of a plate, a butt joint, a cube or a
+    std::optional<WeldZone> heatAffected; ///< only if the cut asks for it
+    /// Only if the workpiece's surface is one level all across the cut, as of a plate, a butt joint, a cube or a
     /// bridge; the edges of a butt joint may be bevelled. Places are m from the seam (z).
     std::optional<BeadShape> bead;
     std::optional<FilletShape> fillet; ///< only of a tee, a lap joint and an outside corner with weld metal in them
-    /// m along the line where the plates of a tee or a lap joint meet, from their corner inwards: both fused.
+    /// m along the line where the plates of a tee or a lap joint meet, from their corner inwards, over which both are
+    /// fused.
     std::optional<double> rootFusion;
-    double deposited = 0; ///< m², metal in the section beyond what the workpiece had; negative where metal ran away
+    double deposited = 0; ///< m², metal in the section beyond the workpiece's own; negative if metal ran away
 
     /// Share of the layers in which the root is fused, 0 to 1: in a corner both plates where they meet, of a workpiece
-    /// of one level both edges beside the seam down to the centres of their lowest cells.
+    /// of one level both edges at the seam down to the centres of their lowest cells.
     double rootFused = 0;
-    /// Share of the layers in which both faces of such a joint, or both edges beside the seam, are fused somewhere.
+    /// Share of the layers in which both faces of such a joint, or both edges at the seam, are fused somewhere.
     double facesFused = 0;
-    /// From where to where the lying and the standing face of a corner are fused, m from the corner; of no length where
-    /// a face is not. Of an outside corner these are the plates' edge faces: the lying one is that of the standing
-    /// plate.
+    /// Fused stretches of the base plate's and the upright plate's face in a corner, m from the corner; of no length
+    /// for a face that is not fused. Of an outside corner these are the plates' edge faces: the first one is that of
+    /// the upright plate.
     std::optional<std::array<FaceStretch, 2>> fusedFaces;
     /// m from the seam (z): the stretch of a level workpiece's face that is fused at the face itself, a little wider
-    /// than fusion.stretch half a cell below; where the metal over it ends, weld metal lies on cold plate.
+    /// than fusion.stretch half a cell below; metal over the face beyond it is weld metal on cold plate.
     std::optional<FaceStretch> fusedTop;
-    /// m: height that is not fused of both edges beside the seam (-z, +z) of a workpiece of one level, from the lower
-    /// face upwards, bevels included. A plate's edges are the two columns of cells next to the seam.
+    /// m: unfused height of both edges at the seam (-z, +z) of a workpiece of one level, from the lower face upwards,
+    /// bevels included. A plate's edges are the two columns of cells next to the seam.
     std::optional<std::array<double, 2>> unfusedEdges;
     /// m, depth of the grooves in the workpiece's faces beside the weld: on a level workpiece at its low and high end
-    /// (z), in a corner on the lying and on the standing face. See undercutBeside().
+    /// (z), in a corner on the base plate and on the upright plate. See undercutBeside().
     std::array<std::optional<double>, 2> undercut{0.0, 0.0};
-    double underfill = 0; ///< m, of a level workpiece: how deep the weld's surface lies under the upper face at most
-    BeadShape root;       ///< what hangs under the workpiece's lower face: its height is the excess penetration
+    double underfill = 0; ///< m, of a level workpiece: greatest depth of the weld's surface under the upper face
+    BeadShape root;       ///< the metal under the workpiece's lower face: its height is the excess penetration
     /// The workpiece is an outside corner: its plates meet in a line only, behind which there is air, so that `root`
-    /// and `rootFusion` say nothing of it.
+    /// and `rootFusion` do not apply.
     bool openCorner = false;
-    double rootConcavity = 0; ///< m, of a level workpiece: how high the weld's lower surface lies over the lower face
+    double rootConcavity = 0; ///< m, of a level workpiece: height of the weld's lower surface over the lower face
     /// m across the seam: widest place that has no metal at any height, between the workpiece's outermost parts, in any
-    /// one layer; 0 where it is narrower than two spacings. A gap that stayed open is one too.
+    /// one layer; 0 below two spacings. A gap that stayed open is one too.
     double hole = 0;
     /// s, mean time of the metal that was molten from 800 to 500 °C. None while more than a twentieth of it is hotter,
-    /// or where the cut asks for no heat-affected zone.
+    /// or if the cut asks for no heat-affected zone.
     std::optional<double> coolingTime;
 };
 
@@ -107,32 +107,32 @@ struct WeldSection {
     SectionMap map;
 };
 
-/// Measures a section. `original`: the workpiece before welding; its seeds lie on the state's lattice and were the
-/// first that the state was given, so that seed i is slot i. The faces that are welded on look up, or up and towards
-/// the welder (+z) where the workpiece's upper surface is no single level; distances and widths count from these. Metal
-/// that left its cell counts as molten there if it was, otherwise with the highest temperature it had. Throws
-/// RuntimeFault when the state holds fewer particles than `original`.
+/// Measures a section. `original`: the workpiece before welding; its seeds are on the state's lattice and were the
+/// first that the state received, so that seed i is slot i. The faces that are welded on look up, or up and towards the
+/// welder (+z) if the workpiece's upper surface is no single level; distances and widths count from these. Metal that
+/// left its cell counts as molten there if it was, otherwise with the highest temperature it had. Throws RuntimeFault
+/// when the state holds fewer particles than `original`.
 ///
 /// Waits for the GPU and reads every particle: for the end of a lesson, for validation and when a person asks, never in
 /// a frame that must not stall.
 Section measureSection(const MetalState& state, std::span<const MetalSeed> original, const SectionCut& cut);
 
-/// The same together with its picture.
+/// Measures a section and draws its picture; else as measureSection().
 WeldSection cutWeld(const MetalState& state, std::span<const MetalSeed> original, const SectionCut& cut);
 
-/// The same of several cuts: reads the particles once.
+/// Measures several sections and reads the particles once; else as measureSection().
 std::vector<Section> measureSections(const MetalState& state, std::span<const MetalSeed> original,
                                      std::span<const SectionCut> cuts);
 
 /// Measures one of several cuts through metal that is read already.
 Section measureSection(const WeldParticles& particles, const SectionCut& cut);
 
-/// The stretch of the seam (m along it) on which the workpiece was heated above `fusion` (K), between the centres of
-/// the outermost cells; nothing where it was not.
+/// Returns the stretch of the seam (m along it) on which the workpiece was heated above `fusion` (K), between the
+/// centres of the outermost cells; nothing if it was not.
 std::optional<FaceStretch> weldedStretch(const WeldParticles& particles, double fusion);
 
-/// Where to cut when nobody said: the middle (m along the seam) of what was heated above `fusion` (K) of the workpiece,
-/// or of the workpiece itself where nothing was. Waits for the GPU.
+/// Returns the default place of a cut: the middle (m along the seam) of the workpiece's metal that was heated above
+/// `fusion` (K), or of the workpiece itself if none was. Waits for the GPU.
 double middleOfWeld(const MetalState& state, std::span<const MetalSeed> original, double fusion);
 
 } // namespace meltpool

@@ -10,26 +10,26 @@ namespace meltpool {
 
 namespace {
 
-constexpr double kLeastHeight = 0.25; ///< spacings: what is lower cannot be told from the face
+constexpr double kLeastHeight = 0.25; ///< spacings: a lower place cannot be distinguished from the face
 constexpr double kLeastBead = 0.75;   ///< spacings of height that toes need
 constexpr double kLeastThroat = 1.1;  ///< spacings
-constexpr double kRounded = 0.75;     ///< spacings over a face that the particles' size rounds
-constexpr double kRoundedShare = 0.3; ///< of the height that is left out at most
-constexpr double kFoot = 1;           ///< spacings above that from which a toe is told
-constexpr double kFootShare = 0.1;    ///< of the height, same, at least
-constexpr int kHeights = 24;          ///< at which a flank is looked at
-constexpr int kRounds = 30;           ///< of toes and arc until they agree
+constexpr double kRounded = 0.75;     ///< spacings over a face in which the particles' size rounds the edge
+constexpr double kRoundedShare = 0.3; ///< share of the height that is left out at most
+constexpr double kFoot = 1;           ///< spacings above that from which a toe is extrapolated
+constexpr double kFootShare = 0.1;    ///< share of the height for it, at least
+constexpr int kHeights = 24;          ///< number of heights at which a flank is sampled
+constexpr int kRounds = 30;           ///< iterations of toes and arc until they agree
 
 using Line = std::vector<glm::dvec2>;
 
-/// Where the line from `a` to `b` has the value `wanted` of a coordinate.
+/// Returns the place on the line from `a` to `b` that has the value `wanted` of a coordinate.
 glm::dvec2 between(glm::dvec2 a, glm::dvec2 b, glm::length_t axis, double wanted) {
     const double way = b[axis] - a[axis];
     return way == 0 ? b : a + (b - a) * ((wanted - a[axis]) / way);
 }
 
-/// The places of a closed line from `start` on, one way or the other, as long as a coordinate is above `least`; the
-/// last one lies at it. Empty where the line never falls so low.
+/// Returns the places of a closed line from `start` on, in one direction or the other, as long as a coordinate is above
+/// `least`; the last one is at it. Empty if the line never falls so low.
 Line walk(const Line& closed, size_t start, bool forwards, glm::length_t axis, double least) {
     if (closed[start][axis] <= least) return {};
     Line run{closed[start]};
@@ -45,8 +45,8 @@ Line walk(const Line& closed, size_t start, bool forwards, glm::length_t axis, d
     return {};
 }
 
-/// Height over a face below which the particles' size rounds a weld's edge; a little even without particles, so that
-/// the face itself stays out.
+/// Returns the height over a face below which the particles' size rounds a weld's edge; a little even without
+/// particles, so that the face itself stays out.
 double roundedHeight(double height, double spacing) {
     return std::clamp(kRounded * spacing, 1e-3 * height, kRoundedShare * height);
 }
@@ -55,7 +55,7 @@ double roundedHeight(double height, double spacing) {
 struct Flank {
     const Line& run;
     glm::length_t along, out; ///< the face's axes in the run
-    double low, high;         ///< heights over the face from which the toe is told
+    double low, high;         ///< heights over the face from which the toe is extrapolated
 
     Flank(const Line& line, glm::length_t out_, double height, double spacing)
         : run(line),
@@ -64,14 +64,14 @@ struct Flank {
           low(roundedHeight(height, spacing)),
           high(low + std::clamp(kFoot * spacing, kFootShare * height, 0.6 * height - low)) {}
 
-    /// Along the face where the surface, from the toe upwards, first is at a height.
+    /// Returns the first place along the face, from the toe upwards, at which the surface has a height.
     double at(double height) const {
         for (size_t i = run.size() - 1; i > 0; --i)
             if (run[i - 1][out] >= height) return between(run[i], run[i - 1], out, height)[along];
         return run.front()[along];
     }
 
-    /// Mean over heights of at() less what `shape` says of the place at a height from the toe.
+    /// Returns the mean over heights of at() less the value of `shape` for the place at a height from the toe.
     template <class Shape>
     double toe(Shape shape) const {
         double sum = 0;
@@ -83,12 +83,12 @@ struct Flank {
     }
 };
 
-/// A circle's arc that rises from the face, `reach` beside its crown, to the crown of height `height`.
+/// A circle's arc that rises from the face, at `reach` from its crown, to the crown of height `height`.
 struct CrownArc {
     double reach, height;
 
     double radius() const { return 0.5 * (reach * reach + height * height) / height; }
-    /// How much nearer to the crown's middle than the toe the arc is at a height.
+    /// Returns the distance by which the arc at a height is nearer to the crown's middle than the toe.
     double inwards(double at) const {
         const double up = at - height + radius();
         return reach - std::sqrt(std::max(radius() * radius() - up * up, 0.0));
@@ -96,7 +96,7 @@ struct CrownArc {
     double angle() const { return 2 * std::atan2(height, reach); }
 };
 
-/// `side`: 1 for the toe at the high end.
+/// Finds a toe. `side`: 1 for the toe at the high end.
 WeldToe beadToe(const Flank& flank, double middle, double height, double side) {
     CrownArc arc{std::max(side * (flank.at(flank.low) - middle), 1e-3 * height), height};
     for (int round = 0; round < kRounds; ++round) {
@@ -106,7 +106,7 @@ WeldToe beadToe(const Flank& flank, double middle, double height, double side) {
     return {middle + side * arc.reach, arc.angle()};
 }
 
-/// Middle between a bead's flanks in the upper half of its height.
+/// Returns the middle between a bead's flanks in the upper half of its height.
 double middleOf(const Flank& first, const Flank& second, double height) {
     double sum = 0;
     for (int i = 0; i < kHeights; ++i) {
@@ -118,12 +118,13 @@ double middleOf(const Flank& first, const Flank& second, double height) {
 
 /// The surface of a fillet as a flat arc (a parabola) over the straight line between its toes.
 struct FilletArc {
-    glm::dvec2 legs; ///< on the lying and on the standing face
-    double rise = 0; ///< in the middle, negative where the surface is hollow
+    glm::dvec2 legs; ///< on the base plate and on the upright plate
+    double rise = 0; ///< in the middle, negative for a hollow surface
 
     double chord() const { return glm::length(legs); }
     glm::dvec2 normal() const { return glm::dvec2(legs.y, legs.x) / chord(); }
-    /// How much nearer to the corner than the toe on the face whose leg is legs[face] the arc is at a height over it.
+    /// Returns the distance by which the arc, at a height over the face whose leg is legs[face], is nearer to the
+    /// corner than the toe.
     double inwards(double height, glm::length_t face) const {
         const double other = legs[1 - face], k = 4 * rise * normal()[1 - face];
         const double root = std::sqrt(std::max((other + k) * (other + k) - 4 * k * height, 0.0));
@@ -135,7 +136,7 @@ struct FilletArc {
     }
 };
 
-/// Rise of a surface over the line between its toes, from the middle of that line, by least squares.
+/// Returns the rise of a surface over the line between its toes, from the middle of that line, by least squares.
 double riseOf(const Line& surface, const FilletArc& arc) {
     const glm::dvec2 toe(arc.legs.x, 0), way = glm::dvec2(-arc.legs.x, arc.legs.y) / arc.chord();
     double sum = 0, squares = 0;
@@ -149,7 +150,8 @@ double riseOf(const Line& surface, const FilletArc& arc) {
     return squares > 0 ? sum / squares : 0;
 }
 
-/// Area between the surface of a weld, given as two runs that begin at the same place, and the places that close it.
+/// Returns the area between the surface of a weld, given as two runs that begin at one place, and the places that close
+/// it.
 double areaUnder(const Line& back, const Line& ahead, std::span<const glm::dvec2> closing) {
     Line line(back.rbegin(), back.rend());
     line.insert(line.end(), ahead.begin() + 1, ahead.end());
@@ -170,15 +172,15 @@ FilletArc filletArc(const Line& back, const Line& ahead, double spacing) {
     return arc;
 }
 
-/// The place on a piece of line that is nearest to the origin.
+/// Returns the place on a piece of line that is nearest to the origin.
 glm::dvec2 nearestTo(glm::dvec2 a, glm::dvec2 b) {
     const glm::dvec2 way = b - a;
     const double square = glm::dot(way, way);
     return a + way * (square > 0 ? std::clamp(-glm::dot(a, way) / square, 0.0, 1.0) : 0.0);
 }
 
-/// Least distance from the corner to the surface between the faces; infinite where there is none. The plates' backs,
-/// which may be nearer, are not between the faces.
+/// Returns the least distance from the corner to the surface between the faces; infinite if there is none. The plates'
+/// backs, which may be nearer, are not between the faces.
 double throatOf(const Line& line) {
     double least = std::numeric_limits<double>::infinity();
     for (size_t i = 0; i < line.size(); ++i) {
@@ -188,14 +190,14 @@ double throatOf(const Line& line) {
     return least;
 }
 
-/// Adds the place of the surface that is farthest from both faces to the closed line, and gives its number there.
+/// Adds the place of the surface that is farthest from both faces to the closed line, and returns its number there.
 size_t addMiddle(Line& line) {
     const auto depth = [](glm::dvec2 place) { return std::min(place.x, place.y); };
     glm::dvec2 middle = line[0];
     size_t behind = 0;
     for (size_t i = 0; i < line.size(); ++i) {
         const glm::dvec2 a = line[i], b = line[(i + 1) % line.size()];
-        // Along a straight piece the lesser distance is greatest at an end or where both are equal.
+        // Along a straight piece the lesser distance is greatest at an end or at the place of equal distances.
         const double before = a.x - a.y, after = b.x - b.y;
         const glm::dvec2 equal = before * after < 0 ? a + (b - a) * (before / (before - after)) : a;
         for (const glm::dvec2 place : {a, equal})
@@ -208,7 +210,7 @@ size_t addMiddle(Line& line) {
     return behind + 1;
 }
 
-/// Greatest height of the surface, in two runs, over the line from toe to toe.
+/// Returns the greatest height of the surface, in two runs, over the line from toe to toe.
 double convexityOf(const Line& back, const Line& ahead, const FilletArc& arc) {
     const glm::dvec2 toe(arc.legs.x, 0), way = glm::dvec2(-arc.legs.x, arc.legs.y) / arc.chord();
     double most = 0;
@@ -269,7 +271,7 @@ std::optional<FilletShape> measureFillet(const WeldOutline& outline, const Plate
     if (!std::isfinite(fillet.throat) || fillet.throat < kLeastThroat * spacing) return std::nullopt;
     const size_t middle = addMiddle(line);
     const double low = std::min(roundedHeight(fillet.throat, spacing), 0.6 * std::min(line[middle].x, line[middle].y));
-    // With the metal on its left the outline comes along the lying face.
+    // With the metal on its left the outline comes along the base plate.
     const Line back = walk(line, middle, false, 1, low), ahead = walk(line, middle, true, 0, low);
     if (back.empty() || ahead.empty() || back.back().x <= low || ahead.back().y <= low) return std::nullopt;
     const FilletArc arc = filletArc(back, ahead, spacing);

@@ -11,9 +11,9 @@ namespace meltpool {
 namespace {
 
 constexpr double kMm = 1e-3;
-constexpr size_t kLeastForLine = 3; ///< stations that a straight line is told from
+constexpr size_t kLeastForLine = 3; ///< least number of stations for a straight line
 
-/// Root mean square distance from the line of least squares through (place, middle).
+/// Returns the root mean square distance from the line of least squares through (place, middle).
 std::optional<double> straightnessOf(const std::vector<WeldStation>& stations) {
     std::vector<std::pair<double, double>> points;
     for (const WeldStation& station : stations)

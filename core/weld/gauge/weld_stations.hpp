@@ -1,4 +1,4 @@
-// The finished weld in figures: sections at stations along the seam, each measured by the one gauge.
+// The finished weld in figures: sections at stations along the seam, all measured by one gauge.
 #pragma once
 
 #include "core/weld/gauge/weld_section.hpp"
@@ -10,27 +10,29 @@
 
 namespace meltpool {
 
-/// What acceptance limits tell apart: a weld in a corner, one between two edges, a bead on a plate.
+/// Kinds of weld that acceptance limits distinguish: a weld in a corner, one between two edges, a bead on a plate.
 enum class WeldKind { fillet, butt, bead };
 
-/// Of a pipe: a butt where it is parted by a gap or a bevel, else a bead.
+/// Returns the kind of a workpiece's weld; of a pipe a butt if a gap or a bevel parts it, else a bead.
 WeldKind weldKindOf(const WorkpieceParameters& workpiece);
-/// "fillet", "butt" or "bead".
+/// Returns "fillet", "butt" or "bead".
 std::string_view nameOf(WeldKind kind);
 
-/// Where the stations stand.
+/// Places of the stations.
 struct StationSettings {
     double pitch = 2e-3; ///< m from station to station
-    int layers = 5;      ///< of particles that a station is the mean of at least, so that no single one decides
-    double ends = 5e-3;  ///< m left out at the start and at the end crater, at most a quarter of the seam each
-    /// m along the seam: what was to be welded, so that a place without weld counts. None: what was welded.
+    /// Number of particle layers that a station is the mean of at least, so that no single one decides.
+    int layers = 5;
+    double ends = 5e-3; ///< m left out at the start and at the end crater, at most a quarter of the seam each
+    /// m along the seam: the stretch to be welded, so that a place without weld counts. None: the stretch that was
+    /// welded.
     std::optional<FaceStretch> seam;
 };
 
-/// The figures of one station in SI units, or a figure of many stations under the same names. Each member has its value
-/// and its row in weld_figures.cpp. Side 1 is that of -z on a level workpiece and the lying plate in a corner; side 2
-/// is that of +z, or the standing plate. None: does not apply to this weld, or cannot be told here. Where a section has
-/// no weld its sizes are 0.
+/// Figures of one station in SI units, or a figure of many stations under these names. Each member has its value and
+/// its row in weld_figures.cpp. Side 1 is that of -z on a level workpiece and the base plate in a corner; side 2 is
+/// that of +z, or the upright plate. None: does not apply to this weld, or is unknown here. The sizes of a section
+/// without weld are 0.
 struct WeldStation {
     using Value = std::optional<double>;
 
@@ -38,75 +40,78 @@ struct WeldStation {
     Value toeWidth;    ///< m from toe to toe: of a fillet the width of its face
     Value fusedWidth;  ///< m, WeldZone::width
     Value height;      ///< m, of a bead over the face
-    Value leg1, leg2;  ///< m
+    Value leg1, leg2;  ///< leg lengths, m
     Value throat;      ///< m
     Value convexity;   ///< m, FilletShape::convexity
     Value penetration; ///< m, WeldZone::depth
-    /// Share of the cut's layers in which the root is fused, 0 to 1. Of fillets and butts.
+    /// Share of the cut's layers in which the root is fused, 0 to 1; only for fillets and butts.
     Value rootFused;
     Value rootFusion; ///< m, Section::rootFusion
-    /// Share of the cut's layers in which both plates are fused under the weld, 0 to 1; of a bead 1 where its plate is.
+    /// Share of the cut's layers in which both plates are fused under the weld, 0 to 1; for a bead 1 if its plate is.
     Value facesFused;
     /// m of face under the weld that is not fused: of a fillet from the corner outwards on the worse plate; of a butt
-    /// the height on the worse edge; of a bead all of its width or nothing. Negative: so far beyond the root fusion
-    /// goes (fillet: into the joint, butt: metal under the lower face, bead: into the plate).
+    /// the height on the worse edge; of a bead all of its width or nothing. Negative: the length by which the root
+    /// fusion goes beyond (fillet: into the joint, butt: metal under the lower face, bead: into the plate).
     Value lackOfFusion;
-    /// m of a butt's height that neither edge is fused on; negative: as far as metal hangs under the lower face.
+    /// m of a butt's height that neither edge is fused on; negative: the height of the metal under the lower face.
     Value rootMissing;
     Value edgeAngle1, edgeAngle2; ///< rad, WeldToe::angle, inside the weld metal
-    /// m of weld on cold plate at a toe; negative: fused so far beyond the toe, so that means tell how much is in hand.
+    /// m of weld on cold plate at a toe; negative: the fused length beyond the toe, so that means show the margin.
     Value overlap1, overlap2;
     Value undercut1, undercut2; ///< m, Section::undercut
     Value underfill;            ///< m, Section::underfill; of butts and beads
-    Value excessPenetration;    ///< m, height of what hangs under the lower face
+    Value excessPenetration;    ///< m, height of the metal under the lower face
     Value rootWidth;            ///< m, its breadth from toe to toe
     Value rootConcavity;        ///< m, Section::rootConcavity; of butts
     Value hole;                 ///< m, Section::hole: burn-through, or a gap that stayed open
     Value deposited;            ///< m², Section::deposited
-    Value middle;               ///< m across the seam: of a bead its middle between the toes; of a fillet its face's
-                                ///< middle, along the line that halves the outer angle, positive on the lying plate
-    Value hazWidth;             ///< m of one side: half of what the heat-affected zone is wider than the fused one
-    Value coolingTime;          ///< s, Section::coolingTime (t8/5)
+    /// m across the seam: of a bead its middle between the toes; of a fillet its face's middle, along the line that
+    /// halves the outer angle, positive on the base plate.
+    Value middle;
+    /// m on one side: half the difference between the widths of the heat-affected and the fused zone.
+    Value hazWidth;
+    Value coolingTime; ///< s, Section::coolingTime (t8/5)
 };
 
 /// A whole weld.
 struct WeldMeasures {
     WeldKind kind = WeldKind::bead;
-    double pitch = 0;   ///< m, length of seam that a station stands for
+    double pitch = 0;   ///< m, length of seam of one station
     double spacing = 0; ///< m, of the particles
     std::vector<WeldStation> stations;
     WeldStation mean, least, greatest; ///< over the stations that have the figure
-    /// m, root mean square distance of the stations' `middle` from the straight line that fits them best. None with
+    /// m, root mean square distance of the stations' `middle` from the straight line that fits them best. None for
     /// fewer than three of them.
     std::optional<double> straightness;
 
     double length() const { return pitch * static_cast<double>(stations.size()); } ///< m, of the judged seam
 };
 
-/// One station's figures from its section; none in a section beside the workpiece. `place`: m along the seam.
+/// Returns one station's figures from its section; none for a section outside the workpiece. `place`: m along the seam.
 WeldStation stationOf(const Section& section, WeldKind kind, double place);
 
-/// Where the stations' cuts lie on a seam, each a pitch long or `layers` times the spacing (m) of the particles; none
-/// on a seam shorter than one pitch.
+/// Returns the places of the stations' cuts on a seam, each a pitch long or `layers` times the spacing (m) of the
+/// particles; none on a seam shorter than one pitch.
 std::vector<SectionCut> stationCuts(const Material& material, const FaceStretch& seam, double spacing,
                                     const StationSettings& settings);
 
-/// Means, extremes and straightness of these stations.
+/// Returns means, extremes and straightness of these stations.
 WeldMeasures summarise(std::vector<WeldStation> stations, WeldKind kind, double pitch, double spacing);
 
-/// Measures the weld on a workpiece of this kind of seam along x; without stations where nothing was welded. Reads
-/// every particle once and waits for the GPU: at the end of an attempt, not in a frame.
+/// Measures the weld on a workpiece of this kind of seam along x; without stations if nothing was welded. Reads every
+/// particle once and waits for the GPU: at the end of an attempt, not in a frame.
 WeldMeasures measureWeld(const MetalState& state, std::span<const MetalSeed> original, const Material& material,
                          WeldKind kind, const StationSettings& settings = {});
 
-/// The same of metal that is read already, such as a rolled-out pipe, whose places along the seam begin at its top.
+/// Measures the weld in metal that is read already, such as a rolled-out pipe, whose places along the seam begin at its
+/// top.
 WeldMeasures measureWeld(const WeldParticles& particles, const Material& material, WeldKind kind,
                          const StationSettings& settings = {});
 
-/// weld.csv: a head, then one row a station: `place_mm` and stationFigures(). A cell is empty where the station has no
-/// such figure.
+/// Returns weld.csv: a head, then one row a station: `place_mm` and stationFigures(). A cell is empty if the station
+/// has no such figure.
 std::string weldTable(const WeldMeasures& measures);
-/// Throws as writeTextFileAtomically().
+/// Writes weldTable(). Throws as writeTextFileAtomically().
 void writeWeldTable(const std::filesystem::path& file, const WeldMeasures& measures);
 
 } // namespace meltpool
