@@ -10,15 +10,16 @@ namespace meltpool {
 
 class Filler {
   public:
-    /// `spacing`: edge of the cube that a particle stands for, m.
+    /// `spacing`: edge of the cube that a particle represents, m.
     explicit Filler(float spacing) : spacing_(spacing) {}
 
-    /// The particles that `volume` (m³) more of filler make up, liquid, leaving `place` with `velocity` (m/s) at
-    /// `temperature` (K). What does not fill a particle is kept for the next call, so the sum is exact to one particle.
-    /// Several at once stand in a row against the velocity, a spacing apart. They stay until the next call.
+    /// Returns the particles of `volume` (m³) more filler, liquid, that leave `place` with `velocity` (m/s) at
+    /// `temperature` (K). A remainder smaller than a particle is carried over to the next call, so the sum is exact to
+    /// one particle. Several at once are placed in a row against the velocity, a spacing apart. They are valid until
+    /// the next call.
     std::span<const MetalSeed> feed(double volume, glm::vec3 place, glm::vec3 velocity, float temperature);
 
-    /// Saves or restores what is kept for the next call.
+    /// Saves or restores the remainder for the next call.
     void transfer(gl::StateArchive& archive);
 
     size_t fed() const { return fed_; }
@@ -30,7 +31,7 @@ class Filler {
   private:
     float spacing_;
     std::vector<MetalSeed> seeds_;
-    double waiting_ = 0; ///< m³ that have not filled a particle yet
+    double waiting_ = 0; ///< m³ that do not fill a particle yet
     size_t fed_ = 0;
 };
 

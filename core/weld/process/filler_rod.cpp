@@ -15,19 +15,19 @@ namespace meltpool {
 namespace {
 
 constexpr float kLookBefore = 0.01F;    // m before the rod's end from which its metal is looked for
-constexpr float kLookBeyond = 0.02F;    // m
-constexpr double kContact = 0.25e-3;    // m: the surface is known to within about that
-constexpr float kLiquidShare = 0.5F;    // of the metal at the end, from which on it is a pool
-constexpr float kFreeWay = 3;           // spacings that a drop falls at least: metal is not put into metal
-constexpr double kPourParticles = 2;    // of a ball, in a step
+constexpr float kLookBeyond = 0.02F;    // m beyond the rod's end
+constexpr double kContact = 0.25e-3;    // m: accuracy with which the surface is known
+constexpr float kLiquidShare = 0.5F;    // liquid share of the metal at the end, from which on it is a pool
+constexpr float kFreeWay = 3;           // spacings of a drop's least fall: metal is not put into metal
+constexpr double kPourParticles = 2;    // particles of a ball that fall in one step
 constexpr float kShownRod = 0.3F;       // m of rod behind its end that may touch the electrode
 constexpr float kElectrodeOut = 0.015F; // m of electrode before its nozzle
 /// Times the arc's radius of heat, within which the arc melts a rod that is held in it.
 constexpr double kColumn = 1.5;
 
-/// Distance of two segments, each from `a` over `along` (m).
+/// Returns the distance of two segments, each from `a` over `along` (m).
 float segmentDistance(const glm::vec3& a, const glm::vec3& alongA, const glm::vec3& b, const glm::vec3& alongB) {
-    // The place on A that is nearest to the line of B, then back and forth until both lie on their segments.
+    // Alternates between the place on A nearest to B's line and the reverse until both are on their segments.
     const auto nearest = [](const glm::vec3& from, const glm::vec3& along, const glm::vec3& point) {
         return glm::clamp(glm::dot(point - from, along) / std::max(glm::dot(along, along), 1e-12F), 0.0F, 1.0F);
     };
@@ -79,7 +79,7 @@ bool FillerRod::touches(const RodSample& rod, const TorchRay& electrode, double 
     return static_cast<double>(gap) < std::max(diameter_, ballDiameter()) / 2 + electrodeDiameter / 4;
 }
 
-/// The end in the pool melts back to the surface; `most`: m³ that there is heat for.
+/// Melts the end in the pool back to the surface; `most`: m³ that the heat suffices for.
 double FillerRod::meltBack(const MetalAhead& ahead, double most) {
     const double depth = static_cast<double>(kLookBefore) - static_cast<double>(ahead.distance);
     inPool_ = depth > -kContact && ahead.liquid >= kLiquidShare;
@@ -87,7 +87,7 @@ double FillerRod::meltBack(const MetalAhead& ahead, double most) {
     return std::min(std::max(depth, 0.0) * area(), most);
 }
 
-/// The end in the arc's column melts into a ball.
+/// Melts the end in the arc's column into a ball.
 double FillerRod::meltBall(const RodArc& arc, const glm::vec3& end, double most) {
     const glm::vec3 way = end - arc.electrode.origin;
     const float along = glm::dot(way, arc.electrode.axis);
@@ -97,7 +97,7 @@ double FillerRod::meltBall(const RodArc& arc, const glm::vec3& end, double most)
     return most;
 }
 
-/// Of a ball that has come off, as much as falls in a step.
+/// Returns the part of a detached ball that falls in one step.
 double FillerRod::pour(double spacing) {
     const double poured = std::min(falling_, kPourParticles * spacing * spacing * spacing);
     falling_ -= poured;

@@ -10,9 +10,9 @@ namespace meltpool {
 namespace {
 
 constexpr float kMm = 1e-3F;
-/// Spacings that heated metal lies deeper beside the axis than on it.
+/// Spacings by which heated metal is deeper off the axis than on it.
 constexpr float kRelief = 3;
-/// Its pool is wide and slow.
+/// The pool of a flame is wide and slow.
 constexpr FreezingRipples kRipples{4, 0.7F};
 
 } // namespace
@@ -44,13 +44,14 @@ TorchRay Flame::ray(const TorchSample& torch) const {
     return {torch.tip, torch.axis(), settings_.lengthMm * kMm};
 }
 
-/// Share of the flame's heat that is left at a distance (m): all over the first half of its length, none at its end.
+/// Returns the share of the flame's heat that is left at a distance (m): all over the first half of its length, none at
+/// its end.
 float Flame::shareAt(float distance) const {
     return std::clamp(2 - 2 * distance / (settings_.lengthMm * kMm), 0.0F, 1.0F);
 }
 
-/// What the axis meets is heated, and what lies beside the axis in front of the tip where it meets nothing, each as far
-/// as it catches the flame.
+/// Heats the metal on the axis, or without any there the metal off the axis in front of the tip, each as far as it
+/// catches the flame.
 void Flame::advance(const TorchSample& torch, const MetalAhead& ahead, double seconds) {
     if (torch.trigger <= 0) {
         meltRod(torch, nullptr, seconds);

@@ -8,8 +8,8 @@ namespace meltpool {
 struct FlameSettings {
     float power = 1500;      ///< W into metal that catches the whole flame
     float sigmaMm = 2;       ///< spread of the heat on the surface
-    float lengthMm = 60;     ///< from the tip, beyond which nothing is heated
-    float rodDiameterMm = 0; ///< of the filler rod in the other hand; 0: none is held
+    float lengthMm = 60;     ///< distance from the tip beyond which nothing is heated
+    float rodDiameterMm = 0; ///< diameter of the filler rod in the other hand; 0: none is held
 };
 ParameterList describe(FlameSettings& settings);
 

@@ -14,19 +14,20 @@ namespace meltpool {
 namespace {
 
 constexpr std::array<std::string_view, 3> kInductances{"low", "medium", "high"};
-constexpr std::array<float, 3> kInductanceRates{1.4F, 1.0F, 0.7F}; // of the shorts; none: chosen
+// Factors on the rate of the shorts; no source: chosen.
+constexpr std::array<float, 3> kInductanceRates{1.4F, 1.0F, 0.7F};
 constexpr float kMm = 1e-3F;
 constexpr float kMetresPerMinute = 1.0F / 60;
-constexpr float kPulled = 0.05F;     // of a trigger that is a switch
-constexpr float kFreeWay = 3;        // spacings that a drop falls at least: metal is not put into metal
-constexpr float kLookBeyond = 0.03F; // m that metal is looked for beyond the wire's end
-/// m of wire that stand out straight at most; what is longer hangs down and finds no metal on the axis. None: chosen.
+constexpr float kPulled = 0.05F;     // pull that counts for a trigger that is a switch
+constexpr float kFreeWay = 3;        // spacings of a drop's least fall: metal is not put into metal
+constexpr float kLookBeyond = 0.03F; // m beyond the wire's end in which metal is looked for
+/// m of wire that are straight at most; a longer wire hangs down and finds no metal on the axis. No source: chosen.
 constexpr float kStraightWire = 0.06F;
-/// Shorts a second of a wire that just touches; 20 to 200 are seen.
+/// Shorts a second of a wire that just touches; films show 20 to 200.
 constexpr float kMostShorts = 120;
-/// m of arc over which the shorts become fewer; none: chosen.
+/// m of arc over which the shorts become fewer; no source: chosen.
 constexpr float kShortingLength = 1e-3F;
-/// 1/s of an open arc that does not spray, see Equipment::spatter.
+/// 1/s for an open arc that does not spray, see Equipment::spatter.
 constexpr double kOpenSpatter = 45;
 /// Drops finer than the wire leave the pool calm.
 constexpr FreezingRipples kDipRipples{10, 1}, kSprayRipples{16, 0.5F};
@@ -40,7 +41,7 @@ constexpr std::array kRetired{
     RetiredSetting{"drop_speed", "the drops' speed is a constant of the process"},
 };
 
-/// At the current that melts the wire as fast as it is fed.
+/// Returns the ripples at the current that melts the wire as fast as it is fed.
 FreezingRipples ripplesOf(const GmawSettings& settings) {
     const auto diameter = static_cast<double>(settings.wireDiameterMm);
     const double current = WireMelting::steel(diameter * 1e-3)
@@ -124,7 +125,7 @@ WireFeed Gmaw::feed() const {
             wireArea() * metal_.density * heat / kGmawEfficiency};
 }
 
-/// At the current that melts the wire as fast as it is fed.
+/// Returns the stirring at the current that melts the wire as fast as it is fed.
 double Gmaw::stirring() const {
     const WireFeed fed = feed();
     return arcStirring(fed.melting.current(fed.speed, static_cast<double>(settings_.stickOutMm * kMm)));
@@ -160,7 +161,7 @@ void Gmaw::advance(const TorchSample& torch, const MetalAhead& ahead, double sec
     if (arc_.burns() && wire_.fed() > 0) transferHeat(torch, seconds);
 }
 
-/// The circuit's numbers become the arc's state.
+/// Copies the circuit's values into the arc's state.
 void Gmaw::takeOver() {
     arc_.action = wire_.action();
     arc_.noArc = wire_.noArc();

@@ -6,18 +6,18 @@
 
 namespace meltpool {
 
-/// What is set on the machine's panel, and the wire in it. The current is not set: it follows.
+/// Settings on the machine's panel, and the wire in it. The current is not set: it follows.
 struct GmawSettings {
     float voltage = 19; ///< V at the torch
     float wireFeedMPerMin = 5.8F;
     float wireDiameterMm = 0.9F;
     int inductance = 1; ///< 0 low, 1 medium, 2 high
-    /// The torch's pose is that of the end of a wire that stands out so far from the contact tip.
+    /// The torch's pose is that of the end of a wire with this extension from the contact tip.
     float stickOutMm = 12;
 };
 ParameterList describe(GmawSettings& settings);
 
-/// 0 where a wire of `diameterMm` dips or lets large drops fall at this current (A), 1 where it sprays.
+/// Returns 0 for a wire of `diameterMm` that dips or lets large drops fall at this current (A), 1 for one that sprays.
 double sprayShare(double current, double diameterMm);
 
 /// Radius (m, sigma) of the heat of a spraying arc of `current` (A), see kSprayRadius.
@@ -32,7 +32,7 @@ class Gmaw : public Process {
 
     explicit Gmaw(const ProcessMetal& metal);
     void apply(const ProcessSettings& settings) override;
-    /// From the contact tip; longer where much wire stands out.
+    /// Starts at the contact tip; longer for a long extension.
     TorchRay ray(const TorchSample& torch) const override;
     WireAccount wire() const override;
     float touchRadius() const override { return settings_.wireDiameterMm * 0.5e-3F; }

@@ -18,11 +18,11 @@ constexpr double kVoltagePerMm = 0.9; // V/mm
 constexpr double kVoltagePerAmpere = 0.01;
 constexpr double kLoadLineVoltage = 10;  // V, IEC 60974-1
 constexpr double kLoadLineSlope = 0.04;  // V/A
-constexpr double kMachineReserve = 1.35; // of the load line, where the arc goes out
+constexpr double kMachineReserve = 1.35; // times the load line, at which the arc goes out
 constexpr float kStrikeGap = 4e-3F;      // m that the high-frequency spark jumps; trade knowledge, no document checked
-constexpr float kTouch = 0.25e-3F;       // m: the surface is known to within about that
+constexpr float kTouch = 0.25e-3F;       // m: accuracy with which the surface is known
 
-/// Nothing falls into its pool but the rod, whose dips show in the freezing times themselves.
+/// Only the rod falls into this pool, and its dips show in the freezing times themselves.
 constexpr FreezingRipples kRipples{6, 0.7F};
 
 constexpr std::array kRetired{
@@ -47,7 +47,7 @@ constinit const ProcessTraits Gtaw::kTraits{
     .shielding = Shielding::gas,
     .torch = TorchShape::tungstenTorch,
     .efficiency = 0.6,
-    .alternating = 100, // none: chosen
+    .alternating = 100, // no source: chosen
     // Rule of thumb for the gas: a second for each 10 A, at least five; no document was checked.
     .sound = {.quiet = 0.016F,
               .loud = 0.070F,
@@ -99,7 +99,7 @@ void Gtaw::transfer(gl::StateArchive& archive) {
     archive.values(noArc_, released_, spoiled_);
 }
 
-/// What keeps this step from an arc, the trigger pulled.
+/// Returns the reason why this step has no arc, the trigger pulled.
 NoArc Gtaw::whyNot(const TorchSample& torch, const MetalAhead& ahead, double current) const {
     const bool lit = noArc_ == NoArc::burns;
     if (!lit && !released_) return noArc_;

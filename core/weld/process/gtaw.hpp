@@ -6,14 +6,14 @@
 namespace meltpool {
 
 struct GtawSettings {
-    float current = 130; ///< A with the trigger or pedal pulled through; less pulled, less current
+    float current = 130; ///< A with the trigger or pedal pulled through; a smaller pull gives less current
     float electrodeDiameterMm = 2.4F;
-    float rodDiameterMm = 2.4F; ///< of the filler rod in the other hand; 0: none is held
+    float rodDiameterMm = 2.4F; ///< diameter of the filler rod in the other hand; 0: none is held
 };
 ParameterList describe(GtawSettings& settings);
 
-/// V of an argon arc of `length` (m) and `current` (A): 9 V + 0.9 V/mm + 0.01 V/A. Start values from handbooks that
-/// give 0.8 to 1 V/mm; no document was checked.
+/// Returns the voltage (V) of an argon arc of `length` (m) and `current` (A): 9 V + 0.9 V/mm + 0.01 V/A. Start values
+/// from handbooks that give 0.8 to 1 V/mm; no document was checked.
 double gtawVoltage(double length, double current);
 
 /// Length (m) beyond which an arc of `current` (A) goes out: it would need 1.35 times the machine's load line, 10 V +
@@ -36,7 +36,8 @@ class Gtaw : public RodProcess {
     void reset() override;
     void transfer(gl::StateArchive& archive) override;
 
-    /// The electrode touched the metal or the rod while its arc burned, and is spoiled until it is ground.
+    /// Returns true if the electrode touched the metal or the rod while its arc burned: it is spoiled until it is
+    /// ground.
     bool electrodeSpoiled() const { return spoiled_; }
 
   protected:
@@ -47,8 +48,8 @@ class Gtaw : public RodProcess {
     void strikeOrBurn(const TorchSample& torch, const MetalAhead& ahead);
 
     GtawSettings settings_;
-    NoArc noArc_ = NoArc::released; ///< of the last step
-    bool released_ = true;          ///< the trigger was let go since the arc last went out
+    NoArc noArc_ = NoArc::released; ///< reason in the last step
+    bool released_ = true;          ///< the trigger was released since the arc last went out
     bool spoiled_ = false;
 };
 

@@ -10,10 +10,10 @@ namespace meltpool {
 
 namespace {
 
-/// Spacings that a pool's surface lies deeper beside the axis than on it.
+/// Spacings by which a pool's surface is deeper off the axis than on it.
 constexpr float kPoolDepth = 3;
-/// Share of its cross-section on which an arc burns with its whole power, as it stays on the metal at an edge. None:
-/// chosen.
+/// Share of its cross-section on which an arc burns with its whole power, as it stays on the metal at an edge. No
+/// source: chosen.
 constexpr float kLeastCatch = 0.25F;
 
 } // namespace

@@ -27,7 +27,7 @@ using AllProcesses = ProcessList<Flame,         //
                                  SolderingIron, //
                                  Smaw>;
 
-/// Which process, and the settings of each: those of the others wait for their turn.
+/// The chosen process, and the settings of each: those of the others are unused until they are chosen.
 struct ProcessSettings {
     int kind = 1; ///< place in AllProcesses
     AllProcesses::Settings each;
@@ -53,17 +53,17 @@ struct ProcessSettings {
     }
 };
 
-/// Constants of the chosen process. They outlive the settings.
+/// Returns the constants of the chosen process. They outlive the settings.
 const ProcessTraits& traitsOf(const ProcessSettings& settings);
-/// Torch, consumables and machine of the chosen process as it is set.
+/// Returns torch, consumables and machine of the chosen process at these settings.
 Equipment equipmentOf(const ProcessSettings& settings);
 
-/// Welds with an arc.
+/// Returns true for welding with an arc.
 inline bool isArcWelding(const ProcessSettings& settings) {
     return traitsOf(settings).arc;
 }
 
-/// Diameter (m) of the filler rod or wire in the other hand, which this process melts; 0: none is held.
+/// Returns the diameter (m) of the filler rod or wire in the other hand, which this process melts; 0: none is held.
 inline double rodDiameter(const ProcessSettings& settings) {
     return equipmentOf(settings).rod;
 }
@@ -71,23 +71,23 @@ inline bool holdsRod(const ProcessSettings& settings) {
     return rodDiameter(settings) > 0;
 }
 
-/// m from the place that a torch's sample names, along the torch, back to what it is held by its distance from: the
-/// contact tip of GMAW. 0 where both are one.
+/// Returns the distance (m) from the place of a torch's sample, along the torch, back to the point from which its
+/// distance is measured: the contact tip of GMAW. 0 if both are one.
 inline double heldBehind(const ProcessSettings& settings) {
     return equipmentOf(settings).heldBehind;
 }
 
-/// The name that lessons and records give this process today; `name` may be one of an earlier edition.
+/// Returns the present name of this process in lessons and records; `name` may be one of an earlier edition.
 std::string_view presentProcessName(std::string_view name);
 
-/// The choice of process, and the settings of the one that is chosen.
+/// Describes the choice of process, and the settings of the chosen one.
 ParameterList describe(ProcessSettings& settings);
 
-/// The process that the settings choose, with its settings applied.
+/// Makes the process that the settings choose, with its settings applied.
 std::unique_ptr<Process> makeProcess(const ProcessSettings& settings, const ProcessMetal& metal);
 
-/// What has taken the place of a setting that this process had once; empty where it never had it. A sentence's end,
-/// such as "the current follows from voltage and wire_feed_m_min".
+/// Returns the replacement of a setting that this process had in an earlier edition; empty if it never had it. The end
+/// of a sentence, such as "the current follows from voltage and wire_feed_m_min".
 std::string_view successorOf(const ProcessSettings& settings, std::string_view key);
 
 } // namespace meltpool

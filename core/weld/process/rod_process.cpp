@@ -6,7 +6,7 @@ namespace meltpool {
 
 namespace {
 
-constexpr float kDripSpeed = 0.1F; // m/s at which filler leaves the rod; none: chosen
+constexpr float kDripSpeed = 0.1F; // m/s at which filler leaves the rod; no source: chosen
 
 } // namespace
 

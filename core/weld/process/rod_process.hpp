@@ -1,4 +1,4 @@
-// A process beside which the other hand dips a filler rod or wire into the pool: GTAW, flame, soldering iron.
+// Base of the processes with a filler rod or wire in the other hand: GTAW, flame, soldering iron.
 #pragma once
 
 #include "core/weld/process/filler_rod.hpp"
@@ -17,12 +17,12 @@ class RodProcess : public Process {
   protected:
     /// `diameter`: m; 0: none is held.
     void setRod(double diameter);
-    /// The rod that melts; null while none is held.
+    /// Returns the rod that melts; null while none is held.
     const RodSample* heldRod(const TorchSample& torch) const;
-    /// The rod meets the electrode of this torch, whose diameter is in m.
+    /// Returns true if the rod meets the electrode of this torch, whose diameter is in m.
     bool rodTouches(const TorchSample& torch, double electrodeDiameter) const;
-    /// Goes on by `seconds`: what melts falls as drops, and arc() tells of the rod. `heat`: what melts it, null while
-    /// nothing does. The W that it spends on the rod.
+    /// Advances by `seconds`: melted filler falls as drops, and arc() includes the rod. `heat`: the arc that melts it,
+    /// null while nothing does. Returns the W that it spends on the rod.
     double meltRod(const TorchSample& torch, const RodArc* heat, double seconds);
 
   private:

@@ -16,21 +16,22 @@ namespace meltpool {
 namespace {
 
 constexpr double kMm = 1e-3;
-constexpr float kPulled = 0.05F;                   // of a trigger that is a switch: the holder is live
+// Pull that counts for a trigger that is a switch: the holder is live.
+constexpr float kPulled = 0.05F;
 constexpr float kLookBefore = 0.01F;               // m before the electrode's end from which its metal is looked for
-constexpr float kLookBeyond = 0.03F;               // m
-constexpr double kTouch = 0.25e-3;                 // m: the surface is known to within about that
-constexpr float kFreeWay = 3;                      // spacings that a drop falls at least: metal is not put into metal
-constexpr double kSteelDensity = 7850;             // kg/m³, of the core
+constexpr float kLookBeyond = 0.03F;               // m beyond the electrode's end
+constexpr double kTouch = 0.25e-3;                 // m: accuracy with which the surface is known
+constexpr float kFreeWay = 3;                      // spacings of a drop's least fall: metal is not put into metal
+constexpr double kSteelDensity = 7850;             // kg/m³ of the core
 constexpr double kGramPerAmpereHour = 1e-3 / 3600; // kg/(A s)
 
 /// 1/s, see Equipment::spatter: the covering's gas tears the drops.
 constexpr double kSpatter = 90;
-/// Large drops, and slag over the tail.
+/// Drops are large, and slag covers the tail.
 constexpr FreezingRipples kRipples{7, 1.5F};
 
-/// The falls at the arc's ends (V), the burn-off (g/(A h)) and the spatter (times kSpatter; a cellulosic covering gives
-/// the most gas). Trade knowledge; no document was checked.
+/// Falls at the arc's ends (V), burn-off (g/(A h)) and spatter (times kSpatter; a cellulosic covering gives the most
+/// gas). Trade knowledge; no document was checked.
 struct Electrode {
     std::string_view name;
     double fall = 0;
@@ -48,7 +49,7 @@ double loadLine(double current) {
     return kSmawLoadVoltage + kSmawLoadSlope * current;
 }
 
-/// rad between two orientations.
+/// Returns the angle (rad) between two orientations.
 double turnBetween(const glm::quat& a, const glm::quat& b) {
     return 2 * std::acos(std::min(std::abs(static_cast<double>(glm::dot(a, b))), 1.0));
 }
@@ -115,7 +116,7 @@ double Smaw::area() const {
     return std::numbers::pi / 4 * diameter * diameter;
 }
 
-/// m of electrode out of the holder.
+/// Returns the length of electrode out of the holder, m.
 double Smaw::standing() const {
     return static_cast<double>(settings_.lengthMm) * kMm - burnt_;
 }
@@ -141,7 +142,7 @@ void Smaw::transfer(gl::StateArchive& archive) {
     archive.values(noArc_, touched_, live_, touching_, held_, burnt_, melted_);
 }
 
-/// The trigger is let go: the holder is dead, and a burnt electrode is replaced.
+/// Handles a released trigger: the holder is dead, and a burnt electrode is replaced.
 void Smaw::takeAway() {
     if (standing() <= kSmawStub) burnt_ = 0;
     noArc_ = NoArc::released;
@@ -149,7 +150,7 @@ void Smaw::takeAway() {
     touching_ = 0;
 }
 
-/// The electrode stands on the metal: it may strike when it is lifted, and sticks when it is not.
+/// Handles an electrode that touches the metal: it may strike when it is lifted, and sticks otherwise.
 NoArc Smaw::touch(const TorchSample& torch, double seconds) {
     touching_ = touched_ ? touching_ + seconds : 0;
     touched_ = live_ = true;
@@ -158,7 +159,7 @@ NoArc Smaw::touch(const TorchSample& torch, double seconds) {
     return NoArc::stuck;
 }
 
-/// What keeps this step from an arc, the holder live. `length`: m from the electrode's end to the metal.
+/// Returns the reason why this step has no arc, the holder live. `length`: m from the electrode's end to the metal.
 NoArc Smaw::whyNot(const TorchSample& torch, double length, double seconds) {
     if (noArc_ == NoArc::stuck) {
         if (turnBetween(held_, torch.orientation) < kSmawFrees) return NoArc::stuck;
@@ -198,7 +199,7 @@ void Smaw::advance(const TorchSample& torch, const MetalAhead& ahead, double sec
     melt(torch, static_cast<double>(ahead.distance), seconds);
 }
 
-/// The circuit with an arc of `length` m, or with the electrode's end in the pool.
+/// Solves the circuit with an arc of `length` m, or with the electrode's end in the pool.
 void Smaw::burn(double length) {
     const auto set = static_cast<double>(settings_.current);
     const double voltage = touched_ ? kSmawTouchVoltage : smawVoltage(settings_.electrode, length, set);
@@ -212,7 +213,7 @@ void Smaw::burn(double length) {
     arc_.radius = static_cast<float>(arcHeatRadius(length, current));
     if (!touched_) pressSurface(current, static_cast<double>(arc_.radius));
     arc_.share = 1;
-    // A welder holds the arc as long as the core is thick.
+    // A welder holds an arc as long as the core is thick.
     const double atRest = smawVoltage(settings_.electrode, static_cast<double>(settings_.diameterMm) * kMm, set);
     arc_.stretch = static_cast<float>(std::clamp((voltage - atRest) / std::max(breaking - atRest, 0.1), 0.0, 1.0));
 }

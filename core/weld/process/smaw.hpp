@@ -7,11 +7,11 @@
 
 namespace meltpool {
 
-/// What is set on the machine, and the electrode in the holder. Slag and spatter are not represented.
+/// Settings on the machine, and the electrode in the holder. Slag and spatter are not represented.
 struct SmawSettings {
-    float current = 115;     ///< A; the machine's curve is steep, so it is held
-    int electrode = 0;       ///< place in electrodeNames()
-    float diameterMm = 3.2F; ///< of the core
+    float current = 115;     ///< A; the machine's curve is steep, so the current is constant
+    int electrode = 0;       ///< index in electrodeNames()
+    float diameterMm = 3.2F; ///< diameter of the core
     float lengthMm = 350;
 };
 ParameterList describe(SmawSettings& settings);
@@ -19,17 +19,19 @@ ParameterList describe(SmawSettings& settings);
 /// "e6013" (rutile), "e7018" (basic), "e6010" (cellulosic).
 std::span<const std::string_view> smawElectrodes();
 
-/// V of an arc of `length` (m) and `current` (A) on this electrode. Trade knowledge; no document was checked.
+/// Returns the voltage (V) of an arc of `length` (m) and `current` (A) on this electrode. Trade knowledge; no document
+/// was checked.
 double smawVoltage(int electrode, double length, double current);
 
 /// Length (m) beyond which the arc goes out: it would need kSmawReserve times the machine's load line.
 double smawLongestArc(int electrode, double current);
 
-/// m/s by which `current` (A) burns off a steel core of `diameter` (m): 8.5 to 9.5 g/(A h), by the electrode.
+/// Returns the speed (m/s) at which `current` (A) burns off a steel core of `diameter` (m): 8.5 to 9.5 g/(A h), by the
+/// electrode.
 double smawBurnOff(int electrode, double current, double diameter);
 
-/// The pose of the torch's tip is that of the end of a new electrode. What has burned off it lies behind, see
-/// burntOff(); letting go of the trigger takes a new electrode once the old one has burned to its stub.
+/// The pose of the torch's tip is that of the end of a new electrode. The end of a burnt one is behind it, see
+/// burntOff(); releasing the trigger takes a new electrode once the old one has burned to its stub.
 class Smaw : public Process {
   public:
     using Settings = SmawSettings;
@@ -39,7 +41,7 @@ class Smaw : public Process {
 
     using Process::Process;
     void apply(const ProcessSettings& settings) override;
-    /// From some way before the electrode's end.
+    /// Starts some way before the electrode's end.
     TorchRay ray(const TorchSample& torch) const override;
     float touchRadius() const override { return settings_.diameterMm * 0.5e-3F; }
     double stirring() const override;
@@ -61,13 +63,13 @@ class Smaw : public Process {
     double standing() const;
 
     SmawSettings settings_;
-    NoArc noArc_ = NoArc::released; ///< of the last step
+    NoArc noArc_ = NoArc::released; ///< reason in the last step
     bool touched_ = false;          ///< the electrode touches
     bool live_ = false;             ///< it has touched since the arc last went out, and may strike
     double touching_ = 0;           ///< s since it met the metal
-    glm::quat held_{1, 0, 0, 0};    ///< how it was held when it stuck
-    double burnt_ = 0;              ///< m of the present electrode
-    double melted_ = 0;             ///< m of electrode since the start
+    glm::quat held_{1, 0, 0, 0};    ///< orientation when it stuck
+    double burnt_ = 0;              ///< m burnt off the present electrode
+    double melted_ = 0;             ///< m of electrode melted since the start
 };
 
 } // namespace meltpool

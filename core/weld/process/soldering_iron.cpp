@@ -9,7 +9,7 @@ namespace meltpool {
 namespace {
 
 constexpr float kCoefficient = 2e4F; ///< W/(m² K) of a wetted tip. No source: chosen for 2-6 s a joint
-constexpr float kPower = 80;         ///< W, of the iron itself
+constexpr float kPower = 80;         ///< W, power of the iron itself
 constexpr float kKelvin = 273.15F;
 
 } // namespace
@@ -36,8 +36,8 @@ void SolderingIron::apply(const ProcessSettings& settings) {
     setRod(static_cast<double>(settings_.rodDiameterMm) * 1e-3);
 }
 
-/// W that the iron spends on the wire: wherever it meets the tip's ball, or the pool that the tip keeps liquid. A tip
-/// that is colder than the solder's liquidus melts none.
+/// Returns the W that the iron spends on the wire, if the wire meets the tip's ball or the pool that the tip melts. A
+/// tip that is colder than the solder's liquidus melts none.
 double SolderingIron::meltSolder(const TorchSample& torch, double seconds) {
     const auto radius = static_cast<double>(touchRadius());
     const RodArc tip{
@@ -54,7 +54,7 @@ void SolderingIron::advance(const TorchSample& torch, const MetalAhead& ahead, d
     source_ = HeatSource::hotTip(torch.tip, radius, settings_.tipTemperatureC + kKelvin, kCoefficient,
                                  kPower - static_cast<float>(spent));
     arc_.share = std::clamp(1 - std::max(ahead.distance, 0.0F) / radius, 0.0F, 1.0F);
-    if (arc_.share <= 0) return; // the source still heats what it touches beside the axis
+    if (arc_.share <= 0) return; // the source still heats metal that touches it off the axis
     arc_.action = ArcAction::burning;
     arc_.radius = radius;
     arc_.power = static_cast<double>(kPower * arc_.share);

@@ -1,4 +1,4 @@
-// A soldering iron: a hot tip that gives heat to what it touches; the other hand may hold wire solder.
+// A soldering iron: a hot tip that heats the metal that it touches; the other hand may hold wire solder.
 #pragma once
 
 #include "core/weld/process/rod_process.hpp"
@@ -8,7 +8,7 @@ namespace meltpool {
 struct IronSettings {
     float tipTemperatureC = 380;
     float tipRadiusMm = 2;
-    float rodDiameterMm = 0; ///< of the wire solder in the other hand; 0: none is held
+    float rodDiameterMm = 0; ///< diameter of the wire solder in the other hand; 0: none is held
 };
 ParameterList describe(IronSettings& settings);
 

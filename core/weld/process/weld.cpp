@@ -13,13 +13,13 @@ namespace meltpool {
 
 namespace {
 
-/// W/(m² K) from metal to a cold plate that it lies on: 1000 to 10000 in the casting trade.
+/// W/(m² K) from metal to a cold plate under it: 1000 to 10000 in the casting trade.
 constexpr double kTableConductance = 2000;
 
 constexpr float kGravity = 9.81F; ///< m/s²
 
-/// m that the torch's axis may move in the steps that the probe's answer takes and still point at the place it found.
-/// None: chosen; 300 mm/s of hand.
+/// m that the torch's axis may move in the steps until the probe's answer and still point at the place it found. No
+/// source: chosen; 300 mm/s of hand.
 constexpr float kLeavesPlace = 0.01F;
 
 Property times(Property property, double factor) {
@@ -28,10 +28,10 @@ Property times(Property property, double factor) {
     return property;
 }
 
-/// How a process stirs a pool of this metal.
+/// Stirring of a pool of this metal by a process.
 struct Stirring {
-    double factor;  ///< of the liquid's conductivity
-    bool byTension; ///< with a way
+    double factor;  ///< times the liquid's conductivity
+    bool byTension; ///< tension gives it a direction
 };
 
 Stirring stirringOf(const Material& material, const ProcessSettings& settings) {
@@ -40,7 +40,7 @@ Stirring stirringOf(const Material& material, const ProcessSettings& settings) {
     return {process->stirring(), process->stirredByTension() && material.boilingPoint > 0};
 }
 
-/// Shares along and down for a pool of this metal under an arc.
+/// Returns the shares along and down for a pool of this metal under an arc.
 StirringShares pulledStirringOf(const Material& material) {
     if (material.boilingPoint <= 0) return {};
     const double halfWay = std::lerp(material.liquidus, material.boilingPoint, kHalfWayToArc);
@@ -120,8 +120,8 @@ void Weld::transfer(gl::StateArchive& archive) {
     if (rodProbe_) rodProbe_->transfer(archive);
 }
 
-/// The place that was found stays where it is while the torch moves on: its distance along the axis is measured from
-/// where the torch is now. A torch that has gone farther has left it.
+/// Measures the distance of the found place along the axis from the torch's present position. If the torch moved
+/// farther than kLeavesPlace, the place is discarded.
 MetalAhead Weld::metalAhead(AxisProbe& probe, const TorchRay& ray) {
     const auto found = probe.answer();
     if (!found || !found->distance) return {};
@@ -141,13 +141,13 @@ void Weld::step(const TorchSample& torch, gl::Profiler* profiler) {
     lookAhead(torch, profiler);
 }
 
-/// Nothing pulls where no arc heats the pool's middle.
+/// Without an arc that heats the pool's middle nothing pulls.
 void Weld::leadStirring(glm::vec3 axis) {
     if (!process_->stirredByTension()) return;
     metal_.setStirringLess(process_->arc().burns() ? stirringLess(pulled_, axis) : glm::vec3(0));
 }
 
-/// A rod that is not held is not looked for: the first answers after it came back are of where it was.
+/// A rod that is not held is not looked for: the first answers after its return are about its old place.
 void Weld::lookAhead(const TorchSample& torch, gl::Profiler* profiler) {
     const TorchRay next = process_->ray(torch);
     probe_->look({next.origin, next.axis, next.reach}, profiler);

@@ -8,9 +8,9 @@
 
 namespace meltpool {
 
-/// What surrounds the weld.
+/// Surroundings of the weld.
 struct WeldSurroundings {
-    double ambient = 293.15;                        ///< K, of air, table and wire
+    double ambient = 293.15;                        ///< K, temperature of air, table and wire
     bool lossless = false;                          ///< no heat leaves the metal: for balances
     double convection = 15;                         ///< W/(m² K), still air over hot plate
     bool ledger = false;                            ///< books every joule, see HeatSettings
@@ -23,7 +23,7 @@ class Weld {
     Weld(gl::ShaderLibrary& shaders, const Material& material, const Workpiece& workpiece,
          const ProcessSettings& settings, const WeldSurroundings& surroundings = {});
 
-    /// Metal and process as new; the settings stay.
+    /// Restores metal and process to the start; the settings stay.
     void reset();
     /// Takes over live settings, and lets the pool be stirred by them; the kind of process stays that of the start.
     void apply(const ProcessSettings& settings);
@@ -32,12 +32,12 @@ class Weld {
     void transfer(gl::StateArchive& archive);
     void fold() { metal_.fold(); } ///< see PhysicalMetal::fold()
 
-    /// One time step of the metal under this torch: the distance of the metal on the torch's axis, as AxisProbe found
-    /// it four steps ago and corrected by the torch's own way since -> process -> metal -> the next look. Waits for the
-    /// GPU only where it is more than four steps behind.
+    /// Runs one time step of the metal under this torch: the distance of the metal on the torch's axis, as AxisProbe
+    /// found it four steps ago and corrected by the torch's own way since -> process -> metal -> the next look. Waits
+    /// for the GPU only if it is more than four steps behind.
     void step(const TorchSample& torch, gl::Profiler* profiler);
 
-    /// The arc of the last step.
+    /// Returns the arc of the last step.
     const ArcState& arc() const { return process_->arc(); }
     const Process& process() const { return *process_; }
     const PhysicalMetal& metal() const { return metal_; }
@@ -50,13 +50,13 @@ class Weld {
     void leadStirring(glm::vec3 axis);
     void lookAhead(const TorchSample& torch, gl::Profiler* profiler);
 
-    const Property conductivity_; ///< of the liquid at rest
+    const Property conductivity_; ///< conductivity of the liquid at rest
     const StirringShares pulled_;
     PhysicalMetal metal_;
     std::unique_ptr<Process> process_;
-    double stirring_; ///< that the metal conducts with
+    double stirring_; ///< stirring that the metal conducts with
     std::unique_ptr<AxisProbe> probe_;
-    std::unique_ptr<AxisProbe> rodProbe_; ///< along the filler rod; null where the process melts none
+    std::unique_ptr<AxisProbe> rodProbe_; ///< probe along the filler rod; null if the process melts none
 };
 
 } // namespace meltpool

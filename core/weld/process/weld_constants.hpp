@@ -1,12 +1,12 @@
-// Every constant of the arc welding processes that is not the metal's own: unit, meaning, and its source or what it was
-// fitted on. Lessons and validation weld with these.
+// Constants of the arc welding processes, other than the metal's own: unit, meaning, and source or fit of each. Lessons
+// and validation weld with these.
 //
-// "Fitted on A" means the logged beads (tests/validation/logged). Six of them (B008, B012, B014, B018, B022, B030)
-// chose the last values of wetting, of stirring and of spray's radius, four others (B002, B006, B016, B020) earlier
-// ones; all fifteen had been looked at, so none of them is a prediction. "Fitted on B" is Park's bead
+// "Fitted on A" means the logged beads (tests/validation/logged). Six of them (B008, B012, B014, B018, B022, B030) set
+// the values of wetting, of stirring and of spray's radius; four others (B002, B006, B016, B020) served earlier fits.
+// All fifteen were known during the fit, so none of them is a prediction. "Fitted on B" is Park's bead
 // (tests/validation/cases/bead_gmaw_park.toml), with an arc of 5 mm, which is 3.6 mm with the present constants.
-// "Fitted on C" are the nine arc beads beside it. The vendor's fillet PANF-4 and the lesson tee-fillet were looked at
-// while these were chosen; the replicated, clad, other vendors' and pyrometer's welds were not.
+// "Fitted on C" are the nine other arc beads there. The vendor's fillet PANF-4 and the lesson tee-fillet were known
+// during the fit, too; the replicated, clad, other vendors' and pyrometer's welds were not.
 #pragma once
 
 namespace meltpool {
@@ -14,7 +14,7 @@ namespace meltpool {
 // The wire of GMAW: it melts at alpha I + beta s I² with the extension s (Lesnewich 1958; Halmoy 1979), see
 // WireMelting.
 
-/// m, diameter of the wire that the next two are for; others scale by the cross-section.
+/// m, diameter of the wire for which the next two hold; others scale by the cross-section.
 inline constexpr double kReferenceWire = 1.2e-3;
 /// m/(A s), melting by the arc's heat. Fitted on A; the classic value for steel is 0.30e-3.
 inline constexpr double kReferenceAlpha = 0.28e-3;
@@ -31,18 +31,18 @@ inline constexpr double kArcField = 1000;
 inline constexpr double kWireResistance = 0.026;
 /// A, most that the machine gives into a short circuit. A machine of the 500 A class; no document was checked.
 inline constexpr double kShortCircuitCurrent = 600;
-/// m from the contact tip to the metal below which the wire cannot come out. None: chosen.
+/// m from the contact tip to the metal below which the wire cannot come out. No source: chosen.
 inline constexpr double kBlockedTip = 1e-3;
 /// A below which an arc between steel and a thin wire does not hold. Trade knowledge; no document was checked.
 inline constexpr double kLeastArcCurrent = 20;
-/// Share of the arc's own voltage, on average, below which the wire stays in the metal. None: chosen; the logged beads
-/// burned at 0.63 and more.
+/// Share of the arc's own voltage, on average, below which the wire stays in the metal. No source: chosen; the logged
+/// beads burned at 0.63 and more.
 inline constexpr double kStubShare = 0.6;
 /// s in which a dipping wire follows the metal that rises or falls under it: some of its 20 to 200 short circuits a
-/// second. None: chosen.
+/// second. No source: chosen.
 inline constexpr double kDipTime = 0.05;
 /// m that the metal may fall away from a dipping wire before its arc counts as open: an arc of such a length on the
-/// voltage of dip transfer goes out. None: chosen.
+/// voltage of dip transfer goes out. No source: chosen.
 inline constexpr double kLongestDipArc = 3e-3;
 
 // Heat.
@@ -50,68 +50,68 @@ inline constexpr double kLongestDipArc = 3e-3;
 /// Share of GTAW's electric power that reaches the metal. Calorimetry of several authors, 0.73 to 0.82. Not the factor
 /// of EN 1011-1, which is for procedure sheets.
 inline constexpr double kGtawEfficiency = 0.77;
-/// The same of GMAW, 0.84 to 0.85.
+/// Share of GMAW's electric power that reaches the metal. Calorimetry of several authors, 0.84 to 0.85.
 inline constexpr double kGmawEfficiency = 0.85;
-/// K at which drops leave the wire: 2200 °C; measured ones lie between 2000 and 2600 °C.
+/// K, temperature of drops that leave the wire: 2200 °C; measurements are between 2000 and 2600 °C.
 inline constexpr double kDropTemperature = 2473.15;
-/// m/s at which they leave it in dip and globular transfer. High-speed films of both.
+/// m/s of drops that leave the wire in dip and globular transfer. High-speed films of both.
 inline constexpr float kDropSpeed = 0.3F;
-/// m/s at which they leave it in spray, where the plasma jet drives them. None: chosen. Trade knowledge, 1 to 3 m/s; no
-/// document was checked, and liquid steel of 1 mm particles flies at 1.1 m/s at most.
+/// m/s of drops that leave the wire in spray, driven by the plasma jet. No source: chosen. Trade knowledge, 1 to 3 m/s;
+/// no document was checked, and liquid steel of 1 mm particles flies at 1.1 m/s at most.
 inline constexpr float kSprayDropSpeed = 1.0F;
-/// Times the radius of heat that was measured on copper anodes with GTAW, see arcHeatRadius(). Fitted on B: GMAW arcs
-/// are narrower.
+/// Times the radius of heat measured on copper anodes with GTAW, see arcHeatRadius(). Fitted on B: GMAW arcs are
+/// narrower.
 inline constexpr double kArcSpread = 0.45;
 /// m; a shorter arc spreads its heat as one of this length does: the mean length in dip transfer. Fitted on A.
 inline constexpr double kShortestSpread = 0.5e-3;
-/// m, radius of heat of GMAW in spray transfer, whose arc envelops the wire's end, whatever its length, at the current
+/// m, radius of heat of GMAW in spray transfer, whose arc envelops the wire's end, at any arc length, at the current
 /// below. Fitted on A and C; 0.53 mm (I/A)^0.294, as measured on copper anodes with GTAW, gives 2.6 mm there.
 inline constexpr double kSprayRadius = 2.8e-3;
-/// A for which it holds.
+/// Current (A) at which kSprayRadius holds.
 inline constexpr double kSprayRadiusCurrent = 235;
-/// Power of the current that it goes with: more current pinches the arc and digs its end into the metal. Fitted on A
-/// and C, from 220 to 475 A.
+/// Power of the current in the radius: more current pinches the arc and digs its end into the metal. Fitted on A and C,
+/// from 220 to 475 A.
 inline constexpr double kSprayRadiusExponent = -0.3;
-/// m, radius of its pressure, at any length too: the jet from the wire's end is narrower than the arc around it. Fitted
-/// on C, which penetrates deeper with more voltage: a longer arc does not press more widely there.
+/// m, radius of spray's pressure, at any arc length: the jet from the wire's end is narrower than the arc around it.
+/// Fitted on C, which penetrates deeper with more voltage: a longer arc does not press more widely there.
 inline constexpr double kSprayPressureRadius = 1.8e-3;
 /// A above which a wire of 1 mm sprays: the logged beads' machine changes from dip to spray there.
 inline constexpr double kSprayCurrent = 207;
-/// Power of the wire's diameter that this current rises with. Table of a maker of wires for 98 % argon, 2 % oxygen:
-/// 165 A for 0.89 mm to 275 A for 1.6 mm.
+/// Power of the wire's diameter in this current. Table of a maker of wires for 98 % argon, 2 % oxygen: 165 A for 0.89
+/// mm to 275 A for 1.6 mm.
 inline constexpr double kSprayExponent = 0.87;
-/// Of the spray current: over this range about it the transfer changes. None: chosen.
+/// Share of the spray current: range about it over which the transfer changes. No source: chosen.
 inline constexpr double kSprayRange = 0.08;
-/// A of arc by which its stirring adds the liquid's own conductivity once more, see arcStirring(). Fitted on B and C.
+/// A of arc for which stirring adds the liquid's own conductivity once more, see arcStirring(). Fitted on B and C.
 inline constexpr double kStirringCurrent = 45;
 
-/// Of the arc's highest pressure: highest drag of its plasma jet along the metal, 2.1 sigmas of the pressure from the
-/// axis. A laminar jet gives 1.8 over the root of its Reynolds number, 0.1 to 0.2 for the 100 to 300 of arcs (Phares,
-/// Smedley and Flagan 2000; no document was checked), a turbulent one 0.006. It moves the width
-/// of B012, B018 and B030 by 2 % at most.
+/// Share of the arc's highest pressure: highest drag of its plasma jet along the metal, 2.1 sigmas of the pressure from
+/// the axis. A laminar jet gives 1.8 over the root of its Reynolds number, 0.1 to 0.2 for the 100 to 300 of arcs
+/// (Phares, Smedley and Flagan 2000; no document was checked), a turbulent one 0.006. It moves the width of B012, B018
+/// and B030 by 2 % at most.
 inline constexpr double kJetDrag = 0.1;
 
-// Stirring by the surface's tension where nothing is fed through the arc (GTAW), see pulledStirring().
+// Stirring by surface tension in a process without wire through the arc (GTAW), see pulledStirring().
 
-/// Of the way from the liquidus to the boiling point: temperature of the surface half-way from the pool's edge to the
-/// arc, 2100 K in steel. Spectra of such pools have 2200 to 2700 K under the arc; no document was checked. The flow of
-/// steel turns with 0.009 % of sulphur then; measured ones did with 0.004 to 0.008 % (Mills and Keene 1990; not
+/// Share of the way from the liquidus to the boiling point: temperature of the surface half-way from the pool's edge to
+/// the arc, 2100 K in steel. Spectra of such pools have 2200 to 2700 K under the arc; no document was checked. The flow
+/// of steel turns with 0.009 % of sulphur then; measured ones did with 0.004 to 0.008 % (Mills and Keene 1990; not
 /// checked).
 inline constexpr double kHalfWayToArc = 0.225;
-/// N/m of pull that leads the heat wholly. None: chosen; clean iron has 0.13.
+/// N/m of pull that leads the heat wholly. No source: chosen; clean iron has 0.13.
 inline constexpr double kWholePull = 0.08;
-/// Of the stirred conductivity: what is left against the flow. None: chosen; pools change no more below it. Sulphur
-/// makes depth over width 1.6 times as large with it; surface-active oxygen doubled that of stainless steel (Lu, Fujii
-/// and Nogi 2009).
+/// Share of the stirred conductivity that is left against the flow. No source: chosen; pools change no more below it.
+/// Sulphur makes depth over width 1.6 times as large with it; surface-active oxygen doubled that of stainless steel
+/// (Lu, Fujii and Nogi 2009).
 inline constexpr double kLeastStirring = 0.2;
 
-// The filler rod of GTAW. No source was found for these; they are chosen by what welders describe.
+// The filler rod of GTAW. These have no source; they are chosen by descriptions of welders.
 
-/// Share of the arc's heat that melts a rod which is dipped into the pool, at most.
+/// Share of the arc's heat that melts a rod dipped into the pool, at most.
 inline constexpr double kRodPoolShare = 0.5;
-/// Share of it that melts a rod which is held in the arc above the pool.
+/// Share of the arc's heat that melts a rod held in the arc above the pool.
 inline constexpr double kRodArcShare = 0.3;
-/// Rod diameters that a ball on its end grows to before it falls.
+/// Diameter, in rod diameters, that a ball on its end reaches before it falls.
 inline constexpr double kRodBall = 1.5;
 
 // The covered electrode (SMAW).
@@ -123,36 +123,36 @@ inline constexpr double kSmawEfficiency = 0.75;
 inline constexpr double kSmawDeposit = 0.95;
 /// V/m along the arc's column. Trade knowledge, 1 to 2 V/mm; no document was checked.
 inline constexpr double kSmawField = 1500;
-/// V/A by which its arc's voltage grows with the current. None: chosen.
+/// V/A by which its arc's voltage grows with the current. No source: chosen.
 inline constexpr double kSmawResistance = 0.03;
 /// V and V/A of a stick machine's load line (IEC 60974-1).
 inline constexpr double kSmawLoadVoltage = 20;
 inline constexpr double kSmawLoadSlope = 0.04;
-/// Times the load line, where the arc goes out. None: chosen; it puts the end of an arc of 115 A at some 9 mm.
+/// Times the load line, at which the arc goes out. No source: chosen; it puts the end of an arc of 115 A at some 9 mm.
 inline constexpr double kSmawReserve = 1.35;
 /// Times the set current that flows while the electrode touches. Machines with arc force give 1.2 to 1.5; no document
 /// was checked.
 inline constexpr double kSmawTouchCurrent = 1.3;
-/// V that the touching electrode takes. None: chosen.
+/// V across the touching electrode. No source: chosen.
 inline constexpr double kSmawTouchVoltage = 5;
 /// s of touch after which the electrode sticks. Trade knowledge; no document was checked.
 inline constexpr double kSmawSticks = 0.3;
-/// rad that a stuck electrode must be twisted or bent to come free: 12 degrees. None: chosen.
+/// rad that a stuck electrode must be twisted or bent to come free: 12 degrees. No source: chosen.
 inline constexpr double kSmawFrees = 0.21;
-/// m of gap that an arc jumps when the electrode is lifted off. None: chosen.
+/// m of gap that an arc jumps when the electrode is lifted off. No source: chosen.
 inline constexpr double kSmawLift = 4e-3;
-/// m of electrode that is left over as the stub.
+/// m of electrode that remain as the stub.
 inline constexpr double kSmawStub = 0.05;
 
 // Wetting of still metal by liquid metal of its own kind. Liquid that reaches cold metal freezes at the line of
-// contact, which stops (Schiaffino and Sonin 1997); it runs on where the metal is so hot that it does not freeze there.
+// contact, which stops (Schiaffino and Sonin 1997); it runs on over metal so hot that it does not freeze there.
 
 /// Degrees, contact angle on cold metal, see wettingForAngle(). Fitted on A.
 inline constexpr double kColdAngle = 130;
-/// Of the solidus in K: all metal up to here is cold. Fitted on A, last on B008, B012, B014, B022 and B030.
+/// Share of the solidus in K: all metal up to here is cold. Fitted on A, with B008, B012, B014, B022 and B030.
 inline constexpr double kColdShare = 0.65;
-/// Of the solidus in K: metal from here on is wetted wholly; in between in part, as the angle at which a line of
-/// contact freezes falls with the metal's warmth. Fitted with the former.
+/// Share of the solidus in K: metal from here on is wetted wholly; in between in part, as the angle at which a line of
+/// contact freezes falls with the metal's warmth. Fitted with kColdShare.
 inline constexpr double kWarmShare = 0.85;
 
 } // namespace meltpool

@@ -11,25 +11,26 @@ namespace meltpool {
 namespace {
 
 constexpr double kBreakingStretch = 0.7;
-constexpr int kHalvings = 48; // of an interval of some metres: to far below a nanometre
+constexpr int kHalvings = 48; // number of halvings of an interval of some metres: to far below a nanometre
 
-/// V that the machine shows at a current: the set ones, but no more than its short circuit gives.
+/// Returns the machine's voltage (V) at a current: the set one, but no more than its short circuit gives.
 double terminalVoltage(const WireFeed& feed, double current) {
     return current < kShortCircuitCurrent ? feed.voltage : std::min(feed.voltage, kWireResistance * current);
 }
 
-/// A that the machine gives into a wire that touches.
+/// Returns the current (A) of the machine into a wire that touches.
 double shortCurrent(const WireFeed& feed) {
     return std::min(kShortCircuitCurrent, feed.voltage / kWireResistance);
 }
 
-/// m/s of wire that a current melts at a voltage: as measured, but no more than the electric power can melt.
+/// Returns the speed (m/s of wire) at which a current melts it at a voltage: as measured, but no more than the electric
+/// power can melt.
 double meltingSpeed(const WireFeed& feed, double current, double voltage, double extension) {
     const double measured = feed.melting.speed(current, extension);
     return feed.meltingEnergy > 0 ? std::min(measured, voltage * current / feed.meltingEnergy) : measured;
 }
 
-/// Length (m) of the open arc in which a wire of this extension melts as fast as it is fed; 0 where it shorts.
+/// Returns the length (m) of the open arc in which a wire of this extension melts as fast as it is fed; 0 if it shorts.
 double balancedLength(const WireFeed& feed, double extension) {
     const double current = feed.melting.current(feed.speed, extension);
     return std::max(feed.voltage - kArcFallVoltage - kWireResistance * current, 0.0) / kArcField;
@@ -149,12 +150,12 @@ void WireArc::burn(const WireFeed& feed, double distance, double seconds) {
     action_ = stretch_ > kBreakingStretch ? ArcAction::breaking : ArcAction::burning;
 }
 
-/// The arc cannot keep the wire's end off the metal: it shorts and re-ignites again and again, and the mean current is
-/// what melts the wire as fast as it comes. The pool heaves under the wire, which follows it within some short
+/// The arc cannot hold the wire's end off the metal: it shorts and re-ignites again and again, and the mean current is
+/// the one that melts the wire as fast as it comes. The pool heaves under the wire, which follows it within some short
 /// circuits.
 void WireArc::shortCircuit(const WireFeed& feed, double distance, double seconds) {
     const double before = extension_;
-    const double hot = std::min(before, distance); // what is in the metal already carries no current of its own
+    const double hot = std::min(before, distance); // wire that is in the metal already carries no current of its own
     const double arriving = feed.speed - (distance - before) / std::max(kDipTime, seconds);
     const double wanted = feed.melting.current(std::max(arriving, 0.0), hot);
     const double most = shortCurrent(feed);

@@ -22,7 +22,7 @@ HandTremor::HandTremor(std::uint32_t seed) {
             swing = {std::lerp(kSlowest, kFastest, share()), 2 * std::numbers::pi * share()};
 }
 
-/// Of root mean square 1.
+/// Returns a swing of root mean square 1.
 double HandTremor::swing(size_t axis, double time) const {
     double sum = 0;
     for (const Swing& each : swings_[axis])

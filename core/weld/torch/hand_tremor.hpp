@@ -9,7 +9,7 @@
 namespace meltpool {
 
 /// A sum of three swings of 7 to 9 Hz on each axis (physiological tremor of the hand: 8 to 12 Hz, slower with a load in
-/// it). One seed trembles alike everywhere.
+/// it). One seed gives one tremor on every machine.
 class HandTremor {
   public:
     static constexpr double kPlace = 3e-4;  ///< m, root mean square on each axis, of a practised hand
@@ -26,7 +26,7 @@ class HandTremor {
         double phase = 0;     ///< rad
     };
     static constexpr size_t kSwings = 3;
-    static constexpr size_t kAxes = 5; ///< three of place, two of angle
+    static constexpr size_t kAxes = 5; ///< three axes of place, two of angle
 
     double swing(size_t axis, double time) const;
 

@@ -15,7 +15,7 @@ constexpr std::array<std::string_view, kTorchColumns> kTorchNames{"time_s", "x_m
 constexpr std::array<std::string_view, kRodColumns> kRodNames{"rod_x_mm", "rod_y_mm", "rod_z_mm", "rod_qx",
                                                               "rod_qy",   "rod_qz",   "rod_qw",   "rod_feed"};
 
-/// What a name is without case, blanks and unit.
+/// A name without case, blanks and unit.
 struct PlainName {
     std::string base; ///< "x", "rod_qx"
     std::string unit; ///< "mm", "ms"; empty: none
@@ -70,7 +70,7 @@ std::string listOf(std::span<const std::string_view> names) {
     return list;
 }
 
-/// Small letters, with one `_` for any blanks, hyphens and points; the micro sign is a u.
+/// Returns the text in small letters, with one `_` for any blanks, hyphens and points; the micro sign is a u.
 std::string lowered(std::string_view text) {
     std::string plain;
     for (size_t i = 0; i < text.size(); ++i) {
@@ -90,7 +90,7 @@ std::string lowered(std::string_view text) {
     return plain;
 }
 
-/// Cuts the unit in brackets off the end of a name, as it is written.
+/// Cuts the unit in brackets off the end of a name and returns it as written.
 std::string takeUnit(std::string_view& name) {
     const size_t open = name.find_first_of("[(");
     if (open == std::string_view::npos || open == 0 || (name.back() != ']' && name.back() != ')')) return {};
@@ -103,7 +103,7 @@ PlainName plainName(std::string_view name) {
     PlainName plain;
     plain.unit = takeUnit(name);
     plain.base = lowered(name);
-    // As in our own names the unit may be the last word.
+    // The unit may be the last word, as in our own names.
     if (const size_t cut = plain.base.rfind('_'); cut != std::string::npos && plain.unit.empty()) {
         const std::string_view word = std::string_view(plain.base).substr(cut + 1);
         if (findUnit(Kind::time, word) != nullptr || findUnit(Kind::length, word) != nullptr) {
@@ -116,7 +116,7 @@ PlainName plainName(std::string_view name) {
     return plain;
 }
 
-/// A name of ours without its unit.
+/// Returns one of our names without its unit.
 std::string_view baseOf(std::string_view own) {
     if (own == "time_s") return "time";
     return own.ends_with("_mm") ? own.substr(0, own.size() - 3) : own;
@@ -127,7 +127,7 @@ bool is(const PlainName& plain, std::string_view own) {
     return plain.base == own; // `x_mm [mm]`
 }
 
-/// Looks through the names of one header.
+/// Search through the names of one header.
 class Finder {
   public:
     Finder(const TableReader& table, const std::filesystem::path& file) : table_(table), file_(file) {
@@ -178,7 +178,7 @@ class Finder {
         }
     }
 
-    /// Of the column that is called so or, where none is, of the one that means it.
+    /// Returns the index of the column with this name or, without one, of the column that means it.
     std::optional<size_t> placeOf(std::string_view own) const {
         const std::vector<std::string>& names = table_.columns();
         const auto exact = std::find(names.begin(), names.end(), own);
@@ -206,7 +206,7 @@ class Finder {
              "; expected one of " + known);
     }
 
-    /// Whether the header has a robot's angles instead of a quaternion.
+    /// Returns true for a header with a robot's angles instead of a quaternion.
     bool hasAngles() const {
         constexpr std::array<std::string_view, 9> kAngles{"a", "b", "c", "rx", "ry", "rz", "roll", "pitch", "yaw"};
         return std::count_if(plain_.begin(), plain_.end(), [&](const PlainName& plain) {

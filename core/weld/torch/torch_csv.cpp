@@ -17,7 +17,7 @@ struct Range {
     std::string_view text;
 };
 
-/// What a number of the required columns may be; a torch path of a day or of 100 m is a mistake in the units.
+/// Ranges of the numbers in the required columns; a torch path of a day or of 100 m is a mistake in the units.
 constexpr Range kTimes{-1e19, 1e19, "a time as a number"};
 constexpr Range kPlaces{-1e5, 1e5, "a position from -100000 to 100000 mm"};
 constexpr Range kQuaternionParts{-1.1, 1.1, "a part of a unit quaternion"};
@@ -28,9 +28,9 @@ constexpr double kDay = 86400; ///< s
 /// Recorders round; farther from 1 than this the four numbers are no orientation.
 constexpr double kQuaternionSlack = 0.1;
 
-constexpr size_t kTime = 0, kFirstOfPose = 1, kTrigger = 8; ///< places in torchColumns()
+constexpr size_t kTime = 0, kFirstOfPose = 1, kTrigger = 8; ///< indices in torchColumns()
 
-/// Of a record whose attempt went back to the row of this number and on to another end.
+/// Mark in a record whose attempt went back to the row of this number and on to another end.
 constexpr std::string_view kRedo = "# event redo";
 /// A table that begins with this is a record of this program.
 constexpr std::string_view kRecordMark = "# meltpool record";
@@ -50,7 +50,7 @@ const Range& rangeOfRod(size_t column) {
     return column < 7 ? kQuaternionParts : kFeeds;
 }
 
-/// How programs write that there is no number.
+/// Returns true for the cells by which programs mark a missing number.
 bool isMissing(std::string_view cell) {
     const std::string word = lowerCase(cell);
     return word.empty() || word == "nan" || word == "n/a" || word == "#n/a" || word == "null";
@@ -94,7 +94,7 @@ class Reader {
         if (step.empty() || step.front() == ' ') goBack(trimText(step));
     }
 
-    /// The attempt went on from an earlier row as another end: the rows behind that one are those of the first end.
+    /// Drops the rows behind an earlier one from which the attempt went on to another end.
     void goBack(std::string_view step) {
         const auto rows = parseDouble(step);
         if (!rows || *rows != std::floor(*rows) || *rows < 0 || *rows > static_cast<double>(recording_.samples.size()))
@@ -114,7 +114,7 @@ class Reader {
         return scaled;
     }
 
-    /// `v`: x, y, z and w in the columns qx to qw, whose names begin with `prefix`.
+    /// Reads an orientation. `v`: x, y, z and w in the columns qx to qw, whose names begin with `prefix`.
     glm::quat orientation(std::span<const double, 4> v, const std::string& prefix) const {
         const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + v[3] * v[3]);
         if (std::abs(length - 1) > kQuaternionSlack)
@@ -122,7 +122,7 @@ class Reader {
                                     "qw has the length " + formatNumber(static_cast<float>(length)) + "; expected 1");
         const glm::quat q(static_cast<float>(v[3]), static_cast<float>(v[0]), static_cast<float>(v[1]),
                           static_cast<float>(v[2]));
-        // What this program wrote is of unit length to the last bit or two and must come back unchanged.
+        // A quaternion that this program wrote is of unit length to the last bit or two and must come back unchanged.
         return std::abs(length - 1) < 1e-6 ? q : glm::normalize(q);
     }
 
@@ -140,7 +140,7 @@ class Reader {
                          metres(v[7])};
     }
 
-    /// Whether the row has a pose; one that has a part of it is refused where its numbers are read.
+    /// Returns true if the row has a pose; a row with a part of one is refused when its numbers are read.
     bool hasPose() const {
         return std::any_of(header_.torch.begin() + kFirstOfPose, header_.torch.begin() + kTrigger,
                            [&](const FoundColumn& column) { return !isMissing(table_.cells()[column.place]); });
@@ -174,7 +174,7 @@ class Reader {
             further.emplace_back(table_.cells()[place]);
     }
 
-    /// A torch that is not seen is where it was seen last, before the first time where it is seen then.
+    /// Gives an unseen torch its last seen place, and before the first seen row the place of that row.
     void standWhereUnseen() {
         std::vector<TorchSample>& samples = recording_.samples;
         const auto first = std::find_if(samples.begin(), samples.end(), [](const TorchSample& s) { return s.seen; });
@@ -211,12 +211,12 @@ class Reader {
     std::filesystem::path file_;
     bool keepsFurther_;
     TableReader table_;
-    int lastLine_ = 0; ///< with a row
+    int lastLine_ = 0; ///< line of the last row
     TorchHeader header_;
     TorchRecording recording_;
 };
 
-/// A cell that a TableReader reads back as it is.
+/// Returns a cell that a TableReader reads back unchanged.
 std::string writtenCell(std::string_view cell) {
     if (cell.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(cell);
     std::string quoted = "\"";
@@ -225,7 +225,7 @@ std::string writtenCell(std::string_view cell) {
     return quoted + "\"";
 }
 
-/// Millimetres that readTorchCsv() turns back into the same float of metres.
+/// Returns millimetres that readTorchCsv() turns back into the identical float of metres.
 double millimetres(float metres) {
     return static_cast<double>(metres) * 1e3;
 }

@@ -13,15 +13,15 @@
 
 namespace meltpool {
 
-/// What the reader of a table found out or assumed of it.
+/// Findings and assumptions of the reader about a table.
 struct TorchForm {
     TableForm table;
     TorchClock clock;
-    bool placesWithoutUnit = false; ///< they are taken to be mm
+    bool placesWithoutUnit = false; ///< places are read as mm
     size_t unseenRows = 0;          ///< rows without a pose
-    bool ours = false;              ///< a record of this program, of which nothing is assumed
+    bool ours = false;              ///< a record of this program, about which nothing is assumed
 
-    /// In one line: "UTF-8, columns parted by commas, decimal point, times in s".
+    /// Returns one line: "UTF-8, columns parted by commas, decimal point, times in s".
     std::string text() const;
 };
 
@@ -29,31 +29,32 @@ struct TorchRecording {
     std::vector<TorchSample> samples; ///< times ascend; orientations have unit length
     std::vector<std::string> furtherColumns;
     std::vector<std::vector<std::string>> furtherCells; ///< one row a sample, one cell a further column
-    TorchForm form = {};                                ///< as the table was read
+    TorchForm form = {};                                ///< form of the table
 };
 
-/// What readTorchCsv() does with columns that a torch path does not need. They take many times the memory of the rest.
+/// Treatment of columns that a torch path does not need. They take many times the memory of the rest.
 enum class FurtherColumns { kept, dropped };
 
-/// Whether a file's name ends as those of recorded torch paths do: .csv, .tsv or .txt, in any case.
+/// Returns true if a file's name ends like those of recorded torch paths: .csv, .tsv or .txt, in any case.
 bool isTorchTable(const std::filesystem::path& file);
 
-/// Reads the columns of findTorchColumns() and whatever further ones there are, in any order, from a table as
-/// TableReader takes it. A row in which every cell of the pose is empty or `nan` is not seen: the torch stays where it
-/// was seen last, its trigger released. Times become those of settleTimes(). Throws InputError naming file and line
-/// for a missing column or cell, anything that is not a finite number in its range, a time before the row above, more
-/// than a day, a quaternion whose length is not near 1, no row with a pose, what TableReader refuses, or more than
+/// Reads the columns of findTorchColumns() and all further ones, in any order, from a table as TableReader takes it. In
+/// a row in which every cell of the pose is empty or `nan` the torch is not seen: it stays at its last seen place, its
+/// trigger released. Times become those of settleTimes(). Throws InputError naming file and line for a missing column
+/// or cell, anything that is not a finite number in its range, a time before the row above, more than a day, a
+/// quaternion whose length is not near 1, no row with a pose, anything that TableReader refuses, or more than
 /// kLargestTextFile.
 TorchRecording readTorchCsv(const std::filesystem::path& file, FurtherColumns further = FurtherColumns::kept);
 
-/// Puts the required cells of one row behind `text` as readTorchCsv() reads them back to the same bits, without an end
-/// of line.
+/// Appends the required cells of one row to `text`, without an end of line; readTorchCsv() reads them back to identical
+/// bits.
 void appendTorchRow(std::string& text, const TorchSample& sample);
 
-/// The eight cells of a rod behind `text`, empty ones without a rod.
+/// Appends the eight cells of a rod to `text`, empty ones without a rod.
 void appendRodCells(std::string& text, const std::optional<RodSample>& rod);
 
-/// The whole table, with columns of the rod where a sample has one. Throws InputError when the file cannot be written.
+/// Writes the whole table, with columns of the rod if a sample has one. Throws InputError when the file cannot be
+/// written.
 void writeTorchCsv(const std::filesystem::path& file, const TorchRecording& recording);
 
 } // namespace meltpool

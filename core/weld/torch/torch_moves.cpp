@@ -17,7 +17,7 @@ namespace {
 constexpr NumberRange kSeconds{0, 3600};
 constexpr NumberRange kSpeeds{0.01, 10000}; ///< mm/s
 constexpr NumberRange kWorkAngles{0, 180};
-constexpr NumberRange kTravelAngles{-80, 80}; ///< beyond, the torch would lie in the seam
+constexpr NumberRange kTravelAngles{-80, 80}; ///< degrees; beyond, the torch would be in the seam
 constexpr NumberRange kWidths{0, 1000};       ///< mm
 constexpr NumberRange kFrequencies{0.01, 50}; ///< Hz
 constexpr NumberRange kFollows{0, 100};       ///< mm/s
@@ -68,12 +68,12 @@ class Author {
         travel_ = table.number("travel_angle_deg", kTravelAngles, travel_);
     }
 
-    /// Finds for each move the direction of the line that is welded next, which only the moves after it tell.
+    /// Finds for each move the direction of the next welded line, which depends only on later moves.
     void findSeams(std::vector<TomlTable>& moves) {
         seams_.resize(moves.size());
         glm::vec3 tip = tip_;
         float trigger = 0;
-        size_t first = 0; // of the moves that wait for a seam
+        size_t first = 0; // first of the moves that wait for a seam
         for (size_t i = 0; i < moves.size(); ++i) {
             const std::string kind = moves[i].text("kind");
             if (kind == "arc_on" || kind == "arc_off") trigger = readTrigger(moves[i], kind);
@@ -88,7 +88,7 @@ class Author {
         }
     }
 
-    /// With the trigger released the torch is held for the seam to come, so that it strikes as it goes on to weld.
+    /// With the trigger released the torch is held for the next seam, so that it strikes as it goes on to weld.
     void takeSeam(size_t move) {
         if (trigger_ == 0 && move < seams_.size() && seams_[move]) direction_ = *seams_[move];
     }
@@ -113,7 +113,7 @@ class Author {
         rod_ = rod;
     }
 
-    /// What every kind of move may say beside its own.
+    /// Reads the keys that every kind of move may have in addition to its own.
     void readBesides(TomlTable& table) {
         follow_ = table.number("follow_mm_s", kFollows, 0.0) * 1e-3;
         table.allow("dips_hz");
@@ -122,7 +122,7 @@ class Author {
         rod_->frequency = table.number("dips_hz", {0, 20});
     }
 
-    /// The rod comes from ahead of the torch and lies in the plane of seam and handle.
+    /// Returns the hold of the rod: it comes from ahead of the torch and is in the plane of seam and handle.
     std::optional<RodHold> heldRod() const {
         if (!rod_) return std::nullopt;
         RodHold rod = *rod_;
@@ -132,7 +132,7 @@ class Author {
         return rod;
     }
 
-    /// A weave swings from toe to toe, at right angles to the torch: in a fillet from plate to plate.
+    /// Returns the direction of a weave from toe to toe, at right angles to the torch: in a fillet from plate to plate.
     glm::vec3 acrossHandle() const {
         const glm::vec3 across = glm::normalize(glm::cross(direction_, orientation_ * glm::vec3(0, 0, 1)));
         return across.z < 0 ? -across : across;
@@ -185,7 +185,8 @@ class Author {
         move.toOrientation = orientation_;
     }
 
-    /// Unit vector; nothing straight up or down, where there is no seam and the torch keeps the direction it had.
+    /// Returns a unit vector; nothing straight up or down, where there is no seam and the torch stays at its former
+    /// direction.
     static std::optional<glm::vec3> directionOf(const glm::vec3& way) {
         const float length = glm::length(way);
         if (length < kShortest) return std::nullopt;
@@ -202,7 +203,7 @@ class Author {
         const float length = glm::length(way);
         if (length < kShortest) table.fail("to_mm", "is where the torch already stands; expected another place");
         const std::optional<glm::vec3> along = directionOf(way);
-        // On its way to a seam, or from the last one, the torch does not turn to where it goes.
+        // On its way to a seam, or from the last one, the torch does not turn to its direction of movement.
         const bool aside = trigger_ == 0 && hasSeams_;
         if (along && !aside) direction_ = *along;
         orientation_ = held();
@@ -216,7 +217,7 @@ class Author {
         const double frequency = table.number("frequency_hz", kFrequencies);
         const double halfSwings = std::round(2 * move.duration * frequency);
         if (halfSwings > kMostHalfSwings) table.fail("frequency_hz", "gives too many swings; expected a lower number");
-        // A whole number of half swings brings the torch back to the seam where the move ends.
+        // A whole number of half swings brings the torch back to the seam at the end of the move.
         move.weaveHalfSwings = std::max(1, static_cast<int>(halfSwings));
         const double swing = 2 * move.duration / move.weaveHalfSwings;
         move.weaveDwell = table.number("dwell_s", kSeconds, 0.0);
@@ -225,7 +226,7 @@ class Author {
     }
 
     std::vector<TorchMove> moves_;
-    std::vector<std::optional<glm::vec3>> seams_; ///< of each move the direction of the line that is welded next
+    std::vector<std::optional<glm::vec3>> seams_; ///< direction of the next welded line, for each move
     bool hasSeams_ = false;
     double time_ = 0;
     glm::vec3 tip_{0.0f};
@@ -258,7 +259,7 @@ glm::quat heldOrientation(double workAngle, double travelAngle, const glm::vec3&
     const glm::vec3 handle = std::sin(work) * glm::vec3(0.0f, 1.0f, 0.0f) + std::cos(work) * across;
     const glm::vec3 along = glm::normalize(direction - glm::dot(direction, handle) * handle);
     const glm::vec3 back = std::cos(travel) * handle - std::sin(travel) * along;
-    // The same side of the torch faces forward whichever way it travels along the seam.
+    // One side of the torch faces forward whichever way it travels along the seam.
     const glm::vec3 side = along.x < 0 ? -along : along;
     const glm::vec3 right = glm::normalize(side - glm::dot(side, back) * back);
     return glm::normalize(glm::quat_cast(glm::mat3(right, glm::cross(back, right), back)));
@@ -312,7 +313,7 @@ TorchSample TorchMove::sample(double time) const {
     return aroundPipe(torch, std::lerp(static_cast<double>(from.x), static_cast<double>(to.x), share), pipeRadius);
 }
 
-/// As it is told, on a pipe's face rolled out or where the workpiece is no pipe.
+/// Returns the torch on a pipe's face rolled out, or on a workpiece that is no pipe.
 TorchSample TorchMove::rolledOut(double time) const {
     const double passed = time - begin;
     const double share = duration > 0 ? std::clamp(passed / duration, 0.0, 1.0) : 1.0;

@@ -9,25 +9,26 @@
 
 namespace meltpool {
 
-/// How a filler rod is held before the torch: its tip comes down at an angle, from ahead, to a place in front of the
-/// electrode, and goes back. Unit vectors and m, rad, Hz, m/s. Where nobody says otherwise it is held as welders are
-/// taught to: flat over the plate, its end kept near the arc.
+/// Hold of a filler rod before the torch: its tip comes down at an angle, from ahead, to a place in front of the
+/// electrode, and goes back. Unit vectors and m, rad, Hz, m/s. The defaults are the hold that welders are taught: flat
+/// over the plate, its end near the arc.
 struct RodHold {
     static constexpr double kUsualAngle = 0.34906585; ///< 20 degrees
 
-    glm::vec3 travel{1, 0, 0};  ///< the way the torch goes
-    glm::vec3 up{0, 1, 0};      ///< out of the joint, at right angles to it
-    double angle = kUsualAngle; ///< of the rod over the plane across `up`
-    double ahead = 1.5e-3;      ///< of the electrode's tip lies the place that is dipped into
-    double below = 2e-3;        ///< so far under the electrode's tip
-    double rest = 12e-3;        ///< between dips the rod's tip is so far back from there, along the rod
-    double depth = 3.5e-3;      ///< a dip goes so far beyond
-    double frequency = 0;       ///< of the dips, which are a cosine from rest to depth; 0: it stays at rest
-    double feed = 0;            ///< see RodSample::feed
+    glm::vec3 travel{1, 0, 0};  ///< direction of travel
+    glm::vec3 up{0, 1, 0};      ///< direction out of the joint, at right angles to travel
+    double angle = kUsualAngle; ///< angle of the rod over the plane across `up`
+    double ahead = 1.5e-3;      ///< distance from the electrode's tip ahead to the dipped place
+    double below = 2e-3;        ///< distance of the dipped place under the electrode's tip
+    double rest = 12e-3;        ///< distance of the rod's tip from there between dips, back along the rod
+    double depth = 3.5e-3;      ///< distance of a dip beyond that place
+    /// Frequency of the dips, which are a cosine from rest to depth; 0: the rod stays at rest.
+    double frequency = 0;
+    double feed = 0; ///< see RodSample::feed
 
-    /// The rod `passed` s after the move began, of a torch with its tip there.
+    /// Returns the rod `passed` s after the move began, for a torch with its tip there.
     RodSample sample(const glm::vec3& tip, double passed) const;
-    /// The rod with its end `back` m before the place that is dipped into.
+    /// Returns the rod with its end `back` m before the dipped place.
     RodSample at(const glm::vec3& tip, double back) const;
 };
 
@@ -38,18 +39,18 @@ struct TorchMove {
     glm::vec3 from{0.0f};
     glm::vec3 to{0.0f};
     glm::quat fromOrientation{1.0f, 0.0f, 0.0f, 0.0f};
-    glm::quat toOrientation{1.0f, 0.0f, 0.0f, 0.0f}; ///< turned to evenly
+    glm::quat toOrientation{1.0f, 0.0f, 0.0f, 0.0f}; ///< orientation at the end, turned to evenly
     float trigger = 0;
     glm::vec3 weaveSide{0.0f}; ///< unit vector across the seam; zero: no weave
-    double weaveWidth = 0;     ///< toe to toe
+    double weaveWidth = 0;     ///< width from toe to toe
     int weaveHalfSwings = 0;   ///< crossings from toe to toe in the whole move
     double weaveDwell = 0;     ///< s at each toe
-    double followed = 0;       ///< the torch has gone so far along its own axis before, beside `from` and `to`
-    double follow = 0;         ///< m/s it goes along it in this move, after an electrode that burns off
+    double followed = 0;       ///< length along its own axis before this move, in addition to `from` and `to`
+    double follow = 0;         ///< m/s along its axis in this move, after an electrode that burns off
     std::optional<RodHold> rod;
-    double pipeRadius = 0; ///< of a pipe whose outer face, rolled out, is what all of this is told on; 0: of no pipe
+    double pipeRadius = 0; ///< radius of the pipe whose outer face, rolled out, is the frame of this move; 0: no pipe
 
-    /// The torch `time` s after the path began; `time` inside this move.
+    /// Returns the torch `time` s after the path began; `time` inside this move.
     TorchSample sample(double time) const;
 
   private:
@@ -60,21 +61,23 @@ struct TorchMove {
 /// or one out of range.
 std::vector<TorchMove> readTorchMoves(const std::filesystem::path& file);
 
-/// Orientation of a torch held at a work and a travel angle (rad) over a seam that runs along `direction` (unit, not
-/// straight up). Work angle: between torch and plate in the plane across the seam, π/2 upright, less towards the welder
-/// (+z). Travel angle: from there in the plane along the seam, positive pushes (the torch points where it goes).
+/// Returns the orientation of a torch held at a work and a travel angle (rad) over a seam that runs along `direction`
+/// (unit, not straight up). Work angle: between torch and plate in the plane across the seam, π/2 upright, less towards
+/// the welder (+z). Travel angle: from there in the plane along the seam, positive pushes (the torch points in its
+/// direction of travel).
 glm::quat heldOrientation(double workAngle, double travelAngle, const glm::vec3& direction);
 
-/// Unit vector across a seam along `direction`, on the welder's side (+z).
+/// Returns the unit vector across a seam along `direction`, on the welder's side (+z).
 glm::vec3 acrossSeam(const glm::vec3& direction);
 
-/// A torch, with its rod, whose pose is told on a pipe's outer face rolled out (x from the pipe's top towards +x, y out
-/// of the face, z along the axis), in the workpiece's frame: all of it is turned with the frame of the face at `place`
-/// (m, the x there). The pipe's axis lies along z, `radius` (m) under the origin.
+/// Converts a torch, with its rod, from a pipe's outer face rolled out (x from the pipe's top towards +x, y out of the
+/// face, z along the axis) to the workpiece's frame: all of it is turned with the frame of the face at `place` (m, the
+/// x there). The pipe's axis is along z, `radius` (m) under the origin.
 TorchSample aroundPipe(TorchSample torch, double place, double radius);
 
-/// Place across the seam of a weave, -1..1 of half its width: from the centre to one toe, a dwell, to the other toe and
-/// back, `phase` counted in whole swings (0.25 and 0.75 are the toes). `dwellShare`: share of a swing spent at one toe.
+/// Returns the place across the seam of a weave, -1..1 of half its width: from the centre to one toe, a dwell, to the
+/// other toe and back, `phase` counted in whole swings (0.25 and 0.75 are the toes). `dwellShare`: share of a swing
+/// spent at one toe.
 double weaveOffset(double phase, double dwellShare);
 
 } // namespace meltpool

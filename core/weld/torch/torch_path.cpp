@@ -49,7 +49,7 @@ TorchSample TorchPath::sampleRecording(double time) const {
     if (!before && next != samples_.end()) {
         const TorchSample& last = *(next - 1);
         const auto share = static_cast<float>((time - last.time) / (next->time - last.time));
-        // A row's own moment gives back the row's own bits; from or to a moment that is not seen there is no way.
+        // A row's own moment returns its own bits; between a seen and an unseen moment nothing is interpolated.
         if (share > 0 && last.seen && next->seen) {
             result.tip = glm::mix(last.tip, next->tip, share);
             result.orientation = glm::normalize(glm::slerp(last.orientation, next->orientation, share));

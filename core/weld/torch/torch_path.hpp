@@ -1,4 +1,4 @@
-// Where the torch is at any time of a written or recorded path.
+// A written or recorded path of the torch, with its pose at any time.
 #pragma once
 
 #include "core/weld/torch/torch_csv.hpp"
@@ -16,23 +16,23 @@ class TorchPath {
     /// and for everything that readTorchCsv() and readTorchMoves() refuse.
     static TorchPath read(const std::filesystem::path& file);
 
-    /// The torch at `time` s. Recorded: place linear and orientation slerp between rows, a row's trigger and rod_feed
-    /// until the next row; so a rod, which is there until the next row even where that has none. Before the first and
-    /// after the last moment the torch stands there with the trigger released. Between a row that is seen and one that
-    /// is not it stays at the former's place.
+    /// Returns the torch at `time` s. Recorded: place linear and orientation slerp between rows, a row's trigger and
+    /// rod_feed until the next row; likewise a rod, which is there until the next row even if that has none. Before the
+    /// first and after the last moment the torch is at that row's pose with the trigger released. Between a seen row
+    /// and an unseen one it stays at the former's place.
     TorchSample sample(double time) const;
 
-    /// When the trigger is pulled first, s, to kTriggerGrain; nothing where it never is.
+    /// Returns the time of the first pull of the trigger, s, to kTriggerGrain; nothing if it is never pulled.
     std::optional<double> firstPull() const;
     static constexpr double kTriggerGrain = 0.05; ///< s
 
-    /// Time of the last moment, s; 0 for an empty path.
+    /// Returns the time of the last moment, s; 0 for an empty path.
     double duration() const;
-    /// Of the recorded form, as they were read; empty for the authored one.
+    /// Returns the samples of the recorded form, as they were read; empty for the authored one.
     const std::vector<TorchSample>& samples() const { return samples_; }
-    /// How a table was understood; nothing of the authored form and of a path that was not read from a file.
+    /// Returns the form of the table; nothing for the authored form and for a path that was not read from a file.
     const std::optional<TorchForm>& form() const { return form_; }
-    /// Of the pipe, m, on whose face an authored path is written; 0: on none.
+    /// Returns the radius of the pipe on whose face an authored path is written, m; 0: on none.
     double pipeRadius() const { return moves_.empty() ? 0 : moves_.front().pipeRadius; }
     bool empty() const { return samples_.empty() && moves_.empty(); }
 

@@ -14,8 +14,8 @@ constexpr std::array<const char*, 4> kUnits{"s", "ms", "us", "ns"}; ///< each a 
 constexpr double kLatestDate = 1e11;                                ///< s after 1970: the year 5138
 constexpr double kFarApart = 1;                                     ///< s between rows, which no recorder leaves
 constexpr double kHour = 3600;                                      ///< s
-constexpr double kCrawl = 5e-5;                                     ///< m/s, slower than any torch is led
-constexpr size_t kManyRows = 10;                                    ///< of which a speed says something
+constexpr double kCrawl = 5e-5;                                     ///< m/s, slower than any torch travels
+constexpr size_t kManyRows = 10;                                    ///< number of rows for which a speed is reliable
 
 double medianStep(const std::vector<TorchSample>& samples) {
     std::vector<double> steps;
@@ -34,7 +34,7 @@ double wayOf(const std::vector<TorchSample>& samples) {
     return way;
 }
 
-/// How often the unit must be taken a thousandth as long before the times can be true.
+/// Returns the number of times that the unit must be divided by a thousand to make the times plausible.
 size_t thousandths(const std::vector<TorchSample>& samples) {
     const double duration = samples.back().time - samples.front().time, step = medianStep(samples);
     const double way = wayOf(samples), first = std::abs(samples.front().time);

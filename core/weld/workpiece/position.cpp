@@ -40,7 +40,7 @@ glm::vec3 Fixture::down() const {
 }
 
 Fixture fixtureOf(const WorkpieceParameters& parameters) {
-    // Each matrix's columns say where the workpiece's x, y and z point in the room.
+    // The columns of each matrix are the room directions of the workpiece's x, y and z.
     switch (static_cast<WeldPosition>(parameters.position)) {
     case WeldPosition::flat:
         return {isFillet(static_cast<WorkpieceKind>(parameters.kind)) ? trough() : glm::mat3(1)};
@@ -53,7 +53,7 @@ Fixture fixtureOf(const WorkpieceParameters& parameters) {
     case WeldPosition::g3:
         return {{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}}};
     case WeldPosition::f4:
-    case WeldPosition::g4: // turned about z, so that what was behind stays behind
+    case WeldPosition::g4: // turned about z, so that the rear stays at the rear
         return {{{-1, 0, 0}, {0, -1, 0}, {0, 0, 1}}, kOverhead};
     case WeldPosition::g5:
         return {glm::mat3(1), kPipeOverTable};

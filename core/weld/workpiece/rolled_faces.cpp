@@ -25,7 +25,7 @@ RolledFaces rolledFaces(const WorkpieceParameters& parameters, const Workpiece& 
     RolledFaces rolled;
     const auto kind = static_cast<WorkpieceKind>(parameters.kind);
     if (kind == WorkpieceKind::Cube || kind == WorkpieceKind::Bridge) return rolled;
-    if (kind == WorkpieceKind::Pipe) { // its axis is z, and its seam runs around it
+    if (kind == WorkpieceKind::Pipe) { // the axis of a pipe is z, and its seam runs around it
         rolled.across = {0, 0, 1};
         rolled.parts[rolled.count++] = {workpiece.bodyLow, workpiece.bodyHigh, {1, 1, 0}};
         return rolled;

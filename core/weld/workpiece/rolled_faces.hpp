@@ -1,4 +1,4 @@
-// Which faces of a workpiece are as the mill rolled them, and where they were ground before welding.
+// Rolled faces of a workpiece with their mill scale, and the band that is ground before welding.
 #pragma once
 
 #include "core/weld/workpiece/workpiece.hpp"
@@ -14,19 +14,20 @@ struct RolledPart {
     glm::vec3 faces{0}; ///< 1 for each axis that its rolled faces look along, else 0
 };
 
-/// Where mill scale covers a workpiece of hot-rolled steel.
+/// Areas of mill scale on a workpiece of hot-rolled steel.
 struct RolledFaces {
     static constexpr size_t kMost = 3;
     std::array<RolledPart, kMost> parts;
-    size_t count = 0;       ///< 0: nothing is rolled
-    glm::vec3 across{0};    ///< 1 for each axis across the seam, else 0: a place's distance is that of what these leave
+    size_t count = 0; ///< 0: nothing is rolled
+    /// 1 for each axis across the seam, else 0: masks the components that count for a place's distance.
+    glm::vec3 across{0};
     float ground = kGround; ///< m from the seam up to which the faces are ground bright
-    /// Welders grind a band of some 20 mm along a seam: half of that to either side. Trade knowledge.
+    /// Half of the band of some 20 mm that welders grind along a seam, to either side. Trade knowledge.
     static constexpr float kGround = 0.010F;
 };
 
-/// Plates and pipes are rolled: a plate's large faces up to its bevel, a pipe's outer and inner one. Cubes and bridges
-/// are cast.
+/// Returns the rolled faces. Plates and pipes are rolled: a plate's large faces up to its bevel, a pipe's outer and
+/// inner one. Cubes and bridges are cast.
 RolledFaces rolledFaces(const WorkpieceParameters& parameters, const Workpiece& workpiece);
 
 } // namespace meltpool

@@ -10,10 +10,10 @@ namespace meltpool {
 
 namespace {
 
-constexpr double kWhole = 1e-3; ///< spacings: what is nearer to a whole number is one
+constexpr double kWhole = 1e-3; ///< spacings: a number nearer to a whole one than this is whole
 constexpr double kFinest = 0.2; ///< mm, the least spacing that describe() allows
 
-/// A length as so many spacings, and the whole number of them that it becomes.
+/// A length in spacings, and the whole number of them that it becomes.
 struct Spacings {
     double count, whole;
 
@@ -35,7 +35,7 @@ float wholeLength(float lengthMm, float spacingMm, double least = 1) {
     return spacings.isWhole() ? lengthMm : static_cast<float>(spacings.whole * spacing);
 }
 
-/// Of the part on one side of a gap.
+/// Returns the length of the part on one side of a gap.
 Spacings besideGap(const WorkpieceParameters& p) {
     return {0.5 * (static_cast<double>(p.widthMm) - static_cast<double>(p.gapMm)), static_cast<double>(p.spacingMm), 1};
 }

@@ -25,7 +25,7 @@ bool isKind(const WorkpieceParameters& p, std::initializer_list<WorkpieceKind> k
     return std::find(kinds.begin(), kinds.end(), static_cast<WorkpieceKind>(p.kind)) != kinds.end();
 }
 
-/// Asked before the particles are made, too: far too many would not even fit the memory.
+/// Called before the particles are made, too: far too many would not even fit the memory.
 void requireCount(double particles) {
     if (particles >= 0.5 && particles <= static_cast<double>(kMostWorkpieceParticles)) return;
     throw InputError("the workpiece has " + formatNumber(std::floor(particles)) + " particles; expected 1 to " +
@@ -136,12 +136,12 @@ Margins marginsOf(const WorkpieceParameters& p, const glm::vec3& down) {
         room.low = {p.roomAboveMm, std::max(below, p.roomAboveMm), beside};
         room.high.x = p.roomAboveMm;
     }
-    constexpr float kFalls = 0.5F; // of a unit vector, in 45 degrees too
+    constexpr float kFalls = 0.5F; // component of a unit vector, enough at 45 degrees too
     for (int axis = 0; axis < 3; ++axis) {
         if (down[axis] < -kFalls) room.low[axis] = std::max(room.low[axis], below);
         if (down[axis] > kFalls) room.high[axis] = std::max(room.high[axis], below);
     }
-    // Overhead the torch is where metal falls: what fell must not lie before it.
+    // Overhead the torch is in the way of falling metal, which must not end up before it.
     if (down.y > kFalls) room.high.y = p.roomAboveMm + below;
     return room;
 }
@@ -164,7 +164,7 @@ void addTacks(Workpiece& piece, const WorkpieceShape& shape, float kelvin) {
     }
 }
 
-/// Where pictures, light and clamps find the faces: where the particles have them.
+/// Places the faces for pictures, light and clamps at those of the particles.
 void addFaces(Workpiece& piece, const WorkpieceShape& shape, const WorkpieceParameters& p) {
     const auto filled = [&](const WorkpieceShape::Box& box) {
         return latticeBox(piece.lattice, box.low * kMm, box.high * kMm);
@@ -176,7 +176,7 @@ void addFaces(Workpiece& piece, const WorkpieceShape& shape, const WorkpiecePara
     piece.bodyLow = body.low;
     piece.bodyHigh = body.high;
     if (!isKind(p, {WorkpieceKind::Pipe})) return;
-    const float radius = p.diameterMm / 2 * kMm; // its round faces lie across the layers
+    const float radius = p.diameterMm / 2 * kMm; // the round faces of a pipe are across the layers
     piece.pipe = {{0, -radius}, body.low.z, body.high.z, radius, radius - p.thicknessMm * kMm};
     piece.bodyLow = {-radius, -2 * radius, body.low.z};
     piece.bodyHigh = {radius, 0, body.high.z};
@@ -205,7 +205,7 @@ Workpiece makeWorkpiece(const WorkpieceParameters& parameters) {
     const auto [low, high] = shape.around();
     const Fixture fixture = fixtureOf(p);
     const Margins room = marginsOf(p, fixture.down());
-    // The lattice's cells must lie on the parts' faces, so the space grows in whole spacings.
+    // The lattice's cells must end at the parts' faces, so the space grows in whole spacings.
     const auto whole = [&](glm::vec3 mm) { return glm::ceil(mm / p.spacingMm - 1e-3F) * p.spacingMm; };
     const glm::vec3 spaceLow = low - whole(room.low), spaceHigh = high + whole(room.high);
     const glm::vec3 cells = (spaceHigh - spaceLow) / p.spacingMm;

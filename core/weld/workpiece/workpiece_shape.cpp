@@ -13,19 +13,19 @@ namespace meltpool {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr float kClampMm = 4; ///< how far clamps reach over the ends
+constexpr float kClampMm = 4; ///< reach of clamps over the ends
 /// Tacks take half of the plates' thickness, and three particles, as fewer are no triangle; at most this many mm.
 constexpr float kTackShare = 0.5F, kTackSpacings = 3, kLargestTackMm = 5;
 
 using Boxes = std::vector<WorkpieceShape::Box>;
 
-/// The two halves of what is parted by a gap across z, `open` mm wide about `middle`; without one the whole.
+/// Returns the two halves of a body parted by a gap across z, `open` mm wide about `middle`; without a gap the whole.
 Boxes partedBoxes(glm::vec3 low, glm::vec3 high, float open, float middle) {
     if (open <= 0) return {{low, high}};
     return {{low, {high.x, high.y, middle - open / 2}}, {{low.x, low.y, middle + open / 2}, high}};
 }
 
-/// How far a bridge's piers reach inwards: twice the clamps, in whole layers.
+/// Returns the length by which a bridge's piers reach inwards: twice the clamps, in whole layers.
 float pierLength(const WorkpieceParameters& p) {
     return std::max(std::round(2 * kClampMm / p.spacingMm), 1.0F) * p.spacingMm;
 }
@@ -108,7 +108,7 @@ double WorkpieceShape::volume() const {
         sum += cubicMm(box);
     if (!grooved()) return sum;
     const double outer = static_cast<double>(p_.diameterMm) / 2, wall = static_cast<double>(p_.thicknessMm);
-    double length = static_cast<double>(p_.lengthMm); // of the edges
+    double length = static_cast<double>(p_.lengthMm); // length of the edges
     if (is(WorkpieceKind::Pipe)) {
         const double ring = std::numbers::pi * wall * (2 * outer - wall);
         sum = ring * static_cast<double>(p_.widthMm - p_.gapMm);
@@ -141,7 +141,7 @@ float WorkpieceShape::seamLength(const WorkpieceParameters& p) {
     return static_cast<WorkpieceKind>(p.kind) == WorkpieceKind::Pipe ? kPi * p.diameterMm : p.lengthMm;
 }
 
-/// The first and the last one end where the seam does; of a pipe they stand at equal distances around it.
+/// The first and the last tack end at the ends of the seam; on a pipe they are at equal distances around it.
 bool WorkpieceShape::onTack(float place) const {
     const float length = seamLength(p_);
     const auto last = static_cast<float>(p_.tackCount - 1);
