@@ -13,12 +13,12 @@ constexpr float kHalfTurn = 3.14159265358979f;
 constexpr float kSteepest = kHalfTurn / 2 - kPoleMargin;
 constexpr glm::vec3 kUp{0, 1, 0};
 
-/// The same angle in -pi .. pi, so that long turning loses no precision.
+/// Returns an equal angle in -pi .. pi, so that long turning loses no precision.
 float wrapped(float angle) {
     return std::remainder(angle, 2 * kHalfTurn);
 }
 
-/// Yaw about the world's up axis after pitch about the camera's right axis: without roll.
+/// Returns yaw about the world's up axis after pitch about the camera's right axis: without roll.
 glm::quat withoutRoll(float yaw, float pitch) {
     return glm::angleAxis(yaw, kUp) * glm::angleAxis(pitch, glm::vec3(1, 0, 0));
 }

@@ -14,12 +14,12 @@ constexpr float kPoleMargin = 0.01f;
 class FreeCamera {
   public:
     FreeCamera() = default;
-    /// Stands at `position` and looks at `target`.
+    /// Places the camera at `position`, looking at `target`.
     FreeCamera(const glm::vec3& position, const glm::vec3& target);
 
     /// Turns right by `turn.x` and up by `turn.y`, rad.
     void look(const glm::vec2& turn);
-    /// Moves by `way` world units: x to the right, y along the world's up, z forward where the camera looks.
+    /// Moves by `way` world units: x to the right, y along the world's up, z forward in the camera's direction.
     void move(const glm::vec3& way);
 
     const glm::vec3& position() const { return position_; }
@@ -40,7 +40,7 @@ class FreeCamera {
 class OrbitCamera {
   public:
     OrbitCamera() = default;
-    /// azimuth: rad around +Y, 0 stands on +Z, positive towards +X; elevation: rad above the xz plane.
+    /// azimuth: rad around +Y, 0 is on +Z, positive towards +X; elevation: rad above the xz plane.
     OrbitCamera(float azimuth, float elevation, float distance);
 
     /// Goes around by `turn.x` (towards +X from +Z) and over by `turn.y`, rad.

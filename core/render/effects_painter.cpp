@@ -7,7 +7,7 @@ namespace meltpool {
 
 namespace {
 
-/// As long as they are needed for: all that an arc throws at once.
+/// Buffer size in effects, enough for all that an arc throws at once.
 constexpr size_t kRoom = 1024;
 
 bool showsEffects(const SceneView& scene, const LookParameters& look) {
@@ -77,7 +77,7 @@ void EffectsPainter::drawFume(const ViewBatch& views, const RenderTarget& target
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
 }
 
-/// Adds what leaves the picture below white, as the glare does.
+/// Adds the light that leaves the picture below white, as the glare does.
 void EffectsPainter::drawHaze(const ViewBatch& views, const RenderTarget& target) const {
     if (scattering_ <= 0) return;
     glDisable(GL_DEPTH_TEST);

@@ -1,5 +1,5 @@
-// Draws what flies about an arc: sparks as quads along their way, the smoke that the arc lights, and
-// puffs of it that rise.
+// Painter of the effects about an arc: sparks as quads along their way, the smoke that the arc lights, and puffs of it
+// that rise.
 #pragma once
 
 #include "core/gl/buffer.hpp"
@@ -26,17 +26,17 @@ class EffectsPainter {
     }
 
     /// Copies the scene's sparks and puffs of smoke to the GPU for the draws to come, as far as the look shows them:
-    /// not where the metal is cut or shown in colours of its temperature, and not at low detail.
+    /// not for metal that is cut or shown in colours of its temperature, and not at low detail.
     void upload(const SceneView& scene, const LookParameters& look);
 
-    /// Draws them. Expects the frame's uniform blocks bound, blending on and the depth as it is after all things.
+    /// Draws the sparks. Expects the frame's uniform blocks bound, blending on and the depth after all other things.
     void drawSparks(const ViewBatch& views, const RenderTarget& target) const;
-    /// Draws the puffs of smoke, before the sparks that fly before them. Expects the same.
+    /// Draws the puffs of smoke, before the sparks that fly in front of them. Expects the state of drawSparks().
     void drawFume(const ViewBatch& views, const RenderTarget& target) const;
-    /// Draws the smoke over all that stands behind it.
+    /// Draws the smoke over all that is behind it.
     void drawHaze(const ViewBatch& views, const RenderTarget& target) const;
 
-    /// Draws what an arc has left in the eye, over everything.
+    /// Draws the after-image of an arc in the eye, over everything.
     void drawAfterImage(const AfterImage& image, const ViewBatch& views, const RenderTarget& target) const;
 
     bool shows() const { return count_ > 0 || scattering_ > 0 || puffs_ > 0; }
@@ -54,7 +54,7 @@ class EffectsPainter {
     float scattering_ = 0;
     size_t puffs_ = 0;
     glm::vec3 pool_{0};
-    float tableTop_ = 0; ///< world
+    float tableTop_ = 0; ///< world height of the table's top
 };
 
 } // namespace meltpool

@@ -1,4 +1,5 @@
-// Oxide that floats on a pool in islands: which liquid particles carry one. It drifts with them, and with nothing else.
+// Islands of oxide that float on a pool: the choice of liquid particles that carry one. An island drifts with its
+// particles, and with nothing else.
 #pragma once
 
 #include "core/gl/program.hpp"

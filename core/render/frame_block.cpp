@@ -38,13 +38,13 @@ void addShadowBoxes(FrameData& frame, const SceneView& scene) {
     }
 }
 
-/// The nearest cylinders and cones to the tool's tip, which come first among the solids.
+/// Adds the nearest cylinders and cones to the tool's tip, which come first among the solids.
 void addTorchParts(FrameData& frame, const SceneView& scene) {
-    constexpr float kConeWidth = 0.5f; // of its base: a cone counts as the cylinder of about its size
+    constexpr float kConeWidth = 0.5f; // share of its base: a cone counts as the cylinder of about its size
     for (const Solid& solid : scene.solids) {
         if (frame.torchPartCount == MOST_TORCH_PARTS) return;
         const bool cone = solid.shape == SolidShape::cone;
-        if (!cone && solid.shape != SolidShape::cylinder) continue; // finer ones have coarse ones in their place
+        if (!cone && solid.shape != SolidShape::cylinder) continue; // finer ones have coarse replacements
         TorchPart& part = frame.torchParts[frame.torchPartCount++];
         part.from = solid.toWorld * glm::vec4(0, 0, 0.5f, 1);
         part.to = solid.toWorld * glm::vec4(0, 0, -0.5f, 1);
@@ -82,7 +82,7 @@ FrameData makeFrame(const SceneView& scene, const LookParameters& look) {
     frame.diffuse = look.diffuse;
     frame.specular = look.specular;
     frame.shininess = look.shininess;
-    // Welding filters are green: they pass what little light they do at the wavelengths to which the eye is most
+    // Welding filters are green: they pass the little light they do at the wavelengths to which the eye is most
     // sensitive.
     const glm::vec3 filter =
         look.visorShade > 0 ? filterShare(look.visorShade) * glm::vec3(0.75f, 1.1f, 0.5f) : glm::vec3(1.0f);

@@ -8,10 +8,10 @@
 
 namespace meltpool {
 
-/// Everything except the views.
+/// Fills in everything except the views.
 FrameData makeFrame(const SceneView& scene, const LookParameters& look);
 
-/// `viewport`: the pixels of this view only.
+/// Makes the data of one view. `viewport`: the pixels of this view only.
 ViewData makeViewData(const View& view, const Viewport& viewport);
 
 } // namespace meltpool

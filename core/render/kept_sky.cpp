@@ -4,7 +4,7 @@ namespace meltpool {
 
 namespace {
 
-/// A copy into several samples would lose what the samples of an edge show of the sky.
+/// Returns true for a target with one sample: a copy into several samples would lose the sky in the samples of an edge.
 bool hasOneSample(const RenderTarget& target) {
     GLint samples = 0;
     glGetNamedFramebufferParameteriv(target.framebuffer, GL_SAMPLES, &samples);
@@ -14,7 +14,7 @@ bool hasOneSample(const RenderTarget& target) {
 } // namespace
 
 KeptSky::State KeptSky::look(const SkyKey& key, const RenderTarget& target) {
-    const bool corner = target.viewport.x == 0 && target.viewport.y == 0; // as every window's and picture's
+    const bool corner = target.viewport.x == 0 && target.viewport.y == 0; // a corner, as of every window and picture
     if (key != key_ || !corner) {
         key_ = key;
         picture_.reset();
@@ -34,7 +34,7 @@ RenderTarget KeptSky::begin() {
 }
 
 void KeptSky::copyTo(const RenderTarget& target) const {
-    glDisable(GL_FRAMEBUFFER_SRGB); // the bytes as they are
+    glDisable(GL_FRAMEBUFFER_SRGB); // copies the bytes unchanged
     glBlitNamedFramebuffer(picture_->framebuffer.name(), target.framebuffer, 0, 0, key_.width, key_.height, 0, 0,
                            key_.width, key_.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }

@@ -1,4 +1,4 @@
-// The sky behind a camera that stands still: drawn once, then copied.
+// The sky behind a camera that does not move: drawn once, then copied.
 #pragma once
 
 #include "core/gl/texture.hpp"
@@ -11,7 +11,7 @@
 
 namespace meltpool {
 
-/// All that the colours of a picture's sky follow from, beside what never changes, and where they go.
+/// All variables that the colours of a picture's sky depend on, and their target.
 struct SkyKey {
     glm::mat4 worldToEye{0.0f};
     glm::mat4 eyeToClip{0.0f};
@@ -19,18 +19,18 @@ struct SkyKey {
     int width = 0; ///< pixels
     int height = 0;
     bool encodesSrgb = false; ///< the target, see RenderTarget
-    GLuint framebuffer = 0;   ///< one and the same has as many samples as before
+    GLuint framebuffer = 0;   ///< one framebuffer has as many samples as before
     GLuint program = 0;       ///< a reload of the shaders makes another
 
     bool operator==(const SkyKey&) const = default;
 };
 
-/// Shading the sky is a fifth of a picture where the processor draws; a copy is a fraction of that. The copy has the
-/// same bits.
+/// A copy of the sky: shading it is a fifth of a picture on a driver that draws on the processor; a copy is a fraction
+/// of that. The copy has identical bits.
 class KeptSky {
   public:
-    /// Whether the sky of the coming picture can be copied. It is drawn by `draw`, into a target of its own, when a
-    /// camera stands still for its second picture: one that moves costs nothing.
+    /// Returns true if the sky of the coming picture can be copied. `draw` draws it into a target of its own when a
+    /// camera does not move for its second picture: a moving camera costs nothing.
     template <typename Draw>
     bool prepare(const SkyKey& key, const RenderTarget& target, const Draw& draw) {
         const State state = look(key, target);
@@ -53,7 +53,7 @@ class KeptSky {
     RenderTarget begin();
 
     SkyKey key_;
-    std::optional<Picture> picture_; ///< of key_
+    std::optional<Picture> picture_; ///< picture of key_
 };
 
 } // namespace meltpool

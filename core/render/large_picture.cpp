@@ -14,7 +14,7 @@ namespace meltpool {
 namespace {
 
 constexpr int kFineSteps =
-    1 << 14; ///< of light's root, for the way back to displayed values: a hundredth of a step of 255
+    1 << 14; ///< steps of light's root, for the way back to displayed values: a hundredth of a step of 255
 
 /// The sRGB curve and its inverse (IEC 61966-2-1) as tables.
 struct Curve {
@@ -67,7 +67,7 @@ void place(const Image& tile, const LargePicture& wish, int left, int top, const
 View viewOfPart(const View& whole, glm::ivec2 size, glm::ivec2 corner, glm::ivec2 part) {
     View view = whole;
     for (int axis = 0; axis < 2; ++axis) {
-        // The part's own -1..1 from the picture's: enlarged about the part's middle, where that lies in -1..1.
+        // Converts the picture's -1..1 to the part's own: enlarged about the part's middle, if that is in -1..1.
         const float larger = static_cast<float>(size[axis]) / static_cast<float>(part[axis]);
         const float middle = static_cast<float>(2 * corner[axis] + part[axis]) / static_cast<float>(size[axis]) - 1;
         for (int column = 0; column < 4; ++column)

@@ -11,11 +11,11 @@
 
 namespace meltpool {
 
-/// Shaders leave a measure out where its name is not defined. SYNCHRONOUS_DRIVER: a branch would cost as much as the
-/// measure, as it computes both sides.
+/// A program whose shaders leave a measure out if its name is not defined. SYNCHRONOUS_DRIVER: a branch would cost as
+/// much as the measure, as it computes both sides.
 class MeasuredProgram {
   public:
-    /// `measures`: those that the shaders know, as bits of measuresOf(), each with the name that is defined for it.
+    /// `measures`: the measures of the shaders, as bits of measuresOf(), each with the name that is defined for it.
     /// `always`: defined in each variant. Loads nothing yet.
     MeasuredProgram(gl::ShaderLibrary& shaders, std::string vertex, std::string fragment,
                     std::vector<std::pair<unsigned, std::string>> measures, gl::Defines always = {})
@@ -26,16 +26,16 @@ class MeasuredProgram {
           always_(std::move(always)),
           variants_(size_t(1) << measures_.size()) {}
 
-    /// Every variant there is, and those to come, get their form for this submission. Throws InputError when the driver
-    /// does not compile one.
+    /// Loads the form for this submission of every variant, present and future. Throws InputError when the driver does
+    /// not compile one.
     void load(ViewSubmission submission) {
         submission_ = submission;
         for (const auto& variant : variants_)
             if (variant) variant->load(submission);
     }
 
-    /// Takes the variant with these measures (see measuresOf()) for the draws to come; makes it where it is new, which
-    /// takes the driver some time.
+    /// Takes the variant with these measures (see measuresOf()) for the draws to come; makes a missing one, which takes
+    /// the driver some time.
     void choose(unsigned measures) {
         size_t index = 0;
         for (size_t i = 0; i < measures_.size(); ++i)

@@ -11,8 +11,8 @@ namespace meltpool {
 
 class PictureTarget {
   public:
-    /// sRGB colour and depth of `width` x `height` pixels. `samples` above 1: multisampled, at most what the driver
-    /// offers. Throws RuntimeFault when the driver cannot draw into it.
+    /// Makes sRGB colour and depth of `width` x `height` pixels. `samples` above 1: multisampled, at most the driver's
+    /// limit. Throws RuntimeFault when the driver cannot draw into it.
     PictureTarget(int width, int height, int samples = 1);
 
     RenderTarget target() const;
@@ -20,10 +20,10 @@ class PictureTarget {
     int height() const { return colour_.shape().height; }
     int samples() const { return samples_; }
 
-    /// The finished picture, top row first. Waits for the GPU.
+    /// Returns the finished picture, top row first. Waits for the GPU.
     Image read() const;
 
-    /// Resolves into the plain colour texture (nothing to do without multisampling) and returns it.
+    /// Resolves into the plain colour texture (a no-op without multisampling) and returns it.
     const gl::Texture& resolve() const;
 
   private:

@@ -93,11 +93,11 @@ struct Renderer::Parts {
     std::array<gl::Buffer, kFramesInFlight> frames;
     std::array<gl::Buffer, kFramesInFlight> materials;
     size_t current = 0;
-    bool roomShown = false;                 ///< in this frame
-    KeptSky stillSky;                       ///< behind a camera that stands still
-    bool skyCopied = false;                 ///< in this frame
-    glm::vec3 exposure{0};                  ///< of this frame, through the filter
-    std::optional<SubmissionChoice> choice; ///< how several views are submitted; its programs are loaded
+    bool roomShown = false;                 ///< shown in this frame
+    KeptSky stillSky;                       ///< sky behind a camera that does not move
+    bool skyCopied = false;                 ///< copied in this frame
+    glm::vec3 exposure{0};                  ///< exposure of this frame, through the filter
+    std::optional<SubmissionChoice> choice; ///< way in which several views are submitted; its programs are loaded
     std::optional<ViewSubmission> wanted;   ///< the wish that `choice` was made for
 };
 
@@ -255,10 +255,10 @@ void Renderer::Parts::drawBatch(const SceneView& scene, const LookParameters& lo
     glDisable(GL_CLIP_DISTANCE1);
 }
 
-/// A camera of its own goes where a person's head would not, and looks through hand and handle there. Both eyes of a
-/// head see them where they are.
+/// A free camera goes through places that a person's head would avoid, and looks through hand and handle there. Both
+/// eyes of a head see them at their places.
 void Renderer::Parts::gatherFittings(const SceneView& scene, std::span<const View> views) {
-    constexpr float kMargin = 0.008f, kHead = 0.06f; // m; the torch's head over its tip is seen from wherever
+    constexpr float kMargin = 0.008f, kHead = 0.06f; // m; the torch's head over its tip is visible from every place
     // Dull ones have no highlight that needs every pixel.
     constexpr float kDull = 0.3f;
     const auto gather = [&](const Solid& fitting) { solids.gather({&fitting, 1}, fitting.gloss < kDull); };
@@ -283,7 +283,7 @@ void Renderer::Parts::gatherSolids(const SceneView& scene, const LookParameters&
     const bool fine = has(look, Measure::fittings) && !scene.fittings.empty();
     solids.gather(scene.solids, false, !fine);
     if (fine) gatherFittings(scene, views);
-    // Without the room, or with one that nobody sees, it stands by itself.
+    // Furniture is left out without the room, and with a room that is not visible.
     if (has(look, Measure::room) && roomShown == scene.room.shown) solids.gather(scene.furniture, true);
     solids.upload();
 }
@@ -335,8 +335,8 @@ void Renderer::Parts::clear(const RenderTarget& target) const {
     glClear(skyCopied ? GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-/// Over everything: it is light inside the eye. Adds what leaves the picture below white, so that it also serves
-/// targets whose values the shaders encode.
+/// Draws the glare over everything: it is light inside the eye. Adds the light that leaves the picture below white, so
+/// that it also serves targets whose values the shaders encode.
 void Renderer::Parts::drawGlare(const ViewBatch& views, const RenderTarget& target) const {
     glDisable(GL_DEPTH_TEST);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_COLOR);

@@ -1,4 +1,4 @@
-// Draws a scene as one or several views.
+// Renderer of a scene as one or several views.
 #pragma once
 
 #include "core/gl/profiler.hpp"
@@ -17,16 +17,16 @@ namespace meltpool {
 
 class Renderer {
   public:
-    /// Loads the programs and paints the environment. `kept`: where the latter is kept for the next start, see
-    /// Environment. Throws InputError when a shader is missing or wrong.
+    /// Loads the programs and paints the environment. `kept`: folder in which the latter is stored for the next start,
+    /// see Environment. Throws InputError when a shader is missing or wrong.
     explicit Renderer(gl::ShaderLibrary& shaders, const std::filesystem::path& kept = {});
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    /// Chooses how draw() submits several views, `wanted` or the best, and loads the programs for it. Where the driver
-    /// does not support it, the next simpler way is chosen. Costs nothing when nothing changes. Without a call draw()
-    /// chooses the best when it first needs it.
+    /// Chooses the way in which draw() submits several views, `wanted` or the best, and loads the programs for it. If
+    /// the driver does not support it, the next simpler way is chosen. Costs nothing when nothing changes. Without a
+    /// call draw() chooses the best when it first needs it.
     const SubmissionChoice& submitBy(std::optional<ViewSubmission> wanted);
 
     /// Clears the target's viewport and draws the scene for each view, side by side in equal columns. Leaves depth
@@ -35,7 +35,7 @@ class Renderer {
     void draw(const SceneView& scene, const LookParameters& look, std::span<const View> views,
               const RenderTarget& target, gl::Profiler* profiler);
 
-    /// What metal mirrors and the sky shows, see Environment.
+    /// Returns the mirrored surroundings of the metal and the sky, see Environment.
     const gl::Texture& environment() const;
 
     static constexpr size_t kMostViews = 4;

@@ -11,10 +11,10 @@ namespace meltpool {
 
 namespace {
 
-/// As in shaders/render/room.vert.
+/// Vertices as in shaders/render/room.vert.
 constexpr int kVertices = (1 + WORKSHOP_BOXES) * 36 + 12 + WORKSHOP_BOTTLES * WORKSHOP_BOTTLE_SIDES * 6;
 
-constexpr float kFromWall = 0.05f; ///< m that an eye keeps from the walls
+constexpr float kFromWall = 0.05f; ///< m between an eye and the walls, at least
 
 } // namespace
 
@@ -36,7 +36,7 @@ void RoomPainter::draw(const RoomView& room, const ViewBatch& views, const Rende
     empty_.bind();
     glEnable(GL_CULL_FACE);
     glEnable(GL_DEPTH_CLAMP);
-    glDepthFunc(GL_LEQUAL); // at the far plane what comes later covers what came before: the walls come first
+    glDepthFunc(GL_LEQUAL); // at the far plane later things cover earlier ones: the walls come first
     glDrawArraysInstanced(GL_TRIANGLES, 0, kVertices, views.count);
     glDepthFunc(GL_LESS);
     glDisable(GL_DEPTH_CLAMP);

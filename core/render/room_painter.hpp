@@ -1,4 +1,4 @@
-// Draws the workshop as geometry: near things shift against far ones, and the floor stays where it is.
+// Painter of the workshop as geometry: near things shift against far ones, and the floor does not move.
 #pragma once
 
 #include "core/gl/texture.hpp"
@@ -9,7 +9,7 @@
 
 namespace meltpool {
 
-/// Whether the room can be drawn for these views: an eye outside its walls sees the sky instead.
+/// Returns true if the room can be drawn for these views: an eye outside its walls sees the sky instead.
 bool insideRoom(const RoomView& room, std::span<const View> views);
 
 class RoomPainter {
@@ -19,8 +19,8 @@ class RoomPainter {
     /// Loads the program's form for one way of submission. Throws InputError when the driver does not compile it.
     void load(ViewSubmission submission) { program_.load(submission); }
 
-    /// Expects the frame's uniform blocks and the environment bound, the frame's state set and no clip plane but those
-    /// of the views. What lies beyond a view's far plane is drawn at that plane.
+    /// Draws the room. Expects the frame's uniform blocks and the environment bound, the frame's state set and no clip
+    /// plane but those of the views. Geometry beyond a view's far plane is drawn at that plane.
     void draw(const RoomView& room, const ViewBatch& views, const RenderTarget& target) const;
 
   private:

@@ -1,4 +1,4 @@
-// The scene of one frame as the renderer needs it.
+// The scene of one frame: all data that the renderer needs.
 #pragma once
 
 #include "core/metal/material/materials.hpp"
@@ -29,7 +29,7 @@ struct SourceView {
     bool cold = false;
 };
 
-/// How the temperatures of vertices and particles are shown.
+/// Mapping of the temperatures of vertices and particles to colours.
 struct TemperatureMeaning {
     float coldest = 0.0f;  ///< lower end of the temperature colours
     float hottest = 1.0f;  ///< upper end of the temperature colours
@@ -47,7 +47,7 @@ struct ArcLight {
 
 /// The workshop as geometry around the scene.
 struct RoomView {
-    bool shown = false;      ///< false: the sky is drawn, as from everywhere alike
+    bool shown = false;      ///< false: the sky is drawn, alike from everywhere
     glm::mat4 toWorld{1.0f}; ///< from the workshop's frame (m, floor at WORKSHOP_FLOOR): one scale, translation
 };
 
@@ -62,24 +62,24 @@ struct SceneView {
     SourceView source;
     TemperatureMeaning temperature;
     const MaterialLooks* looks = nullptr; ///< physical material; null: LookParameters::material
-    FreezingRipples ripples;              ///< of what froze, where `looks` names no frequency
-    RolledFaces rolled;                   ///< model units; under mill scale where `looks` has some
-    float oxideRadius = 0;                ///< model units, of the islands on a pool; 0: none float there
+    FreezingRipples ripples;              ///< ripples of frozen metal, if `looks` names no frequency
+    RolledFaces rolled;                   ///< model units; under mill scale if `looks` has some
+    float oxideRadius = 0;                ///< model units, radius of the islands on a pool; 0: none float there
     SectionView section;
     ArcLight arc;
     ArcEffectsView effects;
     AfterImage afterImage;
-    bool tableShown = false;                ///< a table is among the solids, on which spatter lies
-    std::span<const WorkpieceBlock> blocks; ///< model units; they keep the arc's light off the solids behind them
+    bool tableShown = false;                ///< a table is among the solids, and spatter can be on it
+    std::span<const WorkpieceBlock> blocks; ///< model units; they block the arc's light from the solids behind them
     std::span<const Solid> solids;          ///< torch, table, clamps
-    std::span<const Solid> fittings;        ///< finer solids of torch and hands, where detail is high
-    RoomView room;                          ///< where detail is not low; else, and from outside of it, the sky
-    std::span<const Solid> furniture;       ///< what stands in the room beside the workpiece; drawn with it only
+    std::span<const Solid> fittings;        ///< finer solids of torch and hands, for high detail
+    RoomView room;                          ///< for detail that is not low; else, and from outside of it, the sky
+    std::span<const Solid> furniture;       ///< things in the room other than the workpiece; drawn with it only
     float tableTop = -1e9f;                 ///< world height of the table among them
-    size_t holderSolids = 0;                ///< how many of the last of them hold the workpiece
-    std::span<const Marker> ghost;          ///< drawn over the rest, where nothing stands before it
-    std::span<const Marker> markers;        ///< the same, after the ghost
-    size_t rodSolids = 0;                   ///< how many of the last of them are the filler rod in the other hand
+    size_t holderSolids = 0;                ///< number of the last of them that hold the workpiece
+    std::span<const Marker> ghost;          ///< drawn over the rest, unless something is in front of it
+    std::span<const Marker> markers;        ///< drawn likewise, after the ghost
+    size_t rodSolids = 0;                   ///< number of the last of them that are the filler rod in the other hand
 
     /// Takes torch, hands and rod out of the picture.
     void putTorchAway() {
@@ -89,7 +89,7 @@ struct SceneView {
     }
 };
 
-/// An eye below the table's top sees the workpiece from beneath, as if nothing stood in the room.
+/// Lets an eye below the table's top see the workpiece from beneath, as in an empty room.
 inline void lookThroughTable(SceneView& scene, const View& view) {
     if (view.eye.y >= scene.tableTop) return;
     scene.furniture = {};

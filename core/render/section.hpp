@@ -1,4 +1,4 @@
-// A cut through the metal, drawn as an etched macro-section: what was molten, what heat has changed, what is as before.
+// A cut through the metal, drawn as an etched macro-section: molten, heat-affected and unchanged metal.
 #pragma once
 
 #include "core/gl/texture.hpp"
@@ -10,13 +10,14 @@
 
 namespace meltpool {
 
-/// A plane across the seam and what it shows.
+/// A plane across the seam and the drawing on it.
 struct SectionView {
     bool shown = false;
-    float at = 0;                    ///< of the plane along x, model units; the metal beyond it (+x) is taken away
+    /// Place of the plane along x, model units; the metal beyond it (+x) is taken away.
+    float at = 0;
     const SectionMap* map = nullptr; ///< drawn on the plane, in model units; null or empty: the plane stays open
     std::span<const SectionStroke> strokes = {}; ///< measures, a little before the plane; model units
-    float lift = 5e-5f;                          ///< how far before it, model units
+    float lift = 5e-5f;                          ///< distance of the strokes before it, model units
 };
 
 class SectionPainter {

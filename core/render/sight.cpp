@@ -9,7 +9,7 @@ namespace meltpool {
 
 namespace {
 
-/// Of two segments, each from a point along a way; m or any unit.
+/// Returns the distance of two segments, each from a point along a way; m or any unit.
 float distanceBetween(const glm::vec3& from, const glm::vec3& way, const glm::vec3& otherFrom, const glm::vec3& other) {
     const glm::vec3 start = from - otherFrom;
     const float a = std::max(glm::dot(way, way), 1e-12f), e = std::max(glm::dot(other, other), 1e-12f);

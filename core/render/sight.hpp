@@ -1,12 +1,12 @@
-// Whether a solid keeps something out of an eye's sight.
+// Test for a solid in an eye's line of sight.
 #pragma once
 
 #include "core/render/solid.hpp"
 
 namespace meltpool {
 
-/// Whether a solid along its z axis, as wide as it is, comes within `margin` (world units) of the line from `eye` to
-/// `target`, or of the eye itself; both in world units.
+/// Returns true if a solid along its z axis, with its width, comes within `margin` (world units) of the line from `eye`
+/// to `target`, or of the eye itself; both in world units.
 bool standsBefore(const Solid& solid, const glm::vec3& eye, const glm::vec3& target, float margin);
 
 } // namespace meltpool

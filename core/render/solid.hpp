@@ -1,5 +1,5 @@
-// Simple painted solids, of which things are made: torches, hands, table, clamps; and markers, which are signs rather
-// than things.
+// Simple painted solids that make up things: torches, hands, table, clamps; and markers, which are signs rather than
+// things.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -9,7 +9,7 @@
 
 namespace meltpool {
 
-/// All but the bend fit into the cube -0.5..0.5; the axis of what is round is z, the tip of the cone lies at -z.
+/// All but the bend fit into the cube -0.5..0.5; the axis of round shapes is z, the tip of the cone is at -z.
 enum class SolidShape {
     box,
     cylinder,
@@ -29,7 +29,7 @@ constexpr float kTubeBore = 0.76f;
 constexpr float kCupMouth = 0.72f;
 constexpr float kTaperEnd = 0.66f;
 constexpr float kBendAngle = 0.7853982f; ///< rad
-constexpr float kBendRadius = 2.2f;      ///< of its middle line, in widths of the rod
+constexpr float kBendRadius = 2.2f;      ///< radius of its middle line, in widths of the rod
 
 struct Solid {
     SolidShape shape = SolidShape::box;
@@ -37,25 +37,24 @@ struct Solid {
     glm::vec3 colour{0.5f}; ///< linear sRGB reflectance
     float gloss = 0.2f;     ///< 0 dull .. 1 polished
     glm::vec3 glow{0.0f};   ///< emitted light
-    /// Stands for the finer solids of SceneView::fittings, and is drawn in their place where detail is not high. Pools
+    /// Replacement for the finer solids of SceneView::fittings, drawn in their place unless detail is high. Pools
     /// mirror it and it throws a shadow whether it is drawn or not.
     bool coarse = false;
 };
 
-/// A solid that shows its own colour whatever light falls on it, also through the visor, and lets what is behind it
-/// through.
+/// A solid that shows its own colour in any light, also through the visor, and lets the background through.
 struct Marker {
     SolidShape shape = SolidShape::box;
     glm::mat4 toWorld{1.0f};
     glm::vec3 colour{0.5f}; ///< linear sRGB, as displayed
     float opacity = 1;      ///< 0..1
-    float face = 1;         ///< share of it where the surface faces the eye; below 1 the outline stands out
+    float face = 1;         ///< share of it on surfaces that face the eye; below 1 the outline is the strongest part
 };
 
-/// The transform of a solid that reaches from `from` to `to` with the given width; its -z end lies at `to`.
+/// Returns the transform of a solid that reaches from `from` to `to` with the given width; its -z end is at `to`.
 glm::mat4 alongLine(const glm::vec3& from, const glm::vec3& to, float width);
 
-/// A box or the like with these edges around `middle`.
+/// Returns the transform of a box or the like with these edges around `middle`.
 glm::mat4 boxAt(const glm::vec3& middle, const glm::vec3& size);
 
 } // namespace meltpool

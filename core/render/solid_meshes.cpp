@@ -36,7 +36,8 @@ void addBox(Meshes& out) {
         }
 }
 
-/// A grid of (columns + 1) x (rows + 1) corners, `at(column, row)`; seen from its front, columns go right and rows up.
+/// Adds a grid of (columns + 1) x (rows + 1) corners, `at(column, row)`; seen from its front, columns go right and rows
+/// up.
 template <class At>
 void addGrid(Meshes& out, int columns, int rows, const At& at) {
     const auto first = static_cast<std::uint32_t>(out.vertices.size());
@@ -75,14 +76,14 @@ void addRevolved(Meshes& out, const Ring& top, const Ring& bottom, int around = 
     }
 }
 
-/// A ring-shaped or, with inner radius 0, round end.
+/// Adds a ring-shaped or, with inner radius 0, round end.
 void addEnd(Meshes& out, float z, float outer, float inner) {
     const glm::vec2 along(0, z > 0 ? 1 : -1);
     const Ring wide{outer, z, along}, narrow{inner, z, along};
     addRevolved(out, z > 0 ? narrow : wide, z > 0 ? wide : narrow);
 }
 
-/// A cylinder or cone between two radii, with ends; a bore of this share of its width goes through.
+/// Adds a cylinder or cone between two radii, with ends; a bore of this share of its width goes through.
 void addTapered(Meshes& out, float topRadius, float bottomRadius, float bore = 0) {
     const glm::vec2 slope = glm::normalize(glm::vec2(1.0f, bottomRadius - topRadius));
     addRevolved(out, {topRadius, 0.5f, slope}, {bottomRadius, -0.5f, slope});
@@ -91,8 +92,8 @@ void addTapered(Meshes& out, float topRadius, float bottomRadius, float bore = 0
     if (bottomRadius > 0) addEnd(out, -0.5f, bottomRadius, bottomRadius * bore);
 }
 
-/// Half an ellipsoid, or a whole one: rows from `firstRow` to `lastRow` of `rows` from pole to pole, about the height
-/// `z`.
+/// Adds half an ellipsoid, or a whole one: rows from `firstRow` to `lastRow` of `rows` from pole to pole, about the
+/// height `z`.
 void addBall(Meshes& out, int firstRow, int lastRow, int rows, float z, float height, int around = kAround) {
     const auto ring = [&](int row) {
         const float angle = 0.5f * kFullTurn * static_cast<float>(row) / static_cast<float>(rows);
@@ -103,7 +104,8 @@ void addBall(Meshes& out, int firstRow, int lastRow, int rows, float z, float he
         addRevolved(out, ring(row), ring(row + 1), around);
 }
 
-/// Its ends are round where it is twice as long as wide. Hands and cables have many: it is coarser than the rest.
+/// Adds a pill. Its ends are round at a length of twice its width. Hands and cables have many: it is coarser than the
+/// rest.
 void addPill(Meshes& out) {
     constexpr int kRows = 6, kSides = 20;
     constexpr float kEnd = 0.25f;
@@ -112,7 +114,7 @@ void addPill(Meshes& out) {
     addBall(out, kRows / 2, kRows, kRows, -kEnd, kEnd, kSides);
 }
 
-/// The superellipsoid |x|^n + |y|^n + |z|^n = 0.5^n, from the grid of a cube.
+/// Adds the superellipsoid |x|^n + |y|^n + |z|^n = 0.5^n, from the grid of a cube.
 void addRounded(Meshes& out) {
     constexpr int kCells = 6;
     constexpr float kPower = 6;
@@ -124,7 +126,7 @@ void addRounded(Meshes& out) {
     for (int axis = 0; axis < 3; ++axis)
         for (const float side : {-1.0f, 1.0f})
             addGrid(out, kCells, kCells, [&](int column, int row) {
-                // Equal angles: finer towards the edges, which are what is round.
+                // Equal angles: finer towards the edges, which are the round parts.
                 const auto place = [](int line) {
                     return std::sin(0.25f * kFullTurn * (2 * static_cast<float>(line) / kCells - 1));
                 };
@@ -148,7 +150,7 @@ void addBend(Meshes& out) {
     addGrid(out, kAround, kPieces, [&](int step, int piece) { return at(piece, step); });
 }
 
-/// Light computed for its corners is fine enough where shadows of small things fall.
+/// Light computed for its corners is fine enough for shadows of small things.
 void addSlab(Meshes& out) {
     constexpr int kCells = 56;
     const auto line = [](int i) { // from -0.5 to 0.5; the middle's cells are a seventh as wide as even ones would be

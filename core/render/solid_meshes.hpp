@@ -16,7 +16,7 @@ struct SolidVertex {
 
 /// All shapes in one list of vertices and one of indices.
 struct SolidMeshes {
-    /// Of the indices; they count from the first vertex of the whole list.
+    /// Range of the indices; they count from the first vertex of the whole list.
     struct Range {
         int first = 0;
         int count = 0;

@@ -1,4 +1,5 @@
-// Draws simple painted solids: the heat source, torches, tables, clamps; and markers that are signs rather than things.
+// Painter of simple painted solids: the heat source, torches, tables, clamps; and of markers, which are signs rather
+// than things.
 #pragma once
 
 #include "core/gl/buffer.hpp"
@@ -24,7 +25,7 @@ class SolidPainter {
         markers_.load(submission);
     }
 
-    /// Call before the first draw of a frame. `measures`: see measuresOf().
+    /// Prepares a frame; call it before the first draw. `measures`: see measuresOf().
     void prepare(unsigned measures) {
         program_.choose(measures);
         standing_.choose(measures);
@@ -32,24 +33,24 @@ class SolidPainter {
 
     /// Begins the solids of a frame; gather() adds to them, upload() copies them to the GPU for the draws to come.
     void begin();
-    /// `standing`: on the table, where the workpiece keeps lamp and room off them. `coarse`: those that stand for finer
-    /// ones too.
+    /// Adds solids. `standing`: on the table, where the workpiece shields them from lamp and room. `coarse`:
+    /// replacements for finer ones too.
     void gather(std::span<const Solid> solids, bool standing = false, bool coarse = true);
     void upload();
     /// Draws them. Expects the frame's uniform blocks bound and its state set.
     void draw(const ViewBatch& views, const RenderTarget& target) const;
 
-    /// Expects the same, and blending by alpha. Later ones cover earlier ones.
+    /// Draws markers. Expects the state for draw() of solids, and blending by alpha. Later ones cover earlier ones.
     void draw(std::span<const Marker> markers, const ViewBatch& views, const RenderTarget& target) const;
 
   private:
-    /// Of a solid, as the vertex shader reads it.
+    /// Data of one solid, as the vertex shader reads it.
     struct Instance {
         glm::mat4 toWorld;
         glm::vec4 paint; ///< colour, gloss
         glm::vec4 glow;
     };
-    /// The solids of one shape, of which the first stand free.
+    /// The solids of one shape, free ones before those on the table.
     struct Kind {
         std::vector<Instance> free, standing;
     };

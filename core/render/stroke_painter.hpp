@@ -1,4 +1,4 @@
-// Draws strokes in the plane of a section.
+// Painter of strokes in the plane of a section.
 #pragma once
 
 #include "core/gl/buffer.hpp"
@@ -20,7 +20,7 @@ class StrokePainter {
     /// Loads the program's form for one way of submission. Throws InputError when the driver does not compile it.
     void load(ViewSubmission submission) { program_.load(submission); }
 
-    /// Draws the strokes of the last upload() in the plane `at` along x (model units), blended over what is there.
+    /// Draws the strokes of the last upload() in the plane `at` along x (model units), blended over the picture.
     /// Expects the frame's uniform blocks bound and blending on.
     void draw(float at, const ViewBatch& views, const RenderTarget& target) const;
 

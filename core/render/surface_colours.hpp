@@ -13,9 +13,9 @@
 
 namespace meltpool {
 
-/// The colour of the metal itself at each pair of temperature and highest temperature so far (0: not known), in the
-/// scene's temperatures: what the drawing shaders' own functions give, without lamp, arc, mirror image and welding
-/// filter. Linear sRGB, 0..1. Material colours have temper colours and glow; other colours of the look are its
+/// Returns the colour of the metal itself at each pair of temperature and highest temperature so far (0: not known), in
+/// the scene's temperatures: the result of the drawing shaders' own functions, without lamp, arc, mirror image and
+/// welding filter. Linear sRGB, 0..1. Material colours have temper colours and glow; other colours of the look are its
 /// temperature scale. Waits for the GPU.
 std::vector<glm::vec3> surfaceColours(gl::ShaderLibrary& shaders, const SceneView& scene, LookParameters look,
                                       std::span<const glm::vec2> heats);

@@ -149,8 +149,8 @@ void SurfacePainter::drawWireframe(const SurfaceMesh& mesh, const ViewBatch& vie
     mesh.vertices->bindStorage(PULL_VERTICES_BINDING);
     mesh.indices->bindStorage(PULL_INDICES_BINDING);
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commandFor(mesh, views).name());
-    // The command of indexed drawing serves unindexed drawing: count, instances and first are the same, and baseVertex,
-    // which is 0, is read as the first instance.
+    // The command of indexed drawing serves unindexed drawing: count, instances and first match, and baseVertex, which
+    // is 0, is read as the first instance.
     glDrawArraysIndirect(GL_TRIANGLES, nullptr);
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
 }

@@ -1,4 +1,4 @@
-// Draws the metal's surface: filled in a material or in temperature colours, or as a wireframe.
+// Painter of the metal's surface: filled in a material or in temperature colours, or as a wireframe.
 #pragma once
 
 #include "core/gl/program.hpp"
@@ -22,11 +22,11 @@ class SurfacePainter {
     /// Loads the programs' forms for one way of submission. Throws InputError when the driver does not compile one.
     void load(ViewSubmission submission);
 
-    /// Call before the first draw of a frame whose batches have `instances` views.
+    /// Prepares a frame whose batches have `instances` views; call it before the first draw.
     void prepare(const SceneView& scene, const LookParameters& look, int instances);
 
-    /// Expects the frame's uniform blocks bound. `count`: number of all views of the target. Translucent materials
-    /// first draw their far side into a texture of the target's size.
+    /// Draws the surface. Expects the frame's uniform blocks bound. `count`: number of all views of the target.
+    /// Translucent materials first draw their far side into a texture of the target's size.
     void draw(const SceneView& scene, const LookParameters& look, const ViewBatch& views, int count,
               const RenderTarget& target);
     void drawWireframe(const SurfaceMesh& mesh, const ViewBatch& views, const RenderTarget& target) const;
@@ -49,7 +49,7 @@ class SurfacePainter {
     const gl::Buffer& commandFor(const SurfaceMesh& mesh, const ViewBatch& views) const;
 
     TonedProgram metal_;
-    /// All of it, then what the pool mirrors over it.
+    /// All of the metal, then the pool's mirror image over it.
     MeasuredProgram hotMetal_, pool_;
     bool rippled_ = false; ///< they show ripples
     TonedProgram wax_;

@@ -13,8 +13,8 @@ namespace meltpool {
 /// A program whose vertex shader includes render/view.glsl.
 class ViewProgram {
   public:
-    /// Files relative to the shader folder. Loads the variant for single views; throws InputError when it does not
-    /// compile.
+    /// Takes files relative to the shader folder. Loads the variant for single views; throws InputError when it does
+    /// not compile.
     ViewProgram(gl::ShaderLibrary& shaders, std::string vertex, std::string fragment, gl::Defines defines = {})
         : shaders_(shaders), vertex_(std::move(vertex)), fragment_(std::move(fragment)), defines_(std::move(defines)) {
         load(ViewSubmission::passes);
@@ -47,7 +47,7 @@ class ViewProgram {
 /// A ViewProgram whose fragment shader includes render/tone.glsl.
 class TonedProgram {
   public:
-    /// As ViewProgram.
+    /// Takes the arguments of ViewProgram.
     TonedProgram(gl::ShaderLibrary& shaders, const std::string& vertex, const std::string& fragment,
                  const gl::Defines& defines = {})
         : light_(shaders, vertex, fragment, defines), shown_(shaders, vertex, fragment, encoding(defines)) {}

@@ -24,27 +24,27 @@ struct Viewport {
     int height = 0;
 };
 
-/// A column of a viewport that is divided into `columns` equal ones, counted from the left.
+/// Returns a column of a viewport that is divided into `columns` equal ones, counted from the left.
 Viewport columnOf(const Viewport& whole, int column, int columns);
 
-/// A frame buffer with colour and depth. Several views lie side by side in equal columns of the viewport, from the
+/// A frame buffer with colour and depth. Several views are side by side in equal columns of the viewport, from the
 /// left.
 struct RenderTarget {
     GLuint framebuffer = 0; ///< 0: the window's
     Viewport viewport;
-    /// True: the colour attachment is an sRGB format, which encodes what is written. False (a window): the shaders
+    /// True: the colour attachment is an sRGB format, which encodes written values. False (a window): the shaders
     /// encode.
     bool encodesSrgb = false;
 };
 
 /// A symmetric perspective projection.
 struct Lens {
-    float fieldOfView = 0.7854f; ///< of the picture's height, rad
+    float fieldOfView = 0.7854f; ///< angle of the picture's height, rad
     float nearest = 0.02f;       ///< closest distance drawn, world units
     float farthest = 100.0f;     ///< farthest distance drawn, world units
 };
 
-/// The view of an eye at `position` looking along `orientation` * -Z. `aspect` is width over height.
+/// Returns the view of an eye at `position` looking along `orientation` * -Z. `aspect` is width over height.
 View makeView(const glm::vec3& position, const glm::quat& orientation, const Lens& lens, float aspect);
 
 } // namespace meltpool

@@ -1,4 +1,4 @@
-// How several views are drawn: all with one draw call where the driver supports that, else one after the other.
+// Ways of drawing several views: all with one draw call if the driver supports that, else one after the other.
 #pragma once
 
 #include "core/render/view.hpp"
@@ -10,7 +10,7 @@
 
 namespace meltpool {
 
-/// From the fastest to the simplest; all give the same picture.
+/// Ways from the fastest to the simplest; all give one picture.
 enum class ViewSubmission {
     viewports, ///< an instance a view, sent to its viewport by the vertex shader (GL_ARB_shader_viewport_layer_array)
     clipping,  ///< an instance a view, squeezed into its column and clipped at its sides
@@ -20,20 +20,20 @@ enum class ViewSubmission {
 constexpr std::array<ViewSubmission, 3> kViewSubmissions{ViewSubmission::viewports, ViewSubmission::clipping,
                                                          ViewSubmission::passes};
 
-/// "viewports", "clip distances", "passes".
+/// Returns "viewports", "clip distances", "passes".
 std::string_view submissionName(ViewSubmission submission);
 
-/// What the driver supports for drawing several views at once.
+/// Features of the driver for drawing several views at once.
 struct SubmissionOffer {
     bool viewportInVertexShader = false; ///< GL_ARB_shader_viewport_layer_array
     int viewports = 1;
     int clipDistances = 0;
 };
 
-/// Of the current context.
+/// Returns the offer of the current context.
 SubmissionOffer submissionOffer();
 
-/// Why a driver with this offer cannot draw `views` views in this way; empty: it can.
+/// Returns the reason why a driver with this offer cannot draw `views` views in this way; empty: it can.
 std::string submissionObstacle(ViewSubmission submission, const SubmissionOffer& offer, int views);
 
 /// The chosen way, and a sentence about it for people.
@@ -42,7 +42,7 @@ struct SubmissionChoice {
     std::string sentence;
 };
 
-/// The wanted way, or the best, where the driver supports it; else the next simpler one, with the reason.
+/// Returns the wanted way, or the best, if the driver supports it; else the next simpler one, with the reason.
 SubmissionChoice chooseSubmission(std::optional<ViewSubmission> wanted, const SubmissionOffer& offer, int views);
 
 /// The views that one draw call fills.
@@ -56,7 +56,7 @@ struct ViewBatch {
 /// large points would reach into a neighbouring view. Leaves the scissor test on.
 void aim(const ViewBatch& batch, const Viewport& whole, int views);
 
-/// The clip distance with which shaders/render/view.glsl cuts the metal at the section.
+/// Returns the clip distance with which shaders/render/view.glsl cuts the metal at the section.
 constexpr GLenum cutPlane(ViewSubmission submission) {
     return submission == ViewSubmission::clipping ? GL_CLIP_DISTANCE2 : GL_CLIP_DISTANCE0;
 }

@@ -1,5 +1,5 @@
-// What flies about an arc, fed with its state step by step: spatter, the wire's drops and fume. The eye's part of what
-// the ear hears.
+// Particles and fume about an arc, fed with its state step by step: spatter, the wire's drops and smoke. The visible
+// part of the sounds.
 #pragma once
 
 #include "core/render/effects/fume_puffs.hpp"
@@ -10,11 +10,11 @@ namespace meltpool {
 
 class ArcEffects {
   public:
-    /// s in which the smoke gathers after the arc has struck, and thins out after it. None: chosen.
+    /// s in which the smoke gathers after the arc has struck, and thins out after it. No source: chosen.
     static constexpr double kGathers = 0.7;
 
     ArcEffects();
-    /// Another attempt, or another moment of this one: nothing flies or lies.
+    /// Clears all drops, beads and smoke, for another attempt or another moment of this one.
     void reset();
     void setGround(const SpatterGround& ground) {
         spatter_.setGround(ground);
@@ -22,7 +22,7 @@ class ArcEffects {
     }
     void step(const ArcEffectsStep& step);
 
-    /// As it is now. What it lends is valid until the next call.
+    /// Returns the effects as they are now. The lent data is valid until the next call.
     ArcEffectsView view();
 
     const Spatter& spatter() const { return spatter_; }
@@ -31,7 +31,7 @@ class ArcEffects {
     Spatter spatter_;
     WireDrops wire_;
     double time_ = 0;
-    double smoke_ = 0; ///< 0..1 of what the process gives
+    double smoke_ = 0; ///< 0..1 of the process's full smoke
     float scattering_ = 0;
     FumePuffs puffs_;
     std::vector<Spark> sparks_;

@@ -8,9 +8,9 @@ namespace meltpool {
 namespace {
 
 constexpr double kStefanBoltzmann = 5.670374e-8; // W/(m² K^4)
-constexpr double kEmissivity = 0.8;              // of its oxide skin, as that of scale
+constexpr double kEmissivity = 0.8;              // emissivity of its oxide skin, as that of scale
 constexpr double kHeatCapacity = 7300.0 * 700;   // J/(m³ K), austenite and liquid, without the heat of freezing
-constexpr double kSpeed = 3;                     // m/s, a usual one of spatter; its rows are computed for it
+constexpr double kSpeed = 3;                     // m/s, a usual speed of spatter; its rows are computed for it
 
 // Air at 1000 K; tables of air's properties.
 constexpr double kAirConductivity = 0.067; // W/(m K)
@@ -19,7 +19,7 @@ constexpr double kPrandtl = 0.70;
 
 constexpr double kStep = 0.002; // share of the temperature that a step of the integration may lose
 
-/// s in which a drop cools from one temperature to another one near it: Simpson's rule over dt/dT.
+/// Returns the time (s) in which a drop cools from one temperature to another one near it: Simpson's rule over dt/dT.
 double timeOf(double diameter, double from, double to) {
     const double middle = 0.5 * (from + to);
     const auto perKelvin = [diameter](double kelvin) { return -1 / spatterCoolingRate(diameter, kelvin); };
@@ -74,7 +74,7 @@ float SpatterCooling::lifetime(float diameter) const {
     const double row = rowOf(diameter);
     const auto low = std::min(static_cast<size_t>(row), static_cast<size_t>(kSizes - 2));
     const double share = row - static_cast<double>(low);
-    // Between two sizes the logarithms lie on a line, almost.
+    // Between two sizes the logarithms are almost on a line.
     return static_cast<float>(
         std::exp(std::lerp(std::log(rows_[low].lifetime), std::log(rows_[low + 1].lifetime), share)));
 }

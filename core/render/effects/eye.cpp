@@ -8,8 +8,8 @@ namespace meltpool {
 
 namespace {
 
-constexpr double kDisc = 0.015;  // m, radius of the disc that the eye gets used to
-constexpr double kSteel = 0.3;   // reflectance of steel about a pool; none: chosen
+constexpr double kDisc = 0.015;  // m, radius of the disc that the eye adapts to
+constexpr double kSteel = 0.3;   // reflectance of steel about a pool; no source: chosen
 constexpr double kForgets = 0.5; // s after which another look is a new one
 
 } // namespace

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kSoonest = 1e-5F; // s: a drop that is born on a face does not land there at once
 
-/// Ages at which height + speed t + gravity t²/2 is 0, the sooner first; negative or not a number: none.
+/// Returns the ages at which height + speed t + gravity t²/2 is 0, the sooner first; negative or not a number: none.
 std::array<float, 2> crossings(float height, float speed, float gravity) {
     if (std::abs(gravity) < 1e-6F) return {-height / speed, -1};
     const float root = std::sqrt(speed * speed - 2 * gravity * height);
@@ -25,7 +25,7 @@ bool within(const WorkpieceBlock& block, const glm::vec3& place, int except) {
     return true;
 }
 
-/// The first time that the flight comes from outside through a face of the block.
+/// Finds the first time that the flight comes from outside through a face of the block.
 void landOn(const WorkpieceBlock& block, const Flight& flight, std::optional<Landing>& first) {
     for (int axis = 0; axis < 3; ++axis)
         for (const float side : {-1.0F, 1.0F}) {

@@ -1,4 +1,4 @@
-// The way of a drop that flies free, in closed form from its birth, and where it lands.
+// The flight of a free drop, in closed form from its birth, and its landing place.
 #pragma once
 
 #include "core/weld/workpiece/workpiece.hpp"
@@ -8,9 +8,9 @@
 
 namespace meltpool {
 
-/// What spatter lands on, in the workpiece's frame, m.
+/// Faces on which spatter lands, in the workpiece's frame, m.
 struct SpatterGround {
-    std::span<const WorkpieceBlock> blocks; ///< must outlive whoever keeps this
+    std::span<const WorkpieceBlock> blocks; ///< must outlive every object that stores this
     glm::vec3 up{0, 1, 0};                  ///< unit, against gravity
     float table = -1;                       ///< height of the table along `up`
 };
@@ -27,11 +27,11 @@ struct Flight {
 
 struct Landing {
     float age = 0;       ///< s from birth
-    glm::vec3 normal{0}; ///< unit, of the face
+    glm::vec3 normal{0}; ///< unit normal of the face
     bool onTable = false;
 };
 
-/// The first face of the workpiece's blocks that the flight enters, or the table; nothing where it meets neither.
+/// Returns the first face of the workpiece's blocks that the flight enters, or the table; nothing if it meets neither.
 std::optional<Landing> landingOf(const Flight& flight, const SpatterGround& ground);
 
 } // namespace meltpool

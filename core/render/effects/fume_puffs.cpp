@@ -17,30 +17,30 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Share of the arc's electric power that goes into the air over it as heat. None: chosen, low, as most of what the
-/// metal does not take leaves as light.
+/// Share of the arc's electric power that goes into the air over it as heat. No source: chosen, low, as most of the
+/// power that the metal does not take leaves as light.
 constexpr double kWarmsAir = 0.02;
-/// Of a step of which no voltage and current is known, W.
+/// Power of a step without known voltage and current, W.
 constexpr double kLeastPower = 100;
-/// m²: what the smoke of a puff scatters out of light for a scattering of 1/m, as an area. Chosen by the look: fume
-/// rates give some times as much, but pool and seam must stay in sight.
+/// m²: scattering cross-section of a puff's smoke for a scattering of 1/m. Chosen by the look: fume rates give some
+/// times as much, but pool and seam must stay in sight.
 constexpr float kSeen = 1.6e-4F;
-/// Where puffs rise in the plume, in its half widths from the axis; the outer ones are slow, as the profile of a real
-/// plume is about exp(-(r/b)²).
+/// Places in the plume at which puffs rise, in its half widths from the axis; the outer ones are slow, as the profile
+/// of a real plume is about exp(-(r/b)²).
 constexpr float kFarthest = 0.9F;
-/// How far the plume sways, in its half widths, and how fast it does, 1/s. A plume of this size meanders at some 1 to
-/// 3 Hz; the second is in no simple ratio to the first, so that no time is like another.
+/// Sway of the plume, in its half widths, and its rates, 1/s. A plume of this size meanders at some 1 to 3 Hz; the
+/// second is in no simple ratio to the first, so that no moment repeats another.
 constexpr double kSways = 0.5, kSwayRates[2] = {1.13, 1.87};
 /// m/s: the air of a workshop is never still.
 constexpr float kDraught = 0.035F;
-/// Half of a puff's length in ways that it rises in a period: it overlaps its neighbours.
+/// Half of a puff's length, in rises of one period: it overlaps its neighbours.
 constexpr double kReaches = 1.3;
 /// Texels of the noise that a puff's middle wanders while its radius grows by e: smoke rolls as it rises.
 constexpr float kRolls = 0.5F;
-/// Moments of birth are this share of a period late, so that none lies on the end of a step of 1/90 s.
+/// Share of a period by which births are late, so that none is at the end of a step of 1/90 s.
 constexpr double kLate = 0.37;
 
-/// s: the moment of birth of a puff.
+/// Returns the moment of birth of a puff, s.
 double birthOf(std::int64_t number) {
     return (static_cast<double>(number) + kLate) / FumePuffs::kRate;
 }
@@ -55,7 +55,7 @@ LevelAxes levelAxes(const glm::vec3& up) {
     return {glm::cross(up, along), along};
 }
 
-/// m of free way from `place` along `up` to the first block over it; infinite: none.
+/// Returns the free way (m) from `place` along `up` to the first block over it; infinite: none.
 float freeAbove(const glm::vec3& place, const SpatterGround& ground) {
     float free = std::numeric_limits<float>::infinity();
     for (const WorkpieceBlock& block : ground.blocks) {
@@ -92,7 +92,7 @@ void FumePuffs::step(const ArcEffectsStep& step, float scattering) {
     if (!step.arc.burns()) return;
     pool_ = step.place;
     if (scattering <= 0) return;
-    // The moments follow from the time alone: after a seek the same puffs are born.
+    // The moments follow from the time alone: after a seek these puffs are born again.
     const auto until = [](double time) { return static_cast<std::int64_t>(std::floor(time * kRate - kLate)); };
     const std::int64_t last = until(step.time);
     const auto most = static_cast<std::int64_t>(kMost);
@@ -124,9 +124,9 @@ FumePuffs::Puff FumePuffs::born(const ArcEffectsStep& step, std::int64_t number)
     return puff;
 }
 
-/// Smoke under a plate spreads along it as fast as it would have risen.
+/// Smoke under a plate spreads along it at the speed of its free rise.
 FumePuff FumePuffs::shown(const Puff& puff, double age) const {
-    const double source = kSource / FumePlume::kWidens; // the arc is no point: that far over the plume's origin
+    const double source = kSource / FumePlume::kWidens; // the arc is no point: its distance over the plume's origin
     const auto speed = static_cast<double>(puff.speedAtMetre);
     const double height = FumePlume::height(source, speed, age);
     const auto risen = static_cast<float>(height - source), half = static_cast<float>(FumePlume::kWidens * height);
@@ -135,12 +135,12 @@ FumePuff FumePuffs::shown(const Puff& puff, double age) const {
     const float turn = 2 * std::numbers::pi_v<float> * countedChance(static_cast<std::uint64_t>(puff.number), 3);
     const glm::vec3 spread = (level.across * std::cos(turn) + level.along * std::sin(turn)) * (risen - up);
     const glm::vec3 draught = level.across * (kDraught * static_cast<float>(age));
-    // At the arc all are on the axis: there is no plume yet beside which they could be.
+    // At the arc all are on the axis: the plume has no width there yet.
     const glm::vec3 aside = puff.aside * (half - static_cast<float>(kSource));
     FumePuff shown{};
     shown.place = puff.from + ground_.up * up + aside + spread + draught;
     shown.radius = static_cast<float>(kSpreads) * half;
-    // What the arc gave off in one period is as long as it has risen in one: near the arc the plume is fast and narrow.
+    // The smoke of one period is as long as its rise in one period: near the arc the plume is fast and narrow.
     const auto length = static_cast<float>(kReaches * speed / std::cbrt(height) / kRate);
     const float longer = std::max(shown.radius, length);
     shown.way = ground_.up * longer;

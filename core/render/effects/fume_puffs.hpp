@@ -31,43 +31,42 @@ struct FumePlume {
 
 class FumePuffs {
   public:
-    /// 1/s while the arc burns, each of which takes a period to come out of the arc. None: chosen, so that puffs
+    /// 1/s while the arc burns; each puff takes a period to come out of the arc. No source: chosen, so that puffs
     /// overlap.
     static constexpr double kRate = 24;
-    /// s: all of them are gone then, most before, as they come to kHighest.
+    /// s after which all of them are gone; most reach kHighest before.
     static constexpr double kLongest = 1.5;
-    /// At once, at most: what is born in kLongest, and one more.
+    /// Largest number at once: the births in kLongest, and one more.
     static constexpr size_t kMost = 37;
     static_assert(double(kMost) >= kRate * kLongest + 1);
     /// m over the arc from which on they thin out, and at which they are gone; likewise shares of kLongest.
     static constexpr double kThins = 0.16, kHighest = 0.32;
     /// m, half width of the plume at the arc: about an arc's radius.
     static constexpr double kSource = 4e-3;
-    /// Radius of a puff in half widths of the plume: towards its edge it is thin. None: chosen.
+    /// Radius of a puff in half widths of the plume: towards its edge it is thin. No source: chosen.
     static constexpr double kSpreads = 1.5;
 
     void reset() { *this = FumePuffs(ground_); }
-    /// The blocks under which smoke cannot rise; they must outlive this.
+    /// Sets the blocks under which smoke cannot rise; they must outlive this.
     void setGround(const SpatterGround& ground) { ground_ = ground; }
 
-    /// `scattering`: of the process's smoke, see ProcessTraits::fume; 0: none is born.
+    /// Advances by one step. `scattering`: of the process's smoke, see ProcessTraits::fume; 0: none is born.
     void step(const ArcEffectsStep& step, float scattering);
 
-    /// Writes those that are there `time` s after the lesson's beginning to `puffs`, the oldest first; answers how
-    /// many.
+    /// Writes the puffs at `time` s after the lesson's beginning to `puffs`, the oldest first; returns their number.
     size_t show(double time, std::array<FumePuff, kMost>& puffs) const;
 
-    /// m, where the arc burned last.
+    /// Returns the last place of the burning arc, m.
     const glm::vec3& pool() const { return pool_; }
 
     FumePuffs() = default;
 
   private:
     struct Puff {
-        std::int64_t number = -1; ///< of the moment k / kRate at which it was born; -1: none
+        std::int64_t number = -1; ///< number k of the moment k / kRate at which it was born; -1: none
         glm::vec3 from{0};        ///< m
-        glm::vec3 aside{0};       ///< from the plume's axis, in half widths of the plume, level
-        float seen = 0;           ///< m²: what all its smoke scatters out of light, as an area
+        glm::vec3 aside{0};       ///< offset from the plume's axis, in half widths of the plume, level
+        float seen = 0;           ///< m²: scattering cross-section of all its smoke
         float speedAtMetre = 0;   ///< see FumePlume
         float ceiling = 0;        ///< m over `from` at which a block ends its rise
     };

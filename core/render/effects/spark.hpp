@@ -1,4 +1,4 @@
-// What the picture draws about an arc: spatter and drops as glowing balls, and the smoke that the arc lights.
+// Drawn effects about an arc: spatter and drops as glowing balls, and the smoke that the arc lights.
 #pragma once
 
 #include "shaders/shared/effects.h"
@@ -21,7 +21,7 @@ struct Fume {
 
 struct ArcEffectsView {
     std::span<const Spark> sparks;
-    size_t onTable = 0; ///< how many of the last of them lie on the table, not on the workpiece
+    size_t onTable = 0; ///< number of the last of them that are on the table, not on the workpiece
     Fume fume;
 };
 

@@ -12,18 +12,18 @@ namespace meltpool {
 
 namespace {
 
-// How much there is of it. No source gives numbers of drops; all are chosen by the look of films of such arcs.
+// Amounts of spatter. No source gives numbers of drops; all are chosen by the look of films of such arcs.
 constexpr float kFullPower = 5000;                    // W of a short circuit that throws kMostOfBurst drops
 constexpr float kLeastOfBurst = 3, kMostOfBurst = 14; // drops
-constexpr int kStrikeDrops = 25;                      // of an arc that strikes
-constexpr double kLongRate = 400;                     // 1/s more where it is about to go out
+constexpr int kStrikeDrops = 25;                      // drops of an arc that strikes
+constexpr double kLongRate = 400;                     // 1/s more for an arc that is about to go out
 constexpr double kStubRate = 120;                     // 1/s of a wire that stubs
 constexpr float kSlowest = 0.5F, kFastest = 3.5F;     // m/s: films show 1 to 4
 constexpr float kFlattest = 0.10F, kSteepest = 0.92F; // cosine from the torch's axis
-/// m about the arc in which metal that falls is taken up by the pool and beads on the plate melt.
+/// m about the arc in which the pool takes up falling metal and beads on the plate melt.
 constexpr float kPool = 4e-3F;
 
-/// 1/s of drops beside those of short circuits.
+/// Returns the rate (1/s) of drops in addition to those of short circuits.
 double openRate(const ArcState& arc, const Equipment& tools) {
     const double stretched = static_cast<double>(arc.stretch) * static_cast<double>(arc.stretch);
     if (tools.wire > 0 && arc.action == ArcAction::stubbed) return kStubRate;
@@ -89,11 +89,11 @@ void Spatter::throwDrop(const ArcEffectsStep& step, double at) {
     if (landing) keepBead(drop, *landing);
 }
 
-/// What falls into the pool is no bead.
+/// Metal that falls into the pool makes no bead.
 void Spatter::keepBead(const Drop& drop, const Landing& landing) {
     const glm::vec3 place = drop.flight.at(landing.age);
     if (drop.diameter < kSticks || glm::distance(place, drop.flight.from) < kPool) return;
-    // It was soft when it landed and flattened: a part of the ball lies under the face.
+    // The drop was soft when it landed and flattened: a part of the ball is under the face.
     beads_[nextBead_++ % kMostBeads] = {place + 0.2F * drop.diameter * landing.normal, drop.diameter, drop.birth,
                                         drop.birth + static_cast<double>(landing.age), landing.onTable};
 }

@@ -19,9 +19,9 @@ struct Reignition {
     float power = 0; ///< W
 };
 
-/// One step of the arc, for the eye.
+/// One step of the arc, for the effects.
 struct ArcEffectsStep {
-    std::uint64_t number = 0; ///< of the step: all chance is counted from it
+    std::uint64_t number = 0; ///< number of the step: all chance is counted from it
     double time = 0;          ///< s, at the step's end
     double seconds = 0;
     const ProcessSettings* process = nullptr;
@@ -38,9 +38,9 @@ class Spatter {
   public:
     /// Drops that fly, at most; the oldest go first. More than a dip transfer throws in their lifetime.
     static constexpr size_t kMostFlying = 384;
-    /// Beads that lie on plate and table, at most; the oldest go first.
+    /// Beads on plate and table, at most; the oldest go first.
     static constexpr size_t kMostBeads = 256;
-    /// m: smaller drops are cold before they stick, and roll away. None: chosen.
+    /// m: smaller drops are cold before they stick, and roll away. No source: chosen.
     static constexpr float kSticks = 0.25e-3F;
     /// s that the eye gathers light for a picture: about that of a headset's frame, and of the eye in bright light.
     static constexpr float kGathered = 1.0F / 90;
@@ -51,13 +51,13 @@ class Spatter {
 
     void step(const ArcEffectsStep& step);
 
-    /// Appends what is in flight `time` s after the lesson's beginning, then the beads on the workpiece, then those on
-    /// the table; answers how many of the last kind there are.
+    /// Appends the drops in flight `time` s after the lesson's beginning, then the beads on the workpiece, then those
+    /// on the table; returns the number of the last kind.
     size_t show(double time, std::vector<Spark>& sparks) const;
 
-    /// Bursts since the start: one for each short circuit that ends, and one where an arc strikes.
+    /// Returns the bursts since the start: one for each short circuit that ends, and one for each arc that strikes.
     std::uint64_t bursts() const { return bursts_; }
-    /// Drops since the start.
+    /// Returns the number of drops since the start.
     std::uint64_t born() const { return born_; }
 
   private:
@@ -70,7 +70,7 @@ class Spatter {
     struct Bead {
         glm::vec3 place{0};
         float diameter = 0;
-        double birth = 0;  ///< of the drop
+        double birth = 0;  ///< birth of the drop, s
         double landed = 0; ///< s
         bool onTable = false;
     };
@@ -86,7 +86,7 @@ class Spatter {
     std::array<Bead, kMostBeads> beads_;
     size_t nextDrop_ = 0, nextBead_ = 0;
     std::uint64_t bursts_ = 0, born_ = 0;
-    std::uint64_t draws_ = 0; ///< of chance in this step
+    std::uint64_t draws_ = 0; ///< number of random draws in this step
 };
 
 } // namespace meltpool

@@ -18,7 +18,7 @@ class VisorFilter {
     /// Inside the range of the knob on such visors, 0.1 to 1 s.
     static constexpr double kHold = 0.15, kClearing = 0.25;
 
-    /// `elapsed`: s since the last call.
+    /// Advances the filter. `elapsed`: s since the last call.
     void update(bool arc, double elapsed, const VisorSettings& settings) {
         if (arc) {
             sinceArc_ = 0;
@@ -30,9 +30,9 @@ class VisorFilter {
         }
     }
 
-    /// 0 light .. 1 dark.
+    /// Returns the darkness, 0 light .. 1 dark.
     float darkness() const { return static_cast<float>(darkened_); }
-    /// Shade number now; 0 where no visor is worn.
+    /// Returns the present shade number; 0 without a visor.
     float shade(const VisorSettings& settings) const {
         if (settings.darkShade <= 0 || settings.lightShade <= 0) return settings.darkShade;
         return settings.lightShade + (settings.darkShade - settings.lightShade) * darkness();

@@ -9,7 +9,7 @@ namespace meltpool {
 
 namespace {
 
-/// Of the way that a drop falls while the eye gathers a picture. None: chosen, so that single drops are seen and no
+/// Share of a drop's fall while the eye gathers a picture. No source: chosen, so that single drops are seen and no
 /// streak from the wire to the pool.
 constexpr float kShownWay = 0.1F;
 
@@ -26,7 +26,7 @@ void WireDrops::step(const ArcEffectsStep& step) {
     burns_ = wire > 0 && step.arc.burns() && step.arc.action != ArcAction::stubbed;
     if (!burns_) return;
     const bool dips = step.arc.action == ArcAction::shorting;
-    // The phase of the short circuits is that of the ones that are heard.
+    // The phase of the short circuits is that of the audible ones.
     rate_ = dips ? static_cast<double>(step.arc.shorts) : step.dropRate;
     phase_ = dips ? step.shortPhase : phase_ + rate_ * step.seconds;
     wire_ = static_cast<float>(wire);

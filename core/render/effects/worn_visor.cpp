@@ -7,7 +7,7 @@ namespace meltpool {
 
 namespace {
 
-constexpr double kMetal = 0.3; // reflectance of steel in the lamps' light; none: chosen
+constexpr double kMetal = 0.3; // reflectance of steel in the lamps' light; no source: chosen
 
 } // namespace
 

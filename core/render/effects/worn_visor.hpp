@@ -1,4 +1,4 @@
-// Visor and eye together, for window and headset alike: how dark the picture is, and what an arc leaves in the eye.
+// Visor and eye together, for window and headset alike: darkness of the picture, and the after-image of an arc.
 #pragma once
 
 #include "core/render/effects/eye.hpp"
@@ -10,7 +10,7 @@
 
 namespace meltpool {
 
-/// What the eye sees of the arc in a frame.
+/// The arc in the eye's view in a frame.
 struct SeenArc {
     double intensity = 0; ///< kPaperLuminance times m²; 0: none burns
     double height = 0;    ///< m over the metal
@@ -22,18 +22,18 @@ class WornVisor {
   public:
     /// Shade number below which an arc dazzles. EN 169 has 8 for the weakest arcs.
     static constexpr float kProtects = 7;
-    /// s of a look into the arc that are told, and how long they are.
+    /// s: shortest look into the arc that is reported, and duration of the report.
     static constexpr double kLeastLook = 0.1, kTold = 6;
 
-    /// `look`: with its light and arc's share. `elapsed`: real s since the last call.
+    /// Advances visor and eye. `look`: with its light and arc's share. `elapsed`: real s since the last call.
     void update(const SeenArc& arc, const VisorSettings& visor, const LookParameters& look, double elapsed);
 
-    /// Puts the shade into the look, and where `look.adaptation` is on the eye's exposure.
+    /// Puts the shade into the look, and with `look.adaptation` on the eye's exposure.
     void wear(const VisorSettings& visor, LookParameters& look) const;
 
     const VisorFilter& filter() const { return filter_; }
     const Eye& eye() const { return eye_; }
-    /// A look into the arc without enough of a filter, as a sentence; empty where there was none lately. Valid until
+    /// Returns a sentence about a look into the arc without enough of a filter; empty without a recent one. Valid until
     /// the next update().
     std::string_view sentence() const { return text_; }
 
@@ -46,7 +46,7 @@ class WornVisor {
     std::string text_;
 };
 
-/// The visor that a look asks for.
+/// Returns the visor that a look asks for.
 VisorSettings visorOf(const LookParameters& look);
 
 } // namespace meltpool

@@ -16,7 +16,8 @@ namespace {
 
 constexpr int kFaces = 6;
 constexpr int kTexelBytes = 4; // of GL_RGB10_A2
-/// To be raised when this file paints the room in another way, so that no program shows what a former one has kept.
+/// Edition of the painting: raise it when this file paints the room differently, so that no program shows a stored
+/// picture of a former edition.
 constexpr std::uint64_t kEdition = 1;
 const std::array<std::string, 2> kPaint{"render/screen.vert", "render/workshop.frag"};
 const std::array<std::string, 2> kRoughen{"render/screen.vert", "render/roughen.frag"};
@@ -84,7 +85,7 @@ size_t roomBytes(int size) {
     return sum;
 }
 
-/// Of all that the painted room depends on: the shaders' texts and the driver, whose last bits differ.
+/// Returns the key of all inputs of the painted room: the shaders' texts and the driver, whose last bits differ.
 std::uint64_t keyOf(const gl::ShaderLibrary& shaders, int size) {
     std::uint64_t key = kEdition;
     const auto add = [&](const std::string& text) { key = hashOfBytes(std::as_bytes(std::span(text)), key); };

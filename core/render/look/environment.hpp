@@ -10,9 +10,9 @@ namespace meltpool {
 
 class Environment {
   public:
-    /// Paints the room and its mirror images in rough surfaces. `kept`: folder in which they are kept for the next
-    /// start, which then shows the same bits and paints nothing, as long as shaders and driver are the same; empty: not
-    /// kept. `faceSize`: pixels along a cube face, a power of two.
+    /// Paints the room and its mirror images in rough surfaces. `kept`: folder in which they are stored for the next
+    /// start, which then shows identical bits and paints nothing, as long as shaders and driver do not change; empty:
+    /// not stored. `faceSize`: pixels along a cube face, a power of two.
     explicit Environment(gl::ShaderLibrary& shaders, const std::filesystem::path& kept = {}, int faceSize = 512);
 
     /// Binds the environment to SHARP_UNIT and ROUGH_UNIT, encoded as shaders/render/environment.glsl reads it.

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kKelvinAtZero = 273.15;
 
-/// A Gaussian with different widths on its two sides.
+/// Returns a Gaussian with different widths on its two sides.
 double lobe(double nm, double middle, double below, double above) {
     const double t = (nm - middle) / (nm < middle ? below : above);
     return std::exp(-0.5 * t * t);
@@ -28,7 +28,7 @@ glm::dvec3 matching(double nm) {
             1.217 * lobe(nm, 437.0, 11.8, 36.0) + 0.681 * lobe(nm, 459.0, 26.0, 13.8)};
 }
 
-/// Spectral radiance, W / (m² sr m).
+/// Returns the spectral radiance, W / (m² sr m).
 double planck(double metres, double temperature) {
     constexpr double h = 6.62607015e-34, c = 299792458.0, k = 1.380649e-23;
     return 2 * h * c * c / std::pow(metres, 5) / std::expm1(h * c / (metres * k * temperature));

@@ -11,7 +11,7 @@ namespace meltpool {
 
 namespace {
 
-/// Before the picture in its file.
+/// Header of the picture's file.
 struct Head {
     std::uint64_t key;
     std::uint64_t picture; ///< hash of its bytes
@@ -39,7 +39,7 @@ void keepPicture(const std::filesystem::path& file, std::uint64_t key, std::span
         std::filesystem::create_directories(file.parent_path());
         writeFile(file, whole);
     } catch (const std::exception&) {
-        // A home without room or permission: see the header.
+        // Handles a home without room or permission: see the header.
     }
 }
 

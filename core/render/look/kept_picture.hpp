@@ -1,4 +1,4 @@
-// A picture that takes long to paint, kept in a file for the next start of the program.
+// A picture that takes long to paint, stored in a file for the next start of the program.
 #pragma once
 
 #include <cstddef>
@@ -10,12 +10,12 @@
 
 namespace meltpool {
 
-/// The `bytes` that keepPicture() wrote into `file` under the same `key`. None where there is no such file, where it
-/// was written under another key, and where it is damaged: the picture is to be painted again.
+/// Returns the `bytes` that keepPicture() wrote into `file` under this `key`. None if there is no such file, if it was
+/// written under another key, and if it is damaged: the picture is to be painted again.
 std::optional<std::vector<std::byte>> keptPicture(const std::filesystem::path& file, std::uint64_t key, size_t bytes);
 
-/// Writes `picture` as the whole of `file`, and makes its folder. Where that is not possible nothing is kept: the next
-/// start paints again, as this one did.
+/// Writes `picture` as the whole of `file`, and makes its folder. If that is not possible nothing is stored: the next
+/// start paints again.
 void keepPicture(const std::filesystem::path& file, std::uint64_t key, std::span<const std::byte> picture);
 
 } // namespace meltpool

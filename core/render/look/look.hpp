@@ -10,7 +10,7 @@ namespace meltpool {
 enum RenderMode : int { kSurfaceMode, kWireframeMode, kPointsMode };
 enum ColourMode : int { kMaterialColours, kTemperatureColours, kEvenColours, kGreyColours };
 enum MaterialLook : int { kSolder, kCopper, kGold, kWax, kIce };
-/// How much of light and metal a picture computes; each level adds to the one before.
+/// Amount of light and metal that a picture computes; each level adds to the one before.
 enum PictureDetail : int { kLowDetail, kMediumDetail, kHighDetail };
 
 struct LookParameters {
@@ -32,16 +32,17 @@ struct LookParameters {
     float arcLight = 5e-5f;       ///< share of an arc's light that is drawn without a visor
     float glowSoftening = 0.08f;  ///< light of hot metal from which on it is compressed without a visor
     float visorShade = 0.0f;      ///< shade number of the welding filter; 0: none
-    bool spatter = true;          ///< drops that the arc throws, the wire's drops, and the beads that lie
+    bool spatter = true;          ///< drops that the arc throws, the wire's drops, and the beads on plate and table
     bool fume = true;             ///< smoke that the arc lights
-    float visorLightShade = 0.0f; ///< of an auto-darkening filter without an arc; 0: always as dark as its shade
+    float visorLightShade = 0.0f; ///< shade of an auto-darkening filter without an arc; 0: always as dark as its shade
     float visorSwitching = 1e-4f; ///< s in which such a filter darkens
-    bool adaptation = false;      ///< the eye gets used to bright and dark, and is dazzled; of a person who watches
-    /// Measures that are left out whatever the detail, a bit each (see measures.hpp): what one costs is measured so.
+    bool adaptation = false;      ///< the eye of a person who watches adapts to bright and dark, and is dazzled
+    /// Measures that are left out whatever the detail, a bit each (see measures.hpp): the way to measure the cost of
+    /// one.
     unsigned leftOut = 0;
 };
 
-/// Description for menus, files and `--set`; it points into `look`.
+/// Returns the description for menus, files and `--set`; it points into `look`.
 ParameterList describe(LookParameters& look);
 
 } // namespace meltpool

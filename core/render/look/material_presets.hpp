@@ -8,13 +8,14 @@
 
 namespace meltpool {
 
-/// A preset material. Solder is the founding thesis's metal: grey 0.7 with mirror share 0.3 solid, 0.2 and 0.6 liquid.
+/// Returns a preset material. Solder is the founding thesis's metal: grey 0.7 with mirror share 0.3 solid, 0.2 and 0.6
+/// liquid.
 MaterialData presetMaterial(MaterialLook look);
 
-/// The same properties from the looks of a physical material.
+/// Returns the optical properties from the looks of a physical material.
 MaterialData physicalMaterial(const MaterialLooks& looks, const FreezingRipples& ripples = {});
 
-/// Which program draws a material.
+/// Program that draws a material.
 enum class SurfaceKind { metal, wax, ice };
 SurfaceKind presetKind(MaterialLook look);
 SurfaceKind physicalKind(const MaterialLooks& looks);

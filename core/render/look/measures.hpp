@@ -1,4 +1,4 @@
-// What each level of detail has: the measures that bring a picture nearer to what a welder sees, and what they are.
+// Measures of each level of detail that bring a picture nearer to a welder's view, with their words.
 #pragma once
 
 #include "core/render/look/look.hpp"
@@ -8,7 +8,7 @@
 
 namespace meltpool {
 
-/// A part of a picture that a level may leave out. What shows the pool's edge is none: emissivity that jumps at the
+/// A part of a picture that a level may leave out. The cues of the pool's edge are none: emissivity that jumps at the
 /// melting point, and solid metal duller than liquid metal.
 enum class Measure : unsigned {
     torchShadow,
@@ -30,10 +30,10 @@ struct MeasureRow {
     Measure measure;
     PictureDetail from;        ///< the lowest level that has it
     std::string_view key;      ///< one word, for figures
-    std::string_view sentence; ///< what a person sees of it
+    std::string_view sentence; ///< its visible effect
 };
 
-/// The table, in the order of Measure. `meltpool bench looks` tells what each costs.
+/// The table, in the order of Measure. `meltpool bench looks` prints the cost of each.
 constexpr std::array<MeasureRow, 12> kMeasures{{
     {Measure::torchShadow, kMediumDetail, "torch_shadow", "the torch's shadow in the lamp's light"},
     {Measure::glare, kMediumDetail, "glare", "the veil that an arc throws in the eye"},
@@ -56,7 +56,7 @@ constexpr unsigned bitOf(Measure measure) {
     return 1u << static_cast<unsigned>(measure);
 }
 
-/// The measures of a picture of this look, a bit each: those that its level has and that are not left out.
+/// Returns the measures of a picture of this look, a bit each: those that its level has and that are not left out.
 constexpr unsigned measuresOf(const LookParameters& look) {
     unsigned bits = 0;
     for (const MeasureRow& row : kMeasures)

@@ -14,11 +14,11 @@ namespace meltpool {
 
 namespace {
 
-constexpr int kRings = 48, kAround = 24; ///< samples of half vectors. None: chosen; errors stay below 0.005
+constexpr int kRings = 48, kAround = 24; ///< samples of half vectors. No source: chosen; errors stay below 0.005
 
-/// Half vectors are drawn by the lobe's own density, so that each weighs the same but for what geometry hides.
+/// Half vectors are drawn by the lobe's own density, so that all weigh alike but for the parts that geometry hides.
 struct Sample {
-    float weight;  ///< of this half vector
+    float weight;  ///< weight of this half vector
     float grazing; ///< Schlick's term
 };
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kSize = 32;
 
-/// PCG output permutation of the index (O'Neill 2014): needs no state.
+/// Returns the PCG output permutation of the index (O'Neill 2014): needs no state.
 std::uint8_t randomByte(std::uint32_t index) {
     const std::uint32_t state = index * 747796405u + 2891336453u;
     const std::uint32_t word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;

@@ -5,8 +5,8 @@
 
 namespace meltpool {
 
-/// A repeating volume of four independent values 0..1 a texel, the same on every machine; linear sampling makes them
-/// smooth.
+/// Makes a repeating volume of four independent values 0..1 a texel, identical on every machine; linear sampling makes
+/// them smooth.
 gl::Texture makeNoiseTexture();
 
 } // namespace meltpool

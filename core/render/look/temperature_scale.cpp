@@ -23,7 +23,7 @@ float toShown(float light) {
     return light <= 0.0031308f ? light * 12.92f : 1.055f * std::pow(light, 1 / 2.4f) - 0.055f;
 }
 
-/// Linear sRGB of an Oklab colour; components outside 0..1 lie outside the gamut.
+/// Returns the linear sRGB of an Oklab colour; components outside 0..1 are outside the gamut.
 glm::vec3 linearOfOklab(const glm::vec3& lab) {
     const float l = lab.x + 0.3963377774f * lab.y + 0.2158037573f * lab.z;
     const float m = lab.x - 0.1055613458f * lab.y - 0.0638541728f * lab.z;
@@ -44,7 +44,7 @@ bool inGamut(const glm::vec3& lab) {
     return std::min({light.x, light.y, light.z}) >= -1e-4f && std::max({light.x, light.y, light.z}) <= 1.0001f;
 }
 
-/// The largest chroma inside the sRGB gamut at this lightness and hue.
+/// Returns the largest chroma inside the sRGB gamut at this lightness and hue.
 float mostChroma(float lightness, float hue) {
     float low = 0, high = 0.4f;
     for (int i = 0; i < 24; ++i) {
@@ -54,8 +54,8 @@ float mostChroma(float lightness, float hue) {
     return low;
 }
 
-/// The path of the even scale before it is divided into equal steps: lightness and hue are linear, chroma stays inside
-/// the gamut so that no corner of the gamut bends the path.
+/// Returns the path of the even scale before it is divided into equal steps: lightness and hue are linear, chroma stays
+/// inside the gamut so that no corner of the gamut bends the path.
 glm::vec3 evenPath(float along) {
     constexpr float kDegree = 0.01745329252f;
     const float lightness = 0.26f + 0.70f * along;

@@ -8,7 +8,7 @@
 
 namespace meltpool {
 
-/// The colour of `share` (0 coldest .. 1 hottest, clamped) as displayed: sRGB values 0..1. `colours` is
+/// Returns the colour of `share` (0 coldest .. 1 hottest, clamped) as displayed: sRGB values 0..1. `colours` is
 /// kTemperatureColours, kEvenColours or kGreyColours; anything else is treated as kTemperatureColours.
 ///
 /// Classic: linear between blue, purple at 0.25, red at 0.5, yellow at 0.75 and white. Even: a path through Oklab
@@ -16,10 +16,11 @@ namespace meltpool {
 /// length of the path, divided into steps of equal length. Grey: equal steps of Oklab lightness.
 glm::vec3 temperatureColour(ColourMode colours, float share);
 
-/// Oklab (lightness 0..1, a, b) of a displayed sRGB colour.
+/// Returns the Oklab values (lightness 0..1, a, b) of a displayed sRGB colour.
 glm::vec3 oklabOfShown(const glm::vec3& shown);
 
-/// All scales as rows in the order of ColourMode without the material's; shaders/render/scale.glsl samples it.
+/// Makes a texture of all scales as rows in the order of ColourMode without the material's; shaders/render/scale.glsl
+/// samples it.
 gl::Texture makeScaleTexture();
 
 } // namespace meltpool
