@@ -25,7 +25,7 @@ constexpr glm::vec3 kBrass(0.58f, 0.44f, 0.17f);
 constexpr glm::vec3 kDisplayLight(1.4f, 0.30f, 0.07f);
 constexpr glm::vec3 kLabelWhite(0.55f);
 
-/// Adds solids in a frame of their own.
+/// Builder of solids in a frame of their own.
 class Builder {
   public:
     Builder(std::vector<Solid>& solids, const glm::mat4& toWorld) : solids_(solids), toWorld_(toWorld) {}
@@ -43,7 +43,7 @@ class Builder {
         add(shape, alongLine(from, to, width), colour, gloss);
     }
 
-    /// A line of text in the plane z = `begin.z`, right to +x: each of its strokes is a thin box.
+    /// Adds a line of text in the plane z = `begin.z`, right to +x: each of its strokes is a thin box.
     void text(std::string_view words, const glm::vec3& begin, float height, const glm::vec3& colour,
               const glm::vec3& glow) {
         strokes_.clear();
@@ -73,7 +73,7 @@ std::string number(float value, int places) {
 
 constexpr glm::vec3 kMachineSize(0.20f, 0.26f, 0.36f);
 
-/// Front of the machine, its lower edge's middle at the origin, looking to +z.
+/// Adds the front of the machine, its lower edge's middle at the origin, looking to +z.
 void addFront(Builder& add, std::span<const MachineDisplay> displays) {
     constexpr float kDisplayHeight = 0.042f, kFigure = 0.026f;
     add.box({0, 0.5f * kMachineSize.y, 0}, {kMachineSize.x - 0.02f, kMachineSize.y - 0.025f, 0.012f}, kPanel, 0.3f);
@@ -95,8 +95,8 @@ void addFront(Builder& add, std::span<const MachineDisplay> displays) {
     }
 }
 
-/// A plate's step clamp: a bar that presses on its top and on a block of its height, held down by a bolt. `side`: of
-/// the end along x.
+/// Adds a plate's step clamp: a bar that presses on its top and on a block of its height, held down by a bolt. `side`:
+/// of the end along x.
 void addClamp(Builder& add, const WorkpieceBlock& plate, float table, float side) {
     const float edge = side > 0 ? plate.high.x : plate.low.x;
     const float z = glm::mix(plate.low.z, plate.high.z, 0.14f), top = plate.high.y;
@@ -108,7 +108,7 @@ void addClamp(Builder& add, const WorkpieceBlock& plate, float table, float side
     add.rod({x(0.022f), top + kBar + 0.006f, z}, {x(0.022f), top + kBar, z}, 0.011f, kBareSteel, 0.5f);
 }
 
-/// The block that reaches lowest, of those the longest: what lies on the table.
+/// Returns the block that reaches lowest, of those the longest: the part on the table.
 const WorkpieceBlock* basePlate(const Workpiece& piece) {
     const WorkpieceBlock* best = nullptr;
     for (const WorkpieceBlock& block : piece.blocks)
@@ -118,7 +118,7 @@ const WorkpieceBlock* basePlate(const Workpiece& piece) {
     return best;
 }
 
-/// What the workpiece lies on where its lowest side is not the table's: bars under both ends.
+/// Adds rests for a workpiece whose lowest side is not the table's: bars under both ends.
 void addRests(Builder& add, const Workpiece& piece, const WorkpieceBlock& plate) {
     const float gap = plate.low.y - piece.floorHeight;
     if (gap < 2e-4f) return;
@@ -130,7 +130,7 @@ void addRests(Builder& add, const Workpiece& piece, const WorkpieceBlock& plate)
 }
 
 void addPost(Builder& add, const Workpiece& piece, float overTable) {
-    glm::vec3 low(1e9f), high(-1e9f); // around the workpiece as it is held
+    glm::vec3 low(1e9f), high(-1e9f); // box around the workpiece as it is held
     for (int corner = 0; corner < 8; ++corner) {
         const glm::vec3 share(corner & 1, corner >> 1 & 1, corner >> 2);
         const glm::vec3 at = piece.turn * glm::mix(piece.bodyLow, piece.bodyHigh, share);
@@ -151,7 +151,7 @@ void addPost(Builder& add, const Workpiece& piece, float overTable) {
 void addTable(std::vector<Solid>& solids, const glm::mat4& toWorld, float height) {
     constexpr float kWidth = 1.2f, kDepth = 0.75f, kThickness = 0.03f, kLeg = 0.05f;
     Builder add(solids, toWorld);
-    constexpr float kUnder = 0.0005f; // of the box that carries the top's face
+    constexpr float kUnder = 0.0005f; // depth under the top's face of the box that carries it
     add.box({0, -kThickness / 2 - kUnder, 0}, {kWidth, kThickness, kDepth}, kTableSteel, 0.3f);
     add.box({0, 0, 0}, {kWidth, 1, kDepth}, kTableSteel, 0.3f, SolidShape::slab);
     // The slots of a clamping table help to judge distances on it.
@@ -193,7 +193,7 @@ void addHolders(std::vector<Solid>& solids, const glm::mat4& toWorld, const Work
     if (plate == nullptr || piece.turn != glm::mat3(1)) return;
     addRests(add, piece, *plate);
     const glm::vec3 size = plate->high - plate->low;
-    if (size.y > 0.5f * std::min(size.x, size.z)) return; // no plate
+    if (size.y > 0.5f * std::min(size.x, size.z)) return; // a thick block is no plate
     for (const float side : {-1.0f, 1.0f})
         addClamp(add, *plate, piece.floorHeight, side);
 }

@@ -1,4 +1,5 @@
-// What stands in the workshop beside the workpiece: the welding table, what holds the workpiece on it, and the machine.
+// Things in the workshop other than the workpiece: the welding table, the holders of the workpiece on it, and the
+// machine.
 #pragma once
 
 #include "core/render/solid.hpp"
@@ -9,23 +10,23 @@
 
 namespace meltpool {
 
-/// Height of the table's top over the floor, m, where nobody has set another.
+/// Default height of the table's top over the floor, m.
 constexpr float kUsualTableHeight = 0.9f;
 
-/// Where the torch's cable leads to: over the table's left edge and down; m from the middle of the table's top, y up, z
-/// to the welder.
+/// End of the torch's cable: over the table's left edge and down; m from the middle of the table's top, y up, z to the
+/// welder.
 constexpr glm::vec3 kCableEnd(-0.63f, -0.30f, 0.05f);
 
-/// Adds the table with its slots and legs, which stand on the floor `height` (m) below its top. `toWorld`: from the
-/// middle of its top, m.
+/// Adds the table with its slots, and its legs down to the floor `height` (m) below its top. `toWorld`: from the middle
+/// of its top, m.
 void addTable(std::vector<Solid>& solids, const glm::mat4& toWorld, float height);
 
 /// Adds the machine of this process on the table, Equipment::displays on its front. Without displays there is none.
 /// `toWorld`: as for the table.
 void addMachine(std::vector<Solid>& solids, const glm::mat4& toWorld, const ProcessSettings& process);
 
-/// Adds what holds the workpiece: clamps at both ends of a plate that lies on the table, else a post that stands
-/// `overTable` (m) under it. `toWorld`: from the workpiece's frame turned into the room's, m.
+/// Adds the holders of the workpiece: clamps at both ends of a plate on the table, else a post of height `overTable`
+/// (m) under it. `toWorld`: from the workpiece's frame turned into the room's, m.
 void addHolders(std::vector<Solid>& solids, const glm::mat4& toWorld, const Workpiece& piece, float overTable);
 
 } // namespace meltpool

@@ -8,7 +8,7 @@ namespace meltpool {
 
 namespace {
 
-/// Of another size about a point of the workpiece's frame.
+/// Returns a transform scaled about a point of the workpiece's frame.
 glm::mat4 sized(const glm::mat4& toWorld, const glm::vec3& about, float size) {
     return glm::translate(glm::scale(glm::translate(toWorld, about), glm::vec3(size)), -about);
 }

@@ -1,4 +1,4 @@
-// The torch of a ghost: the drawn torch in one colour, half transparent, with an outline that is seen on dark and
+// The torch of a ghost: the drawn torch in one colour, half transparent, with an outline that is visible on dark and
 // light.
 #pragma once
 
@@ -10,16 +10,16 @@
 
 namespace meltpool {
 
-/// Linear sRGB, as displayed, whatever light and visor there are.
+/// Linear sRGB, as displayed, in any light and with any visor.
 inline constexpr glm::vec3 kGhostColour(0.78F, 0.70F, 1.0F);
-/// 0..1 of its outline; what is behind it must stay in sight.
+/// Opacity of its outline, 0..1; the background must stay in sight.
 inline constexpr float kGhostOpacity = 0.4F;
-/// Share of that where its surface faces the eye.
+/// Share of that opacity on surfaces that face the eye.
 inline constexpr float kGhostFace = 0.45F;
 
-/// Adds the torch of this process at this pose, and its rod where it holds one, to `markers`. `arc`: see
+/// Adds the torch of this process at this pose, and its rod if it holds one, to `markers`. `arc`: see
 /// buildTorchModel(); nothing glows. `strength`: 0..1 of kGhostOpacity. `size`: of torch and rod about their tips, over
-/// that of the workpiece. `parts` is room that is used again. `workpieceToWorld`: rotation, one scale, translation.
+/// that of the workpiece. `parts` is reused memory. `workpieceToWorld`: rotation, one scale, translation.
 void addGhostTorch(std::vector<Marker>& markers, std::vector<Solid>& parts, const TorchSample& torch,
                    const ProcessSettings& process, const ArcState& arc, float strength, float size,
                    const glm::mat4& workpieceToWorld);

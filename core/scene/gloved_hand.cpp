@@ -17,7 +17,7 @@ constexpr float kLeatherGloss = 0.06f;
 constexpr float kFinger = 0.023f, kFingersApart = 0.021f;
 constexpr int kFingers = 4;
 
-/// A box or the like whose axes are x, y and z, with these edges.
+/// Returns the transform of a box or the like with axes x, y and z and these edges.
 glm::mat4 framed(const glm::vec3& x, const glm::vec3& y, const glm::vec3& z, const glm::vec3& middle,
                  const glm::vec3& size) {
     return {glm::vec4(x * size.x, 0), glm::vec4(y * size.y, 0), glm::vec4(z * size.z, 0), glm::vec4(middle, 1)};
@@ -30,7 +30,7 @@ void addGlovedHand(std::vector<Solid>& solids, const HandGrip& grip, const glm::
     const auto add = [&](SolidShape shape, const glm::mat4& place, const glm::vec3& colour) {
         solids.push_back({shape, toWorld * place, colour, kLeatherGloss});
     };
-    // A place round the axis: `turned` from the palm's side, `out` from the surface of what is held.
+    // Returns a place round the axis: `turned` from the palm's side, `out` from the surface of the handle.
     const auto round = [&](float along, float turned, float out) {
         return grip.middle + grip.along * along +
                (grip.radius + out) * (grip.palm * std::cos(turned) + across * std::sin(turned));
@@ -49,7 +49,7 @@ void addGlovedHand(std::vector<Solid>& solids, const HandGrip& grip, const glm::
             add(SolidShape::pill, alongLine(from - way, to + way, thick), kLeather);
         }
     }
-    // The thumb lies on the other side and points to what the hand works at.
+    // The thumb is on the other side and points to the work.
     const glm::vec3 root = round(0.012f, -0.85f, 0.016f), joint = round(-0.030f, -1.25f, 0.013f);
     const glm::vec3 tip = round(-0.062f, -1.45f, 0.010f);
     add(SolidShape::pill, alongLine(root, joint, 0.031f), kLeather);

@@ -7,13 +7,13 @@
 
 namespace meltpool {
 
-/// How a hand holds something round; unit vectors, m.
+/// Grip of a hand round a handle or rod; unit vectors, m.
 struct HandGrip {
-    glm::vec3 middle{0.0f};   ///< on the axis of what is held
-    glm::vec3 along{0, 0, 1}; ///< along that axis, away from what the hand works at
+    glm::vec3 middle{0.0f};   ///< on the axis of the handle
+    glm::vec3 along{0, 0, 1}; ///< along that axis, away from the work
     glm::vec3 palm{0, 1, 0};  ///< from the axis to the back of the hand, at right angles to `along`
-    glm::vec3 arm{0, 0, 1};   ///< the way from the wrist to the elbow
-    float radius = 0.013f;    ///< of what is held
+    glm::vec3 arm{0, 0, 1};   ///< direction from the wrist to the elbow
+    float radius = 0.013f;    ///< radius of the handle
 };
 
 /// Adds palm, fingers, thumb and cuff of a welding glove. `toWorld`: of the grip's frame.

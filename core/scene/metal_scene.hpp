@@ -1,4 +1,4 @@
-// A metal and its surroundings as pictures show them, apart from the metal's own particles and surface.
+// A metal's surroundings in pictures, apart from the metal's own particles and surface.
 #pragma once
 
 #include "core/render/scene.hpp"
@@ -10,8 +10,8 @@ class MetalScene {
   public:
     virtual ~MetalScene() = default;
 
-    /// The box of the particles, the meaning of their temperatures, the solids around them, and the torch or source at
-    /// this pose; without particles and mesh. Lends solids that stay valid until the next call.
+    /// Returns the box of the particles, the meaning of their temperatures, the solids around them, and the torch or
+    /// source at this pose; without particles and mesh. Lends solids that stay valid until the next call.
     virtual SceneView view(const TorchSample& torch) = 0;
 };
 

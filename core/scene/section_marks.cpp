@@ -16,10 +16,10 @@ namespace meltpool {
 
 namespace {
 
-constexpr glm::vec4 kMeasure(0.12f, 0.85f, 1.0f, 1.0f); // unlike any glow or temper colour
+constexpr glm::vec4 kMeasure(0.12f, 0.85f, 1.0f, 1.0f); // a colour unlike any glow or temper colour
 constexpr glm::vec4 kFault(1.0f, 0.13f, 0.06f, 1.0f);
 constexpr glm::vec4 kUnresolved(0.60f, 0.60f, 0.60f, 1.0f);
-constexpr glm::vec4 kGround(0.004f, 0.005f, 0.007f, 0.8f); ///< behind words, and beside lines
+constexpr glm::vec4 kGround(0.004f, 0.005f, 0.007f, 0.8f); ///< background of words, and border of lines
 constexpr float kLine = 0.13f;                             ///< width of a measure's line, in heights of a figure
 constexpr float kLeader = 0.06f;
 constexpr float kTick = 0.9f;       ///< length of the ticks at a line's ends, likewise
@@ -33,7 +33,7 @@ glm::vec4 colourOf(SectionMark::Tint tint) {
     return tint == SectionMark::Tint::unresolved ? kUnresolved : kMeasure;
 }
 
-/// The place of a mark that its words point to.
+/// Returns the place of a mark that its words point to.
 glm::vec2 middleOf(const SectionMark& mark, float text) {
     if (mark.kind == SectionMark::Kind::length) return 0.5f * (mark.from + mark.to);
     const glm::vec2 between = mark.first + mark.second;
@@ -58,7 +58,7 @@ class Draughtsman {
         strokes_.push_back({from, to, colour, width * layout_.text, 0, glm::vec2(0)});
     }
 
-    /// A line that shows on bright and dark metal.
+    /// Adds a line that is visible on bright and dark metal.
     void line(glm::vec2 from, glm::vec2 to, glm::vec4 colour) {
         stroke(from, to, 2.2f * kLine, kGround);
         stroke(from, to, kLine, colour);
@@ -94,7 +94,7 @@ class Draughtsman {
     float upwards(glm::vec2 place) const { return glm::dot(place, layout_.up); }
     glm::vec2 inPlane(float u, float v) const { return u * layout_.right + v * layout_.up; }
 
-    /// From the least to the greatest of all marks' ends, along the text and upwards.
+    /// Finds the least and the greatest of all marks' ends, along the text and upwards.
     void enclose(const std::vector<SectionMark>& marks) {
         constexpr float kFar = std::numeric_limits<float>::max();
         low_ = glm::vec2(kFar);
@@ -110,7 +110,7 @@ class Draughtsman {
         if (low_.x > high_.x) low_ = high_ = glm::vec2(0);
     }
 
-    /// Half of the marks, those farther left, have their words on the left.
+    /// Draws the words; half of the marks, those farther left, have them on the left.
     void drawWords(const std::vector<SectionMark>& marks) {
         enclose(marks);
         std::vector<const SectionMark*> order;
@@ -137,7 +137,7 @@ class Draughtsman {
         }
     }
 
-    /// `u`, `v`: where the words begin, and the middle of their height.
+    /// Draws words. `u`, `v`: their left end, and the middle of their height.
     void drawWord(const SectionMark& mark, float u, float v, float length, bool left) {
         const float text = layout_.text;
         const glm::vec4 colour = colourOf(mark.tint);
@@ -157,7 +157,7 @@ class Draughtsman {
 } // namespace
 
 MarkLayout uprightLayout(const glm::vec3& up, float text) {
-    constexpr float kLeast = 0.2f; // of `up` in the plane
+    constexpr float kLeast = 0.2f; // length of `up` in the plane
     MarkLayout layout;
     layout.text = text;
     const glm::vec2 inPlane(up.z, up.y);
@@ -167,10 +167,10 @@ MarkLayout uprightLayout(const glm::vec3& up, float text) {
 }
 
 MarkLayout layoutIn(const View& view, const glm::mat4& modelToWorld, float at) {
-    constexpr float kShare = 0.02f; // of the picture's height
+    constexpr float kShare = 0.02f; // share of the picture's height
     const glm::mat3 toEye = glm::mat3(view.worldToEye) * glm::mat3(modelToWorld);
     const glm::vec4 middle = view.worldToEye * modelToWorld * glm::vec4(at, 0, 0, 1);
-    const float height = 2 * std::max(-middle.z, 0.0f) / view.eyeToClip[1][1]; // of the picture, at the plane
+    const float height = 2 * std::max(-middle.z, 0.0f) / view.eyeToClip[1][1]; // height of the picture, at the plane
     const glm::vec3 up = glm::transpose(toEye) * glm::vec3(0, 1, 0);
     return uprightLayout(up, kShare * height / glm::length(glm::vec3(modelToWorld[0])));
 }

@@ -1,4 +1,4 @@
-// Measures in a section as a drawing has them: lines with ticks at their ends, angles, and figures beside them.
+// Measures in a section as in a drawing: lines with ticks at their ends, angles, and figures next to them.
 #pragma once
 
 #include "core/render/view.hpp"
@@ -25,22 +25,22 @@ struct SectionMark {
     glm::vec2 first{1, 0}, second{0, 1};
 };
 
-/// How marks stand in the section.
+/// Layout of marks in the section.
 struct MarkLayout {
-    glm::vec2 right{-1, 0}; ///< unit vector (z, y) that a reader sees to the right: she looks along -x
-    glm::vec2 up{0, 1};     ///< unit vector (z, y) that she sees upwards
+    glm::vec2 right{-1, 0}; ///< unit vector (z, y) to the reader's right, who looks along -x
+    glm::vec2 up{0, 1};     ///< unit vector (z, y) upwards for the reader
     float text = 1.2e-3f;   ///< m, height of a figure
 };
 
-/// Upright for whom `up` (in the workpiece's frame) points up; along the workpiece's own y where that is along the
-/// seam.
+/// Returns a layout upright for a reader whose `up` (in the workpiece's frame) this is; along the workpiece's own y if
+/// `up` is along the seam.
 MarkLayout uprightLayout(const glm::vec3& up, float text);
 
-/// Upright in this view of the plane `at` along x, with figures of a fiftieth of the picture's height.
+/// Returns a layout upright in this view of the plane `at` along x, with figures of a fiftieth of the picture's height.
 MarkLayout layoutIn(const View& view, const glm::mat4& modelToWorld, float at);
 
 /// Adds the strokes of the marks: each line at its place, the words in a column on either side of all of them, a thin
-/// line from each word to what it names. What comes later lies over what comes before.
+/// line from each word to its mark. Later ones cover earlier ones.
 void layOutMarks(const std::vector<SectionMark>& marks, const MarkLayout& layout, std::vector<SectionStroke>& strokes);
 
 } // namespace meltpool

@@ -8,11 +8,11 @@ namespace meltpool {
 
 namespace {
 
-constexpr float kBaseline = 2, kFigureHeight = 6; ///< in the glyphs' grid
-constexpr float kGap = 1.6f;                      ///< between letters
+constexpr float kBaseline = 2, kFigureHeight = 6; ///< heights in the glyphs' grid
+constexpr float kGap = 1.6f;                      ///< gap between letters
 constexpr float kNarrow = 0.85f;                  ///< width of the grid's columns, in heights of its rows
 constexpr float kSpace = 2.4f;
-constexpr float kWidth = 0.8f; ///< of a stroke
+constexpr float kWidth = 0.8f; ///< width of a stroke
 
 /// A letter as lines through places "xy" of a grid; a space begins the next line. Baseline at y = 2, small letters
 /// reach y = 6, figures y = 8.
@@ -45,7 +45,7 @@ constexpr std::array kGlyphs{
     Glyph{'7', "084812"},
     Glyph{'8', "15354647381807061504031232434435"},
     Glyph{'9', "031232434738180706153546"},
-    Glyph{'.', "1213"}, // taller than a point: it must not be overlooked
+    Glyph{'.', "1213"}, // taller than a point, so that it is not overlooked
     Glyph{',', "1301"},
     Glyph{'-', "0545"},
     Glyph{'/', "0248"},

@@ -21,7 +21,7 @@ constexpr glm::vec3 kGripBlue(0.02f, 0.05f, 0.13f);
 constexpr glm::vec3 kSafetyRed(0.50f, 0.03f, 0.02f);
 constexpr glm::vec3 kHose(0.22f, 0.03f, 0.02f);
 
-/// m.
+/// Widths of handle and cable, m.
 constexpr float kHandle = 0.030f, kCableWidth = 0.018f;
 
 glm::vec3 acrossTo(const glm::vec3& axis, const glm::vec3& wanted, const glm::vec3& otherwise) {
@@ -30,7 +30,7 @@ glm::vec3 acrossTo(const glm::vec3& axis, const glm::vec3& wanted, const glm::ve
     return glm::normalize(across);
 }
 
-/// Adds solids of the torch. Distances in m from the tip, towards the handle positive.
+/// Builder of the torch's solids. Distances in m from the tip, towards the handle positive.
 class Builder {
   public:
     Builder(std::vector<Solid>& solids, const TorchSample& torch, const TorchSurroundings& around,
@@ -48,7 +48,7 @@ class Builder {
         rod(at(from), at(to), width, colour, gloss, shape);
     }
 
-    /// From the place on the axis a bend by kBendAngle to the way of the handle; answers where it ends.
+    /// Adds a bend by kBendAngle from the place on the axis to the way of the handle; returns its end.
     glm::vec3 bend(float from, const glm::vec3& way, float width, const glm::vec3& colour, float gloss) {
         const glm::vec3 z = -torch_.axis(), x = acrossTo(z, way, {1, 0, 0}), y = glm::cross(z, x);
         const glm::mat4 place{glm::vec4(x * width, 0), glm::vec4(y * width, 0), glm::vec4(z * width, 0),
@@ -58,9 +58,9 @@ class Builder {
         return at(from) + radius * (x * (1 - std::cos(kBendAngle)) + z * std::sin(kBendAngle));
     }
 
-    /// A handle from `begin` along `way`, and the hand round it; answers where it ends.
+    /// Adds a handle from `begin` along `way`, and the hand round it; returns its end.
     glm::vec3 handle(const glm::vec3& begin, glm::vec3 way, float length, float width, const glm::vec3& colour) {
-        // A hand elsewhere (a tracked one) takes the handle with it.
+        // A hand at another place (a tracked one) takes the handle with it.
         const bool tracked = around_.hand && glm::distance(*around_.hand, begin) > 0.02f;
         if (tracked) way = glm::normalize(*around_.hand - begin);
         const float held = tracked ? glm::distance(*around_.hand, begin) : 0.55f * length;
@@ -71,7 +71,7 @@ class Builder {
         return end;
     }
 
-    /// A hand round a rod there; `way` leads away from what it works at.
+    /// Adds a hand round a rod there; `way` leads away from the work.
     void hand(const glm::vec3& middle, const glm::vec3& way, float radius) {
         const glm::vec3 toWelder(0, 0, 1);
         const glm::vec3 palm = acrossTo(way, around_.up + 0.7f * toWelder, {1, 0, 0});
@@ -79,7 +79,7 @@ class Builder {
         addGlovedHand(solids_, {middle, way, palm, arm, radius}, toWorld_);
     }
 
-    /// A cable that leaves the handle along `way` and hangs over an edge to its end.
+    /// Adds a cable that leaves the handle along `way` and hangs over an edge to its end.
     void cable(const glm::vec3& from, const glm::vec3& way, float width, const glm::vec3& colour) {
         constexpr int kPieces = 16;
         const float reach = std::max(0.3f * glm::distance(from, around_.cableEnd), 0.08f);
@@ -142,7 +142,7 @@ void addElectrodeHolder(Builder& add, const TorchSample& torch, float whole) {
         add.rod(grip + way * 0.05f + off * 1.3f, grip - way * 0.012f + off, 0.011f, kBrass, 0.5f, SolidShape::pill);
     }
     add.rod(grip + way * 0.075f, grip + way * 0.028f, 0.034f, kSafetyRed, 0.2f, SolidShape::taper);
-    const glm::vec3 lever = add.at(whole + 0.024f); // presses the jaws together
+    const glm::vec3 lever = add.at(whole + 0.024f); // jaw lever
     add.rod(lever + way * 0.105f, lever + way * 0.035f, 0.012f, kSafetyRed, 0.2f, SolidShape::pill);
     const glm::vec3 begin = grip + way * 0.072f;
     const glm::vec3 end = add.handle(begin, way, 0.14f, 0.034f, kRubber);
@@ -160,7 +160,7 @@ void addBurner(Builder& add, const TorchSample& torch) {
     add.rod(neck + way * 0.028f, neck - way * 0.004f, 0.018f, kBrass, 0.6f);
     const glm::vec3 side = glm::normalize(glm::cross(way, torch.axis())), valve = neck + way * 0.012f;
     add.rod(valve + side * 0.026f, valve, 0.007f, kBrass, 0.6f);
-    add.rod(valve + side * 0.034f, valve + side * 0.022f, 0.019f, kSafetyRed, 0.3f); // valve
+    add.rod(valve + side * 0.034f, valve + side * 0.022f, 0.019f, kSafetyRed, 0.3f); // valve knob
     const glm::vec3 end = add.handle(neck + way * 0.024f, way, 0.14f, 0.026f, kDarkSteel);
     add.cable(end - way * 0.01f, way, 0.011f, kHose);
 }
@@ -171,7 +171,7 @@ void addIron(Builder& add, const TorchSample& torch) {
     add.part(0.062f, 0.026f, 0.0085f, kSteel, 0.65f);
     add.part(0.068f, 0.060f, 0.0120f, kSteel, 0.6f);
     add.part(0.088f, 0.066f, 0.0200f, kRubber, 0.2f, SolidShape::taper);
-    add.part(0.092f, 0.086f, 0.0280f, kRubber, 0.2f); // keeps the fingers off the heat
+    add.part(0.092f, 0.086f, 0.0280f, kRubber, 0.2f); // shield that protects the fingers from the heat
     const glm::vec3 end = add.handle(add.at(0.088f), way, 0.12f, 0.024f, kGripBlue);
     add.cable(end - way * 0.01f, way, 0.006f, kRubber);
 }

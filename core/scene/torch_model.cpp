@@ -28,7 +28,7 @@ constexpr float kArcDiameter = 0.0029F;
 constexpr float kShortestShown = 0.0016F;
 constexpr glm::vec3 kFlameGlow(0.5F, 1.2F, 3.0F);
 
-/// Adds solids along the torch's axis. Distances in m from the tip, towards the handle positive.
+/// Builder of solids along the torch's axis. Distances in m from the tip, towards the handle positive.
 class Builder {
   public:
     Builder(std::vector<Solid>& solids, const TorchSample& torch, const glm::mat4& toWorld)
@@ -38,13 +38,13 @@ class Builder {
               const glm::vec3& glow = glm::vec3(0.0F)) {
         solids_.push_back({shape, toWorld_ * alongLine(at(from), at(to), width), colour, gloss, glow});
     }
-    /// A part that stands for those of buildTorchFittings().
+    /// Adds a coarse part that replaces those of buildTorchFittings().
     void coarse(float from, float to, float width, const glm::vec3& colour, float gloss) {
         part(SolidShape::cylinder, from, to, width, colour, gloss);
         solids_.back().coarse = true;
     }
 
-    /// A ball that shines evenly over its disc with the arc's whole light.
+    /// Adds a ball that shines evenly over its disc with the arc's whole light.
     void arc(const ArcLight& light) {
         if (light.intensity.g <= 0) return;
         const glm::mat4 place = glm::scale(glm::translate(glm::mat4(1.0F), light.position), glm::vec3(kArcDiameter));
@@ -60,7 +60,8 @@ class Builder {
     const glm::mat4& toWorld_;
 };
 
-/// The contact tip stands the set stick-out behind the pose's tip; the wire reaches as far as it does.
+/// Adds a wire torch: the contact tip is at the set stick-out behind the pose's tip; the wire has its present
+/// extension.
 void addWireTorch(Builder& add, float stickOut, float extension, float diameter, const ArcLight& light) {
     add.part(SolidShape::cylinder, stickOut, stickOut - extension, diameter, kCopper, 0.8F);
     add.coarse(stickOut + 0.012F, stickOut, 0.006F, kCopper, 0.7F);
@@ -69,7 +70,7 @@ void addWireTorch(Builder& add, float stickOut, float extension, float diameter,
     add.arc(light);
 }
 
-/// The tip of the pose is that of the electrode.
+/// Adds a tungsten torch: the tip of the pose is that of the electrode.
 void addTungstenTorch(Builder& add, const ArcLight& light) {
     add.part(SolidShape::cone, 0.004F, 0.0F, 0.0024F, kTungsten, 0.7F);
     add.part(SolidShape::cylinder, 0.010F, 0.004F, 0.0024F, kTungsten, 0.7F);
@@ -78,7 +79,7 @@ void addTungstenTorch(Builder& add, const ArcLight& light) {
     add.arc(light);
 }
 
-/// The rod's end has melted back from the pose's tip by `eaten`; m.
+/// Adds the rod, whose end has melted back from the pose's tip by `eaten`; m.
 void addRod(std::vector<Solid>& solids, const RodSample& rod, float diameter, const ArcState& arc,
             const glm::mat4& toWorld) {
     constexpr float kShown = 0.3F;
@@ -90,7 +91,8 @@ void addRod(std::vector<Solid>& solids, const RodSample& rod, float diameter, co
     solids.push_back({SolidShape::sphere, toWorld * ball, kSteelWire, 0.8F, kHotBall});
 }
 
-/// What is left of the electrode reaches from the holder to its end; its covering ends a little before its core.
+/// Adds an electrode holder: the rest of the electrode reaches from the holder to its end; its covering ends a little
+/// before its core.
 void addElectrodeHolder(Builder& add, float whole, float core, float left, const ArcLight& light) {
     const float burnt = whole - left;
     constexpr float kHeld = 0.025F, kCovering = 1.7F;
@@ -101,7 +103,7 @@ void addElectrodeHolder(Builder& add, float whole, float core, float left, const
     add.arc(light);
 }
 
-/// The tip of the pose is where the flame is hottest, in front of the burner's nozzle.
+/// Adds a burner: the tip of the pose is the hottest place of the flame, in front of the burner's nozzle.
 void addBurner(Builder& add, float share) {
     constexpr float kNozzle = 0.012F;
     add.coarse(kNozzle + 0.03F, kNozzle, 0.009F, kBrass, 0.6F);
@@ -117,7 +119,7 @@ void addIron(Builder& add) {
 
 void addTorch(Builder& add, const ProcessSettings& process, const ArcState& arc, const ArcLight& light) {
     const Equipment tools = equipmentOf(process);
-    // Before the first step nothing is known of wire and electrode: they are as long as they are set.
+    // Before the first step wire and electrode have their set lengths.
     const auto left = [&](double set) { return arc.extension > 0 ? arc.extension : static_cast<float>(set); };
     switch (traitsOf(process).torch) {
     case TorchShape::wireTorch:
@@ -140,7 +142,7 @@ void addTorch(Builder& add, const ProcessSettings& process, const ArcState& arc,
 ArcLight torchArcLight(const TorchSample& torch, const ProcessSettings& process, const ArcState& arc) {
     if (!arc.burns() || arc.current <= 0) return {};
     const float candela = kLumenPerWatt * arc.voltage * arc.current / (4 * std::numbers::pi_v<float>);
-    // The arc hangs between the wire's or electrode's end and the metal.
+    // The arc is between the wire's or electrode's end and the metal.
     const Equipment tools = equipmentOf(process);
     const float back = tools.electrodeLength > 0 ? static_cast<float>(tools.electrodeLength) - arc.extension
                                                  : static_cast<float>(tools.heldBehind);

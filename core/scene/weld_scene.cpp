@@ -19,10 +19,12 @@ namespace {
 constexpr float kWorldUnit = 0.04F;
 constexpr size_t kMostFurniture = 512;
 constexpr float kRoomTemperature = 293.15F;
-/// Of an island of oxide on a pool, in spacings. None: chosen; on plates of 1 mm spacing islands are 2 mm wide.
+/// Radius of an island of oxide on a pool, in spacings. No source: chosen; on plates of 1 mm spacing islands are 2 mm
+/// wide.
 constexpr float kOxideRadius = 1.1F;
 
-/// Upper end of the temperature colours, K: the melt's share of the scale is a third for solder and steel alike.
+/// Returns the upper end of the temperature colours, K: the melt's share of the scale is a third for solder and steel
+/// alike.
 float colourTop(const Material& material) {
     const auto liquidus = static_cast<float>(material.liquidus);
     return liquidus + std::max(0.5F * (liquidus - kRoomTemperature), 50.0F);
@@ -37,7 +39,7 @@ WeldScene::WeldScene(const ShownWeld& shown)
     furnish();
 }
 
-/// The table is where drops come to rest, or as far below as the workpiece is held over it.
+/// Drops come to rest on the table, or as far below as the workpiece is held over it.
 void WeldScene::furnish() {
     const Workpiece& workpiece = shown_.workpiece;
     const glm::mat4 toWorld = glm::scale(glm::mat4(1.0F), glm::vec3(1 / kWorldUnit));
@@ -45,7 +47,7 @@ void WeldScene::furnish() {
     const glm::mat4 benchToWorld = glm::translate(toWorld, {0, top, 0});
     roomToWorld_ = glm::translate(toWorld, {0, top - kUsualTableHeight - float(WORKSHOP_FLOOR), 0});
     furniture_.clear();
-    furniture_.reserve(kMostFurniture); // solids that a view() lent stay in their place
+    furniture_.reserve(kMostFurniture); // reserved, so that solids that a view() lent do not move
     displays_ = equipmentOf(shown_.process).displays;
     addTable(furniture_, benchToWorld, kUsualTableHeight);
     addMachine(furniture_, benchToWorld, shown_.process);

@@ -1,4 +1,4 @@
-// A weld's workshop: torch, cable, table, machine and what holds the workpiece, with the looks of the material.
+// A weld's workshop: torch, cable, table, machine and holders of the workpiece, with the looks of the material.
 #pragma once
 
 #include "core/scene/metal_scene.hpp"
@@ -14,7 +14,7 @@ namespace meltpool {
 struct ShownWeld {
     const Weld& weld;
     const Workpiece& workpiece;
-    const WorkpieceParameters& parameters; ///< that the workpiece was made of
+    const WorkpieceParameters& parameters; ///< parameters that the workpiece was made of
     const Material& material;
     const ProcessSettings& process; ///< read by each view(); other displays furnish the workshop again
 };
@@ -33,11 +33,11 @@ class WeldScene : public MetalScene {
     ShownWeld shown_;
     RolledFaces rolled_;
     float overTable_;                        ///< m, see Fixture
-    std::array<MachineDisplay, 2> displays_; ///< of the machine as it was furnished
-    std::vector<Solid> furniture_;           ///< table, machine and what holds the workpiece
-    size_t holders_ = 0;                     ///< how many of its last hold the workpiece
-    glm::mat4 roomToWorld_{1.0F};            ///< of the workshop
-    glm::vec3 cableEnd_{0.0F};               ///< of the torch, in the workpiece's frame
+    std::array<MachineDisplay, 2> displays_; ///< displays of the machine as it was furnished
+    std::vector<Solid> furniture_;           ///< table, machine and holders of the workpiece
+    size_t holders_ = 0;                     ///< number of its last solids that hold the workpiece
+    glm::mat4 roomToWorld_{1.0F};            ///< transform of the workshop
+    glm::vec3 cableEnd_{0.0F};               ///< end of the torch's cable, in the workpiece's frame
     std::vector<Solid> torchSolids_;         ///< lent by the last view()
     std::vector<Solid> fittings_;            ///< likewise
 };

@@ -9,7 +9,7 @@ namespace {
 
 using Face = std::array<unsigned, 4>;
 
-/// The corners of the six faces, counter-clockwise seen from outside the cell.
+/// Returns the corners of the six faces, counter-clockwise seen from outside the cell.
 std::array<Face, 6> cellFaces() {
     std::array<Face, 6> faces{};
     for (unsigned axis = 0; axis < 3; ++axis) {
@@ -42,8 +42,8 @@ bool shareFace(CellEdge a, CellEdge b) {
 
 constexpr CellEdge kNoEdge = ~0U;
 
-/// For every edge that crosses the surface, the next one of its loop. Going counter-clockwise around a face, one edge
-/// leads into a run of inside corners and one out of it; the segment connects the former to the latter.
+/// Returns for every edge that crosses the surface the next one of its loop. Going counter-clockwise around a face, one
+/// edge leads into a run of inside corners and one out of it; the segment connects the former to the latter.
 std::array<CellEdge, 32> nextEdges(unsigned inside) {
     std::array<CellEdge, 32> next{};
     next.fill(kNoEdge);
@@ -59,7 +59,7 @@ std::array<CellEdge, 32> nextEdges(unsigned inside) {
     return next;
 }
 
-/// Splits the part of a loop from index `first` to `last` into triangles none of whose inner edges lies in a face.
+/// Splits the part of a loop from index `first` to `last` into triangles none of whose inner edges is in a face.
 /// Returns false when that is impossible.
 bool fillLoop(const std::vector<CellEdge>& loop, std::size_t first, std::size_t last,
               std::vector<CellTriangle>& triangles) {

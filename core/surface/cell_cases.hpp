@@ -13,20 +13,21 @@ using CellEdge = std::uint32_t;
 /// Three edges, counter-clockwise seen from outside in a right-handed grid.
 using CellTriangle = std::array<CellEdge, 3>;
 
-/// The triangles of a cell whose corner dx + 2 dy + 4 dz is inside where that bit of `inside` is set: at most five.
+/// Returns the triangles of a cell whose corner dx + 2 dy + 4 dz is inside if that bit of `inside` is set: at most
+/// five.
 ///
 /// The surface cuts every face of the cell in segments, one around each run of inside corners; two inside corners that
 /// share only the face's diagonal get a segment each. The segments depend on the four corners of the face alone, so
-/// that two cells that share a face have the same ones and the surface is closed. The segments of the six faces join to
-/// loops. A loop is split into triangles; no inner edge of the split lies in a face, where the neighbour could have it
-/// too.
+/// that two cells that share a face agree on them and the surface is closed. The segments of the six faces join to
+/// loops. A loop is split into triangles; no inner edge of the split is in a face, which the neighbour's edges could
+/// use too.
 std::vector<CellTriangle> cellTriangles(unsigned inside);
 
 /// Largest number of triangles in a cell.
 inline constexpr unsigned kMostCellTriangles = 5;
 
-/// All cases as the shaders read them. Words 0-255, one a case: bits 0-2 hold the number of triangles, the rest the
-/// word of the first triangle. Then one word a triangle: its three edges of 5 bits, the first in the lowest bits.
+/// Returns all cases as the shaders read them. Words 0-255, one a case: bits 0-2 hold the number of triangles, the rest
+/// the word of the first triangle. Then one word a triangle: its three edges of 5 bits, the first in the lowest bits.
 std::vector<std::uint32_t> cellCaseTable();
 
 } // namespace meltpool

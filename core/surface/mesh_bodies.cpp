@@ -22,7 +22,7 @@ Triangle triangleAt(const MeshCopy& mesh, size_t firstIndex) {
     return {corner(0), corner(1), corner(2)};
 }
 
-/// Which vertices hang together (Tarjan's union by index with halved paths). The root of a set is its lowest vertex.
+/// Sets of connected vertices (Tarjan's union by index with halved paths). The root of a set is its lowest vertex.
 class Sets {
   public:
     explicit Sets(size_t vertices) : above_(vertices) { std::iota(above_.begin(), above_.end(), 0U); }
@@ -43,8 +43,8 @@ class Sets {
 
 /// A connected part of the mesh.
 struct Part {
-    std::vector<size_t> triangles; ///< the index of each one's first corner
-    double volume = 0;             ///< enclosed, signed
+    std::vector<size_t> triangles; ///< the index of each triangle's first corner
+    double volume = 0;             ///< enclosed volume, signed
     glm::dvec3 low{std::numeric_limits<double>::infinity()};
     glm::dvec3 high{-std::numeric_limits<double>::infinity()};
 };
@@ -59,7 +59,7 @@ void addTriangle(Part& part, const MeshCopy& mesh, size_t firstIndex) {
     }
 }
 
-/// In the order of their first triangles.
+/// Returns the parts in the order of their first triangles.
 std::vector<Part> partsOf(const MeshCopy& mesh) {
     Sets sets(mesh.vertices.size());
     for (size_t i = 0; i < mesh.indices.size(); i += 3) {
@@ -67,7 +67,7 @@ std::vector<Part> partsOf(const MeshCopy& mesh) {
         sets.join(mesh.indices[i], mesh.indices[i + 2]);
     }
     constexpr size_t kNone = std::numeric_limits<size_t>::max();
-    std::vector<size_t> numbers(mesh.vertices.size(), kNone); // by root
+    std::vector<size_t> numbers(mesh.vertices.size(), kNone); // number of each part, by root
     std::vector<Part> parts;
     for (size_t i = 0; i < mesh.indices.size(); i += 3) {
         size_t& number = numbers[sets.root(mesh.indices[i])];
@@ -80,16 +80,16 @@ std::vector<Part> partsOf(const MeshCopy& mesh) {
     return parts;
 }
 
-/// Whether the side from a to b crosses the line from (y, z) towards growing y. Both triangles at a side compute the
-/// same, whichever way round they go, so that a ray never slips between them or counts both.
+/// Returns true if the side from a to b crosses the line from (y, z) towards growing y. Both triangles at a side
+/// compute one result, whichever way round they go, so that a ray never slips between them or counts both.
 bool crosses(glm::dvec3 a, glm::dvec3 b, const glm::dvec3& from) {
     if ((a.z > from.z) == (b.z > from.z)) return false;
     if (a.z > b.z) std::swap(a, b);
     return a.y + (b.y - a.y) * ((from.z - a.z) / (b.z - a.z)) > from.y;
 }
 
-/// Where the line through `from` along x meets the triangle, seen from `from`, and whether it leaves the body there
-/// (+1) or enters it (-1).
+/// Returns the place at which the line through `from` along x meets the triangle, seen from `from`, and its direction
+/// there: out of the body (+1) or into it (-1).
 std::optional<std::pair<double, int>> meeting(const Triangle& t, const glm::dvec3& from) {
     const bool covers = crosses(t[0], t[1], from) ^ crosses(t[1], t[2], from) ^ crosses(t[2], t[0], from);
     const glm::dvec3 n = glm::cross(t[1] - t[0], t[2] - t[0]);
@@ -97,7 +97,7 @@ std::optional<std::pair<double, int>> meeting(const Triangle& t, const glm::dvec
     return std::pair(glm::dot(n, t[0] - from) / n.x, n.x > 0 ? 1 : -1);
 }
 
-/// Whether a point lies inside what the part encloses: a ray along +x leaves it once more than it enters it.
+/// Returns true if a point is inside the part's enclosed space: a ray along +x leaves it once more than it enters it.
 bool encloses(const Part& part, const MeshCopy& mesh, const glm::dvec3& point) {
     int left = 0;
     for (const size_t first : part.triangles)
@@ -105,8 +105,8 @@ bool encloses(const Part& part, const MeshCopy& mesh, const glm::dvec3& point) {
     return left > 0;
 }
 
-/// Whether `inner` lies inside `outer`. Their surfaces do not cross, so one place of it tells; the middle of a triangle
-/// lies on no line of the grid.
+/// Returns true if `inner` is inside `outer`. Their surfaces do not cross, so one place of it decides; the middle of a
+/// triangle is on no line of the grid.
 bool liesIn(const Part& inner, const Part& outer, const MeshCopy& mesh) {
     if (!glm::all(glm::greaterThanEqual(inner.low, outer.low)) || !glm::all(glm::lessThanEqual(inner.high, outer.high)))
         return false;
@@ -114,7 +114,7 @@ bool liesIn(const Part& inner, const Part& outer, const MeshCopy& mesh) {
     return encloses(outer, mesh, (t[0] + t[1] + t[2]) / 3.0);
 }
 
-/// The mesh of these parts alone.
+/// Returns the mesh of these parts alone.
 MeshCopy meshOf(const std::vector<Part>& parts, const MeshCopy& mesh) {
     constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> numbers(mesh.vertices.size(), kUnused);
@@ -140,7 +140,7 @@ MeshCopy outerBodies(const MeshCopy& mesh) {
     std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.volume > b.volume; });
     std::vector<Part> bodies;
     for (Part& part : parts) {
-        if (part.volume <= 0) break; // walls of hollows, from here on
+        if (part.volume <= 0) break; // the parts from here on are walls of hollows
         const auto holds = [&](const Part& larger) { return liesIn(part, larger, mesh); };
         if (std::none_of(bodies.begin(), bodies.end(), holds)) bodies.push_back(std::move(part));
     }

@@ -12,12 +12,13 @@ namespace meltpool {
 /// its indices, without comparing positions.
 struct MeshCopy {
     std::vector<SurfaceVertex> vertices;
-    std::vector<float> peaks;           ///< a vertex's highest temperature so far; empty where nobody kept it
+    /// a vertex's highest temperature so far; empty if the particles do not store it.
+    std::vector<float> peaks;
     std::vector<std::uint32_t> indices; ///< three a triangle, counter-clockwise seen from outside
 };
 
-/// The mesh of the last update, without its emptied triangles. Waits for the GPU. Throws RuntimeFault when the mesh did
-/// not fit its buffers.
+/// Copies the mesh of the last update, without its emptied triangles. Waits for the GPU. Throws RuntimeFault when the
+/// mesh did not fit its buffers.
 MeshCopy copyMesh(const Surface& surface);
 
 } // namespace meltpool

@@ -1,4 +1,4 @@
-// The programs that bring particles into the surface's volumes, by what the particles bring.
+// The programs that bring particles into the surface's volumes, one for each kind of particle data.
 #pragma once
 
 #include "core/gl/program.hpp"
@@ -14,13 +14,12 @@ struct SplatPasses {
     const gl::Program& splatChanged;
 };
 
-/// Programs of their own for each kind of data, so that it costs nothing where it is missing; made when they are asked
-/// for.
+/// Library of programs, one for each kind of data, so that missing data costs nothing; made on first use.
 class SplatPassLibrary {
   public:
     explicit SplatPassLibrary(gl::ShaderLibrary& shaders) : shaders_(shaders) {}
 
-    /// `data`: bits SURFACE_WITH_*; `kernel`: a SurfaceKernel.
+    /// Returns the passes. `data`: bits SURFACE_WITH_*; `kernel`: a SurfaceKernel.
     const SplatPasses& passes(int data, int kernel);
 
   private:

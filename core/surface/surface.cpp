@@ -19,12 +19,12 @@ SurfaceStatistics statisticsOf(const SurfaceCommands& commands) {
             commands.splattedCount, commands.rebuilt != 0,  commands.overflow != 0};
 }
 
-/// Share of the solidus in K up to which metal of the lattice is taken to lie as it did: hotter metal has neighbours
-/// that melted. None: chosen; at the toe of a bead on steel it is 2 mm.
+/// Share of the solidus in K up to which metal of the lattice counts as unmoved: hotter metal has neighbours that
+/// melted. No source: chosen; at the toe of a bead on steel it is 2 mm.
 constexpr float kFlatBelow = 0.65F;
 
-/// What stands for a weight of 1 in the freezing volume: the wider a particle reaches, the more of them meet in a
-/// corner, whose sum of at most one particle a cell must not exceed 4096.
+/// Returns the integer for a weight of 1 in the freezing volume: the wider a particle reaches, the more of them meet in
+/// a corner, whose sum of at most one particle a cell must not exceed 4096.
 float freezingUnit(int influence) {
     constexpr float kFinest = 64, kCoarsest = 4, kInReach = 8000;
     const auto across = static_cast<float>(2 * influence - 1);
@@ -33,7 +33,7 @@ float freezingUnit(int influence) {
 
 } // namespace
 
-/// Shared by volumes and mesher: the grid, the setup of an update, and the sizes that the GPU decides.
+/// Data shared by volumes and mesher: the grid, the setup of an update, and the sizes that the GPU decides.
 struct Surface::Work {
     Work(gl::ShaderLibrary& shaders, const SurfaceGrid& theGrid)
         : grid(theGrid),

@@ -5,12 +5,12 @@
 
 namespace meltpool {
 
-/// Before a pass that reads what the last one wrote.
+/// Issues the barrier before a pass that reads results of the last one.
 inline void surfaceBarrier() {
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
-/// Before an indirect pass whose number of groups the last one wrote as well.
+/// Issues the barrier before an indirect pass whose number of groups the last one wrote as well.
 inline void surfaceCommandBarrier() {
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }

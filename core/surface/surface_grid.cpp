@@ -38,7 +38,8 @@ size_t SurfaceGrid::mostVertices() const {
     const glm::ivec3 c = cells + 3;
     const size_t all = 3 * size_t(c.x) * size_t(c.y) * size_t(c.z);
     const size_t layer = size_t(c.x) * size_t(c.y) + size_t(c.y) * size_t(c.z) + size_t(c.z) * size_t(c.x);
-    constexpr size_t kOneDispatch = 65535 * size_t(SURFACE_GROUP) / 2; // one row of work groups makes all triangles
+    // Most vertices for which one row of work groups makes all triangles.
+    constexpr size_t kOneDispatch = 65535 * size_t(SURFACE_GROUP) / 2;
     return std::min({all, 12 * layer, kOneDispatch});
 }
 

@@ -1,4 +1,4 @@
-// The grid of the surface extraction: its cells over the box and how its corners are stored.
+// The grid of the surface extraction: its cells over the box and the storage of its corners.
 #pragma once
 
 #include "shaders/shared/surface.h"
@@ -9,8 +9,9 @@
 
 namespace meltpool {
 
-/// Corners of an axis are numbered from 0 to cells + 2; the first and the last lie in the empty layer around the grid
-/// (shaders/shared/surface.h). z runs against the model's: corner 1 lies at boxMax.z, as in the founding thesis.
+/// A grid whose corners of an axis are numbered from 0 to cells + 2; the first and the last are in the empty layer
+/// around the grid (shaders/shared/surface.h). z runs against the model's: corner 1 is at boxMax.z, as in the founding
+/// thesis.
 struct SurfaceGrid {
     glm::ivec3 cells{1};
     glm::vec3 boxMin{-1.0f};
@@ -20,19 +21,19 @@ struct SurfaceGrid {
     /// least 2. Throws InputError when the box has no volume, or when `cells` does not fit the packed coordinates.
     SurfaceGrid(int cells, glm::vec3 boxMin, glm::vec3 boxMax);
 
-    /// Blocks of 8³ corners along each axis.
+    /// Returns the number of blocks of 8³ corners along each axis.
     glm::ivec3 blocks() const { return (cells + 2 + (SURFACE_BLOCK - 1)) / SURFACE_BLOCK; }
     size_t blockCount() const;
 
-    /// Index of a corner in the volumes; the same as cornerAddress() in the shaders.
+    /// Returns the index of a corner in the volumes; equal to cornerAddress() in the shaders.
     size_t address(glm::ivec3 corner) const;
 
-    /// Size of the mesh buffers: twelve layers of surface across the whole grid, or all edges of a small grid. A welded
-    /// plate or a melting cube has one or two layers.
+    /// Returns the size of the mesh buffers: twelve layers of surface across the whole grid, or all edges of a small
+    /// grid. A welded plate or a melting cube has one or two layers.
     size_t mostVertices() const;
     size_t mostTriangles() const { return 2 * mostVertices(); }
 
-    /// The uniform block of the passes with what the grid decides; temperatures 0..1, the rest 0.
+    /// Returns the uniform block of the passes with the values that the grid decides; temperatures 0..1, the rest 0.
     SurfaceSetup setup() const;
 };
 

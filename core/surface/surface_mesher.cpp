@@ -95,7 +95,7 @@ void SurfaceMesher::listMesh() const {
     dispatchIndirect(listMeshPass_, offsetof(SurfaceCommands, rows));
 }
 
-/// Without times of freezing, the highest temperatures tell metal on the lattice from other metal.
+/// Without freezing times, the highest temperatures distinguish metal on the lattice from other metal.
 const gl::Program& SurfaceMesher::chooseVertexPass(const SurfaceSetup& setup) {
     if ((setup.particleData & SURFACE_WITH_FREEZING) != 0) return freezing_->vertexPass;
     if (!vertexPeaks_ || setup.flatPlaneCount + setup.pipeCount == 0) return vertexPass_;

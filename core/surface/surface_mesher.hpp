@@ -1,4 +1,4 @@
-// Marching cubes: extracts the surface's mesh from its volumes.
+// Marching cubes: extraction of the surface's mesh from its volumes.
 #pragma once
 
 #include "core/gl/buffer.hpp"
@@ -13,8 +13,8 @@
 
 namespace meltpool {
 
-/// Meshes the blocks of the grid that changed, in the order that Surface describes. The GPU decides how many blocks,
-/// rows, vertices and triangles there are: the passes over them are dispatched indirectly.
+/// Mesher of the grid's changed blocks, in the order that Surface describes. The GPU decides the numbers of blocks,
+/// rows, vertices and triangles: the passes over them are dispatched indirectly.
 class SurfaceMesher {
   public:
     /// `commands` (SurfaceCommands) must outlive this object; it holds the sizes of the passes and of the mesh.
@@ -27,12 +27,12 @@ class SurfaceMesher {
     /// Makes the mesh of the volumes. Expects `setup` to be bound, and the dispatch buffer to be `commands`.
     void update(const SurfaceVolumes& volumes, const SurfaceSetup& setup, gl::Profiler* profiler);
 
-    /// The mesh of particles with this data.
+    /// Returns the mesh of particles with this data.
     SurfaceMesh mesh(int particleData) const;
-    size_t bytes() const; ///< of GPU memory
+    size_t bytes() const; ///< bytes of GPU memory
 
   private:
-    /// Vertices with the time when the metal around them froze.
+    /// Vertices with the freezing time of the metal around them.
     struct Freezing {
         const gl::Program& vertexPass;
         gl::Buffer vertices; // a SurfaceFreezing a vertex
@@ -50,7 +50,7 @@ class SurfaceMesher {
 
     const gl::Program &listBlocksPass_, &insidePass_, &countPass_, &sumBlocksPass_, &placeBlocksPass_, &listMeshPass_,
         &vertexPass_, &trianglePass_;
-    const gl::Program* flatVertexPass_ = nullptr; ///< made when it is asked for
+    const gl::Program* flatVertexPass_ = nullptr; ///< made on first use
 
     gl::Buffer blockStates_, baseTriangles_, blockList_, obsoleteTriangles_, blockSums_;
     gl::Buffer insideBits_, rows_, rowSums_, cases_;

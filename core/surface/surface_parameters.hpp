@@ -14,12 +14,12 @@ enum class SurfaceKernel : int {
 struct SurfaceParameters {
     int cells = 64;     ///< grid cells along the longest side of the box
     int influence = 2;  ///< a particle adds to the (2 influence - 1)³ corners around its nearest one
-    float isoLevel = 1; ///< corners whose density is at least this lie inside
-    bool caps = true;   ///< close the surface where the metal touches the box
+    float isoLevel = 1; ///< corners whose density is at least this are inside
+    bool caps = true;   ///< closes the surface where the metal touches the box
     int kernel = int(SurfaceKernel::cone); ///< a SurfaceKernel
 };
 
-/// Description for menus, files and `--set`; the pointers point into `parameters`.
+/// Returns the description for menus, files and `--set`; the pointers point into `parameters`.
 ParameterList describe(SurfaceParameters& parameters);
 
 } // namespace meltpool

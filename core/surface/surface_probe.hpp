@@ -1,4 +1,4 @@
-// Finds the metal's surface around a point on the GPU; the answer arrives frames later without waiting.
+// Probe that finds the metal's surface around a point on the GPU; the answer arrives frames later without waiting.
 #pragma once
 
 #include "core/gl/readback.hpp"
@@ -16,21 +16,21 @@ struct ProbeAim {
     float reach = 1;          ///< greatest distance searched
 };
 
-/// Finds the same surface that is drawn: that of the Surface's last update. One query at a time: a request while
-/// another is pending is dropped.
+/// Query of the drawn surface: that of the Surface's last update. One query at a time: a request while another is
+/// pending is dropped.
 class SurfaceProbe {
   public:
     explicit SurfaceProbe(gl::ShaderLibrary& shaders);
 
     void request(const Surface& surface, const ProbeAim& aim);
-    /// The answer when it has arrived, once; never waits.
+    /// Returns the answer when it has arrived, once; never waits.
     std::optional<SurfaceProbeAnswer> poll();
-    /// Drops what was asked for: the metal is another one now.
+    /// Drops the pending request, for metal that is replaced.
     void forget() {
         readback_.forget();
         pending_ = false;
     }
-    /// Waits for the GPU.
+    /// Returns the answer at once; waits for the GPU.
     SurfaceProbeAnswer now(const Surface& surface, const ProbeAim& aim);
 
   private:

@@ -115,7 +115,7 @@ void SurfaceVolumes::bindFreezing(const ParticleView& particles) {
     freezing_->particleTexels.bind(SURFACE_TEXELS_FROZEN_AT);
 }
 
-/// The mesher's passes read it: it stays bound, as positions, heats and freezing times do.
+/// Binds the lattice, which the mesher's passes read: it stays bound, as positions, heats and freezing times do.
 void SurfaceVolumes::bindLattice(const ParticleView& particles) {
     if (particles.lattice == nullptr) return;
     latticeTexels_ = gl::BufferView("surface lattice", *particles.latticeSlots, GL_R32UI, 4);

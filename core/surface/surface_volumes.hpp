@@ -12,9 +12,9 @@
 
 namespace meltpool {
 
-/// Density and temperature of particles; where the particles store them, also their highest temperatures and when they
-/// froze (see Surface). Notes the blocks whose corners change, for the mesher. The passes read the setup, which must be
-/// bound.
+/// Volumes of density and temperature of particles; for particles that store them, also of their highest temperatures
+/// and freezing times (see Surface). Notes the blocks whose corners change, for the mesher. The passes read the setup,
+/// which must be bound.
 class SurfaceVolumes {
   public:
     /// `commands` (SurfaceCommands) must outlive this object; it holds the numbers of particles to splat.
@@ -23,33 +23,33 @@ class SurfaceVolumes {
     /// Makes the buffers large enough that store `particles` as splatted, for incremental updates. New ones are empty:
     /// the volumes must be filled again.
     void growParticleBuffers(size_t particles);
-    /// The next update must fill the volumes again.
+    /// Makes the next update fill the volumes again.
     void forget() { splattedCount_ = 0; }
-    /// The volumes hold particles of this kind, and no more of them: splatChanged() suffices.
+    /// Returns true if the volumes hold particles of this kind, and no more of them: splatChanged() suffices.
     bool canFollow(const ParticleView& particles) const;
-    /// Takes these particles as those of the update and makes the volumes that they need. `remembered`: the next
-    /// update can follow them.
+    /// Takes these particles as those of the update and makes the volumes that they need. `remembered`: the next update
+    /// can follow them.
     void take(const ParticleView& particles, bool remembered);
 
     /// Empties the volumes and marks every particle as not splatted.
     void clear();
     /// Adds all particles to empty volumes. `kernel`: a SurfaceKernel.
     void splatAll(const ParticleView& particles, int kernel);
-    /// Moves those particles that changed since they were splatted.
+    /// Moves the particles that changed since they were splatted.
     void splatChanged(const ParticleView& particles, int kernel);
 
     int particleData() const { return data_; } ///< bits SURFACE_WITH_* of the particles
     const gl::Buffer& density() const { return density_; }
     const gl::Buffer& temperature() const { return temperature_; }
-    const gl::Buffer* freezing() const; ///< null where the last particles had no freezing times
+    const gl::Buffer* freezing() const; ///< null if the last particles had no freezing times
     const gl::Buffer& blockFlags() const { return blockFlags_; }
 
     void bindDensityTexels() const { densityTexels_.bind(SURFACE_TEXELS_DENSITY); }
     void bindTemperatureTexels() const { temperatureTexels_.bind(SURFACE_TEXELS_TEMPERATURE); }
-    void bindPeakTexels() const;     ///< nothing where no particles had highest temperatures so far
-    void bindFreezingTexels() const; ///< nothing where the last particles had no freezing times
+    void bindPeakTexels() const;     ///< no-op if no particles had highest temperatures so far
+    void bindFreezingTexels() const; ///< no-op if the last particles had no freezing times
 
-    size_t bytes() const; ///< of GPU memory
+    size_t bytes() const; ///< bytes of GPU memory
 
   private:
     /// Highest temperature so far: a third volume, for particles that store it.
@@ -57,7 +57,7 @@ class SurfaceVolumes {
         gl::Buffer volume, splatted; // a word a corner, a particle
         gl::BufferView volumeTexels, heatTexels;
     };
-    /// When metal froze: a volume of two words a corner.
+    /// Freezing times of the metal: a volume of two words a corner.
     struct Freezing {
         gl::Buffer volume, splatted; // two words a corner, one a particle
         gl::BufferView volumeTexels, particleTexels, splattedTexels;
