@@ -1,4 +1,4 @@
-// An arc spot: the torch stands still over a plate for a while, and the spot is cut through its middle.
+// An arc spot: the torch burns for a while over one place of a plate, and the spot is cut through its middle.
 #include "core/validation/case_size.hpp"
 #include "core/validation/case_weld.hpp"
 
@@ -26,7 +26,7 @@ void runArcSpot(const ValidationCase& from, gl::ShaderLibrary& shaders, Validati
     CaseWeld weld(from, shaders, process, casePlate(from, length, thickness, width, ambient), ambient, on);
     weld.run(straightRun(0, 0, caseTorchHeight(from, process), on), on + kFreezing, result);
     weld.tellArc(from, result);
-    // Three layers: a longer cut would also take the narrower parts of the circle beside its middle.
+    // Three layers: a longer cut would also take the narrower parts of the circle next to its middle.
     const Section section = weld.section(-1.5 * from.spacing, 1.5 * from.spacing);
     result.compareMeasured(from, "fused_diameter_mm", section.fusion.width * 1e3);
     result.compareMeasured(from, "penetration_mm", section.fusion.depth * 1e3);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kFreezing = 1.5; // s after the arc
 
-/// What the section says of a bead of wire.
+/// Compares the section's figures of a bead of wire.
 void compareBead(const ValidationCase& from, const Section& section, ValidationResult& result) {
     const BeadShape bead = section.bead.value_or(BeadShape{});
     const auto overlap = bead.overlap(section.fusion.stretch);
@@ -33,7 +33,8 @@ void runBeadOnPlate(const ValidationCase& from, gl::ShaderLibrary& shaders, Vali
     weld.run(plate.torch(), plate.seconds() + kFreezing, result);
     weld.tellArc(from, result);
     weld.compareDeposit(from, plate.way(), result);
-    // Where the pool has settled, and well before its end. Fed metal lies in waves, so the stretch is long.
+    // The stretch begins after the pool has settled, and ends well before the bead does. Fed metal is in waves, so the
+    // stretch is long.
     const double start = static_cast<double>(plate.start);
     const Section section = weld.section(start + 0.35 * plate.way(), start + 0.8 * plate.way());
     result.compareMeasured(from, "fused_width_mm", section.fusion.width * 1e3);

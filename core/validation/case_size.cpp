@@ -25,7 +25,7 @@ void requireRoom(const ValidationCase& from, const MetalSize& size) {
 }
 
 void requireSteps(const ValidationCase& from, double steps) {
-    constexpr double kMost = 2e7; // an hour of the least that a step takes
+    constexpr double kMost = 2e7; // an hour at the least duration of a step
     if (steps > kMost)
         throw InputError(from.file, 0,
                          "spacing_mm: the case would take " + figure(steps * 1e-6) +

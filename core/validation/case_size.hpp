@@ -1,4 +1,4 @@
-// Whether a case fits its spacing and this machine, told before anything is made of it.
+// Checks that a case fits its spacing and this machine, before anything is made of it.
 #pragma once
 
 #include "core/metal/metal_room.hpp"
@@ -6,13 +6,13 @@
 
 namespace meltpool {
 
-/// Throws InputError in a sentence where the memory that is free now, or the driver's buffers, could not hold it.
+/// Throws InputError in a sentence if the memory that is free now, or the driver's buffers, could not hold it.
 void requireRoom(const ValidationCase& from, const MetalSize& size);
 
-/// Throws InputError where the case would take so many steps of heat or flow that nobody waits for them.
+/// Throws InputError if the case would take too many steps of heat or flow to wait for.
 void requireSteps(const ValidationCase& from, double steps);
 
-/// Throws InputError where a length (m) that the case names is less than `least` spacings.
+/// Throws InputError if a length (m) that the case names is less than `least` spacings.
 void requireSpacings(const ValidationCase& from, std::string_view key, double length, double least);
 
 } // namespace meltpool

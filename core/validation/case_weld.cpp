@@ -10,7 +10,7 @@ namespace meltpool {
 
 namespace {
 
-constexpr double kFillerSpare = 1.1; // of the room for wire
+constexpr double kFillerSpare = 1.1; // factor on the room for wire
 
 WeldSurroundings surroundings(const ValidationCase& from, const ProcessSettings& settings, double ambient,
                               double seconds) {
@@ -22,7 +22,7 @@ WeldSurroundings surroundings(const ValidationCase& from, const ProcessSettings&
     return around;
 }
 
-/// The deposit has a bound of its own, whatever the case's tolerance.
+/// Returns the case with a bound of its own for the deposit, whatever the case's tolerance.
 ValidationCase withinThree(ValidationCase from) {
     from.tolerancePercent = 3;
     return from;
@@ -94,7 +94,7 @@ void CaseWeld::compareDeposit(const ValidationCase& from, double length, Validat
     if (!fed_) return;
     const double low = static_cast<double>(piece_.bodyLow.x), high = static_cast<double>(piece_.bodyHigh.x);
     const double volume = section(low, high).deposited * (high - low);
-    // What melted, which is what was fed and what the wire became shorter by.
+    // The melted wire is the fed wire plus the loss of extension.
     const WireAccount wire = weld_.process().wire();
     result.compareExact(withinThree(from), "deposited_mm2", wire.melted * wire.area / length * 1e6,
                         volume / length * 1e6);

@@ -1,4 +1,4 @@
-// A weld of a case in progress: what beads, fillets, spots and cooling have in common.
+// A weld of a case in progress: the common part of beads, fillets, spots and cooling.
 #pragma once
 
 #include "core/base/function_ref.hpp"
@@ -8,36 +8,38 @@
 
 namespace meltpool {
 
-/// Throws InputError where this machine cannot hold a workpiece of `volume` (m³) and the wire of `seconds`.
+/// Throws InputError if this machine cannot hold a workpiece of `volume` (m³) and the wire of `seconds`.
 void requireWeldRoom(const ValidationCase& from, const ProcessSettings& settings, double volume, double seconds);
 
 class CaseWeld {
   public:
-    /// The case's metal as this workpiece at its own temperature, in air of `ambient` (K), with room for the wire of
-    /// `seconds` of arc.
+    /// Makes the case's metal as this workpiece at its own temperature, in air of `ambient` (K), with room for the wire
+    /// of `seconds` of arc.
     CaseWeld(const ValidationCase& from, gl::ShaderLibrary& shaders, const ProcessSettings& settings, Workpiece piece,
              double ambient, double seconds);
 
-    /// Welds along the path until `watch`, which is called after each step with its end (s), gives false. Counts steps
-    /// and particles in the result.
+    /// Welds along the path until `watch`, which is called after each step with its end (s), returns false. Counts
+    /// steps and particles in the result.
     void run(const TorchPath& path, FunctionRef<bool(double)> watch, ValidationResult& result);
-    /// The same until a time (s).
+    /// Welds along the path until a time (s), and counts likewise.
     void run(const TorchPath& path, double until, ValidationResult& result);
 
     const Weld& weld() const { return weld_; }
     bool fed() const { return fed_; }
 
-    /// The section from `low` to `high` (m along the seam).
+    /// Returns the section from `low` to `high` (m along the seam).
     Section section(double low, double high) const;
 
-    /// Tells the arc's means and refused filler.
+    /// Adds the arc's means and refused filler to the result.
     void tellArc(const ValidationCase& from, ValidationResult& result) const;
 
-    /// Throws InputError when the arc burned for less than half of the time: last, so that the numbers are kept.
+    /// Throws InputError when the arc burned for less than half of the time: called last, so that the numbers stay in
+    /// the result.
     void requireArc(const ValidationCase& from) const;
 
-    /// With wire: compares what was deposited in the whole workpiece with what melted, both over `length` (m), within
-    /// 3 %, as `deposited_mm2`. A bead is thin where it begins and humps after it, so no short stretch has the mean.
+    /// Compares, for a process with wire, the deposit in the whole workpiece with the melted wire, both over `length`
+    /// (m), within 3 %, as `deposited_mm2`. A bead is thin at its beginning and humps after it, so no short stretch has
+    /// the mean.
     void compareDeposit(const ValidationCase& from, double length, ValidationResult& result) const;
 
   private:
@@ -46,7 +48,7 @@ class CaseWeld {
     Workpiece piece_;
     Material material_;
     Weld weld_;
-    double seconds_;     ///< of arc, on the whole path
+    double seconds_;     ///< s of arc, on the whole path
     double elapsed_ = 0; ///< s
     bool fed_;
     struct {

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kGravity = 9.81;     // m/s²
 constexpr float kWall = 3;            // layers of particles, more than a support
-constexpr float kDeep = 8;            // spacings after which the cavity repeats: the least that the flow can do
-constexpr double kConfinement = 0.02; // keeps the pressure above 0 everywhere at these speeds
+constexpr float kDeep = 8;            // spacings after which the cavity repeats: the least that the flow supports
+constexpr double kConfinement = 0.02; // makes the pressure positive everywhere at these speeds
 
 /// The cavity in spacings: x from the hot to the cold wall, y up, z along the repeating axis.
 struct Cavity {
@@ -31,11 +31,12 @@ struct Cavity {
           hot(from.number("hot_k")),
           cold(from.number("cold_k")),
           initial(from.number("initial_k")),
-          // Two empty layers take what liquid at the ends shares with the cells beyond them.
+          // Two empty layers take the share of liquid at the ends that falls into the cells beyond them.
           lattice(MetalLattice::covering(glm::vec3(-kWall, -2, -2) * spacing,
                                          glm::vec3(width + kWall, height + 2, kDeep + 2) * spacing, spacing)) {}
 
-    /// Held walls at both sides, floor and roof that no heat crosses, metal between them; the metal comes first.
+    /// Returns held walls at both sides, floor and roof that no heat crosses, metal between them; the metal comes
+    /// first.
     std::vector<MetalSeed> seeds() const {
         std::vector<MetalSeed> all = block({0, 0}, {width, height}, initial, 0);
         const auto add = [&](glm::vec2 low, glm::vec2 high, double temperature, bool conducts) {
@@ -57,7 +58,7 @@ struct Cavity {
         result.low = glm::vec3(-kWall, -kWall, 0) * spacing;
         result.high = glm::vec3(width + kWall, height + kWall, kDeep) * spacing;
         result.repeats = {false, false, true};
-        result.acceleration = {0, kGravity, 0}; // a full box: nothing is left of gravity but the differences in weight
+        result.acceleration = {0, kGravity, 0}; // a full box: only the differences in weight are left of gravity
         return result;
     }
 
@@ -86,8 +87,8 @@ FlowFluid liquidIn(const Cavity& cavity, const ValidationCase& from) {
     fluid.referenceTemperature = 0.5 * (m.liquidus + cavity.hot);
     fluid.confinement = kConfinement;
     // The flow's own lower bound holds for the viscosity: four times gallium's in the shipped case. With gallium's own
-    // value the circulation is half as fast again, and the errors lie between 1 and 11 % instead of -5 and 5 %. Half of
-    // what a layer at the wall would reach if nothing held it back; it reaches a third.
+    // value the circulation is half as fast again, and the errors are between 1 and 11 % instead of -5 and 5 %. The
+    // speed is half of the free one of a layer at the wall; the layer reaches a third.
     fluid.fastest = 0.5 * std::sqrt(std::abs(fluid.expansion) * kGravity * std::max(0.0, cavity.hot - m.liquidus) *
                                     static_cast<double>(cavity.height * cavity.spacing));
     return fluid;
@@ -101,7 +102,7 @@ double meltedShare(const MetalState& state, size_t metal) {
     return sum / static_cast<double>(metal);
 }
 
-/// Fastest and root mean square speed of the liquid, m/s.
+/// Returns the fastest and the root mean square speed of the liquid, m/s.
 glm::dvec2 speeds(const MetalState& state, size_t metal) {
     const auto velocities = state.velocity.read<vec4>(metal);
     const auto phases = state.phase.read<uint>(metal);
@@ -142,7 +143,7 @@ void runCavityMelting(const ValidationCase& from, gl::ShaderLibrary& shaders, Va
     Flow flow(shaders, state, fluid, cavity.space());
     // Heat and flow take turns, so short that nothing moves by more than a spacing in one.
     const double longest = from.spacing / std::max(fluid.fastest, 1e-4);
-    const bool convects = fluid.fastest > 0; // else nothing drives it
+    const bool convects = fluid.fastest > 0; // without expansion nothing drives the flow
     result.particles = metal;
     const double start = state.readEnergy();
     double now = 0;

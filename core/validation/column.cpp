@@ -1,5 +1,5 @@
-// Heat into a half-space: held surface, constant flux, melting fronts. A column of one tile's section stands for the
-// half-space.
+// Heat into a half-space: held surface, constant flux, melting fronts. The half-space is modelled by a column of one
+// tile's section.
 #include "core/validation/case_size.hpp"
 #include "core/validation/exact_solutions.hpp"
 #include "core/validation/heat_bench.hpp"
@@ -11,10 +11,10 @@ namespace meltpool {
 
 namespace {
 
-constexpr double kLeastLayers = 6; // as many as a look between layers needs, and some
+constexpr double kLeastLayers = 6; // layers for a look between layers, and some more
 constexpr double kSection = TILE_EDGE * TILE_EDGE;
 
-/// A column along x from the surface at x = 0; one layer before it is a held wall where `wall` is above 0 K.
+/// A column along x from the surface at x = 0; one layer before it is a held wall for a `wall` above 0 K.
 struct Column {
     Column(const ValidationCase& from, const Material& material, gl::ShaderLibrary& shaders, double depth,
            double initial, double wall)
@@ -23,7 +23,7 @@ struct Column {
         requireRoom(from, {(layers + 4) * kSection, (layers + 1) * kSection, 0, 0});
         cells = static_cast<int>(layers);
         const auto h = static_cast<float>(spacing);
-        // One layer of air or wall lies before the surface.
+        // One layer of air or wall is before the surface.
         const glm::vec3 low(-h, 0, 0);
         const glm::vec3 high(h * static_cast<float>(cells), h * TILE_EDGE, h * TILE_EDGE);
         const MetalLattice lattice = MetalLattice::covering(low, high, h);
@@ -38,7 +38,7 @@ struct Column {
         requireSteps(from, from.time / bench->solver.longestStep(std::max(wall, initial)));
     }
 
-    /// Mean over each layer of what a particle has, the surface's layer first.
+    /// Returns the mean over each layer of a value per particle, the surface's layer first.
     std::vector<double> layers(const std::vector<double>& values) const {
         std::vector<double> sums(static_cast<size_t>(cells), 0.0);
         const auto positions = bench->state.position.read<vec4>(values.size());
@@ -49,7 +49,7 @@ struct Column {
         return sums;
     }
 
-    /// Temperature at a depth, from the four nearest layers or the wall.
+    /// Returns the temperature at a depth, from the four nearest layers or the wall.
     double temperatureAt(const std::vector<double>& temperatures, double depth) const {
         std::vector<double> places;
         std::vector<double> values;
@@ -67,7 +67,7 @@ struct Column {
                            std::span(values).subspan(static_cast<size_t>(first), 4), depth);
     }
 
-    /// How much has melted (or frozen, where the wall is the colder), as a depth from the surface.
+    /// Returns the amount that has melted (or frozen, for a colder wall), as a depth from the surface.
     double changedDepth(bool melts) const {
         double sum = 0;
         for (const double fraction : layers(bench->readLiquidFractions()))
@@ -75,7 +75,7 @@ struct Column {
         return sum;
     }
 
-    /// Depth at which the temperature crosses `melting`, between the layers on both sides of it.
+    /// Returns the depth at which the temperature crosses `melting`, between the layers on both sides of it.
     double isotherm(double melting) const {
         const auto temperatures = layers(bench->readTemperatures());
         const double sign = wallTemperature > melting ? 1 : -1;
@@ -96,7 +96,7 @@ struct Column {
     std::unique_ptr<HeatBench> bench;
 };
 
-/// How deep the heat gets, with room to spare.
+/// Returns the depth that the heat reaches, with room to spare.
 double heatDepth(double alpha, double time, const std::vector<double>& at) {
     const double deepest = at.empty() ? 0 : *std::max_element(at.begin(), at.end()) * 1e-3;
     return std::max(7 * std::sqrt(alpha * time), 1.2 * deepest) + 0.004;
@@ -106,8 +106,8 @@ double solidDiffusivity(const Material& m) {
     return m.solidConductivity.at(0) / (m.solidDensity.at(0) * m.solidSpecificHeat.at(0));
 }
 
-/// A front's problem in SI, with what changes (melts or freezes) as the exact solution's liquid: a freezing front is
-/// the melting one of temperatures mirrored at the melting point.
+/// A front's problem in SI, with the changing phase (melting or freezing) as the exact solution's liquid: a freezing
+/// front is the melting one of temperatures mirrored at the melting point.
 struct Front {
     Material material;
     bool onePhase, melts;
@@ -120,7 +120,8 @@ struct Front {
         melts = wall > melting;
         initial = onePhase ? melting : from.number("initial_temperature_k");
         material = constantMaterial(from.material, std::min(wall, initial), std::max(wall, initial));
-        // Of metal at a sharp melting point only the temperature tells whether it is liquid, and a float rounds it.
+        // Margin for metal at a sharp melting point: only the temperature distinguishes liquid there, and a float
+        // rounds it.
         constexpr double kClearly = 2e-3; // K, a few roundings
         initial = melts ? std::min(initial, melting - kClearly) : std::max(initial, melting + kClearly);
         problem = {material.solidDensity.at(0),
@@ -200,9 +201,9 @@ void runStefan(const ValidationCase& from, gl::ShaderLibrary& shaders, Validatio
     Column column(from, front.material, shaders, heatDepth(front.largestDiffusivity(), from.time, {2e3 * reference}),
                   front.initial, front.wall);
     result.particles = column.bench->state.particles();
-    // On cells a front goes by jerks: what has changed waits while the next cell warms up, the isotherm while it melts.
-    // Their mean goes evenly, more so over the second half of the time, in which front / sqrt(time) should stand still.
-    // Where all metal waits at its melting point no cell has to warm up first.
+    // On cells a front goes by jerks: the changed depth waits while the next cell warms up, the isotherm while it
+    // melts. Their mean goes evenly, more so over the second half of the time, in which front / sqrt(time) should be
+    // constant. If all metal waits at its melting point no cell has to warm up first.
     constexpr int kLooks = 40;
     double now = 0, sum = 0;
     for (int look = 0; look <= kLooks; ++look) {

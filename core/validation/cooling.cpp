@@ -1,4 +1,4 @@
-// How fast a weld cools: a bead on a plate, and the temperature of its surface at one place as a pyrometer sees it.
+// Cooling of a weld: a bead on a plate, and the temperature of its surface at one place as a pyrometer sees it.
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "core/validation/case_weld.hpp"
@@ -15,16 +15,17 @@ namespace {
 
 constexpr double kLongest = 180; // s after the arc that a case waits for
 constexpr int kBetween = 4;      // steps between two looks
-constexpr double kBehind = 2.5;  // spacings that the torch is past the place first: drops in flight are no surface
+// Spacings between the place and the torch past it, at the first look: drops in flight are no surface.
+constexpr double kBehind = 2.5;
 constexpr double kEightHundred = 1073.15, kFiveHundred = 773.15;
 
-/// A temperature and when the surface last fell through it, s.
+/// A temperature and the last time at which the surface fell through it, s.
 struct Fall {
     double level;
     std::optional<double> at;
 };
 
-/// Watches the mean temperature of the particles on the surface at the seam's middle.
+/// Watcher of the mean temperature of the particles on the surface at the seam's middle.
 class Pyrometer {
   public:
     Pyrometer(const MetalState& state, const ValidationCase& from)
@@ -42,7 +43,7 @@ class Pyrometer {
     }
     double now() const { return before_; }
     double hottest() const { return hottest_; }
-    /// s between falling through the hot and the cold temperature of the case, or from 800 to 500 °C.
+    /// Returns the time between falling through the hot and the cold temperature of the case, or from 800 to 500 °C, s.
     std::optional<double> hotToCold() const { return between(falls_[0], falls_[1]); }
     std::optional<double> eightToFive() const { return between(falls_[2], falls_[3]); }
 

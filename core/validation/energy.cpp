@@ -1,5 +1,5 @@
-// Where the joules go: the trainer's process melts a plate, at a spot or along a seam, with wire or without; the metal
-// flows and freezes.
+// Energy balance: the trainer's process melts a plate, at a spot or along a seam, with wire or without; the metal flows
+// and freezes.
 #include "core/validation/case_size.hpp"
 #include "core/validation/torch_run.hpp"
 #include "core/validation/validation.hpp"
@@ -11,7 +11,7 @@ namespace meltpool {
 
 namespace {
 
-constexpr float kSide = 0.032F; // m, of the plate; longer where the seam needs it
+constexpr float kSide = 0.032F; // m, side of the plate; longer if the seam needs it
 constexpr float kThickness = 0.008F;
 constexpr float kMargin = 0.008F; // m between the seam's ends and the plate's
 constexpr double kAmbient = 293.15;
@@ -46,7 +46,7 @@ WeldSurroundings surroundings(const ValidationCase& from, double wireCount) {
     return around;
 }
 
-/// What the process has put in, J.
+/// Energy that the process has put in, J.
 struct Input {
     double surface = 0, wire = 0;
 
@@ -80,7 +80,7 @@ void runEnergy(const ValidationCase& from, gl::ShaderLibrary& shaders, Validatio
     for (size_t i = 0; i < steps; ++i) {
         weld.step(path.sample((static_cast<double>(i) + 0.5) * weld.timeStep()), nullptr);
         input.add(weld);
-        constexpr size_t kLook = 30; // steps between two looks at what is molten
+        constexpr size_t kLook = 30; // steps between two looks at the molten metal
         if (i % kLook == kLook - 1) peak = std::max(peak, static_cast<double>(weld.metal().statistics().molten));
     }
     result.steps = steps;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Root of a rising function by bisection.
+/// Returns the root of a rising function by bisection.
 double bisect(double low, double high, const std::function<double(double)>& rising) {
     for (int i = 0; i < 200 && high - low > 1e-15 * high; ++i) {
         const double middle = 0.5 * (low + high);
@@ -126,7 +126,7 @@ struct Profile {
     double height = 0;
 };
 
-/// The drop's profile from its apex (radius of curvature `apex`) down to where the slope is `contactAngle`.
+/// Returns the drop's profile from its apex (radius of curvature `apex`) down to the slope `contactAngle`.
 Profile sessileProfile(double apex, double capillarySquare, double contactAngle) {
     // State over arc length s: r' = cos phi, z' = sin phi, phi' = 2/b + z/l² - sin phi / r, V' = pi r² sin phi.
     struct State {

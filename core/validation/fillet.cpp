@@ -72,7 +72,7 @@ void runFillet(const ValidationCase& from, gl::ShaderLibrary& shaders, Validatio
     weld.compareDeposit(from, f.way(), result);
     const double start = static_cast<double>(f.start);
     const Section section = weld.section(start + 0.35 * f.way(), start + 0.8 * f.way());
-    // Without metal across the corner there is no leg: what the case measured is then missing, and fails.
+    // Without metal across the corner there is no leg: the case's measured value is then missing, and fails.
     if (section.fillet) compareFillet(from, *section.fillet, result);
     result.compareMeasured(from, "root_fusion_mm", section.rootFusion.value_or(0) * 1e3);
     result.compareMeasured(from, "penetration_mm", section.fusion.depth * 1e3);

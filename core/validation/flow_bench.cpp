@@ -12,7 +12,7 @@ constexpr double kMelting = 1000; // K: walls are colder, liquid is hotter
 constexpr float kCold = 500;
 constexpr float kHot = 1500;
 
-/// Enthalpies only have to tell solid from liquid here.
+/// Returns a table whose enthalpies only distinguish solid from liquid.
 HeatTable benchTable() {
     Material plain;
     plain.solidus = plain.liquidus = kMelting;

@@ -1,4 +1,4 @@
-// A liquid alone, at one temperature, with walls: what the flow's validation cases and tests run on.
+// A liquid alone, at one temperature, with walls: the rig of the flow's validation cases and tests.
 #pragma once
 
 #include "core/metal/flow/flow.hpp"
@@ -9,17 +9,17 @@
 namespace meltpool {
 
 struct FlowBench {
-    /// `seeds`: liquid where PHASE_LIQUID is set, walls else; see liquidSeed() and wallSeed().
+    /// `seeds`: liquid for those with PHASE_LIQUID, walls else; see liquidSeed() and wallSeed().
     FlowBench(gl::ShaderLibrary& shaders, const FlowFluid& fluid, const FlowSpace& space, glm::vec3 gravity,
               std::span<const MetalSeed> seeds);
 
     /// Runs for `seconds` in equal spans of about `span`; `look` is called after each with the time since the start.
-    /// Throws RuntimeFault where the state stops being finite.
+    /// Throws RuntimeFault if the state stops being finite.
     void run(double seconds, double span, const std::function<void(double)>& look = {});
 
-    std::vector<glm::dvec3> readPositions() const;  ///< of the liquid, m
-    std::vector<glm::dvec3> readVelocities() const; ///< of the liquid, m/s
-    /// All particles as the gauge sees them, with density and pressure. Waits for the GPU.
+    std::vector<glm::dvec3> readPositions() const;  ///< positions of the liquid, m
+    std::vector<glm::dvec3> readVelocities() const; ///< velocities of the liquid, m/s
+    /// Returns all particles as the gauge sees them, with density and pressure. Waits for the GPU.
     std::vector<OracleParticle> measure() const;
 
     FlowFluid fluid;
@@ -34,7 +34,7 @@ struct FlowBench {
 MetalSeed liquidSeed(glm::vec3 position);
 MetalSeed wallSeed(glm::vec3 position);
 
-/// Seeds for the points of a cubic lattice (first point half a spacing from `low`) between `low` and `high`.
+/// Adds seeds for the points of a cubic lattice (first point half a spacing from `low`) between `low` and `high`.
 void addBlock(std::vector<MetalSeed>& seeds, glm::vec3 low, glm::vec3 high, double spacing, bool isLiquid);
 
 } // namespace meltpool

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kGravity = 9.81; // m/s²
 
-/// The case's liquid at its liquidus.
+/// Returns the case's liquid at its liquidus.
 FlowFluid liquidOf(const ValidationCase& from) {
     const Material& material = from.material;
     FlowFluid fluid;
@@ -41,14 +41,14 @@ void tellRun(ValidationResult& result, const FlowRun& run) {
         result.tell("overfull_cells_or_lists", run.faults.cellsOverfull + run.faults.neighboursOverfull);
 }
 
-/// Makes the spacing such that `length` (m) is a whole number of it, and says so; at least `least` of them.
+/// Makes the spacing such that `length` (m) is a whole number of it, and reports it; at least `least` of them.
 void fitSpacing(const ValidationCase& from, std::string_view key, double length, double least, FlowFluid& fluid,
                 ValidationResult& result) {
     requireSpacings(from, key, length, least);
     fluid.spacing = result.spacing = length / std::round(length / from.spacing);
 }
 
-/// A free drop in the space that the experiments give it: a box of four radii.
+/// Checks a free drop in the space of the experiments: a box of four radii.
 void checkDrop(const ValidationCase& from) {
     requireSpacings(from, "radius_mm", radiusOf(from), 2);
     const double radius = radiusOf(from) / from.spacing;
@@ -56,14 +56,15 @@ void checkDrop(const ValidationCase& from) {
     requireRoom(from, {0, count, count, std::pow(4 * radius, 3)});
 }
 
-/// A slab that repeats every eight spacings, with walls of three layers; its extent in the other two in m.
+/// Checks a slab that repeats every eight spacings, with walls of three layers; its extent in the other two in m.
 void checkSlab(const ValidationCase& from, double length, double height) {
     const double count = (length / from.spacing + 6) * (height / from.spacing + 12) * 8;
     requireRoom(from, {0, count, count, count});
 }
 
-/// How the dam's floor meets the water; both are finer than the particles and do not depend on them. Friction: a
-/// laminar layer a tenth of a second old gives 0.015 of what would hold the particles fast, a turbulent one 0.027.
+/// Friction between the dam's floor and the water. It is finer than the particles and does not depend on them, like the
+/// contact angle below. A laminar layer a tenth of a second old gives 0.015 of the friction that would hold the
+/// particles fast, a turbulent one 0.027.
 constexpr double kFloorFriction = 0.02;
 /// Contact angle (rad): about 75 degrees of water that advances slowly over acrylic (from memory), at the front's
 /// capillary number of 0.02 about 97 by the correlation of Jiang, Oh and Slattery 1979.
@@ -99,7 +100,8 @@ void runSessileDrop(const ValidationCase& from, gl::ShaderLibrary& shaders, Vali
     const double volume = from.number("volume_mm3") * 1e-9;
     fluid.wetting = wettingForAngle(angle, capillarySpacings(fluid));
     requireSpacings(from, "volume_mm3, as the edge of a cube", std::cbrt(volume), 4);
-    const double edge = 1.7 * 2 * std::cbrt(volume) / from.spacing + 12; // of the wall, twice what spreads
+    // Edge of the wall, twice the spread of the drop.
+    const double edge = 1.7 * 2 * std::cbrt(volume) / from.spacing + 12;
     requireRoom(from, {0, 4 * edge * edge, 4 * edge * edge, edge * edge * edge});
     checkSteps(from, fluid);
     const SessileDrop drop = sessileDrop(shaders, fluid, volume, kGravity, from.time);
@@ -114,7 +116,7 @@ void runHydrostatic(const ValidationCase& from, gl::ShaderLibrary& shaders, Vali
     const double height = from.number("height_mm") * 1e-3;
     fitSpacing(from, "height_mm", height, 8, fluid, result);
     checkSlab(from, 8 * from.spacing, height);
-    fluid.fastest = std::sqrt(kGravity * height); // keeps the bottom's compression near a hundredth
+    fluid.fastest = std::sqrt(kGravity * height); // limits the bottom's compression to nearly a hundredth
     checkSteps(from, fluid);
     const HydrostaticColumn column = hydrostaticColumn(shaders, fluid, height, kGravity, from.time);
     tellRun(result, column);
@@ -172,7 +174,7 @@ void runPoiseuille(const ValidationCase& from, gl::ShaderLibrary& shaders, Valid
         const double error = flow.velocities[i] - exactAt(flow.places[i]);
         square += error * error / static_cast<double>(flow.places.size());
         if (std::abs(flow.places[i] - gap / 2) > fluid.spacing) continue;
-        sum += centre + error; // brought to the centre along the exact profile
+        sum += centre + error; // shifted to the centre along the exact profile
         count += 1;
     }
     result.compareExact(from, "velocity_mm_s", centre * 1e3, sum / count * 1e3);

@@ -27,7 +27,7 @@ double rmsSpeed(const FlowBench& bench) {
     return std::sqrt(sum / static_cast<double>(velocities.size()));
 }
 
-/// The points of a lattice that lie within the sphere around 0, the lattice moved by `shift` spacings along each axis.
+/// Returns the points of a lattice within the sphere around 0, the lattice moved by `shift` spacings along each axis.
 std::vector<MetalSeed> sphere(const FlowFluid& fluid, double radius, double shift = 0) {
     std::vector<MetalSeed> all, seeds;
     const auto reach = static_cast<float>((std::ceil(radius / fluid.spacing) + 1) * fluid.spacing);
@@ -39,14 +39,14 @@ std::vector<MetalSeed> sphere(const FlowFluid& fluid, double radius, double shif
     return seeds;
 }
 
-/// Radius (m) of the ball that has the volume of `particles`: a lattice's points in a ball are some more or fewer than
-/// it holds.
+/// Returns the radius (m) of the ball that has the volume of `particles`: a lattice's points in a ball are some more or
+/// fewer than it holds.
 double radiusOf(const FlowFluid& fluid, size_t particles) {
     return fluid.spacing * std::cbrt(3 * static_cast<double>(particles) / (4 * std::numbers::pi));
 }
 
-/// Lattices that drops start from. The order in which particles come to rest differs by what they start from, and the
-/// pressure with it by a tenth, the frequency by a twentieth.
+/// Lattices that drops start from. The order in which particles come to rest depends on them, and the pressure with it
+/// by a tenth, the frequency by a twentieth.
 constexpr std::array kShifts{0.0, 0.2, 0.35};
 constexpr double kShare = 1.0 / kShifts.size();
 
@@ -63,7 +63,7 @@ FlowSpace spaceAround(double radius) {
     return {glm::vec3(-reach), glm::vec3(reach)};
 }
 
-/// Second moment along an axis less the mean of the other two: 0 for a sphere.
+/// Returns the second moment along an axis less the mean of the other two: 0 for a sphere.
 double elongation(const std::vector<glm::dvec3>& places, int axis) {
     glm::dvec3 mean(0), square(0);
     for (const glm::dvec3& place : places)
@@ -77,7 +77,7 @@ DropletPressure pressureOf(gl::ShaderLibrary& shaders, const FlowFluid& fluid, d
                            std::span<const MetalSeed> seeds) {
     FlowBench bench(shaders, fluid, spaceAround(radius), glm::vec3(0), seeds);
     DropletPressure result;
-    // Beyond the surface's own layer, where tension pulls; at least half the radius.
+    // The inner part is beyond the surface's own layer, in which tension pulls; at least half the radius.
     const double inner = std::max(radius / 2, radius - bench.flow.constants().support);
     double samples = 0;
     bench.run(seconds, kFrame, [&](double time) {
@@ -104,12 +104,12 @@ DropletPressure pressureOf(gl::ShaderLibrary& shaders, const FlowFluid& fluid, d
     return result;
 }
 
-/// `seeds`: the drop, whose frequency is brought to that of a drop of `radius`.
+/// Measures an oscillation. `seeds`: the drop, whose frequency is scaled to that of a drop of `radius`.
 DropletOscillation oscillationOf(gl::ShaderLibrary& shaders, const FlowFluid& fluid, double radius, double seconds,
                                  std::span<const MetalSeed> seeds) {
     const double expected =
         std::sqrt(8 * fluid.tension / (fluid.density * radius * radius * radius)) / (2 * std::numbers::pi);
-    // All times in periods and in the longest steps, so that drops of one shape behave alike whatever they are made of.
+    // All times are in periods and in the longest steps, so that drops of one shape behave alike in any material.
     constexpr double kRest = 8, kWatchedAtLeast = 3; // periods
     const double step = 0.999 * FlowConstants::of(fluid).longestStep;
     const double interval = step * std::max(1.0, std::round(1 / (30 * expected * step))); // some 30 samples a period
@@ -118,7 +118,7 @@ DropletOscillation oscillationOf(gl::ShaderLibrary& shaders, const FlowFluid& fl
     FlowBench rest(shaders, fluid, spaceAround(radius), glm::vec3(0), seeds);
     rest.run(restTime, interval);
     DropletOscillation result;
-    // The particles of a drop lie in some order, which makes it stiffer along one axis than along another.
+    // The particles of a drop have some order, which makes it stiffer along one axis than along another.
     for (int axis = 0; axis < 3; ++axis) {
         glm::dvec3 stretch(1 / std::sqrt(1.1));
         stretch[axis] = 1.1;
@@ -166,7 +166,7 @@ DropletOscillation dropletOscillation(gl::ShaderLibrary& shaders, const FlowFlui
 SessileDrop sessileDrop(gl::ShaderLibrary& shaders, const FlowFluid& fluid, double volume, double gravity,
                         double seconds) {
     const double dx = fluid.spacing;
-    // As many particles as the volume holds: a block, and what is left over in the middle of one more layer.
+    // The block has as many particles as the volume holds; the remainder is in the middle of one more layer.
     const auto whole = static_cast<size_t>(std::round(volume / (dx * dx * dx)));
     const double side = std::round(std::cbrt(2 * volume) / dx);
     const double layers = std::max(1.0, std::ceil(static_cast<double>(whole) / (side * side)));
@@ -201,7 +201,7 @@ SessileDrop sessileDrop(gl::ShaderLibrary& shaders, const FlowFluid& fluid, doub
 
 double apexHeight(std::span<const glm::dvec3> places, double spacing) {
     constexpr double kReach = 2.5;                // spacings from the axis
-    constexpr double kAbove = 0.3, kBeside = 0.7; // spacings: what lies higher and so near covers a particle
+    constexpr double kAbove = 0.3, kBeside = 0.7; // spacings: a particle this much higher and this near covers another
     glm::dvec3 centre(0);
     for (const glm::dvec3& place : places)
         centre += place / static_cast<double>(places.size());

@@ -1,11 +1,11 @@
-// Experiments with a known outcome that the flow can be put to; SI units. The validation cases and the tests run them.
+// Experiments of the flow with a known outcome; SI units. The validation cases and the tests run them.
 #pragma once
 
 #include "core/validation/flow_bench.hpp"
 
 namespace meltpool {
 
-/// What every experiment tells about its run.
+/// Data that every experiment reports about its run.
 struct FlowRun {
     size_t particles = 0;
     size_t steps = 0;
@@ -14,20 +14,20 @@ struct FlowRun {
 
 struct DropletPressure : FlowRun {
     double jump = 0;      ///< Pa, mean beyond a support under the surface and over the last third of the time
-    double density = 0;   ///< over rest density, there
-    double restSpeed = 0; ///< rms at the end, m/s
+    double density = 0;   ///< mean density over rest density, in the same place
+    double restSpeed = 0; ///< root mean square speed at the end, m/s
 };
-/// A drop without gravity, left alone for `seconds`; mean of three that start from different arrangements. The jump is
-/// brought to that of a drop whose particles fill a ball of `radius`.
+/// Runs a drop without gravity, left alone for `seconds`; mean of three that start from different arrangements. The
+/// jump is scaled to that of a drop whose particles fill a ball of `radius`.
 DropletPressure dropletPressure(gl::ShaderLibrary& shaders, const FlowFluid& fluid, double radius, double seconds);
 
 struct DropletOscillation : FlowRun {
     double frequency = 0; ///< Hz, lowest mode
     double decay = 0;     ///< 1/s
 };
-/// A drop without gravity, come to rest, then stretched by a tenth and watched for `seconds`, at least three periods;
-/// mean of the three axes and of three drops that start from different arrangements. The frequency is brought to that
-/// of a drop whose particles fill a ball of `radius`.
+/// Runs a drop without gravity, come to rest, then stretched by a tenth and watched for `seconds`, at least three
+/// periods; mean of the three axes and of three drops that start from different arrangements. The frequency is scaled
+/// to that of a drop whose particles fill a ball of `radius`.
 DropletOscillation dropletOscillation(gl::ShaderLibrary& shaders, const FlowFluid& fluid, double radius,
                                       double seconds);
 
@@ -35,7 +35,7 @@ struct SessileDrop : FlowRun {
     double height = 0;    ///< m, highest particles over the wall
     double restSpeed = 0; ///< rms at the end, m/s
 };
-/// A drop of `volume` that spreads on a plane for `seconds`; `fluid.wetting` decides the contact angle.
+/// Runs a drop of `volume` that spreads on a plane for `seconds`; `fluid.wetting` decides the contact angle.
 SessileDrop sessileDrop(gl::ShaderLibrary& shaders, const FlowFluid& fluid, double volume, double gravity,
                         double seconds);
 
@@ -45,26 +45,27 @@ struct HydrostaticColumn : FlowRun {
     double densityError = 0; ///< mean of |rho/rho0 - 1| inside
     double restSpeed = 0;    ///< rms at the end, m/s
 };
-/// A wide pool of depth `height` at rest for `seconds`.
+/// Runs a wide pool of depth `height` at rest for `seconds`.
 HydrostaticColumn hydrostaticColumn(gl::ShaderLibrary& shaders, const FlowFluid& fluid, double height, double gravity,
                                     double seconds);
 
 struct DamBreak : FlowRun {
     std::vector<double> fronts; ///< m from the column's back, for each time asked
 };
-/// A column `width` wide and twice as high that collapses along a floor; `times` in s, rising.
+/// Runs a column `width` wide and twice as high that collapses along a floor; `times` in s, rising.
 DamBreak damBreak(gl::ShaderLibrary& shaders, const FlowFluid& fluid, double width, double gravity,
                   std::span<const double> times);
 
 struct PlateFlow : FlowRun {
-    std::vector<double> places, velocities; ///< over the gap, m and m/s; one a particle, as of the end
+    /// Places over the gap and velocities, m and m/s; one a particle, at the end.
+    std::vector<double> places, velocities;
 };
-/// Liquid between plates `gap` apart that a body force (N/m³) sets going from rest.
+/// Runs liquid between plates `gap` apart that a body force (N/m³) sets going from rest.
 PlateFlow plateFlow(gl::ShaderLibrary& shaders, const FlowFluid& fluid, double gap, double bodyForce, double seconds);
 
-/// Height (m) of the highest point of a drop on a plane at y = 0, whose particles are at `places`: half a spacing above
-/// the top of the ball through those near the axis that nothing covers. The mean of the highest particles lies
-/// lower where the top is curved: by r²/(4 R) within r of the axis, 5 % of a steel drop of 100 particles.
+/// Returns the height (m) of the highest point of a drop on a plane at y = 0, whose particles are at `places`: half a
+/// spacing above the top of the ball through those near the axis that no particle covers. The mean of the highest
+/// particles is lower for a curved top: by r²/(4 R) within r of the axis, 5 % of a steel drop of 100 particles.
 double apexHeight(std::span<const glm::dvec3> places, double spacing);
 
 /// Frequency (Hz) and decay (1/s) of the damped oscillation that fits evenly spaced samples best.

@@ -33,7 +33,7 @@ HydrostaticColumn hydrostaticColumn(gl::ShaderLibrary& shaders, const FlowFluid&
     space.repeats = glm::bvec3(true, false, true);
     FlowBench bench(shaders, fluid, space, glm::vec3(0, -gravity, 0), seeds);
     HydrostaticColumn result;
-    // Under the surface particles lie in layers, five or so, whose pressures differ by what the tension makes of them.
+    // Under the surface particles are in layers, five or so, whose pressures differ by the effect of the tension.
     const double lowest = dx, highest = (layers - 5.5) * dx;
     double pressed = 0, inside = 0;
     bench.run(seconds, kFrame, [&](double time) {
@@ -81,7 +81,7 @@ DamBreak damBreak(gl::ShaderLibrary& shaders, const FlowFluid& fluid, double wid
         std::vector<double> fronts;
         for (const auto& place : bench.readPositions())
             fronts.push_back(place.x);
-        // The front is where a row of particles across the channel has arrived, not its fastest splash.
+        // The front is the arrival of a row of particles across the channel, not its fastest splash.
         std::nth_element(fronts.begin(), fronts.begin() + 7, fronts.end(), std::greater<>());
         result.fronts.push_back(fronts[7] + dx / 2);
     }

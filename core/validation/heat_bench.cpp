@@ -23,7 +23,7 @@ size_t HeatBench::run(double from, double to, double hottest,
                       const std::function<std::vector<HeatSource>(double)>& sources) {
     const size_t steps = stepsFor(to - from, hottest);
     const double step = (to - from) / static_cast<double>(steps);
-    // Sources stand where they are in the middle of a step.
+    // Sources have their places of the middle of a step.
     for (size_t i = 0; i < steps; ++i)
         solver.step(step, sources(from + (static_cast<double>(i) + 0.5) * step));
     return steps;

@@ -15,7 +15,7 @@ constexpr float kMm = 1e-3F;
 
 PlatePath::PlatePath(const ValidationCase& from) : process(caseProcess(from)), ambient(from.number("ambient_k")) {
     const auto& plate = from.list("plate_mm");
-    // The first is along the seam; of the other two the smaller is the thickness, in whichever order they stand.
+    // The first is along the seam; of the other two the smaller is the thickness, in either order.
     length = static_cast<float>(plate[0]) * kMm;
     thickness = static_cast<float>(std::min(plate[1], plate[2])) * kMm;
     width = static_cast<float>(std::max(plate[1], plate[2])) * kMm;

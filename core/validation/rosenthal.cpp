@@ -1,4 +1,4 @@
-// A source that moves along a plate, held against Rosenthal's point and line sources once it has settled.
+// A source that moves along a plate, compared with Rosenthal's point and line sources once it has settled.
 #include "core/validation/case_size.hpp"
 #include "core/validation/exact_solutions.hpp"
 #include "core/validation/heat_bench.hpp"
@@ -16,13 +16,13 @@ namespace {
 /// The plate and the path: x along the travel from 0, y up with the surface at 0, z across with the path at 0.
 struct MovingPlate {
     exact::MovingSource source;
-    double thickness = 0; ///< of a thin plate, m; 0: thick
-    double time = 0;      ///< s until all that is compared has settled; at least the case's
+    double thickness = 0; ///< thickness of a thin plate, m; 0: thick
+    double time = 0;      ///< s until all compared places have settled; at least the case's
     double travel = 0;    ///< length of the path, m
     double behind = 0, ahead = 0, side = 0, depth = 0;
 };
 
-/// A point relative to the source: xi ahead, across, down; m.
+/// Returns points relative to the source: xi ahead, across, down; m.
 std::vector<glm::dvec3> pointsOf(const ValidationCase& from) {
     std::vector<glm::dvec3> points;
     const auto& at = from.list("at_mm");
@@ -35,7 +35,7 @@ double distanceOf(const MovingPlate& p, const glm::dvec3& point) {
     return p.thickness > 0 ? std::hypot(point.x, point.y) : glm::length(point);
 }
 
-/// How long the source must travel until its field stands still within a thousandth, at least `least` (s).
+/// Returns the time of travel until the field around the source is constant within a thousandth, at least `least` (s).
 double settlingTime(const MovingPlate& p, const std::vector<glm::dvec3>& points, double least) {
     std::vector<double> distances{p.behind};
     for (const glm::dvec3& point : points)
@@ -93,7 +93,7 @@ class Field {
         return values_[lattice_.index(c)];
     }
 
-    /// Between cells the polynomial through the six nearest along each axis: beside a fast source the rise changes by e
+    /// Returns the polynomial through the six nearest cells along each axis: beside a fast source the rise changes by e
     /// from cell to cell.
     double at(glm::dvec3 place) const {
         const glm::dvec3 q = (place - glm::dvec3(lattice_.low)) / static_cast<double>(lattice_.spacing) - 0.5;
@@ -123,8 +123,8 @@ double exactAt(const MovingPlate& p, double xi, double across, double down) {
                            : exact::rosenthalThick(p.source, xi, across, down);
 }
 
-/// Root mean square and largest error, in per cent of the local rise, beside and behind the source, beyond three cells,
-/// where the rise is at least a hundredth of the hottest compared.
+/// Compares root mean square and largest error, in per cent of the local rise, beside and behind the source, beyond
+/// three cells, for a rise of at least a hundredth of the hottest compared.
 void compareField(const ValidationCase& from, const MovingPlate& p, const MetalState& state, ValidationResult& result) {
     const double far = 3 * from.spacing;
     double squares = 0;
@@ -144,7 +144,7 @@ void compareField(const ValidationCase& from, const MovingPlate& p, const MetalS
         largest = std::max(largest, std::abs(error));
         ++count;
     }
-    if (count == 0) return; // nothing lies there: the plate is small or the source leads all heat
+    if (count == 0) return; // no place is left: the plate is small or the source leads all heat
     const double rms = 100 * std::sqrt(squares / static_cast<double>(count));
     const auto judge = [&](const std::string& name, double ours) {
         if (from.number(name) > 0)
@@ -163,7 +163,7 @@ void runRosenthal(const ValidationCase& from, gl::ShaderLibrary& shaders, Valida
     const MovingPlate p = plan(from, material);
     const auto h = static_cast<float>(from.spacing);
     const auto metres = [](double v) { return static_cast<float>(v); };
-    // A row of cells lies with its middle on the path, so that the source has no width that the exact one has not.
+    // A row of cells has its middle on the path, so that the source has no width that the exact one has not.
     const float side = (std::ceil(metres(p.side) / h) + 0.5F) * h;
     const float depth = std::round(metres(p.depth) / h) * h;
     const glm::vec3 low(-0.5F * side, -depth, -side);
@@ -176,10 +176,11 @@ void runRosenthal(const ValidationCase& from, gl::ShaderLibrary& shaders, Valida
     settings.ambient = p.source.ambient;
     HeatBench bench(shaders, lattice, material, seeds, settings);
     requireSteps(from, p.time / bench.solver.longestStep(p.source.ambient + 1));
-    // A thin plate is as many layers as fit best; each takes the power that it would take of the plate as it is.
+    // A thin plate is the best-fitting number of layers; each takes the power of a layer of its depth in the true
+    // plate.
     const double power = p.source.power * (p.thickness > 0 ? static_cast<double>(depth) / p.thickness : 1);
-    // The narrowest source on cells is as wide as a point source's heat after a time of dx²/(8 alpha), and what a step
-    // is given has not spread yet at the step's end: there the source stands where the point source was that long ago.
+    // The narrowest source on cells is as wide as a point source's heat after a time of dx²/(8 alpha), and the heat of
+    // a step has not spread yet at the step's end: there the source is at the point source's place of that time before.
     // The half-axes give a second moment of dx²/4 along each direction.
     const double hottest = p.source.ambient + 1; // of a constant material any temperature will do
     const double halfStep = 0.5 * p.time / static_cast<double>(bench.stepsFor(p.time, hottest));

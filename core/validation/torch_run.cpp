@@ -12,23 +12,23 @@ namespace meltpool {
 namespace {
 
 constexpr float kMm = 1e-3F;
-constexpr double kArcOfPower = 3e-3; // m, of an arc that is given by its power alone
+constexpr double kArcOfPower = 3e-3; // m, length of an arc that is given by its power alone
 
-/// Extension (m) that a wire of this current leaves between contact tip and arc.
+/// Returns the extension (m) that a wire of this current leaves between contact tip and arc.
 double extensionAt(const WireFeed& feed, double ctwd, double current) {
     const double length = std::max(feed.voltage - kArcFallVoltage - kWireResistance * current, 0.0) / kArcField;
     return std::max(ctwd - length, 0.0);
 }
 
-/// How far (m) the metal under the arc stands above the corner that the wire of a fillet points at: the throat of a
-/// flat face is the root of its section, and the pool under the arc has filled this share of it. By the current that
-/// the fillets PANF-4 and OTCH-9 of tests/validation/vendor drew with a feed that did not know of it.
+/// Returns the height (m) of the metal under the arc above the corner that the wire of a fillet points at: the throat
+/// of a flat face is the root of its section, and the pool under the arc has filled this share of it. By the current
+/// that the fillets PANF-4 and OTCH-9 of tests/validation/vendor drew with a feed that did not include it.
 double filledUnderArc(double section) {
     constexpr double kFilledThroat = 0.67;
     return kFilledThroat * std::sqrt(section);
 }
 
-/// The feed (m/s) that melts at `current` on this machine.
+/// Returns the feed (m/s) that melts at `current` on this machine.
 double feedAt(const ValidationCase& from, const WireFeed& feed, double current) {
     const double ctwd = from.number("ctwd_mm") * 1e-3;
     const auto melting = [&](double filled) {
@@ -38,12 +38,13 @@ double feedAt(const ValidationCase& from, const WireFeed& feed, double current) 
     const double radius = from.number("wire_diameter_mm") * 0.5e-3;
     const double wire = std::numbers::pi * radius * radius, travel = from.number("speed_mm_s") * 1e-3;
     double speed = melting(0);
-    for (int i = 0; i < 30; ++i) // the more is fed, the shorter the wire that melts, so this closes in
+    for (int i = 0; i < 30; ++i) // more feed leaves less wire that melts, so this closes in
         speed = 0.5 * (speed + melting(filledUnderArc(speed * wire / travel)));
     return speed;
 }
 
-/// V that make `power` (W) with this feed: power over the current, which itself follows from the voltage by little.
+/// Returns the voltage (V) for `power` (W) with this feed: power over the current, which itself depends little on the
+/// voltage.
 double voltageOfPower(WireFeed feed, double ctwd, double power) {
     feed.voltage = 20;
     for (int i = 0; i < 20; ++i) {
@@ -64,11 +65,11 @@ void setWire(const ValidationCase& from, GmawSettings& gmaw) {
     gmaw.voltage = static_cast<float>(feed.voltage);
     gmaw.wireFeedMPerMin = static_cast<float>(feed.speed * 60);
     gmaw.wireDiameterMm = static_cast<float>(diameter * 1e3);
-    // The wire stands out nearly to the plate, so that the arc strikes at once.
+    // The wire reaches nearly to the plate, so that the arc strikes at once.
     gmaw.stickOutMm = std::max(static_cast<float>(ctwd * 1e3) - 1, 0.5F * static_cast<float>(ctwd * 1e3));
 }
 
-/// A of an argon arc whose voltage times current is `power`: U = a + b I.
+/// Returns the current (A) of an argon arc whose voltage times current is `power`: U = a + b I.
 double currentOfPower(double power) {
     const double base = gtawVoltage(kArcOfPower, 0), slope = gtawVoltage(kArcOfPower, 1) - base;
     return (std::sqrt(base * base + 4 * slope * power) - base) / (2 * slope);

@@ -38,7 +38,7 @@ constexpr std::array kRunners{
     Runner{"poiseuille", runPoiseuille},
 };
 
-/// A number beside what was measured; the error is relative, but of a measured 0 a hundred times ours.
+/// Returns a number next to its measured reference; the error is relative, but for a measured 0 a hundred times ours.
 ValidationNumber measuredNumber(const std::string& name, double reference, double ours, double tolerance) {
     const double by = reference == 0 ? 1 : std::abs(reference);
     const double off = 100 * std::abs(ours - reference) / by;
@@ -120,7 +120,7 @@ ValidationResult runValidationCase(const ValidationCase& from, gl::ShaderLibrary
 
 namespace {
 
-/// `text` with blanks in front up to `width`; a negative width puts them behind.
+/// Returns `text` with blanks in front up to `width`; a negative width puts them behind.
 std::string padded(std::string text, int width) {
     const auto size = static_cast<size_t>(std::abs(width));
     if (text.size() >= size) return text;
@@ -134,7 +134,7 @@ std::string figure(double value, int digits) {
     return text.data();
 }
 
-/// One line of the table: name, where the reference comes from, reference, ours, error, tolerance, verdict.
+/// Returns one line of the table: name, origin of the reference, reference, ours, error, tolerance, verdict.
 std::string row(const std::array<std::string, 7>& cells) {
     std::string line = "      " + padded(cells[0], -36) + padded(cells[1], -10) + padded(cells[2], 12) +
                        padded(cells[3], 13) + padded(cells[4], 11) + padded(cells[5], 11) + "  " + cells[6];

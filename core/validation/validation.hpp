@@ -1,4 +1,4 @@
-// Runs validation cases and says how far the metal is from exact solutions and from experiments.
+// Runner of validation cases: it reports the metal's errors against exact solutions and experiments.
 #pragma once
 
 #include "core/gl/program.hpp"
@@ -10,16 +10,17 @@
 
 namespace meltpool {
 
-/// One number of a result beside what it should be.
+/// One number of a result with its reference.
 struct ValidationNumber {
-    std::string name;   ///< documented name, such as front_mm
-    std::string origin; ///< "exact", "measured", "limit" (ours must stay below the reference) or "ours" (only told)
+    std::string name; ///< documented name, such as front_mm
+    /// "exact", "measured", "limit" (ours must stay below the reference) or "ours" (without a reference).
+    std::string origin;
     double reference = 0;
     double ours = 0;
     double errorPercent = 0; ///< of `scale`; for "limit": 0
     double tolerancePercent = 0;
     bool passed = true;
-    std::string moment; ///< of several with the same name: which, such as "132 s"; else empty
+    std::string moment; ///< distinguishes several with one name, such as "132 s"; else empty
 };
 
 struct ValidationResult {
@@ -31,33 +32,33 @@ struct ValidationResult {
     size_t steps = 0;
     double wallSeconds = 0;
     std::vector<ValidationNumber> numbers;
-    std::string error; ///< why the case ended early; else empty
+    std::string error; ///< reason why the case ended early; else empty
 
     bool passed() const;
 
-    /// Adds a number that has a closed form; the error is relative to `scale` (the reference itself where 0).
+    /// Adds a number that has a closed form; the error is relative to `scale` (the reference itself for 0).
     void compareExact(const ValidationCase& from, std::string numberName, double reference, double ours,
                       double scale = 0);
     /// Adds a number that must not exceed `limit`.
     void compareLimit(std::string numberName, double limit, double ours);
-    /// Adds a number with nothing to compare it to.
+    /// Adds a number without a reference.
     void tell(std::string numberName, double ours);
-    /// Compares with value `index` of [measured] where the case gives that name; else only tells it.
+    /// Compares with value `index` of [measured] if the case gives that name; else only adds it.
     void compareMeasured(const ValidationCase& from, const std::string& numberName, double ours, size_t index = 0,
                          const std::string& moment = {});
-    /// Compares what [measured] gives beside a closed form or a number that was only told; what the case did not yield
-    /// fails.
+    /// Compares the values of [measured] that are not compared yet, next to the closed form or the number without a
+    /// reference; a number that the case did not yield fails.
     void compareLeftMeasured(const ValidationCase& from);
 };
 
-/// Runs one case on the current GL context. Throws InputError where the case cannot be built, RuntimeFault where the
-/// state stops being finite.
+/// Runs one case on the current GL context. Throws InputError if the case cannot be built, RuntimeFault if the state
+/// stops being finite.
 ValidationResult runValidationCase(const ValidationCase& from, gl::ShaderLibrary& shaders);
 
-/// The same into `result`, which keeps the numbers found before a fault.
+/// Runs one case into `result`, which then still has the numbers found before a fault.
 void runValidationCase(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
 
-/// What a kind does; fills numbers, particles and steps.
+/// Function that runs a kind of case; fills numbers, particles and steps.
 using CaseRunner = void (*)(const ValidationCase&, gl::ShaderLibrary&, ValidationResult&);
 
 void runConductionStep(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
@@ -77,10 +78,10 @@ void runHydrostatic(const ValidationCase& from, gl::ShaderLibrary& shaders, Vali
 void runDamBreak(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
 void runPoiseuille(const ValidationCase& from, gl::ShaderLibrary& shaders, ValidationResult& result);
 
-/// The heads of the table's columns.
+/// Returns the heads of the table's columns.
 std::string validationHeads();
 
-/// The table that `meltpool validate` prints for one case: a line a number.
+/// Returns the table that `meltpool validate` prints for one case: a line a number.
 std::string validationText(const ValidationResult& result);
 
 } // namespace meltpool

@@ -15,7 +15,8 @@ namespace meltpool {
 
 namespace {
 
-// Of molten metal whose case gives neither, N/m and Pa s: metals lie between 0.4 and 1.9, and 0.001 and 0.007.
+// Defaults for molten metal whose case gives neither, N/m and Pa s: values of metals are between 0.4 and 1.9, and 0.001
+// and 0.007.
 constexpr double kUsualTension = 1;
 constexpr double kUsualViscosity = 0.004;
 constexpr double kHot = 20000; ///< highest temperature a case may name, K
@@ -45,7 +46,7 @@ constexpr std::array kRosenthal{
     CaseKey{"field_rms_percent", number, 0, 1000, 0.0, "most that the field's error may be; 0: only told"},
     CaseKey{"field_max_percent", number, 0, 1000, 0.0, "same, at its worst place"},
 };
-/// One list of the keys of two, for the compiler.
+/// Joins two lists of keys to one, for the compiler.
 template <size_t M, size_t N>
 constexpr std::array<CaseKey, M + N> joined(const std::array<CaseKey, M>& first, const std::array<CaseKey, N>& second) {
     return [&]<size_t... I, size_t... J>(std::index_sequence<I...>, std::index_sequence<J...>) {
@@ -54,7 +55,7 @@ constexpr std::array<CaseKey, M + N> joined(const std::array<CaseKey, M>& first,
     (std::make_index_sequence<M>(), std::make_index_sequence<N>());
 }
 
-/// The process of every weld, see caseProcess().
+/// Keys of the process of every weld, see caseProcess().
 constexpr std::array kArc{
     CaseKey{"process", process, 0, 0, 0.0, "gmaw with wire or gtaw without"},
     CaseKey{"power_w", number, 0, 1e6, 0.0, "electric, where voltage and current are not given"},
@@ -65,7 +66,7 @@ constexpr std::array kArc{
     CaseKey{"ctwd_mm", number, 1, 60, 15.0, "contact tip to work distance, with wire"},
     CaseKey{"arc_length_mm", number, 0.3, 30, 3.0, "from tungsten"},
 };
-/// Of every weld on a plate.
+/// Keys of every weld on a plate.
 constexpr std::array kPlate{
     CaseKey{"plate_mm", triple, 0.1, 1000, kNeeded,
             "along the seam first; of the other two the smaller is the thickness"},
@@ -100,7 +101,7 @@ constexpr std::array kCavity{
 };
 constexpr std::array kBead =
     joined(joined(std::array{kTravel,
-                             // Of earlier editions: read, and not used, as all welds have one set of constants.
+                             // Keys of earlier editions: read, and not used, as all welds have one set of constants.
                              CaseKey{"efficiency", number, 0.01, 1, 1.0, "not used: a constant of the process"},
                              CaseKey{"arc_sigma_mm", number, 0.1, 50, 1.0,
                                      "not used: follows from the arc's length and current"},
@@ -173,7 +174,7 @@ const CaseKind& findKind(TomlTable& file) {
     file.fail("kind", "unknown kind " + quote(name) + "; expected one of " + known);
 }
 
-/// Solid and liquid: each of its own key, of the key for both, of the other phase's, or of the shipped material.
+/// Reads solid and liquid: each from its own key, the key for both, the other phase's, or the shipped material.
 void readPhases(TomlTable& table, const std::string& key, NumberRange range, Property& solid, Property& liquid,
                 std::optional<double> fallback) {
     const auto given = [&](const std::string& name) {
@@ -187,12 +188,12 @@ void readPhases(TomlTable& table, const std::string& key, NumberRange range, Pro
     };
     choose(solid, ofSolid, ofLiquid);
     choose(liquid, ofLiquid, ofSolid);
-    if (solid.points.empty()) table.number(key, range); // says what is missing
+    if (solid.points.empty()) table.number(key, range); // reports the missing key
 }
 
 void readMelting(TomlTable& table, Material& m) {
     m.latentHeat = table.number("latent_heat", {0, 1e7}, m.latentHeat);
-    const bool sharp = !table.has("use"); // only one of the two given: the stuff melts there
+    const bool sharp = !table.has("use"); // with only one of the two the metal melts there
     const double other = sharp && table.has("liquidus_k") ? table.number("liquidus_k", {1, kNeverMelts}) : m.solidus;
     m.solidus = table.number("solidus_k", {1, kNeverMelts}, other);
     m.liquidus = table.number("liquidus_k", {1, kNeverMelts}, sharp ? m.solidus : m.liquidus);
@@ -218,10 +219,10 @@ Material readCaseMaterial(TomlTable& file, CaseMatter matter) {
     readPhases(table, "specific_heat", {1, 20000}, m.solidSpecificHeat, m.liquidSpecificHeat, unless(heat, 1000));
     readMelting(table, m);
     const auto constant = [&](std::string_view key, NumberRange range, Property& property, bool needed, double usual) {
-        if (needed && property.points.empty()) table.number(key, range); // says what is missing
+        if (needed && property.points.empty()) table.number(key, range); // reports the missing key
         if (table.has(key) || property.points.empty()) property = Property::constant(table.number(key, range, usual));
     };
-    constexpr double kLeast = 1e-9; // where nothing would happen at 0
+    constexpr double kLeast = 1e-9; // least value of keys for which 0 would mean no effect
     const bool metal = matter == CaseMatter::melting;
     const bool surface = matter == CaseMatter::surface, viscous = matter == CaseMatter::viscous;
     constant("surface_tension", {surface ? kLeast : 0, 10}, m.surfaceTension, surface, metal ? kUsualTension : 0);
@@ -269,7 +270,7 @@ void readCaseKey(TomlTable& table, const CaseKey& key, ValidationCase& result) {
     }
 }
 
-/// The name of a result that [measured] may call by a former one.
+/// Returns the present name of a result; [measured] may have a former one.
 std::string presentName(TomlTable& measured, const ValidationCase& result, const std::string& key) {
     constexpr std::string_view kFormer = "width_mm", kPresent = "fused_width_mm";
     if (key != kFormer || result.kind->name != "bead_on_plate") return key;
@@ -300,7 +301,8 @@ void readMeasured(TomlTable& file, ValidationCase& result) {
     table.finish();
 }
 
-/// Metal melts from a hot wall, or freezes from a cold one; of one phase all of it waits at its melting point.
+/// Checks that metal melts from a hot wall, or freezes from a cold one; of one phase all of it waits at its melting
+/// point.
 void checkStefan(TomlTable& table, const ValidationCase& result) {
     const Material& m = result.material;
     if (m.latentHeat <= 0) table.fail("", "a Stefan case needs latent_heat above 0 in [material]");
@@ -323,7 +325,7 @@ void checkStefan(TomlTable& table, const ValidationCase& result) {
     }
 }
 
-/// Points lie in the plate and not on the source, where the exact temperature has no bound.
+/// Checks that points are in the plate and not on the source, where the exact temperature has no bound.
 void checkRosenthal(TomlTable& table, const ValidationCase& result) {
     const bool thin = result.kind->name == "rosenthal_thin";
     const double thickness = result.number("thickness_mm");
@@ -338,7 +340,7 @@ void checkRosenthal(TomlTable& table, const ValidationCase& result) {
     }
 }
 
-/// The keys that a process has no use for are refused.
+/// Refuses keys that a process has no use for.
 void checkProcess(TomlTable& table, const ValidationCase& result) {
     if (result.process == Gtaw::kName)
         for (const char* key : {"wire_diameter_mm", "wire_feed_m_min", "voltage"})
@@ -350,7 +352,7 @@ void checkProcess(TomlTable& table, const ValidationCase& result) {
         table.fail("wire_feed_m_min", "is missing; expected the wire's feed in m/min, or current_a in A");
 }
 
-/// An arc needs its current, or wire and a voltage, or at least its power.
+/// Checks that an arc has its current, or wire and a voltage, or at least its power.
 void checkArc(TomlTable& table, const ValidationCase& result) {
     checkProcess(table, result);
     if (result.number("power_w") <= 0 && result.number("current_a") <= 0 && !hasWire(result))
@@ -360,7 +362,7 @@ void checkArc(TomlTable& table, const ValidationCase& result) {
         table.fail("voltage", "is missing; expected the voltage of the wire's machine in V");
 }
 
-/// A fillet and a cooling rate need wire; temperatures fall.
+/// Checks that a fillet and a cooling rate have wire, and that temperatures fall.
 void checkWeld(TomlTable& table, const ValidationCase& result) {
     const std::string_view kind = result.kind->name;
     checkArc(table, result);
@@ -373,7 +375,7 @@ void checkWeld(TomlTable& table, const ValidationCase& result) {
     if (result.number("ambient_k") >= until) table.fail("ambient_k", "expected less than where the case ends");
 }
 
-/// What single keys cannot say about themselves.
+/// Checks keys against each other.
 void checkTogether(TomlTable& table, const ValidationCase& result) {
     const std::string_view kind = result.kind->name;
     if (kind.starts_with("rosenthal")) checkRosenthal(table, result);

@@ -1,4 +1,4 @@
-// A validation case as a person writes it: what to compute, with which material, and what an experiment gave.
+// A validation case as a person writes it: geometry and process, material, and results of an experiment.
 #pragma once
 
 #include "core/metal/material/materials.hpp"
@@ -13,20 +13,20 @@
 
 namespace meltpool {
 
-/// What a key of the [case] table holds.
+/// Type of a key of the [case] table.
 enum class CaseValue {
     number,   ///< one number
     list,     ///< one or more numbers
     rows,     ///< one or more rows of three numbers
     triple,   ///< exactly three numbers
     process,  ///< "gmaw" or "gtaw"; without it wire makes it GMAW
-    lossRate, ///< true, false, or a coefficient in W/(m² K); true stands for kDefaultLossCoefficient
+    lossRate, ///< true, false, or a coefficient in W/(m² K); true means kDefaultLossCoefficient
 };
 
-/// Convection coefficient that `loss = true` stands for, W/(m² K); radiation comes on top.
+/// Convection coefficient for `loss = true`, W/(m² K); radiation comes on top.
 inline constexpr double kDefaultLossCoefficient = 15;
 
-/// Solidus (K) where a case gives none: nothing melts.
+/// Default solidus (K): nothing melts.
 inline constexpr double kNeverMelts = 20000;
 
 /// One key of the [case] table of a kind. `fallback` without a value: the key must be there.
@@ -38,28 +38,29 @@ struct CaseKey {
     std::string_view note;
 };
 
-/// What a kind needs of [material] beside the density.
+/// Values of [material] that a kind needs in addition to the density.
 enum class CaseMatter {
     heat,    ///< conductivity and specific heat
-    melting, ///< those, and what flows: tension and viscosity have values of a usual molten metal where none is given
+    melting, ///< those of heat, and tension and viscosity of the flow, which default to values of a usual molten metal
     surface, ///< surface tension; no heat
     fluid,   ///< no heat
     viscous, ///< viscosity; no heat
 };
 
-/// One kind of case with what its [case] table needs and the names that its results carry.
+/// One kind of case with the keys of its [case] table and the names of its results.
 struct CaseKind {
     std::string_view name;
     std::span<const CaseKey> keys;
     CaseMatter matter;
-    bool needsTime;           ///< whether `time_s` must be given
-    std::string_view results; ///< documented names of its numbers, after commas; X, XI_Y_Z and N stand for numbers
+    bool needsTime; ///< true if `time_s` is required
+    /// Documented names of its numbers, after commas; X, XI_Y_Z and N are placeholders for numbers.
+    std::string_view results;
 };
 
-/// Every kind there is, in the order of the documentation.
+/// Returns every kind there is, in the order of the documentation.
 std::span<const CaseKind> caseKinds();
 
-/// What an experiment gave for one result: one value, or one a time.
+/// Measured values of an experiment for one result: one value, or one a time.
 struct Measured {
     std::vector<double> values;
     double tolerancePercent = 0;
@@ -70,32 +71,32 @@ struct ValidationCase {
     std::string name;
     const CaseKind* kind = nullptr;
     double spacing = 0;          ///< m
-    double time = 0;             ///< s; 0 where the kind decides
-    double tolerancePercent = 0; ///< of the closed form, and of measured values without their own
+    double time = 0;             ///< s; 0 if the kind decides
+    double tolerancePercent = 0; ///< tolerance of the closed form, and of measured values without their own
     Material material;
-    std::map<std::string, double, std::less<>> numbers;            ///< [case], units as the key says
-    std::map<std::string, std::vector<double>, std::less<>> lists; ///< [case]; rows one after the other
-    std::string process;                                           ///< [case]; empty where the case does not say
-    std::map<std::string, Measured, std::less<>> measured;         ///< [measured]
+    std::map<std::string, double, std::less<>> numbers;            ///< numbers of [case], units as in the key
+    std::map<std::string, std::vector<double>, std::less<>> lists; ///< lists of [case]; rows one after the other
+    std::string process;                                           ///< process of [case]; empty if the case has none
+    std::map<std::string, Measured, std::less<>> measured;         ///< values of [measured]
 
     double number(std::string_view key) const { return numbers.find(key)->second; }
     const std::vector<double>& list(std::string_view key) const { return lists.find(key)->second; }
 };
 
-/// Name of the temperature at a depth, and at a point relative to a source; mm.
+/// Returns the name of the temperature at a depth, and at a point relative to a source; mm.
 std::string temperatureName(double depth);
 std::string temperatureName(double xi, double y, double z);
 
-/// Whether the keys of a weld ask for wire.
+/// Returns true if the keys of a weld ask for wire.
 bool hasWire(const ValidationCase& from);
 
-/// The names that this case's results can carry, which are those that [measured] may give.
+/// Returns the names that this case's results can have, which are those that [measured] may give.
 std::vector<std::string> resultNames(const ValidationCase& from);
 
 /// Reads and checks a case. Throws InputError naming file and line for anything unknown, missing or out of range.
 ValidationCase readValidationCase(const std::filesystem::path& file);
 
-/// The cases of a folder, by name. Throws InputError when the folder holds none.
+/// Returns the cases of a folder, by name. Throws InputError when the folder holds none.
 std::vector<std::filesystem::path> validationCaseFiles(const std::filesystem::path& folder);
 
 } // namespace meltpool
