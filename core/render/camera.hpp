@@ -43,7 +43,7 @@ class OrbitCamera {
     /// azimuth: rad around +Y, 0 is on +Z, positive towards +X; elevation: rad above the xz plane.
     OrbitCamera(float azimuth, float elevation, float distance);
 
-    /// Goes around by `turn.x` (towards +X from +Z) and over by `turn.y`, rad.
+    /// Orbits by `turn.x` (towards +X from +Z) and over by `turn.y`, rad.
     void orbit(const glm::vec2& turn);
     /// Multiplies the distance; stays inside kNearest..kFarthest.
     void approach(float factor);

@@ -47,7 +47,7 @@ class EffectsPainter {
 
     TonedProgram sparks_, haze_, fume_, afterImage_;
     gl::VertexArray empty_;
-    /// Frames use them in turn, so that writing one does not wait for frames that the GPU still draws.
+    /// Buffers that frames use in turn, so that writing one does not wait for frames that the GPU still draws.
     std::array<gl::Buffer, 3> buffers_, puffBuffers_;
     size_t current_ = 0;
     size_t count_ = 0;

@@ -23,8 +23,8 @@ void addSection(FrameData& frame, const SceneView& scene) {
 
 /// An arc burns in a hollow of the metal's surface: the outer part of a block gives no shadow.
 void addShadowBoxes(FrameData& frame, const SceneView& scene) {
-    constexpr float kHollow = 0.2f, kDeepestHollow = 1e-3f; // of the block's thickness; m
-    constexpr float kSoft = 0.4f, kLongestSoft = 3e-3f;     // likewise
+    constexpr float kHollow = 0.2f, kDeepestHollow = 1e-3f; // depths as shares of the block's thickness; m
+    constexpr float kSoft = 0.4f, kLongestSoft = 3e-3f;     // widths of the soft edge, likewise
     const size_t count = std::min<size_t>(scene.blocks.size(), MOST_SHADOW_BOXES);
     frame.shadowBoxCount = static_cast<int>(count);
     for (size_t i = 0; i < count; ++i) {
@@ -75,7 +75,7 @@ FrameData makeFrame(const SceneView& scene, const LookParameters& look) {
     FrameData frame{};
     frame.modelToWorld = scene.modelToWorld;
     frame.modelUnit = unit;
-    // The lamp stays where it is when the model is turned.
+    // The lamp does not turn with the model.
     frame.lamp = glm::vec3(scene.modelToWorld[3]) + unit * look.lightPosition;
     frame.lampDirection = glm::normalize(frame.lamp - glm::vec3(scene.modelToWorld[3]));
     frame.ambient = look.ambient;

@@ -27,7 +27,7 @@ struct Curve {
             light[i] = static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
         }
         for (size_t i = 0; i < shown.size(); ++i) {
-            // Evenly spaced in the root of light: the curve is steep in the dark.
+            // Steps are even in the root of light: the curve is steep in the dark.
             const double root = static_cast<double>(i) / kFineSteps, l = root * root;
             const double s = l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1 / 2.4) - 0.055;
             shown[i] = static_cast<std::uint8_t>(std::lround(255 * s));

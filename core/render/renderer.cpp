@@ -98,7 +98,7 @@ struct Renderer::Parts {
     bool skyCopied = false;                 ///< copied in this frame
     glm::vec3 exposure{0};                  ///< exposure of this frame, through the filter
     std::optional<SubmissionChoice> choice; ///< way in which several views are submitted; its programs are loaded
-    std::optional<ViewSubmission> wanted;   ///< the wish that `choice` was made for
+    std::optional<ViewSubmission> wanted;   ///< value of `wanted` that `choice` was made for
 };
 
 Renderer::Parts::Parts(gl::ShaderLibrary& shaders, const std::filesystem::path& kept)
@@ -259,7 +259,7 @@ void Renderer::Parts::drawBatch(const SceneView& scene, const LookParameters& lo
 /// eyes of a head see them at their places.
 void Renderer::Parts::gatherFittings(const SceneView& scene, std::span<const View> views) {
     constexpr float kMargin = 0.008f, kHead = 0.06f; // m; the torch's head over its tip is visible from every place
-    // Dull ones have no highlight that needs every pixel.
+    // Dull solids have no highlight that needs every pixel.
     constexpr float kDull = 0.3f;
     const auto gather = [&](const Solid& fitting) { solids.gather({&fitting, 1}, fitting.gloss < kDull); };
     if (views.size() > 1 || scene.solids.empty()) {

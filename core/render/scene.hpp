@@ -47,14 +47,15 @@ struct ArcLight {
 
 /// The workshop as geometry around the scene.
 struct RoomView {
-    bool shown = false;      ///< false: the sky is drawn, alike from everywhere
-    glm::mat4 toWorld{1.0f}; ///< from the workshop's frame (m, floor at WORKSHOP_FLOOR): one scale, translation
+    bool shown = false; ///< false: the sky is drawn, alike from everywhere
+    /// Transform from the workshop's frame (m, floor at WORKSHOP_FLOOR): one scale, translation.
+    glm::mat4 toWorld{1.0f};
 };
 
 struct SceneView {
     SurfaceMesh mesh;             ///< null buffers: no surface is drawn
     bool meshIsOpen = false;      ///< without caps: the inside is visible
-    ParticleView particles;       ///< for the points mode; null: none
+    ParticleView particles;       ///< particles for the points mode; null: none
     glm::mat4 modelToWorld{1.0f}; ///< rotation, one scale, translation
     glm::vec3 boxMin{-1.0f};      ///< model units
     glm::vec3 boxMax{1.0f};

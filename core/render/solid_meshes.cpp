@@ -60,7 +60,7 @@ glm::vec2 onCircle(int step, int around = kAround) {
 struct Ring {
     float radius;
     float z;
-    glm::vec2 normal; ///< outward and along z, unit
+    glm::vec2 normal; ///< unit normal: outward and along z
 };
 
 void addRevolved(Meshes& out, const Ring& top, const Ring& bottom, int around = kAround) {
@@ -142,7 +142,7 @@ void addBend(Meshes& out) {
     constexpr int kPieces = 8;
     const auto at = [](int piece, int step) {
         const float turned = kBendAngle * static_cast<float>(piece) / kPieces;
-        const glm::vec3 inward(std::cos(turned), 0, -std::sin(turned)); // to the middle that it turns about
+        const glm::vec3 inward(std::cos(turned), 0, -std::sin(turned)); // direction to the middle that it turns about
         const glm::vec2 c = onCircle(step);
         const glm::vec3 normal = inward * c.x + glm::vec3(0, c.y, 0);
         return Vertex{glm::vec3(kBendRadius, 0, 0) - kBendRadius * inward + 0.5f * normal, normal};
@@ -153,7 +153,8 @@ void addBend(Meshes& out) {
 /// Light computed for its corners is fine enough for shadows of small things.
 void addSlab(Meshes& out) {
     constexpr int kCells = 56;
-    const auto line = [](int i) { // from -0.5 to 0.5; the middle's cells are a seventh as wide as even ones would be
+    // Places from -0.5 to 0.5; the middle's cells are a seventh as wide as even ones would be.
+    const auto line = [](int i) {
         const float even = static_cast<float>(i) / kCells - 0.5f;
         return even * (1 + 6 * 4 * even * even) / 7;
     };

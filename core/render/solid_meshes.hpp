@@ -24,7 +24,7 @@ struct SolidMeshes {
 
     std::vector<SolidVertex> vertices;
     std::vector<std::uint32_t> indices;
-    std::array<Range, kSolidShapes> shapes; ///< in the order of SolidShape
+    std::array<Range, kSolidShapes> shapes; ///< ranges in the order of SolidShape
 };
 
 /// Front faces are counterclockwise. Round shapes have 32 sides, the pill 20.

@@ -51,7 +51,7 @@ class SurfacePainter {
     TonedProgram metal_;
     /// All of the metal, then the pool's mirror image over it.
     MeasuredProgram hotMetal_, pool_;
-    bool rippled_ = false; ///< they show ripples
+    bool rippled_ = false; ///< true if they show ripples
     TonedProgram wax_;
     TonedProgram ice_;
     TonedProgram temperature_;

@@ -76,7 +76,7 @@ SubmissionChoice chooseSubmission(std::optional<ViewSubmission> wanted, const Su
         }
         choice.sentence += "; " + obstacle;
     }
-    return choice; // not reached: passes need nothing
+    return choice; // unreachable: passes need nothing
 }
 
 void aim(const ViewBatch& batch, const Viewport& whole, int views) {

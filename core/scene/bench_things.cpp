@@ -170,7 +170,7 @@ void addTable(std::vector<Solid>& solids, const glm::mat4& toWorld, float height
 void addMachine(std::vector<Solid>& solids, const glm::mat4& toWorld, const ProcessSettings& process) {
     const auto displays = equipmentOf(process).displays;
     if (displays.front().unit.empty()) return;
-    constexpr float kTurn = -0.45f; // rad about the vertical, towards the welder
+    constexpr float kTurn = -0.45f; // turn about the vertical, rad, towards the welder
     constexpr glm::vec3 kPlace(0.36f, 0, -0.10f);
     const glm::mat4 toBench = glm::rotate(glm::translate(glm::mat4(1), kPlace), kTurn, glm::vec3(0, 1, 0));
     const glm::mat4 machineToWorld = toWorld * toBench;

@@ -12,15 +12,15 @@ namespace meltpool {
 /// One measure. Places are m in the section (z, y).
 struct SectionMark {
     enum class Kind {
-        length, ///< from `from` to `to`
-        angle,  ///< at `from`, between the unit vectors `first` and `second`
-        note    ///< its words alone
+        length, ///< line from `from` to `to`
+        angle,  ///< angle at `from`, between the unit vectors `first` and `second`
+        note    ///< words alone
     };
     enum class Tint { measure, fault, unresolved };
 
     Kind kind = Kind::length;
     Tint tint = Tint::measure;
-    std::string label; ///< such as "throat 4.2", in mm
+    std::string label; ///< label such as "throat 4.2", in mm
     glm::vec2 from{0}, to{0};
     glm::vec2 first{1, 0}, second{0, 1};
 };

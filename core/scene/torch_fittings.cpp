@@ -119,7 +119,7 @@ void addWireTorch(Builder& add, const TorchSample& torch, float stickOut) {
 }
 
 void addTungstenTorch(Builder& add, const TorchSample& torch) {
-    const glm::vec3 way = handleWay(torch, 1.2f); // heads of TIG torches stand off their handle by about 70 degrees
+    const glm::vec3 way = handleWay(torch, 1.2f); // TIG torches have about 70 degrees between head and handle
     add.part(0.034f, 0.006f, 0.0165f, kCeramic, 0.35f, SolidShape::cup);
     add.part(0.032f, 0.010f, 0.0036f, kSteel, 0.5f); // collet
     add.part(0.038f, 0.032f, 0.0150f, kBrass, 0.6f);

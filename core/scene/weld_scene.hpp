@@ -39,7 +39,7 @@ class WeldScene : public MetalScene {
     glm::mat4 roomToWorld_{1.0F};            ///< transform of the workshop
     glm::vec3 cableEnd_{0.0F};               ///< end of the torch's cable, in the workpiece's frame
     std::vector<Solid> torchSolids_;         ///< lent by the last view()
-    std::vector<Solid> fittings_;            ///< likewise
+    std::vector<Solid> fittings_;            ///< lent likewise
 };
 
 } // namespace meltpool

@@ -8,8 +8,8 @@
 
 namespace meltpool {
 
-/// Vertices are shared: one for every edge of the grid that the surface cuts. A whole surface with caps is closed by
-/// its indices, without comparing positions.
+/// Mesh with shared vertices: one for every edge of the grid that the surface cuts. A whole surface with caps is closed
+/// by its indices, without comparing positions.
 struct MeshCopy {
     std::vector<SurfaceVertex> vertices;
     /// a vertex's highest temperature so far; empty if the particles do not store it.

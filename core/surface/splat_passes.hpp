@@ -24,7 +24,8 @@ class SplatPassLibrary {
 
   private:
     gl::ShaderLibrary& shaders_;
-    std::array<std::optional<SplatPasses>, 8> made_; // with freezing times or not, with numbers or not, by kernel
+    // Programs with freezing times or not, with numbers or not, by kernel.
+    std::array<std::optional<SplatPasses>, 8> made_;
 };
 
 } // namespace meltpool

@@ -17,11 +17,11 @@ namespace meltpool {
 /// Small results of an update.
 struct SurfaceStatistics {
     unsigned vertices = 0;
-    unsigned triangles = 0; ///< including those made empty since the last rebuild
+    unsigned triangles = 0; ///< triangles, including those emptied since the last rebuild
     unsigned blocks = 0;    ///< blocks of 8³ cells that this update meshed
     unsigned particles = 0; ///< particles that this update splatted
-    bool rebuilt = true;    ///< the whole mesh was made
-    bool overflow = false;  ///< the mesh did not fit its buffers and is incomplete
+    bool rebuilt = true;    ///< true if the whole mesh was made
+    bool overflow = false;  ///< true if the mesh did not fit its buffers and is incomplete
 };
 
 /// Settings of incremental updates. Without them every update rebuilds volumes and mesh.
@@ -31,7 +31,7 @@ struct IncrementalUpdate {
     /// numbers.
     bool enabled = false;
     float positionTolerance = 0;    ///< a particle counts as unchanged until it moved farther than this, cells
-    float temperatureTolerance = 0; ///< ... or its temperature changed by more than this share of the range
+    float temperatureTolerance = 0; ///< ... or until its temperature changed by more than this share of the range
 };
 
 /// Flat faces of a workpiece, in model units: each corner gives a plane across every axis.
@@ -85,8 +85,8 @@ class Surface {
     FlatFaces flatFaces;
     RoundFaces roundFaces;
 
-    /// Range of temperatures that the volume stores; others are clamped to it. The default, 0..1, is the classic
-    /// model's. Throws InputError when the range is empty.
+    /// Sets the range of temperatures that the volume stores; others are clamped to it. The default, 0..1, is the
+    /// classic model's. Throws InputError when the range is empty.
     void setTemperatureRange(float coldest, float hottest);
 
     /// Makes the mesh of these particles without reading anything back. The passes are timed below the scope "surface".

@@ -17,8 +17,9 @@ struct SurfaceGrid {
     glm::vec3 boxMin{-1.0f};
     glm::vec3 boxMax{1.0f};
 
-    /// `cells` along the longest side of the box; along the others as many as make the cells most nearly cubes, at
-    /// least 2. Throws InputError when the box has no volume, or when `cells` does not fit the packed coordinates.
+    /// Makes a grid of `cells` along the longest side of the box; along the others as many as make the cells most
+    /// nearly cubes, at least 2. Throws InputError when the box has no volume, or when `cells` does not fit the packed
+    /// coordinates.
     SurfaceGrid(int cells, glm::vec3 boxMin, glm::vec3 boxMax);
 
     /// Returns the number of blocks of 8³ corners along each axis.

@@ -10,8 +10,8 @@ namespace meltpool {
 double meanWeight(SurfaceKernel kernel, int influence) {
     const double reach = influence - 1;
     if (kernel == SurfaceKernel::smooth) return 64 * std::numbers::pi / 315 * std::pow(reach + 0.5, 3);
-    // Over all positions of a particle, the offsets of the corners from it fill a cube evenly: the mean of the weight
-    // over that cube, sampled in one of its eight symmetric parts.
+    // The offsets of the corners, over all positions of a particle, fill a cube evenly: the mean of the weight over
+    // that cube, sampled in one of its eight symmetric parts.
     const double farthest = std::sqrt(3.0) / 2 + std::sqrt(3.0) * reach;
     constexpr int kPerCell = 8;
     const int across = (2 * influence - 1) * kPerCell / 2;

@@ -81,7 +81,7 @@ void SurfaceVolumes::clear() {
 }
 
 void SurfaceVolumes::bindParticles(const ParticleView& particles) {
-    // A new view for each update: another buffer of particles may have the same GL name.
+    // A new view for each update: another buffer of particles may have an equal GL name.
     particleTexels_ = gl::BufferView("surface particles", *particles.positions, GL_RGBA32F, sizeof(glm::vec4));
     particleTexels_.bind(SURFACE_TEXELS_PARTICLES);
     // Passes that do not read phases or splatted particles still need a buffer bound there.

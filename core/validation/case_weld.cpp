@@ -32,7 +32,7 @@ ValidationCase withinThree(ValidationCase from) {
 
 void requireWeldRoom(const ValidationCase& from, const ProcessSettings& settings, double volume, double seconds) {
     const double count = (volume + equipmentOf(settings).wireRate() * seconds) / std::pow(from.spacing, 3);
-    const double cells = 4 * count; // with the space around the workpiece
+    const double cells = 4 * count; // cells with the space around the workpiece
     requireRoom(from, {cells, count, count, cells});
 }
 

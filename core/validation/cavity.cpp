@@ -1,4 +1,4 @@
-// Metal in a closed box melts from one of its walls; its own convection takes part.
+// Melting of metal in a closed box from one of its walls; its own convection takes part.
 #include "core/base/text.hpp"
 #include "core/metal/flow/flow.hpp"
 #include "core/validation/case_size.hpp"
@@ -135,7 +135,7 @@ void runCavityMelting(const ValidationCase& from, gl::ShaderLibrary& shaders, Va
     state.add(seeds);
     HeatSettings settings;
     settings.ambient = cavity.initial;
-    settings.wakingKelvin = 1e-5; // the whole drive is ten kelvin
+    settings.wakingKelvin = 1e-5; // small, as the whole drive is ten kelvin
     settings.meltedLeaves = true;
     settings.ledger = true;
     HeatSolver heat(shaders, state, from.material, settings);

@@ -229,7 +229,7 @@ double apexHeight(std::span<const glm::dvec3> places, double spacing) {
 }
 
 DampedFit fitDamped(std::span<const double> samples, double interval, double lowestFrequency, double highestFrequency) {
-    // For a given frequency and decay the rest is linear: solve three normal equations, and search the two on a grid
+    // The rest is linear for a given frequency and decay: solve three normal equations, and search the two on a grid
     // that closes in on the best.
     const auto residual = [&](double frequency, double decay) {
         double a[3][4] = {};

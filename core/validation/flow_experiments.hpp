@@ -14,7 +14,7 @@ struct FlowRun {
 
 struct DropletPressure : FlowRun {
     double jump = 0;      ///< Pa, mean beyond a support under the surface and over the last third of the time
-    double density = 0;   ///< mean density over rest density, in the same place
+    double density = 0;   ///< mean density over rest density, averaged as `jump`
     double restSpeed = 0; ///< root mean square speed at the end, m/s
 };
 /// Runs a drop without gravity, left alone for `seconds`; mean of three that start from different arrangements. The
@@ -33,7 +33,7 @@ DropletOscillation dropletOscillation(gl::ShaderLibrary& shaders, const FlowFlui
 
 struct SessileDrop : FlowRun {
     double height = 0;    ///< m, highest particles over the wall
-    double restSpeed = 0; ///< rms at the end, m/s
+    double restSpeed = 0; ///< root mean square speed at the end, m/s
 };
 /// Runs a drop of `volume` that spreads on a plane for `seconds`; `fluid.wetting` decides the contact angle.
 SessileDrop sessileDrop(gl::ShaderLibrary& shaders, const FlowFluid& fluid, double volume, double gravity,
@@ -43,7 +43,7 @@ struct HydrostaticColumn : FlowRun {
     double bottomPressure =
         0; ///< Pa, mean of the pressures inside, each with the weight of liquid between it and the floor
     double densityError = 0; ///< mean of |rho/rho0 - 1| inside
-    double restSpeed = 0;    ///< rms at the end, m/s
+    double restSpeed = 0;    ///< root mean square speed at the end, m/s
 };
 /// Runs a wide pool of depth `height` at rest for `seconds`.
 HydrostaticColumn hydrostaticColumn(gl::ShaderLibrary& shaders, const FlowFluid& fluid, double height, double gravity,

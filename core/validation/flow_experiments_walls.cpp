@@ -24,7 +24,7 @@ void tellRun(FlowRun& run, const FlowBench& bench) {
 HydrostaticColumn hydrostaticColumn(gl::ShaderLibrary& shaders, const FlowFluid& fluid, double height, double gravity,
                                     double seconds) {
     const double dx = fluid.spacing;
-    const double wide = 8 * dx; // repeats: three supports and a little
+    const double wide = 8 * dx; // width after which it repeats: three supports and a little
     const double layers = std::round(height / dx);
     std::vector<MetalSeed> seeds;
     addBlock(seeds, glm::vec3(0, -kWall * dx, 0), glm::vec3(wide, 0, wide), dx, false);

@@ -27,7 +27,7 @@ struct HeatBench {
     size_t run(double from, double to, double hottest, const std::function<std::vector<HeatSource>(double)>& sources);
 
     std::vector<double> readTemperatures() const;    ///< K, one a particle
-    std::vector<double> readLiquidFractions() const; ///< one a particle
+    std::vector<double> readLiquidFractions() const; ///< shares of liquid, one a particle
 
     MetalState state;
     HeatSolver solver;

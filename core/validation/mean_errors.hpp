@@ -11,7 +11,7 @@ namespace meltpool {
 
 /// One number that at least two cases measured.
 struct MeanError {
-    std::string name;           ///< such as toe_width_mm
+    std::string name;           ///< name such as toe_width_mm
     size_t count = 0;           ///< number of measurements
     double percent = 0;         ///< mean of the errors' sizes
     double bias = 0;            ///< %, mean of the errors with their signs

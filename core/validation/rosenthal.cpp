@@ -182,7 +182,7 @@ void runRosenthal(const ValidationCase& from, gl::ShaderLibrary& shaders, Valida
     // The narrowest source on cells is as wide as a point source's heat after a time of dx²/(8 alpha), and the heat of
     // a step has not spread yet at the step's end: there the source is at the point source's place of that time before.
     // The half-axes give a second moment of dx²/4 along each direction.
-    const double hottest = p.source.ambient + 1; // of a constant material any temperature will do
+    const double hottest = p.source.ambient + 1; // any temperature will do for a constant material
     const double halfStep = 0.5 * p.time / static_cast<double>(bench.stepsFor(p.time, hottest));
     const double lag = from.spacing * from.spacing / (8 * p.source.alpha) - halfStep;
     const auto source = [&](double time) {

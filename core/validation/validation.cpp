@@ -58,7 +58,7 @@ void ValidationResult::compareExact(const ValidationCase& from, std::string numb
                                     double scale) {
     const double by = scale > 0 ? scale : reference == 0 ? 1 : std::abs(reference);
     const double off = 100 * std::abs(ours - reference) / by;
-    // Written so that a number that is not finite fails.
+    // This comparison makes a number that is not finite fail.
     const bool good = off <= from.tolerancePercent;
     numbers.push_back({std::move(numberName), "exact", reference, ours, off, from.tolerancePercent, good, {}});
 }

@@ -17,7 +17,7 @@ struct ValidationNumber {
     std::string origin;
     double reference = 0;
     double ours = 0;
-    double errorPercent = 0; ///< of `scale`; for "limit": 0
+    double errorPercent = 0; ///< relative to `scale`; for "limit": 0
     double tolerancePercent = 0;
     bool passed = true;
     std::string moment; ///< distinguishes several with one name, such as "132 s"; else empty

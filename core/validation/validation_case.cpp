@@ -193,7 +193,7 @@ void readPhases(TomlTable& table, const std::string& key, NumberRange range, Pro
 
 void readMelting(TomlTable& table, Material& m) {
     m.latentHeat = table.number("latent_heat", {0, 1e7}, m.latentHeat);
-    const bool sharp = !table.has("use"); // with only one of the two the metal melts there
+    const bool sharp = !table.has("use"); // metal with only one of the two melts there
     const double other = sharp && table.has("liquidus_k") ? table.number("liquidus_k", {1, kNeverMelts}) : m.solidus;
     m.solidus = table.number("solidus_k", {1, kNeverMelts}, other);
     m.liquidus = table.number("liquidus_k", {1, kNeverMelts}, sharp ? m.solidus : m.liquidus);

@@ -41,7 +41,7 @@ struct CaseKey {
 /// Values of [material] that a kind needs in addition to the density.
 enum class CaseMatter {
     heat,    ///< conductivity and specific heat
-    melting, ///< those of heat, and tension and viscosity of the flow, which default to values of a usual molten metal
+    melting, ///< values of heat, and tension and viscosity of the flow, which default to those of a usual molten metal
     surface, ///< surface tension; no heat
     fluid,   ///< no heat
     viscous, ///< viscosity; no heat

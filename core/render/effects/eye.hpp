@@ -7,13 +7,13 @@ namespace meltpool {
 
 /// Light that the eye sees in a frame.
 struct EyeScene {
-    double arc = 0;              ///< luminous intensity of the arc, kPaperLuminance times m²; 0: none
+    double arc = 0;              ///< intensity of the arc's light, kPaperLuminance times m²; 0: none
     double height = 0;           ///< m, height of the arc over the metal
     double room = 0;             ///< light of the metal in the workshop's lamps, 1 = white paper
     double passed = 1;           ///< share of all light that the visor lets through
     double drawn = 1;            ///< share of the arc's light that the picture shows
     bool exposed = false;        ///< the eye looks into the arc through too light a filter, or none
-    glm::vec3 towards{0, 0, -1}; ///< unit, to the arc, in the eye's own directions
+    glm::vec3 towards{0, 0, -1}; ///< unit vector to the arc, in the eye's own directions
 };
 
 /// Returns the mean light (1 = white paper) of a disc of 30 mm about the pool: steel in the light of an arc of this
@@ -23,8 +23,8 @@ double poolLight(double intensity, double height);
 
 /// After-image of an arc in an eye that has looked into it: a dark spot at its place.
 struct AfterImage {
-    float strength = 0;          ///< 0 none .. 1
-    glm::vec3 towards{0, 0, -1}; ///< unit, in the eye's own directions
+    float strength = 0;          ///< strength, 0 none .. 1
+    glm::vec3 towards{0, 0, -1}; ///< unit vector in the eye's own directions
 };
 
 class Eye {

@@ -11,7 +11,7 @@ namespace meltpool {
 /// Faces on which spatter lands, in the workpiece's frame, m.
 struct SpatterGround {
     std::span<const WorkpieceBlock> blocks; ///< must outlive every object that stores this
-    glm::vec3 up{0, 1, 0};                  ///< unit, against gravity
+    glm::vec3 up{0, 1, 0};                  ///< unit vector against gravity
     float table = -1;                       ///< height of the table along `up`
 };
 

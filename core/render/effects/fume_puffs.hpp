@@ -19,13 +19,14 @@ struct ArcEffectsStep;
 /// 5/(6 a) (9/10 a F)^(1/3) z^(-1/3) with the entrainment a and the flux of buoyancy F over pi.
 struct FumePlume {
     static constexpr double kEntrains = 0.1;
-    /// m of half its width per m of height.
+    /// Growth of the half width, m per m of height.
     static constexpr double kWidens = 1.2 * kEntrains;
 
-    /// m^(4/3)/s: the speed at a height of 1 m over a source of `power` (W) that goes into the air: F = g power /
-    /// (pi rho cp T).
+    /// Returns the speed at a height of 1 m over a source of `power` (W) that goes into the air, m^(4/3)/s: F = g power
+    /// / (pi rho cp T).
     static double speedAtMetre(double power);
-    /// m over the source, `age` s after passing `from` (m), of air that rises at `speedAtMetre` z^(-1/3).
+    /// Returns the height (m) over the source, `age` s after passing `from` (m), of air that rises at `speedAtMetre`
+    /// z^(-1/3).
     static double height(double from, double speedAtMetre, double age);
 };
 
@@ -39,9 +40,9 @@ class FumePuffs {
     /// Largest number at once: the births in kLongest, and one more.
     static constexpr size_t kMost = 37;
     static_assert(double(kMost) >= kRate * kLongest + 1);
-    /// m over the arc from which on they thin out, and at which they are gone; likewise shares of kLongest.
+    /// Heights (m) over the arc from which on puffs thin out, and at which they are gone; likewise shares of kLongest.
     static constexpr double kThins = 0.16, kHighest = 0.32;
-    /// m, half width of the plume at the arc: about an arc's radius.
+    /// Half width of the plume at the arc, m: about an arc's radius.
     static constexpr double kSource = 4e-3;
     /// Radius of a puff in half widths of the plume: towards its edge it is thin. No source: chosen.
     static constexpr double kSpreads = 1.5;

@@ -27,7 +27,8 @@ constexpr float kPool = 4e-3F;
 double openRate(const ArcState& arc, const Equipment& tools) {
     const double stretched = static_cast<double>(arc.stretch) * static_cast<double>(arc.stretch);
     if (tools.wire > 0 && arc.action == ArcAction::stubbed) return kStubRate;
-    if (tools.wire > 0 && arc.action == ArcAction::shorting) return 0; // its spatter comes with the short circuits
+    // Spatter of a dip transfer comes with the short circuits.
+    if (tools.wire > 0 && arc.action == ArcAction::shorting) return 0;
     return tools.spatter + kLongRate * stretched;
 }
 
@@ -67,7 +68,7 @@ void Spatter::burst(const ArcEffectsStep& step, double at, int drops) {
         throwDrop(step, at);
 }
 
-/// Small drops are many and fast, large ones few and slow; most fly low.
+/// Throws a drop. Small drops are many and fast, large ones few and slow; most fly low.
 void Spatter::throwDrop(const ArcEffectsStep& step, double at) {
     const auto chance = [&] { return countedChance(step.number, draws_++); };
     const float size = chance(), speed = chance(), steep = chance(), around = chance();

@@ -30,7 +30,7 @@ struct ArcEffectsStep {
     glm::vec3 wireEnd{0};     ///< m
     glm::vec3 axis{0, -1, 0}; ///< unit, from the torch to the metal
     std::span<const Reignition> reignitions;
-    double shortPhase = 0; ///< grows by 1 from each short circuit to the next
+    double shortPhase = 0; ///< counter that grows by 1 from each short circuit to the next
     double dropRate = 0;   ///< 1/s, drops that leave the wire of an open arc
 };
 

@@ -31,7 +31,8 @@ void WireDrops::step(const ArcEffectsStep& step) {
     phase_ = dips ? step.shortPhase : phase_ + rate_ * step.seconds;
     wire_ = static_cast<float>(wire);
     diameter_ = dropDiameter(wire, tools.wireSpeed, rate_);
-    const bool sprays = diameter_ < 1.3 * wire; // between as thick as the wire and twice that, see wireDropRate()
+    // Threshold between the wire's diameter and twice that, see wireDropRate().
+    const bool sprays = diameter_ < 1.3 * wire;
     speed_ = sprays ? kSprayDropSpeed : kDropSpeed;
     gap_ = dips ? 0 : step.arc.length;
     end_ = step.wireEnd;

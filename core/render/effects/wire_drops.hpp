@@ -5,7 +5,7 @@
 
 namespace meltpool {
 
-/// Follows the wire. Between two short circuits the drop grows until it touches; in an open arc it falls off.
+/// Drops of a wire. Between two short circuits the drop grows until it touches; in an open arc it falls off.
 class WireDrops {
   public:
     /// Greatest diameter of a drop, in wire diameters.

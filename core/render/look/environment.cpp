@@ -15,7 +15,7 @@ namespace meltpool {
 namespace {
 
 constexpr int kFaces = 6;
-constexpr int kTexelBytes = 4; // of GL_RGB10_A2
+constexpr int kTexelBytes = 4; // bytes of a GL_RGB10_A2 texel
 /// Edition of the painting: raise it when this file paints the room differently, so that no program shows a stored
 /// picture of a former edition.
 constexpr std::uint64_t kEdition = 1;
@@ -54,7 +54,7 @@ gl::Texture paintWorkshop(gl::ShaderLibrary& shaders, int size) {
     gl::Texture light = makeCube("workshop light", GL_RGBA16F, size, levelsOf(size));
     const gl::Program& paint = shaders.load({kPaint.begin(), kPaint.end()});
     paint.set("texel", 2.0f / static_cast<float>(size));
-    paint.set("rays", 2); // workshop.frag places them for two
+    paint.set("rays", 2); // number of rays; workshop.frag places them for two
     paintFaces(paint, light, 0);
     glGenerateTextureMipmap(light.name());
     return light;

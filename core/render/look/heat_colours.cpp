@@ -53,7 +53,7 @@ constexpr std::array<Tint, 15> kTints{{{185, {1.00f, 1.00f, 1.00f}},
                                        {600, {0.34f, 0.34f, 0.35f}},
                                        {900, {0.20f, 0.19f, 0.19f}}, // mill scale
                                        {1400, {0.19f, 0.18f, 0.18f}},
-                                       {1530, {0.62f, 0.62f, 0.63f}}}}; // was molten
+                                       {1530, {0.62f, 0.62f, 0.63f}}}}; // formerly molten metal
 
 } // namespace
 

@@ -19,7 +19,7 @@ constexpr float kWaxIndex = 1.44f;
 
 /// One state of a material.
 struct Finish {
-    glm::vec3 colour; ///< as displayed (sRGB)
+    glm::vec3 colour; ///< displayed colour (sRGB)
     float mirror;     ///< share of the mirror image
 };
 
@@ -48,8 +48,8 @@ MaterialData makeTranslucent(const Finish& solid, const Finish& liquid, float re
     return data;
 }
 
-/// An opaque surface reflects what it does not absorb, and absorbs as much as it emits (Kirchhoff): the brightest
-/// channel has this reflectance, the others keep the colour.
+/// Returns the reflectance of an opaque surface, which reflects all light that it does not absorb, and absorbs as much
+/// as it emits (Kirchhoff): the brightest channel has this reflectance, the others keep the colour.
 glm::vec3 reflectance(const glm::vec3& colour, float emissivity) {
     return colour * ((1 - emissivity) / std::max(glm::compMax(colour), 1e-3f));
 }

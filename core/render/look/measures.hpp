@@ -30,7 +30,7 @@ struct MeasureRow {
     Measure measure;
     PictureDetail from;        ///< the lowest level that has it
     std::string_view key;      ///< one word, for figures
-    std::string_view sentence; ///< its visible effect
+    std::string_view sentence; ///< sentence about its visible effect
 };
 
 /// The table, in the order of Measure. `meltpool bench looks` prints the cost of each.

@@ -14,7 +14,7 @@ namespace meltpool {
 
 namespace {
 
-constexpr std::array<glm::ivec2, 2> kSides{{{0, 1}, {1, 0}}}; ///< up, towards the welder
+constexpr std::array<glm::ivec2, 2> kSides{{{0, 1}, {1, 0}}}; ///< directions up and towards the welder
 constexpr int kNoRow = -1;
 constexpr int kLeastHole = 2;         ///< adjacent columns without metal that make a hole
 constexpr float kCooled = 773.15F;    ///< K, 500 °C: colder metal has its whole cooling time

@@ -1,4 +1,4 @@
-// The lattice layers that one cut takes, and what is measured on them.
+// The lattice layers that one cut takes, and the measures on them.
 #pragma once
 
 #include "core/weld/gauge/section_slice.hpp"

@@ -14,7 +14,7 @@ namespace meltpool {
 struct SectionMap {
     glm::vec2 low{0};     ///< lower corner of the grid, m: z, y
     glm::vec2 size{0};    ///< m
-    glm::ivec2 texels{0}; ///< columns and rows; 0: nothing was cut
+    glm::ivec2 texels{0}; ///< columns and rows; 0: there was no cut
     float spacing = 0;    ///< spacing of the metal's lattice, m
     /// One value a texel, row by row from `low`: weight of the metal there (1 inside solid metal, below half of that
     /// there is none), weight times highest temperature so far, weight times present temperature (K), and 1 for texels

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kMmPerMetre = 1e3;
 
-/// mm of outline along which layers of particles are one more or one less, by half a spacing.
+/// Length of outline, mm, along which layers of particles are one more or one less, by half a spacing.
 constexpr double kOutline = 8 * kResolvedSpacings;
 
 /// A difference of `much` is one for which an inspector would speak of another weld: chosen for this program.

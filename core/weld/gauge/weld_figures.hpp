@@ -7,9 +7,9 @@
 
 namespace meltpool {
 
-/// The weld that was asked for. Lengths in m.
+/// Nominal sizes of the weld. Lengths in m.
 struct NominalWeld {
-    double thickness = 0; ///< t, of the thinner plate
+    double thickness = 0; ///< t, thickness of the thinner plate
     /// a, nominal throat, and the nominal leg of a fillet. One of them is enough: a = leg / sqrt(2). A butt's throat
     /// defaults to its plates' thickness.
     std::optional<double> throat, leg;
@@ -22,7 +22,7 @@ struct NominalWeld {
 
 /// An imperfection at a station.
 struct ImperfectionValue {
-    double value = 0; ///< in the imperfection's unit; may be negative if the weld is on the safe side
+    double value = 0; ///< size in the imperfection's unit; may be negative if the weld is on the safe side
     double width = 0; ///< b, mm: width of the reinforcement, the fillet's face or the root that the limit may grow with
 };
 
@@ -35,15 +35,15 @@ struct PlacedImperfection {
 /// The term of an imperfection in ISO 6520-1:2007; both members are empty if that standard has none or its number is
 /// not certain.
 struct StandardTerm {
-    std::string_view number = {}; ///< "506"; several with commas
+    std::string_view number = {}; ///< number such as "506"; several with commas
     std::string_view name = {};
 };
 
 /// Scale on which a figure of two attempts is compared; see ComparedFigure.
 struct FigureScale {
-    /// In the figure's unit: differences of this size have equal weight; 0: the figure is not compared.
+    /// difference in the figure's unit: differences of this size have equal weight; 0: the figure is not compared
     double much = 0;
-    double least = 0;      ///< in the figure's unit: a smaller difference counts as none
+    double least = 0;      ///< difference in the figure's unit: a smaller one counts as none
     bool onlyOver = false; ///< negative values mean "no fault" (their size is the distance from it) and compare as 0
     bool isSize = false;   ///< a main size of a weld: its curve is always drawn
 };
@@ -54,7 +54,7 @@ struct WeldFigure {
     /// and results ("undercut").
     std::string_view key;
     std::string_view unit; ///< "mm", "mm2", "deg", "%", "s"; empty for a count
-    int digits = 1;        ///< behind the decimal point, in panel and comparison
+    int digits = 1;        ///< digits behind the decimal point, in panel and comparison
     /// Resolution of the particles, in spacings; of an area in mm2 per mm of spacing. 0: nothing limits it, or the
     /// workpiece or the metal itself decides. Angles: see resolvedOf().
     double resolution = 0;

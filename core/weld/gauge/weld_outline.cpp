@@ -34,7 +34,7 @@ class NodeGrid {
         const glm::ivec2 from(edge / 2 % nodes_.x, edge / 2 / nodes_.x);
         const glm::ivec2 to = from + (edge % 2 == 0 ? glm::ivec2(1, 0) : glm::ivec2(0, 1));
         const double share = static_cast<double>((kEdge - weight(from)) / (weight(to) - weight(from)));
-        const glm::dvec2 place = glm::dvec2(from) + share * glm::dvec2(to - from) - 0.5; // in texels
+        const glm::dvec2 place = glm::dvec2(from) + share * glm::dvec2(to - from) - 0.5; // place in texels
         return glm::dvec2(map_.low) + place * glm::dvec2(map_.size) / glm::dvec2(map_.texels);
     }
 
@@ -97,7 +97,7 @@ WeldOutline weldOutline(const SectionMap& map) {
             line.push_back(grid.crossing(edge));
             at = &next[static_cast<size_t>(edge)];
         }
-        const double area = areaInside(line); // negative around a pore
+        const double area = areaInside(line); // area, negative around a pore
         if (area > most) {
             most = area;
             largest = std::move(line);

@@ -38,7 +38,7 @@ struct SectionBox {
     double width = 0;  ///< m across the seam, of the workpiece's own metal
     double height = 0; ///< m, highest place of the zone or the deposit above the origin, at least 0
     double depth = 0;  ///< m, lowest place of the zone below the origin, at least 0
-    double area = 0;   ///< m², of the zone in the workpiece's own metal and of what was deposited
+    double area = 0;   ///< m², of the zone in the workpiece's own metal and of the deposit
 };
 
 /// A part of the workpiece that was hot.

@@ -119,7 +119,7 @@ double middleOf(const Flank& first, const Flank& second, double height) {
 /// The surface of a fillet as a flat arc (a parabola) over the straight line between its toes.
 struct FilletArc {
     glm::dvec2 legs; ///< on the base plate and on the upright plate
-    double rise = 0; ///< in the middle, negative for a hollow surface
+    double rise = 0; ///< height in the middle, negative for a hollow surface
 
     double chord() const { return glm::length(legs); }
     glm::dvec2 normal() const { return glm::dvec2(legs.y, legs.x) / chord(); }
@@ -197,7 +197,7 @@ size_t addMiddle(Line& line) {
     size_t behind = 0;
     for (size_t i = 0; i < line.size(); ++i) {
         const glm::dvec2 a = line[i], b = line[(i + 1) % line.size()];
-        // Along a straight piece the lesser distance is greatest at an end or at the place of equal distances.
+        // The lesser distance along a straight piece is greatest at an end or at the place of equal distances.
         const double before = a.x - a.y, after = b.x - b.y;
         const glm::dvec2 equal = before * after < 0 ? a + (b - a) * (before / (before - after)) : a;
         for (const glm::dvec2 place : {a, equal})
@@ -247,7 +247,7 @@ BeadShape measureBead(const WeldOutline& outline, const PlateFace& face, double 
     if (bead.height < kLeastBead * spacing) return bead;
     const double low = roundedHeight(bead.height, spacing);
     const auto top = static_cast<size_t>(crown - line.begin());
-    // With the metal on its left the outline comes from the face's high end.
+    // The outline, with the metal on its left, comes from the face's high end.
     const Line back = walk(line, top, false, 1, low), ahead = walk(line, top, true, 1, low);
     if (back.empty() || ahead.empty()) return bead;
     const Flank lowFlank(ahead, 1, bead.height, spacing), highFlank(back, 1, bead.height, spacing);
@@ -271,7 +271,7 @@ std::optional<FilletShape> measureFillet(const WeldOutline& outline, const Plate
     if (!std::isfinite(fillet.throat) || fillet.throat < kLeastThroat * spacing) return std::nullopt;
     const size_t middle = addMiddle(line);
     const double low = std::min(roundedHeight(fillet.throat, spacing), 0.6 * std::min(line[middle].x, line[middle].y));
-    // With the metal on its left the outline comes along the base plate.
+    // The outline, with the metal on its left, comes along the base plate.
     const Line back = walk(line, middle, false, 1, low), ahead = walk(line, middle, true, 0, low);
     if (back.empty() || ahead.empty() || back.back().x <= low || ahead.back().y <= low) return std::nullopt;
     const FilletArc arc = filletArc(back, ahead, spacing);

@@ -20,8 +20,8 @@ struct PlateFace {
 /// The place at which the weld's surface meets the workpiece's face.
 struct WeldToe {
     double place = 0; ///< m along the face from its origin
-    /// rad, 0 to pi, between face and weld surface, inside the weld metal; above pi/2 the weld overhangs its toe. Of a
-    /// bead: of the circle's arc from the toe to the crown, 2 atan(height / distance of the toe from the crown's
+    /// Angle between face and weld surface, rad, 0 to pi, inside the weld metal; above pi/2 the weld overhangs its toe.
+    /// Of a bead: of the circle's arc from the toe to the crown, 2 atan(height / distance of the toe from the crown's
     /// middle). Of a fillet: of the arc from toe to toe. Particles do not resolve the surface nearer to the toe.
     double angle = 0;
 };
@@ -38,11 +38,11 @@ std::vector<glm::dvec2> inFrame(const WeldOutline& outline, const PlateFace& fac
 
 /// A bead on a level face.
 struct BeadShape {
-    double height = 0;        ///< m, of its highest place over the face; 0 below a quarter of a spacing
+    double height = 0;        ///< m, height of its highest place over the face; 0 below a quarter of a spacing
     double reinforcement = 0; ///< m², cross-section of its metal over the face
     /// Toes at its low and at its high end along the face. None for a bead lower than three quarters of a spacing.
     std::optional<std::array<WeldToe, 2>> toes;
-    FaceStretch cover; ///< between its outermost places, which may overhang the toes
+    FaceStretch cover; ///< stretch between its outermost places, which may overhang the toes
 
     /// Returns the width from toe to toe, m; 0 without toes.
     double toeWidth() const { return toes ? (*toes)[1].place - (*toes)[0].place : 0; }

@@ -39,7 +39,7 @@ struct WeldStation {
     double place = 0;  ///< m along the seam, middle of the cut
     Value toeWidth;    ///< m from toe to toe: of a fillet the width of its face
     Value fusedWidth;  ///< m, WeldZone::width
-    Value height;      ///< m, of a bead over the face
+    Value height;      ///< m, height of a bead over the face
     Value leg1, leg2;  ///< leg lengths, m
     Value throat;      ///< m
     Value convexity;   ///< m, FilletShape::convexity
@@ -77,14 +77,14 @@ struct WeldStation {
 struct WeldMeasures {
     WeldKind kind = WeldKind::bead;
     double pitch = 0;   ///< m, length of seam of one station
-    double spacing = 0; ///< m, of the particles
+    double spacing = 0; ///< m, spacing of the particles
     std::vector<WeldStation> stations;
-    WeldStation mean, least, greatest; ///< over the stations that have the figure
+    WeldStation mean, least, greatest; ///< figures over the stations that have them
     /// m, root mean square distance of the stations' `middle` from the straight line that fits them best. None for
     /// fewer than three of them.
     std::optional<double> straightness;
 
-    double length() const { return pitch * static_cast<double>(stations.size()); } ///< m, of the judged seam
+    double length() const { return pitch * static_cast<double>(stations.size()); } ///< m, length of the judged seam
 };
 
 /// Returns one station's figures from its section; none for a section outside the workpiece. `place`: m along the seam.

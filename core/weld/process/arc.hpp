@@ -19,7 +19,7 @@ enum class ArcAction {
     burning,  ///< open arc; a flame or an iron at work
     shorting, ///< dip transfer: the wire's end touches the pool again and again
     stubbed,  ///< the wire pushes against the metal faster than it melts
-    breaking, ///< so long that the arc is about to go out
+    breaking, ///< an arc so long that it is about to go out
 };
 
 /// Returns the word for an action in records and results: "out", "striking" ...
@@ -29,16 +29,16 @@ std::string_view arcActionName(ArcAction action);
 enum class NoArc {
     burns,     ///< there is an arc; also every process that is no arc
     released,  ///< the trigger is released
-    tooLong,   ///< it went out: the machine could not hold an arc of this length
-    touched,   ///< it went out: the electrode met the metal under it and is spoiled
-    metalLeft, ///< it went out: there is no metal before the torch any more
-    noMetal,   ///< it does not strike: there is no metal before the torch
-    tooFar,    ///< it does not strike: the spark does not jump so far
-    touching,  ///< it does not strike: the electrode touches the metal
-    feeding,   ///< it does not strike yet: the wire is on its way to the metal
-    noWire,    ///< it does not strike: no wire is fed
+    tooLong,   ///< the arc went out: the machine could not hold an arc of this length
+    touched,   ///< the arc went out: the electrode met the metal under it and is spoiled
+    metalLeft, ///< the arc went out: there is no metal before the torch any more
+    noMetal,   ///< the arc does not strike: there is no metal before the torch
+    tooFar,    ///< the arc does not strike: the spark does not jump so far
+    touching,  ///< the arc does not strike: the electrode touches the metal
+    feeding,   ///< the arc does not strike yet: the wire is on its way to the metal
+    noWire,    ///< the arc does not strike: no wire is fed
     stuck,     ///< the electrode is frozen to the metal, with or without an arc before
-    usedUp,    ///< it went out: the electrode has burned down to its stub
+    usedUp,    ///< the arc went out: the electrode has burned down to its stub
 };
 
 /// Returns the word for records: "too_long", "touched" ...
@@ -79,8 +79,8 @@ struct ArcState {
     void transfer(gl::StateArchive& archive);
 };
 
-/// Standard deviation (m) of the heat flux of an arc of `length` (m) and `current` (A) on the surface:
-/// 0.53 mm (L/mm)^0.29 (I/A)^0.30 as measured on copper anodes with GTAW, times kArcSpread. Arcs shorter than
+/// Returns the standard deviation (m) of the heat flux of an arc of `length` (m) and `current` (A) on the surface: 0.53
+/// mm (L/mm)^0.29 (I/A)^0.30 as measured on copper anodes with GTAW, times kArcSpread. Arcs shorter than
 /// kShortestSpread count as that long.
 double arcHeatRadius(double length, double current);
 

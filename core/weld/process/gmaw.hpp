@@ -20,7 +20,7 @@ ParameterList describe(GmawSettings& settings);
 /// Returns 0 for a wire of `diameterMm` that dips or lets large drops fall at this current (A), 1 for one that sprays.
 double sprayShare(double current, double diameterMm);
 
-/// Radius (m, sigma) of the heat of a spraying arc of `current` (A), see kSprayRadius.
+/// Returns the radius (m, sigma) of the heat of a spraying arc of `current` (A), see kSprayRadius.
 double sprayHeatRadius(double current);
 
 class Gmaw : public Process {

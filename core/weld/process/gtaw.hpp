@@ -16,9 +16,9 @@ ParameterList describe(GtawSettings& settings);
 /// from handbooks that give 0.8 to 1 V/mm; no document was checked.
 double gtawVoltage(double length, double current);
 
-/// Length (m) beyond which an arc of `current` (A) goes out: it would need 1.35 times the machine's load line, 10 V +
-/// 0.04 V/A (IEC 60974-1). The load line is where it begins to break. The factor has no source: it puts the end of a
-/// 130 A arc at 11 mm.
+/// Returns the length (m) beyond which an arc of `current` (A) goes out: it would need 1.35 times the machine's load
+/// line, 10 V + 0.04 V/A (IEC 60974-1). At the load line itself it begins to break. The factor has no source: it puts
+/// the end of a 130 A arc at 11 mm.
 double gtawLongestArc(double current);
 
 class Gtaw : public RodProcess {

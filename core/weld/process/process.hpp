@@ -35,7 +35,7 @@ struct TorchRay {
     float reach = 0.05F;      ///< m, length in which metal is looked for
 };
 
-/// The metal under the torch's axis.
+/// The metal on the torch's axis.
 struct MetalAhead {
     float distance = std::numeric_limits<float>::infinity(); ///< m from the ray's origin; infinite: none in reach
     float liquid = 0;                                        ///< 0..1, share of liquid there

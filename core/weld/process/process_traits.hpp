@@ -20,15 +20,15 @@ enum class DistanceKind { ctwd, arcLength };
 enum class Striking {
     none,  ///< there is no arc
     spark, ///< a spark jumps to the metal
-    wire,  ///< by itself when the wire reaches the metal
-    touch, ///< when the electrode touches and is lifted
+    wire,  ///< start by itself when the wire reaches the metal
+    touch, ///< start when the electrode touches and is lifted
 };
 
 /// Cover of the pool against the air.
 enum class Shielding {
     none,
-    gas,  ///< from the torch's nozzle
-    slag, ///< from the electrode's covering, with the gas that it gives off
+    gas,  ///< gas from the torch's nozzle
+    slag, ///< slag and gas from the electrode's covering
 };
 
 /// The tool in the hand. core/scene draws a model and fittings for each.
@@ -38,8 +38,8 @@ enum class TorchShape { wireTorch, tungstenTorch, electrodeHolder, burner, iron 
 struct ProcessSound {
     float quiet = 0, loud = 0;         ///< noise of the open arc, at the length of the set values and when it goes out
     float lowPitch = 0, highPitch = 0; ///< Hz, middle of its band at these lengths
-    bool crackles = false;             ///< the electrode's covering pops
-    bool scratches = false;            ///< the electrode is drawn over the metal before it strikes
+    bool crackles = false;             ///< true if the electrode's covering pops
+    bool scratches = false;            ///< true if the electrode is drawn over the metal before it strikes
     float roar = 0;                    ///< level of a flame, the trigger pulled through
     double postFlow = 0;               ///< s of gas flow after the arc, at least
     double postFlowPerAmpere = 0;      ///< s/A
@@ -58,8 +58,9 @@ inline constexpr RetiredSetting kRetiredSigma{"sigma_mm",
 struct ProcessTraits {
     std::string_view name{};       ///< name in lessons, records and results
     std::string_view formerName{}; ///< name in lessons of earlier editions; empty: it had none
-    bool arc = false;              ///< current flows: light that needs a visor, heat input, estimated imperfections
-    bool feedsWire = false;        ///< wire comes through the torch, on a machine that holds the voltage
+    /// True if current flows: light that needs a visor, heat input, estimated imperfections.
+    bool arc = false;
+    bool feedsWire = false; ///< wire comes through the torch, on a machine that holds the voltage
     DistanceKind distance = DistanceKind::ctwd;
     Striking striking = Striking::none;
     Shielding shielding = Shielding::none;
@@ -72,7 +73,7 @@ struct ProcessTraits {
     /// cubic metre for a wire, more for a covered electrode, from fume rates of 0.2 to 0.8 g/min) times about 3 m²/g.
     /// No source gives it so near the arc.
     float fume = 0;
-    bool oxideIslands = false; ///< silicon and manganese of the filler float as oxide on a pool of steel
+    bool oxideIslands = false; ///< true if silicon and manganese of the filler float as oxide on a pool of steel
     ProcessSound sound{};
     std::span<const RetiredSetting> retired{};
 };
@@ -80,7 +81,7 @@ struct ProcessTraits {
 /// A setting on the machine's front. Without a unit: nothing is shown.
 struct MachineDisplay {
     float value = 0;
-    std::string_view unit{}; ///< in small letters
+    std::string_view unit{}; ///< unit in small letters
     int digits = 0;          ///< digits after the point
 
     bool operator==(const MachineDisplay&) const = default;

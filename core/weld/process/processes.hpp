@@ -29,7 +29,7 @@ using AllProcesses = ProcessList<Flame,         //
 
 /// The chosen process, and the settings of each: those of the others are unused until they are chosen.
 struct ProcessSettings {
-    int kind = 1; ///< place in AllProcesses
+    int kind = 1; ///< index in AllProcesses
     AllProcesses::Settings each;
 
     template <class P>

@@ -164,7 +164,7 @@ NoArc Smaw::whyNot(const TorchSample& torch, double length, double seconds) {
     if (noArc_ == NoArc::stuck) {
         if (turnBetween(held_, torch.orientation) < kSmawFrees) return NoArc::stuck;
         touching_ = 0;
-        live_ = false; // it must be struck again
+        live_ = false; // the arc must be struck again
     }
     if (standing() <= kSmawStub) return NoArc::usedUp;
     const bool lit = noArc_ == NoArc::burns;

@@ -16,14 +16,14 @@ struct SmawSettings {
 };
 ParameterList describe(SmawSettings& settings);
 
-/// "e6013" (rutile), "e7018" (basic), "e6010" (cellulosic).
+/// Returns "e6013" (rutile), "e7018" (basic), "e6010" (cellulosic).
 std::span<const std::string_view> smawElectrodes();
 
 /// Returns the voltage (V) of an arc of `length` (m) and `current` (A) on this electrode. Trade knowledge; no document
 /// was checked.
 double smawVoltage(int electrode, double length, double current);
 
-/// Length (m) beyond which the arc goes out: it would need kSmawReserve times the machine's load line.
+/// Returns the length (m) beyond which the arc goes out: it would need kSmawReserve times the machine's load line.
 double smawLongestArc(int electrode, double current);
 
 /// Returns the speed (m/s) at which `current` (A) burns off a steel core of `diameter` (m): 8.5 to 9.5 g/(A h), by the
@@ -64,8 +64,8 @@ class Smaw : public Process {
 
     SmawSettings settings_;
     NoArc noArc_ = NoArc::released; ///< reason in the last step
-    bool touched_ = false;          ///< the electrode touches
-    bool live_ = false;             ///< it has touched since the arc last went out, and may strike
+    bool touched_ = false;          ///< true if the electrode touches
+    bool live_ = false;             ///< the electrode has touched since the arc last went out, and may strike
     double touching_ = 0;           ///< s since it met the metal
     glm::quat held_{1, 0, 0, 0};    ///< orientation when it stuck
     double burnt_ = 0;              ///< m burnt off the present electrode

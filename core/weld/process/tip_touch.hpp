@@ -9,8 +9,9 @@ namespace meltpool {
 
 /// Distance of the drawn surface of the metal from the tip, m in the workpiece's frame; infinite if none is in reach.
 struct SurfaceDistance {
-    float ahead = std::numeric_limits<float>::infinity();   ///< along the torch's axis; negative: the tip is inside
-    float nearest = std::numeric_limits<float>::infinity(); ///< in any direction; negative: inside
+    /// Distance along the torch's axis; negative: the tip is inside.
+    float ahead = std::numeric_limits<float>::infinity();
+    float nearest = std::numeric_limits<float>::infinity(); ///< distance in any direction; negative: inside
     /// share of liquid in the metal that the torch points at, 0..1.
     float liquid = 0;
     glm::vec3 normal{0, 1, 0}; ///< direction out of the metal at its nearest place

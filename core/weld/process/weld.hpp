@@ -19,7 +19,7 @@ struct WeldSurroundings {
 
 class Weld {
   public:
-    /// Throws InputError where the material lacks what flow or heat need, RuntimeFault without GPU memory.
+    /// Throws InputError if the material lacks a property for flow or heat, RuntimeFault without GPU memory.
     Weld(gl::ShaderLibrary& shaders, const Material& material, const Workpiece& workpiece,
          const ProcessSettings& settings, const WeldSurroundings& surroundings = {});
 

@@ -29,7 +29,7 @@ inline constexpr double kArcFallVoltage = 15.7;
 inline constexpr double kArcField = 1000;
 /// Ohm of the wire's extension and its contact. Control literature; no document was checked.
 inline constexpr double kWireResistance = 0.026;
-/// A, most that the machine gives into a short circuit. A machine of the 500 A class; no document was checked.
+/// A, most that the machine delivers into a short circuit. A machine of the 500 A class; no document was checked.
 inline constexpr double kShortCircuitCurrent = 600;
 /// m from the contact tip to the metal below which the wire cannot come out. No source: chosen.
 inline constexpr double kBlockedTip = 1e-3;
@@ -45,7 +45,7 @@ inline constexpr double kDipTime = 0.05;
 /// voltage of dip transfer goes out. No source: chosen.
 inline constexpr double kLongestDipArc = 3e-3;
 
-// Heat.
+// Heat of the arcs.
 
 /// Share of GTAW's electric power that reaches the metal. Calorimetry of several authors, 0.73 to 0.82. Not the factor
 /// of EN 1011-1, which is for procedure sheets.
@@ -62,7 +62,8 @@ inline constexpr float kSprayDropSpeed = 1.0F;
 /// Times the radius of heat measured on copper anodes with GTAW, see arcHeatRadius(). Fitted on B: GMAW arcs are
 /// narrower.
 inline constexpr double kArcSpread = 0.45;
-/// m; a shorter arc spreads its heat as one of this length does: the mean length in dip transfer. Fitted on A.
+/// m, shortest length in the arc's spread: a shorter arc spreads its heat as one of this length, the mean length in dip
+/// transfer. Fitted on A.
 inline constexpr double kShortestSpread = 0.5e-3;
 /// m, radius of heat of GMAW in spray transfer, whose arc envelops the wire's end, at any arc length, at the current
 /// below. Fitted on A and C; 0.53 mm (I/A)^0.294, as measured on copper anodes with GTAW, gives 2.6 mm there.

@@ -115,7 +115,7 @@ void WireArc::feedInAir(const WireFeed& feed, double distance, double seconds) {
 
 void WireArc::burn(const WireFeed& feed, double distance, double seconds) {
     const double before = extension_;
-    // Rises with the extension: the longer the wire, the shorter the arc and the more it melts.
+    // The excess rises with the extension: the longer the wire, the shorter the arc and the more it melts.
     const auto excess = [&](double extension) {
         const double current = openArcCurrent(feed, distance - extension);
         return extension - before - seconds * (feed.speed - meltingSpeed(feed, current, feed.voltage, extension));

@@ -14,7 +14,7 @@ constexpr double kFastest = 9; // Hz
 } // namespace
 
 HandTremor::HandTremor(std::uint32_t seed) {
-    // The generator's numbers, unlike the library's distributions, are the same everywhere.
+    // The generator's numbers, unlike the library's distributions, are equal on every platform.
     std::mt19937 numbers(seed);
     const auto share = [&] { return static_cast<double>(numbers()) / 4294967296.0; };
     for (auto& axis : swings_)

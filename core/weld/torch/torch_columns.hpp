@@ -34,8 +34,8 @@ enum class TimeUnitName { none, seconds, other };
 
 /// The header of a torch path.
 struct TorchHeader {
-    std::array<FoundColumn, kTorchColumns> torch; ///< in the order of torchColumns()
-    std::array<FoundColumn, kRodColumns> rod;     ///< in the order of rodColumns()
+    std::array<FoundColumn, kTorchColumns> torch; ///< columns in the order of torchColumns()
+    std::array<FoundColumn, kRodColumns> rod;     ///< columns in the order of rodColumns()
     bool hasRod = false;
     std::vector<std::size_t> further; ///< indices of all other columns
     TimeUnitName timeUnit = TimeUnitName::none;

@@ -88,7 +88,7 @@ class Author {
         }
     }
 
-    /// With the trigger released the torch is held for the next seam, so that it strikes as it goes on to weld.
+    /// Holds a torch with released trigger for the next seam, so that it strikes as it goes on to weld.
     void takeSeam(size_t move) {
         if (trigger_ == 0 && move < seams_.size() && seams_[move]) direction_ = *seams_[move];
     }

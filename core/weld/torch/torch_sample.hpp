@@ -22,7 +22,7 @@ struct TorchSample {
     glm::vec3 tip{0.0f};                           ///< m, workpiece frame: x along the seam, y out, z to the welder
     glm::quat orientation{1.0f, 0.0f, 0.0f, 0.0f}; ///< orientation of the torch in the workpiece frame; unit length
     float trigger = 0;                             ///< 0 released .. 1 pulled through
-    std::optional<RodSample> rod = {};             ///< while a second hand holds one
+    std::optional<RodSample> rod = {};             ///< filler rod, while a second hand holds one
     bool seen = true; ///< false for a moment of a recorded path without pose: the torch is then at its last seen place
 
     /// Returns the unit vector from the handle to the tip, the direction of the torch.

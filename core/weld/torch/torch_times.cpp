@@ -10,7 +10,7 @@ namespace meltpool {
 
 namespace {
 
-constexpr std::array<const char*, 4> kUnits{"s", "ms", "us", "ns"}; ///< each a thousandth of the one before
+constexpr std::array<const char*, 4> kUnits{"s", "ms", "us", "ns"}; ///< units, each a thousandth of the one before
 constexpr double kLatestDate = 1e11;                                ///< s after 1970: the year 5138
 constexpr double kFarApart = 1;                                     ///< s between rows, which no recorder leaves
 constexpr double kHour = 3600;                                      ///< s

@@ -6,7 +6,7 @@ namespace meltpool {
 
 namespace {
 
-/// A plate is rolled on the faces across its thickness.
+/// Returns a plate, which is rolled on the faces across its thickness.
 RolledPart plate(const glm::vec3& low, const glm::vec3& high) {
     const glm::vec3 size = high - low;
     const float thickness = std::min({size.x, size.y, size.z});

@@ -112,13 +112,14 @@ double WorkpieceShape::volume() const {
     if (is(WorkpieceKind::Pipe)) {
         const double ring = std::numbers::pi * wall * (2 * outer - wall);
         sum = ring * static_cast<double>(p_.widthMm - p_.gapMm);
-        // Guldin's rule: the bevel's centre lies a third of its height under the outer face.
+        // Guldin's rule: the bevel's centre is a third of its height under the outer face.
         length = 2 * std::numbers::pi * (outer - (wall - static_cast<double>(p_.rootFaceMm)) / 3);
     }
     return sum - length * static_cast<double>(bevelRun(p_) * (p_.thicknessMm - p_.rootFaceMm));
 }
 
-/// Clamps hold the ends of plates and pipes, the foot of a cube and the feet of a bridge's piers.
+/// Returns true at a clamp: clamps hold the ends of plates and pipes, the foot of a cube and the feet of a bridge's
+/// piers.
 bool WorkpieceShape::held(glm::vec3 place) const {
     if (is(WorkpieceKind::Cube) || is(WorkpieceKind::Bridge)) return place.y < around().low.y + p_.spacingMm;
     const bool pipe = is(WorkpieceKind::Pipe);
