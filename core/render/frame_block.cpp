@@ -23,8 +23,9 @@ void addSection(FrameData& frame, const SceneView& scene) {
 
 /// An arc burns in a hollow of the metal's surface: the outer part of a block gives no shadow.
 void addShadowBoxes(FrameData& frame, const SceneView& scene) {
-    constexpr float kHollow = 0.2f, kDeepestHollow = 1e-3f; // depths as shares of the block's thickness; m
-    constexpr float kSoft = 0.4f, kLongestSoft = 3e-3f;     // widths of the soft edge, likewise
+    // Depth of the hollow: share of the block's thickness; greatest, m.
+    constexpr float kHollow = 0.2f, kDeepestHollow = 1e-3f;
+    constexpr float kSoft = 0.4f, kLongestSoft = 3e-3f; // width of the soft edge, likewise
     const size_t count = std::min<size_t>(scene.blocks.size(), MOST_SHADOW_BOXES);
     frame.shadowBoxCount = static_cast<int>(count);
     for (size_t i = 0; i < count; ++i) {

@@ -65,7 +65,7 @@ struct SceneView {
     const MaterialLooks* looks = nullptr; ///< physical material; null: LookParameters::material
     FreezingRipples ripples;              ///< ripples of frozen metal, if `looks` names no frequency
     RolledFaces rolled;                   ///< model units; under mill scale if `looks` has some
-    float oxideRadius = 0;                ///< model units, radius of the islands on a pool; 0: none float there
+    float oxideRadius = 0;                ///< radius of the islands on a pool, model units; 0: none float there
     SectionView section;
     ArcLight arc;
     ArcEffectsView effects;

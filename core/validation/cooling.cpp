@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kLongest = 180; // s after the arc that a case waits for
 constexpr int kBetween = 4;      // steps between two looks
-// Spacings between the place and the torch past it, at the first look: drops in flight are no surface.
+// Spacings that the torch is past the place before the first look: drops in flight are no surface.
 constexpr double kBehind = 2.5;
 constexpr double kEightHundred = 1073.15, kFiveHundred = 773.15;
 

@@ -9,7 +9,7 @@ namespace meltpool {
 
 namespace {
 
-/// Share of a drop's fall while the eye gathers a picture. No source: chosen, so that single drops are seen and no
+/// Drawn share of a drop's way while the eye gathers a picture. No source: chosen, so that single drops are seen and no
 /// streak from the wire to the pool.
 constexpr float kShownWay = 0.1F;
 

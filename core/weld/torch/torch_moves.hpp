@@ -19,7 +19,7 @@ struct RodHold {
     glm::vec3 up{0, 1, 0};      ///< direction out of the joint, at right angles to travel
     double angle = kUsualAngle; ///< angle of the rod over the plane across `up`
     double ahead = 1.5e-3;      ///< distance from the electrode's tip ahead to the dipped place
-    double below = 2e-3;        ///< distance of the dipped place under the electrode's tip
+    double below = 2e-3;        ///< distance of the dipped place below the electrode's tip
     double rest = 12e-3;        ///< distance of the rod's tip from there between dips, back along the rod
     double depth = 3.5e-3;      ///< distance of a dip beyond that place
     /// Frequency of the dips, which are a cosine from rest to depth; 0: the rod stays at rest.
