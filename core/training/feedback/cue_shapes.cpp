@@ -12,7 +12,7 @@ namespace meltpool {
 namespace {
 
 constexpr size_t kMostMarkers = 64;
-// Linear sRGB. Blue and vermilion differ for every eye; the place of the mark says the same as its colour.
+// Linear sRGB. Every eye distinguishes blue from vermilion; the mark's place says as much as its colour.
 constexpr glm::vec3 kGround(0.008F, 0.010F, 0.014F);
 constexpr glm::vec3 kTrack(0.04F, 0.05F, 0.06F);
 constexpr glm::vec3 kBand(0.22F, 0.27F, 0.30F);
@@ -22,29 +22,29 @@ constexpr glm::vec3 kBeyond(0.95F, 0.07F, 0.02F);
 constexpr glm::vec3 kDash(0.42F, 0.78F, 0.90F);
 constexpr double kGroundOpacity = 0.6, kBandOpacity = 0.85;
 
-// The torch as what a board keeps clear of: thick from a little behind its tip on, m.
+// Shape of the torch that a board avoids: thick from a little behind its tip on, m.
 constexpr float kTorchFrom = 4e-3F, kTorchTo = 0.1F, kTorchRadius = 9e-3F;
 constexpr int kTorchParts = 12;
 
 constexpr float kCell = kCueBoardHeight / 2; // edge of a field over its distance from the eye
-constexpr float kTile = 0.96F;               // of a field's edge
-constexpr float kHalfBar = 0.36F;            // likewise
-constexpr float kBarWidth = 0.2F;            // likewise
-constexpr float kLayer = 0.01F;              // likewise: distance between what lies on one another
-constexpr float kFarthest = 1.15F;           // of a half bar: a mark beyond the band
-constexpr float kLift = 20e-3F;              // m that the board stands before the pool
-constexpr float kLargestLift = 0.4F;         // of the eye's distance
-constexpr float kClear = 1.15F;              // room between board and pool, of the disc's radius
-constexpr float kClearPerLift = 0.13F; // and of the lift: half the eyes' distance from each other over that to the pool
+constexpr float kTile = 0.96F;               // share of a field's edge
+constexpr float kHalfBar = 0.36F;            // share of a field's edge
+constexpr float kBarWidth = 0.2F;            // share of a field's edge
+constexpr float kLayer = 0.01F;              // share of a field's edge: distance between shapes on top of one another
+constexpr float kFarthest = 1.15F;           // in half bars: a mark beyond the band
+constexpr float kLift = 20e-3F;              // distance of the board before the pool, m
+constexpr float kLargestLift = 0.4F;         // share of the eye's distance
+constexpr float kClear = 1.15F;              // room between board and pool, in disc radii
+constexpr float kClearPerLift = 0.13F; // share of the lift: half the distance between the eyes over their distance from
+                                       // the pool
 
 constexpr double kDashLength = 2.5e-3, kDashPeriod = 4e-3; // m
 constexpr int kDashes = 6;
 constexpr double kDashStart = kPoolDisc + 2e-3;
-constexpr float kDashGround = 2; // width of the dark ground, of a dash
-constexpr float kBesideDisc =
-    1.05F; // of the disc's radius; two points outside may have a chord of the disc between them
-constexpr double kDashLift = 0.8e-3;                                          // m over the seam
-constexpr float kDashWidth = 4e-3F, kThinnest = 0.4e-3F, kThickest = 1.6e-3F; // of the eye's distance; m
+constexpr float kDashGround = 2;     // width of the dark ground, in dash widths
+constexpr float kBesideDisc = 1.05F; // in disc radii; a chord between two points outside may cross the disc
+constexpr double kDashLift = 0.8e-3; // m above the seam
+constexpr float kDashWidth = 4e-3F, kThinnest = 0.4e-3F, kThickest = 1.6e-3F; // share of the eye's distance; m
 
 const glm::vec3& colourOf(BandZone zone) {
     return zone == BandZone::inside ? kInside : zone == BandZone::between ? kBetween : kBeyond;
@@ -54,7 +54,7 @@ glm::mat4 placed(const glm::vec3& middle, const glm::vec3& x, const glm::vec3& y
     return {glm::vec4(x, 0), glm::vec4(y, 0), glm::vec4(z, 0), glm::vec4(middle, 1)};
 }
 
-/// Whether a block lies between eye and point.
+/// True if the block is between eye and point.
 bool hides(const WorkpieceBlock& block, const glm::vec3& eye, const glm::vec3& point) {
     float first = 0, last = 1;
     for (int axis = 0; axis < 3; ++axis) {
@@ -67,12 +67,12 @@ bool hides(const WorkpieceBlock& block, const glm::vec3& eye, const glm::vec3& p
     return first < last;
 }
 
-/// Beyond the edges of the picture, or behind the eye.
+/// True beyond the edges of the picture, or behind the eye.
 bool outside(const glm::vec4& clip) {
     return clip.w <= 0 || std::abs(clip.x) > clip.w || std::abs(clip.y) > clip.w;
 }
 
-/// Whether a point lies, as the eye sees it, before or behind a torch that points at `pool`.
+/// True if, as the eye sees it, the point is before or behind a torch that points at `pool`.
 bool besideTorch(const glm::vec3& pool, const glm::vec3& axis, const glm::vec3& eye, const glm::vec3& point) {
     const glm::vec3 way = glm::normalize(point - eye);
     for (int i = 0; i <= kTorchParts; ++i) {
@@ -91,7 +91,7 @@ bool coversDisc(const glm::vec3& eye, const glm::vec3& point, const glm::vec3& c
     const float down = glm::dot(way, normal);
     if (std::abs(down) < 1e-9F) return false;
     const float share = glm::dot(centre - eye, normal) / down;
-    if (share < 1) return false; // the disc lies before the point, or behind the eye
+    if (share < 1) return false; // the disc is before the point, or behind the eye
     return glm::distance(eye + way * share, centre) < radius;
 }
 
@@ -118,14 +118,14 @@ CueShapes::Board CueShapes::boardAt(const Stand& stand, const glm::vec3& pool, c
     board.up = glm::cross(board.toEye, board.right);
     board.outwards = board.right * stand.side;
     board.cell = kCell * (distance - lift);
-    // What is nearer looks farther from the middle, and the more so from an eye beside the middle.
+    // Nearer things look farther from the middle, the more so from an eye that is off the middle.
     const float clear = kClear * static_cast<float>(kPoolDisc) * (distance - lift) / distance + kClearPerLift * lift;
     board.origin = pool + board.toEye * lift + board.outwards * clear + board.up * (stand.row * board.cell);
     return board;
 }
 
-/// How much of the board is hidden by the workpiece, lies outside the picture, or before or behind the torch; 0:
-/// nothing.
+/// How badly a board is placed: hidden by the workpiece, outside the picture, or before or behind the torch; 0: fully
+/// visible.
 int CueShapes::badness(const Board& board, const CuePose& pose, const glm::vec3& pool, const CueEye& eye,
                        std::span<const WorkpieceBlock> blocks) {
     constexpr int kHidden = 4, kOutside = 2, kAtTorch = 1;
@@ -141,7 +141,7 @@ int CueShapes::badness(const Board& board, const CuePose& pose, const glm::vec3&
     return sum;
 }
 
-/// The last board's place as long as nothing is better, else the first of the best.
+/// The last board's place while none is better, else the first of the best.
 CueShapes::Board CueShapes::boardFor(const CuePose& pose, const SeamFrame& frame, const glm::vec3& pool,
                                      const CueEye& eye, std::span<const WorkpieceBlock> blocks) {
     const glm::vec3 right = boardAt({}, pool, eye).right;
@@ -163,7 +163,7 @@ CueShapes::Board CueShapes::boardFor(const CuePose& pose, const SeamFrame& frame
     return boardAt(stand_, pool, eye);
 }
 
-/// The dark ground of a field.
+/// Adds the dark ground of a field.
 void CueShapes::addTile(const Board& board, const glm::vec3& middle, double opacity) {
     const float edge = kTile * board.cell;
     add(SolidShape::box,
@@ -172,7 +172,7 @@ void CueShapes::addTile(const Board& board, const glm::vec3& middle, double opac
         kGround, kGroundOpacity * opacity);
 }
 
-/// The ground of a bar, the inner band on it, the line of the ideal and the mark; `along` is a unit vector.
+/// Adds the ground of a bar, the inner band on it, the line of the ideal and the mark; `along` is a unit vector.
 void CueShapes::addBar(const Board& board, const Cue& cue, const glm::vec3& middle, const glm::vec3& along) {
     const float cell = board.cell, half = kHalfBar * cell, width = kBarWidth * cell;
     const glm::vec3 across = glm::cross(board.toEye, along), thick = board.toEye * (kLayer * cell);
@@ -189,15 +189,15 @@ void CueShapes::addBar(const Board& board, const Cue& cue, const glm::vec3& midd
     const glm::vec3& colour = colourOf(cue.zone);
     const glm::vec3 place = middle + along * at + board.toEye * (0.12F * cell);
     switch (cue.kind) {
-    case CueKind::speed: // an arrow that points where the torch goes
+    case CueKind::speed: // an arrow in the torch's direction of travel
         add(SolidShape::cone, alongLine(place - along * (0.17F * cell), place + along * (0.17F * cell), 0.3F * cell),
             colour, cue.opacity);
         break;
-    case CueKind::distance: // the torch's end over the metal
+    case CueKind::distance: // the torch's end above the metal
         box(-half, 0.05F * cell, 0.5F * cell, 2, kInside, kBandOpacity);
         box(at, 0.11F * cell, 0.46F * cell, 3, colour, 1);
         break;
-    default: // aim: the seam, and where the torch points
+    default: // aim: the seam, and the point that the torch aims at
         box(0, 0.04F * cell, 0.5F * cell, 2, kInside, kBandOpacity);
         add(SolidShape::sphere,
             placed(place, board.right * (0.24F * cell), board.up * (0.24F * cell), board.toEye * (0.24F * cell)),
@@ -205,7 +205,7 @@ void CueShapes::addBar(const Board& board, const Cue& cue, const glm::vec3& midd
     }
 }
 
-/// A disc whose light middle is the inner band; the dot lies where the torch's handle leans to.
+/// Adds a disc whose light middle is the inner band; the dot shows the lean of the torch's handle.
 void CueShapes::addAngles(const Board& board, const CueList& cues, const SeamFrame& frame, int direction) {
     const Cue* work = cues.find(TechniqueQuantity::workAngle);
     const Cue* travel = cues.find(TechniqueQuantity::travelAngle);
@@ -213,7 +213,7 @@ void CueShapes::addAngles(const Board& board, const CueList& cues, const SeamFra
     const Cue& any = work != nullptr ? *work : *travel;
     const float cell = board.cell, half = kHalfBar * cell, thick = kLayer * cell;
     const glm::vec3 middle = board.field(1.5F, 1.5F);
-    // A handle that pushes leans back.
+    // The handle leans back when the torch pushes.
     const glm::vec3 back = board.shown(glm::vec3(frame.tangent) * (direction < 0 ? 1.0F : -1.0F), board.right);
     const glm::vec3 toWelder = board.shown(glm::vec3(frame.across), -board.up);
     const bool quiet =
@@ -228,7 +228,7 @@ void CueShapes::addAngles(const Board& board, const CueList& cues, const SeamFra
     const auto innerOf = [&](const Cue* cue) {
         return 2 * half * static_cast<float>(cue != nullptr ? std::min(cue->inner, 1.0) : any.inner);
     };
-    // The seam's directions may stand so that one is the other's mirror image; the disc faces the eye either way.
+    // The seam's directions may be mirrored; the disc faces the eye either way.
     const bool mirrored = glm::dot(glm::cross(back, toWelder), board.toEye) < 0;
     disc(back * innerOf(travel), toWelder * (mirrored ? -innerOf(work) : innerOf(work)), 1, kBand, kBandOpacity);
     const auto share = [](const Cue* cue) { return cue != nullptr ? static_cast<float>(cue->share) : 0.0F; };
@@ -242,7 +242,7 @@ void CueShapes::addAngles(const Board& board, const CueList& cues, const SeamFra
         colourOf(std::max(zoneOf(work), zoneOf(travel))), opacity);
 }
 
-/// A line for the metal and an arrow to it or from it; a cross where neither helps. `away`: from the metal, unit.
+/// Adds a line for the metal and an arrow to it or from it; a cross if neither helps. `away`: from the metal, unit.
 void CueShapes::addArcSign(const Board& board, const Cue& cue, const glm::vec3& away) {
     const float cell = board.cell, half = kHalfBar * cell, thick = kLayer * cell;
     const glm::vec3 middle = board.field(1.0F, 2.5F);
@@ -269,13 +269,13 @@ void CueShapes::addArcSign(const Board& board, const Cue& cue, const glm::vec3& 
         cue.opacity);
 }
 
-/// Dashes on the line to aim at, ahead of the pool, to the end of what is to be welded, fainter the farther they are.
+/// Adds dashes on the line to aim at, ahead of the pool, to the end of the wanted seam, fainter with distance.
 void CueShapes::addSeam(const Cue& cue, const Seam& seam, const CuePose& pose, const glm::vec3& pool,
                         const CueEye& eye) {
     const double onward = pose.direction != 0 ? pose.direction : pose.place < (pose.from + pose.to) / 2 ? 1 : -1;
     const glm::vec3 normal(seam.at(pose.place).up);
     const float width = std::clamp(kDashWidth * glm::distance(eye.position, pool), kThinnest, kThickest);
-    // Two eyes stand beside the middle between them.
+    // Each of two eyes is to one side of the middle between them.
     const glm::vec3 apart =
         glm::normalize(glm::cross(eye.up, eye.position - pool)) * (kClearPerLift * glm::distance(eye.position, pool));
     const auto covers = [&](const glm::mat4& dash) {

@@ -1,5 +1,5 @@
-// Cues as they are drawn: a few markers on a board beside the torch's tip that faces the eye, and dashes on the seam
-// ahead. None of them covers the pool.
+// Draws the cues: a few markers on a board that faces the eye, next to the torch's tip, and dashes on the seam ahead.
+// None of them covers the pool.
 #pragma once
 
 #include "core/render/solids.hpp"
@@ -16,74 +16,75 @@
 
 namespace meltpool {
 
-/// m; a disc of this radius on the seam, about the place where the torch points, stays free of cues.
+/// m; a disc of this radius on the seam, around the torch's target, stays free of cues.
 inline constexpr double kPoolDisc = 8e-3;
 
-/// Of the cues' board, over its distance from the eye.
+/// Height of the cues' board over its distance from the eye.
 inline constexpr float kCueBoardHeight = 0.12F;
 
-/// Where the torch welds; workpiece frame, m.
+/// Pose of the torch at the weld; workpiece frame, m.
 struct CuePose {
-    double place = 0; ///< along the seam
-    double aim = 0;   ///< across it
-    double line = 0;  ///< across it, where the lesson wants the torch aimed
+    double place = 0; ///< place along the seam
+    double aim = 0;   ///< aim across the seam
+    double line = 0;  ///< the lesson's aim across the seam
     glm::vec3 axis{0, -1, 0};
-    int direction = 0; ///< of travel: +1 towards growing places, -1, 0 while it is not known
-    double from = 0;   ///< of the wanted seam, places
+    int direction = 0; ///< direction of travel: +1 towards growing places, -1, 0 while unknown
+    double from = 0;   ///< places of the wanted seam
     double to = 0;
 };
 
-/// Who looks: one camera, or the middle between two eyes that are up to a quarter of their distance from the pool
-/// apart. Workpiece frame, m.
+/// The viewer: one camera, or the middle between two eyes whose distance from each other is up to a quarter of their
+/// distance from the pool. Workpiece frame, m.
 struct CueEye {
     glm::vec3 position{0};
-    glm::vec3 up{0, 1, 0};                ///< of the picture; need not be a unit vector, must not point along the view
-    std::optional<glm::mat4> toClip = {}; ///< from the workpiece's frame; none: the picture has no edges
+    glm::vec3 up{0, 1, 0};                ///< up in the picture; need not be a unit vector, must not point along the
+                                          ///< view
+    std::optional<glm::mat4> toClip = {}; ///< from the workpiece's frame; empty: the picture has no edges
 };
 
-/// Whether `point` hides, from an eye there, a part of the disc about `centre` with unit normal `normal`.
+/// True if `point`, seen from `eye`, hides a part of the disc around `centre` with unit normal `normal`.
 bool coversDisc(const glm::vec3& eye, const glm::vec3& point, const glm::vec3& centre, const glm::vec3& normal,
                 float radius);
 
-/// Draws cues. The board stands nearer to the eye than the pool, on the side that the torch travels to; where workpiece
-/// or torch are in the way or the picture ends, lower, on the other side, or nearer still. It grows with the eye's
-/// distance. Its four fields stay where they are:
+/// Draws cues. The board is nearer to the eye than the pool, on the side of the travel direction; if workpiece, torch
+/// or the picture's edge is in the way, it is lower, on the other side, or nearer still. It grows with the eye's
+/// distance. Its four fields keep their places:
 ///
-///     distance  angles
-///     aim       speed
+/// distance  angles
+/// aim       speed
 ///
-/// The marks of distance, aim and speed move along the torch, across and along the seam as these lie in the picture;
-/// the light part of a bar is the inner band, its ends are the outer one. In the disc of the angles the dot is where
-/// the torch's handle leans to. Above them stands the sign that the arc is out.
+/// The marks of distance, aim and speed move in the picture's directions along the torch, across the seam and along the
+/// seam; the light part of a bar is the inner band, its ends are the outer one. In the disc of the angles the dot shows
+/// the lean of the torch's handle. Above them is the sign for an arc that is out.
 class CueShapes {
   public:
     CueShapes();
 
-    /// The markers in the world, from the workpiece's frame by `toWorld`; valid until the next call. Allocates nothing
-    /// after the first. `blocks`: of the workpiece.
+    /// Builds the markers in the world, from the workpiece's frame by `toWorld`; valid until the next call. Allocates
+    /// nothing after the first. `blocks`: blocks of the workpiece.
     std::span<const Marker> build(const CueList& cues, const Seam& seam, const CuePose& pose, const CueEye& eye,
                                   std::span<const WorkpieceBlock> blocks, const glm::mat4& toWorld);
 
   private:
-    /// A plane that faces the eye. Fields are squares of edge `cell`, counted to the outside and up.
+    /// A plane that faces the eye. Its fields are squares of edge `cell`, counted outwards and upwards.
     struct Board {
-        glm::vec3 origin{0}; ///< the inner lower corner of the first field
+        glm::vec3 origin{0}; ///< inner lower corner of the first field
         glm::vec3 right{1, 0, 0};
         glm::vec3 up{0, 1, 0};
         glm::vec3 toEye{0, 0, 1};
-        glm::vec3 outwards{1, 0, 0}; ///< right or left
+        glm::vec3 outwards{1, 0, 0}; ///< to the right or to the left
         float cell = 0;
 
         glm::vec3 field(float column, float row) const { return origin + (outwards * column + up * row) * cell; }
-        /// Unit vector on the board, as the direction lies in the picture.
+        /// Unit vector on the board for the direction's projection in the picture.
         glm::vec3 shown(const glm::vec3& direction, const glm::vec3& otherwise) const;
     };
 
-    /// Where a board stands beside the pool.
+    /// Position of a board next to the pool.
     struct Stand {
         float side = 1; ///< 1 right, -1 left
-        float row = 0;  ///< of the board's lower edge, in fields over the pool
-        float lift = 1; ///< over the usual one
+        float row = 0;  ///< of the board's lower edge, in fields above the pool
+        float lift = 1; ///< factor of the usual lift
     };
 
     static Board boardAt(const Stand& stand, const glm::vec3& pool, const CueEye& eye);
@@ -101,7 +102,7 @@ class CueShapes {
     std::vector<Marker> markers_;
     glm::mat4 toWorld_{1.0f};
     Stand stand_;      ///< of the last board
-    float wanted_ = 0; ///< side that the torch travelled to then
+    float wanted_ = 0; ///< side of the travel direction at that time
 };
 
 } // namespace meltpool

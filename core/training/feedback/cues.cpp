@@ -22,7 +22,7 @@ int demandedDirection(const TechniqueBands* bands) {
     return bands->direction == TravelDirection::forward ? 1 : -1;
 }
 
-/// What the hand does now, with the travel angle for the demanded direction while none is sensed.
+/// Present values of the hand; the travel angle counts along the demanded direction while none is sensed.
 TechniqueValues valuesOf(const Technique& technique, const TechniqueBands& bands) {
     TechniqueValues values = technique.now();
     const int demanded = demandedDirection(&bands);
@@ -31,7 +31,7 @@ TechniqueValues valuesOf(const Technique& technique, const TechniqueBands& bands
     return values;
 }
 
-/// While the torch weaves nobody knows its centre line before the swing has ended.
+/// False while the torch weaves: its centre line is unknown before the swing ends.
 bool knownAtOnce(const TechniqueBands& bands, TechniqueQuantity quantity) {
     const TechniqueBand* weave = bands.find(TechniqueQuantity::weaveWidth);
     return quantity != TechniqueQuantity::aim || weave == nullptr || weave->ideal <= 0;
@@ -55,7 +55,7 @@ bool isPutAside(const TechniqueValues& values, const ArcState& arc) {
                              std::abs(values[TechniqueQuantity::aim]) < kCueReach);
 }
 
-/// 1: the torch is too far from the metal, -1: too near, 0: neither helps; nothing where the arc burns or nobody asks.
+/// 1: the torch is too far from the metal, -1: too near, 0: neither helps; empty if the arc burns or is not wanted.
 std::optional<double> arcFault(NoArc reason) {
     switch (reason) {
     case NoArc::burns:
@@ -166,7 +166,7 @@ CueList liveCues(const Technique& technique, const ArcState& arc, const Techniqu
         for (const CuedQuantity& cued : kCued) {
             const TechniqueBand* band = bands->find(cued.quantity);
             if (band == nullptr || !shown.has(cued.kind) || !knownAtOnce(*bands, cued.quantity)) continue;
-            // Both angles stand in one shape, which fades as a whole.
+            // Both angles share one shape, which fades as a whole.
             const double value = bands->judged(values, technique.direction(), cued.quantity);
             const auto cue = cueOf(cued, *band, value, skill.strength(cued.kind));
             if (cue && cue->opacity > 0) list.add(*cue);

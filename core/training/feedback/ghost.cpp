@@ -13,7 +13,7 @@ namespace meltpool {
 
 namespace {
 
-/// What Technique needs to know of an arc, of a path that knows only its trigger.
+/// Arc state for Technique, from a path that knows only its trigger.
 ArcState arcOf(const TorchSample& torch) {
     ArcState arc;
     arc.action = torch.trigger > 0 ? ArcAction::burning : ArcAction::out;
@@ -21,7 +21,7 @@ ArcState arcOf(const TorchSample& torch) {
     return arc;
 }
 
-/// Keeps a value that is known at one end only.
+/// Interpolates; a value known at one end only is held.
 double between(double a, double b, double share) {
     if (share <= 0 || std::isnan(b)) return a;
     return std::isnan(a) ? b : glm::mix(a, b, share);
@@ -50,8 +50,8 @@ GhostPath::GhostPath(const TorchPath& torch, const Seam& seam, const TechniqueSe
         addReach(i > 0 ? &moments_[i - 1] : nullptr, moments_[i]);
 }
 
-/// Where the path comes back to its farthest place and goes beyond it, both are noted: the place with the time at which
-/// it came back, and the new one.
+/// Notes the farthest place so far. If the path comes back to its farthest place and goes beyond it, both are noted:
+/// that place at the time of the return, and the new one.
 void GhostPath::addReach(const Moment* before, const Moment& moment) {
     const double sign = direction_ < 0 ? -1 : 1, way = sign * moment.place;
     if (before == nullptr) return reached_.push_back({way, moment.time, false});
@@ -98,7 +98,7 @@ std::optional<GhostMoment> GhostPath::atPlace(double place) const {
     if (empty() || !std::isfinite(place)) return std::nullopt;
     const double way = direction_ < 0 ? -place : place;
     if (turn_ <= 0) return atWay(way);
-    // The same place as many turns on as bring it into the path, this one's own turn first.
+    // The place some turns on, within the path; this turn first.
     if (auto here = atWay(way)) return here;
     const double turns = std::ceil((reached_.front().way - way) / turn_);
     return atWay(way + turns * turn_);
@@ -134,7 +134,7 @@ void GhostWords::add(std::string_view key, double amount, int digits) {
 }
 
 GhostWords::GhostWords(const GhostDelta& delta, GhostPace pace) {
-    // Unknown values compare as false.
+    // A comparison with an unknown value is false.
     const double speed = std::round(std::abs(delta.speed) * 1e4) / 10;
     if (speed > 0) add(delta.speed > 0 ? "ghost.faster" : "ghost.slower", speed, 1);
     const auto angle = [&](double radians, std::string_view more, std::string_view less) {

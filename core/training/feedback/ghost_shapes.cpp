@@ -19,21 +19,21 @@ constexpr size_t kMostStrokes = 512;
 constexpr glm::vec3 kGround(0.008F, 0.010F, 0.014F);
 constexpr float kGroundOpacity = 0.6F, kWordsOpacity = 0.95F;
 
-constexpr float kFigure = 0.017F;      // height of a figure over its distance from the eye
-constexpr float kLine = 1.9F;          // height of a line, in figures
-constexpr float kMargin = 0.7F;        // around the words, in figures
-constexpr float kStroke = 0.13F;       // width of a stroke, in figures
-constexpr float kLayer = 0.1F;         // of the ground behind the words, in figures
-constexpr float kOverBoard = 0.2F;     // over the eye's distance: higher than the cues' board
+constexpr float kFigure = 0.017F;      // height of a digit over its distance from the eye
+constexpr float kLine = 1.9F;          // height of a line, in digit heights
+constexpr float kMargin = 0.7F;        // around the words, in digit heights
+constexpr float kStroke = 0.13F;       // width of a stroke, in digit heights
+constexpr float kLayer = 0.1F;         // distance of the ground behind the words, in digit heights
+constexpr float kOverBoard = 0.2F;     // share of the eye's distance: higher than the cues' board
 constexpr float kLift = 20e-3F;        // m before the pool
-constexpr float kLargestLift = 0.4F;   // of the eye's distance
-constexpr float kClear = 1.15F;        // room beside the pool, of the disc's radius
-constexpr float kClearPerLift = 0.13F; // and of the lift, for eyes beside the middle
+constexpr float kLargestLift = 0.4F;   // share of the eye's distance
+constexpr float kClear = 1.15F;        // room around the pool, in disc radii
+constexpr float kClearPerLift = 0.13F; // share of the lift, for eyes off the middle
 
-/// m that a covered electrode's end is shown over the seam, where its path does not say what is left of it.
+/// Height of a covered electrode's end above the seam, m, for a path without the electrode's remaining length.
 constexpr double kElectrodeOver = 3e-3;
 constexpr double kShortestElectrode = 20e-3; // m
-/// Cosine between torch and seam's normal below which the torch lies too flat to tell where its axis meets the seam.
+/// Least cosine between torch and the seam's normal: a flatter torch has no usable point of its axis on the seam.
 constexpr double kFlattest = 0.1;
 
 bool outside(const glm::mat4& toClip, const glm::vec3& point) {
@@ -41,7 +41,7 @@ bool outside(const glm::mat4& toClip, const glm::vec3& point) {
     return clip.w <= 0 || std::abs(clip.x) > clip.w || std::abs(clip.y) > clip.w;
 }
 
-/// As much of a covered electrode as ends over the seam; its path tells where the end of a whole one would be.
+/// Electrode length that ends above the seam; the path holds the end of a whole electrode.
 ArcState arcOf(const GhostMoment& moment, const ProcessSettings& process, const Seam& seam) {
     ArcState arc;
     const double whole = equipmentOf(process).electrodeLength;
@@ -69,13 +69,13 @@ GhostShapes::Page GhostShapes::pageAt(const glm::vec3& pool, const CueEye& eye, 
     page.up = glm::cross(page.toEye, page.right);
     page.side = side;
     page.figure = kFigure * (distance - lift);
-    // What is nearer looks farther from the middle, and the more so from an eye beside the middle.
+    // Nearer things look farther from the middle, the more so from an eye that is off the middle.
     const float clear = kClear * static_cast<float>(kPoolDisc) * (distance - lift) / distance + kClearPerLift * lift;
     page.corner = pool + page.toEye * lift + page.right * (side * clear) + page.up * (row * (distance - lift));
     return page;
 }
 
-/// The first page that lies whole in the picture, else the first of all.
+/// The first page that is wholly in the picture, else the first of all.
 GhostShapes::Page GhostShapes::pageFor(const GhostLook& look, const Seam& seam, const CueEye& eye, float width,
                                        float height) {
     const SeamFrame frame = seam.at(look.hand.place);
@@ -95,7 +95,7 @@ GhostShapes::Page GhostShapes::pageFor(const GhostLook& look, const Seam& seam, 
     return beside;
 }
 
-/// `left` and `base`: where the line begins on the page.
+/// `left` and `base`: start of the line on the page.
 void GhostShapes::addLine(const Page& page, std::string_view text, float left, float base, float opacity,
                           const glm::mat4& toWorld) {
     strokes_.clear();
@@ -106,7 +106,8 @@ void GhostShapes::addLine(const Page& page, std::string_view text, float left, f
     for (const SectionStroke& stroke : strokes_) {
         const glm::vec2 way = stroke.to - stroke.from;
         const float length = glm::length(way);
-        const glm::vec2 end = (length > 0 ? way / length : glm::vec2(1, 0)) * half; // a point is as long as wide
+        const glm::vec2 end = (length > 0 ? way / length : glm::vec2(1, 0)) * half; // a stroke without length is a
+                                                                                    // square
         const glm::vec2 from = stroke.from - end, to = stroke.to + end;
         markers_.push_back({SolidShape::box,
                             toWorld * alongLine(page.at(from.x, from.y), page.at(to.x, to.y), 2 * half), kGhostColour,

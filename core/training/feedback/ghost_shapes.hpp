@@ -1,4 +1,4 @@
-// The ghost as it is drawn: its torch, and beside the pool what the hand does otherwise, in words that face the eye.
+// Draws the ghost: its torch, and next to the pool the differences of the hand in words that face the eye.
 #pragma once
 
 #include "core/render/solids.hpp"
@@ -12,21 +12,21 @@
 
 namespace meltpool {
 
-/// What is drawn of a ghost.
+/// Parts of a ghost to draw.
 struct GhostLook {
     double strength = 1; ///< 0 gone .. 1
-    float size = 1;      ///< of its torch over that of the workpiece
-    CuePose hand;        ///< where one's own torch welds: the words stand beside it, away from the cues' board
+    float size = 1;      ///< scale of its torch relative to the workpiece
+    CuePose hand;        ///< pose of one's own torch: the words are next to it, away from the cues' board
 };
 
-/// Draws a ghost. The words stand where the torch came from, nearer to the eye than the pool; where the picture ends
-/// there, over the cues' board. They leave the pool's disc free, as cues do.
+/// Draws a ghost. The words are on the side that the torch came from, nearer to the eye than the pool; beyond the
+/// picture's edge they move above the cues' board. They leave the pool's disc free, as cues do.
 class GhostShapes {
   public:
     GhostShapes();
 
-    /// The markers in the world, from the workpiece's frame by `toWorld`; valid until the next call. Allocates nothing
-    /// after the first, for words of usual length.
+    /// Builds the markers in the world, from the workpiece's frame by `toWorld`; valid until the next call. Allocates
+    /// nothing after the first, for words of usual length.
     std::span<const Marker> build(const GhostMoment& moment, const GhostWords& words, const ProcessSettings& process,
                                   const Seam& seam, const GhostLook& look, const CueEye& eye, const glm::mat4& toWorld);
 
@@ -37,8 +37,8 @@ class GhostShapes {
         glm::vec3 right{1, 0, 0};
         glm::vec3 up{0, 1, 0};
         glm::vec3 toEye{0, 0, 1};
-        float side = 1;   ///< 1: it lies to the right of its corner, -1: to the left
-        float figure = 0; ///< height of a figure
+        float side = 1;   ///< 1: the page extends to the right of its corner, -1: to the left
+        float figure = 0; ///< height of a digit
 
         glm::vec3 at(float x, float y) const { return corner + right * x + up * y; }
     };

@@ -1,4 +1,4 @@
-// The feel of the arc.
+// Computes the feel of the arc.
 #include "core/training/feedback/haptics.hpp"
 
 #include <algorithm>
@@ -8,14 +8,15 @@ namespace meltpool {
 
 namespace {
 
-constexpr float kRenewal = 0.05f; // s: outlives a frame at 20 Hz, so the hum has no gaps, and ends soon after the last
+constexpr float kRenewal = 0.05f; // s: longer than a frame at 20 Hz, so that the hum has no gaps, and short enough to
+                                  // end soon after the last frame
 constexpr float kKnockFrequency = 60.0f;
-constexpr float kDullFrequency = 35.0f; // of a knock on liquid metal
-constexpr float kDullness = 0.6f;       // share of a knock that liquid metal swallows
-constexpr float kHardKnock = 0.2f;      // m/s from which a knock is felt in full
+constexpr float kDullFrequency = 35.0f; // frequency of a knock on liquid metal
+constexpr float kDullness = 0.6f;       // share of a knock that liquid metal absorbs
+constexpr float kHardKnock = 0.2f;      // m/s of a knock at full strength
 constexpr float kHumFrequency = 170.0f; // near the resonance of common voice-coil motors
 constexpr float kLongArcFrequency = 90.0f;
-constexpr float kPoolDrop = 20.0f; // Hz that a pool takes from the hum
+constexpr float kPoolDrop = 20.0f; // Hz by which a pool lowers the hum
 constexpr float kBuzzFrequency = 45.0f;
 constexpr float kBuzzAmplitude = 0.8f;
 
@@ -37,7 +38,7 @@ Vibration stutter(const Vibration& pulse, double beats) {
     return std::fmod(beats, 1.0) < 0.5 ? pulse : Vibration{};
 }
 
-/// Beats of an arc that drops bridge, since the start.
+/// Beats of the bridging drops since the start.
 double shortBeats(const TipFeel& tip) {
     return tip.arc.shorts > 0 ? tip.shorts / kShortsPerPulse : tip.time * kTouchRate;
 }

@@ -12,7 +12,7 @@ void Sight::open(const SceneView& metal) {
     SpatterGround ground;
     ground.blocks = metal.blocks;
     ground.up = glm::normalize(glm::transpose(glm::mat3(metal.modelToWorld)) * glm::vec3(0, 1, 0));
-    // The table is where the box of the particles ends; along each axis it has its lower end.
+    // The table is at the lower end of the particles' box along each axis.
     const glm::vec3 lowest = glm::mix(metal.boxMax, metal.boxMin, glm::greaterThan(ground.up, glm::vec3(0)));
     ground.table = glm::dot(ground.up, lowest);
     effects_.setGround(ground);

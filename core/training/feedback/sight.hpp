@@ -1,4 +1,4 @@
-// What is seen to fly about the arc, from the same step that is heard: one arc for eye and ear.
+// Shows the sparks of the arc, from the steps that the sound plays: one arc for eye and ear.
 #pragma once
 
 #include "core/render/effects/arc_effects.hpp"
@@ -9,15 +9,15 @@ namespace meltpool {
 
 class Sight {
   public:
-    /// Takes over what the metal's scene says of workpiece and table. What the scene lends of them must outlive this.
+    /// Takes workpiece and table from the metal's scene. Objects that the scene lends must outlive this.
     void open(const SceneView& metal);
-    /// Another attempt, or another moment of this one. Spatter is no part of a checkpoint: after a seek nothing flies
-    /// or lies but what comes from there on, which is the same as it was.
+    /// Starts another attempt, or another moment of this one. Spatter is not part of a checkpoint: after a seek only
+    /// new spatter is shown, equal to the original one.
     void reset() { effects_.reset(); }
     /// `heard`: the step, with its short circuits; `number`: steps since the start.
     void step(const ProcessSettings& process, const SoundStep& heard, const TorchSample& torch, std::uint64_t number);
 
-    /// As after the last step. What it lends is valid until the next call.
+    /// The view after the last step. Its references are valid until the next call.
     ArcEffectsView view() { return effects_.view(); }
     const ArcEffects& effects() const { return effects_; }
 

@@ -11,11 +11,11 @@ namespace {
 
 constexpr double kMemory = 0.4;      // s over which the evenness of short circuits is judged
 constexpr double kUneven = 0.35;     // standard deviation of their rate over its mean
-constexpr double kLeastRate = 10;    // 1/s that are told as short circuits
-constexpr double kForgotten = 5;     // 1/s of weighted rate below which an arc without them has none any more
+constexpr double kLeastRate = 10;    // 1/s, least rate that is called short circuits
+constexpr double kForgotten = 5;     // 1/s, weighted rate below which the last short circuits no longer count
 constexpr float kLongArc = 0.5F;     // stretch
 constexpr float kFastDrops = 100;    // 1/s: a hum
-constexpr double kMomentStays = 1.0; // s that ticks and strokes are told
+constexpr double kMomentStays = 1.0; // s that a caption of ticks and strokes stays
 
 } // namespace
 

@@ -1,4 +1,4 @@
-// What a lesson in progress gives to whoever listens: its steps for the thread that plays them, and the caption.
+// Passes the steps of a running lesson to the thread that plays them, and to the caption.
 #pragma once
 
 #include "core/training/feedback/sound/captions.hpp"
@@ -11,17 +11,17 @@
 
 namespace meltpool {
 
-/// Steps on their way from the thread that makes them to the one that plays them. Neither ever waits, and nothing is
-/// allocated. One thread pushes and one pops.
+/// A queue of steps from the thread that makes them to the thread that plays them. Neither ever waits, and it allocates
+/// nothing. One thread pushes and one pops.
 class SoundFeed {
   public:
-    static constexpr size_t kRoom = 64; ///< steps: 0.7 s of the longest
+    static constexpr size_t kRoom = 64; ///< steps: 0.7 s of the longest ones
 
-    /// False, and the step is not heard, where nobody has popped for long.
+    /// Returns false and drops the step when the queue is full.
     bool push(const SoundStep& step);
-    /// False where there is none.
+    /// False if the queue is empty.
     bool pop(SoundStep& step);
-    /// Steps that wait; for the thread that pops.
+    /// Steps in the queue; for the thread that pops.
     size_t waiting() const;
 
   private:
@@ -33,9 +33,9 @@ class SoundFeed {
 class Ear {
   public:
     void hear(const SoundStep& step);
-    /// Another lesson or attempt.
+    /// Starts another lesson or attempt.
     void reset() { captions_.reset(); }
-    /// The slag is chipped off with the next step: `strokes` of the hammer.
+    /// Chips off the slag with the next step: `strokes` of the hammer.
     void chip(int strokes) { chips_ += strokes; }
 
     std::string_view caption() const { return captions_.text(); }

@@ -8,7 +8,7 @@ bool ignitesAgain(ArcAction action) {
     return action == ArcAction::shorting || action == ArcAction::burning || action == ArcAction::breaking;
 }
 
-/// -1..1, another number for each count.
+/// A pseudo-random number -1..1 for each count.
 double scatter(std::uint64_t count) {
     // The finaliser of SplitMix64 (Steele, Lea, Flood 2014): neighbouring counts give unrelated numbers.
     std::uint64_t mixed = (count + 1) * 0x9E3779B97F4A7C15ULL;

@@ -7,8 +7,8 @@ namespace meltpool {
 
 namespace {
 
-constexpr float kClick = 0.6F;  // amplitude of a step of kFullArcPower
-constexpr float kStrike = 0.5F; // the same of a strike
+constexpr float kClick = 0.6F;  // amplitude of a jump of kFullArcPower
+constexpr float kStrike = 0.5F; // amplitude of a strike
 constexpr float kTick = 0.06F;
 constexpr float kChip = 0.16F;
 constexpr float kStubPitch = 45; // Hz
@@ -43,7 +43,7 @@ void Sound::begin(const SoundStep& step) {
 
 void Sound::beginEvents(size_t sample) {
     const auto now = static_cast<float>(sample + 1) / kRate;
-    // A short circuit at the very end of a step begins with the last sample that there is.
+    // A short circuit at the very end of a step begins with the last sample.
     const bool last = left_ == 1;
     for (; nextShort_ < shortCount_ && (shorts_[nextShort_].at < now || last); ++nextShort_)
         click_.strike(kClick * std::clamp(shorts_[nextShort_].power / kFullArcPower, 0.0F, 1.0F));

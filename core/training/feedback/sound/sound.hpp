@@ -1,5 +1,4 @@
-// The sound of a lesson's steps, computed sample by sample from the state of the arc; nothing is played from a
-// recording.
+// Synthesises the sound of a lesson's steps sample by sample from the state of the arc, without recordings.
 #pragma once
 
 #include "core/training/feedback/sound/sound_state.hpp"
@@ -11,20 +10,20 @@
 
 namespace meltpool {
 
-/// Synthesises one channel. The same steps give the same samples, to the last bit. Allocates nothing.
+/// Synthesises one channel. Equal steps give equal samples, to the last bit. Allocates nothing.
 class Sound {
   public:
     static constexpr int kRate = kSoundRate;
 
-    /// Goes on with a step; read() then gives its samples. What is left of the one before is dropped.
+    /// Starts a step; read() then gives its samples. Drops unread samples of the step before.
     void begin(const SoundStep& step);
-    /// Samples of the step that have not been read.
+    /// Unread samples of the step.
     size_t left() const { return left_; }
-    /// Reads the next samples of the step, -1..1, never at the ends: as many as `out` holds or are left. Answers how
-    /// many.
+    /// Reads the next samples of the step, -1..1, without reaching either end: as many as `out` holds or are left.
+    /// Returns their number.
     size_t read(std::span<float> out);
 
-    /// What is heard now.
+    /// State of the present sound.
     const SoundState& state() const { return state_; }
 
   private:
@@ -36,7 +35,7 @@ class Sound {
     size_t shortCount_ = 0;
     size_t nextShort_ = 0;
     int chips_ = 0;
-    double owed_ = 0; ///< samples that the steps so far were longer than what was given
+    double owed_ = 0; ///< samples that the steps so far lasted beyond the samples given
     size_t left_ = 0;
     size_t done_ = 0;
     size_t untilChip_ = 0; ///< samples

@@ -6,8 +6,8 @@ namespace meltpool {
 
 namespace {
 
-constexpr float kPulled = 0.05F;       // of a trigger
-constexpr float kScratchSpeed = 0.05F; // m/s at which the scratch is loudest
+constexpr float kPulled = 0.05F;       // least value of a pulled trigger
+constexpr float kScratchSpeed = 0.05F; // m/s of the loudest scratch
 constexpr float kTouches = 0.3e-3F;    // m
 
 void hearArc(const SoundStep& step, SoundLevels& levels) {
@@ -19,7 +19,7 @@ void hearArc(const SoundStep& step, SoundLevels& levels) {
         levels.hiss = strength * (sound.quiet + (sound.loud - sound.quiet) * arc.stretch);
         levels.hissPitch = sound.lowPitch + (sound.highPitch - sound.lowPitch) * arc.stretch;
     }
-    if (arc.action == ArcAction::shorting) { // what is left of the noise between two short circuits
+    if (arc.action == ArcAction::shorting) { // share of the noise between two short circuits
         levels.hiss = 0.5F * sound.quiet;
         levels.hissPitch = sound.lowPitch;
     }
@@ -39,7 +39,7 @@ void hearArc(const SoundStep& step, SoundLevels& levels) {
     if (arc.action == ArcAction::stubbed) levels.stub = 0.18F;
 }
 
-/// The end of an electrode that is drawn over the metal while no arc burns.
+/// Loudness of an electrode's end that scratches over the metal without an arc.
 float scratchOf(const SoundStep& step) {
     if (!step.process->sound.scratches || step.arc.burns() || step.trigger < kPulled || step.arc.distance > kTouches)
         return 0;
@@ -87,7 +87,7 @@ void SoundState::followCooling(const SoundStep& step) {
         return;
     }
     if (lastTick_ - step.hottest < kTickStep) return;
-    ticks_ = 1; // one a step: two at once would be heard as one
+    ticks_ = 1; // one tick a step: two at once sound like one
     lastTick_ -= kTickStep;
 }
 

@@ -1,4 +1,4 @@
-// The sound of a whole run, kept for a file.
+// Stores the sound of a whole run, for a file.
 #pragma once
 
 #include "core/training/feedback/sound/sound.hpp"
@@ -11,11 +11,11 @@ namespace meltpool {
 
 class SoundTrack {
   public:
-    /// Adds a step's sound: some 96 kB a second of it.
+    /// Adds the sound of a step: some 96 kB a second.
     void add(const SoundStep& step);
     /// Samples so far, one channel of Sound::kRate.
     const std::vector<std::int16_t>& samples() const { return samples_; }
-    /// Writes them as a WAV file. Throws as writeFile() does.
+    /// Writes the samples as a WAV file. Throws as writeFile() does.
     void write(const std::filesystem::path& file) const;
 
   private:

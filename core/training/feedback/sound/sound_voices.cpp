@@ -11,10 +11,10 @@ namespace {
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kRate = kSoundRate;
 constexpr float kWhite = 0.57735F;    // root mean square of even noise from -1 to 1
-constexpr float kTiny = 1e-9F;        // below it nothing is heard, and processors are slow with far smaller numbers
+constexpr float kTiny = 1e-9F;        // inaudible below this, and processors are slow with far smaller numbers
 constexpr double kHighestBand = 9000; // Hz
 constexpr int kOvertones = 6;
-constexpr float kHumScale = 1.16F; // root mean square 1 of kOvertones: sqrt(2 / (1 + 1/4 + ... + 1/36))
+constexpr float kHumScale = 1.16F; // scales kOvertones to root mean square 1: sqrt(2 / (1 + 1/4 + ... + 1/36))
 constexpr double kPopDecay = 0.9e-3;
 
 } // namespace
@@ -80,7 +80,7 @@ float HumVoice::next() {
     phase_ += advance_;
     phase_ -= std::floor(phase_);
     if (level <= kTiny) return 0;
-    // sin(n x) from the two before it.
+    // The sine of n x follows from the two before it.
     const double sine = std::sin(kTurn * phase_), twice = 2 * std::cos(kTurn * phase_);
     double before = 0, tone = sine, sum = 0;
     for (int n = 1; n <= kOvertones; ++n) {

@@ -1,4 +1,4 @@
-// The parts of which the sound is made: noise, bands of noise, hums, pops, and what rings after a blow.
+// Makes the parts of the sound: noise, bands of noise, hums, pops, and the ringing after a blow.
 #pragma once
 
 #include <cstddef>
@@ -11,19 +11,19 @@ inline constexpr int kSoundRate = 48000; ///< samples a second
 /// White noise from a shift register (Marsaglia 2003, xorshift32).
 class NoiseSource {
   public:
-    /// -1..1, even; its root mean square is 0.577.
+    /// Next sample, -1..1, evenly distributed; its root mean square is 0.577.
     float next();
-    /// 0..1.
+    /// Next number, 0..1.
     float share() { return 0.5F * (next() + 1); }
 
   private:
     std::uint32_t state_ = 0x9D2C5680U;
 };
 
-/// A level that goes over to each new one within the step, so that nothing clicks that shall not.
+/// A level that moves to each new value within the step, so that a change does not click.
 class Ramp {
   public:
-    /// `samples` until it is there.
+    /// Reaches `level` after `samples`.
     void to(float level, size_t samples);
     float next();
 
@@ -35,7 +35,7 @@ class Ramp {
 /// NoiseSource.
 class NoiseBand {
   public:
-    /// `level`: root mean square of what comes out; `pitch`: Hz, middle of the band; `quality`: pitch over its width.
+    /// `level`: root mean square of the output; `pitch`: Hz, centre of the band; `quality`: pitch over its width.
     void set(float level, float pitch, float quality, size_t samples);
     float next(float noise);
 
@@ -49,10 +49,10 @@ class NoiseBand {
 /// A tone with overtones 1/n.
 class HumVoice {
   public:
-    /// `level`: root mean square; `pitch`: Hz, 0 keeps the last one.
+    /// `level`: root mean square; `pitch`: Hz, 0 leaves it unchanged.
     void set(float level, float pitch, size_t samples);
     float next();
-    /// 0..1, of the tone's period.
+    /// Phase of the tone's period, 0..1.
     double phase() const { return phase_; }
 
   private:
@@ -65,7 +65,7 @@ class PopVoice {
   public:
     /// `level`: root mean square; `rate`: 1/s.
     void set(float level, float rate, size_t samples);
-    /// `noise`: of which the bursts are cut, its root mean square 1.
+    /// `noise`: source of the bursts, root mean square 1.
     float next(NoiseSource& chance, float noise);
 
   private:
@@ -76,7 +76,7 @@ class PopVoice {
 /// A tone that dies away after each blow.
 class Ringing {
   public:
-    /// `pitch`: Hz; `decay`: s after which 1/e of it is left.
+    /// `pitch`: Hz; `decay`: s until 1/e of it is left.
     Ringing(double pitch, double decay);
     void strike(float amplitude) { cosine_ += amplitude; }
     float next();
@@ -86,7 +86,7 @@ class Ringing {
     float cosine_ = 0, sine_ = 0;
 };
 
-/// -1..1 of whatever was added up: straight up to 0.7, then ever flatter; never reaches 0.99.
+/// Limits a sum to -1..1: linear up to 0.7, then ever flatter; never reaches 0.99.
 float limited(float sum);
 
 } // namespace meltpool

@@ -12,7 +12,7 @@ namespace {
 constexpr int kBytesPerSample = 2;
 constexpr std::uint64_t kHead = 44;
 
-/// The lowest `count` bytes of `value`, lowest first.
+/// Appends the lowest `count` bytes of `value`, lowest first.
 void append(std::string& bytes, std::uint64_t value, int count) {
     for (int i = 0; i < count; ++i)
         bytes += static_cast<char>((value >> (8 * i)) & 0xFF);
@@ -34,7 +34,7 @@ std::string wavBytes(std::span<const std::int16_t> samples, int channels, int ra
     bytes += "RIFF";
     append(bytes, data + kHead - 8, 4);
     bytes += "WAVEfmt ";
-    append(bytes, 16, 4); // length of what follows, up to "data"
+    append(bytes, 16, 4); // bytes from here up to "data"
     append(bytes, 1, 2);  // PCM
     append(bytes, static_cast<std::uint64_t>(channels), 2);
     append(bytes, static_cast<std::uint64_t>(rate), 4);
