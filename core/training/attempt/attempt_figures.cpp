@@ -50,7 +50,8 @@ ComparedFigure figureOf(const ArcRow& row) {
     return figure;
 }
 
-/// What of a hand is told as another way of leading the torch, and how much is as much as that of another quantity.
+/// Reporting scale of a quantity of the hand: the smallest difference that counts, and the difference that weighs as
+/// much as one of another quantity.
 struct HandScale {
     std::string_view unit;
     double least, much;
@@ -74,7 +75,7 @@ ComparedFigure figureOf(const QuantityInfo& info) {
     return figure;
 }
 
-/// Mean of a quantity over the judged millimetres, in its unit; NaN where none knows it.
+/// Mean of a quantity over the judged millimetres, in its unit; NaN if no millimetre knows it.
 double meanOf(std::span<const SeamMillimetre> seam, const QuantityInfo& info) {
     double sum = 0;
     int count = 0;
@@ -93,7 +94,7 @@ void addArc(AttemptFigures& figures, const Judgement& judgement, const ProcessSe
     figures.values["seconds"] = arc.seconds;
     figures.values["mean_current_a"] = arc.meanCurrent();
     figures.values["mean_voltage_v"] = arc.meanVoltage();
-    const double length = static_cast<double>(judgement.seam.size()) * 1e-3; // as result.json has it
+    const double length = static_cast<double>(judgement.seam.size()) * 1e-3; // rounded as in result.json
     if (const auto efficiency = traitsOf(process).efficiency; efficiency && length > 0)
         figures.values["heat_input_kj_mm"] = arc.heatInput(*efficiency, length) * 1e-6;
 }

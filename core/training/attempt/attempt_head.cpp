@@ -12,7 +12,7 @@ namespace meltpool {
 
 namespace {
 
-/// A damaged file may claim any number; a person makes fewer.
+/// A damaged file may claim any number; no trainee makes this many attempts.
 constexpr std::int64_t kMostAttempts = 1'000'000;
 
 struct TextLine {

@@ -7,14 +7,14 @@ namespace meltpool {
 
 namespace {
 
-/// Word number `i`; zeros stand for bytes behind the end.
+/// Word number `i`; bytes behind the end count as zeros.
 std::uint32_t wordAt(std::span<const std::byte> bytes, size_t i) {
     std::uint32_t word = 0;
     if (4 * i + 4 <= bytes.size()) std::memcpy(&word, bytes.data() + 4 * i, 4);
     return word;
 }
 
-/// The words of a block as they differ from the reference's.
+/// Yields the words of a block as differences from the reference's.
 class Differences {
   public:
     Differences(std::span<const std::byte> reference, bool list) : reference_(reference), list_(list) {}
@@ -33,7 +33,7 @@ class Differences {
     }
 
   private:
-    /// What the reference has in this place, in the same form.
+    /// The reference's word in this place, in the same form.
     std::uint32_t next(size_t i) {
         const std::uint32_t word = wordAt(reference_, i);
         const std::uint32_t value = list_ ? word - referenceBefore_ : word;
@@ -46,7 +46,8 @@ class Differences {
     std::uint32_t before_ = 0, referenceBefore_ = 0;
 };
 
-/// Where word number `i` of `words` stands: columns one after the other, then the words that make no whole row.
+/// Index of word number `i` of `words` in the coded block: columns one after the other, then the words that fill no
+/// whole row.
 size_t placeOf(size_t i, size_t words, size_t rowWords) {
     const size_t rows = words / rowWords;
     return i < rows * rowWords ? i % rowWords * rows + i / rowWords : i;

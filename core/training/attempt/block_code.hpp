@@ -1,4 +1,4 @@
-// How a block of a state becomes bytes that compress well, and back.
+// Codes a block of a state into bytes that compress well, and back.
 #pragma once
 
 #include "core/gl/state_archive.hpp"
@@ -8,15 +8,15 @@
 
 namespace meltpool {
 
-/// Bytes of a block of this part; the last one may be shorter. Whole rows of a table.
+/// Bytes of a block of this part, in whole rows of a table; the last block may be shorter.
 inline size_t blockBytes(const gl::StatePart& part) {
-    constexpr size_t kWords = 1024; // of each column
+    constexpr size_t kWords = 1024; // words of each column
     return kWords * 4 * part.rowWords;
 }
 
-/// `reference`: of the same place in another state; shorter where there is less, what is missing counts as zeros.
-/// `part`: what the block is of. Writes own.size() bytes to `coded`: what differs, the lowest bytes of all words first,
-/// column by column.
+/// `reference`: bytes of the same place in another state; missing ones count as zeros. `part`: description of the
+/// block's part. Writes own.size() bytes to `coded`: the differences, the lowest bytes of all words first, column by
+/// column.
 void codeBlock(std::span<const std::byte> own, std::span<const std::byte> reference, const gl::StatePart& part,
                std::byte* coded);
 

@@ -1,4 +1,4 @@
-// The whole state of a lesson in progress at one moment: from here on the same torch gives the same bits.
+// A checkpoint holds the whole state of a running lesson: from it the same torch gives the same bits.
 #pragma once
 
 #include "core/gl/state_archive.hpp"
@@ -11,31 +11,31 @@ namespace meltpool {
 
 /// Made by Trainer::save() and Trainer::capture(), taken by Trainer::restore().
 ///
-/// What only grows, the measured steps of the hand, may be in it in part only: from step `historyFrom` on. Then it can
-/// be restored where the steps before that are known still, as they are in the attempt that it was saved in.
+/// The measured steps of the hand only grow, so a checkpoint may hold them from step `historyFrom` on alone. Such a
+/// checkpoint can be restored only in the attempt that made it, where the earlier steps are still known.
 struct Checkpoint {
-    size_t step = 0;            ///< that were made since the lesson's start
-    double time = 0;            ///< s of the metal's time
-    std::uint64_t identity = 0; ///< of lesson, workpiece and process
+    size_t step = 0;            ///< steps since the lesson's start
+    double time = 0;            ///< metal time, s
+    std::uint64_t identity = 0; ///< hash of lesson, workpiece and process
     size_t historyFrom = 0;     ///< first step of the hand in `history`
-    size_t historyTo = 0;       ///< the step behind the last
-    double historyTime = 0;     ///< s, time of the step before the first, by which it is known again; 0 for none
+    size_t historyTo = 0;       ///< step behind the last one in `history`
+    double historyTime = 0;     ///< s, time of the step before the first, used to recognise it; 0: no such step
     std::vector<std::byte> history;
-    std::vector<gl::StatePart> parts; ///< that `bytes` consist of
+    std::vector<gl::StatePart> parts; ///< parts of `bytes`, in order
     std::vector<std::byte> bytes;
-    std::uint64_t hash = 0; ///< of all the above, see seal()
+    std::uint64_t hash = 0; ///< hash of all the above, see seal()
 };
 
-/// Of everything in it but `hash`.
+/// Hash of everything in the checkpoint except `hash`.
 std::uint64_t hashOf(const Checkpoint& checkpoint);
 
-/// After the last change to it.
+/// Sets the hash. Call it after the last change.
 void seal(Checkpoint& checkpoint);
 
-/// Throws InputError where anything in it changed since seal().
+/// Throws InputError if anything in it changed since seal().
 void requireWhole(const Checkpoint& checkpoint);
 
-/// Memory, bytes.
+/// Memory in bytes.
 size_t sizeOf(const Checkpoint& checkpoint);
 
 } // namespace meltpool

@@ -4,7 +4,7 @@ namespace meltpool {
 
 namespace {
 
-// More than any lesson has, so that a frame allocates nothing.
+// More parts than any lesson has, so that a frame allocates nothing.
 constexpr size_t kParts = 256;
 constexpr size_t kNumbers = size_t(1) << 16; // bytes
 constexpr size_t kHistory = size_t(1) << 18; // bytes: half a minute of steps

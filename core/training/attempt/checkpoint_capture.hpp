@@ -1,34 +1,35 @@
-// A checkpoint on its way from the GPU.
+// Copies a checkpoint from the GPU without waiting.
 #pragma once
 
 #include "core/training/attempt/checkpoint.hpp"
 
 namespace meltpool {
 
-/// Trainer::capture() begins it; frames later it has arrived and can be taken. Its memory is kept from one checkpoint
-/// to the next, so that a frame in which one begins allocates nothing.
+/// Trainer::capture() starts it; some frames later the copy has arrived and can be taken. The memory is reused for the
+/// next checkpoint, so that a frame that starts one allocates nothing.
 class CheckpointCapture {
   public:
     CheckpointCapture();
 
-    /// For Trainer: what is known at once goes into the head, the rest to state(). Drops what was under way.
+    /// For Trainer: fill the returned head at once and send the rest to state(). Drops a capture in progress.
     Checkpoint& begin();
     gl::StateParts& state() { return *parts_; }
-    /// For Trainer: copies on the GPU, without waiting.
+    /// For Trainer: starts the copy on the GPU, without waiting.
     void request() { capture_.request(); }
 
-    /// Whether it has come; never waits.
+    /// True once the copy has arrived; never waits.
     bool arrived() { return capture_.arrived(); }
     void wait() { capture_.wait(); }
 
-    /// Fills `checkpoint` and seals it; once it has arrived. Any thread may do this, but the next begin() must wait.
+    /// Fills `checkpoint` and seals it. Call it only after arrived(). Any thread may call it, but the next begin() must
+    /// wait for it.
     void take(Checkpoint& checkpoint) const;
 
-    /// Memory, CPU and GPU, bytes.
+    /// Memory of CPU and GPU, bytes.
     size_t bytes() const { return capture_.bytes() + head_.history.capacity(); }
 
   private:
-    Checkpoint head_; ///< all but the state
+    Checkpoint head_; ///< everything except the state
     gl::StateCapture capture_;
     gl::StateParts* parts_;
 };

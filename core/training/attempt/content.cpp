@@ -13,15 +13,15 @@ namespace meltpool {
 
 namespace {
 
-constexpr double kLongest = 86400;        ///< s, as of a torch path
-constexpr float kFarthest = 100;          ///< m, the same
-constexpr double kQuaternionSlack = 5e-4; ///< of a length of 1
-constexpr std::uint32_t kRod = 1;         ///< flag of a step: a hand holds a rod
-constexpr std::uint32_t kRodInPool = 2;   ///< flag of a step
-constexpr std::uint32_t kHead = 1;        ///< flag of a person: its head is known
-constexpr std::uint32_t kLeft = 2;        ///< the same of hands
-constexpr std::uint32_t kRight = 4;       ///< the same
-constexpr size_t kEndTailBytes = 8;       ///< of the frame's length behind the text of an end
+constexpr double kLongest = 86400;        ///< s, limit of a torch path
+constexpr float kFarthest = 100;          ///< m, limit of a torch path
+constexpr double kQuaternionSlack = 5e-4; ///< tolerance of the quaternion's length, 1
+constexpr std::uint32_t kRod = 1;         ///< flag of a step: the hand holds a rod
+constexpr std::uint32_t kRodInPool = 2;   ///< flag of a step: the rod is in the pool
+constexpr std::uint32_t kHead = 1;        ///< flag of a person: the head is known
+constexpr std::uint32_t kLeft = 2;        ///< flag of a person: the left hand is known
+constexpr std::uint32_t kRight = 4;       ///< flag of a person: the right hand is known
+constexpr size_t kEndTailBytes = 8;       ///< bytes of the frame's length behind an end's text
 
 void require(bool sound, const char* sentence) {
     if (!sound) throw InputError(sentence);
@@ -54,7 +54,7 @@ glm::quat readTurn(ByteReader& reader) {
     return {w, x, y, z};
 }
 
-/// Walks over lines of `word rest`.
+/// Calls `take` for each line of `word rest`.
 template <class Take>
 void eachLine(std::string_view text, Take take) {
     for (const std::string_view line : splitText(text, '\n')) {
@@ -102,7 +102,7 @@ ArcState readArc(ByteReader& reader) {
     return arc;
 }
 
-/// An unknown pose takes the same room as a known one.
+/// An unknown pose takes as many bytes as a known one.
 void putPose(ByteWriter& writer, const std::optional<RecordingPose>& pose) {
     const RecordingPose known = pose.value_or(RecordingPose{});
     putPlace(writer, known.position);

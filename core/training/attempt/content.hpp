@@ -1,4 +1,4 @@
-// What stands in the frames of a recording, as bytes and back.
+// Converts the content of a recording's frames to bytes and back.
 #pragma once
 
 #include "core/training/attempt/recording.hpp"
@@ -9,34 +9,35 @@
 
 namespace meltpool {
 
-/// The format that this program writes; a file of a later one is refused.
+/// The format that this program writes; a file of a later format is refused.
 inline constexpr std::uint32_t kRecordingFormat = 1;
 
 inline constexpr size_t kStepBytes = 160;
 inline constexpr size_t kPersonBytes = 100;
-/// Before a note's name: steps and the name's length.
+/// Bytes before a note's name: steps and the name's length.
 inline constexpr size_t kNoteHeadBytes = 12;
 
 /// Heads and ends are text of lines `word value`, so that a later format can add words.
 std::string headContent(const AttemptHead& head);
-/// Ends with the length of its whole frame, so that it can be found from the file's end.
+/// Ends with the length of its whole frame, so that a reader finds it from the file's end.
 std::string endContent(const RecordingEnd& end);
 std::array<char, kStepBytes> stepContent(const RecordingStep& step);
 std::array<char, kPersonBytes> personContent(const RecordingPerson& person);
 std::array<char, kNoteHeadBytes> noteHead(std::uint64_t steps, std::string_view name);
 
-/// Each throws InputError with a sentence about the content alone where it is not as it must be: too short, no finite
-/// number, no unit quaternion, an unknown word for an arc. What stands behind the known bytes is left alone.
+/// Each throws InputError, naming the content alone, if the content is too short or has a number that is not finite, a
+/// quaternion that is not of unit length or an unknown word for an arc. Bytes behind the known ones are ignored.
 AttemptHead readHead(std::string_view content);
 RecordingEnd readEnd(std::string_view content);
 RecordingStep readStep(std::string_view content);
 RecordingPerson readPerson(std::string_view content);
 RecordingNote readNote(std::string_view content);
 
-/// What stands before the bytes of a checkpoint.
+/// Head before the bytes of a checkpoint.
 struct CheckpointHead {
     std::uint64_t steps = 0;
-    std::uint32_t redone = 0; ///< times that the attempt had gone back; it may stand in the file after a later time
+    std::uint32_t redone = 0; ///< times that the attempt had gone back; the file may hold this checkpoint after a later
+                              ///< time
 };
 inline constexpr size_t kCheckpointHeadBytes = 12;
 std::array<char, kCheckpointHeadBytes> checkpointHead(const CheckpointHead& head);

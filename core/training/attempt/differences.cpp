@@ -11,10 +11,10 @@ namespace {
 
 constexpr double kMm = 1e-3;
 constexpr double kLeastPoints = 1;
-/// Equal bits differ by nothing, and so does what they are after they have been written and read.
+/// Rounding of writing and reading a value; a difference below it does not count.
 constexpr double kRounding = 1e-9;
 
-/// What of a figure is resolved by metal of this spacing (m), in its unit.
+/// Smallest difference of a figure that metal of this spacing (m) resolves, in the figure's unit.
 double resolvedOf(const ComparedFigure& figure, double spacing) {
     return std::max({figure.least, figure.resolution * spacing / kMm, kRounding});
 }

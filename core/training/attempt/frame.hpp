@@ -1,4 +1,4 @@
-// The frames of a recording: kind, length and content, each with a hash over everything before it.
+// Defines the frames of a recording: kind, length and content, each with a hash over everything before it.
 #pragma once
 
 #include "core/base/hash.hpp"
@@ -14,10 +14,10 @@
 
 namespace meltpool {
 
-/// The first bytes of every recording. A file that was sent as text has others.
+/// The first bytes of every recording. Sending the file as text changes them.
 inline constexpr std::string_view kRecordingSignature("\x89MPR\r\n\x1A\n", 8);
 
-/// Four letters as the number that stands in the file.
+/// Four letters as the number in the file.
 constexpr std::uint32_t frameKind(const char (&letters)[5]) {
     std::uint32_t kind = 0;
     for (int i = 3; i >= 0; --i)
@@ -35,21 +35,21 @@ enum class FrameKind : std::uint32_t {
     end = frameKind("END "),
 };
 
-/// Kind, length of the content, and the head's own check: u32 each.
+/// Bytes of kind, length of the content, and the head's own check: u32 each.
 inline constexpr size_t kFrameHeadBytes = 12;
-/// What a frame adds to its content.
+/// Bytes that a frame adds to its content.
 inline constexpr size_t kFrameBytes = kFrameHeadBytes + sizeof(std::uint64_t);
 
 /// The hash that runs through a file: FNV-1a, 64 bits, over the signature and over kind, length and content of each
-/// frame. As every byte changes it one to one, a changed byte gives another hash in its own frame for certain.
+/// frame. Each byte changes it one to one, so a changed byte always gives another hash in its own frame.
 class FrameChain {
   public:
     FrameChain() { add(kRecordingSignature); }
 
-    /// Takes a frame's kind and length; answers the check that stands behind them: the hash's lower half. It tells a
-    /// length that was changed from a file that was cut.
+    /// Adds a frame's kind and length; returns the check that follows them: the hash's lower half. It distinguishes a
+    /// changed length from a file that was cut.
     std::uint32_t addHead(std::uint32_t kind, std::uint32_t length);
-    /// Takes the content; answers the hash that stands behind it.
+    /// Adds the content; returns the hash that follows it.
     std::uint64_t addContent(std::string_view content);
 
   private:
@@ -58,37 +58,37 @@ class FrameChain {
     StateHash hash_;
 };
 
-/// Puts a whole frame behind `file`.
+/// Appends a whole frame to `file`.
 void appendFrame(std::string& file, FrameChain& chain, std::uint32_t kind, std::string_view content);
 
 struct RecordingFrame {
     std::uint32_t kind = 0;
-    size_t number = 0;        ///< from 1
-    std::uint64_t offset = 0; ///< of its first byte in the file
+    size_t number = 0;        ///< number of the frame, from 1
+    std::uint64_t offset = 0; ///< offset of its first byte in the file
     std::string content;
 
     bool is(FrameKind wanted) const { return kind == static_cast<std::uint32_t>(wanted); }
 };
 
-/// Reads the frames of a file in turn and stops at the first that is not whole.
+/// Reads the frames of a file in order and stops at the first that is not whole.
 class FrameReader {
   public:
-    /// Throws InputError for a file that cannot be read or does not begin like a recording.
+    /// Throws InputError if the file cannot be read or does not begin like a recording.
     explicit FrameReader(const std::filesystem::path& file);
 
-    /// The next frame into `frame`. False at the end of the file and at a fault, where ended() tells which.
+    /// Reads the next frame into `frame`. False at the end of the file and at a fault; ended() tells which.
     bool next(RecordingFrame& frame);
 
     enum class Ended {
         not_,    ///< there may be more frames
-        whole,   ///< the file ends behind a frame
-        cut,     ///< it ends inside of one
-        damaged, ///< what stands there is not what was written
+        whole,   ///< the file ends after a frame
+        cut,     ///< the file ends inside a frame
+        damaged, ///< the bytes differ from the written ones
     };
     Ended ended() const { return ended_; }
-    /// Where the next frame begins, or the one with the fault.
+    /// Offset of the next frame, or of the frame with the fault.
     std::uint64_t offset() const { return offset_; }
-    /// Whole frames so far.
+    /// Number of whole frames so far.
     size_t frames() const { return frames_; }
 
   private:
@@ -99,7 +99,7 @@ class FrameReader {
     }
 
     std::ifstream stream_;
-    std::uint64_t size_ = 0; ///< of the file when it was opened
+    std::uint64_t size_ = 0; ///< size of the file when it was opened
     std::uint64_t offset_ = 0;
     size_t frames_ = 0;
     FrameChain chain_;

@@ -1,4 +1,4 @@
-// Frames on their way from the thread that welds to the thread that writes.
+// Passes frames from the thread that welds to the thread that writes.
 #pragma once
 
 #include <atomic>
@@ -10,19 +10,19 @@
 
 namespace meltpool {
 
-/// Room that is made once. One thread puts, another takes; neither waits for the other, and put() neither allocates nor
-/// calls the system.
+/// A ring buffer of fixed size. One thread puts, another takes; neither waits for the other, and put() neither
+/// allocates nor calls the system.
 class FrameRing {
   public:
     explicit FrameRing(size_t bytes) : room_(bytes) {}
 
-    /// A frame of this kind whose content is all parts in turn. False where there is no room for it.
+    /// Puts a frame of this kind; its content is all parts in order. False if the ring has no room for it.
     bool put(std::uint32_t kind, std::initializer_list<std::string_view> parts);
-    /// The oldest frame; false where there is none.
+    /// Takes the oldest frame; false if the ring is empty.
     bool take(std::uint32_t& kind, std::string& content);
 
   private:
-    static constexpr size_t kHeadBytes = 8; ///< kind and length
+    static constexpr size_t kHeadBytes = 8; ///< bytes of kind and length
 
     void write(size_t at, const char* bytes, size_t count);
     void read(size_t at, char* bytes, size_t count) const;

@@ -17,7 +17,7 @@ GrowingFile::GrowingFile(fs::path file) : file_(std::move(file)) {
     stream_ = openFile(file_, "wbx");
     const int code = errno;
     if (stream_ != nullptr) {
-        std::setvbuf(stream_, nullptr, _IONBF, 0); // each append() is the system's when it returns
+        std::setvbuf(stream_, nullptr, _IONBF, 0); // no buffer: append() hands each byte to the system
         return;
     }
     const std::string sentence = std::string("cannot be made: ") + std::strerror(code);

@@ -1,4 +1,4 @@
-// A file that grows at its end and is whole at every moment.
+// A file that grows at its end and is valid at every moment.
 #pragma once
 
 #include <cstdint>
@@ -9,32 +9,32 @@
 
 namespace meltpool {
 
-/// Unlike writeFile(), which gives a file its name when it is whole, this one is there from its first byte on: it is to
-/// be found after an end without warning.
+/// writeFile() gives a file its name when it is whole; this one has its name from its first byte on, so that it can be
+/// found after the program ended without warning.
 class GrowingFile {
   public:
-    /// Makes the file. Throws InputError where it is there already or its place cannot be written, and RuntimeFault
-    /// where the machine fails.
+    /// Creates the file. Throws InputError if it exists already or its place cannot be written, and RuntimeFault if the
+    /// machine fails.
     explicit GrowingFile(std::filesystem::path file);
     ~GrowingFile();
     GrowingFile(const GrowingFile&) = delete;
     GrowingFile& operator=(const GrowingFile&) = delete;
 
-    /// Puts bytes behind the last ones, in the system's hands when it returns. False where not all of them could be
-    /// written: reason() tells why, and written() how many bytes the file has.
+    /// Appends bytes and hands them to the system before it returns. False if not all of them could be written: see
+    /// reason(); written() is the file's size in bytes.
     bool append(std::string_view bytes);
     std::uint64_t written() const { return written_; }
-    /// Cuts the file to its first bytes.
+    /// Cuts the file to its first `bytes` bytes.
     void cut(std::uint64_t bytes);
-    /// Takes the file away, as nothing of use came into it.
+    /// Deletes the file, if nothing of use came into it.
     void remove();
-    /// Whether it still has its name.
+    /// True while the file has its name.
     bool there() const;
-    /// Brings all to the disk and closes it. False as append() does.
+    /// Flushes everything to the disk and closes the file. False as for append().
     bool finish();
 
     const std::filesystem::path& file() const { return file_; }
-    /// Why something failed, in the system's words, and what was expected.
+    /// Reason of a failure, in the system's words, and what was expected.
     const std::string& reason() const { return reason_; }
 
   private:

@@ -13,7 +13,7 @@ namespace meltpool {
 
 namespace {
 
-/// Moments that are never left out: the newest, and fewer than this in all.
+/// Checkpoints that are never dropped: the newest ones, and all while there are fewer than this.
 constexpr size_t kNewest = 8;
 
 } // namespace
@@ -29,7 +29,7 @@ KeptMoments::~KeptMoments() {
     if (worker_.joinable()) worker_.join();
 }
 
-/// Locked, with no packing under way. What is on its way from the GPU is given up.
+/// Returns the lock once no packing is in progress. Drops a checkpoint that is on its way from the GPU.
 std::unique_lock<std::mutex> KeptMoments::whenIdle() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return stage_ != Stage::packing; });
@@ -56,7 +56,7 @@ bool KeptMoments::due(double time, double period) {
     return stage_ == Stage::idle && fault_.empty() && !covers(time, period);
 }
 
-/// One that is kept is less than a period away.
+/// True if a stored checkpoint is less than a period away.
 bool KeptMoments::covers(double time, double period) const {
     if (!keeps_) return false;
     const auto after = std::partition_point(moments_.begin(), moments_.end(),
@@ -108,7 +108,7 @@ void KeptMoments::work() {
     }
 }
 
-/// What has arrived; on the worker, while the stage is `packing`.
+/// Packs the checkpoint that arrived; runs on the worker, while the stage is `packing`.
 KeptMoments::Moment KeptMoments::packed() {
     capture_.take(fresh_);
     addHistory();
@@ -122,7 +122,7 @@ KeptMoments::Moment KeptMoments::packed() {
     return made;
 }
 
-/// The hand's steps that were not known before.
+/// Adds the hand's steps that were not yet known.
 void KeptMoments::addHistory() {
     if (!keeps_ || fresh_.historyTo <= historyKept_) return;
     if (fresh_.historyFrom != historyKept_)
@@ -144,7 +144,7 @@ size_t KeptMoments::bytesNow() const {
     return sum;
 }
 
-/// Of the moments between the first and the newest, leaves out the one with the smallest gap for its age.
+/// Drops, between the first and the newest checkpoint, the one with the smallest gap for its age.
 void KeptMoments::thinOut() {
     while (bytesNow() > limits_.bytes && moments_.size() > kNewest + 2) {
         const double now = moments_.back().time;
@@ -160,7 +160,7 @@ void KeptMoments::thinOut() {
     }
 }
 
-/// With all steps of the hand from the first on.
+/// The checkpoint with all steps of the hand from the first on.
 Checkpoint KeptMoments::whole(size_t number) const {
     const Moment& moment = moments_[number];
     Checkpoint made = moment.packed.empty() ? reference_ : unpack(moment.packed, reference_);

@@ -1,4 +1,4 @@
-// The moments of the running attempt that it can go back to, kept in memory.
+// Stores in memory the checkpoints that the running attempt can go back to.
 #pragma once
 
 #include "core/training/attempt/checkpoint_capture.hpp"
@@ -16,26 +16,25 @@
 
 namespace meltpool {
 
-/// Limits of what is kept.
+/// Limits of the stored checkpoints.
 struct KeptMomentsLimits {
-    double period = 1;                ///< s of the metal's time from one moment to the next
-    size_t bytes = size_t(192) << 20; ///< of memory, with what is needed to make moments
+    double period = 1;                ///< metal time from one checkpoint to the next, s
+    size_t bytes = size_t(192) << 20; ///< bytes of memory, including the buffers that make checkpoints
 };
 
-/// A moment as it was packed: against the first one of its attempt, the first one against nothing; without the hand's
+/// A checkpoint, delta-compressed against the attempt's first one (the first against nothing), without the hand's
 /// steps.
 struct PackedMoment {
     size_t step = 0;
-    double time = 0; ///< s of the metal's
+    double time = 0; ///< metal time, s
     std::span<const std::byte> bytes;
 };
 using MomentTaker = std::function<void(const PackedMoment&)>;
 
-/// A frame in which a moment begins copies the state on the GPU, some forty commands, and allocates nothing; a thread
-/// of its own puts the bytes together and packs them when they have arrived. Where the memory's limit is reached,
-/// moments are left out that lie closest together for their age: the last seconds stay dense, and a long attempt can be
-/// gone back to its beginning. Moments of one attempt may come in any order: the same time has the same state, until
-/// branch().
+/// A frame that starts a checkpoint copies the state on the GPU, some forty commands, and allocates nothing; a worker
+/// thread assembles and packs the bytes when they have arrived. At the memory limit the checkpoints closest together
+/// for their age are dropped: the last seconds stay dense, and a long attempt can go back to its start. Checkpoints of
+/// one attempt may come in any order: equal times have equal states, until branch().
 ///
 /// All functions belong to the thread that has the GPU's context.
 class KeptMoments {
@@ -45,35 +44,35 @@ class KeptMoments {
     KeptMoments(const KeptMoments&) = delete;
     KeptMoments& operator=(const KeptMoments&) = delete;
 
-    /// Another attempt: nothing is kept. `taker` is given each of its moments, on the thread that packs, before
-    /// anything that waits for it, such as before(), goes on. `keeps`: false where nobody goes back, and moments are
-    /// made for the taker alone.
+    /// Starts another attempt and drops all checkpoints. `taker` receives each checkpoint, on the thread that packs,
+    /// before any waiting call such as before() returns. `keeps`: false if no checkpoint is ever gone back to; then
+    /// checkpoints are made for the taker alone.
     void clear(MomentTaker taker = {}, bool keeps = true);
 
-    /// A moment should be taken now, at this time of the metal (s): hand capture() and historyTo() to
-    /// Trainer::capture(), then call begun(). `period`: s from one moment to the next, where not the limits' own. Never
-    /// waits.
+    /// True if a checkpoint is due at this metal time (s): hand capture() and historyTo() to Trainer::capture(), then
+    /// call begun(). `period`: s from one checkpoint to the next, instead of the limits' own. Never waits.
     bool due(double time) { return due(time, limits_.period); }
     bool due(double time, double period);
     CheckpointCapture& capture() { return capture_; }
-    /// Steps of the hand that are kept already.
+    /// Steps of the hand that are stored already.
     size_t historyTo() const { return historyTo_; }
-    /// A moment is on its way from the GPU. `historyTo`: steps of the hand that are known by it.
+    /// Call it when a checkpoint is on its way from the GPU. `historyTo`: steps of the hand known with it.
     void begun(double time, size_t historyTo);
-    /// Once a frame: hands on what has arrived. Never waits.
+    /// Passes an arrived checkpoint to the worker. Call it once a frame. Never waits.
     void update();
 
-    /// The newest moment that is not after `time` (s), whole; nothing where none is kept. Waits for a packing that is
-    /// under way, some ten milliseconds.
+    /// The newest checkpoint not after `time` (s), whole; empty if there is none. Waits for a packing in progress, some
+    /// ten milliseconds.
     std::optional<Checkpoint> before(double time);
-    /// The attempt went back to this step: the moments after it are those of an end that was given up.
+    /// Call it when the attempt went back to this step: later checkpoints belong to the abandoned branch.
     void branch(size_t step);
 
     size_t count();
-    /// Memory of it all, CPU and GPU; at most a little more than the limit.
+    /// Memory of everything, CPU and GPU; at most a little more than the limit.
     size_t bytes();
     const KeptMomentsLimits& limits() const { return limits_; }
-    /// Why a moment could not be kept, as a sentence; empty while all could. Then none is taken any more.
+    /// Reason why a checkpoint could not be stored, as a sentence; empty without a fault. After a fault no more
+    /// checkpoints are taken.
     std::string fault();
 
   private:
@@ -83,7 +82,7 @@ class KeptMoments {
         size_t step = 0;
         double time = 0;
         size_t historyTo = 0;
-        std::vector<std::byte> packed; ///< against reference_; empty of the one that it is
+        std::vector<std::byte> packed; ///< packed against reference_; empty for reference_ itself
     };
 
     void work();
@@ -98,22 +97,22 @@ class KeptMoments {
 
     const KeptMomentsLimits limits_;
     CheckpointCapture capture_;
-    double last_ = -std::numeric_limits<double>::infinity(); ///< s, of the moment that was begun last
+    double last_ = -std::numeric_limits<double>::infinity(); ///< s, time of the checkpoint begun last
     size_t historyTo_ = 0;
     bool keeps_ = true;
-    MomentTaker taker_; ///< called while a moment is packed, changed while none is
+    MomentTaker taker_; ///< called only while a checkpoint is packed, changed only while none is
 
-    std::mutex mutex_; ///< for all below; packing goes on without it, and changes fresh_, reference_ and history_ alone
+    std::mutex mutex_; ///< guards all below; packing runs without it and changes only fresh_, reference_ and history_
     std::condition_variable changed_;
     Stage stage_ = Stage::idle;
     bool stops_ = false;
     std::string fault_;
-    Checkpoint fresh_;               ///< memory that is kept from one moment to the next
-    Checkpoint reference_;           ///< the first moment that was made
-    std::vector<std::byte> history_; ///< of the hand, from the first step on
-    size_t historyKept_ = 0;         ///< steps in it
+    Checkpoint fresh_;               ///< buffer reused for each checkpoint
+    Checkpoint reference_;           ///< the attempt's first checkpoint
+    std::vector<std::byte> history_; ///< steps of the hand, from the first on
+    size_t historyKept_ = 0;         ///< steps in history_
     std::vector<Moment> moments_;    ///< in the order of their times
-    std::thread worker_;             ///< from the first moment on
+    std::thread worker_;             ///< runs from the first checkpoint on
 };
 
 } // namespace meltpool

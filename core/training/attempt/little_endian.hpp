@@ -1,4 +1,4 @@
-// Numbers as bytes, the lowest first, whatever the machine's own order.
+// Reads and writes numbers as bytes, the lowest byte first on every machine.
 #pragma once
 
 #include <bit>
@@ -8,7 +8,7 @@
 
 namespace meltpool {
 
-/// Writes into room that suffices.
+/// Writes into a buffer that must be large enough.
 class ByteWriter {
   public:
     explicit ByteWriter(char* room) : next_(room) {}
@@ -27,7 +27,7 @@ class ByteWriter {
     char* next_;
 };
 
-/// Reads from bytes that suffice; see left().
+/// Reads from a buffer that must be long enough; see left().
 class ByteReader {
   public:
     explicit ByteReader(std::string_view bytes) : rest_(bytes) {}
@@ -37,7 +37,7 @@ class ByteReader {
     std::uint64_t u64() { return take(8); }
     float f32() { return std::bit_cast<float>(u32()); }
     double f64() { return std::bit_cast<double>(u64()); }
-    /// What is left.
+    /// The unread bytes.
     std::string_view rest() const { return rest_; }
 
   private:

@@ -18,14 +18,14 @@ namespace {
 
 constexpr std::uint64_t kMagic = 0x314B43454843504DU; // "MPCHECK1"
 constexpr int kFastest = 1;
-constexpr unsigned kPartBits = 8; ///< below a part's bytes: the words of its rows, and whether it is a list
+constexpr unsigned kPartBits = 8; ///< bits below a part's bytes: the words of its rows, and a flag for a list
 constexpr std::uint64_t kMostRowWords = 127;
 constexpr std::uint64_t kMostBytes = std::uint64_t(1) << 34;
 
-/// The numbers before the compressed bytes.
+/// Numbers before the compressed bytes.
 enum Head : size_t {
     magic,
-    packedHash, ///< of all behind it
+    packedHash, ///< hash of everything behind it
     referenceHash,
     step,
     time,
@@ -37,7 +37,7 @@ enum Head : size_t {
     stateBytes,
     stateParts,
     stateHash,
-    rawBytes, ///< before they were compressed
+    rawBytes, ///< bytes before compression
     headNumbers
 };
 constexpr size_t kHeadBytes = headNumbers * sizeof(std::uint64_t);
@@ -47,7 +47,7 @@ constexpr size_t kHashedFrom = referenceHash * sizeof(std::uint64_t);
     throw InputError("the packed checkpoint " + found + "; expected the bytes that were packed");
 }
 
-/// `length` bytes from `from` on, or what there is of them.
+/// `length` bytes from `from` on, or as many as there are.
 std::span<const std::byte> cut(std::span<const std::byte> bytes, size_t from, size_t length) {
     from = std::min(from, bytes.size());
     return bytes.subspan(from, std::min(length, bytes.size() - from));
@@ -57,7 +57,7 @@ bool same(std::span<const std::byte> a, std::span<const std::byte> b) {
     return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size()) == 0);
 }
 
-/// The part of this number, and of the same number in the reference.
+/// Walks over the parts together with the reference's parts of the same number.
 class PartWalk {
   public:
     PartWalk(const Checkpoint& reference, const std::vector<gl::StatePart>& parts)
@@ -82,7 +82,7 @@ class PartWalk {
     size_t number_ = 0, begin_ = 0, referenceBegin_ = 0;
 };
 
-/// A bit a block that differs from the reference's, then those blocks.
+/// Appends one bit a block, set if it differs from the reference's, then the blocks that differ.
 void appendPart(std::vector<std::byte>& raw, std::span<const std::byte> own, std::span<const std::byte> reference,
                 const gl::StatePart& part) {
     const size_t block = blockBytes(part), blocks = (own.size() + block - 1) / block;
@@ -162,7 +162,7 @@ std::uint64_t numberAt(std::span<const std::byte> packed, size_t place) {
     return number;
 }
 
-/// Throws InputError unless `packed` has the hash that stands in it and `reference` is the one it was packed with.
+/// Throws InputError unless `packed` has its stored hash and was packed with `reference`.
 void check(std::span<const std::byte> packed, const Checkpoint& reference) {
     if (packed.size() < kHeadBytes || numberAt(packed, magic) != kMagic) refuse("does not begin as one does");
     if (numberAt(packed, packedHash) != hashOfBytes(packed.subspan(kHashedFrom))) refuse("is damaged");

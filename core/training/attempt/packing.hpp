@@ -1,4 +1,4 @@
-// Checkpoints made small: what differs from another checkpoint of the same lesson, compressed.
+// Makes checkpoints small: the difference from another checkpoint of the same lesson, compressed.
 #pragma once
 
 #include "core/training/attempt/checkpoint.hpp"
@@ -9,19 +9,19 @@
 
 namespace meltpool {
 
-/// Packs a checkpoint as its difference from `reference`, of the same lesson: that of the start, or the one before.
-/// Metal that did not change since costs nothing: blocks of 4 KiB that are the same are left out. Of the others each
-/// word is taken as what its bits differ from the reference's, in lists of slots after the difference from the word
-/// before; then the first bytes of all words of a block come before all second ones and so on. Numbers that differ
-/// little are alike in their high bytes, which so lie together as long runs of zeros for the compressor (zlib's
-/// deflate at its fastest level). Throws RuntimeFault without memory.
+/// Packs a checkpoint as its difference from `reference`, a checkpoint of the same lesson: the first one or the one
+/// before. Unchanged metal costs nothing: equal blocks of 4 KiB are left out. In the other blocks each word is replaced
+/// by its XOR with the reference's; in lists of slots, after the difference from the word before. Then the first bytes
+/// of all words of a block come before all second ones and so on. Numbers that differ little have equal high bytes,
+/// which so form long runs of zeros for the compressor (zlib's deflate at its fastest level). Throws RuntimeFault if
+/// memory runs out.
 std::vector<std::byte> pack(const Checkpoint& checkpoint, const Checkpoint& reference);
 
-/// The same against nothing.
+/// Packs a checkpoint against nothing.
 std::vector<std::byte> pack(const Checkpoint& checkpoint);
 
-/// The checkpoint that was packed, to the last bit. Throws InputError where the bytes are not those of pack() or were
-/// damaged, or where the reference is another one.
+/// The packed checkpoint, to the last bit. Throws InputError if the bytes are not from pack() or are damaged, or if the
+/// reference is another one.
 Checkpoint unpack(std::span<const std::byte> packed, const Checkpoint& reference);
 Checkpoint unpack(std::span<const std::byte> packed);
 

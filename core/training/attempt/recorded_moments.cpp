@@ -55,7 +55,7 @@ std::optional<Checkpoint> RecordedMoments::beforeStep(size_t step) {
     return last(static_cast<size_t>(after - places_.begin()));
 }
 
-/// The last of the first `count`.
+/// The last checkpoint of the first `count`.
 std::optional<Checkpoint> RecordedMoments::last(size_t count) {
     if (count == 0) return std::nullopt;
     if (!reference_) reference_ = unpack(readCheckpoint(file_, places_.front().at));

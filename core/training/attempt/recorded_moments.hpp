@@ -1,4 +1,4 @@
-// The moments of an attempt that its recording holds, to go to without all the steps before.
+// Reads the checkpoints of a recording, to reach a time without all the steps before it.
 #pragma once
 
 #include "core/training/attempt/checkpoint.hpp"
@@ -11,19 +11,19 @@
 
 namespace meltpool {
 
-/// Each is packed against the first; they are read from the file when they are asked for. The hand's steps, which a
-/// checkpoint in a file leaves out, are measured again from the recording's own.
+/// Each checkpoint is packed against the first; they are read from the file on request. A checkpoint in a file leaves
+/// out the hand's steps: they are measured again from the recording's steps.
 class RecordedMoments {
   public:
-    /// `technique`: that of the attempt before its first step; nothing for metal without a seam.
+    /// `technique`: technique of the attempt before its first step; empty for metal without a seam.
     RecordedMoments(const Recording& recording, std::optional<Technique> technique);
 
     size_t count() const { return places_.size(); }
-    /// Time (s) of the newest that is not after `time`; nothing where there is none.
+    /// Time (s) of the newest checkpoint not after `time`; empty if there is none.
     std::optional<double> timeBefore(double time) const;
-    /// That one, whole. Throws InputError where the file is another than before or a checkpoint is not sound.
+    /// The newest checkpoint not after `time`, whole. Throws InputError if the file changed or a checkpoint is damaged.
     std::optional<Checkpoint> before(double time);
-    /// The newest that is not after this step. Throws as before().
+    /// The newest checkpoint not after this step. Throws as before().
     std::optional<Checkpoint> beforeStep(size_t step);
 
   private:
@@ -37,8 +37,8 @@ class RecordedMoments {
 
     std::filesystem::path file_;
     std::vector<Place> places_;
-    std::optional<Technique> technique_;  ///< of the whole attempt
-    std::optional<Checkpoint> reference_; ///< from the first use on
+    std::optional<Technique> technique_;  ///< technique of the whole attempt
+    std::optional<Checkpoint> reference_; ///< set at the first use
 };
 
 } // namespace meltpool

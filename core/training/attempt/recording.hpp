@@ -1,4 +1,5 @@
-// What a recording holds: all that repeats an attempt to the same bits, and shows it from the person's own eyes.
+// Defines the contents of a recording: all that repeats an attempt to the same bits, and shows it from the person's
+// eyes.
 #pragma once
 
 #include "core/training/attempt/attempt_head.hpp"
@@ -15,18 +16,18 @@
 
 namespace meltpool {
 
-/// How the name of a recording ends.
+/// File name extension of a recording.
 inline constexpr std::string_view kRecordingEnding = ".meltrec";
 
 /// A step of the metal.
 struct RecordingStep {
-    std::uint64_t steps = 0; ///< made so far, with this one
-    TorchSample torch;       ///< its time is that of the step's end
+    std::uint64_t steps = 0; ///< steps made so far, including this one
+    TorchSample torch;       ///< its time is the end of the step
     ArcState arc;
-    double realTime = 1; ///< simulated over real time about this step
+    double realTime = 1; ///< simulated time over real time, around this step
 };
 
-/// In the workpiece's frame, m; it looks along its -Z.
+/// Pose in the workpiece's frame, m; it looks along its -Z.
 struct RecordingPose {
     glm::vec3 position{0.0f};
     glm::quat orientation{1.0f, 0.0f, 0.0f, 0.0f};
@@ -35,68 +36,68 @@ struct RecordingPose {
 
 /// Head and hands of the person between two steps.
 struct RecordingPerson {
-    std::uint64_t steps = 0;           ///< made before
+    std::uint64_t steps = 0;           ///< steps made before
     std::optional<RecordingPose> head; ///< between the eyes
-    std::optional<RecordingPose> left; ///< what the left hand holds
+    std::optional<RecordingPose> left; ///< tool in the left hand
     std::optional<RecordingPose> right;
-    float zoom = 1; ///< size at which the workpiece is shown, 1 is real
+    float zoom = 1; ///< scale of the shown workpiece, 1 is real
 };
 
 /// A value that changed or an event between two steps.
 struct RecordingNote {
-    std::uint64_t steps = 0; ///< made before
-    double seconds = 0;      ///< of the metal's time
-    size_t frame = 0;        ///< where it stands in the file, see RecordingFrame::number
+    std::uint64_t steps = 0; ///< steps made before
+    double seconds = 0;      ///< metal time, s
+    size_t frame = 0;        ///< number of its frame in the file, see RecordingFrame::number
     std::string name;
     std::string value;
 };
 
-/// The state of everything after a step; readCheckpoint() answers its bytes.
+/// State of everything after a step; readCheckpoint() returns its bytes.
 struct RecordingCheckpoint {
     std::uint64_t steps = 0;
-    std::uint64_t offset = 0; ///< of its bytes in the file
-    std::uint64_t size = 0;   ///< bytes
+    std::uint64_t offset = 0; ///< offset of its bytes in the file
+    std::uint64_t size = 0;   ///< in bytes
 };
 
-/// How an attempt ended.
+/// End of an attempt.
 struct RecordingEnd {
     std::string reason;
-    std::string stateHash;       ///< of the metal, 16 hexadecimal digits
-    std::uint64_t steps = 0;     ///< made in all
-    double seconds = 0;          ///< of the metal's time
-    double realTime = 1;         ///< simulated over real time, of all steps together
-    double leastRealTime = 1;    ///< of the slowest step
-    std::optional<double> score; ///< 0..100, of the last judgement where it is of the finished weld
-    std::string verdict;         ///< "accepted" or "not accepted"; empty: none
-    size_t redone = 0;           ///< times that the attempt went back: practice, where it is not 0
+    std::string stateHash;       ///< hash of the metal's state, 16 hexadecimal digits
+    std::uint64_t steps = 0;     ///< steps of the whole attempt
+    double seconds = 0;          ///< metal time, s
+    double realTime = 1;         ///< simulated time over real time, of all steps together
+    double leastRealTime = 1;    ///< simulated time over real time, of the slowest step
+    std::optional<double> score; ///< 0..100, of the last judgement, if it is of the finished weld
+    std::string verdict;         ///< "accepted" or "not accepted"; empty: not judged
+    size_t redone = 0;           ///< times that the attempt went back; not 0 means practice
 };
 
-/// Where a file stops being whole.
+/// Place where a file stops being whole.
 struct RecordingFault {
-    bool cut = false;       ///< the file ends inside of a frame; else what stands there is not what was written
+    bool cut = false;       ///< true: the file ends inside a frame; false: its bytes differ from the written ones
     size_t frame = 0;       ///< number of the frame, from 1
-    std::uint64_t byte = 0; ///< where it begins
+    std::uint64_t byte = 0; ///< offset of the frame's first byte
 };
 
-/// All whole frames of a file, up to the first fault. Where the attempt went back, event `redo`, and on to another end,
-/// what came after that step is left out: steps, people, changes, checkpoints, and events of the torch and the arc.
+/// All whole frames of a file, up to the first fault. After going back (event `redo`) and on to another end, everything
+/// after that step is left out: steps, people, changes, checkpoints, and events of the torch and the arc.
 struct Recording {
     std::filesystem::path file;
     AttemptHead head;
     std::vector<RecordingStep> steps;
     std::vector<RecordingPerson> people;
     std::vector<RecordingNote> changes;           ///< in the order of the steps
-    std::vector<RecordingNote> events;            ///< the same
+    std::vector<RecordingNote> events;            ///< in the order of the steps
     std::vector<RecordingCheckpoint> checkpoints; ///< in the order of the steps
-    size_t redone = 0;                            ///< times that it went back
-    std::optional<RecordingEnd> end;              ///< nothing where the program ended without warning
-    size_t frames = 0;                            ///< that are whole
+    size_t redone = 0;                            ///< times that the attempt went back
+    std::optional<RecordingEnd> end;              ///< empty if the program ended without warning
+    size_t frames = 0;                            ///< number of whole frames
     std::optional<RecordingFault> fault;
 
-    /// Of the metal's time that are whole, s.
+    /// Metal time of the whole frames, s.
     double seconds() const { return steps.empty() ? 0 : steps.back().torch.time; }
     bool damaged() const { return fault && !fault->cut; }
-    /// Whether it is whole, cut short or damaged, and how much of it is whole.
+    /// Sentence that says if it is whole, cut short or damaged, and how much of it is whole.
     std::string stateSentence() const;
 };
 

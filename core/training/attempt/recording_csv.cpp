@@ -10,7 +10,7 @@ namespace {
 
 std::string headLines(const Recording& recording) {
     AttemptHead head = recording.head;
-    for (std::string* each : {&head.lessonFile, &head.lessonHash, &head.utc}) // a CSV record has none of them
+    for (std::string* each : {&head.lessonFile, &head.lessonHash, &head.utc}) // a CSV record has none of these
         each->clear();
     std::string text(kRecordFirstLine);
     text += '\n';
@@ -24,7 +24,7 @@ std::string headLines(const Recording& recording) {
     return text + ",real_time\n";
 }
 
-/// Lines of what happened before the step after `steps`; in the file changes and events keep their order of frames.
+/// Lines of notes before the step after `steps`; changes and events are in the order of their frames.
 class Notes {
   public:
     explicit Notes(const Recording& recording) : recording_(recording) {}

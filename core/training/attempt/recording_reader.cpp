@@ -24,7 +24,7 @@ std::string secondsText(double seconds) {
     return text.data();
 }
 
-/// Where a frame stands, for people.
+/// Place of a frame, in words.
 std::string placeText(size_t frame, double seconds) {
     return "frame " + std::to_string(frame) + ", after " + secondsText(seconds);
 }
@@ -78,7 +78,7 @@ class Reader {
         recording_.steps.push_back(step);
     }
 
-    /// What stands between two steps knows how many were made.
+    /// Throws unless a frame between two steps holds the number of steps made so far.
     void requireSteps(std::uint64_t steps) const {
         if (steps != recording_.steps.size())
             throw InputError("it stands behind " + std::to_string(steps) + " steps; expected " +
@@ -103,8 +103,8 @@ class Reader {
         recording_.events.push_back(note(frame));
     }
 
-    /// What came after this step belongs to an end that was given up. Events that are not of torch and arc, such as
-    /// cues that were shown, still hold.
+    /// Drops frames after this step: they belong to the abandoned branch. Events that are not of torch and arc, such as
+    /// shown cues, still hold.
     void goBack(const RecordingNote& redo) {
         const std::uint64_t steps = redo.steps;
         if (steps > recording_.steps.size() || redo.value != std::to_string(steps))
@@ -117,7 +117,7 @@ class Reader {
         std::erase_if(recording_.changes, after);
         std::erase_if(recording_.checkpoints, after);
         std::erase_if(recording_.events, [&](const RecordingNote& event) {
-            if (event.name == "samples") return event.steps >= steps; // they are missing before the next step
+            if (event.name == "samples") return event.steps >= steps; // these samples are missing before the next step
             return after(event) && (event.name == "torch" || event.name == "arc_out");
         });
         for (RecordingNote& event : recording_.events) {
@@ -132,11 +132,11 @@ class Reader {
             addCheckpoint(early);
     }
 
-    /// A checkpoint whose way back has not been read yet: early programs wrote the two in either order.
+    /// A checkpoint whose way back is not read yet: early programs wrote the two in either order.
     struct EarlyCheckpoint {
         CheckpointHead head;
         RecordingCheckpoint place;
-        size_t frame = 0; ///< its number in the file
+        size_t frame = 0; ///< frame number in the file
     };
 
     void addCheckpoint(const RecordingFrame& frame) {
@@ -166,7 +166,7 @@ class Reader {
                              std::to_string(backTo_.size()));
     }
 
-    /// A checkpoint of steps that are not in the file, which was cut, is of no use.
+    /// Drops checkpoints of steps that are not in a cut file: they are of no use.
     void orderCheckpoints() {
         auto& checkpoints = recording_.checkpoints;
         std::erase_if(checkpoints, [&](const auto& each) { return each.steps > recording_.steps.size(); });
@@ -180,9 +180,9 @@ class Reader {
     std::vector<EarlyCheckpoint> early_;
 };
 
-/// The end that stands last in the file; nothing where none does.
+/// The last end in the file; empty if there is none.
 std::optional<RecordingEnd> lastEnd(std::ifstream& stream, std::uint64_t size) {
-    constexpr std::uint64_t kTail = 16; // the frame's length and its hash
+    constexpr std::uint64_t kTail = 16; // bytes of the frame's length and its hash
     constexpr std::uint64_t kLongest = 1 << 16;
     std::string bytes(kTail, '\0');
     stream.seekg(static_cast<std::streamoff>(size - kTail));
@@ -202,9 +202,9 @@ std::optional<RecordingEnd> lastEnd(std::ifstream& stream, std::uint64_t size) {
     }
 }
 
-/// What the frames' lengths lead to, where a file has no end.
+/// Follows the frame lengths through a file without an end.
 void walk(std::ifstream& stream, RecordingSummary& summary) {
-    constexpr std::uint64_t kLongest = 4096; // of the frames that are looked at
+    constexpr std::uint64_t kLongest = 4096; // bytes of the longest frame to read
     std::string head(kFrameHeadBytes, '\0'), content;
     std::uint64_t at = kRecordingSignature.size();
     double last = 0;

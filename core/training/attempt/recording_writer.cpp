@@ -15,7 +15,7 @@ std::string_view viewOf(const Bytes& bytes) {
     return {bytes.data(), bytes.size()};
 }
 
-/// Bytes of `batch` up to the end of the last frame that lies within its first `count`.
+/// Bytes of `batch` up to the end of the last frame within its first `count`.
 size_t wholeFrames(std::string_view batch, size_t count) {
     size_t whole = 0;
     while (whole + kFrameHeadBytes <= count) {
@@ -85,7 +85,7 @@ void RecordingWriter::event(std::uint64_t steps, std::string_view name, std::str
     const auto head = noteHead(steps, name);
     put(FrameKind::event, {viewOf(head), name, value});
     if (name != "redo") return;
-    personKnown_ = false; // what was written of the person since then is given up
+    personKnown_ = false; // person frames written since then are dropped
     redone_.fetch_add(1, std::memory_order_relaxed);
 }
 
@@ -135,7 +135,7 @@ void RecordingWriter::fail(std::string sentence) {
     failed_.store(true, std::memory_order_release);
 }
 
-/// The writing thread.
+/// Runs on the writing thread.
 void RecordingWriter::run() {
     bool closing = false;
     while (!closing && !failed_.load(std::memory_order_relaxed)) {
@@ -144,7 +144,7 @@ void RecordingWriter::run() {
             changed_.wait_for(lock, kPeriod, [this] { return closing_; });
             closing = closing_;
         }
-        const bool overflowed = overflowed_.load(std::memory_order_acquire); // before the ring is emptied
+        const bool overflowed = overflowed_.load(std::memory_order_acquire); // read before the ring is emptied
         gather();
         if (!write() || !lookForFile(closing)) break;
         if (overflowed)
@@ -155,8 +155,8 @@ void RecordingWriter::run() {
     finished_.store(true, std::memory_order_release);
 }
 
-/// Seals everything that has come. A checkpoint may stand before its own step or after later ones, but comes after the
-/// way back that led to it, which entered the ring first, and before the end, which closes the file.
+/// Seals everything that has arrived. A checkpoint may come before its own step or after later ones, but after the way
+/// back that led to it, which entered the ring first, and before the end, which closes the file.
 void RecordingWriter::gather() {
     std::vector<Checkpoint> checkpoints;
     {
@@ -182,7 +182,7 @@ void RecordingWriter::appendCheckpoints(const std::vector<Checkpoint>& checkpoin
     }
 }
 
-/// Writes the batch. What does not fit is cut to whole frames.
+/// Writes the batch. On a full disk it cuts the file to whole frames.
 bool RecordingWriter::write() {
     const std::uint64_t before = file_.written();
     const bool good = batch_.empty() || file_.append(batch_);
@@ -195,7 +195,7 @@ bool RecordingWriter::write() {
     return good;
 }
 
-/// A file without a name takes everything and is gone when it is closed.
+/// A file that lost its name still takes everything and disappears when it is closed.
 bool RecordingWriter::lookForFile(bool now) {
     if (!now && Clock::now() < look_) return true;
     look_ = Clock::now() + kLook;

@@ -1,4 +1,4 @@
-// Writes the recording of an attempt while it runs, without keeping the attempt waiting.
+// Writes the recording of a running attempt without making the attempt wait.
 #pragma once
 
 #include "core/training/attempt/content.hpp"
@@ -20,59 +20,59 @@
 
 namespace meltpool {
 
-/// All calls are of one thread, but checkpoint(). What they bring goes into room that is made at the start; a thread of
-/// the writer's own takes it from there to the file, every kPeriod, so that an end without warning loses no more than a
-/// little over that time. Nothing but the constructor, wait() and the destructor waits for the disk.
+/// One thread makes all calls, except checkpoint(). The calls fill a ring of fixed size; a writing thread moves it to
+/// the file every kPeriod, so that a sudden end loses little more than that time. Only the constructor, wait() and the
+/// destructor wait for the disk.
 class RecordingWriter {
   public:
-    /// How often the file grows.
+    /// Period in which the file grows.
     static constexpr std::chrono::milliseconds kPeriod{50};
-    /// How often it is looked for under its name.
+    /// Period in which the file is looked for under its name.
     static constexpr std::chrono::seconds kLook{1};
-    /// Room for what waits for the disk: about a minute of steps.
+    /// Bytes that may wait for the disk: about a minute of steps.
     static constexpr size_t kRoom = size_t(1) << 20;
-    /// The same for checkpoints.
+    /// Bytes of checkpoints that may wait for the disk.
     static constexpr size_t kMostWaiting = size_t(64) << 20;
 
-    /// Begins the file with its head. Throws InputError where it is there already or cannot be made there, RuntimeFault
-    /// where the machine fails.
+    /// Creates the file and writes its head. Throws InputError if it exists already or cannot be created there,
+    /// RuntimeFault if the machine fails.
     RecordingWriter(const std::filesystem::path& file, const AttemptHead& head);
-    /// Writes what was brought, without an end where end() was not called, and waits for it.
+    /// Writes everything received and waits for it; without end() the file has no end.
     ~RecordingWriter();
     RecordingWriter(const RecordingWriter&) = delete;
     RecordingWriter& operator=(const RecordingWriter&) = delete;
 
-    // These never wait, never fail and allocate nothing. After a fault they do nothing.
+    // These never wait, never fail and allocate nothing. After a fault they are no-ops.
     void step(const RecordingStep& step);
-    /// What is the same as the last time is not written again.
+    /// Writes only the parts that changed since the last call.
     void person(const RecordingPerson& person);
     void change(std::uint64_t steps, std::string_view key, std::string_view value);
-    /// After `redo` the steps go on from the one after `steps`.
+    /// After `redo` the steps continue from the one after `steps`.
     void event(std::uint64_t steps, std::string_view name, std::string_view value);
 
-    /// `bytes` are whatever restores the state after so many steps. Any thread may call this, before the event `redo`
-    /// that takes the attempt back from there. A checkpoint is left out where kMostWaiting bytes of them wait for the
-    /// disk: the attempt is whole without.
+    /// `bytes` restore the state after so many steps. Any thread may call this, before the event `redo` that takes the
+    /// attempt back from there. A checkpoint is dropped if kMostWaiting bytes of them wait for the disk: the recording
+    /// is complete without it.
     void checkpoint(std::uint64_t steps, std::vector<std::byte> bytes);
 
-    /// The score and verdict that end() writes, until others are told; nothing while the weld goes on.
+    /// Sets the score and verdict that end() writes, until the next call; empty while the weld goes on.
     void judged(std::optional<double> score, std::string verdict);
-    /// The attempt has ended: no more calls of the above. Does not wait; the score and verdict in `end` are left out of
-    /// account. See finished().
+    /// Ends the attempt: no more calls of the above. Does not wait; the score and verdict in `end` are ignored. See
+    /// finished().
     void end(RecordingEnd end);
-    /// The attempt has ended, and nobody knows how.
+    /// Ends the attempt without a recorded end.
     void close();
 
-    /// The file is closed, on the disk unless there was a fault().
+    /// True once the file is closed, and on the disk unless there was a fault().
     bool finished() const { return finished_.load(std::memory_order_acquire); }
-    /// Ends as close() does where nobody has ended it, and waits until it is finished.
+    /// Ends as close() does unless it has ended, and waits until it is finished.
     void wait();
-    /// Why the file is not whole to the attempt's end, as a sentence that names it; empty while nothing failed. What
-    /// was written before is whole.
+    /// Reason why the file is not whole to the attempt's end, as a sentence that names the file; empty without a fault.
+    /// Everything written before is whole.
     const std::string& fault() const;
 
     const std::filesystem::path& file() const { return file_.file(); }
-    /// Bytes of the file so far.
+    /// Size of the file so far, in bytes.
     std::uint64_t bytes() const { return bytes_.load(std::memory_order_relaxed); }
 
   private:
@@ -94,30 +94,30 @@ class RecordingWriter {
     GrowingFile file_;
     FrameChain chain_;
     FrameRing ring_{kRoom};
-    std::atomic<bool> overflowed_{false}; ///< something did not fit, and nothing after it is taken
-    std::atomic<bool> failed_{false};     ///< fault_ is set, and stays
+    std::atomic<bool> overflowed_{false}; ///< a frame did not fit; later ones are not taken
+    std::atomic<bool> failed_{false};     ///< fault_ is set and does not change
     std::atomic<bool> finished_{false};
     std::atomic<std::uint64_t> bytes_{0};
     std::string fault_;
 
     std::atomic<std::uint32_t> redone_{0}; ///< times that the attempt went back
 
-    std::mutex mutex_; ///< of the next four
+    std::mutex mutex_; ///< guards the next four
     std::condition_variable changed_;
     bool closing_ = false;
     std::vector<Checkpoint> checkpoints_;
     size_t waiting_ = 0; ///< bytes of checkpoints_
 
-    bool ended_ = false; ///< end() or close() was called
+    bool ended_ = false; ///< true after end() or close()
     std::optional<double> score_;
     std::string verdict_;
-    RecordingPerson person_; ///< the last one
+    RecordingPerson person_; ///< last written pose
     bool personKnown_ = false;
 
-    std::string batch_;      ///< of the writing thread: sealed frames
+    std::string batch_;      ///< sealed frames, of the writing thread
     std::string content_;    ///< of the writing thread
-    Clock::time_point look_; ///< of the writing thread: when it looks for the file again
-    std::thread thread_;     ///< last: everything else is there before it runs
+    Clock::time_point look_; ///< next time to look for the file, of the writing thread
+    std::thread thread_;     ///< last: its run() uses every other member
 };
 
 } // namespace meltpool
