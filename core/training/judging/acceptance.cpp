@@ -21,7 +21,7 @@ constexpr NumberRange kLengths{1e-3, 100'000}; ///< mm
 constexpr NumberRange kShares{0, 1};
 constexpr std::array kKinds{WeldKind::fillet, WeldKind::butt, WeldKind::bead};
 
-/// One of the words of a key.
+/// Reads a key whose value is one of some words.
 template <class Choice, size_t count>
 Choice choiceOf(TomlTable& table, std::string_view key,
                 const std::array<std::pair<std::string_view, Choice>, count>& of) {
@@ -56,7 +56,7 @@ std::vector<WeldKind> readKinds(TomlTable& table) {
     return kinds;
 }
 
-/// A limit needs one of these; those that end in '_' have the unit behind.
+/// A limit needs one of these keys; a key that ends in '_' is followed by the unit.
 constexpr std::array<std::string_view, 4> kFormulaKeys{"const_", "per_b", "per_a", "per_t"};
 
 /// `unit` ends the names of lengths and angles.
@@ -72,7 +72,7 @@ LimitFormula readFormula(TomlTable& table, const std::string& unit) {
     return formula;
 }
 
-/// Whether the table has a formula.
+/// True if the table has a formula.
 bool hasFormula(const TomlTable& table, const std::string& unit) {
     return std::any_of(kFormulaKeys.begin(), kFormulaKeys.end(), [&](std::string_view key) {
         return table.has(key.ends_with('_') ? std::string(key) + unit : std::string(key));

@@ -13,10 +13,10 @@ namespace meltpool {
 namespace {
 
 constexpr double kMm = 1e3;             // mm in a metre
-constexpr double kBeyondMm = 20;        // of the ends
-constexpr double kShortestWayMm = 1e-4; // in a millimetre; less is the rounding of places
+constexpr double kBeyondMm = 20;        // beyond each end of the seam
+constexpr double kShortestWayMm = 1e-4; // way within a millimetre; a shorter one is rounding of places
 
-/// Means over time of what is known.
+/// Means over time of the known values.
 class Means {
   public:
     void add(const TechniqueValues& values, double seconds) {
@@ -47,12 +47,12 @@ class Means {
 
 struct Bin {
     Means judged, other;
-    double direction = 0; ///< s forwards less s backwards
+    double direction = 0; ///< s forwards minus s backwards
     double charge = 0;    ///< A s of the arc
     double flux = 0;      ///< V s
 };
 
-/// The seam's millimetres, from kBeyondMm before its beginning to kBeyondMm behind its end; a circle's are one turn.
+/// The seam's millimetres, from kBeyondMm before its start to kBeyondMm behind its end; a circle has one turn of them.
 class Bins {
   public:
     explicit Bins(const Seam& seam)
@@ -60,7 +60,7 @@ class Bins {
           first_(seam.closed() ? 0 : std::floor(seam.begin() * kMm) - kBeyondMm),
           bins_(static_cast<size_t>(std::ceil(seam.end() * kMm) - first_ + (seam.closed() ? 0 : kBeyondMm))) {}
 
-    /// Shares the time of `step` out over the way from the one before it.
+    /// Spreads the time of `step` over the way from the step before it.
     void add(const TechniqueStep& before, const TechniqueStep& step, const StretchValues& values, bool judged) {
         if (!std::isfinite(before.place) || !std::isfinite(step.place)) return;
         const double low = std::min(before.place, step.place) * kMm, high = std::max(before.place, step.place) * kMm;
@@ -108,7 +108,7 @@ class Bins {
     std::vector<Bin> bins_;
 };
 
-/// The first and the one behind the last step that are judged, of those that weld.
+/// The first judged step that welds, and the one behind the last.
 std::pair<size_t, size_t> judgedSteps(std::span<const TechniqueStep> steps, std::span<const StepRange> stretches) {
     const auto lasts = [&](const StepRange& each) {
         return steps[each.end - 1].time - steps[each.begin].time >= kStrikeSeconds;
@@ -134,7 +134,7 @@ void appendCell(std::string& text, double value) {
     if (!std::isnan(value)) appendNumber(text, static_cast<float>(value));
 }
 
-/// Numbers of millimetres from `low` to `high` (m) that are on the seam or near it.
+/// Adds the numbers of the millimetres from `low` to `high` (m) on or near the seam.
 void addMillimetres(std::set<double>& found, const Seam& seam, double low, double high) {
     const double length = seam.length() * kMm;
     const double first =
@@ -152,7 +152,7 @@ std::vector<double> unknownPlaces(const Technique& technique) {
     std::set<double> found;
     for (size_t i = 0; i < steps.size(); ++i) {
         if (steps[i].known) continue;
-        const size_t begin = i > 0 ? i - 1 : 0; // the last place that is known, and the next one
+        const size_t begin = i > 0 ? i - 1 : 0; // from the last known place to the next one
         while (i + 1 < steps.size() && !steps[i].known)
             ++i;
         double low = std::numeric_limits<double>::infinity(), high = -low;

@@ -36,7 +36,7 @@ TravelDirection readDirection(TomlTable& table) {
     table.fail("direction", "is " + quote(word) + "; expected one of either, forward, backward");
 }
 
-/// The other kind of process has another name for the distance: say so instead of "unknown key".
+/// The other kind of process has another name for the distance: the message says so instead of "unknown key".
 void refuseOtherDistance(const TomlTable& table, DistanceKind distance) {
     const DistanceKind other = distance == DistanceKind::ctwd ? DistanceKind::arcLength : DistanceKind::ctwd;
     const std::string_view wrong = quantityInfo(TechniqueQuantity::distance, other).key;
@@ -76,7 +76,7 @@ TechniqueBands readTechniqueBands(TomlTable& table, DistanceKind distance, const
     TechniqueBands result;
     result.distance = distance;
     refuseOtherDistance(table, distance);
-    // Whole micrometres: half of a length in mm, brought to m and back, may fall a little short.
+    // Whole micrometres: half of a length in mm, converted to m and back, may be a little short.
     const auto whole = [](double place) { return std::round(place * kMm * 1e3) * 1e-3; };
     const NumberRange places{whole(seam.begin()), whole(seam.end())};
     result.lengthFromMm = table.number("length_from_mm", places);

@@ -1,4 +1,4 @@
-// A lesson's technique windows: what is asked of the hand, and how much each deviation costs.
+// Holds a lesson's technique windows: the ideal of each quantity and the cost of each deviation.
 #pragma once
 
 #include "core/training/judging/technique.hpp"
@@ -9,42 +9,42 @@ namespace meltpool {
 
 class TomlTable;
 
-/// Where a value lies in a band.
+/// Zone of a value in a band.
 enum class BandZone {
     inside,  ///< within the inner half width: full points
     between, ///< some points
-    beyond,  ///< from the outer half width on: none
+    beyond,  ///< from the outer half width on: no points
 };
 
-/// One parameter's window, in the unit of QuantityInfo: mm, mm/s, degrees, Hz, s.
+/// Window of one parameter, in the unit of QuantityInfo: mm, mm/s, degrees, Hz, s.
 struct TechniqueBand {
     TechniqueQuantity quantity = TechniqueQuantity::aim;
     double ideal = 0;
-    double inner = 0;  ///< half width within which a value has 100 points
-    double outer = 0;  ///< half width from which on it has 0; at least `inner`
-    double weight = 1; ///< in the whole score, at least 0
+    double inner = 0;  ///< half width of full points, 100
+    double outer = 0;  ///< half width from which points are 0; at least `inner`
+    double weight = 1; ///< weight in the whole score, at least 0
 
-    /// 0..100 points of a value in this band's unit: 100 to `inner`, then falling linearly to 0 at `outer`. A value
-    /// that is not known has 0.
+    /// Points 0..100 of a value in this band's unit: 100 to `inner`, then falling linearly to 0 at `outer`. An unknown
+    /// value has 0.
     double points(double value) const;
     BandZone zone(double value) const;
 };
 
-/// The way along the seam that a lesson asks for.
+/// Direction along the seam that a lesson asks for.
 enum class TravelDirection { either, forward, backward };
 
 struct TechniqueBands {
     DistanceKind distance = DistanceKind::ctwd;
-    double lengthFromMm = 0; ///< of the seam that is to be welded; places are in whole millimetres
+    double lengthFromMm = 0; ///< wanted seam; places are in whole millimetres
     double lengthToMm = 0;
     TravelDirection direction = TravelDirection::either; ///< forward: towards growing places
     double speedWindow = 0.5;                            ///< s, see TechniqueSettings
-    std::vector<TechniqueBand> bands;                    ///< of the parameters that are judged, each once
+    std::vector<TechniqueBand> bands;                    ///< of the judged parameters, each once
 
     /// Null for a quantity that is not judged.
     const TechniqueBand* find(TechniqueQuantity quantity) const;
-    /// The value of a quantity as it is judged, in its band's unit: where the torch travels (`sensed`: +1, -1, or 0
-    /// while it is not known) against the demanded direction, its speed counts negative.
+    /// The judged value of a quantity, in its band's unit: its speed counts negative if the torch travels (`sensed`:
+    /// +1, -1, or 0 while unknown) against the demanded direction.
     double judged(const TechniqueValues& values, int sensed, TechniqueQuantity quantity) const;
     TechniqueSettings settings() const { return {distance, speedWindow}; }
 };

@@ -7,22 +7,22 @@ namespace meltpool {
 
 namespace {
 
-constexpr double kRounding = 1e-9; ///< m: sums of pitches are no longer than their decimals
+constexpr double kRounding = 1e-9; ///< m: rounding of sums of pitches
 
-/// What a station lets gape of a stretched face.
+/// Opening of a stretched face at a station.
 struct Gape {
     bool open = false, resolved = true;
     double depth = 0; ///< m
 };
 
-/// `unfused`: m that is not fused under the face; negative: fused so far beyond.
+/// `unfused`: m without fusion under the face; negative: fused so far beyond.
 Gape gapeOf(double unfused, double resolution) {
     if (unfused > resolution) return {true, true, unfused};
     if (unfused <= -resolution) return {};
     return {true, false, std::max(unfused, 0.0)};
 }
 
-/// Height of a butt's worse edge that is not fused, from the lower face upwards; negative as in WeldStation.
+/// Unfused height of a butt's worse edge, from the lower face upwards; negative as in WeldStation.
 double worseEdge(const WeldStation& station) {
     const double both = station.rootMissing.value_or(0), more = station.lackOfFusion.value_or(0);
     if (both > 0 || more > 0) return std::max(both, 0.0) + std::max(more, 0.0);
@@ -34,16 +34,16 @@ Gape rootGape(const WeldStation& station, double thickness, double resolution) {
     return gapeOf(worseEdge(station), resolution);
 }
 
-/// The upper face gapes where an edge is unfused up to it; closed as soon as it is fused that far below.
+/// The upper face gapes if an edge is unfused up to it, and is closed if the edge is fused that far below it.
 Gape faceGape(const WeldStation& station, double thickness, double resolution) {
     if (station.hole.value_or(0) > 0) return {true, true, thickness};
-    const double left = thickness - worseEdge(station); // height that is fused
+    const double left = thickness - worseEdge(station); // fused height
     if (left < resolution) return {true, true, thickness};
     if (left < 2 * resolution) return {true, false, thickness};
     return {};
 }
 
-/// Whether the station tells anything that this test asks for.
+/// True if the station has a value that this test needs.
 bool tells(const WeldStation& station) {
     return station.lackOfFusion.has_value();
 }
@@ -52,7 +52,7 @@ Gape gapeOf(const WeldStation& station, BendKind kind, double thickness, double 
     if (!tells(station)) return {true, false, 0};
     if (kind == BendKind::face) return faceGape(station, thickness, resolution);
     if (kind == BendKind::root) return rootGape(station, thickness, resolution);
-    if (station.throat.value_or(0) <= 0) return {true, true, thickness}; // a fillet that is not there
+    if (station.throat.value_or(0) <= 0) return {true, true, thickness}; // without a fillet
     return gapeOf(*station.lackOfFusion, resolution);
 }
 
@@ -84,7 +84,7 @@ class Bender {
     double begin(size_t station) const { return weld_.stations[station].place - 0.5 * weld_.pitch; }
     double end(size_t station) const { return weld_.stations[station].place + 0.5 * weld_.pitch; }
 
-    /// Divides the stations into equal straps, each at least `width` wide where the weld is.
+    /// Divides the stations into equal straps, each at least `width` wide if the weld is long enough.
     template <class Take>
     void cut(double width, const Take& take) const {
         const size_t count = weld_.stations.size();
@@ -104,7 +104,7 @@ class Bender {
 
     BentStrap alongSeam(BendKind kind, size_t first, size_t last) const {
         BentStrap bent = strap(kind, first, last);
-        bool joined = false; // the station before gaped in the same way
+        bool joined = false; // the station before gaped in this way too
         for (size_t i = first; i < last; ++i) {
             const Gape gape = gapeOf(weld_.stations[i], kind, thickness_, resolution_);
             if (joined && gape.open && bent.openings.back().resolved == gape.resolved) {
@@ -120,7 +120,7 @@ class Bender {
         return bent;
     }
 
-    /// A strap that is bent sideways: of its stations the one with most unfused height.
+    /// A strap bent sideways: its station with most unfused height.
     BentStrap across(size_t first, size_t last) const {
         BentStrap bent = strap(BendKind::side, first, last);
         Gape worst;
@@ -140,7 +140,7 @@ class Bender {
     }
 
     bool breaks(const BentStrap& bent, bool withUnresolved) const {
-        std::vector<BendOpening> joined; // those that touch are one
+        std::vector<BendOpening> joined; // touching openings are one
         for (const BendOpening& opening : bent.openings) {
             if (!opening.resolved && !withUnresolved) continue;
             if (joined.empty() || opening.from > joined.back().to + kRounding) {

@@ -20,10 +20,10 @@ constexpr double kPerMetre = 1e3;       ///< mm
 
 /// One reason to expect an imperfection.
 struct Rule {
-    std::string_view name; ///< in the keys of the sentences that tell of it
+    std::string_view name; ///< part of the keys of its sentences
     std::function<bool(const SeamMillimetre&)> holds;
-    std::string_view limitName = {}; ///< the place for its limit in those sentences; empty: its limits are constants
-    double limit = 0;                ///< as the sentence has it, mm or mm/s
+    std::string_view limitName = {}; ///< named place for its limit in those sentences; empty: its limits are constants
+    double limit = 0;                ///< as in the sentence, mm or mm/s
 };
 
 std::string number(double value) {
@@ -84,8 +84,8 @@ std::vector<Rule> slagRules(const ProcessTraits& traits, std::optional<double> a
     return rules;
 }
 
-/// The millimetres that meet any of one or two rules, told with those rules that some meet; with all of them where none
-/// does.
+/// An estimate by one or two rules: the millimetres that meet any of them. The sentence names the rules that some
+/// millimetre meets, or all of them if no millimetre meets any.
 Estimate estimate(std::string name, std::span<const SeamMillimetre> seam, std::span<const Rule> rules) {
     Estimate made{std::move(name), 0, {}};
     const auto count = [&](const auto& holds) {
@@ -95,7 +95,7 @@ Estimate estimate(std::string name, std::span<const SeamMillimetre> seam, std::s
         return std::any_of(rules.begin(), rules.end(), [&](const Rule& rule) { return rule.holds(mm); });
     });
     std::string key = made.value > 0 ? "estimate.expected." : "estimate.not_expected.";
-    std::vector<double> lengths; // of the rules that are told
+    std::vector<double> lengths; // of the named rules
     for (const Rule& rule : rules) {
         const double length = count(rule.holds);
         if (made.value > 0 && length == 0) continue;

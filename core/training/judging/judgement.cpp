@@ -6,7 +6,7 @@ namespace meltpool {
 
 namespace {
 
-/// m/s that the lesson asks for.
+/// Travel speed that the lesson asks for, m/s.
 std::optional<double> askedSpeed(const std::optional<TechniqueBands>& bands) {
     const TechniqueBand* band = bands ? bands->find(TechniqueQuantity::travelSpeed) : nullptr;
     if (band == nullptr) return std::nullopt;

@@ -1,4 +1,4 @@
-// An attempt judged: the hand by the lesson's bands, the weld by the acceptance's limits.
+// Judges an attempt: the hand by the lesson's bands, the weld by the acceptance's limits.
 #pragma once
 
 #include "core/training/judging/score.hpp"
@@ -10,7 +10,7 @@
 
 namespace meltpool {
 
-/// What an attempt is judged by; nothing where the lesson does not say.
+/// Rules for judging an attempt; a rule that the lesson does not give is empty.
 struct JudgementRules {
     const std::optional<TechniqueBands>& technique;
     const std::optional<Acceptance>& acceptance;
@@ -18,11 +18,11 @@ struct JudgementRules {
     const ProcessSettings& process;
 };
 
-/// What the arc of an attempt has done. By time, while it burned.
+/// Account of an attempt's arc, over the time that it burned.
 struct ArcAccount {
     double seconds = 0;
     double charge = 0; ///< A s
-    double energy = 0; ///< J, of voltage and current: before any loss
+    double energy = 0; ///< J, voltage times current, before any loss
 
     void add(const ArcState& arc, double seconds);
     double meanCurrent() const { return seconds > 0 ? charge / seconds : 0; } ///< A
@@ -35,19 +35,19 @@ struct ArcAccount {
 struct Judgement {
     ArcAccount arc;
     double realTime = 1;                        ///< simulated over real time while a person welded
-    DistanceKind distance = DistanceKind::ctwd; ///< what TechniqueQuantity::distance is
-    std::vector<SeamMillimetre> seam;           ///< the hand by the millimetre; empty where no arc burned
-    std::optional<TechniqueScore> score;        ///< where the lesson has bands
-    std::vector<Correction> corrections;        ///< what to correct first, dearest first
-    std::optional<WeldMeasures> weld;           ///< where there is a weld to measure
-    std::optional<Verdict> verdict;             ///< where the lesson has an acceptance and there is a weld to measure
+    DistanceKind distance = DistanceKind::ctwd; ///< meaning of TechniqueQuantity::distance
+    std::vector<SeamMillimetre> seam;           ///< the hand by the millimetre; empty without an arc
+    std::optional<TechniqueScore> score;        ///< set if the lesson has bands
+    std::vector<Correction> corrections;        ///< corrections, the costliest first
+    std::optional<WeldMeasures> weld;           ///< set if there is a weld to measure
+    std::optional<Verdict> verdict;             ///< set if the lesson has an acceptance and there is a weld to measure
 };
 
-/// What measures the hand in a weld lesson of this workpiece and process, with the lesson's bands where it has some.
+/// Measures the hand in a weld lesson of this workpiece and process, with the lesson's bands if it has some.
 Technique techniqueOf(const WorkpieceParameters& workpiece, const ProcessSettings& process,
                       const std::optional<TechniqueBands>& bands);
 
-/// Judges technique and weld, whichever there are rules and figures for.
+/// Judges technique and weld, as far as rules and figures exist.
 Judgement judgeAttempt(const Technique& technique, std::optional<WeldMeasures> weld, const JudgementRules& rules);
 
 } // namespace meltpool

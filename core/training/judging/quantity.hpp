@@ -1,4 +1,4 @@
-// The quantities of a welder's technique: their names in lessons and records, and their units.
+// Defines the quantities of a welder's technique: their names in lessons and records, and their units.
 #pragma once
 
 #include "core/weld/process/process_traits.hpp"
@@ -12,9 +12,9 @@ namespace meltpool {
 
 /// See the handbook's page on technique for definitions and signs.
 enum class TechniqueQuantity {
-    aim,            ///< across the seam, where the torch's axis meets the seam's height; when weaving, of the weave's
+    aim,            ///< across the seam, from it to the torch's axis at the seam's height; when weaving, to the weave's
                     ///< centre line; positive on SeamFrame::across, the welder's side
-    height,         ///< of the torch's tip over the seam, along the bisector
+    height,         ///< of the torch's tip above the seam, along the bisector
     distance,       ///< see DistanceKind
     workAngle,      ///< torch from the bisector in the plane across the seam; positive: the handle leans to the welder
     travelAngle,    ///< torch from that plane, in the plane of torch and seam; positive pushes, negative drags
@@ -22,15 +22,15 @@ enum class TechniqueQuantity {
     weaveWidth,     ///< from toe to toe; 0 without a weave
     weaveFrequency, ///< whole swings a second; 0 without a weave
     weaveDwell,     ///< at each toe, beyond what a swing of even speed spends there
-    whipLength,     ///< to and fro along the seam, the mean of both ways; 0 without whipping
+    whipLength,     ///< to and fro along the seam, the mean of both strokes; 0 without whipping
     whipPeriod,     ///< from one stroke to the next
     whipDwell,      ///< in the pool, at the rear end
-    rodAngle,       ///< filler rod over the plane across the bisector; 0 lies on a plate, 90 degrees stands on it
-    rodFrequency,   ///< dips of the rod towards the pool a second; 0 of a rod that is held still
+    rodAngle,       ///< filler rod above the plane across the bisector; 0 is flat on a plate, 90 degrees upright on it
+    rodFrequency,   ///< dips of the rod towards the pool a second; 0 for a rod held still
 };
 inline constexpr size_t kTechniqueQuantities = 14;
 
-/// One value of each quantity in SI units: m, rad, m/s, Hz, s. NaN is unknown, as all are at first.
+/// One value of each quantity in SI units: m, rad, m/s, Hz, s. NaN is unknown, the initial value.
 class TechniqueValues {
   public:
     TechniqueValues() { values_.fill(std::numeric_limits<double>::quiet_NaN()); }
@@ -43,15 +43,15 @@ class TechniqueValues {
 
 struct QuantityInfo {
     TechniqueQuantity quantity;
-    std::string_view key;      ///< in lessons and results, such as "travel_speed"; "" of one that lessons do not judge
-    std::string_view column;   ///< of technique.csv, with its unit
-    std::string_view wordsKey; ///< of words()
-    std::string_view unit;     ///< of lessons and sentences: "mm", "mm/s", "°", "Hz", "s"
-    double perSi = 1;          ///< value in `unit` over the value in SI
-    double least = 0;          ///< in `unit`, that a lesson may ask for
+    std::string_view key;      ///< key in lessons and results, such as "travel_speed"; "" if lessons do not judge it
+    std::string_view column;   ///< column of technique.csv, with its unit
+    std::string_view wordsKey; ///< key of words()
+    std::string_view unit;     ///< unit in lessons and sentences: "mm", "mm/s", "°", "Hz", "s"
+    double perSi = 1;          ///< value in `unit` per value in SI
+    double least = 0;          ///< in `unit`, range that a lesson may ask for
     double most = 0;
 
-    /// In sentences, such as "travel speed". Stays valid for the whole run.
+    /// Name in sentences, such as "travel speed". Valid for the whole run.
     std::string_view words() const;
 };
 

@@ -1,4 +1,4 @@
-// What of the measured hand belongs to a saved state.
+// Saves and restores the measured hand.
 #include "core/gl/state_archive.hpp"
 #include "core/training/judging/technique.hpp"
 
@@ -11,7 +11,7 @@ namespace {
 constexpr size_t kMostSteps = size_t(1) << 28;
 
 void transferStep(gl::StateArchive& archive, TechniqueStep& s) {
-    // The second flag in one byte with the first: states that were saved without it can be read.
+    // The second flag shares a byte with the first: states saved without it remain readable.
     constexpr std::uint8_t kWelds = 1, kGuessed = 2;
     std::uint8_t flags = static_cast<std::uint8_t>((s.welds ? kWelds : 0) | (s.known ? 0 : kGuessed));
     archive.values(s.time, s.place, s.aim, s.height, s.distance, s.workAngle, s.lean, s.rodAngle, s.rodGap, s.current,
@@ -36,7 +36,7 @@ void Technique::transfer(gl::StateArchive& archive) {
     archive.count(oldest_, steps_.size());
     sense_.transfer(archive);
     slope_.transfer(archive);
-    if (archive.restores()) guessedTo_ = kNever; // a state is saved between frames
+    if (archive.restores()) guessedTo_ = kNever; // states are saved between frames
 }
 
 void Technique::transferSteps(gl::StateArchive& archive, size_t from, size_t to) {

@@ -19,7 +19,7 @@ bool isWanted(double place, const TechniqueBands& bands) {
     return place * kMm > std::round(bands.lengthFromMm) && place * kMm < std::round(bands.lengthToMm);
 }
 
-/// The millimetres of the wanted seam that were welded with a hand that is known.
+/// The millimetres of the wanted seam that were welded with a known hand.
 std::vector<const SeamMillimetre*> weldedPart(const std::vector<SeamMillimetre>& seam, const TechniqueBands& bands) {
     std::vector<const SeamMillimetre*> part;
     for (const SeamMillimetre& mm : seam)
@@ -109,11 +109,11 @@ void sumUp(TechniqueScore& score, const TechniqueBands& bands) {
     score.lostToLength = 100 * (1 - score.coverage);
 }
 
-/// Which sentence of its quantity a parameter is told with, see [correction] of the words file.
+/// Case of the parameter's sentence, see [correction] of the words file.
 std::string_view caseOf(const ParameterScore& parameter, const TechniqueBand& band) {
     if (std::isnan(parameter.mean)) return "unknown";
     const double off = std::abs(parameter.deviation);
-    // Values on both sides of the ideal have a mean near it: then it is the unevenness that costs.
+    // Values on both sides of the ideal have a mean near it: then the unevenness costs the points.
     if (off < 0.5 * parameter.spread || tellNumber(off) == "0") return "uneven";
     const bool tooMuch = parameter.deviation > 0;
     switch (band.quantity) {

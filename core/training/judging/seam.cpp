@@ -12,12 +12,12 @@ namespace meltpool {
 namespace {
 
 constexpr double kMm = 1e-3;
-/// Cosine to the bisector below which a torch lies so flat that its axis has no place on the seam.
+/// Least cosine to the bisector: a flatter torch's axis has no place on the seam.
 constexpr double kFlattest = 0.1;
-/// Times that the foot of the axis is looked for on a circle's tangents; each brings several digits.
+/// Iterations that find the foot of the axis on a circle's tangents; each adds several digits.
 constexpr int kFootRounds = 4;
 
-/// A frame with this tangent, and `up` as near as a right angle allows.
+/// A frame with this tangent, and `up` as near to the given one as a right angle allows.
 SeamFrame frameOf(const glm::dvec3& point, const glm::dvec3& tangent, const glm::dvec3& up) {
     SeamFrame frame;
     frame.point = point;

@@ -25,7 +25,7 @@ constexpr double kInside = 0.5; ///< weight of the map from which on there is me
 
 using Place = glm::dvec2; ///< m (z, y)
 
-/// What the map knows of where measures stand.
+/// Finds in the map the places of measures.
 class Anchors {
   public:
     Anchors(const SectionMap& map, double fusion) : map_(map), fusion_(fusion), outline_(weldOutline(map)) {}
@@ -45,7 +45,7 @@ class Anchors {
         return deepest;
     }
 
-    /// Middle across the seam of what is fused at a height.
+    /// Centre across the seam of the fused metal at a height.
     std::optional<double> fusedMiddle(double height) const {
         double low = std::numeric_limits<double>::infinity(), high = -low;
         const int row = rowOf(height);
@@ -57,14 +57,14 @@ class Anchors {
         return low <= high ? std::optional(0.5 * (low + high)) : std::nullopt;
     }
 
-    /// Whether metal at a place has been molten.
+    /// True if metal at a place has been molten.
     bool fused(Place place) const {
         const glm::dvec2 share = (place - Place(map_.low)) / Place(map_.size) * glm::dvec2(map_.texels);
         const glm::ivec2 texel(glm::floor(share));
         return texel.x >= 0 && texel.y >= 0 && texel.x < map_.texels.x && texel.y < map_.texels.y && fusedAt(texel);
     }
 
-    /// The place of the outline where `measure` is greatest among those it has a value for.
+    /// The place of the outline with the greatest `measure`, among places that have a value for it.
     template <class Measure>
     std::optional<Place> onOutline(Measure measure) const {
         std::optional<Place> best;
@@ -104,7 +104,7 @@ std::string lengthLabel(Member figure, double metres) {
                   {{"figure", stationFigure(figure).drawnWords()}, {"length", PhraseNumber(metres / kMm, 1)}});
 }
 
-/// "leg < 0.5" of a length that is not resolved.
+/// "leg < 0.5" for a length that is not resolved.
 std::string limitLabel(Member figure, double metres) {
     char limit[32];
     std::snprintf(limit, sizeof limit, "%.2g", metres / kMm);
@@ -176,7 +176,7 @@ class Marks {
         marks_.push_back(std::move(mark));
     }
 
-    /// A length as the station has it, where there is one.
+    /// Adds the station's length, if it has one.
     void length(Member figure, Place from, Place to) {
         const WeldStation::Value value = station_.*figure;
         if (!value || *value <= 0) return;
@@ -185,13 +185,13 @@ class Marks {
     }
 
     void fault(Member figure, double least, Place from, Place to) { fault(figure, station_.*figure, least, from, to); }
-    /// With a value that is not the figure's alone.
+    /// Adds a fault whose value is not the figure's alone.
     void fault(Member figure, WeldStation::Value value, double least, Place from, Place to) {
         if (value && *value > least)
             add({SectionMark::Kind::length, SectionMark::Tint::fault, lengthLabel(figure, *value)}, from, to);
     }
 
-    /// Between the plate's way into the weld and the weld's surface, which rises towards `side`.
+    /// Adds the angle between the plate's way into the weld and the weld's surface, which rises towards `side`.
     void angle(Member figure, Place toe, Place inwards, Place side) {
         const WeldStation::Value value = station_.*figure;
         if (!value) return;
@@ -232,7 +232,7 @@ class Marks {
         length(&WeldStation::penetration, face, face + way * station_.penetration.value_or(0));
     }
 
-    /// Of the two plates it is the one that is colder beside the corner; the station has the worse one's length.
+    /// Draws the plate that is colder next to the corner; the station has the worse one's length.
     void drawUnfusedCorner(double leg1, double leg2) {
         const double unfused = station_.lackOfFusion.value_or(0), inside = 0.25 * spacing_;
         if (unfused <= 0) return;
@@ -243,7 +243,7 @@ class Marks {
     }
 
     void drawFusedWidth(double upper) {
-        const double height = upper - 0.5 * spacing_; // where the gauge takes it
+        const double height = upper - 0.5 * spacing_; // height at which the gauge measures it
         const auto middle = anchors_.fusedMiddle(height);
         if (!middle) return;
         const double half = 0.5 * station_.fusedWidth.value_or(0);
@@ -254,7 +254,7 @@ class Marks {
         const auto crown = anchors_.onOutline([](Place place) { return std::optional(place.y); });
         const double at = crown ? crown->x : station_.middle.value_or(0);
         length(&WeldStation::height, {at, upper}, {at, upper + station_.height.value_or(0)});
-        if (butt) return; // a bevel is a face too, so that the distance from the faces has no one place
+        if (butt) return; // a bevel is a face too, so that the distance from the faces has more than one place
         const auto deepest = anchors_.deepestFused([upper](Place place) { return upper - place.y; });
         if (!deepest) return;
         length(&WeldStation::penetration, {deepest->x, upper}, {deepest->x, upper - station_.penetration.value_or(0)});

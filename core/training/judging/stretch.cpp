@@ -19,7 +19,7 @@ constexpr double kLongestDip = 4;
 constexpr double kShortestSwing = 0.15;
 constexpr double kShortestDip = 0.08;
 
-/// A series of one value of the steps, without the steps where it is unknown.
+/// Swings of one value of the steps, without the steps where it is unknown.
 std::vector<SwingRun> swingsOf(Steps steps, double TechniqueStep::*value, const SwingLimits& limits) {
     std::vector<double> times, values;
     times.reserve(steps.size());
@@ -32,12 +32,12 @@ std::vector<SwingRun> swingsOf(Steps steps, double TechniqueStep::*value, const 
     return findSwings(times, values, limits);
 }
 
-/// Goes through runs in the order of time.
+/// Walks through runs in the order of time.
 class RunCursor {
   public:
     explicit RunCursor(const std::vector<SwingRun>& runs) : runs_(runs) {}
 
-    /// The run at `time`, which never falls; null between runs.
+    /// The run at `time`, which must not decrease; null between runs.
     const SwingRun* at(double time) {
         while (next_ < runs_.size() && runs_[next_].end < time)
             ++next_;
@@ -49,11 +49,11 @@ class RunCursor {
     size_t next_ = 0;
 };
 
-/// The direction of travel in every step; what the sense finds late holds from where the torch turned.
+/// Sets the direction of travel in every step; a direction sensed late holds from the torch's turn on.
 void setDirections(Steps steps, int before, std::vector<StretchValues>& result) {
     DirectionSense sense;
-    size_t known = 0;    // steps before have their direction
-    size_t farthest = 0; // step, in the direction of travel
+    size_t known = 0;    // steps before it have their direction
+    size_t farthest = 0; // farthest step, in the direction of travel
     for (size_t i = 0; i < steps.size(); ++i) {
         const int last = sense.direction();
         const int now = sense.add(steps[i].place);
@@ -71,7 +71,8 @@ void setDirections(Steps steps, int before, std::vector<StretchValues>& result) 
         result[k].direction = found == 0 ? before : found;
 }
 
-/// Slope of place against time in every step, over a window that is centred on it where the stretch reaches so far.
+/// Sets the slope of place against time in every step, over a window that is centred on it as far as the stretch
+/// reaches.
 void setSpeeds(Steps steps, double window, std::vector<StretchValues>& result) {
     const double begin = steps.front().time, end = steps.back().time;
     if (end - begin < kLeastSpeedSpan) return;

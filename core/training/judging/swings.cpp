@@ -9,9 +9,9 @@ namespace meltpool {
 namespace {
 
 constexpr size_t kLeastSwings = 3;
-constexpr double kNear = 0.1;     ///< of the way, that is still at the toe
-constexpr double kRaise = 1.3;    // of the least swing, while tremor is as large
-constexpr double kMostTremor = 5; // times the least swing; where tremor is larger nothing can be told
+constexpr double kNear = 0.1;     ///< share of the way that still counts as at the toe
+constexpr double kRaise = 1.3;    // factor of the least swing, while tremor is as large
+constexpr double kMostTremor = 5; // in least swings; larger tremor hides every swing
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// A way from one toe to the next.
@@ -24,7 +24,7 @@ struct HalfSwing {
     double tenths() const { return (arrives - leaves) * kNear / (1 - 2 * kNear); }
 };
 
-/// Indices at which the values turn back by `least` or more. The first is where they begin, not a toe.
+/// Indices at which the values turn back by `least` or more. The first is the start of the values, not a toe.
 std::vector<size_t> turningPoints(std::span<const double> values, double least) {
     std::vector<size_t> points;
     size_t low = 0, high = 0;
@@ -45,7 +45,7 @@ std::vector<size_t> turningPoints(std::span<const double> values, double least) 
     return points;
 }
 
-/// The turning points of the smallest swings that are no tremor: `least` is raised until none is faster than
+/// The turning points of the smallest swings that are not tremor: `least` is raised until none is faster than
 /// `shortest`.
 std::vector<size_t> toesOf(std::span<const double> times, std::span<const double> values, const SwingLimits& limits) {
     std::vector<size_t> toes;
@@ -76,12 +76,12 @@ HalfSwing halfSwing(std::span<const double> times, std::span<const double> value
     return half;
 }
 
-/// s at the toe between two ways.
+/// Dwell at the toe between two ways, s.
 double dwellBetween(const HalfSwing& before, const HalfSwing& after) {
     return std::max(after.leaves - before.arrives - before.tenths() - after.tenths(), 0.0);
 }
 
-/// What the way `k` knows of the toes at its ends.
+/// A swing from way `k` and the toes at its ends.
 Swing swingOf(std::span<const HalfSwing> halves, size_t k) {
     const HalfSwing& half = halves[k];
     // The first and the last way take period and rate of their neighbours.

@@ -1,4 +1,4 @@
-// Movements to and fro in a series of values: weave, whip, and dips of the rod.
+// Finds movements to and fro in a series of values: weave, whip, and dips of the rod.
 #pragma once
 
 #include <span>
@@ -6,25 +6,25 @@
 
 namespace meltpool {
 
-/// What counts as a swing.
+/// Limits of a swing.
 struct SwingLimits {
-    double least = 1e-3;    ///< from toe to toe, in the values' unit; what turns back earlier is tremor
-    double shortest = 0.15; ///< s from toe to toe; what is faster is tremor too, and only larger swings are looked for
-    double longest = 2.5;   ///< s from toe to toe; what is slower is drift
+    double least = 1e-3;    ///< from toe to toe, in the values' unit; smaller movements are tremor
+    double shortest = 0.15; ///< s from toe to toe; faster movements are tremor too, and only larger swings are searched
+    double longest = 2.5;   ///< s from toe to toe; slower movements are drift
 };
 
 /// One way from toe to toe; times in s, values in their own unit.
 struct Swing {
-    double time = 0;      ///< of the middle between the toes
-    double centre = 0;    ///< the value there
+    double time = 0;      ///< at the middle between the toes
+    double centre = 0;    ///< value at the middle
     double width = 0;     ///< from toe to toe, without the drift: the mean of the ways to and fro
-    double period = 0;    ///< of to and fro
-    double rate = 0;      ///< drift, a second: of the centre over one period
+    double period = 0;    ///< of a swing to and fro
+    double rate = 0;      ///< drift of the centre over one period, a second
     double dwellLow = 0;  ///< s at the lower toe, see findSwings()
     double dwellHigh = 0; ///< s at the upper toe
 };
 
-/// Swings that follow one another.
+/// Consecutive swings.
 struct SwingRun {
     std::vector<Swing> swings; ///< at least three
     double begin = 0;          ///< s, a period before the first
@@ -36,10 +36,10 @@ struct SwingRun {
     double centreAt(double time) const;
 };
 
-/// The runs of swings in `values` at ascending `times`. The way before the first toe and that after the last are none:
-/// nobody knows where they began or will end. Dwell at a toe is the time within a tenth of the way from it, less what
-/// the next tenths at the mean speed of the ways before and after would take: that of a zigzag with pauses is the
-/// pause, that of a sine is 0.131 of its period.
+/// The runs of swings in `values` at ascending `times`. The way before the first toe and the way after the last do not
+/// count: their other ends are unknown. Dwell at a toe is the time within a tenth of the way from it, minus the time of
+/// the next tenths at the mean speed of the ways before and after: for a zigzag with pauses that is the pause, for a
+/// sine 0.131 of its period.
 std::vector<SwingRun> findSwings(std::span<const double> times, std::span<const double> values,
                                  const SwingLimits& limits);
 

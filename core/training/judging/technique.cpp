@@ -20,7 +20,7 @@ double finite(float value) {
     return std::isfinite(value) ? static_cast<double>(value) : kUnknown;
 }
 
-/// No samples are missing between two steps that weld, and the torch did not jump.
+/// True if no samples are missing between two steps that weld, and the torch did not jump.
 bool follows(const TechniqueStep& step, const TechniqueStep& before) {
     const double elapsed = step.time - before.time, way = std::abs(step.place - before.place);
     return before.welds && elapsed > 0 && elapsed <= kLongestTechniqueStep &&
@@ -94,11 +94,11 @@ void Technique::reset() {
 void Technique::noteDropped(double seconds) {
     if (!burned_) return;
     ++faults_.dropped;
-    constexpr double kRounding = 1e-6; // of the sum of many steps
+    constexpr double kRounding = 1e-6; // rounding of the sum of many steps
     guessedTo_ = steps_.back().time + seconds + kRounding;
 }
 
-/// A place on a circle, as many turns on as bring it next to the step before.
+/// A place on a circle, with as many turns added as bring it next to the step before.
 double Technique::continued(double place) const {
     if (!seam_.closed() || steps_.empty()) return place;
     return place + std::round((steps_.back().place - place) / seam_.length()) * seam_.length();
@@ -130,7 +130,7 @@ TechniqueStep Technique::measure(const TorchSample& torch, const ArcState& arc) 
     return step;
 }
 
-/// Whether the hand is known in the step that is added.
+/// Notes the faults of the new step; true if the hand is known in it.
 bool Technique::noteFaults(double elapsed, bool burns, bool tracked) {
     if (burns) faults_.arcSeconds += elapsed;
     lost_ = !tracked && (lost_ || burns || burned_);

@@ -1,4 +1,4 @@
-// What the welder's hand does along the seam, measured in every step of the metal.
+// Measures the welder's hand along the seam in every step of the metal.
 #pragma once
 
 #include "core/base/short_text.hpp"
@@ -19,52 +19,53 @@ namespace meltpool {
 
 struct TechniqueSettings {
     DistanceKind distance = DistanceKind::ctwd;
-    double speedWindow = 0.5; ///< s of metal time, over which the travel speed is the slope of place against time
+    double speedWindow = 0.5; ///< s of metal time; the travel speed is the slope of place against time over it
 };
 
-/// m along the seam after each strike until the direction of travel is known.
+/// m along the seam after each strike, after which the direction of travel is known.
 inline constexpr double kDirectionSense = 3e-3;
-/// m that the torch must come back from its farthest place until the direction counts as turned; a whip is shorter.
+/// m back from the torch's farthest place that count as a turn of direction; a whip is shorter.
 inline constexpr double kDirectionTurn = 8e-3;
 /// s; the speed of a shorter stretch is unknown.
 inline constexpr double kLeastSpeedSpan = 0.1;
 /// s between two steps; in a longer gap samples were dropped.
 inline constexpr double kLongestTechniqueStep = 0.1;
 
-/// s of the metal's time that a frame may make good by guessing the way of the hand between two places.
+/// s of metal time in a frame that may be bridged by a guess of the hand's way between two places.
 inline constexpr double kLongestGuess = 0.25;
 
-/// The value of an event `samples` whose frame makes good `seconds`: "dropped 0.2", and the seconds of such a value.
-/// One without a time, as of older programs, stands for kLongestGuess.
+/// The value of an event `samples` whose frame bridges `seconds`: "dropped 0.2", and the seconds of such a value. A
+/// value without a time, from older programs, means kLongestGuess.
 ShortText droppedText(double seconds);
 double droppedSeconds(std::string_view value);
 
-/// m and m/s: a step along the seam that is longer than both allow is a jump, which ends a stretch as a gap does.
+/// m and m/s: a step along the seam longer than both allow is a jump, which ends a stretch as a gap does.
 inline constexpr double kJump = 2e-3;
 inline constexpr double kJumpSpeed = 0.2;
 
-/// One step, SI units; what is unknown is NaN.
+/// One step, SI units; unknown values are NaN.
 struct TechniqueStep {
     double time = 0;      ///< s of metal time
-    double place = 0;     ///< m along the seam where the torch's axis meets it; goes on growing around a circle
-    double aim = 0;       ///< m, of this step alone: with the weave
+    double place = 0;     ///< m along the seam to the torch's axis; goes on growing around a circle
+    double aim = 0;       ///< m, of this step alone, including the weave
     double height = 0;    ///< m
     double distance = 0;  ///< m
     double workAngle = 0; ///< rad
     double lean = 0;      ///< rad, travel angle for a travel towards growing places
     double rodAngle = 0;  ///< rad
-    double rodGap = 0;    ///< m along the rod from its tip to where the torch's axis meets the seam; negative beyond
+    double rodGap = 0;    ///< m along the rod from its tip to the point where the torch's axis meets the seam; negative
+                          ///< beyond
     double current = 0;   ///< A, of the arc
     double voltage = 0;   ///< V, of the arc
     bool welds = false;   ///< the arc burns and the torch is tracked
-    bool joined = false;  ///< welds, as did the step before, with no gap and no jump between
-    bool known = true;    ///< false: what the hand did since the step before, under an arc, is a guess
+    bool joined = false;  ///< welds, as the step before did, with no gap and no jump between
+    bool known = true;    ///< false: the hand's way since the step before, under an arc, is a guess
 };
 
-/// Of a step in a saved state: eleven numbers, and two bytes for three times yes or no.
+/// Bytes of a step in a saved state: eleven numbers and two bytes for three flags.
 inline constexpr size_t kTechniqueStepBytes = 11 * sizeof(double) + 2;
 
-/// Finds the direction of travel while places come in: +1 towards growing places, -1, or 0 while it is not known.
+/// Finds the direction of travel from the places: +1 towards growing places, -1, or 0 while unknown.
 class DirectionSense {
   public:
     void reset() { *this = {}; }
@@ -78,12 +79,12 @@ class DirectionSense {
     double low_ = 0, high_ = 0;
 };
 
-/// Slope of a line through points that come and go at its ends (least squares), in constant time for each.
+/// Slope of a line through points that come and go at its ends (least squares), in constant time for each point.
 class SlidingSlope {
   public:
     void add(double time, double value);
     void remove(double time, double value);
-    /// Of the points in it; NaN with fewer than two moments.
+    /// Slope of its points; NaN with fewer than two moments.
     double slope() const;
     void transfer(gl::StateArchive& archive); ///< saves or restores it
 
@@ -91,38 +92,39 @@ class SlidingSlope {
     double count_ = 0, sumT_ = 0, sumV_ = 0, sumTT_ = 0, sumTV_ = 0;
 };
 
-/// While the arc burned: where the hand is not known.
+/// Times with the arc burning and the hand unknown.
 struct TechniqueFaults {
-    double arcSeconds = 0;  ///< that the arc burned
-    double lostSeconds = 0; ///< that tracking was lost, from a moment when the arc burned
-    size_t dropped = 0;     ///< samples of the torch, while the arc burned
+    double arcSeconds = 0;  ///< arc time
+    double lostSeconds = 0; ///< time without tracking, from a moment with the arc burning
+    size_t dropped = 0;     ///< dropped samples of the torch while the arc burned
 };
 
 class Technique {
   public:
     explicit Technique(const Seam& seam, const TechniqueSettings& settings = {});
 
-    /// The next step, with torch and arc of that step; torch.time is the metal's time. Allocates nothing but the room
-    /// for more steps. `tracked`: the torch's pose is measured, not kept from before.
+    /// Adds the next step, with torch and arc of that step; torch.time is the metal's time. Allocates only room for
+    /// more steps. `tracked`: false if the torch's pose is an older one, not measured.
     void add(const TorchSample& torch, const ArcState& arc, bool tracked = true);
-    /// A sample of the torch went missing: the steps of the next `seconds` of the metal's time lie on a guessed way.
+    /// Call it when a sample of the torch is missing: the steps of the next `seconds` of the metal's time are on a
+    /// guessed way.
     void noteDropped(double seconds = kLongestGuess);
-    /// Everything is forgotten but seam and settings.
+    /// Forgets everything except seam and settings.
     void reset();
 
-    /// Saves or restores all but seam, settings and steps(), which come before it.
+    /// Saves or restores everything except seam, settings and steps(), which come before it.
     void transfer(gl::StateArchive& archive);
-    /// Saves the steps from number `from` to before `to`, each as kTechniqueStepBytes. Where they are restored those
-    /// before `from` are kept, and must be there, and those from `to` on forgotten.
+    /// Saves the steps from number `from` to before `to`, each as kTechniqueStepBytes. Restoring keeps the steps before
+    /// `from`, which must be there, and forgets those from `to` on.
     void transferSteps(gl::StateArchive& archive, size_t from, size_t to);
 
-    /// Of the last step, for cues: what the hand does at this moment. The speed is that of the last speedWindow
-    /// seconds; the travel angle waits until the direction is known, and so the speed's sign; weave and whip are
-    /// unknown here, and the aim is that of the step alone.
+    /// Values of the last step, for cues. The speed is that of the last speedWindow seconds; travel angle and the
+    /// speed's sign are unknown until the direction is known; weave and whip are unknown here, and the aim is that of
+    /// the step alone.
     const TechniqueValues& now() const { return now_; }
-    /// m along the seam, of the last step.
+    /// Place of the last step, m along the seam.
     double place() const { return steps_.empty() ? 0 : steps_.back().place; }
-    /// Of the stretch that is welded now: +1 towards growing places, -1, or 0 while it is not known.
+    /// Direction of travel in the present stretch: +1 towards growing places, -1, or 0 while unknown.
     int direction() const { return sense_.direction(); }
 
     const std::vector<TechniqueStep>& steps() const { return steps_; }
@@ -145,11 +147,11 @@ class Technique {
     TechniqueFaults faults_;
     DirectionSense sense_;
     SlidingSlope slope_;
-    size_t oldest_ = 0;         ///< step in slope_
+    size_t oldest_ = 0;         ///< oldest step in slope_
     double guessedTo_ = kNever; ///< s, time of the last step on a guessed way
-    double origin_ = 0;         ///< s, time that slope_ counts from
-    bool burned_ = false;       ///< in the step before
-    bool lost_ = false;         ///< tracking, since a moment when the arc burned
+    double origin_ = 0;         ///< s, start of slope_'s times
+    bool burned_ = false;       ///< state of the arc in the step before
+    bool lost_ = false;         ///< tracking is lost, since a moment with the arc burning
 };
 
 } // namespace meltpool

@@ -8,11 +8,11 @@ namespace meltpool {
 namespace {
 
 constexpr double kPerMetre = 1e3;  ///< mm
-constexpr double kRounding = 1e-6; ///< mm of length that sums of pitches may be off
-constexpr double kEqual = 1e-6;    ///< parts by which sizes from single precision may differ
+constexpr double kRounding = 1e-6; ///< mm, rounding of sums of pitches
+constexpr double kEqual = 1e-6;    ///< relative difference of equal sizes in single precision
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// One station by one limit.
+/// One station measured against one limit.
 struct Look {
     VerdictState state = VerdictState::notResolved;
     double value = 0, limit = 0, excess = 0, resolution = 0; ///< in the imperfection's unit
@@ -37,7 +37,7 @@ VerdictState stateOf(double excess, double limit, double resolution, bool isAngl
     return excess <= -slack ? VerdictState::pass : VerdictState::notResolved;
 }
 
-/// The judgement of one item over all stations.
+/// Judges one item over all stations.
 class ItemJudge {
   public:
     ItemJudge(const WeldMeasures& measures, const AcceptanceItem& item, const WeldFigure& imperfection,
@@ -50,9 +50,9 @@ class ItemJudge {
           sizes_{kUnknown, nominal.throatOf(measures.kind).value_or(kUnknown) * kPerMetre,
                  nominal.thickness * kPerMetre, nominal.legOf().value_or(kUnknown) * kPerMetre} {}
 
-    /// Nothing where the item does not hold for this weld.
+    /// Empty if the item does not apply to this weld.
     std::optional<VerdictItem> judge() const;
-    /// What the item says of an estimate.
+    /// Judges an estimate by the item.
     VerdictItem judgeEstimate(const Estimate& estimate) const;
 
   private:
@@ -63,7 +63,7 @@ class ItemJudge {
     VerdictItem decide(const std::vector<Look>& looks, const std::vector<Look>& shortLooks) const;
     std::vector<FaceStretch> failing(const std::vector<Look>& looks) const;
     VerdictItem judgeShort(const std::vector<Look>& looks, const std::vector<Look>& shortLooks) const;
-    /// mm of stations that `counts` takes, in the window of ShortAllowance::per in which they are longest.
+    /// Total length (mm) of stations that `counts` accepts, in the window of ShortAllowance::per where it is longest.
     template <class Counts>
     double longest(const std::vector<Look>& looks, Counts counts) const;
 
@@ -75,7 +75,7 @@ class ItemJudge {
     LimitSizes sizes_;  ///< of the whole weld, without b
 };
 
-/// The imperfection wherever the weld tells it, in the order of the stations.
+/// All values of the imperfection, in the order of the stations.
 std::vector<PlacedImperfection> ItemJudge::found() const {
     std::vector<PlacedImperfection> all;
     if (what_.judged)
@@ -160,7 +160,7 @@ VerdictItem ItemJudge::decide(const std::vector<Look>& looks, const std::vector<
     return made(worst, worst.state);
 }
 
-/// Looks stand in the order of the stations.
+/// Stretches of failing stations. `looks` are in the order of the stations.
 std::vector<FaceStretch> ItemJudge::failing(const std::vector<Look>& looks) const {
     std::vector<FaceStretch> stretches;
     for (const Look& look : looks) {
@@ -193,7 +193,7 @@ VerdictItem ItemJudge::judgeShort(const std::vector<Look>& looks, const std::vec
     const auto lesser = [](const Look& a, const Look& b) { return worse(b, a); };
     const Look& worst = *std::max_element(looks.begin(), looks.end(), lesser);
     if (worst.state == VerdictState::pass) return made(worst, VerdictState::pass);
-    // The same stations by the limit of short ones; those within the limit itself need no allowance.
+    // These stations against the limit of short ones; a station within the main limit needs no allowance.
     Look worstShort;
     bool any = false;
     for (size_t i = 0; i < looks.size(); ++i) {
@@ -211,7 +211,7 @@ VerdictItem ItemJudge::judgeShort(const std::vector<Look>& looks, const std::vec
     return made(worstShort, worstShort.state);
 }
 
-/// Puts an item to the others, or in the place of a better one of the same imperfection.
+/// Adds an item, or replaces a better one of the same imperfection.
 void enter(std::vector<VerdictItem>& items, VerdictItem item) {
     const auto same =
         std::find_if(items.begin(), items.end(), [&](const VerdictItem& each) { return each.name == item.name; });
@@ -221,7 +221,7 @@ void enter(std::vector<VerdictItem>& items, VerdictItem item) {
         *same = std::move(item);
 }
 
-/// The estimate that answers for an imperfection which the metal does not contain; null where there is none.
+/// The estimate of an imperfection that the metal does not contain; null if there is none.
 const Estimate* findEstimate(std::span<const Estimate> estimates, const WeldFigure& imperfection) {
     if (imperfection.isMeasured()) return nullptr;
     const auto found = std::find_if(estimates.begin(), estimates.end(),
@@ -229,7 +229,7 @@ const Estimate* findEstimate(std::span<const Estimate> estimates, const WeldFigu
     return found == estimates.end() ? nullptr : &*found;
 }
 
-/// Estimates of what no item of the file speaks of.
+/// Adds estimates that no item of the file asks for.
 void enterFreeEstimates(std::span<const Estimate> estimates, std::vector<VerdictItem>& items) {
     for (const Estimate& estimate : estimates) {
         const auto known = [&](const VerdictItem& each) {
