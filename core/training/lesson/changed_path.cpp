@@ -11,10 +11,10 @@ namespace meltpool {
 
 namespace {
 
-/// s to both sides that a still moment is the mean of: with Hann's window this leaves what is slower than 3 Hz and
-/// takes all that is faster than 7 Hz.
+/// Half width (s) of the mean around a still moment: with Hann's window it passes movements slower than 3 Hz and
+/// removes all faster than 7 Hz.
 constexpr double kWindow = 0.4;
-/// rad from the plane across the seam that a changed travel angle stays below.
+/// Limit of a changed travel angle, rad from the plane across the seam.
 constexpr double kMostLean = 80 * std::numbers::pi / 180;
 
 double stepOf(const std::vector<AttemptStep>& steps) {
@@ -33,7 +33,7 @@ std::vector<double> stillWeights(double step) {
     return weights;
 }
 
-/// The place and pose about one step without what is fast.
+/// Place and pose around one step without fast movements.
 TorchSample stillSample(const std::vector<AttemptStep>& steps, const std::vector<double>& weights, size_t middle) {
     const glm::quat own = steps[middle].torch.orientation;
     glm::dvec3 tip(0);
@@ -41,7 +41,7 @@ TorchSample stillSample(const std::vector<AttemptStep>& steps, const std::vector
     double sum = 0;
     const auto reach = static_cast<std::ptrdiff_t>(weights.size()) - 1;
     for (std::ptrdiff_t i = -reach; i <= reach; ++i) {
-        // Beyond the ends the hand stands as it stood there.
+        // Beyond the ends the hand keeps its last pose.
         const auto at = std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(middle) + i, 0,
                                                    static_cast<std::ptrdiff_t>(steps.size()) - 1);
         const TorchSample& torch = steps[static_cast<size_t>(at)].torch;
@@ -94,7 +94,7 @@ double placeOf(const Seam& seam, const TorchSample& torch) {
     return seam.nearest(footOf(seam, glm::dvec3(torch.tip), glm::normalize(glm::dvec3(torch.axis())))).place;
 }
 
-/// Which way along the seam the arc went on the whole.
+/// Overall direction of the arc along the seam.
 double directionOf(const std::vector<AttemptStep>& steps, const Seam& seam) {
     double way = 0, before = 0;
     bool burned = false;
@@ -135,13 +135,13 @@ ChangedPath::Moment ChangedPath::momentAt(double time) const {
     return {step, (time - begin) / (next->torch.time - begin)};
 }
 
-/// Turns the torch about the point that its axis shows at, so that aim and distance stay what they were.
+/// Turns the torch about its target, so that aim and distance stay unchanged.
 void ChangedPath::turn(TorchSample& torch) const {
     if (change_.workAngle == 0 && change_.travelAngle == 0) return;
     const glm::dvec3 tip(torch.tip), axis = glm::normalize(glm::dvec3(torch.axis()));
     const glm::dvec3 foot = footOf(seam_, tip, axis);
     const SeamFrame frame = seam_.at(seam_.nearest(foot).place);
-    // The angles as Technique measures them.
+    // The angles by Technique's definition.
     const double work = std::atan2(-glm::dot(axis, frame.across), -glm::dot(axis, frame.up)) + change_.workAngle;
     const double lean =
         std::clamp(std::asin(std::clamp(glm::dot(axis, frame.tangent), -1.0, 1.0)) + direction_ * change_.travelAngle,
@@ -158,7 +158,7 @@ TorchSample ChangedPath::sample(double time, double burntOff) const {
     TorchSample torch = path_.sample(then);
     torch.time = time;
     if (steps_.empty()) return torch;
-    if (torch.rod) torch.rod->feed *= static_cast<float>(change_.speed); // as much of it for each mm of seam
+    if (torch.rod) torch.rod->feed *= static_cast<float>(change_.speed); // unchanged feed for each mm of seam
     turn(torch);
     const Moment moment = momentAt(then);
     const size_t next = std::min(moment.step + 1, steps_.size() - 1);

@@ -1,4 +1,4 @@
-// What is practised: which metal under which torch, for how long, seen how. A lesson is data; the Trainer runs it.
+// Describes a lesson as data: the metal, the torch, the duration and the view. The Trainer runs it.
 #pragma once
 
 #include "core/base/parameter.hpp"
@@ -21,28 +21,28 @@
 
 namespace meltpool {
 
-/// Which metal the lesson is made of: the thesis's, or the one that obeys physics.
+/// Model of the metal: the thesis's, or the one that obeys physics.
 enum class LessonModel { Classic, Weld };
 
-/// Length of a run and what is kept of it.
+/// Length of a run and its pictures.
 struct RunParameters {
     float seconds = 10;      ///< simulated time, s
-    float picturesEvery = 1; ///< s between pictures; 0: only one at the end
+    float picturesEvery = 1; ///< s between pictures; 0: one picture at the end
     int width = 1280;        ///< pixels
     int height = 720;        ///< pixels
 };
 
-/// What the source does to the metal.
+/// Effect of the source on the metal.
 struct SourceParameters {
     int kind = 0; ///< 0 hot, 1 cold
 };
 
 /// A camera on a sphere around the workpiece.
 struct CameraParameters {
-    float azimuth = 45;     ///< degrees around the vertical, 0 stands before the workpiece
+    float azimuth = 45;     ///< degrees around the vertical, 0 is in front of the workpiece
     float elevation = 30;   ///< degrees above the horizon
     float distance = 3;     ///< model units
-    float fieldOfView = 35; ///< degrees, of the picture's height
+    float fieldOfView = 35; ///< degrees, over the picture's height
 };
 
 ParameterList describe(RunParameters& parameters);
@@ -52,13 +52,13 @@ ParameterList describe(CameraParameters& parameters);
 /// The highest level of a lesson.
 inline constexpr int kMostLevel = 5;
 
-/// One of the pictures that are taken at each picture time.
+/// One of the pictures taken at each picture time.
 struct PictureLook {
     std::string name; ///< part of the file's name
     LookParameters look;
     CameraParameters camera = {};
     std::optional<float> sectionAt = {}; ///< m along the seam: cut there and show the inside; weld lessons only
-    bool measures = false;               ///< draw what the gauge measures into that cut
+    bool measures = false;               ///< draw the gauge's measures into that cut
 
     /// Every value of this picture; the list points into it.
     ParameterList parameters();
@@ -67,23 +67,23 @@ struct PictureLook {
 /// A setting of the process that the trainee sets on the machine, within limits.
 struct ChosenSetting {
     std::string key;
-    double from = 0, to = 0; ///< in the setting's unit, both allowed
-    /// Where the machine stands before the trainee sets it; may be outside of the limits.
+    double from = 0, to = 0; ///< in the setting's unit, both included
+    /// The machine's setting before the trainee sets it; may be outside the limits.
     std::optional<double> start = {};
 };
 
 struct Lesson {
-    std::string key;            ///< name in the catalogue; of a lesson from elsewhere the file's name without ".toml"
+    std::string key;            ///< name in the catalogue; outside it the file's name without ".toml"
     std::string title;          ///< one line for lists
-    std::string text;           ///< what the trainee is asked to do
-    int level = 0;              ///< 1 (first steps) to kMostLevel; 0: the author does not say
-    std::string next;           ///< key of the lesson that follows; empty: none
-    std::filesystem::path file; ///< where it was read
-    /// Shown in lists; by default pictures/KEY.png beside the lesson's file. It need not exist.
+    std::string text;           ///< task for the trainee
+    int level = 0;              ///< 1 (first steps) to kMostLevel; 0: not given
+    std::string next;           ///< key of the following lesson; empty: none
+    std::filesystem::path file; ///< source file
+    /// Picture for lists; by default pictures/KEY.png in the folder of the lesson's file. It need not exist.
     std::filesystem::path listPicture;
     std::filesystem::path torchFile;
     TorchPath torch;                         ///< the demonstration; empty: the torch rests with its trigger released
-    std::optional<RecordedAttempt> recorded; ///< the attempt that the demonstration repeats, where it does
+    std::optional<RecordedAttempt> recorded; ///< the attempt that the demonstration repeats, if any
 
     RunParameters run;
     LessonModel model = LessonModel::Classic;
@@ -92,57 +92,57 @@ struct Lesson {
     SourceParameters source;       ///< classic
     WorkpieceParameters workpiece; ///< weld
     ProcessSettings process;       ///< weld
-    /// Weld: the settings that the trainee chooses. `process` holds the lesson's own values of them, with which its
-    /// demonstration runs. All other settings are given.
+    /// Weld: the settings that the trainee chooses. `process` holds the lesson's own values of them, which its
+    /// demonstration uses. All other settings are given.
     std::vector<ChosenSetting> choose;
     SurfaceParameters surface;
     CameraParameters camera;
     LookParameters look;
     std::vector<PictureLook> pictures; ///< at least one; each begins with `look` and `camera`
-    // How an attempt is judged; nothing where the lesson does not say.
+    // Rules for judging an attempt; empty if the lesson has none.
     std::optional<TechniqueBands> technique; ///< weld
     std::optional<Acceptance> acceptance;    ///< weld
-    NominalWeld nominal;                     ///< what the weld was to be, but for its plates: see nominalWeld()
-    CueSet cues = CueSet::all();             ///< that a trainee may be shown; an attempt for score has none
-    bool ghost = true;                       ///< a trainee may have one; an attempt for score has none
+    NominalWeld nominal;                     ///< nominal sizes of the weld without the plates: see nominalWeld()
+    CueSet cues = CueSet::all();             ///< cues that a trainee may see; a test has none
+    bool ghost = true;                       ///< true: a trainee may have one; a test has none
 
     /// Every adjustable value of this lesson's model. The list points into this lesson, which must outlive it unmoved.
     ParameterList parameters();
-    /// Those of them that decide what the metal does.
+    /// The parameters that decide the metal's behaviour.
     ParameterList metalParameters();
-    /// Those of the process; the ones to be chosen have the lesson's limits as their range.
+    /// The parameters of the process; the chosen settings have the lesson's limits as their range.
     ParameterList processParameters();
 
-    /// What the weld was to be, for the acceptance, with the thickness of the plates that are simulated.
+    /// Nominal sizes of the weld for the acceptance, with the thickness of the simulated plates.
     NominalWeld nominalWeld() const;
 
-    /// Puts the settings to be chosen to where the machine stands at first.
+    /// Sets the chosen settings to the machine's start values.
     void takeStartSettings();
-    /// What the trainee must still set before the weld, a sentence; empty where all settings are within the limits.
+    /// Settings that the trainee must still set before the weld, a sentence; empty if all are within the limits.
     std::string unsetSettings();
-    /// The settings to be chosen as they are: "voltage 22 V, wire feed 4.5 m/min"; empty where there are none.
+    /// Present values of the chosen settings: "voltage 22 V, wire feed 4.5 m/min"; empty without chosen settings.
     std::string chosenText();
 
-    /// Sets one value from text, in the pictures' looks too where it is one of the look. Throws InputError, beginning
+    /// Sets one value from text; a value of the look is set in the pictures' looks too. Throws InputError, beginning
     /// with `where`, for an unknown key or a value that does not fit; the lesson is then unchanged.
     void set(std::string_view name, std::string_view value, std::string_view where);
 };
 
-/// The files that a run of this lesson reads: its own, the torch path's, a metal's of its own.
+/// The files that a run of this lesson reads: lesson, torch path and the metal's own file.
 std::vector<std::filesystem::path> lessonSources(const Lesson& lesson);
 
-/// Reads and checks a lesson's file. Throws InputError naming file and line for anything unknown, missing or out of
-/// range, in the torch path's file too.
+/// Reads and checks a lesson's file. Throws InputError naming file and line for an unknown or missing key and a value
+/// out of range, in the torch path's file too.
 Lesson readLesson(const std::filesystem::path& file);
 
 /// The names of the lessons in a folder, in alphabetical order.
 std::vector<std::string> lessonNames(const std::filesystem::path& folder);
 
-/// The lesson that a person named: a file where the name ends in ".toml" or ".meltpool", else one of the folder's.
-/// Throws InputError, listing what there is, for an unknown name.
+/// Finds a lesson by a person's name for it: a file if the name ends in ".toml" or ".meltpool", else one of the
+/// folder's. Throws InputError, listing the lessons, for an unknown name.
 Lesson findLesson(const std::string& name, const std::filesystem::path& folder);
 
-/// The lesson that is shown where none was named.
+/// The lesson shown when none is named.
 inline constexpr std::string_view kDefaultLesson = "classic";
 
 } // namespace meltpool

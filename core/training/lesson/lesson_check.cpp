@@ -100,7 +100,7 @@ void readValues(TomlTable& root, Lesson& lesson) {
     table.finish();
 }
 
-/// The lesson that a check names, with the check's own torch path.
+/// The lesson of a check, with the check's own torch path.
 Lesson namedLesson(TomlTable& root, const LessonFolders& lessons) {
     const std::string name = root.text("lesson");
     const fs::path beside = root.file().parent_path();
@@ -187,7 +187,7 @@ LessonCheck readLessonCheck(const fs::path& file, const LessonFolders& lessons) 
     check.lesson = namedLesson(root, lessons);
     readValues(root, check.lesson);
     check.bend = readBend(root);
-    if (check.lesson.recorded) { // what happened at a place of the path happens there in the bent path, too
+    if (check.lesson.recorded) { // an event at a place of the path happens there in the bent path, too
         const auto bent = [&](size_t steps) {
             return static_cast<size_t>(std::lround(static_cast<double>(steps) * check.bend.time));
         };

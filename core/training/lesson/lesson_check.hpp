@@ -1,4 +1,4 @@
-// What a lesson's demonstration, or another torch path, must come to: files with an [expect] table.
+// Checks the result of a lesson's demonstration, or of another torch path, against a file with an [expect] table.
 #pragma once
 
 #include "core/base/toml_table.hpp"
@@ -22,22 +22,22 @@ struct Expectation {
 
 struct LessonCheck {
     std::filesystem::path file;
-    std::string name; ///< the file's, without its ending
+    std::string name; ///< file name without its extension
     Lesson lesson;    ///< with the check's torch path and values
     TorchBend bend;
     std::vector<Expectation> expectations; ///< in the order of their keys
 };
 
-/// Whether a TOML file is a check: it has a table [expect]. Throws InputError for a file that is no TOML.
+/// True if a TOML file is a check: it has a table [expect]. Throws InputError for a file that is not TOML.
 bool isLessonCheck(const std::filesystem::path& file);
 
 /// Reads a check:
 ///
-///     lesson = "gmaw-bead"       # a name of the catalogue, or a file beside this one
-///     torch = "slow.csv"         # instead of the lesson's own; beside this file. A record brings its attempt's values
+///     lesson = "gmaw-bead"       # a name of the catalogue, or a file in this folder
+///     torch = "slow.csv"         # instead of the lesson's own; in this folder. A record brings its attempt's values
 ///     [set]                      # values of the lesson
 ///     voltage = 22
-///     [bend]                     # how the path is led worse, see TorchBend
+///     [bend]                     # worsens the path, see TorchBend
 ///     time = 0.55
 ///     farther_mm = 7
 ///     turn_deg = 28
@@ -53,14 +53,14 @@ bool isLessonCheck(const std::filesystem::path& file);
 ///     overlap = "pass"           # the state of an imperfection
 ///
 /// A file without `lesson` is a lesson itself, welded by its own demonstration. `lessons` are those of the catalogue.
-/// Throws InputError with file, line and key for what is unknown, missing or impossible.
+/// Throws InputError with file, line and key for an unknown or missing key and an impossible value.
 LessonCheck readLessonCheck(const std::filesystem::path& file, const LessonFolders& lessons);
 
-/// An expectation and what came of it.
+/// An expectation and its result.
 struct CheckedValue {
     std::string key;
     std::string expected; ///< such as "90 to 100"
-    std::string found;    ///< such as "97.3"; "none" where the attempt has no such value
+    std::string found;    ///< such as "97.3"; "none" if the attempt has no such value
     bool passed = false;
 };
 

@@ -11,7 +11,7 @@ namespace meltpool {
 
 namespace {
 
-/// Sets every described value that the table holds.
+/// Sets every described value that is in the table.
 void readParameters(TomlTable& table, const ParameterList& list) {
     for (const Parameter& parameter : list) {
         if (!table.has(parameter.key)) continue;
@@ -20,20 +20,20 @@ void readParameters(TomlTable& table, const ParameterList& list) {
     }
 }
 
-/// Reads [name] where the file has it; every key in it must be described.
+/// Reads [name] if the file has it; every key in it must be described.
 void readGroup(TomlTable& root, std::string_view name, const ParameterList& list) {
-    root.allow(name); // named among the known keys also where this file does without
+    root.allow(name); // a known key even if this file omits it
     if (!root.has(name)) return;
     TomlTable group = root.table(name);
     readParameters(group, list);
-    // A key without a value in the file is still one that may stand there.
+    // A key without a value in the file is allowed, too.
     for (const Parameter& parameter : list)
         group.allow(parameter.key);
     group.finish();
 }
 
-/// Reads [process]: the kind first, as it decides which settings there are. A setting that the process no longer has is
-/// refused with what took its place.
+/// Reads [process]: the kind first, as it decides the settings. A setting that the process no longer has is refused,
+/// naming its replacement.
 void readProcess(TomlTable& root, ProcessSettings& settings) {
     root.allow("process");
     if (!root.has("process")) return;
@@ -69,7 +69,7 @@ ChosenSetting readLimits(TomlTable table, const Parameter& setting) {
     return chosen;
 }
 
-/// Reads [choose]: the settings that the trainee sets, and within which limits. The lesson's own values lie in them.
+/// Reads [choose]: the settings that the trainee sets, and their limits. The lesson's own values must be within them.
 void readChoose(TomlTable& root, Lesson& lesson) {
     root.allow("choose");
     if (!root.has("choose")) return;
@@ -88,7 +88,7 @@ void readChoose(TomlTable& root, Lesson& lesson) {
     group.finish();
 }
 
-/// Calls `read` for what `key` names; a fault in that is told with this file's line too.
+/// Calls `read` with the value of `key`; the message of a fault names this file's line too.
 template <class Read>
 void readNamed(const TomlTable& table, std::string_view key, const Read& read) {
     try {
@@ -98,7 +98,7 @@ void readNamed(const TomlTable& table, std::string_view key, const Read& read) {
     }
 }
 
-/// Reads [workpiece]. A metal of its own is a file beside the lesson's; it is read once here to find its faults.
+/// Reads [workpiece]. A metal of its own is a file in the lesson's folder; it is read once here to find its faults.
 void readWorkpiece(TomlTable& root, WorkpieceParameters& workpiece) {
     readGroup(root, "workpiece", describe(workpiece));
     if (!root.has("workpiece")) return;
@@ -143,7 +143,7 @@ void readPictures(TomlTable& root, Lesson& lesson) {
     if (lesson.pictures.empty()) lesson.pictures.push_back({"picture", lesson.look, lesson.camera});
 }
 
-/// Reads what lists of lessons show and use beside the title.
+/// Reads the entries, other than the title, that lists of lessons show and use.
 void readListing(TomlTable& root, Lesson& lesson) {
     const double level = root.number("level", {1, kMostLevel}, 0);
     lesson.level = static_cast<int>(level);
@@ -164,8 +164,8 @@ void readTechnique(TomlTable& root, Lesson& lesson) {
     group.finish();
 }
 
-/// Reads [cues]: which of them a trainee may be shown, all where it does not say; and whether a ghost may, without a
-/// word wherever any cue may.
+/// Reads [cues]: the cues that a trainee may see, by default all; and the permission of a ghost, by default given if
+/// any cue is.
 void readCues(TomlTable& root, Lesson& lesson) {
     root.allow("cues");
     if (!root.has("cues")) return;
@@ -183,8 +183,8 @@ void readCues(TomlTable& root, Lesson& lesson) {
     group.finish();
 }
 
-/// Reads [acceptance]: the limits that the weld is judged by, and its nominal sizes. An acceptance of one's own is a
-/// file beside the lesson's.
+/// Reads [acceptance]: the limits for judging the weld, and its nominal sizes. An acceptance of its own is a file in
+/// the lesson's folder.
 void readAcceptanceOf(TomlTable& root, Lesson& lesson) {
     root.allow("acceptance");
     if (!root.has("acceptance")) return;
@@ -227,7 +227,7 @@ Lesson readLesson(const std::filesystem::path& file) {
         readTechnique(root, lesson);
         readAcceptanceOf(root, lesson);
         readCues(root, lesson);
-        // Metal on a lattice, one particle a cell or more: its flat faces are to look flat.
+        // Metal on a lattice, with at least one particle a cell: its flat faces must look flat.
         lesson.surface.kernel = static_cast<int>(SurfaceKernel::smooth);
         lesson.surface.influence = 3;
     }
@@ -240,7 +240,7 @@ Lesson readLesson(const std::filesystem::path& file) {
         lesson.torchFile = file.parent_path() / root.text("torch");
         readNamed(root, "torch", [&] { lesson.torch = TorchPath::read(lesson.torchFile); });
     }
-    root.allow("expect"); // of a lesson that is a check itself, see readCheck()
+    root.allow("expect"); // in a lesson that is a check itself, see readCheck()
     root.finish();
     return lesson;
 }

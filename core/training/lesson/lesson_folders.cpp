@@ -34,11 +34,11 @@ bool isForOtherReaders(const fs::path& file) {
         if (has("model") || has("workpiece") || has("title")) return false;
         return has("move") || has("melting") || has("item") || (has("lesson") && has("expect"));
     } catch (const InputError&) {
-        return false; // its fault is to be seen in the list of lessons
+        return false; // its fault must appear in the list of lessons
     }
 }
 
-/// The lessons' files of one folder in the order of their names, .meltpool before .toml.
+/// The lesson files of one folder in the order of their names, .meltpool before .toml.
 std::vector<fs::path> filesIn(const fs::path& folder, const std::string& expected) {
     std::vector<fs::path> files;
     std::error_code failure;
@@ -57,7 +57,7 @@ std::string expectedFolder(LessonOrigin origin) {
     return "the folder of lessons";
 }
 
-/// Gives a lesson its fault where the name means one of `earlier`.
+/// Gives a lesson its fault if its name is one of `earlier`.
 void tellNamesake(NamedLesson& lesson, const std::vector<NamedLesson>& earlier) {
     const auto first =
         std::find_if(earlier.begin(), earlier.end(), [&](const NamedLesson& each) { return each.key == lesson.key; });
@@ -129,7 +129,7 @@ std::vector<NamedLesson> LessonFolders::list(std::vector<std::string>* faults) c
 
 std::vector<NamedLesson> LessonFolders::named(const std::string& key) const {
     std::vector<NamedLesson> found;
-    if (key.empty() || fs::path(key).has_parent_path()) return found; // a name leads into no other folder
+    if (key.empty() || fs::path(key).has_parent_path()) return found; // a name must not lead into another folder
     for (const auto& [origin, folder] : folders_) {
         std::error_code failure;
         for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end; entry.increment(failure)) {

@@ -25,7 +25,7 @@ std::string lowerFirst(std::string_view label) {
     return text;
 }
 
-/// A setting's label within a sentence; another language decides itself about its capitals.
+/// A setting's label within a sentence; in other languages the label keeps its capitals.
 std::string labelWithin(std::string_view process, const Parameter& setting) {
     const std::string_view label = translatedLabel(process, setting);
     return label == setting.label ? lowerFirst(label) : std::string(label);
@@ -92,7 +92,7 @@ NominalWeld Lesson::nominalWeld() const {
 }
 
 void Lesson::takeStartSettings() {
-    const ParameterList list = describe(process); // a start may lie outside of the limits
+    const ParameterList list = describe(process); // a start may be outside the limits
     for (const ChosenSetting& each : choose)
         if (each.start && findParameter(list, each.key) != nullptr)
             setParameter(list, each.key, formatNumber(*each.start), "the start of a setting");

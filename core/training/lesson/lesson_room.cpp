@@ -8,7 +8,7 @@ namespace meltpool {
 
 namespace {
 
-constexpr double kSurfaceBlockBytes = 56.0 * 512; ///< of 8³ corners, with the mesh that usually crosses them
+constexpr double kSurfaceBlockBytes = 56.0 * 512; ///< bytes of 8³ corners, with the usual mesh across them
 
 double surfaceBytes(const Lesson& lesson, const glm::vec3& low, const glm::vec3& high) {
     return static_cast<double>(SurfaceGrid(lesson.surface.cells, low, high).blockCount()) * kSurfaceBlockBytes;

@@ -1,4 +1,4 @@
-// Whether a lesson fits this machine, told before its metal is made.
+// Tells before the metal is made if a lesson fits this machine.
 #pragma once
 
 #include "core/metal/metal_room.hpp"
@@ -6,7 +6,7 @@
 
 namespace meltpool {
 
-/// Throws InputError in a sentence where the room could not hold the lesson's metal and surface, or where its workpiece
+/// Throws InputError with a sentence if the room is too small for the lesson's metal and surface, or if its workpiece
 /// cannot be made.
 void requireRoom(const Lesson& lesson, const MetalRoom& room);
 

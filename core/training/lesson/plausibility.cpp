@@ -13,12 +13,12 @@ namespace meltpool {
 
 namespace {
 
-constexpr double kGrain = 0.05; ///< s between the moments of an authored path that are looked at
+constexpr double kGrain = 0.05; ///< s between the examined moments of an authored path
 constexpr size_t kMostPlaces = 20000;
 constexpr double kHour = 3600;      ///< s
-constexpr double kReach = 0.03;     ///< m around the workpiece in which a torch may weld it
+constexpr double kReach = 0.03;     ///< m around the workpiece within which a torch can weld it
 constexpr double kSeamReach = 0.02; ///< m from the seam's line, for a weave and a fillet's long leg
-constexpr double kFastest = 0.5;    ///< m/s, ten times as fast as a laser welds
+constexpr double kFastest = 0.5;    ///< m/s, ten times the speed of laser welding
 constexpr double kThousand = 1000;
 constexpr double kMm = 1e-3; ///< m
 
@@ -28,7 +28,7 @@ std::string rounded(double value) {
     return text;
 }
 
-/// Where the torch is with its trigger pulled, or anywhere where it never is.
+/// Places of the torch with the trigger pulled, or all places of a path that never pulls it.
 class WeldedPlaces {
   public:
     explicit WeldedPlaces(const TorchPath& path) {
@@ -51,12 +51,12 @@ class WeldedPlaces {
     const std::vector<glm::dvec3>& all() const { return places_; }
     const glm::dvec3& low() const { return low_; }
     const glm::dvec3& high() const { return high_; }
-    /// The farthest from the origin along any axis, m.
+    /// Farthest place from the origin along any axis, m.
     double farthest() const {
         const glm::dvec3 most = glm::max(glm::abs(low_), glm::abs(high_));
         return std::max({most.x, most.y, most.z});
     }
-    /// Its length along the axis on which it is longest, m.
+    /// Longest extent along an axis, m.
     double span() const {
         const glm::dvec3 size = high_ - low_;
         return std::max({size.x, size.y, size.z});
@@ -78,12 +78,12 @@ std::string boxText(const glm::dvec3& low, const glm::dvec3& high) {
                                {"z_high", rounded(high.z / kMm)}});
 }
 
-/// Whether a path of this length would fit the workpiece (m) once its numbers were other ones by `times`.
+/// True if a path of this length would fit the workpiece (m) with its numbers multiplied by `times`.
 bool fitsAfter(double length, double times, double size) {
     return length * times > size / 20 && length * times < 3 * size;
 }
 
-/// Of a path whose numbers fit the workpiece in another unit; empty: of none. `path`: its name in the sentences.
+/// Warns of a path whose numbers fit the workpiece in another unit; else empty. `path`: its name in the sentences.
 std::string unitWarning(const std::string& path, const WeldedPlaces& places, double size) {
     const auto told = [&](std::string_view key, double length) {
         return phrase(key, {{"path", path}, {"length", rounded(length / kMm)}, {"piece", rounded(size / kMm)}});
@@ -119,7 +119,7 @@ std::string placeWarning(const std::string& path, const Lesson& lesson, const We
     return {};
 }
 
-/// Of a recorded path that hurries along with its trigger pulled, as one with times of another unit does.
+/// Warns of a recorded path that hurries with its trigger pulled, as one with times in another unit does.
 std::string speedWarning(const std::string& name, const TorchPath& path) {
     double way = 0, time = 0;
     const std::vector<TorchSample>& samples = path.samples();

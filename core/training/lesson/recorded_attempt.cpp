@@ -28,7 +28,7 @@ bool spoilsScore(std::string_view event) {
     return event == "torch" || event == "samples";
 }
 
-/// When the file was written last; empty where the system does not say, as of a pipe.
+/// Time the file was last written; empty if the system does not know it, as for a pipe.
 std::string fileDate(const std::filesystem::path& file) {
     std::error_code failure;
     const auto written = std::filesystem::last_write_time(file, failure);
@@ -73,7 +73,7 @@ class Reader {
         if (word == "real_time") attempt_.realTime = ratio(text);
     }
 
-    /// The file's date stays the one that is shown: a record's own is of its begin.
+    /// The file's date remains the shown one: a record's own date is of its start.
     bool isHeadLine(std::string_view word, std::string_view text) {
         if (word == "date") return true;
         try {
@@ -94,7 +94,7 @@ class Reader {
             .push_back({stepsBefore(), std::string(name), std::string(text)});
     }
 
-    /// What came after this step belongs to an end that was given up.
+    /// Drops entries after this step: they belong to the abandoned branch.
     void goBack(std::string_view text) {
         const auto step = parseDouble(text);
         if (!step || *step != std::floor(*step) || *step < 0 || *step > static_cast<double>(stepsBefore()))
@@ -107,7 +107,8 @@ class Reader {
         rows_ = steps;
         std::erase_if(attempt_.changes, [&](const RecordedChange& change) { return change.steps > steps; });
         std::erase_if(attempt_.events, [&](const RecordedEvent& event) {
-            return event.name == "samples" ? event.steps >= steps : event.steps > steps; // missing before the next step
+            return event.name == "samples" ? event.steps >= steps : event.steps > steps; // these samples are missing
+                                                                                         // before the next step
         });
         ++attempt_.redone;
     }
@@ -141,7 +142,7 @@ RecordedChange changeOf(const RecordingNote& note) {
     return {static_cast<size_t>(note.steps), note.name, note.value, static_cast<int>(note.frame), note.seconds};
 }
 
-/// What stands in the frames of a recording.
+/// Converts the frames of a recording.
 RecordedAttempt attemptOf(const Recording& recording) {
     RecordedAttempt attempt;
     attempt.file = recording.file;

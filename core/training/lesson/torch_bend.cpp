@@ -10,7 +10,7 @@ TorchSample BentPath::sample(double time) const {
     torch.time = time;
     torch.tip -= torch.axis() * static_cast<float>(bend_.farther);
     const SeamFrame frame = seam_.at(seam_.nearest(torch.tip).place);
-    // Right-handed about the tangent turns `up` towards `across`, which is tangent x up.
+    // A right-handed turn about the tangent turns `up` towards `across`, which is tangent x up.
     const glm::quat turn = glm::angleAxis(static_cast<float>(bend_.turn), glm::vec3(frame.tangent));
     const glm::vec3 point(frame.point);
     torch.tip = point + turn * (torch.tip - point) + static_cast<float>(bend_.aside) * glm::vec3(frame.across);

@@ -1,4 +1,4 @@
-// A torch path led worse than it was written: faster, farther off, turned, beside the seam, with a trembling hand.
+// Worsens a torch path: faster, farther off, turned, off the seam, with a trembling hand.
 #pragma once
 
 #include "core/training/judging/seam.hpp"
@@ -10,16 +10,16 @@
 namespace meltpool {
 
 struct TorchBend {
-    double time = 1;                         ///< the path takes this share of its time
+    double time = 1;                         ///< factor of the path's duration
     double farther = 0;                      ///< m, back along the torch's own axis
     double turn = 0;                         ///< rad, about the seam; positive leans the handle to the welder
     double aside = 0;                        ///< m, across the seam; positive to the welder's side
-    std::uint32_t tremor = 0;                ///< seed of a hand's tremor; 0: none
+    std::uint32_t tremor = 0;                ///< seed of a hand's tremor; 0: no tremor
     double tremorPlace = HandTremor::kPlace; ///< m, root mean square on each axis
     double tremorAngle = HandTremor::kAngle; ///< rad, root mean square about each axis
 };
 
-/// Samples of a path as a bend makes them.
+/// Samples a bent path.
 class BentPath {
   public:
     BentPath(const TorchPath& path, const Seam& seam, const TorchBend& bend);

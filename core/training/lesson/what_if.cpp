@@ -15,15 +15,15 @@ namespace {
 
 constexpr double kMm = 1e-3;
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kLeastSpeed = 0.1, kMostSpeed = 10; ///< times as fast
+constexpr double kLeastSpeed = 0.1, kMostSpeed = 10; ///< factor of speed
 constexpr std::string_view kSpeedUnit = "mm/s";
 
-/// A change of the path that is a number, and where it goes.
+/// A numeric change of the path, and its destination.
 struct PathKey {
     std::string_view key;
     double PathChange::*value;
     double unit;
-    double least, most; ///< in that unit
+    double least, most; ///< in the key's unit
     std::string_view expected;
 };
 
@@ -38,7 +38,7 @@ constexpr std::array kPathKeys{
 constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kShortNames{
     {{"wire_feed", "wire_feed_m_min"}, {"gap", "gap_mm"}}};
 
-/// The one of both lengths that this lesson's hand leads.
+/// The length that this lesson's hand controls: arc length or stick-out.
 std::string_view lengthKey(const Lesson& lesson) {
     return traitsOf(lesson.process).distance == DistanceKind::arcLength ? "arc_length" : "stick_out";
 }
@@ -89,7 +89,7 @@ class Reader {
         made_.asked.emplace_back(key, value);
         if (lesson_.model == LessonModel::Weld && takePath(name, value)) return;
         if (findParameter(lesson_.metalParameters(), name) == nullptr) fail(key);
-        lesson_.set(name, value, where_); // a copy: whether the value fits
+        lesson_.set(name, value, where_); // a copy: checks that the value fits
         made_.values.emplace_back(name, value);
     }
 

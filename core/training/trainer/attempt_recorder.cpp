@@ -40,7 +40,7 @@ void AttemptRecorder::endCsv(std::string_view reason, std::uint64_t stateHash) {
 }
 
 void AttemptRecorder::end(std::string_view reason, std::uint64_t stateHash, std::uint64_t steps, double seconds) {
-    if (recording_) { // first: a full disk under the record does not keep the recording from its end
+    if (recording_) { // first: a full disk under the record does not cost the recording its end
         RecordingEnd end;
         end.reason = reason;
         end.stateHash = formatHexadecimal(stateHash);
@@ -53,7 +53,7 @@ void AttemptRecorder::end(std::string_view reason, std::uint64_t stateHash, std:
     endCsv(reason, stateHash);
 }
 
-/// The weld goes on; fault() has the reason.
+/// The weld goes on after a failure; fault() has the reason.
 void AttemptRecorder::guard(FunctionRef<void()> write) {
     try {
         write();

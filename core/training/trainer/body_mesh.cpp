@@ -17,7 +17,7 @@ namespace {
 /// the reach, the rounder the edges.
 constexpr float kCellSpacings = 0.7F;
 constexpr int kInfluence = 3;
-/// Beyond this the grid becomes coarser than that: its volumes take 12 bytes a corner.
+/// Limit above which the grid becomes coarser: its volumes take 12 bytes a corner.
 constexpr float kMostCorners = 32e6F;
 constexpr float kFewestCells = 2, kMostCells = 1000;
 

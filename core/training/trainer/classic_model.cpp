@@ -27,7 +27,7 @@ class ClassicScene : public MetalScene {
     }
 
   private:
-    const bool& cold_; ///< of the metal, whose lesson may change it
+    const bool& cold_; ///< refers to the metal, whose lesson may change it
 };
 
 } // namespace
@@ -66,7 +66,7 @@ ArcState ClassicModel::arc(const SurfaceDistance& surface) const {
 }
 
 void ClassicModel::prepare(Surface& surface) const {
-    // Less than a fiftieth of a cell or a thousandth of the temperature range is seen by nobody.
+    // Less than a fiftieth of a cell or a thousandth of the temperature range is invisible.
     surface.incremental = {true, 0.02F, 0.001F};
 }
 

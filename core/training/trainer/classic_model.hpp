@@ -1,4 +1,4 @@
-// The classic metal as a Trainer sees it: metres become box units, the trigger becomes the source's strength.
+// Adapts the classic metal to the Trainer: metres become box units, the trigger becomes the source's strength.
 #pragma once
 
 #include "core/metal/classic/classic_metal.hpp"
@@ -24,7 +24,7 @@ class ClassicModel : public MetalModel {
     void prepare(Surface& surface) const override;
     float unit() const override { return kClassicUnit; }
     float liquidShare(float temperature) const override;
-    /// A source that gives the more the nearer it is.
+    /// A source that heats the more the nearer it is.
     ArcState arc(const SurfaceDistance& surface) const override;
     std::unique_ptr<MetalScene> makeScene() const override;
     MetalStatistics statistics() override { return metal_.statistics(); }

@@ -6,7 +6,7 @@ namespace meltpool {
 
 namespace {
 
-/// Simulated time between two looks at all of the metal, s: a person reads no faster.
+/// Simulated time between two readings of the whole metal, s: a person reads no faster.
 constexpr double kPeriod = 0.1;
 
 MetalStatistics statisticsOf(const LessonMetal& metal) {
@@ -39,7 +39,7 @@ void FigureReader::update(double time) {
         take(*fresh);
     }
     if (recorder_.writesCsv())
-        await(kStatisticsInFlight - 1); // each row has its own look at the metal
+        await(kStatisticsInFlight - 1); // each row has its own reading of the metal
     else if (asked_ > 0 || time < next_)
         return;
     metal_.run([](MetalModel& metal) { metal.requestStatistics(); });
@@ -52,7 +52,7 @@ void FigureReader::take(const MetalStatistics& figures) {
     recorder_.complete(figures);
 }
 
-/// Takes answers until no more than `left` are to come.
+/// Takes answers until at most `left` are pending.
 void FigureReader::await(size_t left) {
     for (; asked_ > left; --asked_)
         take(*metal_.run([](MetalModel& metal) { return metal.awaitStatistics(); }));

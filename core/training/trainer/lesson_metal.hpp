@@ -1,5 +1,4 @@
-// The metal of a lesson and the context that it lies in: the calling thread's, or another one whose steps wait for no
-// picture.
+// Holds the metal of a lesson in its context: the calling thread's, or another one whose steps wait for no picture.
 #pragma once
 
 #include "core/gl/other_context.hpp"
@@ -13,36 +12,36 @@
 
 namespace meltpool {
 
-/// In another context: each function may be called on that context's thread or, while nothing is under way there, on
-/// the thread that made this. particles() shows buffers of the calling thread's context: on the latter copies, made by
-/// the first call after the metal changed, which stay as they are while further steps are made.
+/// In another context: each function may be called on that context's thread or, while that thread is idle, on the
+/// thread that made this. particles() returns buffers of the calling thread's context: on the latter thread copies,
+/// made by the first call after the metal changed, which stay unchanged while further steps are made.
 class LessonMetal {
   public:
-    /// `there`: the metal's context, null for the calling thread's. It must outlive the metal, and any
-    /// thread must be able to read its buffers (gl::directMemory()). Throws what makeMetalModel() throws.
+    /// `there`: the metal's context, null for the calling thread's. It must outlive the metal, and any thread must be
+    /// able to read its buffers (gl::directMemory()). Throws as makeMetalModel().
     LessonMetal(gl::ShaderLibrary& shaders, const Lesson& lesson, gl::OtherContext* there);
     ~LessonMetal();
     LessonMetal(const LessonMetal&) = delete;
     LessonMetal& operator=(const LessonMetal&) = delete;
 
-    /// Does `work`, a function of the MetalModel that leaves its particles as they are, in the metal's context. Gives what
-    /// it gives, throws what it threw, and allocates nothing.
+    /// Runs `work`, a function of the MetalModel that leaves its particles unchanged, in the metal's context. Returns
+    /// its result, rethrows its exceptions, and allocates nothing.
     template <class Work>
     auto run(const Work& work) const;
-    /// The same with a function that changes the particles.
+    /// Runs a function that changes the particles.
     template <class Work>
     auto change(const Work& work) {
         changed_ = true;
         return run(work);
     }
 
-    /// Answers that need no context: units, arc, wire.
+    /// For queries that need no context: units, arc, wire.
     const MetalModel& model() const { return *metal_; }
 
     /// One fixed step. `profiler` may be null.
     void step(const TorchSample& torch, gl::Profiler* profiler);
     ParticleView particles() const;
-    /// GPU memory with the copies, bytes.
+    /// GPU memory including the copies, bytes.
     size_t bytes() const { return metal_->bytes() + mirror_.bytes(); }
 
   private:
@@ -50,7 +49,7 @@ class LessonMetal {
 
     gl::OtherContext* there_;
     std::unique_ptr<MetalModel> metal_;
-    std::optional<gl::Profiler> times_; ///< of the other context: timer queries are of one context
+    std::optional<gl::Profiler> times_; ///< for the other context: timer queries belong to one context
     mutable ParticleMirror mirror_;
     mutable bool changed_ = true; ///< since the mirror was made
 };

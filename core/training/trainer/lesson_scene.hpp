@@ -1,5 +1,5 @@
-// A lesson in progress as it is seen: the surface of its metal, the solids around it, and the sparks about the arc.
-// Only made where there are pictures, or a hand that must feel where the metal lies.
+// Shows a running lesson: the surface of its metal, the solids around it, and the sparks of the arc. It exists only if
+// there are pictures, or a hand that must feel the metal.
 #pragma once
 
 #include "core/surface/surface.hpp"
@@ -15,33 +15,33 @@ namespace meltpool {
 class LessonScene : private StepWatcher {
   public:
     /// Makes the surface for the trainer's metal and watches its steps from now on. The trainer must outlive this.
-    /// Throws InputError when the lesson's surface is impossible here, RuntimeFault without GPU memory.
+    /// Throws InputError if the lesson's surface is impossible here, RuntimeFault without GPU memory.
     LessonScene(gl::ShaderLibrary& shaders, Trainer& trainer);
     ~LessonScene() override;
     LessonScene(const LessonScene&) = delete;
     LessonScene& operator=(const LessonScene&) = delete;
 
-    /// The lesson that is shown.
+    /// The trainer of the shown lesson.
     const Trainer& trainer() const { return trainer_; }
 
-    /// Makes the surface of the metal as it is now, for the pictures to come; nothing is read back.
+    /// Makes the surface of the present metal, for the pictures to come; it reads no data back.
     void updateSurface(gl::Profiler* profiler) {
         noteMetal();
         makeSurface(profiler);
     }
-    /// The two parts of updateSurface(): of a metal elsewhere makeSurface() shows the metal as it was at noteMetal(),
-    /// while steps are made there. makeSurface() is a no-op without a new noteMetal().
+    /// The two parts of updateSurface(): for a metal in another context makeSurface() shows the metal of the last
+    /// noteMetal(), while steps are made there. makeSurface() is a no-op without a new noteMetal().
     void noteMetal();
     void makeSurface(gl::Profiler* profiler);
     const Surface& surface() const { return *surface_; }
 
-    /// The world under the trainer's torch, with the surface of the last updateSurface(). Lends solids and sparks that
-    /// stay valid until the next call.
+    /// The world under the trainer's torch, with the surface of the last updateSurface(). Its solids and sparks are
+    /// valid until the next call.
     SceneView view();
 
-    /// Asks where the metal lies under this torch, on the surface of the last updateSurface(); never waits.
+    /// Requests the metal's place under this torch, on the surface of the last updateSurface(); never waits.
     void requestDistance(const TorchSample& torch);
-    /// The answer, once, frames later.
+    /// The answer, once, some frames later.
     std::optional<SurfaceDistance> pollDistance();
     /// Waits for the GPU.
     SurfaceDistance distanceNow(const TorchSample& torch);
@@ -56,9 +56,9 @@ class LessonScene : private StepWatcher {
     Trainer& trainer_;
     std::unique_ptr<MetalScene> around_;
     std::unique_ptr<Surface> surface_;
-    std::optional<ParticleView> noted_; ///< for the surface
+    std::optional<ParticleView> noted_; ///< particles for the surface
     TipProbe probe_;
-    bool metalExchanged_ = false; ///< since the probe was asked, which forgets it on its own thread
+    bool metalExchanged_ = false; ///< true since the last request: the probe forgets it on its own thread
     Sight sight_;
 };
 

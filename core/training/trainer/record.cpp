@@ -14,9 +14,9 @@ namespace {
 
 /// 31 cells of no more than 24 characters each.
 constexpr size_t kLongestRow = 800;
-/// Room for the usual lines of what happened before a step.
+/// Bytes of the usual lines of events before a step.
 constexpr size_t kUsualNote = 200;
-/// Below this the metal stands still, and a ratio of times says nothing.
+/// Below this the metal does not run, and a ratio of times has no meaning.
 constexpr double kLeastPace = 1e-3;
 
 std::string columns(const AttemptHead& head, bool paced) {
@@ -95,7 +95,7 @@ void Record::complete(const MetalStatistics& metal) {
     appendTorchRow(row_, oldest.step.torch);
     appendCell(row_, std::uint64_t{metal.molten});
     for (const double temperature : {metal.minTemperature, metal.meanTemperature, metal.maxTemperature})
-        appendCell(row_, arc_ ? celsius(temperature) : temperature); // the classic metal's have no unit
+        appendCell(row_, arc_ ? celsius(temperature) : temperature); // the classic metal's temperatures have no unit
     appendCell(row_, std::uint64_t{metal.lost});
     appendCell(row_, std::uint64_t{metal.nonFinite});
     if (rod_) {

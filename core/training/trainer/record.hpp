@@ -1,5 +1,5 @@
-// The record of an attempt: torch, metal and arc of every step, and what happened between the steps, as a CSV that is a
-// torch path again.
+// Writes the record of an attempt: torch, metal and arc of every step, and the events between the steps, as a CSV that
+// is a torch path again.
 #pragma once
 
 #include "core/metal/state/statistics.hpp"
@@ -22,19 +22,19 @@ class StateArchive;
 
 namespace meltpool {
 
-/// What is known of a step when it has been asked for.
+/// Data of a step before its figures arrive.
 struct RecordStep {
     TorchSample torch;
     ArcState arc;
-    double realTime = 1; ///< simulated over real time about this step
+    double realTime = 1; ///< simulated time over real time, around this step
 };
 
-/// How the metal's time goes against the clock, over many steps.
+/// Counts the metal's time against the clock, over many steps.
 class RealTimeCount {
   public:
-    /// `ratio`: simulated over real time about this step.
+    /// `ratio`: simulated time over real time, around this step.
     void add(double ratio);
-    /// Simulated over real time of all steps together; 1 before the first.
+    /// Simulated time over real time of all steps together; 1 before the first.
     double ratio() const { return realSteps_ > 0 ? static_cast<double>(steps_) / realSteps_ : 1; }
     double least() const { return least_; }
     void transfer(gl::StateArchive& archive); ///< saves or restores it
@@ -46,30 +46,30 @@ class RealTimeCount {
 };
 
 /// A row is written when the figures of its own step have come from the GPU; until then it waits, in the order of the
-/// steps. Each row reaches the operating system as soon as it is complete, so that an end without warning loses the
-/// waiting rows and no more.
+/// steps. Each row reaches the operating system as soon as it is complete, so that a sudden end loses only the waiting
+/// rows.
 class Record {
   public:
     /// Rows that may wait for their figures.
     static constexpr size_t kWaiting = kStatisticsInFlight + 1;
 
-    /// Begins the file, which may not be there yet unless `replace`; `paced`: a person welds by the clock, and the
-    /// column `real_time` says how well the metal kept up. Throws InputError when it cannot be written.
+    /// Creates the file, which must not exist unless `replace`; `paced`: a person welds by the clock, and the column
+    /// `real_time` holds the metal's speed. Throws InputError if it cannot be written.
     Record(const std::filesystem::path& file, const AttemptHead& head, bool paced, bool replace);
 
-    /// Notes something that happened after the last step: a line `# event NAME VALUE`.
+    /// Notes an event after the last step: a line `# event NAME VALUE`.
     void event(std::string_view name, std::string_view value);
-    /// A value that is another one from the next step on: a line `# set KEY VALUE`.
+    /// Notes a value that changes from the next step on: a line `# set KEY VALUE`.
     void change(std::string_view key, std::string_view value);
 
-    /// Adds a step, whose figures come with complete(). Expects fewer than kWaiting waiting ones.
+    /// Adds a step; complete() brings its figures. Expects fewer than kWaiting waiting ones.
     void add(const RecordStep& step);
     size_t waiting() const { return waiting_; }
-    /// Writes the oldest waiting step with its figures. Throws RuntimeFault when the disk takes no more.
+    /// Writes the oldest waiting step with its figures. Throws RuntimeFault if the disk takes no more.
     void complete(const MetalStatistics& metal);
 
     /// Ends the record: lines `# ended REASON`, the state's hash, and for a paced one its real-time ratio. Expects no
-    /// waiting step. Throws RuntimeFault when the disk takes no more.
+    /// waiting step. Throws RuntimeFault if the disk takes no more.
     void end(std::string_view reason, std::uint64_t stateHash);
 
     const std::filesystem::path& file() const { return file_; }
@@ -81,7 +81,7 @@ class Record {
 
     struct Waiting {
         RecordStep step;
-        std::string before; ///< lines that stand before its row
+        std::string before; ///< lines before its row
     };
 
     std::filesystem::path file_;
@@ -93,7 +93,7 @@ class Record {
     size_t oldest_ = 0;
     size_t waiting_ = 0;
     std::string before_; ///< lines for the next step
-    std::string row_;    ///< keeps its room from row to row
+    std::string row_;    ///< reused buffer of a row
     size_t rows_ = 0;
     RealTimeCount pace_;
 };

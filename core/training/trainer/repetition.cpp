@@ -7,7 +7,7 @@ namespace meltpool {
 
 namespace {
 
-/// A text of a file as a terminal may show it.
+/// Text from a file, made safe for a terminal.
 std::string shown(const std::string& text) {
     return text.empty() ? phrase("run.repetition.unnamed") : quote(text);
 }

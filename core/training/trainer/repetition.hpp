@@ -1,4 +1,4 @@
-// Whether a repetition of a recorded attempt is the attempt, bit for bit, or a simulation of its recording.
+// Compares a repetition with its recorded attempt: equal bit for bit, or a simulation of its recording.
 #pragma once
 
 #include "core/training/trainer/trainer.hpp"
@@ -8,9 +8,9 @@
 namespace meltpool {
 
 enum class Repetition {
-    sameBits,   ///< the metal ended in the state that the recording names
-    simulation, ///< it did not, or nothing tells and another driver or program welds than then
-    unchecked,  ///< the recording names no end, or the repetition is of another length
+    sameBits,   ///< the metal ended in the recorded state
+    simulation, ///< the end differs, or is not recorded and the driver or program is another one
+    unchecked,  ///< the recording has no end, or the repetition has another length
 };
 
 /// `program` and `driver`: of the present run, as records name them.
@@ -20,7 +20,7 @@ Repetition repetitionOf(const RecordedAttempt& attempt, const LessonResult& resu
 /// "same bits", "simulation of the recording", "not checked".
 std::string_view nameOf(Repetition repetition);
 
-/// A sentence or two for people; of a simulation with driver and program of then and now.
+/// A sentence or two for people; for a simulation with both drivers and programs.
 std::string repetitionText(const RecordedAttempt& attempt, const LessonResult& result, const std::string& program,
                            const std::string& driver);
 

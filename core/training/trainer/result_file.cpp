@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A float as the shortest decimal that reads back to it, not as the long double that it converts to.
+/// A float as the shortest decimal that reads back to it; without this the JSON writer prints its long double.
 Json shortNumber(float value) {
     return jsonNumber(parseDouble(formatNumber(value)).value_or(NAN));
 }
@@ -50,7 +50,7 @@ double degrees(double radians) {
     return radians * 180 / std::numbers::pi;
 }
 
-/// The bead on a level workpiece.
+/// Adds the bead on a level workpiece.
 void addBead(Json& json, const Section& figures) {
     const BeadShape& bead = *figures.bead;
     const auto overlap = bead.overlap(figures.fusion.stretch);
@@ -64,7 +64,7 @@ void addBead(Json& json, const Section& figures) {
     json["overlap_right_mm"] = jsonNumber(millimetres(overlap[1]));
 }
 
-/// The fillet in the corner of a tee or a lap joint.
+/// Adds the fillet in the corner of a tee or a lap joint.
 void addFillet(Json& json, const FilletShape& fillet) {
     json["leg_lying_mm"] = jsonNumber(millimetres(fillet.toes[0].place));
     json["leg_standing_mm"] = jsonNumber(millimetres(fillet.toes[1].place));
@@ -74,7 +74,7 @@ void addFillet(Json& json, const FilletShape& fillet) {
     json["edge_angle_standing_deg"] = jsonNumber(degrees(fillet.toes[1].angle));
 }
 
-/// The figures that do not apply to this workpiece or metal are left out.
+/// Leaves out figures that do not apply to this workpiece or metal.
 Json sectionOf(const WeldSection& section) {
     const Section& figures = section.figures;
     Json json;
@@ -97,7 +97,7 @@ Json sectionOf(const WeldSection& section) {
     return json;
 }
 
-/// Wire that was fed is found again: in drops, or standing out of the contact tip.
+/// Accounts for the fed wire: in drops, or sticking out of the contact tip.
 Json wireOf(const WireAccount& wire) {
     return {{"fed_mm", jsonNumber(wire.fed * 1e3)},
             {"melted_mm", jsonNumber(wire.melted * 1e3)},
@@ -106,8 +106,8 @@ Json wireOf(const WireAccount& wire) {
             {"melted_g", jsonNumber(wire.melted * wire.area * wire.density * 1e3)}};
 }
 
-/// The attempt that the run repeats, and whether the metal ended in the same bits. One that changes something of it has
-/// nothing to be the same as. `result`: null where there is no metal.
+/// The attempt that the run repeats, and if the metal ended in equal bits. A run that changes a value has no such
+/// comparison. `result`: null without a metal.
 Json recordedOf(const RecordedAttempt& attempt, const LessonResult* result, const ResultContext& context) {
     Json json{{"record", attempt.file.filename().string()},
               {"ended", attempt.ended},
@@ -118,12 +118,12 @@ Json recordedOf(const RecordedAttempt& attempt, const LessonResult* result, cons
     if (attempt.redone > 0) json["redone"] = attempt.redone;
     if (result == nullptr || !context.whatIf.empty()) return json;
     if (const auto same = sameEnd(attempt, result->steps, result->stateHash)) json["same"] = *same;
-    const std::string program = context.version + " (" + context.commit + ")"; // as records name it
+    const std::string program = context.version + " (" + context.commit + ")"; // in the form of records
     json["repetition"] = nameOf(repetitionOf(attempt, *result, program, context.renderer));
     return json;
 }
 
-/// What is not known is left out.
+/// Leaves out unknown values.
 Json attemptOf(const AttemptFacts& facts) {
     Json json = Json::object();
     const auto text = [&](const char* key, const std::string& value) {
@@ -155,7 +155,7 @@ Json beginning(const Lesson& lesson, const ResultContext& context) {
     return json;
 }
 
-/// The metal's figures at the end.
+/// Adds the metal's figures at the end.
 void addFigures(Json& json, const LessonResult& result, LessonModel model) {
     const bool weld = model == LessonModel::Weld; // the classic metal's temperatures have no unit
     const std::string unit = weld ? "_c" : "";
@@ -172,7 +172,7 @@ void addFigures(Json& json, const LessonResult& result, LessonModel model) {
     json["non_finite"] = result.metal.nonFinite;
 }
 
-/// What the run cost, and the state that it ended in.
+/// Adds the cost of the run, and the hash of its final state.
 void addEnd(Json& json, const LessonResult& result, const ResultContext& context) {
     if (result.wire.area > 0) json["wire"] = wireOf(result.wire);
     json["state_hash"] = formatHexadecimal(result.stateHash);
@@ -181,7 +181,7 @@ void addEnd(Json& json, const LessonResult& result, const ResultContext& context
     json["surface_bytes"] = context.surfaceBytes;
 }
 
-/// What the reader of a torch path assumed of its table.
+/// Assumptions of the torch path's reader about its table.
 Json torchFormOf(const TorchForm& form) {
     Json json;
     json["encoding"] = encodingName(form.table.encoding);
@@ -196,7 +196,7 @@ Json torchFormOf(const TorchForm& form) {
     return json;
 }
 
-/// Sizes of the workpiece that are simulated otherwise than the parameters say, and the same in words.
+/// Adds sizes of the workpiece that are simulated differently from the parameters, also in words.
 void addSimulatedSizes(Json& json, const Lesson& lesson) {
     if (lesson.model != LessonModel::Weld) return;
     const std::vector<SimulatedSize> sizes = simulatedSizes(lesson.workpiece);
@@ -205,7 +205,7 @@ void addSimulatedSizes(Json& json, const Lesson& lesson) {
     if (!sizes.empty()) json["simulated_text"] = simulatedSizesText(lesson.workpiece);
 }
 
-/// With the entries behind the figures.
+/// Adds the entries behind the figures.
 Json finished(Json json, Lesson& lesson, const ResultContext& context) {
     json["torch"] = lesson.torchFile.filename().string();
     if (const auto& form = lesson.torch.form(); form && !form->ours) json["torch_form"] = torchFormOf(*form);
@@ -226,7 +226,7 @@ std::string textOf(const Json& json) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-/// Adds a name to a list in words, each once.
+/// Adds a name to a list in words, once.
 void addName(std::string& list, const std::string& name) {
     if (name.empty() || name == "none" || list.find(name) != std::string::npos) return;
     list += (list.empty() ? "" : ", ") + name;
@@ -238,7 +238,7 @@ AttemptFacts factsOf(const RecordedAttempt& attempt) {
     AttemptFacts facts;
     facts.head = attempt.head;
     facts.realTime = attempt.realTime;
-    // A person's attempt says so where it was for score; one without the line was practice.
+    // A test says so in a person's attempt; one without the line was practice.
     if (attempt.realTime) facts.forScore = false;
     for (const RecordedEvent& note : attempt.notes) {
         if (note.name == "for_score") facts.forScore = note.value == "yes";

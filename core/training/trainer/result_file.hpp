@@ -1,4 +1,4 @@
-// result.json: the figures of a run in a form that programs and people read.
+// Writes result.json: the figures of a run in a form for programs and people.
 #pragma once
 
 #include "core/training/trainer/trainer.hpp"
@@ -14,22 +14,22 @@
 
 namespace meltpool {
 
-/// How an attempt was made, beside what the hand did. What nobody knows is empty.
+/// Circumstances of an attempt, other than the hand. Unknown ones are empty.
 struct AttemptFacts {
-    AttemptHead head; ///< date, program and driver of it are told
+    AttemptHead head; ///< date, program and driver are written
     std::optional<bool> forScore;
-    std::optional<double> realTime; ///< simulated over real time
-    std::optional<double> zoom;     ///< size at which the workpiece was shown
-    std::optional<bool> guided;     ///< the torch went along the seam by itself
-    std::optional<bool> changed;    ///< workpiece, particles or given settings were others than the lesson's
-    std::string cues;               ///< that were shown, by name; empty: none that is known
-    std::string ghost;              ///< whose torch was shown: "expert", "best" or "file"; empty: none that is known
+    std::optional<double> realTime; ///< simulated time over real time
+    std::optional<double> zoom;     ///< scale of the shown workpiece
+    std::optional<bool> guided;     ///< true: the torch moved along the seam by itself
+    std::optional<bool> changed;    ///< true: workpiece, particles or given settings differed from the lesson's
+    std::string cues;               ///< shown cues, by name; empty: none known
+    std::string ghost;              ///< source of the shown torch: "expert", "best" or "file"; empty: none known
 };
 
-/// What a record tells of how its attempt was made.
+/// Circumstances of the attempt in a record.
 AttemptFacts factsOf(const RecordedAttempt& attempt);
 
-/// What a result says beside the metal's figures.
+/// Contents of a result other than the metal's figures.
 struct ResultContext {
     std::string version;
     std::string commit;
@@ -37,23 +37,23 @@ struct ResultContext {
     double wallSeconds = 0;
     std::optional<WeldSection> section = {}; ///< of weld lessons
     Judgement judgement = {};
-    std::string error = {};                   ///< why the run ended early; empty when it did not
-    std::string date = {};                    ///< when the result was made, as formatDate(); empty: not told
-    std::optional<AttemptFacts> attempt = {}; ///< where a person welded, or a record of an attempt is repeated
-    std::vector<std::pair<std::string, std::string>> whatIf = {}; ///< what was changed of a recorded attempt
-    std::vector<std::string> warnings = {};                       ///< sentences of what is implausible
+    std::string error = {};                   ///< reason why the run ended early; else empty
+    std::string date = {};                    ///< date of the result, as formatDate(); empty: not written
+    std::optional<AttemptFacts> attempt = {}; ///< if a person welded, or a record of an attempt is repeated
+    std::vector<std::pair<std::string, std::string>> whatIf = {}; ///< changes of a recorded attempt
+    std::vector<std::string> warnings = {};                       ///< sentences about implausible values
     size_t surfaceBytes = 0;                                      ///< GPU memory of the pictures' surface
 };
 
-/// The entries of result.json: the figures of a run together with every parameter it had. `result`: null where there is
-/// no metal, as where a record alone is judged. The run is finished where the context has no error.
+/// The entries of result.json: the figures of a run together with every parameter it had. `result`: null without a
+/// metal, for example if only a record is judged. A run is finished if the context has no error.
 nlohmann::ordered_json resultEntries(Lesson& lesson, const LessonResult* result, const ResultContext& context);
 
-/// Writes what a run is about to do, marked as not finished: what stands in the folder of a run that was killed.
-/// `context.error` says so in a sentence. Throws what writeFile() throws.
+/// Writes the plan of a run, marked as not finished, so that the folder of a killed run has a result. `context.error`
+/// says so in a sentence. Throws as writeFile().
 void writeUnfinishedResult(const std::filesystem::path& file, Lesson& lesson, const ResultContext& context);
 
-/// Writes resultEntries() as text. Throws what writeFile() throws.
+/// Writes resultEntries() as text. Throws as writeFile().
 void writeResult(const std::filesystem::path& file, Lesson& lesson, const LessonResult& result,
                  const ResultContext& context);
 

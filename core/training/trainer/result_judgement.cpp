@@ -21,7 +21,7 @@ Json parameterScores(const TechniqueScore& score, DistanceKind distance) {
     return json;
 }
 
-/// Means and deviations of the judged parameters, and what was asked for, in their bands' units.
+/// Means and deviations of the judged parameters, and their targets, in their bands' units.
 Json parameterValues(const TechniqueScore& score, DistanceKind distance, const TechniqueBands* bands) {
     Json json = Json::object();
     for (const ParameterScore& each : score.parameters) {
@@ -68,7 +68,7 @@ Json optionalNumber(const std::optional<double>& value) {
     return value ? jsonNumber(*value) : Json(nullptr);
 }
 
-/// As acceptance files call it.
+/// Word of acceptance files for it.
 const char* limitWord(LimitKind kind) {
     if (kind == LimitKind::notPermitted) return "not_permitted";
     return kind == LimitKind::atLeast ? "at_least" : "at_most";
@@ -119,7 +119,7 @@ Json weldOf(const WeldMeasures& weld) {
     return json;
 }
 
-/// Means while the arc burned. Heat input over the whole millimetres of seam on which it did.
+/// Means while the arc burned. Heat input is over the whole millimetres of seam with an arc.
 Json arcOf(const Judgement& judgement, const ProcessSettings& process) {
     const ArcAccount& arc = judgement.arc;
     const ProcessTraits& traits = traitsOf(process);

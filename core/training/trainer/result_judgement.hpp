@@ -1,4 +1,4 @@
-// The judgement of an attempt as entries of result.json.
+// Converts the judgement of an attempt to entries of result.json.
 #pragma once
 
 #include "core/training/judging/judgement.hpp"
@@ -8,11 +8,10 @@
 
 namespace meltpool {
 
-/// JSON has no number for what is not finite: null.
+/// JSON has no number for a value that is not finite: null.
 nlohmann::ordered_json jsonNumber(double value);
 
-/// Adds `score`, `arc`, `verdict` and `weld`, each where there is one. The handbook's page on file formats tells what
-/// they hold.
+/// Adds `score`, `arc`, `verdict` and `weld`, as far as they exist. The handbook's page on file formats describes them.
 void addJudgement(nlohmann::ordered_json& json, const Judgement& judgement, const Lesson& lesson);
 
 } // namespace meltpool

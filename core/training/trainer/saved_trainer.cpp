@@ -1,4 +1,4 @@
-// What of a lesson in progress belongs to a checkpoint: Trainer's own part, and the order of all parts.
+// Saves and restores a running lesson: Trainer's own part of a checkpoint, and the order of all parts.
 #include "core/base/error.hpp"
 #include "core/base/hash.hpp"
 #include "core/training/trainer/trainer.hpp"
@@ -27,7 +27,7 @@ void transferTorch(gl::StateArchive& archive, TorchSample& torch) {
     transferRod(archive, torch.rod);
 }
 
-/// Number of the first that was made after so many steps or more.
+/// Index of the first note after so many steps or more.
 template <class Notes>
 size_t firstFrom(const Notes& notes, size_t steps) {
     const auto first =
@@ -42,8 +42,8 @@ void RealTimeCount::transfer(gl::StateArchive& archive) {
     archive.values(realSteps_, least_);
 }
 
-/// Of the lesson's key and of all that is chosen before the metal is made; what may change while it is welded is in the
-/// checkpoint itself.
+/// Hash of the lesson's key and of all choices before the metal is made; values that may change during the weld are in
+/// the checkpoint itself.
 std::uint64_t Trainer::identityOf(Lesson& lesson) {
     std::string text = lesson.key;
     for (const Parameter& parameter : lesson.metalParameters())
@@ -69,7 +69,7 @@ void Trainer::transferLesson(gl::StateArchive& archive) {
             parameter.value);
 }
 
-/// Pending looks at the metal are no part of it: figures are read again from the restored metal.
+/// Pending readings of the metal are not saved: figures are read again from the restored metal.
 void Trainer::transfer(gl::StateArchive& archive) {
     transferLesson(archive);
     if (archive.restores()) applyValues();
@@ -88,13 +88,13 @@ void Trainer::transfer(gl::StateArchive& archive) {
     if (technique_) technique_->transfer(archive);
 }
 
-/// The particles are as before once it has been called twice.
+/// Two calls leave the particles unchanged.
 void Trainer::fold() {
     metal_.run([](MetalModel& metal) { metal.fold(); });
 }
 
 void Trainer::capture(CheckpointCapture& capture, size_t historyFrom) const {
-    auto& self = const_cast<Trainer&>(*this); // saving changes nothing: the functions are those that restore, too
+    auto& self = const_cast<Trainer&>(*this); // saving changes no value: one set of functions saves and restores
     Checkpoint& head = capture.begin();
     head.step = steps_;
     head.time = time_;
@@ -121,7 +121,7 @@ Checkpoint Trainer::save(size_t historyFrom) const {
     return checkpoint;
 }
 
-/// Throws InputError where the checkpoint cannot be restored here.
+/// Throws InputError if the checkpoint cannot be restored here.
 void Trainer::requireFit(const Checkpoint& checkpoint) const {
     requireWhole(checkpoint);
     if (checkpoint.identity != identity_)
@@ -140,7 +140,7 @@ void Trainer::requireFit(const Checkpoint& checkpoint) const {
 
 void Trainer::restore(const Checkpoint& checkpoint) {
     requireFit(checkpoint);
-    figures_.finish(); // rows that wait are of the metal before
+    figures_.finish(); // waiting rows belong to the earlier metal
     if (technique_) {
         gl::StateArchive history(std::span<const std::byte>(checkpoint.history));
         technique_->transferSteps(history, checkpoint.historyFrom, checkpoint.historyTo);
@@ -154,7 +154,7 @@ void Trainer::restore(const Checkpoint& checkpoint) {
     if (watcher_ != nullptr) watcher_->restored();
     figures_.readAgain();
     if (!lesson_.recorded) return;
-    // The checkpoint may be of the attempt itself, which repeated none; those behind this very step may come again.
+    // A checkpoint may be of the attempt itself, which repeated no change; changes at this very step may come again.
     nextChange_ = firstFrom(lesson_.recorded->changes, steps_);
     nextEvent_ = firstFrom(lesson_.recorded->events, steps_);
 }

@@ -9,7 +9,7 @@ ProbeAim aimOf(const MetalModel& metal, const TorchSample& torch) {
     return {end / metal.unit(), torch.axis(), TipProbe::kReach / metal.unit()};
 }
 
-/// Metres, and nothing where no metal was met.
+/// In metres; empty if it met no metal.
 float distanceOf(float found, const MetalModel& metal) {
     const float metres = found * metal.unit();
     return metres < TipProbe::kReach * 0.999F ? metres : std::numeric_limits<float>::infinity();

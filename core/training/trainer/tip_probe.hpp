@@ -1,4 +1,4 @@
-// Where the metal lies from the torch's tip, in metres of the workpiece's frame, found on the surface that is shown.
+// Finds the distance from the torch's tip to the metal on the shown surface, in metres of the workpiece's frame.
 #pragma once
 
 #include "core/surface/surface_probe.hpp"
@@ -9,16 +9,16 @@ namespace meltpool {
 
 class TipProbe {
   public:
-    /// How far from the tip metal is looked for, m.
+    /// Reach of the search from the tip, m.
     static constexpr float kReach = 0.06F;
 
     explicit TipProbe(gl::ShaderLibrary& shaders) : probe_(shaders) {}
 
-    /// Asks where `surface` of `metal` lies under this torch; dropped while an answer is under way.
+    /// Requests the place of `surface` of `metal` under this torch; dropped while an answer is pending.
     void request(const Surface& surface, const MetalModel& metal, const TorchSample& torch);
-    /// The answer, once, frames later; never waits.
+    /// The answer, once, some frames later; never waits.
     std::optional<SurfaceDistance> poll(const MetalModel& metal);
-    /// Drops what was asked for: the metal is another one now.
+    /// Drops the request: the metal was replaced.
     void forget() { probe_.forget(); }
     /// Waits for the GPU.
     SurfaceDistance now(const Surface& surface, const MetalModel& metal, const TorchSample& torch);

@@ -26,11 +26,11 @@ Trainer::~Trainer() = default;
 
 void Trainer::reset() {
     stopRecord("reset");
-    if (lesson_.recorded) // its changes come again
+    if (lesson_.recorded) // the changes come again
         for (const RecordedChange& value : lesson_.recorded->values)
             lesson_.set(value.key, value.value, "a recorded value");
     metal_.change([this](MetalModel& metal) {
-        metal.apply(lesson_); // what was set since the last step holds from the start
+        metal.apply(lesson_); // values set since the last step hold from the start
         metal.reset();
     });
     time_ = 0;
@@ -88,7 +88,7 @@ void Trainer::advance(const TorchSample& torch, gl::Profiler* profiler) {
     tellOfStep();
 }
 
-/// After the figures: a run that waits for them hears those of its own step.
+/// Comes after the figures: a run that waits for them reads those of its own step.
 void Trainer::tellOfStep() {
     if (lesson_.model != LessonModel::Weld) return;
     sound_.step(lesson_.process, arc_, torch_, timeStep(), figures_.newest().maxTemperature);
@@ -96,7 +96,7 @@ void Trainer::tellOfStep() {
     if (watcher_ != nullptr) watcher_->stepped();
 }
 
-/// Of a path that people brought: a record has these events itself.
+/// Events of a torch path from outside: a record has them itself.
 void Trainer::followUnseen() {
     const std::optional<TorchForm>& form = lesson_.torch.form();
     if (!form || form->unseenRows == 0) return;

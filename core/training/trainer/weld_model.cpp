@@ -81,7 +81,7 @@ void WeldModel::prepare(Surface& surface) const {
     surface.roundFaces = {};
     if (const auto& pipe = workpiece_.pipe)
         surface.roundFaces = {pipe->axis, pipe->low, pipe->high, pipe->outer, pipe->inner};
-    // Particles keep their slots; less than a fiftieth of a cell or 3 K is seen by nobody.
+    // Particles keep their slots; less than a fiftieth of a cell or 3 K is invisible.
     surface.incremental = {true, 0.02F, 0.001F};
 }
 

@@ -1,4 +1,4 @@
-// The physical metal as a Trainer sees it: a workpiece of some material under a welding process.
+// Adapts the physical metal to the Trainer: a workpiece of some material under a welding process.
 #pragma once
 
 #include "core/training/trainer/metal_model.hpp"
@@ -41,10 +41,10 @@ class WeldModel : public MetalModel {
 
   private:
     Material material_;
-    WorkpieceParameters parameters_; ///< as the workpiece was made
+    WorkpieceParameters parameters_; ///< values that the workpiece was made with
     Workpiece workpiece_;
     WeldKind kind_;
-    std::optional<double> pipeRadius_; ///< m, outside
+    std::optional<double> pipeRadius_; ///< outer radius, m
     ProcessSettings process_;
     Weld weld_;
 };
