@@ -13,9 +13,9 @@ struct CallThread::Shared {
     std::mutex mutex;
     std::condition_variable changed;
     std::unique_ptr<ThreadOwned> object;
-    Call call = nullptr; ///< under way; nullptr: none
+    Call call = nullptr; ///< present call; nullptr: none
     std::exception_ptr fault;
-    bool measured = false; ///< the call is part of a frame that is measured
+    bool measured = false; ///< the call is part of a measured frame
     WorkElsewhere work;
     bool leaving = false;
     std::shared_ptr<std::atomic<bool>> gone = std::make_shared<std::atomic<bool>>(false);
@@ -30,7 +30,7 @@ void CallThread::run(const std::shared_ptr<Shared>& shared) {
     std::unique_lock lock(shared->mutex);
     WorkMeter meter;
     while (true) {
-        meter.begin(); // sleeping costs no processor time, waking up does
+        meter.begin(); // counted from here: sleeping costs no processor time, waking up does
         shared->changed.wait(lock, [&] { return shared->call != nullptr || shared->leaving; });
         if (shared->call == nullptr) break;
         const Call call = shared->call;
@@ -47,7 +47,7 @@ void CallThread::run(const std::shared_ptr<Shared>& shared) {
         shared->work = shared->measured ? meter.forAnother() : WorkElsewhere{};
         shared->fault = fault;
         shared->call = nullptr;
-        lock.unlock(); // else the woken thread would wait for the lock
+        lock.unlock(); // otherwise the woken thread would wait for the lock
         shared->changed.notify_all();
         lock.lock();
     }

@@ -1,4 +1,5 @@
-// A thread for calls that may never return: the thread that began a call can give it up and go on.
+// Runs calls that may never return on a thread of their own, so that the thread that started a call can abandon it and
+// go on.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -26,7 +27,7 @@ class ThreadOwned {
 class CallThread {
   public:
     explicit CallThread(std::unique_ptr<ThreadOwned> object);
-    /// Has the thread destroy the object and waits for that at most `kFarewell`. A thread that still hangs then ends by
+    /// Has the thread destroy the object and waits for that at most `kFarewell`. A thread that still hangs ends by
     /// itself when its call returns.
     ~CallThread();
     CallThread(const CallThread&) = delete;
@@ -35,20 +36,20 @@ class CallThread {
     static constexpr std::chrono::milliseconds kFarewell{3000};
 
     using Call = void (*)(ThreadOwned&);
-    /// Begins a call. Throws Stalled while the last one is not over.
+    /// Begins a call. Throws Stalled while the last one is in progress.
     void begin(Call call);
-    /// The call is over, or there was none.
+    /// True if no call is in progress.
     bool over() const;
-    /// Waits at most `patience` for the end of the call; answers over().
+    /// Waits at most `patience` for the end of the call; returns over().
     bool wait(std::chrono::milliseconds patience) const;
     /// Throws the exception of the finished call, once.
     void rethrow();
-    /// Processor time and allocations of the finished call, counted from when the thread woke up for it. Zero where the
-    /// beginning thread has no WorkMeter.
+    /// Processor time and allocations of the finished call, counted from the thread's wake-up. Zero if the starting
+    /// thread has no WorkMeter.
     WorkElsewhere work() const;
 
-    /// Gives up thread and object without waiting; afterwards only the destructor may be called. The answer becomes
-    /// true when both are gone.
+    /// Abandons thread and object without waiting; afterwards only the destructor may be called. The returned flag
+    /// becomes true when both are gone.
     std::shared_ptr<const std::atomic<bool>> leave();
 
   private:

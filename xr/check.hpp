@@ -1,4 +1,4 @@
-// Every OpenXR call goes through MELTPOOL_XR: a failure names the call, its result and its place in the source.
+// Checks every OpenXR call by MELTPOOL_XR: a failure names the call, its result and its place in the source.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -20,10 +20,10 @@ class XrFault : public RuntimeFault {
     XrResult result_;
 };
 
-/// "XR_ERROR_INSTANCE_LOST", or the number where the name is not known.
+/// "XR_ERROR_INSTANCE_LOST", or the number of an unknown result.
 std::string resultName(XrResult result);
 
-/// Passes success codes through; throws XrFault for the rest.
+/// Returns success codes; throws XrFault for the rest.
 XrResult check(XrResult result, const char* expression, const char* file, int line);
 
 } // namespace meltpool::xr

@@ -1,4 +1,4 @@
-// Opens a session for a moment and collects what the runtime says about itself.
+// Opens a session for a moment and collects the runtime's properties.
 #include "xr/diagnosis.hpp"
 
 #include "xr/headset.hpp"
@@ -64,8 +64,8 @@ void addSystemFacts(const Instance& instance, Diagnosis& diagnosis) {
     diagnosis.facts.push_back({"extensions in use", extensions});
 }
 
-/// Submits empty frames until a controller is bound, for three seconds at most. Answers the display's period in
-/// seconds; 0 where the runtime asked for no frame.
+/// Submits empty frames until a controller is bound, for three seconds at most. Returns the display's period in
+/// seconds; 0 if the runtime asked for no frame.
 double watch(Headset& headset) {
     double period = 0;
     for (const auto end = Clock::now() + std::chrono::seconds(3); Clock::now() < end;) {

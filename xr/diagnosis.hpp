@@ -1,4 +1,4 @@
-// The headset part of `meltpool doctor`: what is there, what is missing and how to get it.
+// The headset part of `meltpool doctor`: names the parts found, the missing ones and the remedy.
 #pragma once
 
 #include <string>
@@ -15,10 +15,10 @@ struct Fact {
 struct Diagnosis {
     bool usable = false; ///< a headset could be used now
     std::vector<Fact> facts;
-    std::string advice; ///< what to do, as a sentence for the person; empty where nothing is missing
+    std::string advice; ///< remedy, as a sentence for the person; empty if no part is missing
 };
 
-/// Looks at loader, runtime, headset, extensions, formats, refresh rate and controllers. With `session` an OpenGL
+/// Examines loader, runtime, headset, extensions, formats, refresh rate and controllers. With `session` an OpenGL
 /// context must be current: a session is opened for up to 3 seconds to see formats and controllers. Throws nothing.
 Diagnosis diagnose(bool session);
 

@@ -1,4 +1,4 @@
-// The multisampled picture of both eyes and its resolved copy.
+// Makes the multisampled picture of both eyes and its resolved copy.
 #include "xr/eye_targets.hpp"
 
 #include <algorithm>

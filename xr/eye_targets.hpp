@@ -1,25 +1,25 @@
-// The frame buffer that both eyes are drawn into: one wide multisampled picture, left eye at the left, resolved before
-// it is copied to the runtime's swapchains.
+// Holds the frame buffer of both eyes: one wide multisampled picture, the left eye on the left, resolved before it is
+// copied to the runtime's swapchains.
 #pragma once
 
 #include "core/gl/texture.hpp"
 
 namespace meltpool::xr {
 
-/// Both eyes stand side by side, so that one submission can fill them through two viewports.
+/// Both eyes are next to each other, so that one submission can fill them through two viewports.
 class EyeTargets {
   public:
-    /// `width` x `height` pixels an eye. `samples` is lowered to what the driver can. `colour` is a sized 8-bit format,
-    /// `depth` a sized depth format. Throws RuntimeFault when the driver cannot draw into them.
+    /// `width` x `height` pixels an eye. `samples` is lowered to the driver's limit. `colour` is a sized 8-bit format,
+    /// `depth` a sized depth format. Throws RuntimeFault if the driver cannot draw into them.
     EyeTargets(GLenum colour, GLenum depth, int width, int height, int samples);
 
     int width() const { return width_; } ///< of one eye
     int height() const { return height_; }
     int samples() const { return samples_; }
-    /// What is written is encoded by the driver while GL_FRAMEBUFFER_SRGB is on.
+    /// True if the driver encodes written colours while GL_FRAMEBUFFER_SRGB is on.
     bool encodesSrgb() const { return colour_.shape().format != GL_RGBA8; }
 
-    /// Both eyes, 2 * width() wide, colour and depth.
+    /// Frame buffer of both eyes, 2 * width() wide, colour and depth.
     GLuint framebuffer() const { return drawn_.name(); }
 
     /// Averages the samples into the finished picture, and takes the depth of one sample a pixel.
@@ -27,7 +27,7 @@ class EyeTargets {
     /// The resolved picture of both eyes, for the window's mirror and tests.
     GLuint resolved() const { return finished_.name(); }
 
-    /// The same as textures, 2 * width() wide.
+    /// The resolved picture as textures, 2 * width() wide.
     GLuint finishedColour() const { return finishedColour_.name(); }
     GLuint finishedDepth() const { return finishedDepth_.name(); }
 

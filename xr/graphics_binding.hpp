@@ -1,4 +1,4 @@
-// The current OpenGL context as OpenXR wants it, and a guard that restores the context after calls of the runtime.
+// Describes the current OpenGL context to OpenXR, and guards it against changes by the runtime.
 #pragma once
 
 #include <memory>
@@ -7,21 +7,21 @@
 
 namespace meltpool::xr {
 
-/// The OpenGL context that is current now, in the form that xrCreateSession wants: GLX or EGL on Linux, WGL on Windows.
-/// It comes from the context itself, so it does not matter who made it (a window, or core/gl's headless context).
+/// The current OpenGL context in the form of xrCreateSession: GLX or EGL on Linux, WGL on Windows. It comes from the
+/// context itself, so any maker of the context will do (a window, or core/gl's headless context).
 class GraphicsBinding {
   public:
-    /// Throws InputError when no context is current.
+    /// Throws InputError if no context is current.
     static GraphicsBinding ofCurrentContext();
 
     /// For XrSessionCreateInfo::next.
     const void* next() const { return chain_.get(); }
-    /// The extension that this binding needs, or nullptr where XR_KHR_opengl_enable is enough.
+    /// The extension that this binding needs, or nullptr if XR_KHR_opengl_enable is enough.
     const char* extension() const { return extension_; }
     /// "GLX", "EGL" or "WGL".
     const char* kind() const { return kind_; }
 
-    /// Which runtimes take an OpenGL context on this system, and how one of them is made the active one.
+    /// Advice: the runtimes that take an OpenGL context on this system, and the way to make one the active one.
     static const char* runtimesWithOpenGl();
 
   private:
@@ -30,19 +30,19 @@ class GraphicsBinding {
     const char* kind_ = "";
 };
 
-/// A context of its own beside the one that is current when it is made: textures and buffers are the same in both. For
-/// another thread, which makes it current.
+/// A second context that shares textures and buffers with the context that is current at its making. For another
+/// thread, which makes it current.
 class SharedContext {
   public:
-    /// Throws InputError when no context is current, or the driver makes none beside it.
+    /// Throws InputError if no context is current, or the driver makes no second one.
     SharedContext();
     ~SharedContext();
     SharedContext(const SharedContext&) = delete;
     SharedContext& operator=(const SharedContext&) = delete;
 
-    /// On the thread that is to use it, once.
+    /// Call it once, on the thread that uses the context.
     void makeCurrent();
-    /// On that same thread, before this is destroyed.
+    /// Call it on that thread, before this is destroyed.
     void release();
 
   private:
@@ -50,7 +50,7 @@ class SharedContext {
     std::unique_ptr<Handles> handles_;
 };
 
-/// Remembers the current context and drawables. Its destructor makes them current again where the runtime changed them,
+/// Remembers the current context and drawables. Its destructor makes them current again if the runtime changed them,
 /// and clears the GL errors that the runtime left.
 class ContextGuard {
   public:
@@ -59,7 +59,7 @@ class ContextGuard {
     ContextGuard(const ContextGuard&) = delete;
     ContextGuard& operator=(const ContextGuard&) = delete;
 
-    /// How often guards of this process restored a context, and how many GL errors they cleared.
+    /// Counts of restored contexts and of cleared GL errors, over all guards of this process.
     struct Repairs {
         unsigned contexts = 0;
         unsigned errors = 0;
@@ -69,7 +69,7 @@ class ContextGuard {
   private:
     void* display_ = nullptr;
     void* context_ = nullptr;
-    // Of GLX and EGL; WGL's context has one drawable, its device context.
+    // Drawables of GLX and EGL; WGL's context has one drawable, its device context.
     [[maybe_unused]] void* draw_ = nullptr;
     [[maybe_unused]] void* read_ = nullptr;
     [[maybe_unused]] bool egl_ = false;

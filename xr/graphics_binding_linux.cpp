@@ -1,4 +1,4 @@
-// The OpenGL context of GLX and of EGL.
+// Binds the OpenGL context of GLX and of EGL.
 #include "xr/platform.hpp"
 
 #include "core/base/error.hpp"
@@ -115,8 +115,8 @@ EGLContext eglBeside(EGLDisplay display, EGLContext first) {
 struct SharedContext::Handles {
     void* display = nullptr;
     void* context = nullptr;
-    unsigned long window = 0;    ///< GLX: of one pixel, never shown
-    unsigned long colourmap = 0; ///< of that
+    unsigned long window = 0;    ///< GLX: a window of one pixel, never shown
+    unsigned long colourmap = 0; ///< of that window
     bool egl = false;
 
     void useGlx(GLXContext first);
@@ -168,7 +168,7 @@ SharedContext::~SharedContext() = default;
 void SharedContext::makeCurrent() {
     const Handles& h = *handles_;
     if (h.egl) {
-        eglBindAPI(EGL_OPENGL_API); // a new thread is bound to OpenGL ES
+        eglBindAPI(EGL_OPENGL_API); // a new thread starts bound to OpenGL ES
         if (eglMakeCurrent(h.display, EGL_NO_SURFACE, EGL_NO_SURFACE, h.context) == EGL_FALSE) noSecondContext();
         return;
     }

@@ -1,4 +1,4 @@
-// The OpenGL context of WGL.
+// Binds the OpenGL context of WGL.
 #include "xr/platform.hpp"
 
 #include "core/base/error.hpp"
@@ -35,8 +35,8 @@ const char* GraphicsBinding::runtimesWithOpenGl() {
            "settings under General";
 }
 
-/// A device context may be current on one thread only, and a context only where the pixel format is its own; so the
-/// second context has a window of its own with the first one's format.
+/// A device context may be current on one thread only, and a context needs its own pixel format; so the second context
+/// has its own window with the first one's format.
 struct SharedContext::Handles {
     explicit Handles(HDC first) : window(GetPixelFormat(first)) {}
     ~Handles() {

@@ -1,4 +1,4 @@
-// Sends vibrations to controllers: as amplitude and frequency, or as PCM samples where the runtime takes them.
+// Sends vibrations to controllers: as amplitude and frequency, or as PCM samples if the runtime takes them.
 #include "xr/input.hpp"
 
 #include <algorithm>

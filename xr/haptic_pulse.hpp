@@ -1,11 +1,11 @@
-// One vibration of a controller, and the PCM samples of it.
+// Defines one vibration of a controller, and its PCM samples.
 #pragma once
 
 #include <span>
 
 namespace meltpool::xr {
 
-/// Lasts for `duration` from when it is played; the next one on the same controller replaces it.
+/// Lasts `duration` from the start of its playing; the next pulse on that controller replaces it.
 struct HapticPulse {
     float amplitude = 0; ///< 0..1; 0: silence
     float frequency = 0; ///< Hz; 0: the device's own choice

@@ -1,4 +1,4 @@
-// Hands the frame loop's calls to the worker's thread and limits how long they may take.
+// Hands the frame loop's calls to the worker's thread and limits their duration.
 #include "xr/headset.hpp"
 
 #include <algorithm>
@@ -10,10 +10,10 @@ namespace {
 
 constexpr std::chrono::milliseconds kOpening{10000};
 
-/// Far beyond what a processor without a card takes to draw a frame.
+/// Far longer than a processor without a card needs for a frame.
 constexpr std::chrono::milliseconds kDrawing{60000};
 
-/// The least time that a call gets, however slow the frame was.
+/// The least time for a call, even after a slow frame.
 constexpr std::chrono::steady_clock::duration kLeastPatience = std::chrono::milliseconds(50);
 
 /// A member function of the worker as a call for a CallThread.
@@ -86,14 +86,14 @@ void Headset::poll() {
         waitedLate_ = late;
         if (!late) call(invoke<&RuntimeWorker::dropFrame>);
     }
-    // Every call costs the time of both threads, so events that endFrame() has polled are not polled again.
+    // Every call costs the time of both threads, so events polled by endFrame() are not polled again.
     if (!std::exchange(polled_, false)) call(invoke<&RuntimeWorker::poll>);
     if (!running_) waitedLate_ = false;
 }
 
 FrameTiming Headset::waitFrame() {
     if (!std::exchange(waitedLate_, false)) {
-        waitedLate_ = true; // where the call is given up
+        waitedLate_ = true; // set here, as the call may be abandoned
         call(invoke<&RuntimeWorker::waitFrame>, WorkPlace::waiting);
         waitedLate_ = false;
     }
@@ -152,7 +152,7 @@ void Headset::playTracker(size_t which, const HapticPulse& pulse) {
 
 void Headset::awaitDrawing() {
     const InWork driver(WorkPlace::driver);
-    // However long the processor draws, the runtime is not what takes the time.
+    // Drawing on the processor may take long; the runtime does not cause this.
     thread_->begin(invoke<&RuntimeWorker::awaitDrawing>);
     if (!thread_->wait(kDrawing)) {
         stalled_ = true;
@@ -167,7 +167,7 @@ void Headset::endFrame() {
     const bool copies = std::any_of(quads.begin(), quads.end(), [](const QuadSubmission& quad) { return quad.fresh; });
     if (worker_->submission.eyes || copies) {
         worker_->submission.drawn = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-        glFlush(); // else the worker's context would wait for commands that were never sent
+        glFlush(); // otherwise the worker's context would wait for commands that were never sent
         if (worker_->drawsOnProcessor()) awaitDrawing();
     }
     call(invoke<&RuntimeWorker::endFrame>);

@@ -1,4 +1,4 @@
-// An open headset: the calls of a frame loop, in their order.
+// Drives an open headset with the calls of a frame loop, in their order.
 #pragma once
 
 #include "core/base/function_ref.hpp"
@@ -11,18 +11,18 @@
 
 namespace meltpool::xr {
 
-/// Both eyes of one frame and the frame buffer that they are drawn into, side by side, the left eye at the left.
+/// Both eyes of one frame and their frame buffer, next to each other, the left eye on the left.
 struct BothEyes {
     std::array<EyeView, 2> views; ///< in the session's space
-    GLuint framebuffer = 0;       ///< colour and depth, 2 * width wide; multisampled where HeadsetSettings asks for it
-    int width = 0;                ///< pixels, of one eye
+    GLuint framebuffer = 0;       ///< colour and depth, 2 * width wide; multisampled if HeadsetSettings asks for it
+    int width = 0;                ///< pixels of one eye
     int height = 0;
     bool encodesSrgb = true; ///< the colour format is sRGB
-    float nearZ = 0;         ///< m, of the projection; the depth layer states it
+    float nearZ = 0;         ///< m, near plane of the projection, for the depth layer
     float farZ = 0;
 };
 
-/// One session on one instance. A frame is
+/// One session on one instance. A frame is:
 ///
 ///     poll(); if (!running()) wait otherwise;
 ///     timing = waitFrame(); look at input(); simulate;
@@ -30,21 +30,21 @@ struct BothEyes {
 ///     if (timing.shouldRender) drawEyes(...);
 ///     endFrame();
 ///
-/// The runtime is called on a thread of its own. When the calls of a frame have taken kPatience in all, the current
-/// call throws Stalled, and so does every further call until the runtime has answered; then poll() continues. It drops
-/// that frame, unless the runtime was only slow to say when the frame begins: a runtime that counts on slow frames
-/// waits that long on purpose, and learns that they are fast from frames that are submitted alone. While stalled only
-/// the functions marked so may be called.
+/// A separate thread calls the runtime. When the calls of a frame have taken kPatience in all, the current call throws
+/// Stalled, and so does every further call until the runtime has answered; then poll() continues. It drops that frame,
+/// unless the runtime was only slow to say when the frame begins: a runtime that expects slow frames waits that long on
+/// purpose, and learns that they are fast from frames submitted alone. While stalled only the functions marked so may
+/// be called.
 class Headset {
   public:
     static constexpr std::chrono::milliseconds kPatience{500};
 
-    /// Begins to open the session. The eyes are drawn with the OpenGL context that is current now.
+    /// Starts opening the session. The eyes are drawn with the OpenGL context that is current now.
     Headset(std::unique_ptr<Instance> instance, const HeadsetSettings& settings);
     ~Headset();
 
-    /// True once the session is open; before that nothing else may be called. Throws XrFault or InputError (no usable
-    /// format).
+    /// True once the session is open; before that no other function may be called. Throws XrFault or InputError (no
+    /// usable format).
     bool opened();
     /// Waits until the session is open; throws as opened(), or Stalled after ten seconds.
     void waitUntilOpened();
@@ -64,32 +64,31 @@ class Headset {
     void poll();
     bool running() const { return running_; }  ///< also while stalled
     SessionMode mode() const { return mode_; } ///< also while stalled
-    bool stalled() const { return stalled_; }  ///< a call was given up and was not over at the last poll()
+    bool stalled() const { return stalled_; }  ///< a call was abandoned and was still in progress at the last poll()
     /// Waits for the next frame and reads the hands for it.
     FrameTiming waitFrame();
     void beginFrame();
-    /// Where the eyes are at the frame's time; false where the head is not tracked.
+    /// Poses of the eyes at the frame's time; false if the head is not tracked.
     bool locateEyes(std::array<EyeView, 2>& eyes);
-    /// Lets `draw` fill both eyes and resolves them. False, and nothing drawn, where the head is not tracked.
+    /// Lets `draw` fill both eyes and resolves them. False, without drawing, if the head is not tracked.
     bool drawEyes(FunctionRef<void(const BothEyes&)> draw);
     /// Shows the panel at this pose in this frame.
     void showPanel(const Pose& pose);
-    /// The same for the notice. `fresh`: its picture has been drawn anew; else the last one is shown.
+    /// Shows the notice at this pose in this frame. `fresh`: its picture was redrawn; else the last one is shown.
     void showNotice(const Pose& pose, bool fresh);
-    /// Vibration of a controller, or of what is wired to a tracker, from the end of the frame on; a silent pulse stops
-    /// it.
+    /// Vibrates a controller, or the device wired to a tracker, from the end of the frame on; a silent pulse stops it.
     void play(Hand which, const HapticPulse& pulse);
     void playTracker(size_t which, const HapticPulse& pulse);
     void endFrame();
     void requestExit();
 
-    /// How often the runtime's vibration was started and stopped so far; also while stalled.
+    /// Counts of starts and stops of the runtime's vibration; also while stalled.
     const Input::HapticCalls& hapticCalls() const { return hapticCalls_; }
     /// The views of the last drawEyes().
     const std::array<EyeView, 2>& views() const { return worker_->views; }
 
-    /// Gives up the session without waiting; afterwards only the destructor may be called. The answer becomes true when
-    /// the instance is gone; only then another one may be made.
+    /// Abandons the session without waiting; afterwards only the destructor may be called. The returned flag becomes
+    /// true when the instance is gone; only then another one may be made.
     std::shared_ptr<const std::atomic<bool>> leave();
 
   private:
@@ -100,15 +99,15 @@ class Headset {
     void show(Quad quad, const Panel& picture, const Pose& pose, bool fresh);
 
     HeadsetSettings settings_;
-    RuntimeWorker* worker_; ///< belongs to the thread
+    RuntimeWorker* worker_; ///< owned by the thread
     std::unique_ptr<CallThread> thread_;
     std::unique_ptr<EyeTargets> targets_;
     std::unique_ptr<Panel> panel_;
     std::unique_ptr<Panel> notice_;
     std::chrono::steady_clock::duration patience_ = kPatience; ///< time left for the calls of this frame
-    bool polled_ = false;                                      ///< the end of the last frame has polled the events
+    bool polled_ = false;                                      ///< the end of the last frame polled the events
     bool stalled_ = false;
-    bool waitedLate_ = false; ///< the call given up was waitFrame(); after that: it is over, and its frame not yet used
+    bool waitedLate_ = false; ///< the abandoned call was waitFrame(); later: it is over, and its frame is not yet used
     bool running_ = false;
     SessionMode mode_ = SessionMode::waiting;
     Input::HapticCalls hapticCalls_;

@@ -1,4 +1,4 @@
-// The search runs on a thread of its own, since making an instance may block for seconds.
+// Searches on a thread of its own, since making an instance may block for seconds.
 #include "xr/headset_connection.hpp"
 
 #include "core/base/words.hpp"
@@ -13,8 +13,8 @@ namespace meltpool::xr {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-// A runtime that has just gone is often back within a second. One that was never there is searched for less and less
-// often: each attempt costs time and writes its library's messages to the terminal.
+// A runtime that disappeared is often back within a second. The search for one that was never there gets rarer and
+// rarer: each attempt costs time and writes its library's messages to the terminal.
 constexpr auto kFirstPause = std::chrono::milliseconds(1000);
 constexpr auto kLongestPause = std::chrono::milliseconds(8000);
 
@@ -57,7 +57,7 @@ void HeadsetConnection::look(Search& search) {
     try {
         const RuntimeManifest manifest = findRuntimeManifest();
         search.manifestAtFault = !manifest.fault.empty();
-        // The loader would only say that there is no runtime.
+        // The loader's own message says only that there is no runtime.
         if (search.manifestAtFault)
             search.reason = unavailable(manifest);
         else
@@ -129,7 +129,7 @@ bool HeadsetConnection::hopeless() const {
     return manifestAtFault_ || noRuntime_ || (failedSince_ && Clock::now() - *failedSince_ > kPatience);
 }
 
-/// Continues the opening of the session; false while it is not open, or where it failed.
+/// Continues opening the session; false while it is not open, or if it failed.
 bool HeadsetConnection::open() {
     const bool before = opened_;
     try {

@@ -12,14 +12,14 @@ namespace meltpool::xr {
 
 enum class ConnectionState {
     searching, ///< no runtime or no headset yet; the search is repeated
-    asleep,    ///< connected, but nobody wears it
+    asleep,    ///< connected, but not worn
     running,   ///< the runtime asks for frames
     stalled,   ///< the runtime does not answer; used again as soon as it does
     ended,     ///< the runtime asked the program to leave the headset; the window continues without it
 };
 
-/// Owns the headset while there is one. No call blocks for longer than Headset::kPatience, whatever the runtime does:
-/// looking for one, opening a session and every call on it happen on other threads.
+/// Owns the headset while there is one. No call blocks for longer than Headset::kPatience, even if the runtime hangs:
+/// the search, the opening of a session and every call on it run on other threads.
 class HeadsetConnection {
   public:
     explicit HeadsetConnection(HeadsetSettings settings);
@@ -30,35 +30,35 @@ class HeadsetConnection {
     /// Settings for the next session.
     void use(const HeadsetSettings& settings) { settings_ = settings; }
 
-    /// To be called once a frame: opens a headset that was found, polls the runtime's events, notices a loss. The eyes
-    /// are drawn with the OpenGL context that is current at the opening.
+    /// Call it once a frame: opens a headset that was found, polls the runtime's events, notices a loss. The eyes are
+    /// drawn with the OpenGL context that is current at the opening.
     ConnectionState update();
     /// The headset while it is open; nullptr while searching.
     Headset* headset() { return opened_ ? headset_.get() : nullptr; }
     const Headset* headset() const { return opened_ ? headset_.get() : nullptr; }
-    /// A call on the headset failed: closes it, keeps the reason, and searches again.
+    /// Call it after a failed call on the headset: closes it, stores the reason, and searches again.
     void onFault(const XrFault& fault);
-    /// A call on the headset was given up: the headset is not used until the call is over.
+    /// Call it after an abandoned call on the headset: the headset is unused until the call is over.
     void onStall();
-    /// Closes the headset and searches no more.
+    /// Closes the headset and stops searching.
     void close();
 
     ConnectionState state() const { return state_; }
-    /// Why there is no headset at the moment, as a sentence for the person; empty while there is one.
+    /// Reason why there is no headset at the moment, as a sentence for the person; empty while there is one.
     const std::string& reason() const { return reason_; }
-    /// The file that names the runtime is at fault.
+    /// True if the file that names the runtime is at fault.
     bool manifestAtFault() const { return manifestAtFault_; }
-    /// How long a runtime may answer that it has no headset before there is none to be hoped for. A machine that is too
-    /// busy to answer is not counted.
+    /// Time for which a runtime may answer that it has no headset before the search counts as hopeless. Time in which
+    /// the machine is too busy to answer does not count.
     static constexpr std::chrono::seconds kPatience{15};
-    /// No runtime can be loaded, so that no headset is found until somebody changes the machine's settings; or searches
+    /// True if no runtime can be loaded, so that a headset needs a change of the machine's settings, or if searches
     /// have found none for kPatience.
     bool hopeless() const;
-    /// How often a headset was opened.
+    /// Number of openings of a headset.
     int openings() const { return openings_; }
 
   private:
-    /// The result of a search. A call that hangs may keep it longer than the connection lives.
+    /// The result of a search. A call that hangs may make it outlive the connection.
     struct Search {
         std::atomic<bool> over = false;
         std::unique_ptr<Instance> instance;
@@ -79,9 +79,10 @@ class HeadsetConnection {
     std::string reason_ = "looking for a headset";
     std::unique_ptr<Headset> headset_;
     std::shared_ptr<Search> looking_;
-    std::shared_ptr<const std::atomic<bool>> gone_; ///< the last instance is destroyed; before that none may be made
+    std::shared_ptr<const std::atomic<bool>> gone_; ///< true once the last instance is destroyed; before that none may
+                                                    ///< be made
     std::chrono::steady_clock::time_point nextLook_;
-    /// The first failed search since the last opening.
+    /// Time of the first failed search since the last opening.
     std::optional<std::chrono::steady_clock::time_point> failedSince_;
     std::chrono::milliseconds pause_;
     bool opened_ = false;
@@ -90,7 +91,7 @@ class HeadsetConnection {
     int openings_ = 0;
 };
 
-/// What a failed call means and what to do about it, as a sentence for the person.
+/// Explains a failed call and its remedy, as a sentence for the person.
 std::string explain(const XrFault& fault);
 
 } // namespace meltpool::xr

@@ -1,4 +1,4 @@
-// Controllers and trackers: poses, buttons and vibration.
+// Reads poses and buttons of controllers and trackers, and plays vibration.
 #pragma once
 
 #include "xr/haptic_pulse.hpp"
@@ -18,7 +18,7 @@ enum class Hand { left = 0, right = 1 };
 /// One hand in one frame.
 struct HandInput {
     bool present = false;  ///< a controller is switched on and bound
-    bool tracked = false;  ///< its pose is measured in this frame; else `grip` is the last known one
+    bool tracked = false;  ///< the pose is measured in this frame; else `grip` is the last known one
     Pose grip;             ///< in the session's space
     Pose aim;              ///< ray along -Z
     float trigger = 0;     ///< 0..1
@@ -34,28 +34,28 @@ struct TrackerInput {
     std::string role; ///< "handheld_object"
     bool tracked = false;
     Pose pose;
-    float trigger = 0; ///< 0..1, of a switch wired to its pins
+    float trigger = 0; ///< 0..1, from a switch wired to its pins
 };
 
 /// The action sets "weld" and "menu" with suggestions for every known controller.
 class Input {
   public:
-    /// Makes the actions and attaches them; once a session. Throws XrFault.
+    /// Makes the actions and attaches them; call it once a session. Throws XrFault.
     explicit Input(const Session& session);
     ~Input();
     Input(const Input&) = delete;
     Input& operator=(const Input&) = delete;
 
-    /// Reads all actions and the poses predicted for `time`. Hands are absent while the session has no focus.
+    /// Reads all actions, and the poses predicted for `time`. Hands are absent while the session has no focus.
     void read(XrTime time);
     const HandInput& hand(Hand which) const { return hands_[size_t(which)]; }
     const std::vector<TrackerInput>& trackers() const { return trackers_; }
 
     /// Plays the pulse; a silent one stops the vibration. At most once a hand and frame.
     void play(Hand which, const HapticPulse& pulse);
-    /// The same for what is wired to a tracker's pins; does nothing where none is bound.
+    /// Plays the pulse on the device wired to a tracker's pins; a no-op if none is bound.
     void playTracker(size_t which, const HapticPulse& pulse);
-    /// How often the runtime's vibration was started and stopped so far.
+    /// Counts of starts and stops of the runtime's vibration.
     struct HapticCalls {
         unsigned applied = 0;
         unsigned stopped = 0;

@@ -1,4 +1,4 @@
-// Making the instance, choosing its extensions, finding the headset.
+// Makes the instance, chooses its extensions and finds the headset.
 #include "xr/instance.hpp"
 
 #include "core/base/environment.hpp"
@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kOpenGl = "XR_KHR_opengl_enable";
 
-/// Extensions that are enabled where the runtime offers them; interaction profiles name further ones.
+/// Extensions that are enabled if the runtime offers them; interaction profiles name further ones.
 constexpr std::array kOptional{
     "XR_MNDX_egl_enable", "XR_KHR_composition_layer_depth", "XR_HTCX_vive_tracker_interaction",
     "XR_FB_haptic_pcm",   "XR_FB_display_refresh_rate",

@@ -1,4 +1,4 @@
-// The connection to the active OpenXR runtime and the headset it has found.
+// Connects to the active OpenXR runtime and its headset.
 #pragma once
 
 #include "xr/check.hpp"
@@ -9,16 +9,16 @@
 
 namespace meltpool::xr {
 
-/// Keeps the loader's messages off the terminal unless XR_LOADER_DEBUG is set; the program reports failures itself. To
-/// be called before other threads run.
+/// Hides the loader's messages from the terminal unless XR_LOADER_DEBUG is set; the program reports failures itself.
+/// Call it before other threads run.
 void quietLoader();
 
-/// Names of the extensions that the active runtime (and enabled layers) offer; empty where no runtime answers.
+/// Names of the extensions that the active runtime (and enabled layers) offer; empty if no runtime answers.
 std::vector<std::string> offeredExtensions();
 
 bool contains(const std::vector<std::string>& names, std::string_view name);
 
-/// Which runtime, which headset.
+/// Names of runtime and headset.
 struct RuntimeInfo {
     std::string runtime; ///< "Monado(XRT) ... 25.0.0"
     std::string system;  ///< the headset's name
@@ -29,7 +29,7 @@ struct RuntimeInfo {
 class Instance {
   public:
     /// Connects to the runtime and enables every extension of ours that it offers. Throws XrFault: no runtime
-    /// (XR_ERROR_RUNTIME_UNAVAILABLE), or no headset connected (XR_ERROR_FORM_FACTOR_UNAVAILABLE); InputError where the
+    /// (XR_ERROR_RUNTIME_UNAVAILABLE), or no headset connected (XR_ERROR_FORM_FACTOR_UNAVAILABLE); InputError if the
     /// runtime has no OpenGL at all.
     Instance();
     ~Instance();

@@ -1,4 +1,4 @@
-// The panel in space and the pointer's ray on it.
+// Places the panel in space and the pointer's ray on it.
 #include "xr/panel.hpp"
 
 namespace meltpool::xr {

@@ -1,4 +1,5 @@
-// A flat picture in space (a quad layer). The runtime draws it, so its text is sharper than text drawn into the eyes.
+// Shows a flat picture in space (a quad layer). The runtime draws it, so its text is sharper than text drawn into the
+// eyes.
 #pragma once
 
 #include "core/gl/texture.hpp"
@@ -16,8 +17,8 @@ struct PanelShape {
     float width = 0.6f; ///< m; the height follows from the pixels
 };
 
-/// Where a ray along the pose's -Z meets a panel of this size (m) that faces along its own +Z: pixels from the top left
-/// corner, or nothing where it misses or comes from behind.
+/// The point where a ray along the pose's -Z meets a panel of this size (m) that faces along its own +Z: pixels from
+/// the top left corner, or empty if it misses or comes from behind.
 std::optional<glm::vec2> pointOnPanel(const Pose& ray, const Pose& panel, const PanelShape& shape);
 
 class Panel {

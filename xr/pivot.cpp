@@ -1,4 +1,4 @@
-// Pivot calibration by least squares, and its file.
+// Solves the pivot calibration by least squares, and reads and writes its file.
 #include "xr/pivot.hpp"
 
 #include "core/base/error.hpp"
@@ -24,8 +24,8 @@ constexpr size_t kFewestPoses = 20;
 constexpr float kLeastTurnDegrees = 15.0f;
 constexpr float kLargestResidualMm = 5.0f;
 
-/// With the mean rotation M and mean position m over the poses, the best point is M x + m; what is left is
-/// min |(R_i - M) x - (m - p_i)|^2, whose normal matrix N = sum (R_i - M)^T (R_i - M) is 3 by 3.
+/// With the mean rotation M and mean position m over the poses, the best point is M x + m; the remaining problem is min
+/// |(R_i - M) x - (m - p_i)|^2, whose normal matrix N = sum (R_i - M)^T (R_i - M) is 3 by 3.
 struct NormalEquations {
     glm::dmat3 matrix{0.0};
     glm::dvec3 right{0.0};
@@ -86,7 +86,7 @@ PivotResult solvePivot(std::span<const Pose> poses) {
         squares += static_cast<double>(glm::dot(miss, miss));
     }
     result.residualMm = static_cast<float>(1000.0 * std::sqrt(squares / static_cast<double>(poses.size())));
-    // Cov(x) = s² (n N)^-1 with s² the variance of a coordinate: 3 n equations less 6 unknowns.
+    // Cov(x) = s² (n N)^-1 with s² the variance of a coordinate: 3 n equations minus 6 unknowns.
     const double n = static_cast<double>(poses.size());
     const double variance = squares / (3 * n - 6);
     const glm::dmat3 spread = glm::inverse(sum.matrix) * (variance / n);
@@ -135,7 +135,7 @@ constexpr size_t kLargestFile = 65536;    ///< bytes
 constexpr double kFarthest = 2000;        ///< mm; no tip is farther from the hand
 constexpr double kLargestResidual = 1000; ///< mm
 
-/// Throws InputError for a number that no measurement gives.
+/// Throws InputError for a number outside the range of any measurement.
 void checkRange(const std::filesystem::path& file, int line, const std::string& key, double value) {
     const bool place = key.ends_with("_mm") && key != "residual_mm";
     const double least = key == "residual_mm" ? 0 : place ? -kFarthest : -1.01;

@@ -1,4 +1,4 @@
-// Pivot calibration of a torch's tip: the torch is turned about its resting tip, and least squares gives the offset.
+// Calibrates the pivot of a torch's tip: the torch is turned about its resting tip, and least squares gives the offset.
 #pragma once
 
 #include "xr/pose.hpp"
@@ -11,12 +11,12 @@ namespace meltpool::xr {
 
 struct PivotResult {
     bool accepted = false;
-    std::string reason;    ///< why not, as a sentence for the person; empty where accepted
+    std::string reason;    ///< reason of a refusal, as a sentence for the person; empty if accepted
     glm::vec3 offset{0};   ///< m, from the grip (or tracker) to the tip in the grip's own frame
-    glm::vec3 point{0};    ///< m, where the tip was held
+    glm::vec3 point{0};    ///< m, place of the resting tip
     float residualMm = 0;  ///< root mean square distance of the tips from that point
     float errorMm = 0;     ///< standard error of the offset (its length in space), estimated from the residual
-    float turnDegrees = 0; ///< angle about the axis about which the torch was turned least
+    float turnDegrees = 0; ///< angle about the axis of the least turning
 };
 
 /// Solves R_i * offset + p_i = point for all poses in the least-squares sense (6 unknowns, 3 equations a pose). Refuses
@@ -30,8 +30,8 @@ constexpr float kPivotError = 0.3f; ///< mm
 
 struct AxisResult {
     bool accepted = false;
-    std::string reason;            ///< as for PivotResult
-    glm::vec3 direction{0, 0, -1}; ///< unit vector along which the torch points, in the grip's own frame
+    std::string reason;            ///< reason of a refusal, as in PivotResult
+    glm::vec3 direction{0, 0, -1}; ///< unit vector of the torch's direction, in the grip's own frame
     float spreadDegrees = 0;       ///< root mean square angle of the single poses from it
 };
 

@@ -1,4 +1,4 @@
-// OpenXR with its OpenGL types, and the window system's headers that those need, without their macros.
+// Includes OpenXR with its OpenGL types, and the window system's headers that those need, without their macros.
 #pragma once
 
 #include "core/gl/gl.hpp"

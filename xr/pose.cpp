@@ -1,4 +1,4 @@
-// Poses, projections and their conversions.
+// Implements poses, projections and their conversions.
 #include "xr/pose.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Poses and fields of view, and their conversion to and from OpenXR's structs.
+// Defines poses and fields of view, and their conversion to and from OpenXR's structs.
 #pragma once
 
 #include <glm/gtc/quaternion.hpp>
@@ -15,7 +15,7 @@ struct Pose {
     glm::vec3 position{0};
 
     glm::vec3 operator*(const glm::vec3& local) const { return position + orientation * local; }
-    /// First `inner`, then this one.
+    /// Applies `inner` first, then this one.
     Pose operator*(const Pose& inner) const { return {orientation * inner.orientation, *this * inner.position}; }
     Pose inverse() const {
         const glm::quat back = glm::conjugate(orientation);
@@ -36,7 +36,7 @@ struct FieldOfView {
 /// OpenGL clip space (z from -1 at `nearZ` to 1 at `farZ`, metres) for an asymmetric field of view.
 glm::mat4 projection(const FieldOfView& fov, float nearZ, float farZ);
 
-/// Where `t` (0..1) of the way from `a` to `b` lies: position linear, orientation along the shorter arc.
+/// The pose at `t` (0..1) of the way from `a` to `b`: position linear, orientation along the shorter arc.
 Pose interpolate(const Pose& a, const Pose& b, float t);
 
 Pose fromXr(const XrPosef& pose);

@@ -1,4 +1,4 @@
-// The table of controllers.
+// Lists the controllers and their bindings.
 #include "xr/profiles.hpp"
 
 #include <array>

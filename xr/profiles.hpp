@@ -1,4 +1,4 @@
-// Which button of which controller does what: the bindings suggested to the runtime, as one table.
+// Assigns each controller's buttons to actions: the bindings suggested to the runtime, as one table.
 #pragma once
 
 #include <span>
@@ -7,7 +7,7 @@
 
 namespace meltpool::xr {
 
-/// What the person can do. The first three poses and values belong to the action set "weld", the others to "menu".
+/// Actions of the person. The first three poses and values belong to the action set "weld", the others to "menu".
 enum class Action {
     grip,     ///< pose of the hand around the torch
     trigger,  ///< 0..1: heat
@@ -33,7 +33,7 @@ struct InteractionProfile {
     std::span<const SuggestedBinding> bindings;
 };
 
-/// Every controller that is known. The tracker has no hands and is bound apart (trackerRoles).
+/// Every known controller. The tracker has no hands and is bound separately (trackerRoles).
 std::span<const InteractionProfile> interactionProfiles();
 
 /// A profile's bindings with both hands written out: {action, hand 0 = left, full path}.
@@ -46,7 +46,7 @@ std::vector<HandBinding> handBindings(const InteractionProfile& profile);
 
 constexpr const char* kTrackerProfile = "/interaction_profiles/htc/vive_tracker_htcx";
 
-/// The roles a tracker on a real torch or filler rod may have been given in the runtime's settings, likeliest first.
+/// The roles that the runtime's settings may give a tracker on a real torch or filler rod, likeliest first.
 std::span<const char* const> trackerRoles();
 
 } // namespace meltpool::xr

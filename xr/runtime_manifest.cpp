@@ -14,7 +14,7 @@ using nlohmann::json;
 
 constexpr std::uintmax_t kLargest = 1 << 20; // bytes; manifests have a few hundred
 
-/// What is wrong with the file before anybody reads it; empty: nothing.
+/// Fault of the file before it is read; empty: none.
 std::string faultOfFile(const fs::path& file) {
     std::error_code ignored;
     if (!fs::exists(file, ignored)) return "does not exist";
@@ -23,7 +23,7 @@ std::string faultOfFile(const fs::path& file) {
     return {};
 }
 
-/// The library may be named relative to the manifest, or to what the manifest links to.
+/// The library's name may be relative to the manifest, or to the manifest's link target.
 bool libraryExists(const fs::path& manifest, const fs::path& library) {
     std::error_code ignored;
     if (fs::exists(manifest.parent_path() / library, ignored)) return true;

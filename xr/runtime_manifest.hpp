@@ -1,4 +1,4 @@
-// The file by which the OpenXR loader finds the active runtime, and what is wrong with it.
+// Finds the file by which the OpenXR loader finds the active runtime, and its faults.
 #pragma once
 
 #include <filesystem>
@@ -9,26 +9,26 @@ namespace meltpool::xr {
 
 struct RuntimeManifest {
     std::string file;     ///< empty: none is set
-    std::string library;  ///< of the runtime, as the file names it
-    std::string fault;    ///< a sentence's end for the person, with file and what is wrong; empty: the file is in order
-    std::string unheeded; ///< what XR_RUNTIME_JSON names where the loader does not look at it; else empty
+    std::string library;  ///< library of the runtime, as the file names it
+    std::string fault;    ///< a sentence's end for the person, with file and fault; empty: the file is in order
+    std::string unheeded; ///< value of XR_RUNTIME_JSON if the loader ignores it; else empty
 };
 
-/// Looks where the loader looks: $XR_RUNTIME_JSON, else openxr/1/active_runtime.json in $XDG_CONFIG_HOME (or
-/// ~/.config), $XDG_CONFIG_DIRS (or /etc/xdg), /usr/local/etc and /etc; under Windows what the registry names, and the
+/// Looks in the loader's places: $XR_RUNTIME_JSON, else openxr/1/active_runtime.json in $XDG_CONFIG_HOME (or
+/// ~/.config), $XDG_CONFIG_DIRS (or /etc/xdg), /usr/local/etc and /etc; under Windows the registry's entry, and the
 /// variable only without an administrator's rights. Loads no library. Throws nothing.
 RuntimeManifest findRuntimeManifest();
 
-/// Reads one file. A library that is named without a folder is looked for by the system and not checked here.
+/// Reads one file. The system searches for a library named without a folder; it is not checked here.
 RuntimeManifest readRuntimeManifest(const std::filesystem::path& file);
 
 /// The places of active_runtime.json, in the loader's order; empty under Windows.
 std::vector<std::filesystem::path> activeRuntimePlaces();
 
-/// Whether the loader looks at XR_RUNTIME_JSON in this process.
+/// True if the loader reads XR_RUNTIME_JSON in this process.
 bool runtimeVariableHeeded();
 
-/// The file that the system names as the active runtime's, whether it exists or not; empty: it names none.
+/// The system's file of the active runtime, which need not exist; empty: the system names none.
 std::filesystem::path activeRuntimeFile();
 
 } // namespace meltpool::xr

@@ -30,7 +30,7 @@ bool runtimeVariableHeeded() {
 fs::path activeRuntimeFile() {
     for (const fs::path& place : activeRuntimePlaces()) {
         std::error_code ignored;
-        // A link that leads nowhere is found by nobody, but was meant.
+        // A link to a missing file cannot be opened, but it is the intended file.
         if (fs::exists(fs::symlink_status(place, ignored))) return place;
     }
     return {};

@@ -13,8 +13,8 @@ std::vector<fs::path> activeRuntimePlaces() {
     return {};
 }
 
-/// What a person without an administrator's rights can set must not choose the code that one with them runs, so the
-/// loader looks at the level that Windows trusts the process with.
+/// A setting by a person without an administrator's rights must not choose code that runs with those rights, so the
+/// loader checks the level that Windows trusts the process with.
 bool runtimeVariableHeeded() {
     HANDLE token = nullptr;
     if (OpenProcessToken(GetCurrentProcess(), TOKEN_QUERY, &token) == FALSE) return true;

@@ -31,7 +31,7 @@ EyeSize eyeSize(const Instance& instance, float scale) {
             scaled(views[0].recommendedImageRectHeight, views[0].maxImageRectHeight)};
 }
 
-/// Lets the driver, not this thread, wait until the other context has reached the fence.
+/// Makes the driver, not this thread, wait until the other context has reached the fence.
 void waitFor(GLsync& fence) {
     if (fence == nullptr) return;
     glWaitSync(fence, 0, GL_TIMEOUT_IGNORED);
@@ -118,7 +118,7 @@ void RuntimeWorker::requestExit() {
 
 void RuntimeWorker::copy(GLuint from, int left, const Swapchain& to, GLuint texture, GLenum attachment,
                          GLbitfield what) {
-    glDisable(GL_FRAMEBUFFER_SRGB); // the encoded values are copied as they are
+    glDisable(GL_FRAMEBUFFER_SRGB); // the encoded values are copied unchanged
     glNamedFramebufferTexture(from_->name(), attachment, from, 0);
     glNamedFramebufferTexture(to_->name(), attachment, texture, 0);
     glBlitNamedFramebuffer(from_->name(), to_->name(), left, 0, left + to.width(), to.height(), 0, 0, to.width(),

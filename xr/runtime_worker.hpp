@@ -1,4 +1,4 @@
-// All calls of the OpenXR runtime, made on one thread with an OpenGL context of its own.
+// Makes all calls of the OpenXR runtime on one thread with its own OpenGL context.
 #pragma once
 
 #include "core/gl/texture.hpp"
@@ -13,7 +13,7 @@
 namespace meltpool::xr {
 
 struct HeadsetSettings {
-    float resolutionScale = 1.0f; ///< times the runtime's recommended size a side, 0.3..2
+    float resolutionScale = 1.0f; ///< factor of the runtime's recommended size a side, 0.3..2
     int samples = 4;              ///< for each pixel of the eyes
     float nearZ = 0.02f;          ///< m
     float farZ = 50.0f;           ///< m
@@ -28,18 +28,18 @@ constexpr size_t kQuads = 2;
 /// A flat picture in this frame.
 struct QuadSubmission {
     bool shown = false;
-    bool fresh = false; ///< the texture has a new picture; else the last one stays
+    bool fresh = false; ///< the texture has a new picture; else the last one is shown again
     GLuint texture = 0;
     Pose pose; ///< in the session's space
 };
 
-/// What the drawing thread submits at the end of a frame. Set between calls.
+/// Contents that the drawing thread submits at the end of a frame. Set between calls.
 struct FrameSubmission {
-    bool eyes = false; ///< the textures below hold both eyes, left eye left
+    bool eyes = false; ///< the textures below hold both eyes, the left eye on the left
     GLuint colour = 0; ///< 2 eyes wide
-    GLuint depth = 0;  ///< likewise
+    GLuint depth = 0;  ///< 2 eyes wide
     std::array<QuadSubmission, kQuads> quads;
-    GLsync drawn = nullptr;              ///< reached when all of them are drawn
+    GLsync drawn = nullptr;              ///< reached when both textures are drawn
     std::array<HapticPulse, 2> pulses{}; ///< for the hands
     std::array<bool, 2> plays{};
     HapticPulse trackerPulse;
@@ -63,10 +63,11 @@ class RuntimeWorker : public ThreadOwned {
     void locateEyes();
     void awaitDrawing(); ///< waits until the submission's pictures are drawn
     void endFrame();     ///< submits `submission` and polls the runtime's events
-    void dropFrame();    ///< ends a frame that was given up
+    void dropFrame();    ///< ends an abandoned frame
     void requestExit();
 
-    /// A driver without a card may not wait by itself for another context: awaitDrawing() is needed before endFrame().
+    /// True for a driver without a card, which may not wait by itself for another context: awaitDrawing() is then
+    /// needed before endFrame().
     bool drawsOnProcessor() const { return software_; }
 
     // Results.
@@ -75,7 +76,7 @@ class RuntimeWorker : public ThreadOwned {
     std::unique_ptr<Input> input;
     GLenum colourFormat = GL_NONE;
     GLenum depthFormat = GL_NONE; ///< GL_NONE: no depth layer
-    int width = 0;                ///< pixels, of one eye
+    int width = 0;                ///< pixels of one eye
     int height = 0;
     const char* bindingKind = "";
     FrameTiming timing;

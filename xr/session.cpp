@@ -12,7 +12,7 @@ namespace {
 
 constexpr XrPosef kIdentity{{0, 0, 0, 1}, {0, 0, 0}};
 
-/// A runtime refuses to create a session before it was asked which OpenGL versions it supports.
+/// A runtime refuses to create a session before it was asked for its supported OpenGL versions.
 void askOpenGlRequirements(const Instance& instance) {
     const auto ask = instance.function<PFN_xrGetOpenGLGraphicsRequirementsKHR>("xrGetOpenGLGraphicsRequirementsKHR");
     if (ask == nullptr)
@@ -93,7 +93,7 @@ void Session::onStateChanged(XrSessionState state) {
     switch (state) {
     case XR_SESSION_STATE_IDLE: // created, or the headset was taken off: wait for READY
         break;
-    case XR_SESSION_STATE_READY: { // somebody wears the headset
+    case XR_SESSION_STATE_READY: { // the headset is worn
         XrSessionBeginInfo begin{XR_TYPE_SESSION_BEGIN_INFO};
         begin.primaryViewConfigurationType = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
         MELTPOOL_XR(xrBeginSession(session_, &begin));

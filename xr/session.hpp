@@ -1,4 +1,4 @@
-// One OpenXR session: its state machine, reference space and frame calls.
+// Wraps one OpenXR session: its state machine, reference space and frame calls.
 #pragma once
 
 #include "core/base/function_ref.hpp"
@@ -10,9 +10,9 @@
 
 namespace meltpool::xr {
 
-/// The session's state as far as the program has to know it.
+/// The session's state, as far as the program needs it.
 enum class SessionMode {
-    waiting,      ///< not begun: nobody wears the headset, or another program uses it
+    waiting,      ///< not begun: the headset is not worn, or another program uses it
     synchronized, ///< the runtime asks for frames but does not show them
     visible,      ///< shown, without input (the runtime's own menu is over it)
     focused,      ///< shown, with input
@@ -20,7 +20,7 @@ enum class SessionMode {
     lost,         ///< a new session has to be opened
 };
 
-/// One eye: where it is in the reference space and what it sees.
+/// One eye: its pose in the reference space and its field of view.
 struct EyeView {
     Pose pose;
     FieldOfView fov;
@@ -45,13 +45,13 @@ class Session {
 
     XrSession handle() const { return session_; }
     const Instance& instance() const { return instance_; }
-    /// STAGE (origin on the floor) where the runtime offers it, else LOCAL (origin near the head at start).
+    /// STAGE (origin on the floor) if the runtime offers it, else LOCAL (origin near the head at start).
     XrSpace space() const { return space_; }
     bool originOnFloor() const { return stage_; }
 
     SessionMode mode() const;
     bool running() const { return running_; }
-    /// Handles all pending events; those that do not concern the session's state go to `onOther`.
+    /// Handles all pending events; passes events that do not concern the session's state to `onOther`.
     void poll(FunctionRef<void(const XrEventDataBuffer&)> onOther = {});
     /// Asks the runtime to end the session; poll() follows the states to its end.
     void requestExit();
@@ -59,14 +59,14 @@ class Session {
     /// Blocks until the runtime wants the next frame. Only while running().
     FrameTiming waitFrame();
     void beginFrame();
-    /// Ends a frame that was given up, without a picture.
+    /// Ends an abandoned frame, without a picture.
     void dropFrame();
-    /// Shows the layers (none: nothing) at the frame's time.
+    /// Shows the layers (none: an empty picture) at the frame's time.
     void endFrame(XrTime displayTime, const XrCompositionLayerBaseHeader* const* layers, uint32_t count);
 
-    /// Both eyes at a time. False where the head is not tracked; the last known views stay in `eyes` then.
+    /// Poses of both eyes at a time. False if the head is not tracked; `eyes` then keeps the last known views.
     bool locateEyes(XrTime time, std::array<EyeView, 2>& eyes) const;
-    /// Where `space` is in the reference space; `tracked`: position and orientation are measured, not guessed.
+    /// Pose of `space` in the reference space; `tracked`: position and orientation are measured, not guessed.
     bool locate(XrSpace space, XrTime time, Pose& pose, bool& tracked) const;
 
   private:
@@ -82,9 +82,9 @@ class Session {
     XrSessionState state_ = XR_SESSION_STATE_UNKNOWN;
     bool running_ = false;
     bool lost_ = false;
-    bool waited_ = false; ///< for a frame that was not begun yet
+    bool waited_ = false; ///< true: waitFrame() returned a frame that has not begun
     bool inFrame_ = false;
-    XrTime displayTime_ = 0; ///< of the frame that was waited for last
+    XrTime displayTime_ = 0; ///< of the frame last waited for
 };
 
 } // namespace meltpool::xr

@@ -1,4 +1,4 @@
-// Swapchains and the choice of their formats.
+// Makes swapchains and chooses their formats.
 #include "xr/platform.hpp"
 
 #include "xr/swapchain.hpp"

@@ -1,4 +1,4 @@
-// The runtime's pictures for the headset, and the choice of their formats.
+// Provides the runtime's pictures for the headset, and chooses their formats.
 #pragma once
 
 #include "core/gl/gl.hpp"
@@ -10,11 +10,11 @@
 
 namespace meltpool::xr {
 
-/// The best of the offered colour formats: 8-bit sRGB first, since every eye buffer holds finished sRGB pictures.
-/// Nothing where none can be written to.
+/// The best of the offered colour formats: 8-bit sRGB first, since every eye buffer holds finished sRGB pictures. Empty
+/// if none can be written to.
 std::optional<GLenum> chooseColourFormat(std::span<const std::int64_t> offered);
 
-/// Likewise for depth; nothing: no depth layer is submitted.
+/// The best of the offered depth formats; empty: no depth layer is submitted.
 std::optional<GLenum> chooseDepthFormat(std::span<const std::int64_t> offered);
 
 /// Formats of the eyes.
@@ -23,7 +23,7 @@ struct PictureFormats {
     GLenum depth = GL_NONE; ///< GL_NONE: without a depth layer
 };
 
-/// Throws InputError, naming what was offered, where no colour format will do.
+/// Throws InputError, naming the offered formats, if no colour format will do.
 PictureFormats choosePictureFormats(std::span<const std::int64_t> offered, bool depthLayer);
 
 /// The formats that the runtime offers, in its own order of preference.
@@ -41,7 +41,7 @@ class Swapchain {
     int width() const { return width_; }
     int height() const { return height_; }
 
-    /// Takes the next picture and waits until it may be written. The texture's name.
+    /// Takes the next picture and waits until it may be written. Returns the texture's name.
     GLuint acquire();
     void release();
     XrSwapchainSubImage subImage() const;

@@ -50,8 +50,8 @@ bool coversDisc(const glm::vec3& eye, const glm::vec3& point, const glm::vec3& c
 /// or the picture's edge is in the way, it is lower, on the other side, or nearer still. It grows with the eye's
 /// distance. Its four fields keep their places:
 ///
-/// distance  angles
-/// aim       speed
+///     distance  angles
+///     aim       speed
 ///
 /// The marks of distance, aim and speed move in the picture's directions along the torch, across the seam and along the
 /// seam; the light part of a bar is the inner band, its ends are the outer one. In the disc of the angles the dot shows

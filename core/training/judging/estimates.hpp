@@ -44,11 +44,11 @@ inline constexpr double kSlagOvertakes = 0.5;
 /// processes and without an arc. `askedSpeed` (m/s): the lesson's ideal travel speed, if it has one.
 ///
 /// - Pores (`surface_pore`, which includes `piping_porosity`): under shielding gas by the travel angle, and by the
-/// distance of a wire's contact tip or the length of an electrode's arc; under slag by the length of the arc.
+///   distance of a wire's contact tip or the length of an electrode's arc; under slag by the length of the arc.
 /// - `spatter`: of a fed wire by voltage and current out of balance, of a covered electrode by a long arc. GTAW
-/// transfers no metal through its arc and has none.
+///   transfers no metal through its arc and has none.
 /// - `slag_inclusion`: of a covered electrode that pushes (slag runs ahead of the pool; trade knowledge) or travels too
-/// slowly.
+///   slowly.
 std::vector<Estimate> estimateImperfections(std::span<const SeamMillimetre> seam, const ProcessSettings& process,
                                             std::optional<double> askedSpeed = {});
 

@@ -54,7 +54,7 @@ std::optional<VerdictItem> judgeItem(const WeldMeasures& measures, const Accepta
 /// station
 /// - fails beyond the limit, or, if the limit itself is less than r, beyond limit + r;
 /// - is not resolved if the limit is less than r and the value not at least r on its safe side; an angle also if it is
-/// nearer than r to its limit;
+///   nearer than r to its limit;
 /// - passes otherwise.
 /// An item fails if a station does, unless the item allows short ones: then if a station fails the limit of short ones
 /// too, or if the stations beyond the limit are longer together than allowed. A limit that needs a nominal size that is
