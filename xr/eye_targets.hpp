@@ -13,7 +13,7 @@ class EyeTargets {
     /// `depth` a sized depth format. Throws RuntimeFault if the driver cannot draw into them.
     EyeTargets(GLenum colour, GLenum depth, int width, int height, int samples);
 
-    int width() const { return width_; } ///< of one eye
+    int width() const { return width_; } ///< width of one eye
     int height() const { return height_; }
     int samples() const { return samples_; }
     /// True if the driver encodes written colours while GL_FRAMEBUFFER_SRGB is on.

@@ -14,7 +14,7 @@ class GraphicsBinding {
     /// Throws InputError if no context is current.
     static GraphicsBinding ofCurrentContext();
 
-    /// For XrSessionCreateInfo::next.
+    /// Chain for XrSessionCreateInfo::next.
     const void* next() const { return chain_.get(); }
     /// The extension that this binding needs, or nullptr if XR_KHR_opengl_enable is enough.
     const char* extension() const { return extension_; }

@@ -116,7 +116,7 @@ struct SharedContext::Handles {
     void* display = nullptr;
     void* context = nullptr;
     unsigned long window = 0;    ///< GLX: a window of one pixel, never shown
-    unsigned long colourmap = 0; ///< of that window
+    unsigned long colourmap = 0; ///< colour map of that window
     bool egl = false;
 
     void useGlx(GLXContext first);

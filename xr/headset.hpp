@@ -13,7 +13,7 @@ namespace meltpool::xr {
 
 /// Both eyes of one frame and their frame buffer, next to each other, the left eye on the left.
 struct BothEyes {
-    std::array<EyeView, 2> views; ///< in the session's space
+    std::array<EyeView, 2> views; ///< poses in the session's space
     GLuint framebuffer = 0;       ///< colour and depth, 2 * width wide; multisampled if HeadsetSettings asks for it
     int width = 0;                ///< pixels of one eye
     int height = 0;
@@ -55,15 +55,15 @@ class Headset {
     Panel& panel() { return *panel_; }
     const Panel& panel() const { return *panel_; }
     const Panel& notice() const { return *notice_; }
-    const EyeTargets& eyes() const { return *targets_; } ///< also while stalled
+    const EyeTargets& eyes() const { return *targets_; } ///< valid also while stalled
     const HeadsetSettings& settings() const { return settings_; }
     bool hasDepthLayer() const { return worker_->depthFormat != GL_NONE; }
     /// The binding's name: GLX, EGL, WGL.
     const char* bindingKind() const { return worker_->bindingKind; }
 
     void poll();
-    bool running() const { return running_; }  ///< also while stalled
-    SessionMode mode() const { return mode_; } ///< also while stalled
+    bool running() const { return running_; }  ///< valid also while stalled
+    SessionMode mode() const { return mode_; } ///< valid also while stalled
     bool stalled() const { return stalled_; }  ///< a call was abandoned and was still in progress at the last poll()
     /// Waits for the next frame and reads the hands for it.
     FrameTiming waitFrame();

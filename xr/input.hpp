@@ -19,7 +19,7 @@ enum class Hand { left = 0, right = 1 };
 struct HandInput {
     bool present = false;  ///< a controller is switched on and bound
     bool tracked = false;  ///< the pose is measured in this frame; else `grip` is the last known one
-    Pose grip;             ///< in the session's space
+    Pose grip;             ///< pose in the session's space
     Pose aim;              ///< ray along -Z
     float trigger = 0;     ///< 0..1
     float squeeze = 0;     ///< 0..1

@@ -14,7 +14,7 @@ namespace meltpool::xr {
 
 struct HeadsetSettings {
     float resolutionScale = 1.0f; ///< factor of the runtime's recommended size a side, 0.3..2
-    int samples = 4;              ///< for each pixel of the eyes
+    int samples = 4;              ///< samples of each pixel of the eyes
     float nearZ = 0.02f;          ///< m
     float farZ = 50.0f;           ///< m
     PanelShape panel{};
@@ -30,7 +30,7 @@ struct QuadSubmission {
     bool shown = false;
     bool fresh = false; ///< the texture has a new picture; else the last one is shown again
     GLuint texture = 0;
-    Pose pose; ///< in the session's space
+    Pose pose; ///< pose in the session's space
 };
 
 /// Contents that the drawing thread submits at the end of a frame. Set between calls.
@@ -40,7 +40,7 @@ struct FrameSubmission {
     GLuint depth = 0;  ///< 2 eyes wide
     std::array<QuadSubmission, kQuads> quads;
     GLsync drawn = nullptr;              ///< reached when both textures are drawn
-    std::array<HapticPulse, 2> pulses{}; ///< for the hands
+    std::array<HapticPulse, 2> pulses{}; ///< pulses for the hands
     std::array<bool, 2> plays{};
     HapticPulse trackerPulse;
     size_t tracker = 0;
@@ -56,10 +56,10 @@ class RuntimeWorker : public ThreadOwned {
     ~RuntimeWorker() override;
 
     // The calls.
-    void open();       ///< session, actions, swapchains
-    void poll();       ///< the runtime's events
-    void waitFrame();  ///< and reads the controllers for that frame
-    void beginFrame(); ///< and locates the eyes for it
+    void open();       ///< makes session, actions and swapchains
+    void poll();       ///< handles the runtime's events
+    void waitFrame();  ///< waits for a frame and reads the controllers for it
+    void beginFrame(); ///< begins the frame and locates the eyes for it
     void locateEyes();
     void awaitDrawing(); ///< waits until the submission's pictures are drawn
     void endFrame();     ///< submits `submission` and polls the runtime's events

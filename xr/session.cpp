@@ -101,8 +101,8 @@ void Session::onStateChanged(XrSessionState state) {
         break;
     }
     case XR_SESSION_STATE_SYNCHRONIZED: // frames are paced
-    case XR_SESSION_STATE_VISIBLE:      // and shown
-    case XR_SESSION_STATE_FOCUSED:      // and controllers answer
+    case XR_SESSION_STATE_VISIBLE:      // frames are shown
+    case XR_SESSION_STATE_FOCUSED:      // controllers respond
         break;
     case XR_SESSION_STATE_STOPPING: // the headset was taken off, or requestExit() was called
         running_ = false;

@@ -26,7 +26,7 @@ struct EyeView {
     FieldOfView fov;
 };
 
-/// The answer to xrWaitFrame.
+/// Result of xrWaitFrame.
 struct FrameTiming {
     XrTime displayTime = 0; ///< nanoseconds on the runtime's clock
     double period = 0;      ///< seconds between displayed frames
@@ -84,7 +84,7 @@ class Session {
     bool lost_ = false;
     bool waited_ = false; ///< true: waitFrame() returned a frame that has not begun
     bool inFrame_ = false;
-    XrTime displayTime_ = 0; ///< of the frame last waited for
+    XrTime displayTime_ = 0; ///< time of the frame last waited for
 };
 
 } // namespace meltpool::xr

@@ -23,8 +23,8 @@ struct ComparedFigure {
     std::string unit; ///< "mm", "mm2", "mm/s", "°", "%", "Hz", "s", "A", "V", "kJ/mm"
     FigureGroup group = FigureGroup::weld;
     double resolution = 0; ///< resolution of a weld figure, see WeldFigure::resolution
-    double least = 0;      ///< in `unit`: a smaller difference does not count
-    double much = 1;       ///< in `unit`: differences of this size weigh alike
+    double least = 0;      ///< least difference that counts, in `unit`
+    double much = 1;       ///< difference of equal weight for every figure, in `unit`
     int decimals = 1;      ///< decimals to print
     bool onlyOver = false; ///< negative values mean "no fault" and compare as 0
     bool isSize = false;   ///< main size of a weld, always drawn
@@ -37,7 +37,7 @@ std::vector<ComparedFigure> comparedFigures(DistanceKind distance);
 struct AttemptFigures {
     DistanceKind distance = DistanceKind::ctwd;
     double spacing = 0;                   ///< particle spacing, m; 0: unknown
-    std::map<std::string, double> values; ///< by ComparedFigure::key, in its unit; unknown values are missing
+    std::map<std::string, double> values; ///< values by ComparedFigure::key, in its unit; unknown ones are missing
     std::optional<double> score;          ///< score of the technique, 0..100
     std::map<std::string, double> points; ///< points 0..100 of each judged quantity, by QuantityInfo::key
 };

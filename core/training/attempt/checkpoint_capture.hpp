@@ -11,10 +11,11 @@ class CheckpointCapture {
   public:
     CheckpointCapture();
 
-    /// For Trainer: fill the returned head at once and send the rest to state(). Drops a capture in progress.
+    /// Starts a capture, for Trainer: fill the returned head at once and send the rest to state(). Drops a capture in
+    /// progress.
     Checkpoint& begin();
     gl::StateParts& state() { return *parts_; }
-    /// For Trainer: starts the copy on the GPU, without waiting.
+    /// Starts the copy on the GPU, for Trainer, without waiting.
     void request() { capture_.request(); }
 
     /// True once the copy has arrived; never waits.

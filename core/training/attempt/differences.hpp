@@ -14,8 +14,8 @@ namespace meltpool {
 /// A figure that both attempts have.
 struct FigurePair {
     ComparedFigure figure;
-    double first = 0, second = 0; ///< in the figure's unit
-    double resolved = 0;          ///< in the figure's unit: a smaller difference does not count
+    double first = 0, second = 0; ///< values in the figure's unit
+    double resolved = 0;          ///< least difference that counts, in the figure's unit
     bool differs() const;
     /// True if the figure is worth a curve along the seam: a main size of a weld, or a figure that differs.
     bool isDrawn() const;

@@ -111,7 +111,7 @@ class KeptMoments {
     Checkpoint reference_;           ///< the attempt's first checkpoint
     std::vector<std::byte> history_; ///< steps of the hand, from the first on
     size_t historyKept_ = 0;         ///< steps in history_
-    std::vector<Moment> moments_;    ///< in the order of their times
+    std::vector<Moment> moments_;    ///< sorted by time
     std::thread worker_;             ///< runs from the first checkpoint on
 };
 

@@ -56,7 +56,7 @@ struct RecordingNote {
 struct RecordingCheckpoint {
     std::uint64_t steps = 0;
     std::uint64_t offset = 0; ///< offset of its bytes in the file
-    std::uint64_t size = 0;   ///< in bytes
+    std::uint64_t size = 0;   ///< size in bytes
 };
 
 /// End of an attempt.
@@ -86,9 +86,9 @@ struct Recording {
     AttemptHead head;
     std::vector<RecordingStep> steps;
     std::vector<RecordingPerson> people;
-    std::vector<RecordingNote> changes;           ///< in the order of the steps
-    std::vector<RecordingNote> events;            ///< in the order of the steps
-    std::vector<RecordingCheckpoint> checkpoints; ///< in the order of the steps
+    std::vector<RecordingNote> changes;           ///< sorted by step
+    std::vector<RecordingNote> events;            ///< sorted by step
+    std::vector<RecordingCheckpoint> checkpoints; ///< sorted by step
     size_t redone = 0;                            ///< times that the attempt went back
     std::optional<RecordingEnd> end;              ///< empty if the program ended without warning
     size_t frames = 0;                            ///< number of whole frames

@@ -27,7 +27,7 @@ class RecordingWriter {
   public:
     /// Period in which the file grows.
     static constexpr std::chrono::milliseconds kPeriod{50};
-    /// Period in which the file is looked for under its name.
+    /// Period of the check that the file has its name.
     static constexpr std::chrono::seconds kLook{1};
     /// Bytes that may wait for the disk: about a minute of steps.
     static constexpr size_t kRoom = size_t(1) << 20;
@@ -115,7 +115,7 @@ class RecordingWriter {
     bool personKnown_ = false;
 
     std::string batch_;      ///< sealed frames, of the writing thread
-    std::string content_;    ///< of the writing thread
+    std::string content_;    ///< buffer of the writing thread
     Clock::time_point look_; ///< next time to look for the file, of the writing thread
     std::thread thread_;     ///< last: its run() uses every other member
 };

@@ -31,7 +31,7 @@ constexpr float kTile = 0.96F;               // share of a field's edge
 constexpr float kHalfBar = 0.36F;            // share of a field's edge
 constexpr float kBarWidth = 0.2F;            // share of a field's edge
 constexpr float kLayer = 0.01F;              // share of a field's edge: distance between shapes on top of one another
-constexpr float kFarthest = 1.15F;           // in half bars: a mark beyond the band
+constexpr float kFarthest = 1.15F;           // place of a mark beyond the band, in half bars
 constexpr float kLift = 20e-3F;              // distance of the board before the pool, m
 constexpr float kLargestLift = 0.4F;         // share of the eye's distance
 constexpr float kClear = 1.15F;              // room between board and pool, in disc radii
@@ -42,7 +42,7 @@ constexpr double kDashLength = 2.5e-3, kDashPeriod = 4e-3; // m
 constexpr int kDashes = 6;
 constexpr double kDashStart = kPoolDisc + 2e-3;
 constexpr float kDashGround = 2;     // width of the dark ground, in dash widths
-constexpr float kBesideDisc = 1.05F; // in disc radii; a chord between two points outside may cross the disc
+constexpr float kBesideDisc = 1.05F; // distance in disc radii; a chord between two points outside may cross the disc
 constexpr double kDashLift = 0.8e-3; // m above the seam
 constexpr float kDashWidth = 4e-3F, kThinnest = 0.4e-3F, kThickest = 1.6e-3F; // share of the eye's distance; m
 

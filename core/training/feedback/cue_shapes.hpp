@@ -39,7 +39,7 @@ struct CueEye {
     glm::vec3 position{0};
     glm::vec3 up{0, 1, 0};                ///< up in the picture; need not be a unit vector, must not point along the
                                           ///< view
-    std::optional<glm::mat4> toClip = {}; ///< from the workpiece's frame; empty: the picture has no edges
+    std::optional<glm::mat4> toClip = {}; ///< transform from the workpiece's frame; empty: the picture has no edges
 };
 
 /// True if `point`, seen from `eye`, hides a part of the disc around `centre` with unit normal `normal`.
@@ -83,7 +83,7 @@ class CueShapes {
     /// Position of a board next to the pool.
     struct Stand {
         float side = 1; ///< 1 right, -1 left
-        float row = 0;  ///< of the board's lower edge, in fields above the pool
+        float row = 0;  ///< height of the board's lower edge above the pool, in fields
         float lift = 1; ///< factor of the usual lift
     };
 
@@ -101,7 +101,7 @@ class CueShapes {
 
     std::vector<Marker> markers_;
     glm::mat4 toWorld_{1.0f};
-    Stand stand_;      ///< of the last board
+    Stand stand_;      ///< place of the last board
     float wanted_ = 0; ///< side of the travel direction at that time
 };
 

@@ -92,7 +92,7 @@ class CueSkill {
 /// A cue as shown.
 struct Cue {
     CueKind kind = CueKind::speed;
-    TechniqueQuantity quantity = TechniqueQuantity::aim; ///< for speed, angles, distance and aim
+    TechniqueQuantity quantity = TechniqueQuantity::aim; ///< quantity of a cue of speed, angles, distance or aim
     double offset = 0;                                   ///< value minus ideal, in the band's unit; positive is too
                                                          ///< much
     double share = 0;                                    ///< offset over the band's outer half width

@@ -75,7 +75,7 @@ class GhostPath {
 
     TorchPath torch_;
     std::vector<Moment> moments_; ///< moments with the arc burning, in ascending times
-    std::vector<Reach> reached_;  ///< in ascending ways
+    std::vector<Reach> reached_;  ///< sorted by way, ascending
     int direction_ = 0;
     double turn_ = 0; ///< m, length of a closed seam; 0: open
 };

@@ -152,7 +152,7 @@ std::vector<double> unknownPlaces(const Technique& technique) {
     std::set<double> found;
     for (size_t i = 0; i < steps.size(); ++i) {
         if (steps[i].known) continue;
-        const size_t begin = i > 0 ? i - 1 : 0; // from the last known place to the next one
+        const size_t begin = i > 0 ? i - 1 : 0; // range from the last known place to the next one
         while (i + 1 < steps.size() && !steps[i].known)
             ++i;
         double low = std::numeric_limits<double>::infinity(), high = -low;

@@ -13,7 +13,7 @@ class TomlTable;
 enum class BandZone {
     inside,  ///< within the inner half width: full points
     between, ///< some points
-    beyond,  ///< from the outer half width on: no points
+    beyond,  ///< no points, from the outer half width on
 };
 
 /// Window of one parameter, in the unit of QuantityInfo: mm, mm/s, degrees, Hz, s.
@@ -39,7 +39,7 @@ struct TechniqueBands {
     double lengthToMm = 0;
     TravelDirection direction = TravelDirection::either; ///< forward: towards growing places
     double speedWindow = 0.5;                            ///< s, see TechniqueSettings
-    std::vector<TechniqueBand> bands;                    ///< of the judged parameters, each once
+    std::vector<TechniqueBand> bands;                    ///< bands of the judged parameters, each once
 
     /// Null for a quantity that is not judged.
     const TechniqueBand* find(TechniqueQuantity quantity) const;

@@ -23,7 +23,7 @@ struct Rule {
     std::string_view name; ///< part of the keys of its sentences
     std::function<bool(const SeamMillimetre&)> holds;
     std::string_view limitName = {}; ///< named place for its limit in those sentences; empty: its limits are constants
-    double limit = 0;                ///< as in the sentence, mm or mm/s
+    double limit = 0;                ///< limit as in the sentence, mm or mm/s
 };
 
 std::string number(double value) {
@@ -95,7 +95,7 @@ Estimate estimate(std::string name, std::span<const SeamMillimetre> seam, std::s
         return std::any_of(rules.begin(), rules.end(), [&](const Rule& rule) { return rule.holds(mm); });
     });
     std::string key = made.value > 0 ? "estimate.expected." : "estimate.not_expected.";
-    std::vector<double> lengths; // of the named rules
+    std::vector<double> lengths; // lengths of the named rules
     for (const Rule& rule : rules) {
         const double length = count(rule.holds);
         if (made.value > 0 && length == 0) continue;

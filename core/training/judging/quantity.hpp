@@ -12,21 +12,24 @@ namespace meltpool {
 
 /// See the handbook's page on technique for definitions and signs.
 enum class TechniqueQuantity {
-    aim,            ///< across the seam, from it to the torch's axis at the seam's height; when weaving, to the weave's
-                    ///< centre line; positive on SeamFrame::across, the welder's side
-    height,         ///< of the torch's tip above the seam, along the bisector
-    distance,       ///< see DistanceKind
-    workAngle,      ///< torch from the bisector in the plane across the seam; positive: the handle leans to the welder
-    travelAngle,    ///< torch from that plane, in the plane of torch and seam; positive pushes, negative drags
-    travelSpeed,    ///< of the arc along the seam, in the sensed direction of travel
-    weaveWidth,     ///< from toe to toe; 0 without a weave
+    aim,       ///< offset across the seam of the torch's axis at the seam's height; when weaving, of the weave's
+               ///< centre line; positive on SeamFrame::across, the welder's side
+    height,    ///< height of the torch's tip above the seam, along the bisector
+    distance,  ///< distance, see DistanceKind
+    workAngle, ///< angle of the torch from the bisector in the plane across the seam; positive: the handle leans to the
+               ///< welder
+    travelAngle,    ///< angle of the torch from that plane, in the plane of torch and seam; positive pushes, negative
+                    ///< drags
+    travelSpeed,    ///< speed of the arc along the seam, in the sensed direction of travel
+    weaveWidth,     ///< width from toe to toe; 0 without a weave
     weaveFrequency, ///< whole swings a second; 0 without a weave
-    weaveDwell,     ///< at each toe, beyond what a swing of even speed spends there
-    whipLength,     ///< to and fro along the seam, the mean of both strokes; 0 without whipping
-    whipPeriod,     ///< from one stroke to the next
-    whipDwell,      ///< in the pool, at the rear end
-    rodAngle,       ///< filler rod above the plane across the bisector; 0 is flat on a plate, 90 degrees upright on it
-    rodFrequency,   ///< dips of the rod towards the pool a second; 0 for a rod held still
+    weaveDwell,     ///< dwell at each toe, beyond the time of a swing of even speed there
+    whipLength,     ///< stroke along the seam, the mean of both ways; 0 without whipping
+    whipPeriod,     ///< time from one stroke to the next
+    whipDwell,      ///< dwell in the pool, at the rear end
+    rodAngle, ///< angle of the filler rod above the plane across the bisector; 0 is flat on a plate, 90 degrees upright
+              ///< on it
+    rodFrequency, ///< dips of the rod towards the pool a second; 0 for a rod held still
 };
 inline constexpr size_t kTechniqueQuantities = 14;
 
@@ -48,7 +51,7 @@ struct QuantityInfo {
     std::string_view wordsKey; ///< key of words()
     std::string_view unit;     ///< unit in lessons and sentences: "mm", "mm/s", "°", "Hz", "s"
     double perSi = 1;          ///< value in `unit` per value in SI
-    double least = 0;          ///< in `unit`, range that a lesson may ask for
+    double least = 0;          ///< range that a lesson may ask for, in `unit`
     double most = 0;
 
     /// Name in sentences, such as "travel speed". Valid for the whole run.

@@ -22,8 +22,8 @@ inline constexpr double kLowestShare = 0.5;
 struct ParameterScore {
     TechniqueQuantity quantity = TechniqueQuantity::aim;
     double score = 0;     ///< 0..100: the mean of TechniqueBand::points() over the judged millimetres
-    double mean = 0;      ///< of the values; NaN without a known value, as are the next four
-    double deviation = 0; ///< of the mean from the ideal; positive is too much
+    double mean = 0;      ///< mean of the values; NaN without a known value, as are the next four
+    double deviation = 0; ///< deviation of the mean from the ideal; positive is too much
     double spread = 0;    ///< mean distance from the ideal, regardless of its sign
     double least = 0, most = 0;
     double worstPlaceMm = 0; ///< place on the seam of the largest deviation

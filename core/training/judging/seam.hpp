@@ -50,7 +50,7 @@ class Seam {
     Seam() = default;
 
     SeamFrame zero_;       ///< frame at place 0
-    glm::dvec3 centre_{0}; ///< of a circle
+    glm::dvec3 centre_{0}; ///< centre of a circle
     glm::dvec3 axis_{0, 0, 1};
     double radius_ = 0; ///< m; 0: straight
     double begin_ = 0;

@@ -11,13 +11,13 @@ namespace {
 constexpr size_t kLeastSwings = 3;
 constexpr double kNear = 0.1;     ///< share of the way that still counts as at the toe
 constexpr double kRaise = 1.3;    // factor of the least swing, while tremor is as large
-constexpr double kMostTremor = 5; // in least swings; larger tremor hides every swing
+constexpr double kMostTremor = 5; // tremor in least swings above which no swing is found
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// A way from one toe to the next.
 struct HalfSwing {
     double from = 0, to = 0;
-    double seconds = 0;                         ///< from toe to toe
+    double seconds = 0;                         ///< time from toe to toe
     double leaves = 0, middle = 0, arrives = 0; ///< s, at a tenth, half and nine tenths of the way
 
     double width() const { return std::abs(to - from); }

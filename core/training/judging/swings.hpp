@@ -8,7 +8,7 @@ namespace meltpool {
 
 /// Limits of a swing.
 struct SwingLimits {
-    double least = 1e-3;    ///< from toe to toe, in the values' unit; smaller movements are tremor
+    double least = 1e-3;    ///< width from toe to toe, in the values' unit; smaller movements are tremor
     double shortest = 0.15; ///< s from toe to toe; faster movements are tremor too, and only larger swings are searched
     double longest = 2.5;   ///< s from toe to toe; slower movements are drift
 };
@@ -17,9 +17,9 @@ struct SwingLimits {
 struct Swing {
     double time = 0;      ///< at the middle between the toes
     double centre = 0;    ///< value at the middle
-    double width = 0;     ///< from toe to toe, without the drift: the mean of the ways to and fro
-    double period = 0;    ///< of a swing to and fro
-    double rate = 0;      ///< drift of the centre over one period, a second
+    double width = 0;     ///< width from toe to toe, without the drift: the mean of the ways to and fro
+    double period = 0;    ///< period of a swing to and fro
+    double rate = 0;      ///< drift of the centre per second, over one period
     double dwellLow = 0;  ///< s at the lower toe, see findSwings()
     double dwellHigh = 0; ///< s at the upper toe
 };

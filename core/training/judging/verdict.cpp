@@ -15,7 +15,7 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 /// One station measured against one limit.
 struct Look {
     VerdictState state = VerdictState::notResolved;
-    double value = 0, limit = 0, excess = 0, resolution = 0; ///< in the imperfection's unit
+    double value = 0, limit = 0, excess = 0, resolution = 0; ///< values in the imperfection's unit
     double place = 0;                                        ///< m
 };
 
@@ -71,8 +71,8 @@ class ItemJudge {
     const AcceptanceItem& item_;
     const NominalWeld& nominal_;
     const WeldFigure& what_;
-    double resolution_; ///< in the imperfection's unit
-    LimitSizes sizes_;  ///< of the whole weld, without b
+    double resolution_; ///< resolution in the imperfection's unit
+    LimitSizes sizes_;  ///< sizes of the whole weld, without b
 };
 
 /// All values of the imperfection, in the order of the stations.

@@ -30,7 +30,7 @@ struct VerdictItem {
     std::string_view unit; ///< "mm" or "deg"
     VerdictState state = VerdictState::notResolved;
     bool beyond = false;         ///< the value is beyond the limit; for an estimate: the imperfection is to be expected
-    double resolution = 0;       ///< in `unit`: resolution of the particles
+    double resolution = 0;       ///< resolution of the particles, in `unit`
     std::optional<double> place; ///< m along the seam of that worst station
     std::string rule = {};       ///< rule of an estimate, see Estimate::rule
     /// Stretches of stations beyond the main limit, each station a pitch long, neighbours together, m along the seam;

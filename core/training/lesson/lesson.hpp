@@ -67,7 +67,7 @@ struct PictureLook {
 /// A setting of the process that the trainee sets on the machine, within limits.
 struct ChosenSetting {
     std::string key;
-    double from = 0, to = 0; ///< in the setting's unit, both included
+    double from = 0, to = 0; ///< limits in the setting's unit, both included
     /// The machine's setting before the trainee sets it; may be outside the limits.
     std::optional<double> start = {};
 };
@@ -98,7 +98,7 @@ struct Lesson {
     SurfaceParameters surface;
     CameraParameters camera;
     LookParameters look;
-    std::vector<PictureLook> pictures; ///< at least one; each begins with `look` and `camera`
+    std::vector<PictureLook> pictures; ///< pictures, at least one; each begins with `look` and `camera`
     // Rules for judging an attempt; empty if the lesson has none.
     std::optional<TechniqueBands> technique; ///< weld
     std::optional<Acceptance> acceptance;    ///< weld

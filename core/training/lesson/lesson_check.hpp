@@ -23,9 +23,9 @@ struct Expectation {
 struct LessonCheck {
     std::filesystem::path file;
     std::string name; ///< file name without its extension
-    Lesson lesson;    ///< with the check's torch path and values
+    Lesson lesson;    ///< lesson with the check's torch path and values
     TorchBend bend;
-    std::vector<Expectation> expectations; ///< in the order of their keys
+    std::vector<Expectation> expectations; ///< sorted by key
 };
 
 /// True if a TOML file is a check: it has a table [expect]. Throws InputError for a file that is not TOML.

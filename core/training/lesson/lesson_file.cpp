@@ -240,7 +240,7 @@ Lesson readLesson(const std::filesystem::path& file) {
         lesson.torchFile = file.parent_path() / root.text("torch");
         readNamed(root, "torch", [&] { lesson.torch = TorchPath::read(lesson.torchFile); });
     }
-    root.allow("expect"); // in a lesson that is a check itself, see readCheck()
+    root.allow("expect"); // allowed in a lesson that is a check itself, see readCheck()
     root.finish();
     return lesson;
 }

@@ -10,7 +10,7 @@
 
 namespace meltpool {
 
-/// In the order of lists. Of two lessons with one name the first counts.
+/// Origins in the order of lists. Of two lessons with one name the first counts.
 enum class LessonOrigin { shipped, school, own };
 
 /// "shipped", "school", "own".

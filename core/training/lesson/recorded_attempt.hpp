@@ -35,9 +35,9 @@ struct RecordedAttempt {
     std::filesystem::path file;
     bool framed = false;                 ///< true: a recording; false: a record
     AttemptHead head;                    ///< without its values; date: the file's, local, as formatDate()
-    std::vector<RecordedChange> values;  ///< at the start of the attempt
-    std::vector<RecordedChange> changes; ///< in the order of the steps
-    std::vector<RecordedEvent> events;   ///< in the order of the steps
+    std::vector<RecordedChange> values;  ///< values at the start of the attempt
+    std::vector<RecordedChange> changes; ///< sorted by step
+    std::vector<RecordedEvent> events;   ///< sorted by step
     std::vector<RecordedEvent> notes;    ///< all other events: zoom, cues, redo ..., in the file's order
     std::string ended;                   ///< reason of the end; empty if the program ended without warning
     std::string stateHash;               ///< hash of the metal's state at the end; empty as above

@@ -23,7 +23,7 @@ struct PathKey {
     std::string_view key;
     double PathChange::*value;
     double unit;
-    double least, most; ///< in the key's unit
+    double least, most; ///< limits in the key's unit
     std::string_view expected;
 };
 

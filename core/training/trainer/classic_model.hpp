@@ -41,7 +41,7 @@ class ClassicModel : public MetalModel {
   private:
     ClassicMetal metal_;
     bool cold_ = false;
-    float trigger_ = 0; ///< of the last step
+    float trigger_ = 0; ///< trigger of the last step
 };
 
 } // namespace meltpool

@@ -12,9 +12,9 @@
 
 namespace meltpool {
 
-/// In another context: each function may be called on that context's thread or, while that thread is idle, on the
-/// thread that made this. particles() returns buffers of the calling thread's context: on the latter thread copies,
-/// made by the first call after the metal changed, which stay unchanged while further steps are made.
+/// Rules for metal in another context: each function may be called on that context's thread or, while that thread is
+/// idle, on the thread that made this. particles() returns buffers of the calling thread's context: on the latter
+/// thread copies, made by the first call after the metal changed, which stay unchanged while further steps are made.
 class LessonMetal {
   public:
     /// `there`: the metal's context, null for the calling thread's. It must outlive the metal, and any thread must be
@@ -35,7 +35,7 @@ class LessonMetal {
         return run(work);
     }
 
-    /// For queries that need no context: units, arc, wire.
+    /// The model, for queries that need no context: units, arc, wire.
     const MetalModel& model() const { return *metal_; }
 
     /// One fixed step. `profiler` may be null.
@@ -49,7 +49,7 @@ class LessonMetal {
 
     gl::OtherContext* there_;
     std::unique_ptr<MetalModel> metal_;
-    std::optional<gl::Profiler> times_; ///< for the other context: timer queries belong to one context
+    std::optional<gl::Profiler> times_; ///< profiler of the other context: timer queries belong to one context
     mutable ParticleMirror mirror_;
     mutable bool changed_ = true; ///< since the mirror was made
 };

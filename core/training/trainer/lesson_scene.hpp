@@ -58,7 +58,8 @@ class LessonScene : private StepWatcher {
     std::unique_ptr<Surface> surface_;
     std::optional<ParticleView> noted_; ///< particles for the surface
     TipProbe probe_;
-    bool metalExchanged_ = false; ///< true since the last request: the probe forgets it on its own thread
+    bool metalExchanged_ = false; ///< true: the metal was replaced since the probe's request; the scene's thread then
+                                  ///< drops the request
     Sight sight_;
 };
 

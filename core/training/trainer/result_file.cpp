@@ -118,7 +118,7 @@ Json recordedOf(const RecordedAttempt& attempt, const LessonResult* result, cons
     if (attempt.redone > 0) json["redone"] = attempt.redone;
     if (result == nullptr || !context.whatIf.empty()) return json;
     if (const auto same = sameEnd(attempt, result->steps, result->stateHash)) json["same"] = *same;
-    const std::string program = context.version + " (" + context.commit + ")"; // in the form of records
+    const std::string program = context.version + " (" + context.commit + ")"; // name in the form of records
     json["repetition"] = nameOf(repetitionOf(attempt, *result, program, context.renderer));
     return json;
 }
@@ -238,7 +238,7 @@ AttemptFacts factsOf(const RecordedAttempt& attempt) {
     AttemptFacts facts;
     facts.head = attempt.head;
     facts.realTime = attempt.realTime;
-    // A test says so in a person's attempt; one without the line was practice.
+    // A person's attempt has this line if it was a test; without the line it was practice.
     if (attempt.realTime) facts.forScore = false;
     for (const RecordedEvent& note : attempt.notes) {
         if (note.name == "for_score") facts.forScore = note.value == "yes";

@@ -35,7 +35,7 @@ struct ResultContext {
     std::string commit;
     std::string renderer;
     double wallSeconds = 0;
-    std::optional<WeldSection> section = {}; ///< of weld lessons
+    std::optional<WeldSection> section = {}; ///< section of a weld lesson
     Judgement judgement = {};
     std::string error = {};                   ///< reason why the run ended early; else empty
     std::string date = {};                    ///< date of the result, as formatDate(); empty: not written

@@ -9,7 +9,7 @@ ProbeAim aimOf(const MetalModel& metal, const TorchSample& torch) {
     return {end / metal.unit(), torch.axis(), TipProbe::kReach / metal.unit()};
 }
 
-/// In metres; empty if it met no metal.
+/// Distance in metres; empty if no metal was met.
 float distanceOf(float found, const MetalModel& metal) {
     const float metres = found * metal.unit();
     return metres < TipProbe::kReach * 0.999F ? metres : std::numeric_limits<float>::infinity();

@@ -102,8 +102,8 @@ class Trainer {
     const SoundStep& heard() const { return sound_.last(); }
     /// Gives each step from the next one on to `ear` (null: dropped), which must outlive this.
     void listen(Ear* ear) { ear_ = ear; }
-    /// From the next step on `watcher` (null: none) replaces the watcher before. It must outlive this or be replaced
-    /// before it ends.
+    /// Replaces the watcher from the next step on by `watcher` (null: none). It must outlive this or be replaced before
+    /// it ends.
     void watch(StepWatcher* watcher) { watcher_ = watcher; }
     /// Sets the distance from the tip to the shown metal, for models without an arc of their own.
     void setSurfaceDistance(const SurfaceDistance& surface) { surfaceDistance_ = surface; }
@@ -179,8 +179,8 @@ class Trainer {
     AttemptRecorder recorder_;
     FigureReader figures_;
     ArcAccount account_;
-    size_t nextChange_ = 0; ///< of the demonstration's changes
-    size_t nextEvent_ = 0;  ///< of the demonstration's events
+    size_t nextChange_ = 0; ///< next of the demonstration's changes
+    size_t nextEvent_ = 0;  ///< next of the demonstration's events
     TorchSample torch_;
     ArcState arc_;
     SoundSource sound_;

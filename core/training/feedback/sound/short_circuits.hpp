@@ -38,7 +38,7 @@ class ShortCircuits {
     /// The count plus the share of the time to the next one: grows steadily while the wire shorts.
     double phase() const { return static_cast<double>(count_) + way_ / next_; }
 
-    /// For a checkpoint: everything except last().
+    /// Saves or restores everything except last(), for a checkpoint.
     void transfer(gl::StateArchive& archive) { archive.values(count_, way_, next_); }
 
   private:

@@ -14,7 +14,7 @@ namespace meltpool {
 /// One audible step. Small and without allocated memory, so that a thread can hand it to another one.
 struct SoundStep {
     double seconds = 0;                     ///< length of the step
-    const ProcessTraits* process = nullptr; ///< null: nothing sounds
+    const ProcessTraits* process = nullptr; ///< null: silence
     ArcState arc;
     float trigger = 0;     ///< 0 released .. 1: gas flows, the machine is on
     float dropRate = 0;    ///< 1/s, drops from the wire into an open arc
@@ -22,7 +22,7 @@ struct SoundStep {
     float tipSpeed = 0;    ///< speed of the tip, m/s
     float hottest = 0;     ///< hottest temperature of the metal, K; 0: unknown
     int chips = 0;         ///< strokes of the chipping hammer that begin in this step
-    double shortPhase = 0; ///< see ShortCircuits::phase()
+    double shortPhase = 0; ///< phase of the short circuits, see ShortCircuits::phase()
     size_t shortCount = 0; ///< used entries of `shorts`
     std::array<ShortCircuit, ShortCircuits::kMost> shorts{};
 
@@ -45,7 +45,7 @@ class SoundSource {
               double hottest);
 
     const SoundStep& last() const { return last_; }
-    /// For a checkpoint: everything except last().
+    /// Saves or restores everything except last(), for a checkpoint.
     void transfer(gl::StateArchive& archive);
     const ShortCircuits& shorts() const { return shorts_; }
 
